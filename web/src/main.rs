@@ -1,1 +1,17 @@
-fn main() {}
+//! The Meshwright page: starts the editor on the page's canvas.
+
+#[cfg(target_arch = "wasm32")]
+mod page;
+#[cfg(target_arch = "wasm32")]
+mod worker_link;
+
+#[cfg(target_arch = "wasm32")]
+fn main() {
+    page::start();
+}
+
+#[cfg(not(target_arch = "wasm32"))]
+fn main() {
+    eprintln!("This program runs in a browser: `cargo xtask serve` builds and serves the page.");
+    std::process::exit(2);
+}
