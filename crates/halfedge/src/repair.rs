@@ -1,0 +1,383 @@
+//! Any polygon soup made into an oriented manifold, with an account of what was changed.
+//!
+//! Rules, in this order:
+//! 1. A face that refers to a vertex that doesn't exist, or that has fewer than three different
+//!    corners once repeats in a row are merged, or that comes back to a vertex, is dropped.
+//! 2. A face with the same vertices in the same cyclic order (either way round) as an earlier one
+//!    is dropped. A pair of opposite faces that touch nothing else is a closed surface, and stays.
+//! 3. An edge with more than two faces is separated: each face there gets its own.
+//! 4. Within each piece connected over edges, faces are turned so that neighbours agree; the
+//!    smaller part of a piece is the one that turns. Where no orientation exists (a Möbius strip)
+//!    the edges that disagree are separated.
+//! 5. A vertex whose faces form several fans keeps its number for the first; each other fan gets a
+//!    copy. (This one happens in the build.)
+
+use crate::NONE;
+use crate::build::{Assembly, has_distinct_corners};
+use crate::soup::PolygonSoup;
+use std::collections::HashMap;
+use std::fmt;
+
+/// One kind of change made to input, with the elements it was made to.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Note {
+    /// What was changed.
+    pub kind: NoteKind,
+    /// How many elements.
+    pub count: usize,
+    /// The first few, numbered from 0 in the input's order: faces or vertices, and for edges the
+    /// vertices at their ends, two at a time.
+    pub first: Vec<u32>,
+}
+
+/// The kinds of change.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum NoteKind {
+    /// Faces that refer to vertices that don't exist were dropped.
+    MissingVertex,
+    /// Faces with fewer than three different corners, or that pass a vertex twice, were dropped.
+    DegenerateFace,
+    /// Faces that repeat an earlier one were dropped.
+    DuplicateFace,
+    /// Edges with more than two faces were separated.
+    NonManifoldEdge,
+    /// Faces were turned round.
+    FaceTurned,
+    /// Edges were separated because no orientation suits both their faces.
+    NotOrientable,
+    /// Vertices where faces meet without sharing edges were separated.
+    VertexSeparated,
+    /// Positions that are not finite were replaced by the origin.
+    PositionNotFinite,
+}
+
+impl Note {
+    const FIRST: usize = 6;
+
+    pub(crate) fn new(kind: NoteKind, elements: Vec<u32>) -> Self {
+        let per_item = if kind.is_about_edges() { 2 } else { 1 };
+        let count = elements.len() / per_item;
+        let mut first = elements;
+        first.truncate(Self::FIRST * per_item);
+        Self { kind, count, first }
+    }
+}
+
+impl NoteKind {
+    fn is_about_edges(self) -> bool {
+        matches!(self, Self::NonManifoldEdge | Self::NotOrientable)
+    }
+}
+
+impl fmt::Display for Note {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let (thing, things, done) = match self.kind {
+            NoteKind::MissingVertex => {
+                ("face", "faces", "left out: a corner refers to a vertex that doesn't exist")
+            }
+            NoteKind::DegenerateFace => {
+                ("face", "faces", "left out: fewer than three different corners, or the same corner twice")
+            }
+            NoteKind::DuplicateFace => {
+                ("face", "faces", "left out: it has the same corners as an earlier face")
+            }
+            NoteKind::NonManifoldEdge => ("edge", "edges", "separated: more than two faces met there"),
+            NoteKind::FaceTurned => {
+                ("face", "faces", "turned round so that neighbouring faces face the same way")
+            }
+            NoteKind::NotOrientable => {
+                ("edge", "edges", "separated: its two faces can't be made to face the same way")
+            }
+            NoteKind::VertexSeparated => {
+                ("vertex", "vertices", "separated: groups of faces touched there without sharing an edge")
+            }
+            NoteKind::PositionNotFinite => {
+                ("vertex", "vertices", "moved to the origin: the position is not a finite number")
+            }
+        };
+        write!(f, "{} {} {done} (", self.count, if self.count == 1 { thing } else { things })?;
+        if self.kind.is_about_edges() {
+            f.write_str("between vertices ")?;
+            for (i, ends) in self.first.chunks_exact(2).enumerate() {
+                write!(f, "{}{} and {}", if i > 0 { ", " } else { "" }, ends[0], ends[1])?;
+            }
+        } else {
+            write!(f, "{} ", if self.first.len() == 1 { thing } else { things })?;
+            for (i, id) in self.first.iter().enumerate() {
+                write!(f, "{}{id}", if i > 0 { ", " } else { "" })?;
+            }
+        }
+        let shown = self.first.len() / if self.kind.is_about_edges() { 2 } else { 1 };
+        f.write_str(if shown < self.count { ", …)" } else { ")" })
+    }
+}
+
+pub(crate) struct Repaired {
+    pub assembly: Assembly,
+    /// The soup's corner of each corner kept.
+    pub corner_source: Vec<u32>,
+    /// The soup's face of each face kept.
+    pub face_source: Vec<u32>,
+    pub notes: Vec<Note>,
+}
+
+/// A face that is kept: where it comes from and which of the soup's corners it has, in order.
+struct Kept {
+    source: u32,
+    corners: Vec<u32>,
+}
+
+/// One side of a face: the corner it starts at, and the side's vertices, smaller first.
+struct Side {
+    ends: (u32, u32),
+    face: u32,
+    slot: u32,
+}
+
+pub(crate) fn assemble(soup: &PolygonSoup) -> Repaired {
+    let mut notes = Vec::new();
+    let mut faces = clean_faces(soup, &mut notes);
+    drop_duplicates(soup, &mut faces, &mut notes);
+
+    let sides = sorted_sides(soup, &faces);
+    // The sides that stay joined, two by two.
+    let mut pairs: Vec<(usize, usize)> = Vec::new();
+    let mut crowded = Vec::new();
+    for_each_edge(&sides, |range| match range.len() {
+        1 => {}
+        2 => pairs.push((range.start, range.start + 1)),
+        _ => crowded.extend([sides[range.start].ends.0, sides[range.start].ends.1]),
+    });
+    note(&mut notes, NoteKind::NonManifoldEdge, crowded);
+
+    let turned = orient(soup, &faces, &sides, &mut pairs, &mut notes);
+    note(
+        &mut notes,
+        NoteKind::FaceTurned,
+        (0..faces.len()).filter(|&f| turned[f]).map(|f| faces[f].source).collect(),
+    );
+
+    // Turn faces, first corner kept, and see where each side starts afterwards.
+    let mut corner_start = Vec::with_capacity(faces.len());
+    let mut corner_count = 0;
+    for (face, &turn) in faces.iter_mut().zip(&turned) {
+        corner_start.push(corner_count);
+        corner_count += face.corners.len();
+        if turn {
+            face.corners[1..].reverse();
+        }
+    }
+    let corner_of = |side: &Side| {
+        let f = side.face as usize;
+        let n = faces[f].corners.len() as u32;
+        let slot = if turned[f] { (n - (side.slot + 1)) % n } else { side.slot };
+        corner_start[f] + slot as usize
+    };
+    let mut mate = vec![NONE; corner_count];
+    for (a, b) in pairs {
+        let (a, b) = (corner_of(&sides[a]), corner_of(&sides[b]));
+        mate[a] = b as u32;
+        mate[b] = a as u32;
+    }
+
+    let mut assembly = Assembly::with_capacity(faces.len(), corner_count);
+    let mut corner_source = Vec::with_capacity(corner_count);
+    for face in &faces {
+        let first = assembly.corner_halfedge.len();
+        for (i, &corner) in face.corners.iter().enumerate() {
+            let at = first + i;
+            let other = mate[at];
+            let h = if (other as usize) < at {
+                assembly.corner_halfedge[other as usize] ^ 1
+            } else {
+                let end = face.corners[(i + 1) % face.corners.len()];
+                assembly.push_edge(soup.corners[corner as usize], soup.corners[end as usize])
+            };
+            assembly.corner_halfedge.push(h);
+            corner_source.push(corner);
+        }
+        assembly.close_face(first);
+    }
+    Repaired { assembly, corner_source, face_source: faces.iter().map(|face| face.source).collect(), notes }
+}
+
+fn note(notes: &mut Vec<Note>, kind: NoteKind, elements: Vec<u32>) {
+    if !elements.is_empty() {
+        notes.push(Note::new(kind, elements));
+    }
+}
+
+/// Rule 1.
+fn clean_faces(soup: &PolygonSoup, notes: &mut Vec<Note>) -> Vec<Kept> {
+    let (mut missing, mut degenerate) = (Vec::new(), Vec::new());
+    let mut faces = Vec::with_capacity(soup.face_count());
+    for source in 0..soup.face_count() {
+        let vertex = |corner: u32| soup.corners[corner as usize];
+        let range = soup.face_range(source);
+        let mut corners: Vec<u32> = (range.start as u32..range.end as u32).collect();
+        if corners.iter().any(|&c| vertex(c) as usize >= soup.positions.len()) {
+            missing.push(source as u32);
+            continue;
+        }
+        corners.dedup_by_key(|&mut c| vertex(c));
+        while corners.len() > 1 && vertex(corners[0]) == vertex(corners[corners.len() - 1]) {
+            corners.pop();
+        }
+        let vertices: Vec<u32> = corners.iter().map(|&c| vertex(c)).collect();
+        if has_distinct_corners(&vertices) {
+            faces.push(Kept { source: source as u32, corners });
+        } else {
+            degenerate.push(source as u32);
+        }
+    }
+    note(notes, NoteKind::MissingVertex, missing);
+    note(notes, NoteKind::DegenerateFace, degenerate);
+    faces
+}
+
+/// Rule 2.
+fn drop_duplicates(soup: &PolygonSoup, faces: &mut Vec<Kept>, notes: &mut Vec<Note>) {
+    // The same for every rotation and both directions; says which direction it was.
+    let canonical = |face: &Kept| {
+        let vertices: Vec<u32> = face.corners.iter().map(|&c| soup.corners[c as usize]).collect();
+        let n = vertices.len();
+        let start = (0..n).min_by_key(|&i| vertices[i]).unwrap_or(0);
+        let forward: Vec<u32> = (0..n).map(|i| vertices[(start + i) % n]).collect();
+        let backward: Vec<u32> = (0..n).map(|i| vertices[(start + n - i) % n]).collect();
+        if forward <= backward { (forward, true) } else { (backward, false) }
+    };
+    let mut groups: HashMap<Vec<u32>, Vec<(usize, bool)>> = HashMap::with_capacity(faces.len());
+    for (f, face) in faces.iter().enumerate() {
+        let (key, forward) = canonical(face);
+        groups.entry(key).or_default().push((f, forward));
+    }
+    groups.retain(|_, group| group.len() > 1);
+    if groups.is_empty() {
+        return;
+    }
+    let mut uses: HashMap<(u32, u32), u32> = HashMap::new();
+    for side in sorted_sides(soup, faces) {
+        *uses.entry(side.ends).or_default() += 1;
+    }
+    let mut drop = vec![false; faces.len()];
+    for (key, group) in groups {
+        let touches_nothing_else =
+            || (0..key.len()).all(|i| uses.get(&ends(key[i], key[(i + 1) % key.len()])) == Some(&2));
+        let pillow = group.len() == 2 && group[0].1 != group[1].1 && touches_nothing_else();
+        if !pillow {
+            for &(f, _) in &group[1..] {
+                drop[f] = true;
+            }
+        }
+    }
+    note(
+        notes,
+        NoteKind::DuplicateFace,
+        (0..faces.len()).filter(|&f| drop[f]).map(|f| faces[f].source).collect(),
+    );
+    let mut f = 0;
+    faces.retain(|_| {
+        f += 1;
+        !drop[f - 1]
+    });
+}
+
+fn ends(a: u32, b: u32) -> (u32, u32) {
+    (a.min(b), a.max(b))
+}
+
+/// All sides of all faces, those of one edge next to each other, in order of face there.
+fn sorted_sides(soup: &PolygonSoup, faces: &[Kept]) -> Vec<Side> {
+    let mut sides = Vec::with_capacity(soup.corners.len());
+    for (f, face) in faces.iter().enumerate() {
+        let n = face.corners.len();
+        for slot in 0..n {
+            let a = soup.corners[face.corners[slot] as usize];
+            let b = soup.corners[face.corners[(slot + 1) % n] as usize];
+            sides.push(Side { ends: ends(a, b), face: f as u32, slot: slot as u32 });
+        }
+    }
+    sides.sort_unstable_by_key(|side| (side.ends, side.face, side.slot));
+    sides
+}
+
+fn for_each_edge(sides: &[Side], mut visit: impl FnMut(std::ops::Range<usize>)) {
+    let mut start = 0;
+    while start < sides.len() {
+        let len = sides[start..].iter().take_while(|side| side.ends == sides[start].ends).count();
+        visit(start..start + len);
+        start += len;
+    }
+}
+
+/// Rule 4: which faces to turn. Pairs that can't agree are taken out.
+fn orient(
+    soup: &PolygonSoup,
+    faces: &[Kept],
+    sides: &[Side],
+    pairs: &mut Vec<(usize, usize)>,
+    notes: &mut Vec<Note>,
+) -> Vec<bool> {
+    // Whether a side runs from its smaller to its larger vertex.
+    let upward = |side: &Side| {
+        soup.corners[faces[side.face as usize].corners[side.slot as usize] as usize] == side.ends.0
+    };
+    let disagrees = |&(a, b): &(usize, usize)| upward(&sides[a]) == upward(&sides[b]);
+    // Neighbours over joined edges, as one flat list with a start per face.
+    let mut starts = vec![0usize; faces.len() + 1];
+    for &(a, b) in pairs.iter() {
+        starts[sides[a].face as usize + 1] += 1;
+        starts[sides[b].face as usize + 1] += 1;
+    }
+    for f in 0..faces.len() {
+        starts[f + 1] += starts[f];
+    }
+    let mut fill = starts.clone();
+    let mut neighbours = vec![(0u32, false); pairs.len() * 2];
+    for pair in pairs.iter() {
+        let (a, b) = (sides[pair.0].face, sides[pair.1].face);
+        for (from, to) in [(a, b), (b, a)] {
+            neighbours[fill[from as usize]] = (to, disagrees(pair));
+            fill[from as usize] += 1;
+        }
+    }
+    let mut turned = vec![false; faces.len()];
+    let mut met = vec![false; faces.len()];
+    let mut piece = Vec::new();
+    for start in 0..faces.len() {
+        if met[start] {
+            continue;
+        }
+        met[start] = true;
+        piece.clear();
+        piece.push(start);
+        let mut at = 0;
+        while let Some(&f) = piece.get(at) {
+            at += 1;
+            for &(other, disagrees) in &neighbours[starts[f]..starts[f + 1]] {
+                let other = other as usize;
+                if !met[other] {
+                    met[other] = true;
+                    turned[other] = turned[f] != disagrees;
+                    piece.push(other);
+                }
+            }
+        }
+        if piece.iter().filter(|&&f| turned[f]).count() * 2 > piece.len() {
+            for &f in &piece {
+                turned[f] = !turned[f];
+            }
+        }
+    }
+    let mut cut = Vec::new();
+    pairs.retain(|pair| {
+        let (a, b) = (&sides[pair.0], &sides[pair.1]);
+        let agree = (upward(a) != turned[a.face as usize]) != (upward(b) != turned[b.face as usize]);
+        if !agree {
+            cut.extend([a.ends.0, a.ends.1]);
+        }
+        agree
+    });
+    note(notes, NoteKind::NotOrientable, cut);
+    turned
+}

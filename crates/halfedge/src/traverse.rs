@@ -1,0 +1,132 @@
+//! Walking over a mesh: loops, one-rings, boundary loops, components.
+//!
+//! Every walk stops after as many steps as the mesh has half-edges, so that a damaged mesh (one
+//! that [`Mesh::validate`] refuses) can't hang its reader.
+
+use crate::mesh::{Marks, Mesh};
+use crate::{EdgeId, FaceId, HalfedgeId, VertexId};
+
+impl Mesh {
+    /// The half-edges of the loop through `h`, `h` first: a face's, or a boundary loop's.
+    pub fn loop_of(&self, h: HalfedgeId) -> impl Iterator<Item = HalfedgeId> + '_ {
+        self.walk(Some(h), |h| self.next(h))
+    }
+
+    /// The half-edges of a face, its first corner's first; each leaves one corner.
+    pub fn face_halfedges(&self, f: FaceId) -> impl Iterator<Item = HalfedgeId> + '_ {
+        self.loop_of(self.halfedge_of(f))
+    }
+
+    /// The corners of a face in order, its first corner first.
+    pub fn face_vertices(&self, f: FaceId) -> impl Iterator<Item = VertexId> + '_ {
+        self.face_halfedges(f).map(|h| self.from(h))
+    }
+
+    /// How many corners a face has.
+    pub fn face_degree(&self, f: FaceId) -> usize {
+        self.face_halfedges(f).count()
+    }
+
+    /// The half-edges leaving a vertex, clockwise seen from outside; a boundary one first if there
+    /// is one. Boundary half-edges are stored, so there are as many as edges at the vertex.
+    pub fn outgoing(&self, v: VertexId) -> impl Iterator<Item = HalfedgeId> + '_ {
+        self.walk(self.halfedge_from(v), |h| self.next(h.twin()))
+    }
+
+    /// The half-edges arriving at a vertex, in the order of [`Mesh::outgoing`].
+    pub fn incoming(&self, v: VertexId) -> impl Iterator<Item = HalfedgeId> + '_ {
+        self.outgoing(v).map(HalfedgeId::twin)
+    }
+
+    /// The vertices joined to a vertex by an edge.
+    pub fn neighbors(&self, v: VertexId) -> impl Iterator<Item = VertexId> + '_ {
+        self.outgoing(v).map(|h| self.to(h))
+    }
+
+    /// The edges at a vertex.
+    pub fn vertex_edges(&self, v: VertexId) -> impl Iterator<Item = EdgeId> + '_ {
+        self.outgoing(v).map(HalfedgeId::edge)
+    }
+
+    /// The faces at a vertex.
+    pub fn vertex_faces(&self, v: VertexId) -> impl Iterator<Item = FaceId> + '_ {
+        self.outgoing(v).filter_map(|h| self.face_of(h))
+    }
+
+    /// How many edges a vertex has.
+    pub fn valence(&self, v: VertexId) -> usize {
+        self.outgoing(v).count()
+    }
+
+    /// The half-edge from one vertex to another, if an edge joins them. Costs O(valence).
+    pub fn find_halfedge(&self, from: VertexId, to: VertexId) -> Option<HalfedgeId> {
+        self.outgoing(from).find(|&h| self.to(h) == to)
+    }
+
+    /// The edge between two vertices, if there is one. Costs O(valence).
+    pub fn find_edge(&self, a: VertexId, b: VertexId) -> Option<EdgeId> {
+        self.find_halfedge(a, b).map(HalfedgeId::edge)
+    }
+
+    /// One half-edge of each boundary loop, the one with the smallest id, in order. Costs O(half-edges).
+    pub fn boundary_loops(&self) -> Vec<HalfedgeId> {
+        let mut seen = Marks::default();
+        let mut loops = Vec::new();
+        for h in self.halfedges() {
+            if self.is_boundary_halfedge(h) && !seen.get(h.index()) {
+                loops.push(h);
+                for side in self.loop_of(h) {
+                    seen.set(side.index(), true);
+                }
+            }
+        }
+        loops
+    }
+
+    /// The connected pieces: for each vertex id the number of its piece, pieces numbered in order
+    /// of their smallest vertex, and how many there are. Isolated vertices are pieces of their own;
+    /// removed ids have [`NONE`](crate::NONE). Costs O(half-edges).
+    pub fn components(&self) -> (Vec<u32>, usize) {
+        let mut piece = vec![crate::NONE; self.vertex_capacity()];
+        let mut stack = Vec::new();
+        let mut count = 0;
+        for start in self.vertices() {
+            if piece[start.index()] != crate::NONE {
+                continue;
+            }
+            piece[start.index()] = count;
+            stack.push(start);
+            while let Some(v) = stack.pop() {
+                for w in self.neighbors(v) {
+                    if piece[w.index()] == crate::NONE {
+                        piece[w.index()] = count;
+                        stack.push(w);
+                    }
+                }
+            }
+            count += 1;
+        }
+        (piece, count as usize)
+    }
+
+    /// Vertices - edges + faces.
+    pub fn euler_characteristic(&self) -> i64 {
+        self.vertex_count() as i64 - self.edge_count() as i64 + self.face_count() as i64
+    }
+
+    fn walk(
+        &self,
+        start: Option<HalfedgeId>,
+        step: impl Fn(HalfedgeId) -> HalfedgeId,
+    ) -> impl Iterator<Item = HalfedgeId> {
+        let mut at = start;
+        let mut left = self.halfedge_capacity();
+        std::iter::from_fn(move || {
+            let here = at?;
+            left = left.checked_sub(1)?;
+            let after = step(here);
+            at = (Some(after) != start).then_some(after);
+            Some(here)
+        })
+    }
+}
