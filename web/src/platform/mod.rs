@@ -1,0 +1,81 @@
+//! What the editor needs from where it runs: jobs, files, settings. The page implements it with a
+//! browser, the tests with [`crate::headless::Headless`].
+//!
+//! Requests go down through [`Platform`]'s methods; everything that happens meanwhile comes back as
+//! [`Event`]s, polled once a frame. Whoever queues an event outside a frame (a worker's message, a
+//! file that finished loading) asks for a repaint itself.
+
+/// A file's name and content.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct NamedBytes {
+    /// The name without a path, such as `bunny.obj`.
+    pub name: String,
+    /// The content.
+    pub bytes: Vec<u8>,
+}
+
+/// The graphics device, as the status bar and the "About this device" window show it.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct DeviceInfo {
+    /// `"webgpu"` or `"webgl2"` on the page: what `meshwright.ready` reports.
+    pub renderer: String,
+    /// The adapter's name and driver, as far as the browser tells.
+    pub adapter: String,
+}
+
+/// What happened since the last poll.
+#[derive(Debug)]
+pub enum Event {
+    /// A job got further: 0 to 1.
+    JobProgress {
+        /// The number given to [`Platform::start_job`].
+        job: u64,
+        /// How much is done.
+        fraction: f32,
+    },
+    /// A job ended by itself. A job that was cancelled sends nothing more.
+    JobDone {
+        /// The number given to [`Platform::start_job`].
+        job: u64,
+        /// The bytes of an `editor::JobResult`; or the reason in a sentence where the worker itself
+        /// failed (it could not start, ran out of memory, crashed). A refusal by the operation is
+        /// inside the bytes.
+        result: Result<Vec<u8>, String>,
+    },
+    /// Files arrived whole: picked or dropped.
+    Files(Vec<NamedBytes>),
+    /// Something the person asked for could not be done, such as reading a dropped file: a sentence.
+    Failed(String),
+}
+
+/// Where the editor runs.
+pub trait Platform {
+    /// What happened since the last poll. Called once a frame, before any drawing; files dropped on
+    /// the page are in `ctx`'s raw input, reading them is up to the platform.
+    fn poll(&mut self, ctx: &egui::Context) -> Vec<Event>;
+
+    /// Runs a job away from this thread: `request` is an `editor::JobRequest` as bytes. Several may
+    /// be waiting; they run in order.
+    fn start_job(&mut self, job: u64, request: Vec<u8>);
+
+    /// Stops a job, whether it runs or waits. Nothing more comes from it.
+    fn cancel_job(&mut self, job: u64);
+
+    /// Lets the person pick files; they come as [`Event::Files`], or never.
+    fn open_file_dialog(&mut self);
+
+    /// Saves files where the person's downloads go.
+    fn download(&mut self, files: Vec<NamedBytes>);
+
+    /// A setting kept from an earlier visit.
+    fn load_setting(&self, key: &str) -> Option<String>;
+
+    /// Keeps a small setting for later visits.
+    fn store_setting(&mut self, key: &str, value: &str);
+
+    /// The graphics device.
+    fn device(&self) -> DeviceInfo;
+
+    /// Seconds on a clock that never goes back, to fractions of a millisecond: for frame times.
+    fn now(&self) -> f64;
+}
