@@ -1,1 +1,67 @@
-fn main() {}
+//! `cargo xtask`: sets up, serves, tests, benchmarks and packages Meshwright.
+
+mod bench;
+mod dist;
+mod page;
+mod project;
+mod serve;
+mod setup;
+mod shell;
+mod test;
+
+use std::process::ExitCode;
+
+use project::Project;
+use shell::Result;
+
+const USAGE: &str = "\
+cargo xtask TASK
+
+  setup                   install what is missing for every task below
+  serve [--port N]        build the page, serve it on 127.0.0.1 (port 8080) and rebuild on change
+  test [--only STAGES] [-- ARGS]
+                          run the stages fmt, clippy, native, wasm, e2e, or those named (`--only native,e2e`);
+                          ARGS go to the one stage named (`--only native -- -p halfedge`, `--only e2e -- smoke`)
+  bench [ARGS]            run the criterion benchmarks (`bench -p surface`, `bench subdivide`)
+  dist                    build the optimised static site into dist/
+
+Every task first installs what it needs and finds missing, into .tools/ or $MESHWRIGHT_TOOLS.
+";
+
+fn main() -> ExitCode {
+    let args: Vec<String> = std::env::args().skip(1).collect();
+    match run(&args) {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(message) => {
+            eprintln!("\nerror: {message}");
+            ExitCode::FAILURE
+        }
+    }
+}
+
+fn run(args: &[String]) -> Result {
+    let Some((task, args)) = args.split_first() else {
+        print!("{USAGE}");
+        return Ok(());
+    };
+    let project = Project::find()?;
+    match task.as_str() {
+        "setup" => no_args(args).and_then(|()| setup::everything(&project)),
+        "serve" => serve::run(&project, args),
+        "test" => test::run(&project, args),
+        "bench" => bench::run(&project, args),
+        "dist" => no_args(args).and_then(|()| dist::run(&project)),
+        "help" | "--help" | "-h" => {
+            print!("{USAGE}");
+            Ok(())
+        }
+        other => Err(format!("there is no task `{other}`.\n\n{USAGE}")),
+    }
+}
+
+fn no_args(args: &[String]) -> Result {
+    match args.first() {
+        Some(arg) => Err(format!("unexpected argument `{arg}`.\n\n{USAGE}")),
+        None => Ok(()),
+    }
+}

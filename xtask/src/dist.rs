@@ -1,0 +1,37 @@
+//! `cargo xtask dist`: the optimised static site.
+
+use std::fs;
+
+use crate::project::Project;
+use crate::setup::npm;
+use crate::shell::{self, Result, read, step};
+use crate::{page, setup};
+
+pub fn run(project: &Project) -> Result {
+    let wasm = setup::for_building(project)?;
+    // wasm-opt is among its packages.
+    npm::ensure(project)?;
+    let site = project.root.join("dist");
+    shell::remove_folder(&site)?;
+    let mut trunk = page::trunk(project, &wasm, "build", &site)?;
+    shell::run(trunk.args(["--release", "--cargo-profile", "dist"]))?;
+    check_relative(&read(&site.join("index.html"))?)?;
+
+    step(format!("{} is ready for any static host:", site.display()));
+    for path in shell::entries(&site) {
+        let bytes = fs::metadata(&path).map_or(0, |metadata| metadata.len());
+        println!("{:>12}  {}", bytes, path.file_name().unwrap_or_default().to_string_lossy());
+    }
+    Ok(())
+}
+
+/// A URL from the host's root would break the site under a sub-path.
+fn check_relative(html: &str) -> Result {
+    let rooted = ["=\"/", "='/", "from '/", "from \"/", ": '/"].iter().find(|mark| html.contains(**mark));
+    match rooted {
+        Some(mark) => {
+            Err(format!("dist/index.html has a URL from the host's root (`{mark}…`); it must be relative."))
+        }
+        None => Ok(()),
+    }
+}

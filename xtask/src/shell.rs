@@ -1,0 +1,140 @@
+//! Running other programs.
+
+use std::env;
+use std::ffi::OsStr;
+use std::fs;
+use std::io::{BufRead, BufReader};
+use std::path::{Path, PathBuf};
+use std::process::{Command, Stdio};
+use std::thread::sleep;
+use std::time::{Duration, Instant};
+
+/// What a task ends with: nothing, or the one message that says what went wrong and what to do.
+pub type Result<T = ()> = std::result::Result<T, String>;
+
+/// Says what is being done.
+pub fn step(text: impl AsRef<str>) {
+    println!("[xtask] {}", text.as_ref());
+}
+
+/// Cargo, with the user's toolchain. Cargo's notes to the running xtask are not passed on to it.
+pub fn cargo() -> Command {
+    let mut command = Command::new("cargo");
+    command.env_remove("CARGO");
+    command
+}
+
+/// Runs a program that prints for itself; says which, and fails if it does.
+pub fn run(command: &mut Command) -> Result {
+    step(format!("$ {}", line(command)));
+    let status = command.status().map_err(|error| cannot_start(command, &error))?;
+    if status.success() {
+        Ok(())
+    } else {
+        Err(format!("`{}` failed ({status}); its output is above.", line(command)))
+    }
+}
+
+/// Runs a program and hands on each line that it prints on standard output as well as printing it.
+/// `Ok(false)` when the program fails.
+pub fn run_reading(command: &mut Command, mut on_line: impl FnMut(&str)) -> Result<bool> {
+    step(format!("$ {}", line(command)));
+    let mut child = command.stdout(Stdio::piped()).spawn().map_err(|error| cannot_start(command, &error))?;
+    if let Some(output) = child.stdout.take() {
+        for text in BufReader::new(output).split(b'\n') {
+            let text =
+                text.map_err(|error| format!("the output of `{}` broke off: {error}.", line(command)))?;
+            let text = String::from_utf8_lossy(&text);
+            println!("{text}");
+            on_line(&text);
+        }
+    }
+    let status = child.wait().map_err(|error| format!("`{}` was lost: {error}.", line(command)))?;
+    Ok(status.success())
+}
+
+/// What a program prints on standard output; `None` when it is not there or fails.
+pub fn capture(command: &mut Command) -> Option<String> {
+    let output = command.stderr(Stdio::null()).stdin(Stdio::null()).output().ok()?;
+    output.status.success().then(|| String::from_utf8_lossy(&output.stdout).trim().to_owned())
+}
+
+/// Whether a program that may well fail succeeds within the time; it prints nothing.
+pub fn succeeds_within(command: &mut Command, limit: Duration) -> bool {
+    let quiet = command.stdin(Stdio::null()).stdout(Stdio::null()).stderr(Stdio::null());
+    let Ok(mut child) = quiet.spawn() else {
+        return false;
+    };
+    let start = Instant::now();
+    loop {
+        match child.try_wait() {
+            Ok(Some(status)) => return status.success(),
+            Ok(None) if start.elapsed() < limit => sleep(Duration::from_millis(50)),
+            _ => {
+                // It may have ended by itself meanwhile: either way it no longer runs.
+                let _ = child.kill();
+                let _ = child.wait();
+                return false;
+            }
+        }
+    }
+}
+
+/// A program on the PATH.
+pub fn find(program: &str) -> Option<PathBuf> {
+    let name = format!("{program}{}", env::consts::EXE_SUFFIX);
+    env::split_paths(&env::var_os("PATH")?).map(|folder| folder.join(&name)).find(|path| path.is_file())
+}
+
+/// A file's text.
+pub fn read(path: &Path) -> Result<String> {
+    fs::read_to_string(path).map_err(|error| format!("{} cannot be read: {error}.", path.display()))
+}
+
+/// Writes a file.
+pub fn write(path: &Path, text: &str) -> Result {
+    fs::write(path, text).map_err(|error| format!("{} cannot be written: {error}.", path.display()))
+}
+
+/// Copies a file.
+pub fn copy(from: &Path, to: &Path) -> Result {
+    fs::copy(from, to)
+        .map(|_| ())
+        .map_err(|error| format!("{} cannot be copied to {}: {error}.", from.display(), to.display()))
+}
+
+/// Makes a folder and those above it.
+pub fn make_folder(path: &Path) -> Result {
+    fs::create_dir_all(path)
+        .map_err(|error| format!("the folder {} cannot be made: {error}.", path.display()))
+}
+
+/// Removes a folder with all that is in it; one that is not there is fine.
+pub fn remove_folder(path: &Path) -> Result {
+    match fs::remove_dir_all(path) {
+        Err(error) if error.kind() != std::io::ErrorKind::NotFound => {
+            Err(format!("the folder {} cannot be removed: {error}.", path.display()))
+        }
+        _ => Ok(()),
+    }
+}
+
+/// The files and folders in a folder, sorted; none where there is no folder.
+pub fn entries(folder: &Path) -> Vec<PathBuf> {
+    let mut paths: Vec<PathBuf> =
+        fs::read_dir(folder).into_iter().flatten().filter_map(|entry| Some(entry.ok()?.path())).collect();
+    paths.sort();
+    paths
+}
+
+fn line(command: &Command) -> String {
+    let words = std::iter::once(command.get_program()).chain(command.get_args());
+    words.map(OsStr::to_string_lossy).collect::<Vec<_>>().join(" ")
+}
+
+fn cannot_start(command: &Command, error: &std::io::Error) -> String {
+    format!(
+        "`{}` cannot be started: {error}. Is it installed and on the PATH?",
+        command.get_program().to_string_lossy()
+    )
+}
