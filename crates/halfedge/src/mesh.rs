@@ -420,6 +420,16 @@ impl Mesh {
         }
     }
 
+    /// Takes back the last [`Mesh::add_vertex`], for a caller that records nothing.
+    pub(crate) fn pop_isolated_vertex(&mut self) {
+        self.positions.pop();
+        self.vertex_halfedge.pop();
+        let len = self.positions.len();
+        for column in self.columns.of_mut(Element::Vertex) {
+            column.values.resize(len, column.default);
+        }
+    }
+
     /// Heap bytes of the mesh.
     pub fn bytes(&self) -> usize {
         self.positions.len() * size_of::<Vec3>()
@@ -469,10 +479,6 @@ impl Marks {
 
     pub(crate) fn count(&self) -> usize {
         self.count
-    }
-
-    pub(crate) fn clear(&mut self) {
-        *self = Self::default();
     }
 
     pub(crate) fn bytes(&self) -> usize {

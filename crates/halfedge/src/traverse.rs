@@ -33,9 +33,20 @@ impl Mesh {
         self.walk(self.halfedge_from(v), |h| self.next(h.twin()))
     }
 
+    /// The half-edges leaving `h`'s from-vertex in the order of [`Mesh::outgoing`], `h` first.
+    pub fn turn_from(&self, h: HalfedgeId) -> impl Iterator<Item = HalfedgeId> + '_ {
+        self.walk(Some(h), |h| self.next(h.twin()))
+    }
+
     /// The half-edges arriving at a vertex, in the order of [`Mesh::outgoing`].
     pub fn incoming(&self, v: VertexId) -> impl Iterator<Item = HalfedgeId> + '_ {
         self.outgoing(v).map(HalfedgeId::twin)
+    }
+
+    /// The half-edge before `h` among those leaving its from-vertex, in the order of
+    /// [`Mesh::outgoing`].
+    pub fn prev_around_from(&self, h: HalfedgeId) -> HalfedgeId {
+        self.prev(h).twin()
     }
 
     /// The vertices joined to a vertex by an edge.

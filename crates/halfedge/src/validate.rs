@@ -114,12 +114,16 @@ impl Mesh {
         let (mut around, mut boundary) = (0, 0);
         stamps.0.fill(NONE);
         for v in self.vertices() {
+            let before = boundary;
             for h in self.outgoing(v) {
                 around += 1;
                 boundary += usize::from(self.is_boundary_halfedge(h));
                 if !stamps.first_time(self.to(h), v.raw()) {
                     return defect(Element::Edge, h.edge().raw(), Rule::DuplicateEdge);
                 }
+            }
+            if boundary > before + 1 {
+                return defect(Element::Vertex, v.raw(), Rule::NonManifoldVertex);
             }
         }
         // Every half-edge is in the face it names, and is met turning round the vertex it leaves.
