@@ -1,0 +1,80 @@
+// The browser tests' harness. A test file reads:
+//
+//   import { editorTest } from "./harness.mjs";
+//
+//   editorTest("undo takes back a split", async (editor) => {
+//     await editor.run({ op: "split-edge", edge: 3 });
+//     await editor.press("Control+z");
+//     assert.equal((await editor.state()).document.vertices, 8);
+//   });
+//
+// It runs once per renderer, in a fresh profile, and fails when the console has errors. Tests run against the page
+// that `cargo xtask test --only e2e` builds; MESHWRIGHT_RENDERERS=webgl2 keeps to one renderer.
+
+import { after, test } from "node:test";
+
+import { browserWith, closeBrowsers } from "./support/browsers.mjs";
+import { Editor } from "./support/editor.mjs";
+import { site } from "./support/packages.mjs";
+import { serve } from "./support/server.mjs";
+
+export { Picture } from "./support/picture.mjs";
+export { Editor, browserWith, serve, site };
+
+export const DESKTOP = { name: "desktop", width: 1280, height: 800 };
+export const PHONE = { name: "phone", width: 390, height: 844, touch: true };
+
+/** The renderers that the page can draw with. */
+export const RENDERERS = ["webgpu", "webgl2"];
+
+/** The page lies under a sub-path, as on GitHub Pages, so that a URL from the host's root shows. */
+const BASE = "/some/where/";
+
+let server;
+
+after(async () => {
+  await closeBrowsers();
+  await (await server)?.stop();
+});
+
+/** Opens the page without waiting for the editor; the caller closes it. */
+export async function openPage({ renderer = "webgpu", size = DESKTOP, query = "", label } = {}) {
+  server ??= serve(site, BASE);
+  return Editor.open((await server).url + query, { renderer, size, label });
+}
+
+/**
+ * Registers a test for every renderer and size: `body(editor, t)` gets an editor that is ready.
+ * Options: `renderers`, `sizes`, `query` (appended to the URL), and node:test's own, such as `skip`.
+ */
+export function editorTest(name, ...rest) {
+  const body = rest.pop();
+  const { renderers = RENDERERS, sizes = [DESKTOP], query, ...options } = rest.pop() ?? {};
+  const chosen = process.env.MESHWRIGHT_RENDERERS?.split(",");
+  for (const renderer of renderers.filter((renderer) => !chosen || chosen.includes(renderer))) {
+    for (const size of sizes) {
+      const label = `${name} (${renderer}, ${size.name})`;
+      test(label, options, async (t) => {
+        const editor = await openPage({ renderer, size, query, label });
+        try {
+          await editor.ready();
+          await body(editor, t);
+          editor.assertNoErrors();
+        } catch (error) {
+          await explain(editor, t);
+          throw error;
+        } finally {
+          await editor.close();
+        }
+      });
+    }
+  }
+}
+
+/** Leaves behind what a failed test's page showed and said. */
+async function explain(editor, t) {
+  for (const line of editor.log.slice(-40)) t.diagnostic(line);
+  for (const line of editor.errors) t.diagnostic(line);
+  // A tab that has crashed has nothing to show.
+  await editor.screenshot("failed").catch(() => {});
+}

@@ -1,0 +1,32 @@
+// The page starts and draws in every renderer, and says what is missing where there is none.
+
+import assert from "node:assert/strict";
+import { test } from "node:test";
+
+import { DESKTOP, PHONE, editorTest, openPage } from "./harness.mjs";
+
+editorTest("the page starts and draws", { sizes: [DESKTOP, PHONE] }, async (editor) => {
+  const info = await editor.page.evaluate(() => window.meshwright.ready);
+  assert.equal(info.renderer, editor.renderer);
+  assert.match(info.version, /^\d+\.\d+\.\d+/);
+
+  const picture = await editor.screenshot("started");
+  assert.equal(picture.width, editor.size.width);
+  const white = picture.count(([r, g, b]) => r + g + b > 3 * 250);
+  assert.ok(white < (picture.width * picture.height) / 2, `${white} pixels are white`);
+  assert.ok(picture.colors() > 8, "the canvas shows more than a background");
+  assert.equal(await editor.page.locator("#notice").isVisible(), false);
+});
+
+test("without WebGPU and WebGL2 the page says in words what is missing", async () => {
+  const editor = await openPage({ renderer: "none", label: "no renderer" });
+  try {
+    await assert.rejects(editor.ready(), /WebGPU nor WebGL2/);
+    await editor.screenshot("message");
+    const notice = await editor.page.locator("#notice").innerText();
+    assert.match(notice, /cannot draw 3D graphics/);
+    assert.match(notice, /WebGPU or WebGL2/);
+  } finally {
+    await editor.close();
+  }
+});

@@ -1,0 +1,216 @@
+// The editor in a browser tab: what a person does with it, and what window.meshwright says of it.
+
+import assert from "node:assert/strict";
+import { mkdir, readFile } from "node:fs/promises";
+import { basename, join } from "node:path";
+
+import { browserWith } from "./browsers.mjs";
+import { shots } from "./packages.mjs";
+import { Picture } from "./picture.mjs";
+
+const START_LIMIT = 120_000;
+const WAIT_LIMIT = 30_000;
+
+export class Editor {
+  #expected = [];
+
+  /** Opens the page at `url` in a fresh profile. */
+  static async open(url, { renderer, size, label = "" }) {
+    const browser = await browserWith(renderer);
+    const context = await browser.newContext({
+      viewport: { width: size.width, height: size.height },
+      hasTouch: size.touch ?? false,
+      acceptDownloads: true,
+    });
+    const editor = new Editor();
+    const page = await context.newPage();
+    page.setDefaultTimeout(WAIT_LIMIT);
+    Object.assign(editor, { url, renderer, size, label, context, page, errors: [], log: [] });
+    page.on("console", (message) => {
+      editor.log.push(`${message.type()}: ${message.text()}`);
+      if (message.type() === "error") editor.errors.push(message.text());
+    });
+    page.on("pageerror", (error) => editor.errors.push(String(error)));
+    page.on("crash", () => editor.errors.push("The tab has crashed."));
+    await page.goto(url);
+    return editor;
+  }
+
+  /** Resolves with {version, renderer} once the editor runs; rejects with its reason when it cannot. */
+  async ready() {
+    const info = await this.page.evaluate(
+      (limit) => Promise.race([
+        window.meshwright.ready,
+        new Promise((_, reject) => setTimeout(() => reject(new Error(`not ready after ${limit} ms`)), limit)),
+      ]),
+      START_LIMIT,
+    );
+    await this.frames();
+    return info;
+  }
+
+  // What window.meshwright offers.
+
+  state() { return this.page.evaluate(() => window.meshwright.state()); }
+  element(kind, id) { return this.page.evaluate(([kind, id]) => window.meshwright.element(kind, id), [kind, id]); }
+  run(command) { return this.page.evaluate((command) => window.meshwright.run(command), command); }
+  select(kind, ids) { return this.page.evaluate(([kind, ids]) => window.meshwright.select(kind, ids), [kind, ids]); }
+  undo() { return this.page.evaluate(() => window.meshwright.undo()); }
+  redo() { return this.page.evaluate(() => window.meshwright.redo()); }
+  cancel() { return this.page.evaluate(() => window.meshwright.cancel()); }
+  project(point) { return this.page.evaluate((point) => window.meshwright.project(point), point); }
+  ui() { return this.page.evaluate(() => window.meshwright.ui()); }
+
+  /** Opens a file by its content: text, or bytes. */
+  open(name, content) {
+    return this.page.evaluate(
+      ([name, base64]) => {
+        const bytes = Uint8Array.from(atob(base64), (character) => character.charCodeAt(0));
+        return window.meshwright.open(name, bytes);
+      },
+      [name, Buffer.from(content).toString("base64")],
+    );
+  }
+
+  /** The document in a format, as a Buffer. */
+  async export(format) {
+    const base64 = await this.page.evaluate(async (format) => {
+      const bytes = await window.meshwright.export(format);
+      const url = await new Promise((resolve, reject) => {
+        const reader = new FileReader();
+        reader.onload = () => resolve(reader.result);
+        reader.onerror = () => reject(reader.error);
+        reader.readAsDataURL(new Blob([bytes]));
+      });
+      return url.slice(url.indexOf(",") + 1);
+    }, format);
+    return Buffer.from(base64, "base64");
+  }
+
+  // Waiting.
+
+  /** Lets the page draw this many frames. */
+  frames(count = 3) {
+    return this.page.evaluate(async (count) => {
+      for (let frame = 0; frame < count; frame += 1) await new Promise(requestAnimationFrame);
+    }, count);
+  }
+
+  /** Calls `attempt` until it returns something true, and returns that. */
+  async until(what, attempt, limit = WAIT_LIMIT) {
+    const end = Date.now() + limit;
+    for (;;) {
+      const value = await attempt();
+      if (value) return value;
+      assert.ok(Date.now() < end, `${what}: not within ${limit} ms`);
+      await this.frames(1);
+    }
+  }
+
+  /** Waits until no job runs. */
+  async idle(limit = WAIT_LIMIT) {
+    await this.until("no job runs", async () => (await this.state()).jobs.length === 0, limit);
+    await this.frames();
+  }
+
+  // What a person does.
+
+  /** The control with this accessible name (a string or a regular expression) and, if given, role. */
+  find(name, role) {
+    const matches = (text) => (name instanceof RegExp ? name.test(text ?? "") : text === name);
+    const wanted = (control) => matches(control.name) && (!role || control.role === role);
+    return this.until(`a control named ${name}`, async () => (await this.ui()).find(wanted));
+  }
+
+  /** Clicks the middle of a control found by name. */
+  async click(name, role) {
+    const { rect: [x, y, width, height] } = await this.find(name, role);
+    await this.clickAt([x + width / 2, y + height / 2]);
+  }
+
+  /** Clicks, or taps where the screen is a touch screen, at a point of the page. */
+  async clickAt([x, y]) {
+    if (this.size.touch) {
+      await this.page.touchscreen.tap(x, y);
+    } else {
+      await this.page.mouse.move(x, y);
+      // egui takes the hovered widget from the frame before.
+      await this.frames(2);
+      await this.page.mouse.click(x, y);
+    }
+    await this.frames();
+  }
+
+  async press(key) {
+    await this.page.keyboard.press(key);
+    await this.frames();
+  }
+
+  /** Drags from one point of the page to another with the left button. */
+  async drag([fromX, fromY], [toX, toY], { steps = 8, button = "left" } = {}) {
+    const { mouse } = this.page;
+    await mouse.move(fromX, fromY);
+    await this.frames(2);
+    await mouse.down({ button });
+    for (let step = 1; step <= steps; step += 1) {
+      await mouse.move(fromX + ((toX - fromX) * step) / steps, fromY + ((toY - fromY) * step) / steps);
+      await this.frames(1);
+    }
+    await mouse.up({ button });
+    await this.frames();
+  }
+
+  /** Drops files on the page: paths, or {name, content}. */
+  async drop(...files) {
+    const contents = await Promise.all(files.map(async (file) => {
+      const { name, content } = typeof file === "string"
+        ? { name: basename(file), content: await readFile(file) }
+        : file;
+      return { name, base64: Buffer.from(content).toString("base64") };
+    }));
+    await this.page.evaluate((contents) => {
+      const dataTransfer = new DataTransfer();
+      for (const { name, base64 } of contents) {
+        const bytes = Uint8Array.from(atob(base64), (character) => character.charCodeAt(0));
+        dataTransfer.items.add(new File([bytes], name));
+      }
+      const canvas = document.getElementById("meshwright");
+      const { left, top, width, height } = canvas.getBoundingClientRect();
+      const place = { clientX: left + width / 2, clientY: top + height / 2 };
+      for (const type of ["dragenter", "dragover", "drop"]) {
+        canvas.dispatchEvent(new DragEvent(type, { dataTransfer, bubbles: true, cancelable: true, ...place }));
+      }
+    }, contents);
+    await this.frames();
+  }
+
+  // What it looks like.
+
+  /** What is on screen; kept as a file when it has a name. */
+  async screenshot(name) {
+    const path = name && join(shots, `${fileName(`${this.label} ${name}`)}.png`);
+    if (path) await mkdir(shots, { recursive: true });
+    return new Picture(await this.page.screenshot({ path }));
+  }
+
+  // Errors.
+
+  /** From here on, errors on the console that match are part of the test. */
+  expectErrors(pattern) {
+    this.#expected.push(pattern);
+  }
+
+  /** Fails when the console has errors that no test expected. */
+  assertNoErrors() {
+    const unexpected = this.errors.filter((text) => !this.#expected.some((pattern) => pattern.test(text)));
+    assert.deepEqual(unexpected, [], "errors on the console");
+  }
+
+  close() {
+    return this.context.close();
+  }
+}
+
+function fileName(text) {
+  return text.trim().replaceAll(/[^\w.-]+/g, "-").toLowerCase();
+}

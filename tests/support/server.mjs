@@ -1,0 +1,62 @@
+// A static file server that puts a site under a sub-path, as many hosts do.
+
+import { createReadStream } from "node:fs";
+import { stat } from "node:fs/promises";
+import { createServer } from "node:http";
+import { extname, join, resolve, sep } from "node:path";
+import { pipeline } from "node:stream";
+
+const TYPES = {
+  ".css": "text/css; charset=utf-8",
+  ".html": "text/html; charset=utf-8",
+  ".js": "text/javascript; charset=utf-8",
+  ".json": "application/json",
+  ".mjs": "text/javascript; charset=utf-8",
+  ".png": "image/png",
+  ".svg": "image/svg+xml",
+  ".wasm": "application/wasm",
+};
+
+/** The file that a request's path means, or null where it means none inside the folder. */
+function fileFor(root, base, url) {
+  let path;
+  try {
+    path = decodeURIComponent(new URL(url, "http://localhost").pathname);
+  } catch {
+    return null;
+  }
+  if (!path.startsWith(base)) return null;
+  const file = resolve(join(root, path.slice(base.length) || "index.html"));
+  return file.startsWith(root + sep) ? file : null;
+}
+
+/**
+ * Serves `folder` under `base` ("/" or "/some/path/") on a free port of 127.0.0.1; everything else is not found.
+ * Returns its URL and a function that stops it.
+ */
+export async function serve(folder, base = "/") {
+  const root = resolve(folder);
+  const server = createServer(async (request, response) => {
+    const file = fileFor(root, base, request.url);
+    const found = file && (await stat(file).catch(() => null));
+    if (!found?.isFile()) {
+      response.writeHead(404, { "content-type": "text/plain" }).end("not found");
+      return;
+    }
+    response.writeHead(200, {
+      "content-type": TYPES[extname(file)] ?? "application/octet-stream",
+      "content-length": found.size,
+      "cache-control": "no-store",
+    });
+    // A page that closes meanwhile is no error of ours.
+    pipeline(createReadStream(file), response, () => {});
+  });
+  await new Promise((done, fail) => server.once("error", fail).listen(0, "127.0.0.1", done));
+  return {
+    url: `http://127.0.0.1:${server.address().port}${base}`,
+    stop: () => new Promise((done) => {
+      server.close(done);
+      server.closeAllConnections();
+    }),
+  };
+}
