@@ -1,1 +1,30 @@
-//! Meshwright.
+//! Algorithms over a whole half-edge mesh, as free functions in files named after them.
+//!
+//! Operations that change the mesh give a new one, take a [`Progress`](halfedge::Progress) to report to
+//! and be cancelled by, and are the same to the bit on every machine: basic IEEE operations in a fixed
+//! order, nothing from the system's mathematics library.
+
+pub mod bezier;
+mod error;
+mod pace;
+mod subdivide;
+mod trig;
+
+pub use error::SurfaceError;
+pub use subdivide::{
+    BoundaryRule, CatmullClark, Linear, Loop, LoopWeights, MAX_FACES, VertexRule, quad_split_faces,
+    subdivide_catmull_clark, subdivide_linear, subdivide_loop,
+};
+
+use halfedge::Mesh;
+
+/// Refuses a mesh that has a face with more than three corners, naming the first.
+fn require_triangles(mesh: &Mesh) -> Result<(), SurfaceError> {
+    for face in mesh.faces() {
+        let h = mesh.halfedge_of(face);
+        if mesh.next(mesh.next(h)) != mesh.prev(h) {
+            return Err(SurfaceError::NotTriangles { face, corners: mesh.face_degree(face) });
+        }
+    }
+    Ok(())
+}

@@ -1,0 +1,58 @@
+//! Why a whole-mesh operation was refused or stopped.
+
+use halfedge::FaceId;
+use std::fmt;
+
+/// Why a whole-mesh operation gave no mesh. The input is untouched in every case.
+#[derive(Clone, Debug, PartialEq)]
+pub enum SurfaceError {
+    /// Progress answered that the operation is not to go on.
+    Cancelled,
+    /// The result would not fit in memory.
+    TooManyFaces {
+        /// How many faces it would have.
+        faces: u64,
+        /// How many it may have.
+        limit: u64,
+    },
+    /// The operation works on triangles only.
+    NotTriangles {
+        /// The first face that is not one.
+        face: FaceId,
+        /// How many corners it has.
+        corners: usize,
+    },
+    /// A field has a value that the operation can't work with.
+    BadField {
+        /// The field's name in the command.
+        field: &'static str,
+        /// What it has to be, to follow "must be".
+        must_be: String,
+    },
+}
+
+impl SurfaceError {
+    /// A field out of range.
+    pub(crate) fn field(field: &'static str, must_be: impl Into<String>) -> Self {
+        Self::BadField { field, must_be: must_be.into() }
+    }
+}
+
+impl fmt::Display for SurfaceError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Cancelled => f.write_str("cancelled"),
+            Self::TooManyFaces { faces, limit } => write!(
+                f,
+                "the result would have {faces} faces, more than the {limit} that fit in memory; use fewer levels"
+            ),
+            Self::NotTriangles { face, corners } => write!(
+                f,
+                "{face} has {corners} corners; this works on triangles only, so triangulate the faces first"
+            ),
+            Self::BadField { field, must_be } => write!(f, "{field} must be {must_be}"),
+        }
+    }
+}
+
+impl std::error::Error for SurfaceError {}

@@ -1,0 +1,139 @@
+//! Subdivision: Catmull-Clark, Loop and linear, as whole new meshes.
+//!
+//! The sizes of a level are known before it is made and every child's id follows from its parent's
+//! by a formula (see [`quads`] and [`triangles`]), so a level is a few passes that fill flat arrays:
+//! no edge map, no allocation per element.
+
+mod carry;
+mod catmull_clark;
+mod linear;
+mod loops;
+mod quads;
+mod sharpness;
+mod triangles;
+
+pub use catmull_clark::{CatmullClark, VertexRule, subdivide_catmull_clark};
+pub use linear::{Linear, subdivide_linear};
+pub use loops::{Loop, LoopWeights, subdivide_loop};
+
+use crate::SurfaceError;
+use crate::pace::Pace;
+use glam::Vec3;
+use halfedge::attribute::Columns;
+use halfedge::{Connectivity, Mesh, NONE, Progress, RawMesh};
+use sharpness::Sharpness;
+
+/// The most faces a subdivision may make. A mesh of as many quads takes 1.4 GB, which with what it
+/// is made from is what fits in a browser tab.
+pub const MAX_FACES: u64 = 16_000_000;
+
+/// What subdivision does at the boundary of an open mesh.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum BoundaryRule {
+    /// The boundary becomes a smooth cubic curve, also where a vertex has only one face.
+    #[default]
+    EdgeOnly,
+    /// As `EdgeOnly`, but a boundary vertex that has only one face stays where it is.
+    EdgeAndCorner,
+}
+
+/// One level's input.
+#[derive(Clone, Copy)]
+pub(crate) struct Level<'a> {
+    pub links: Connectivity<'a>,
+    pub positions: &'a [Vec3],
+    pub columns: &'a Columns,
+}
+
+impl<'a> Level<'a> {
+    fn of_raw(raw: &'a RawMesh) -> Self {
+        Self { links: raw.connectivity(), positions: &raw.positions, columns: &raw.columns }
+    }
+
+    pub fn vertices(&self) -> usize {
+        self.positions.len()
+    }
+
+    pub fn edges(&self) -> usize {
+        self.links.to.len() / 2
+    }
+
+    pub fn faces(&self) -> usize {
+        self.links.face_halfedge.len()
+    }
+
+    /// How many corners the faces have: half-edges that are not on the boundary.
+    pub fn corners(&self) -> usize {
+        self.links.face.len() - self.links.face.iter().filter(|&&f| f == NONE).count()
+    }
+}
+
+/// Refuses levels that would make more than [`MAX_FACES`] faces; `first` is how many the first makes.
+fn check_size(first: u64, levels: u32) -> Result<(), SurfaceError> {
+    let faces = match levels {
+        0 => return Ok(()),
+        levels => first.saturating_mul(4u64.saturating_pow(levels - 1)),
+    };
+    if faces > MAX_FACES {
+        return Err(SurfaceError::TooManyFaces { faces, limit: MAX_FACES });
+    }
+    Ok(())
+}
+
+/// How many faces a quad split gives: [`subdivide_catmull_clark`] and [`subdivide_linear`] after
+/// `levels`. Saturates.
+pub fn quad_split_faces(mesh: &Mesh, levels: u32) -> u64 {
+    if levels == 0 {
+        return mesh.face_count() as u64;
+    }
+    let boundary = mesh
+        .connectivity()
+        .face
+        .iter()
+        .enumerate()
+        .filter(|&(h, &f)| f == NONE && mesh.halfedge(h as u32).is_some());
+    let corners = (mesh.halfedge_count() - boundary.count()) as u64;
+    corners.saturating_mul(4u64.saturating_pow(levels - 1))
+}
+
+/// Runs `step` for each level from a compacted input, with creases kept apart from the other columns.
+fn refine(
+    mesh: &Mesh,
+    levels: u32,
+    progress: &mut Progress<'_>,
+    mut step: impl FnMut(&Level<'_>, &Sharpness, &mut Pace<'_, '_>) -> Result<RawMesh, SurfaceError>,
+    child_sharpness: impl Fn(&Level<'_>, &Sharpness, &RawMesh) -> Sharpness,
+) -> Result<Mesh, SurfaceError> {
+    let mut pace = Pace::new(progress);
+    pace.at(0.0)?;
+    let compact;
+    let mesh = if mesh.is_compact() {
+        mesh
+    } else {
+        compact = mesh.compacted().0;
+        &compact
+    };
+    if levels == 0 {
+        return Ok(mesh.clone());
+    }
+    let mut sharpness = Sharpness::of(mesh);
+    // Each level costs four times the one before.
+    let share = |level: u32| (4f32.powi(level as i32) - 1.0) / (4f32.powi(levels as i32) - 1.0);
+    let mut made: Option<RawMesh> = None;
+    for level in 0..levels {
+        let mut part = pace.part(share(level), share(level + 1));
+        let input = match &made {
+            None => {
+                Level { links: mesh.connectivity(), positions: mesh.positions(), columns: mesh.columns() }
+            }
+            Some(raw) => Level::of_raw(raw),
+        };
+        let child = step(&input, &sharpness, &mut part)?;
+        sharpness = child_sharpness(&input, &sharpness, &child);
+        made = Some(child);
+    }
+    let mut raw = made.unwrap_or_default();
+    sharpness.into_columns(&mut raw);
+    pace.at(1.0)?;
+    Ok(Mesh::from_raw(raw))
+}

@@ -1,0 +1,130 @@
+//! The quad split: every corner of every face becomes a quad.
+//!
+//! With V vertices, E edges, F faces and C corners before, and faces' corners counted through in
+//! order of face:
+//!
+//! | child | id |
+//! |---|---|
+//! | vertex `v` itself; the point of edge `e`; of face `f` | `v`; `V + e`; `V + E + f` |
+//! | the half of half-edge `h`'s edge at the vertex `h` leaves | edge `h` |
+//! | the edge from the point of corner `c`'s half-edge to the face's | edge `2E + c` |
+//! | the quad at corner `c` | face `c` |
+//!
+//! So half-edge `h` becomes `2h` (from its vertex to the middle) and `2 (h ^ 1) + 1` (from the
+//! middle on), and a quad's first half-edge leaves the old vertex.
+
+use super::Level;
+use crate::SurfaceError;
+use crate::pace::Pace;
+use glam::DVec3;
+use glam::Vec3;
+use halfedge::attribute::Columns;
+use halfedge::{NONE, RawMesh};
+
+/// The children's links, and positions with the face points (means of the corners) filled in and
+/// the others zero.
+pub(super) fn split(level: &Level<'_>, pace: &mut Pace<'_, '_>) -> Result<RawMesh, SurfaceError> {
+    let links = level.links;
+    let (vertices, edges, faces) = (level.vertices(), level.edges(), level.faces());
+    let corners = level.corners();
+    let halfedges = 4 * edges + 2 * corners;
+    let mut next = vec![0u32; halfedges];
+    let mut prev = vec![0u32; halfedges];
+    let mut to = vec![0u32; halfedges];
+    let mut face = vec![0u32; halfedges];
+    let mut face_halfedge = vec![0u32; corners];
+    let mut positions = vec![Vec3::ZERO; vertices + edges + faces];
+    let mut vertex_halfedge = vec![0u32; vertices + edges + faces];
+
+    let (first_edge_point, first_face_point) = (vertices as u32, (vertices + edges) as u32);
+    let first_inner = 4 * edges as u32;
+    let mut ring: Vec<u32> = Vec::new();
+    let mut corner = 0u32;
+    pace.part(0.0, 0.8).chunks(faces, |range| {
+        for f in range {
+            let first = links.face_halfedge[f];
+            ring.clear();
+            let mut h = first;
+            let mut sum = DVec3::ZERO;
+            loop {
+                ring.push(h);
+                sum += level.positions[links.to[h as usize] as usize].as_dvec3();
+                h = links.next[h as usize];
+                if h == first {
+                    break;
+                }
+            }
+            let degree = ring.len() as u32;
+            let face_point = first_face_point + f as u32;
+            positions[face_point as usize] = (sum / f64::from(degree)).as_vec3();
+            // From the last corner's point: prev's half-edge, its end vertex and its inner edge.
+            let mut p = ring[ring.len() - 1];
+            let mut p_inner = first_inner + 2 * (corner + degree - 1);
+            vertex_halfedge[face_point as usize] = first_inner + 2 * corner + 1;
+            for (k, &h) in ring.iter().enumerate() {
+                let c = corner + k as u32;
+                let out = 2 * h;
+                let inner = first_inner + 2 * c;
+                let back = p_inner + 1;
+                let home = 2 * (p ^ 1) + 1;
+                let put = |column: &mut [u32], values: [u32; 4]| {
+                    column[out as usize] = values[0];
+                    column[inner as usize] = values[1];
+                    column[back as usize] = values[2];
+                    column[home as usize] = values[3];
+                };
+                put(&mut next, [inner, back, home, out]);
+                put(&mut prev, [home, out, inner, back]);
+                put(
+                    &mut to,
+                    [
+                        first_edge_point + (h >> 1),
+                        face_point,
+                        first_edge_point + (p >> 1),
+                        links.to[p as usize],
+                    ],
+                );
+                put(&mut face, [c; 4]);
+                face_halfedge[c as usize] = out;
+                p = h;
+                p_inner = inner;
+            }
+            corner += degree;
+        }
+    })?;
+    pace.part(0.8, 0.9).chunks(edges, |range| {
+        for e in range {
+            let even = 2 * e;
+            let mut out_of_middle = 2 * even + 3;
+            for h in [even, even + 1] {
+                if links.face[h] != NONE {
+                    continue;
+                }
+                let (first_half, second_half) = (2 * h, 2 * (h ^ 1) + 1);
+                next[first_half] = second_half as u32;
+                prev[first_half] = 2 * (links.prev[h] ^ 1) + 1;
+                to[first_half] = first_edge_point + e as u32;
+                face[first_half] = NONE;
+                next[second_half] = 2 * links.next[h];
+                prev[second_half] = first_half as u32;
+                to[second_half] = links.to[h];
+                face[second_half] = NONE;
+                out_of_middle = second_half;
+            }
+            vertex_halfedge[vertices + e] = out_of_middle as u32;
+        }
+    })?;
+    for (child, &h) in vertex_halfedge.iter_mut().zip(links.vertex_halfedge) {
+        *child = if h == NONE { NONE } else { 2 * h };
+    }
+    Ok(RawMesh {
+        positions,
+        vertex_halfedge,
+        next,
+        prev,
+        to,
+        face,
+        face_halfedge,
+        columns: Columns::default(),
+    })
+}
