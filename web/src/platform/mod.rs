@@ -5,14 +5,7 @@
 //! [`Event`]s, polled once a frame. Whoever queues an event outside a frame (a worker's message, a
 //! file that finished loading) asks for a repaint itself.
 
-/// A file's name and content.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct NamedBytes {
-    /// The name without a path, such as `bunny.obj`.
-    pub name: String,
-    /// The content.
-    pub bytes: Vec<u8>,
-}
+pub use formats::NamedBytes;
 
 /// The graphics device, as the status bar and the "About this device" window show it.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
