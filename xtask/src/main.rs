@@ -31,7 +31,7 @@ Every task first installs what it needs and finds missing, into .tools/ or $MESH
 fn main() -> ExitCode {
     let args: Vec<String> = std::env::args().skip(1).collect();
     match run(&args) {
-        Ok(()) => ExitCode::SUCCESS,
+        Ok(code) => code,
         Err(message) => {
             eprintln!("\nerror: {message}");
             ExitCode::FAILURE
@@ -39,24 +39,22 @@ fn main() -> ExitCode {
     }
 }
 
-fn run(args: &[String]) -> Result {
+fn run(args: &[String]) -> Result<ExitCode> {
     let Some((task, args)) = args.split_first() else {
         print!("{USAGE}");
-        return Ok(());
+        return Ok(ExitCode::SUCCESS);
     };
     let project = Project::find()?;
     match task.as_str() {
-        "setup" => no_args(args).and_then(|()| setup::everything(&project)),
-        "serve" => serve::run(&project, args),
-        "test" => test::run(&project, args),
-        "bench" => bench::run(&project, args),
-        "dist" => no_args(args).and_then(|()| dist::run(&project)),
-        "help" | "--help" | "-h" => {
-            print!("{USAGE}");
-            Ok(())
-        }
-        other => Err(format!("there is no task `{other}`.\n\n{USAGE}")),
+        "setup" => no_args(args).and_then(|()| setup::everything(&project))?,
+        "serve" => serve::run(&project, args)?,
+        "test" => return test::run(&project, args),
+        "bench" => bench::run(&project, args)?,
+        "dist" => no_args(args).and_then(|()| dist::run(&project))?,
+        "help" | "--help" | "-h" => print!("{USAGE}"),
+        other => return Err(format!("there is no task `{other}`.\n\n{USAGE}")),
     }
+    Ok(ExitCode::SUCCESS)
 }
 
 fn no_args(args: &[String]) -> Result {

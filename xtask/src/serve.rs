@@ -11,7 +11,7 @@ pub fn run(project: &Project, args: &[String]) -> Result {
     let wasm = setup::for_building(project)?;
     step(format!("the page will be at http://127.0.0.1:{port}/ (Ctrl+C stops)"));
     let mut trunk = page::trunk(project, &wasm, "serve", &project.site("serve"))?;
-    shell::run(trunk.args(["--address", "127.0.0.1", "--port", &port.to_string()]))
+    shell::become_program(trunk.args(["--address", "127.0.0.1", "--port", &port.to_string()]))
 }
 
 fn port(args: &[String]) -> Result<u16> {

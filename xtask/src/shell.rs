@@ -35,6 +35,20 @@ pub fn run(command: &mut Command) -> Result {
     }
 }
 
+/// Ends this program by becoming another one, so that what stops the one stops the other.
+#[cfg(unix)]
+pub fn become_program(command: &mut Command) -> Result {
+    step(format!("$ {}", line(command)));
+    let error = std::os::unix::process::CommandExt::exec(command);
+    Err(cannot_start(command, &error))
+}
+
+/// Runs another program as the last thing.
+#[cfg(not(unix))]
+pub fn become_program(command: &mut Command) -> Result {
+    run(command)
+}
+
 /// Runs a program and hands on each line that it prints on standard output as well as printing it.
 /// `Ok(false)` when the program fails.
 pub fn run_reading(command: &mut Command, mut on_line: impl FnMut(&str)) -> Result<bool> {
