@@ -159,6 +159,7 @@ fn e2e(project: &Project, tools: &Tools, rest: &[String], count: &mut Count) -> 
     node.args(["--test", "--test-reporter=spec", "--test-timeout=300000"]).args(files).current_dir(&folder);
     node.env("MESHWRIGHT_TOOLS", &project.tools)
         .env("MESHWRIGHT_SITE", site)
+        .env("MESHWRIGHT_SHOTS", project.target.join("screenshots"))
         .env("MESHWRIGHT_CHROMIUM", &tools.browser()?.path)
         .env("NO_COLOR", "1")
         .env_remove("FORCE_COLOR");
