@@ -60,7 +60,7 @@ pub use connectivity::Connectivity;
 pub use edit::Refusal;
 pub use id::{EdgeId, Element, FaceId, HalfedgeId, NONE, VertexId};
 pub use journal::{Journal, Touched};
-pub use mesh::{Mesh, RawMesh};
+pub use mesh::{Gaps, Mesh, RawMesh};
 pub use repair::{Note, NoteKind};
 pub use soup::PolygonSoup;
 pub use validate::{Defect, Rule};

@@ -51,6 +51,17 @@ pub struct RawMesh {
     pub columns: Columns,
 }
 
+/// The ids of removed elements, which still have their place in columns; each in ascending order.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Gaps {
+    /// Vertex ids.
+    pub vertices: Vec<u32>,
+    /// Edge ids.
+    pub edges: Vec<u32>,
+    /// Face ids.
+    pub faces: Vec<u32>,
+}
+
 impl Clone for Mesh {
     /// A copy of the mesh without the journal being recorded.
     fn clone(&self) -> Self {
@@ -117,6 +128,36 @@ impl Mesh {
             face_halfedge: self.face_halfedge,
             columns: self.columns,
         }
+    }
+
+    /// Which ids are of removed elements; none for a compact mesh.
+    pub fn gaps(&self) -> Gaps {
+        let list = |marks: &Marks, len: usize| match marks.count() {
+            0 => Vec::new(),
+            _ => (0..len).filter(|&at| marks.get(at)).map(|at| at as u32).collect(),
+        };
+        Gaps {
+            vertices: list(&self.removed_vertices, self.vertex_capacity()),
+            edges: list(&self.removed_edges, self.edge_capacity()),
+            faces: list(&self.removed_faces, self.face_capacity()),
+        }
+    }
+
+    /// [`Mesh::from_raw`] with removed elements: with [`Mesh::into_raw`] and [`Mesh::gaps`] a mesh
+    /// goes elsewhere and comes back equal. Ids past the end of the columns are passed over.
+    pub fn from_raw_with_gaps(raw: RawMesh, gaps: &Gaps) -> Self {
+        let mut mesh = Self::from_raw(raw);
+        let lists = [
+            (&mut mesh.removed_vertices, &gaps.vertices, mesh.positions.len()),
+            (&mut mesh.removed_edges, &gaps.edges, mesh.next.len() / 2),
+            (&mut mesh.removed_faces, &gaps.faces, mesh.face_halfedge.len()),
+        ];
+        for (marks, list, len) in lists {
+            for &id in list.iter().filter(|&&id| (id as usize) < len) {
+                marks.set(id as usize, true);
+            }
+        }
+        mesh
     }
 
     // Counts and ids.
