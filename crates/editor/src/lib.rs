@@ -1,1 +1,31 @@
-//! Meshwright.
+//! The editor with no screen: a document of objects, a selection, commands, history and jobs.
+//!
+//! Everything a user can do is a [`Command`] value given to an [`Editor`]. Menus, keys, scripts,
+//! the command line and tests speak the same commands; [`OPERATIONS`] lists them.
+
+pub mod command;
+mod changes;
+mod document;
+mod editor;
+mod error;
+mod history;
+mod job;
+mod json;
+mod outcome;
+mod selection;
+mod state;
+
+pub use changes::{Changes, ObjectChange};
+pub use command::{Command, Field, FieldKind, OPERATIONS, Op, OperationKind, Spec};
+pub use document::{Counts, Document, Object, ObjectId};
+pub use editor::{Begun, Editor, Finished, Message, MessageKind, RunningJob, SelectMode};
+pub use error::{CommandError, ErrorKind};
+pub use job::{BadBytes, JobId, JobRequest, JobResult};
+pub use outcome::{ElementIds, Elements, Outcome};
+pub use selection::Selection;
+pub use state::element_kind;
+
+/// The library that reads and writes files, for its types in this crate's signatures.
+pub use formats;
+/// The mesh library, for its types in this crate's signatures.
+pub use halfedge;

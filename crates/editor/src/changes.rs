@@ -1,0 +1,107 @@
+//! What changed since somebody last looked: what lists and GPU buffers follow.
+
+use crate::document::ObjectId;
+use halfedge::{Mesh, Touched};
+
+/// What changed since the last [`crate::Editor::take_changes`].
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Changes {
+    /// Objects whose mesh changed, each once, and those that came or went.
+    pub objects: Vec<(ObjectId, ObjectChange)>,
+    /// The list of objects, a name, a visibility or which object is active.
+    pub document: bool,
+    /// The selection.
+    pub selection: bool,
+    /// What undo and redo would do.
+    pub history: bool,
+    /// Messages for the user.
+    pub messages: bool,
+    /// Which jobs run.
+    pub jobs: bool,
+}
+
+/// What changed about one object's mesh.
+#[derive(Clone, Debug, PartialEq)]
+pub enum ObjectChange {
+    /// The object was not there before.
+    Added,
+    /// The object is no longer there.
+    Gone,
+    /// Any element may have changed.
+    Everything,
+    /// These elements changed; no other did. Ids past the end were taken away.
+    Touched(Touched),
+}
+
+/// Above this many elements, or this part of the mesh, listing them costs more than it saves.
+const MOST_LISTED: usize = 1 << 20;
+
+impl Changes {
+    /// Whether nothing changed.
+    pub fn is_empty(&self) -> bool {
+        *self == Self::default()
+    }
+
+    /// What changed about one object, if anything did.
+    pub fn of(&self, id: ObjectId) -> Option<&ObjectChange> {
+        self.objects.iter().find(|(object, _)| *object == id).map(|(_, change)| change)
+    }
+
+    pub(crate) fn added(&mut self, id: ObjectId) {
+        self.document = true;
+        match self.entry(id) {
+            // It went and came back before anyone looked.
+            Some(change) => *change = ObjectChange::Everything,
+            None => self.objects.push((id, ObjectChange::Added)),
+        }
+    }
+
+    pub(crate) fn gone(&mut self, id: ObjectId) {
+        self.document = true;
+        match self.entry(id) {
+            Some(ObjectChange::Added) => self.objects.retain(|(object, _)| *object != id),
+            Some(change) => *change = ObjectChange::Gone,
+            None => self.objects.push((id, ObjectChange::Gone)),
+        }
+    }
+
+    pub(crate) fn everything(&mut self, id: ObjectId) {
+        self.document = true;
+        match self.entry(id) {
+            Some(ObjectChange::Added) => {}
+            Some(change) => *change = ObjectChange::Everything,
+            None => self.objects.push((id, ObjectChange::Everything)),
+        }
+    }
+
+    pub(crate) fn touched(&mut self, id: ObjectId, mesh: &Mesh, touched: Touched) {
+        if touched.everything || listed(&touched) > MOST_LISTED.min(mesh.halfedge_capacity() / 4 + 4096) {
+            return self.everything(id);
+        }
+        match self.entry(id) {
+            Some(ObjectChange::Added | ObjectChange::Everything) => {}
+            Some(ObjectChange::Touched(earlier)) => {
+                merge(&mut earlier.vertices, touched.vertices);
+                merge(&mut earlier.halfedges, touched.halfedges);
+                merge(&mut earlier.edges, touched.edges);
+                merge(&mut earlier.faces, touched.faces);
+            }
+            Some(change @ ObjectChange::Gone) => *change = ObjectChange::Everything,
+            None => self.objects.push((id, ObjectChange::Touched(touched))),
+        }
+    }
+
+    fn entry(&mut self, id: ObjectId) -> Option<&mut ObjectChange> {
+        self.objects.iter_mut().find(|(object, _)| *object == id).map(|(_, change)| change)
+    }
+}
+
+fn listed(touched: &Touched) -> usize {
+    touched.vertices.len() + touched.halfedges.len() + touched.edges.len() + touched.faces.len()
+}
+
+fn merge<T: Ord>(into: &mut Vec<T>, more: Vec<T>) {
+    into.extend(more);
+    into.sort_unstable();
+    into.dedup();
+}

@@ -1,0 +1,222 @@
+//! Commands: everything a user can do to a document, as values with a JSON form.
+//!
+//! One operation per file, named after it. Each is a small struct whose fields are those of the
+//! JSON object `{"op": "<name>", ...fields}`, with a [`Spec`] that menus, the palette, panels and
+//! the documentation are generated from.
+
+mod fields;
+mod run;
+mod spec;
+
+pub use fields::{EdgeRef, FaceRef, HalfedgeRef, VertexRef};
+pub(crate) use run::{Action, Commit, DocumentEdit, Input, LocalEdit, Output, Place, Target, WholeMesh};
+pub use spec::{Field, FieldKind, OperationKind, Spec};
+
+use crate::error::{CommandError, Problem};
+use serde::Serialize;
+use serde::de::DeserializeOwned;
+use serde_json::{Map, Value};
+
+/// What every operation is.
+pub(crate) trait Operation: Sized + Serialize + DeserializeOwned {
+    /// Its name, texts and fields.
+    const SPEC: Spec;
+
+    /// Fills in what was left out from the selection. An operation on one element that several
+    /// selected ones stand in for becomes several operations, made in one step.
+    fn resolve(self, target: &Target<'_>) -> Result<Vec<Self>, Problem> {
+        let _ = target;
+        Ok(vec![self])
+    }
+
+    /// How it is carried out.
+    fn action(&self) -> Action<'_>;
+}
+
+macro_rules! operations {
+    ($($module:ident :: $name:ident),* $(,)?) => {
+        $(mod $module;)*
+        $(pub use $module::$name;)*
+
+        /// An operation with its fields.
+        #[derive(Clone, Debug, PartialEq)]
+        pub enum Op {
+            $(#[doc = concat!("`", stringify!($module), "`, with hyphens.")] $name($name),)*
+        }
+
+        $(impl From<$name> for Op {
+            fn from(op: $name) -> Self {
+                Self::$name(op)
+            }
+        }
+
+        impl From<$name> for Command {
+            fn from(op: $name) -> Self {
+                Self { object: None, op: op.into() }
+            }
+        })*
+
+        /// Every operation there is, in the order menus list them.
+        pub static OPERATIONS: &[&Spec] = &[$(&<$name as Operation>::SPEC),*];
+
+        impl Op {
+            /// The operation's name, texts and fields.
+            pub fn spec(&self) -> &'static Spec {
+                match self {
+                    $(Self::$name(_) => &<$name as Operation>::SPEC,)*
+                }
+            }
+
+            fn parse(name: &str, fields: Map<String, Value>) -> Option<Result<Self, Problem>> {
+                $(if name == <$name as Operation>::SPEC.name {
+                    return Some(from_fields::<$name>(fields).map(Self::$name));
+                })*
+                None
+            }
+
+            fn to_fields(&self) -> Value {
+                let fields = match self {
+                    $(Self::$name(op) => serde_json::to_value(op),)*
+                };
+                fields.unwrap_or_default()
+            }
+
+            pub(crate) fn resolve(self, target: &Target<'_>) -> Result<Vec<Self>, Problem> {
+                match self {
+                    $(Self::$name(op) => Ok(op.resolve(target)?.into_iter().map(Self::$name).collect()),)*
+                }
+            }
+
+            pub(crate) fn action(&self) -> Action<'_> {
+                match self {
+                    $(Self::$name(op) => op.action(),)*
+                }
+            }
+        }
+    };
+}
+
+operations! {
+    set_vertex_position::SetVertexPosition,
+    set_face_color::SetFaceColor,
+    split_edge::SplitEdge,
+    triangulate_faces::TriangulateFaces,
+    activate_object::ActivateObject,
+    rename_object::RenameObject,
+    set_object_visible::SetObjectVisible,
+    delete_object::DeleteObject,
+}
+
+/// A command: an operation, and which object it is for.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Command {
+    /// The place of the object in the document's list; none for the active one.
+    pub object: Option<usize>,
+    /// What to do.
+    pub op: Op,
+}
+
+impl Command {
+    /// Reads a command's JSON.
+    ///
+    /// # Errors
+    /// Names the op, and the field where one is missing, unknown, of the wrong type or not finite.
+    pub fn from_json(text: &str) -> Result<Self, CommandError> {
+        let value = serde_json::from_str(text)
+            .map_err(|error| CommandError::refused("command", format!("this is not JSON: {error}")))?;
+        Self::from_value(value)
+    }
+
+    /// Reads a command from parsed JSON; see [`Command::from_json`].
+    pub fn from_value(value: Value) -> Result<Self, CommandError> {
+        let Value::Object(mut fields) = value else {
+            return Err(CommandError::refused(
+                "command",
+                "a command is a JSON object such as {\"op\": \"split-edge\", \"edge\": 3}",
+            ));
+        };
+        let fail = |op: &str, field: &str, text: String| {
+            Err(CommandError::of(op, Problem::field(field, text)))
+        };
+        let name = match fields.remove("op") {
+            Some(Value::String(name)) => name,
+            Some(other) => return fail("command", "op", format!("{other} is not the name of an op, in quotes")),
+            None => return fail("command", "op", "is missing: it names what to do".into()),
+        };
+        let object = match fields.remove("object") {
+            None => None,
+            Some(value) => match value.as_u64().and_then(|at| usize::try_from(at).ok()) {
+                Some(at) => Some(at),
+                None => {
+                    return fail(&name, "object", format!("{value} is not the place of an object (0, 1, …)"));
+                }
+            },
+        };
+        match Op::parse(&name, fields) {
+            Some(Ok(op)) => Ok(Self { object, op }),
+            Some(Err(problem)) => Err(CommandError::of(name, problem)),
+            None => Err(CommandError::refused(&*name, unknown(&name))),
+        }
+    }
+
+    /// The command's JSON, which reads back as the same command.
+    pub fn to_value(&self) -> Value {
+        let mut object = Map::new();
+        object.insert("op".into(), self.name().into());
+        if let Some(at) = self.object {
+            object.insert("object".into(), at.into());
+        }
+        if let Value::Object(fields) = self.op.to_fields() {
+            object.extend(fields);
+        }
+        Value::Object(object)
+    }
+
+    /// The command's JSON as text.
+    pub fn to_json(&self) -> String {
+        self.to_value().to_string()
+    }
+
+    /// The op's name.
+    pub fn name(&self) -> &'static str {
+        self.op.spec().name
+    }
+
+    /// The same command for the object at this place of the document's list.
+    #[must_use]
+    pub fn on(self, object: usize) -> Self {
+        Self { object: Some(object), ..self }
+    }
+}
+
+/// Says that an op is not known, with the names that look like it.
+fn unknown(name: &str) -> String {
+    let near = OPERATIONS
+        .iter()
+        .map(|spec| spec.name)
+        .find(|known| known.contains(name) || name.contains(known) || known.replace('-', "_") == name);
+    match near {
+        Some(near) if !name.is_empty() => format!("there is no such op; did you mean `{near}`?"),
+        _ => "there is no such op".to_owned(),
+    }
+}
+
+/// Reads an operation's fields, naming the one at fault.
+fn from_fields<T: DeserializeOwned>(fields: Map<String, Value>) -> Result<T, Problem> {
+    serde_path_to_error::deserialize(Value::Object(fields)).map_err(|error| {
+        let path = error.path().to_string();
+        let text = error.into_inner().to_string();
+        let quoted = |prefix: &str| Some(text.strip_prefix(prefix)?.split('`').next()?.to_owned());
+        if let Some(field) = quoted("missing field `") {
+            return Problem::field(field, "is missing");
+        }
+        if let Some(field) = quoted("unknown field `") {
+            let known = text.split_once("expected ").map_or("", |(_, known)| known);
+            return Problem::field(
+                field,
+                if known.is_empty() { "is not a field of this op: it has none".to_owned() } else { format!("is not a field of this op; expected {known}") },
+            );
+        }
+        if path == "." { Problem::new(text) } else { Problem::field(path, text) }
+    })
+}

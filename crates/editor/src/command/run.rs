@@ -1,0 +1,196 @@
+//! How operations are carried out: the three ways, and what each is given.
+
+use crate::command::Op;
+use crate::document::{Document, Object, ObjectId};
+use crate::error::Problem;
+use crate::history::Change;
+use crate::selection::Selection;
+use halfedge::{EdgeId, Element, Mesh, Progress, VertexId};
+use std::sync::Arc;
+
+/// How an operation is carried out.
+pub(crate) enum Action<'a> {
+    /// On one mesh, recorded write by write.
+    Local(&'a dyn LocalEdit),
+    /// On whole meshes, giving others.
+    WholeMesh(&'a dyn WholeMesh),
+    /// On the list of objects.
+    Document(&'a dyn DocumentEdit),
+}
+
+/// What an operation is resolved against.
+pub(crate) struct Target<'a> {
+    pub mesh: &'a Mesh,
+    /// The selection; an empty one where the operation is for an object that isn't active.
+    pub selection: &'a Selection,
+}
+
+impl Target<'_> {
+    /// The selected vertices; for edges and faces that are selected, theirs.
+    pub fn vertices(&self, field: &str) -> Result<Vec<VertexId>, Problem> {
+        let mesh = self.mesh;
+        let ids = self.selection.ids();
+        let mut vertices: Vec<VertexId> = match self.selection.kind() {
+            Element::Vertex => ids.filter_map(|id| mesh.vertex(id)).collect(),
+            Element::Edge => ids.filter_map(|id| mesh.edge(id)).flat_map(|e| mesh.ends(e)).collect(),
+            Element::Halfedge => {
+                ids.filter_map(|id| mesh.halfedge(id)).flat_map(|h| mesh.ends(h.edge())).collect()
+            }
+            Element::Face => ids
+                .filter_map(|id| mesh.face(id))
+                .flat_map(|f| mesh.face_vertices(f).collect::<Vec<_>>())
+                .collect(),
+        };
+        vertices.sort_unstable();
+        vertices.dedup();
+        if vertices.is_empty() { Err(missing(field, "nothing")) } else { Ok(vertices) }
+    }
+
+    /// The selected edges, or those of the selected half-edges.
+    pub fn edges(&self, field: &str) -> Result<Vec<EdgeId>, Problem> {
+        let mut edges: Vec<EdgeId> = match self.selection.kind() {
+            Element::Edge => self.selection.ids().filter_map(|id| self.mesh.edge(id)).collect(),
+            Element::Halfedge => {
+                self.selection.ids().filter_map(|id| self.mesh.halfedge(id)).map(|h| h.edge()).collect()
+            }
+            _ => Vec::new(),
+        };
+        edges.dedup();
+        if edges.is_empty() { Err(missing(field, "no edge")) } else { Ok(edges) }
+    }
+
+    /// The ids of the selected elements of exactly this kind.
+    pub fn ids(&self, kind: Element, field: &str) -> Result<Vec<u32>, Problem> {
+        if self.selection.kind() != kind || self.selection.is_empty() {
+            return Err(missing(field, &format!("no {kind}")));
+        }
+        Ok(self.selection.ids().collect())
+    }
+
+    /// The id of the one selected element of this kind.
+    pub fn only(&self, kind: Element, field: &str) -> Result<u32, Problem> {
+        match self.ids(kind, field)?.as_slice() {
+            [only] => Ok(*only),
+            many => Err(Problem::field(
+                field,
+                format!("is missing, and {} elements are selected instead of one {kind}", many.len()),
+            )),
+        }
+    }
+}
+
+fn missing(field: &str, what: &str) -> Problem {
+    Problem::field(field, format!("is missing, and {what} is selected that it could stand for"))
+}
+
+/// An operation on a few elements of one mesh.
+pub(crate) trait LocalEdit {
+    /// Makes the edit, all or nothing: the caller takes back what was written before an error.
+    /// Called on resolved operations, whose elements are all given.
+    fn edit(&self, mesh: &mut Mesh) -> Result<(), Problem>;
+
+    /// About how many faces are written to: what decides whether it becomes a job.
+    fn cost(&self, mesh: &Mesh) -> usize {
+        let _ = mesh;
+        1
+    }
+}
+
+/// A mesh that a whole-mesh operation reads.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct Input {
+    pub name: String,
+    pub mesh: Arc<Mesh>,
+}
+
+/// A mesh that a whole-mesh operation made, with the name its object should have; an empty one
+/// leaves the name as it is.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct Output {
+    pub name: String,
+    pub mesh: Arc<Mesh>,
+}
+
+/// What becomes of the meshes that a whole-mesh operation made.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Commit {
+    /// The first replaces the mesh it was made of; the others become objects after it.
+    Replace,
+    /// The one mesh replaces the first input's; the other inputs' objects go.
+    Join,
+    /// The document is started over with it.
+    NewDocument,
+    /// It becomes another object, the active one.
+    NewObject,
+}
+
+/// An operation on whole meshes.
+pub(crate) trait WholeMesh {
+    /// Makes the new meshes from the old ones.
+    fn compute(&self, inputs: &[Input], progress: &mut Progress<'_>) -> Result<Vec<Output>, Problem>;
+
+    /// About how many faces the result has: what decides whether it becomes a job.
+    fn cost(&self, inputs: &[Input]) -> usize;
+
+    /// Which objects it reads.
+    fn objects(&self, place: &Place<'_>) -> Result<Vec<ObjectId>, Problem> {
+        Ok(vec![place.object()?.id()])
+    }
+
+    /// What becomes of the result.
+    fn commit(&self) -> Commit {
+        Commit::Replace
+    }
+}
+
+/// An operation on the list of objects.
+pub(crate) trait DocumentEdit {
+    /// The changes that make the edit, in order.
+    fn changes(&self, place: &Place<'_>) -> Result<Vec<Change>, Problem>;
+}
+
+/// Where in a document an operation acts.
+pub(crate) struct Place<'a> {
+    pub document: &'a Document,
+    /// The command's `object`, if it has one.
+    pub object: Option<usize>,
+}
+
+impl<'a> Place<'a> {
+    /// The place in the list of the object that the command names, or else of the active one.
+    pub fn index(&self) -> Result<usize, Problem> {
+        match self.object {
+            Some(at) => self.check(at, "object"),
+            None if self.document.objects.is_empty() => Err(Problem::new("the document has no object")),
+            None => Ok(self.document.active),
+        }
+    }
+
+    /// The object that the command names, or else the active one.
+    pub fn object(&self) -> Result<&'a Object, Problem> {
+        let at = self.index()?;
+        self.document.objects.get(at).ok_or_else(|| Problem::new("the document has no object"))
+    }
+
+    /// Checks a place in the list.
+    pub fn check(&self, at: usize, field: &str) -> Result<usize, Problem> {
+        match self.document.objects.len() {
+            n if at < n => Ok(at),
+            0 => Err(Problem::field(field, "the document has no object")),
+            1 => Err(Problem::field(field, format!("there is no object {at}; the only one is 0"))),
+            n => Err(Problem::field(field, format!("there is no object {at}; they go from 0 to {}", n - 1))),
+        }
+    }
+}
+
+impl Op {
+    /// Runs a local edit on a mesh that records; for local operations only.
+    pub(crate) fn edit(&self, mesh: &mut Mesh) -> Result<(), Problem> {
+        match self.action() {
+            Action::Local(edit) => edit.edit(mesh),
+            Action::WholeMesh(_) | Action::Document(_) => {
+                Err(Problem::new("this op does not edit a few elements, so it can't be previewed"))
+            }
+        }
+    }
+}

@@ -1,0 +1,60 @@
+//! `set-face-color`: paints faces.
+
+use super::fields::find_all;
+use super::{Action, FaceRef, Field, FieldKind, LocalEdit, Operation, OperationKind, Spec, Target};
+use crate::error::Problem;
+use halfedge::{Color, Element, Mesh, keys};
+use serde::{Deserialize, Serialize};
+
+/// Paints faces.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct SetFaceColor {
+    /// The faces; the selected ones if left out.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub faces: Option<Vec<FaceRef>>,
+    /// The colour, as `#rrggbb`.
+    pub color: String,
+}
+
+impl Operation for SetFaceColor {
+    const SPEC: Spec = Spec {
+        name: "set-face-color",
+        label: "Paint faces",
+        description: "Gives faces a color.",
+        key: None,
+        kind: OperationKind::Local,
+        fields: &[
+            Field::new("faces", FieldKind::Faces, "The faces to paint").or("the selected faces"),
+            Field::new("color", FieldKind::Color, "The color as #rrggbb"),
+        ],
+    };
+
+    fn resolve(mut self, target: &Target<'_>) -> Result<Vec<Self>, Problem> {
+        if self.faces.is_none() {
+            self.faces = Some(target.ids(Element::Face, "faces")?.into_iter().map(FaceRef).collect());
+        }
+        Ok(vec![self])
+    }
+
+    fn action(&self) -> Action<'_> {
+        Action::Local(self)
+    }
+}
+
+impl LocalEdit for SetFaceColor {
+    fn edit(&self, mesh: &mut Mesh) -> Result<(), Problem> {
+        let color = Color::from_hex(&self.color).ok_or_else(|| {
+            Problem::field("color", format!("{:?} is not a color; write it as #rrggbb", self.color))
+        })?;
+        let faces = self.faces.as_deref().unwrap_or_default();
+        for face in find_all(faces, "faces", |face, field| face.find(mesh, field))? {
+            mesh.set(keys::FACE_COLOR, face.index(), color);
+        }
+        Ok(())
+    }
+
+    fn cost(&self, _mesh: &Mesh) -> usize {
+        self.faces.as_ref().map_or(0, Vec::len) / 16
+    }
+}

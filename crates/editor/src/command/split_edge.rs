@@ -1,0 +1,84 @@
+//! `split-edge`: a new vertex on an edge, and cuts from it.
+
+use super::{Action, EdgeRef, Field, FieldKind, LocalEdit, Operation, OperationKind, Spec, Target};
+use crate::error::Problem;
+use halfedge::{Mesh, edit};
+use serde::{Deserialize, Serialize};
+
+/// Puts a new vertex on an edge and cuts the faces beside it.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct SplitEdge {
+    /// The edge; the selected ones, one after the other, if left out.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub edge: Option<EdgeRef>,
+    /// How far along the edge's even half-edge the vertex is, between 0 and 1.
+    #[serde(default = "half", with = "crate::json::finite")]
+    pub t: f32,
+    /// Which faces beside the edge are cut.
+    #[serde(default)]
+    pub connect: Connect,
+}
+
+/// Which faces beside a split edge are cut from the new vertex.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "lowercase")]
+pub enum Connect {
+    /// None: both faces gain a corner.
+    None,
+    /// Triangles, to their opposite corner.
+    #[default]
+    Triangles,
+    /// All, to the corner halfway round.
+    All,
+}
+
+fn half() -> f32 {
+    0.5
+}
+
+impl Operation for SplitEdge {
+    const SPEC: Spec = Spec {
+        name: "split-edge",
+        label: "Split edge",
+        description: "Puts a new vertex on an edge and cuts the faces beside it.",
+        key: Some("S"),
+        kind: OperationKind::Local,
+        fields: &[
+            Field::new("edge", FieldKind::Edge, "The edge to split").or("the selected edges"),
+            Field::new("t", FieldKind::Number { min: 0.0, max: 1.0 }, "How far along the edge, between its ends")
+                .or("0.5"),
+            Field::new(
+                "connect",
+                FieldKind::Choice(&["none", "triangles", "all"]),
+                "Which of the faces beside the edge are cut",
+            )
+            .or("\"triangles\""),
+        ],
+    };
+
+    fn resolve(self, target: &Target<'_>) -> Result<Vec<Self>, Problem> {
+        if self.edge.is_some() {
+            return Ok(vec![self]);
+        }
+        let edges = target.edges("edge")?;
+        Ok(edges.into_iter().map(|e| Self { edge: Some(e.into()), ..self.clone() }).collect())
+    }
+
+    fn action(&self) -> Action<'_> {
+        Action::Local(self)
+    }
+}
+
+impl LocalEdit for SplitEdge {
+    fn edit(&self, mesh: &mut Mesh) -> Result<(), Problem> {
+        let edge = self.edge.ok_or_else(|| Problem::field("edge", "is missing"))?.find(mesh, "edge")?;
+        let connect = match self.connect {
+            Connect::None => edit::Connect::None,
+            Connect::Triangles => edit::Connect::Triangles,
+            Connect::All => edit::Connect::All,
+        };
+        edit::split_edge(mesh, edge, self.t, connect)?;
+        Ok(())
+    }
+}

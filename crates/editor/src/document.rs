@@ -1,0 +1,161 @@
+//! What is being edited: named objects, each with a mesh.
+
+use halfedge::Mesh;
+use serde::Serialize;
+use std::fmt;
+use std::sync::Arc;
+
+/// An object's identity: it stays the same while the object's place in the list changes, and is
+/// never given twice in a session.
+#[derive(Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord, Debug)]
+pub struct ObjectId(pub u64);
+
+impl fmt::Display for ObjectId {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "object #{}", self.0)
+    }
+}
+
+/// A named mesh of a document.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Object {
+    id: ObjectId,
+    /// The name lists show.
+    pub(crate) name: String,
+    /// Whether the viewport draws it.
+    pub(crate) visible: bool,
+    /// Shared with jobs that read it and with nothing else, so that edits don't copy it.
+    pub(crate) mesh: Arc<Mesh>,
+}
+
+impl Object {
+    pub(crate) fn new(id: ObjectId, name: String, mesh: Arc<Mesh>) -> Self {
+        Self { id, name, visible: true, mesh }
+    }
+
+    /// The object's identity.
+    pub fn id(&self) -> ObjectId {
+        self.id
+    }
+
+    /// The name lists show.
+    pub fn name(&self) -> &str {
+        &self.name
+    }
+
+    /// Whether the viewport draws it.
+    pub fn visible(&self) -> bool {
+        self.visible
+    }
+
+    /// The object's mesh.
+    pub fn mesh(&self) -> &Mesh {
+        &self.mesh
+    }
+}
+
+/// A document: one or more objects, one of them active. Lists, selection and commands are about
+/// the active one. Only a document whose file held nothing has no object.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Document {
+    pub(crate) name: String,
+    pub(crate) objects: Vec<Object>,
+    pub(crate) active: usize,
+}
+
+impl Document {
+    /// The document's name, without a file extension.
+    pub fn name(&self) -> &str {
+        &self.name
+    }
+
+    /// The objects in the order lists show them.
+    pub fn objects(&self) -> &[Object] {
+        &self.objects
+    }
+
+    /// The place of the active object in [`Document::objects`].
+    pub fn active_index(&self) -> usize {
+        self.active
+    }
+
+    /// The active object; none in a document with no object.
+    pub fn active(&self) -> Option<&Object> {
+        self.objects.get(self.active)
+    }
+
+    /// The object with this identity.
+    pub fn object(&self, id: ObjectId) -> Option<&Object> {
+        self.objects.iter().find(|object| object.id == id)
+    }
+
+    /// The place of the object with this identity.
+    pub fn index_of(&self, id: ObjectId) -> Option<usize> {
+        self.objects.iter().position(|object| object.id == id)
+    }
+}
+
+/// The numbers of a mesh, or of several meshes together.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]
+pub struct Counts {
+    /// Vertices.
+    pub vertices: usize,
+    /// Edges.
+    pub edges: usize,
+    /// Half-edges: both sides of every edge, boundary ones included.
+    pub halfedges: usize,
+    /// Faces.
+    pub faces: usize,
+    /// Closed loops of boundary half-edges.
+    pub boundary_loops: usize,
+    /// Connected pieces; a vertex in no face is one.
+    pub components: usize,
+    /// Vertices - edges + faces.
+    pub euler: i64,
+}
+
+impl Counts {
+    /// Counts a mesh. Costs O(mesh).
+    pub fn of(mesh: &Mesh) -> Self {
+        let mut counts = Self::quick(mesh);
+        counts.boundary_loops = mesh.boundary_loops().len();
+        counts.components = mesh.components().1;
+        counts
+    }
+
+    /// What a mesh knows without being walked over: all but the loops and the components, which
+    /// are 0 here.
+    pub fn quick(mesh: &Mesh) -> Self {
+        Self {
+            vertices: mesh.vertex_count(),
+            edges: mesh.edge_count(),
+            halfedges: mesh.halfedge_count(),
+            faces: mesh.face_count(),
+            boundary_loops: 0,
+            components: 0,
+            euler: mesh.euler_characteristic(),
+        }
+    }
+}
+
+impl std::ops::Add for Counts {
+    type Output = Self;
+
+    fn add(self, other: Self) -> Self {
+        Self {
+            vertices: self.vertices + other.vertices,
+            edges: self.edges + other.edges,
+            halfedges: self.halfedges + other.halfedges,
+            faces: self.faces + other.faces,
+            boundary_loops: self.boundary_loops + other.boundary_loops,
+            components: self.components + other.components,
+            euler: self.euler + other.euler,
+        }
+    }
+}
+
+impl std::iter::Sum for Counts {
+    fn sum<I: Iterator<Item = Self>>(iter: I) -> Self {
+        iter.fold(Self::default(), |a, b| a + b)
+    }
+}

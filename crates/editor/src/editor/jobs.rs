@@ -1,0 +1,202 @@
+//! Jobs as the editor sees them: begun, waited for, finished or cancelled.
+
+use super::{Editor, MessageKind, Planned};
+use crate::command::{Action, Command, Op};
+use crate::document::ObjectId;
+use crate::error::{CommandError, Problem};
+use crate::history::Change;
+use crate::job::{JobId, JobRequest, JobResult, Made, Work};
+use crate::outcome::Outcome;
+use formats::{Format, NamedBytes};
+use std::ops::ControlFlow;
+
+/// Operations whose result is smaller than this many faces run at once: that takes less time than
+/// a frame, and less than sending the mesh to a worker.
+const SMALL: usize = 20_000;
+
+/// What became of a command that was begun.
+#[derive(Debug)]
+pub enum Begun {
+    /// It is done.
+    Done(Outcome),
+    /// It takes long: run this somewhere and give what comes of it to [`Editor::finish`].
+    Job(JobRequest),
+}
+
+/// What became of a job that was finished.
+#[derive(Debug)]
+pub enum Finished {
+    /// A command is done, or a file is open.
+    Done(Outcome),
+    /// Files to save were written.
+    Exported(Vec<NamedBytes>),
+}
+
+/// A job that was begun and is waited for.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct RunningJob {
+    /// Which one.
+    pub id: JobId,
+    /// Its op, or `open` or `export`.
+    pub op: &'static str,
+}
+
+/// A job that is waited for, with what to do with its result.
+#[derive(Debug)]
+pub(super) struct Waiting {
+    id: JobId,
+    kind: WaitingFor,
+}
+
+#[derive(Debug)]
+enum WaitingFor {
+    Open,
+    Export,
+    Run { op: Op, objects: Vec<ObjectId>, at: usize },
+}
+
+impl WaitingFor {
+    fn op(&self) -> &'static str {
+        match self {
+            Self::Open => "open",
+            Self::Export => "export",
+            Self::Run { op, .. } => op.spec().name,
+        }
+    }
+}
+
+impl Editor {
+    /// Carries out a command that is quick, or gives the job to do for one that may take long. Until
+    /// [`Editor::finish`] the document stays as it is, and edits of the job's objects are refused.
+    ///
+    /// # Errors
+    /// Why the command is refused, naming the op and the field.
+    pub fn begin(&mut self, command: Command) -> Result<Begun, CommandError> {
+        self.commit_drag();
+        let name = command.name();
+        self.begin_inner(command).map_err(|problem| self.report(CommandError::of(name, problem)))
+    }
+
+    fn begin_inner(&mut self, command: Command) -> Result<Begun, Problem> {
+        let planned = self.plan(command)?;
+        let (objects, ops, at) = match &planned {
+            Planned::Whole { op, objects, at } => (objects.clone(), vec![op.clone()], *at),
+            Planned::Local { object, ops } => (vec![*object], ops.clone(), 0),
+            Planned::Document { .. } => (Vec::new(), Vec::new(), 0),
+        };
+        let inputs = self.inputs(&objects);
+        let cost: usize = ops
+            .iter()
+            .map(|op| match op.action() {
+                Action::WholeMesh(whole) => whole.cost(&inputs),
+                Action::Local(edit) => inputs.first().map_or(0, |input| edit.cost(&input.mesh)),
+                Action::Document(_) => 0,
+            })
+            .sum();
+        let first = ops.first().cloned();
+        match first {
+            Some(op) if cost >= SMALL => {
+                let id = self.wait_for(WaitingFor::Run { op, objects, at });
+                Ok(Begun::Job(JobRequest { id, work: Work::Run(ops, inputs) }))
+            }
+            _ => {
+                drop(inputs);
+                self.carry_out(planned, &mut |_| ControlFlow::Continue(())).map(Begun::Done)
+            }
+        }
+    }
+
+    /// The job of reading files, whose result [`Editor::finish`] opens in place of the document.
+    pub fn begin_import(&mut self, files: Vec<NamedBytes>) -> JobRequest {
+        let id = self.wait_for(WaitingFor::Open);
+        JobRequest { id, work: Work::Import(files) }
+    }
+
+    /// The job of writing the document's objects to files of a format.
+    pub fn begin_export(&mut self, format: Format) -> JobRequest {
+        let objects: Vec<ObjectId> = self.document.objects().iter().map(|object| object.id()).collect();
+        let id = self.wait_for(WaitingFor::Export);
+        JobRequest { id, work: Work::Export(format, self.document.name.clone(), self.inputs(&objects)) }
+    }
+
+    fn wait_for(&mut self, kind: WaitingFor) -> JobId {
+        let id = JobId(self.next_job);
+        self.next_job += 1;
+        self.jobs.push(Waiting { id, kind });
+        self.changes.jobs = true;
+        id
+    }
+
+    /// Takes in what came of a job, as one undo step.
+    ///
+    /// # Errors
+    /// What the job failed with, or what is wrong with its result; the document is as it was.
+    pub fn finish(
+        &mut self,
+        id: JobId,
+        result: Result<JobResult, CommandError>,
+    ) -> Result<Finished, CommandError> {
+        let Some(at) = self.jobs.iter().position(|job| job.id == id) else {
+            return Err(CommandError {
+                kind: crate::error::ErrorKind::Cancelled,
+                ..CommandError::refused("finish", "the job was cancelled")
+            });
+        };
+        self.commit_drag();
+        let job = self.jobs.remove(at);
+        self.changes.jobs = true;
+        let name = job.kind.op();
+        let made = result.map_err(|error| self.report(error))?.made;
+        match (job.kind, made) {
+            (WaitingFor::Open, Made::Import(import)) => self.open(import).map(Finished::Done),
+            (WaitingFor::Export, Made::Files(files)) => Ok(Finished::Exported(files)),
+            (WaitingFor::Run { op, objects, at }, made @ Made::Meshes(..)) => {
+                let outcome = self
+                    .commit_whole(op, &objects, at, made)
+                    .map_err(|problem| self.report(CommandError::of(name, problem)))?;
+                self.say(MessageKind::Info, outcome.message.clone());
+                Ok(Finished::Done(outcome))
+            }
+            _ => Err(CommandError::of(name, Problem::internal("the result is of another job"))),
+        }
+    }
+
+    /// Forgets a job; what comes of it is not taken in. Gives whether it was waited for.
+    pub fn cancel(&mut self, id: JobId) -> bool {
+        let before = self.jobs.len();
+        self.jobs.retain(|job| job.id != id);
+        let cancelled = self.jobs.len() < before;
+        self.changes.jobs |= cancelled;
+        cancelled
+    }
+
+    /// The jobs that are waited for, the oldest first.
+    pub fn jobs(&self) -> impl Iterator<Item = RunningJob> + '_ {
+        self.jobs.iter().map(|job| RunningJob { id: job.id, op: job.kind.op() })
+    }
+
+    /// Refuses to change an object that a job runs on.
+    pub(super) fn check_idle(&self, id: ObjectId) -> Result<(), Problem> {
+        let busy = self.jobs.iter().find_map(|job| match &job.kind {
+            WaitingFor::Run { op, objects, .. } if objects.contains(&id) => Some(op.spec().label),
+            _ => None,
+        });
+        match busy {
+            None => Ok(()),
+            Some(label) => {
+                let name = self.document.object(id).map_or("the object", |object| object.name());
+                Err(Problem::new(format!(
+                    "“{label}” is still running on {name}; wait until it is done, or cancel it"
+                )))
+            }
+        }
+    }
+
+    pub(super) fn check_busy(&self, changes: &[Change]) -> Result<(), Problem> {
+        changes.iter().filter_map(|c| c.mesh_of(&self.document)).try_for_each(|id| self.check_idle(id))
+    }
+
+    pub(super) fn refuse_while_busy(&self, op: &str, changes: &[Change]) -> Result<(), CommandError> {
+        self.check_busy(changes).map_err(|problem| CommandError::of(op, problem))
+    }
+}

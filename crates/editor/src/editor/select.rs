@@ -1,0 +1,103 @@
+//! Selecting. It is no undo step of its own, but undo brings back the selection it had.
+
+use super::Editor;
+use crate::error::{CommandError, Problem};
+use crate::selection::Selection;
+use halfedge::Element;
+use std::sync::Arc;
+
+/// What becomes of what is selected already.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum SelectMode {
+    /// Only the new elements are selected.
+    #[default]
+    Replace,
+    /// The new elements are selected too.
+    Extend,
+    /// New elements that are selected are no more; the others are.
+    Toggle,
+}
+
+impl Editor {
+    /// Selects elements of the active object. Another kind than the selection's starts over.
+    ///
+    /// # Errors
+    /// An id that doesn't exist; the selection is then as it was.
+    pub fn select(
+        &mut self,
+        kind: Element,
+        ids: impl IntoIterator<Item = u32>,
+        mode: SelectMode,
+    ) -> Result<(), CommandError> {
+        let refuse = |text: String| CommandError::of("select", Problem::field("ids", text));
+        let Some(mesh) = self.document.active().map(|object| object.mesh.clone()) else {
+            return Err(CommandError::refused("select", "the document has no object"));
+        };
+        let mut selection = if mode == SelectMode::Replace || self.selection.kind() != kind {
+            Selection::new(kind)
+        } else {
+            (*self.selection).clone()
+        };
+        for id in ids {
+            if !mesh.exists(kind, id) {
+                return Err(refuse(format!("there is no {kind} {id}")));
+            }
+            if mode == SelectMode::Toggle && selection.contains(kind, id) {
+                selection.remove(id);
+            } else {
+                selection.insert(id);
+            }
+        }
+        self.set_selection(selection);
+        Ok(())
+    }
+
+    /// Extends the selection by all ids from the latest selected one to this one, as a click with
+    /// shift in a list does.
+    ///
+    /// # Errors
+    /// An id that doesn't exist.
+    pub fn select_range(&mut self, kind: Element, to: u32) -> Result<(), CommandError> {
+        let from = if self.selection.kind() == kind { self.selection.latest() } else { None };
+        let Some(mesh) = self.mesh().filter(|mesh| mesh.exists(kind, to)) else {
+            return Err(CommandError::of("select", Problem::field("ids", format!("there is no {kind} {to}"))));
+        };
+        let from = from.unwrap_or(to);
+        let mut ids: Vec<u32> =
+            (from.min(to)..=from.max(to)).filter(|&id| mesh.exists(kind, id)).collect();
+        if from > to {
+            ids.reverse();
+        }
+        self.select(kind, ids, SelectMode::Extend)
+    }
+
+    /// Selects every element of a kind.
+    pub fn select_all(&mut self, kind: Element) {
+        let Some(mesh) = self.mesh() else { return };
+        let ids = (0..mesh.capacity(kind) as u32).filter(|&id| mesh.exists(kind, id));
+        let selection = Selection::of(kind, ids);
+        self.set_selection(selection);
+    }
+
+    /// Selects nothing; the kind stays.
+    pub fn deselect(&mut self) {
+        self.set_selection(Selection::new(self.selection.kind()));
+    }
+
+    pub(super) fn set_selection(&mut self, selection: Selection) {
+        if *self.selection != selection {
+            self.selection = Arc::new(selection);
+            self.changes.selection = true;
+        }
+    }
+
+    /// Drops ids that an edit removed from the selection.
+    pub(super) fn drop_gone_from_selection(&mut self) {
+        let Some(object) = self.document.active() else { return };
+        if self.selection.has_gone(object.mesh()) {
+            let mut selection = (*self.selection).clone();
+            selection.keep_existing(object.mesh());
+            self.set_selection(selection);
+        }
+    }
+}

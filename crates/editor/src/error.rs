@@ -1,0 +1,96 @@
+//! Why a command was refused.
+
+use halfedge::Refusal;
+use serde::Serialize;
+use std::fmt;
+
+/// A command that was not carried out. The document is as it was.
+///
+/// Displays as one line: the op, the field where one is at fault, and what is wrong.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+pub struct CommandError {
+    /// The op, or what was tried, such as `open`.
+    pub op: String,
+    /// The field at fault, with the place in it: `position[1]`.
+    pub field: Option<String>,
+    /// What is wrong and what to do, in plain words.
+    pub problem: String,
+    /// What sort of failure it is.
+    pub kind: ErrorKind,
+}
+
+/// The sorts of failure.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum ErrorKind {
+    /// The command does not make sense or can't be done here.
+    Refused,
+    /// The user cancelled it.
+    Cancelled,
+    /// The editor itself is at fault: a result broke a rule of the mesh and was thrown away.
+    Internal,
+}
+
+impl CommandError {
+    /// A refusal of an op, with no field at fault.
+    pub fn refused(op: impl Into<String>, problem: impl Into<String>) -> Self {
+        Self { op: op.into(), field: None, problem: problem.into(), kind: ErrorKind::Refused }
+    }
+
+    pub(crate) fn of(op: impl Into<String>, problem: Problem) -> Self {
+        Self { op: op.into(), field: problem.field, problem: problem.text, kind: problem.kind }
+    }
+
+    /// Whether the user cancelled it, so that there is nothing to tell them.
+    pub fn is_cancelled(&self) -> bool {
+        self.kind == ErrorKind::Cancelled
+    }
+}
+
+impl fmt::Display for CommandError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match &self.field {
+            Some(field) => write!(f, "{}: `{field}`: {}", self.op, self.problem),
+            None => write!(f, "{}: {}", self.op, self.problem),
+        }
+    }
+}
+
+impl std::error::Error for CommandError {}
+
+/// What is wrong, before it is known which op it was.
+#[derive(Clone, Debug)]
+pub(crate) struct Problem {
+    pub field: Option<String>,
+    pub text: String,
+    pub kind: ErrorKind,
+}
+
+impl Problem {
+    pub fn new(text: impl Into<String>) -> Self {
+        Self { field: None, text: text.into(), kind: ErrorKind::Refused }
+    }
+
+    pub fn field(field: impl Into<String>, text: impl Into<String>) -> Self {
+        Self { field: Some(field.into()), ..Self::new(text) }
+    }
+
+    pub fn cancelled() -> Self {
+        Self { kind: ErrorKind::Cancelled, ..Self::new("cancelled") }
+    }
+
+    pub fn internal(text: impl Into<String>) -> Self {
+        Self { kind: ErrorKind::Internal, ..Self::new(text) }
+    }
+}
+
+impl From<Refusal> for Problem {
+    fn from(refusal: Refusal) -> Self {
+        match refusal {
+            Refusal::OutOfRange { field, value, range } => {
+                Self::field(field, format!("{value} is out of range; it must be {range}"))
+            }
+            other => Self::new(other.to_string()),
+        }
+    }
+}

@@ -1,0 +1,218 @@
+//! Undo and redo: one mechanism beneath every command.
+//!
+//! A step is a list of [`Change`]s. Making a change gives the change that takes it back, so undo
+//! makes a step's changes in reverse and what that gives is the redo. A change is a journal for a
+//! local edit and the other mesh for an operation on a whole one: undoing costs what doing cost.
+
+use crate::changes::Changes;
+use crate::document::{Document, Object, ObjectId};
+use crate::selection::Selection;
+use halfedge::{Journal, Mesh};
+use std::collections::VecDeque;
+use std::sync::Arc;
+
+/// One reversible change to a document.
+#[derive(Debug)]
+pub(crate) enum Change {
+    /// Plays a journal back on the object's mesh.
+    Journal(ObjectId, Journal),
+    /// Gives the object another mesh.
+    Mesh(ObjectId, Arc<Mesh>),
+    /// Renames the object.
+    Name(ObjectId, String),
+    /// Shows or hides the object.
+    Visible(ObjectId, bool),
+    /// Makes the object at this place active.
+    Active(usize),
+    /// Puts an object at this place of the list.
+    Insert(usize, Box<Object>),
+    /// Takes the object at this place out of the list.
+    Remove(usize),
+    /// Names the document.
+    DocumentName(String),
+}
+
+impl Change {
+    /// Makes the change and gives the one that takes it back; none where it doesn't fit the
+    /// document, which is then as it was.
+    pub fn make(self, document: &mut Document, changes: &mut Changes) -> Option<Self> {
+        let find = |document: &Document, id| document.index_of(id);
+        Some(match self {
+            Self::Journal(id, journal) => {
+                let at = find(document, id)?;
+                let mesh = Arc::make_mut(&mut document.objects.get_mut(at)?.mesh);
+                let back = mesh.undo(journal);
+                changes.touched(id, mesh, back.touched());
+                Self::Journal(id, back)
+            }
+            Self::Mesh(id, mesh) => {
+                let at = find(document, id)?;
+                let old = std::mem::replace(&mut document.objects.get_mut(at)?.mesh, mesh);
+                changes.everything(id);
+                Self::Mesh(id, old)
+            }
+            Self::Name(id, name) => {
+                let at = find(document, id)?;
+                changes.document = true;
+                Self::Name(id, std::mem::replace(&mut document.objects.get_mut(at)?.name, name))
+            }
+            Self::Visible(id, visible) => {
+                let at = find(document, id)?;
+                changes.document = true;
+                Self::Visible(id, std::mem::replace(&mut document.objects.get_mut(at)?.visible, visible))
+            }
+            Self::Active(at) => {
+                changes.document = true;
+                Self::Active(std::mem::replace(&mut document.active, at))
+            }
+            Self::Insert(at, object) => {
+                if at > document.objects.len() {
+                    return None;
+                }
+                changes.added(object.id());
+                document.objects.insert(at, *object);
+                Self::Remove(at)
+            }
+            Self::Remove(at) => {
+                if at >= document.objects.len() {
+                    return None;
+                }
+                let object = document.objects.remove(at);
+                changes.gone(object.id());
+                Self::Insert(at, Box::new(object))
+            }
+            Self::DocumentName(name) => {
+                changes.document = true;
+                Self::DocumentName(std::mem::replace(&mut document.name, name))
+            }
+        })
+    }
+
+    /// The object whose mesh the change replaces, writes to or takes away.
+    pub fn mesh_of(&self, document: &Document) -> Option<ObjectId> {
+        match self {
+            Self::Journal(id, _) | Self::Mesh(id, _) => Some(*id),
+            Self::Remove(at) => document.objects.get(*at).map(Object::id),
+            _ => None,
+        }
+    }
+
+    fn bytes(&self) -> usize {
+        size_of::<Self>()
+            + match self {
+                Self::Journal(_, journal) => journal.bytes(),
+                Self::Mesh(_, mesh) => mesh.bytes(),
+                Self::Insert(_, object) => object.mesh.bytes(),
+                _ => 0,
+            }
+    }
+}
+
+/// One step that can be undone, or, once undone, redone.
+#[derive(Debug)]
+pub(crate) struct Step {
+    /// What menus call it.
+    pub label: String,
+    /// What to make, in this order, to take the step back.
+    pub changes: Vec<Change>,
+    /// The selection on the other side of the step.
+    pub selection: Arc<Selection>,
+    /// Which state of the document lies on the other side; equal numbers are equal documents.
+    pub revision: u64,
+}
+
+impl Step {
+    fn bytes(&self) -> usize {
+        size_of::<Self>() + self.selection.bytes() + self.changes.iter().map(Change::bytes).sum::<usize>()
+    }
+}
+
+/// The steps that can be undone and redone, bounded by the memory they take.
+#[derive(Debug)]
+pub(crate) struct History {
+    undo: VecDeque<(Step, usize)>,
+    redo: Vec<(Step, usize)>,
+    bytes: usize,
+    limit: usize,
+}
+
+impl History {
+    /// What is kept unless a setting says otherwise.
+    pub const DEFAULT_LIMIT: usize = 512 << 20;
+
+    pub fn new() -> Self {
+        Self { undo: VecDeque::new(), redo: Vec::new(), bytes: 0, limit: Self::DEFAULT_LIMIT }
+    }
+
+    /// Adds a step that was just made; what could be redone is forgotten.
+    pub fn push(&mut self, step: Step) {
+        self.bytes -= self.redo.drain(..).map(|(_, bytes)| bytes).sum::<usize>();
+        self.keep_undo(step);
+        self.shrink();
+    }
+
+    pub fn keep_undo(&mut self, step: Step) {
+        let bytes = step.bytes();
+        self.bytes += bytes;
+        self.undo.push_back((step, bytes));
+    }
+
+    pub fn keep_redo(&mut self, step: Step) {
+        let bytes = step.bytes();
+        self.bytes += bytes;
+        self.redo.push((step, bytes));
+    }
+
+    pub fn take_undo(&mut self) -> Option<Step> {
+        let (step, bytes) = self.undo.pop_back()?;
+        self.bytes -= bytes;
+        Some(step)
+    }
+
+    pub fn take_redo(&mut self) -> Option<Step> {
+        let (step, bytes) = self.redo.pop()?;
+        self.bytes -= bytes;
+        Some(step)
+    }
+
+    pub fn next_undo(&self) -> Option<&Step> {
+        self.undo.back().map(|(step, _)| step)
+    }
+
+    pub fn next_redo(&self) -> Option<&Step> {
+        self.redo.last().map(|(step, _)| step)
+    }
+
+    /// The labels of what can be undone, the next one last.
+    pub fn undo_labels(&self) -> impl Iterator<Item = &str> {
+        self.undo.iter().map(|(step, _)| step.label.as_str())
+    }
+
+    /// The labels of what can be redone, the next one last.
+    pub fn redo_labels(&self) -> impl Iterator<Item = &str> {
+        self.redo.iter().map(|(step, _)| step.label.as_str())
+    }
+
+    pub fn bytes(&self) -> usize {
+        self.bytes
+    }
+
+    pub fn limit(&self) -> usize {
+        self.limit
+    }
+
+    pub fn set_limit(&mut self, limit: usize) {
+        self.limit = limit;
+        self.shrink();
+    }
+
+    /// Drops the oldest steps until the rest is within the limit. The latest one is kept whatever
+    /// its size: one can always take back what one just did.
+    fn shrink(&mut self) {
+        while self.bytes > self.limit && self.undo.len() > 1 {
+            if let Some((_, bytes)) = self.undo.pop_front() {
+                self.bytes -= bytes;
+            }
+        }
+    }
+}

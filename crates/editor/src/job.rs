@@ -1,0 +1,126 @@
+//! Jobs: what takes long, as plain data that can be sent to a worker and back.
+
+mod bytes;
+
+pub use bytes::BadBytes;
+
+use crate::command::{Action, Input, Op, Output};
+use crate::error::{CommandError, Problem};
+use crate::outcome::{Before, ElementIds};
+use formats::{Format, Import, NamedBytes};
+use halfedge::{Mesh, Progress};
+use std::sync::Arc;
+
+/// Which job of an editor.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub struct JobId(pub u64);
+
+/// What a job has to do, with all it needs: it can be run on any thread or sent to a worker.
+#[derive(Clone, Debug)]
+pub struct JobRequest {
+    pub(crate) id: JobId,
+    pub(crate) work: Work,
+}
+
+#[derive(Clone, Debug)]
+pub(crate) enum Work {
+    /// Reads files.
+    Import(Vec<NamedBytes>),
+    /// Runs operations on meshes; several only where they are local edits.
+    Run(Vec<Op>, Vec<Input>),
+    /// Writes a document with this name as a file.
+    Export(Format, String, Vec<Input>),
+}
+
+/// What a job made.
+#[derive(Debug)]
+pub struct JobResult {
+    pub(crate) made: Made,
+}
+
+#[derive(Debug)]
+pub(crate) enum Made {
+    Import(Import),
+    Meshes(Vec<Output>, Option<(ElementIds, ElementIds)>),
+    Files(Vec<NamedBytes>),
+}
+
+impl JobRequest {
+    /// Reading files, for whoever has no editor yet; its result goes to [`JobResult::into_import`].
+    pub fn import(files: Vec<NamedBytes>) -> Self {
+        Self { id: JobId(0), work: Work::Import(files) }
+    }
+
+    /// Which job this is.
+    pub fn id(&self) -> JobId {
+        self.id
+    }
+
+    /// The op, or `open` and `export`.
+    pub fn op(&self) -> &'static str {
+        match &self.work {
+            Work::Import(_) => "open",
+            Work::Run(ops, _) => ops.first().map_or("nothing", |op| op.spec().name),
+            Work::Export(..) => "export",
+        }
+    }
+
+    /// Does the work, telling `progress`, which may stop it.
+    ///
+    /// # Errors
+    /// What the command would be refused for, or that it was cancelled.
+    pub fn run(&self, progress: &mut Progress<'_>) -> Result<JobResult, CommandError> {
+        self.work.run(progress).map_err(|problem| CommandError::of(self.op(), problem))
+    }
+}
+
+impl JobResult {
+    /// What was read, if this is the result of an import.
+    pub fn into_import(self) -> Option<Import> {
+        match self.made {
+            Made::Import(import) => Some(import),
+            _ => None,
+        }
+    }
+}
+
+impl Work {
+    fn run(&self, progress: &mut Progress<'_>) -> Result<JobResult, Problem> {
+        let made = match self {
+            Self::Import(files) => {
+                Made::Import(formats::read(files, progress).map_err(|e| Problem::new(e.to_string()))?)
+            }
+            Self::Run(ops, inputs) => run(ops, inputs, progress)?,
+            Self::Export(format, name, inputs) => {
+                let objects: Vec<_> = inputs
+                    .iter()
+                    .map(|input| formats::ObjectRef { name: &input.name, mesh: &input.mesh })
+                    .collect();
+                Made::Files(formats::write(*format, name, &objects).map_err(|e| Problem::new(e.to_string()))?)
+            }
+        };
+        Ok(JobResult { made })
+    }
+}
+
+/// Runs operations on meshes: a whole-mesh one on all inputs, local ones on the first.
+pub(crate) fn run(ops: &[Op], inputs: &[Input], progress: &mut Progress<'_>) -> Result<Made, Problem> {
+    if let [op] = ops
+        && let Action::WholeMesh(whole) = op.action()
+    {
+        return Ok(Made::Meshes(whole.compute(inputs, progress)?, None));
+    }
+    let input = inputs.first().ok_or_else(|| Problem::new("there is no mesh to edit"))?;
+    let mut mesh = Mesh::clone(&input.mesh);
+    let before = Before::of(&mesh);
+    mesh.start_recording();
+    for (at, op) in ops.iter().enumerate() {
+        if progress(at as f32 / ops.len() as f32).is_break() {
+            return Err(Problem::cancelled());
+        }
+        op.edit(&mut mesh)?;
+    }
+    let touched = mesh.finish_recording().touched();
+    let ids = before.compare(&mesh, &touched);
+    Ok(Made::Meshes(vec![Output { name: String::new(), mesh: Arc::new(mesh) }], Some(ids)))
+}

@@ -1,0 +1,398 @@
+//! Jobs as bytes, for sending them to a worker and back.
+//!
+//! Eight bytes of magic, the length of a JSON header, the header, then raw columns one after the
+//! other, in native byte order (both ends are the same program on the same machine). The header
+//! says what the columns are and how long, so nothing is allocated that the bytes don't hold.
+
+use super::{JobId, JobRequest, JobResult, Made, Work};
+use crate::command::{Command, Input, Op, Output};
+use crate::outcome::ElementIds;
+use formats::{Format, Import, ImportReport, ImportedObject, NamedBytes};
+use halfedge::attribute::{Column, Columns, Value, Values};
+use halfedge::{Color, Element, Gaps, Mesh, RawMesh};
+use serde::{Deserialize, Serialize};
+use std::fmt;
+use std::sync::Arc;
+
+/// Bytes that are not a job.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct BadBytes(String);
+
+impl fmt::Display for BadBytes {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "these bytes are not a job: {}", self.0)
+    }
+}
+
+impl std::error::Error for BadBytes {}
+
+fn bad(text: impl fmt::Display) -> BadBytes {
+    BadBytes(text.to_string())
+}
+
+const REQUEST: [u8; 8] = *b"MWjobRq1";
+const RESULT: [u8; 8] = *b"MWjobRs1";
+
+#[derive(Serialize, Deserialize)]
+enum RequestHeader {
+    Import { id: u64, files: Vec<FileHeader> },
+    Run { id: u64, ops: Vec<serde_json::Value>, meshes: Vec<MeshHeader> },
+    Export { id: u64, extension: String, name: String, meshes: Vec<MeshHeader> },
+}
+
+#[derive(Serialize, Deserialize)]
+enum ResultHeader {
+    Import { name: String, report: ImportReport, meshes: Vec<MeshHeader> },
+    Meshes { meshes: Vec<MeshHeader>, ids: Option<[usize; 6]> },
+    Files { files: Vec<FileHeader> },
+}
+
+#[derive(Serialize, Deserialize)]
+struct FileHeader {
+    name: String,
+    bytes: usize,
+}
+
+#[derive(Serialize, Deserialize)]
+struct MeshHeader {
+    name: String,
+    vertices: usize,
+    edges: usize,
+    faces: usize,
+    /// How many vertices, edges and faces are removed.
+    gaps: [usize; 3],
+    /// Per kind of element, in the order of `Element::ALL`.
+    columns: [Vec<ColumnHeader>; 4],
+}
+
+#[derive(Serialize, Deserialize)]
+struct ColumnHeader {
+    name: String,
+    kind: Kind,
+    /// The bits of the default's components.
+    default: Vec<u32>,
+    labels: Vec<String>,
+}
+
+#[derive(Clone, Copy, Serialize, Deserialize)]
+enum Kind {
+    F32,
+    Vec2,
+    Vec3,
+    Color,
+    U32,
+}
+
+impl JobRequest {
+    /// The job as bytes, which [`JobRequest::from_bytes`] reads. Costs a copy of the meshes.
+    pub fn to_bytes(&self) -> Vec<u8> {
+        let mut out = Writer::default();
+        let header = match &self.work {
+            Work::Import(files) => RequestHeader::Import { id: self.id.0, files: out.files(files) },
+            Work::Run(ops, inputs) => RequestHeader::Run {
+                id: self.id.0,
+                ops: ops.iter().map(|op| Command { object: None, op: op.clone() }.to_value()).collect(),
+                meshes: inputs.iter().map(|input| out.mesh(&input.name, &input.mesh)).collect(),
+            },
+            Work::Export(format, name, inputs) => RequestHeader::Export {
+                id: self.id.0,
+                extension: format.extension().to_owned(),
+                name: name.clone(),
+                meshes: inputs.iter().map(|input| out.mesh(&input.name, &input.mesh)).collect(),
+            },
+        };
+        out.finish(REQUEST, &header)
+    }
+
+    /// Reads a job that [`JobRequest::to_bytes`] wrote.
+    ///
+    /// # Errors
+    /// Bytes that are not a job, or whose meshes are not valid.
+    pub fn from_bytes(bytes: &[u8]) -> Result<Self, BadBytes> {
+        let (header, mut rest) = Reader::open(REQUEST, bytes)?;
+        let inputs = |rest: &mut Reader<'_>, meshes: Vec<MeshHeader>| {
+            meshes
+                .into_iter()
+                .map(|header| {
+                    let name = header.name.clone();
+                    Ok(Input { name, mesh: Arc::new(rest.mesh(header)?) })
+                })
+                .collect::<Result<Vec<_>, BadBytes>>()
+        };
+        let (id, work) = match header {
+            RequestHeader::Import { id, files } => (id, Work::Import(rest.files(files)?)),
+            RequestHeader::Run { id, ops, meshes } => {
+                let ops = ops
+                    .into_iter()
+                    .map(|value| Ok(Command::from_value(value).map_err(bad)?.op))
+                    .collect::<Result<Vec<Op>, BadBytes>>()?;
+                (id, Work::Run(ops, inputs(&mut rest, meshes)?))
+            }
+            RequestHeader::Export { id, extension, name, meshes } => {
+                let format = Format::from_extension(&extension).ok_or_else(|| bad("an unknown format"))?;
+                (id, Work::Export(format, name, inputs(&mut rest, meshes)?))
+            }
+        };
+        rest.end()?;
+        Ok(Self { id: JobId(id), work })
+    }
+}
+
+impl JobResult {
+    /// The result as bytes, which [`JobResult::from_bytes`] reads. Costs a copy of the meshes.
+    pub fn to_bytes(&self) -> Vec<u8> {
+        let mut out = Writer::default();
+        let header = match &self.made {
+            Made::Import(import) => ResultHeader::Import {
+                name: import.name.clone(),
+                report: import.report.clone(),
+                meshes: import.objects.iter().map(|object| out.mesh(&object.name, &object.mesh)).collect(),
+            },
+            Made::Meshes(outputs, ids) => ResultHeader::Meshes {
+                meshes: outputs.iter().map(|output| out.mesh(&output.name, &output.mesh)).collect(),
+                ids: ids.as_ref().map(|(created, removed)| {
+                    let [a, b, c] = out.ids(created);
+                    let [d, e, f] = out.ids(removed);
+                    [a, b, c, d, e, f]
+                }),
+            },
+            Made::Files(files) => ResultHeader::Files { files: out.files(files) },
+        };
+        out.finish(RESULT, &header)
+    }
+
+    /// Reads a result that [`JobResult::to_bytes`] wrote, and validates its meshes.
+    ///
+    /// # Errors
+    /// Bytes that are not a result, or whose meshes are not valid.
+    pub fn from_bytes(bytes: &[u8]) -> Result<Self, BadBytes> {
+        let (header, mut rest) = Reader::open(RESULT, bytes)?;
+        let made = match header {
+            ResultHeader::Import { name, report, meshes } => {
+                let objects = meshes
+                    .into_iter()
+                    .map(|header| {
+                        let name = header.name.clone();
+                        Ok(ImportedObject { name, mesh: rest.mesh(header)? })
+                    })
+                    .collect::<Result<_, BadBytes>>()?;
+                Made::Import(Import { name, objects, report })
+            }
+            ResultHeader::Meshes { meshes, ids } => {
+                let outputs = meshes
+                    .into_iter()
+                    .map(|header| {
+                        let name = header.name.clone();
+                        Ok(Output { name, mesh: Arc::new(rest.mesh(header)?) })
+                    })
+                    .collect::<Result<_, BadBytes>>()?;
+                let ids = match ids {
+                    Some([a, b, c, d, e, f]) => Some((rest.ids([a, b, c])?, rest.ids([d, e, f])?)),
+                    None => None,
+                };
+                Made::Meshes(outputs, ids)
+            }
+            ResultHeader::Files { files } => Made::Files(rest.files(files)?),
+        };
+        rest.end()?;
+        Ok(Self { made })
+    }
+}
+
+/// Collects raw columns.
+#[derive(Default)]
+struct Writer {
+    body: Vec<u8>,
+}
+
+impl Writer {
+    fn column<T: bytemuck::NoUninit>(&mut self, column: &[T]) {
+        self.body.extend_from_slice(bytemuck::cast_slice(column));
+    }
+
+    fn files(&mut self, files: &[NamedBytes]) -> Vec<FileHeader> {
+        files
+            .iter()
+            .map(|file| {
+                self.body.extend_from_slice(&file.bytes);
+                FileHeader { name: file.name.clone(), bytes: file.bytes.len() }
+            })
+            .collect()
+    }
+
+    fn ids(&mut self, ids: &ElementIds) -> [usize; 3] {
+        [&ids.vertices, &ids.edges, &ids.faces].map(|list| {
+            self.column(list);
+            list.len()
+        })
+    }
+
+    fn mesh(&mut self, name: &str, mesh: &Mesh) -> MeshHeader {
+        let gaps = mesh.gaps();
+        let raw = mesh.clone().into_raw();
+        self.body.reserve(mesh.bytes());
+        self.column(&raw.positions);
+        for column in
+            [&raw.vertex_halfedge, &raw.next, &raw.prev, &raw.to, &raw.face, &raw.face_halfedge]
+        {
+            self.column(column);
+        }
+        for list in [&gaps.vertices, &gaps.edges, &gaps.faces] {
+            self.column(list);
+        }
+        MeshHeader {
+            name: name.to_owned(),
+            vertices: raw.positions.len(),
+            edges: raw.next.len() / 2,
+            faces: raw.face_halfedge.len(),
+            gaps: [gaps.vertices.len(), gaps.edges.len(), gaps.faces.len()],
+            columns: Element::ALL
+                .map(|element| raw.columns.of(element).iter().map(|column| self.attribute(column)).collect()),
+        }
+    }
+
+    fn attribute(&mut self, column: &Column) -> ColumnHeader {
+        let kind = match &column.values {
+            Values::F32(values) => {
+                self.column(values);
+                Kind::F32
+            }
+            Values::Vec2(values) => {
+                self.column(values);
+                Kind::Vec2
+            }
+            Values::Vec3(values) => {
+                self.column(values);
+                Kind::Vec3
+            }
+            Values::Color(values) => {
+                self.body.extend(values.iter().flat_map(|color| color.0));
+                Kind::Color
+            }
+            Values::U32(values) => {
+                self.column(values);
+                Kind::U32
+            }
+        };
+        let default = match column.default {
+            Value::F32(v) => vec![v.to_bits()],
+            Value::Vec2(v) => v.to_array().map(f32::to_bits).to_vec(),
+            Value::Vec3(v) => v.to_array().map(f32::to_bits).to_vec(),
+            Value::Color(v) => v.0.map(u32::from).to_vec(),
+            Value::U32(v) => vec![v],
+        };
+        ColumnHeader { name: column.name.clone(), kind, default, labels: column.labels.clone() }
+    }
+
+    fn finish(self, magic: [u8; 8], header: &impl Serialize) -> Vec<u8> {
+        // Headers are plain data with text keys: writing them can't fail.
+        let header = serde_json::to_vec(header).unwrap_or_default();
+        let mut out = Vec::with_capacity(16 + header.len() + self.body.len());
+        out.extend_from_slice(&magic);
+        out.extend_from_slice(&(header.len() as u64).to_le_bytes());
+        out.extend_from_slice(&header);
+        out.extend_from_slice(&self.body);
+        out
+    }
+}
+
+/// Takes raw columns off the front of bytes, never more than are there.
+struct Reader<'a> {
+    rest: &'a [u8],
+}
+
+impl<'a> Reader<'a> {
+    fn open<H: Deserialize<'a>>(magic: [u8; 8], bytes: &'a [u8]) -> Result<(H, Self), BadBytes> {
+        let rest = bytes.strip_prefix(&magic).ok_or_else(|| bad("they don't start like one"))?;
+        let (length, rest) = rest.split_first_chunk::<8>().ok_or_else(|| bad("they end too early"))?;
+        let length = usize::try_from(u64::from_le_bytes(*length)).map_err(bad)?;
+        let (header, rest) = rest.split_at_checked(length).ok_or_else(|| bad("they end too early"))?;
+        Ok((serde_json::from_slice(header).map_err(bad)?, Self { rest }))
+    }
+
+    fn end(self) -> Result<(), BadBytes> {
+        if self.rest.is_empty() { Ok(()) } else { Err(bad("there is something after the end")) }
+    }
+
+    fn take(&mut self, bytes: usize) -> Result<&'a [u8], BadBytes> {
+        let (taken, rest) = self.rest.split_at_checked(bytes).ok_or_else(|| bad("they end too early"))?;
+        self.rest = rest;
+        Ok(taken)
+    }
+
+    fn column<T: bytemuck::AnyBitPattern + bytemuck::NoUninit>(
+        &mut self,
+        len: usize,
+    ) -> Result<Vec<T>, BadBytes> {
+        let bytes = len.checked_mul(size_of::<T>()).ok_or_else(|| bad("a column is too long"))?;
+        Ok(bytemuck::pod_collect_to_vec(self.take(bytes)?))
+    }
+
+    fn files(&mut self, headers: Vec<FileHeader>) -> Result<Vec<NamedBytes>, BadBytes> {
+        headers
+            .into_iter()
+            .map(|header| Ok(NamedBytes { name: header.name, bytes: self.take(header.bytes)?.to_vec() }))
+            .collect()
+    }
+
+    fn ids(&mut self, [vertices, edges, faces]: [usize; 3]) -> Result<ElementIds, BadBytes> {
+        Ok(ElementIds {
+            vertices: self.column(vertices)?,
+            edges: self.column(edges)?,
+            faces: self.column(faces)?,
+        })
+    }
+
+    fn mesh(&mut self, header: MeshHeader) -> Result<Mesh, BadBytes> {
+        let halfedges = header.edges.checked_mul(2).ok_or_else(|| bad("a column is too long"))?;
+        let mut raw = RawMesh {
+            positions: self.column(header.vertices)?,
+            vertex_halfedge: self.column(header.vertices)?,
+            next: self.column(halfedges)?,
+            prev: self.column(halfedges)?,
+            to: self.column(halfedges)?,
+            face: self.column(halfedges)?,
+            face_halfedge: self.column(header.faces)?,
+            columns: Columns::default(),
+        };
+        let gaps = Gaps {
+            vertices: self.column(header.gaps[0])?,
+            edges: self.column(header.gaps[1])?,
+            faces: self.column(header.gaps[2])?,
+        };
+        for (element, headers) in Element::ALL.into_iter().zip(header.columns) {
+            let len = match element {
+                Element::Vertex => header.vertices,
+                Element::Edge => header.edges,
+                Element::Halfedge => halfedges,
+                Element::Face => header.faces,
+            };
+            for column in headers {
+                let column = self.attribute(column, len)?;
+                raw.columns.of_mut(element).push(column);
+            }
+        }
+        let mesh = Mesh::from_raw_with_gaps(raw, &gaps);
+        mesh.validate().map_err(bad)?;
+        Ok(mesh)
+    }
+
+    fn attribute(&mut self, header: ColumnHeader, len: usize) -> Result<Column, BadBytes> {
+        let bits = |at: usize| header.default.get(at).copied().ok_or_else(|| bad("a column has no default"));
+        let float = |at: usize| bits(at).map(f32::from_bits);
+        let byte = |at: usize| bits(at).and_then(|bits| u8::try_from(bits).map_err(bad));
+        let (values, default) = match header.kind {
+            Kind::F32 => (Values::F32(self.column(len)?), Value::F32(float(0)?)),
+            Kind::Vec2 => (Values::Vec2(self.column(len)?), Value::Vec2([float(0)?, float(1)?].into())),
+            Kind::Vec3 => {
+                (Values::Vec3(self.column(len)?), Value::Vec3([float(0)?, float(1)?, float(2)?].into()))
+            }
+            Kind::Color => (
+                Values::Color(self.column::<[u8; 3]>(len)?.into_iter().map(Color).collect()),
+                Value::Color(Color([byte(0)?, byte(1)?, byte(2)?])),
+            ),
+            Kind::U32 => (Values::U32(self.column(len)?), Value::U32(bits(0)?)),
+        };
+        Ok(Column { name: header.name, values, default, labels: header.labels })
+    }
+}

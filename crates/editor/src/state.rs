@@ -1,0 +1,152 @@
+//! The editor's state as JSON: what scripts on the page see.
+
+use crate::document::{Counts, Object};
+use crate::editor::Editor;
+use crate::error::{CommandError, Problem};
+use crate::json::{number, vector};
+use glam::Vec3;
+use halfedge::{EdgeId, Element, FaceId, HalfedgeId, Mesh, VertexId, keys};
+use serde_json::{Value, json};
+
+impl Editor {
+    /// The document, selection, history and messages, as `window.meshwright.state()` gives them.
+    /// The page adds `view` and the progress of `jobs`.
+    ///
+    /// Counts are those of all objects together.
+    pub fn state(&self) -> Value {
+        let document = self.document();
+        let total: Counts = document.objects().iter().filter_map(|object| self.counts(object.id())).sum();
+        let objects: Vec<Value> = document
+            .objects()
+            .iter()
+            .map(|object| {
+                json!({
+                    "name": object.name(),
+                    "visible": object.visible(),
+                    "faces": object.mesh().face_count(),
+                })
+            })
+            .collect();
+        let selection = self.selection();
+        json!({
+            "document": {
+                "name": document.name(),
+                "objects": objects,
+                "active": document.active_index(),
+                "vertices": total.vertices,
+                "edges": total.edges,
+                "halfedges": total.halfedges,
+                "faces": total.faces,
+                "boundary_loops": total.boundary_loops,
+                "components": total.components,
+                "euler": total.euler,
+                "dirty": self.is_dirty(),
+            },
+            "selection": {
+                "kind": element_name(selection.kind()),
+                "ids": selection.ids().collect::<Vec<_>>(),
+            },
+            "history": {
+                "undo": self.undo_labels().collect::<Vec<_>>(),
+                "redo": self.redo_labels().collect::<Vec<_>>(),
+                "bytes": self.history_bytes(),
+            },
+            "jobs": self.jobs().map(|job| json!({"op": job.op})).collect::<Vec<_>>(),
+            "messages": self.messages().collect::<Vec<_>>(),
+        })
+    }
+
+    /// One element of the active object, as `window.meshwright.element(kind, id)` gives it.
+    ///
+    /// # Errors
+    /// There is no such element.
+    pub fn element(&self, kind: Element, id: u32) -> Result<Value, CommandError> {
+        let mesh = self.document().active().map(Object::mesh).filter(|mesh| mesh.exists(kind, id));
+        let Some(mesh) = mesh else {
+            return Err(CommandError::of("element", Problem::field("id", format!("there is no {kind} {id}"))));
+        };
+        let at = id as usize;
+        Ok(match kind {
+            Element::Vertex => vertex(mesh, VertexId::new(at)),
+            Element::Halfedge => halfedge(mesh, HalfedgeId::new(at)),
+            Element::Edge => edge(mesh, EdgeId::new(at)),
+            Element::Face => face(mesh, FaceId::new(at)),
+        })
+    }
+}
+
+/// The name of a kind of element in JSON: `vertex`, `edge`, `halfedge` or `face`.
+pub(crate) fn element_name(kind: Element) -> &'static str {
+    match kind {
+        Element::Vertex => "vertex",
+        Element::Edge => "edge",
+        Element::Halfedge => "halfedge",
+        Element::Face => "face",
+    }
+}
+
+/// The kind of element with this name in JSON; `half-edge` is understood too.
+pub fn element_kind(name: &str) -> Option<Element> {
+    match name {
+        "vertex" => Some(Element::Vertex),
+        "edge" => Some(Element::Edge),
+        "halfedge" | "half-edge" => Some(Element::Halfedge),
+        "face" => Some(Element::Face),
+        _ => None,
+    }
+}
+
+fn vertex(mesh: &Mesh, v: VertexId) -> Value {
+    json!({
+        "id": v.raw(),
+        "position": vector(mesh.position(v).to_array()),
+        "halfedge": mesh.halfedge_from(v).map(HalfedgeId::raw),
+        "valence": mesh.valence(v),
+        "boundary": mesh.is_boundary_vertex(v),
+    })
+}
+
+fn halfedge(mesh: &Mesh, h: HalfedgeId) -> Value {
+    json!({
+        "id": h.raw(),
+        "next": mesh.next(h).raw(),
+        "prev": mesh.prev(h).raw(),
+        "twin": h.twin().raw(),
+        "vertex": mesh.to(h).raw(),
+        "edge": h.edge().raw(),
+        "face": mesh.face_of(h).map(FaceId::raw),
+        "boundary": mesh.is_boundary_halfedge(h),
+    })
+}
+
+fn edge(mesh: &Mesh, e: EdgeId) -> Value {
+    let [a, b] = mesh.ends(e);
+    json!({
+        "id": e.raw(),
+        "halfedge": e.halfedge().raw(),
+        "vertices": [a.raw(), b.raw()],
+        "faces": e.halfedges().map(|h| mesh.face_of(h).map(FaceId::raw)),
+        "length": number(mesh.position(a).distance(mesh.position(b))),
+        "crease": number(mesh.get(keys::EDGE_CREASE, e.index())),
+        "boundary": mesh.is_boundary_edge(e),
+    })
+}
+
+fn face(mesh: &Mesh, f: FaceId) -> Value {
+    json!({
+        "id": f.raw(),
+        "halfedge": mesh.halfedge_of(f).raw(),
+        "corners": mesh.face_vertices(f).map(VertexId::raw).collect::<Vec<_>>(),
+        "color": mesh.get(keys::FACE_COLOR, f.index()).to_hex(),
+        "area": number(area(mesh, f)),
+        "boundary": mesh.is_boundary_face(f),
+    })
+}
+
+/// The length of a polygon's vector area: its area where it is flat.
+fn area(mesh: &Mesh, f: FaceId) -> f32 {
+    let corners: Vec<Vec3> = mesh.face_vertices(f).map(|v| mesh.position(v)).collect();
+    let Some(&origin) = corners.first() else { return 0.0 };
+    let twice: Vec3 = corners.windows(2).map(|pair| (pair[0] - origin).cross(pair[1] - origin)).sum();
+    twice.length() / 2.0
+}
