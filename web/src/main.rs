@@ -1,13 +1,8 @@
 //! The Meshwright page: starts the editor on the page's canvas.
 
 #[cfg(target_arch = "wasm32")]
-mod page;
-#[cfg(target_arch = "wasm32")]
-mod worker_link;
-
-#[cfg(target_arch = "wasm32")]
 fn main() {
-    page::start();
+    meshwright_web::page::start();
 }
 
 #[cfg(not(target_arch = "wasm32"))]

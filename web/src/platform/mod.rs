@@ -5,6 +5,10 @@
 //! [`Event`]s, polled once a frame. Whoever queues an event outside a frame (a worker's message, a
 //! file that finished loading) asks for a repaint itself.
 
+#[cfg(target_arch = "wasm32")]
+pub mod browser;
+
+use editor::CommandError;
 pub use formats::NamedBytes;
 
 /// The graphics device, as the status bar and the "About this device" window show it.
@@ -30,10 +34,9 @@ pub enum Event {
     JobDone {
         /// The number given to [`Platform::start_job`].
         job: u64,
-        /// The bytes of an `editor::JobResult`; or the reason in a sentence where the worker itself
-        /// failed (it could not start, ran out of memory, crashed). A refusal by the operation is
-        /// inside the bytes.
-        result: Result<Vec<u8>, String>,
+        /// The bytes of an `editor::JobResult`; or why there are none: the operation's refusal, or
+        /// that the worker itself failed (it could not start, ran out of memory, crashed).
+        result: Result<Vec<u8>, CommandError>,
     },
     /// Files arrived whole: picked or dropped.
     Files(Vec<NamedBytes>),

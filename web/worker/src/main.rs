@@ -2,12 +2,7 @@
 
 #[cfg(target_arch = "wasm32")]
 fn main() {
-    use wasm_bindgen::JsCast;
-    let Ok(scope) = js_sys::global().dyn_into::<web_sys::DedicatedWorkerGlobalScope>() else {
-        return;
-    };
-    // Nobody is left to tell when the page has gone.
-    let _ = scope.post_message(&"Meshwright worker is ready.".into());
+    meshwright_worker::serve();
 }
 
 #[cfg(not(target_arch = "wasm32"))]

@@ -1,0 +1,76 @@
+//! Functions and promises that scripts can call, made of Rust closures.
+
+use std::cell::RefCell;
+use std::rc::Rc;
+
+use js_sys::{Function, JSON, Promise, Reflect};
+use serde::Serialize;
+use wasm_bindgen::prelude::*;
+
+/// What a script's call comes to: a value, or the `Error` that it throws.
+pub type Answer = Result<JsValue, JsValue>;
+
+/// An `Error` with a message, for throwing and rejecting.
+pub fn error(message: &str) -> JsValue {
+    js_sys::Error::new(message).into()
+}
+
+/// Gives an object a method of up to two arguments; those that are left out are `undefined`.
+/// The method lives as long as the page.
+pub fn method(
+    object: &JsValue,
+    name: &str,
+    body: impl FnMut(JsValue, JsValue) -> Answer + 'static,
+) -> Result<(), JsValue> {
+    let closure: Closure<dyn FnMut(JsValue, JsValue) -> Answer> = Closure::new(body);
+    Reflect::set(object, &name.into(), &closure.into_js_value())?;
+    Ok(())
+}
+
+/// Serialises into plain JavaScript data, as `JSON.parse` makes it.
+pub fn to_js(value: &impl Serialize) -> Answer {
+    let text = serde_json::to_string(value).map_err(|failure| error(&failure.to_string()))?;
+    JSON::parse(&text)
+}
+
+/// A script's argument as JSON. `undefined` and functions, which JSON has not, are refused, saying
+/// what was `expected`.
+pub fn to_json(value: &JsValue, expected: &str) -> Result<serde_json::Value, JsValue> {
+    let refused = || error(&format!("expected {expected}"));
+    let text = JSON::stringify(value).map_err(|_| refused())?;
+    let text = text.as_string().ok_or_else(refused)?;
+    serde_json::from_str(&text).map_err(|_| refused())
+}
+
+/// A promise to be settled once, whenever that is.
+#[derive(Clone)]
+pub struct Settle {
+    functions: Rc<RefCell<Option<(Function, Function)>>>,
+}
+
+impl Settle {
+    /// Resolves with the answer's value, or rejects with its error.
+    pub fn with(&self, answer: Answer) {
+        let Some((resolve, reject)) = self.functions.borrow_mut().take() else {
+            return;
+        };
+        let (settle, value) = match answer {
+            Ok(value) => (resolve, value),
+            Err(error) => (reject, error),
+        };
+        // A promise's own functions throw nothing.
+        let _ = settle.call1(&JsValue::UNDEFINED, &value);
+    }
+}
+
+/// A promise that `start` settles, or hands on to be settled later. An error of `start` itself
+/// rejects it.
+pub fn promise(start: impl FnOnce(&Settle) -> Result<(), JsValue>) -> JsValue {
+    let functions = Rc::new(RefCell::new(None));
+    let promise = Promise::new(&mut |resolve, reject| *functions.borrow_mut() = Some((resolve, reject)));
+    let settle = Settle { functions };
+    if let Err(error) = start(&settle) {
+        settle.with(Err(error));
+    }
+    promise.into()
+}

@@ -1,0 +1,11 @@
+//! `window.meshwright`: the editor for scripts on the page, for pages that embed it, and for the
+//! browser tests. What it offers is listed in README.md.
+
+#[cfg(target_arch = "wasm32")]
+mod js;
+#[cfg(target_arch = "wasm32")]
+mod script;
+pub mod ui_tree;
+
+#[cfg(target_arch = "wasm32")]
+pub(crate) use script::install;

@@ -1,0 +1,239 @@
+//! What is on screen, as `meshwright.ui()` lists it: read from the accessibility tree that egui
+//! makes of every frame, which eframe drops on the web.
+
+use std::collections::HashMap;
+
+use egui::accesskit::{Node, NodeId, Role, Toggled, TreeUpdate};
+use egui::{Context, FullOutput, Plugin, Rect, pos2};
+use serde::Serialize;
+
+/// Something on screen that a person, or a screen reader, can tell from the rest.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct UiNode {
+    /// AccessKit's role in camel case: `button`, `label`, `spinButton`, `textInput`, `checkBox`...
+    pub role: String,
+    /// What it is called: its text, or the text of its label.
+    pub name: String,
+    /// What it holds, where it holds something: the text of a field, the number of a spin box.
+    pub value: Option<Value>,
+    /// The part of it that can be seen: x, y, width and height in CSS pixels of the page.
+    pub rect: [f32; 4],
+    /// Whether it does nothing for now.
+    pub disabled: bool,
+    /// Whether it is the chosen one or switched on, where that can be said.
+    pub selected: Option<bool>,
+}
+
+/// The value of a [`UiNode`].
+#[derive(Clone, Debug, PartialEq, Serialize)]
+#[serde(untagged)]
+pub enum Value {
+    /// Of a spin box or a slider.
+    Number(f64),
+    /// Of a text field.
+    Text(String),
+}
+
+/// Keeps the accessibility tree of the latest frame.
+///
+/// Add it with [`Context::add_plugin`] and read it with [`UiTree::nodes`]. Costs what AccessKit
+/// costs: some microseconds for each widget that is on screen.
+#[derive(Default)]
+pub struct UiTree {
+    tree: Option<TreeUpdate>,
+    /// The part of each widget that is not clipped away, by node.
+    visible: HashMap<NodeId, Rect>,
+    screen: Option<Rect>,
+    zoom: f32,
+}
+
+impl Plugin for UiTree {
+    fn debug_name(&self) -> &'static str {
+        "ui tree"
+    }
+
+    fn setup(&mut self, ctx: &Context) {
+        ctx.enable_accesskit();
+    }
+
+    fn output_hook(&mut self, ctx: &Context, output: &mut FullOutput) {
+        // Nobody else on the web wants it, so it can be taken. A frame without one leaves the last.
+        let Some(tree) = output.platform_output.accesskit_update.take() else {
+            return;
+        };
+        self.tree = Some(tree);
+        self.zoom = ctx.zoom_factor();
+        self.screen = Some(ctx.content_rect());
+        self.visible.clear();
+        ctx.viewport(|viewport| {
+            for (_, widgets) in viewport.prev_pass.widgets.layers() {
+                self.visible
+                    .extend(widgets.iter().map(|widget| (widget.id.accesskit_id(), widget.interact_rect)));
+            }
+        });
+    }
+}
+
+impl UiTree {
+    /// What is on screen in the order of reading; `canvas` is the canvas's corner on the page in
+    /// CSS pixels. Costs O(nodes).
+    pub fn nodes(&self, canvas: [f32; 2]) -> Vec<UiNode> {
+        let (Some(tree), Some(screen)) = (&self.tree, self.screen) else {
+            return Vec::new();
+        };
+        let by_id: HashMap<NodeId, &Node> = tree.nodes.iter().map(|(id, node)| (*id, node)).collect();
+        let mut found = Vec::new();
+        // Depth first, so that rows come in order and containers before what they hold.
+        let mut stack: Vec<NodeId> = tree.tree.iter().map(|info| info.root).collect();
+        while let Some(id) = stack.pop() {
+            let Some(node) = by_id.get(&id) else { continue };
+            stack.extend(node.children().iter().rev());
+            if is_scaffolding(node.role()) || node.is_hidden() {
+                continue;
+            }
+            let Some(bounds) = node.bounds() else { continue };
+            let bounds = Rect::from_min_max(
+                pos2(bounds.x0 as f32, bounds.y0 as f32),
+                pos2(bounds.x1 as f32, bounds.y1 as f32),
+            );
+            let rect = self.visible.get(&id).map_or(bounds, |visible| visible.intersect(bounds)).intersect(screen);
+            if !rect.is_positive() {
+                continue;
+            }
+            let (name, value) = name_and_value(node, &by_id);
+            let zoom = self.zoom;
+            found.push(UiNode {
+                role: camel_case(node.role()),
+                name,
+                value,
+                rect: [
+                    canvas[0] + rect.left() * zoom,
+                    canvas[1] + rect.top() * zoom,
+                    rect.width() * zoom,
+                    rect.height() * zoom,
+                ],
+                disabled: node.is_disabled(),
+                selected: node.is_selected().or_else(|| toggled(node)),
+            });
+        }
+        found
+    }
+}
+
+/// Nodes that only hold others, or are pieces of another's text.
+fn is_scaffolding(role: Role) -> bool {
+    matches!(role, Role::GenericContainer | Role::TextRun | Role::Unknown | Role::Window | Role::Pane)
+}
+
+fn name_and_value(node: &Node, by_id: &HashMap<NodeId, &Node>) -> (String, Option<Value>) {
+    let text = node.value().map(str::to_owned);
+    // egui puts a label's text into its value.
+    if node.role() == Role::Label {
+        return (text.or_else(|| node.label().map(str::to_owned)).unwrap_or_default(), None);
+    }
+    let own = node.label().map(str::to_owned);
+    let name = own.unwrap_or_else(|| {
+        let labels = node.labelled_by().iter().filter_map(|id| by_id.get(id));
+        let texts: Vec<&str> = labels.filter_map(|label| label.label().or_else(|| label.value())).collect();
+        texts.join(" ")
+    });
+    (name, node.numeric_value().map(Value::Number).or(text.map(Value::Text)))
+}
+
+fn toggled(node: &Node) -> Option<bool> {
+    match node.toggled()? {
+        Toggled::True => Some(true),
+        Toggled::False => Some(false),
+        Toggled::Mixed => None,
+    }
+}
+
+fn camel_case(role: Role) -> String {
+    let name = format!("{role:?}");
+    let mut letters = name.chars();
+    letters.next().map(|first| first.to_ascii_lowercase()).into_iter().chain(letters).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use egui::{RawInput, vec2};
+
+    fn frame(ctx: &Context, contents: impl FnMut(&mut egui::Ui)) -> Vec<UiNode> {
+        let input = RawInput {
+            screen_rect: Some(Rect::from_min_size(egui::Pos2::ZERO, vec2(400.0, 300.0))),
+            ..Default::default()
+        };
+        let mut contents = contents;
+        let _ = ctx.run_ui(input, |ui| {
+            egui::CentralPanel::default().show(ui, |ui| contents(ui));
+        });
+        ctx.plugin::<UiTree>().lock().nodes([100.0, 10.0])
+    }
+
+    fn context() -> Context {
+        let ctx = Context::default();
+        ctx.add_plugin(UiTree::default());
+        ctx
+    }
+
+    fn named<'a>(nodes: &'a [UiNode], role: &str, name: &str) -> &'a UiNode {
+        nodes
+            .iter()
+            .find(|node| node.role == role && node.name == name)
+            .unwrap_or_else(|| panic!("no {role} called {name:?} in {nodes:#?}"))
+    }
+
+    #[test]
+    fn lists_widgets_with_names_and_values() {
+        let ctx = context();
+        let mut x = 2.5;
+        let mut text = "abc".to_owned();
+        let nodes = frame(&ctx, |ui| {
+            ui.label("Position");
+            let label = ui.label("x");
+            ui.add(egui::DragValue::new(&mut x)).labelled_by(label.id);
+            ui.text_edit_singleline(&mut text);
+            let _ = ui.selectable_label(true, "Faces");
+            ui.add_enabled(false, egui::Button::new("Undo"));
+        });
+        assert_eq!(named(&nodes, "label", "Position").value, None);
+        assert_eq!(named(&nodes, "spinButton", "x").value, Some(Value::Number(2.5)));
+        assert_eq!(named(&nodes, "textInput", "").value, Some(Value::Text("abc".to_owned())));
+        assert_eq!(named(&nodes, "button", "Faces").selected, Some(true));
+        let undo = named(&nodes, "button", "Undo");
+        assert!(undo.disabled);
+        assert_eq!(undo.selected, None);
+        let order: Vec<&str> = nodes.iter().map(|node| node.name.as_str()).collect();
+        assert_eq!(order, ["Position", "x", "x", "", "Faces", "Undo"]);
+    }
+
+    #[test]
+    fn rects_are_where_the_page_has_them() {
+        let ctx = context();
+        let mut seen = Rect::NOTHING;
+        ctx.set_zoom_factor(2.0);
+        let mut draw = |ui: &mut egui::Ui| seen = ui.button("Open").rect;
+        frame(&ctx, &mut draw);
+        let nodes = frame(&ctx, &mut draw);
+        let [x, y, width, height] = named(&nodes, "button", "Open").rect;
+        assert_eq!([x, y], [100.0 + 2.0 * seen.left(), 10.0 + 2.0 * seen.top()]);
+        assert_eq!([width, height], [2.0 * seen.width(), 2.0 * seen.height()]);
+    }
+
+    #[test]
+    fn what_is_scrolled_away_is_left_out_or_cut() {
+        let ctx = context();
+        let nodes = frame(&ctx, |ui| {
+            egui::ScrollArea::vertical().max_height(50.0).show(ui, |ui| {
+                for row in 0..20 {
+                    let _ = ui.add_sized([80.0, 20.0], egui::Button::new(format!("row {row}")));
+                }
+            });
+        });
+        let rows: Vec<&UiNode> = nodes.iter().filter(|node| node.name.starts_with("row")).collect();
+        let height: f32 = rows.iter().map(|row| row.rect[3]).sum();
+        assert!(!rows.is_empty() && rows.len() < 5, "{rows:#?}");
+        assert!(height <= 50.0, "{rows:#?}");
+    }
+}

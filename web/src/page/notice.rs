@@ -1,0 +1,16 @@
+//! The notices of index.html, for when there is no editor to speak for itself.
+
+use wasm_bindgen::prelude::*;
+
+#[wasm_bindgen]
+extern "C" {
+    /// The editor runs: the notice goes, and `meshwright.ready` resolves with this JSON.
+    #[wasm_bindgen(js_namespace = meshwrightPage)]
+    pub fn started(info: &str);
+    /// There is neither WebGPU nor WebGL2.
+    #[wasm_bindgen(js_namespace = meshwrightPage, js_name = noGraphics)]
+    pub fn no_graphics(reason: &str);
+    /// The program has panicked and runs no more.
+    #[wasm_bindgen(js_namespace = meshwrightPage)]
+    pub fn crashed(message: &str);
+}

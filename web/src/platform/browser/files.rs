@@ -1,0 +1,105 @@
+//! Files from outside: dropped on the page, or picked in the browser's dialog.
+
+use egui::DroppedFileHandle;
+use wasm_bindgen::prelude::*;
+use wasm_bindgen_futures::spawn_local;
+use web_sys::{File, HtmlInputElement};
+
+use super::{Inbox, describe};
+use crate::platform::{Event, NamedBytes};
+
+/// Reads what was dropped together and delivers it together, so that an OBJ finds its MTL.
+pub fn read_dropped(dropped: Vec<DroppedFileHandle>, inbox: Inbox) {
+    spawn_local(async move {
+        let mut files = Vec::with_capacity(dropped.len());
+        for file in dropped {
+            let name = file.path().to_string_lossy().into_owned();
+            match file.bytes_async().await {
+                Ok(bytes) => files.push(NamedBytes { name, bytes }),
+                Err(reason) => return inbox.push(unreadable(&name, &reason)),
+            }
+        }
+        inbox.push(Event::Files(files));
+    });
+}
+
+/// The browser's file dialog.
+pub struct FilePicker {
+    /// Never part of the page; `None` where there is no document to make it.
+    input: Option<HtmlInputElement>,
+    inbox: Inbox,
+    _on_change: Closure<dyn FnMut()>,
+}
+
+impl FilePicker {
+    pub fn new(inbox: Inbox) -> Self {
+        let input = make_input();
+        let on_change = Closure::new({
+            let input = input.clone();
+            let inbox = inbox.clone();
+            move || {
+                if let Some(input) = &input {
+                    read_picked(input, &inbox);
+                }
+            }
+        });
+        if let Some(input) = &input {
+            input.set_onchange(Some(on_change.as_ref().unchecked_ref()));
+        }
+        Self { input, inbox, _on_change: on_change }
+    }
+
+    /// Shows the dialog. Browsers allow that only shortly after a click or a key.
+    pub fn show(&self) {
+        match &self.input {
+            Some(input) => input.click(),
+            None => self.inbox.push(Event::Failed("This browser offers no file dialog.".to_owned())),
+        }
+    }
+}
+
+/// All types of file are offered: some systems know none of the extensions that matter here, and
+/// would grey every file out.
+fn make_input() -> Option<HtmlInputElement> {
+    let document = web_sys::window()?.document()?;
+    let input: HtmlInputElement = document.create_element("input").ok()?.dyn_into().ok()?;
+    input.set_type("file");
+    input.set_multiple(true);
+    Some(input)
+}
+
+fn read_picked(input: &HtmlInputElement, inbox: &Inbox) {
+    let list = input.files();
+    let picked: Vec<File> =
+        list.iter().flat_map(|list| (0..list.length()).filter_map(|i| list.get(i))).collect();
+    // Otherwise picking the same file again would be no change.
+    input.set_value("");
+    if picked.is_empty() {
+        return;
+    }
+    let inbox = inbox.clone();
+    spawn_local(async move {
+        let mut files = Vec::with_capacity(picked.len());
+        for file in picked {
+            let name = file.name();
+            match read(&file).await {
+                Ok(bytes) => files.push(NamedBytes { name, bytes }),
+                Err(error) => return inbox.push(unreadable(&name, &describe(&error))),
+            }
+        }
+        inbox.push(Event::Files(files));
+    });
+}
+
+async fn read(file: &File) -> Result<Vec<u8>, JsValue> {
+    // The program's memory ends at 4 GiB, and a larger copy would be a crash.
+    if file.size() > f64::from(u32::MAX / 2) {
+        return Err("files above 2 GB are too large for a browser".into());
+    }
+    let buffer = wasm_bindgen_futures::JsFuture::from(file.array_buffer()).await?;
+    Ok(js_sys::Uint8Array::new(&buffer).to_vec())
+}
+
+fn unreadable(name: &str, reason: &str) -> Event {
+    Event::Failed(format!("{name} could not be read: {reason}. It may have been moved or changed; try again."))
+}

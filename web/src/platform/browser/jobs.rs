@@ -1,0 +1,227 @@
+//! The page's end of the worker that runs jobs.
+//!
+//! There is one worker and it runs one job at a time. A job that runs can't be interrupted from
+//! outside, so cancelling ends the worker and starts another. So does a job that left the worker
+//! with a large memory, because WebAssembly memory never shrinks.
+
+use std::cell::RefCell;
+use std::collections::VecDeque;
+use std::rc::{Rc, Weak};
+
+use editor::{CommandError, ErrorKind};
+use meshwright_worker::{Message, request};
+use wasm_bindgen::prelude::*;
+use web_sys::{MessageEvent, Worker, WorkerOptions, WorkerType};
+
+use super::{Inbox, describe};
+use crate::platform::Event;
+
+/// Made by Trunk beside the page, see index.html. Relative to the page, so that the site may
+/// stand in any folder.
+const SCRIPT: &str = "./meshwright-worker_loader.js";
+
+/// A worker whose memory has grown past this many bytes is replaced once it has nothing to do.
+const MEMORY_KEPT: f64 = (256 << 20) as f64;
+
+/// Runs jobs in order in a worker.
+pub struct Jobs {
+    pool: Rc<RefCell<Pool>>,
+}
+
+struct Pool {
+    inbox: Inbox,
+    waiting: VecDeque<(u64, Vec<u8>)>,
+    running: Option<u64>,
+    worker: Option<Link>,
+    /// For the handlers of workers to come.
+    this: Weak<RefCell<Pool>>,
+}
+
+/// A worker and what listens to it.
+struct Link {
+    worker: Worker,
+    /// Whether its program has started; what is sent earlier is lost.
+    ready: bool,
+    _on_message: Closure<dyn FnMut(MessageEvent)>,
+    _on_error: Closure<dyn FnMut(web_sys::Event)>,
+}
+
+impl Drop for Link {
+    fn drop(&mut self) {
+        // Messages that are on their way must not reach handlers that are about to be freed.
+        self.worker.set_onmessage(None);
+        self.worker.set_onerror(None);
+        self.worker.terminate();
+    }
+}
+
+impl Jobs {
+    pub fn new(inbox: Inbox) -> Self {
+        let pool = Rc::new_cyclic(|this| {
+            RefCell::new(Pool {
+                inbox,
+                waiting: VecDeque::new(),
+                running: None,
+                worker: None,
+                this: this.clone(),
+            })
+        });
+        pool.borrow_mut().start_worker();
+        Self { pool }
+    }
+
+    pub fn start(&self, job: u64, request: Vec<u8>) {
+        let mut pool = self.pool.borrow_mut();
+        pool.waiting.push_back((job, request));
+        pool.go_on();
+    }
+
+    pub fn cancel(&self, job: u64) {
+        let mut pool = self.pool.borrow_mut();
+        pool.waiting.retain(|(waiting, _)| *waiting != job);
+        if pool.running == Some(job) {
+            pool.running = None;
+            pool.start_worker();
+        }
+    }
+}
+
+impl Pool {
+    /// Replaces the worker there is, if any, with a new one.
+    fn start_worker(&mut self) {
+        self.worker = None;
+        match Link::new(&self.this) {
+            Ok(link) => self.worker = Some(link),
+            Err(error) => self.fail_all(&could_not_start(&describe(&error))),
+        }
+    }
+
+    /// Sends the next job, if the worker is free to take it.
+    fn go_on(&mut self) {
+        if self.running.is_some() || self.waiting.is_empty() {
+            return;
+        }
+        if self.worker.is_none() {
+            self.start_worker();
+        }
+        let Some(link) = self.worker.as_ref().filter(|link| link.ready) else {
+            return;
+        };
+        let Some((job, bytes)) = self.waiting.pop_front() else {
+            return;
+        };
+        let (value, transfer) = request(job, &bytes);
+        match link.worker.post_message_with_transfer(&value, &transfer) {
+            Ok(()) => self.running = Some(job),
+            Err(error) => {
+                self.fail(job, format!("The job could not be sent to the worker: {}.", describe(&error)));
+            }
+        }
+    }
+
+    fn on_message(&mut self, message: Message) {
+        match message {
+            Message::Ready => {
+                if let Some(link) = &mut self.worker {
+                    link.ready = true;
+                }
+                self.go_on();
+            }
+            Message::Progress { job, fraction } => self.inbox.push(Event::JobProgress { job, fraction }),
+            Message::Done { job, result, memory } => {
+                self.running = None;
+                self.inbox.push(Event::JobDone { job, result: Ok(result) });
+                if memory > MEMORY_KEPT {
+                    self.start_worker();
+                }
+                self.go_on();
+            }
+            Message::Refused { job, refusal } => {
+                self.running = None;
+                self.inbox.push(Event::JobDone { job, result: Err(refusal) });
+                self.go_on();
+            }
+            Message::Misunderstood { job, reason } => {
+                self.running = None;
+                self.fail(job, format!("The worker did not understand the job: {reason}. Reload the page."));
+                self.go_on();
+            }
+            Message::Crashed { reason } => {
+                self.lost(&format!("The worker has crashed, which is a bug in Meshwright: {reason}."));
+            }
+        }
+    }
+
+    /// The worker's program ended or never started, with nothing said about a panic.
+    fn on_error(&mut self, event: &web_sys::Event) {
+        let said = event.dyn_ref::<web_sys::ErrorEvent>().map(web_sys::ErrorEvent::message);
+        let started = self.worker.as_ref().is_some_and(|link| link.ready);
+        if started {
+            let said = said.unwrap_or_default();
+            self.lost(&format!(
+                "The worker stopped, most likely because the browser gave it no more memory. {said}"
+            ));
+        } else {
+            self.worker = None;
+            let reason = said.unwrap_or_else(|| format!("{SCRIPT} did not load"));
+            self.fail_all(&could_not_start(&reason));
+        }
+    }
+
+    /// Fails what ran, and goes on with what waits in a new worker.
+    fn lost(&mut self, reason: &str) {
+        if let Some(job) = self.running.take() {
+            self.fail(job, reason.to_owned());
+        }
+        self.start_worker();
+    }
+
+    fn fail(&self, job: u64, problem: String) {
+        let error = CommandError { op: "job".to_owned(), field: None, problem, kind: ErrorKind::Internal };
+        self.inbox.push(Event::JobDone { job, result: Err(error) });
+    }
+
+    fn fail_all(&mut self, reason: &str) {
+        let running = self.running.take();
+        let waiting = std::mem::take(&mut self.waiting);
+        for job in running.into_iter().chain(waiting.into_iter().map(|(job, _)| job)) {
+            self.fail(job, reason.to_owned());
+        }
+    }
+}
+
+impl Link {
+    fn new(pool: &Weak<RefCell<Pool>>) -> Result<Self, JsValue> {
+        let options = WorkerOptions::new();
+        options.set_type(WorkerType::Module);
+        options.set_name("meshwright-worker");
+        let worker = Worker::new_with_options(SCRIPT, &options)?;
+        let on_message = Closure::new({
+            let pool = pool.clone();
+            move |event: MessageEvent| {
+                if let Some(pool) = pool.upgrade()
+                    && let Some(message) = Message::from_js(&event.data())
+                {
+                    pool.borrow_mut().on_message(message);
+                }
+            }
+        });
+        let on_error = Closure::new({
+            let pool = pool.clone();
+            move |event: web_sys::Event| {
+                // It is dealt with here; the page's own handler takes errors for a failed start.
+                event.prevent_default();
+                if let Some(pool) = pool.upgrade() {
+                    pool.borrow_mut().on_error(&event);
+                }
+            }
+        });
+        worker.set_onmessage(Some(on_message.as_ref().unchecked_ref()));
+        worker.set_onerror(Some(on_error.as_ref().unchecked_ref()));
+        Ok(Self { worker, ready: false, _on_message: on_message, _on_error: on_error })
+    }
+}
+
+fn could_not_start(reason: &str) -> String {
+    format!("The worker that runs jobs could not be started: {reason}. Check the connection and try again.")
+}

@@ -1,0 +1,121 @@
+//! The editor's [`Platform`] in a browser: jobs in a worker, files through the page, settings in
+//! local storage.
+
+mod download;
+mod files;
+mod jobs;
+
+use std::cell::RefCell;
+use std::rc::Rc;
+
+use wasm_bindgen::JsValue;
+
+use super::{DeviceInfo, Event, NamedBytes, Platform};
+use files::FilePicker;
+use jobs::Jobs;
+
+/// Events that have not been polled yet. Whoever adds one wakes the page.
+#[derive(Clone)]
+pub(crate) struct Inbox {
+    events: Rc<RefCell<Vec<Event>>>,
+    ctx: egui::Context,
+}
+
+impl Inbox {
+    fn new(ctx: &egui::Context) -> Self {
+        Self { events: Rc::default(), ctx: ctx.clone() }
+    }
+
+    pub(crate) fn push(&self, event: Event) {
+        self.events.borrow_mut().push(event);
+        self.ctx.request_repaint();
+    }
+
+    fn take(&self) -> Vec<Event> {
+        std::mem::take(&mut *self.events.borrow_mut())
+    }
+}
+
+/// The browser, as the editor sees it.
+pub struct Browser {
+    inbox: Inbox,
+    jobs: Jobs,
+    picker: FilePicker,
+    device: DeviceInfo,
+}
+
+impl Browser {
+    /// Starts the worker at once, so that the first job need not wait for it.
+    pub fn new(ctx: &egui::Context, device: DeviceInfo) -> Self {
+        let inbox = Inbox::new(ctx);
+        Self { jobs: Jobs::new(inbox.clone()), picker: FilePicker::new(inbox.clone()), inbox, device }
+    }
+}
+
+impl Platform for Browser {
+    fn poll(&mut self, ctx: &egui::Context) -> Vec<Event> {
+        let dropped = ctx.input(|input| input.raw.dropped_files.clone());
+        if !dropped.is_empty() {
+            files::read_dropped(dropped, self.inbox.clone());
+        }
+        self.inbox.take()
+    }
+
+    fn start_job(&mut self, job: u64, request: Vec<u8>) {
+        self.jobs.start(job, request);
+    }
+
+    fn cancel_job(&mut self, job: u64) {
+        self.jobs.cancel(job);
+    }
+
+    fn open_file_dialog(&mut self) {
+        self.picker.show();
+    }
+
+    fn download(&mut self, files: Vec<NamedBytes>) {
+        for file in files {
+            if let Err(error) = download::download(&file) {
+                let reason = describe(&error);
+                self.inbox.push(Event::Failed(format!("{} could not be saved: {reason}.", file.name)));
+            }
+        }
+    }
+
+    fn load_setting(&self, key: &str) -> Option<String> {
+        storage()?.get_item(&setting_key(key)).ok()?
+    }
+
+    fn store_setting(&mut self, key: &str, value: &str) {
+        // Where storage is full or forbidden, the setting lasts as long as the page.
+        if let Some(storage) = storage() {
+            let _ = storage.set_item(&setting_key(key), value);
+        }
+    }
+
+    fn device(&self) -> DeviceInfo {
+        self.device.clone()
+    }
+
+    fn now(&self) -> f64 {
+        web_sys::window().and_then(|window| window.performance()).map_or(0.0, |clock| clock.now() / 1000.0)
+    }
+}
+
+/// `None` where the browser allows the page no storage.
+fn storage() -> Option<web_sys::Storage> {
+    web_sys::window()?.local_storage().ok()?
+}
+
+fn setting_key(key: &str) -> String {
+    format!("meshwright.{key}")
+}
+
+/// An exception's message, or whatever was thrown in its place.
+pub(crate) fn describe(error: &JsValue) -> String {
+    use wasm_bindgen::JsCast;
+    if let Some(error) = error.dyn_ref::<js_sys::Error>() {
+        return error.message().into();
+    }
+    error.as_string().unwrap_or_else(|| format!("{error:?}"))
+}

@@ -1,0 +1,72 @@
+//! The worker's program: waits for jobs and runs them one after the other.
+
+use std::ops::ControlFlow;
+
+use editor::JobRequest;
+use js_sys::Date;
+use wasm_bindgen::prelude::*;
+use web_sys::{DedicatedWorkerGlobalScope, MessageEvent};
+
+use crate::message::{Message, read_request};
+use crate::throttle::Throttle;
+
+/// Answers the page's requests for as long as the worker lives. Does nothing outside a worker.
+pub fn serve() {
+    let Ok(scope) = js_sys::global().dyn_into::<DedicatedWorkerGlobalScope>() else {
+        return;
+    };
+    std::panic::set_hook(Box::new(|info| {
+        if let Ok(scope) = js_sys::global().dyn_into::<DedicatedWorkerGlobalScope>() {
+            post(&scope, &Message::Crashed { reason: info.to_string() });
+        }
+    }));
+    let on_message = Closure::<dyn FnMut(MessageEvent)>::new({
+        let scope = scope.clone();
+        move |event: MessageEvent| {
+            if let Some((job, request)) = read_request(&event.data()) {
+                let answer = run(job, request, |message| post(&scope, message));
+                post(&scope, &answer);
+            }
+        }
+    });
+    scope.set_onmessage(Some(on_message.as_ref().unchecked_ref()));
+    // The worker lives until the page ends it, and so does its listener.
+    on_message.forget();
+    post(&scope, &Message::Ready);
+}
+
+/// Runs a job, telling its progress, and gives what to answer.
+fn run(job: u64, request: Vec<u8>, mut tell: impl FnMut(&Message)) -> Message {
+    let parsed = JobRequest::from_bytes(&request);
+    // The mesh is not needed twice while the job runs.
+    drop(request);
+    let request = match parsed {
+        Ok(request) => request,
+        Err(reason) => return Message::Misunderstood { job, reason: reason.to_string() },
+    };
+    let mut throttle = Throttle::new(Date::now());
+    // The page stops a job by ending the worker.
+    let result = request.run(&mut |fraction| {
+        if throttle.allows(Date::now()) {
+            tell(&Message::Progress { job, fraction });
+        }
+        ControlFlow::Continue(())
+    });
+    match result {
+        Ok(result) => Message::Done { job, result: result.to_bytes(), memory: memory() },
+        Err(refusal) => Message::Refused { job, refusal },
+    }
+}
+
+fn post(scope: &DedicatedWorkerGlobalScope, message: &Message) {
+    let (value, transfer) = message.to_js();
+    // Fails only where the page has gone, and then nobody is left to tell.
+    let _ = scope.post_message_with_transfer(&value, &transfer);
+}
+
+/// How large the program's memory has become in bytes; it never shrinks.
+fn memory() -> f64 {
+    let memory: js_sys::WebAssembly::Memory = wasm_bindgen::memory().unchecked_into();
+    let buffer: js_sys::ArrayBuffer = memory.buffer().unchecked_into();
+    f64::from(buffer.byte_length())
+}
