@@ -141,9 +141,15 @@ pub fn entries(folder: &Path) -> Vec<PathBuf> {
     paths
 }
 
+/// The command as one would type it, cut short where it names many files.
 fn line(command: &Command) -> String {
+    const LONGEST: usize = 240;
     let words = std::iter::once(command.get_program()).chain(command.get_args());
-    words.map(OsStr::to_string_lossy).collect::<Vec<_>>().join(" ")
+    let line = words.map(OsStr::to_string_lossy).collect::<Vec<_>>().join(" ");
+    match line.char_indices().nth(LONGEST) {
+        Some((end, _)) => format!("{}…", &line[..end]),
+        None => line,
+    }
 }
 
 fn cannot_start(command: &Command, error: &std::io::Error) -> String {
