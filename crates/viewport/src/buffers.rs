@@ -1,0 +1,316 @@
+//! From a mesh to the vertex streams of its faces, whole or only what an edit changed.
+//!
+//! No GPU here: what is to be uploaded goes to a [`Sink`], which is the GPU in the page and a plain
+//! array in tests. Triangles are not indexed: each has three corners of its own, so that a face has
+//! its own colour and normal, and the wireframe knows a corner's place in its triangle from the
+//! vertex number alone. A corner takes 24 bytes: position 12, normal 8, colour and edge flags 4.
+
+use crate::normals;
+use crate::slots::{Range, Slots};
+use crate::triangulate::Triangulator;
+use glam::{DVec3, Vec3};
+use halfedge::{FaceId, Mesh, Touched, VertexId, keys};
+use std::collections::{BTreeSet, HashMap};
+
+/// Bytes of one triangle in all streams.
+pub const TRIANGLE_BYTES: usize = 3 * (12 + 8 + 4);
+/// Triangles handed to the sink at once.
+const BATCH: usize = 1 << 14;
+/// With more separate places than this to write to, writing everything is quicker.
+const MAX_RUNS: usize = 4096;
+
+/// Vertex streams of some triangles, three entries a triangle in each.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Corners {
+    /// Positions relative to the object's origin.
+    pub positions: Vec<[f32; 3]>,
+    /// Unit normals as signed normalised integers; the last component is unused.
+    pub normals: Vec<[i16; 4]>,
+    /// sRGB colour of the face, and in the last byte a bit for each side that is an edge of the
+    /// mesh, the same for all three corners: bit i is the side from corner i to the next.
+    pub colors: Vec<[u8; 4]>,
+}
+
+impl Corners {
+    /// How many triangles there are.
+    pub fn triangles(&self) -> usize {
+        self.positions.len() / 3
+    }
+
+    fn clear(&mut self) {
+        self.positions.clear();
+        self.normals.clear();
+        self.colors.clear();
+    }
+
+    /// Adds triangles of no size.
+    fn blank(&mut self, triangles: u32) {
+        let corners = self.positions.len() + triangles as usize * 3;
+        self.positions.resize(corners, [0.0; 3]);
+        self.normals.resize(corners, [0; 4]);
+        self.colors.resize(corners, [0; 4]);
+    }
+}
+
+/// Takes what has to be uploaded.
+pub trait Sink {
+    /// All that was written before is void; this many triangles will follow.
+    fn reset(&mut self, triangles: u32);
+    /// Puts triangles at a place, which may be past the present end.
+    fn write(&mut self, first_triangle: u32, corners: &Corners);
+}
+
+/// The layout of one object's buffers: which triangles each face has, and where zero is.
+#[derive(Clone, Debug, Default)]
+pub struct Buffers {
+    slots: Slots,
+    origin: Vec3,
+    smooth: bool,
+}
+
+impl Buffers {
+    /// The world position that stream positions are relative to: the middle of the mesh when it was
+    /// last written as a whole.
+    pub fn origin(&self) -> Vec3 {
+        self.origin
+    }
+
+    /// Whether normals are those of smooth shading.
+    pub fn smooth(&self) -> bool {
+        self.smooth
+    }
+
+    /// How many triangles to draw; the unused ones among them have no size.
+    pub fn triangles(&self) -> u32 {
+        self.slots.end()
+    }
+
+    /// The triangles of a face.
+    pub fn range(&self, face: FaceId) -> Range {
+        self.slots.of(face.index())
+    }
+
+    /// Heap bytes in use: 8 per face id.
+    pub fn bytes(&self) -> usize {
+        self.slots.bytes()
+    }
+
+    /// Writes the whole mesh, with this origin. Costs O(mesh).
+    pub fn rebuild(&mut self, mesh: &Mesh, origin: Vec3, smooth: bool, sink: &mut dyn Sink) {
+        self.origin = origin;
+        self.smooth = smooth;
+        self.slots.clear(mesh.face_capacity());
+        let total: usize = mesh.faces().map(|f| mesh.face_degree(f).saturating_sub(2)).sum();
+        sink.reset(u32::try_from(total).unwrap_or(u32::MAX));
+        let normals = if smooth { all_vertex_normals(mesh) } else { Vec::new() };
+        let mut writer = Writer::new(mesh, origin);
+        for face in mesh.faces() {
+            writer.load(face);
+            let range = self.slots.acquire(face.index(), writer.triangles());
+            writer.emit(range, sink, smooth.then_some(|v: VertexId| normals[v.index()]));
+        }
+        writer.flush(sink);
+    }
+
+    /// Writes what an edit touched: the faces that were relinked, recoloured or have a moved corner,
+    /// and with smooth shading the faces around their corners. Costs O(valence) for a local edit. An
+    /// edit of much of the mesh, or one that leaves more gaps than triangles, is a rebuild.
+    pub fn update(&mut self, mesh: &Mesh, touched: &Touched, sink: &mut dyn Sink) {
+        let faces = if touched.everything { None } else { self.affected(mesh, touched) };
+        let Some(faces) = faces else {
+            return self.rebuild(mesh, self.origin, self.smooth, sink);
+        };
+        let wanted = |face: FaceId| {
+            if mesh.has_face(face) { mesh.face_degree(face).saturating_sub(2) as u32 } else { 0 }
+        };
+        for &face in &faces {
+            self.slots.release(face.index(), wanted(face));
+        }
+        let mut placed: Vec<(Range, FaceId)> = Vec::with_capacity(faces.len());
+        for &face in faces.iter().filter(|f| mesh.has_face(**f)) {
+            placed.push((self.slots.acquire(face.index(), wanted(face)), face));
+        }
+        placed.sort_unstable();
+        let abandoned = self.slots.take_abandoned();
+        let ranges = placed.iter().map(|(range, _)| *range).chain(abandoned.iter().copied());
+        let gaps = self.slots.end() - self.slots.live();
+        if count_runs(ranges) > MAX_RUNS || gaps > self.slots.live().max(BATCH as u32) {
+            return self.rebuild(mesh, self.origin, self.smooth, sink);
+        }
+
+        let mut known: HashMap<VertexId, DVec3> = HashMap::new();
+        let mut scratch = Vec::new();
+        let mut writer = Writer::new(mesh, self.origin);
+        for (range, face) in placed {
+            writer.load(face);
+            let normal = |v: VertexId| {
+                *known.entry(v).or_insert_with(|| normals::vertex_area_vector(mesh, v, &mut scratch))
+            };
+            writer.emit(range, sink, self.smooth.then_some(normal));
+        }
+        for range in abandoned {
+            writer.blank(range, sink);
+        }
+        writer.flush(sink);
+    }
+
+    /// The faces whose triangles an edit changed, and ids that no longer are faces; none if there
+    /// are so many that it isn't worth telling them apart.
+    fn affected(&self, mesh: &Mesh, touched: &Touched) -> Option<BTreeSet<FaceId>> {
+        let limit = mesh.face_count() / 2 + 64;
+        if touched.vertices.len() + touched.halfedges.len() / 2 + touched.faces.len() > limit * 4 {
+            return None;
+        }
+        let mut faces: BTreeSet<FaceId> = touched.faces.iter().copied().collect();
+        let vertices = touched.vertices.iter().copied().filter(|&v| mesh.has_vertex(v));
+        let halfedges = touched.halfedges.iter().copied().filter(|&h| mesh.has_halfedge(h));
+        for v in vertices.clone() {
+            faces.extend(mesh.vertex_faces(v));
+        }
+        faces.extend(halfedges.clone().filter_map(|h| mesh.face_of(h)));
+        if faces.len() > limit {
+            return None;
+        }
+        if self.smooth {
+            // A corner's normal changes with any face around its vertex.
+            let mut rim: BTreeSet<VertexId> = vertices.collect();
+            rim.extend(halfedges.flat_map(|h| [mesh.from(h), mesh.to(h)]));
+            for &face in faces.iter().filter(|f| mesh.has_face(**f)) {
+                rim.extend(mesh.face_vertices(face));
+            }
+            for v in rim {
+                faces.extend(mesh.vertex_faces(v));
+                if faces.len() > limit {
+                    return None;
+                }
+            }
+        }
+        Some(faces)
+    }
+}
+
+/// How many separate places the ranges, sorted or nearly so, make up.
+fn count_runs(ranges: impl Iterator<Item = Range>) -> usize {
+    let mut end = None;
+    ranges
+        .filter(|range| {
+            let starts = end != Some(range.first);
+            end = Some(range.first + range.count);
+            starts
+        })
+        .count()
+}
+
+/// The area vectors of all vertices, by id. Costs O(corners).
+fn all_vertex_normals(mesh: &Mesh) -> Vec<DVec3> {
+    let mut normals = vec![DVec3::ZERO; mesh.vertex_capacity()];
+    let mut scratch = Vec::new();
+    for face in mesh.faces() {
+        let area = normals::face_area_vector(mesh, face, &mut scratch);
+        for v in mesh.face_vertices(face) {
+            normals[v.index()] += area;
+        }
+    }
+    normals
+}
+
+/// Turns faces into triangles and gathers neighbouring ones into one write.
+struct Writer<'m> {
+    mesh: &'m Mesh,
+    colors: Option<&'m [halfedge::Color]>,
+    origin: Vec3,
+    face: Option<FaceId>,
+    vertices: Vec<VertexId>,
+    points: Vec<Vec3>,
+    triangulator: Triangulator,
+    staged: Corners,
+    staged_first: u32,
+}
+
+impl<'m> Writer<'m> {
+    fn new(mesh: &'m Mesh, origin: Vec3) -> Self {
+        Self {
+            mesh,
+            colors: mesh.attribute(keys::FACE_COLOR),
+            origin,
+            face: None,
+            vertices: Vec::new(),
+            points: Vec::new(),
+            triangulator: Triangulator::default(),
+            staged: Corners::default(),
+            staged_first: 0,
+        }
+    }
+
+    /// Looks at a face.
+    fn load(&mut self, face: FaceId) {
+        self.face = Some(face);
+        self.vertices.clear();
+        self.vertices.extend(self.mesh.face_vertices(face));
+        self.points.clear();
+        self.points.extend(self.vertices.iter().map(|&v| self.mesh.position(v)));
+    }
+
+    /// How many triangles the face has.
+    fn triangles(&self) -> u32 {
+        self.points.len().saturating_sub(2) as u32
+    }
+
+    /// Writes the face, with the normals that `vertex_normal` gives or its own.
+    fn emit(
+        &mut self,
+        range: Range,
+        sink: &mut dyn Sink,
+        mut vertex_normal: Option<impl FnMut(VertexId) -> DVec3>,
+    ) {
+        self.seek(range.first, sink);
+        let area = normals::area_vector(&self.points);
+        let color =
+            self.face.and_then(|f| self.colors?.get(f.index()).copied()).unwrap_or(keys::FACE_COLOR.default);
+        let [r, g, b] = color.0;
+        let corners = self.points.len() as u32;
+        let mut written = 0;
+        for &triangle in self.triangulator.run(&self.points) {
+            let [i, j, k] = triangle;
+            let flag = |a: u32, b: u32, bit: u8| if (a + 1) % corners == b { bit } else { 0 };
+            let flags = flag(i, j, 1) | flag(j, k, 2) | flag(k, i, 4);
+            for corner in triangle {
+                let (Some(&point), Some(&vertex)) =
+                    (self.points.get(corner as usize), self.vertices.get(corner as usize))
+                else {
+                    continue;
+                };
+                let smooth =
+                    vertex_normal.as_mut().map(|normal| normal(vertex)).filter(|n| *n != DVec3::ZERO);
+                self.staged.positions.push((point - self.origin).to_array());
+                self.staged.normals.push(normals::pack(smooth.unwrap_or(area)));
+                self.staged.colors.push([r, g, b, flags]);
+            }
+            written += 1;
+        }
+        self.staged.blank(range.count.saturating_sub(written));
+    }
+
+    /// Writes triangles of no size.
+    fn blank(&mut self, range: Range, sink: &mut dyn Sink) {
+        self.seek(range.first, sink);
+        self.staged.blank(range.count);
+    }
+
+    /// Goes to a triangle, writing what was gathered if that isn't right behind it.
+    fn seek(&mut self, triangle: u32, sink: &mut dyn Sink) {
+        let end = self.staged_first as usize + self.staged.triangles();
+        if triangle as usize != end || self.staged.triangles() >= BATCH {
+            self.flush(sink);
+            self.staged_first = triangle;
+        }
+    }
+
+    fn flush(&mut self, sink: &mut dyn Sink) {
+        if self.staged.triangles() > 0 {
+            sink.write(self.staged_first, &self.staged);
+            self.staged_first += self.staged.triangles() as u32;
+            self.staged.clear();
+        }
+    }
+}

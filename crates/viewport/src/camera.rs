@@ -1,0 +1,253 @@
+//! The orbit camera: what the pointer turns, and the maths between the mesh and the screen.
+//!
+//! Everything is computed in double precision and relative to the eye, so that a model of 1e-4
+//! units and one that lies at 1e6 units both keep the precision of their coordinates. The up axis
+//! is y, as in OBJ files of most programs; angles are radians, pixels have y pointing down.
+
+use crate::Bounds;
+use glam::{DVec3, Mat4, Vec2, Vec3, dvec3};
+
+/// The steepest pitch: straight up or down.
+const MAX_PITCH: f64 = std::f64::consts::FRAC_PI_2;
+/// Nothing nearer to the eye than this fraction of the distance to the target is drawn.
+const NEAR_FRACTION: f64 = 0.02;
+/// Where a camera looks from at first: a little from the right and above.
+const START_YAW: f64 = 0.6;
+const START_PITCH: f64 = 0.42;
+/// The vertical opening angle at first.
+const START_FOV: f64 = 0.7;
+
+/// A half-line in world space. The direction has length one.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Ray {
+    /// Where it starts.
+    pub origin: DVec3,
+    /// Where it goes.
+    pub direction: DVec3,
+}
+
+/// A camera that looks at a target from a direction and a distance.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Camera {
+    /// The point it turns around, in the middle of the picture.
+    pub target: DVec3,
+    /// Turn around the up axis, radians; 0 looks along -z.
+    pub yaw: f64,
+    /// Height above the horizon, radians in -pi/2..=pi/2.
+    pub pitch: f64,
+    /// From the eye to the target, in mesh units.
+    pub distance: f64,
+    /// Vertical opening angle, radians. The orthographic view shows as much as the perspective one
+    /// does at the target.
+    pub fov_y: f64,
+    /// Whether the projection is parallel.
+    pub orthographic: bool,
+    scene: Option<Bounds>,
+}
+
+impl Default for Camera {
+    fn default() -> Self {
+        Self {
+            target: DVec3::ZERO,
+            yaw: START_YAW,
+            pitch: START_PITCH,
+            distance: 5.0,
+            fov_y: START_FOV,
+            orthographic: false,
+            scene: None,
+        }
+    }
+}
+
+impl Camera {
+    /// Tells the camera how large the scene is: the depth range, the limits of the zoom and
+    /// [`Camera::reset`] go by it. Call it when the scene's bounds change; the view stays.
+    pub fn set_scene(&mut self, scene: Option<Bounds>) {
+        self.scene = scene;
+    }
+
+    /// The scene's bounds as last told.
+    pub fn scene(&self) -> Option<Bounds> {
+        self.scene
+    }
+
+    /// Unit vectors of the picture: right, up, and forward into it.
+    pub fn axes(&self) -> [DVec3; 3] {
+        let (sin_yaw, cos_yaw) = self.yaw.sin_cos();
+        let (sin_pitch, cos_pitch) = self.pitch.sin_cos();
+        let back = dvec3(sin_yaw * cos_pitch, sin_pitch, cos_yaw * cos_pitch);
+        let right = dvec3(cos_yaw, 0.0, -sin_yaw);
+        [right, back.cross(right), -back]
+    }
+
+    /// Where the camera is.
+    pub fn eye(&self) -> DVec3 {
+        let [_, _, forward] = self.axes();
+        self.target - forward * self.distance
+    }
+
+    /// Turns around the target by a drag of `delta` pixels: a drag across the viewport's height is
+    /// half a turn.
+    pub fn orbit(&mut self, delta: Vec2, viewport: Vec2) {
+        let per_pixel = std::f64::consts::PI / f64::from(viewport.y.max(1.0));
+        self.yaw = (self.yaw - f64::from(delta.x) * per_pixel).rem_euclid(std::f64::consts::TAU);
+        self.pitch = (self.pitch + f64::from(delta.y) * per_pixel).clamp(-MAX_PITCH, MAX_PITCH);
+    }
+
+    /// Moves sideways by a drag of `delta` pixels: the point at the target's depth under the
+    /// pointer stays under it.
+    pub fn pan(&mut self, delta: Vec2, viewport: Vec2) {
+        let [right, up, _] = self.axes();
+        let unit = self.units_per_pixel(viewport);
+        self.target += (up * f64::from(delta.y) - right * f64::from(delta.x)) * unit;
+    }
+
+    /// Comes closer by `factor` (2 makes things look twice as large; below 1 goes away) with the
+    /// point at the target's depth under `pixel` staying where it is.
+    pub fn zoom(&mut self, factor: f64, pixel: Vec2, viewport: Vec2) {
+        if !(factor.is_finite() && factor > 0.0) {
+            return;
+        }
+        let [nearest, farthest] = self.distance_limits();
+        let distance = (self.distance / factor).clamp(nearest, farthest);
+        let [right, up, _] = self.axes();
+        let from_middle = (pixel - viewport * 0.5).as_dvec2() * self.units_per_pixel(viewport);
+        let under = right * from_middle.x - up * from_middle.y;
+        self.target += under * (1.0 - distance / self.distance);
+        self.distance = distance;
+    }
+
+    /// Looks at `bounds` from the present direction, as near as shows all of it in a viewport of
+    /// this width to height ratio.
+    pub fn frame(&mut self, bounds: Bounds, aspect: f32) {
+        let radius = bounds.radius();
+        // A single point has no size to go by: keep it in view at the scene's scale.
+        let scale = self.scene.map_or(0.0, |s| s.radius()) * 0.05;
+        let radius = [radius, scale, 1.0].into_iter().find(|&r| r > 0.0).unwrap_or(1.0);
+        let half_y = self.fov_y * 0.5;
+        let half_x = (half_y.tan() * f64::from(aspect.clamp(1e-3, 1e3))).atan();
+        self.target = bounds.center().as_dvec3();
+        self.distance = 1.05 * radius / half_x.min(half_y).sin();
+    }
+
+    /// Back to the first view of the scene.
+    pub fn reset(&mut self, aspect: f32) {
+        let start = Self::default();
+        self.yaw = start.yaw;
+        self.pitch = start.pitch;
+        self.fov_y = start.fov_y;
+        match self.scene {
+            Some(scene) => self.frame(scene, aspect),
+            None => (self.target, self.distance) = (start.target, start.distance),
+        }
+    }
+
+    /// World to clip space, reversed depth: 1 at the near plane, 0 far away. Multiply positions of
+    /// large coordinates with [`Camera::project`] instead, which keeps their precision.
+    pub fn view_proj(&self, aspect: f32) -> Mat4 {
+        let scale = 1.0 / self.distance;
+        let shift = -self.eye() * scale;
+        self.relative_view_proj(f64::from(aspect))
+            * Mat4::from_translation(shift.as_vec3())
+            * Mat4::from_scale(Vec3::splat(scale as f32))
+    }
+
+    /// Where a world point is on a viewport of this size, in the viewport's unit (pixels or
+    /// points), y down; none when it is behind the eye. It may lie outside the viewport.
+    pub fn project(&self, point: Vec3, viewport: Vec2) -> Option<Vec2> {
+        let [right, up, forward] = self.axes();
+        let from_eye = point.as_dvec3() - self.eye();
+        let depth = from_eye.dot(forward);
+        if !self.orthographic && depth < self.near() {
+            return None;
+        }
+        let per_unit = if self.orthographic { 1.0 / self.distance } else { 1.0 / depth };
+        let focal = 0.5 * f64::from(viewport.y) / (self.fov_y * 0.5).tan();
+        Some(Vec2::new(
+            (f64::from(viewport.x) * 0.5 + from_eye.dot(right) * per_unit * focal) as f32,
+            (f64::from(viewport.y) * 0.5 - from_eye.dot(up) * per_unit * focal) as f32,
+        ))
+    }
+
+    /// How far in front of the eye a point is, along the viewing direction.
+    pub fn depth(&self, point: Vec3) -> f64 {
+        let [_, _, forward] = self.axes();
+        (point.as_dvec3() - self.eye()).dot(forward)
+    }
+
+    /// The world points that are seen at a pixel.
+    pub fn ray(&self, pixel: Vec2, viewport: Vec2) -> Ray {
+        let [right, up, forward] = self.axes();
+        let across = (pixel - viewport * 0.5).as_dvec2() * self.units_per_pixel(viewport);
+        let side = right * across.x - up * across.y;
+        if self.orthographic {
+            // From in front of all there is.
+            let start = self.depth_range()[0];
+            return Ray { origin: self.eye() + side + forward * start, direction: forward };
+        }
+        Ray { origin: self.eye(), direction: (forward * self.distance + side).normalize_or(forward) }
+    }
+
+    /// Mesh units per pixel at the target's depth.
+    pub fn units_per_pixel(&self, viewport: Vec2) -> f64 {
+        2.0 * self.distance * (self.fov_y * 0.5).tan() / f64::from(viewport.y.max(1.0))
+    }
+
+    /// Where a point at the depth of `anchor` ends up when it is dragged by `delta` pixels: for
+    /// moving a vertex parallel to the screen.
+    pub fn drag(&self, anchor: Vec3, delta: Vec2, viewport: Vec2) -> Vec3 {
+        let [right, up, _] = self.axes();
+        let depth = if self.orthographic { self.distance } else { self.depth(anchor).max(self.near()) };
+        let unit = self.units_per_pixel(viewport) * depth / self.distance;
+        let by = (right * f64::from(delta.x) - up * f64::from(delta.y)) * unit;
+        (anchor.as_dvec3() + by).as_vec3()
+    }
+
+    /// The nearest depth that is drawn in perspective.
+    pub(crate) fn near(&self) -> f64 {
+        let closest = NEAR_FRACTION * self.distance;
+        match self.scene {
+            // A tenth of the way leaves room for the ground grid before it.
+            Some(scene) => {
+                let front = self.depth(scene.center()) - scene.radius();
+                closest.max(front.min(self.distance) * 0.1)
+            }
+            None => closest,
+        }
+    }
+
+    /// The depths between which everything lies, for the parallel projection.
+    fn depth_range(&self) -> [f64; 2] {
+        let around = 40.0 * self.distance;
+        let (mut near, mut far) = (self.distance - around, self.distance + around);
+        if let Some(scene) = self.scene {
+            let (middle, radius) = (self.depth(scene.center()), scene.radius() * 1.01);
+            near = near.min(middle - radius);
+            far = far.max(middle + radius);
+        }
+        [near, far]
+    }
+
+    fn distance_limits(&self) -> [f64; 2] {
+        let radius = self.scene.map(|s| s.radius()).filter(|&r| r > 0.0).unwrap_or(1.0);
+        [radius * 1e-5, radius * 1e4]
+    }
+
+    /// To clip space from positions relative to the eye and divided by the distance: what shaders
+    /// multiply with. Depth is reversed, in perspective with the far plane at infinity.
+    pub(crate) fn relative_view_proj(&self, aspect: f64) -> Mat4 {
+        let [right, up, forward] = self.axes();
+        let focal = 1.0 / (self.fov_y * 0.5).tan();
+        let x = right * (focal / aspect.max(1e-6));
+        let y = up * focal;
+        let (z, w) = if self.orthographic {
+            let [near, far] = self.depth_range().map(|d| d / self.distance);
+            let depth = forward / (near - far);
+            (depth.extend(far / (far - near)), DVec3::ZERO.extend(1.0))
+        } else {
+            (DVec3::ZERO.extend(self.near() / self.distance), forward.extend(0.0))
+        };
+        Mat4::from_cols(x.extend(0.0).as_vec4(), y.extend(0.0).as_vec4(), z.as_vec4(), w.as_vec4())
+            .transpose()
+    }
+}

@@ -1,0 +1,12 @@
+//! Everything that touches wgpu.
+
+mod highlight;
+mod object;
+mod pipelines;
+mod renderer;
+mod stream;
+mod targets;
+mod uniforms;
+
+pub use highlight::{Highlight, Layer};
+pub use renderer::{Frame, ObjectChange, ObjectDraw, Renderer};

@@ -1,0 +1,170 @@
+//! One object on the GPU.
+
+use super::stream::Stream;
+use crate::buffers::{Buffers, Corners, Sink};
+use glam::Vec3;
+use halfedge::{Mesh, Touched};
+
+/// Triangles in a page. An object's triangles are spread over pages, so that growing copies at most
+/// one page and no buffer exceeds what any device allows (128 MiB in the most modest).
+pub const PAGE_TRIANGLES: u32 = 1 << 20;
+/// Where a vertex id without a vertex is: shaders skip it.
+const NOWHERE: f32 = 3.0e38;
+
+/// Vertex streams of up to [`PAGE_TRIANGLES`].
+pub struct Page {
+    pub positions: Stream,
+    pub normals: Stream,
+    pub colors: Stream,
+}
+
+impl Page {
+    fn new() -> Self {
+        Self {
+            positions: Stream::new("triangle positions"),
+            normals: Stream::new("triangle normals"),
+            colors: Stream::new("triangle colours"),
+        }
+    }
+
+    /// How many vertices to draw.
+    pub fn vertices(&self) -> u32 {
+        (self.positions.len() / 12) as u32
+    }
+}
+
+/// Buffers of one object.
+pub struct Object {
+    pub buffers: Buffers,
+    pub pages: Vec<Page>,
+    /// A position per vertex id for the dots; empty unless dots are shown.
+    pub points: Stream,
+    pub has_points: bool,
+}
+
+impl Object {
+    pub fn new() -> Self {
+        Self {
+            buffers: Buffers::default(),
+            pages: Vec::new(),
+            points: Stream::new("vertices"),
+            has_points: false,
+        }
+    }
+
+    /// Uploads all of a mesh; gives the bytes.
+    pub fn rebuild(
+        &mut self,
+        device: &wgpu::Device,
+        queue: &wgpu::Queue,
+        mesh: &Mesh,
+        smooth: bool,
+        points: bool,
+    ) -> u64 {
+        let origin = crate::Bounds::of_mesh(mesh).map_or(Vec3::ZERO, |b| b.center());
+        let mut upload = Upload { device, queue, pages: &mut self.pages, bytes: 0 };
+        self.buffers.rebuild(mesh, origin, smooth, &mut upload);
+        let bytes = upload.bytes;
+        self.has_points = points;
+        if !points {
+            self.points.reset(device, 0);
+            return bytes;
+        }
+        let positions: Vec<[f32; 3]> =
+            (0..mesh.vertex_capacity() as u32).map(|v| point(mesh, v, origin)).collect();
+        self.points.set(device, queue, &positions);
+        bytes + self.points.len()
+    }
+
+    /// Uploads what an edit touched; gives the bytes.
+    pub fn update(
+        &mut self,
+        device: &wgpu::Device,
+        queue: &wgpu::Queue,
+        mesh: &Mesh,
+        touched: &Touched,
+    ) -> u64 {
+        let mut upload = Upload { device, queue, pages: &mut self.pages, bytes: 0 };
+        self.buffers.update(mesh, touched, &mut upload);
+        let mut bytes = upload.bytes;
+        if self.has_points {
+            for v in &touched.vertices {
+                let position = point(mesh, v.raw(), self.buffers.origin());
+                self.points.write(
+                    device,
+                    queue,
+                    v.index() as u64 * 12,
+                    bytemuck::bytes_of(&position),
+                    u64::MAX,
+                );
+                bytes += 12;
+            }
+        }
+        bytes
+    }
+
+    /// Bytes of GPU memory.
+    pub fn gpu_bytes(&self) -> u64 {
+        let pages = self.pages.iter().flat_map(|p| [&p.positions, &p.normals, &p.colors]);
+        pages.map(Stream::capacity).sum::<u64>() + self.points.capacity()
+    }
+}
+
+fn point(mesh: &Mesh, raw: u32, origin: Vec3) -> [f32; 3] {
+    mesh.vertex(raw).map_or([NOWHERE; 3], |v| (mesh.position(v) - origin).to_array())
+}
+
+/// Writes streams to pages.
+struct Upload<'a> {
+    device: &'a wgpu::Device,
+    queue: &'a wgpu::Queue,
+    pages: &'a mut Vec<Page>,
+    bytes: u64,
+}
+
+impl Sink for Upload<'_> {
+    fn reset(&mut self, triangles: u32) {
+        self.pages.truncate(triangles.div_ceil(PAGE_TRIANGLES) as usize);
+        for at in 0..triangles.div_ceil(PAGE_TRIANGLES) {
+            let here = u64::from((triangles - at * PAGE_TRIANGLES).min(PAGE_TRIANGLES));
+            if self.pages.len() <= at as usize {
+                self.pages.push(Page::new());
+            }
+            if let Some(page) = self.pages.get_mut(at as usize) {
+                page.positions.reset(self.device, here * 36);
+                page.normals.reset(self.device, here * 24);
+                page.colors.reset(self.device, here * 12);
+            }
+        }
+    }
+
+    fn write(&mut self, first_triangle: u32, corners: &Corners) {
+        let (positions, normals, colors): (&[u8], &[u8], &[u8]) = (
+            bytemuck::cast_slice(&corners.positions),
+            bytemuck::cast_slice(&corners.normals),
+            bytemuck::cast_slice(&corners.colors),
+        );
+        let (mut done, total) = (0, corners.triangles() as u32);
+        while done < total {
+            let at = first_triangle + done;
+            let (page, in_page) = ((at / PAGE_TRIANGLES) as usize, at % PAGE_TRIANGLES);
+            let count = (total - done).min(PAGE_TRIANGLES - in_page);
+            while self.pages.len() <= page {
+                self.pages.push(Page::new());
+            }
+            let Some(page) = self.pages.get_mut(page) else { return };
+            let streams = [
+                (&mut page.positions, positions, 36_usize),
+                (&mut page.normals, normals, 24),
+                (&mut page.colors, colors, 12),
+            ];
+            for (stream, data, size) in streams {
+                let data = data.get(done as usize * size..(done + count) as usize * size).unwrap_or_default();
+                let limit = u64::from(PAGE_TRIANGLES) * size as u64;
+                stream.write(self.device, self.queue, u64::from(in_page) * size as u64, data, limit);
+                self.bytes += data.len() as u64;
+            }
+            done += count;
+        }
+    }
+}

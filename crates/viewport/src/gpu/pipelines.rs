@@ -1,0 +1,254 @@
+//! Shaders and fixed state.
+
+use super::targets::{COLOR, DEPTH, SAMPLES};
+use super::uniforms::{DrawUniform, FrameUniform};
+use std::num::NonZeroU64;
+use wgpu::{VertexStepMode, vertex_attr_array};
+
+/// All pipelines and what binds to them.
+pub struct Pipelines {
+    pub uniforms: wgpu::BindGroupLayout,
+    pub picture: wgpu::BindGroupLayout,
+    pub background: wgpu::RenderPipeline,
+    pub mesh: wgpu::RenderPipeline,
+    pub ground: wgpu::RenderPipeline,
+    /// Dots hidden by what is in front of them.
+    pub points: wgpu::RenderPipeline,
+    pub marked_points: wgpu::RenderPipeline,
+    pub marked_lines: wgpu::RenderPipeline,
+    pub marked_arrows: wgpu::RenderPipeline,
+    pub marked_fill: wgpu::RenderPipeline,
+    pub composite: wgpu::RenderPipeline,
+}
+
+/// How a pipeline uses the depth buffer. Depth is reversed: greater is nearer.
+#[derive(Clone, Copy)]
+enum Depth {
+    Write,
+    Test,
+    Ignore,
+}
+
+struct Maker<'a> {
+    device: &'a wgpu::Device,
+    layout: wgpu::PipelineLayout,
+}
+
+impl Maker<'_> {
+    fn pipeline(
+        &self,
+        label: &str,
+        (module, vertex, fragment): (&wgpu::ShaderModule, &str, &str),
+        buffers: &[Option<wgpu::VertexBufferLayout<'_>>],
+        depth: Depth,
+        blend: Option<wgpu::BlendState>,
+    ) -> wgpu::RenderPipeline {
+        let (write, compare) = match depth {
+            Depth::Write => (true, wgpu::CompareFunction::Greater),
+            Depth::Test => (false, wgpu::CompareFunction::GreaterEqual),
+            Depth::Ignore => (false, wgpu::CompareFunction::Always),
+        };
+        self.device.create_render_pipeline(&wgpu::RenderPipelineDescriptor {
+            label: Some(label),
+            layout: Some(&self.layout),
+            vertex: wgpu::VertexState {
+                module,
+                entry_point: Some(vertex),
+                compilation_options: wgpu::PipelineCompilationOptions::default(),
+                buffers,
+            },
+            primitive: wgpu::PrimitiveState::default(),
+            depth_stencil: Some(wgpu::DepthStencilState {
+                format: DEPTH,
+                depth_write_enabled: Some(write),
+                depth_compare: Some(compare),
+                stencil: wgpu::StencilState::default(),
+                bias: wgpu::DepthBiasState::default(),
+            }),
+            multisample: wgpu::MultisampleState { count: SAMPLES, ..Default::default() },
+            fragment: Some(wgpu::FragmentState {
+                module,
+                entry_point: Some(fragment),
+                compilation_options: wgpu::PipelineCompilationOptions::default(),
+                targets: &[Some(wgpu::ColorTargetState {
+                    format: COLOR,
+                    blend,
+                    write_mask: wgpu::ColorWrites::ALL,
+                })],
+            }),
+            multiview_mask: None,
+            cache: None,
+        })
+    }
+}
+
+fn buffer<'a>(
+    stride: u64,
+    step_mode: VertexStepMode,
+    attributes: &'a [wgpu::VertexAttribute],
+) -> Option<wgpu::VertexBufferLayout<'a>> {
+    Some(wgpu::VertexBufferLayout { array_stride: stride, step_mode, attributes })
+}
+
+fn uniform(binding: u32, has_dynamic_offset: bool, size: usize) -> wgpu::BindGroupLayoutEntry {
+    wgpu::BindGroupLayoutEntry {
+        binding,
+        visibility: wgpu::ShaderStages::VERTEX_FRAGMENT,
+        ty: wgpu::BindingType::Buffer {
+            ty: wgpu::BufferBindingType::Uniform,
+            has_dynamic_offset,
+            min_binding_size: NonZeroU64::new(size as u64),
+        },
+        count: None,
+    }
+}
+
+impl Pipelines {
+    pub fn new(device: &wgpu::Device, target: wgpu::TextureFormat) -> Self {
+        let uniforms = device.create_bind_group_layout(&wgpu::BindGroupLayoutDescriptor {
+            label: Some("viewport uniforms"),
+            entries: &[
+                uniform(0, false, size_of::<FrameUniform>()),
+                uniform(1, true, size_of::<DrawUniform>()),
+            ],
+        });
+        let picture = device.create_bind_group_layout(&wgpu::BindGroupLayoutDescriptor {
+            label: Some("viewport picture"),
+            entries: &[wgpu::BindGroupLayoutEntry {
+                binding: 0,
+                visibility: wgpu::ShaderStages::FRAGMENT,
+                ty: wgpu::BindingType::Texture {
+                    sample_type: wgpu::TextureSampleType::Float { filterable: false },
+                    view_dimension: wgpu::TextureViewDimension::D2,
+                    multisampled: false,
+                },
+                count: None,
+            }],
+        });
+        let layout = device.create_pipeline_layout(&wgpu::PipelineLayoutDescriptor {
+            label: Some("viewport scene"),
+            bind_group_layouts: &[Some(&uniforms)],
+            immediate_size: 0,
+        });
+        let shader = |label, source: &str| {
+            device.create_shader_module(wgpu::ShaderModuleDescriptor {
+                label: Some(label),
+                source: wgpu::ShaderSource::Wgsl(source.into()),
+            })
+        };
+        let mesh =
+            shader("mesh", concat!(include_str!("shaders/common.wgsl"), include_str!("shaders/mesh.wgsl")));
+        let overlay = shader(
+            "overlay",
+            concat!(include_str!("shaders/common.wgsl"), include_str!("shaders/overlay.wgsl")),
+        );
+        let ground = shader(
+            "ground",
+            concat!(include_str!("shaders/common.wgsl"), include_str!("shaders/ground.wgsl")),
+        );
+        let maker = Maker { device, layout };
+        let over = Some(wgpu::BlendState::ALPHA_BLENDING);
+        let (corner, instance) = (VertexStepMode::Vertex, VertexStepMode::Instance);
+        let one = vertex_attr_array![0 => Float32x3];
+        let two = vertex_attr_array![0 => Float32x3, 1 => Float32x3];
+        let three = vertex_attr_array![0 => Float32x3, 1 => Float32x3, 2 => Float32x3];
+        let dot = |depth| {
+            let stages = (&overlay, "dot_vertex", "dot_fragment");
+            maker.pipeline("dots", stages, &[buffer(12, instance, &one)], depth, over)
+        };
+        Self {
+            background: maker.pipeline(
+                "background",
+                (&ground, "background_vertex", "background_fragment"),
+                &[],
+                Depth::Ignore,
+                None,
+            ),
+            ground: maker.pipeline(
+                "ground",
+                (&ground, "ground_vertex", "ground_fragment"),
+                &[],
+                Depth::Test,
+                over,
+            ),
+            mesh: maker.pipeline(
+                "mesh",
+                (&mesh, "mesh_vertex", "mesh_fragment"),
+                &[
+                    buffer(12, corner, &one),
+                    buffer(8, corner, &vertex_attr_array![1 => Snorm16x4]),
+                    buffer(4, corner, &vertex_attr_array![2 => Unorm8x4]),
+                ],
+                Depth::Write,
+                None,
+            ),
+            points: dot(Depth::Test),
+            marked_points: dot(Depth::Ignore),
+            marked_lines: maker.pipeline(
+                "marked edges",
+                (&overlay, "line_vertex", "flat_fragment"),
+                &[buffer(24, instance, &two)],
+                Depth::Ignore,
+                over,
+            ),
+            marked_arrows: maker.pipeline(
+                "marked half-edges",
+                (&overlay, "arrow_vertex", "flat_fragment"),
+                &[buffer(36, instance, &three)],
+                Depth::Ignore,
+                over,
+            ),
+            marked_fill: maker.pipeline(
+                "marked faces",
+                (&overlay, "fill_vertex", "flat_fragment"),
+                &[buffer(12, corner, &one)],
+                Depth::Ignore,
+                over,
+            ),
+            composite: composite(device, &picture, target),
+            uniforms,
+            picture,
+        }
+    }
+}
+
+fn composite(
+    device: &wgpu::Device,
+    picture: &wgpu::BindGroupLayout,
+    target: wgpu::TextureFormat,
+) -> wgpu::RenderPipeline {
+    let module = device.create_shader_module(wgpu::ShaderModuleDescriptor {
+        label: Some("composite"),
+        source: wgpu::ShaderSource::Wgsl(include_str!("shaders/composite.wgsl").into()),
+    });
+    let layout = device.create_pipeline_layout(&wgpu::PipelineLayoutDescriptor {
+        label: Some("composite"),
+        bind_group_layouts: &[Some(picture)],
+        immediate_size: 0,
+    });
+    device.create_render_pipeline(&wgpu::RenderPipelineDescriptor {
+        label: Some("composite"),
+        layout: Some(&layout),
+        vertex: wgpu::VertexState {
+            module: &module,
+            entry_point: Some("composite_vertex"),
+            compilation_options: wgpu::PipelineCompilationOptions::default(),
+            buffers: &[],
+        },
+        primitive: wgpu::PrimitiveState::default(),
+        depth_stencil: None,
+        multisample: wgpu::MultisampleState::default(),
+        fragment: Some(wgpu::FragmentState {
+            module: &module,
+            entry_point: Some(if target.is_srgb() { "composite_linear" } else { "composite_gamma" }),
+            compilation_options: wgpu::PipelineCompilationOptions::default(),
+            targets: &[Some(wgpu::ColorTargetState {
+                format: target,
+                blend: None,
+                write_mask: wgpu::ColorWrites::ALL,
+            })],
+        }),
+        multiview_mask: None,
+        cache: None,
+    })
+}

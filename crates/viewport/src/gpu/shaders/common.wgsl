@@ -1,0 +1,48 @@
+// Shared by all shaders of the scene. Positions are relative to the eye and in units of the
+// distance to the target, colours are sRGB as shown: blending and multisampling work on those, as
+// the page's own do.
+
+struct Frame {
+    matrix: mat4x4<f32>,
+    light: vec4<f32>,
+    viewport: vec4<f32>,
+    background_top: vec4<f32>,
+    background_bottom: vec4<f32>,
+    edge: vec4<f32>,
+    back_face: vec4<f32>,
+    grid_color: vec4<f32>,
+    grid: vec4<f32>,
+    grid_fade: vec4<f32>,
+}
+
+struct Draw {
+    offset: vec4<f32>,
+    color: vec4<f32>,
+    params: vec4<f32>,
+}
+
+@group(0) @binding(0) var<uniform> frame: Frame;
+@group(0) @binding(1) var<uniform> draw: Draw;
+
+// A position of the object's buffers, relative to the eye.
+fn from_eye(position: vec3<f32>) -> vec3<f32> {
+    return (position + draw.offset.xyz) * draw.offset.w;
+}
+
+fn to_clip(relative: vec3<f32>) -> vec4<f32> {
+    return frame.matrix * vec4<f32>(relative, 1.0);
+}
+
+// Pixels from the middle of the viewport, y up.
+fn to_pixels(clip: vec4<f32>) -> vec2<f32> {
+    return clip.xy / clip.w * frame.viewport.xy * 0.5;
+}
+
+fn from_pixels(pixels: vec2<f32>, clip: vec4<f32>) -> vec4<f32> {
+    return vec4<f32>(pixels / (frame.viewport.xy * 0.5) * clip.w, clip.z, clip.w);
+}
+
+// Nothing at this clip position is drawn.
+fn nowhere() -> vec4<f32> {
+    return vec4<f32>(2.0, 2.0, 0.5, 1.0);
+}

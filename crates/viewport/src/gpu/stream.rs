@@ -1,0 +1,86 @@
+//! A vertex buffer that grows: twice the room whenever it runs out, its contents copied on the GPU.
+
+/// A growable vertex buffer of one kind of entry.
+pub struct Stream {
+    label: &'static str,
+    buffer: Option<wgpu::Buffer>,
+    len: u64,
+}
+
+impl Stream {
+    pub fn new(label: &'static str) -> Self {
+        Self { label, buffer: None, len: 0 }
+    }
+
+    /// Bytes in use.
+    pub fn len(&self) -> u64 {
+        self.len
+    }
+
+    /// Bytes of GPU memory.
+    pub fn capacity(&self) -> u64 {
+        self.buffer.as_ref().map_or(0, wgpu::Buffer::size)
+    }
+
+    pub fn slice(&self) -> Option<wgpu::BufferSlice<'_>> {
+        self.buffer.as_ref().filter(|_| self.len > 0).map(|buffer| buffer.slice(..self.len))
+    }
+
+    /// Forgets the contents and makes room for `bytes`, giving back memory that is far too much.
+    pub fn reset(&mut self, device: &wgpu::Device, bytes: u64) {
+        self.len = 0;
+        if self.capacity() < bytes || self.capacity() / 4 > bytes.max(1024) {
+            self.buffer = (bytes > 0).then(|| create(device, self.label, bytes));
+        }
+    }
+
+    /// Writes at `offset`, a multiple of four as is the length of `data`; grows to fit, never
+    /// beyond `limit` bytes unless the write itself needs it.
+    pub fn write(
+        &mut self,
+        device: &wgpu::Device,
+        queue: &wgpu::Queue,
+        offset: u64,
+        data: &[u8],
+        limit: u64,
+    ) {
+        let end = offset + data.len() as u64;
+        if self.capacity() < end {
+            let room = (self.capacity() * 2).min(limit).max(end).max(1024);
+            let larger = create(device, self.label, room);
+            if let Some(old) = self.buffer.take()
+                && self.len > 0
+            {
+                let mut encoder = device.create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
+                encoder.copy_buffer_to_buffer(&old, 0, &larger, 0, self.len);
+                queue.submit([encoder.finish()]);
+            }
+            self.buffer = Some(larger);
+        }
+        if let Some(buffer) = &self.buffer {
+            queue.write_buffer(buffer, offset, data);
+        }
+        self.len = self.len.max(end);
+    }
+
+    /// Replaces the contents, with entries of type `T`; those beyond what the device can hold in a
+    /// buffer are left out.
+    pub fn set<T: bytemuck::Pod>(&mut self, device: &wgpu::Device, queue: &wgpu::Queue, entries: &[T]) {
+        let most = device.limits().max_buffer_size / size_of::<T>().max(1) as u64;
+        let kept = entries.len().min(usize::try_from(most).unwrap_or(usize::MAX));
+        let data: &[u8] = bytemuck::cast_slice(entries.get(..kept).unwrap_or_default());
+        self.reset(device, data.len() as u64);
+        if !data.is_empty() {
+            self.write(device, queue, 0, data, data.len() as u64);
+        }
+    }
+}
+
+fn create(device: &wgpu::Device, label: &str, size: u64) -> wgpu::Buffer {
+    device.create_buffer(&wgpu::BufferDescriptor {
+        label: Some(label),
+        size: size.next_multiple_of(4),
+        usage: wgpu::BufferUsages::VERTEX | wgpu::BufferUsages::COPY_DST | wgpu::BufferUsages::COPY_SRC,
+        mapped_at_creation: false,
+    })
+}

@@ -1,0 +1,61 @@
+//! The textures the scene is drawn into before it goes to the page's own render pass.
+
+/// Samples a pixel while drawing.
+pub const SAMPLES: u32 = 4;
+/// Colours are kept as they are shown (gamma-encoded), in a format every device can resolve.
+pub const COLOR: wgpu::TextureFormat = wgpu::TextureFormat::Rgba8Unorm;
+/// Floating point suits the reversed depth range.
+pub const DEPTH: wgpu::TextureFormat = wgpu::TextureFormat::Depth32Float;
+
+/// Colour and depth with four samples, and the colour with one.
+pub struct Targets {
+    pub size: [u32; 2],
+    pub samples: wgpu::TextureView,
+    pub depth: wgpu::TextureView,
+    pub resolved: wgpu::TextureView,
+    /// For the composite shader.
+    pub bind_group: wgpu::BindGroup,
+}
+
+impl Targets {
+    /// Textures of this size, at least one pixel and at most what the device allows.
+    pub fn new(device: &wgpu::Device, layout: &wgpu::BindGroupLayout, size: [u32; 2]) -> Self {
+        let attachment = wgpu::TextureUsages::RENDER_ATTACHMENT;
+        let texture = |label, format, sample_count, usage| {
+            device
+                .create_texture(&wgpu::TextureDescriptor {
+                    label: Some(label),
+                    size: wgpu::Extent3d { width: size[0], height: size[1], depth_or_array_layers: 1 },
+                    mip_level_count: 1,
+                    sample_count,
+                    dimension: wgpu::TextureDimension::D2,
+                    format,
+                    usage,
+                    view_formats: &[],
+                })
+                .create_view(&wgpu::TextureViewDescriptor::default())
+        };
+        let resolved = texture("viewport", COLOR, 1, attachment | wgpu::TextureUsages::TEXTURE_BINDING);
+        let bind_group = device.create_bind_group(&wgpu::BindGroupDescriptor {
+            label: Some("viewport composite"),
+            layout,
+            entries: &[wgpu::BindGroupEntry {
+                binding: 0,
+                resource: wgpu::BindingResource::TextureView(&resolved),
+            }],
+        });
+        Self {
+            size,
+            samples: texture("viewport samples", COLOR, SAMPLES, attachment),
+            depth: texture("viewport depth", DEPTH, SAMPLES, attachment),
+            resolved,
+            bind_group,
+        }
+    }
+
+    /// The nearest size that a texture can have.
+    pub fn fit(device: &wgpu::Device, size: [u32; 2]) -> [u32; 2] {
+        let most = device.limits().max_texture_dimension_2d;
+        size.map(|s| s.clamp(1, most))
+    }
+}

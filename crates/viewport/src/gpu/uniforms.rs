@@ -1,0 +1,94 @@
+//! What shaders are told once a frame, and once a draw.
+
+use crate::{Camera, Style};
+use glam::{DVec3, Vec2, Vec3};
+use halfedge::Color;
+
+/// Once a frame. Laid out as `Frame` in `scene.wgsl`.
+#[derive(Clone, Copy, Debug, PartialEq, bytemuck::Pod, bytemuck::Zeroable)]
+#[repr(C)]
+pub struct FrameUniform {
+    /// To clip space, from positions relative to the eye in units of its distance to the target.
+    matrix: [[f32; 4]; 4],
+    /// The direction towards the light with a parallel projection, and 1 there; 0 in perspective,
+    /// where the light is at the eye.
+    light: [f32; 4],
+    /// Width and height in pixels, pixels per point, and the near plane's depth.
+    viewport: [f32; 4],
+    background_top: [f32; 4],
+    background_bottom: [f32; 4],
+    /// Wireframe colour.
+    edge: [f32; 4],
+    back_face: [f32; 4],
+    /// Colour of grid lines.
+    grid_color: [f32; 4],
+    /// The middle of the grid relative to the eye in units of distance, and its spacing.
+    grid: [f32; 4],
+    /// How far the grid reaches, and how faint its fine lines are by now (0 to 1).
+    grid_fade: [f32; 4],
+}
+
+/// Once a draw. Laid out as `Draw` in `scene.wgsl`.
+#[derive(Clone, Copy, Debug, PartialEq, bytemuck::Pod, bytemuck::Zeroable)]
+#[repr(C)]
+pub struct DrawUniform {
+    /// From the eye to the object's origin in mesh units, and 1 / the distance to the target.
+    pub offset: [f32; 4],
+    pub color: [f32; 4],
+    /// Sizes in pixels, by shader.
+    pub params: [f32; 4],
+}
+
+/// sRGB bytes as fractions.
+pub fn rgba(color: Color, alpha: f32) -> [f32; 4] {
+    let [r, g, b] = color.0.map(|c| f32::from(c) / 255.0);
+    [r, g, b, alpha]
+}
+
+impl FrameUniform {
+    pub fn new(camera: &Camera, size: [u32; 2], pixels_per_point: f32, style: &Style) -> Self {
+        let [_, _, forward] = camera.axes();
+        let size = Vec2::new(size[0] as f32, size[1] as f32);
+        let (grid, grid_fade) = grid(camera);
+        let to_light = (-forward).as_vec3().extend(if camera.orthographic { 1.0 } else { 0.0 });
+        Self {
+            matrix: camera.relative_view_proj(f64::from(size.x / size.y)).to_cols_array_2d(),
+            light: to_light.to_array(),
+            viewport: [size.x, size.y, pixels_per_point, (camera.near() / camera.distance) as f32],
+            background_top: rgba(style.theme.background_top, 1.0),
+            background_bottom: rgba(style.theme.background_bottom, 1.0),
+            edge: rgba(style.theme.edge, 0.85),
+            back_face: rgba(style.theme.back_face, 1.0),
+            grid_color: rgba(style.theme.grid, 0.5),
+            grid,
+            grid_fade,
+        }
+    }
+}
+
+/// The ground grid: lines at powers of ten that suit the distance, around the target.
+fn grid(camera: &Camera) -> ([f32; 4], [f32; 4]) {
+    let level = (camera.distance * 0.2).log10();
+    let spacing = 10_f64.powf(level.floor());
+    // The middle is where coarse lines cross, so that lines stay put while the target moves.
+    let coarse = spacing * 100.0;
+    let middle = DVec3::new(
+        (camera.target.x / coarse).round() * coarse,
+        0.0,
+        (camera.target.z / coarse).round() * coarse,
+    );
+    let scale = 1.0 / camera.distance;
+    let relative = ((middle - camera.eye()) * scale).as_vec3();
+    let to_target = ((camera.target - middle) * scale).as_vec3();
+    (
+        relative.extend((spacing * scale) as f32).to_array(),
+        [12.0, (level - level.floor()) as f32, to_target.x, to_target.z],
+    )
+}
+
+impl DrawUniform {
+    pub fn new(camera: &Camera, origin: Vec3, color: [f32; 4], params: [f32; 4]) -> Self {
+        let offset = (origin.as_dvec3() - camera.eye()).as_vec3();
+        Self { offset: offset.extend((1.0 / camera.distance) as f32).to_array(), color, params }
+    }
+}

@@ -1,0 +1,70 @@
+//! What the viewport looks like.
+
+use halfedge::Color;
+
+/// How objects are shaded and what is drawn around them. Colours are sRGB.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Style {
+    /// Normals interpolated between area-weighted vertex normals, rather than one per face.
+    pub smooth: bool,
+    /// Edges of the active object drawn over its faces.
+    pub wireframe: bool,
+    /// Vertices of the active object drawn as dots.
+    pub vertices: bool,
+    /// The grid of the ground plane, y = 0.
+    pub grid: bool,
+    /// The colours.
+    pub theme: Theme,
+}
+
+impl Default for Style {
+    fn default() -> Self {
+        Self { smooth: false, wireframe: true, vertices: false, grid: true, theme: Theme::DARK }
+    }
+}
+
+/// The colours of everything but the faces.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Theme {
+    /// The background at the top of the viewport.
+    pub background_top: Color,
+    /// The background at the bottom.
+    pub background_bottom: Color,
+    /// Wireframe edges.
+    pub edge: Color,
+    /// Vertex dots.
+    pub vertex: Color,
+    /// Lines of the ground grid.
+    pub grid: Color,
+    /// What the inside of a surface is tinted with, at half strength, after darkening.
+    pub back_face: Color,
+    /// Selected elements.
+    pub selected: Color,
+    /// The element under the pointer.
+    pub hovered: Color,
+}
+
+impl Theme {
+    /// Light lines on a dark gradient.
+    pub const DARK: Self = Self {
+        background_top: Color([0x3a, 0x3f, 0x47]),
+        background_bottom: Color([0x1d, 0x20, 0x25]),
+        edge: Color([0x12, 0x14, 0x18]),
+        vertex: Color([0x12, 0x14, 0x18]),
+        grid: Color([0x8a, 0x93, 0xa0]),
+        back_face: Color([0x2a, 0x36, 0x55]),
+        selected: Color([0xff, 0x8c, 0x1a]),
+        hovered: Color([0x4f, 0xd8, 0xff]),
+    };
+    /// Dark lines on a light gradient.
+    pub const LIGHT: Self = Self {
+        background_top: Color([0xf4, 0xf6, 0xf9]),
+        background_bottom: Color([0xc9, 0xd0, 0xd9]),
+        edge: Color([0x1e, 0x22, 0x28]),
+        vertex: Color([0x1e, 0x22, 0x28]),
+        grid: Color([0x5d, 0x66, 0x73]),
+        back_face: Color([0x2a, 0x36, 0x55]),
+        selected: Color([0xf0, 0x6a, 0x00]),
+        hovered: Color([0x00, 0x8f, 0xd6]),
+    };
+}
