@@ -74,7 +74,6 @@ export function editorTest(name, ...rest) {
 /** Leaves behind what a failed test's page showed and said. */
 async function explain(editor, t) {
   for (const line of editor.log.slice(-40)) t.diagnostic(line);
-  for (const line of editor.errors) t.diagnostic(line);
   // A tab that has crashed has nothing to show.
   await editor.screenshot("failed").catch(() => {});
 }

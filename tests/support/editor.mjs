@@ -26,12 +26,13 @@ export class Editor {
     const page = await context.newPage();
     page.setDefaultTimeout(WAIT_LIMIT);
     Object.assign(editor, { url, renderer, size, label, context, page, errors: [], log: [] });
-    page.on("console", (message) => {
-      editor.log.push(`${message.type()}: ${message.text()}`);
-      if (message.type() === "error") editor.errors.push(message.text());
-    });
-    page.on("pageerror", (error) => editor.errors.push(String(error)));
-    page.on("crash", () => editor.errors.push("The tab has crashed."));
+    const note = (type, text) => {
+      editor.log.push(`${type}: ${text}`);
+      if (type === "error") editor.errors.push(text);
+    };
+    page.on("console", (message) => note(message.type(), message.text()));
+    page.on("pageerror", (error) => note("error", String(error)));
+    page.on("crash", () => note("error", "The tab has crashed."));
     await page.goto(url);
     return editor;
   }
