@@ -1,0 +1,191 @@
+//! Patches to a half-edge mesh whose shared borders are welded.
+//!
+//! A border's points are evaluated from the border's own four control points, always in the same
+//! direction, so that two patches with the same border get the same vertices without comparing
+//! distances. Control points closer than a millionth of the surface's size are taken as one first,
+//! since files print them rounded. A border whose control points are all the same is one vertex: a
+//! pole.
+
+use super::curve::mix;
+use super::patch::Patch;
+use glam::Vec3;
+use halfedge::attribute::Column;
+use halfedge::{Mesh, Note, PolygonSoup, TooLarge, keys};
+use std::collections::HashMap;
+
+/// The finest resolution that [`tessellate`] takes, in quads along a patch's side.
+pub const MAX_RESOLUTION: u32 = 256;
+
+/// A tessellated surface.
+#[derive(Debug)]
+pub struct Tessellated {
+    /// Quads, and triangles at poles, with the exact normal at each corner in
+    /// [`keys::CORNER_NORMAL`].
+    pub mesh: Mesh,
+    /// What the build had to change, as where surfaces touch at a point.
+    pub notes: Vec<Note>,
+}
+
+/// Tessellates patches into `resolution` x `resolution` quads each (1 to [`MAX_RESOLUTION`];
+/// others are taken as the nearer end), welding the borders that patches share. Faces are turned
+/// to agree with their neighbours; u x v is outside. Costs O(patches * resolution^2).
+///
+/// # Errors
+/// [`TooLarge`] when ids would run out.
+pub fn tessellate(patches: &[Patch], resolution: u32) -> Result<Tessellated, TooLarge> {
+    let n = resolution.clamp(1, MAX_RESOLUTION);
+    if patches.len().saturating_mul(4 * (n * n) as usize) > Mesh::MAX_EDGES {
+        return Err(TooLarge { corners: patches.len().saturating_mul(4 * (n * n) as usize) });
+    }
+    let mut surface = Surface { n, controls: Controls::new(patches), ..Surface::default() };
+    for patch in patches {
+        surface.add(patch);
+    }
+    let built = Mesh::build(surface.soup())?;
+    Ok(Tessellated { mesh: built.mesh, notes: built.notes })
+}
+
+#[derive(Default)]
+struct Surface {
+    n: u32,
+    controls: Controls,
+    positions: Vec<Vec3>,
+    /// Vertices made for a control point at a patch's corner or pole.
+    corners: HashMap<u32, u32>,
+    /// Inner vertices made for a border, by its control points in their canonical direction.
+    borders: HashMap<[u32; 4], Vec<u32>>,
+    faces: Vec<[u32; 4]>,
+    normals: Vec<[Vec3; 4]>,
+}
+
+impl Surface {
+    fn add(&mut self, patch: &Patch) {
+        let n = self.n as usize;
+        let ids = patch.rows.map(|row| row.map(|p| self.controls.id(p)));
+        let column = |i: usize| [ids[0][i], ids[1][i], ids[2][i], ids[3][i]];
+        // Borders first, each n + 1 vertices along u or v.
+        let bottom = self.border(ids[0]);
+        let top = self.border(ids[3]);
+        let left = self.border(column(0));
+        let right = self.border(column(3));
+        let mut grid = vec![0u32; (n + 1) * (n + 1)];
+        let mut normals = vec![Vec3::ZERO; (n + 1) * (n + 1)];
+        for j in 0..=n {
+            for i in 0..=n {
+                let at = patch.point(i as f32 / n as f32, j as f32 / n as f32);
+                normals[j * (n + 1) + i] = at.normal;
+                grid[j * (n + 1) + i] = match (i, j) {
+                    (_, 0) => bottom[i],
+                    (_, j) if j == n => top[i],
+                    (0, _) => left[j],
+                    (i, _) if i == n => right[j],
+                    _ => self.vertex(at.position),
+                };
+            }
+        }
+        for j in 0..n {
+            for i in 0..n {
+                let quad = [(i, j), (i + 1, j), (i + 1, j + 1), (i, j + 1)].map(|(i, j)| j * (n + 1) + i);
+                self.faces.push(quad.map(|at| grid[at]));
+                self.normals.push(quad.map(|at| normals[at]));
+            }
+        }
+    }
+
+    fn vertex(&mut self, position: Vec3) -> u32 {
+        self.positions.push(position);
+        self.positions.len() as u32 - 1
+    }
+
+    fn corner(&mut self, control: u32) -> u32 {
+        if let Some(&v) = self.corners.get(&control) {
+            return v;
+        }
+        let v = self.vertex(self.controls.points[control as usize]);
+        self.corners.insert(control, v);
+        v
+    }
+
+    /// The n + 1 vertices along a border.
+    fn border(&mut self, ids: [u32; 4]) -> Vec<u32> {
+        let n = self.n as usize;
+        let (start, end) = (self.corner(ids[0]), self.corner(ids[3]));
+        if ids.iter().all(|&id| id == ids[0]) {
+            return vec![start; n + 1];
+        }
+        let backward = [ids[3], ids[2], ids[1], ids[0]];
+        let key = ids.min(backward);
+        let inner = match self.borders.get(&key) {
+            Some(inner) => inner.clone(),
+            None => {
+                let p = key.map(|id| self.controls.points[id as usize]);
+                let inner: Vec<u32> = (1..n).map(|i| self.vertex(cubic(p, i as f32 / n as f32))).collect();
+                self.borders.insert(key, inner.clone());
+                inner
+            }
+        };
+        let mut all = vec![start];
+        if key == ids {
+            all.extend(&inner);
+        } else {
+            all.extend(inner.iter().rev());
+        }
+        all.push(end);
+        all
+    }
+
+    fn soup(self) -> PolygonSoup {
+        let mut soup = PolygonSoup { positions: self.positions, ..PolygonSoup::default() };
+        let mut normals = Vec::new();
+        for (face, face_normals) in self.faces.iter().zip(&self.normals) {
+            // Quads with a side at a pole are triangles; with two they are nothing.
+            let kept: Vec<usize> = (0..4).filter(|&i| face[i] != face[(i + 1) % 4]).collect();
+            if kept.len() >= 3 {
+                soup.push_face(kept.iter().map(|&i| face[i]));
+                normals.extend(kept.iter().map(|&i| face_normals[i]));
+            }
+        }
+        soup.corner_columns.push(Column::with_values(keys::CORNER_NORMAL, normals));
+        soup
+    }
+}
+
+fn cubic(p: [Vec3; 4], t: f32) -> Vec3 {
+    let a = [mix(p[0], p[1], t), mix(p[1], p[2], t), mix(p[2], p[3], t)];
+    mix(mix(a[0], a[1], t), mix(a[1], a[2], t), t)
+}
+
+/// Control points by number, those within a tolerance of each other sharing one.
+#[derive(Default)]
+struct Controls {
+    points: Vec<Vec3>,
+    cells: HashMap<[i64; 3], Vec<u32>>,
+    tolerance: f32,
+}
+
+impl Controls {
+    fn new(patches: &[Patch]) -> Self {
+        let points = || patches.iter().flat_map(|patch| patch.rows.as_flattened());
+        let low = points().copied().fold(Vec3::INFINITY, Vec3::min);
+        let high = points().copied().fold(Vec3::NEG_INFINITY, Vec3::max);
+        let tolerance = (1e-6 * (high - low).max_element()).max(f32::MIN_POSITIVE);
+        Self { tolerance: if tolerance.is_finite() { tolerance } else { 1.0 }, ..Self::default() }
+    }
+
+    fn id(&mut self, p: Vec3) -> u32 {
+        let cell = |x: f32| (f64::from(x) / f64::from(self.tolerance) / 2.0).floor() as i64;
+        let home = [cell(p.x), cell(p.y), cell(p.z)];
+        let around = |d: i64| [home[0] + d % 3 - 1, home[1] + d / 3 % 3 - 1, home[2] + d / 9 - 1];
+        for near in (0..27).map(around) {
+            for &id in self.cells.get(&near).map_or(&[][..], Vec::as_slice) {
+                if self.points[id as usize].distance(p) <= self.tolerance {
+                    return id;
+                }
+            }
+        }
+        let id = self.points.len() as u32;
+        self.points.push(p);
+        self.cells.entry(home).or_default().push(id);
+        id
+    }
+}
