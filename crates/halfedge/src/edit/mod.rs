@@ -3,12 +3,45 @@
 //! `can_x(&mesh, …)` says whether the edit would leave a valid mesh, or why not; `x(&mut mesh, …)`
 //! makes it, or refuses for the same reason and changes nothing. Each costs time in proportion to
 //! the valences and face degrees around it, never to the mesh.
+//!
+//! Edits that a drag goes on with come in two halves: the edit makes its topology at size zero and
+//! gives a [`Slide`], which moves the vertices by any amount.
 
+mod collapse_edge;
+mod collapse_face;
+mod connect_vertices;
+mod delete_faces;
+mod dissolve_edge;
+mod dissolve_vertex;
+mod ear;
+mod flip_edge;
+mod geometry;
+mod made;
+mod merge_vertices;
 mod parts;
+mod patch;
+mod poke_faces;
 mod refusal;
+mod region;
+mod slide;
 mod split_edge;
+mod split_vertex;
 mod triangulate;
 
+pub use collapse_edge::{EdgeCollapse, can_collapse_edge, collapse_edge};
+pub use collapse_face::{can_collapse_face, collapse_face};
+pub use connect_vertices::{Connected, can_connect_vertices, connect_vertices};
+pub use delete_faces::{can_delete_faces, can_delete_vertices, delete_faces, delete_vertices};
+pub use dissolve_edge::{can_dissolve_edge, dissolve_edge};
+pub use dissolve_vertex::{can_dissolve_vertex, dissolve_vertex};
+pub use flip_edge::{can_flip_edge, flip_edge};
+pub use made::Made;
+pub use merge_vertices::{can_merge_vertices, merge_vertices};
+pub use poke_faces::{can_poke_faces, poke_faces};
 pub use refusal::Refusal;
+pub use slide::{Slide, SlideVertex};
 pub use split_edge::{Connect, EdgeSplit, can_split_edge, split_edge};
-pub use triangulate::{Triangulated, can_triangulate_face, triangulate_face};
+pub use split_vertex::{can_split_vertex, split_vertex};
+pub use triangulate::{
+    Triangulated, can_triangulate_face, can_triangulate_face_ears, triangulate_face, triangulate_face_ears,
+};

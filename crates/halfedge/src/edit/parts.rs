@@ -3,6 +3,7 @@
 
 use crate::attribute::{Value, mix};
 use crate::edit::Refusal;
+use crate::edit::patch::Blend;
 use crate::mesh::Mesh;
 use crate::{EdgeId, Element, FaceId, HalfedgeId, NONE, VertexId};
 use glam::Vec3;
@@ -22,6 +23,46 @@ impl Mesh {
 
     pub(crate) fn need_face(&self, f: FaceId) -> Result<(), Refusal> {
         if self.has_face(f) { Ok(()) } else { Err(Refusal::NoSuchElement(Element::Face, f.raw())) }
+    }
+
+    /// Checks that there is something to act on and all of it exists.
+    pub(crate) fn need_faces(&self, faces: &[FaceId]) -> Result<(), Refusal> {
+        if faces.is_empty() {
+            return Err(Refusal::NothingGiven(Element::Face));
+        }
+        faces.iter().try_for_each(|&f| self.need_face(f))
+    }
+
+    /// Checks that there is something to act on and all of it exists.
+    pub(crate) fn need_edges(&self, edges: &[EdgeId]) -> Result<(), Refusal> {
+        if edges.is_empty() {
+            return Err(Refusal::NothingGiven(Element::Edge));
+        }
+        edges.iter().try_for_each(|&e| self.need_edge(e))
+    }
+
+    /// Checks that there is something to act on and all of it exists.
+    pub(crate) fn need_vertices(&self, vertices: &[VertexId]) -> Result<(), Refusal> {
+        if vertices.is_empty() {
+            return Err(Refusal::NothingGiven(Element::Vertex));
+        }
+        vertices.iter().try_for_each(|&v| self.need_vertex(v))
+    }
+
+    /// The half-edge from one vertex to another, found by turning round both at once: costs
+    /// O(smaller valence).
+    pub(crate) fn joined(&self, from: VertexId, to: VertexId) -> Option<HalfedgeId> {
+        let (mut out, mut into) = (self.outgoing(from), self.outgoing(to));
+        loop {
+            let h = out.next()?;
+            if self.to(h) == to {
+                return Some(h);
+            }
+            let h = into.next()?;
+            if self.to(h) == from {
+                return Some(h.twin());
+            }
+        }
     }
 
     /// A new vertex, in no face yet.
@@ -137,6 +178,15 @@ impl Mesh {
             let pair = (values.get(a as usize), values.get(b as usize));
             if let (Some(x), Some(y)) = pair {
                 let value: Value = if a == b { x } else { mix(x, y, t) };
+                self.set_value(element, at, to as usize, value);
+            }
+        }
+    }
+
+    /// Gives an element the blend of the values of others of its kind.
+    pub(crate) fn blend_attributes(&mut self, element: Element, blend: &Blend, to: u32) {
+        for at in 0..self.columns.of(element).len() {
+            if let Some(value) = blend.of(&self.columns.of(element)[at].values) {
                 self.set_value(element, at, to as usize, value);
             }
         }

@@ -1,6 +1,6 @@
 //! Why an edit can't be made.
 
-use crate::{Element, VertexId};
+use crate::{EdgeId, Element, FaceId, HalfedgeId, VertexId};
 use std::fmt;
 
 /// The reason an edit was refused, in words a user can read. The mesh is as it was.
@@ -8,10 +8,10 @@ use std::fmt;
 pub enum Refusal {
     /// There is no such element.
     NoSuchElement(Element, u32),
-    /// The edit would join two vertices that an edge joins already.
-    AlreadyJoined(VertexId, VertexId),
-    /// Two cuts from a new vertex would end at the same vertex.
-    CutsMeet(VertexId),
+    /// The edit acts on elements of this kind and was given none.
+    NothingGiven(Element),
+    /// The edit needs different elements and was given this one twice.
+    GivenTwice(Element, u32),
     /// A parameter is out of its range.
     OutOfRange {
         /// The parameter's name in commands.
@@ -21,20 +21,103 @@ pub enum Refusal {
         /// What it may be.
         range: &'static str,
     },
+    /// A vertex would be moved to where numbers end.
+    TooFarAway(VertexId),
+    /// The mesh would have more edges than can be numbered.
+    TooManyEdges,
+    /// The edit would join two vertices that an edge joins already.
+    AlreadyJoined(VertexId, VertexId),
+    /// Two cuts from a new vertex would end at the same vertex.
+    CutsMeet(VertexId),
+    /// A face would be left with fewer than three corners.
+    TooFewCorners(Option<FaceId>),
+    /// A face would have this vertex at two corners.
+    RepeatedCorner(VertexId),
+    /// More than one face would lie on the same side of the edge between these vertices.
+    SideTaken(VertexId, VertexId),
+    /// The faces at this vertex would no longer form one fan.
+    Pinched(VertexId),
+    /// This vertex would be left without a face.
+    LeftWithoutFace(VertexId),
+    /// The edge is on the boundary, and a face is needed on both sides.
+    BoundaryEdge(EdgeId),
+    /// The edge has faces on both sides, and the edit is for the boundary.
+    NotOnBoundary(EdgeId),
+    /// The half-edge has a face, and the edit is for boundary half-edges.
+    NotABoundaryHalfedge(HalfedgeId),
+    /// The edge runs from boundary to boundary through the inside.
+    JoinsBoundaries(EdgeId),
+    /// The vertex has too few edges to lose one.
+    ValenceTooLow(VertexId, usize),
+    /// The edge doesn't end at the vertex.
+    NotAtVertex(EdgeId, VertexId),
+    /// No face has both vertices.
+    NotInOneFace(VertexId, VertexId),
+    /// The faces that would become one meet in more than one place.
+    NotADisc(FaceId),
+    /// The edge is beside no quad, so no ring of quads goes through it.
+    NoRing(EdgeId),
+    /// Both half-edges lie on one boundary loop.
+    SameLoop(HalfedgeId, HalfedgeId),
+    /// Ripping this edge alone would leave its two sides joined at both ends.
+    StaysJoined(EdgeId),
+    /// Neighbours of this face are not among those given.
+    NotAWholePiece(FaceId),
+    /// No way of cutting the face into triangles avoids the edges that are there.
+    NoTriangulation(FaceId),
 }
 
 impl fmt::Display for Refusal {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::NoSuchElement(element, id) => write!(f, "there is no {element} {id}"),
+            Self::NothingGiven(element) => write!(f, "no {element} was given; select one or more"),
+            Self::GivenTwice(element, id) => write!(f, "{element} {id} was given twice; give two different ones"),
+            Self::OutOfRange { field, value, range } => {
+                write!(f, "`{field}` is {value}, but must be {range}")
+            }
+            Self::TooFarAway(v) => write!(f, "this would move {v} too far away to have a position"),
+            Self::TooManyEdges => write!(f, "the mesh would have more edges than can be numbered"),
             Self::AlreadyJoined(a, b) => {
                 write!(f, "this would join {a} and {b}, which an edge joins already")
             }
             Self::CutsMeet(v) => {
                 write!(f, "the cuts on both sides would end at {v}: two edges would join the same vertices")
             }
-            Self::OutOfRange { field, value, range } => {
-                write!(f, "`{field}` is {value}, but must be {range}")
+            Self::TooFewCorners(Some(face)) => {
+                write!(f, "this would leave {face} with fewer than three corners")
+            }
+            Self::TooFewCorners(None) => write!(f, "this would make a face with fewer than three corners"),
+            Self::RepeatedCorner(v) => write!(f, "this would make a face with {v} at two of its corners"),
+            Self::SideTaken(a, b) => {
+                write!(f, "more than two faces would meet at the edge between {a} and {b}")
+            }
+            Self::Pinched(v) => {
+                write!(f, "this would pinch the surface at {v}: its faces would meet there only at a point")
+            }
+            Self::LeftWithoutFace(v) => write!(f, "this would leave {v} without a face; delete faces instead"),
+            Self::BoundaryEdge(e) => write!(f, "{e} is on the boundary; this needs a face on both sides"),
+            Self::NotOnBoundary(e) => write!(f, "{e} has a face on both sides; this is for boundary edges"),
+            Self::NotABoundaryHalfedge(h) => write!(f, "{h} has a face; give a half-edge of a boundary loop"),
+            Self::JoinsBoundaries(e) => {
+                write!(f, "{e} runs from boundary to boundary; collapsing it would pinch the surface there")
+            }
+            Self::ValenceTooLow(v, valence) => write!(f, "{v} has only {valence} edges and can't lose one"),
+            Self::NotAtVertex(e, v) => write!(f, "{e} doesn't end at {v}"),
+            Self::NotInOneFace(a, b) => write!(f, "no face has both {a} and {b}"),
+            Self::NotADisc(face) => {
+                write!(f, "{face} and the faces it would be merged with meet in more than one place")
+            }
+            Self::NoRing(e) => write!(f, "{e} is beside no quad, so no ring of quads goes through it"),
+            Self::SameLoop(a, b) => write!(f, "{a} and {b} are on the same boundary loop; give one of each of two"),
+            Self::StaysJoined(e) => {
+                write!(f, "ripping {e} would leave its sides joined at both ends; rip a longer line of edges")
+            }
+            Self::NotAWholePiece(face) => {
+                write!(f, "{face} is connected to faces not given; whole connected pieces are needed")
+            }
+            Self::NoTriangulation(face) => {
+                write!(f, "{face} can't be cut into triangles: too many of its corners are joined by edges already")
             }
         }
     }

@@ -1,8 +1,13 @@
 //! Triangulate: a polygon cut into triangles between its own corners.
+//!
+//! A fan joins the first corner to all others: possible exactly where none of those it is not
+//! beside in the face is joined to it already. Ears are cut one after the other by
+//! [`ear`](super::ear): right on concave and self-touching polygons, and around edges that exist.
 
 use crate::edit::Refusal;
+use crate::edit::ear::{Ear, ears};
 use crate::mesh::Mesh;
-use crate::{EdgeId, FaceId};
+use crate::{EdgeId, FaceId, HalfedgeId, VertexId};
 
 /// What triangulating a face made; the face itself keeps its id as one of the triangles.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
@@ -19,7 +24,7 @@ pub fn can_triangulate_face(mesh: &Mesh, face: FaceId) -> Result<(), Refusal> {
     let corners: Vec<_> = mesh.face_vertices(face).collect();
     // A fan joins the first corner to all but its neighbours in the face.
     let inner = corners.get(2..corners.len().saturating_sub(1)).unwrap_or_default();
-    match inner.iter().find(|&&v| mesh.find_edge(corners[0], v).is_some()) {
+    match inner.iter().find(|&&v| mesh.joined(corners[0], v).is_some()) {
         Some(&v) => Err(Refusal::AlreadyJoined(corners[0], v)),
         None => Ok(()),
     }
@@ -33,15 +38,50 @@ pub fn can_triangulate_face(mesh: &Mesh, face: FaceId) -> Result<(), Refusal> {
 pub fn triangulate_face(mesh: &mut Mesh, face: FaceId) -> Result<Triangulated, Refusal> {
     can_triangulate_face(mesh, face)?;
     let mut made = Triangulated::default();
-    let first = mesh.halfedge_of(face);
     for _ in 3..mesh.face_degree(face) {
         // Cut off the corner after the first: the new face is the triangle, the old one the rest.
         let start = mesh.halfedge_of(face);
         let third = mesh.next(mesh.next(start));
-        let (across, triangle) = mesh.cut_face(start, third);
-        made.edges.push(across.edge());
-        made.faces.push(triangle);
+        made.cut(mesh, start, third);
     }
-    debug_assert_eq!(mesh.from(mesh.halfedge_of(face)), mesh.from(first));
     Ok(made)
+}
+
+/// Whether [`triangulate_face_ears`] would succeed.
+pub fn can_triangulate_face_ears(mesh: &Mesh, face: FaceId) -> Result<(), Refusal> {
+    find_ears(mesh, face).map(drop)
+}
+
+fn find_ears(mesh: &Mesh, face: FaceId) -> Result<Vec<Ear>, Refusal> {
+    mesh.need_face(face)?;
+    let corners: Vec<VertexId> = mesh.face_vertices(face).collect();
+    let positions: Vec<_> = corners.iter().map(|&v| mesh.position(v).as_dvec3()).collect();
+    ears(&positions, |i, j| mesh.joined(corners[i], corners[j]).is_none()).ok_or(Refusal::NoTriangulation(face))
+}
+
+/// Cuts a face with n corners into n - 2 triangles by its ears: right on concave faces too, and on
+/// faces that touch themselves. No new vertex; a triangle is left as it is.
+///
+/// All ids survive. Costs O(n²) for a face that doesn't cross itself. Attributes: as by
+/// [`triangulate_face`].
+///
+/// # Errors
+/// [`Refusal::NoTriangulation`] where every triangulation would duplicate an edge.
+pub fn triangulate_face_ears(mesh: &mut Mesh, face: FaceId) -> Result<Triangulated, Refusal> {
+    let ears = find_ears(mesh, face)?;
+    let mut sides: Vec<HalfedgeId> = mesh.face_halfedges(face).collect();
+    let mut made = Triangulated::default();
+    for [before, _, after] in ears {
+        sides[before] = made.cut(mesh, sides[before], sides[after]);
+    }
+    Ok(made)
+}
+
+impl Triangulated {
+    fn cut(&mut self, mesh: &mut Mesh, from: HalfedgeId, to: HalfedgeId) -> HalfedgeId {
+        let (across, triangle) = mesh.cut_face(from, to);
+        self.edges.push(across.edge());
+        self.faces.push(triangle);
+        across
+    }
 }

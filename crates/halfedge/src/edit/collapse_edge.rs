@@ -1,0 +1,164 @@
+//! Collapse edge: its two ends become one vertex.
+//!
+//! # When it can be done, exactly
+//!
+//! Let the edge e join a and b, with the faces F and G beside it, one of them perhaps none. F and G
+//! lose a corner; one that was a triangle a b w vanishes, and its other two edges become one edge
+//! to w. Every other face keeps its corners, a and b renamed to one vertex v. The result is a
+//! valid mesh if and only if
+//!
+//! 1. no face but F and G has both a and b as corners (it would have v twice);
+//! 2. every vertex joined to both a and b is the third corner of F or of G, that being a triangle
+//!    (else two edges would join it to v). For triangle meshes (1) and (2) are the link condition
+//!    lk(a) ∩ lk(b) = lk(e) on vertices: a face is its own boundary there;
+//! 3. if a and b are both on the boundary, so is e (else the two boundaries meet at v, and the
+//!    faces round it form two fans: a figure 8);
+//! 4. of a triangle that vanishes, not both other edges are on the boundary (their one edge would
+//!    have no face). The isolated triangle is this case;
+//! 5. F and G are not two triangles on the same three vertices (nothing would be left of them).
+//!
+//! Sufficient, rule by rule of [`Mesh::validate`](crate::Mesh::validate). Corners: those of F and G
+//! still differ, being a subset; those of others do by (1); polygons of four or more keep three.
+//! Edges: two that join the same vertices afterwards both lead to v from a common neighbour w of a
+//! and b, which by (2) is the tip of a vanished triangle: they are the pair that becomes one. That
+//! edge has the faces beyond the triangle on its two sides: at least one by (4), and not one face
+//! twice, which would have a and b as corners, so is G by (1), and has sides a→w and w→b beside
+//! b→a, so is the triangle of (5). Fans: round v one turns through a's faces from F to G and on
+//! through b's, or, with a boundary at one of them or with e on it, along one path by (3). At w a
+//! triangle leaves the fan and its neighbours in it become neighbours.
+//!
+//! A tetrahedron's edge passes: what is left is two triangles back to back, which is a valid
+//! (if flat) sphere of polygons. A second collapse is refused by (5). The Euler characteristic
+//! and the number of boundary loops never change; a boundary loop of three never shrinks, by (2)
+//! or (4).
+
+use crate::attribute::keys;
+use crate::edit::Refusal;
+use crate::mesh::Mesh;
+use crate::{EdgeId, Element, FaceId, HalfedgeId, VertexId};
+use rustc_hash::FxHashSet;
+
+/// What collapsing an edge left and took away.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct EdgeCollapse {
+    /// The vertex both ends became: the one the edge's even half-edge leaves.
+    pub vertex: VertexId,
+    /// The end that is gone.
+    pub removed_vertex: VertexId,
+    /// The edge itself, then one edge for each triangle that vanished.
+    pub removed_edges: Vec<EdgeId>,
+    /// The triangles that vanished.
+    pub removed_faces: Vec<FaceId>,
+}
+
+/// Whether [`collapse_edge`] would succeed.
+pub fn can_collapse_edge(mesh: &Mesh, edge: EdgeId, t: f32) -> Result<(), Refusal> {
+    mesh.need_edge(edge)?;
+    if !(0.0..=1.0).contains(&t) {
+        return Err(Refusal::OutOfRange { field: "t", value: t, range: "from 0 to 1" });
+    }
+    let [a, b] = mesh.ends(edge);
+    if !mesh.is_boundary_edge(edge) && mesh.is_boundary_vertex(a) && mesh.is_boundary_vertex(b) {
+        return Err(Refusal::JoinsBoundaries(edge));
+    }
+    let tips = edge.halfedges().map(|h| triangle_tip(mesh, h));
+    for h in edge.halfedges() {
+        let Some(tip) = triangle_tip(mesh, h) else { continue };
+        let beyond = [mesh.next(h).twin(), mesh.prev(h).twin()];
+        if beyond.iter().all(|&h| mesh.is_boundary_halfedge(h))
+            || beyond.iter().all(|&other| mesh.face_of(other) == mesh.face_of(h.twin()))
+        {
+            return Err(Refusal::LeftWithoutFace(tip));
+        }
+    }
+    let near_a: FxHashSet<VertexId> = mesh.neighbors(a).collect();
+    for w in mesh.neighbors(b) {
+        if near_a.contains(&w) && !tips.contains(&Some(w)) {
+            return Err(Refusal::AlreadyJoined(w, a));
+        }
+    }
+    let beside = edge.halfedges().map(|h| mesh.face_of(h));
+    let faces_of_a: FxHashSet<FaceId> = mesh.vertex_faces(a).collect();
+    for face in mesh.vertex_faces(b) {
+        if faces_of_a.contains(&face) && !beside.contains(&Some(face)) {
+            return Err(Refusal::RepeatedCorner(a));
+        }
+    }
+    Ok(())
+}
+
+/// The third corner of the face at a half-edge, if that is a triangle.
+fn triangle_tip(mesh: &Mesh, h: HalfedgeId) -> Option<VertexId> {
+    mesh.face_of(h)?;
+    let after = mesh.next(h);
+    (mesh.next(mesh.next(after)) == h).then(|| mesh.to(after))
+}
+
+/// Makes the two ends of an edge one vertex, at the fraction `t` of the way along the even
+/// half-edge. Polygons beside it lose a corner, triangles vanish.
+///
+/// The end that the even half-edge leaves stays, as does the edge from it of each vanished
+/// triangle. Costs O(valences of the ends + degrees of the faces beside the edge). Attributes: the
+/// vertex gets the values at `t`, and so does the corner of each polygon beside the edge; of two
+/// edges that become one, the sharper crease stays.
+pub fn collapse_edge(mesh: &mut Mesh, edge: EdgeId, t: f32) -> Result<EdgeCollapse, Refusal> {
+    can_collapse_edge(mesh, edge, t)?;
+    let [h, twin] = edge.halfedges();
+    let [a, b] = mesh.ends(edge);
+    let at_b: Vec<HalfedgeId> = mesh.incoming(b).collect();
+    mesh.set_position(a, mesh.position(a).lerp(mesh.position(b), t));
+    mesh.mix_attributes(Element::Vertex, a.raw(), b.raw(), t, a.raw());
+    for h in at_b {
+        mesh.set_to(h, a);
+    }
+    let mut made = EdgeCollapse { vertex: a, removed_vertex: b, removed_edges: vec![edge], removed_faces: vec![] };
+    // Some half-edge that leaves the vertex and stays.
+    let mut stays = mesh.next(h);
+    for (side, from_a) in [(h, true), (twin, false)] {
+        let (before, after) = (mesh.prev(side), mesh.next(side));
+        let Some(face) = mesh.face_of(side) else {
+            mesh.link(before, after);
+            continue;
+        };
+        if mesh.next(after) != before {
+            let at = if from_a { t } else { 1.0 - t };
+            mesh.mix_attributes(Element::Halfedge, side.raw(), after.raw(), at, after.raw());
+            mesh.link(before, after);
+            if mesh.halfedge_of(face) == side {
+                mesh.set_face_halfedge(face, after);
+            }
+            continue;
+        }
+        // The triangle side, after, before: the edge at a stays and takes the place that b's had.
+        let (keep, lose) = if from_a { (before, after) } else { (after, before) };
+        let outer = lose.twin();
+        let beyond = mesh.face_of(outer);
+        mesh.copy_corners(&[(outer, keep)]);
+        let (outer_prev, outer_next) = (mesh.prev(outer), mesh.next(outer));
+        mesh.link(outer_prev, keep);
+        mesh.link(keep, outer_next);
+        mesh.set_face(keep, beyond);
+        if let Some(beyond) = beyond
+            && mesh.halfedge_of(beyond) == outer
+        {
+            mesh.set_face_halfedge(beyond, keep);
+        }
+        let sharper = mesh
+            .get(keys::EDGE_CREASE, keep.edge().index())
+            .max(mesh.get(keys::EDGE_CREASE, lose.edge().index()));
+        if mesh.get(keys::EDGE_CREASE, keep.edge().index()) != sharper {
+            mesh.set(keys::EDGE_CREASE, keep.edge().index(), sharper);
+        }
+        mesh.mark(Element::Edge, lose.edge().raw(), true);
+        mesh.mark(Element::Face, face.raw(), true);
+        made.removed_edges.push(lose.edge());
+        made.removed_faces.push(face);
+        let at_tip = if from_a { keep } else { keep.twin() };
+        mesh.settle_vertex(mesh.from(at_tip), at_tip);
+        stays = at_tip.twin();
+    }
+    mesh.mark(Element::Edge, edge.raw(), true);
+    mesh.mark(Element::Vertex, b.raw(), true);
+    mesh.settle_vertex(a, stays);
+    Ok(made)
+}

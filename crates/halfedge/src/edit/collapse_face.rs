@@ -1,0 +1,30 @@
+//! Collapse face: all its corners become one vertex at its centroid.
+//!
+//! Every face round it loses a corner for each edge they share; triangles across an edge vanish.
+//! As with an edge, the result is a valid mesh exactly where no face outside gets the new vertex at
+//! two corners, no two edges to it would join the same vertex but those of a face that vanishes,
+//! and the faces round it form one fan: a face that touches two boundaries, or the same one twice,
+//! would pinch the surface. The patch of the faces round the corners checks each of these.
+
+use crate::edit::{Made, Refusal, can_merge_vertices, merge_vertices};
+use crate::mesh::Mesh;
+use crate::{FaceId, VertexId};
+
+/// Whether [`collapse_face`] would succeed.
+pub fn can_collapse_face(mesh: &Mesh, face: FaceId) -> Result<(), Refusal> {
+    can_merge_vertices(mesh, &corners(mesh, face)?, None)
+}
+
+fn corners(mesh: &Mesh, face: FaceId) -> Result<Vec<VertexId>, Refusal> {
+    mesh.need_face(face)?;
+    Ok(mesh.face_vertices(face).collect())
+}
+
+/// Makes all corners of a face one vertex, the first, at their centroid (the mean of the corners).
+///
+/// Costs O(valences of the corners + degrees of the faces round them). Attributes: as in
+/// [`merge_vertices`].
+pub fn collapse_face(mesh: &mut Mesh, face: FaceId) -> Result<Made, Refusal> {
+    let corners = corners(mesh, face)?;
+    merge_vertices(mesh, &corners, None)
+}

@@ -1,0 +1,55 @@
+//! Connect vertices: a face is cut in two between two of its corners.
+//!
+//! Possible exactly where some face has both and no edge joins them yet (neighbours in a face are
+//! joined): both parts have three corners or more, and the cut is a new edge with a face on
+//! either side.
+
+use crate::edit::Refusal;
+use crate::mesh::Mesh;
+use crate::{EdgeId, FaceId, HalfedgeId, VertexId};
+
+/// What a cut between two vertices made.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Connected {
+    /// The face that was cut; it keeps the side from the second vertex on to the first.
+    pub face: FaceId,
+    /// The cut.
+    pub edge: EdgeId,
+    /// The new face.
+    pub new_face: FaceId,
+}
+
+/// Whether [`connect_vertices`] would succeed.
+pub fn can_connect_vertices(mesh: &Mesh, a: VertexId, b: VertexId) -> Result<(), Refusal> {
+    corners(mesh, a, b).map(drop)
+}
+
+/// The corners of a face that has both.
+fn corners(mesh: &Mesh, a: VertexId, b: VertexId) -> Result<(FaceId, HalfedgeId, HalfedgeId), Refusal> {
+    mesh.need_vertex(a)?;
+    mesh.need_vertex(b)?;
+    if a == b {
+        return Err(Refusal::GivenTwice(crate::Element::Vertex, a.raw()));
+    }
+    if mesh.joined(a, b).is_some() {
+        return Err(Refusal::AlreadyJoined(a, b));
+    }
+    for at_a in mesh.outgoing(a) {
+        let Some(face) = mesh.face_of(at_a) else { continue };
+        if let Some(at_b) = mesh.loop_of(at_a).find(|&h| mesh.from(h) == b) {
+            return Ok((face, at_a, at_b));
+        }
+    }
+    Err(Refusal::NotInOneFace(a, b))
+}
+
+/// Cuts the face that has both vertices from one to the other; of several such faces, the first
+/// met turning round `a`.
+///
+/// All ids survive. Costs O(valence of `a` * degree of the faces). Attributes: the new face copies
+/// the face's, the new corners those they came from.
+pub fn connect_vertices(mesh: &mut Mesh, a: VertexId, b: VertexId) -> Result<Connected, Refusal> {
+    let (face, at_a, at_b) = corners(mesh, a, b)?;
+    let (across, new_face) = mesh.cut_face(at_a, at_b);
+    Ok(Connected { face, edge: across.edge(), new_face })
+}

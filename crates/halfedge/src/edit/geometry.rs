@@ -1,0 +1,50 @@
+//! Normals and directions that edits place new vertices by.
+
+use crate::mesh::Mesh;
+use crate::{FaceId, HalfedgeId, VertexId};
+use glam::Vec3;
+
+impl Mesh {
+    /// The unit normal of a face by Newell's sum, which is right for any polygon; zero for a face
+    /// without area.
+    pub(crate) fn newell_normal(&self, face: FaceId) -> Vec3 {
+        // Relative to a corner, so that faces far from the origin keep their precision.
+        let base = self.position(self.from(self.halfedge_of(face)));
+        let sum: Vec3 = self
+            .face_halfedges(face)
+            .map(|h| (self.position(self.from(h)) - base).cross(self.position(self.to(h)) - base))
+            .sum();
+        sum.normalize_or_zero()
+    }
+
+    /// The mean of a face's corners.
+    pub(crate) fn corner_mean(&self, face: FaceId) -> Vec3 {
+        self.mean_position(self.face_vertices(face))
+    }
+
+    /// The mean of some vertices' positions; zero for none.
+    pub(crate) fn mean_position(&self, vertices: impl Iterator<Item = VertexId>) -> Vec3 {
+        // In f64: the mean of a great many vertices is exact enough to be told from its neighbours.
+        let (mut sum, mut count) = (glam::DVec3::ZERO, 0.0);
+        for v in vertices {
+            sum += self.position(v).as_dvec3();
+            count += 1.0;
+        }
+        if count == 0.0 { Vec3::ZERO } else { (sum / count).as_vec3() }
+    }
+
+    /// The unit vector along a half-edge; zero for one without length.
+    pub(crate) fn direction(&self, h: HalfedgeId) -> Vec3 {
+        (self.position(self.to(h)) - self.position(self.from(h))).normalize_or_zero()
+    }
+}
+
+/// The vector, in the span of two unit vectors, by which a corner moves when the lines through it
+/// that the vectors are perpendicular to each move by one along them: a mitre. Where the lines
+/// nearly double back it is cut off at four.
+pub(crate) fn miter(a: Vec3, b: Vec3) -> Vec3 {
+    let sum = a + b;
+    // |sum|² = 2 (1 + a·b), and the mitre is sum / (1 + a·b).
+    let one_plus_cos = sum.length_squared() / 2.0;
+    (sum / one_plus_cos.max(1e-6)).clamp_length_max(4.0)
+}

@@ -1,0 +1,71 @@
+//! Merge vertices: several become one.
+//!
+//! Faces lose the corners that become one; those with fewer than three left vanish. The result is
+//! a valid mesh exactly where the patch of the faces round the vertices says so: no face has the
+//! new vertex at two corners, no edge has two faces on one side, and the faces at each vertex form
+//! one fan. Vertices joined by edges always shrink a piece of the surface to a point; vertices
+//! apart may sew boundaries together, and are refused where that would pinch the surface.
+
+use crate::edit::patch::{Blend, Plan, plan};
+use crate::edit::region::substitute;
+use crate::edit::{Made, Refusal};
+use crate::mesh::Mesh;
+use crate::{Element, VertexId};
+use glam::Vec3;
+use rustc_hash::FxHashMap;
+
+/// Whether [`merge_vertices`] would succeed.
+pub fn can_merge_vertices(
+    mesh: &Mesh,
+    vertices: &[VertexId],
+    position: Option<Vec3>,
+) -> Result<(), Refusal> {
+    plan_merge(mesh, vertices, position).map(drop)
+}
+
+fn plan_merge(mesh: &Mesh, vertices: &[VertexId], position: Option<Vec3>) -> Result<Plan, Refusal> {
+    mesh.need_vertices(vertices)?;
+    let target = vertices[0];
+    if let Some(position) = position
+        && !position.is_finite()
+    {
+        return Err(Refusal::TooFarAway(target));
+    }
+    let becomes: FxHashMap<VertexId, VertexId> =
+        vertices.iter().filter(|&&v| v != target).map(|&v| (v, target)).collect();
+    if becomes.is_empty() {
+        return Err(Refusal::GivenTwice(Element::Vertex, target.raw()));
+    }
+    plan(mesh, substitute(mesh, &becomes))?.keeping_vertices(|v| becomes.contains_key(&v))
+}
+
+/// Makes several vertices one: the first given, at `position` or at their centre (the mean).
+///
+/// Isolated vertices among them go too. Edges and faces keep their ids where they keep two
+/// different ends and three corners. Costs O(valences + degrees of the faces round them).
+/// Attributes: the vertex gets the mean of all; corners that become one in a face the mean of
+/// those; of edges that become one the sharper crease stays.
+pub fn merge_vertices(
+    mesh: &mut Mesh,
+    vertices: &[VertexId],
+    position: Option<Vec3>,
+) -> Result<Made, Refusal> {
+    let plan = plan_merge(mesh, vertices, position)?;
+    let target = vertices[0];
+    let mut all = vertices.to_vec();
+    all.sort_unstable();
+    all.dedup();
+    let position = position.unwrap_or_else(|| mesh.mean_position(all.iter().copied()));
+    let mut made = plan.apply(mesh);
+    let blend = Blend::Mean(all.iter().map(|v| v.raw()).collect());
+    mesh.blend_attributes(Element::Vertex, &blend, target.raw());
+    mesh.set_position(target, position);
+    // Isolated ones are in no patch.
+    for v in all {
+        if v != target && mesh.has_vertex(v) {
+            mesh.mark(Element::Vertex, v.raw(), true);
+            made.removed_vertices.push(v);
+        }
+    }
+    Ok(made)
+}

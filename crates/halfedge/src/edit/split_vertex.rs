@@ -1,0 +1,123 @@
+//! Split vertex: the inverse of collapsing an edge.
+//!
+//! The faces round a vertex v that lie counter-clockwise from the first edge to the second get a
+//! new vertex v' in its place, and v and v' are joined by an edge, with a triangle beside it at the
+//! end of each of the two edges. On the boundary the same edge may be given twice: the faces
+//! counter-clockwise from it to the boundary get v', and there is one triangle; this undoes the
+//! collapse of a boundary edge. Given an edge on the boundary, its triangle lies outside it.
+//!
+//! Always possible for two edges of a vertex: new edges join the new vertex to v, to the far ends
+//! of the two edges and of those between, each once, and at v, v' and the far ends a triangle is
+//! put between two corners, or between a corner and the boundary, of one fan.
+
+use crate::edit::patch::{Corner, Patch, Plan, plan};
+use crate::edit::{Made, Refusal};
+use crate::mesh::Mesh;
+use crate::{EdgeId, Element, HalfedgeId, VertexId};
+use glam::Vec3;
+
+/// Whether [`split_vertex`] would succeed.
+pub fn can_split_vertex(
+    mesh: &Mesh,
+    vertex: VertexId,
+    edges: [EdgeId; 2],
+    positions: Option<[Vec3; 2]>,
+) -> Result<(), Refusal> {
+    plan_split(mesh, vertex, edges, positions).map(drop)
+}
+
+fn plan_split(
+    mesh: &Mesh,
+    vertex: VertexId,
+    edges: [EdgeId; 2],
+    positions: Option<[Vec3; 2]>,
+) -> Result<(Plan, [Vec3; 2]), Refusal> {
+    mesh.need_vertex(vertex)?;
+    let mut leaving = [HalfedgeId::new(0); 2];
+    for (leaving, &edge) in leaving.iter_mut().zip(&edges) {
+        mesh.need_edge(edge)?;
+        *leaving = edge
+            .halfedges()
+            .into_iter()
+            .find(|&h| mesh.from(h) == vertex)
+            .ok_or(Refusal::NotAtVertex(edge, vertex))?;
+    }
+    if positions.is_some_and(|both| !both.iter().all(|p| p.is_finite())) {
+        return Err(Refusal::TooFarAway(vertex));
+    }
+    let [first, second] = leaving;
+    let to_boundary = first == second;
+    if to_boundary && !mesh.is_boundary_vertex(vertex) {
+        return Err(Refusal::GivenTwice(Element::Edge, edges[0].raw()));
+    }
+    // Counter-clockwise from the first edge: the faces that get the new vertex.
+    let mut taken = Vec::new();
+    let mut at = first;
+    loop {
+        match mesh.face_of(at) {
+            Some(_) => taken.push(at),
+            None if to_boundary => break,
+            None => {}
+        }
+        at = mesh.prev(at).twin();
+        if at == second {
+            break;
+        }
+    }
+    let mut patch = Patch::new(mesh);
+    let others = mesh.outgoing(vertex).filter(|h| mesh.face_of(*h).is_some() && !taken.contains(h));
+    let default = [position_for(mesh, vertex, others), position_for(mesh, vertex, taken.iter().copied())];
+    let [_, at_new] = positions.unwrap_or(default);
+    let new = patch.copy_vertex(mesh, vertex);
+    if let Some(added) = patch.vertices.last_mut() {
+        added.position = at_new;
+    }
+    for &h in &taken {
+        let Some(face) = mesh.face_of(h) else { continue };
+        let corners = mesh
+            .face_halfedges(face)
+            .map(|side| if side == h { Corner::moved(new, h) } else { Corner::keep(mesh, side) })
+            .collect();
+        patch.replace_face(face, corners, false);
+    }
+    // At the first edge the new vertex is counter-clockwise of the old, at the second clockwise.
+    let triangle = |edge: HalfedgeId, from: VertexId, to: VertexId| {
+        let side = if mesh.face_of(edge).is_some() { edge } else { edge.twin() };
+        let corners = if side == edge { [side, mesh.next(side)] } else { [mesh.next(side), side] };
+        let [near, far] = corners;
+        vec![Corner::new(from, near), Corner::new(mesh.to(edge), far), Corner::new(to, near)]
+    };
+    let face_at = |edge: HalfedgeId| mesh.face_of(edge).or(mesh.face_of(edge.twin()));
+    patch.add_face(face_at(first), triangle(first, vertex, new));
+    if !to_boundary {
+        patch.add_face(face_at(second), triangle(second, new, vertex));
+    }
+    Ok((plan(mesh, patch)?, positions.unwrap_or(default)))
+}
+
+/// A quarter of the way from a vertex to the mean of the far corners of some faces round it.
+fn position_for(mesh: &Mesh, vertex: VertexId, corners: impl Iterator<Item = HalfedgeId>) -> Vec3 {
+    let mut far = corners.flat_map(|h| [mesh.to(h), mesh.from(mesh.prev(h))]).peekable();
+    let here = mesh.position(vertex);
+    if far.peek().is_none() { here } else { here.lerp(mesh.mean_position(far), 0.25) }
+}
+
+/// Splits a vertex in two along two of its edges; see the module's text for which faces go to the
+/// new one. `positions` are those of the vertex and of the new one; where none are given, each is
+/// put a quarter of the way towards its faces' neighbouring corners.
+///
+/// All ids survive. Costs O(degrees of the faces round the vertex + valences of their corners).
+/// Attributes: the new vertex copies the vertex; the edges of a face that moves keep theirs, the
+/// edge beside the triangle that is made with a new id copies the one it is split from; triangles
+/// copy the face on their edge, and their corners its corners.
+pub fn split_vertex(
+    mesh: &mut Mesh,
+    vertex: VertexId,
+    edges: [EdgeId; 2],
+    positions: Option<[Vec3; 2]>,
+) -> Result<Made, Refusal> {
+    let (plan, [at_old, _]) = plan_split(mesh, vertex, edges, positions)?;
+    let made = plan.apply(mesh);
+    mesh.set_position(vertex, at_old);
+    Ok(made)
+}

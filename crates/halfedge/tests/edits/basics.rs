@@ -1,0 +1,1 @@
+//! Flip, collapse and the other small ones on cases worked out by hand.

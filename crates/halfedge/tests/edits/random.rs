@@ -1,0 +1,273 @@
+//! Long random sequences of all edits over the zoo: the mesh is valid after each, each did what it
+//! reported, a refused one wrote nothing, and undo and redo go to the bit all the way.
+
+use crate::zoo;
+use halfedge::edit::*;
+use halfedge::{EdgeId, FaceId, Mesh, VertexId};
+
+/// xorshift64*: the same sequence on every machine.
+pub struct Random(u64);
+
+impl Random {
+    fn next(&mut self) -> u64 {
+        self.0 ^= self.0 >> 12;
+        self.0 ^= self.0 << 25;
+        self.0 ^= self.0 >> 27;
+        self.0.wrapping_mul(0x2545_F491_4F6C_DD1D)
+    }
+
+    fn below(&mut self, n: usize) -> usize {
+        if n == 0 { 0 } else { (self.next() >> 33) as usize % n }
+    }
+
+    fn unit(&mut self) -> f32 {
+        (self.next() >> 40) as f32 / (1 << 24) as f32
+    }
+
+    fn pick<T: Copy>(&mut self, from: &[T]) -> Option<T> {
+        from.get(self.below(from.len())).copied()
+    }
+}
+
+/// The elements of a mesh, to pick from.
+struct Elements {
+    vertices: Vec<VertexId>,
+    edges: Vec<EdgeId>,
+    faces: Vec<FaceId>,
+}
+
+impl Elements {
+    fn of(mesh: &Mesh) -> Self {
+        Self {
+            vertices: mesh.vertices().collect(),
+            edges: mesh.edges().collect(),
+            faces: mesh.faces().collect(),
+        }
+    }
+}
+
+/// What an edit says about itself.
+#[derive(Default)]
+struct Said {
+    /// The change of the Euler characteristic, from what was made and removed or from the kind of edit.
+    euler: Option<i64>,
+    /// The change of the number of boundary loops.
+    loops: Option<i64>,
+    /// Counts of what was made minus what was removed.
+    counts: Option<[i64; 3]>,
+}
+
+impl Said {
+    fn made(made: &Made) -> Self {
+        let change = |a: usize, b: usize| a as i64 - b as i64;
+        Self {
+            euler: Some(made.euler_change()),
+            loops: None,
+            counts: Some([
+                change(made.vertices.len(), made.removed_vertices.len()),
+                change(made.edges.len(), made.removed_edges.len()),
+                change(made.faces.len(), made.removed_faces.len()),
+            ]),
+        }
+    }
+
+    /// The surface stays what it is topologically.
+    fn same(self) -> Self {
+        assert!(self.euler.is_none_or(|change| change == 0), "the edit keeps the Euler characteristic");
+        Self { euler: Some(0), loops: Some(0), ..self }
+    }
+}
+
+type Tried = Result<Said, Refusal>;
+
+/// Runs a check and its edit, which must agree.
+fn both<T>(
+    mesh: &mut Mesh,
+    can: impl Fn(&Mesh) -> Result<(), Refusal>,
+    edit: impl FnOnce(&mut Mesh) -> Result<T, Refusal>,
+    said: impl FnOnce(&T) -> Said,
+) -> Tried {
+    let allowed = can(mesh);
+    match edit(mesh) {
+        Ok(made) => {
+            allowed.expect("the edit did what the check refused");
+            Ok(said(&made))
+        }
+        Err(refusal) => {
+            assert_eq!(allowed, Err(refusal.clone()), "the check and the edit disagree");
+            Err(refusal)
+        }
+    }
+}
+
+const EDITS: usize = 12;
+
+fn one_edit(mesh: &mut Mesh, random: &mut Random, kind: usize) -> Tried {
+    let all = Elements::of(mesh);
+    let nothing = Refusal::NothingGiven(halfedge::Element::Face);
+    let edge = random.pick(&all.edges).ok_or(nothing.clone())?;
+    let face = random.pick(&all.faces).ok_or(nothing.clone())?;
+    let vertex = random.pick(&all.vertices).ok_or(nothing)?;
+    let t = random.unit();
+    match kind {
+        0 => {
+            let connect = [Connect::None, Connect::Triangles, Connect::All][random.below(3)];
+            both(
+                mesh,
+                |m| can_split_edge(m, edge, t, connect),
+                |m| split_edge(m, edge, t, connect),
+                |made| {
+                    let [edges, faces] = [made.edges.len() as i64, made.faces.len() as i64];
+                    Said { counts: Some([1, edges, faces]), ..Said::default() }.same()
+                },
+            )
+        }
+        1 => both(
+            mesh,
+            |m| can_flip_edge(m, edge),
+            |m| flip_edge(m, edge),
+            |()| Said { counts: Some([0, 0, 0]), ..Said::default() }.same(),
+        ),
+        2 => both(
+            mesh,
+            |m| can_collapse_edge(m, edge, t),
+            |m| collapse_edge(m, edge, t),
+            |made| {
+                let [edges, faces] = [made.removed_edges.len() as i64, made.removed_faces.len() as i64];
+                Said { counts: Some([-1, -edges, -faces]), ..Said::default() }.same()
+            },
+        ),
+        3 => both(mesh, |m| can_collapse_face(m, face), |m| collapse_face(m, face), Said::made),
+        4 => {
+            let edges: Vec<EdgeId> = mesh.vertex_edges(vertex).collect();
+            let (Some(a), Some(b)) = (random.pick(&edges), random.pick(&edges)) else { return Ok(Said::default().same()) };
+            both(
+                mesh,
+                |m| can_split_vertex(m, vertex, [a, b], None),
+                |m| split_vertex(m, vertex, [a, b], None),
+                |made| Said::made(made).same(),
+            )
+        }
+        5 => both(mesh, |m| can_dissolve_vertex(m, vertex), |m| dissolve_vertex(m, vertex), |made| Said::made(made).same()),
+        6 => both(mesh, |m| can_dissolve_edge(m, edge), |m| dissolve_edge(m, edge), |made| Said::made(made).same()),
+        7 => {
+            let some: Vec<FaceId> = (0..=random.below(3)).filter_map(|_| random.pick(&all.faces)).collect();
+            both(mesh, |m| can_delete_faces(m, &some), |m| delete_faces(m, &some), Said::made)
+        }
+        8 => both(mesh, |m| can_delete_vertices(m, &[vertex]), |m| delete_vertices(m, &[vertex]), Said::made),
+        9 => {
+            let count = |made: &Triangulated| {
+                let [edges, faces] = [made.edges.len() as i64, made.faces.len() as i64];
+                Said { counts: Some([0, edges, faces]), ..Said::default() }.same()
+            };
+            if random.below(2) == 0 {
+                both(mesh, |m| can_triangulate_face(m, face), |m| triangulate_face(m, face), count)
+            } else {
+                both(mesh, |m| can_triangulate_face_ears(m, face), |m| triangulate_face_ears(m, face), count)
+            }
+        }
+        10 => {
+            let some: Vec<FaceId> = (0..=random.below(3)).filter_map(|_| random.pick(&all.faces)).collect();
+            both(mesh, |m| can_poke_faces(m, &some), |m| poke_faces(m, &some), |made| Said::made(made).same())
+        }
+        _ => {
+            let corners: Vec<VertexId> = mesh.face_vertices(face).collect();
+            let (Some(a), Some(b)) = (random.pick(&corners), random.pick(&corners)) else { return Ok(Said::default().same()) };
+            both(
+                mesh,
+                |m| can_connect_vertices(m, a, b),
+                |m| connect_vertices(m, a, b),
+                |_| Said { counts: Some([0, 1, 1]), ..Said::default() }.same(),
+            )
+        }
+    }
+}
+
+/// Runs `edits` edits from a mesh; gives how many of each kind were made.
+fn run(name: &str, start: &Mesh, seed: u64, edits: usize) -> Vec<usize> {
+    let mut mesh = start.clone();
+    let mut random = Random(seed | 1);
+    let mut journals = Vec::new();
+    let mut done = vec![0; EDITS];
+    let mut euler = mesh.euler_characteristic();
+    let mut loops = mesh.boundary_loops().len() as i64;
+    for step in 0..edits {
+        if mesh.face_count() == 0 {
+            break;
+        }
+        let mut kind = random.below(EDITS);
+        if mesh.face_count() > 120 {
+            // Keep it small: take away more often.
+            kind = [2, 3, 5, 6, 7, 8][random.below(6)];
+        }
+        let counts = [mesh.vertex_count(), mesh.edge_count(), mesh.face_count()].map(|n| n as i64);
+        mesh.start_recording();
+        let tried = one_edit(&mut mesh, &mut random, kind);
+        let journal = mesh.finish_recording();
+        let at = || format!("{name}, seed {seed}, step {step}, edit {kind}");
+        match tried {
+            Err(refusal) => {
+                assert!(journal.is_empty(), "{}: refused with '{refusal}' after writing", at());
+                assert!(!refusal.to_string().is_empty());
+            }
+            Ok(said) => {
+                done[kind] += 1;
+                if let Err(defect) = mesh.validate() {
+                    panic!("{}: {defect}", at());
+                }
+                let counts_now = [mesh.vertex_count(), mesh.edge_count(), mesh.face_count()].map(|n| n as i64);
+                if let Some(change) = said.counts {
+                    let change_now: Vec<i64> = counts.iter().zip(counts_now).map(|(a, b)| b - a).collect();
+                    assert_eq!(change.as_slice(), change_now, "{}", at());
+                }
+                let euler_now = mesh.euler_characteristic();
+                let loops_now = mesh.boundary_loops().len() as i64;
+                if let Some(change) = said.euler {
+                    assert_eq!(euler_now - euler, change, "{}", at());
+                }
+                if let Some(change) = said.loops {
+                    assert_eq!(loops_now - loops, change, "{}", at());
+                }
+                (euler, loops) = (euler_now, loops_now);
+                let touched = journal.touched();
+                mesh.validate_near(touched.vertices, touched.faces).unwrap();
+                journals.push(journal);
+            }
+        }
+    }
+    let end = mesh.clone();
+    let mut redo: Vec<_> = Vec::new();
+    while let Some(journal) = journals.pop() {
+        redo.push(mesh.undo(journal));
+    }
+    assert!(mesh == *start, "{name}, seed {seed}: undo does not give the mesh back");
+    while let Some(journal) = redo.pop() {
+        mesh.undo(journal);
+    }
+    assert!(mesh == end, "{name}, seed {seed}: redo does not give the mesh back");
+    done
+}
+
+/// MESHWRIGHT_EDITS says how many; `cargo xtask test` runs a million in release.
+#[test]
+fn random_sequences_of_all_edits() {
+    let edits: usize = std::env::var("MESHWRIGHT_EDITS").ok().and_then(|n| n.parse().ok()).unwrap_or(20_000);
+    let mut zoo = zoo::all();
+    for (_, mesh) in &mut zoo {
+        zoo::paint(mesh);
+    }
+    let mut tried = 0;
+    let mut done = vec![0; EDITS];
+    let mut seed = 1;
+    while tried < edits {
+        let (name, start) = &zoo[seed as usize % zoo.len()];
+        for (total, more) in done.iter_mut().zip(run(name, start, seed * 0x9E37_79B9, 150)) {
+            *total += more;
+        }
+        tried += 150;
+        seed += 1;
+    }
+    println!("{tried} edits tried; done, by kind: {done:?}");
+    assert!(done.iter().all(|&n| n > 0), "an edit was never made: {done:?}");
+}
+
