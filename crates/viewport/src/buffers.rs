@@ -5,12 +5,11 @@
 //! its own colour and normal, and the wireframe knows a corner's place in its triangle from the
 //! vertex number alone. A corner takes 24 bytes: position 12, normal 8, colour and edge flags 4.
 
-use crate::normals;
 use crate::slots::{Range, Slots};
-use crate::triangulate::Triangulator;
-use glam::{DVec3, Vec3};
+use glam::Vec3;
 use halfedge::{FaceId, Mesh, Touched, VertexId, keys};
 use std::collections::{BTreeSet, HashMap};
+use surface::{CornerTriangulator, normals};
 
 /// Bytes of one triangle in all streams.
 pub const TRIANGLE_BYTES: usize = 3 * (12 + 8 + 4);
@@ -102,7 +101,7 @@ impl Buffers {
         self.slots.clear(mesh.face_capacity());
         let total: usize = mesh.faces().map(|f| mesh.face_degree(f).saturating_sub(2)).sum();
         sink.reset(u32::try_from(total).unwrap_or(u32::MAX));
-        let normals = if smooth { all_vertex_normals(mesh) } else { Vec::new() };
+        let normals = if smooth { normals::vertex_normals(mesh) } else { Vec::new() };
         let mut writer = Writer::new(mesh, origin);
         for face in mesh.faces() {
             writer.load(face);
@@ -138,14 +137,11 @@ impl Buffers {
             return self.rebuild(mesh, self.origin, self.smooth, sink);
         }
 
-        let mut known: HashMap<VertexId, DVec3> = HashMap::new();
-        let mut scratch = Vec::new();
+        let mut known: HashMap<VertexId, Vec3> = HashMap::new();
         let mut writer = Writer::new(mesh, self.origin);
         for (range, face) in placed {
             writer.load(face);
-            let normal = |v: VertexId| {
-                *known.entry(v).or_insert_with(|| normals::vertex_area_vector(mesh, v, &mut scratch))
-            };
+            let normal = |v: VertexId| *known.entry(v).or_insert_with(|| normals::vertex_normal(mesh, v));
             writer.emit(range, sink, self.smooth.then_some(normal));
         }
         for range in abandoned {
@@ -201,17 +197,10 @@ fn count_runs(ranges: impl Iterator<Item = Range>) -> usize {
         .count()
 }
 
-/// The area vectors of all vertices, by id. Costs O(corners).
-fn all_vertex_normals(mesh: &Mesh) -> Vec<DVec3> {
-    let mut normals = vec![DVec3::ZERO; mesh.vertex_capacity()];
-    let mut scratch = Vec::new();
-    for face in mesh.faces() {
-        let area = normals::face_area_vector(mesh, face, &mut scratch);
-        for v in mesh.face_vertices(face) {
-            normals[v.index()] += area;
-        }
-    }
-    normals
+/// A unit vector in the format of the stream; zero stays zero, which shaders take for "no normal".
+fn pack(normal: Vec3) -> [i16; 4] {
+    let [x, y, z] = (normal * 32767.0).round().to_array().map(|c| c as i16);
+    [x, y, z, 0]
 }
 
 /// Turns faces into triangles and gathers neighbouring ones into one write.
@@ -222,7 +211,7 @@ struct Writer<'m> {
     face: Option<FaceId>,
     vertices: Vec<VertexId>,
     points: Vec<Vec3>,
-    triangulator: Triangulator,
+    triangulator: CornerTriangulator,
     staged: Corners,
     staged_first: u32,
 }
@@ -236,7 +225,7 @@ impl<'m> Writer<'m> {
             face: None,
             vertices: Vec::new(),
             points: Vec::new(),
-            triangulator: Triangulator::default(),
+            triangulator: CornerTriangulator::new(),
             staged: Corners::default(),
             staged_first: 0,
         }
@@ -261,16 +250,16 @@ impl<'m> Writer<'m> {
         &mut self,
         range: Range,
         sink: &mut dyn Sink,
-        mut vertex_normal: Option<impl FnMut(VertexId) -> DVec3>,
+        mut vertex_normal: Option<impl FnMut(VertexId) -> Vec3>,
     ) {
         self.seek(range.first, sink);
-        let area = normals::area_vector(&self.points);
+        let flat = self.face.map_or(Vec3::ZERO, |f| normals::face_normal(self.mesh, f));
         let color =
             self.face.and_then(|f| self.colors?.get(f.index()).copied()).unwrap_or(keys::FACE_COLOR.default);
         let [r, g, b] = color.0;
         let corners = self.points.len() as u32;
         let mut written = 0;
-        for &triangle in self.triangulator.run(&self.points) {
+        for &triangle in self.triangulator.of_polygon(&self.points) {
             let [i, j, k] = triangle;
             let flag = |a: u32, b: u32, bit: u8| if (a + 1) % corners == b { bit } else { 0 };
             let flags = flag(i, j, 1) | flag(j, k, 2) | flag(k, i, 4);
@@ -280,10 +269,9 @@ impl<'m> Writer<'m> {
                 else {
                     continue;
                 };
-                let smooth =
-                    vertex_normal.as_mut().map(|normal| normal(vertex)).filter(|n| *n != DVec3::ZERO);
+                let smooth = vertex_normal.as_mut().map(|normal| normal(vertex)).filter(|n| *n != Vec3::ZERO);
                 self.staged.positions.push((point - self.origin).to_array());
-                self.staged.normals.push(normals::pack(smooth.unwrap_or(area)));
+                self.staged.normals.push(pack(smooth.unwrap_or(flat)));
                 self.staged.colors.push([r, g, b, flags]);
             }
             written += 1;

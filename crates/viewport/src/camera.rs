@@ -4,8 +4,8 @@
 //! units and one that lies at 1e6 units both keep the precision of their coordinates. The up axis
 //! is y, as in OBJ files of most programs; angles are radians, pixels have y pointing down.
 
-use crate::Bounds;
 use glam::{DVec3, Mat4, Vec2, Vec3, dvec3};
+use surface::{Ray, measure::Bounds};
 
 /// The steepest pitch: straight up or down.
 const MAX_PITCH: f64 = std::f64::consts::FRAC_PI_2;
@@ -16,15 +16,6 @@ const START_YAW: f64 = 0.6;
 const START_PITCH: f64 = 0.42;
 /// The vertical opening angle at first.
 const START_FOV: f64 = 0.7;
-
-/// A half-line in world space. The direction has length one.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Ray {
-    /// Where it starts.
-    pub origin: DVec3,
-    /// Where it goes.
-    pub direction: DVec3,
-}
 
 /// A camera that looks at a target from a direction and a distance.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -63,7 +54,7 @@ impl Camera {
     /// Tells the camera how large the scene is: the depth range, the limits of the zoom and
     /// [`Camera::reset`] go by it. Call it when the scene's bounds change; the view stays.
     pub fn set_scene(&mut self, scene: Option<Bounds>) {
-        self.scene = scene;
+        self.scene = scene.filter(is_box);
     }
 
     /// The scene's bounds as last told.
@@ -120,10 +111,12 @@ impl Camera {
     /// Looks at `bounds` from the present direction, as near as shows all of it in a viewport of
     /// this width to height ratio.
     pub fn frame(&mut self, bounds: Bounds, aspect: f32) {
-        let radius = bounds.radius();
-        // A single point has no size to go by: keep it in view at the scene's scale.
-        let scale = self.scene.map_or(0.0, |s| s.radius()) * 0.05;
-        let radius = [radius, scale, 1.0].into_iter().find(|&r| r > 0.0).unwrap_or(1.0);
+        if !is_box(&bounds) {
+            return;
+        }
+        // A single point has no size to go by: the scene's scale will do.
+        let scale = self.scene.map_or(0.0, radius) * 0.05;
+        let radius = [radius(bounds), scale, 1.0].into_iter().find(|&r| r > 0.0).unwrap_or(1.0);
         let half_y = self.fov_y * 0.5;
         let half_x = (half_y.tan() * f64::from(aspect.clamp(1e-3, 1e3))).atan();
         self.target = bounds.center().as_dvec3();
@@ -175,17 +168,21 @@ impl Camera {
         (point.as_dvec3() - self.eye()).dot(forward)
     }
 
-    /// The world points that are seen at a pixel.
+    /// The world points that are seen at a pixel, from the eye on or, with a parallel projection, from
+    /// in front of all there is. The direction has length one.
     pub fn ray(&self, pixel: Vec2, viewport: Vec2) -> Ray {
         let [right, up, forward] = self.axes();
         let across = (pixel - viewport * 0.5).as_dvec2() * self.units_per_pixel(viewport);
-        let side = right * across.x - up * across.y;
-        if self.orthographic {
-            // From in front of all there is.
-            let start = self.depth_range()[0];
-            return Ray { origin: self.eye() + side + forward * start, direction: forward };
-        }
-        Ray { origin: self.eye(), direction: (forward * self.distance + side).normalize_or(forward) }
+        let under = self.target + right * across.x - up * across.y;
+        let start = if self.orthographic {
+            under + forward * (self.depth_range()[0] - self.distance)
+        } else {
+            self.eye()
+        };
+        // The origin is rounded; what the direction points at, at the target's depth, is not.
+        let origin = start.as_vec3();
+        let direction = (under - origin.as_dvec3()).normalize_or(forward);
+        Ray { origin, direction: direction.as_vec3() }
     }
 
     /// Mesh units per pixel at the target's depth.
@@ -209,7 +206,7 @@ impl Camera {
         match self.scene {
             // A tenth of the way leaves room for the ground grid before it.
             Some(scene) => {
-                let front = self.depth(scene.center()) - scene.radius();
+                let front = self.depth(scene.center()) - radius(scene);
                 closest.max(front.min(self.distance) * 0.1)
             }
             None => closest,
@@ -221,7 +218,7 @@ impl Camera {
         let around = 40.0 * self.distance;
         let (mut near, mut far) = (self.distance - around, self.distance + around);
         if let Some(scene) = self.scene {
-            let (middle, radius) = (self.depth(scene.center()), scene.radius() * 1.01);
+            let (middle, radius) = (self.depth(scene.center()), radius(scene) * 1.01);
             near = near.min(middle - radius);
             far = far.max(middle + radius);
         }
@@ -229,7 +226,7 @@ impl Camera {
     }
 
     fn distance_limits(&self) -> [f64; 2] {
-        let radius = self.scene.map(|s| s.radius()).filter(|&r| r > 0.0).unwrap_or(1.0);
+        let radius = self.scene.map(radius).filter(|&r| r > 0.0).unwrap_or(1.0);
         [radius * 1e-5, radius * 1e4]
     }
 
@@ -250,4 +247,14 @@ impl Camera {
         Mat4::from_cols(x.extend(0.0).as_vec4(), y.extend(0.0).as_vec4(), z.as_vec4(), w.as_vec4())
             .transpose()
     }
+}
+
+/// The radius of the sphere around a box.
+fn radius(bounds: Bounds) -> f64 {
+    bounds.diagonal() * 0.5
+}
+
+/// Whether there is anything in a box, and it is finite.
+fn is_box(bounds: &Bounds) -> bool {
+    bounds.min.is_finite() && bounds.max.is_finite() && bounds.min.cmple(bounds.max).all()
 }

@@ -4,17 +4,19 @@
 //! changed, and lends it a command encoder and a render pass each frame. Needs no more of the
 //! device than WebGL2 offers.
 
-mod bounds;
+mod box_select;
 pub mod buffers;
 mod camera;
 mod gpu;
-mod normals;
+mod pick;
+mod sight;
 mod slots;
 mod style;
-mod triangulate;
 
-pub use bounds::Bounds;
-pub use camera::{Camera, Ray};
+pub use box_select::{ScreenRect, elements_in_rect};
+pub use camera::Camera;
 pub use gpu::{Frame, Highlight, Layer, ObjectChange, ObjectDraw, Renderer};
+pub use pick::{Picked, pick};
 pub use slots::Range;
 pub use style::{Style, Theme};
+pub use surface::measure::Bounds;

@@ -1,9 +1,9 @@
 //! Selected and hovered elements: drawn over everything, whatever is in front of them.
 
 use super::stream::Stream;
-use crate::triangulate::Triangulator;
-use glam::{DVec3, Vec3};
+use glam::Vec3;
 use halfedge::{Element, FaceId, HalfedgeId, Mesh};
+use surface::{CornerTriangulator, normals};
 
 /// Which highlight: they are drawn one over the other, in this order.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -87,9 +87,8 @@ fn shapes(highlight: Highlight<'_>, origin: Vec3) -> Shapes {
             shapes.lines.extend(ids.filter_map(|id| mesh.edge(id)).map(|e| mesh.ends(e).map(at)));
         }
         Element::Halfedge => {
-            let mut scratch = Vec::new();
             for h in ids.filter_map(|id| mesh.halfedge(id)) {
-                let inward = inward(mesh, h, &mut scratch).as_vec3().to_array();
+                let inward = inward(mesh, h).to_array();
                 shapes.arrows.push([at(mesh.from(h)), at(mesh.to(h)), inward]);
             }
         }
@@ -100,11 +99,11 @@ fn shapes(highlight: Highlight<'_>, origin: Vec3) -> Shapes {
 
 /// The unit direction across a half-edge into its face; for a boundary half-edge, out of the face
 /// on the other side.
-fn inward(mesh: &Mesh, h: HalfedgeId, scratch: &mut Vec<Vec3>) -> DVec3 {
+fn inward(mesh: &Mesh, h: HalfedgeId) -> Vec3 {
     let face = mesh.face_of(h).or_else(|| mesh.face_of(h.twin()));
-    let normal = face.map_or(DVec3::Z, |f| crate::normals::face_area_vector(mesh, f, scratch));
+    let normal = face.map_or(Vec3::Z, |f| normals::face_normal(mesh, f));
     let along = mesh.position(mesh.to(h)).as_dvec3() - mesh.position(mesh.from(h)).as_dvec3();
-    normal.normalize_or_zero().cross(along.normalize_or_zero()).normalize_or_zero()
+    normal.as_dvec3().cross(along.normalize_or_zero()).normalize_or_zero().as_vec3()
 }
 
 /// Triangles of the faces, and the edges between them and the others: many faces are outlined as
@@ -122,13 +121,13 @@ fn faces(mesh: &Mesh, faces: impl Iterator<Item = FaceId>, origin: Vec3, shapes:
         }
     }
     let is_marked = |f: FaceId| marked.get(f.index() / 64).is_some_and(|w| w >> (f.index() % 64) & 1 == 1);
-    let mut triangulator = Triangulator::default();
+    let mut triangulator = CornerTriangulator::new();
     let mut points = Vec::new();
     for face in list {
         points.clear();
         points.extend(mesh.face_vertices(face).map(|v| mesh.position(v)));
         let corner = |i: u32| points.get(i as usize).map(|p| (*p - origin).to_array());
-        shapes.fill.extend(triangulator.run(&points).iter().flatten().filter_map(|&i| corner(i)));
+        shapes.fill.extend(triangulator.of_polygon(&points).iter().flatten().filter_map(|&i| corner(i)));
         for h in mesh.face_halfedges(face) {
             if !mesh.face_of(h.twin()).is_some_and(is_marked) {
                 shapes.lines.push([mesh.from(h), mesh.to(h)].map(|v| (mesh.position(v) - origin).to_array()));

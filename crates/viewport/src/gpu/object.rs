@@ -61,7 +61,7 @@ impl Object {
         smooth: bool,
         points: bool,
     ) -> u64 {
-        let origin = crate::Bounds::of_mesh(mesh).map_or(Vec3::ZERO, |b| b.center());
+        let origin = surface::measure::bounding_box(mesh).map_or(Vec3::ZERO, |b| b.center());
         let mut upload = Upload { device, queue, pages: &mut self.pages, bytes: 0 };
         self.buffers.rebuild(mesh, origin, smooth, &mut upload);
         let bytes = upload.bytes;

@@ -1,0 +1,141 @@
+//! Picking: which element the pointer means.
+
+use crate::Camera;
+use crate::sight::Sight;
+use glam::Vec2;
+use halfedge::{EdgeId, Element, FaceId, HalfedgeId, Mesh};
+use std::collections::BTreeSet;
+use surface::FaceTree;
+
+/// Around the pointer, rays are cast in this many directions, at half the radius and at all of it.
+const DIRECTIONS: u16 = 8;
+/// Faces whose elements are looked at, at most: vertices of very high valence are on many.
+const MAX_FACES: usize = 512;
+
+/// An element under the pointer.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Picked {
+    /// Its kind.
+    pub element: Element,
+    /// Its id.
+    pub id: u32,
+    /// How far from the eye it is, in mesh units; for comparing picks in several objects.
+    pub distance: f64,
+}
+
+/// The element of a kind that is meant by pointing at a pixel, if there is one.
+///
+/// A face is the one at the very pixel. A vertex or edge is the nearest to the pixel on the screen,
+/// within `radius` pixels, that is on or beside the faces seen there and not hidden; the pointer
+/// may be just outside the silhouette. Of an edge's two half-edges, it is the one of the face at
+/// the pixel; beside the surface the boundary one, or that of the face that looks this way. Pixels
+/// are in the unit of `viewport`. Costs a few dozen rays.
+pub fn pick(
+    mesh: &Mesh,
+    tree: &FaceTree,
+    camera: &Camera,
+    viewport: Vec2,
+    pixel: Vec2,
+    kind: Element,
+    radius: f32,
+) -> Option<Picked> {
+    let sight = Sight { mesh, tree, camera, viewport };
+    let hit_at = |pixel| tree.hit(mesh, camera.ray(pixel, viewport));
+    let under = hit_at(pixel);
+    if kind == Element::Face {
+        return under.map(|hit| Picked { element: kind, id: hit.face.raw(), distance: hit.distance });
+    }
+    let mut faces: Vec<FaceId> = under.iter().map(|hit| hit.face).collect();
+    for ring in [0.5, 1.0] {
+        for step in 0..DIRECTIONS {
+            let angle = f32::from(step) * std::f32::consts::TAU / f32::from(DIRECTIONS);
+            faces.extend(hit_at(pixel + Vec2::from_angle(angle) * radius * ring).map(|hit| hit.face));
+        }
+    }
+    let faces = with_neighbors(mesh, &faces);
+    if kind == Element::Vertex {
+        return pick_vertex(&sight, &faces, pixel, radius);
+    }
+    let (edge, distance) = pick_edge(&sight, &faces, pixel, radius)?;
+    let id = match kind {
+        Element::Halfedge => side_of(&sight, edge, under.map(|hit| hit.face)).raw(),
+        _ => edge.raw(),
+    };
+    Some(Picked { element: kind, id, distance })
+}
+
+/// The faces and those that share a vertex with one.
+fn with_neighbors(mesh: &Mesh, faces: &[FaceId]) -> BTreeSet<FaceId> {
+    let mut all: BTreeSet<FaceId> = faces.iter().copied().collect();
+    for &face in faces {
+        for v in mesh.face_vertices(face) {
+            for neighbor in mesh.vertex_faces(v) {
+                if all.len() >= MAX_FACES {
+                    return all;
+                }
+                all.insert(neighbor);
+            }
+        }
+    }
+    all
+}
+
+fn pick_vertex(sight: &Sight<'_>, faces: &BTreeSet<FaceId>, pixel: Vec2, radius: f32) -> Option<Picked> {
+    let mesh = sight.mesh;
+    let mut vertices: BTreeSet<_> = faces.iter().flat_map(|&f| mesh.face_vertices(f)).collect();
+    // No ray meets a vertex without a face.
+    vertices.extend(mesh.vertices().filter(|&v| mesh.halfedge_from(v).is_none()));
+    let near = vertices.into_iter().filter_map(|v| {
+        let away = sight.project(mesh.position(v))?.distance(pixel);
+        (away <= radius).then_some((away, v))
+    });
+    nearest_first(near).into_iter().find_map(|(_, v)| {
+        let seen = |f: FaceId| mesh.face_vertices(f).any(|w| w == v);
+        let distance = sight.sees(mesh.position(v), seen)?;
+        Some(Picked { element: Element::Vertex, id: v.raw(), distance })
+    })
+}
+
+fn pick_edge(sight: &Sight<'_>, faces: &BTreeSet<FaceId>, pixel: Vec2, radius: f32) -> Option<(EdgeId, f64)> {
+    let mesh = sight.mesh;
+    let edges: BTreeSet<EdgeId> =
+        faces.iter().flat_map(|&f| mesh.face_halfedges(f)).map(HalfedgeId::edge).collect();
+    let near = edges.into_iter().filter_map(|e| {
+        let segment = sight.segment(e)?;
+        let (t, away) = segment.nearest(pixel);
+        (away <= radius).then(|| (away, (e, sight.point_on(&segment, t))))
+    });
+    nearest_first(near)
+        .into_iter()
+        .find_map(|(_, (edge, point))| Some((edge, sight.sees_edge_at(edge, point)?)))
+}
+
+fn nearest_first<T>(candidates: impl Iterator<Item = (f32, T)>) -> Vec<(f32, T)> {
+    let mut candidates: Vec<_> = candidates.collect();
+    candidates.sort_by(|a, b| a.0.total_cmp(&b.0));
+    candidates
+}
+
+/// Which half-edge of an edge is meant when the pointer is over `under`.
+fn side_of(sight: &Sight<'_>, edge: EdgeId, under: Option<FaceId>) -> HalfedgeId {
+    let mesh = sight.mesh;
+    let sides = edge.halfedges();
+    let over = |h: &HalfedgeId| under.is_some() && mesh.face_of(*h) == under;
+    let outside = |h: &HalfedgeId| mesh.is_boundary_halfedge(*h);
+    let towards = |h: &HalfedgeId| {
+        mesh.face_of(*h).is_some_and(|f| {
+            let to_eye = if sight.camera.orthographic {
+                -sight.camera.axes()[2]
+            } else {
+                sight.camera.eye() - mesh.position(mesh.from(*h)).as_dvec3()
+            };
+            surface::normals::face_area_vector(mesh, f).dot(to_eye) > 0.0
+        })
+    };
+    let found = sides
+        .into_iter()
+        .find(over)
+        .or_else(|| sides.into_iter().find(outside))
+        .or_else(|| sides.into_iter().find(towards));
+    found.unwrap_or(edge.halfedge())
+}

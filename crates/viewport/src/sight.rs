@@ -1,0 +1,94 @@
+//! What can be seen of a mesh from where: shared by picking and box selection.
+
+use crate::Camera;
+use glam::{Vec2, Vec3};
+use halfedge::{EdgeId, FaceId, Mesh};
+use surface::FaceTree;
+
+/// A point this fraction of its distance behind a surface still counts as on it.
+const ON_SURFACE: f64 = 3e-5;
+
+/// A mesh, and the camera and viewport it is seen through.
+pub struct Sight<'a> {
+    pub mesh: &'a Mesh,
+    pub tree: &'a FaceTree,
+    pub camera: &'a Camera,
+    pub viewport: Vec2,
+}
+
+/// The part of an edge in front of the eye.
+pub struct Segment {
+    /// Its ends in space.
+    ends: [Vec3; 2],
+    /// Where they are on the screen.
+    pub pixels: [Vec2; 2],
+}
+
+impl Sight<'_> {
+    pub fn project(&self, point: Vec3) -> Option<Vec2> {
+        self.camera.project(point, self.viewport)
+    }
+
+    /// Whether nothing is in front of a point, faces that `own` knows left aside; if so, how far
+    /// away it is.
+    pub fn sees(&self, point: Vec3, own: impl Fn(FaceId) -> bool) -> Option<f64> {
+        let ray = self.camera.ray(self.project(point)?, self.viewport);
+        let away = (point.as_dvec3() - ray.origin.as_dvec3()).dot(ray.direction.as_dvec3());
+        let hidden = self
+            .tree
+            .hit(self.mesh, ray)
+            .is_some_and(|hit| hit.distance < away * (1.0 - ON_SURFACE) && !own(hit.face));
+        (!hidden).then_some(away)
+    }
+
+    pub fn sees_edge_at(&self, edge: EdgeId, point: Vec3) -> Option<f64> {
+        let beside = edge.halfedges().map(|h| self.mesh.face_of(h));
+        self.sees(point, |f| beside.contains(&Some(f)))
+    }
+
+    /// The part of an edge that is in front of the eye.
+    pub fn segment(&self, edge: EdgeId) -> Option<Segment> {
+        let mut ends = self.mesh.ends(edge).map(|v| self.mesh.position(v));
+        if !self.camera.orthographic {
+            // A little beyond the near plane, so that roundings don't lose the end again.
+            let near = self.camera.near() * 1.001;
+            let [a, b] = ends.map(|p| self.camera.depth(p));
+            if a < near && b < near {
+                return None;
+            }
+            let cut = |t: f64| ends[0].as_dvec3().lerp(ends[1].as_dvec3(), t).as_vec3();
+            let at_near = cut((near - a) / (b - a));
+            if a < near {
+                ends[0] = at_near;
+            } else if b < near {
+                ends[1] = at_near;
+            }
+        }
+        let [Some(a), Some(b)] = ends.map(|p| self.project(p)) else { return None };
+        Some(Segment { ends, pixels: [a, b] })
+    }
+
+    /// The point of space at a fraction of the way along a segment on the screen.
+    pub fn point_on(&self, segment: &Segment, t: f32) -> Vec3 {
+        let [a, b] = segment.ends;
+        let t = f64::from(t);
+        let s = if self.camera.orthographic {
+            t
+        } else {
+            // Depth changes along the screen as its inverse does.
+            let (near, far) = (self.camera.depth(a), self.camera.depth(b));
+            t * near / (far + t * (near - far))
+        };
+        a.as_dvec3().lerp(b.as_dvec3(), s).as_vec3()
+    }
+}
+
+impl Segment {
+    /// How far along the point of the segment nearest to a pixel is, and how many pixels away.
+    pub fn nearest(&self, pixel: Vec2) -> (f32, f32) {
+        let [a, b] = self.pixels;
+        let along = b - a;
+        let t = ((pixel - a).dot(along) / along.length_squared().max(1e-12)).clamp(0.0, 1.0);
+        (t, (a + along * t).distance(pixel))
+    }
+}
