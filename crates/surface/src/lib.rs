@@ -6,15 +6,24 @@
 
 pub mod bezier;
 mod error;
+mod face_tree;
+pub mod measure;
+mod morton;
+pub mod normals;
 mod pace;
+mod shapes;
 mod subdivide;
+mod triangulate_corners;
 mod trig;
 
 pub use error::SurfaceError;
+pub use face_tree::{FaceTree, Hit, Ray};
+pub use shapes::{Shape, ShapeField};
 pub use subdivide::{
     BoundaryRule, CatmullClark, Linear, Loop, LoopWeights, MAX_FACES, VertexRule, quad_split_faces,
     subdivide_catmull_clark, subdivide_linear, subdivide_loop,
 };
+pub use triangulate_corners::CornerTriangulator;
 
 use halfedge::Mesh;
 

@@ -1,0 +1,131 @@
+//! Lengths, areas, volumes and angles, in mesh units and radians.
+
+use crate::normals::face_area_vector;
+use glam::{DVec3, Vec3};
+use halfedge::{EdgeId, FaceId, Mesh};
+
+/// An axis-aligned box.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Bounds {
+    /// The smallest coordinates.
+    pub min: Vec3,
+    /// The largest coordinates.
+    pub max: Vec3,
+}
+
+impl Bounds {
+    /// A box with nothing in it, which any point extends.
+    pub const EMPTY: Self = Self { min: Vec3::INFINITY, max: Vec3::NEG_INFINITY };
+
+    /// The smallest box around the points, if there are any.
+    pub fn of(points: impl IntoIterator<Item = Vec3>) -> Option<Self> {
+        points.into_iter().fold(None, |bounds: Option<Self>, p| {
+            Some(bounds.map_or(Self { min: p, max: p }, |bounds| bounds.with(p)))
+        })
+    }
+
+    /// The box extended to a point.
+    #[inline]
+    pub fn with(self, point: Vec3) -> Self {
+        Self { min: self.min.min(point), max: self.max.max(point) }
+    }
+
+    /// The smallest box around both.
+    #[inline]
+    pub fn union(self, other: Self) -> Self {
+        Self { min: self.min.min(other.min), max: self.max.max(other.max) }
+    }
+
+    /// The middle.
+    pub fn center(self) -> Vec3 {
+        self.min * 0.5 + self.max * 0.5
+    }
+
+    /// The length of the diagonal.
+    pub fn diagonal(self) -> f64 {
+        (self.max.as_dvec3() - self.min.as_dvec3()).length()
+    }
+}
+
+/// The box around all vertices, isolated ones included; none for an empty mesh. Costs O(vertices).
+pub fn bounding_box(mesh: &Mesh) -> Option<Bounds> {
+    Bounds::of(mesh.vertices().map(|v| mesh.position(v)))
+}
+
+/// The length of an edge.
+pub fn edge_length(mesh: &Mesh, edge: EdgeId) -> f64 {
+    let [a, b] = mesh.ends(edge).map(|v| mesh.position(v).as_dvec3());
+    a.distance(b)
+}
+
+/// The mean length of all edges; 0 where there are none. Costs O(edges).
+pub fn mean_edge_length(mesh: &Mesh) -> f64 {
+    let sum: f64 = mesh.edges().map(|e| edge_length(mesh, e)).sum();
+    sum / mesh.edge_count().max(1) as f64
+}
+
+/// The area of a face; of a polygon that isn't flat, that of its shadow along its normal.
+pub fn face_area(mesh: &Mesh, face: FaceId) -> f64 {
+    face_area_vector(mesh, face).length()
+}
+
+/// The area of all faces. Costs O(mesh).
+pub fn surface_area(mesh: &Mesh) -> f64 {
+    mesh.faces().map(|f| face_area(mesh, f)).sum()
+}
+
+/// The mean of a face's corners: where Catmull-Clark puts the face point.
+pub fn face_center(mesh: &Mesh, face: FaceId) -> DVec3 {
+    let (sum, count) = mesh
+        .face_vertices(face)
+        .fold((DVec3::ZERO, 0u32), |(sum, count), v| (sum + mesh.position(v).as_dvec3(), count + 1));
+    sum / f64::from(count.max(1))
+}
+
+/// The centre of area of a face; the mean of its corners where it has no area.
+pub fn face_centroid(mesh: &Mesh, face: FaceId) -> DVec3 {
+    let normal = face_area_vector(mesh, face).normalize_or_zero();
+    let mut corners = mesh.face_vertices(face).map(|v| mesh.position(v).as_dvec3());
+    let (Some(base), Some(second)) = (corners.next(), corners.next()) else { return DVec3::ZERO };
+    let (mut before, mut area, mut moment) = (second - base, 0.0, DVec3::ZERO);
+    for corner in corners {
+        let here = corner - base;
+        let part = before.cross(here).dot(normal);
+        area += part;
+        moment += (before + here) * part;
+        before = here;
+    }
+    if area == 0.0 { face_center(mesh, face) } else { base + moment / (3.0 * area) }
+}
+
+/// The volume that a closed, outward oriented mesh encloses (negative where it is inside out). Of an
+/// open mesh it has no meaning. Costs O(mesh).
+pub fn volume(mesh: &Mesh) -> f64 {
+    // From a point nearby, so that a mesh far from the origin loses no digits.
+    let origin = bounding_box(mesh).map_or(DVec3::ZERO, |bounds| bounds.center().as_dvec3());
+    let mut six_times = 0.0;
+    for face in mesh.faces() {
+        let mut corners = mesh.face_vertices(face).map(|v| mesh.position(v).as_dvec3() - origin);
+        let (Some(base), Some(mut before)) = (corners.next(), corners.next()) else { continue };
+        for here in corners {
+            six_times += base.dot(before.cross(here));
+            before = here;
+        }
+    }
+    six_times / 6.0
+}
+
+/// The angle between the normals of an edge's two faces: 0 where they are in one plane, positive at a
+/// ridge, negative in a valley, up to pi. None on the boundary or beside a face without area.
+pub fn dihedral_angle(mesh: &Mesh, edge: EdgeId) -> Option<f64> {
+    let h = edge.halfedge();
+    let (left, right) = (mesh.face_of(h)?, mesh.face_of(h.twin())?);
+    let a = face_area_vector(mesh, left).normalize_or_zero();
+    let b = face_area_vector(mesh, right).normalize_or_zero();
+    if a == DVec3::ZERO || b == DVec3::ZERO {
+        return None;
+    }
+    let [from, to] = [mesh.from(h), mesh.to(h)].map(|v| mesh.position(v).as_dvec3());
+    let along = (to - from).normalize_or_zero();
+    Some(b.cross(a).dot(along).atan2(a.dot(b)) * -1.0)
+}

@@ -1,0 +1,92 @@
+//! Normals: of faces by Newell's method, of vertices as area-weighted means.
+//!
+//! Worked out in 64 bits from the same sums in the same order, whether for the whole mesh or for a few
+//! elements after an edit, so that both give the same bits.
+
+use glam::{DVec3, Vec3};
+use halfedge::{Connectivity, FaceId, Mesh, VertexId};
+
+/// The area vector of a face: along its normal, as long as its area, right for polygons that are not
+/// flat too (Newell's method, relative to the first corner). Costs O(corners).
+pub fn face_area_vector(mesh: &Mesh, face: FaceId) -> DVec3 {
+    area_vector(mesh.connectivity(), mesh.positions(), face.index())
+}
+
+fn area_vector(links: Connectivity<'_>, positions: &[Vec3], face: usize) -> DVec3 {
+    let first = links.face_halfedge[face];
+    let corner = |h: u32| positions[links.to[h as usize] as usize].as_dvec3();
+    let base = corner(first);
+    let second = links.next[first as usize];
+    let mut before = corner(second) - base;
+    let mut sum = DVec3::ZERO;
+    let mut h = links.next[second as usize];
+    while h != first {
+        let here = corner(h) - base;
+        sum += before.cross(here);
+        before = here;
+        h = links.next[h as usize];
+    }
+    sum * 0.5
+}
+
+/// The unit normal of a face; zero for one without area.
+pub fn face_normal(mesh: &Mesh, face: FaceId) -> Vec3 {
+    face_area_vector(mesh, face).normalize_or_zero().as_vec3()
+}
+
+/// The unit normal of a vertex: the area-weighted mean over its faces; zero where it has none. Costs
+/// O(corners of those faces).
+pub fn vertex_normal(mesh: &Mesh, vertex: VertexId) -> Vec3 {
+    let sum: DVec3 = mesh.vertex_faces(vertex).map(|f| face_area_vector(mesh, f)).sum();
+    sum.normalize_or_zero().as_vec3()
+}
+
+/// [`face_normal`] of every face id; zero for removed ones. Costs O(mesh).
+pub fn face_normals(mesh: &Mesh) -> Vec<Vec3> {
+    let mut normals = vec![Vec3::ZERO; mesh.face_capacity()];
+    for face in mesh.faces() {
+        normals[face.index()] = face_normal(mesh, face);
+    }
+    normals
+}
+
+/// [`vertex_normal`] of every vertex id; zero for removed and isolated ones. Costs O(mesh).
+pub fn vertex_normals(mesh: &Mesh) -> Vec<Vec3> {
+    let (links, positions) = (mesh.connectivity(), mesh.positions());
+    let mut areas = vec![DVec3::ZERO; mesh.face_capacity()];
+    for face in mesh.faces() {
+        areas[face.index()] = area_vector(links, positions, face.index());
+    }
+    let mut normals = vec![Vec3::ZERO; mesh.vertex_capacity()];
+    for vertex in mesh.vertices() {
+        let sum: DVec3 = mesh.vertex_faces(vertex).map(|f| areas[f.index()]).sum();
+        normals[vertex.index()] = sum.normalize_or_zero().as_vec3();
+    }
+    normals
+}
+
+/// Brings the entries of `normals`, from [`face_normals`], up to date for these faces; the column grows
+/// with the mesh. Faces that no longer exist get zero. Costs O(corners of the faces).
+pub fn update_face_normals(mesh: &Mesh, faces: impl IntoIterator<Item = FaceId>, normals: &mut Vec<Vec3>) {
+    normals.resize(mesh.face_capacity(), Vec3::ZERO);
+    for face in faces {
+        if let Some(normal) = normals.get_mut(face.index()) {
+            *normal = if mesh.has_face(face) { face_normal(mesh, face) } else { Vec3::ZERO };
+        }
+    }
+}
+
+/// Brings the entries of `normals`, from [`vertex_normals`], up to date for these vertices: those of
+/// the faces that changed, not only those that moved. Costs O(corners of the faces around them).
+pub fn update_vertex_normals(
+    mesh: &Mesh,
+    vertices: impl IntoIterator<Item = VertexId>,
+    normals: &mut Vec<Vec3>,
+) {
+    normals.resize(mesh.vertex_capacity(), Vec3::ZERO);
+    for vertex in vertices {
+        if let Some(normal) = normals.get_mut(vertex.index()) {
+            *normal = if mesh.has_vertex(vertex) { vertex_normal(mesh, vertex) } else { Vec3::ZERO };
+        }
+    }
+}

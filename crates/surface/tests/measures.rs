@@ -1,0 +1,264 @@
+//! Normals, lengths, areas, volumes, angles, and the triangles of polygons.
+
+mod common;
+
+use common::*;
+use glam::{DVec3, Vec3};
+use halfedge::{FaceId, Mesh, VertexId};
+use proptest::prelude::*;
+use std::f64::consts::{FRAC_PI_2, PI};
+use surface::measure::*;
+use surface::normals::*;
+use surface::*;
+
+#[test]
+fn a_cube_measures_up() {
+    let mesh = cube();
+    assert_eq!(volume(&mesh), 8.0);
+    assert_eq!(surface_area(&mesh), 24.0);
+    assert_eq!(mean_edge_length(&mesh), 2.0);
+    assert_eq!(bounding_box(&mesh), Some(Bounds { min: -Vec3::ONE, max: Vec3::ONE }));
+    assert_eq!(bounding_box(&Mesh::new()), None);
+    let expected = [Vec3::NEG_Z, Vec3::Z, Vec3::NEG_Y, Vec3::Y, Vec3::NEG_X, Vec3::X];
+    assert_eq!(face_normals(&mesh), expected);
+    for f in mesh.faces() {
+        assert_eq!(face_center(&mesh, f), expected[f.index()].as_dvec3());
+        assert_eq!(face_centroid(&mesh, f), expected[f.index()].as_dvec3());
+        assert_eq!(face_area(&mesh, f), 4.0);
+    }
+    for v in mesh.vertices() {
+        assert!(vertex_normal(&mesh, v).distance(mesh.position(v).normalize()) < 1e-6);
+    }
+    for e in mesh.edges() {
+        assert_eq!(edge_length(&mesh, e), 2.0);
+        assert!((dihedral_angle(&mesh, e).expect("two faces") - FRAC_PI_2).abs() < 1e-12);
+    }
+}
+
+#[test]
+fn valleys_and_planes_have_their_sign() {
+    // Two unit squares that meet at y = 0, the second folded by an angle.
+    let folded = |z: f32, y: f32| {
+        mesh(
+            &[[0., 0., 0.], [1., 0., 0.], [1., -1., 0.], [0., -1., 0.], [1., y, z], [0., y, z]],
+            &[&[0, 3, 2, 1], &[0, 1, 4, 5]],
+        )
+    };
+    for (z, y, expected) in [(1.0, 0.0, -FRAC_PI_2), (-1.0, 0.0, FRAC_PI_2), (0.0, 1.0, 0.0)] {
+        let mesh = folded(z, y);
+        let hinge = mesh.find_edge(VertexId::new(0), VertexId::new(1)).expect("edge");
+        let angle = dihedral_angle(&mesh, hinge).expect("two faces");
+        assert!((angle - expected).abs() < 1e-12, "{angle} is not {expected}");
+        let rim = mesh.find_edge(VertexId::new(2), VertexId::new(3)).expect("edge");
+        assert_eq!(dihedral_angle(&mesh, rim), None);
+    }
+}
+
+#[test]
+fn an_arrow_head_is_measured_by_its_area() {
+    // Concave at the second corner.
+    let mesh = mesh(&[[-2., -2., 5.], [0., 0., 5.], [2., -2., 5.], [0., 4., 5.]], &[&[0, 1, 2, 3]]);
+    let f = FaceId::new(0);
+    assert_eq!(face_area(&mesh, f), 8.0);
+    assert_eq!(face_normal(&mesh, f), Vec3::Z);
+    // Two triangles of area 4 with centroids at (-+2/3, 2/3).
+    assert!(face_centroid(&mesh, f).distance(DVec3::new(0.0, 2.0 / 3.0, 5.0)) < 1e-12);
+    assert_eq!(face_center(&mesh, f), DVec3::new(0.0, 0.0, 5.0));
+}
+
+#[test]
+fn a_quad_is_cut_where_both_halves_face_the_same_way() {
+    let mut cut = CornerTriangulator::new();
+    let quad = [[0., 0., 0.], [1., 0., 0.], [1., 1., 0.], [0., 1., 0.]].map(Vec3::from_array);
+    assert_eq!(cut.of_polygon(&quad), [[0, 1, 2], [0, 2, 3]]);
+    let arrow = [[-2., -2., 0.], [0., 0., 0.], [2., -2., 0.], [0., 4., 0.]].map(Vec3::from_array);
+    assert_eq!(cut.of_polygon(&arrow), [[0, 1, 3], [1, 2, 3]]);
+    let turned = [arrow[1], arrow[2], arrow[3], arrow[0]];
+    assert_eq!(cut.of_polygon(&turned), [[0, 1, 2], [0, 2, 3]]);
+    let no_area = [Vec3::ZERO; 6];
+    assert_eq!(cut.of_polygon(&no_area).len(), 4);
+    assert!(cut.of_polygon(&no_area[..2]).is_empty());
+}
+
+#[test]
+fn a_comb_and_a_figure_of_eight_are_covered() {
+    // A comb with 200 teeth: half of its corners are concave.
+    let mut comb = vec![Vec3::new(400.0, -1.0, 0.0), Vec3::new(400.0, 0.0, 0.0)];
+    for tooth in (0..200).rev() {
+        let x = 2.0 * tooth as f32;
+        comb.extend([[x + 1.5, 10.0], [x + 1.0, 0.0]].map(|[x, y]| Vec3::new(x, y, 0.0)));
+    }
+    comb.push(Vec3::new(0.0, -1.0, 0.0));
+    let mut cut = CornerTriangulator::new();
+    assert_cover(&comb, cut.of_polygon(&comb));
+    let eight = [[0., 0.], [2., 2.], [2., 0.], [0., 2.], [-1., 1.]].map(|[x, y]| Vec3::new(x, y, 0.0));
+    assert_eq!(cut.of_polygon(&eight).len(), 3);
+}
+
+/// The triangles are as many as they should be, none is turned over, and their areas sum to the
+/// polygon's.
+fn assert_cover(polygon: &[Vec3], triangles: &[[u32; 3]]) {
+    assert_eq!(triangles.len(), polygon.len() - 2);
+    let cross = |a: Vec3, b: Vec3, c: Vec3| (b - a).as_dvec3().cross((c - a).as_dvec3());
+    let whole: DVec3 = polygon[1..].windows(2).map(|p| cross(polygon[0], p[0], p[1])).sum();
+    let normal = whole.normalize();
+    let mut sum = 0.0;
+    for triangle in triangles {
+        let [a, b, c] = triangle.map(|i| polygon[i as usize]);
+        let area = cross(a, b, c).dot(normal);
+        assert!(area > -1e-6 * whole.length(), "turned over");
+        sum += area;
+    }
+    assert!((sum - whole.length()).abs() < 1e-5 * whole.length(), "{sum} is not {}", whole.length());
+}
+
+/// A star-shaped polygon in a plane of any direction.
+fn star() -> impl Strategy<Value = Vec<Vec3>> {
+    (prop::collection::vec(0.1f32..2.0, 3..40), -1f32..1.0, -1f32..1.0, any::<bool>()).prop_map(
+        |(radii, tilt_x, tilt_y, over)| {
+            let turn = glam::Quat::from_euler(glam::EulerRot::XYZ, tilt_x * 3.0, tilt_y * 3.0, 0.3);
+            let count = radii.len() as f32;
+            let mut polygon: Vec<Vec3> = (0u16..)
+                .zip(&radii)
+                .map(|(i, r)| {
+                    let a = f32::from(i) / count * std::f32::consts::TAU;
+                    turn * Vec3::new(r * a.cos(), r * a.sin(), 0.0)
+                })
+                .collect();
+            if over {
+                polygon.reverse();
+            }
+            polygon
+        },
+    )
+}
+
+proptest! {
+    #[test]
+    fn ear_clipping_covers_star_polygons(polygon in star()) {
+        assert_cover(&polygon, CornerTriangulator::new().of_polygon(&polygon));
+    }
+
+    #[test]
+    fn normals_brought_up_to_date_are_those_made_anew(
+        mesh in random_mesh(false),
+        picks in prop::collection::vec((any::<prop::sample::Index>(), -1f32..1.0), 1..5),
+    ) {
+        let mut mesh = mesh;
+        let (mut faces, mut vertices) = (face_normals(&mesh), vertex_normals(&mesh));
+        for (pick, by) in picks {
+            let v = mesh.vertices().nth(pick.index(mesh.vertex_count())).expect("in range");
+            mesh.set_position(v, mesh.position(v) + Vec3::splat(by));
+            let around: Vec<FaceId> = mesh.vertex_faces(v).collect();
+            update_face_normals(&mesh, around.iter().copied(), &mut faces);
+            let near = around.iter().flat_map(|&f| mesh.face_vertices(f)).collect::<Vec<_>>();
+            update_vertex_normals(&mesh, near, &mut vertices);
+        }
+        prop_assert_eq!(faces, face_normals(&mesh));
+        prop_assert_eq!(vertices, vertex_normals(&mesh));
+    }
+}
+
+#[test]
+fn shapes_are_closed_outward_and_as_large_as_asked() {
+    for name in Shape::names() {
+        let shape = Shape::named(name).expect("listed");
+        let mesh = shape.build().expect("default sizes");
+        mesh.validate().expect(name);
+        let flat = ["plane", "grid"].contains(&name);
+        if name != "teapot" {
+            assert_eq!(mesh.face_count() as u64, shape.face_count(), "{name}");
+            assert_eq!(mesh.components().1, 1, "{name}");
+            assert_eq!(mesh.boundary_loops().len(), usize::from(flat), "{name}");
+            let center = bounding_box(&mesh).expect("not empty").center();
+            let regular = ["tetrahedron", "dodecahedron"].contains(&name);
+            assert!(center.length() < 1e-6 || regular, "{name} is centred at {center}");
+        }
+        if flat {
+            assert!(face_normals(&mesh).iter().all(|&n| n == Vec3::Y), "{name} faces up");
+            assert!((surface_area(&mesh) - 4.0).abs() < 1e-5);
+        } else {
+            assert!(volume(&mesh) > 0.5, "{name} faces outward");
+        }
+        let euler = if name == "torus" { 0 } else { 2 };
+        if !flat && name != "teapot" {
+            assert_eq!(mesh.euler_characteristic(), euler, "{name}");
+        }
+    }
+}
+
+#[test]
+fn volumes_of_shapes_follow_from_their_sizes() {
+    let build = |name: &str, sizes: &[(&str, f64)]| {
+        let mut shape = Shape::named(name).expect("listed");
+        for &(field, value) in sizes {
+            shape.set(field, value).expect("in range");
+            assert_eq!(shape.get(field), Some(value));
+        }
+        shape.build().expect("sizes that go together")
+    };
+    // The area of a regular n-gon in a circle of radius r is n/2 r^2 sin(2 pi / n).
+    let polygon = |r: f64, n: f64| n / 2.0 * r * r * (2.0 * PI / n).sin();
+    let near = |a: f64, b: f64| assert!((a / b - 1.0).abs() < 1e-5, "{a} is not {b}");
+    near(volume(&build("cube", &[("size", 3.0)])), 27.0);
+    near(volume(&build("tetrahedron", &[("radius", 3.0)])), 27.0 * 8.0 / (9.0 * 3f64.sqrt()));
+    near(volume(&build("octahedron", &[("radius", 2.0)])), 4.0 / 3.0 * 8.0);
+    near(
+        volume(&build("cylinder", &[("radius", 2.0), ("height", 5.0), ("segments", 7.0)])),
+        polygon(2.0, 7.0) * 5.0,
+    );
+    near(
+        volume(&build("cone", &[("radius", 2.0), ("height", 5.0), ("segments", 9.0)])),
+        polygon(2.0, 9.0) * 5.0 / 3.0,
+    );
+    // Inside the sphere, by less than a ten-thousandth.
+    let ball = volume(&build("ico-sphere", &[("subdivisions", 7.0)])) / (4.0 / 3.0 * PI);
+    assert!(ball < 1.0 && ball > 0.9999, "{ball}");
+    // A uv-sphere is a stack of frusta of regular polygons.
+    let (segments, rings) = (9.0, 5.0);
+    let frusta: f64 = (0..5)
+        .map(|ring| {
+            let [(y0, a0), (y1, a1)] = [ring, ring + 1].map(|k| {
+                let angle = f64::from(k) / rings * PI;
+                (-angle.cos(), polygon(angle.sin(), segments))
+            });
+            (y1 - y0) / 3.0 * (a0 + a1 + (a0 * a1).sqrt())
+        })
+        .sum();
+    near(volume(&build("uv-sphere", &[("segments", segments), ("rings", rings)])), frusta);
+    let ico = build("icosahedron", &[]);
+    let edge = mean_edge_length(&ico);
+    near(volume(&ico), 5.0 / 12.0 * (3.0 + 5f64.sqrt()) * edge.powi(3));
+    let dodeca = build("dodecahedron", &[("radius", 2.0)]);
+    let edge = mean_edge_length(&dodeca);
+    near(volume(&dodeca), (15.0 + 7.0 * 5f64.sqrt()) / 4.0 * edge.powi(3));
+    assert!(dodeca.faces().all(|f| dodeca.face_degree(f) == 5));
+    for v in dodeca.vertices() {
+        assert!((dodeca.position(v).length() - 2.0).abs() < 1e-6);
+    }
+    let torus = build(
+        "torus",
+        &[("radius", 2.0), ("tube_radius", 0.5), ("segments", 500.0), ("tube_segments", 400.0)],
+    );
+    assert!((volume(&torus) / (2.0 * PI * PI * 2.0 * 0.25) - 1.0).abs() < 1e-3);
+}
+
+#[test]
+fn sizes_out_of_range_are_refused_by_name() {
+    let mut torus = Shape::named("torus").expect("listed");
+    for (field, value) in [("segments", 2.0), ("segments", 3.5), ("radius", 0.0), ("radius", f64::NAN)] {
+        let refused = torus.set(field, value).expect_err("out of range");
+        assert!(refused.to_string().starts_with(&format!("{field} must be ")), "{refused}");
+    }
+    torus.set("tube_radius", 1.0).expect("in range on its own");
+    assert_eq!(
+        torus.build().expect_err("no hole left").to_string(),
+        "tube_radius must be smaller than radius"
+    );
+    let mut grid = Shape::named("grid").expect("listed");
+    grid.set("columns", 4096.0).expect("in range");
+    grid.set("rows", 4096.0).expect("in range");
+    assert!(matches!(grid.build(), Err(SurfaceError::TooManyFaces { faces: 16_777_216, .. })));
+    assert!(Shape::named("donut").is_none());
+    assert_eq!(grid.get("radius"), None);
+}
