@@ -7,20 +7,33 @@
 mod fields;
 mod run;
 mod spec;
+mod subdivide;
 
 pub use fields::{EdgeRef, FaceRef, HalfedgeRef, VertexRef};
 pub(crate) use run::{Action, Commit, DocumentEdit, Input, LocalEdit, Output, Place, Target, WholeMesh};
+pub use separate::By;
+pub use split_edge::Connect;
+pub use subdivide::Boundary;
+pub use subdivide_catmull_clark::VertexRule;
+pub use subdivide_loop::Weights;
+pub use transform::{Rotate, Scale};
+pub use triangulate_faces::Method;
 pub use spec::{Field, FieldKind, OperationKind, Spec};
 
 use crate::error::{CommandError, Problem};
-use serde::Serialize;
 use serde::de::DeserializeOwned;
 use serde_json::{Map, Value};
 
 /// What every operation is.
-pub(crate) trait Operation: Sized + Serialize + DeserializeOwned {
+pub(crate) trait Operation: Sized {
     /// Its name, texts and fields.
     const SPEC: Spec;
+
+    /// Reads its fields from JSON.
+    fn parse(fields: Map<String, Value>) -> Result<Self, Problem>;
+
+    /// Its fields as a JSON object.
+    fn to_fields(&self) -> Value;
 
     /// Fills in what was left out from the selection. An operation on one element that several
     /// selected ones stand in for becomes several operations, made in one step.
@@ -31,6 +44,22 @@ pub(crate) trait Operation: Sized + Serialize + DeserializeOwned {
 
     /// How it is carried out.
     fn action(&self) -> Action<'_>;
+}
+
+/// How an operation that is a plain `serde` struct reads and writes its fields.
+macro_rules! fields_by_serde {
+    () => {
+        fn parse(
+            fields: serde_json::Map<String, serde_json::Value>,
+        ) -> Result<Self, $crate::error::Problem> {
+            $crate::command::from_fields(fields)
+        }
+
+        fn to_fields(&self) -> serde_json::Value {
+            // Plain data with text keys: this can't fail.
+            serde_json::to_value(self).unwrap_or_default()
+        }
+    };
 }
 
 macro_rules! operations {
@@ -69,16 +98,15 @@ macro_rules! operations {
 
             fn parse(name: &str, fields: Map<String, Value>) -> Option<Result<Self, Problem>> {
                 $(if name == <$name as Operation>::SPEC.name {
-                    return Some(from_fields::<$name>(fields).map(Self::$name));
+                    return Some(<$name as Operation>::parse(fields).map(Self::$name));
                 })*
                 None
             }
 
             fn to_fields(&self) -> Value {
-                let fields = match self {
-                    $(Self::$name(op) => serde_json::to_value(op),)*
-                };
-                fields.unwrap_or_default()
+                match self {
+                    $(Self::$name(op) => op.to_fields(),)*
+                }
             }
 
             pub(crate) fn resolve(self, target: &Target<'_>) -> Result<Vec<Self>, Problem> {
@@ -98,13 +126,20 @@ macro_rules! operations {
 
 operations! {
     set_vertex_position::SetVertexPosition,
+    transform::Transform,
     set_face_color::SetFaceColor,
     split_edge::SplitEdge,
     triangulate_faces::TriangulateFaces,
+    subdivide_catmull_clark::SubdivideCatmullClark,
+    subdivide_loop::SubdivideLoop,
+    subdivide_linear::SubdivideLinear,
+    new::New,
     activate_object::ActivateObject,
     rename_object::RenameObject,
     set_object_visible::SetObjectVisible,
     delete_object::DeleteObject,
+    join_objects::JoinObjects,
+    separate::Separate,
 }
 
 /// A command: an operation, and which object it is for.
@@ -208,14 +243,21 @@ fn from_fields<T: DeserializeOwned>(fields: Map<String, Value>) -> Result<T, Pro
         let text = error.into_inner().to_string();
         let quoted = |prefix: &str| Some(text.strip_prefix(prefix)?.split('`').next()?.to_owned());
         if let Some(field) = quoted("missing field `") {
+            let field = if path == "." { field } else { format!("{path}.{field}") };
             return Problem::field(field, "is missing");
         }
-        if let Some(field) = quoted("unknown field `") {
+        if quoted("unknown field `").is_some() {
             let known = text.split_once("expected ").map_or("", |(_, known)| known);
-            return Problem::field(
-                field,
-                if known.is_empty() { "is not a field of this op: it has none".to_owned() } else { format!("is not a field of this op; expected {known}") },
-            );
+            let text = match known {
+                "" => "is not a field of this op, which has none".to_owned(),
+                known => format!("is not a field of this op; expected {known}"),
+            };
+            return Problem::field(path, text);
+        }
+        if let Some((given, known)) =
+            text.strip_prefix("unknown variant ").and_then(|rest| rest.split_once(", expected "))
+        {
+            return Problem::field(path, format!("{given} is not a choice; expected {known}"));
         }
         if path == "." { Problem::new(text) } else { Problem::field(path, text) }
     })

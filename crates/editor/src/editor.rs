@@ -3,6 +3,7 @@
 mod drag;
 mod jobs;
 mod select;
+mod start;
 
 pub use jobs::{Begun, Finished, RunningJob};
 pub use select::SelectMode;
@@ -11,7 +12,7 @@ use crate::changes::Changes;
 use crate::command::{Action, Command, Commit, Op, Output, Place, Target};
 use crate::document::{Counts, Document, Object, ObjectId};
 use crate::error::{CommandError, Problem};
-use crate::history::{Change, History, Step};
+use crate::history::{Change, History, Step, is_reshaping};
 use crate::job::{self, Made};
 use crate::outcome::{self, Before, Elements, Outcome};
 use crate::selection::Selection;
@@ -93,6 +94,17 @@ impl Editor {
             saved: 0,
             counts: Default::default(),
         }
+    }
+
+    /// An editor with a document of one object, with nothing to undo.
+    pub fn with_mesh(name: impl Into<String>, mesh: Mesh) -> Self {
+        let mut editor = Self::new();
+        let name = name.into();
+        editor.document.name.clone_from(&name);
+        let object = editor.object(Output { name, mesh: Arc::new(mesh) });
+        editor.changes.added(object.id());
+        editor.document.objects.push(object);
+        editor
     }
 
     /// The document.
@@ -223,12 +235,12 @@ impl Editor {
     /// Makes changes in order; gives those that take them back, in order.
     fn make(&mut self, changes: Vec<Change>) -> Vec<Change> {
         let mut back = Vec::with_capacity(changes.len());
+        let counts = self.counts.get_mut().unwrap_or_else(std::sync::PoisonError::into_inner);
         for change in changes {
-            let mesh = change.mesh_of(&self.document);
-            back.extend(change.make(&mut self.document, &mut self.changes));
-            if let Some(id) = mesh {
-                self.forget_counts(id);
-            }
+            let reshaped = |id| {
+                counts.remove(&id);
+            };
+            back.extend(change.make(&mut self.document, &mut self.changes, reshaped));
         }
         back.reverse();
         back
@@ -391,7 +403,8 @@ impl Editor {
             return Err(broken(&defect.to_string()));
         }
         let (created, removed) = before.compare(mesh, &touched);
-        let reshaped = !touched.halfedges.is_empty() || !created.vertices.is_empty() || touched.everything;
+        let reshaped =
+            is_reshaping(&touched) || created.vertices.len() + removed.vertices.len() > 0;
         self.changes.touched(id, mesh, touched);
         if reshaped {
             self.forget_counts(id);

@@ -7,7 +7,7 @@
 use crate::changes::Changes;
 use crate::document::{Document, Object, ObjectId};
 use crate::selection::Selection;
-use halfedge::{Journal, Mesh};
+use halfedge::{Journal, Mesh, Touched};
 use std::collections::VecDeque;
 use std::sync::Arc;
 
@@ -34,21 +34,33 @@ pub(crate) enum Change {
 
 impl Change {
     /// Makes the change and gives the one that takes it back; none where it doesn't fit the
-    /// document, which is then as it was.
-    pub fn make(self, document: &mut Document, changes: &mut Changes) -> Option<Self> {
+    /// document, which is then as it was. `reshaped` is told of an object whose mesh may now have
+    /// other counts.
+    pub fn make(
+        self,
+        document: &mut Document,
+        changes: &mut Changes,
+        mut reshaped: impl FnMut(ObjectId),
+    ) -> Option<Self> {
         let find = |document: &Document, id| document.index_of(id);
         Some(match self {
             Self::Journal(id, journal) => {
                 let at = find(document, id)?;
                 let mesh = Arc::make_mut(&mut document.objects.get_mut(at)?.mesh);
+                let vertices = mesh.vertex_count();
                 let back = mesh.undo(journal);
-                changes.touched(id, mesh, back.touched());
+                let touched = back.touched();
+                if is_reshaping(&touched) || mesh.vertex_count() != vertices {
+                    reshaped(id);
+                }
+                changes.touched(id, mesh, touched);
                 Self::Journal(id, back)
             }
             Self::Mesh(id, mesh) => {
                 let at = find(document, id)?;
                 let old = std::mem::replace(&mut document.objects.get_mut(at)?.mesh, mesh);
                 changes.everything(id);
+                reshaped(id);
                 Self::Mesh(id, old)
             }
             Self::Name(id, name) => {
@@ -79,6 +91,7 @@ impl Change {
                 }
                 let object = document.objects.remove(at);
                 changes.gone(object.id());
+                reshaped(object.id());
                 Self::Insert(at, Box::new(object))
             }
             Self::DocumentName(name) => {
@@ -86,15 +99,6 @@ impl Change {
                 Self::DocumentName(std::mem::replace(&mut document.name, name))
             }
         })
-    }
-
-    /// The object whose mesh the change replaces, writes to or takes away.
-    pub fn mesh_of(&self, document: &Document) -> Option<ObjectId> {
-        match self {
-            Self::Journal(id, _) | Self::Mesh(id, _) => Some(*id),
-            Self::Remove(at) => document.objects.get(*at).map(Object::id),
-            _ => None,
-        }
     }
 
     fn bytes(&self) -> usize {
@@ -106,6 +110,12 @@ impl Change {
                 _ => 0,
             }
     }
+}
+
+/// Whether an edit that touched these elements may have changed more than positions and attributes
+/// of vertices, edges and faces.
+pub(crate) fn is_reshaping(touched: &Touched) -> bool {
+    touched.everything || !touched.halfedges.is_empty()
 }
 
 /// One step that can be undone, or, once undone, redone.

@@ -7,7 +7,7 @@ pub use bytes::BadBytes;
 use crate::command::{Action, Input, Op, Output};
 use crate::error::{CommandError, Problem};
 use crate::outcome::{Before, ElementIds};
-use formats::{Format, Import, NamedBytes};
+use formats::{Format, Import, NamedBytes, ReadError};
 use halfedge::{Mesh, Progress};
 use std::sync::Arc;
 
@@ -88,7 +88,10 @@ impl Work {
     fn run(&self, progress: &mut Progress<'_>) -> Result<JobResult, Problem> {
         let made = match self {
             Self::Import(files) => {
-                Made::Import(formats::read(files, progress).map_err(|e| Problem::new(e.to_string()))?)
+                Made::Import(formats::read(files, progress).map_err(|error| match error {
+                    ReadError::Cancelled => Problem::cancelled(),
+                    other => Problem::new(other.to_string()),
+                })?)
             }
             Self::Run(ops, inputs) => run(ops, inputs, progress)?,
             Self::Export(format, name, inputs) => {

@@ -40,6 +40,23 @@ impl Serialize for Finite {
     }
 }
 
+/// `serde(with)` for a `u32` that counts something.
+pub(crate) mod whole {
+    use super::*;
+
+    pub fn serialize<S: Serializer>(value: &u32, serializer: S) -> Result<S::Ok, S::Error> {
+        serializer.serialize_u32(*value)
+    }
+
+    pub fn deserialize<'de, D: Deserializer<'de>>(deserializer: D) -> Result<u32, D::Error> {
+        let value = serde_json::Value::deserialize(deserializer)?;
+        value
+            .as_u64()
+            .and_then(|whole| u32::try_from(whole).ok())
+            .ok_or_else(|| D::Error::custom(format!("{value} is not a whole number of 0 or more")))
+    }
+}
+
 /// `serde(with)` for an `f32`.
 pub(crate) mod finite {
     use super::*;

@@ -12,6 +12,7 @@ mod history;
 mod job;
 mod json;
 mod outcome;
+mod pieces;
 mod selection;
 mod state;
 

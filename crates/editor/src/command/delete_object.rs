@@ -20,6 +20,8 @@ impl Operation for DeleteObject {
         fields: &[],
     };
 
+    fields_by_serde!();
+
     fn action(&self) -> Action<'_> {
         Action::Document(self)
     }

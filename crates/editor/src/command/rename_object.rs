@@ -23,6 +23,8 @@ impl Operation for RenameObject {
         fields: &[Field::new("name", FieldKind::Text, "The new name")],
     };
 
+    fields_by_serde!();
+
     fn action(&self) -> Action<'_> {
         Action::Document(self)
     }

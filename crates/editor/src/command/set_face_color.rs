@@ -30,6 +30,8 @@ impl Operation for SetFaceColor {
         ],
     };
 
+    fields_by_serde!();
+
     fn resolve(mut self, target: &Target<'_>) -> Result<Vec<Self>, Problem> {
         if self.faces.is_none() {
             self.faces = Some(target.ids(Element::Face, "faces")?.into_iter().map(FaceRef).collect());

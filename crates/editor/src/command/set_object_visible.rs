@@ -23,6 +23,8 @@ impl Operation for SetObjectVisible {
         fields: &[Field::new("visible", FieldKind::Flag, "Whether it is shown")],
     };
 
+    fields_by_serde!();
+
     fn action(&self) -> Action<'_> {
         Action::Document(self)
     }

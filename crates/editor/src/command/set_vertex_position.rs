@@ -30,6 +30,8 @@ impl Operation for SetVertexPosition {
         ],
     };
 
+    fields_by_serde!();
+
     fn resolve(mut self, target: &Target<'_>) -> Result<Vec<Self>, Problem> {
         if self.vertex.is_none() {
             self.vertex = Some(VertexRef(target.only(Element::Vertex, "vertex")?));

@@ -57,6 +57,8 @@ impl Operation for SplitEdge {
         ],
     };
 
+    fields_by_serde!();
+
     fn resolve(self, target: &Target<'_>) -> Result<Vec<Self>, Problem> {
         if self.edge.is_some() {
             return Ok(vec![self]);

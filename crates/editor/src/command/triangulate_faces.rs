@@ -40,6 +40,8 @@ impl Operation for TriangulateFaces {
         ],
     };
 
+    fields_by_serde!();
+
     fn resolve(mut self, target: &Target<'_>) -> Result<Vec<Self>, Problem> {
         if self.faces.is_none() && target.selection.kind() == Element::Face && !target.selection.is_empty() {
             self.faces = Some(target.selection.ids().map(FaceRef).collect());

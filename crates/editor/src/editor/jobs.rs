@@ -192,8 +192,23 @@ impl Editor {
         }
     }
 
+    /// Refuses changes to an object that a job runs on.
     pub(super) fn check_busy(&self, changes: &[Change]) -> Result<(), Problem> {
-        changes.iter().filter_map(|c| c.mesh_of(&self.document)).try_for_each(|id| self.check_idle(id))
+        let mut ids: Vec<ObjectId> = self.document.objects().iter().map(|object| object.id()).collect();
+        for change in changes {
+            let id = match change {
+                Change::Journal(id, _) | Change::Mesh(id, _) => Some(*id),
+                // Places are those after the changes before it.
+                Change::Remove(at) if *at < ids.len() => Some(ids.remove(*at)),
+                Change::Insert(at, object) if *at <= ids.len() => {
+                    ids.insert(*at, object.id());
+                    None
+                }
+                _ => None,
+            };
+            id.map_or(Ok(()), |id| self.check_idle(id))?;
+        }
+        Ok(())
     }
 
     pub(super) fn refuse_while_busy(&self, op: &str, changes: &[Change]) -> Result<(), CommandError> {

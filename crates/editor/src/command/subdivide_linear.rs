@@ -1,0 +1,51 @@
+//! `subdivide-linear`: any polygons to quads, without smoothing.
+
+use super::subdivide::{self, MOST_LEVELS};
+use super::{Action, Field, FieldKind, Input, Operation, OperationKind, Output, Spec, WholeMesh};
+use crate::error::Problem;
+use halfedge::Progress;
+use serde::{Deserialize, Serialize};
+
+/// Cuts polygons into quads as Catmull-Clark does, leaving the surface where it is.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct SubdivideLinear {
+    /// How often.
+    #[serde(default = "subdivide::one", with = "crate::json::whole")]
+    pub levels: u32,
+}
+
+impl Default for SubdivideLinear {
+    fn default() -> Self {
+        Self { levels: 1 }
+    }
+}
+
+impl Operation for SubdivideLinear {
+    const SPEC: Spec = Spec {
+        name: "subdivide-linear",
+        label: "Subdivide (linear)",
+        description: "Cuts polygons into quads without smoothing.",
+        key: None,
+        kind: OperationKind::WholeMesh,
+        fields: &[Field::new("levels", FieldKind::Integer { min: 1, max: MOST_LEVELS }, "How often").or("1")],
+    };
+
+    fields_by_serde!();
+
+    fn action(&self) -> Action<'_> {
+        Action::WholeMesh(self)
+    }
+}
+
+impl WholeMesh for SubdivideLinear {
+    fn compute(&self, inputs: &[Input], progress: &mut Progress<'_>) -> Result<Vec<Output>, Problem> {
+        subdivide::check_levels(self.levels)?;
+        let options = surface::Linear { levels: self.levels };
+        subdivide::each(inputs, progress, |mesh, progress| surface::subdivide_linear(mesh, &options, progress))
+    }
+
+    fn cost(&self, inputs: &[Input]) -> usize {
+        subdivide::faces_after(inputs, self.levels)
+    }
+}

@@ -1,0 +1,255 @@
+//! `transform`: moves, turns and scales elements; what the gizmo sends.
+
+use super::fields::find_all;
+use super::{Action, EdgeRef, FaceRef, Field, FieldKind, LocalEdit, Operation, OperationKind, Spec, Target, VertexRef};
+use crate::error::Problem;
+use crate::json::{finite, finite3, finite3_option, finite_option};
+use glam::{Affine3A, Mat3A, Quat, Vec3};
+use halfedge::{Mesh, VertexId};
+use serde::de::{Deserializer, Error};
+use serde::{Deserialize, Serialize, Serializer};
+use std::cmp::Ordering;
+use std::collections::{BinaryHeap, HashMap};
+
+/// Scales and turns elements about a pivot, then moves them.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Transform {
+    /// Vertices to move. If no elements are given at all, the selected ones are moved.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub vertices: Option<Vec<VertexRef>>,
+    /// Edges whose ends are moved.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub edges: Option<Vec<EdgeRef>>,
+    /// Faces whose corners are moved.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub faces: Option<Vec<FaceRef>>,
+    /// How far to move, in mesh units.
+    #[serde(default, skip_serializing_if = "Option::is_none", with = "finite3_option")]
+    pub translate: Option<[f32; 3]>,
+    /// How to turn about the pivot.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub rotate: Option<Rotate>,
+    /// By how much to scale about the pivot.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub scale: Option<Scale>,
+    /// What stays in place when scaling and turning; the mean of the moved vertices if left out.
+    #[serde(default, skip_serializing_if = "Option::is_none", with = "finite3_option")]
+    pub pivot: Option<[f32; 3]>,
+    /// Soft selection: vertices this near along the surface come along, less the farther they are.
+    #[serde(default, skip_serializing_if = "Option::is_none", with = "finite_option")]
+    pub falloff: Option<f32>,
+}
+
+/// A turn about an axis, counter-clockwise seen from its tip.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Rotate {
+    /// The axis; its length doesn't matter.
+    #[serde(with = "finite3")]
+    pub axis: [f32; 3],
+    /// The angle.
+    #[serde(with = "finite")]
+    pub degrees: f32,
+}
+
+/// A factor per axis; in JSON one number stands for three equal ones.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Scale(pub [f32; 3]);
+
+impl Serialize for Scale {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        match self.0 {
+            [x, y, z] if x == y && y == z => finite::serialize(&x, serializer),
+            factors => finite3::serialize(&factors, serializer),
+        }
+    }
+}
+
+impl<'de> Deserialize<'de> for Scale {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        let value = serde_json::Value::deserialize(deserializer)?;
+        let factors = match value {
+            serde_json::Value::Array(_) => finite3::deserialize(value),
+            value => finite::deserialize(value).map(|factor| [factor; 3]),
+        };
+        factors.map(Self).map_err(|error| D::Error::custom(format!("expected a factor or three: {error}")))
+    }
+}
+
+impl Operation for Transform {
+    const SPEC: Spec = Spec {
+        name: "transform",
+        label: "Transform",
+        description: "Moves, turns and scales elements.",
+        key: None,
+        kind: OperationKind::Local,
+        fields: &[
+            Field::new("vertices", FieldKind::Vertices, "Vertices to move").or("the selection"),
+            Field::new("edges", FieldKind::Edges, "Edges whose ends are moved").or("the selection"),
+            Field::new("faces", FieldKind::Faces, "Faces whose corners are moved").or("the selection"),
+            Field::new("translate", FieldKind::Vector, "How far to move, in mesh units").or("[0, 0, 0]"),
+            Field::new("rotate", FieldKind::Rotation, "How to turn about the pivot").or("no turn"),
+            Field::new("scale", FieldKind::Factors, "By how much to scale about the pivot").or("1"),
+            Field::new("pivot", FieldKind::Vector, "What stays in place").or("the center of what is moved"),
+            Field::new(
+                "falloff",
+                FieldKind::Number { min: 0.0, max: f32::MAX },
+                "Soft selection: how far along the surface vertices come along",
+            )
+            .or("none"),
+        ],
+    };
+
+    fields_by_serde!();
+
+    fn resolve(mut self, target: &Target<'_>) -> Result<Vec<Self>, Problem> {
+        if self.vertices.is_none() && self.edges.is_none() && self.faces.is_none() {
+            self.vertices = Some(target.vertices("vertices")?.into_iter().map(VertexRef::from).collect());
+        }
+        Ok(vec![self])
+    }
+
+    fn action(&self) -> Action<'_> {
+        Action::Local(self)
+    }
+}
+
+impl LocalEdit for Transform {
+    fn edit(&self, mesh: &mut Mesh) -> Result<(), Problem> {
+        let vertices = self.moved(mesh)?;
+        let pivot = match self.pivot {
+            Some(pivot) => pivot.into(),
+            None => center(mesh, &vertices),
+        };
+        let map = self.map(pivot)?;
+        let weights = match self.falloff {
+            None => vertices.into_iter().map(|v| (v, 1.0)).collect(),
+            Some(radius) if radius > 0.0 => soft(mesh, &vertices, radius),
+            Some(radius) => {
+                return Err(Problem::field("falloff", format!("{radius} is out of range; it must be above 0")));
+            }
+        };
+        for (v, weight) in weights {
+            let old = mesh.position(v);
+            let new = old + (map.transform_point3(old) - old) * weight;
+            if !new.is_finite() {
+                return Err(Problem::new(format!("{v} would get a position that is not finite")));
+            }
+            mesh.set_position(v, new);
+        }
+        Ok(())
+    }
+
+    fn cost(&self, _mesh: &Mesh) -> usize {
+        let count = |list: Option<usize>| list.unwrap_or_default();
+        (count(self.vertices.as_ref().map(Vec::len))
+            + count(self.edges.as_ref().map(Vec::len))
+            + count(self.faces.as_ref().map(Vec::len)))
+            / 16
+    }
+}
+
+impl Transform {
+    /// The vertices of the given elements, each once, in order of id.
+    fn moved(&self, mesh: &Mesh) -> Result<Vec<VertexId>, Problem> {
+        let mut vertices = Vec::new();
+        if let Some(list) = &self.vertices {
+            vertices.extend(find_all(list, "vertices", |v, field| v.find(mesh, field))?);
+        }
+        for e in find_all(self.edges.as_deref().unwrap_or_default(), "edges", |e, field| e.find(mesh, field))? {
+            vertices.extend(mesh.ends(e));
+        }
+        for f in find_all(self.faces.as_deref().unwrap_or_default(), "faces", |f, field| f.find(mesh, field))? {
+            vertices.extend(mesh.face_vertices(f));
+        }
+        vertices.sort_unstable();
+        vertices.dedup();
+        Ok(vertices)
+    }
+
+    /// Scale, then turn, about the pivot; then move.
+    fn map(&self, pivot: Vec3) -> Result<Affine3A, Problem> {
+        let scale = self.scale.map_or(Vec3::ONE, |scale| scale.0.into());
+        let turn = match self.rotate {
+            None => Quat::IDENTITY,
+            Some(Rotate { axis, degrees }) => {
+                let axis = Vec3::from(axis).try_normalize().ok_or_else(|| {
+                    Problem::field("rotate.axis", "is too short to give a direction")
+                })?;
+                Quat::from_axis_angle(axis, degrees.to_radians())
+            }
+        };
+        let matrix = Mat3A::from_quat(turn) * Mat3A::from_diagonal(scale);
+        let translate = Vec3::from(self.translate.unwrap_or_default());
+        if self.rotate.is_none() && self.scale.is_none() {
+            // Exactly what was asked for, whatever the pivot.
+            return Ok(Affine3A::from_translation(translate));
+        }
+        Ok(Affine3A::from_mat3_translation(matrix.into(), translate + pivot - matrix * pivot))
+    }
+}
+
+/// The mean of some vertices' positions.
+fn center(mesh: &Mesh, vertices: &[VertexId]) -> Vec3 {
+    let sum = vertices.iter().fold(glam::DVec3::ZERO, |sum, &v| sum + mesh.position(v).as_dvec3());
+    if vertices.is_empty() { Vec3::ZERO } else { (sum / vertices.len() as f64).as_vec3() }
+}
+
+/// A vertex on the way of the soft selection's front, nearest first.
+struct Front {
+    distance: f32,
+    vertex: VertexId,
+    source: VertexId,
+}
+
+impl Ord for Front {
+    fn cmp(&self, other: &Self) -> Ordering {
+        other.distance.total_cmp(&self.distance).then_with(|| other.vertex.cmp(&self.vertex))
+    }
+}
+
+impl PartialOrd for Front {
+    fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
+        Some(self.cmp(other))
+    }
+}
+
+impl PartialEq for Front {
+    fn eq(&self, other: &Self) -> bool {
+        self.cmp(other) == Ordering::Equal
+    }
+}
+
+impl Eq for Front {}
+
+/// The vertices of a soft selection with their weights, in order of id: 1 for the selected ones,
+/// falling smoothly to 0 at the radius. A front goes outward over edges, each vertex remembering
+/// the selected one it comes from; the distance is the straight one to that. So a surface that
+/// only passes near by is not pulled along. Costs O(k log k) for k vertices within the radius.
+fn soft(mesh: &Mesh, selected: &[VertexId], radius: f32) -> Vec<(VertexId, f32)> {
+    let mut nearest: HashMap<VertexId, f32> = selected.iter().map(|&v| (v, 0.0)).collect();
+    let mut front: BinaryHeap<Front> =
+        selected.iter().map(|&v| Front { distance: 0.0, vertex: v, source: v }).collect();
+    while let Some(Front { distance, vertex, source }) = front.pop() {
+        if nearest.get(&vertex).is_some_and(|&known| known < distance) {
+            continue;
+        }
+        for w in mesh.neighbors(vertex) {
+            let distance = mesh.position(w).distance(mesh.position(source));
+            if distance < radius && nearest.get(&w).is_none_or(|&known| distance < known) {
+                nearest.insert(w, distance);
+                front.push(Front { distance, vertex: w, source });
+            }
+        }
+    }
+    let mut weights: Vec<(VertexId, f32)> = nearest
+        .into_iter()
+        .map(|(v, distance)| {
+            let x = 1.0 - distance / radius;
+            (v, x * x * (3.0 - 2.0 * x))
+        })
+        .collect();
+    weights.sort_unstable_by_key(|&(v, _)| v);
+    weights
+}

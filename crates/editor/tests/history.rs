@@ -1,0 +1,292 @@
+//! Undo, redo, drags, the bound on memory, and what changed.
+
+mod support;
+
+use editor::halfedge::{Element, VertexId};
+use editor::{Document, Editor, ObjectChange, SelectMode, Selection};
+use proptest::prelude::*;
+use serde_json::{Value, json};
+use support::*;
+
+fn position(editor: &Editor, v: usize) -> [f32; 3] {
+    editor.mesh().expect("a mesh").position(VertexId::new(v)).to_array()
+}
+
+/// Some command: ids and places are often those of nothing, so that refusals are among them.
+fn any_command() -> impl Strategy<Value = Value> {
+    let id = 0u32..40;
+    prop_oneof![
+        (id.clone(), prop::array::uniform3(-9f32..9.0))
+            .prop_map(|(v, p)| json!({"op": "set-vertex-position", "vertex": v, "position": p})),
+        (id.clone(), 0.1f32..0.9, prop::sample::select(vec!["none", "triangles", "all"]))
+            .prop_map(|(e, t, c)| json!({"op": "split-edge", "edge": e, "t": t, "connect": c})),
+        prop::collection::vec(id.clone(), 1..4)
+            .prop_map(|f| json!({"op": "set-face-color", "faces": f, "color": "#0a0b0c"})),
+        id.clone().prop_map(|f| json!({"op": "triangulate-faces", "faces": [f]})),
+        Just(json!({"op": "triangulate-faces"})),
+        Just(json!({"op": "subdivide-linear"})),
+        (0usize..3).prop_map(|o| json!({"op": "subdivide-catmull-clark", "object": o})),
+        Just(json!({"op": "new", "shape": "grid", "columns": 2, "rows": 1, "add": true})),
+        Just(json!({"op": "new", "shape": "tetrahedron"})),
+        (0usize..4).prop_map(|o| json!({"op": "activate-object", "object": o})),
+        (0usize..4).prop_map(|o| json!({"op": "delete-object", "object": o})),
+        (0usize..4).prop_map(|o| json!({"op": "rename-object", "object": o, "name": "Thing"})),
+        (0usize..3, any::<bool>())
+            .prop_map(|(o, v)| json!({"op": "set-object-visible", "object": o, "visible": v})),
+        Just(json!({"op": "join-objects"})),
+        Just(json!({"op": "separate", "by": "components"})),
+        prop::collection::vec(id.clone(), 1..4).prop_map(|f| json!({"op": "separate", "faces": f})),
+        (prop::collection::vec(id, 1..4), 0.5f32..3.0)
+            .prop_map(|(v, r)| json!({"op": "transform", "vertices": v, "translate": [0.5, 0.25, 0], "falloff": r})),
+    ]
+}
+
+fn any_element() -> impl Strategy<Value = Element> {
+    prop::sample::select(Element::ALL.to_vec())
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(96))]
+
+    #[test]
+    fn undo_and_redo_go_through_the_same_states(
+        steps in prop::collection::vec((any_command(), any_element(), 0u32..20), 1..14),
+    ) {
+        let mut editor = on_two();
+        while editor.undo().expect("free").is_some() {}
+        // Before each step the state it starts from, with what was selected then.
+        let mut states: Vec<(Document, Selection)> = Vec::new();
+        for (value, kind, id) in &steps {
+            let _ = editor.select(*kind, [*id], SelectMode::Extend);
+            let before = (editor.document().clone(), editor.selection().clone());
+            let labels = editor.undo_labels().count();
+            if editor.document().objects().iter().map(|o| o.mesh().face_count()).sum::<usize>() < 3000 {
+                let _ = editor.run(command(value.clone()));
+                validate(&editor);
+            }
+            match editor.undo_labels().count() - labels {
+                0 => prop_assert_eq!(editor.document(), &before.0, "{}", value),
+                1 => states.push(before),
+                n => prop_assert!(false, "{} steps for {}", n, value),
+            }
+        }
+        let last = (editor.document().clone(), editor.selection().clone());
+        for (document, selection) in states.iter().rev() {
+            prop_assert!(editor.undo().expect("free").is_some());
+            prop_assert_eq!(editor.document(), document);
+            prop_assert_eq!(editor.selection(), selection);
+        }
+        prop_assert_eq!(editor.undo().expect("free"), None);
+        for (document, _) in states.iter().skip(1) {
+            prop_assert!(editor.redo().expect("free").is_some());
+            prop_assert_eq!(editor.document(), document);
+        }
+        if !states.is_empty() {
+            prop_assert!(editor.redo().expect("free").is_some());
+        }
+        prop_assert_eq!(editor.document(), &last.0);
+        prop_assert_eq!(editor.redo().expect("free"), None);
+        validate(&editor);
+    }
+}
+
+#[test]
+fn a_drag_is_one_step_and_leaves_no_trace_when_cancelled() {
+    let mut editor = on_cube();
+    let before = editor.document().clone();
+    for i in 1..=100 {
+        let value = json!({"op": "set-vertex-position", "vertex": 7, "position": [i, 0, 0]});
+        editor.drag(command(value)).expect("a move");
+        assert_eq!(position(&editor, 7), [i as f32, 0.0, 0.0]);
+        assert!(editor.is_dragging() && editor.is_dirty());
+        assert_eq!(editor.undo_labels().count(), 0);
+    }
+    assert_eq!(editor.cancel_drag().as_deref(), Some("Move vertex"));
+    assert_eq!(editor.document(), &before);
+    assert_eq!((editor.undo_labels().count(), editor.history_bytes(), editor.is_dirty()), (0, 0, false));
+
+    for i in 1..=100 {
+        editor
+            .drag(command(json!({"op": "transform", "vertices": [7], "translate": [i, 0, 0]})))
+            .expect("a move");
+    }
+    // Each preview replaced the last: the moves don't add up.
+    assert_eq!(position(&editor, 7), [101.0, 1.0, 1.0]);
+    let one = {
+        let mut other = on_cube();
+        run(&mut other, json!({"op": "transform", "vertices": [7], "translate": [100, 0, 0]}));
+        other.history_bytes()
+    };
+    editor.commit_drag();
+    assert_eq!(editor.undo_labels().collect::<Vec<_>>(), ["Transform"]);
+    assert_eq!(editor.history_bytes(), one, "a drag costs what one edit does");
+    assert_eq!(editor.undo().expect("free").as_deref(), Some("Transform"));
+    assert_eq!(editor.document(), &before);
+    assert_eq!(editor.redo().expect("free").as_deref(), Some("Transform"));
+    assert_eq!(position(&editor, 7), [101.0, 1.0, 1.0]);
+    assert_eq!(editor.commit_drag(), None);
+    assert_eq!(editor.cancel_drag(), None);
+}
+
+#[test]
+fn a_drag_of_an_edit_that_makes_elements_is_one_step_too() {
+    let mut editor = on_cube();
+    editor.select(Element::Edge, [0, 11], SelectMode::Replace).expect("there");
+    let before = editor.document().clone();
+    for t in [0.1, 0.5, 0.9] {
+        editor.drag(command(json!({"op": "split-edge", "edge": 0, "t": t, "connect": "all"}))).expect("a split");
+        validate(&editor);
+        assert_eq!(sizes(&editor), [9, 15, 8]);
+    }
+    editor.commit_drag();
+    assert_eq!(editor.undo_labels().count(), 1);
+    editor.undo().expect("free");
+    assert_eq!(editor.document(), &before);
+    assert_eq!(editor.selection().ids().collect::<Vec<_>>(), [0, 11]);
+}
+
+#[test]
+fn a_refused_preview_leaves_the_last_one() {
+    let mut editor = on_cube();
+    editor.drag(command(json!({"op": "split-edge", "edge": 0, "t": 0.5}))).expect("a split");
+    let shown = editor.document().clone();
+    for bad in [
+        json!({"op": "split-edge", "edge": 0, "t": 1.5}),
+        json!({"op": "subdivide-linear"}),
+        json!({"op": "rename-object", "name": "No"}),
+        // Edge 12 is there in the preview only.
+        json!({"op": "split-edge", "edge": 12}),
+    ] {
+        let error = editor.drag(command(bad.clone())).expect_err("refused");
+        assert!(error.to_string().starts_with(bad["op"].as_str().expect("text")), "{error}");
+        assert_eq!(editor.document(), &shown, "{bad}");
+        assert!(editor.is_dragging());
+    }
+    editor.commit_drag();
+    editor.undo().expect("free");
+    assert_eq!(editor.document(), on_cube().document());
+    assert!(editor.drag(command(json!({"op": "split-edge", "edge": 77}))).is_err());
+    assert!(!editor.is_dragging());
+}
+
+#[test]
+fn a_command_ends_a_drag_and_undo_takes_it_back() {
+    let mut editor = on_cube();
+    let value = json!({"op": "set-vertex-position", "vertex": 7, "position": [5, 0, 0]});
+    editor.drag(command(value.clone())).expect("a move");
+    run(&mut editor, json!({"op": "split-edge", "edge": 0}));
+    assert_eq!(editor.undo_labels().collect::<Vec<_>>(), ["Move vertex", "Split edge"]);
+    editor.drag(command(value)).expect("a move");
+    assert_eq!(editor.undo().expect("free").as_deref(), Some("Move vertex"));
+    assert_eq!(editor.undo_labels().count(), 2, "only the drag was taken back");
+}
+
+#[test]
+fn history_is_bounded_by_bytes_and_drops_the_oldest() {
+    let mut editor = on_cube();
+    run(&mut editor, json!({"op": "set-vertex-position", "vertex": 0, "position": [0, 0, 0.5]}));
+    let step = editor.history_bytes();
+    editor.set_history_limit(step * 10);
+    for i in 0..100 {
+        run(&mut editor, json!({"op": "set-vertex-position", "vertex": 0, "position": [0, 0, i]}));
+        assert!(editor.history_bytes() <= editor.history_limit());
+    }
+    assert_eq!(editor.undo_labels().count(), 10);
+    for i in (90..100).rev() {
+        assert_eq!(position(&editor, 0), [0.0, 0.0, i as f32]);
+        editor.undo().expect("free");
+    }
+    assert_eq!(editor.undo().expect("free"), None);
+    assert_eq!(position(&editor, 0), [0.0, 0.0, 89.0]);
+    // Redo counts too, and the latest step is kept whatever its size.
+    assert_eq!(editor.redo_labels().count(), 10);
+    editor.set_history_limit(0);
+    run(&mut editor, json!({"op": "subdivide-linear"}));
+    assert_eq!((editor.undo_labels().count(), editor.redo_labels().count()), (1, 0));
+    editor.undo().expect("free");
+    assert_eq!(position(&editor, 0), [0.0, 0.0, 89.0]);
+}
+
+#[test]
+fn a_document_is_dirty_until_it_is_as_it_was_saved() {
+    let mut editor = on_cube();
+    assert!(!editor.is_dirty());
+    run(&mut editor, json!({"op": "split-edge", "edge": 0}));
+    assert!(editor.is_dirty());
+    editor.undo().expect("free");
+    assert!(!editor.is_dirty());
+    editor.redo().expect("free");
+    editor.mark_saved();
+    assert!(!editor.is_dirty());
+    editor.undo().expect("free");
+    assert!(editor.is_dirty());
+    run(&mut editor, json!({"op": "split-edge", "edge": 0}));
+    assert!(editor.is_dirty(), "the same command is not the same state");
+}
+
+#[test]
+fn changes_say_what_to_follow() {
+    let mut editor = on_cube();
+    let first = editor.take_changes();
+    let id = editor.document().objects()[0].id();
+    assert_eq!(first.of(id), Some(&ObjectChange::Added));
+    assert!(editor.take_changes().is_empty());
+    run(&mut editor, json!({"op": "set-vertex-position", "vertex": 7, "position": [5, 0, 0]}));
+    run(&mut editor, json!({"op": "set-vertex-position", "vertex": 2, "position": [5, 0, 0]}));
+    let changes = editor.take_changes();
+    assert!(changes.history && !changes.selection);
+    let Some(ObjectChange::Touched(touched)) = changes.of(id) else { panic!("{changes:?}") };
+    assert_eq!(touched.vertices, [VertexId::new(2), VertexId::new(7)]);
+    assert_eq!((touched.halfedges.len(), touched.edges.len(), touched.faces.len()), (0, 0, 0));
+    editor.undo().expect("free");
+    let changes = editor.take_changes();
+    let Some(ObjectChange::Touched(touched)) = changes.of(id) else { panic!("{changes:?}") };
+    assert_eq!(touched.vertices, [VertexId::new(2)]);
+    run(&mut editor, json!({"op": "split-edge", "edge": 0}));
+    run(&mut editor, json!({"op": "subdivide-linear"}));
+    assert_eq!(editor.take_changes().of(id), Some(&ObjectChange::Everything));
+    run(&mut editor, json!({"op": "new", "shape": "plane", "add": true}));
+    let plane = editor.document().objects()[1].id();
+    run(&mut editor, json!({"op": "delete-object", "object": 0}));
+    let changes = editor.take_changes();
+    assert_eq!((changes.of(id), changes.of(plane)), (Some(&ObjectChange::Gone), Some(&ObjectChange::Added)));
+    assert!(changes.document);
+    editor.undo().expect("free");
+    assert_eq!(editor.take_changes().of(id), Some(&ObjectChange::Added));
+    editor.select_all(Element::Face);
+    let changes = editor.take_changes();
+    assert!(changes.selection && changes.objects.is_empty());
+}
+
+#[test]
+fn selecting_replaces_extends_toggles_and_ranges() {
+    let mut editor = on_cube();
+    let ids = |editor: &Editor| editor.selection().ids().collect::<Vec<_>>();
+    editor.select(Element::Face, [1, 3], SelectMode::Replace).expect("there");
+    editor.select(Element::Face, [5], SelectMode::Extend).expect("there");
+    assert_eq!((ids(&editor), editor.selection().latest()), (vec![1, 3, 5], Some(5)));
+    editor.select(Element::Face, [3, 4], SelectMode::Toggle).expect("there");
+    assert_eq!((ids(&editor), editor.selection().latest()), (vec![1, 4, 5], Some(4)));
+    editor.select_range(Element::Face, 2).expect("there");
+    assert_eq!((ids(&editor), editor.selection().latest()), (vec![1, 2, 3, 4, 5], Some(2)));
+    let error = editor.select(Element::Face, [0, 6], SelectMode::Extend).expect_err("no face 6");
+    assert_eq!(error.to_string(), "select: `ids`: there is no face 6");
+    assert_eq!(ids(&editor), [1, 2, 3, 4, 5]);
+    editor.select(Element::Edge, [11], SelectMode::Extend).expect("another kind starts over");
+    assert_eq!((editor.selection().kind(), ids(&editor)), (Element::Edge, vec![11]));
+    editor.select_all(Element::Halfedge);
+    assert_eq!(editor.selection().len(), 24);
+    editor.deselect();
+    assert!(editor.selection().is_empty());
+    assert_eq!(editor.undo_labels().count(), 0);
+}
+
+#[test]
+fn activating_another_object_drops_the_selection_and_undo_brings_it_back() {
+    let mut editor = on_two();
+    editor.select(Element::Vertex, [7], SelectMode::Replace).expect("there");
+    run(&mut editor, json!({"op": "activate-object", "object": 1}));
+    assert!(editor.selection().is_empty());
+    editor.undo().expect("free");
+    assert_eq!(editor.selection().ids().collect::<Vec<_>>(), [7]);
+}

@@ -1,0 +1,290 @@
+//! Jobs: begun, run elsewhere through bytes, finished or cancelled; and bytes that are none.
+
+mod support;
+
+use editor::formats::{Format, NamedBytes};
+use editor::halfedge::{Element, Mesh, keys};
+use editor::{Begun, Command, Editor, ErrorKind, Finished, JobRequest, JobResult, SelectMode};
+use proptest::prelude::*;
+use serde_json::json;
+use std::ops::ControlFlow;
+use support::*;
+
+fn on(progress: f32) -> ControlFlow<()> {
+    assert!((0.0..=1.0).contains(&progress), "{progress}");
+    ControlFlow::Continue(())
+}
+
+/// Runs a job as a worker does: everything goes through bytes.
+fn through_bytes(request: &JobRequest) -> JobResult {
+    let there = JobRequest::from_bytes(&request.to_bytes()).expect("its own bytes");
+    assert_eq!((there.id(), there.op()), (request.id(), request.op()));
+    let result = there.run(&mut on).expect("a job that succeeds");
+    JobResult::from_bytes(&result.to_bytes()).expect("its own bytes")
+}
+
+fn job(begun: Begun) -> JobRequest {
+    match begun {
+        Begun::Job(request) => request,
+        Begun::Done(outcome) => panic!("done at once: {outcome:?}"),
+    }
+}
+
+/// A cube with gaps in its ids, and columns of every type.
+fn decorated() -> Mesh {
+    let mut mesh = cube();
+    mesh.set(keys::FACE_COLOR, 2, editor::halfedge::Color([1, 2, 3]));
+    mesh.set(keys::EDGE_CREASE, 5, 2.5);
+    mesh.set(keys::CORNER_UV, 7, glam::Vec2::new(0.5, -1.0));
+    mesh.set(keys::CORNER_NORMAL, 3, glam::Vec3::Y);
+    let mut groups = editor::halfedge::attribute::Column::with_values(keys::FACE_GROUP, vec![0, 0, 1, 1, 0, 1]);
+    groups.labels = vec!["a".into(), "b".into()];
+    mesh.insert_column(Element::Face, groups);
+    mesh
+}
+
+#[test]
+fn what_is_small_is_done_at_once_and_what_is_large_is_a_job() {
+    let mut editor = on_cube();
+    let begun = editor.begin(command(json!({"op": "subdivide-linear"}))).expect("a cube");
+    assert!(matches!(begun, Begun::Done(_)));
+    let request = job(editor.begin(command(json!({"op": "subdivide-linear", "levels": 6}))).expect("a cube"));
+    assert_eq!(sizes(&editor)[2], 24, "the document stays as it is");
+    assert_eq!(editor.jobs().map(|job| (job.id, job.op)).collect::<Vec<_>>(), [(request.id(), "subdivide-linear")]);
+    let Finished::Done(outcome) = editor.finish(request.id(), Ok(through_bytes(&request))).expect("waited for")
+    else {
+        panic!("a command")
+    };
+    assert_eq!(outcome.op, "subdivide-linear");
+    assert_eq!(sizes(&editor)[2], 24 * 4096);
+    assert_eq!(editor.jobs().count(), 0);
+    assert_eq!(editor.undo_labels().count(), 2);
+    validate(&editor);
+    editor.undo().expect("free");
+    assert_eq!(sizes(&editor)[2], 24);
+}
+
+#[test]
+fn a_job_through_bytes_equals_the_direct_run() {
+    for op in [
+        json!({"op": "subdivide-catmull-clark", "levels": 6, "boundary": "edge-and-corner"}),
+        json!({"op": "subdivide-linear", "levels": 6}),
+        json!({"op": "new", "shape": "grid", "columns": 200, "rows": 200}),
+    ] {
+        let mut direct = Editor::with_mesh("Cube", decorated());
+        let mut remote = Editor::with_mesh("Cube", decorated());
+        let expected = direct.run(command(op.clone())).expect("goes through");
+        let request = job(remote.begin(command(op)).expect("goes through"));
+        let Ok(Finished::Done(outcome)) = remote.finish(request.id(), Ok(through_bytes(&request))) else {
+            panic!("a command")
+        };
+        assert_eq!(outcome, expected);
+        assert_eq!(remote.document(), direct.document());
+        assert_eq!(remote.selection(), direct.selection());
+    }
+}
+
+#[test]
+fn a_large_local_edit_is_a_job_that_keeps_ids_and_selection() {
+    let start = || {
+        let mut editor = on_cube();
+        run(&mut editor, json!({"op": "new", "shape": "grid", "columns": 200, "rows": 150}));
+        editor.select(Element::Vertex, [3, 70], SelectMode::Replace).expect("there");
+        editor
+    };
+    let (mut direct, mut remote) = (start(), start());
+    let expected = direct.run(command(json!({"op": "triangulate-faces"}))).expect("goes through");
+    let request = job(remote.begin(command(json!({"op": "triangulate-faces"}))).expect("goes through"));
+    let Ok(Finished::Done(outcome)) = remote.finish(request.id(), Ok(through_bytes(&request))) else {
+        panic!("a command")
+    };
+    assert_eq!(outcome, expected);
+    assert_eq!(outcome.created.ids.expect("local").faces.len(), 30_000);
+    assert_eq!(remote.document(), direct.document());
+    assert_eq!(remote.selection().ids().collect::<Vec<_>>(), [3, 70]);
+    remote.undo().expect("free");
+    assert_eq!(remote.document(), start().document());
+}
+
+#[test]
+fn an_object_with_a_job_is_not_edited() {
+    let mut editor = on_two();
+    let steps = editor.undo_labels().count();
+    let request = job(editor.begin(command(json!({"op": "subdivide-linear", "levels": 7}))).expect("a cube"));
+    for op in [
+        json!({"op": "split-edge", "edge": 0}),
+        json!({"op": "subdivide-linear"}),
+        json!({"op": "delete-object", "object": 0}),
+        json!({"op": "join-objects"}),
+        json!({"op": "new", "shape": "cube"}),
+    ] {
+        let text = refusal(&mut editor, op.clone());
+        assert!(text.contains("still running on Cube"), "{op}: {text}");
+        assert!(text.contains("wait") && text.contains("cancel"), "{text}");
+    }
+    assert!(editor.drag(command(json!({"op": "split-edge", "edge": 0}))).is_err());
+    // Others are, and so is what is not the mesh.
+    run(&mut editor, json!({"op": "split-edge", "edge": 0, "object": 1}));
+    run(&mut editor, json!({"op": "rename-object", "object": 0, "name": "Busy"}));
+    run(&mut editor, json!({"op": "new", "shape": "cube", "add": true}));
+    assert!(editor.finish(request.id(), Ok(through_bytes(&request))).is_ok());
+    assert_eq!(editor.undo_labels().count(), steps + 4);
+    assert_eq!(editor.document().objects()[0].mesh().face_count(), 6 * 4usize.pow(7));
+    validate(&editor);
+}
+
+#[test]
+fn undo_waits_for_the_job_on_its_object() {
+    let mut editor = on_cube();
+    run(&mut editor, json!({"op": "split-edge", "edge": 0}));
+    let request = job(editor.begin(command(json!({"op": "subdivide-linear", "levels": 7}))).expect("a cube"));
+    let text = editor.undo().expect_err("busy").to_string();
+    assert!(text.starts_with("undo: ") && text.contains("still running"), "{text}");
+    assert!(editor.cancel(request.id()));
+    assert!(!editor.cancel(request.id()));
+    assert!(editor.undo().expect("free").is_some());
+    let error = editor.finish(request.id(), Ok(through_bytes(&request))).expect_err("cancelled");
+    assert!(error.is_cancelled());
+    assert_eq!(editor.document(), on_cube().document());
+}
+
+#[test]
+fn a_job_that_is_stopped_or_fails_changes_nothing() {
+    let mut editor = on_cube();
+    let request = job(editor.begin(command(json!({"op": "subdivide-linear", "levels": 7}))).expect("a cube"));
+    let mut calls = 0;
+    let stopped = request.run(&mut |_| {
+        calls += 1;
+        if calls < 4 { ControlFlow::Continue(()) } else { ControlFlow::Break(()) }
+    });
+    let error = stopped.as_ref().expect_err("stopped");
+    assert_eq!(error.kind, ErrorKind::Cancelled);
+    assert!(editor.finish(request.id(), stopped).is_err());
+    assert_eq!(editor.document(), on_cube().document());
+    assert_eq!(editor.jobs().count(), 0);
+    assert_eq!(editor.messages().count(), 0, "cancelling is no news");
+
+    let mut editor = on_cube();
+    let request = job(editor.begin(command(json!({"op": "subdivide-loop", "levels": 7}))).expect("not looked at yet"));
+    let failed = request.run(&mut on);
+    assert!(editor.finish(request.id(), failed).is_err());
+    assert_eq!(editor.document(), on_cube().document());
+    assert!(editor.messages().next_back().expect("said").text.contains("triangles"));
+}
+
+const OBJ: &[u8] = b"o Pyramid\nv 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv .5 .5 1\nf 4 3 2 1\nf 1 2 5\nf 2 3 5\nf 3 4 5\nf 4 1 5\n";
+
+#[test]
+fn files_open_and_are_written_through_jobs() {
+    let mut editor = on_two();
+    let before = editor.document().clone();
+    let request = editor.begin_import(vec![NamedBytes::new("pyramid.obj", OBJ)]);
+    assert_eq!(editor.document(), &before);
+    let Ok(Finished::Done(outcome)) = editor.finish(request.id(), Ok(through_bytes(&request))) else {
+        panic!("opened")
+    };
+    assert_eq!((outcome.op.as_str(), outcome.created.faces), ("open", 5));
+    assert_eq!(editor.document().name(), "pyramid");
+    assert_eq!(sizes(&editor), [5, 8, 5]);
+    assert!(!editor.is_dirty());
+
+    let request = editor.begin_export(Format::Obj);
+    let Ok(Finished::Exported(files)) = editor.finish(request.id(), Ok(through_bytes(&request))) else {
+        panic!("exported")
+    };
+    assert_eq!(files[0].name, "pyramid.obj");
+    let again = JobRequest::import(files).run(&mut on).expect("its own file").into_import().expect("an import");
+    assert_eq!(&again.objects[0].mesh.to_soup(), &editor.mesh().expect("it").to_soup());
+
+    editor.undo().expect("free");
+    assert_eq!(editor.document(), &before);
+}
+
+#[test]
+fn a_broken_file_leaves_the_document_as_it_was_and_says_why() {
+    let mut editor = on_cube();
+    let request = editor.begin_import(vec![NamedBytes::new("photo.jpg", [0xff, 0xd8, 0xff, 0xe0])]);
+    let failed = request.run(&mut on);
+    let error = editor.finish(request.id(), failed).expect_err("no model");
+    assert!(error.to_string().starts_with("open: ") && error.to_string().contains("photo.jpg"), "{error}");
+    assert_eq!(editor.messages().next_back().expect("said").text, error.to_string());
+    assert_eq!(editor.document(), on_cube().document());
+}
+
+fn requests() -> Vec<Vec<u8>> {
+    let mut editor = Editor::with_mesh("Cube", decorated());
+    let run = job(editor.begin(command(json!({"op": "subdivide-linear", "levels": 6}))).expect("a cube"));
+    let import = editor.begin_import(vec![NamedBytes::new("a.obj", OBJ)]);
+    let export = editor.begin_export(Format::Obj);
+    [run, import, export].map(|request| request.to_bytes()).into()
+}
+
+#[test]
+fn every_shortened_request_is_refused() {
+    for bytes in requests() {
+        for len in 0..bytes.len() {
+            assert!(JobRequest::from_bytes(&bytes[..len]).is_err(), "{len} of {}", bytes.len());
+        }
+        assert!(JobResult::from_bytes(&bytes).is_err(), "a request is not a result");
+        let longer: Vec<u8> = bytes.iter().copied().chain([0]).collect();
+        assert!(JobRequest::from_bytes(&longer).is_err());
+    }
+}
+
+#[test]
+fn headers_that_promise_more_than_there_is_are_refused() {
+    let header = json!({"Run": {"id": 1, "ops": [{"op": "subdivide-linear"}], "meshes": [
+        {"name": "", "vertices": u64::MAX / 16, "edges": u64::MAX / 2, "faces": 3, "gaps": [0, 0, 0],
+         "columns": [[], [], [], []]}]}})
+    .to_string();
+    let mut bytes = b"MWjobRq1".to_vec();
+    bytes.extend((header.len() as u64).to_le_bytes());
+    bytes.extend(header.as_bytes());
+    let error = JobRequest::from_bytes(&bytes).expect_err("nothing is there");
+    assert!(error.to_string().contains("early") || error.to_string().contains("long"), "{error}");
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(512))]
+
+    /// Whatever comes out of damaged bytes is an error or a job with valid meshes.
+    #[test]
+    fn damaged_bytes_never_panic(which in 0usize..3, at in any::<prop::sample::Index>(), bits in 1u8..) {
+        let mut bytes = requests().swap_remove(which);
+        let at = at.index(bytes.len());
+        bytes[at] ^= bits;
+        if let Ok(request) = JobRequest::from_bytes(&bytes) {
+            let _ = JobRequest::from_bytes(&request.to_bytes()).expect("its own bytes");
+        }
+    }
+
+    #[test]
+    fn damaged_results_never_panic(at in any::<prop::sample::Index>(), bits in 1u8..) {
+        let editor = Editor::with_mesh("Cube", decorated());
+        let mut editor = editor;
+        let request = editor.begin_import(vec![NamedBytes::new("a.obj", OBJ)]);
+        let mut bytes = request.run(&mut on).expect("a file").to_bytes();
+        let at = at.index(bytes.len());
+        bytes[at] ^= bits;
+        if let Ok(result) = JobResult::from_bytes(&bytes) {
+            let _ = editor.finish(request.id(), Ok(result));
+            validate(&editor);
+        }
+    }
+
+    #[test]
+    fn any_bytes_are_refused(bytes in prop::collection::vec(any::<u8>(), 0..200)) {
+        prop_assert!(JobRequest::from_bytes(&bytes).is_err());
+        prop_assert!(JobResult::from_bytes(&bytes).is_err());
+    }
+
+    #[test]
+    fn any_text_is_a_command_or_an_error(text in "\\PC*", op in prop::sample::select(
+        editor::OPERATIONS.iter().map(|spec| spec.name).collect::<Vec<_>>()), field in "[a-z]{1,8}") {
+        let _ = Command::from_json(&text);
+        let value = json!({"op": op, field: text});
+        if let Ok(command) = Command::from_value(value) {
+            let _ = on_cube().run(command);
+        }
+    }
+}
