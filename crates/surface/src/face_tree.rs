@@ -94,14 +94,22 @@ impl FaceTree {
     /// The tree of all faces. Costs O(mesh).
     pub fn new(mesh: &Mesh) -> Self {
         let mut order: Vec<u32> = mesh.faces().map(FaceId::raw).collect();
-        let bounds: Vec<Bounds> = mesh.faces().map(|f| face_bounds(mesh, f)).collect();
-        let mut leaves: Vec<Bounds> = bounds
-            .chunks(LEAF)
-            .map(|chunk| chunk.iter().copied().fold(Bounds::EMPTY, Bounds::union))
-            .collect();
-        let faces_extent: f64 = bounds.iter().map(|&b| extent(b)).sum::<f64>() / bounds.len().max(1) as f64;
+        let mut leaves = Vec::with_capacity(order.len().div_ceil(LEAF));
+        let mut faces_extent = 0.0;
+        for chunk in order.chunks(LEAF) {
+            let mut leaf = Bounds::EMPTY;
+            for &face in chunk {
+                let bounds = face_bounds(mesh, FaceId::new(face as usize));
+                faces_extent += extent(bounds);
+                leaf = leaf.union(bounds);
+            }
+            leaves.push(leaf);
+        }
+        faces_extent /= order.len().max(1) as f64;
         let leaves_extent: f64 = leaves.iter().map(|&b| extent(b)).sum::<f64>() / leaves.len().max(1) as f64;
         if leaves_extent > COHERENT * faces_extent {
+            let bounds: Vec<Bounds> =
+                order.iter().map(|&face| face_bounds(mesh, FaceId::new(face as usize))).collect();
             let sorted = morton::order(&bounds);
             order = sorted.iter().map(|&i| order[i as usize]).collect();
             leaves = sorted

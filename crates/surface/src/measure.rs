@@ -127,5 +127,5 @@ pub fn dihedral_angle(mesh: &Mesh, edge: EdgeId) -> Option<f64> {
     }
     let [from, to] = [mesh.from(h), mesh.to(h)].map(|v| mesh.position(v).as_dvec3());
     let along = (to - from).normalize_or_zero();
-    Some(b.cross(a).dot(along).atan2(a.dot(b)) * -1.0)
+    Some(a.cross(b).dot(along).atan2(a.dot(b)))
 }

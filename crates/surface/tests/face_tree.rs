@@ -129,7 +129,7 @@ proptest! {
             let v = mesh.vertices().nth(pick.index(mesh.vertex_count())).expect("in range");
             mesh.set_position(v, mesh.position(v) + Vec3::new(by, -by, by * 0.5));
             let journal = mesh.finish_recording();
-            let mut touched: Vec<FaceId> = journal.touched().faces.iter().copied().collect();
+            let mut touched: Vec<FaceId> = journal.touched().faces;
             touched.extend(mesh.vertex_faces(v));
             tree.update(&mesh, touched);
         }
