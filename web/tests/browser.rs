@@ -1,7 +1,15 @@
 //! Tests that run in a browser: what only a browser can answer.
 #![cfg(target_arch = "wasm32")]
 
-use wasm_bindgen_test::{wasm_bindgen_test, wasm_bindgen_test_configure};
+use std::ops::ControlFlow;
+
+use editor::{CommandError, ErrorKind, JobRequest, JobResult};
+use formats::NamedBytes;
+use meshwright_web::platform::browser::Browser;
+use meshwright_web::platform::{DeviceInfo, Event, Platform};
+use meshwright_worker::{Message, request, transferable};
+use wasm_bindgen::JsValue;
+use wasm_bindgen_test::{console_log, wasm_bindgen_test, wasm_bindgen_test_configure};
 
 wasm_bindgen_test_configure!(run_in_browser);
 
@@ -9,4 +17,164 @@ wasm_bindgen_test_configure!(run_in_browser);
 #[wasm_bindgen_test]
 fn the_page_has_32_bit_memory() {
     assert_eq!(size_of::<usize>(), 4);
+}
+
+#[wasm_bindgen_test]
+fn messages_of_the_worker_read_back() {
+    let refusal = |field: Option<&str>, kind| Message::Refused {
+        job: 3,
+        refusal: CommandError {
+            op: "subdivide-loop".to_owned(),
+            field: field.map(str::to_owned),
+            problem: "face 7 has 4 corners".to_owned(),
+            kind,
+        },
+    };
+    let messages = [
+        Message::Ready,
+        Message::Progress { job: 0, fraction: 0.625 },
+        Message::Done { job: 1 << 40, result: vec![0, 1, 255], memory: 1048576.0 },
+        Message::Done { job: 2, result: Vec::new(), memory: 0.0 },
+        refusal(None, ErrorKind::Refused),
+        refusal(Some("levels"), ErrorKind::Internal),
+        refusal(Some(""), ErrorKind::Cancelled),
+        Message::Misunderstood { job: 4, reason: "no".to_owned() },
+        Message::Crashed { reason: "over".to_owned() },
+    ];
+    for message in messages {
+        let (value, _) = message.to_js();
+        assert_eq!(Message::from_js(&value), Some(message));
+    }
+}
+
+#[wasm_bindgen_test]
+fn other_values_are_no_message() {
+    let values = [
+        JsValue::UNDEFINED,
+        JsValue::from("ready"),
+        js_sys::Array::new().into(),
+        js_sys::Array::of1(&"unheard of".into()).into(),
+        js_sys::Array::of2(&"done".into(), &1.0.into()).into(),
+        js_sys::Array::of3(&"progress".into(), &(-1.0).into(), &0.5.into()).into(),
+    ];
+    for value in values {
+        assert_eq!(Message::from_js(&value), None, "{value:?}");
+    }
+}
+
+#[wasm_bindgen_test]
+fn bytes_to_transfer_are_a_copy_of_their_own() {
+    let (array, buffer) = transferable(&[1, 2, 3]);
+    assert_eq!(array.to_vec(), [1, 2, 3]);
+    let buffer = js_sys::ArrayBuffer::from(buffer);
+    assert_eq!(buffer.byte_length(), 3, "not the whole memory of the program");
+    let (_, transfer) = request(5, &[7; 10]);
+    assert_eq!(js_sys::Array::from(&transfer).length(), 1);
+}
+
+/// A worker whose script is not there: every job that waits for it fails, saying so.
+#[wasm_bindgen_test]
+async fn a_worker_that_cannot_start_fails_its_jobs() {
+    let ctx = egui::Context::default();
+    let mut browser = Browser::new(&ctx, DeviceInfo::default());
+    browser.start_job(1, vec![1]);
+    browser.start_job(2, vec![2]);
+    browser.start_job(3, vec![3]);
+    browser.cancel_job(2);
+    let mut failed = Vec::new();
+    for _ in 0..100 {
+        for event in browser.poll(&ctx) {
+            let Event::JobDone { job, result: Err(error) } = event else { panic!("{event:?}") };
+            assert!(error.problem.contains("could not be started"), "{error}");
+            failed.push(job);
+        }
+        if failed.len() >= 2 {
+            break;
+        }
+        sleep(50).await;
+    }
+    assert_eq!(failed, [1, 3], "a job that was cancelled says nothing more");
+}
+
+async fn sleep(milliseconds: i32) {
+    let promise = js_sys::Promise::new(&mut |resolve, _| {
+        let window = web_sys::window().unwrap();
+        window.set_timeout_with_callback_and_timeout_and_arguments_0(&resolve, milliseconds).unwrap();
+    });
+    wasm_bindgen_futures::JsFuture::from(promise).await.unwrap();
+}
+
+#[wasm_bindgen_test]
+fn settings_last() {
+    let ctx = egui::Context::default();
+    let mut browser = Browser::new(&ctx, DeviceInfo::default());
+    assert_eq!(browser.load_setting("a test's"), None);
+    browser.store_setting("a test's", "1");
+    browser.store_setting("a test's", "über");
+    let later = Browser::new(&ctx, DeviceInfo::default());
+    assert_eq!(later.load_setting("a test's").as_deref(), Some("über"));
+    assert_eq!(later.load_setting("a test"), None);
+}
+
+#[wasm_bindgen_test]
+fn the_clock_goes_on() {
+    let browser = Browser::new(&egui::Context::default(), DeviceInfo::default());
+    let first = browser.now();
+    while browser.now() <= first {}
+    assert!(browser.now() - first < 60.0, "seconds, not milliseconds");
+}
+
+/// What the worker does with the page's bytes. Says how fast a large OBJ is read in WebAssembly;
+/// `cargo xtask test --only wasm -- --release` gives numbers that mean something.
+#[wasm_bindgen_test]
+fn a_large_obj_goes_through_a_job() {
+    let side = 300;
+    let text = grid_of_triangles(side);
+    let size = text.len() as f64 / 1e6;
+    let files = vec![NamedBytes { name: "grid.obj".to_owned(), bytes: text.into_bytes() }];
+    let bytes = JobRequest::import(files).to_bytes();
+    let request = JobRequest::from_bytes(&bytes).unwrap();
+    let clock = web_sys::window().unwrap().performance().unwrap();
+    let start = clock.now();
+    let mut told = Vec::new();
+    let result = request
+        .run(&mut |fraction| {
+            told.push(fraction);
+            ControlFlow::Continue(())
+        })
+        .unwrap();
+    let seconds = (clock.now() - start) / 1000.0;
+    console_log!("read and built {} triangles, {size:.1} MB: {:.0} MB/s", 2 * side * side, size / seconds);
+    assert!(told.len() > 2 && told.is_sorted(), "{told:?}");
+    let import = JobResult::from_bytes(&result.to_bytes()).unwrap().into_import().unwrap();
+    let [object] = import.objects.as_slice() else { panic!("{} objects", import.objects.len()) };
+    assert_eq!(object.mesh.vertex_count(), (side + 1) * (side + 1));
+    assert_eq!(object.mesh.face_count(), 2 * side * side);
+}
+
+fn grid_of_triangles(side: usize) -> String {
+    use std::fmt::Write;
+    let mut text = String::new();
+    for y in 0..=side {
+        for x in 0..=side {
+            let z = (x * 7 + y * 13) % 101;
+            writeln!(
+                text,
+                "v {}.{:06} {}.{:06} 0.{z:06}",
+                x,
+                (x * 7919) % 1_000_000,
+                y,
+                (y * 104_729) % 1_000_000
+            )
+            .unwrap();
+        }
+    }
+    for y in 0..side {
+        for x in 0..side {
+            let a = y * (side + 1) + x + 1;
+            let (b, c, d) = (a + 1, a + side + 2, a + side + 1);
+            writeln!(text, "f {a} {b} {c}\nf {a} {c} {d}").unwrap();
+        }
+    }
+    text
 }

@@ -1,5 +1,5 @@
 //! `window.meshwright`: the editor for scripts on the page, for pages that embed it, and for the
-//! browser tests. What it offers is listed in README.md.
+//! browser tests. What its calls do is in [`crate::scripting`]; here they become JavaScript.
 
 #[cfg(target_arch = "wasm32")]
 mod js;

@@ -96,7 +96,8 @@ impl UiTree {
                 pos2(bounds.x0 as f32, bounds.y0 as f32),
                 pos2(bounds.x1 as f32, bounds.y1 as f32),
             );
-            let rect = self.visible.get(&id).map_or(bounds, |visible| visible.intersect(bounds)).intersect(screen);
+            let rect =
+                self.visible.get(&id).map_or(bounds, |visible| visible.intersect(bounds)).intersect(screen);
             if !rect.is_positive() {
                 continue;
             }

@@ -9,8 +9,8 @@ use wasm_bindgen::prelude::*;
 use web_sys::HtmlCanvasElement;
 
 use crate::api;
-use app::PageApp;
 pub(crate) use app::Handle;
+use app::PageApp;
 use graphics::Choice;
 
 /// Runs the editor on the canvas with the id `meshwright`: with WebGPU, else with WebGL2, else
@@ -40,7 +40,11 @@ async fn start_on(canvas: HtmlCanvasElement, choice: Choice) -> Result<(), JsVal
     let runner = WebRunner::new();
     let handle = Handle::new(runner.clone(), canvas.clone());
     runner
-        .start(canvas.clone(), graphics::options(choice), Box::new(|context| Ok(Box::new(PageApp::new(context)))))
+        .start(
+            canvas.clone(),
+            graphics::options(choice),
+            Box::new(|context| Ok(Box::new(PageApp::new(context)))),
+        )
         .await?;
     // So that keys work before the first click.
     canvas.focus()?;

@@ -68,7 +68,7 @@ impl Message {
             }
             Self::Refused { job, refusal } => {
                 let CommandError { op, field, problem, kind } = refusal;
-                push(&["refused".into(), job_to_js(*job), op.into(), field.into(), problem.into()]);
+                push(&["refused".into(), job_to_js(*job), op.into(), field.clone().into(), problem.into()]);
                 push(&[kind_to_js(*kind)]);
             }
             Self::Misunderstood { job, reason } => {
@@ -84,9 +84,10 @@ impl Message {
         let parts: &Array = value.dyn_ref()?;
         match parts.get(0).as_string()?.as_str() {
             "ready" => Some(Self::Ready),
-            "progress" => {
-                Some(Self::Progress { job: job_from_js(&parts.get(1))?, fraction: parts.get(2).as_f64()? as f32 })
-            }
+            "progress" => Some(Self::Progress {
+                job: job_from_js(&parts.get(1))?,
+                fraction: parts.get(2).as_f64()? as f32,
+            }),
             "done" => {
                 let bytes: Uint8Array = parts.get(2).dyn_into().ok()?;
                 let memory = parts.get(3).as_f64()?;
@@ -101,9 +102,10 @@ impl Message {
                 };
                 Some(Self::Refused { job: job_from_js(&parts.get(1))?, refusal })
             }
-            "misunderstood" => {
-                Some(Self::Misunderstood { job: job_from_js(&parts.get(1))?, reason: parts.get(2).as_string()? })
-            }
+            "misunderstood" => Some(Self::Misunderstood {
+                job: job_from_js(&parts.get(1))?,
+                reason: parts.get(2).as_string()?,
+            }),
             "crashed" => Some(Self::Crashed { reason: parts.get(1).as_string()? }),
             _ => None,
         }

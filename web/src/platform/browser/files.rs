@@ -101,5 +101,7 @@ async fn read(file: &File) -> Result<Vec<u8>, JsValue> {
 }
 
 fn unreadable(name: &str, reason: &str) -> Event {
-    Event::Failed(format!("{name} could not be read: {reason}. It may have been moved or changed; try again."))
+    Event::Failed(format!(
+        "{name} could not be read: {reason}. It may have been moved or changed; try again."
+    ))
 }

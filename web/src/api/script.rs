@@ -1,0 +1,155 @@
+//! The methods of `window.meshwright`, which scripts call between two frames.
+//!
+//! - `open(name, bytesOrText)`, `run(command)` and `export(format)` give promises, which reject
+//!   with an `Error` that says why.
+//! - `state()`, `element(kind, id)`, `select(kind, ids)`, `undo()`, `redo()`, `cancel()`,
+//!   `project([x, y, z])` and `ui()` answer at once, or throw such an `Error`.
+//!
+//! `ready` is in index.html, because it is there before the editor is.
+
+use std::cell::RefMut;
+
+use js_sys::{ArrayBuffer, Reflect, Uint8Array};
+use wasm_bindgen::prelude::*;
+
+use super::js::{Answer, Settle, error, method, promise, to_js, to_json};
+use super::ui_tree::UiTree;
+use crate::app::App;
+use crate::page::Handle;
+use crate::platform::NamedBytes;
+use crate::scripting::{self, Reply};
+
+/// Adds the methods to the `window.meshwright` of index.html.
+pub(crate) fn install(handle: &Handle) -> Result<(), JsValue> {
+    let window = web_sys::window().ok_or("there is no window")?;
+    let api = &Reflect::get(&window, &"meshwright".into())?;
+
+    let at = handle.clone();
+    method(api, "open", move |name, content| {
+        Ok(promise(|settle| {
+            let name = name.as_string().ok_or_else(|| error("open: expected the file's name as a string"))?;
+            let file = NamedBytes { name, bytes: content_of(&content)? };
+            app(&at)?.script_open(vec![file], reply(settle));
+            Ok(())
+        }))
+    })?;
+
+    let at = handle.clone();
+    method(api, "run", move |command, _| {
+        Ok(promise(|settle| {
+            let command = to_json(&command, "run: expected a command such as {op: \"split-edge\", edge: 3}")?;
+            app(&at)?.script_run(command, reply(settle));
+            Ok(())
+        }))
+    })?;
+
+    let at = handle.clone();
+    method(api, "export", move |format, _| {
+        Ok(promise(|settle| {
+            let format =
+                format.as_string().ok_or_else(|| error("export: expected a format such as \"obj\""))?;
+            app(&at)?.script_export(&format, reply(settle));
+            Ok(())
+        }))
+    })?;
+
+    let at = handle.clone();
+    method(api, "state", move |_, _| to_js(&app(&at)?.script_state()))?;
+
+    let at = handle.clone();
+    method(api, "element", move |kind, id| {
+        let id =
+            id_of(&id).ok_or_else(|| error("element: expected a kind and an id, a whole number from 0"))?;
+        to_js(&app(&at)?.script_element(&kind_of(&kind)?, id).map_err(|reason| error(&reason))?)
+    })?;
+
+    let at = handle.clone();
+    method(api, "select", move |kind, ids| {
+        let ids = ids_of(&ids).ok_or_else(|| error("select: expected a kind and an array of ids"))?;
+        app(&at)?.script_select(&kind_of(&kind)?, &ids).map_err(|reason| error(&reason))?;
+        Ok(JsValue::UNDEFINED)
+    })?;
+
+    let at = handle.clone();
+    method(api, "undo", move |_, _| label(app(&at)?.script_undo()))?;
+    let at = handle.clone();
+    method(api, "redo", move |_, _| label(app(&at)?.script_redo()))?;
+    let at = handle.clone();
+    method(api, "cancel", move |_, _| Ok(JsValue::from(app(&at)?.script_cancel() as f64)))?;
+
+    let at = handle.clone();
+    method(api, "project", move |point, _| {
+        let expected = || error("project: expected a point [x, y, z]");
+        let point: Vec<f64> = serde_json::from_value(to_json(&point, "a point")?).map_err(|_| expected())?;
+        let [x, y, z] = point.as_slice() else { return Err(expected()) };
+        let app = app(&at)?;
+        let Some([x, y]) = app.script_project([*x as f32, *y as f32, *z as f32]) else {
+            return Ok(JsValue::NULL);
+        };
+        let (corner, zoom) = (at.corner(), app.ctx.zoom_factor());
+        to_js(&[corner[0] + x * zoom, corner[1] + y * zoom])
+    })?;
+
+    let at = handle.clone();
+    method(api, "ui", move |_, _| {
+        let tree = app(&at)?.ctx.plugin::<UiTree>();
+        let nodes = tree.lock().nodes(at.corner());
+        to_js(&nodes)
+    })
+}
+
+fn app(handle: &Handle) -> Result<RefMut<'_, App>, JsValue> {
+    handle.app().ok_or_else(|| error("the editor has crashed, or is being called by itself; reload the page"))
+}
+
+/// Settles a promise with what a call came to.
+fn reply(settle: &Settle) -> Reply {
+    let settle = settle.clone();
+    Box::new(move |result| {
+        settle.with(match result {
+            Ok(scripting::Answer::Outcome(outcome)) => to_js(&outcome),
+            Ok(scripting::Answer::Files(files)) => Ok(files
+                .first()
+                .map_or(JsValue::UNDEFINED, |file| Uint8Array::new_from_slice(&file.bytes).into())),
+            Err(reason) => Err(error(&reason)),
+        });
+    })
+}
+
+fn label(step: Result<Option<String>, String>) -> Answer {
+    Ok(step.map_err(|reason| error(&reason))?.map_or(JsValue::NULL, JsValue::from))
+}
+
+/// Text, a typed array or a whole buffer.
+fn content_of(content: &JsValue) -> Result<Vec<u8>, JsValue> {
+    if let Some(text) = content.as_string() {
+        return Ok(text.into_bytes());
+    }
+    if content.has_type::<ArrayBuffer>() {
+        return Ok(Uint8Array::new(content).to_vec());
+    }
+    if ArrayBuffer::is_view(content) {
+        let view: &Uint8Array = content.unchecked_ref();
+        let bytes = Uint8Array::new_with_byte_offset_and_length(
+            &view.buffer(),
+            view.byte_offset(),
+            view.byte_length(),
+        );
+        return Ok(bytes.to_vec());
+    }
+    Err(error("open: expected the content as a string, an ArrayBuffer or a typed array"))
+}
+
+fn kind_of(kind: &JsValue) -> Result<String, JsValue> {
+    kind.as_string().ok_or_else(|| error("expected a kind: vertex, edge, halfedge or face"))
+}
+
+fn id_of(value: &JsValue) -> Option<u32> {
+    let id = value.as_f64()?;
+    (id >= 0.0 && id <= f64::from(u32::MAX) && id.fract() == 0.0).then_some(id as u32)
+}
+
+fn ids_of(value: &JsValue) -> Option<Vec<u32>> {
+    let array: &js_sys::Array = value.dyn_ref()?;
+    array.iter().map(|id| id_of(&id)).collect()
+}

@@ -1,0 +1,88 @@
+//! The same mesh, to the bit, natively and in WebAssembly. This file runs in both, and what it
+//! expects was computed once.
+
+use std::ops::ControlFlow;
+
+use editor::{Command, Editor};
+use formats::NamedBytes;
+use halfedge::Mesh;
+
+#[cfg(target_arch = "wasm32")]
+use wasm_bindgen_test::wasm_bindgen_test as test;
+
+#[cfg(target_arch = "wasm32")]
+wasm_bindgen_test::wasm_bindgen_test_configure!(run_in_browser);
+
+/// A slanted box with a triangulated lid that is open on one side: quads, triangles, a boundary,
+/// and numbers with all their bits in use.
+const OBJ: &str = "\
+v 0.1 -0.2 0.3
+v 1.7 0.05 -0.13
+v 1.93 1.41 0.27
+v -0.11 1.3 0.77
+v 0.21 -0.37 1.9
+v 1.57 0.111 2.3
+v 2.03 1.23 1.87
+v -0.07 1.61 2.19
+f 4 3 2 1
+f 1 2 6 5
+f 2 3 7 6
+f 3 4 8 7
+f 5 6 7
+f 5 7 8
+";
+
+fn opened() -> Editor {
+    let mut editor = Editor::new();
+    let files = vec![NamedBytes { name: "box.obj".to_owned(), bytes: OBJ.into() }];
+    let import = formats::read(&files, &mut |_| ControlFlow::Continue(())).unwrap();
+    editor.open(import).unwrap();
+    editor
+}
+
+/// FNV-1a over the bits of the positions and the links of every half-edge, in order.
+fn hash(mesh: &Mesh) -> u64 {
+    let mut hash = 0xcbf2_9ce4_8422_2325_u64;
+    let mut add = |word: u32| {
+        for byte in word.to_le_bytes() {
+            hash = (hash ^ u64::from(byte)).wrapping_mul(0x0000_0100_0000_01b3);
+        }
+    };
+    for vertex in mesh.vertices() {
+        for x in mesh.position(vertex).to_array() {
+            add(x.to_bits());
+        }
+    }
+    for halfedge in mesh.halfedges() {
+        add(mesh.next(halfedge).raw());
+        add(mesh.to(halfedge).raw());
+    }
+    hash
+}
+
+fn after(commands: &[&str]) -> (usize, u64) {
+    let mut editor = opened();
+    for command in commands {
+        editor.run(Command::from_json(command).unwrap()).unwrap();
+    }
+    let mesh = editor.mesh().unwrap();
+    mesh.validate().unwrap();
+    (mesh.face_count(), hash(mesh))
+}
+
+#[test]
+fn catmull_clark() {
+    assert_eq!(after(&[r#"{"op": "subdivide-catmull-clark", "levels": 4}"#]), (0, 0));
+}
+
+#[test]
+fn catmull_clark_with_sharp_corners() {
+    let command = r#"{"op": "subdivide-catmull-clark", "levels": 3, "boundary": "edge-and-corner"}"#;
+    assert_eq!(after(&[command]), (0, 0));
+}
+
+#[test]
+fn loop_on_triangles() {
+    let commands = [r#"{"op": "triangulate-faces"}"#, r#"{"op": "subdivide-loop", "levels": 4}"#];
+    assert_eq!(after(&commands), (0, 0));
+}
