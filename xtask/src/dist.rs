@@ -14,7 +14,8 @@ pub fn run(project: &Project) -> Result {
     let site = project.root.join("dist");
     shell::remove_folder(&site)?;
     let mut trunk = page::trunk(project, &wasm, "build", &site)?;
-    shell::run(trunk.args(["--release", "--cargo-profile", "dist"]))?;
+    trunk.args(["--release", "--cargo-profile", "dist"]);
+    shell::run(wasm.choose_for_lto(&mut trunk))?;
     check_relative(&read(&site.join("index.html"))?)?;
 
     step(format!("{} is ready for any static host:", site.display()));

@@ -16,6 +16,8 @@ pub fn trunk(project: &Project, wasm: &WasmToolchain, subcommand: &str, site: &P
     trunk.env("PATH", project.path()?).env("CARGO_TARGET_DIR", &project.target).env_remove("CARGO");
     // Trunk reads the variable as a flag of its own and stops at the usual value, 1.
     trunk.env_remove("NO_COLOR");
+    // A failed build is explained by Cargo; Trunk's own call stack only buries that.
+    trunk.env("RUST_BACKTRACE", "0");
     wasm.choose(&mut trunk);
     Ok(trunk)
 }

@@ -25,6 +25,15 @@ impl WasmToolchain {
         }
         command
     }
+
+    /// Has a command that builds with link-time optimisation find a standard library that can take part in it.
+    /// The one made for Debian's compiler holds machine code only, so there it is built along.
+    pub fn choose_for_lto<'a>(&self, command: &'a mut Command) -> &'a mut Command {
+        if self.name == Some(debian_wasm::TOOLCHAIN) {
+            command.env("RUSTC_BOOTSTRAP", "1").env("CARGO_UNSTABLE_BUILD_STD", "std,panic_abort");
+        }
+        self.choose(command)
+    }
 }
 
 /// Finds such a toolchain, or makes one.
