@@ -202,7 +202,11 @@ impl Mesh {
         let (raw, split, corner_halfedge) = assembly.finish(positions);
         let mut mesh = Self::from_raw(raw);
         if !split.is_empty() {
-            notes.push(Note::new(NoteKind::VertexSeparated, split.clone()));
+            // A vertex with three fans or more has several copies.
+            let mut separated = split.clone();
+            separated.sort_unstable();
+            separated.dedup();
+            notes.push(Note::new(NoteKind::VertexSeparated, separated));
         }
         let vertices = || (0..given).chain(split.iter().copied());
         for column in vertex_columns {

@@ -9,13 +9,15 @@
 //! 4. Within each piece connected over edges, faces are turned so that neighbours agree; the
 //!    smaller part of a piece is the one that turns. Where no orientation exists (a Möbius strip)
 //!    the edges that disagree are separated.
-//! 5. A vertex whose faces form several fans keeps its number for the first; each other fan gets a
+//! 5. Where two sides separated by rules 3 and 4 would still join the same two vertices, because the
+//!    faces go on round a vertex, the fan of faces there is cut too.
+//! 6. A vertex whose faces form several fans keeps its number for the first; each other fan gets a
 //!    copy. (This one happens in the build.)
 
 use crate::NONE;
 use crate::build::{Assembly, has_distinct_corners};
 use crate::soup::PolygonSoup;
-use std::collections::HashMap;
+use std::collections::{HashMap, HashSet};
 use std::fmt;
 
 /// One kind of change made to input, with the elements it was made to.
@@ -156,6 +158,8 @@ pub(crate) fn assemble(soup: &PolygonSoup) -> Repaired {
         NoteKind::FaceTurned,
         (0..faces.len()).filter(|&f| turned[f]).map(|f| faces[f].source).collect(),
     );
+
+    part_copies(soup, &faces, &sides, &mut pairs);
 
     // Turn faces, first corner kept, and see where each side starts afterwards.
     let mut corner_start = Vec::with_capacity(faces.len());
@@ -380,4 +384,74 @@ fn orient(
     });
     note(notes, NoteKind::NotOrientable, cut);
     turned
+}
+
+/// Rule 5. An edge that was separated has a copy for each face there. Two copies whose ends are
+/// both in the same fans of faces would join the same two vertices, so the later one's face is cut
+/// from the fan at one end: its other side there is separated, which makes that corner a fan of
+/// its own and both edges there unlike any other.
+fn part_copies(soup: &PolygonSoup, faces: &[Kept], sides: &[Side], pairs: &mut Vec<(usize, usize)>) {
+    let mut joined = vec![false; sides.len()];
+    for &(a, b) in pairs.iter() {
+        joined[a] = true;
+        joined[b] = true;
+    }
+    let mut separated = Vec::new();
+    for_each_edge(sides, |range| {
+        if range.len() > 1 && !joined[range.start] {
+            separated.push(range);
+        }
+    });
+    if separated.is_empty() {
+        return;
+    }
+    let mut starts = Vec::with_capacity(faces.len());
+    let mut corners = 0;
+    for face in faces {
+        starts.push(corners);
+        corners += face.corners.len();
+    }
+    // The slot of the corner that a side has at one of its ends.
+    let slot_at = |side: &Side, v: u32| {
+        let face = &faces[side.face as usize];
+        let slot = side.slot as usize;
+        let starts_there = soup.corners[face.corners[slot] as usize] == v;
+        if starts_there { slot } else { (slot + 1) % face.corners.len() }
+    };
+    let corner_at = |side: &Side, v: u32| starts[side.face as usize] + slot_at(side, v);
+    // Which corners are in one fan: those that joined sides lead across.
+    let mut fan: Vec<usize> = (0..corners).collect();
+    let find = |fan: &mut Vec<usize>, mut at: usize| {
+        while fan[at] != at {
+            fan[at] = fan[fan[at]];
+            at = fan[at];
+        }
+        at
+    };
+    for &(a, b) in pairs.iter() {
+        for v in [sides[a].ends.0, sides[a].ends.1] {
+            let a = find(&mut fan, corner_at(&sides[a], v));
+            let b = find(&mut fan, corner_at(&sides[b], v));
+            fan[a.max(b)] = a.min(b);
+        }
+    }
+    let mut cut = vec![false; corners];
+    let mut met = HashSet::new();
+    for range in separated {
+        met.clear();
+        for side in &sides[range] {
+            let copy =
+                (find(&mut fan, corner_at(side, side.ends.0)), find(&mut fan, corner_at(side, side.ends.1)));
+            if met.insert(copy) {
+                continue;
+            }
+            // A corner lies between the side before it and the one that starts there.
+            let n = faces[side.face as usize].corners.len();
+            let corner = slot_at(side, side.ends.0);
+            let other = if corner == side.slot as usize { (corner + n - 1) % n } else { corner };
+            cut[starts[side.face as usize] + other] = true;
+        }
+    }
+    let is_cut = |side: &Side| cut[starts[side.face as usize] + side.slot as usize];
+    pairs.retain(|&(a, b)| !is_cut(&sides[a]) && !is_cut(&sides[b]));
 }

@@ -1,0 +1,70 @@
+//! Building from soups that are no oriented manifolds: every one gives a valid mesh.
+
+use glam::Vec3;
+use halfedge::{Built, Mesh, PolygonSoup};
+use proptest::prelude::*;
+
+fn build(vertices: usize, faces: &[Vec<u32>]) -> Built {
+    let positions = (0..vertices).map(|i| Vec3::new(i as f32, (i * i % 7) as f32, (i % 3) as f32)).collect();
+    Mesh::build(PolygonSoup::new(positions, faces)).expect("small")
+}
+
+fn assert_valid(vertices: usize, faces: &[Vec<u32>]) -> Built {
+    let built = build(vertices, faces);
+    if let Err(defect) = built.mesh.validate() {
+        panic!("{defect} from {faces:?}");
+    }
+    built
+}
+
+/// Three faces at edge 0-3, two of which go on round both its ends: copies of the edge would join
+/// the same two vertices if nothing else were cut.
+#[test]
+fn copies_of_a_separated_edge_get_ends_of_their_own() {
+    let faces = [vec![1, 3, 0], vec![3, 0, 4, 1], vec![0, 2, 3], vec![4, 1, 0]];
+    let built = assert_valid(5, &faces);
+    assert_eq!(built.mesh.face_count(), 4);
+}
+
+/// A Klein bottle of 4 x 4 quads: closed, and no orientation suits it.
+#[test]
+fn a_klein_bottle_is_cut_open() {
+    let at = |i: u32, j: u32| {
+        let (i, j) = if i == 4 { (0, (4 - j) % 4) } else { (i, j % 4) };
+        i * 4 + j
+    };
+    let faces: Vec<Vec<u32>> = (0..16)
+        .map(|q| (q / 4, q % 4))
+        .map(|(i, j)| vec![at(i, j), at(i + 1, j), at(i + 1, j + 1), at(i, j + 1)])
+        .collect();
+    let built = assert_valid(16, &faces);
+    assert_eq!(built.mesh.face_count(), 16);
+    assert!(!built.mesh.boundary_loops().is_empty());
+}
+
+/// Many faces on one edge: each becomes a piece of its own, in time linear in their number.
+#[test]
+fn a_fan_of_pages_comes_apart() {
+    let pages: Vec<Vec<u32>> = (0..5000).map(|i| vec![0, 1, i + 2]).collect();
+    let built = assert_valid(5002, &pages);
+    assert_eq!((built.mesh.face_count(), built.mesh.components().1), (5000, 5000));
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(3000))]
+
+    /// Any polygons over few vertices, which collide in every way there is.
+    #[test]
+    fn any_soup_builds_a_valid_mesh(
+        faces in prop::collection::vec(prop::collection::vec(0u32..9, 0..6), 0..24),
+    ) {
+        let built = assert_valid(8, &faces);
+        prop_assert!(built.mesh.vertex_count() >= 8);
+        prop_assert_eq!(built.face_source.len(), built.mesh.face_count());
+        prop_assert!(built.face_source.is_sorted());
+        // What was built needs no repair, and building it again gives the same mesh.
+        let again = Mesh::build(built.mesh.to_soup()).expect("small");
+        prop_assert_eq!(&again.notes, &[]);
+        prop_assert!(again.mesh == built.mesh);
+    }
+}
