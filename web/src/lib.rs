@@ -1,4 +1,24 @@
 //! The Meshwright page, as far as it needs no browser: the editor's panels and viewport over the
 //! `editor` and `viewport` crates. `main.rs` puts it on a canvas.
 
+pub mod actions;
+pub mod api;
+pub mod app;
+mod availability;
+mod commands;
+mod frame_times;
+#[cfg(not(target_arch = "wasm32"))]
+pub mod headless;
+mod icons;
+mod jobs;
+pub mod keys;
+pub mod lists;
+#[cfg(target_arch = "wasm32")]
+pub mod page;
+mod panels;
 pub mod platform;
+pub mod scripting;
+mod survey;
+pub mod theme;
+mod toasts;
+mod viewport_widget;

@@ -1,0 +1,120 @@
+//! Whether an action can be done now, and if not, why: what greys menu items and buttons.
+
+use editor::{Field, FieldKind, Spec};
+use halfedge::{Element, edit};
+
+use crate::actions::{self, Action};
+use crate::app::App;
+use crate::lists::columns::plural;
+
+impl App {
+    /// Why an action can't be done now, as a sentence that says what to do first; none if it can.
+    pub(crate) fn why_not(&self, action: Action) -> Option<String> {
+        let kind = self.lists.kind.0;
+        let document = self.editor.document();
+        match action {
+            Action::Undo if self.editor.undo_labels().next().is_none() && !self.editor.is_dragging() => {
+                Some("There is nothing to undo.".into())
+            }
+            Action::Redo if self.editor.redo_labels().next().is_none() => {
+                Some("There is nothing to redo: nothing was undone since the last edit.".into())
+            }
+            Action::Save if document.objects().is_empty() => {
+                Some("There is nothing to save. Open a file or make a shape first.".into())
+            }
+            Action::SelectAll | Action::SelectInverse | Action::GoToId => {
+                let count = self.editor.mesh().map_or(0, |mesh| mesh.count(kind));
+                (count == 0).then(|| format!("The mesh has no {}.", plural(kind).to_lowercase()))
+            }
+            Action::SelectNone if self.editor.selection().is_empty() => Some("Nothing is selected.".into()),
+            Action::Next | Action::Twin if self.selected_halfedge().is_none() => {
+                Some("Select a half-edge first.".into())
+            }
+            Action::Frame | Action::FrameAll if document.objects().is_empty() => {
+                Some("There is nothing to look at. Open a file or make a shape first.".into())
+            }
+            Action::Upsample => self.why_not_operation(self.upsample_op()),
+            Action::Operation(name) => self.why_not_operation(name),
+            _ => None,
+        }
+    }
+
+    fn why_not_operation(&self, name: &str) -> Option<String> {
+        let spec = actions::operation(name)?;
+        if name == "new" {
+            return None;
+        }
+        let Some(mesh) = self.editor.mesh() else {
+            return Some("There is no object to work on. Open a file or make a shape first.".into());
+        };
+        if let Some(reason) = spec.fields.iter().find_map(|field| self.why_not_field(field)) {
+            return Some(reason);
+        }
+        let selection = self.editor.selection();
+        match name {
+            "subdivide-catmull-clark" | "subdivide-loop" | "subdivide-linear" if mesh.face_count() == 0 => {
+                Some("The mesh has no face to subdivide.".into())
+            }
+            "subdivide-loop" if self.survey.found().is_some_and(|found| !found.triangles_only) => {
+                Some("Loop subdivision needs a mesh of triangles. Triangulate the faces first.".into())
+            }
+            "triangulate-faces" => {
+                let chosen = selection.kind() == Element::Face && !selection.is_empty();
+                let faces: Vec<_> = if chosen {
+                    // Looking at a few is enough to say no, and saying yes wrongly costs nothing.
+                    selection.ids().take(1000).filter_map(|id| mesh.face(id)).collect()
+                } else {
+                    return self
+                        .survey
+                        .found()
+                        .is_some_and(|found| found.triangles_only)
+                        .then(|| "All faces are triangles already.".into());
+                };
+                let first = faces.first()?;
+                if faces.iter().all(|&f| mesh.face_halfedges(f).take(4).count() == 3) {
+                    return Some("The selected faces are triangles already.".into());
+                }
+                (selection.len() == 1)
+                    .then(|| edit::can_triangulate_face(mesh, *first).err())
+                    .flatten()
+                    .map(|refusal| capital(&refusal.to_string()))
+            }
+            _ => None,
+        }
+    }
+
+    /// What a field lacks that the selection would have to give.
+    fn why_not_field(&self, field: &Field) -> Option<String> {
+        let selection = self.editor.selection();
+        let words = field.default.unwrap_or_default();
+        if !words.starts_with("the selected") || words.contains(", or all") {
+            return None;
+        }
+        let kind = selection.kind();
+        let (fits, what) = match field.kind {
+            FieldKind::Vertex => (kind == Element::Vertex, "a vertex"),
+            FieldKind::Vertices => (true, "something"),
+            FieldKind::Edge | FieldKind::Edges => {
+                (matches!(kind, Element::Edge | Element::Halfedge), "an edge")
+            }
+            FieldKind::Halfedge | FieldKind::Halfedges => (kind == Element::Halfedge, "a half-edge"),
+            FieldKind::Face | FieldKind::Faces => (kind == Element::Face, "a face"),
+            _ => return None,
+        };
+        (selection.is_empty() || !fits).then(|| format!("Select {what} first."))
+    }
+}
+
+/// Whether an operation does something sensible with nothing filled in: every field has a default.
+pub(crate) fn runs_bare(spec: &Spec) -> bool {
+    spec.name != "new" && spec.fields.iter().all(|field| field.default.is_some())
+}
+
+/// A sentence of a refusal's words.
+pub(crate) fn capital(text: &str) -> String {
+    let mut chars = text.chars();
+    match chars.next() {
+        Some(first) => format!("{}{}.", first.to_uppercase(), chars.as_str().trim_end_matches('.')),
+        None => String::new(),
+    }
+}

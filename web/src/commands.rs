@@ -1,0 +1,349 @@
+//! From actions, keys and buttons to commands, and from their results back to the person.
+
+use editor::{Begun, Command, CommandError, Finished, JobId, JobRequest, JobResult, MessageKind, SelectMode};
+use egui::{Context, Event, ThemePreference};
+use formats::Format;
+use halfedge::Element;
+use serde_json::json;
+
+use crate::actions::{self, Action};
+use crate::app::{App, ShownKind};
+use crate::keys;
+use crate::platform::NamedBytes;
+use crate::scripting::{Answer, Reply};
+use crate::viewport_widget::Tool;
+
+impl App {
+    /// The document that the page opens on.
+    pub(crate) fn open_first(&mut self) {
+        if let Ok(command) = Command::from_value(json!({ "op": "new", "shape": "cube" })) {
+            // A cube can't be refused; were it, the page would open empty and say how to go on.
+            let _ = self.editor.start_with(command);
+        }
+        self.follow();
+        self.view.frame_all();
+    }
+
+    /// What keys start, and pasted text.
+    pub(crate) fn keyboard(&mut self, ctx: &Context) {
+        if !ctx.text_edit_focused() {
+            let pasted = ctx.input_mut(|input| {
+                let at = input.events.iter().position(|event| matches!(event, Event::Paste(_)))?;
+                match input.events.remove(at) {
+                    Event::Paste(text) => Some(text),
+                    _ => None,
+                }
+            });
+            if let Some(text) = pasted.filter(|text| !text.trim().is_empty()) {
+                self.open_files(vec![NamedBytes::new("Pasted.obj", text.into_bytes())], None);
+            }
+        }
+        if self.palette.open {
+            return;
+        }
+        for action in keys::pressed(ctx) {
+            self.act(action);
+        }
+    }
+
+    /// Starts an action, from wherever it was chosen. One that can't be done says why.
+    pub(crate) fn act(&mut self, action: Action) {
+        if let Some(reason) = self.why_not(action) {
+            // Keys reach actions that menus show greyed.
+            if !matches!(action, Action::Cancel) {
+                self.toast(MessageKind::Warning, reason, Vec::new());
+            }
+            return;
+        }
+        match action {
+            Action::Open => self.platform.open_file_dialog(),
+            Action::Save => self.begin_export(Format::Obj, None),
+            Action::Undo => self.step(true),
+            Action::Redo => self.step(false),
+            Action::Cancel => self.cancel(),
+            Action::SelectAll => self.editor.select_all(self.lists.kind.0),
+            Action::SelectNone => self.editor.deselect(),
+            Action::SelectInverse => self.select_inverse(),
+            Action::Show(kind) => self.show_kind(kind),
+            Action::Next => self.walk(|mesh, h| mesh.next(h)),
+            Action::Twin => self.walk(|_, h| h.twin()),
+            Action::GoToId => {
+                self.shown.left = true;
+                self.shown.sheet.show_lists();
+                self.lists.focus_go_to = true;
+            }
+            Action::OnlySelected => self.lists.only_selected ^= true,
+            Action::BoxSelect => {
+                self.view.tool = if self.view.tool == Tool::Box { Tool::Orbit } else { Tool::Box };
+            }
+            Action::Frame => self.view.frame_selection(&self.editor),
+            Action::FrameAll => self.view.frame_all(),
+            Action::ResetView => self.view.reset(),
+            Action::Orthographic => self.view.camera.orthographic ^= true,
+            Action::Wireframe => self.view.style.wireframe ^= true,
+            Action::Smooth => self.view.style.smooth ^= true,
+            Action::Dots => self.view.style.vertices ^= true,
+            Action::Grid => self.view.style.grid ^= true,
+            Action::Overlay => self.shown.overlay ^= true,
+            Action::LeftPanel => self.shown.left ^= true,
+            Action::RightPanel => self.shown.right ^= true,
+            Action::SystemTheme => self.set_theme(ThemePreference::System),
+            Action::LightTheme => self.set_theme(ThemePreference::Light),
+            Action::DarkTheme => self.set_theme(ThemePreference::Dark),
+            Action::Shortcuts => self.shown.shortcuts ^= true,
+            Action::Palette => self.palette.show(),
+            Action::Messages => self.shown.messages ^= true,
+            Action::About => self.shown.about ^= true,
+            Action::Upsample => {
+                let op = self.upsample_op();
+                self.send(json!({ "op": op }));
+            }
+            Action::Operation(name) => match actions::operation(name) {
+                // What has to be filled in gets its form.
+                Some(spec) if !crate::availability::runs_bare(spec) => {
+                    self.forms.choose(name);
+                    self.shown.right = true;
+                    self.shown.sheet.show_operations();
+                }
+                _ => self.send(json!({ "op": name })),
+            },
+        }
+        self.follow();
+        self.ctx.request_repaint();
+    }
+
+    /// Whether a switch among the actions is on; none for those that are no switches.
+    pub(crate) fn is_on(&self, action: Action) -> Option<bool> {
+        let style = &self.view.style;
+        Some(match action {
+            Action::Show(kind) => self.lists.kind.0 == kind,
+            Action::OnlySelected => self.lists.only_selected,
+            Action::BoxSelect => self.view.tool == Tool::Box,
+            Action::Orthographic => self.view.camera.orthographic,
+            Action::Wireframe => style.wireframe,
+            Action::Smooth => style.smooth,
+            Action::Dots => style.vertices,
+            Action::Grid => style.grid,
+            Action::Overlay => self.shown.overlay,
+            Action::LeftPanel => self.shown.left,
+            Action::RightPanel => self.shown.right,
+            Action::SystemTheme => self.theme_preference() == ThemePreference::System,
+            Action::LightTheme => self.theme_preference() == ThemePreference::Light,
+            Action::DarkTheme => self.theme_preference() == ThemePreference::Dark,
+            _ => return None,
+        })
+    }
+
+    fn theme_preference(&self) -> ThemePreference {
+        self.ctx.options(|options| options.theme_preference)
+    }
+
+    /// Which subdivision the upsample key makes.
+    pub(crate) fn upsample_op(&self) -> &'static str {
+        let triangles = match (self.survey.found(), self.editor.mesh()) {
+            (Some(found), _) => found.triangles_only,
+            // Not counted yet: look.
+            (None, Some(mesh)) => mesh.faces().all(|f| mesh.face_halfedges(f).take(4).count() == 3),
+            (None, None) => false,
+        };
+        if triangles { "subdivide-loop" } else { "subdivide-catmull-clark" }
+    }
+
+    /// Sends a command as JSON: what menus, forms and buttons do.
+    pub(crate) fn send(&mut self, command: serde_json::Value) {
+        match Command::from_value(command) {
+            Ok(command) => self.begin(command, None),
+            Err(error) => self.refused(&error, None),
+        }
+    }
+
+    /// Carries out a command, or starts its job.
+    pub(crate) fn begin(&mut self, command: Command, reply: Option<Reply>) {
+        let label = command.op.spec().label;
+        match self.editor.begin(command) {
+            Ok(Begun::Done(outcome)) => {
+                if !outcome.warnings.is_empty() {
+                    self.toast(MessageKind::Warning, outcome.message.clone(), outcome.warnings.clone());
+                }
+                if let Some(reply) = reply {
+                    reply(Ok(Answer::Outcome(outcome)));
+                }
+            }
+            Ok(Begun::Job(request)) => self.start(&request, label.to_owned(), reply),
+            Err(error) => self.refused(&error, reply),
+        }
+        self.follow();
+    }
+
+    /// Opens files in place of the document, through the worker.
+    pub(crate) fn open_files(&mut self, files: Vec<NamedBytes>, reply: Option<Reply>) {
+        let label = match files.as_slice() {
+            [] => return,
+            [file] => format!("Open {}", file.name),
+            [file, ..] => format!("Open {} and {} more", file.name, files.len() - 1),
+        };
+        let request = self.editor.begin_import(files);
+        self.start(&request, label, reply);
+        self.follow();
+    }
+
+    pub(crate) fn begin_export(&mut self, format: Format, reply: Option<Reply>) {
+        let request = self.editor.begin_export(format);
+        self.start(&request, format!("Save as {}", format.name()), reply);
+        self.follow();
+    }
+
+    fn start(&mut self, request: &JobRequest, label: String, reply: Option<Reply>) {
+        let id = request.id();
+        self.jobs.add(id, label, reply);
+        self.platform.start_job(id.0, request.to_bytes());
+    }
+
+    /// Takes in what came of a job.
+    pub(crate) fn job_done(&mut self, job: u64, result: Result<Vec<u8>, CommandError>) {
+        let Some(running) = self.jobs.take(job) else { return };
+        let result = result.and_then(|bytes| {
+            JobResult::from_bytes(&bytes)
+                .map_err(|error| CommandError::refused(&*running.label, error.to_string()))
+        });
+        match self.editor.finish(JobId(job), result) {
+            Ok(Finished::Done(outcome)) => {
+                if outcome.op == "open" {
+                    self.view.frame_when_seen();
+                    self.say_opened(&outcome);
+                } else {
+                    self.toast(MessageKind::Info, outcome.message.clone(), outcome.warnings.clone());
+                }
+                if let Some(reply) = running.reply {
+                    reply(Ok(Answer::Outcome(outcome)));
+                }
+            }
+            Ok(Finished::Exported(files)) => match running.reply {
+                Some(reply) => reply(Ok(Answer::Files(files))),
+                None => {
+                    self.editor.mark_saved();
+                    self.platform.download(files);
+                }
+            },
+            Err(error) => self.refused(&error, running.reply),
+        }
+        self.follow();
+    }
+
+    fn say_opened(&mut self, outcome: &editor::Outcome) {
+        let kind = if outcome.warnings.is_empty() { MessageKind::Info } else { MessageKind::Warning };
+        let mut text = outcome.message.clone();
+        match outcome.warnings.len() {
+            0 => {}
+            1 => text.push_str("; one thing was changed on the way in"),
+            many => text.push_str(&format!("; {many} things were changed on the way in")),
+        }
+        self.toast(kind, text, outcome.warnings.clone());
+    }
+
+    fn refused(&mut self, error: &CommandError, reply: Option<Reply>) {
+        match reply {
+            Some(reply) => reply(Err(error.to_string())),
+            None if error.is_cancelled() => {}
+            None => {
+                let label = actions::operation(&error.op).map_or(error.op.as_str(), |spec| spec.label);
+                self.toast(MessageKind::Error, sentence(label, &error.problem), Vec::new());
+            }
+        }
+    }
+
+    fn step(&mut self, back: bool) {
+        let result = if back { self.editor.undo() } else { self.editor.redo() };
+        if let Err(error) = result {
+            self.refused(&error, None);
+        }
+    }
+
+    /// Escape: the innermost thing that is going on.
+    fn cancel(&mut self) {
+        if self.view.cancel_gesture() | self.editor.cancel_drag().is_some() {
+            return;
+        }
+        if self.shown.close_windows() {
+            return;
+        }
+        if let Some(id) = self.jobs.latest() {
+            self.cancel_job(id);
+        } else if self.view.tool == Tool::Box {
+            self.view.tool = Tool::Orbit;
+        } else {
+            self.editor.deselect();
+        }
+    }
+
+    fn select_inverse(&mut self) {
+        let kind = self.lists.kind.0;
+        let Some(mesh) = self.editor.mesh() else { return };
+        let selection = self.editor.selection();
+        let ids: Vec<u32> = (0..mesh.capacity(kind) as u32)
+            .filter(|&id| mesh.exists(kind, id) && !selection.contains(kind, id))
+            .collect();
+        self.select(kind, ids, SelectMode::Replace);
+    }
+
+    /// Shows a kind in the list.
+    pub(crate) fn show_kind(&mut self, kind: Element) {
+        self.lists.kind = ShownKind(kind);
+        self.shown.sheet.show_lists();
+    }
+
+    fn walk(&mut self, step: impl Fn(&halfedge::Mesh, halfedge::HalfedgeId) -> halfedge::HalfedgeId) {
+        let to = self.selected_halfedge().and_then(|h| Some(step(self.editor.mesh()?, h)));
+        if let Some(to) = to {
+            self.select(Element::Halfedge, [to.raw()], SelectMode::Replace);
+        }
+    }
+
+    /// The half-edge that was selected last.
+    pub(crate) fn selected_halfedge(&self) -> Option<halfedge::HalfedgeId> {
+        let selection = self.editor.selection();
+        let id = selection.latest().filter(|_| selection.kind() == Element::Halfedge)?;
+        self.editor.mesh()?.halfedge(id)
+    }
+
+    /// Selects; an id that went away meanwhile is no error to a person.
+    pub(crate) fn select(&mut self, kind: Element, ids: impl IntoIterator<Item = u32>, mode: SelectMode) {
+        if let Err(error) = self.editor.select(kind, ids, mode) {
+            self.refused(&error, None);
+        }
+        self.follow();
+    }
+
+    /// Previews an edit while the person drags or spins.
+    pub(crate) fn preview(&mut self, command: serde_json::Value) {
+        let result = Command::from_value(command).and_then(|command| self.editor.drag(command));
+        if let Err(error) = result {
+            self.refused(&error, None);
+        }
+        self.follow();
+    }
+
+    /// Makes the previewed edit one undo step.
+    pub(crate) fn commit_preview(&mut self) {
+        self.editor.commit_drag();
+        self.follow();
+    }
+
+    /// A color is picked in a popup that has no end of its own: the step is made when the button is
+    /// let go.
+    pub(crate) fn finish_live_edit(&mut self, ctx: &Context) {
+        if self.forms.painting && !ctx.input(|input| input.pointer.any_down()) {
+            self.forms.painting = false;
+            self.commit_preview();
+        }
+    }
+}
+
+/// "Split edge" and "vertex 3 is …" as one sentence.
+fn sentence(label: &str, problem: &str) -> String {
+    let mut text = format!("{label}: {problem}");
+    if !text.ends_with(['.', '!', '?']) {
+        text.push('.');
+    }
+    text
+}

@@ -1,0 +1,52 @@
+//! How long the page's own work on a frame takes.
+
+use std::collections::VecDeque;
+
+/// The processor time of the last frames, in milliseconds.
+#[derive(Debug, Default)]
+pub struct FrameTimes {
+    last: VecDeque<f32>,
+}
+
+/// How many frames are looked back at: two seconds' worth at most.
+const KEPT: usize = 120;
+
+impl FrameTimes {
+    /// Takes in a frame that took this many seconds.
+    pub fn record(&mut self, seconds: f64) {
+        if self.last.len() == KEPT {
+            self.last.pop_front();
+        }
+        self.last.push_back((seconds.max(0.0) * 1000.0) as f32);
+    }
+
+    /// The median, or 0 before the first frame.
+    pub fn median(&self) -> f32 {
+        let mut sorted: Vec<f32> = self.last.iter().copied().collect();
+        sorted.sort_unstable_by(f32::total_cmp);
+        sorted.get(sorted.len() / 2).copied().unwrap_or_default()
+    }
+
+    /// The longest.
+    pub fn worst(&self) -> f32 {
+        self.last.iter().copied().fold(0.0, f32::max)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn median_and_worst_of_the_last_frames() {
+        let mut times = FrameTimes::default();
+        assert_eq!((times.median(), times.worst()), (0.0, 0.0));
+        times.record(9.0);
+        for _ in 0..KEPT - 1 {
+            times.record(0.002);
+        }
+        times.record(0.004);
+        assert!((times.median() - 2.0).abs() < 1e-3);
+        assert!((times.worst() - 4.0).abs() < 1e-3, "the nine seconds are forgotten");
+    }
+}

@@ -1,0 +1,135 @@
+//! A platform with no browser, for tests on the host: jobs run at once, files go nowhere.
+
+use std::cell::RefCell;
+use std::collections::HashMap;
+use std::ops::ControlFlow;
+use std::rc::Rc;
+use std::time::Instant;
+
+use editor::{CommandError, JobRequest};
+
+use crate::platform::{DeviceInfo, Event, NamedBytes, Platform};
+
+/// What a test sees of a headless platform and gives to it; clones share it.
+#[derive(Clone, Default)]
+pub struct Outside {
+    inner: Rc<RefCell<Inner>>,
+}
+
+#[derive(Default)]
+struct Inner {
+    events: Vec<Event>,
+    downloads: Vec<NamedBytes>,
+    dialogs: usize,
+    settings: HashMap<String, String>,
+    /// Jobs are kept waiting, so that a test can look at their progress.
+    held: Option<Vec<(u64, Vec<u8>)>>,
+    cancelled: Vec<u64>,
+}
+
+impl Outside {
+    /// Lets something happen before the next frame.
+    pub fn push(&self, event: Event) {
+        self.inner.borrow_mut().events.push(event);
+    }
+
+    /// What was downloaded so far.
+    pub fn downloads(&self) -> Vec<NamedBytes> {
+        self.inner.borrow().downloads.clone()
+    }
+
+    /// How often the person was asked for a file.
+    pub fn dialogs(&self) -> usize {
+        self.inner.borrow().dialogs
+    }
+
+    /// A setting as it was kept.
+    pub fn setting(&self, key: &str) -> Option<String> {
+        self.inner.borrow().settings.get(key).cloned()
+    }
+
+    /// Keeps jobs waiting from now on.
+    pub fn hold_jobs(&self) {
+        self.inner.borrow_mut().held = Some(Vec::new());
+    }
+
+    /// The jobs that were cancelled.
+    pub fn cancelled(&self) -> Vec<u64> {
+        self.inner.borrow().cancelled.clone()
+    }
+
+    /// Runs the jobs that were kept waiting, and later ones at once again.
+    pub fn release_jobs(&self) {
+        let held = self.inner.borrow_mut().held.take().unwrap_or_default();
+        for (job, request) in held {
+            self.push(run(job, &request));
+        }
+    }
+}
+
+fn run(job: u64, request: &[u8]) -> Event {
+    let result = JobRequest::from_bytes(request)
+        .map_err(|error| CommandError::refused("job", error.to_string()))
+        .and_then(|request| request.run(&mut |_| ControlFlow::Continue(())))
+        .map(|result| result.to_bytes());
+    Event::JobDone { job, result }
+}
+
+/// The platform itself.
+pub struct Headless {
+    outside: Outside,
+    started: Instant,
+}
+
+impl Headless {
+    /// A platform that `outside` looks at.
+    pub fn new(outside: Outside) -> Self {
+        Self { outside, started: Instant::now() }
+    }
+}
+
+impl Platform for Headless {
+    fn poll(&mut self, _ctx: &egui::Context) -> Vec<Event> {
+        std::mem::take(&mut self.outside.inner.borrow_mut().events)
+    }
+
+    fn start_job(&mut self, job: u64, request: Vec<u8>) {
+        if let Some(held) = &mut self.outside.inner.borrow_mut().held {
+            held.push((job, request));
+            return;
+        }
+        self.outside.push(run(job, &request));
+    }
+
+    fn cancel_job(&mut self, job: u64) {
+        let mut inner = self.outside.inner.borrow_mut();
+        inner.cancelled.push(job);
+        if let Some(held) = &mut inner.held {
+            held.retain(|(id, _)| *id != job);
+        }
+    }
+
+    fn open_file_dialog(&mut self) {
+        self.outside.inner.borrow_mut().dialogs += 1;
+    }
+
+    fn download(&mut self, files: Vec<NamedBytes>) {
+        self.outside.inner.borrow_mut().downloads.extend(files);
+    }
+
+    fn load_setting(&self, key: &str) -> Option<String> {
+        self.outside.setting(key)
+    }
+
+    fn store_setting(&mut self, key: &str, value: &str) {
+        self.outside.inner.borrow_mut().settings.insert(key.to_owned(), value.to_owned());
+    }
+
+    fn device(&self) -> DeviceInfo {
+        DeviceInfo { renderer: "host".to_owned(), adapter: String::new() }
+    }
+
+    fn now(&self) -> f64 {
+        self.started.elapsed().as_secs_f64()
+    }
+}

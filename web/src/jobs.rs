@@ -1,0 +1,58 @@
+//! The jobs that run in the worker, as the status bar shows them.
+
+use crate::scripting::Reply;
+use editor::JobId;
+
+/// A job that was started.
+pub struct Running {
+    /// Which one.
+    pub id: JobId,
+    /// What the status bar calls it.
+    pub label: String,
+    /// How much of it is done.
+    pub fraction: f32,
+    /// Who waits for it besides the person.
+    pub reply: Option<Reply>,
+}
+
+/// The jobs that were started and are waited for, the oldest first.
+#[derive(Default)]
+pub struct Jobs {
+    running: Vec<Running>,
+}
+
+impl Jobs {
+    /// Adds a job that was just started.
+    pub fn add(&mut self, id: JobId, label: String, reply: Option<Reply>) {
+        self.running.push(Running { id, label, fraction: 0.0, reply });
+    }
+
+    /// Takes in that a job got further.
+    pub fn progress(&mut self, job: u64, fraction: f32) {
+        if let Some(running) = self.running.iter_mut().find(|running| running.id.0 == job) {
+            // Never back: stages of one operation may each start at 0.
+            running.fraction = running.fraction.max(fraction.clamp(0.0, 1.0));
+        }
+    }
+
+    /// How much of a job is done; 0 of one that isn't there.
+    pub fn fraction(&self, id: JobId) -> f32 {
+        self.running.iter().find(|running| running.id == id).map_or(0.0, |running| running.fraction)
+    }
+
+    /// Takes a job out; none where it was cancelled before.
+    pub fn take(&mut self, job: u64) -> Option<Running> {
+        let at = self.running.iter().position(|running| running.id.0 == job)?;
+        Some(self.running.remove(at))
+    }
+
+    /// The jobs, the one that runs first.
+    pub fn iter(&self) -> impl Iterator<Item = &Running> {
+        self.running.iter()
+    }
+
+    /// The latest job: the one that Escape cancels.
+    pub fn latest(&self) -> Option<JobId> {
+        self.running.last().map(|running| running.id)
+    }
+}

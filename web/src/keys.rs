@@ -1,0 +1,173 @@
+//! The keys, in one table: menus, tooltips, the shortcuts window and the input handling read it.
+
+use crate::actions::Action;
+use egui::{Context, Key, KeyboardShortcut, Modifiers};
+use halfedge::Element;
+
+const CTRL_SHIFT: Modifiers = Modifiers::COMMAND.plus(Modifiers::SHIFT);
+
+const fn key(key: Key) -> KeyboardShortcut {
+    KeyboardShortcut::new(Modifiers::NONE, key)
+}
+
+const fn with(modifiers: Modifiers, key: Key) -> KeyboardShortcut {
+    KeyboardShortcut::new(modifiers, key)
+}
+
+/// An action with the keys that start it; menus show the first.
+pub type Binding = (Action, &'static [KeyboardShortcut]);
+
+use Action as A;
+
+/// All keys. Those with more modifiers come before those with fewer on the same key.
+pub static BINDINGS: &[Binding] = &[
+    (A::Open, &[with(Modifiers::COMMAND, Key::O)]),
+    (A::Save, &[with(Modifiers::COMMAND, Key::S)]),
+    (A::Redo, &[with(CTRL_SHIFT, Key::Z), with(Modifiers::COMMAND, Key::Y)]),
+    (A::Undo, &[with(Modifiers::COMMAND, Key::Z)]),
+    (A::SelectNone, &[with(CTRL_SHIFT, Key::A)]),
+    (A::SelectAll, &[with(Modifiers::COMMAND, Key::A)]),
+    (A::SelectInverse, &[with(Modifiers::COMMAND, Key::I)]),
+    (A::GoToId, &[with(Modifiers::COMMAND, Key::G)]),
+    (A::Palette, &[with(Modifiers::COMMAND, Key::K), key(Key::F3)]),
+    (A::Shortcuts, &[key(Key::Questionmark), key(Key::F1)]),
+    (A::Cancel, &[key(Key::Escape)]),
+    (A::Show(Element::Vertex), &[key(Key::Num1)]),
+    (A::Show(Element::Edge), &[key(Key::Num2)]),
+    (A::Show(Element::Halfedge), &[key(Key::Num3)]),
+    (A::Show(Element::Face), &[key(Key::Num4)]),
+    (A::Operation("triangulate-faces"), &[with(Modifiers::SHIFT, Key::T)]),
+    (A::Next, &[key(Key::N)]),
+    (A::Twin, &[key(Key::T)]),
+    (A::Operation("split-edge"), &[key(Key::S)]),
+    (A::Upsample, &[key(Key::U)]),
+    (A::OnlySelected, &[key(Key::O)]),
+    (A::BoxSelect, &[key(Key::R)]),
+    (A::FrameAll, &[with(Modifiers::SHIFT, Key::Period), key(Key::Home)]),
+    (A::Frame, &[key(Key::Period)]),
+    (A::ResetView, &[key(Key::Space)]),
+    (A::Orthographic, &[key(Key::P)]),
+    (A::Wireframe, &[key(Key::W)]),
+    (A::Smooth, &[key(Key::M)]),
+    (A::Dots, &[key(Key::V)]),
+    (A::Grid, &[key(Key::G)]),
+    (A::Overlay, &[key(Key::I)]),
+    (A::LeftPanel, &[key(Key::OpenBracket)]),
+    (A::RightPanel, &[key(Key::CloseBracket)]),
+];
+
+/// What the mouse, the trackpad and fingers do, for the shortcuts window.
+pub static GESTURES: &[(&str, &str)] = &[
+    ("Turn the view", "Drag beside the mesh, middle-drag, Alt+drag, or one finger"),
+    ("Move the view", "Right-drag, Shift+drag, or two fingers"),
+    ("Come closer", "Wheel, pinch, or Ctrl+wheel"),
+    ("Select", "Click"),
+    ("Extend the selection", "Shift+click"),
+    ("Add or take away", "Ctrl+click"),
+    ("Select with a box", "Ctrl+drag, or the box tool"),
+    ("Move a vertex", "Drag a selected vertex"),
+];
+
+/// The keys of an action.
+pub fn of(action: Action) -> &'static [KeyboardShortcut] {
+    BINDINGS.iter().find(|(bound, _)| *bound == action).map_or(&[], |(_, keys)| keys)
+}
+
+/// The first key of an action as the platform writes it, or nothing.
+pub fn text(ctx: &Context, action: Action) -> String {
+    of(action).first().map(|shortcut| ctx.format_shortcut(shortcut)).unwrap_or_default()
+}
+
+/// A sentence with the key behind it: "Takes the last step back. (Ctrl+Z)".
+pub fn tooltip(ctx: &Context, description: &str, action: Action) -> String {
+    let key = text(ctx, action);
+    if key.is_empty() { description.to_owned() } else { format!("{description} ({key})") }
+}
+
+/// The actions whose keys were pressed this frame, which are used up. While the person types, only
+/// those with Ctrl or Command that a text field has no use for, and Escape is the field's.
+pub fn pressed(ctx: &Context) -> Vec<Action> {
+    let typing = ctx.text_edit_focused();
+    // Space and the arrows belong to the button or row that has the keyboard.
+    let on_widget = ctx.memory(|memory| memory.focused().is_some());
+    ctx.input_mut(|input| {
+        BINDINGS
+            .iter()
+            .filter(|(action, keys)| {
+                keys.iter().any(|shortcut| {
+                    if typing && !works_while_typing(*action) {
+                        return false;
+                    }
+                    if on_widget && matches!(shortcut.logical_key, Key::Space | Key::Home) {
+                        return false;
+                    }
+                    consume(input, shortcut)
+                })
+            })
+            .map(|(action, _)| *action)
+            .collect()
+    })
+}
+
+fn works_while_typing(action: Action) -> bool {
+    matches!(action, A::Open | A::Save | A::Palette)
+}
+
+/// Like egui's own, but a plain letter doesn't also match with Ctrl or Alt, and "?" matches with the
+/// shift that typing it takes.
+fn consume(input: &mut egui::InputState, shortcut: &KeyboardShortcut) -> bool {
+    let mut found = false;
+    input.events.retain(|event| {
+        let hit = matches!(event, egui::Event::Key { key, modifiers, pressed: true, .. }
+            if *key == shortcut.logical_key && matches(*modifiers, shortcut));
+        found |= hit;
+        !hit
+    });
+    found
+}
+
+fn matches(pressed: Modifiers, shortcut: &KeyboardShortcut) -> bool {
+    let wanted = shortcut.modifiers;
+    let typed_with_shift = matches!(shortcut.logical_key, Key::Questionmark);
+    pressed.command == wanted.command
+        && pressed.alt == wanted.alt
+        && (typed_with_shift || pressed.shift == wanted.shift)
+        && (wanted.command || !pressed.ctrl)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::actions;
+
+    #[test]
+    fn no_key_is_bound_twice() {
+        let mut seen = Vec::new();
+        for (action, keys) in BINDINGS {
+            for key in *keys {
+                assert!(!seen.contains(key), "{key:?} is bound to {action:?} and to another");
+                seen.push(*key);
+            }
+        }
+    }
+
+    #[test]
+    fn every_bound_action_is_in_a_menu() {
+        for (action, _) in BINDINGS {
+            assert!(actions::all().any(|entry| entry.action == *action), "{action:?}");
+        }
+    }
+
+    #[test]
+    fn the_editor_s_table_names_the_same_keys() {
+        let ctx = Context::default();
+        for spec in actions::mesh_operations() {
+            let Some(key) = spec.key else { continue };
+            // Upsample picks one of two subdivisions, so its key is not that of either.
+            if key == "U" {
+                continue;
+            }
+            assert_eq!(text(&ctx, Action::Operation(spec.name)), key, "{}", spec.name);
+        }
+    }
+}

@@ -1,0 +1,125 @@
+//! Which element a row shows, and in which row an element is.
+
+use halfedge::{Element, Mesh};
+
+/// The rows of one kind of element of one mesh: every existing id in order, one row each.
+///
+/// Removed ids are kept as a sorted list, so that both directions are a binary search over the few
+/// ids that are missing, whatever the size of the mesh, and an edit costs what it touched.
+#[derive(Clone, Debug, Default)]
+pub struct RowIndex {
+    removed: Vec<u32>,
+    capacity: usize,
+}
+
+impl RowIndex {
+    /// Indexes a mesh from scratch. Costs O(1) on a mesh without removed ids, else O(ids).
+    pub fn new(mesh: &Mesh, kind: Element) -> Self {
+        let capacity = mesh.capacity(kind);
+        let mut removed = Vec::new();
+        if mesh.count(kind) != capacity {
+            removed.extend((0..capacity as u32).filter(|&id| !mesh.exists(kind, id)));
+        }
+        Self { removed, capacity }
+    }
+
+    /// Takes in that some ids were added, removed or brought back. Costs O(touched · log removed)
+    /// and the moving of the removed ids that follow.
+    pub fn update(&mut self, mesh: &Mesh, kind: Element, touched: impl Iterator<Item = u32>) {
+        let capacity = mesh.capacity(kind);
+        self.removed.truncate(self.removed.partition_point(|&id| (id as usize) < capacity));
+        let grown = self.capacity as u32..capacity as u32;
+        self.capacity = capacity;
+        for id in touched.chain(grown).filter(|&id| (id as usize) < capacity) {
+            match (self.removed.binary_search(&id), mesh.exists(kind, id)) {
+                (Ok(at), true) => {
+                    self.removed.remove(at);
+                }
+                (Err(at), false) => self.removed.insert(at, id),
+                _ => {}
+            }
+        }
+    }
+
+    /// How many rows there are.
+    pub fn len(&self) -> usize {
+        self.capacity - self.removed.len()
+    }
+
+    /// Whether there are none.
+    pub fn is_empty(&self) -> bool {
+        self.len() == 0
+    }
+
+    /// The id shown in a row.
+    pub fn id_of(&self, row: usize) -> Option<u32> {
+        if row >= self.len() {
+            return None;
+        }
+        // The k-th removed id has `removed[k] - k` existing ids before it.
+        let before = self.partition(|id, k| id as usize - k <= row);
+        u32::try_from(row + before).ok()
+    }
+
+    /// The row that shows an id.
+    pub fn row_of(&self, id: u32) -> Option<usize> {
+        if id as usize >= self.capacity {
+            return None;
+        }
+        match self.removed.binary_search(&id) {
+            Ok(_) => None,
+            Err(before) => Some(id as usize - before),
+        }
+    }
+
+    /// How many of the removed ids, from the first, satisfy a condition that only the first ones do.
+    fn partition(&self, holds: impl Fn(u32, usize) -> bool) -> usize {
+        let (mut low, mut high) = (0, self.removed.len());
+        while low < high {
+            let middle = low + (high - low) / 2;
+            if self.removed.get(middle).is_some_and(|&id| holds(id, middle)) {
+                low = middle + 1;
+            } else {
+                high = middle;
+            }
+        }
+        low
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use proptest::prelude::*;
+
+    fn with_removed(capacity: usize, removed: &[u32]) -> RowIndex {
+        RowIndex { removed: removed.to_vec(), capacity }
+    }
+
+    #[test]
+    fn rows_skip_removed_ids() {
+        let index = with_removed(8, &[0, 3, 4, 7]);
+        let ids: Vec<_> = (0..5).map(|row| index.id_of(row)).collect();
+        assert_eq!(ids, [Some(1), Some(2), Some(5), Some(6), None]);
+        assert_eq!(index.row_of(5), Some(2));
+        assert_eq!(index.row_of(3), None);
+        assert_eq!(index.row_of(8), None);
+    }
+
+    proptest! {
+        #[test]
+        fn row_and_id_are_each_other_s_inverse(marks in prop::collection::vec(any::<bool>(), 0..200)) {
+            let removed: Vec<u32> = (0..marks.len() as u32).filter(|&i| marks[i as usize]).collect();
+            let kept: Vec<u32> = (0..marks.len() as u32).filter(|&i| !marks[i as usize]).collect();
+            let index = with_removed(marks.len(), &removed);
+            prop_assert_eq!(index.len(), kept.len());
+            for (row, &id) in kept.iter().enumerate() {
+                prop_assert_eq!(index.id_of(row), Some(id));
+                prop_assert_eq!(index.row_of(id), Some(row));
+            }
+            for &id in &removed {
+                prop_assert_eq!(index.row_of(id), None);
+            }
+        }
+    }
+}

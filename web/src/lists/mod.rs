@@ -1,0 +1,5 @@
+//! The lists of vertices, edges, half-edges and faces: exact and smooth at any number of rows.
+
+pub mod columns;
+pub mod index;
+pub mod row_list;

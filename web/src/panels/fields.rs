@@ -1,0 +1,237 @@
+//! The form of an operation, generated from the fields of its description.
+
+use editor::{Field, FieldKind, Spec};
+use egui::{Checkbox, ComboBox, DragValue, RichText, TextEdit, Ui};
+use serde_json::{Map, Value, json};
+
+use crate::lists::columns::element_name;
+use halfedge::Element;
+
+/// What the person filled in, by the fields' names. What is not in it is left out of the command.
+pub type Filled = Map<String, Value>;
+
+/// The values that a form starts with: the defaults that are values. Defaults in words, such as
+/// "the selected faces", stay out.
+pub fn initial(spec: &Spec) -> Filled {
+    spec.fields
+        .iter()
+        .filter_map(|field| {
+            let value = match default_value(field) {
+                Some(value) => value,
+                None if field.default.is_none() => blank(field.kind),
+                None => return None,
+            };
+            Some((field.name.to_owned(), value))
+        })
+        .collect()
+}
+
+/// The default as a value, where it is one.
+fn default_value(field: &Field) -> Option<Value> {
+    serde_json::from_str(field.default?).ok()
+}
+
+/// Whether a field stands for elements, which the selection gives.
+pub fn is_elements(kind: FieldKind) -> bool {
+    matches!(
+        kind,
+        FieldKind::Vertex
+            | FieldKind::Edge
+            | FieldKind::Halfedge
+            | FieldKind::Face
+            | FieldKind::Vertices
+            | FieldKind::Edges
+            | FieldKind::Halfedges
+            | FieldKind::Faces
+            | FieldKind::Objects
+    )
+}
+
+/// What a field without a default starts with.
+fn blank(kind: FieldKind) -> Value {
+    match kind {
+        FieldKind::Number { min, max } => json!(1.0_f32.clamp(min, max)),
+        FieldKind::Integer { min, max } => json!(1_u32.clamp(min, max)),
+        FieldKind::Vector => json!([0.0, 0.0, 0.0]),
+        FieldKind::Factors => json!([1.0, 1.0, 1.0]),
+        FieldKind::Rotation => json!({ "axis": [0.0, 1.0, 0.0], "degrees": 0.0 }),
+        FieldKind::Color => json!("#c8c8c8"),
+        FieldKind::Choice(words) => json!(words.first().copied().unwrap_or_default()),
+        FieldKind::Flag => json!(false),
+        FieldKind::Text => json!(""),
+        FieldKind::Vertex | FieldKind::Edge | FieldKind::Halfedge | FieldKind::Face => json!(0),
+        _ => json!([]),
+    }
+}
+
+/// One row of a form: the field's name, its value, and a tooltip with what it means. Fields that the
+/// selection gives are one line that says so.
+pub fn show(ui: &mut Ui, spec: &Spec, field: &Field, filled: &mut Filled) {
+    let label = label_of(field.name);
+    if is_elements(field.kind) && field.default.is_some() {
+        ui.label(RichText::new(&label).weak()).on_hover_text(field.description);
+        ui.label(RichText::new(field.default.unwrap_or_default()).weak());
+        ui.end_row();
+        return;
+    }
+    let name = ui.label(&label).on_hover_text(field.description);
+    let optional = field.default.is_some() && default_value(field).is_none();
+    ui.label_inputs_by(name.id, |ui| {
+        ui.horizontal(|ui| {
+            if optional {
+                let mut given = filled.contains_key(field.name);
+                let hint = format!("Set this instead of {}", field.default.unwrap_or_default());
+                let check = ui
+                    .add(Checkbox::without_text(&mut given))
+                    .accessible_name(format!("Set {label}"))
+                    .on_hover_text(hint);
+                if check.changed() {
+                    if given {
+                        filled.insert(field.name.to_owned(), blank(field.kind));
+                    } else {
+                        filled.remove(field.name);
+                    }
+                }
+                if !given {
+                    ui.label(RichText::new(field.default.unwrap_or_default()).weak());
+                    return;
+                }
+            }
+            let value = filled.entry(field.name).or_insert_with(|| blank(field.kind));
+            ui.push_id((spec.name, field.name), |ui| edit(ui, field, &label, value));
+        });
+    });
+    ui.end_row();
+}
+
+fn edit(ui: &mut Ui, field: &Field, label: &str, value: &mut Value) {
+    match field.kind {
+        FieldKind::Number { min, max } => number(ui, label, value, f64::from(min)..=f64::from(max)),
+        FieldKind::Integer { min, max } => integer(ui, value, min..=max),
+        FieldKind::Vertex | FieldKind::Edge | FieldKind::Halfedge | FieldKind::Face => {
+            integer(ui, value, 0..=u32::MAX - 1)
+        }
+        FieldKind::Vector | FieldKind::Factors => axes(ui, label, value),
+        FieldKind::Rotation => {
+            if let Some(axis) = value.get_mut("axis") {
+                axes(ui, &format!("{label} axis"), axis);
+            }
+            if let Some(degrees) = value.get_mut("degrees") {
+                number(ui, "Degrees", degrees, -360.0..=360.0);
+            }
+        }
+        FieldKind::Color => color(ui, label, value),
+        FieldKind::Choice(words) => choice(ui, label, value, words),
+        FieldKind::Flag => {
+            let mut on = value.as_bool().unwrap_or_default();
+            if ui.add(Checkbox::without_text(&mut on)).changed() {
+                *value = on.into();
+            }
+        }
+        FieldKind::Text => {
+            let mut text = value.as_str().unwrap_or_default().to_owned();
+            if ui.add(TextEdit::singleline(&mut text).desired_width(140.0)).changed() {
+                *value = text.into();
+            }
+        }
+        FieldKind::Vertices
+        | FieldKind::Edges
+        | FieldKind::Halfedges
+        | FieldKind::Faces
+        | FieldKind::Objects => {
+            ids(ui, value);
+        }
+    }
+}
+
+fn number(ui: &mut Ui, label: &str, value: &mut Value, range: std::ops::RangeInclusive<f64>) {
+    let mut number = value.as_f64().unwrap_or_default();
+    // A spin over a tenth of the value a few points, so that small and large models both can be hit.
+    let speed = (number.abs() * 0.01).clamp(0.001, 1e6);
+    if ui
+        .add(DragValue::new(&mut number).speed(speed).range(range).max_decimals(6))
+        .accessible_name(label)
+        .changed()
+    {
+        *value = json!(number);
+    }
+}
+
+fn integer(ui: &mut Ui, value: &mut Value, range: std::ops::RangeInclusive<u32>) {
+    let mut number = value.as_u64().and_then(|n| u32::try_from(n).ok()).unwrap_or_default();
+    if ui.add(DragValue::new(&mut number).speed(0.1).range(range)).changed() {
+        *value = number.into();
+    }
+}
+
+fn axes(ui: &mut Ui, label: &str, value: &mut Value) {
+    // One number stands for all three.
+    let at = |i: usize| value.get(i).unwrap_or(&*value).as_f64().unwrap_or_default();
+    let mut numbers = [at(0), at(1), at(2)];
+    let mut changed = false;
+    for (axis, number) in ["x", "y", "z"].iter().zip(&mut numbers) {
+        let drag = DragValue::new(number).speed(0.01).max_decimals(5);
+        changed |= ui
+            .add_sized([54.0, ui.spacing().interact_size.y], drag)
+            .accessible_name(format!("{label} {axis}"))
+            .changed();
+    }
+    if changed {
+        *value = json!(numbers);
+    }
+}
+
+fn color(ui: &mut Ui, label: &str, value: &mut Value) {
+    let parsed = value.as_str().and_then(halfedge::Color::from_hex).unwrap_or(halfedge::Color::UNPAINTED);
+    let mut rgb = parsed.0;
+    if ui.color_edit_button_srgb(&mut rgb).accessible_name(label).changed() {
+        *value = halfedge::Color(rgb).to_hex().into();
+    }
+}
+
+fn choice(ui: &mut Ui, label: &str, value: &mut Value, words: &[&str]) {
+    let chosen = value.as_str().unwrap_or_default().to_owned();
+    let combo =
+        ComboBox::from_id_salt("choice").selected_text(readable(&chosen)).width(140.0).show_ui(ui, |ui| {
+            for word in words {
+                if ui.selectable_label(chosen == *word, readable(word)).clicked() {
+                    *value = (*word).into();
+                }
+            }
+        });
+    combo.response.accessible_name(label);
+}
+
+/// Ids, typed with spaces or commas between them.
+fn ids(ui: &mut Ui, value: &mut Value) {
+    let listed: Vec<String> =
+        value.as_array().map_or_else(Vec::new, |ids| ids.iter().map(Value::to_string).collect());
+    let mut text = listed.join(" ");
+    if ui.add(TextEdit::singleline(&mut text).hint_text("0 1 2").desired_width(140.0)).changed() {
+        let ids: Vec<u32> = text.split([' ', ',']).filter_map(|id| id.parse().ok()).collect();
+        *value = json!(ids);
+    }
+}
+
+/// `boundary_rule` as people read it: "Boundary rule".
+pub fn label_of(name: &str) -> String {
+    let mut text = name.replace(['_', '-'], " ");
+    if let Some(first) = text.get_mut(..1) {
+        first.make_ascii_uppercase();
+    }
+    text
+}
+
+/// A word of a choice as people read it: "edge-and-corner" is "Edge and corner".
+fn readable(word: &str) -> String {
+    label_of(word)
+}
+
+/// "3 edges", or the name of the one: what the selection gives a form.
+pub fn selection_words(kind: Element, count: usize, latest: Option<u32>) -> String {
+    match (count, latest) {
+        (0, _) => "Nothing is selected".to_owned(),
+        (1, Some(id)) => format!("{} is selected", element_name(kind, id)),
+        _ => format!("{} are selected", crate::lists::columns::counted(kind, count)),
+    }
+}

@@ -1,0 +1,105 @@
+//! An edge: its ends, length, sides, and where to split it.
+
+use super::{facts, measured};
+use crate::actions::{self, Action};
+use crate::app::App;
+use crate::panels::menu_bar::explain;
+use egui::{ComboBox, Slider, Ui};
+use halfedge::{Element, HalfedgeId, keys};
+use serde_json::json;
+
+/// The forms of a split, as the command names them and as people read them.
+const CONNECT: [(&str, &str); 3] =
+    [("none", "Add a vertex only"), ("triangles", "Cut triangles"), ("all", "Cut all faces")];
+
+impl App {
+    pub(super) fn inspect_edge(&mut self, ui: &mut Ui, id: u32) {
+        let Some((mesh, e)) = self.editor.mesh().and_then(|mesh| Some((mesh, mesh.edge(id)?))) else {
+            return;
+        };
+        let [a, b] = mesh.ends(e);
+        let length = mesh.position(a).distance(mesh.position(b));
+        let sides = e.halfedges().map(HalfedgeId::raw);
+        let faces = e.halfedges().map(|h| mesh.face_of(h).map(|f| (Element::Face, f.raw())));
+        let boundary = mesh.is_boundary_edge(e);
+        let crease = mesh.get(keys::EDGE_CREASE, e.index());
+        facts(ui, "edge facts", |ui| {
+            self.pointer(
+                ui,
+                "From",
+                Some((Element::Vertex, a.raw())),
+                "",
+                "Where the edge's first half-edge starts",
+            );
+            self.pointer(
+                ui,
+                "To",
+                Some((Element::Vertex, b.raw())),
+                "",
+                "Where the edge's first half-edge ends",
+            );
+            self.fact(ui, "Length", measured(length), "The distance between its ends");
+            for (name, side) in ["Half-edge", "Twin"].into_iter().zip(sides) {
+                self.pointer(
+                    ui,
+                    name,
+                    Some((Element::Halfedge, side)),
+                    "",
+                    "One of the edge's two directed sides",
+                );
+            }
+            for (name, face) in ["Left face", "Right face"].into_iter().zip(faces) {
+                self.pointer(ui, name, face, "boundary", "The face on this side of the edge");
+            }
+            self.fact(ui, "Boundary", if boundary { "yes" } else { "no" }, "Whether one side has no face");
+            if crease > 0.0 {
+                self.fact(
+                    ui,
+                    "Crease",
+                    measured(crease),
+                    "How sharp subdivision keeps the edge; 10 is fully sharp",
+                );
+            }
+        });
+        self.split_form(ui);
+    }
+
+    /// The split, with where and how; for all selected edges.
+    pub(super) fn split_form(&mut self, ui: &mut Ui) {
+        let action = Action::Operation("split-edge");
+        let Some(spec) = actions::operation("split-edge") else { return };
+        ui.add_space(6.0);
+        let mut t = self.forms.split_t.unwrap_or(0.5);
+        let mut connect = self.forms.split_connect.unwrap_or("triangles");
+        ui.horizontal(|ui| {
+            ui.spacing_mut().slider_width = (ui.available_width() - 96.0).max(60.0);
+            let label = ui.label("Split at");
+            let slider = Slider::new(&mut t, 0.01..=0.99).max_decimals(3);
+            ui.add(slider)
+                .labelled_by(label.id)
+                .on_hover_text("How far along the edge the new vertex is, between its ends");
+        });
+        let why_not = self.why_not(action);
+        ui.horizontal(|ui| {
+            let shown = CONNECT.iter().find(|(name, _)| *name == connect).map_or(connect, |(_, text)| text);
+            let combo =
+                ComboBox::from_id_salt("connect").selected_text(shown).width(140.0).show_ui(ui, |ui| {
+                    for (name, text) in CONNECT {
+                        if ui.selectable_label(connect == name, text).clicked() {
+                            connect = name;
+                        }
+                    }
+                });
+            combo
+                .response
+                .accessible_name("Cut")
+                .on_hover_text("Which faces beside the edge are cut from the new vertex");
+            let button = ui.add_enabled(why_not.is_none(), egui::Button::new(spec.label));
+            if explain(button, ui, &actions::of_operation(spec), why_not.as_deref()).clicked() {
+                self.send(json!({ "op": "split-edge", "t": t, "connect": connect }));
+            }
+        });
+        self.forms.split_t = Some(t);
+        self.forms.split_connect = Some(connect);
+    }
+}

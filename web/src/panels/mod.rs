@@ -1,0 +1,18 @@
+//! The panels and windows of the page, one per file. Each adds methods to [`crate::app::App`].
+
+mod about;
+mod drop_overlay;
+mod elements;
+mod fields;
+mod inspector;
+mod menu_bar;
+mod messages;
+mod new_shape;
+mod objects;
+pub(crate) mod operations;
+pub(crate) mod palette;
+pub(crate) mod sheet;
+mod shortcuts;
+mod status_bar;
+
+pub(crate) use fields::selection_words;

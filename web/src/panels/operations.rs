@@ -1,0 +1,132 @@
+//! The operations panel: choose one, fill in its fields, apply it.
+
+use std::collections::HashMap;
+
+use editor::{OperationKind, Spec};
+use egui::{Button, ComboBox, Grid, RichText, Ui, vec2};
+use serde_json::{Map, Value};
+
+use crate::actions::{self, Action};
+use crate::app::App;
+use crate::keys;
+use crate::lists::columns::thousands;
+use crate::panels::fields::{self, Filled};
+use crate::panels::new_shape;
+
+/// What is filled in, in all forms of the page.
+#[derive(Default)]
+pub(crate) struct Forms {
+    chosen: Option<&'static str>,
+    filled: HashMap<&'static str, Filled>,
+    /// The object whose name is being typed.
+    pub renaming: Option<(usize, String)>,
+    pub focus_renaming: bool,
+    /// A face color is being picked, as a preview.
+    pub painting: bool,
+    /// Where along an edge the inspector's split button puts the vertex.
+    pub split_t: Option<f32>,
+    pub split_connect: Option<&'static str>,
+}
+
+impl Forms {
+    /// Shows an operation's form.
+    pub fn choose(&mut self, name: &'static str) {
+        self.chosen = Some(name);
+    }
+}
+
+impl App {
+    /// The panel on the right: the inspector, and the operations below it.
+    pub(crate) fn right_panel(&mut self, ui: &mut Ui) {
+        egui::ScrollArea::vertical().auto_shrink([false, false]).show(ui, |ui| {
+            self.inspector(ui);
+            ui.add_space(6.0);
+            ui.separator();
+            self.operations(ui);
+        });
+    }
+
+    pub(crate) fn operations(&mut self, ui: &mut Ui) {
+        ui.add_space(2.0);
+        ui.label(RichText::new("Operations").strong());
+        let Some(chosen) = self.forms.chosen.and_then(actions::operation).or_else(first_operation) else {
+            return;
+        };
+        let combo = ComboBox::from_id_salt("operation")
+            .selected_text(chosen.label)
+            .width(ui.available_width() - 8.0)
+            .height(420.0);
+        let combo = combo.show_ui(ui, |ui| {
+            for spec in actions::mesh_operations() {
+                if ui
+                    .selectable_label(spec.name == chosen.name, spec.label)
+                    .on_hover_text(spec.description)
+                    .clicked()
+                {
+                    self.forms.choose(spec.name);
+                }
+            }
+        });
+        combo.response.accessible_name("Operation").on_hover_text("Which operation to fill in and apply");
+        ui.add(egui::Label::new(RichText::new(chosen.description).weak()).wrap());
+
+        let mut filled = self.forms.filled.remove(chosen.name).unwrap_or_else(|| fields::initial(chosen));
+        Grid::new(("form", chosen.name)).num_columns(2).spacing(vec2(10.0, 6.0)).show(ui, |ui| {
+            if chosen.name == "new" {
+                new_shape::form(ui, &mut filled);
+                return;
+            }
+            for field in chosen.fields {
+                fields::show(ui, chosen, field, &mut filled);
+            }
+        });
+        if let Some(estimate) = self.estimate(chosen.name, &filled) {
+            ui.label(RichText::new(estimate).small().weak());
+        }
+        self.apply_button(ui, chosen, &filled);
+        self.forms.filled.insert(chosen.name, filled);
+    }
+
+    fn apply_button(&mut self, ui: &mut Ui, spec: &'static Spec, filled: &Filled) {
+        let action = Action::Operation(spec.name);
+        let why_not = self.why_not(action);
+        let button =
+            Button::new(RichText::new(spec.label).strong()).min_size(vec2(ui.available_width(), 28.0));
+        let response = ui.add_enabled(why_not.is_none(), button);
+        let tooltip = keys::tooltip(ui.ctx(), spec.description, action);
+        let reason = why_not.clone().unwrap_or_default();
+        if response.on_hover_text(tooltip).on_disabled_hover_text(reason).clicked() {
+            let mut command: Map<String, Value> = filled.clone();
+            command.insert("op".into(), spec.name.into());
+            self.send(command.into());
+        }
+        if let Some(reason) = why_not {
+            ui.add(egui::Label::new(RichText::new(reason).small().color(ui.visuals().warn_fg_color)).wrap());
+        }
+    }
+
+    /// How large the result of a subdivision is.
+    fn estimate(&self, name: &str, filled: &Filled) -> Option<String> {
+        if name == "new" {
+            return new_shape::estimate(filled);
+        }
+        let mesh = self.editor.mesh()?;
+        let levels = filled.get("levels")?.as_u64()?;
+        let levels = u32::try_from(levels).ok().filter(|&levels| levels > 0)?;
+        let faces = match name {
+            // One quad for each corner, then four for each quad.
+            "subdivide-catmull-clark" | "subdivide-linear" => {
+                let corners = mesh.halfedge_count() - self.survey.found()?.boundary_halfedges;
+                corners.checked_mul(4_usize.checked_pow(levels - 1)?)?
+            }
+            "subdivide-loop" => mesh.face_count().checked_mul(4_usize.checked_pow(levels)?)?,
+            _ => return None,
+        };
+        Some(format!("Result: {} faces", thousands(faces)))
+    }
+}
+
+fn first_operation() -> Option<&'static Spec> {
+    let mut whole = actions::mesh_operations().filter(|spec| spec.kind == OperationKind::WholeMesh);
+    actions::operation("new").or_else(|| whole.next()).or_else(|| actions::mesh_operations().next())
+}

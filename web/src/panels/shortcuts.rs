@@ -1,0 +1,65 @@
+//! The window that lists all keys and what the mouse does.
+
+use egui::{Context, Grid, RichText, ScrollArea, Ui, Window, vec2};
+
+use crate::actions;
+use crate::app::App;
+use crate::keys::{BINDINGS, GESTURES};
+
+impl App {
+    pub(crate) fn shortcuts_window(&mut self, ctx: &Context) {
+        let mut open = self.shown.shortcuts;
+        let screen = ctx.content_rect();
+        Window::new("Keyboard shortcuts")
+            .open(&mut open)
+            .collapsible(false)
+            .resizable(false)
+            .pivot(egui::Align2::CENTER_CENTER)
+            .fixed_pos(screen.center())
+            .show(ctx, |ui| {
+                let wide = screen.width() > 700.0;
+                ui.set_width(if wide { 640.0 } else { screen.width() - 48.0 });
+                ScrollArea::vertical().max_height(screen.height() * 0.7).auto_shrink([false, true]).show(
+                    ui,
+                    |ui| {
+                        if wide {
+                            ui.columns(2, |columns| {
+                                if let [left, right] = columns {
+                                    let half = BINDINGS.len().div_ceil(2) + 2;
+                                    bindings(left, "keys", 0..half);
+                                    bindings(right, "more keys", half..BINDINGS.len());
+                                    right.add_space(12.0);
+                                    gestures(right);
+                                }
+                            });
+                        } else {
+                            bindings(ui, "keys", 0..BINDINGS.len());
+                            ui.add_space(12.0);
+                            gestures(ui);
+                        }
+                    },
+                );
+            });
+        self.shown.shortcuts = open;
+    }
+}
+
+fn bindings(ui: &mut Ui, name: &str, range: std::ops::Range<usize>) {
+    Grid::new(name).num_columns(2).spacing(vec2(12.0, 4.0)).min_col_width(96.0).show(ui, |ui| {
+        for (action, keys) in BINDINGS.get(range).unwrap_or_default() {
+            let texts: Vec<String> = keys.iter().map(|key| ui.ctx().format_shortcut(key)).collect();
+            ui.label(RichText::new(texts.join(", ")).monospace());
+            let entry = actions::describe(*action);
+            ui.label(entry.label).on_hover_text(entry.description);
+            ui.end_row();
+        }
+    });
+}
+
+fn gestures(ui: &mut Ui) {
+    ui.label(RichText::new("In the viewport").strong());
+    for (what, how) in GESTURES {
+        ui.add(egui::Label::new(*what));
+        ui.add(egui::Label::new(RichText::new(*how).small().weak()).wrap());
+    }
+}

@@ -1,0 +1,100 @@
+//! The bar at the bottom: counts, what runs, renderer and frame time.
+
+use egui::{Align, Layout, ProgressBar, RichText, Ui, vec2};
+use halfedge::Element;
+
+use crate::app::App;
+use crate::icons::{Icon, icon_button};
+use crate::lists::columns::thousands;
+
+impl App {
+    pub(crate) fn status_bar(&mut self, ui: &mut Ui, narrow: bool) {
+        if self.survey.step(self.editor.mesh()) {
+            ui.ctx().request_repaint();
+        }
+        ui.horizontal(|ui| {
+            ui.spacing_mut().item_spacing.x = if narrow { 8.0 } else { 14.0 };
+            if self.jobs.latest().is_some() {
+                self.job_progress(ui, narrow);
+            }
+            self.counts(ui, narrow);
+            if !narrow {
+                ui.with_layout(Layout::right_to_left(Align::Center), |ui| self.machine(ui));
+            }
+        });
+    }
+
+    fn counts(&self, ui: &mut Ui, narrow: bool) {
+        let Some(mesh) = self.editor.mesh() else {
+            ui.label(RichText::new("No mesh").weak());
+            return;
+        };
+        let figure = |ui: &mut Ui, short: &str, value: String, meaning: &str| {
+            ui.horizontal(|ui| {
+                ui.spacing_mut().item_spacing.x = 4.0;
+                ui.label(RichText::new(short).small().weak());
+                let number = ui.label(RichText::new(&value).small());
+                number.clone().accessible_name(format!("{meaning}: {value}"));
+                number.on_hover_text(meaning);
+            });
+        };
+        let count = |kind| thousands(mesh.count(kind));
+        figure(ui, "V", count(Element::Vertex), "Vertices");
+        figure(ui, "E", count(Element::Edge), "Edges");
+        figure(ui, "F", count(Element::Face), "Faces");
+        figure(ui, "H", count(Element::Halfedge), "Half-edges");
+        let found = self.survey.found();
+        let number = |value: Option<usize>| value.map_or_else(|| "…".to_owned(), thousands);
+        figure(
+            ui,
+            "χ",
+            mesh.euler_characteristic().to_string(),
+            "Euler characteristic: vertices − edges + faces",
+        );
+        if !narrow {
+            figure(ui, "Boundary loops", number(found.map(|f| f.boundary_loops)), "Boundary loops");
+            figure(ui, "Components", number(found.map(|f| f.components)), "Connected components");
+        }
+    }
+
+    fn machine(&self, ui: &mut Ui) {
+        let device = self.device();
+        let renderer = match device.renderer.as_str() {
+            "webgpu" => "WebGPU",
+            "webgl2" => "WebGL2",
+            other => other,
+        };
+        let time = format!("{:.1} ms", self.frames.median());
+        ui.label(RichText::new(time).small().weak()).on_hover_text(format!(
+            "Processor time of a frame: median; the worst was {:.1} ms",
+            self.frames.worst()
+        ));
+        if !renderer.is_empty() {
+            ui.label(RichText::new(renderer).small().weak())
+                .on_hover_text(format!("Drawn with {renderer}. {}", device.adapter));
+        }
+    }
+
+    fn job_progress(&mut self, ui: &mut Ui, narrow: bool) {
+        let mut cancelled = None;
+        let waiting = self.jobs.iter().count().saturating_sub(1);
+        if let Some(job) = self.jobs.iter().next() {
+            let text = if waiting > 0 { format!("{} (+{waiting})", job.label) } else { job.label.clone() };
+            let width = if narrow { 120.0 } else { 200.0 };
+            let bar = ProgressBar::new(job.fraction)
+                .desired_width(width)
+                .desired_height(16.0)
+                .text(RichText::new(&text).small());
+            ui.add_sized(vec2(width, 16.0), bar).accessible_name(text);
+            if icon_button(ui, Icon::Close, &format!("Cancel {}", job.label), false)
+                .on_hover_text("Cancel (Escape)")
+                .clicked()
+            {
+                cancelled = Some(job.id);
+            }
+        }
+        if let Some(id) = cancelled {
+            self.cancel_job(id);
+        }
+    }
+}

@@ -1,0 +1,277 @@
+//! What the pointer does in the viewport: turn, move, come closer, select, drag vertices.
+
+use editor::SelectMode;
+use egui::{CursorIcon, PointerButton, Pos2, Rect, Response, Ui};
+use glam::{Vec3, vec2};
+use halfedge::Element;
+use serde_json::json;
+use surface::FaceTree;
+use viewport::ScreenRect;
+
+use super::View;
+use crate::app::App;
+
+/// How far from a vertex or an edge the pointer may be to mean it, in points.
+const REACH: f32 = 8.0;
+
+/// What a drag with the first button does beside the mesh.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub(crate) enum Tool {
+    /// Turns the view.
+    #[default]
+    Orbit,
+    /// Draws a box that selects.
+    Box,
+}
+
+/// A drag that is going on.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) enum Gesture {
+    None,
+    Orbit,
+    Pan,
+    Box {
+        from: Pos2,
+    },
+    Move {
+        from: Pos2,
+        anchor: Vec3,
+    },
+    /// Given up with Escape, but the button is still down.
+    Ended,
+}
+
+impl View {
+    /// Gives up the drag that is going on, if any; whether there was one.
+    pub fn cancel_gesture(&mut self) -> bool {
+        let going = matches!(self.gesture, Gesture::Box { .. } | Gesture::Move { .. });
+        if going {
+            self.gesture = Gesture::Ended;
+        }
+        going
+    }
+
+    /// The box that is being drawn.
+    pub fn selection_box(&self, to: Option<Pos2>) -> Option<Rect> {
+        match (&self.gesture, to) {
+            (Gesture::Box { from }, Some(to)) => Some(Rect::from_two_pos(*from, to).intersect(self.rect)),
+            _ => None,
+        }
+    }
+
+    fn local(&self, at: Pos2) -> glam::Vec2 {
+        vec2(at.x - self.rect.min.x, at.y - self.rect.min.y)
+    }
+}
+
+impl App {
+    pub(super) fn gestures(&mut self, ui: &Ui, response: &Response) {
+        let touches = ui.input(|input| input.multi_touch());
+        let pointer = response.interact_pointer_pos();
+        if let Some(touch) = touches.filter(|_| response.dragged() || response.contains_pointer()) {
+            // Two fingers: whatever one finger had begun is over.
+            self.end_gesture(None);
+            self.view.gesture = Gesture::Ended;
+            let size = self.view.size();
+            let by = touch.translation_delta;
+            self.view.camera.pan(vec2(by.x, by.y), size);
+            let center = self.view.local(touch.center_pos);
+            self.view.camera.zoom(f64::from(touch.zoom_delta), center, size);
+            return;
+        }
+        if response.drag_started() {
+            let from = ui.input(|input| input.pointer.press_origin()).or(pointer);
+            if let Some(from) = from {
+                self.start_gesture(ui, response, from);
+            }
+        }
+        if response.dragged() {
+            self.go_on(ui, response, pointer);
+        }
+        if response.drag_stopped() {
+            self.end_gesture(pointer.map(|at| (at, ui.input(|input| input.modifiers.shift))));
+        }
+        self.wheel(ui, response);
+        self.hover(ui, response);
+        if response.clicked()
+            && let Some(at) = pointer
+        {
+            self.click(ui, at);
+        }
+        if response.secondary_clicked()
+            && let Some(at) = pointer
+            && let Some(id) = self.pick(at)
+            && !self.editor.selection().contains(self.lists.kind.0, id)
+        {
+            self.select(self.lists.kind.0, [id], SelectMode::Replace);
+        }
+    }
+
+    fn start_gesture(&mut self, ui: &Ui, response: &Response, from: Pos2) {
+        let modifiers = ui.input(|input| input.modifiers);
+        let primary = response.dragged_by(PointerButton::Primary);
+        self.view.gesture = if response.dragged_by(PointerButton::Secondary)
+            || (primary && modifiers.shift && self.view.tool == Tool::Orbit)
+        {
+            Gesture::Pan
+        } else if !primary || modifiers.alt {
+            Gesture::Orbit
+        } else if modifiers.command || self.view.tool == Tool::Box {
+            Gesture::Box { from }
+        } else {
+            match self.movable(from) {
+                Some(anchor) => Gesture::Move { from, anchor },
+                None => Gesture::Orbit,
+            }
+        };
+    }
+
+    /// Where the selected vertex under the pointer is: dragging it moves what is selected.
+    fn movable(&mut self, at: Pos2) -> Option<Vec3> {
+        let selection = self.editor.selection();
+        if self.lists.kind.0 != Element::Vertex || selection.kind() != Element::Vertex || selection.is_empty()
+        {
+            return None;
+        }
+        let id = self.pick(at)?;
+        let mesh = self.editor.mesh()?;
+        self.editor
+            .selection()
+            .contains(Element::Vertex, id)
+            .then(|| mesh.vertex(id).map(|v| mesh.position(v)))?
+    }
+
+    fn go_on(&mut self, ui: &Ui, response: &Response, pointer: Option<Pos2>) {
+        let size = self.view.size();
+        let by = vec2(response.drag_delta().x, response.drag_delta().y);
+        match (&self.view.gesture, pointer) {
+            (Gesture::Orbit, _) => {
+                self.view.camera.orbit(by, size);
+                ui.ctx().set_cursor_icon(CursorIcon::Grabbing);
+            }
+            (Gesture::Pan, _) => {
+                self.view.camera.pan(by, size);
+                ui.ctx().set_cursor_icon(CursorIcon::Move);
+            }
+            (&Gesture::Move { from, anchor }, Some(at)) => {
+                let delta = vec2(at.x - from.x, at.y - from.y);
+                let to = self.view.camera.drag(anchor, delta, size);
+                if to.is_finite() {
+                    self.move_selected(to, to - anchor);
+                }
+            }
+            _ => {}
+        }
+    }
+
+    /// Previews the selected vertices moved along with the one under the pointer.
+    fn move_selected(&mut self, to: Vec3, by: Vec3) {
+        let selection = self.editor.selection();
+        match (selection.len(), selection.latest()) {
+            (1, Some(id)) => {
+                self.preview(json!({ "op": "set-vertex-position", "vertex": id, "position": to.to_array() }));
+            }
+            _ => {
+                let ids: Vec<u32> = selection.ids().collect();
+                self.preview(json!({ "op": "transform", "vertices": ids, "translate": by.to_array() }));
+            }
+        }
+    }
+
+    /// Ends the drag, at a place with or without shift, or without a trace.
+    fn end_gesture(&mut self, at: Option<(Pos2, bool)>) {
+        match (std::mem::replace(&mut self.view.gesture, Gesture::None), at) {
+            (Gesture::Move { .. }, Some(_)) => self.commit_preview(),
+            (Gesture::Move { .. }, None) => {
+                self.editor.cancel_drag();
+                self.follow();
+            }
+            (Gesture::Box { from }, Some((to, extend))) => {
+                let ids = self.in_box(Rect::from_two_pos(from, to));
+                let mode = if extend { SelectMode::Extend } else { SelectMode::Replace };
+                self.select(self.lists.kind.0, ids, mode);
+            }
+            _ => {}
+        }
+    }
+
+    fn wheel(&mut self, ui: &Ui, response: &Response) {
+        if !response.contains_pointer() {
+            return;
+        }
+        let Some(at) = ui.input(|input| input.pointer.hover_pos()) else { return };
+        let (scroll, zoom) =
+            ui.input_mut(|input| (std::mem::take(&mut input.smooth_scroll_delta), input.zoom_delta()));
+        let factor = f64::from(zoom) * (f64::from(scroll.y) / 240.0).exp();
+        if factor != 1.0 {
+            let (local, size) = (self.view.local(at), self.view.size());
+            self.view.camera.zoom(factor, local, size);
+        }
+    }
+
+    /// Looks what is under the pointer, when the pointer or the view moved.
+    fn hover(&mut self, ui: &Ui, response: &Response) {
+        let going = self.view.gesture != Gesture::None;
+        let at = response.hover_pos().filter(|_| !going && !response.is_pointer_button_down_on());
+        let Some(at) = at else {
+            if !going {
+                self.view.hovered = None;
+                self.view.looked = None;
+            }
+            return;
+        };
+        let look = (at, self.view.camera, self.lists.kind.0);
+        if self.view.looked == Some(look) {
+            return;
+        }
+        self.view.looked = Some(look);
+        self.view.hovered = self.pick(at).map(|id| (self.lists.kind.0, id));
+        if self.view.hovered.is_some() && self.view.tool == Tool::Orbit {
+            ui.ctx().set_cursor_icon(CursorIcon::PointingHand);
+        }
+    }
+
+    /// The element of the listed kind at a place on the page.
+    fn pick(&mut self, at: Pos2) -> Option<u32> {
+        let object = self.editor.document().active().filter(|object| object.visible())?;
+        let (camera, local, size) = (self.view.camera, self.view.local(at), self.view.size());
+        let mesh = object.mesh();
+        let tree = self.view.trees.entry(object.id()).or_insert_with(|| FaceTree::new(mesh));
+        viewport::pick(mesh, tree, &camera, size, local, self.lists.kind.0, REACH).map(|picked| picked.id)
+    }
+
+    /// The visible elements of the listed kind in a box of the page.
+    fn in_box(&mut self, area: Rect) -> Vec<u32> {
+        let Some(object) = self.editor.document().active().filter(|object| object.visible()) else {
+            return Vec::new();
+        };
+        let (camera, size) = (self.view.camera, self.view.size());
+        let rect = ScreenRect::between(self.view.local(area.min), self.view.local(area.max));
+        let mesh = object.mesh();
+        let tree = self.view.trees.entry(object.id()).or_insert_with(|| FaceTree::new(mesh));
+        viewport::elements_in_rect(mesh, tree, &camera, size, rect, self.lists.kind.0, true)
+    }
+
+    fn click(&mut self, ui: &Ui, at: Pos2) {
+        let modifiers = ui.input(|input| input.modifiers);
+        let kind = self.lists.kind.0;
+        match self.pick(at) {
+            Some(id) => {
+                let mode = if modifiers.command {
+                    SelectMode::Toggle
+                } else if modifiers.shift {
+                    SelectMode::Extend
+                } else {
+                    SelectMode::Replace
+                };
+                self.select(kind, [id], mode);
+            }
+            // With a modifier held, a near miss should not throw the selection away.
+            None if !modifiers.command && !modifiers.shift => {
+                self.editor.deselect();
+                self.follow();
+            }
+            None => {}
+        }
+    }
+}

@@ -1,0 +1,155 @@
+//! The picture: keeps the renderer's buffers in step and puts what it draws on the page.
+
+use editor::{Editor, ObjectChange, ObjectId};
+use egui::{PaintCallbackInfo, Rect, Ui};
+use egui_wgpu::{Callback, CallbackResources, CallbackTrait, RenderState, ScreenDescriptor, wgpu};
+use halfedge::{Element, Mesh};
+use viewport::{Camera, Frame, Highlight, Layer, ObjectDraw, Renderer, Style};
+
+use crate::app::App;
+
+/// The renderer, which lives among egui's resources so that paint callbacks reach it.
+pub(super) struct Picture {
+    gpu: RenderState,
+    pub selection_stale: bool,
+    hovered: Option<(Element, u32)>,
+}
+
+impl Picture {
+    pub fn new(gpu: RenderState) -> Self {
+        let renderer = Renderer::new(&gpu.device, gpu.target_format);
+        gpu.renderer.write().callback_resources.insert(renderer);
+        Self { gpu, selection_stale: true, hovered: None }
+    }
+
+    fn with<T>(&self, use_it: impl FnOnce(&mut Renderer, &wgpu::Device, &wgpu::Queue) -> T) -> Option<T> {
+        let mut egui = self.gpu.renderer.write();
+        let renderer = egui.callback_resources.get_mut::<Renderer>()?;
+        Some(use_it(renderer, &self.gpu.device, &self.gpu.queue))
+    }
+
+    pub fn gpu_bytes(&self) -> u64 {
+        self.with(|renderer, _, _| renderer.gpu_bytes()).unwrap_or_default()
+    }
+
+    pub fn forget(&self, id: ObjectId) {
+        self.with(|renderer, _, _| renderer.remove_object(id.0));
+    }
+
+    pub fn sync(&self, id: ObjectId, mesh: &Mesh, change: &ObjectChange, style: &Style) {
+        let change = match change {
+            ObjectChange::Touched(touched) => viewport::ObjectChange::Touched(touched),
+            _ => viewport::ObjectChange::Everything,
+        };
+        self.with(|renderer, device, queue| renderer.sync_object(device, queue, id.0, mesh, change, style));
+    }
+
+    /// Uploads what the style or the highlights need besides.
+    fn prepare(&mut self, editor: &Editor, style: &Style, hovered: Option<(Element, u32)>) {
+        for object in editor.document().objects().iter().filter(|object| object.visible()) {
+            self.with(|renderer, device, queue| {
+                if !renderer.fits_style(object.id().0, style) {
+                    let all = viewport::ObjectChange::Everything;
+                    renderer.sync_object(device, queue, object.id().0, object.mesh(), all, style);
+                }
+            });
+        }
+        let active = editor.document().active();
+        let highlight = |layer, kind, ids: &[u32]| {
+            let highlight = active.filter(|_| !ids.is_empty());
+            let highlight =
+                highlight.map(|object| Highlight { object: object.id().0, mesh: object.mesh(), kind, ids });
+            self.with(|renderer, device, queue| renderer.set_highlight(device, queue, layer, highlight));
+        };
+        if self.selection_stale {
+            let selection = editor.selection();
+            let ids: Vec<u32> = selection.ids().collect();
+            highlight(Layer::Selected, selection.kind(), &ids);
+        }
+        // The hovered element may have moved with the edit that made the selection stale.
+        if self.selection_stale || self.hovered != hovered {
+            let (kind, id) = hovered.map_or((Element::Vertex, None), |(kind, id)| (kind, Some(id)));
+            highlight(Layer::Hovered, kind, id.as_slice());
+        }
+        self.selection_stale = false;
+        self.hovered = hovered;
+    }
+}
+
+/// One frame of the viewport, drawn when egui paints.
+struct Drawing {
+    size: [u32; 2],
+    pixels_per_point: f32,
+    camera: Camera,
+    style: Style,
+    objects: Vec<ObjectDraw>,
+}
+
+impl CallbackTrait for Drawing {
+    fn prepare(
+        &self,
+        device: &wgpu::Device,
+        queue: &wgpu::Queue,
+        _screen: &ScreenDescriptor,
+        encoder: &mut wgpu::CommandEncoder,
+        resources: &mut CallbackResources,
+    ) -> Vec<wgpu::CommandBuffer> {
+        if let Some(renderer) = resources.get_mut::<Renderer>() {
+            let frame = Frame {
+                size: self.size,
+                pixels_per_point: self.pixels_per_point,
+                camera: &self.camera,
+                objects: &self.objects,
+                style: &self.style,
+            };
+            renderer.prepare(device, queue, encoder, &frame);
+        }
+        Vec::new()
+    }
+
+    fn paint(
+        &self,
+        _info: PaintCallbackInfo,
+        pass: &mut wgpu::RenderPass<'static>,
+        resources: &CallbackResources,
+    ) {
+        if let Some(renderer) = resources.get::<Renderer>() {
+            renderer.paint(pass);
+        }
+    }
+}
+
+impl App {
+    pub(super) fn paint_picture(&mut self, ui: &Ui, rect: Rect) {
+        let view = &mut self.view;
+        let from_list = view.from_list.take();
+        if from_list.is_some() {
+            view.hovered = from_list;
+        }
+        let Some(picture) = &mut view.picture else {
+            ui.painter().rect_filled(rect, 0.0, ui.visuals().extreme_bg_color);
+            return;
+        };
+        let document = self.editor.document();
+        picture.prepare(&self.editor, &view.style, view.hovered);
+        let pixels_per_point = ui.pixels_per_point();
+        let pixels = |points: f32| (points * pixels_per_point).round().max(1.0) as u32;
+        let active = document.active().map(editor::Object::id);
+        let drawing = Drawing {
+            size: [pixels(rect.width()), pixels(rect.height())],
+            pixels_per_point,
+            camera: view.camera,
+            style: view.style,
+            objects: document
+                .objects()
+                .iter()
+                .map(|object| ObjectDraw {
+                    id: object.id().0,
+                    visible: object.visible(),
+                    active: Some(object.id()) == active,
+                })
+                .collect(),
+        };
+        ui.painter().add(Callback::new_paint_callback(rect, drawing));
+    }
+}
