@@ -39,6 +39,8 @@ pub enum NoteKind {
     MissingVertex,
     /// Faces with fewer than three different corners, or that pass a vertex twice, were dropped.
     DegenerateFace,
+    /// Corners that repeat the one before them were merged with it.
+    RepeatedCorner,
     /// Faces that repeat an earlier one were dropped.
     DuplicateFace,
     /// Edges with more than two faces were separated.
@@ -80,6 +82,7 @@ impl fmt::Display for Note {
             NoteKind::DegenerateFace => {
                 ("face", "faces", "left out: fewer than three different corners, or the same corner twice")
             }
+            NoteKind::RepeatedCorner => ("face", "faces", "simplified: the same corner came twice in a row"),
             NoteKind::DuplicateFace => {
                 ("face", "faces", "left out: it has the same corners as an earlier face")
             }
@@ -213,7 +216,7 @@ fn note(notes: &mut Vec<Note>, kind: NoteKind, elements: Vec<u32>) {
 
 /// Rule 1.
 fn clean_faces(soup: &PolygonSoup, notes: &mut Vec<Note>) -> Vec<Kept> {
-    let (mut missing, mut degenerate) = (Vec::new(), Vec::new());
+    let (mut missing, mut repeated, mut degenerate) = (Vec::new(), Vec::new(), Vec::new());
     let mut faces = Vec::with_capacity(soup.face_count());
     for source in 0..soup.face_count() {
         let vertex = |corner: u32| soup.corners[corner as usize];
@@ -229,12 +232,16 @@ fn clean_faces(soup: &PolygonSoup, notes: &mut Vec<Note>) -> Vec<Kept> {
         }
         let vertices: Vec<u32> = corners.iter().map(|&c| vertex(c)).collect();
         if has_distinct_corners(&vertices) {
+            if corners.len() < range.len() {
+                repeated.push(source as u32);
+            }
             faces.push(Kept { source: source as u32, corners });
         } else {
             degenerate.push(source as u32);
         }
     }
     note(notes, NoteKind::MissingVertex, missing);
+    note(notes, NoteKind::RepeatedCorner, repeated);
     note(notes, NoteKind::DegenerateFace, degenerate);
     faces
 }
