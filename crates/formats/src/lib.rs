@@ -1,1 +1,22 @@
-//! Meshwright.
+//! Bytes to meshes and back, each import with a report.
+//!
+//! [`read`] takes files in memory and gives a document's objects; [`write`] takes objects and gives
+//! files; [`losses`] says beforehand what a format can't hold.
+
+mod export;
+mod format;
+mod hash;
+mod import;
+mod json;
+mod losses;
+mod number;
+mod obj;
+mod report;
+mod soup;
+mod text;
+
+pub use export::{ObjectRef, WriteError, write};
+pub use format::Format;
+pub use import::{Import, ImportedObject, NamedBytes, ReadError, read};
+pub use losses::losses;
+pub use report::{ImportReport, ReportNote, Severity};

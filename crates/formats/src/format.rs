@@ -1,0 +1,120 @@
+//! The formats, and how a file's is told.
+
+use crate::import::NamedBytes;
+use crate::losses::Part;
+
+/// A file format.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Format {
+    /// Wavefront OBJ, with materials in an MTL beside it.
+    Obj,
+    /// The half-edge mesh itself as JSON; written only.
+    Json,
+}
+
+impl Format {
+    /// All formats, in the order menus show them.
+    pub const ALL: [Self; 2] = [Self::Obj, Self::Json];
+
+    /// What users call it.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Obj => "OBJ",
+            Self::Json => "Half-edge JSON",
+        }
+    }
+
+    /// The extensions of its files, in lower case without a dot, the usual one first.
+    pub fn extensions(self) -> &'static [&'static str] {
+        match self {
+            Self::Obj => &["obj"],
+            Self::Json => &["json"],
+        }
+    }
+
+    /// The usual extension, without a dot.
+    pub fn extension(self) -> &'static str {
+        self.extensions().first().copied().unwrap_or_default()
+    }
+
+    /// Whether [`crate::read`] reads it.
+    pub fn can_read(self) -> bool {
+        self != Self::Json
+    }
+
+    /// Whether [`crate::write`] writes it.
+    pub fn can_write(self) -> bool {
+        true
+    }
+
+    /// Whether the format has a place for this. An OBJ's object names become groups, which keep
+    /// objects apart.
+    pub(crate) fn keeps(self, part: Part) -> bool {
+        match self {
+            Self::Obj => part != Part::Creases,
+            Self::Json => matches!(part, Part::Polygons | Part::LooseVertices),
+        }
+    }
+
+    /// The format that files of this extension have, upper or lower case.
+    pub fn from_extension(extension: &str) -> Option<Self> {
+        let extension = extension.to_ascii_lowercase();
+        Self::ALL.into_iter().find(|format| format.extensions().contains(&extension.as_str()))
+    }
+
+    /// The format of a file by its name alone.
+    pub fn from_name(name: &str) -> Option<Self> {
+        Self::from_extension(name.rsplit_once('.')?.1)
+    }
+
+    /// The format of a file: by content where that is plain, else by extension, else by a look at
+    /// the first lines.
+    pub fn detect(file: &NamedBytes) -> Option<Self> {
+        Self::from_name(&file.name).or_else(|| looks_like_obj(&file.bytes).then_some(Self::Obj))
+    }
+}
+
+/// Whether the first lines that say anything are statements of an OBJ.
+fn looks_like_obj(bytes: &[u8]) -> bool {
+    let head = bytes.get(..64 * 1024).unwrap_or(bytes);
+    let head = head.strip_prefix(b"\xef\xbb\xbf").unwrap_or(head);
+    head.split(|&b| b == b'\n' || b == b'\r')
+        .map(<[u8]>::trim_ascii)
+        .filter(|line| !line.is_empty() && !line.starts_with(b"#"))
+        .take(100)
+        .any(|line| {
+            let mut words = line.split(u8::is_ascii_whitespace).filter(|word| !word.is_empty());
+            matches!(words.next(), Some(b"v" | b"f"))
+                && words
+                    .next()
+                    .is_some_and(|word| word.iter().all(|b| b.is_ascii_digit() || b"+-.eE/".contains(b)))
+        })
+}
+
+/// Whether a file is a material library rather than a model.
+pub(crate) fn is_material_library(file: &NamedBytes) -> bool {
+    file.name.rsplit_once('.').is_some_and(|(_, extension)| extension.eq_ignore_ascii_case("mtl"))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn formats_are_told_by_name_and_by_content() {
+        let detect = |name: &str, bytes: &[u8]| Format::detect(&NamedBytes::new(name, bytes));
+        assert_eq!(detect("a/b.OBJ", b""), Some(Format::Obj));
+        assert_eq!(detect("pasted", b"# hello\n\n  v 0 0 0\n"), Some(Format::Obj));
+        assert_eq!(detect("pasted.txt", b"\xef\xbb\xbff -1/2 1 1"), Some(Format::Obj));
+        assert_eq!(detect("readme.txt", b"v for vendetta\nf sharp"), None);
+        assert_eq!(detect("nothing", b""), None);
+    }
+
+    #[test]
+    fn every_format_has_a_name_and_an_extension_of_its_own() {
+        for format in Format::ALL {
+            assert_eq!(Format::from_extension(format.extension()), Some(format));
+            assert!(!format.name().is_empty());
+        }
+    }
+}

@@ -1,0 +1,207 @@
+//! Files in: which format, which reader, one document.
+
+use crate::format::{Format, is_material_library};
+use crate::obj;
+use crate::report::{ImportReport, counted};
+use halfedge::{Mesh, PolygonSoup, Progress};
+use std::fmt;
+
+/// A file in memory.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct NamedBytes {
+    /// Its name, with extension; folders in front are allowed.
+    pub name: String,
+    /// What it holds.
+    pub bytes: Vec<u8>,
+}
+
+impl NamedBytes {
+    /// A file in memory.
+    pub fn new(name: impl Into<String>, bytes: impl Into<Vec<u8>>) -> Self {
+        Self { name: name.into(), bytes: bytes.into() }
+    }
+
+    /// The name without folders and extension, for naming documents and objects.
+    pub fn stem(&self) -> &str {
+        let base = self.name.rsplit(['/', '\\']).next().unwrap_or_default();
+        match base.rsplit_once('.') {
+            Some((stem, _)) if !stem.is_empty() => stem,
+            _ => base,
+        }
+    }
+}
+
+/// One mesh of a file.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ImportedObject {
+    /// What to call it.
+    pub name: String,
+    /// The mesh: valid and compact.
+    pub mesh: Mesh,
+}
+
+/// What came out of files.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Import {
+    /// What to call the document: the first model file's name without extension.
+    pub name: String,
+    /// The meshes, in the files' order.
+    pub objects: Vec<ImportedObject>,
+    /// What to tell the user.
+    pub report: ImportReport,
+}
+
+/// Why nothing was read.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum ReadError {
+    /// The progress callback asked to stop.
+    Cancelled,
+    /// No file given is a model.
+    NoModel(String),
+    /// A file can't be read at all.
+    File {
+        /// Its name.
+        file: String,
+        /// What is wrong and what to do.
+        message: String,
+    },
+}
+
+impl ReadError {
+    pub(crate) fn file(file: &str, message: impl Into<String>) -> Self {
+        Self::File { file: file.to_owned(), message: message.into() }
+    }
+}
+
+impl fmt::Display for ReadError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Cancelled => f.write_str("opening the file was cancelled"),
+            Self::NoModel(message) => f.write_str(message),
+            Self::File { file, message } => write!(f, "{file}: {message}"),
+        }
+    }
+}
+
+impl std::error::Error for ReadError {}
+
+/// Reads files that were given together: models, and material libraries (`.mtl`) for them. Each
+/// model file adds its objects. The format is told by content, then by extension.
+///
+/// `progress` is told fractions from 0 to 1 and may stop the work.
+///
+/// # Errors
+/// When a file can't be read as a model at all, or none of them is one. What is merely damaged
+/// loads as far as it can, and the report says what didn't.
+///
+/// # Cost
+/// Time and memory are linear in the size of the files.
+pub fn read(files: &[NamedBytes], progress: &mut Progress) -> Result<Import, ReadError> {
+    let mut models = Vec::new();
+    let mut libraries = Vec::new();
+    let mut others = Vec::new();
+    for file in files {
+        if is_material_library(file) {
+            libraries.push(file);
+        } else if let Some(format) = Format::detect(file).filter(|format| format.can_read()) {
+            models.push((file, format));
+        } else {
+            others.push(file);
+        }
+    }
+    let Some((first, _)) = models.first() else {
+        return Err(no_model(&libraries, &others));
+    };
+    let mut import =
+        Import { name: first.stem().to_owned(), objects: Vec::new(), report: ImportReport::default() };
+    let total: usize = models.iter().map(|(file, _)| file.bytes.len().max(1)).sum();
+    let mut done = 0;
+    for (file, format) in &models {
+        let size = file.bytes.len().max(1);
+        let mut part =
+            |fraction: f32| progress((done as f32 + size as f32 * fraction.clamp(0.0, 1.0)) / total as f32);
+        let (objects, report) = read_one(file, *format, &libraries, &mut part)?;
+        import.report.append(if models.len() > 1 { report.prefixed(&file.name) } else { report });
+        import.objects.extend(objects);
+        done += size;
+    }
+    for file in others {
+        import.report.warn(format!("{} was left out: it is not a model that Meshwright can open", file.name));
+    }
+    Ok(import)
+}
+
+fn read_one(
+    file: &NamedBytes,
+    format: Format,
+    libraries: &[&NamedBytes],
+    progress: &mut Progress,
+) -> Result<(Vec<ImportedObject>, ImportReport), ReadError> {
+    let (objects, notes) = match format {
+        Format::Obj => {
+            let (object, report) = obj::read(file, libraries, progress)?;
+            (vec![object], report)
+        }
+        Format::Json => {
+            return Err(ReadError::file(&file.name, "half-edge dumps can be written but not read"));
+        }
+    };
+    let vertices = objects.iter().map(|object| object.mesh.vertex_count()).sum();
+    let faces = objects.iter().map(|object| object.mesh.face_count()).sum();
+    let mut report = ImportReport::default();
+    let several = if objects.len() > 1 {
+        format!(" in {}", counted(objects.len(), "object", "objects"))
+    } else {
+        String::new()
+    };
+    report.info(format!(
+        "Read {} and {}{several} as {}",
+        counted(vertices, "vertex", "vertices"),
+        counted(faces, "face", "faces"),
+        format.name()
+    ));
+    report.append(notes);
+    Ok((objects, report))
+}
+
+fn no_model(libraries: &[&NamedBytes], others: &[&NamedBytes]) -> ReadError {
+    let readable: Vec<&str> = Format::ALL.iter().filter(|f| f.can_read()).map(|f| f.name()).collect();
+    ReadError::NoModel(match (libraries, others) {
+        ([], []) => "no file was given".to_owned(),
+        ([library, ..], []) => {
+            format!(
+                "{} holds only materials: open it together with the OBJ model it belongs to",
+                library.name
+            )
+        }
+        (_, [other, ..]) => format!(
+            "{} is not a model that Meshwright can open; it opens {}",
+            other.name,
+            readable.join(", ")
+        ),
+    })
+}
+
+/// The last step of every reader: the mesh of a soup, with the build's changes noted.
+pub(crate) fn build(
+    soup: PolygonSoup,
+    file: &str,
+    report: &mut ImportReport,
+    progress: &mut Progress,
+) -> Result<Mesh, ReadError> {
+    if progress(0.0).is_break() {
+        return Err(ReadError::Cancelled);
+    }
+    let built = Mesh::build(soup).map_err(|error| ReadError::file(file, error.to_string()))?;
+    for note in &built.notes {
+        report.warn(note.to_string());
+    }
+    let mut mesh = built.mesh;
+    if !built.notes.is_empty() {
+        crate::soup::tidy_labels(&mut mesh);
+    }
+    if progress(1.0).is_break() {
+        return Err(ReadError::Cancelled);
+    }
+    Ok(mesh)
+}

@@ -1,0 +1,161 @@
+//! What a format can't hold of a document, said before saving.
+
+use crate::export::ObjectRef;
+use crate::format::Format;
+use crate::report::counted;
+use halfedge::attribute::{AttributeType, Key};
+use halfedge::{Color, Element, Mesh, NONE, keys};
+
+/// What a document can have that some format has no place for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Part {
+    /// Several objects, each with its name.
+    Objects,
+    /// Faces with more than three corners.
+    Polygons,
+    /// Vertices that no face uses.
+    LooseVertices,
+    FaceColors,
+    VertexColors,
+    TextureCoordinates,
+    Normals,
+    Groups,
+    Materials,
+    Smoothing,
+    Creases,
+}
+
+impl Part {
+    const ALL: [Self; 11] = [
+        Self::Objects,
+        Self::Polygons,
+        Self::LooseVertices,
+        Self::FaceColors,
+        Self::VertexColors,
+        Self::TextureCoordinates,
+        Self::Normals,
+        Self::Groups,
+        Self::Materials,
+        Self::Smoothing,
+        Self::Creases,
+    ];
+
+    /// How many of it the mesh has.
+    fn count(self, mesh: &Mesh) -> usize {
+        match self {
+            Self::Objects => 1,
+            Self::Polygons => mesh.faces().filter(|&f| mesh.face_halfedges(f).nth(3).is_some()).count(),
+            Self::LooseVertices => mesh.vertices().filter(|&v| mesh.halfedge_from(v).is_none()).count(),
+            Self::FaceColors => count(mesh, keys::FACE_COLOR, |color| color != Color::UNPAINTED),
+            Self::VertexColors => count(mesh, keys::VERTEX_COLOR, |color| !color.is_nan()),
+            Self::TextureCoordinates => count(mesh, keys::CORNER_UV, |uv| !uv.is_nan()),
+            Self::Normals => count(mesh, keys::CORNER_NORMAL, |normal| !normal.is_nan()),
+            Self::Groups => count(mesh, keys::FACE_GROUP, |group| group != NONE),
+            Self::Materials => count(mesh, keys::FACE_MATERIAL, |material| material != NONE),
+            Self::Smoothing => count(mesh, keys::FACE_SMOOTHING, |group| group != 0),
+            Self::Creases => {
+                count(mesh, keys::EDGE_CREASE, |sharp| sharp > 0.0)
+                    + count(mesh, keys::VERTEX_CREASE, |sharp| sharp > 0.0)
+            }
+        }
+    }
+
+    /// What happens to `count` of it in a format that has no place for it.
+    fn loss(self, format: &str, count: usize) -> String {
+        let n = |one: &str, many: &str| counted(count, one, many);
+        match self {
+            Self::Objects => format!("{format} holds one mesh: {count} objects become one"),
+            Self::Polygons => {
+                format!(
+                    "{format} holds triangles only: {} cut into triangles",
+                    n("polygon is", "polygons are")
+                )
+            }
+            Self::LooseVertices => format!(
+                "{format} holds no vertices without faces: {} left out",
+                n("vertex is", "vertices are")
+            ),
+            Self::FaceColors => {
+                format!("{format} holds no face colours: those of {} are lost", n("face", "faces"))
+            }
+            Self::VertexColors => {
+                format!("{format} holds no vertex colours: those of {} are lost", n("vertex", "vertices"))
+            }
+            Self::TextureCoordinates => {
+                format!("{format} holds no texture coordinates: those of {} are lost", n("corner", "corners"))
+            }
+            Self::Normals => {
+                format!("{format} holds no corner normals: those of {} are lost", n("corner", "corners"))
+            }
+            Self::Groups => {
+                format!("{format} holds no face groups: those of {} are lost", n("face", "faces"))
+            }
+            Self::Materials => {
+                format!("{format} holds no material names: those of {} are lost", n("face", "faces"))
+            }
+            Self::Smoothing => {
+                format!("{format} holds no smoothing groups: those of {} are lost", n("face", "faces"))
+            }
+            Self::Creases => format!("{format} holds no creases: {} lost", n("crease is", "creases are")),
+        }
+    }
+}
+
+/// How many existing elements have a value that `counts`.
+fn count<T: AttributeType>(mesh: &Mesh, key: Key<T>, counts: impl Fn(T) -> bool) -> usize {
+    let Some(values) = mesh.attribute(key) else { return 0 };
+    let has = |index: usize| values.get(index).is_some_and(|&value| counts(value));
+    match key.element {
+        Element::Vertex => mesh.vertices().filter(|v| has(v.index())).count(),
+        Element::Edge => mesh.edges().filter(|e| has(e.index())).count(),
+        Element::Face => mesh.faces().filter(|f| has(f.index())).count(),
+        // Boundary half-edges are no face's corners.
+        Element::Halfedge => {
+            mesh.halfedges().filter(|&h| !mesh.is_boundary_halfedge(h) && has(h.index())).count()
+        }
+    }
+}
+
+/// What writing these objects in this format would lose, one sentence each; empty where the format
+/// holds everything. Costs O(document).
+pub fn losses(format: Format, objects: &[ObjectRef]) -> Vec<String> {
+    Part::ALL
+        .into_iter()
+        .filter(|&part| !format.keeps(part))
+        .filter_map(|part| {
+            let count: usize = objects.iter().map(|object| part.count(object.mesh)).sum();
+            let enough = if part == Part::Objects { 2 } else { 1 };
+            (count >= enough).then(|| part.loss(format.name(), count))
+        })
+        .collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use glam::{Vec2, Vec3};
+    use halfedge::PolygonSoup;
+
+    #[test]
+    fn losses_name_what_goes() {
+        let corners = vec![Vec3::ZERO, Vec3::X, Vec3::ONE, Vec3::Y];
+        let mut mesh = Mesh::build(PolygonSoup::new(corners, &[[0, 1, 2, 3]])).expect("small").mesh;
+        fn object(mesh: &Mesh) -> ObjectRef<'_> {
+            ObjectRef { name: "a", mesh }
+        }
+        assert_eq!(losses(Format::Obj, &[object(&mesh)]), [""; 0]);
+        mesh.set(keys::FACE_COLOR, 0, Color([1, 2, 3]));
+        mesh.set(keys::EDGE_CREASE, 2, 3.0);
+        // On a boundary half-edge: of no face, so not a loss.
+        mesh.set(keys::CORNER_UV, 1, Vec2::ONE);
+        assert_eq!(losses(Format::Obj, &[object(&mesh)]), ["OBJ holds no creases: 1 crease is lost"]);
+        assert_eq!(
+            losses(Format::Json, &[object(&mesh), object(&mesh)]),
+            [
+                "Half-edge JSON holds one mesh: 2 objects become one",
+                "Half-edge JSON holds no face colours: those of 2 faces are lost",
+                "Half-edge JSON holds no creases: 2 creases are lost",
+            ]
+        );
+    }
+}

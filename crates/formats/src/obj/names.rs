@@ -1,0 +1,95 @@
+//! How group and material names of a file become labels of a mesh, and back.
+
+use halfedge::Color;
+
+/// The label of the faces between these `o` and `g` lines.
+pub(crate) fn group_label(object: &str, group: &str) -> Option<String> {
+    match (object.is_empty(), group.is_empty()) {
+        (true, true) => None,
+        (true, false) => Some(group.to_owned()),
+        (false, true) => Some(format!("o {object}")),
+        (false, false) => Some(format!("o {object}; g {group}")),
+    }
+}
+
+/// The `o` and `g` names that a label stands for; empty where it has none.
+pub(crate) fn group_lines(label: &str) -> (&str, &str) {
+    match label.strip_prefix("o ") {
+        Some(rest) => rest.split_once("; g ").unwrap_or((rest, "")),
+        None => ("", label),
+    }
+}
+
+/// What stands in front of the colour in the name of a material made for a painted face.
+const PAINT: &str = "color-";
+
+/// The name of the material for faces that have `material` (or none, if empty) and this colour.
+pub(crate) fn painted(material: &str, color: Color) -> String {
+    let hex = color.to_hex();
+    let hex = hex.trim_start_matches('#');
+    if material.is_empty() { format!("{PAINT}{hex}") } else { format!("{material}.{PAINT}{hex}") }
+}
+
+/// The material and the colour that a name made by [`painted`] stands for.
+pub(crate) fn unpainted(name: &str) -> Option<(&str, Color)> {
+    let (material, hex) = match name.strip_prefix(PAINT) {
+        Some(hex) => ("", hex),
+        None => {
+            let (material, paint) = name.rsplit_once('.')?;
+            (material, paint.strip_prefix(PAINT)?)
+        }
+    };
+    Some((material, Color::from_hex(&format!("#{hex}"))?))
+}
+
+/// A name as it can stand on a line of a file: no control characters, nothing that would read as a
+/// comment, no blanks around it.
+pub(crate) fn clean(name: &str) -> String {
+    let mut name: String = name.chars().map(|c| if c.is_control() { ' ' } else { c }).collect();
+    // A `#` starts a comment where a blank follows it.
+    while name.contains("# ") {
+        name = name.replace("# ", "#");
+    }
+    if name.ends_with('#') {
+        name.push('_');
+    }
+    name.trim_end_matches('\\').trim().to_owned()
+}
+
+/// The words of a group line with one blank between.
+pub(crate) fn spaced(text: &str) -> String {
+    text.split_whitespace().collect::<Vec<_>>().join(" ")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn labels_and_lines() {
+        for (object, group) in [("", "a b"), ("car", ""), ("car", "wheel left")] {
+            let label = group_label(object, group).expect("not empty");
+            assert_eq!(group_lines(&label), (object, group));
+        }
+        assert_eq!(group_label("", ""), None);
+    }
+
+    #[test]
+    fn painted_names_carry_their_colour() {
+        let red = Color([255, 0, 1]);
+        assert_eq!(painted("", red), "color-ff0001");
+        assert_eq!(unpainted("color-ff0001"), Some(("", red)));
+        assert_eq!(unpainted(&painted("a.b", red)), Some(("a.b", red)));
+        for name in ["red", "color-", "color-ff00", "x.color-zzzzzz", ".", ""] {
+            assert_eq!(unpainted(name), None, "{name}");
+        }
+    }
+
+    #[test]
+    fn names_are_made_fit_for_a_line() {
+        assert_eq!(clean(" a\nb\t"), "a b");
+        assert_eq!(clean("Material #25"), "Material #25");
+        assert_eq!(clean("a # b"), "a #b");
+        assert_eq!(clean("a\\"), "a");
+    }
+}

@@ -1,0 +1,248 @@
+//! Reading an OBJ: statements to polygon soup with attributes, to a mesh, with a report.
+
+use super::mtl::Library;
+use super::names::unpainted;
+use super::statements::{Statements, Troubles};
+use crate::import::{ImportedObject, NamedBytes, ReadError, build};
+use crate::report::{ImportReport, counted};
+use crate::soup::{drop_faces, labelled};
+use halfedge::attribute::{AttributeType, Column, Key};
+use halfedge::{Color, NONE, PolygonSoup, Progress, keys};
+use std::collections::HashMap;
+
+/// Whether a `mtllib` line names this file. A line may name several files, or one with blanks.
+fn mentions(statements: &Statements, library: &str) -> bool {
+    let base = |path: &str| path.rsplit(['/', '\\']).next().unwrap_or(path).to_lowercase();
+    let library = base(library);
+    statements
+        .libraries
+        .iter()
+        .any(|line| base(line) == library || line.split_whitespace().any(|name| base(name) == library))
+}
+
+/// Reads one OBJ as one object. `libraries` are the `.mtl` files that came with it.
+pub(crate) fn read(
+    file: &NamedBytes,
+    libraries: &[&NamedBytes],
+    progress: &mut Progress,
+) -> Result<(ImportedObject, ImportReport), ReadError> {
+    let fail = |message: String| ReadError::file(&file.name, message);
+    if let Some(kind) = not_text(&file.bytes) {
+        return Err(fail(kind.to_owned()));
+    }
+    // Reading takes about as long as building.
+    let mut statements =
+        Statements::read(&file.bytes, &mut |part| progress(part * 0.5)).ok_or(ReadError::Cancelled)?;
+    let has_geometry = !statements.soup.positions.is_empty()
+        || statements.soup.face_count() > 0
+        || !statements.troubles.missing_vertex.is_empty();
+    let is_obj = has_geometry || (statements.known > 0 && statements.troubles.unknown.is_empty());
+    if !is_obj {
+        return Err(fail(format!(
+            "this is not an OBJ model: none of its {} is a vertex (\"v 1 2 3\") or a face (\"f 1 2 3\")",
+            counted(statements.lines, "line", "lines")
+        )));
+    }
+    let mut report = ImportReport::default();
+    report_troubles(&statements.troubles, &mut report);
+    let soup = soup(&mut statements, libraries, &mut report);
+    let mesh = build(soup, &file.name, &mut report, &mut |part| progress(0.5 + part * 0.5))?;
+    Ok((ImportedObject { name: file.stem().to_owned(), mesh }, report))
+}
+
+/// What a file is that can't be text in UTF-8.
+fn not_text(bytes: &[u8]) -> Option<&'static str> {
+    if bytes.starts_with(b"\xff\xfe") || bytes.starts_with(b"\xfe\xff") {
+        return Some("the text is encoded as UTF-16; save it as UTF-8 and open it again");
+    }
+    let head = bytes.get(..4096).unwrap_or(bytes);
+    let binary =
+        head.iter().filter(|&&b| b < 0x20 && !matches!(b, b'\t' | b'\n' | b'\r' | 0x0b | 0x0c | 0x1a));
+    (binary.count() > 0).then_some("this is a binary file, not the text of an OBJ model")
+}
+
+/// The soup with all attributes that the file gives.
+fn soup(statements: &mut Statements, libraries: &[&NamedBytes], report: &mut ImportReport) -> PolygonSoup {
+    let mut soup = std::mem::take(&mut statements.soup);
+    let faces = soup.face_count();
+    if !statements.colors.is_empty() {
+        let colors = std::mem::take(&mut statements.colors);
+        soup.vertex_columns.push(Column::with_values(keys::VERTEX_COLOR, colors));
+    }
+    soup.corner_columns.extend(corner_column(
+        keys::CORNER_UV,
+        &statements.corner_uvs,
+        &statements.uvs,
+        soup.corners.len(),
+    ));
+    soup.corner_columns.extend(corner_column(
+        keys::CORNER_NORMAL,
+        &statements.corner_normals,
+        &statements.normals,
+        soup.corners.len(),
+    ));
+    if let Some(groups) = statements.groups.expand(faces, NONE) {
+        soup.face_columns.push(statements.group_names.column(keys::FACE_GROUP, groups));
+    }
+    materials(statements, faces, libraries, &mut soup.face_columns, report);
+    if let Some(smoothing) = statements.smoothing.expand(faces, 0) {
+        soup.face_columns.push(Column::with_values(keys::FACE_SMOOTHING, smoothing));
+    }
+    drop_faces(&mut soup, &statements.faces_without_vertices);
+    soup
+}
+
+/// The values that corners refer to by number; nothing where no corner has one.
+fn corner_column<T: AttributeType>(
+    key: Key<T>,
+    numbers: &[u32],
+    values: &[T],
+    corners: usize,
+) -> Option<Column> {
+    let value = |number: &u32| values.get(*number as usize).copied();
+    if !numbers.iter().any(|number| value(number).is_some()) {
+        return None;
+    }
+    let mut column: Vec<T> = Vec::with_capacity(corners);
+    column.extend(numbers.iter().map(|number| value(number).unwrap_or(key.default)));
+    column.resize(corners, key.default);
+    Some(Column::with_values(key, column))
+}
+
+/// The columns of materials and of their colours.
+fn materials(
+    statements: &Statements,
+    faces: usize,
+    libraries: &[&NamedBytes],
+    columns: &mut Vec<Column>,
+    report: &mut ImportReport,
+) {
+    let given = read_libraries(statements, libraries, report);
+    let Some(numbers) = statements.materials.expand(faces, NONE) else { return };
+    // What each name in the file stands for.
+    let count = numbers.iter().filter(|&&n| n != NONE).max().map_or(0, |&n| n as usize + 1);
+    let mut names: Vec<String> = Vec::with_capacity(count);
+    let mut colors = Vec::with_capacity(count);
+    let mut has_colors = false;
+    for number in 0..count {
+        let name = statements.material_names.name(number as u32).unwrap_or_default();
+        let library_color = given.get(name).copied();
+        let library_color = library_color.flatten();
+        let (material, color) = match unpainted(name) {
+            Some((material, paint)) if library_color.is_none_or(|color| color == paint) => {
+                (material, Some(paint))
+            }
+            _ => (name, library_color),
+        };
+        has_colors |= color.is_some_and(|color| color != Color::UNPAINTED) || library_color.is_some();
+        names.push(material.to_owned());
+        colors.push(color.unwrap_or(Color::UNPAINTED));
+    }
+    let labels: Vec<u32> = {
+        // Several painted names may stand for one material.
+        let mut first: HashMap<&str, u32> = HashMap::new();
+        let unified: Vec<u32> = (0u32..)
+            .zip(&names)
+            .map(|(number, name)| if name.is_empty() { NONE } else { *first.entry(name).or_insert(number) })
+            .collect();
+        numbers.iter().map(|&n| unified.get(n as usize).copied().unwrap_or(NONE)).collect()
+    };
+    if labels.iter().any(|&label| label != NONE) {
+        columns.push(labelled(keys::FACE_MATERIAL, labels, &names));
+    }
+    if has_colors {
+        let color = |n: &u32| colors.get(*n as usize).copied().unwrap_or(Color::UNPAINTED);
+        columns.push(Column::with_values(keys::FACE_COLOR, numbers.iter().map(color).collect()));
+    }
+}
+
+/// The colours of all materials in the libraries that belong to the file: those it names, or, if
+/// it names none of those that came with it, all that did.
+fn read_libraries(
+    statements: &Statements,
+    libraries: &[&NamedBytes],
+    report: &mut ImportReport,
+) -> HashMap<String, Option<Color>> {
+    let named: Vec<_> = libraries.iter().filter(|library| mentions(statements, &library.name)).collect();
+    let used = if named.is_empty() { libraries.iter().collect() } else { named };
+    let mut colors = HashMap::new();
+    for library in &used {
+        let Library { colors: more, has_textures } = Library::read(&library.bytes);
+        let textures = if has_textures { "; textures are not kept" } else { "" };
+        report.info(format!(
+            "Colours of {} read from {}{textures}",
+            counted(more.len(), "material", "materials"),
+            library.name
+        ));
+        for (name, color) in more {
+            colors.entry(name).or_insert(color);
+        }
+    }
+    if used.is_empty() && !statements.libraries.is_empty() {
+        report.info(format!(
+            "The colours of its materials are in {}, which was not given: open both files together to see them",
+            statements.libraries.join(", ")
+        ));
+    }
+    colors
+}
+
+fn report_troubles(troubles: &Troubles, report: &mut ImportReport) {
+    let mut warn = |places: &crate::report::Places, one: &str, many: &str, what: &str| {
+        if !places.is_empty() {
+            report.warn(places.sentence(one, many, what, "line"));
+        }
+    };
+    warn(
+        &troubles.bad_vertices,
+        "vertex",
+        "vertices",
+        "put at the origin: a vertex is \"v\" and three numbers, a fourth (w) or a colour of three may follow",
+    );
+    warn(
+        &troubles.bad_faces,
+        "face",
+        "faces",
+        "left out: a corner can't be read as vertex numbers, like 1 or 1/2/3",
+    );
+    warn(&troubles.small_faces, "face", "faces", "left out: a face needs three corners or more");
+    warn(
+        &troubles.missing_vertex,
+        "face",
+        "faces",
+        "left out: a corner refers to a vertex that doesn't exist",
+    );
+    warn(
+        &troubles.missing_attribute,
+        "corner",
+        "corners",
+        "without texture coordinate or normal: the one it refers to doesn't exist",
+    );
+    warn(&troubles.bad_uvs, "texture coordinate", "texture coordinates", "ignored: not one to three numbers");
+    warn(&troubles.bad_normals, "normal", "normals", "ignored: not three numbers");
+    warn(
+        &troubles.bad_smoothing,
+        "smoothing group",
+        "smoothing groups",
+        "ignored: neither a number nor \"off\"",
+    );
+    warn(
+        &troubles.fourth_coordinate,
+        "vertex",
+        "vertices",
+        "kept as x, y, z: the fourth coordinate (w) is not used",
+    );
+    warn(
+        &troubles.lines_and_points,
+        "line or point element (l, p)",
+        "line or point elements (l, p)",
+        "left out: only faces are edited here",
+    );
+    warn(
+        &troubles.curves,
+        "statement",
+        "statements",
+        "left out: free-form curves and surfaces and display settings are not used here",
+    );
+    warn(&troubles.unknown, "line", "lines", "ignored: it doesn't start with a word of the OBJ format");
+}

@@ -1,0 +1,154 @@
+//! What an import has to say: one kind of report for all formats.
+
+use serde::{Deserialize, Serialize};
+use std::fmt;
+
+/// How much a note matters.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "lowercase")]
+pub enum Severity {
+    /// What was read, or something left aside that changes nothing about the mesh.
+    Info,
+    /// Something in the file was changed or dropped.
+    Warning,
+}
+
+/// One thing to say about an import, in a sentence for people who may not know the format.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+pub struct ReportNote {
+    /// How much it matters.
+    pub severity: Severity,
+    /// What happened, with counts and the first few line or element numbers.
+    pub text: String,
+}
+
+/// What was read, what was changed and why, and what was dropped.
+#[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(transparent)]
+pub struct ImportReport {
+    notes: Vec<ReportNote>,
+}
+
+impl ImportReport {
+    /// All notes, in the order they were made.
+    pub fn notes(&self) -> &[ReportNote] {
+        &self.notes
+    }
+
+    /// The texts of the notes that tell of a change or a loss.
+    pub fn warnings(&self) -> impl Iterator<Item = &str> {
+        self.notes.iter().filter(|note| note.severity == Severity::Warning).map(|note| note.text.as_str())
+    }
+
+    /// Whether everything came in as it stands in the file.
+    pub fn is_clean(&self) -> bool {
+        self.warnings().next().is_none()
+    }
+
+    /// Adds a note that tells of nothing lost.
+    pub fn info(&mut self, text: impl Into<String>) {
+        self.notes.push(ReportNote { severity: Severity::Info, text: text.into() });
+    }
+
+    /// Adds a note that tells of a change or a loss.
+    pub fn warn(&mut self, text: impl Into<String>) {
+        self.notes.push(ReportNote { severity: Severity::Warning, text: text.into() });
+    }
+
+    /// Adds another report's notes after these.
+    pub fn append(&mut self, other: Self) {
+        self.notes.extend(other.notes);
+    }
+
+    /// Puts `prefix` in front of every note: which file or object it is about.
+    pub(crate) fn prefixed(mut self, prefix: &str) -> Self {
+        for note in &mut self.notes {
+            note.text = format!("{prefix}: {}", note.text);
+        }
+        self
+    }
+}
+
+impl fmt::Display for ImportReport {
+    /// One note a line.
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        for note in &self.notes {
+            writeln!(f, "{}", note.text)?;
+        }
+        Ok(())
+    }
+}
+
+/// Places in a file where the same thing happened: how often, and the first few numbers.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Places {
+    count: usize,
+    first: Vec<usize>,
+}
+
+impl Places {
+    const SHOWN: usize = 6;
+
+    /// Adds a place. Several in a row with the same number are counted but shown once.
+    pub(crate) fn add(&mut self, number: usize) {
+        self.count += 1;
+        if self.first.len() < Self::SHOWN && self.first.last() != Some(&number) {
+            self.first.push(number);
+        }
+    }
+
+    pub(crate) fn is_empty(&self) -> bool {
+        self.count == 0
+    }
+
+    /// "3 faces left out (lines 4, 9, 12)": `one` or `many` by count, then `what`.
+    pub(crate) fn sentence(&self, one: &str, many: &str, what: &str, place: &str) -> String {
+        let numbers: Vec<String> = self.first.iter().map(usize::to_string).collect();
+        format!(
+            "{} {what} ({place}{} {}{})",
+            counted(self.count, one, many),
+            if numbers.len() == 1 { "" } else { "s" },
+            numbers.join(", "),
+            if self.count > self.first.len() { ", …" } else { "" }
+        )
+    }
+}
+
+/// "1 face", "12 faces".
+pub(crate) fn counted(count: usize, one: &str, many: &str) -> String {
+    format!("{count} {}", if count == 1 { one } else { many })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn places_say_how_many_and_the_first_few() {
+        let mut places = Places::default();
+        places.add(4);
+        assert_eq!(places.sentence("face", "faces", "left out", "line"), "1 face left out (line 4)");
+        for line in 5..20 {
+            places.add(line);
+        }
+        assert_eq!(
+            places.sentence("face", "faces", "left out", "line"),
+            "16 faces left out (lines 4, 5, 6, 7, 8, 9, …)"
+        );
+    }
+
+    #[test]
+    fn a_report_serialises_as_a_list_of_notes() {
+        let mut report = ImportReport::default();
+        report.info("Read 8 vertices.");
+        report.warn("1 face left out (line 4)");
+        let json = serde_json::to_string(&report).expect("plain data");
+        assert_eq!(
+            json,
+            r#"[{"severity":"info","text":"Read 8 vertices."},{"severity":"warning","text":"1 face left out (line 4)"}]"#
+        );
+        assert_eq!(serde_json::from_str::<ImportReport>(&json).expect("its own output"), report);
+        assert_eq!(report.warnings().collect::<Vec<_>>(), ["1 face left out (line 4)"]);
+        assert!(!report.is_clean());
+    }
+}

@@ -1,0 +1,51 @@
+//! Numbers into text.
+
+/// Appends the shortest text that reads back as the same number, bit for bit; `-0` stays `-0`.
+pub(crate) fn push_float(out: &mut Vec<u8>, value: f32) {
+    let mut buffer = zmij::Buffer::new();
+    let text = buffer.format(value);
+    out.extend_from_slice(text.strip_suffix(".0").unwrap_or(text).as_bytes());
+}
+
+/// Appends numbers with one blank in front of each.
+pub(crate) fn push_floats(out: &mut Vec<u8>, values: &[f32]) {
+    for &value in values {
+        out.push(b' ');
+        push_float(out, value);
+    }
+}
+
+/// Appends a whole number.
+pub(crate) fn push_integer(out: &mut Vec<u8>, value: u64) {
+    out.extend_from_slice(itoa::Buffer::new().format(value).as_bytes());
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use proptest::prelude::*;
+
+    #[test]
+    fn whole_numbers_are_short() {
+        let mut out = Vec::new();
+        push_floats(&mut out, &[1.0, -0.0, 0.1, 1e-30, -2.5e20, 100_000.0]);
+        push_integer(&mut out, 4_294_967_296);
+        assert_eq!(
+            String::from_utf8_lossy(&out),
+            " 1 -0 0.1 1e-30 -2.5e+20 100000 4294967296".replace(" 4294967296", "4294967296")
+        );
+    }
+
+    proptest! {
+        #[test]
+        fn every_float_reads_back(bits in any::<u32>()) {
+            let value = f32::from_bits(bits);
+            prop_assume!(!value.is_nan());
+            let mut out = Vec::new();
+            push_float(&mut out, value);
+            let back: f32 = std::str::from_utf8(&out).expect("ASCII").parse().expect("a number");
+            prop_assert_eq!(back.to_bits(), bits);
+            prop_assert_eq!(crate::number::float(&out, 0).map(|(v, end)| (v.to_bits(), end)), Some((bits, out.len())));
+        }
+    }
+}
