@@ -1,1 +1,49 @@
-fn main() {}
+//! `meshwright`: the editor's commands from a terminal.
+//!
+//! Exit status 0 on success, 1 where a command was refused, 2 for bad usage or a file that can't be
+//! read or written.
+
+mod apply;
+mod arguments;
+mod convert;
+mod files;
+mod info;
+mod report;
+
+use arguments::Task;
+use std::process::ExitCode;
+
+/// Why the program ends without having done what it was asked to.
+enum Failure {
+    /// A command was refused.
+    Refused(String),
+    /// The arguments make no sense.
+    Usage(String),
+    /// A file can't be read or written.
+    File(String),
+}
+
+fn main() -> ExitCode {
+    let result = arguments::parse(std::env::args_os()).and_then(|task| match task {
+        Task::Help => report::print(arguments::HELP),
+        Task::Version => report::print(concat!("meshwright ", env!("CARGO_PKG_VERSION"), "\n")),
+        Task::Info(task) => info::run(&task),
+        Task::Convert(task) => convert::run(&task),
+        Task::Apply(task) => apply::run(&task),
+    });
+    match result {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(Failure::Refused(text)) => {
+            eprintln!("{text}");
+            ExitCode::from(1)
+        }
+        Err(Failure::Usage(text)) => {
+            eprintln!("{text}\nSee `meshwright --help`.");
+            ExitCode::from(2)
+        }
+        Err(Failure::File(text)) => {
+            eprintln!("{text}");
+            ExitCode::from(2)
+        }
+    }
+}

@@ -42,6 +42,11 @@ pub(crate) trait Operation: Sized {
         Ok(vec![self])
     }
 
+    /// Whether it is for all of a mesh rather than for some of its elements.
+    fn is_for_whole_meshes(&self) -> bool {
+        Self::SPEC.kind == OperationKind::WholeMesh
+    }
+
     /// How it is carried out.
     fn action(&self) -> Action<'_>;
 }
@@ -112,6 +117,12 @@ macro_rules! operations {
             pub(crate) fn resolve(self, target: &Target<'_>) -> Result<Vec<Self>, Problem> {
                 match self {
                     $(Self::$name(op) => Ok(op.resolve(target)?.into_iter().map(Self::$name).collect()),)*
+                }
+            }
+
+            fn is_for_whole_meshes(&self) -> bool {
+                match self {
+                    $(Self::$name(op) => op.is_for_whole_meshes(),)*
                 }
             }
 
@@ -215,6 +226,12 @@ impl Command {
     /// The op's name.
     pub fn name(&self) -> &'static str {
         self.op.spec().name
+    }
+
+    /// Whether the command names no object and is for all of a mesh rather than for some of its
+    /// elements or for the list of objects: the command line runs such a command on every object.
+    pub fn is_for_whole_meshes(&self) -> bool {
+        self.object.is_none() && self.op.is_for_whole_meshes()
     }
 
     /// The same command for the object at this place of the document's list.

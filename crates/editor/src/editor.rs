@@ -312,7 +312,7 @@ impl Editor {
                 let done = self.edit(object, &ops)?;
                 let (spec, back) = (ops.first().map(Op::spec), vec![Change::Journal(object, done.journal)]);
                 self.push_step(spec.map_or_else(String::new, |s| s.label.to_owned()), back, before);
-                Ok(self.outcome(&ops, done.created, done.removed))
+                Ok(Self::outcome(&ops, done.created, done.removed))
             }
             Planned::Whole { op, objects, at } => {
                 let inputs = self.inputs(&objects);
@@ -331,7 +331,7 @@ impl Editor {
                 if !back.is_empty() {
                     self.push_step(op.spec().label.to_owned(), back, before);
                 }
-                Ok(self.outcome(&[op], Elements::default(), Elements::default()))
+                Ok(Self::outcome(&[op], Elements::default(), Elements::default()))
             }
         }
     }
@@ -464,7 +464,7 @@ impl Editor {
             self.changes.selection = true;
         }
         self.push_step(op.spec().label.to_owned(), back, selection);
-        Ok(self.outcome(&[op], created, removed))
+        Ok(Self::outcome(&[op], created, removed))
     }
 
     fn changes_for(
@@ -527,10 +527,8 @@ impl Editor {
         Object::new(id, output.name, output.mesh)
     }
 
-    fn outcome(&mut self, ops: &[Op], created: Elements, removed: Elements) -> Outcome {
-        let Some(spec) = ops.first().map(Op::spec) else { return Outcome::default() };
-        let message = outcome::message(spec.label, &created, &removed);
-        Outcome { op: spec.name.to_owned(), created, removed, message, warnings: Vec::new() }
+    fn outcome(ops: &[Op], created: Elements, removed: Elements) -> Outcome {
+        ops.first().map_or_else(Outcome::default, |op| Outcome::new(op.spec().name, created, removed))
     }
 
     /// Opens what was read in place of the document, as one step: undo brings the other one back.

@@ -18,6 +18,16 @@ pub struct Outcome {
     pub warnings: Vec<String>,
 }
 
+impl Outcome {
+    /// The outcome of an op that created and removed these, with the sentence that says so.
+    pub fn new(op: impl Into<String>, created: Elements, removed: Elements) -> Self {
+        let op = op.into();
+        let label = crate::OPERATIONS.iter().find(|spec| spec.name == op).map_or(&*op, |spec| spec.label);
+        let message = message(label, &created, &removed);
+        Self { op, created, removed, message, warnings: Vec::new() }
+    }
+}
+
 /// Numbers of elements; which ones, where a local edit made or removed them.
 #[derive(Clone, Debug, Default, PartialEq, Serialize)]
 pub struct Elements {

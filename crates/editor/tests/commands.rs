@@ -327,7 +327,7 @@ fn refusals_name_the_op_and_the_field() {
         (json!({"op": "transform"}), &["transform", "`vertices`", "missing"]),
         (json!({"op": "transform", "vertices": [0], "scale": [1, 2]}), &["transform", "`scale`"]),
         (json!({"op": "transform", "vertices": [0], "rotate": {"axis": [0, 0, 0], "degrees": 3}}), &["transform", "`rotate.axis`"]),
-        (json!({"op": "transform", "vertices": [0], "rotate": {"axis": [0, 0, 1]}}), &["transform", "`degrees`", "missing"]),
+        (json!({"op": "transform", "vertices": [0], "rotate": {"axis": [0, 0, 1]}}), &["transform", "`rotate.degrees`", "missing"]),
         (json!({"op": "transform", "vertices": [0], "falloff": 0}), &["transform", "`falloff`", "above 0"]),
         (json!({"op": "transform", "vertices": [7], "scale": 1e38, "translate": [3e38, 0, 0], "pivot": [-9, 0, 0]}), &["transform", "finite"]),
     ];
@@ -373,7 +373,7 @@ fn the_table_of_operations_is_what_the_commands_are() {
                     .find(|name| surface::Shape::named(name).is_some_and(|s| s.get(field.name).is_some()));
                 value["shape"] = shape.unwrap_or("cube").into();
             }
-            value[field.name] = json!({"wrong": []});
+            value[field.name] = json!([[[]]]);
             let error = Command::from_value(value).expect_err("a wrong type");
             let at = error.field.unwrap_or_default();
             assert!(at.starts_with(field.name), "{}: {}: {at}", spec.name, field.name);

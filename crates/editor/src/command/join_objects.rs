@@ -23,7 +23,7 @@ impl Operation for JoinObjects {
         label: "Join objects",
         description: "Makes several objects one; nothing is glued together.",
         key: None,
-        kind: OperationKind::WholeMesh,
+        kind: OperationKind::Document,
         fields: &[Field::new("objects", FieldKind::Objects, "The objects to join").or("all objects")],
     };
 

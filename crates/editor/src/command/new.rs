@@ -28,7 +28,7 @@ impl Operation for New {
         label: "New",
         description: "Starts a new document with a shape, or adds the shape to this one.",
         key: None,
-        kind: OperationKind::WholeMesh,
+        kind: OperationKind::Document,
         fields: &[
             Field::new(
                 "shape",

@@ -42,7 +42,7 @@ impl Operation for Separate {
         label: "Separate",
         description: "Makes one object several: its connected pieces, its face groups, or some faces and the rest.",
         key: None,
-        kind: OperationKind::WholeMesh,
+        kind: OperationKind::Document,
         fields: &[
             Field::new("by", FieldKind::Choice(&["components", "groups", "faces"]), "What makes a part")
                 .or("\"faces\" where faces are given"),

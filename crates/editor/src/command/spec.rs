@@ -24,7 +24,7 @@ pub enum OperationKind {
     Local,
     /// Whole meshes: may run as a job, gives elements new ids.
     WholeMesh,
-    /// The list of objects.
+    /// The document: which objects there are, and what they are called.
     Document,
 }
 

@@ -49,6 +49,10 @@ impl Operation for TriangulateFaces {
         Ok(vec![self])
     }
 
+    fn is_for_whole_meshes(&self) -> bool {
+        self.faces.is_none()
+    }
+
     fn action(&self) -> Action<'_> {
         Action::Local(self)
     }

@@ -41,7 +41,7 @@ impl Editor {
                 let label = ops.first().map_or_else(String::new, |op| op.spec().label.to_owned());
                 let selection = shown.map_or(selection, |(_, _, before)| before);
                 self.drag = Some(Drag { object, label, journal: edited.journal, selection });
-                Ok(self.outcome(&ops, edited.created, edited.removed))
+                Ok(Self::outcome(&ops, edited.created, edited.removed))
             }
             (Err(problem), Some((object, label, selection))) => {
                 let back = redo.into_iter().flat_map(|redo| self.make(redo)).next();

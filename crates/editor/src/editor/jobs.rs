@@ -72,12 +72,20 @@ impl Editor {
     /// # Errors
     /// Why the command is refused, naming the op and the field.
     pub fn begin(&mut self, command: Command) -> Result<Begun, CommandError> {
-        self.commit_drag();
-        let name = command.name();
-        self.begin_inner(command).map_err(|problem| self.report(CommandError::of(name, problem)))
+        self.begin_from(command, SMALL)
     }
 
-    fn begin_inner(&mut self, command: Command) -> Result<Begun, Problem> {
+    /// [`Editor::begin`] with another idea of what takes long: results of this many faces or more.
+    ///
+    /// # Errors
+    /// As [`Editor::begin`].
+    pub fn begin_from(&mut self, command: Command, faces: usize) -> Result<Begun, CommandError> {
+        self.commit_drag();
+        let name = command.name();
+        self.begin_inner(command, faces).map_err(|problem| self.report(CommandError::of(name, problem)))
+    }
+
+    fn begin_inner(&mut self, command: Command, faces: usize) -> Result<Begun, Problem> {
         let planned = self.plan(command)?;
         let (objects, ops, at) = match &planned {
             Planned::Whole { op, objects, at } => (objects.clone(), vec![op.clone()], *at),
@@ -95,7 +103,7 @@ impl Editor {
             .sum();
         let first = ops.first().cloned();
         match first {
-            Some(op) if cost >= SMALL => {
+            Some(op) if cost >= faces => {
                 let id = self.wait_for(WaitingFor::Run { op, objects, at });
                 Ok(Begun::Job(JobRequest { id, work: Work::Run(ops, inputs) }))
             }

@@ -1,0 +1,163 @@
+//! `meshwright apply`: commands run on a file.
+
+use crate::arguments::Apply;
+use crate::{Failure, files, report};
+use editor::{Begun, Command, CommandError, Editor, Elements, Finished, Outcome};
+use formats::Import;
+use serde_json::{Value, json};
+use std::ops::ControlFlow;
+use std::time::{Duration, Instant};
+
+/// One command that was run.
+struct Step {
+    outcome: Outcome,
+    time: Duration,
+}
+
+/// Runs commands on a file, saves the result and prints what was done.
+pub fn run(task: &Apply) -> Result<(), Failure> {
+    let format = task.output.as_deref().map(files::output_format).transpose()?;
+    let mut read = files::read(&task.input)?;
+    if !task.json {
+        for warning in read.import.report.warnings() {
+            eprintln!("{}: {warning}", task.input.display());
+        }
+    }
+    let counts = report::import_counts(&read.import);
+    let mut times: Vec<Vec<Duration>> = vec![Vec::new(); task.commands.len()];
+    let mut last = None;
+    for turn in 0..task.repeat {
+        // The last turn takes the input itself: one copy less in memory.
+        let input = if turn + 1 == task.repeat { take(&mut read.import) } else { read.import.clone() };
+        let (editor, steps) = run_once(input, &task.commands)?;
+        for (times, step) in times.iter_mut().zip(&steps) {
+            times.push(step.time);
+        }
+        last = Some((editor, steps));
+    }
+    let Some((editor, mut steps)) = last else { return Ok(()) };
+    for (step, times) in steps.iter_mut().zip(times) {
+        step.time = median(times);
+    }
+    if let (Some(path), Some(format)) = (&task.output, format) {
+        files::write(path, format, editor.document())?;
+    }
+    let output = report::document_counts(editor.document());
+    if task.json {
+        let mut answer = report::json_start(counts, &read);
+        let steps: Vec<Value> = steps
+            .iter()
+            .map(|step| {
+                json!({"op": step.outcome.op, "seconds": step.time.as_secs_f64(), "outcome": step.outcome})
+            })
+            .collect();
+        answer.insert("steps".into(), steps.into());
+        answer.insert("output".into(), json!(output));
+        return report::print(&format!("{}\n", Value::Object(answer)));
+    }
+    let mut text = format!("input:  {}\n", report::counts_line(counts));
+    for step in &steps {
+        text += &format!("{} ({:.3} s)\n", step.outcome.message, step.time.as_secs_f64());
+    }
+    text += &format!("output: {}\n", report::counts_line(output));
+    report::print(&text)
+}
+
+/// Takes the meshes out of an import and leaves the report.
+fn take(import: &mut Import) -> Import {
+    let objects = std::mem::take(&mut import.objects);
+    Import { name: import.name.clone(), objects, report: import.report.clone() }
+}
+
+/// Runs the commands on a fresh document.
+fn run_once(input: Import, commands: &[Command]) -> Result<(Editor, Vec<Step>), Failure> {
+    let refused = |error: CommandError| Failure::Refused(error.to_string());
+    let mut editor = Editor::new();
+    editor.set_history_limit(0);
+    editor.open(input).map_err(refused)?;
+    let mut steps = Vec::with_capacity(commands.len());
+    for command in commands {
+        steps.push(run_step(&mut editor, command).map_err(refused)?);
+    }
+    Ok((editor, steps))
+}
+
+/// Runs one command, on every object where it is for whole meshes.
+fn run_step(editor: &mut Editor, command: &Command) -> Result<Step, CommandError> {
+    if !command.is_for_whole_meshes() {
+        let start = Instant::now();
+        let outcome = editor.run(command.clone())?;
+        return Ok(Step { outcome, time: start.elapsed() });
+    }
+    let mut total: Option<Step> = None;
+    for object in 0..editor.document().objects().len().max(1) {
+        let command = match editor.document().objects().len() {
+            0 | 1 => command.clone(),
+            _ => command.clone().on(object),
+        };
+        let step = run_whole(editor, command)?;
+        total = Some(match total {
+            None => step,
+            Some(sum) => Step { outcome: add(sum.outcome, step.outcome), time: sum.time + step.time },
+        });
+    }
+    total.ok_or_else(|| CommandError::refused(command.name(), "the file has no object"))
+}
+
+/// Runs a command on a whole mesh; the time is that of the algorithm alone, without the validation
+/// of its result.
+fn run_whole(editor: &mut Editor, command: Command) -> Result<Step, CommandError> {
+    let name = command.name();
+    let start = Instant::now();
+    match editor.begin_from(command, 0)? {
+        Begun::Done(outcome) => Ok(Step { outcome, time: start.elapsed() }),
+        Begun::Job(request) => {
+            let start = Instant::now();
+            let result = request.run(&mut |_| ControlFlow::Continue(()));
+            let time = start.elapsed();
+            let id = request.id();
+            drop(request);
+            match editor.finish(id, result)? {
+                Finished::Done(outcome) => Ok(Step { outcome, time }),
+                Finished::Exported(_) => Err(CommandError::refused(name, "it writes files, which -o does here")),
+            }
+        }
+    }
+}
+
+/// The outcome of the same command on two objects: counts are added up, ids are left out because
+/// they are each object's own.
+fn add(a: Outcome, b: Outcome) -> Outcome {
+    let sum = |a: Elements, b: Elements| Elements {
+        vertices: a.vertices + b.vertices,
+        edges: a.edges + b.edges,
+        faces: a.faces + b.faces,
+        ids: None,
+    };
+    Outcome::new(a.op, sum(a.created, b.created), sum(a.removed, b.removed))
+}
+
+/// The middle one of some times; the mean of the two in the middle of an even number.
+fn median(mut times: Vec<Duration>) -> Duration {
+    times.sort_unstable();
+    let middle = times.len() / 2;
+    match (times.get(middle), times.get(middle.wrapping_sub(1))) {
+        (Some(&high), Some(&low)) if times.len() % 2 == 0 => (low + high) / 2,
+        (Some(&high), _) => high,
+        (None, _) => Duration::ZERO,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_median_is_the_middle() {
+        let seconds = |list: &[u64]| median(list.iter().map(|&s| Duration::from_secs(s)).collect());
+        assert_eq!(seconds(&[9, 1, 5]), Duration::from_secs(5));
+        assert_eq!(seconds(&[9, 1, 5, 7]), Duration::from_secs(6));
+        assert_eq!(seconds(&[4]), Duration::from_secs(4));
+        assert_eq!(seconds(&[]), Duration::ZERO);
+    }
+}

@@ -1,0 +1,178 @@
+//! The command line.
+
+use crate::Failure;
+use editor::Command;
+use lexopt::prelude::*;
+use std::ffi::OsString;
+use std::path::PathBuf;
+
+/// What `--help` prints.
+pub const HELP: &str = "\
+Meshwright: polygon meshes from the command line
+
+Usage:
+  meshwright info FILE [--json]
+  meshwright convert IN OUT
+  meshwright apply IN --do COMMAND [--do COMMAND ...] [-o OUT] [--json] [--repeat N]
+
+A COMMAND is a JSON object such as '{\"op\": \"subdivide-catmull-clark\", \"levels\": 2}'.
+Operations on whole meshes run on every object of the file, others on the first one unless the
+command names another with \"object\": 1.
+
+Options:
+  --do COMMAND      what to do; may be given several times, done in order
+  -o, --output OUT  where to save the result; the format goes by the extension, and .json writes
+                    the half-edge mesh itself
+  --json            print one JSON object instead of text
+  --repeat N        do the steps N times from the same input and print the median seconds
+  -h, --help        print this
+  -V, --version     print the version
+
+Exit status: 0 on success, 1 where a command was refused, 2 for bad usage or an unreadable file.
+";
+
+/// What the program is asked to do.
+pub enum Task {
+    /// Print how to use it.
+    Help,
+    /// Print its version.
+    Version,
+    /// Print what a file holds.
+    Info(Info),
+    /// Save a file in another format.
+    Convert(Convert),
+    /// Run commands on a file.
+    Apply(Apply),
+}
+
+/// `meshwright info`.
+pub struct Info {
+    /// The file.
+    pub file: PathBuf,
+    /// Whether to print JSON.
+    pub json: bool,
+}
+
+/// `meshwright convert`.
+pub struct Convert {
+    /// The file to read.
+    pub input: PathBuf,
+    /// The file to write.
+    pub output: PathBuf,
+}
+
+/// `meshwright apply`.
+pub struct Apply {
+    /// The file to read.
+    pub input: PathBuf,
+    /// The commands, in order.
+    pub commands: Vec<Command>,
+    /// The file to write, if any.
+    pub output: Option<PathBuf>,
+    /// Whether to print JSON.
+    pub json: bool,
+    /// How often to run the commands from the same input.
+    pub repeat: usize,
+}
+
+/// Options as they are met, before it is known whether they go with the task.
+#[derive(Default)]
+struct Given {
+    words: Vec<OsString>,
+    json: bool,
+    commands: Vec<Command>,
+    output: Option<PathBuf>,
+    repeat: Option<usize>,
+}
+
+/// Reads the command line, the program's name first.
+pub fn parse(args: impl IntoIterator<Item = OsString>) -> Result<Task, Failure> {
+    let mut parser = lexopt::Parser::from_iter(args);
+    let mut given = Given::default();
+    while let Some(argument) = parser.next().map_err(usage)? {
+        match argument {
+            Short('h') | Long("help") => return Ok(Task::Help),
+            Short('V') | Long("version") => return Ok(Task::Version),
+            Long("json") => given.json = true,
+            Long("do") => {
+                let text = parser.value().map_err(usage)?.string().map_err(usage)?;
+                given.commands.push(command(&text)?);
+            }
+            Short('o') | Long("output") => given.output = Some(parser.value().map_err(usage)?.into()),
+            Long("repeat") => {
+                let times = parser.value().map_err(usage)?.parse::<usize>().map_err(usage)?;
+                if times == 0 {
+                    return Err(Failure::Usage("--repeat: 0 times is not at all; give 1 or more".into()));
+                }
+                given.repeat = Some(times);
+            }
+            Value(word) => given.words.push(word),
+            other => return Err(usage(other.unexpected())),
+        }
+    }
+    given.into_task()
+}
+
+impl Given {
+    fn into_task(self) -> Result<Task, Failure> {
+        // Options that go with `apply` only.
+        let others = [
+            (!self.commands.is_empty(), "--do"),
+            (self.output.is_some(), "-o"),
+            (self.repeat.is_some(), "--repeat"),
+        ];
+        let mut words = self.words.into_iter();
+        let Some(name) = words.next() else {
+            return Err(Failure::Usage("What to do is missing: info, convert or apply.".into()));
+        };
+        let mut file = |what: &str| {
+            words.next().map(PathBuf::from).ok_or_else(|| Failure::Usage(format!("{what} is missing.")))
+        };
+        let refuse = |given: bool, option: &str, with: &str| match given {
+            true => Err(Failure::Usage(format!("{option} does not go with `{with}`."))),
+            false => Ok(()),
+        };
+        let name = name.to_string_lossy();
+        let task = match &*name {
+            "info" => Task::Info(Info { file: file("FILE")?, json: self.json }),
+            "convert" => {
+                refuse(self.json, "--json", "convert")?;
+                Task::Convert(Convert { input: file("IN")?, output: file("OUT")? })
+            }
+            "apply" => {
+                let input = file("IN")?;
+                if self.commands.is_empty() {
+                    return Err(Failure::Usage("What to do with the file is missing: --do COMMAND.".into()));
+                }
+                Task::Apply(Apply {
+                    input,
+                    commands: self.commands,
+                    output: self.output,
+                    json: self.json,
+                    repeat: self.repeat.unwrap_or(1),
+                })
+            }
+            other => return Err(Failure::Usage(format!("`{other}` is not info, convert or apply."))),
+        };
+        if let Some(extra) = words.next() {
+            return Err(Failure::Usage(format!("{} is one file too many.", extra.to_string_lossy())));
+        }
+        if !matches!(task, Task::Apply(_)) {
+            for (given, option) in others {
+                refuse(given, option, &name)?;
+            }
+        }
+        Ok(task)
+    }
+}
+
+/// Reads a command: text that is not JSON is bad usage, JSON that is no command is refused.
+fn command(text: &str) -> Result<Command, Failure> {
+    let value: serde_json::Value = serde_json::from_str(text)
+        .map_err(|error| Failure::Usage(format!("--do: this is not JSON: {text}: {error}")))?;
+    Command::from_value(value).map_err(|error| Failure::Refused(error.to_string()))
+}
+
+fn usage(error: lexopt::Error) -> Failure {
+    Failure::Usage(error.to_string())
+}

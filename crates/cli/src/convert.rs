@@ -1,0 +1,17 @@
+//! `meshwright convert`: a file saved in another format.
+
+use crate::arguments::Convert;
+use crate::{Failure, files};
+use editor::{Editor, Outcome};
+
+/// Reads one file and writes another.
+pub fn run(task: &Convert) -> Result<(), Failure> {
+    let format = files::output_format(&task.output)?;
+    let read = files::read(&task.input)?;
+    for warning in read.import.report.warnings() {
+        eprintln!("{}: {warning}", task.input.display());
+    }
+    let mut editor = Editor::new();
+    let _: Outcome = editor.open(read.import).map_err(|error| Failure::File(error.to_string()))?;
+    files::write(&task.output, format, editor.document())
+}

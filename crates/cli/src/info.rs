@@ -1,0 +1,25 @@
+//! `meshwright info`: what a file holds.
+
+use crate::arguments::Info;
+use crate::{Failure, files, report};
+
+/// Prints what a file holds.
+pub fn run(task: &Info) -> Result<(), Failure> {
+    let read = files::read(&task.file)?;
+    let counts = report::import_counts(&read.import);
+    if task.json {
+        let answer = serde_json::Value::Object(report::json_start(counts, &read));
+        return report::print(&format!("{answer}\n"));
+    }
+    let mut text = format!("{}\n", task.file.display());
+    text += &report::counts_text(counts);
+    text += &format!("read in {:.3} s, built in {:.3} s\n", read.read.as_secs_f64(), read.build.as_secs_f64());
+    if read.import.objects.len() > 1 {
+        text += "objects:\n";
+        for object in &read.import.objects {
+            text += &format!("  {}: {} faces\n", object.name, object.mesh.face_count());
+        }
+    }
+    text += &read.import.report.to_string();
+    report::print(&text)
+}

@@ -1,0 +1,60 @@
+//! What is printed.
+
+use crate::Failure;
+use crate::files::Read;
+use editor::{Counts, Document};
+use formats::Import;
+use serde_json::{Map, Value, json};
+use std::io::Write;
+
+/// Prints text on standard output. A reader that has gone away is no failure.
+pub fn print(text: &str) -> Result<(), Failure> {
+    match std::io::stdout().lock().write_all(text.as_bytes()) {
+        Err(error) if error.kind() != std::io::ErrorKind::BrokenPipe => {
+            Err(Failure::File(format!("standard output can't be written: {error}")))
+        }
+        _ => Ok(()),
+    }
+}
+
+/// The counts of all meshes of an import together.
+pub fn import_counts(import: &Import) -> Counts {
+    import.objects.iter().map(|object| Counts::of(&object.mesh)).sum()
+}
+
+/// The counts of all meshes of a document together.
+pub fn document_counts(document: &Document) -> Counts {
+    document.objects().iter().map(|object| Counts::of(object.mesh())).sum()
+}
+
+/// What every JSON answer begins with.
+pub fn json_start(counts: Counts, read: &Read) -> Map<String, Value> {
+    let mut answer = Map::new();
+    answer.insert("input".into(), json!(counts));
+    answer.insert("read_seconds".into(), read.read.as_secs_f64().into());
+    answer.insert("build_seconds".into(), read.build.as_secs_f64().into());
+    answer.insert("report".into(), json!(read.import.report));
+    answer
+}
+
+/// Counts as lines of text.
+pub fn counts_text(counts: Counts) -> String {
+    let lines = [
+        ("vertices", counts.vertices as i64),
+        ("edges", counts.edges as i64),
+        ("half-edges", counts.halfedges as i64),
+        ("faces", counts.faces as i64),
+        ("boundary loops", counts.boundary_loops as i64),
+        ("components", counts.components as i64),
+        ("Euler characteristic", counts.euler),
+    ];
+    lines.iter().map(|(name, count)| format!("{name:<21}{count:>10}\n")).collect()
+}
+
+/// Counts as one line of text.
+pub fn counts_line(counts: Counts) -> String {
+    format!(
+        "{} vertices, {} edges, {} faces, {} boundary loops, {} components",
+        counts.vertices, counts.edges, counts.faces, counts.boundary_loops, counts.components
+    )
+}

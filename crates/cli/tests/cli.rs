@@ -1,0 +1,254 @@
+//! The program as it is run: what it prints, what it writes and what it exits with.
+
+use serde_json::{Value, json};
+use std::path::{Path, PathBuf};
+use std::process::{Command, Output};
+
+const CUBE: &str = "\
+v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\nv 0 0 1\nv 1 0 1\nv 0 1 1\nv 1 1 1
+f 1 3 4 2\nf 5 6 8 7\nf 1 2 6 5\nf 3 7 8 4\nf 1 5 7 3\nf 2 4 8 6
+";
+
+/// A folder of a test's own, empty.
+fn folder(name: &str) -> PathBuf {
+    let path = Path::new(env!("CARGO_TARGET_TMPDIR")).join(name);
+    let _ = std::fs::remove_dir_all(&path);
+    std::fs::create_dir_all(&path).expect("a folder");
+    path
+}
+
+fn write(folder: &Path, name: &str, text: &str) -> PathBuf {
+    let path = folder.join(name);
+    std::fs::write(&path, text).expect("written");
+    path
+}
+
+fn run(args: &[&str]) -> Output {
+    Command::new(env!("CARGO_BIN_EXE_meshwright")).args(args).output().expect("runs")
+}
+
+fn text(path: &Path) -> &str {
+    path.to_str().expect("text")
+}
+
+/// Runs what must succeed; gives what it printed as JSON.
+fn json_of(args: &[&str]) -> Value {
+    let output = run(args);
+    let error = String::from_utf8_lossy(&output.stderr);
+    assert_eq!(output.status.code(), Some(0), "{args:?}: {error}");
+    let mut lines = output.stdout.split(|&b| b == b'\n');
+    let first = lines.next().expect("a line");
+    assert_eq!(lines.collect::<Vec<_>>(), [b""], "one object, on one line");
+    serde_json::from_slice(first).expect("JSON")
+}
+
+/// Runs what must fail; gives what it said.
+fn fails(args: &[&str], code: i32) -> String {
+    let output = run(args);
+    let error = String::from_utf8_lossy(&output.stderr).into_owned();
+    assert_eq!(output.status.code(), Some(code), "{args:?}: {error}");
+    assert_eq!(output.stdout, b"", "{args:?}");
+    assert!(!error.contains("panicked"), "{error}");
+    error
+}
+
+#[test]
+fn info_counts() {
+    let folder = folder("info");
+    let cube = write(&folder, "cube.obj", CUBE);
+    let answer = json_of(&["info", text(&cube), "--json"]);
+    let counts = json!({"vertices": 8, "edges": 12, "halfedges": 24, "faces": 6,
+        "boundary_loops": 0, "components": 1, "euler": 2});
+    assert_eq!(answer["input"], counts);
+    assert!(answer["read_seconds"].as_f64().expect("a time") >= 0.0);
+    assert!(answer["build_seconds"].as_f64().expect("a time") >= 0.0);
+    assert!(answer["report"].is_array());
+    let keys: Vec<&String> = answer.as_object().expect("an object").keys().collect();
+    assert_eq!(keys, ["build_seconds", "input", "read_seconds", "report"]);
+    let printed = String::from_utf8(run(&["info", text(&cube)]).stdout).expect("text");
+    assert!(printed.contains("faces                         6\n"), "{printed}");
+    assert!(printed.contains("Euler characteristic          2\n"), "{printed}");
+}
+
+#[test]
+fn apply_runs_steps_in_order_and_writes_the_result() {
+    let folder = folder("apply");
+    let cube = write(&folder, "cube.obj", CUBE);
+    let out = folder.join("out.obj");
+    let answer = json_of(&[
+        "apply",
+        text(&cube),
+        "--do",
+        r#"{"op":"split-edge","edge":[0,1],"connect":"none"}"#,
+        "--do",
+        r##"{"op":"set-face-color","faces":[0],"color":"#ff0000"}"##,
+        "--do",
+        r#"{"op":"subdivide-catmull-clark","levels":2}"#,
+        "-o",
+        text(&out),
+        "--json",
+        "--repeat",
+        "3",
+    ]);
+    let steps = answer["steps"].as_array().expect("steps");
+    let ops: Vec<&str> = steps.iter().map(|step| step["op"].as_str().expect("text")).collect();
+    assert_eq!(ops, ["split-edge", "set-face-color", "subdivide-catmull-clark"]);
+    assert!(steps.iter().all(|step| step["seconds"].as_f64().expect("a time") >= 0.0));
+    assert_eq!(steps[0]["outcome"]["created"]["ids"]["vertices"], json!([8]));
+    // Two pentagons among six faces: 26 corners, then four times as many.
+    assert_eq!(answer["output"]["faces"], 26 * 4);
+    assert_eq!(answer["input"]["faces"], 6);
+    let again = json_of(&["info", text(&out), "--json"]);
+    assert_eq!(again["input"], answer["output"]);
+    assert!(folder.join("out.mtl").is_file(), "colors are written beside");
+    let written = std::fs::read_to_string(&out).expect("written");
+    assert!(written.contains("mtllib out.mtl"), "the first lines: {}", written.lines().next().unwrap_or_default());
+}
+
+#[test]
+fn convert_keeps_materials_and_writes_the_mesh_itself_as_json() {
+    let folder = folder("convert");
+    write(&folder, "paint.mtl", "newmtl red\nKd 1 0 0\n");
+    let model = format!("mtllib paint.mtl\nusemtl red\n{CUBE}");
+    let model = write(&folder, "cube.obj", &model);
+    let out = folder.join("copy.obj");
+    assert_eq!(run(&["convert", text(&model), text(&out)]).status.code(), Some(0));
+    assert!(std::fs::read_to_string(folder.join("copy.mtl")).expect("written").contains("Kd 1"));
+
+    let dump = folder.join("cube.json");
+    assert_eq!(run(&["convert", text(&model), text(&dump)]).status.code(), Some(0));
+    let dump: Value = serde_json::from_slice(&std::fs::read(dump).expect("written")).expect("JSON");
+    let lengths = ["positions", "vertices", "halfedges", "edges", "faces"].map(|k| dump[k].as_array().expect(k).len());
+    assert_eq!(lengths, [8, 8, 24, 12, 6]);
+    for (h, row) in dump["halfedges"].as_array().expect("rows").iter().enumerate() {
+        let at = |i: usize| row[i].as_u64().expect("an id") as usize;
+        let (next, twin) = (at(0), at(2));
+        assert_eq!(dump["halfedges"][next][1], h, "prev of next");
+        assert_eq!(dump["halfedges"][twin][2], h, "twin of twin");
+        assert_ne!(dump["halfedges"][twin][3], row[3], "the two sides point to the two ends");
+    }
+}
+
+#[test]
+fn refused_commands_exit_with_1_and_write_nothing() {
+    let folder = folder("refused");
+    let cube = write(&folder, "cube.obj", CUBE);
+    let out = folder.join("out.obj");
+    for (command, parts) in [
+        (r#"{"op":"explode"}"#, ["explode", "no such op"]),
+        (r#"{"op":"split-edge","edge":99}"#, ["`edge`", "no edge 99"]),
+        (r#"{"op":"split-edge"}"#, ["`edge`", "missing"]),
+        (r#"{"op":"subdivide-loop"}"#, ["subdivide-loop", "triangles"]),
+        (r#"{"op":"split-edge","edge":0,"speed":3}"#, ["`speed`", "not a field"]),
+        (r#"{"op":"subdivide-linear","object":1}"#, ["`object`", "no object 1"]),
+        (r#"{"op":"subdivide-linear","levels":30}"#, ["`levels`", "faces"]),
+    ] {
+        // After a step that succeeds.
+        let first = r#"{"op":"subdivide-linear"}"#;
+        let error = fails(&["apply", text(&cube), "--do", first, "--do", command, "-o", text(&out), "--json"], 1);
+        for part in parts {
+            assert!(error.contains(part), "{command}: {error}");
+        }
+        assert!(!out.exists(), "{command}");
+    }
+}
+
+#[test]
+fn bad_usage_and_unreadable_files_exit_with_2() {
+    let folder = folder("usage");
+    let cube = write(&folder, "cube.obj", CUBE);
+    let cube = text(&cube);
+    let broken = write(&folder, "broken.obj", "this is not a model\n");
+    let missing = folder.join("missing.obj");
+    let op = r#"{"op":"triangulate-faces"}"#;
+    for (args, part) in [
+        (vec![], "What to do"),
+        (vec!["explode"], "explode"),
+        (vec!["info"], "FILE is missing"),
+        (vec!["info", cube, cube], "too many"),
+        (vec!["info", cube, "--do", op], "--do"),
+        (vec!["info", cube, "--repeat", "2"], "--repeat"),
+        (vec!["info", cube, "--verbose"], "--verbose"),
+        (vec!["convert", cube], "OUT is missing"),
+        (vec!["convert", cube, "out.xyz"], "out.xyz"),
+        (vec!["convert", cube, "out.obj", "--json"], "--json"),
+        (vec!["apply", cube], "--do"),
+        (vec!["apply", cube, "--do"], "--do"),
+        (vec!["apply", cube, "--do", "split"], "not JSON"),
+        (vec!["apply", cube, "--do", op, "--repeat", "0"], "--repeat"),
+        (vec!["apply", cube, "--do", op, "--repeat", "x"], "x"),
+        (vec!["apply", cube, "--do", op, "-o", "out"], "out"),
+        (vec!["info", text(&missing)], "missing.obj"),
+        (vec!["info", text(&broken)], "broken.obj"),
+        (vec!["info", text(&folder)], "usage"),
+        (vec!["convert", cube, "/nowhere/at/all.obj"], "/nowhere/at/all.obj"),
+    ] {
+        let error = fails(&args, 2);
+        assert!(error.contains(part), "{args:?}: {error}");
+    }
+}
+
+#[test]
+fn help_and_version() {
+    for (option, part) in [("--help", "meshwright apply"), ("-h", "--repeat N"), ("--version", env!("CARGO_PKG_VERSION"))] {
+        let output = run(&[option]);
+        assert_eq!(output.status.code(), Some(0));
+        assert!(String::from_utf8_lossy(&output.stdout).contains(part));
+    }
+}
+
+/// The table of `../shared/models/README.md`: V, F, boundary edges, non-manifold edges, note.
+#[test]
+fn models_have_the_counts_that_their_table_says() {
+    let models = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../../shared/models");
+    let Ok(table) = std::fs::read_to_string(models.join("README.md")) else {
+        println!("skipped: {} is not there", models.display());
+        return;
+    };
+    let mut checked = 0;
+    for line in table.lines() {
+        let cells: Vec<&str> = line.split('|').map(str::trim).collect();
+        let [_, file, v, f, boundary, non_manifold, note, _] = cells.as_slice() else { continue };
+        let (Ok(v), Ok(f), Ok(boundary)) = (v.parse::<u64>(), f.parse::<u64>(), boundary.parse::<u64>()) else {
+            continue;
+        };
+        let path = models.join("common").join(file.trim_matches('`'));
+        let answer = json_of(&["info", text(&path), "--json"]);
+        let input = &answer["input"];
+        assert_eq!(input["faces"], f, "{file}");
+        let count = |key: &str| input[key].as_u64().expect("a count");
+        if *non_manifold == "0" && !note.contains("non-manifold") {
+            assert_eq!(count("vertices"), v, "{file}");
+            assert_eq!(count("boundary_loops") == 0, boundary == 0, "{file}");
+        } else {
+            assert!(count("vertices") >= v, "{file}: vertices are separated, not lost");
+        }
+        assert_eq!(count("halfedges"), 2 * count("edges"));
+        checked += 1;
+    }
+    assert_eq!(checked, 10);
+}
+
+#[test]
+fn models_go_through_operations_and_come_back() {
+    let models = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../../shared/models/common");
+    if !models.is_dir() {
+        println!("skipped: {} is not there", models.display());
+        return;
+    }
+    let folder = folder("models");
+    for (name, op, faces) in [
+        ("spot_control_mesh.obj", r#"{"op":"subdivide-catmull-clark"}"#, None),
+        ("spot.obj", r#"{"op":"subdivide-loop"}"#, Some(5856 * 4)),
+        ("spot_quadrangulated.obj", r#"{"op":"triangulate-faces"}"#, Some(5856)),
+    ] {
+        let out = folder.join(name);
+        let model = models.join(name);
+        let answer = json_of(&["apply", text(&model), "--do", op, "-o", text(&out), "--json"]);
+        if let Some(faces) = faces {
+            assert_eq!(answer["output"]["faces"], faces, "{name}");
+        }
+        let again = json_of(&["info", text(&out), "--json"]);
+        assert_eq!(again["input"], answer["output"], "{name}");
+    }
+}
