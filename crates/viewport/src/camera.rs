@@ -33,7 +33,8 @@ pub struct Camera {
     pub fov_y: f64,
     /// Whether the projection is parallel.
     pub orthographic: bool,
-    scene: Option<Bounds>,
+    /// The bounds of all there is to see, see [`Camera::set_scene`].
+    pub scene_bounds: Option<Bounds>,
 }
 
 impl Default for Camera {
@@ -45,7 +46,7 @@ impl Default for Camera {
             distance: 5.0,
             fov_y: START_FOV,
             orthographic: false,
-            scene: None,
+            scene_bounds: None,
         }
     }
 }
@@ -54,12 +55,12 @@ impl Camera {
     /// Tells the camera how large the scene is: the depth range, the limits of the zoom and
     /// [`Camera::reset`] go by it. Call it when the scene's bounds change; the view stays.
     pub fn set_scene(&mut self, scene: Option<Bounds>) {
-        self.scene = scene.filter(is_box);
+        self.scene_bounds = scene.filter(is_box);
     }
 
-    /// The scene's bounds as last told.
+    /// The scene's bounds, if there is anything in it.
     pub fn scene(&self) -> Option<Bounds> {
-        self.scene
+        self.scene_bounds.filter(is_box)
     }
 
     /// Unit vectors of the picture: right, up, and forward into it.
@@ -115,12 +116,24 @@ impl Camera {
             return;
         }
         // A single point has no size to go by: the scene's scale will do.
-        let scale = self.scene.map_or(0.0, radius) * 0.05;
+        let scale = self.scene().map_or(0.0, radius) * 0.05;
         let radius = [radius(bounds), scale, 1.0].into_iter().find(|&r| r > 0.0).unwrap_or(1.0);
-        let half_y = self.fov_y * 0.5;
-        let half_x = (half_y.tan() * f64::from(aspect.clamp(1e-3, 1e3))).atan();
+        let tan_y = (self.fov_y * 0.5).tan();
+        let tan_x = tan_y * f64::from(aspect.clamp(1e-3, 1e3));
+        let [right, up, forward] = self.axes();
+        let size = (bounds.max.as_dvec3() - bounds.min.as_dvec3()) * 0.5;
+        // How far away each corner of the box has to be to be inside the picture.
+        let needed = (0..8).map(|corner: u32| {
+            let sign = |bit: u32| if corner & bit == 0 { -1.0 } else { 1.0 };
+            let corner = size * dvec3(sign(1), sign(2), sign(4));
+            let across = (corner.dot(right).abs() / tan_x).max(corner.dot(up).abs() / tan_y);
+            if self.orthographic { across } else { across - corner.dot(forward) }
+        });
         self.target = bounds.center().as_dvec3();
-        self.distance = 1.05 * radius / half_x.min(half_y).sin();
+        self.distance = 1.1 * needed.fold(radius * 1e-3, f64::max);
+        if self.scene().is_none_or(|scene| scene.diagonal() == 0.0) && bounds.diagonal() == 0.0 {
+            self.distance = 5.0 * radius;
+        }
     }
 
     /// Back to the first view of the scene.
@@ -129,7 +142,7 @@ impl Camera {
         self.yaw = start.yaw;
         self.pitch = start.pitch;
         self.fov_y = start.fov_y;
-        match self.scene {
+        match self.scene() {
             Some(scene) => self.frame(scene, aspect),
             None => (self.target, self.distance) = (start.target, start.distance),
         }
@@ -203,7 +216,7 @@ impl Camera {
     /// The nearest depth that is drawn in perspective.
     pub(crate) fn near(&self) -> f64 {
         let closest = NEAR_FRACTION * self.distance;
-        match self.scene {
+        match self.scene() {
             // A tenth of the way leaves room for the ground grid before it.
             Some(scene) => {
                 let front = self.depth(scene.center()) - radius(scene);
@@ -217,7 +230,7 @@ impl Camera {
     fn depth_range(&self) -> [f64; 2] {
         let around = 40.0 * self.distance;
         let (mut near, mut far) = (self.distance - around, self.distance + around);
-        if let Some(scene) = self.scene {
+        if let Some(scene) = self.scene() {
             let (middle, radius) = (self.depth(scene.center()), radius(scene) * 1.01);
             near = near.min(middle - radius);
             far = far.max(middle + radius);
@@ -226,7 +239,7 @@ impl Camera {
     }
 
     fn distance_limits(&self) -> [f64; 2] {
-        let radius = self.scene.map(radius).filter(|&r| r > 0.0).unwrap_or(1.0);
+        let radius = self.scene().map(radius).filter(|&r| r > 0.0).unwrap_or(1.0);
         [radius * 1e-5, radius * 1e4]
     }
 

@@ -52,6 +52,9 @@ pub fn pick(
             faces.extend(hit_at(pixel + Vec2::from_angle(angle) * radius * ring).map(|hit| hit.face));
         }
     }
+    if under.is_none() {
+        faces.extend(closest_to_ray(&sight, pixel));
+    }
     let faces = with_neighbors(mesh, &faces);
     if kind == Element::Vertex {
         return pick_vertex(&sight, &faces, pixel, radius);
@@ -62,6 +65,22 @@ pub fn pick(
         _ => edge.raw(),
     };
     Some(Picked { element: kind, id, distance })
+}
+
+/// The face that comes nearest to a pixel's ray that meets none: a thin corner may lie between the
+/// rays around it. Goes back and forth between the closest point of the mesh and the closest of the
+/// ray, which ends where both stay.
+fn closest_to_ray(sight: &Sight<'_>, pixel: Vec2) -> Option<FaceId> {
+    let ray = sight.camera.ray(pixel, sight.viewport);
+    let (origin, direction) = (ray.origin.as_dvec3(), ray.direction.as_dvec3());
+    let mut along = (sight.camera.target - origin).dot(direction);
+    let mut face = None;
+    for _ in 0..8 {
+        let closest = sight.tree.closest_point(sight.mesh, (origin + direction * along).as_vec3())?;
+        face = Some(closest.face);
+        along = (closest.point.as_dvec3() - origin).dot(direction);
+    }
+    face
 }
 
 /// The faces and those that share a vertex with one.

@@ -1,0 +1,158 @@
+//! Picking and box selection on meshes whose answers can be told by looking.
+
+mod support;
+
+use glam::{Vec2, Vec3, vec2, vec3};
+use halfedge::{Element, FaceId, Mesh, PolygonSoup, VertexId};
+use proptest::prelude::*;
+use std::collections::BTreeSet;
+use support::{cube, grid, sphere};
+use surface::FaceTree;
+use viewport::{Camera, Picked, ScreenRect, elements_in_rect, pick};
+
+const VIEW: Vec2 = Vec2::new(800.0, 600.0);
+const ALL: ScreenRect = ScreenRect { min: Vec2::ZERO, max: VIEW };
+
+fn front() -> Camera {
+    Camera { yaw: 0.0, pitch: 0.0, ..Camera::default() }
+}
+
+fn at(camera: &Camera, p: Vec3) -> Vec2 {
+    camera.project(p, VIEW).expect("in front")
+}
+
+fn picked(mesh: &Mesh, camera: &Camera, pixel: Vec2, kind: Element) -> Option<Picked> {
+    pick(mesh, &FaceTree::new(mesh), camera, VIEW, pixel, kind, 8.0)
+}
+
+fn id(mesh: &Mesh, camera: &Camera, pixel: Vec2, kind: Element) -> Option<u32> {
+    picked(mesh, camera, pixel, kind).map(|p| p.id)
+}
+
+#[test]
+fn a_cube_from_the_front() {
+    let (cube, camera) = (cube(), front());
+    let corner = at(&camera, vec3(1.0, 1.0, 1.0));
+    // Vertex 7, from inside the face and from outside the silhouette.
+    for shift in [vec2(-5.0, 5.0), vec2(5.0, -5.0), vec2(0.0, -6.0)] {
+        assert_eq!(id(&cube, &camera, corner + shift, Element::Vertex), Some(7), "{shift}");
+    }
+    assert_eq!(id(&cube, &camera, corner + vec2(9.0, 0.0), Element::Vertex), None);
+    // The vertex behind it, hidden by the front.
+    assert_eq!(id(&cube, &camera, at(&camera, vec3(1.0, 1.0, -1.0)), Element::Vertex), None);
+
+    let front_face = picked(&cube, &camera, VIEW * 0.5, Element::Face).expect("a face");
+    assert_eq!((front_face.element, front_face.id), (Element::Face, 0));
+    assert!((front_face.distance - 4.0).abs() < 1e-4);
+    assert_eq!(id(&cube, &camera, vec2(5.0, 5.0), Element::Face), None);
+
+    let right = cube.find_edge(VertexId::new(5), VertexId::new(7)).expect("an edge");
+    let middle = at(&camera, vec3(1.0, 0.0, 1.0));
+    for shift in [-6.0, 6.0] {
+        assert_eq!(id(&cube, &camera, middle + vec2(shift, 0.0), Element::Edge), Some(right.raw()));
+        // On either side of it: the right face is turned away.
+        let h = id(&cube, &camera, middle + vec2(shift, 0.0), Element::Halfedge).expect("a half-edge");
+        assert_eq!(cube.face_of(cube.halfedge(h).expect("exists")), Some(FaceId::new(0)));
+    }
+}
+
+#[test]
+fn half_edges_by_the_side_the_pointer_is_on() {
+    let (grid, camera) = (grid(2, 1, false), front());
+    let middle = at(&camera, Vec3::ZERO);
+    for (shift, face) in [(-3.0, 0), (3.0, 1)] {
+        let h = id(&grid, &camera, middle + vec2(shift, 0.0), Element::Halfedge).expect("a half-edge");
+        assert_eq!(grid.face_of(grid.halfedge(h).expect("exists")), Some(FaceId::new(face)));
+    }
+    // Beside the surface: the boundary half-edge; on it: the face's.
+    let right = at(&camera, vec3(1.0, 0.0, 0.0));
+    let outer = id(&grid, &camera, right + vec2(3.0, 0.0), Element::Halfedge).expect("a half-edge");
+    let inner = id(&grid, &camera, right - vec2(3.0, 0.0), Element::Halfedge).expect("a half-edge");
+    assert_eq!(outer, inner ^ 1);
+    assert!(grid.is_boundary_halfedge(grid.halfedge(outer).expect("exists")));
+}
+
+#[test]
+fn a_vertex_without_faces_can_be_picked_unless_it_is_hidden() {
+    let mut soup = PolygonSoup::new(
+        vec![vec3(-1., -1., 0.), vec3(1., -1., 0.), vec3(0., 1., 0.), vec3(1.5, 1.0, 0.0), vec3(0., 0., -1.)],
+        &[[0_u32, 1, 2]],
+    );
+    let mesh = Mesh::build(std::mem::take(&mut soup)).expect("small").mesh;
+    let camera = front();
+    assert_eq!(id(&mesh, &camera, at(&camera, vec3(1.5, 1.0, 0.0)) + 2.0, Element::Vertex), Some(3));
+    assert_eq!(id(&mesh, &camera, VIEW * 0.5, Element::Vertex), None);
+    let empty = Mesh::new();
+    for kind in Element::ALL {
+        assert_eq!(picked(&empty, &camera, VIEW * 0.5, kind), None);
+    }
+}
+
+fn inside(mesh: &Mesh, camera: &Camera, rect: ScreenRect, kind: Element, visible: bool) -> Vec<u32> {
+    elements_in_rect(mesh, &FaceTree::new(mesh), camera, VIEW, rect, kind, visible)
+}
+
+#[test]
+fn a_box_around_a_cube() {
+    let cube = cube();
+    for orthographic in [false, true] {
+        let camera = Camera { orthographic, ..Camera::default() };
+        let count = |kind, visible| inside(&cube, &camera, ALL, kind, visible).len();
+        assert_eq!(Element::ALL.map(|kind| count(kind, false)), [8, 12, 24, 6]);
+        assert_eq!(Element::ALL.map(|kind| count(kind, true)), [7, 9, 12, 3]);
+        let nothing = ScreenRect::between(vec2(1.0, 9.0), vec2(9.0, 1.0));
+        for kind in Element::ALL {
+            assert!(inside(&cube, &camera, nothing, kind, false).is_empty());
+        }
+    }
+}
+
+#[test]
+fn a_box_inside_a_face_or_across_an_edge() {
+    let (grid, camera) = (grid(2, 1, false), front());
+    let rect = |a: Vec3, b: Vec3| ScreenRect::between(at(&camera, a), at(&camera, b));
+    let within = rect(vec3(-0.6, -0.2, 0.0), vec3(-0.4, 0.2, 0.0));
+    assert_eq!(inside(&grid, &camera, within, Element::Face, true), [0]);
+    assert!(inside(&grid, &camera, within, Element::Edge, true).is_empty());
+    let across = rect(vec3(-0.1, -0.2, 0.0), vec3(0.1, 0.2, 0.0));
+    assert_eq!(inside(&grid, &camera, across, Element::Face, true), [0, 1]);
+    let middle = grid.find_edge(VertexId::new(1), VertexId::new(4)).expect("an edge").raw();
+    assert_eq!(inside(&grid, &camera, across, Element::Edge, true), [middle]);
+    assert_eq!(inside(&grid, &camera, across, Element::Halfedge, true), [middle * 2, middle * 2 + 1]);
+}
+
+#[test]
+fn a_box_works_from_within_the_mesh() {
+    let ball = sphere(12, 8);
+    let camera = Camera { distance: 0.5, ..front() };
+    let all = inside(&ball, &camera, ALL, Element::Edge, false);
+    let seen = inside(&ball, &camera, ALL, Element::Edge, true);
+    assert!(!seen.is_empty() && seen.len() < ball.edge_count());
+    assert_eq!(all, seen, "nothing hides anything inside a ball");
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(64))]
+
+    /// Pointing right at any vertex or edge that a box finds visible picks it or one in front of it
+    /// at the same place, and never one that is hidden.
+    #[test]
+    fn what_is_visible_can_be_picked(yaw in 0.0..6.28_f64, pitch in -1.5..1.5_f64, orthographic in any::<bool>()) {
+        let ball = sphere(10, 8);
+        let tree = FaceTree::new(&ball);
+        let camera = Camera { yaw, pitch, orthographic, ..Camera::default() };
+        let visible: BTreeSet<u32> =
+            elements_in_rect(&ball, &tree, &camera, VIEW, ALL, Element::Vertex, true).into_iter().collect();
+        for v in ball.vertices() {
+            let p = ball.position(v);
+            let picked = pick(&ball, &tree, &camera, VIEW, at(&camera, p), Element::Vertex, 2.0);
+            if visible.contains(&v.raw()) {
+                prop_assert_eq!(picked.map(|p| p.id), Some(v.raw()));
+                let away = picked.map_or(0.0, |p| p.distance);
+                prop_assert!(orthographic || (away - camera.eye().distance(p.as_dvec3())).abs() < 1e-4);
+            } else if let Some(picked) = picked {
+                prop_assert!(visible.contains(&picked.id));
+            }
+        }
+    }
+}

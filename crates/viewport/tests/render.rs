@@ -1,0 +1,397 @@
+//! What is drawn, pixel by pixel, on whatever adapter there is (in CI a software one).
+
+mod support;
+
+use glam::{DVec3, Vec2, Vec3, vec2, vec3};
+use halfedge::edit::{Connect, split_edge};
+use halfedge::{EdgeId, Element, Mesh, VertexId};
+use support::gpu::{Gpu, Image, bare, close, gpu, shown};
+use support::{cube, grid, mesh, paint, paint_all, sphere};
+use viewport::{Bounds, Camera, Frame, Highlight, Layer, ObjectChange, Renderer, Style};
+
+const SIZE: [u32; 2] = [200, 160];
+const VIEW: Vec2 = Vec2::new(200.0, 160.0);
+const GAMMA: wgpu::TextureFormat = wgpu::TextureFormat::Rgba8Unorm;
+
+/// Looking along -z from (0, 0, 5).
+fn front() -> Camera {
+    Camera { yaw: 0.0, pitch: 0.0, ..Camera::default() }
+}
+
+/// One object, drawn with this style; `more` sets highlights.
+fn draw_with(
+    gpu: &Gpu,
+    mesh: &Mesh,
+    camera: &Camera,
+    style: &Style,
+    more: impl FnOnce(&mut Renderer),
+) -> Image {
+    let mut renderer = gpu.renderer();
+    renderer.sync_object(&gpu.device, &gpu.queue, 7, mesh, ObjectChange::Everything, style);
+    more(&mut renderer);
+    gpu.render(&mut renderer, &frame(camera, style), GAMMA)
+}
+
+fn draw(gpu: &Gpu, mesh: &Mesh, camera: &Camera, style: &Style) -> Image {
+    draw_with(gpu, mesh, camera, style, |_| {})
+}
+
+fn frame<'a>(camera: &'a Camera, style: &'a Style) -> Frame<'a> {
+    const OBJECT: &[viewport::ObjectDraw] = &[viewport::ObjectDraw { id: 7, visible: true, active: true }];
+    Frame { size: SIZE, pixels_per_point: 1.0, camera, objects: OBJECT, style }
+}
+
+/// A square in the xy plane turned about the y axis, one colour.
+fn tilted(degrees: f32, color: [u8; 3]) -> Mesh {
+    let (sin, cos) = degrees.to_radians().sin_cos();
+    let corner = |x: f32, y: f32| vec3(x * cos, y, -x * sin);
+    let mut square =
+        mesh(vec![corner(-1., -1.), corner(1., -1.), corner(1., 1.), corner(-1., 1.)], &[[0, 1, 2, 3]]);
+    paint(&mut square, 0, color);
+    square
+}
+
+#[test]
+fn a_lit_face_has_its_very_colour_on_either_kind_of_target() {
+    let Some(gpu) = gpu() else { return };
+    for color in [[255, 0, 0], [0x33, 0x66, 0xcc], [200, 200, 200]] {
+        let square = tilted(0.0, color);
+        let image = draw(&gpu, &square, &front(), &bare());
+        assert!(close(image.at(100, 80), color, 1), "{:?}", image.at(100, 80));
+        assert_eq!(image.at(2, 2), [0, 0, 0]);
+
+        // A target that encodes what is written shows the same bytes.
+        let srgb = wgpu::TextureFormat::Rgba8UnormSrgb;
+        let mut renderer = Renderer::new(&gpu.device, srgb);
+        renderer.sync_object(&gpu.device, &gpu.queue, 7, &square, ObjectChange::Everything, &bare());
+        let image = gpu.render(&mut renderer, &frame(&front(), &bare()), srgb);
+        assert!(close(image.at(100, 80), color, 1), "{:?}", image.at(100, 80));
+    }
+}
+
+#[test]
+fn shading_is_lambert_over_a_floor_of_a_fifth() {
+    let Some(gpu) = gpu() else { return };
+    let camera = Camera { orthographic: true, ..front() };
+    for (degrees, share) in [(0.0_f32, 1.0), (60.0, 0.6), (80.0, 0.2 + 0.8 * 80_f32.to_radians().cos())] {
+        let image = draw(&gpu, &tilted(degrees, [250, 250, 250]), &camera, &bare());
+        let expected = (250.0_f32 * share).round() as u8;
+        assert!(close(image.at(100, 80), [expected; 3], 2), "{degrees}: {:?}", image.at(100, 80));
+    }
+    // The floor itself: a corner's normal that points away from the light on a face that doesn't.
+    let roof = mesh(
+        vec![
+            vec3(-1., -2., 0.),
+            vec3(1., -2., 0.),
+            vec3(1., 2., 0.),
+            vec3(-1., 2., 0.),
+            vec3(-30., -2., -90.),
+            vec3(-30., 2., -90.),
+        ],
+        &[vec![0, 1, 2, 3], vec![1, 4, 5, 2]],
+    );
+    let mut roof = roof;
+    paint_all(&mut roof, [250; 3]);
+    let image = draw(&gpu, &roof, &camera, &Style { smooth: true, ..bare() });
+    let at = camera.project(vec3(0.9, 0.0, 0.0), VIEW).expect("in front");
+    assert!(close(image.near(at), [50; 3], 3), "{:?}", image.near(at));
+}
+
+#[test]
+fn the_back_of_a_face_is_darker_and_tinted() {
+    let Some(gpu) = gpu() else { return };
+    let image = draw(&gpu, &tilted(180.0, [200, 100, 40]), &front(), &bare());
+    let tint = bare().theme.back_face.0;
+    let expected = std::array::from_fn(|i| {
+        (f32::from([200_u8, 100, 40][i]) * 0.25 + f32::from(tint[i]) * 0.5).round() as u8
+    });
+    assert!(close(image.at(100, 80), expected, 2), "{:?} {expected:?}", image.at(100, 80));
+}
+
+#[test]
+fn silhouettes_are_smoothed() {
+    let Some(gpu) = gpu() else { return };
+    let image =
+        draw(&gpu, &tilted(0.0, [255; 3]), &Camera { yaw: 0.5, pitch: 0.3, ..Camera::default() }, &bare());
+    let between = image.count(|p| p[0] > 10 && p[0] < 200 && !close(p, image.at(100, 80), 20));
+    assert!(between > 50, "{between}");
+}
+
+#[test]
+fn edges_are_drawn_and_inner_diagonals_are_not() {
+    let Some(gpu) = gpu() else { return };
+    let mut square = grid(2, 2, false);
+    paint_all(&mut square, [255; 3]);
+    let camera = front();
+    let style = Style { wireframe: true, ..bare() };
+    let image = draw(&gpu, &square, &camera, &style);
+    let at = |p: Vec3| camera.project(p, VIEW).expect("in front");
+    // The line may be between two pixels.
+    let darkest = |p: Vec3| {
+        let around = [vec2(0.0, 0.0), vec2(-1.0, -1.0), vec2(1.0, 1.0)];
+        around.into_iter().map(|shift| image.near(at(p) + shift)[0]).min()
+    };
+    assert!(darkest(vec3(0.5, 0.0, 0.0)) < Some(140), "{:?}", darkest(vec3(0.5, 0.0, 0.0)));
+    assert!(darkest(vec3(0.0, -0.4, 0.0)) < Some(140));
+    assert!(image.near(at(vec3(0.5, 0.5, 0.0)))[0] > 240, "the middle of a diagonal");
+    assert!(image.near(at(vec3(0.3, 0.3, 0.0)))[0] > 240);
+
+    // Edges of a mesh too dense to tell them apart leave the shading alone.
+    let mut dense = grid(300, 300, false);
+    paint_all(&mut dense, [255; 3]);
+    let image = draw(&gpu, &dense, &camera, &style);
+    assert!(image.at(100, 80)[0] > 230, "{:?}", image.at(100, 80));
+}
+
+#[test]
+fn a_concave_polygon_leaves_its_notch_open() {
+    let Some(gpu) = gpu() else { return };
+    let mut notched = mesh(
+        vec![vec3(-1., -1., 0.), vec3(1., -1., 0.), vec3(1., 1., 0.), vec3(0., -0.6, 0.), vec3(-1., 1., 0.)],
+        &[[0, 1, 2, 3, 4]],
+    );
+    paint(&mut notched, 0, [255, 0, 0]);
+    let camera = front();
+    let image = draw(&gpu, &notched, &camera, &bare());
+    let at = |p: Vec3| camera.project(p, VIEW).expect("in front");
+    assert_eq!(image.near(at(vec3(0.0, 0.3, 0.0))), [0, 0, 0]);
+    for inside in [vec3(0.0, -0.8, 0.0), vec3(0.9, 0.5, 0.0), vec3(-0.9, 0.5, 0.0)] {
+        assert!(image.near(at(inside))[0] > 200);
+    }
+}
+
+#[test]
+fn the_nearer_face_hides_the_farther() {
+    let Some(gpu) = gpu() else { return };
+    let mut cube = cube();
+    for (face, color) in [[255, 0, 0], [0, 255, 0], [0, 0, 255]].into_iter().enumerate() {
+        paint(&mut cube, face, color);
+    }
+    for orthographic in [false, true] {
+        let camera = Camera { orthographic, ..front() };
+        let image = draw(&gpu, &cube, &camera, &bare());
+        assert!(close(image.at(100, 80), [255, 0, 0], 1));
+        let behind = Camera { yaw: std::f64::consts::PI, ..camera };
+        let image = draw(&gpu, &cube, &behind, &bare());
+        assert!(close(image.at(100, 80), [0, 255, 0], 1));
+    }
+}
+
+#[test]
+fn highlights_are_drawn_over_what_hides_them() {
+    let Some(gpu) = gpu() else { return };
+    let (cube, camera, style) = (cube(), front(), bare());
+    let (selected, hovered) = (style.theme.selected.0, style.theme.hovered.0);
+    let highlight = |layer, kind, ids: &[u32]| {
+        draw_with(&gpu, &cube, &camera, &style, |renderer| {
+            let highlight = Highlight { object: 7, mesh: &cube, kind, ids };
+            renderer.set_highlight(&gpu.device, &gpu.queue, layer, Some(highlight));
+        })
+    };
+    let at = |v: usize| camera.project(cube.position(VertexId::new(v)), VIEW).expect("in front");
+    // Vertex 0 is on the back.
+    let image = highlight(Layer::Selected, Element::Vertex, &[0, 999]);
+    assert!(close(image.near(at(0)), selected, 2), "{:?}", image.near(at(0)));
+    let image = highlight(Layer::Hovered, Element::Vertex, &[0]);
+    assert!(close(image.near(at(0)), hovered, 2));
+
+    let back_edge = cube.find_edge(VertexId::new(0), VertexId::new(1)).expect("an edge").raw();
+    let image = highlight(Layer::Selected, Element::Edge, &[back_edge]);
+    assert!(close(image.near((at(0) + at(1)) * 0.5), selected, 2));
+
+    let plain = draw(&gpu, &cube, &camera, &style);
+    let image = highlight(Layer::Hovered, Element::Face, &[1]);
+    let middle = vec2(100.0, 80.0);
+    let expected = std::array::from_fn(|i| {
+        (f32::from(plain.near(middle)[i]) * 0.6 + f32::from(hovered[i]) * 0.4).round() as u8
+    });
+    assert!(close(image.near(middle), expected, 2), "{:?} {expected:?}", image.near(middle));
+}
+
+#[test]
+fn a_half_edge_is_an_arrow_on_its_faces_side() {
+    let Some(gpu) = gpu() else { return };
+    let (square, camera, style) = (tilted(0.0, [255; 3]), front(), bare());
+    let bottom = square.find_halfedge(VertexId::new(0), VertexId::new(1)).expect("a half-edge");
+    for (h, up) in [(bottom, 1.0), (bottom.twin(), -1.0)] {
+        let image = draw_with(&gpu, &square, &camera, &style, |renderer| {
+            let highlight = Highlight { object: 7, mesh: &square, kind: Element::Halfedge, ids: &[h.raw()] };
+            renderer.set_highlight(&gpu.device, &gpu.queue, Layer::Selected, Some(highlight));
+        });
+        let edge = camera.project(vec3(0.0, -1.0, 0.0), VIEW).expect("in front");
+        let is_marked = |p: Vec2| close(image.near(p), style.theme.selected.0, 3);
+        assert!(is_marked(edge - vec2(0.0, 4.0 * up)), "inside");
+        assert!(!is_marked(edge + vec2(0.0, 4.0 * up)), "outside");
+        // The head, wider than the shaft, is at the end it points to.
+        let wide = |x: f32| (1..12).filter(|&d| is_marked(edge + vec2(x, -up * d as f32))).count();
+        let half = (camera.project(vec3(1.0, -1.0, 0.0), VIEW).expect("in front") - edge).x;
+        let tip = if h == bottom { 1.0 } else { -1.0 } * (half - half * 0.24 - 6.0);
+        assert!(wide(tip) > wide(-tip), "{} {}", wide(tip), wide(-tip));
+    }
+}
+
+#[test]
+fn dots_are_drawn_where_vertices_are_and_not_through_faces() {
+    let Some(gpu) = gpu() else { return };
+    let mut style = Style { vertices: true, ..bare() };
+    style.theme.vertex = halfedge::Color([255, 0, 255]);
+    let mut mesh = cube();
+    paint_all(&mut mesh, [0, 255, 0]);
+    let camera = front();
+    let image = draw(&gpu, &mesh, &camera, &style);
+    let at = |v: usize| camera.project(mesh.position(VertexId::new(v)), VIEW).expect("in front");
+    assert!(close(image.near(at(4)), [255, 0, 255], 2), "{:?}", image.near(at(4)));
+    assert!(!close(image.near(at(0)), [255, 0, 255], 60), "hidden by the front");
+}
+
+#[test]
+fn tiny_huge_and_far_models_look_as_others_do() {
+    let Some(gpu) = gpu() else { return };
+    let picture = |scale: f32, shift: Vec3| {
+        let mut ball = sphere(24, 16);
+        paint_all(&mut ball, [255, 0, 0]);
+        let positions = ball.positions().iter().map(|p| *p * scale + shift).collect();
+        ball.set_positions(positions).expect("as many");
+        let mut camera = Camera::default();
+        let bounds = surface::measure::bounding_box(&ball).expect("a box");
+        camera.set_scene(Some(bounds));
+        camera.reset(VIEW.x / VIEW.y);
+        draw(&gpu, &ball, &camera, &Style { wireframe: true, ..bare() })
+    };
+    let usual = picture(1.0, Vec3::ZERO);
+    for (scale, shift) in [
+        (1e-4, Vec3::ZERO),
+        (1e6, Vec3::ZERO),
+        (1e-15, Vec3::ZERO),
+        (1e15, Vec3::ZERO),
+        (1e3, vec3(1e6, -1e6, 1e6)),
+    ] {
+        let image = picture(scale, shift);
+        let differ = usual.pixels.iter().zip(&image.pixels).filter(|(a, b)| a[0].abs_diff(b[0]) > 24).count();
+        assert!(differ < 60, "{scale} {shift}: {differ} pixels differ");
+    }
+}
+
+#[test]
+fn an_edited_object_looks_as_one_made_anew() {
+    let Some(gpu) = gpu() else { return };
+    for smooth in [false, true] {
+        let style = Style { smooth, wireframe: true, vertices: true, ..bare() };
+        let camera = Camera::default();
+        let mut ball = sphere(12, 8);
+        paint_all(&mut ball, [0, 200, 0]);
+        let mut renderer = gpu.renderer();
+        let whole = renderer.sync_object(&gpu.device, &gpu.queue, 7, &ball, ObjectChange::Everything, &style);
+        ball.start_recording();
+        for e in [3, 40, 41] {
+            split_edge(&mut ball, EdgeId::new(e), 0.5, Connect::All).expect("splits");
+        }
+        ball.set_position(VertexId::new(20), ball.positions()[20] * 1.2);
+        paint(&mut ball, 12, [255, 0, 0]);
+        let touched = ball.finish_recording().touched();
+        let change = ObjectChange::Touched(&touched);
+        let part = renderer.sync_object(&gpu.device, &gpu.queue, 7, &ball, change, &style);
+        assert!(part < whole / 2 + 4096, "{part} of {whole} bytes");
+        let edited = gpu.render(&mut renderer, &frame(&camera, &style), GAMMA);
+        let anew = draw(&gpu, &ball, &camera, &style);
+        assert!(edited.count(|p| p[0] > 100 && p[1] < 80) > 5, "the painted face is in view");
+        let differ = edited.pixels.iter().zip(&anew.pixels).filter(|(a, b)| a != b).count();
+        assert!(differ < 8, "{differ} pixels differ");
+    }
+}
+
+#[test]
+fn more_than_a_page_of_triangles_is_drawn() {
+    let Some(gpu) = gpu() else { return };
+    let mut plane = grid(1100, 500, true);
+    assert!(plane.face_count() > 1 << 20);
+    let last = plane.face_capacity() - 1;
+    for face in last - 2000..=last {
+        paint(&mut plane, face, [255, 0, 0]);
+    }
+    let camera = Camera { distance: 3.0, ..front() };
+    let image = draw(&gpu, &plane, &camera, &bare());
+    let top = camera.project(vec3(0.0, 0.999, 0.0), VIEW).expect("in front");
+    let red = (0..4).map(|d| image.near(top + vec2(20.0, d as f32))).any(|p| p[0] > p[1] + 30);
+    assert!(red, "the last row is painted");
+    assert!(close(image.at(100, 80), [200; 3], 2));
+}
+
+#[test]
+fn a_frame_like_the_last_is_not_drawn_again() {
+    let Some(gpu) = gpu() else { return };
+    let (mesh, camera, style) = (cube(), Camera::default(), Style::default());
+    let mut renderer = gpu.renderer();
+    renderer.sync_object(&gpu.device, &gpu.queue, 7, &mesh, ObjectChange::Everything, &style);
+    let draws = |renderer: &mut Renderer, camera: &Camera| {
+        let mut encoder = gpu.device.create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
+        let drew = renderer.prepare(&gpu.device, &gpu.queue, &mut encoder, &frame(camera, &style));
+        gpu.queue.submit([encoder.finish()]);
+        drew
+    };
+    assert!(draws(&mut renderer, &camera));
+    assert!(!draws(&mut renderer, &camera));
+    assert!(draws(&mut renderer, &Camera { yaw: 1.0, ..camera }));
+    let ids = [0];
+    let highlight = Highlight { object: 7, mesh: &mesh, kind: Element::Face, ids: &ids };
+    renderer.set_highlight(&gpu.device, &gpu.queue, Layer::Hovered, Some(highlight));
+    assert!(draws(&mut renderer, &Camera { yaw: 1.0, ..camera }));
+    renderer.remove_object(7);
+    assert!(draws(&mut renderer, &Camera { yaw: 1.0, ..camera }));
+}
+
+#[test]
+fn nothing_at_all_can_be_drawn() {
+    let Some(gpu) = gpu() else { return };
+    let mut renderer = gpu.renderer();
+    let (camera, style) = (Camera::default(), Style { vertices: true, ..Style::default() });
+    renderer.sync_object(&gpu.device, &gpu.queue, 7, &Mesh::new(), ObjectChange::Everything, &style);
+    let highlight = Highlight { object: 7, mesh: &Mesh::new(), kind: Element::Face, ids: &[0] };
+    renderer.set_highlight(&gpu.device, &gpu.queue, Layer::Selected, Some(highlight));
+    let image = gpu.render(&mut renderer, &frame(&camera, &style), GAMMA);
+    assert!(close(image.at(3, 1), style.theme.background_top.0, 3), "{:?}", image.at(3, 1));
+    assert!(close(image.at(3, 158), style.theme.background_bottom.0, 3));
+    let frame = Frame { size: [0, 0], objects: &[shown(9)], ..frame(&camera, &style) };
+    let mut encoder = gpu.device.create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
+    renderer.prepare(&gpu.device, &gpu.queue, &mut encoder, &frame);
+    gpu.queue.submit([encoder.finish()]);
+}
+
+#[test]
+fn picks_agree_with_what_is_drawn() {
+    let Some(gpu) = gpu() else { return };
+    let mut ball = sphere(9, 7);
+    let bits = |face: u32| -> [bool; 3] { std::array::from_fn(|i| (face % 7 + 1) >> i & 1 == 1) };
+    for face in 0..ball.face_capacity() {
+        paint(&mut ball, face, bits(face as u32).map(|on| if on { 255 } else { 0 }));
+    }
+    let tree = surface::FaceTree::new(&ball);
+    let bounds = Bounds { min: Vec3::splat(-1.0), max: Vec3::ONE };
+    let mut compared = 0;
+    for i in 0..6_u32 {
+        let mut camera = Camera {
+            target: DVec3::new(f64::from(i) * 0.1, 0.05, 0.0),
+            yaw: f64::from(i) * 1.3,
+            pitch: f64::from(i) * 0.5 - 1.4,
+            distance: 2.0 + f64::from(i),
+            orthographic: i % 2 == 1,
+            ..Camera::default()
+        };
+        camera.set_scene(Some(bounds));
+        let image = draw(&gpu, &ball, &camera, &bare());
+        for (x, y) in (1..SIZE[1] - 1).flat_map(|y| (1..SIZE[0] - 1).map(move |x| (x, y))) {
+            let seen = |x: u32, y: u32| image.at(x, y).map(|c| c > 40);
+            let here = seen(x, y);
+            // At borders between faces pixels are mixed.
+            let clear =
+                [(x - 1, y), (x + 1, y), (x, y - 1), (x, y + 1)].iter().all(|&(x, y)| seen(x, y) == here);
+            if clear && (x + y) % 3 == 0 {
+                let pixel = vec2(x as f32 + 0.5, y as f32 + 0.5);
+                let picked = viewport::pick(&ball, &tree, &camera, VIEW, pixel, Element::Face, 5.0);
+                assert_eq!(picked.map_or([false; 3], |p| bits(p.id)), here, "camera {i} at {x}, {y}");
+                compared += 1;
+            }
+        }
+    }
+    assert!(compared > 20_000, "{compared}");
+}
