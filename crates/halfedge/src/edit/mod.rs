@@ -7,6 +7,9 @@
 //! Edits that a drag goes on with come in two halves: the edit makes its topology at size zero and
 //! gives a [`Slide`], which moves the vertices by any amount.
 
+mod bevel_edges;
+mod bevel_vertices;
+mod bridge;
 mod collapse_edge;
 mod collapse_face;
 mod connect_vertices;
@@ -14,8 +17,14 @@ mod delete_faces;
 mod dissolve_edge;
 mod dissolve_vertex;
 mod ear;
+mod extrude_edges;
+mod extrude_faces;
+mod fill_hole;
 mod flip_edge;
+mod flip_orientation;
 mod geometry;
+mod inset_faces;
+mod loop_cut;
 mod made;
 mod merge_vertices;
 mod parts;
@@ -23,25 +32,42 @@ mod patch;
 mod poke_faces;
 mod refusal;
 mod region;
+mod rip_edges;
+mod set_crease;
 mod slide;
 mod split_edge;
 mod split_vertex;
 mod triangulate;
+mod walls;
+mod weld_edges;
 
+pub use bevel_edges::{bevel_edges, can_bevel_edges};
+pub use bevel_vertices::{bevel_vertices, can_bevel_vertices};
+pub use bridge::{bridge, can_bridge};
 pub use collapse_edge::{EdgeCollapse, can_collapse_edge, collapse_edge};
 pub use collapse_face::{can_collapse_face, collapse_face};
 pub use connect_vertices::{Connected, can_connect_vertices, connect_vertices};
 pub use delete_faces::{can_delete_faces, can_delete_vertices, delete_faces, delete_vertices};
 pub use dissolve_edge::{can_dissolve_edge, dissolve_edge};
 pub use dissolve_vertex::{can_dissolve_vertex, dissolve_vertex};
+pub use extrude_edges::{can_extrude_edges, extrude_edges};
+pub use extrude_faces::{can_extrude_faces, extrude_faces};
+pub use fill_hole::{can_fill_hole, fill_hole};
 pub use flip_edge::{can_flip_edge, flip_edge};
+pub use flip_orientation::{can_flip_orientation, flip_orientation};
+pub use inset_faces::{can_inset_faces, inset_faces};
+pub use loop_cut::{can_loop_cut, edge_ring, loop_cut};
 pub use made::Made;
 pub use merge_vertices::{can_merge_vertices, merge_vertices};
 pub use poke_faces::{can_poke_faces, poke_faces};
 pub use refusal::Refusal;
-pub use slide::{Slide, SlideVertex};
+pub use rip_edges::{can_rip_edges, rip_edges};
+pub use set_crease::{can_set_crease, set_crease};
+pub use slide::{Live, Slide, SlideVertex};
 pub use split_edge::{Connect, EdgeSplit, can_split_edge, split_edge};
 pub use split_vertex::{can_split_vertex, split_vertex};
 pub use triangulate::{
     Triangulated, can_triangulate_face, can_triangulate_face_ears, triangulate_face, triangulate_face_ears,
 };
+pub use walls::Grouping;
+pub use weld_edges::{can_weld_edges, weld_edges};

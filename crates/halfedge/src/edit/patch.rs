@@ -25,35 +25,37 @@ use rustc_hash::{FxHashMap, FxHashSet};
 /// Where an element gets its attribute values from: others of its kind, as they were before.
 #[derive(Clone, Debug)]
 pub(crate) enum Blend {
-    /// Defaults.
-    Nothing,
     /// All of one.
     Copy(u32),
     /// Between two.
     Mix(u32, u32, f32),
     /// The mean of several.
     Mean(Vec<u32>),
+    /// The mean of several by weights above zero.
+    Weighted(Vec<(u32, f32)>),
 }
 
 impl Blend {
     pub(crate) fn of(&self, values: &Values) -> Option<Value> {
         match self {
-            Self::Nothing => None,
             Self::Copy(a) => values.get(*a as usize),
             Self::Mix(a, b, t) => Some(mix(values.get(*a as usize)?, values.get(*b as usize)?, *t)),
-            Self::Mean(all) => {
-                let mut mean = None;
-                for (before, &id) in all.iter().enumerate() {
-                    let value = values.get(id as usize)?;
-                    mean = Some(match mean {
-                        None => value,
-                        Some(mean) => mix(mean, value, 1.0 / (before + 1) as f32),
-                    });
-                }
-                mean
-            }
+            Self::Mean(all) => mean(values, all.iter().map(|&id| (id, 1.0))),
+            Self::Weighted(all) => mean(values, all.iter().copied()),
         }
     }
+}
+
+fn mean(values: &Values, all: impl Iterator<Item = (u32, f32)>) -> Option<Value> {
+    let mut sum: Option<(Value, f32)> = None;
+    for (id, weight) in all {
+        let value = values.get(id as usize)?;
+        sum = Some(match sum {
+            None => (value, weight),
+            Some((so_far, before)) => (mix(so_far, value, weight / (before + weight)), before + weight),
+        });
+    }
+    sum.map(|(value, _)| value)
 }
 
 /// A corner of a new face, and the side that leaves it.

@@ -55,6 +55,8 @@ pub enum Refusal {
     NotInOneFace(VertexId, VertexId),
     /// The faces that would become one meet in more than one place.
     NotADisc(FaceId),
+    /// All faces round those given are among them too: they have no outline.
+    NoOutline(FaceId),
     /// The edge is beside no quad, so no ring of quads goes through it.
     NoRing(EdgeId),
     /// Both half-edges lie on one boundary loop.
@@ -107,6 +109,9 @@ impl fmt::Display for Refusal {
             Self::NotInOneFace(a, b) => write!(f, "no face has both {a} and {b}"),
             Self::NotADisc(face) => {
                 write!(f, "{face} and the faces it would be merged with meet in more than one place")
+            }
+            Self::NoOutline(face) => {
+                write!(f, "{face} and the other faces given have no outline; leave out some of the piece")
             }
             Self::NoRing(e) => write!(f, "{e} is beside no quad, so no ring of quads goes through it"),
             Self::SameLoop(a, b) => write!(f, "{a} and {b} are on the same boundary loop; give one of each of two"),

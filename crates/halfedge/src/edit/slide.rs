@@ -2,7 +2,7 @@
 //! are; the slide moves them by an amount, as often as a drag likes.
 
 use crate::VertexId;
-use crate::edit::Refusal;
+use crate::edit::{Made, Refusal};
 use crate::mesh::Mesh;
 use glam::Vec3;
 use rustc_hash::FxHashMap;
@@ -80,11 +80,11 @@ impl Slide {
     }
 }
 
-/// Refuses a number that is not finite or not at least zero.
-pub(crate) fn need_amount(field: &'static str, value: f32) -> Result<(), Refusal> {
-    if value.is_finite() && value >= 0.0 {
-        Ok(())
-    } else {
-        Err(Refusal::OutOfRange { field, value, range: "a number, 0 or more" })
-    }
+/// An interactive edit whose topology is made, at size zero; its slide gives it its size.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Live {
+    /// What was made and taken away.
+    pub made: Made,
+    /// How the vertices move.
+    pub slide: Slide,
 }

@@ -2,6 +2,7 @@
 //! reported, a refused one wrote nothing, and undo and redo go to the bit all the way.
 
 use crate::zoo;
+use glam::Vec3;
 use halfedge::edit::*;
 use halfedge::{EdgeId, FaceId, Mesh, VertexId};
 
@@ -100,7 +101,7 @@ fn both<T>(
     }
 }
 
-const EDITS: usize = 12;
+const EDITS: usize = 25;
 
 fn one_edit(mesh: &mut Mesh, random: &mut Random, kind: usize) -> Tried {
     let all = Elements::of(mesh);
@@ -140,7 +141,7 @@ fn one_edit(mesh: &mut Mesh, random: &mut Random, kind: usize) -> Tried {
         3 => both(mesh, |m| can_collapse_face(m, face), |m| collapse_face(m, face), Said::made),
         4 => {
             let edges: Vec<EdgeId> = mesh.vertex_edges(vertex).collect();
-            let (Some(a), Some(b)) = (random.pick(&edges), random.pick(&edges)) else { return Ok(Said::default().same()) };
+            let (Some(a), Some(b)) = (random.pick(&edges), random.pick(&edges)) else { return Ok(unchanged()) };
             both(
                 mesh,
                 |m| can_split_vertex(m, vertex, [a, b], None),
@@ -151,7 +152,11 @@ fn one_edit(mesh: &mut Mesh, random: &mut Random, kind: usize) -> Tried {
         5 => both(mesh, |m| can_dissolve_vertex(m, vertex), |m| dissolve_vertex(m, vertex), |made| Said::made(made).same()),
         6 => both(mesh, |m| can_dissolve_edge(m, edge), |m| dissolve_edge(m, edge), |made| Said::made(made).same()),
         7 => {
-            let some: Vec<FaceId> = (0..=random.below(3)).filter_map(|_| random.pick(&all.faces)).collect();
+            let some: Vec<FaceId> = if all.faces.len() > 150 {
+                all.faces.iter().copied().filter(|_| random.below(2) == 0).collect()
+            } else {
+                (0..=random.below(3)).filter_map(|_| random.pick(&all.faces)).collect()
+            };
             both(mesh, |m| can_delete_faces(m, &some), |m| delete_faces(m, &some), Said::made)
         }
         8 => both(mesh, |m| can_delete_vertices(m, &[vertex]), |m| delete_vertices(m, &[vertex]), Said::made),
@@ -170,9 +175,9 @@ fn one_edit(mesh: &mut Mesh, random: &mut Random, kind: usize) -> Tried {
             let some: Vec<FaceId> = (0..=random.below(3)).filter_map(|_| random.pick(&all.faces)).collect();
             both(mesh, |m| can_poke_faces(m, &some), |m| poke_faces(m, &some), |made| Said::made(made).same())
         }
-        _ => {
+        11 => {
             let corners: Vec<VertexId> = mesh.face_vertices(face).collect();
-            let (Some(a), Some(b)) = (random.pick(&corners), random.pick(&corners)) else { return Ok(Said::default().same()) };
+            let (Some(a), Some(b)) = (random.pick(&corners), random.pick(&corners)) else { return Ok(unchanged()) };
             both(
                 mesh,
                 |m| can_connect_vertices(m, a, b),
@@ -180,7 +185,163 @@ fn one_edit(mesh: &mut Mesh, random: &mut Random, kind: usize) -> Tried {
                 |_| Said { counts: Some([0, 1, 1]), ..Said::default() }.same(),
             )
         }
+        _ => larger_edit(mesh, random, kind, &all, t),
     }
+}
+
+fn unchanged() -> Said {
+    Said { counts: Some([0, 0, 0]), ..Said::default() }.same()
+}
+
+/// Some of the elements: a few, many or all.
+fn some<T: Copy>(random: &mut Random, from: &[T]) -> Vec<T> {
+    match random.below(8) {
+        0 => from.to_vec(),
+        1 | 2 => from.iter().copied().filter(|_| random.below(2) == 0).collect(),
+        _ => (0..=random.below(5)).filter_map(|_| random.pick(from)).collect(),
+    }
+}
+
+/// A live edit, then its slide by this amount.
+fn slid(mesh: &mut Mesh, live: Result<Live, Refusal>, amount: f32) -> Result<Live, Refusal> {
+    let live = live?;
+    let used = live.slide.apply(mesh, amount)?;
+    assert!(used <= amount && used <= live.slide.limit);
+    Ok(live)
+}
+
+fn larger_edit(mesh: &mut Mesh, random: &mut Random, kind: usize, all: &Elements, t: f32) -> Tried {
+    let edge = all.edges[random.below(all.edges.len())];
+    let boundary: Vec<EdgeId> = all.edges.iter().copied().filter(|&e| mesh.is_boundary_edge(e)).collect();
+    let loops = mesh.boundary_loops();
+    let grouping = [Grouping::Region, Grouping::Individual][random.below(2)];
+    let live = |live: &Live| Said::made(&live.made).same();
+    match kind {
+        12 | 13 => {
+            let faces = some(random, &all.faces);
+            if kind == 12 {
+                let edit = |m: &mut Mesh| slid_extrude(m, &faces, grouping, t - 0.5);
+                both(mesh, |m| can_extrude_faces(m, &faces, grouping), edit, live)
+            } else {
+                let edit = |m: &mut Mesh| {
+                    let live = inset_faces(m, &faces, grouping);
+                    slid(m, live, t)
+                };
+                both(mesh, |m| can_inset_faces(m, &faces, grouping), edit, live)
+            }
+        }
+        14 => {
+            let edges = some(random, &boundary);
+            let edit = |m: &mut Mesh| {
+                let live = extrude_edges(m, &edges, Vec3::new(t, 1.0, -t));
+                slid(m, live, 1.0)
+            };
+            both(mesh, |m| can_extrude_edges(m, &edges), edit, live)
+        }
+        15 => {
+            let inner: Vec<EdgeId> = all.edges.iter().copied().filter(|&e| !mesh.is_boundary_edge(e)).collect();
+            let from = if random.below(10) == 0 { &all.edges } else { &inner };
+            let edges = some(random, from);
+            let segments = random.below(4) as u32;
+            let edit = |m: &mut Mesh| {
+                let live = bevel_edges(m, &edges, segments);
+                slid(m, live, t)
+            };
+            both(mesh, |m| can_bevel_edges(m, &edges, segments), edit, live)
+        }
+        16 => {
+            let vertices = some(random, &all.vertices);
+            let edit = |m: &mut Mesh| {
+                let live = bevel_vertices(m, &vertices);
+                slid(m, live, t)
+            };
+            both(mesh, |m| can_bevel_vertices(m, &vertices), edit, live)
+        }
+        17 => {
+            let cuts = random.below(4) as u32;
+            both(
+                mesh,
+                |m| can_loop_cut(m, edge, cuts, t),
+                |m| loop_cut(m, edge, cuts, t),
+                |made| Said::made(made).same(),
+            )
+        }
+        18 => {
+            let side = random.pick(&loops).unwrap_or(edge.halfedge());
+            both(
+                mesh,
+                |m| can_fill_hole(m, side),
+                |m| fill_hole(m, side),
+                |made| Said { euler: Some(1), loops: Some(-1), ..Said::made(made) },
+            )
+        }
+        19 => {
+            let sides = [random.pick(&loops), random.pick(&loops)].map(|h| h.unwrap_or(edge.halfedge()));
+            both(
+                mesh,
+                |m| can_bridge(m, sides),
+                |m| bridge(m, sides),
+                |made| Said { euler: Some(0), loops: Some(-2), ..Said::made(made) },
+            )
+        }
+        20 => {
+            let vertices: Vec<VertexId> = if random.below(2) == 0 {
+                mesh.ends(edge).to_vec()
+            } else {
+                (0..=random.below(4)).filter_map(|_| random.pick(&all.vertices)).collect()
+            };
+            let position = [None, Some(Vec3::splat(t))][random.below(2)];
+            both(
+                mesh,
+                |m| can_merge_vertices(m, &vertices, position),
+                |m| merge_vertices(m, &vertices, position),
+                Said::made,
+            )
+        }
+        21 => {
+            // Edges of one loop, often neighbours, or any two.
+            let first = random.pick(&boundary).unwrap_or(edge);
+            let side = first.halfedges().into_iter().find(|&h| mesh.is_boundary_halfedge(h));
+            let other = match (random.below(2), side) {
+                (0, Some(side)) => mesh.next(side).edge(),
+                _ => random.pick(&boundary).unwrap_or(edge),
+            };
+            both(mesh, |m| can_weld_edges(m, [first, other]), |m| weld_edges(m, [first, other]), Said::made)
+        }
+        22 => {
+            let edges = some(random, &all.edges);
+            both(mesh, |m| can_rip_edges(m, &edges), |m| rip_edges(m, &edges), Said::made)
+        }
+        23 => {
+            // A whole piece, mostly.
+            let (piece, _) = mesh.components();
+            let chosen = piece[mesh.ends(edge)[0].index()];
+            let mut faces: Vec<FaceId> = all
+                .faces
+                .iter()
+                .copied()
+                .filter(|&f| piece[mesh.from(mesh.halfedge_of(f)).index()] == chosen)
+                .collect();
+            if random.below(4) == 0 {
+                faces.pop();
+            }
+            both(mesh, |m| can_flip_orientation(m, &faces), |m| flip_orientation(m, &faces), |()| unchanged())
+        }
+        _ => {
+            let (edges, vertices) = (some(random, &all.edges), some(random, &all.vertices));
+            both(
+                mesh,
+                |m| can_set_crease(m, &edges, &vertices, t * 10.0),
+                |m| set_crease(m, &edges, &vertices, t * 10.0),
+                |()| unchanged(),
+            )
+        }
+    }
+}
+
+fn slid_extrude(mesh: &mut Mesh, faces: &[FaceId], grouping: Grouping, amount: f32) -> Result<Live, Refusal> {
+    let live = extrude_faces(mesh, faces, grouping);
+    slid(mesh, live, amount)
 }
 
 /// Runs `edits` edits from a mesh; gives how many of each kind were made.
@@ -195,11 +356,9 @@ fn run(name: &str, start: &Mesh, seed: u64, edits: usize) -> Vec<usize> {
         if mesh.face_count() == 0 {
             break;
         }
-        let mut kind = random.below(EDITS);
-        if mesh.face_count() > 120 {
-            // Keep it small: take away more often.
-            kind = [2, 3, 5, 6, 7, 8][random.below(6)];
-        }
+        // Keep it small: when large, delete the half of it.
+        let large = mesh.face_count() > 150;
+        let kind = if large { 7 } else { random.below(EDITS) };
         let counts = [mesh.vertex_count(), mesh.edge_count(), mesh.face_count()].map(|n| n as i64);
         mesh.start_recording();
         let tried = one_edit(&mut mesh, &mut random, kind);

@@ -1,0 +1,311 @@
+//! Bevel edges: each becomes a strip of faces, rounded with more than one segment.
+//!
+//! # Round a vertex
+//!
+//! The bevelled edges at a vertex (and the gap, on the boundary) divide the faces round it into
+//! sectors. Each sector's faces get one new vertex in place of the old, and each bevelled edge's
+//! strip ends in a *profile*: a line of vertices from the sector on its left to that on its right.
+//!
+//! - Two sectors inside: the strips of both edges share the profile.
+//! - Three or more: the profiles surround a new face. On the boundary a boundary edge closes it;
+//!   with two sectors there (one edge), the profile itself is on the boundary.
+//! - One sector (the bevel ends here): its two vertices are on the edges next to the bevelled one.
+//!   With one face between those, that face takes the profile in; with more, the vertex stays and a
+//!   new face fills in between it and the profile. With no other edge than one, the strip runs out
+//!   in a point.
+//!
+//! All vertices in it being new, no edge is duplicated and no side taken twice: what is left to be
+//! refused is an edge on the boundary, and a strip that runs out in a point at both ends.
+//!
+//! A bevel wider than a face is *clamped* to where the first edge would lose its length:
+//! [`Slide::limit`].
+
+use crate::edit::bevel_vertices::counter_clockwise;
+use crate::edit::geometry::miter;
+use crate::edit::patch::{Blend, Corner, Patch, Plan, plan};
+use crate::edit::{Live, Refusal, Slide, SlideVertex};
+use crate::mesh::Mesh;
+use crate::{EdgeId, FaceId, HalfedgeId, VertexId};
+use glam::Vec3;
+use rustc_hash::{FxHashMap, FxHashSet};
+
+/// The most segments.
+const MOST: u32 = 256;
+
+/// Whether [`bevel_edges`] would succeed.
+pub fn can_bevel_edges(mesh: &Mesh, edges: &[EdgeId], segments: u32) -> Result<(), Refusal> {
+    plan_bevel(mesh, edges, segments).map(drop)
+}
+
+/// Makes each edge a strip of `segments` faces across, of no width yet: the slide's amount is how
+/// far its sides are from the edge, in mesh units. With several segments the strip is round: an
+/// arc that leaves both faces without a kink.
+///
+/// Faces that shrink keep their ids, and so do their other edges. Costs O(segments * edges +
+/// valences + degrees of the faces round them). Attributes: new vertices copy the bevelled ones,
+/// corners those they are cut from; each half of a strip copies the face on its side, a face at a
+/// vertex one of those round it; the strip's edges have default values.
+pub fn bevel_edges(mesh: &mut Mesh, edges: &[EdgeId], segments: u32) -> Result<Live, Refusal> {
+    let (plan, moves) = plan_bevel(mesh, edges, segments)?;
+    let made = plan.apply(mesh);
+    Ok(Live { made, slide: Slide::limited(mesh, moves) })
+}
+
+fn plan_bevel(mesh: &Mesh, edges: &[EdgeId], segments: u32) -> Result<(Plan, Vec<SlideVertex>), Refusal> {
+    mesh.need_edges(edges)?;
+    if !(1..=MOST).contains(&segments) {
+        return Err(Refusal::OutOfRange { field: "segments", value: segments as f32, range: "from 1 to 256" });
+    }
+    let mut edges = edges.to_vec();
+    edges.sort_unstable();
+    edges.dedup();
+    if let Some(&edge) = edges.iter().find(|&&edge| mesh.is_boundary_edge(edge)) {
+        return Err(Refusal::BoundaryEdge(edge));
+    }
+    let mut ends: Vec<VertexId> = edges.iter().flat_map(|&edge| mesh.ends(edge)).collect();
+    ends.sort_unstable();
+    ends.dedup();
+    let mut bevel = Bevel {
+        mesh,
+        segments: segments as usize,
+        bevelled: edges.iter().copied().collect(),
+        patch: Patch::new(mesh),
+        moves: Vec::new(),
+        corners: FxHashMap::default(),
+        profiles: FxHashMap::default(),
+        normals: FxHashMap::default(),
+    };
+    let mut faces: Vec<FaceId> = Vec::new();
+    for &v in &ends {
+        bevel.vertex(v);
+        faces.extend(mesh.vertex_faces(v));
+    }
+    faces.sort_unstable();
+    faces.dedup();
+    for face in faces {
+        bevel.face(face);
+    }
+    for &edge in &edges {
+        bevel.strip(edge);
+    }
+    Ok((plan(mesh, bevel.patch)?, bevel.moves))
+}
+
+/// A vertex of the bevel: a new one with how it moves per unit of width, or an old one that stays.
+#[derive(Clone, Copy)]
+struct Point {
+    vertex: VertexId,
+    by: Vec3,
+}
+
+struct Bevel<'a> {
+    mesh: &'a Mesh,
+    segments: usize,
+    bevelled: FxHashSet<EdgeId>,
+    patch: Patch,
+    moves: Vec<SlideVertex>,
+    /// What replaces a corner, in the order of its face.
+    corners: FxHashMap<HalfedgeId, Vec<VertexId>>,
+    /// For each half-edge of a bevelled edge, at the vertex it leaves: the vertices from the sector
+    /// on its left to that on its right.
+    profiles: FxHashMap<HalfedgeId, Vec<VertexId>>,
+    normals: FxHashMap<FaceId, Vec3>,
+}
+
+impl Bevel<'_> {
+    fn is_bevelled(&self, h: HalfedgeId) -> bool {
+        self.bevelled.contains(&h.edge())
+    }
+
+    fn normal(&mut self, h: HalfedgeId) -> Vec3 {
+        let mesh = self.mesh;
+        match mesh.face_of(h) {
+            Some(face) => *self.normals.entry(face).or_insert_with(|| mesh.newell_normal(face)),
+            None => Vec3::ZERO,
+        }
+    }
+
+    /// The direction from a bevelled edge into the face on its left, or on its right.
+    fn inward(&mut self, h: HalfedgeId, left: bool) -> Vec3 {
+        let side = if left { h } else { h.twin() };
+        self.normal(side).cross(self.mesh.direction(side)).normalize_or_zero()
+    }
+
+    fn point(&mut self, v: VertexId, by: Vec3) -> Point {
+        let vertex = self.patch.copy_vertex(self.mesh, v);
+        self.moves.push(SlideVertex { vertex, from: self.mesh.position(v), by });
+        Point { vertex, by }
+    }
+
+    /// How a vertex moves along an edge so that it gets away from a bevelled edge by one.
+    fn along(&self, edge: HalfedgeId, bevelled: &[HalfedgeId]) -> Vec3 {
+        let u = self.mesh.direction(edge);
+        let away = bevelled.iter().map(|&h| {
+            let b = self.mesh.direction(h);
+            1.0 / (u - b * u.dot(b)).length().max(0.25)
+        });
+        u * (away.sum::<f32>() / bevelled.len().max(1) as f32)
+    }
+
+    fn vertex(&mut self, v: VertexId) {
+        let mesh = self.mesh;
+        let boundary = mesh.is_boundary_vertex(v);
+        let mut around = counter_clockwise(mesh, v);
+        let Some(first) = around.iter().position(|&h| self.is_bevelled(h)) else { return };
+        let count = around.iter().filter(|&&h| self.is_bevelled(h)).count();
+        if !boundary {
+            around.rotate_left(first);
+            if count == 1 {
+                return self.end(v, &around);
+            }
+        }
+        // The corner of `around[i]` lies between it and the next. Sectors as ranges of `around`:
+        // each but a first one on the boundary starts with a bevelled edge.
+        let starts: Vec<usize> = (0..around.len()).filter(|&i| i == 0 || self.is_bevelled(around[i])).collect();
+        let mut sectors: Vec<Point> = Vec::with_capacity(starts.len());
+        for (n, &start) in starts.iter().enumerate() {
+            let stop = starts.get(n + 1).copied().unwrap_or(around.len());
+            let before = Some(around[start]).filter(|&h| self.is_bevelled(h));
+            // Inside, the last sector ends at the first edge.
+            let after = around.get(stop).copied().or((!boundary).then_some(around[0]));
+            let by = self.sector_direction(before, after, &around[start..stop]);
+            let point = self.point(v, by);
+            for &h in &around[start..stop] {
+                self.corners.insert(h, vec![point.vertex]);
+            }
+            sectors.push(point);
+        }
+        let edges: Vec<usize> = starts.iter().copied().filter(|&i| self.is_bevelled(around[i])).collect();
+        let left_of = |n: usize| if boundary { n + 1 } else { n };
+        let right_of = |n: usize| if boundary { n } else { (n + sectors.len() - 1) % sectors.len() };
+        for (n, &i) in edges.iter().enumerate() {
+            let (left, right) = (sectors[left_of(n)], sectors[right_of(n)]);
+            // Two edges inside share one profile.
+            let shared = if !boundary && count == 2 && n == 1 { self.profiles.get(&around[edges[0]]) } else { None };
+            let profile = match shared {
+                Some(profile) => profile.iter().rev().copied().collect(),
+                None => self.profile(v, left, right),
+            };
+            self.profiles.insert(around[i], profile);
+        }
+        if sectors.len() > 2 {
+            let mut rim: Vec<VertexId> = Vec::new();
+            for &i in &edges {
+                // Counter-clockwise past an edge: from its right to its left.
+                if let Some(profile) = self.profiles.get(&around[i]) {
+                    rim.extend(profile.iter().rev().skip(usize::from(!rim.is_empty())));
+                }
+            }
+            if !boundary {
+                rim.pop();
+            }
+            self.cap(around[edges[0]], rim);
+        }
+    }
+
+    /// How a sector's vertex moves: in a face between two bevelled edges so that it gets away from
+    /// both by one; along the edge between them where there is one, or along the boundary.
+    fn sector_direction(
+        &mut self,
+        before: Option<HalfedgeId>,
+        after: Option<HalfedgeId>,
+        around: &[HalfedgeId],
+    ) -> Vec3 {
+        let free = &around[usize::from(before.is_some())..];
+        match (before, after, free) {
+            (Some(before), Some(after), &[edge]) => self.along(edge, &[before, after]),
+            (Some(before), Some(after), _) => {
+                let (left, right) = (self.inward(before, true), self.inward(after, false));
+                miter(left, right)
+            }
+            (Some(before), None, [.., edge]) => self.along(*edge, &[before]),
+            (None, Some(after), [edge, ..]) => self.along(*edge, &[after]),
+            _ => Vec3::ZERO,
+        }
+    }
+
+    /// A vertex inside where one bevelled edge ends, the first of `around`.
+    fn end(&mut self, v: VertexId, around: &[HalfedgeId]) {
+        let (h, others) = (around[0], &around[1..]);
+        let (Some(&next), Some(&last)) = (others.first(), others.last()) else { return };
+        if others.len() == 1 {
+            self.profiles.insert(h, vec![v; self.segments + 1]);
+            return;
+        }
+        let by = [self.along(next, &[h]), self.along(last, &[h])];
+        let (left, right) = (self.point(v, by[0]), self.point(v, by[1]));
+        let profile = self.profile(v, left, right);
+        self.corners.insert(h, vec![left.vertex]);
+        self.corners.insert(last, vec![right.vertex]);
+        let across: Vec<VertexId> = profile.iter().rev().copied().collect();
+        if others.len() == 2 {
+            self.corners.insert(next, across);
+        } else {
+            self.corners.insert(next, vec![v, left.vertex]);
+            self.corners.insert(others[others.len() - 2], vec![right.vertex, v]);
+            let mut rim = across;
+            rim.push(v);
+            self.cap(next, rim);
+        }
+        self.profiles.insert(h, profile);
+    }
+
+    /// The vertices from one sector to the next: an arc that leaves both in the plane of their
+    /// face. With v in the origin it is l + r - r cos θ - l sin θ: l at 0, r at a right angle.
+    fn profile(&mut self, v: VertexId, left: Point, right: Point) -> Vec<VertexId> {
+        let mut profile = vec![left.vertex];
+        for i in 1..self.segments {
+            let angle = i as f32 / self.segments as f32 * std::f32::consts::FRAC_PI_2;
+            let by = left.by * (1.0 - angle.sin()) + right.by * (1.0 - angle.cos());
+            profile.push(self.point(v, by).vertex);
+        }
+        profile.push(right.vertex);
+        profile
+    }
+
+    /// A face at a vertex, with the attributes of the face at this corner.
+    fn cap(&mut self, corner: HalfedgeId, rim: Vec<VertexId>) {
+        let corners =
+            rim.into_iter().map(|vertex| Corner { vertex, value: Blend::Copy(corner.raw()), like: None }).collect();
+        self.patch.add_face(self.mesh.face_of(corner), corners);
+    }
+
+    fn face(&mut self, face: FaceId) {
+        let mut corners = Vec::new();
+        for h in self.mesh.face_halfedges(face) {
+            match self.corners.get(&h).map(Vec::as_slice) {
+                Some([before @ .., last]) => {
+                    corners.extend(before.iter().map(|&vertex| Corner::new(vertex, h)));
+                    corners.push(Corner { like: Some(h).filter(|&h| !self.is_bevelled(h)), ..Corner::moved(*last, h) });
+                }
+                _ => corners.push(Corner::keep(self.mesh, h)),
+            }
+        }
+        self.patch.replace_face(face, corners, false);
+    }
+
+    fn strip(&mut self, edge: EdgeId) {
+        let mesh = self.mesh;
+        let [h, twin] = edge.halfedges();
+        let (Some(near), Some(far)) = (self.profiles.get(&h), self.profiles.get(&twin)) else { return };
+        // Both from the left of `h` to its right, with the corners there to copy.
+        let near: Vec<VertexId> = near.clone();
+        let far: Vec<VertexId> = far.iter().rev().copied().collect();
+        for (i, (a, b)) in near.windows(2).zip(far.windows(2)).enumerate() {
+            let on_left = 2 * i < self.segments;
+            let (at_near, at_far) = if on_left { (h, mesh.next(h)) } else { (mesh.next(twin), twin) };
+            let mut corners = vec![
+                Corner::new(a[1], at_near),
+                Corner::new(b[1], at_far),
+                Corner::new(b[0], at_far),
+                Corner::new(a[0], at_near),
+            ];
+            // Where a strip runs out in a point, both corners are the same vertex.
+            corners.dedup_by(|x, y| x.vertex == y.vertex);
+            if corners.len() > 1 && corners[0].vertex == corners[corners.len() - 1].vertex {
+                corners.pop();
+            }
+            self.patch.add_face(mesh.face_of(if on_left { h } else { twin }), corners);
+        }
+    }
+}

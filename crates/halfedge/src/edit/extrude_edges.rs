@@ -1,0 +1,62 @@
+//! Extrude edges: a quad beside each of some boundary edges.
+//!
+//! Always possible for boundary edges: the quads lie where there was no face, on new vertices, one
+//! for each vertex of the edges; quads of edges in a row share the edge between.
+
+use crate::edit::patch::{Blend, Corner, Patch, Plan, plan};
+use crate::edit::{Live, Refusal, Slide, SlideVertex};
+use crate::mesh::Mesh;
+use crate::{EdgeId, VertexId};
+use glam::Vec3;
+use rustc_hash::FxHashMap;
+
+/// Whether [`extrude_edges`] would succeed.
+pub fn can_extrude_edges(mesh: &Mesh, edges: &[EdgeId]) -> Result<(), Refusal> {
+    plan_extrude(mesh, edges).map(drop)
+}
+
+fn plan_extrude(mesh: &Mesh, edges: &[EdgeId]) -> Result<(Plan, Vec<(VertexId, VertexId)>), Refusal> {
+    mesh.need_edges(edges)?;
+    let mut edges = edges.to_vec();
+    edges.sort_unstable();
+    edges.dedup();
+    let mut patch = Patch::new(mesh);
+    let mut copies: FxHashMap<VertexId, VertexId> = FxHashMap::default();
+    let mut moved = Vec::new();
+    for edge in edges {
+        let Some(side) = edge.halfedges().into_iter().find(|&h| mesh.is_boundary_halfedge(h)) else {
+            return Err(Refusal::NotOnBoundary(edge));
+        };
+        let (u, v) = (mesh.from(side), mesh.to(side));
+        let [u2, v2] = [u, v].map(|old| {
+            *copies.entry(old).or_insert_with(|| {
+                let new = patch.copy_vertex(mesh, old);
+                moved.push((new, old));
+                new
+            })
+        });
+        // The corners of the face beside the edge.
+        let at_v = side.twin();
+        let at_u = mesh.next(at_v);
+        let far = Corner { vertex: v2, value: Blend::Copy(at_v.raw()), like: Some(side) };
+        patch.add_face(
+            mesh.face_of(at_v),
+            vec![Corner::new(u, at_u), Corner::new(v, at_v), far, Corner::new(u2, at_u)],
+        );
+    }
+    Ok((plan(mesh, patch)?, moved))
+}
+
+/// Puts a quad beside each of some boundary edges, of no size yet; the slide moves their far sides
+/// by `offset` at amount 1.
+///
+/// All ids survive. Costs O(n log n) in the number of edges and the valences of their vertices.
+/// Attributes: new vertices, corners and far edges copy the old, quads the face beside the edge.
+pub fn extrude_edges(mesh: &mut Mesh, edges: &[EdgeId], offset: Vec3) -> Result<Live, Refusal> {
+    let (plan, moved) = plan_extrude(mesh, edges)?;
+    let moves = moved
+        .into_iter()
+        .map(|(vertex, old)| SlideVertex { vertex, from: mesh.position(old), by: offset })
+        .collect();
+    Ok(Live { made: plan.apply(mesh), slide: Slide::unlimited(moves) })
+}

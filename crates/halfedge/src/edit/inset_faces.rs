@@ -1,0 +1,51 @@
+//! Inset faces: a smaller copy inside each, or inside their outline, with a ring of quads round it.
+//!
+//! Always possible for faces with an outline; [`walls`](super::walls) says why. A whole closed
+//! piece, inset as one region, has none and is refused. An inset wider than the face is *clamped*
+//! to where the first edge of the inner outline would lose its length: [`Slide::limit`].
+
+use crate::edit::geometry::miter;
+use crate::edit::patch::plan;
+use crate::edit::walls::{Walls, walls};
+use crate::edit::{Grouping, Live, Refusal, Slide, SlideVertex};
+use crate::mesh::Mesh;
+use crate::{FaceId, HalfedgeId};
+use glam::Vec3;
+
+/// Whether [`inset_faces`] would succeed.
+pub fn can_inset_faces(mesh: &Mesh, faces: &[FaceId], grouping: Grouping) -> Result<(), Refusal> {
+    plan(mesh, inset_walls(mesh, faces, grouping)?.patch).map(drop)
+}
+
+fn inset_walls(mesh: &Mesh, faces: &[FaceId], grouping: Grouping) -> Result<Walls, Refusal> {
+    let walls = walls(mesh, faces, grouping)?;
+    match faces.first() {
+        Some(&face) if walls.vertices.is_empty() => Err(Refusal::NoOutline(face)),
+        _ => Ok(walls),
+    }
+}
+
+/// Puts a ring of quads inside the outline of faces, of no width yet: the slide's amount is the
+/// width, in mesh units. Outline edges move inward in the plane of their face, each by the amount;
+/// at corners they meet in a mitre, which is cut off at four times the width where they nearly
+/// double back. Vertices inside a region stay where they are.
+///
+/// Ids, costs and attributes are as for [`extrude_faces`](super::extrude_faces).
+pub fn inset_faces(mesh: &mut Mesh, faces: &[FaceId], grouping: Grouping) -> Result<Live, Refusal> {
+    let walls = inset_walls(mesh, faces, grouping)?;
+    let inward = |h: HalfedgeId| {
+        let normal = mesh.face_of(h).and_then(|face| walls.normals.get(&face)).copied().unwrap_or(Vec3::ZERO);
+        normal.cross(mesh.direction(h)).normalize_or_zero()
+    };
+    let moves = walls
+        .vertices
+        .iter()
+        .map(|wall| SlideVertex {
+            vertex: wall.vertex,
+            from: mesh.position(mesh.from(wall.leaves)),
+            by: miter(inward(wall.arrives), inward(wall.leaves)),
+        })
+        .collect();
+    let made = plan(mesh, walls.patch)?.apply(mesh);
+    Ok(Live { made, slide: Slide::limited(mesh, moves) })
+}

@@ -1,0 +1,44 @@
+//! Set crease: how sharp edges and vertices stay when the mesh is subdivided.
+
+use crate::attribute::keys;
+use crate::edit::Refusal;
+use crate::mesh::Mesh;
+use crate::{EdgeId, Element, VertexId};
+
+/// Whether [`set_crease`] would succeed: it does for elements that exist and a sharpness of 0
+/// (smooth) or more; 10 or more is infinitely sharp.
+pub fn can_set_crease(
+    mesh: &Mesh,
+    edges: &[EdgeId],
+    vertices: &[VertexId],
+    sharpness: f32,
+) -> Result<(), Refusal> {
+    if edges.is_empty() && vertices.is_empty() {
+        return Err(Refusal::NothingGiven(Element::Edge));
+    }
+    edges.iter().try_for_each(|&e| mesh.need_edge(e))?;
+    vertices.iter().try_for_each(|&v| mesh.need_vertex(v))?;
+    if sharpness.is_finite() && sharpness >= 0.0 {
+        Ok(())
+    } else {
+        Err(Refusal::OutOfRange { field: "sharpness", value: sharpness, range: "a number, 0 or more" })
+    }
+}
+
+/// Gives edges and vertices a sharpness, in the columns [`keys::EDGE_CREASE`] and
+/// [`keys::VERTEX_CREASE`]. Costs O(elements), and O(mesh) the first time, to make a column.
+pub fn set_crease(
+    mesh: &mut Mesh,
+    edges: &[EdgeId],
+    vertices: &[VertexId],
+    sharpness: f32,
+) -> Result<(), Refusal> {
+    can_set_crease(mesh, edges, vertices, sharpness)?;
+    for edge in edges {
+        mesh.set(keys::EDGE_CREASE, edge.index(), sharpness);
+    }
+    for v in vertices {
+        mesh.set(keys::VERTEX_CREASE, v.index(), sharpness);
+    }
+    Ok(())
+}

@@ -1,0 +1,111 @@
+//! Walls: the topology that extrude and inset share. Some faces are loosened from what is round
+//! them, and a quad is put at each edge of their outline, from where the faces were to where they
+//! are.
+//!
+//! Always a valid mesh: each group of the faces that follow one another round a vertex gets a
+//! vertex of its own, so a vertex that the faces touch from two sides gets two; the walls on either
+//! side of a group share the edge from the old vertex to the new one and close the gap that
+//! loosening the group left. An outline edge on the boundary of the mesh has a wall too: the
+//! boundary stays where it was. Holes and several pieces are further outlines.
+
+use crate::edit::patch::{Corner, Patch};
+use crate::edit::Refusal;
+use crate::mesh::Mesh;
+use crate::{FaceId, HalfedgeId, VertexId};
+use glam::Vec3;
+use rustc_hash::{FxHashMap, FxHashSet};
+
+/// Which faces of a selection stay together.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Grouping {
+    /// Faces that share an edge stay together.
+    #[default]
+    Region,
+    /// Each face is on its own.
+    Individual,
+}
+
+/// A new vertex at the outline: the corners that move to it lie counter-clockwise from one outline
+/// half-edge, which leaves, to another, which arrives.
+pub(crate) struct WallVertex {
+    pub vertex: VertexId,
+    pub leaves: HalfedgeId,
+    pub arrives: HalfedgeId,
+    /// The mean of the unit normals of the faces that move to it, made a unit again.
+    pub normal: Vec3,
+}
+
+pub(crate) struct Walls {
+    pub patch: Patch,
+    pub vertices: Vec<WallVertex>,
+    /// Vertices with all faces in one region, with their normals: they stay in it.
+    pub inner: Vec<(VertexId, Vec3)>,
+    pub normals: FxHashMap<FaceId, Vec3>,
+}
+
+pub(crate) fn walls(mesh: &Mesh, faces: &[FaceId], grouping: Grouping) -> Result<Walls, Refusal> {
+    mesh.need_faces(faces)?;
+    let mut faces = faces.to_vec();
+    faces.sort_unstable();
+    faces.dedup();
+    let chosen: FxHashSet<FaceId> = faces.iter().copied().collect();
+    let together = |h: HalfedgeId| {
+        grouping == Grouping::Region && mesh.face_of(h).is_some_and(|face| chosen.contains(&face))
+    };
+    let normals: FxHashMap<FaceId, Vec3> = faces.iter().map(|&f| (f, mesh.newell_normal(f))).collect();
+    let normal = |h: HalfedgeId| {
+        mesh.face_of(h).and_then(|face| normals.get(&face)).copied().unwrap_or_default()
+    };
+
+    let mut patch = Patch::new(mesh);
+    let mut moved: FxHashMap<HalfedgeId, VertexId> = FxHashMap::default();
+    let mut vertices = Vec::new();
+    for &face in &faces {
+        for leaves in mesh.face_halfedges(face).filter(|h| !together(h.twin())) {
+            let vertex = patch.copy_vertex(mesh, mesh.from(leaves));
+            let mut corner = leaves;
+            let mut sum = Vec3::ZERO;
+            let arrives = loop {
+                moved.insert(corner, vertex);
+                sum += normal(corner);
+                let before = mesh.prev(corner);
+                if !together(before.twin()) {
+                    break before;
+                }
+                corner = before.twin();
+            };
+            vertices.push(WallVertex { vertex, leaves, arrives, normal: sum.normalize_or_zero() });
+        }
+    }
+    let mut inner = Vec::new();
+    let mut met: FxHashSet<VertexId> = FxHashSet::default();
+    for &face in &faces {
+        let corners = mesh
+            .face_halfedges(face)
+            .map(|h| match moved.get(&h) {
+                Some(&vertex) => Corner::moved(vertex, h),
+                None => {
+                    let v = mesh.from(h);
+                    if met.insert(v) {
+                        let sum: Vec3 = mesh.outgoing(v).map(normal).sum();
+                        inner.push((v, sum.normalize_or_zero()));
+                    }
+                    Corner::keep(mesh, h)
+                }
+            })
+            .collect();
+        patch.replace_face(face, corners, false);
+    }
+    for wall in &vertices {
+        let (h, next) = (wall.leaves, mesh.next(wall.leaves));
+        let Some(&far) = moved.get(&next) else { continue };
+        let corners = vec![
+            Corner::keep(mesh, h),
+            Corner::new(mesh.to(h), next),
+            Corner::new(far, next),
+            Corner::new(wall.vertex, h),
+        ];
+        patch.add_face(mesh.face_of(h), corners);
+    }
+    Ok(Walls { patch, vertices, inner, normals })
+}
