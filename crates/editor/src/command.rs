@@ -42,7 +42,7 @@ pub(crate) trait Operation: Sized {
         Ok(vec![self])
     }
 
-    /// Whether it is for all of a mesh rather than for some of its elements.
+    /// Whether it is for all of one mesh, rather than for some of its elements or for the document.
     fn is_for_whole_meshes(&self) -> bool {
         Self::SPEC.kind == OperationKind::WholeMesh
     }

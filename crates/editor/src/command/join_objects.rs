@@ -23,11 +23,15 @@ impl Operation for JoinObjects {
         label: "Join objects",
         description: "Makes several objects one; nothing is glued together.",
         key: None,
-        kind: OperationKind::Document,
+        kind: OperationKind::WholeMesh,
         fields: &[Field::new("objects", FieldKind::Objects, "The objects to join").or("all objects")],
     };
 
     fields_by_serde!();
+
+    fn is_for_whole_meshes(&self) -> bool {
+        false
+    }
 
     fn action(&self) -> Action<'_> {
         Action::WholeMesh(self)

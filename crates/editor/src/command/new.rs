@@ -28,7 +28,7 @@ impl Operation for New {
         label: "New",
         description: "Starts a new document with a shape, or adds the shape to this one.",
         key: None,
-        kind: OperationKind::Document,
+        kind: OperationKind::WholeMesh,
         fields: &[
             Field::new(
                 "shape",
@@ -105,6 +105,10 @@ impl Operation for New {
             fields.insert(field.name.into(), value);
         }
         Value::Object(fields)
+    }
+
+    fn is_for_whole_meshes(&self) -> bool {
+        false
     }
 
     fn action(&self) -> Action<'_> {

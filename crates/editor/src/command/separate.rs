@@ -42,7 +42,7 @@ impl Operation for Separate {
         label: "Separate",
         description: "Makes one object several: its connected pieces, its face groups, or some faces and the rest.",
         key: None,
-        kind: OperationKind::Document,
+        kind: OperationKind::WholeMesh,
         fields: &[
             Field::new("by", FieldKind::Choice(&["components", "groups", "faces"]), "What makes a part")
                 .or("\"faces\" where faces are given"),
@@ -70,6 +70,10 @@ impl Operation for Separate {
             find_all(faces, "faces", |face, field| face.find(target.mesh, field))?;
         }
         Ok(vec![self])
+    }
+
+    fn is_for_whole_meshes(&self) -> bool {
+        false
     }
 
     fn action(&self) -> Action<'_> {
