@@ -33,10 +33,10 @@ pub fn to_js(value: &impl Serialize) -> Answer {
     JSON::parse(&text)
 }
 
-/// A script's argument as JSON. `undefined` and functions, which JSON has not, are refused, saying
-/// what was `expected`.
-pub fn to_json(value: &JsValue, expected: &str) -> Result<serde_json::Value, JsValue> {
-    let refused = || error(&format!("expected {expected}"));
+/// A script's argument as JSON. `undefined` and functions, which JSON has not, are refused with the
+/// `message`.
+pub fn to_json(value: &JsValue, message: &str) -> Result<serde_json::Value, JsValue> {
+    let refused = || error(message);
     let text = JSON::stringify(value).map_err(|_| refused())?;
     let text = text.as_string().ok_or_else(refused)?;
     serde_json::from_str(&text).map_err(|_| refused())

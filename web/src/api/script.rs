@@ -79,9 +79,10 @@ pub(crate) fn install(handle: &Handle) -> Result<(), JsValue> {
 
     let at = handle.clone();
     method(api, "project", move |point, _| {
-        let expected = || error("project: expected a point [x, y, z]");
-        let point: Vec<f64> = serde_json::from_value(to_json(&point, "a point")?).map_err(|_| expected())?;
-        let [x, y, z] = point.as_slice() else { return Err(expected()) };
+        let expected = "project: expected a point [x, y, z]";
+        let refused = || error(expected);
+        let point: Vec<f64> = serde_json::from_value(to_json(&point, expected)?).map_err(|_| refused())?;
+        let [x, y, z] = point.as_slice() else { return Err(refused()) };
         let app = app(&at)?;
         let Some([x, y]) = app.script_project([*x as f32, *y as f32, *z as f32]) else {
             return Ok(JsValue::NULL);

@@ -128,9 +128,12 @@ fn is_scaffolding(role: Role) -> bool {
 
 fn name_and_value(node: &Node, by_id: &HashMap<NodeId, &Node>) -> (String, Option<Value>) {
     let text = node.value().map(str::to_owned);
-    // egui puts a label's text into its value.
-    if node.role() == Role::Label {
-        return (text.or_else(|| node.label().map(str::to_owned)).unwrap_or_default(), None);
+    // egui puts the text of what is nothing but text into its value.
+    if matches!(node.role(), Role::Label | Role::Alert | Role::Status | Role::Heading) {
+        return match node.label() {
+            Some(name) => (name.to_owned(), text.map(Value::Text)),
+            None => (text.unwrap_or_default(), None),
+        };
     }
     let own = node.label().map(str::to_owned);
     let name = own.unwrap_or_else(|| {

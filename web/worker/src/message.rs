@@ -51,7 +51,7 @@ impl Message {
     pub fn to_js(&self) -> (JsValue, JsValue) {
         let message = Array::new();
         let transfer = Array::new();
-        let mut push = |values: &[JsValue]| {
+        let push = |values: &[JsValue]| {
             for value in values {
                 message.push(value);
             }
