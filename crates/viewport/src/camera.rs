@@ -115,9 +115,10 @@ impl Camera {
         if !is_box(&bounds) {
             return;
         }
-        // A single point has no size to go by: the scene's scale will do.
-        let scale = self.scene().map_or(0.0, radius) * 0.05;
-        let radius = [radius(bounds), scale, 1.0].into_iter().find(|&r| r > 0.0).unwrap_or(1.0);
+        // A line seen from its end needs some distance too. A single point has no size to go by: the
+        // scene's scale will do.
+        let scene = self.scene().map_or(0.0, radius);
+        let least = [1.2 * radius(bounds), 0.15 * scene].into_iter().find(|&d| d > 0.0).unwrap_or(5.0);
         let tan_y = (self.fov_y * 0.5).tan();
         let tan_x = tan_y * f64::from(aspect.clamp(1e-3, 1e3));
         let [right, up, forward] = self.axes();
@@ -130,10 +131,7 @@ impl Camera {
             if self.orthographic { across } else { across - corner.dot(forward) }
         });
         self.target = bounds.center().as_dvec3();
-        self.distance = 1.1 * needed.fold(radius * 1e-3, f64::max);
-        if self.scene().is_none_or(|scene| scene.diagonal() == 0.0) && bounds.diagonal() == 0.0 {
-            self.distance = 5.0 * radius;
-        }
+        self.distance = 1.1 * needed.fold(least, f64::max);
     }
 
     /// Back to the first view of the scene.

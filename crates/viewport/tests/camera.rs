@@ -8,7 +8,14 @@ const VIEW: Vec2 = Vec2::new(800.0, 600.0);
 
 fn camera() -> impl Strategy<Value = Camera> {
     let scale = prop_oneof![Just(1e-4_f64), Just(1.0), Just(1e6)];
-    (prop::array::uniform3(-1.0_f64..1.0), 0.0..6.28_f64, -1.5..1.5_f64, 0.5..20.0_f64, any::<bool>(), scale)
+    (
+        prop::array::uniform3(-1.0_f64..1.0),
+        0.0..std::f64::consts::TAU,
+        -1.5..1.5_f64,
+        0.5..20.0_f64,
+        any::<bool>(),
+        scale,
+    )
         .prop_map(|(target, yaw, pitch, distance, orthographic, scale)| Camera {
             target: DVec3::from(target) * scale,
             yaw,

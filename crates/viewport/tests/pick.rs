@@ -137,7 +137,7 @@ proptest! {
     /// Pointing right at any vertex or edge that a box finds visible picks it or one in front of it
     /// at the same place, and never one that is hidden.
     #[test]
-    fn what_is_visible_can_be_picked(yaw in 0.0..6.28_f64, pitch in -1.5..1.5_f64, orthographic in any::<bool>()) {
+    fn what_is_visible_can_be_picked(yaw in 0.0..std::f64::consts::TAU, pitch in -1.5..1.5_f64, orthographic in any::<bool>()) {
         let ball = sphere(10, 8);
         let tree = FaceTree::new(&ball);
         let camera = Camera { yaw, pitch, orthographic, ..Camera::default() };
