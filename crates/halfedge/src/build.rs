@@ -118,15 +118,80 @@ impl Assembly {
             }
             self.link(h, out);
         }
+        let (vertex_halfedge, several_fans) = self.first_fans(positions.len());
         let mut positions = positions;
-        let mut vertex_halfedge = vec![NONE; positions.len()];
-        let mut seen = Marks::default();
-        let mut split = Vec::new();
-        for h in 0..halfedges as u32 {
-            if seen.get(h as usize) {
+        let mut vertex_halfedge = vertex_halfedge;
+        let split = self.separate_fans(&several_fans, &mut positions, &mut vertex_halfedge);
+        let raw = RawMesh {
+            positions,
+            vertex_halfedge,
+            next: self.next,
+            prev: self.prev,
+            to: self.to,
+            face: self.face,
+            face_halfedge: self.face_halfedge,
+            columns: Default::default(),
+        };
+        (raw, split, self.corner_halfedge)
+    }
+
+    /// For each vertex a half-edge that leaves it, a boundary one of its first fan if there is one;
+    /// and the vertices with further fans.
+    fn first_fans(&self, vertices: usize) -> (Vec<u32>, Marks) {
+        let mut halfedge = vec![NONE; vertices];
+        let mut leaving = vec![0u32; vertices];
+        for (edge, ends) in self.to.as_chunks::<2>().0.iter().enumerate() {
+            for (side, from) in [(0, ends[1] as usize), (1, ends[0] as usize)] {
+                leaving[from] += 1;
+                if halfedge[from] == NONE {
+                    halfedge[from] = (edge * 2 + side) as u32;
+                }
+            }
+        }
+        let mut several = Marks::default();
+        for (v, first) in halfedge.iter_mut().enumerate() {
+            let start = *first;
+            if start == NONE {
                 continue;
             }
+            let mut out = start;
+            let mut met = 0;
+            loop {
+                met += 1;
+                if self.face[out as usize] == NONE {
+                    *first = out;
+                }
+                out = self.next[out as usize ^ 1];
+                if out == start {
+                    break;
+                }
+            }
+            if met < leaving[v] {
+                several.set(v, true);
+            }
+        }
+        (halfedge, several)
+    }
+
+    /// Gives every fan but the first of these vertices a copy of its own, in order of the fans'
+    /// first half-edges; returns the vertex that each copy is of.
+    fn separate_fans(
+        &mut self,
+        several: &Marks,
+        positions: &mut Vec<Vec3>,
+        vertex_halfedge: &mut Vec<u32>,
+    ) -> Vec<u32> {
+        let mut split = Vec::new();
+        if several.count() == 0 {
+            return split;
+        }
+        let mut seen = Marks::default();
+        let mut has_first = Marks::default();
+        for h in 0..self.to.len() as u32 {
             let v = self.to[h as usize ^ 1];
+            if seen.get(h as usize) || !several.get(v as usize) {
+                continue;
+            }
             let mut first = h;
             let mut out = h;
             loop {
@@ -139,8 +204,8 @@ impl Assembly {
                     break;
                 }
             }
-            if vertex_halfedge[v as usize] == NONE {
-                vertex_halfedge[v as usize] = first;
+            if !has_first.get(v as usize) {
+                has_first.set(v as usize, true);
                 continue;
             }
             let copy = positions.len() as u32;
@@ -155,17 +220,7 @@ impl Assembly {
                 }
             }
         }
-        let raw = RawMesh {
-            positions,
-            vertex_halfedge,
-            next: self.next,
-            prev: self.prev,
-            to: self.to,
-            face: self.face,
-            face_halfedge: self.face_halfedge,
-            columns: Default::default(),
-        };
-        (raw, split, self.corner_halfedge)
+        split
     }
 }
 
@@ -266,55 +321,78 @@ impl Mesh {
 /// any other.
 fn quick(soup: &PolygonSoup) -> Option<Assembly> {
     let vertices = soup.positions.len();
-    let mut out = Assembly::with_capacity(soup.face_count(), soup.corners.len());
-    // Edges by smaller end: the latest of each vertex, and for each edge the one before it.
+    // A vertex number and one bit share a word below.
+    if vertices > (NONE >> 1) as usize {
+        return None;
+    }
+    let corners = soup.corners.len();
+    let edges = corners / 2 + corners / 32 + 16;
+    let mut to: Vec<u32> = Vec::with_capacity(edges * 2);
+    let mut face_of: Vec<u32> = Vec::with_capacity(edges * 2);
+    let mut corner_halfedge: Vec<u32> = Vec::with_capacity(corners);
+    // Edges by smaller end: the latest of each vertex; and for each edge its larger end, which way
+    // its even side runs, and the edge before it in the list of the same vertex.
     let mut latest = vec![NONE; vertices];
-    let mut earlier: Vec<u32> = Vec::with_capacity(soup.corners.len() / 2 + 16);
+    let mut list: Vec<[u32; 2]> = Vec::with_capacity(edges);
     for face in 0..soup.face_count() {
         let corners = soup.face(face);
         if !has_distinct_corners(corners) {
             return None;
         }
-        let first_corner = out.corner_halfedge.len();
-        let mut u = corners[0];
-        if u as usize >= vertices {
+        let &first = corners.first()?;
+        if first as usize >= vertices {
             return None;
         }
-        for i in 1..=corners.len() {
-            let v = if i < corners.len() { corners[i] } else { corners[0] };
+        let mut u = first;
+        for &v in corners.iter().skip(1).chain([&first]) {
             if v as usize >= vertices {
                 return None;
             }
-            let slot = u.min(v) as usize;
-            let mut edge = latest[slot];
+            let (slot, end) = if u < v { (u, v * 2) } else { (v, u * 2 + 1) };
+            let head = &mut latest[slot as usize];
+            let mut edge = *head;
             let h = loop {
-                if edge == NONE {
-                    let h = out.push_edge(u, v);
-                    earlier.push(latest[slot]);
-                    latest[slot] = h / 2;
-                    break h;
-                }
-                let even = edge as usize * 2;
-                let (to, from) = (out.to[even], out.to[even + 1]);
-                if to == u && from == v {
-                    if out.face[even + 1] != NONE {
+                let Some(&[other_end, before]) = list.get(edge as usize) else {
+                    let edge = list.len() as u32;
+                    list.push([end, *head]);
+                    *head = edge;
+                    to.extend_from_slice(&[v, u]);
+                    face_of.extend_from_slice(&[NONE, NONE]);
+                    break edge * 2;
+                };
+                if other_end == end ^ 1 {
+                    if face_of[edge as usize * 2 + 1] != NONE {
                         return None;
                     }
-                    break even as u32 + 1;
+                    break edge * 2 + 1;
                 }
-                if to == v && from == u {
+                if other_end == end {
                     return None;
                 }
-                edge = earlier[edge as usize];
+                edge = before;
             };
             // Claimed at once, so that a face that comes back along its own edge is noticed.
-            out.face[h as usize] = face as u32;
-            out.corner_halfedge.push(h);
+            face_of[h as usize] = face as u32;
+            corner_halfedge.push(h);
             u = v;
         }
-        out.close_face(first_corner);
     }
-    Some(out)
+    let mut next = vec![NONE; to.len()];
+    let mut prev = vec![NONE; to.len()];
+    let mut face_halfedge = Vec::with_capacity(soup.face_count());
+    let mut rest = corner_halfedge.as_slice();
+    for face in soup.faces() {
+        let (sides, after) = rest.split_at(face.len());
+        rest = after;
+        let mut before = *sides.last()?;
+        for &h in sides {
+            next[before as usize] = h;
+            prev[h as usize] = before;
+            before = h;
+        }
+        face_halfedge.push(*sides.first()?);
+    }
+    Some(Assembly { next, prev, to, face: face_of, face_halfedge, corner_halfedge })
 }
 
 /// Whether a face has three corners or more, all different.
