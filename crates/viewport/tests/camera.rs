@@ -95,7 +95,7 @@ proptest! {
     /// The matrix agrees with the projection, for models that are not far from the origin.
     #[test]
     fn the_matrix_projects_alike(camera in camera(), p in prop::array::uniform3(-0.1_f32..0.1)) {
-        let point = (camera.target + DVec3::from(Vec3::from(p).as_dvec3()) * camera.distance).as_vec3();
+        let point = (camera.target + Vec3::from(p).as_dvec3() * camera.distance).as_vec3();
         let clip = camera.view_proj(VIEW.x / VIEW.y) * point.extend(1.0);
         let ndc = clip.truncate() / clip.w;
         let pixel = vec2((ndc.x * 0.5 + 0.5) * VIEW.x, (0.5 - ndc.y * 0.5) * VIEW.y);
