@@ -119,7 +119,9 @@ fn run_whole(editor: &mut Editor, command: Command) -> Result<Step, CommandError
             drop(request);
             match editor.finish(id, result)? {
                 Finished::Done(outcome) => Ok(Step { outcome, time }),
-                Finished::Exported(_) => Err(CommandError::refused(name, "it writes files, which -o does here")),
+                Finished::Exported(_) => {
+                    Err(CommandError::refused(name, "it writes files, which -o does here"))
+                }
             }
         }
     }
@@ -142,7 +144,7 @@ fn median(mut times: Vec<Duration>) -> Duration {
     times.sort_unstable();
     let middle = times.len() / 2;
     match (times.get(middle), times.get(middle.wrapping_sub(1))) {
-        (Some(&high), Some(&low)) if times.len() % 2 == 0 => (low + high) / 2,
+        (Some(&high), Some(&low)) if times.len().is_multiple_of(2) => (low + high) / 2,
         (Some(&high), _) => high,
         (None, _) => Duration::ZERO,
     }

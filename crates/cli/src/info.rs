@@ -13,7 +13,8 @@ pub fn run(task: &Info) -> Result<(), Failure> {
     }
     let mut text = format!("{}\n", task.file.display());
     text += &report::counts_text(counts);
-    text += &format!("read in {:.3} s, built in {:.3} s\n", read.read.as_secs_f64(), read.build.as_secs_f64());
+    text +=
+        &format!("read in {:.3} s, built in {:.3} s\n", read.read.as_secs_f64(), read.build.as_secs_f64());
     if read.import.objects.len() > 1 {
         text += "objects:\n";
         for object in &read.import.objects {

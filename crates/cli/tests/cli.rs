@@ -102,7 +102,11 @@ fn apply_runs_steps_in_order_and_writes_the_result() {
     assert_eq!(again["input"], answer["output"]);
     assert!(folder.join("out.mtl").is_file(), "colors are written beside");
     let written = std::fs::read_to_string(&out).expect("written");
-    assert!(written.contains("mtllib out.mtl"), "the first lines: {}", written.lines().next().unwrap_or_default());
+    assert!(
+        written.contains("mtllib out.mtl"),
+        "the first lines: {}",
+        written.lines().next().unwrap_or_default()
+    );
 }
 
 #[test]
@@ -118,7 +122,8 @@ fn convert_keeps_materials_and_writes_the_mesh_itself_as_json() {
     let dump = folder.join("cube.json");
     assert_eq!(run(&["convert", text(&model), text(&dump)]).status.code(), Some(0));
     let dump: Value = serde_json::from_slice(&std::fs::read(dump).expect("written")).expect("JSON");
-    let lengths = ["positions", "vertices", "halfedges", "edges", "faces"].map(|k| dump[k].as_array().expect(k).len());
+    let lengths =
+        ["positions", "vertices", "halfedges", "edges", "faces"].map(|k| dump[k].as_array().expect(k).len());
     assert_eq!(lengths, [8, 8, 24, 12, 6]);
     for (h, row) in dump["halfedges"].as_array().expect("rows").iter().enumerate() {
         let at = |i: usize| row[i].as_u64().expect("an id") as usize;
@@ -145,7 +150,8 @@ fn refused_commands_exit_with_1_and_write_nothing() {
     ] {
         // After a step that succeeds.
         let first = r#"{"op":"subdivide-linear"}"#;
-        let error = fails(&["apply", text(&cube), "--do", first, "--do", command, "-o", text(&out), "--json"], 1);
+        let error =
+            fails(&["apply", text(&cube), "--do", first, "--do", command, "-o", text(&out), "--json"], 1);
         for part in parts {
             assert!(error.contains(part), "{command}: {error}");
         }
@@ -190,7 +196,9 @@ fn bad_usage_and_unreadable_files_exit_with_2() {
 
 #[test]
 fn help_and_version() {
-    for (option, part) in [("--help", "meshwright apply"), ("-h", "--repeat N"), ("--version", env!("CARGO_PKG_VERSION"))] {
+    for (option, part) in
+        [("--help", "meshwright apply"), ("-h", "--repeat N"), ("--version", env!("CARGO_PKG_VERSION"))]
+    {
         let output = run(&[option]);
         assert_eq!(output.status.code(), Some(0));
         assert!(String::from_utf8_lossy(&output.stdout).contains(part));
@@ -209,7 +217,8 @@ fn models_have_the_counts_that_their_table_says() {
     for line in table.lines() {
         let cells: Vec<&str> = line.split('|').map(str::trim).collect();
         let [_, file, v, f, boundary, non_manifold, note, _] = cells.as_slice() else { continue };
-        let (Ok(v), Ok(f), Ok(boundary)) = (v.parse::<u64>(), f.parse::<u64>(), boundary.parse::<u64>()) else {
+        let (Ok(v), Ok(f), Ok(boundary)) = (v.parse::<u64>(), f.parse::<u64>(), boundary.parse::<u64>())
+        else {
             continue;
         };
         let path = models.join("common").join(file.trim_matches('`'));

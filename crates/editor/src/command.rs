@@ -5,20 +5,24 @@
 //! the documentation are generated from.
 
 mod fields;
+mod live;
 mod run;
 mod spec;
 mod subdivide;
 
 pub use fields::{EdgeRef, FaceRef, HalfedgeRef, VertexRef};
-pub(crate) use run::{Action, Commit, DocumentEdit, Input, LocalEdit, Output, Place, Target, WholeMesh};
+pub use live::Mode;
+pub(crate) use run::{
+    Action, Commit, DocumentEdit, Input, LocalEdit, Output, Place, Target, WholeMesh, edit_all,
+};
 pub use separate::By;
+pub use spec::{Field, FieldKind, OperationKind, Spec};
 pub use split_edge::Connect;
 pub use subdivide::Boundary;
 pub use subdivide_catmull_clark::VertexRule;
 pub use subdivide_loop::Weights;
 pub use transform::{Rotate, Scale};
 pub use triangulate_faces::Method;
-pub use spec::{Field, FieldKind, OperationKind, Spec};
 
 use crate::error::{CommandError, Problem};
 use serde::de::DeserializeOwned;
@@ -54,9 +58,7 @@ pub(crate) trait Operation: Sized {
 /// How an operation that is a plain `serde` struct reads and writes its fields.
 macro_rules! fields_by_serde {
     () => {
-        fn parse(
-            fields: serde_json::Map<String, serde_json::Value>,
-        ) -> Result<Self, $crate::error::Problem> {
+        fn parse(fields: serde_json::Map<String, serde_json::Value>) -> Result<Self, $crate::error::Problem> {
             $crate::command::from_fields(fields)
         }
 
@@ -140,7 +142,30 @@ operations! {
     transform::Transform,
     set_face_color::SetFaceColor,
     split_edge::SplitEdge,
+    flip_edge::FlipEdge,
+    collapse_edge::CollapseEdge,
+    collapse_face::CollapseFace,
+    split_vertex::SplitVertex,
+    dissolve_vertex::DissolveVertex,
+    dissolve_edge::DissolveEdge,
+    delete_faces::DeleteFaces,
+    delete_vertices::DeleteVertices,
     triangulate_faces::TriangulateFaces,
+    poke_faces::PokeFaces,
+    connect_vertices::ConnectVertices,
+    extrude_faces::ExtrudeFaces,
+    extrude_edges::ExtrudeEdges,
+    inset_faces::InsetFaces,
+    bevel_edges::BevelEdges,
+    bevel_vertices::BevelVertices,
+    loop_cut::LoopCut,
+    fill_hole::FillHole,
+    bridge::Bridge,
+    merge_vertices::MergeVertices,
+    weld_edges::WeldEdges,
+    rip_edges::RipEdges,
+    flip_orientation::FlipOrientation,
+    set_crease::SetCrease,
     subdivide_catmull_clark::SubdivideCatmullClark,
     subdivide_loop::SubdivideLoop,
     subdivide_linear::SubdivideLinear,
@@ -181,12 +206,13 @@ impl Command {
                 "a command is a JSON object such as {\"op\": \"split-edge\", \"edge\": 3}",
             ));
         };
-        let fail = |op: &str, field: &str, text: String| {
-            Err(CommandError::of(op, Problem::field(field, text)))
-        };
+        let fail =
+            |op: &str, field: &str, text: String| Err(CommandError::of(op, Problem::field(field, text)));
         let name = match fields.remove("op") {
             Some(Value::String(name)) => name,
-            Some(other) => return fail("command", "op", format!("{other} is not the name of an op, in quotes")),
+            Some(other) => {
+                return fail("command", "op", format!("{other} is not the name of an op, in quotes"));
+            }
             None => return fail("command", "op", "is missing: it names what to do".into()),
         };
         let object = match fields.remove("object") {

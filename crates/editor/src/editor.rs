@@ -1,5 +1,6 @@
 //! The editor: a document, its selection and its history, changed by commands.
 
+mod adjust;
 mod drag;
 mod jobs;
 mod select;
@@ -9,7 +10,7 @@ pub use jobs::{Begun, Finished, RunningJob};
 pub use select::SelectMode;
 
 use crate::changes::Changes;
-use crate::command::{Action, Command, Commit, Op, Output, Place, Target};
+use crate::command::{Action, Command, Commit, Op, Output, Place, Target, edit_all};
 use crate::document::{Counts, Document, Object, ObjectId};
 use crate::error::{CommandError, Problem};
 use crate::history::{Change, History, Step, is_reshaping};
@@ -42,6 +43,8 @@ pub struct Editor {
     revision: u64,
     last_revision: u64,
     saved: u64,
+    /// The command of the last step, and the state that it led to.
+    last: Option<(Command, u64)>,
     /// The numbers of each object's mesh, until the mesh changes.
     counts: std::sync::Mutex<HashMap<ObjectId, Counts>>,
 }
@@ -92,6 +95,7 @@ impl Editor {
             revision: 0,
             last_revision: 0,
             saved: 0,
+            last: None,
             counts: Default::default(),
         }
     }
@@ -284,6 +288,29 @@ impl Editor {
         self.run_inner(command, progress).map_err(|problem| self.report(CommandError::of(name, problem)))
     }
 
+    /// Whether a command would be carried out, as far as can be told without doing it: for a local
+    /// edit all but whether positions stay finite (several at once are each looked at on the mesh as
+    /// it is), for an operation on whole meshes whether its elements and objects exist.
+    /// Costs what finding the elements costs; nothing is logged.
+    ///
+    /// # Errors
+    /// Why it would be refused.
+    pub fn can(&self, command: Command) -> Result<(), CommandError> {
+        let name = command.name();
+        let check = || match self.plan(command)? {
+            Planned::Local { object, ops } => {
+                let gone = || Problem::new("the object is gone");
+                let mesh = self.document.object(object).ok_or_else(gone)?.mesh();
+                ops.iter().try_for_each(|op| match op.action() {
+                    Action::Local(edit) => edit.can(mesh),
+                    Action::WholeMesh(_) | Action::Document(_) => Ok(()),
+                })
+            }
+            Planned::Whole { .. } | Planned::Document { .. } => Ok(()),
+        };
+        check().map_err(|problem| CommandError::of(name, problem))
+    }
+
     /// Logs a refusal.
     fn report(&mut self, error: CommandError) -> CommandError {
         if !error.is_cancelled() {
@@ -297,8 +324,10 @@ impl Editor {
         command: Command,
         progress: &mut halfedge::Progress<'_>,
     ) -> Result<Outcome, Problem> {
-        let planned = self.plan(command)?;
-        self.carry_out(planned, progress)
+        let planned = self.plan(command.clone())?;
+        let outcome = self.carry_out(planned, progress)?;
+        self.remember(command);
+        Ok(outcome)
     }
 
     fn carry_out(
@@ -312,7 +341,7 @@ impl Editor {
                 let done = self.edit(object, &ops)?;
                 let (spec, back) = (ops.first().map(Op::spec), vec![Change::Journal(object, done.journal)]);
                 self.push_step(spec.map_or_else(String::new, |s| s.label.to_owned()), back, before);
-                Ok(Self::outcome(&ops, done.created, done.removed))
+                Ok(Outcome { warnings: done.notes, ..Self::outcome(&ops, done.created, done.removed) })
             }
             Planned::Whole { op, objects, at } => {
                 let inputs = self.inputs(&objects);
@@ -396,15 +425,16 @@ impl Editor {
         let object = self.document.objects.get_mut(at).ok_or_else(|| Problem::new("the object is gone"))?;
         let mesh = Arc::make_mut(&mut object.mesh);
         let before = Before::of(mesh);
-        let ((), journal) = mesh.transaction(|mesh| ops.iter().try_for_each(|op| op.edit(mesh)))?;
+        let mut notes = Vec::new();
+        let ((), journal) =
+            mesh.transaction(|mesh| edit_all(ops, mesh, &mut notes, &mut |_| ControlFlow::Continue(())))?;
         let touched = journal.touched();
         if let Err(defect) = validate_touched(mesh, &touched) {
             mesh.undo(journal);
             return Err(broken(&defect.to_string()));
         }
         let (created, removed) = before.compare(mesh, &touched);
-        let reshaped =
-            is_reshaping(&touched) || created.vertices.len() + removed.vertices.len() > 0;
+        let reshaped = is_reshaping(&touched) || created.vertices.len() + removed.vertices.len() > 0;
         self.changes.touched(id, mesh, touched);
         if reshaped {
             self.forget_counts(id);
@@ -412,7 +442,7 @@ impl Editor {
         if self.document.active == at {
             self.drop_gone_from_selection();
         }
-        Ok(Edited { journal, created: created.into(), removed: removed.into() })
+        Ok(Edited { journal, created: created.into(), removed: removed.into(), notes })
     }
 
     /// Puts what a whole-mesh operation made into the document, as one step.
@@ -423,7 +453,7 @@ impl Editor {
         at: usize,
         made: Made,
     ) -> Result<Outcome, Problem> {
-        let Made::Meshes(outputs, ids) = made else {
+        let Made::Meshes(outputs, ids, notes) = made else {
             return Err(Problem::internal("the result is of another job"));
         };
         for output in &outputs {
@@ -464,7 +494,7 @@ impl Editor {
             self.changes.selection = true;
         }
         self.push_step(op.spec().label.to_owned(), back, selection);
-        Ok(Self::outcome(&[op], created, removed))
+        Ok(Outcome { warnings: notes, ..Self::outcome(&[op], created, removed) })
     }
 
     fn changes_for(
@@ -591,6 +621,7 @@ struct Edited {
     journal: Journal,
     created: Elements,
     removed: Elements,
+    notes: Vec<String>,
 }
 
 fn broken(defect: &str) -> Problem {

@@ -4,7 +4,7 @@ mod bytes;
 
 pub use bytes::BadBytes;
 
-use crate::command::{Action, Input, Op, Output};
+use crate::command::{Action, Input, Op, Output, edit_all};
 use crate::error::{CommandError, Problem};
 use crate::outcome::{Before, ElementIds};
 use formats::{Format, Import, NamedBytes, ReadError};
@@ -41,7 +41,8 @@ pub struct JobResult {
 #[derive(Debug)]
 pub(crate) enum Made {
     Import(Import),
-    Meshes(Vec<Output>, Option<(ElementIds, ElementIds)>),
+    /// The meshes; for local edits what they created and removed; what to tell the user besides.
+    Meshes(Vec<Output>, Option<(ElementIds, ElementIds)>, Vec<String>),
     Files(Vec<NamedBytes>),
 }
 
@@ -111,19 +112,15 @@ pub(crate) fn run(ops: &[Op], inputs: &[Input], progress: &mut Progress<'_>) -> 
     if let [op] = ops
         && let Action::WholeMesh(whole) = op.action()
     {
-        return Ok(Made::Meshes(whole.compute(inputs, progress)?, None));
+        return Ok(Made::Meshes(whole.compute(inputs, progress)?, None, Vec::new()));
     }
     let input = inputs.first().ok_or_else(|| Problem::new("there is no mesh to edit"))?;
     let mut mesh = Mesh::clone(&input.mesh);
     let before = Before::of(&mesh);
     mesh.start_recording();
-    for (at, op) in ops.iter().enumerate() {
-        if progress(at as f32 / ops.len() as f32).is_break() {
-            return Err(Problem::cancelled());
-        }
-        op.edit(&mut mesh)?;
-    }
+    let mut notes = Vec::new();
+    edit_all(ops, &mut mesh, &mut notes, progress)?;
     let touched = mesh.finish_recording().touched();
     let ids = before.compare(&mesh, &touched);
-    Ok(Made::Meshes(vec![Output { name: String::new(), mesh: Arc::new(mesh) }], Some(ids)))
+    Ok(Made::Meshes(vec![Output { name: String::new(), mesh: Arc::new(mesh) }], Some(ids), notes))
 }

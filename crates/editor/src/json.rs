@@ -109,6 +109,21 @@ pub(crate) mod finite3_option {
     }
 }
 
+/// `serde(with)` for an `Option<[[f32; 3]; 2]>`.
+pub(crate) mod finite3_pair_option {
+    use super::*;
+
+    pub fn serialize<S: Serializer>(value: &Option<[[f32; 3]; 2]>, serializer: S) -> Result<S::Ok, S::Error> {
+        value.map(|pair| pair.map(|v| v.map(Finite))).serialize(serializer)
+    }
+
+    pub fn deserialize<'de, D: Deserializer<'de>>(
+        deserializer: D,
+    ) -> Result<Option<[[f32; 3]; 2]>, D::Error> {
+        Ok(Some(<[[Finite; 3]; 2]>::deserialize(deserializer)?.map(|v| v.map(|n| n.0))))
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

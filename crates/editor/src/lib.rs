@@ -3,8 +3,8 @@
 //! Everything a user can do is a [`Command`] value given to an [`Editor`]. Menus, keys, scripts,
 //! the command line and tests speak the same commands; [`OPERATIONS`] lists them.
 
-pub mod command;
 mod changes;
+pub mod command;
 mod document;
 mod editor;
 mod error;

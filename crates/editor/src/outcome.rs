@@ -55,12 +55,7 @@ pub struct ElementIds {
 
 impl From<ElementIds> for Elements {
     fn from(ids: ElementIds) -> Self {
-        Self {
-            vertices: ids.vertices.len(),
-            edges: ids.edges.len(),
-            faces: ids.faces.len(),
-            ids: Some(ids),
-        }
+        Self { vertices: ids.vertices.len(), edges: ids.edges.len(), faces: ids.faces.len(), ids: Some(ids) }
     }
 }
 

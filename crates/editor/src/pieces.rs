@@ -1,8 +1,8 @@
 //! Meshes taken apart and put together, with all their attributes.
 
+use glam::{Vec2, Vec3};
 use halfedge::attribute::{AttributeType, Column, Columns, Value, Values};
 use halfedge::{Color, Element, FaceId, Mesh, NONE, PolygonSoup, RawMesh, TooLarge};
-use glam::{Vec2, Vec3};
 use std::collections::HashMap;
 
 /// The mesh of some faces of another, in this order. Vertices keep their order; those in none of
@@ -236,7 +236,12 @@ mod tests {
         let column = joined.column(Element::Face, "material").expect("joined");
         assert_eq!(column.labels, ["wood", "iron", "glass"]);
         assert_eq!(joined.attribute(keys::FACE_MATERIAL).expect("joined"), [1; 6]);
-        assert_eq!(extract(&joined, &joined.faces().skip(3).collect::<Vec<_>>(), false).expect("small").vertex_count(), 9);
+        assert_eq!(
+            extract(&joined, &joined.faces().skip(3).collect::<Vec<_>>(), false)
+                .expect("small")
+                .vertex_count(),
+            9
+        );
     }
 
     #[test]

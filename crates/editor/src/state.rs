@@ -63,7 +63,10 @@ impl Editor {
     pub fn element(&self, kind: Element, id: u32) -> Result<Value, CommandError> {
         let mesh = self.document().active().map(Object::mesh).filter(|mesh| mesh.exists(kind, id));
         let Some(mesh) = mesh else {
-            return Err(CommandError::of("element", Problem::field("id", format!("there is no {kind} {id}"))));
+            return Err(CommandError::of(
+                "element",
+                Problem::field("id", format!("there is no {kind} {id}")),
+            ));
         };
         let at = id as usize;
         Ok(match kind {

@@ -10,7 +10,8 @@ use support::*;
 #[test]
 fn set_vertex_position_moves_one_vertex() {
     let mut editor = on_cube();
-    let outcome = run(&mut editor, json!({"op": "set-vertex-position", "vertex": 3, "position": [0.1, -2, 3e5]}));
+    let outcome =
+        run(&mut editor, json!({"op": "set-vertex-position", "vertex": 3, "position": [0.1, -2, 3e5]}));
     assert_eq!(editor.mesh().expect("a cube").position(VertexId::new(3)).to_array(), [0.1, -2.0, 3e5]);
     assert_eq!(outcome.op, "set-vertex-position");
     assert!(outcome.created.is_empty() && outcome.removed.is_empty());
@@ -80,7 +81,10 @@ fn subdivisions_multiply_faces() {
     assert_eq!(sizes(&editor)[2], 24 * 16);
     let mut editor = on_cube();
     run(&mut editor, json!({"op": "triangulate-faces"}));
-    run(&mut editor, json!({"op": "subdivide-loop", "levels": 2, "weights": "warren", "boundary": "edge-and-corner"}));
+    run(
+        &mut editor,
+        json!({"op": "subdivide-loop", "levels": 2, "weights": "warren", "boundary": "edge-and-corner"}),
+    );
     assert_eq!(sizes(&editor)[2], 12 * 16);
     let mut editor = on_cube();
     let rule = json!({"op": "subdivide-catmull-clark", "boundary": "edge-and-corner", "vertex_rule": "smoothed-midpoints"});
@@ -158,7 +162,9 @@ fn commands_act_on_the_object_they_name() {
     run(&mut editor, json!({"op": "split-edge", "object": 1, "edge": 0}));
     assert_eq!(sizes(&editor), [8, 12, 6]);
     assert_eq!(editor.document().objects()[1].mesh().vertex_count(), 26);
-    for op in [json!({"op": "split-edge", "edge": 0, "object": 2}), json!({"op": "subdivide-linear", "object": 2})] {
+    for op in
+        [json!({"op": "split-edge", "edge": 0, "object": 2}), json!({"op": "subdivide-linear", "object": 2})]
+    {
         let text = refusal(&mut editor, op);
         assert!(text.contains("`object`: there is no object 2"), "{text}");
     }
@@ -197,7 +203,8 @@ fn separate_by_faces_and_groups() {
     assert!(text.contains("`by`: no face is in a group"), "{text}");
 
     let mut mesh = cube();
-    let mut column = editor::halfedge::attribute::Column::with_values(keys::FACE_GROUP, vec![1, 1, 0, 0, 7, u32::MAX]);
+    let mut column =
+        editor::halfedge::attribute::Column::with_values(keys::FACE_GROUP, vec![1, 1, 0, 0, 7, u32::MAX]);
     column.labels = vec!["lid".into(), "side".into()];
     mesh.insert_column(Element::Face, column);
     let mut editor = Editor::with_mesh("Box", mesh);
@@ -217,7 +224,10 @@ fn transform_scales_turns_and_moves() {
     assert_eq!((at(&editor, 0), at(&editor, 3)), ([-1.0, -1.0, 0.0], [2.0, 2.0, 0.0]));
     let mut editor = on_cube();
     let turn = json!({"axis": [0, 0, 2], "degrees": 90});
-    run(&mut editor, json!({"op": "transform", "edges": [[0, 1]], "rotate": turn, "pivot": [0, 0, 0], "scale": [2, 1, 1]}));
+    run(
+        &mut editor,
+        json!({"op": "transform", "edges": [[0, 1]], "rotate": turn, "pivot": [0, 0, 0], "scale": [2, 1, 1]}),
+    );
     let [x, y, z] = at(&editor, 1);
     assert!(x.abs() < 1e-6 && (y - 2.0).abs() < 1e-6 && z == 0.0, "{:?}", at(&editor, 1));
     assert_eq!(at(&editor, 2), [0.0, 1.0, 0.0]);
@@ -272,33 +282,78 @@ fn refusals_name_the_op_and_the_field() {
         (json!({"op": "split-edge", "edge": 4294967296u64}), &["split-edge", "`edge`"]),
         (json!({"op": "split-edge", "edge": [0]}), &["split-edge", "`edge", "pair"]),
         (json!({"op": "split-edge", "edge": [0, 1, 2]}), &["split-edge", "`edge", "pair"]),
-        (json!({"op": "split-edge", "edge": [0, 7]}), &["split-edge", "`edge`", "no edge joins vertex 0 and vertex 7"]),
+        (
+            json!({"op": "split-edge", "edge": [0, 7]}),
+            &["split-edge", "`edge`", "no edge joins vertex 0 and vertex 7"],
+        ),
         (json!({"op": "split-edge", "edge": [0, 80]}), &["split-edge", "`edge`", "no vertex 80"]),
         (json!({"op": "split-edge", "edge": 0, "t": 1}), &["split-edge", "`t`", "between 0 and 1"]),
         (json!({"op": "split-edge", "edge": 0, "t": 1e39}), &["split-edge", "`t`", "finite"]),
         (json!({"op": "split-edge", "edge": 0, "t": null}), &["split-edge", "`t`"]),
         (json!({"op": "split-edge", "edge": 0, "T": 1}), &["split-edge", "`T`", "not a field", "`t`"]),
-        (json!({"op": "split-edge", "edge": 0, "connect": "some"}), &["split-edge", "`connect`", "`some`", "`triangles`"]),
+        (
+            json!({"op": "split-edge", "edge": 0, "connect": "some"}),
+            &["split-edge", "`connect`", "`some`", "`triangles`"],
+        ),
         (json!({"op": "split-edge", "edge": 0, "object": -1}), &["split-edge", "`object`", "-1"]),
         (json!({"op": "split-edge", "edge": 0, "object": 5}), &["split-edge", "`object`", "no object 5"]),
-        (json!({"op": "set-vertex-position", "vertex": 0}), &["set-vertex-position", "`position`", "missing"]),
-        (json!({"op": "set-vertex-position", "vertex": 0, "position": [0, 1]}), &["set-vertex-position", "`position"]),
-        (json!({"op": "set-vertex-position", "vertex": 0, "position": [0, 1, 1e300]}), &["set-vertex-position", "`position[2]`", "finite"]),
-        (json!({"op": "set-vertex-position", "vertex": 0, "position": [0, "x", 1]}), &["set-vertex-position", "`position[1]`"]),
-        (json!({"op": "set-vertex-position", "vertex": [0, 1], "position": [0, 0, 1]}), &["set-vertex-position", "`vertex`"]),
-        (json!({"op": "set-vertex-position", "vertex": 8, "position": [0, 0, 1]}), &["set-vertex-position", "`vertex`", "no vertex 8"]),
-        (json!({"op": "set-vertex-position", "position": [0, 0, 1]}), &["set-vertex-position", "`vertex`", "missing"]),
-        (json!({"op": "set-face-color", "faces": [0, 6], "color": "#123456"}), &["set-face-color", "`faces[1]`", "no face 6"]),
-        (json!({"op": "set-face-color", "faces": [0, "a"], "color": "#123456"}), &["set-face-color", "`faces[1]`"]),
-        (json!({"op": "set-face-color", "faces": [0], "color": "red"}), &["set-face-color", "`color`", "red", "#rrggbb"]),
+        (
+            json!({"op": "set-vertex-position", "vertex": 0}),
+            &["set-vertex-position", "`position`", "missing"],
+        ),
+        (
+            json!({"op": "set-vertex-position", "vertex": 0, "position": [0, 1]}),
+            &["set-vertex-position", "`position"],
+        ),
+        (
+            json!({"op": "set-vertex-position", "vertex": 0, "position": [0, 1, 1e300]}),
+            &["set-vertex-position", "`position[2]`", "finite"],
+        ),
+        (
+            json!({"op": "set-vertex-position", "vertex": 0, "position": [0, "x", 1]}),
+            &["set-vertex-position", "`position[1]`"],
+        ),
+        (
+            json!({"op": "set-vertex-position", "vertex": [0, 1], "position": [0, 0, 1]}),
+            &["set-vertex-position", "`vertex`"],
+        ),
+        (
+            json!({"op": "set-vertex-position", "vertex": 8, "position": [0, 0, 1]}),
+            &["set-vertex-position", "`vertex`", "no vertex 8"],
+        ),
+        (
+            json!({"op": "set-vertex-position", "position": [0, 0, 1]}),
+            &["set-vertex-position", "`vertex`", "missing"],
+        ),
+        (
+            json!({"op": "set-face-color", "faces": [0, 6], "color": "#123456"}),
+            &["set-face-color", "`faces[1]`", "no face 6"],
+        ),
+        (
+            json!({"op": "set-face-color", "faces": [0, "a"], "color": "#123456"}),
+            &["set-face-color", "`faces[1]`"],
+        ),
+        (
+            json!({"op": "set-face-color", "faces": [0], "color": "red"}),
+            &["set-face-color", "`color`", "red", "#rrggbb"],
+        ),
         (json!({"op": "set-face-color", "faces": [0]}), &["set-face-color", "`color`", "missing"]),
         (json!({"op": "set-face-color", "color": "#123456"}), &["set-face-color", "`faces`", "missing"]),
         (json!({"op": "triangulate-faces", "faces": [9]}), &["triangulate-faces", "`faces[0]`", "no face 9"]),
         (json!({"op": "triangulate-faces", "method": "magic"}), &["triangulate-faces", "`method`", "magic"]),
         (json!({"op": "subdivide-catmull-clark", "levels": 0}), &["subdivide-catmull-clark", "`levels`"]),
-        (json!({"op": "subdivide-catmull-clark", "levels": 1.5}), &["subdivide-catmull-clark", "`levels`", "1.5"]),
-        (json!({"op": "subdivide-catmull-clark", "levels": -1}), &["subdivide-catmull-clark", "`levels`", "-1"]),
-        (json!({"op": "subdivide-catmull-clark", "levels": 4000000000u32}), &["subdivide-catmull-clark", "`levels`", "faces"]),
+        (
+            json!({"op": "subdivide-catmull-clark", "levels": 1.5}),
+            &["subdivide-catmull-clark", "`levels`", "1.5"],
+        ),
+        (
+            json!({"op": "subdivide-catmull-clark", "levels": -1}),
+            &["subdivide-catmull-clark", "`levels`", "-1"],
+        ),
+        (
+            json!({"op": "subdivide-catmull-clark", "levels": 4000000000u32}),
+            &["subdivide-catmull-clark", "`levels`", "faces"],
+        ),
         (json!({"op": "subdivide-catmull-clark", "boundary": 3}), &["subdivide-catmull-clark", "`boundary`"]),
         (json!({"op": "subdivide-loop", "weights": "heavy"}), &["subdivide-loop", "`weights`", "heavy"]),
         (json!({"op": "new"}), &["new", "`shape`", "missing", "`cube`"]),
@@ -310,7 +365,10 @@ fn refusals_name_the_op_and_the_field() {
         (json!({"op": "new", "shape": "cube", "object": 0}), &["new", "`object`"]),
         (json!({"op": "activate-object"}), &["activate-object", "`object`", "missing"]),
         (json!({"op": "activate-object", "object": 1}), &["activate-object", "`object`", "no object 1"]),
-        (json!({"op": "activate-object", "object": 0, "name": ""}), &["activate-object", "`name`", "not a field"]),
+        (
+            json!({"op": "activate-object", "object": 0, "name": ""}),
+            &["activate-object", "`name`", "not a field"],
+        ),
         (json!({"op": "rename-object"}), &["rename-object", "`name`", "missing"]),
         (json!({"op": "rename-object", "name": "  "}), &["rename-object", "`name`"]),
         (json!({"op": "rename-object", "name": "a\nb"}), &["rename-object", "`name`"]),
@@ -326,10 +384,19 @@ fn refusals_name_the_op_and_the_field() {
         (json!({"op": "separate", "faces": [0, 1, 2, 3, 4, 5]}), &["separate", "`faces`", "not all"]),
         (json!({"op": "transform"}), &["transform", "`vertices`", "missing"]),
         (json!({"op": "transform", "vertices": [0], "scale": [1, 2]}), &["transform", "`scale`"]),
-        (json!({"op": "transform", "vertices": [0], "rotate": {"axis": [0, 0, 0], "degrees": 3}}), &["transform", "`rotate.axis`"]),
-        (json!({"op": "transform", "vertices": [0], "rotate": {"axis": [0, 0, 1]}}), &["transform", "`rotate.degrees`", "missing"]),
+        (
+            json!({"op": "transform", "vertices": [0], "rotate": {"axis": [0, 0, 0], "degrees": 3}}),
+            &["transform", "`rotate.axis`"],
+        ),
+        (
+            json!({"op": "transform", "vertices": [0], "rotate": {"axis": [0, 0, 1]}}),
+            &["transform", "`rotate.degrees`", "missing"],
+        ),
         (json!({"op": "transform", "vertices": [0], "falloff": 0}), &["transform", "`falloff`", "above 0"]),
-        (json!({"op": "transform", "vertices": [7], "scale": 1e38, "translate": [3e38, 0, 0], "pivot": [-9, 0, 0]}), &["transform", "finite"]),
+        (
+            json!({"op": "transform", "vertices": [7], "scale": 1e38, "translate": [3e38, 0, 0], "pivot": [-9, 0, 0]}),
+            &["transform", "finite"],
+        ),
     ];
     for (value, parts) in cases {
         let text = refusal(&mut on_cube(), value.clone());
@@ -344,10 +411,7 @@ fn refusals_name_the_op_and_the_field() {
 #[test]
 fn several_edges_at_once_are_split_or_none() {
     // Two triangles back to back: splitting an edge meets itself on the other side.
-    let back_to_back = build(
-        vec![glam::Vec3::ZERO, glam::Vec3::X, glam::Vec3::Y],
-        &[[0, 1, 2], [0, 2, 1]],
-    );
+    let back_to_back = build(vec![glam::Vec3::ZERO, glam::Vec3::X, glam::Vec3::Y], &[[0, 1, 2], [0, 2, 1]]);
     let mut editor = Editor::with_mesh("Leaf", back_to_back);
     editor.select_all(Element::Edge);
     let text = refusal(&mut editor, json!({"op": "split-edge"}));
@@ -381,7 +445,8 @@ fn the_table_of_operations_is_what_the_commands_are() {
         }
         // A default that is a value is the one that a field left out has.
         for field in spec.fields {
-            let Some(default) = field.default.and_then(|text| serde_json::from_str::<Value>(text).ok()) else {
+            let Some(default) = field.default.and_then(|text| serde_json::from_str::<Value>(text).ok())
+            else {
                 continue;
             };
             let mut value = json!({"op": spec.name});

@@ -12,6 +12,43 @@ fn position(editor: &Editor, v: usize) -> [f32; 3] {
     editor.mesh().expect("a mesh").position(VertexId::new(v)).to_array()
 }
 
+/// Some local edit of one or a few elements.
+fn any_edit() -> impl Strategy<Value = Value> {
+    let id = 0u32..40;
+    let ids = || prop::collection::vec(0u32..40, 1..4);
+    let pair = || prop::array::uniform2(0u32..40);
+    let mode = prop::sample::select(vec!["region", "individual"]);
+    prop_oneof![
+        id.clone().prop_map(|e| json!({"op": "flip-edge", "edge": e})),
+        (id.clone(), 0f32..=1.0).prop_map(|(e, t)| json!({"op": "collapse-edge", "edge": e, "t": t})),
+        id.clone().prop_map(|f| json!({"op": "collapse-face", "face": f})),
+        (id.clone(), pair()).prop_map(|(v, e)| json!({"op": "split-vertex", "vertex": v, "edges": e})),
+        id.clone().prop_map(|v| json!({"op": "dissolve-vertex", "vertex": v})),
+        id.clone().prop_map(|e| json!({"op": "dissolve-edge", "edge": e})),
+        ids().prop_map(|f| json!({"op": "delete-faces", "faces": f})),
+        ids().prop_map(|v| json!({"op": "delete-vertices", "vertices": v})),
+        id.clone().prop_map(|f| json!({"op": "triangulate-faces", "faces": [f], "method": "ear"})),
+        ids().prop_map(|f| json!({"op": "poke-faces", "faces": f})),
+        pair().prop_map(|v| json!({"op": "connect-vertices", "vertices": v})),
+        (ids(), -1f32..1.0, mode.clone())
+            .prop_map(|(f, d, m)| json!({"op": "extrude-faces", "faces": f, "distance": d, "mode": m})),
+        ids().prop_map(|e| json!({"op": "extrude-edges", "edges": e, "offset": [0, 0, 1]})),
+        (ids(), 0f32..1.0, mode)
+            .prop_map(|(f, a, m)| json!({"op": "inset-faces", "faces": f, "amount": a, "mode": m})),
+        (ids(), 0f32..1.0, 1u32..4)
+            .prop_map(|(e, w, s)| json!({"op": "bevel-edges", "edges": e, "width": w, "segments": s})),
+        (ids(), 0f32..1.0).prop_map(|(v, w)| json!({"op": "bevel-vertices", "vertices": v, "width": w})),
+        (id.clone(), 1u32..3).prop_map(|(e, c)| json!({"op": "loop-cut", "edge": e, "cuts": c})),
+        (0u32..80).prop_map(|h| json!({"op": "fill-hole", "halfedge": h})),
+        prop::array::uniform2(0u32..80).prop_map(|h| json!({"op": "bridge", "halfedges": h})),
+        ids().prop_map(|v| json!({"op": "merge-vertices", "vertices": v})),
+        pair().prop_map(|e| json!({"op": "weld-edges", "edges": e})),
+        ids().prop_map(|e| json!({"op": "rip-edges", "edges": e})),
+        Just(json!({"op": "flip-orientation"})),
+        (ids(), 0f32..10.0).prop_map(|(e, s)| json!({"op": "set-crease", "edges": e, "sharpness": s})),
+    ]
+}
+
 /// Some command: ids and places are often those of nothing, so that refusals are among them.
 fn any_command() -> impl Strategy<Value = Value> {
     let id = 0u32..40;
@@ -24,6 +61,7 @@ fn any_command() -> impl Strategy<Value = Value> {
             .prop_map(|f| json!({"op": "set-face-color", "faces": f, "color": "#0a0b0c"})),
         id.clone().prop_map(|f| json!({"op": "triangulate-faces", "faces": [f]})),
         Just(json!({"op": "triangulate-faces"})),
+        any_edit(),
         Just(json!({"op": "subdivide-linear"})),
         (0usize..3).prop_map(|o| json!({"op": "subdivide-catmull-clark", "object": o})),
         Just(json!({"op": "new", "shape": "grid", "columns": 2, "rows": 1, "add": true})),
@@ -36,8 +74,9 @@ fn any_command() -> impl Strategy<Value = Value> {
         Just(json!({"op": "join-objects"})),
         Just(json!({"op": "separate", "by": "components"})),
         prop::collection::vec(id.clone(), 1..4).prop_map(|f| json!({"op": "separate", "faces": f})),
-        (prop::collection::vec(id, 1..4), 0.5f32..3.0)
-            .prop_map(|(v, r)| json!({"op": "transform", "vertices": v, "translate": [0.5, 0.25, 0], "falloff": r})),
+        (prop::collection::vec(id, 1..4), 0.5f32..3.0).prop_map(
+            |(v, r)| json!({"op": "transform", "vertices": v, "translate": [0.5, 0.25, 0], "falloff": r})
+        ),
     ]
 }
 
@@ -47,6 +86,19 @@ fn any_element() -> impl Strategy<Value = Element> {
 
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(96))]
+
+    #[test]
+    fn what_can_be_done_is_what_is_not_refused(edits in prop::collection::vec(any_edit(), 1..20), cube in any::<bool>()) {
+        let mut editor = if cube { on_cube() } else { Editor::with_mesh("Patches", patches()) };
+        for value in edits {
+            let can = editor.can(command(value.clone()));
+            let messages = editor.messages().count();
+            let ran = editor.run(command(value.clone()));
+            validate(&editor);
+            prop_assert_eq!(can.err(), ran.as_ref().err().cloned(), "{}", value);
+            prop_assert_eq!(editor.messages().count() - messages, usize::from(ran.is_err()).min(200 - messages));
+        }
+    }
 
     #[test]
     fn undo_and_redo_go_through_the_same_states(
@@ -134,7 +186,9 @@ fn a_drag_of_an_edit_that_makes_elements_is_one_step_too() {
     editor.select(Element::Edge, [0, 11], SelectMode::Replace).expect("there");
     let before = editor.document().clone();
     for t in [0.1, 0.5, 0.9] {
-        editor.drag(command(json!({"op": "split-edge", "edge": 0, "t": t, "connect": "all"}))).expect("a split");
+        editor
+            .drag(command(json!({"op": "split-edge", "edge": 0, "t": t, "connect": "all"})))
+            .expect("a split");
         validate(&editor);
         assert_eq!(sizes(&editor), [9, 15, 8]);
     }

@@ -37,7 +37,8 @@ fn decorated() -> Mesh {
     mesh.set(keys::EDGE_CREASE, 5, 2.5);
     mesh.set(keys::CORNER_UV, 7, glam::Vec2::new(0.5, -1.0));
     mesh.set(keys::CORNER_NORMAL, 3, glam::Vec3::Y);
-    let mut groups = editor::halfedge::attribute::Column::with_values(keys::FACE_GROUP, vec![0, 0, 1, 1, 0, 1]);
+    let mut groups =
+        editor::halfedge::attribute::Column::with_values(keys::FACE_GROUP, vec![0, 0, 1, 1, 0, 1]);
     groups.labels = vec!["a".into(), "b".into()];
     mesh.insert_column(Element::Face, groups);
     mesh
@@ -50,8 +51,12 @@ fn what_is_small_is_done_at_once_and_what_is_large_is_a_job() {
     assert!(matches!(begun, Begun::Done(_)));
     let request = job(editor.begin(command(json!({"op": "subdivide-linear", "levels": 6}))).expect("a cube"));
     assert_eq!(sizes(&editor)[2], 24, "the document stays as it is");
-    assert_eq!(editor.jobs().map(|job| (job.id, job.op)).collect::<Vec<_>>(), [(request.id(), "subdivide-linear")]);
-    let Finished::Done(outcome) = editor.finish(request.id(), Ok(through_bytes(&request))).expect("waited for")
+    assert_eq!(
+        editor.jobs().map(|job| (job.id, job.op)).collect::<Vec<_>>(),
+        [(request.id(), "subdivide-linear")]
+    );
+    let Finished::Done(outcome) =
+        editor.finish(request.id(), Ok(through_bytes(&request))).expect("waited for")
     else {
         panic!("a command")
     };
@@ -165,7 +170,8 @@ fn a_job_that_is_stopped_or_fails_changes_nothing() {
     assert_eq!(editor.messages().count(), 0, "cancelling is no news");
 
     let mut editor = on_cube();
-    let request = job(editor.begin(command(json!({"op": "subdivide-loop", "levels": 7}))).expect("not looked at yet"));
+    let request =
+        job(editor.begin(command(json!({"op": "subdivide-loop", "levels": 7}))).expect("not looked at yet"));
     let failed = request.run(&mut on);
     assert!(editor.finish(request.id(), failed).is_err());
     assert_eq!(editor.document(), on_cube().document());
@@ -193,7 +199,8 @@ fn files_open_and_are_written_through_jobs() {
         panic!("exported")
     };
     assert_eq!(files[0].name, "pyramid.obj");
-    let again = JobRequest::import(files).run(&mut on).expect("its own file").into_import().expect("an import");
+    let again =
+        JobRequest::import(files).run(&mut on).expect("its own file").into_import().expect("an import");
     assert_eq!(&again.objects[0].mesh.to_soup(), &editor.mesh().expect("it").to_soup());
 
     editor.undo().expect("free");

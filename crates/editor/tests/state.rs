@@ -73,7 +73,10 @@ fn elements_have_their_pointers() {
         })
     );
     let face = editor.element(Element::Face, 0).expect("there");
-    assert_eq!((&face["corners"], &face["color"], &face["area"]), (&json!([0, 2, 3, 1]), &json!("#c8c8c8"), &json!(1.0)));
+    assert_eq!(
+        (&face["corners"], &face["color"], &face["area"]),
+        (&json!([0, 2, 3, 1]), &json!("#c8c8c8"), &json!(1.0))
+    );
     let edge = editor.element(Element::Edge, 0).expect("there");
     assert_eq!((&edge["length"], &edge["boundary"]), (&json!(1.0), &json!(false)));
 
@@ -82,7 +85,8 @@ fn elements_have_their_pointers() {
     let halfedge = open.element(Element::Halfedge, boundary.raw()).expect("there");
     assert_eq!((&halfedge["face"], &halfedge["boundary"]), (&Value::Null, &json!(true)));
 
-    for (kind, id) in [(Element::Vertex, 8), (Element::Edge, 12), (Element::Halfedge, 24), (Element::Face, 6)] {
+    for (kind, id) in [(Element::Vertex, 8), (Element::Edge, 12), (Element::Halfedge, 24), (Element::Face, 6)]
+    {
         let error = editor.element(kind, id).expect_err("past the end");
         assert_eq!(error.to_string(), format!("element: `id`: there is no {kind} {id}"));
     }

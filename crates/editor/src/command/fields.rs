@@ -92,6 +92,47 @@ pub(crate) fn find_all<R: Copy, T>(
         .collect()
 }
 
+/// A field that resolving fills in.
+pub(crate) fn one<R>(given: Option<R>, field: &str) -> Result<R, Problem> {
+    given.ok_or_else(|| Problem::field(field, "is missing"))
+}
+
+/// The two elements of a field that resolving fills in, each checked.
+pub(crate) fn pair<R: Copy, T>(
+    given: &Option<[R; 2]>,
+    field: &str,
+    find: impl Fn(R, &str) -> Result<T, Problem>,
+) -> Result<[T; 2], Problem> {
+    let [a, b] = one(*given, field)?;
+    let at = |item, place| {
+        find(item, field).map_err(|problem| Problem { field: Some(format!("{field}[{place}]")), ..problem })
+    };
+    Ok([at(a, 0)?, at(b, 1)?])
+}
+
+/// The vertices of a `vertices` field; none for one left out.
+pub(crate) fn vertices(list: &Option<Vec<VertexRef>>, mesh: &Mesh) -> Result<Vec<VertexId>, Problem> {
+    find_all(list.as_deref().unwrap_or_default(), "vertices", |v, field| v.find(mesh, field))
+}
+
+/// The edges of an `edges` field; none for one left out.
+pub(crate) fn edges(list: &Option<Vec<EdgeRef>>, mesh: &Mesh) -> Result<Vec<EdgeId>, Problem> {
+    find_all(list.as_deref().unwrap_or_default(), "edges", |e, field| e.find(mesh, field))
+}
+
+/// The faces of a `faces` field; none for one left out.
+pub(crate) fn faces(list: &Option<Vec<FaceRef>>, mesh: &Mesh) -> Result<Vec<FaceId>, Problem> {
+    find_all(list.as_deref().unwrap_or_default(), "faces", |f, field| f.find(mesh, field))
+}
+
+/// The faces of a `faces` field that stands for all when left out.
+pub(crate) fn faces_or_all(list: &Option<Vec<FaceRef>>, mesh: &Mesh) -> Result<Vec<FaceId>, Problem> {
+    match list {
+        Some(_) => faces(list, mesh),
+        None => Ok(mesh.faces().collect()),
+    }
+}
+
 macro_rules! id_conversions {
     ($($from:ty => $to:ident $(:: $variant:ident)?),* $(,)?) => {
         $(impl From<$from> for $to {

@@ -1,11 +1,11 @@
 //! How operations are carried out: the three ways, and what each is given.
 
-use crate::command::Op;
+use crate::command::{EdgeRef, FaceRef, Op, VertexRef};
 use crate::document::{Document, Object, ObjectId};
 use crate::error::Problem;
 use crate::history::Change;
 use crate::selection::Selection;
-use halfedge::{EdgeId, Element, Mesh, Progress, VertexId};
+use halfedge::{EdgeId, Element, HalfedgeId, Mesh, Progress, VertexId};
 use std::sync::Arc;
 
 /// How an operation is carried out.
@@ -59,35 +59,161 @@ impl Target<'_> {
         if edges.is_empty() { Err(missing(field, "no edge")) } else { Ok(edges) }
     }
 
+    /// Whether elements of this kind are selected.
+    pub fn has_selected(&self, kind: Element) -> bool {
+        self.selection.kind() == kind && !self.selection.is_empty()
+    }
+
     /// The ids of the selected elements of exactly this kind.
     pub fn ids(&self, kind: Element, field: &str) -> Result<Vec<u32>, Problem> {
-        if self.selection.kind() != kind || self.selection.is_empty() {
-            return Err(missing(field, &format!("no {kind}")));
+        if self.has_selected(kind) {
+            return Ok(self.selection.ids().collect());
         }
-        Ok(self.selection.ids().collect())
+        Err(missing(field, &format!("no {kind}")))
     }
 
     /// The id of the one selected element of this kind.
     pub fn only(&self, kind: Element, field: &str) -> Result<u32, Problem> {
         match self.ids(kind, field)?.as_slice() {
             [only] => Ok(*only),
-            many => Err(Problem::field(
-                field,
-                format!("is missing, and {} elements are selected instead of one {kind}", many.len()),
-            )),
+            many => Err(wrong_number(field, many.len(), &format!("one {kind}"))),
         }
     }
+
+    /// The one selected edge.
+    pub fn only_edge(&self, field: &str) -> Result<EdgeId, Problem> {
+        match self.edges(field)?.as_slice() {
+            [only] => Ok(*only),
+            many => Err(wrong_number(field, many.len(), "one edge")),
+        }
+    }
+
+    /// The ids of the two selected elements of this kind, the one selected last second.
+    pub fn two(&self, kind: Element, field: &str) -> Result<[u32; 2], Problem> {
+        match self.ids(kind, field)?.as_slice() {
+            &[a, b] if self.selection.latest() == Some(a) => Ok([b, a]),
+            &[a, b] => Ok([a, b]),
+            many => Err(wrong_number(field, many.len(), &format!("two of kind {kind}"))),
+        }
+    }
+
+    /// The selected half-edges, and the boundary sides of selected edges.
+    pub fn boundary(&self, field: &str) -> Result<Vec<HalfedgeId>, Problem> {
+        if self.selection.kind() == Element::Halfedge {
+            let ids = self.ids(Element::Halfedge, field)?;
+            return Ok(ids.into_iter().filter_map(|id| self.mesh.halfedge(id)).collect());
+        }
+        let side = |e: EdgeId| {
+            let sides = e.halfedges();
+            sides.into_iter().find(|&h| self.mesh.is_boundary_halfedge(h)).unwrap_or(e.halfedge())
+        };
+        Ok(self.edges(field)?.into_iter().map(side).collect())
+    }
+
+    /// [`Target::boundary`] where there are two.
+    pub fn two_boundary(&self, field: &str) -> Result<[HalfedgeId; 2], Problem> {
+        match self.boundary(field)?.as_slice() {
+            &[a, b] => Ok([a, b]),
+            many => Err(wrong_number(field, many.len(), "two half-edges")),
+        }
+    }
+
+    /// Fills in the selected vertices where none are given.
+    pub fn fill_vertices(&self, list: &mut Option<Vec<VertexRef>>, field: &str) -> Result<(), Problem> {
+        if list.is_none() {
+            *list = Some(self.ids(Element::Vertex, field)?.into_iter().map(VertexRef).collect());
+        }
+        Ok(())
+    }
+
+    /// Fills in the selected edges, or those of the selected half-edges, where none are given.
+    pub fn fill_edges(&self, list: &mut Option<Vec<EdgeRef>>, field: &str) -> Result<(), Problem> {
+        if list.is_none() {
+            *list = Some(self.edges(field)?.into_iter().map(EdgeRef::from).collect());
+        }
+        Ok(())
+    }
+
+    /// Fills in the selected faces where none are given.
+    pub fn fill_faces(&self, list: &mut Option<Vec<FaceRef>>, field: &str) -> Result<(), Problem> {
+        if list.is_none() {
+            *list = Some(self.ids(Element::Face, field)?.into_iter().map(FaceRef).collect());
+        }
+        Ok(())
+    }
+
+    /// The operation on its vertex, or one on each selected vertex.
+    pub fn each_vertex<O: Clone>(
+        &self,
+        op: O,
+        field: &str,
+        place: fn(&mut O) -> &mut Option<VertexRef>,
+    ) -> Result<Vec<O>, Problem> {
+        each(op, place, || Ok(self.ids(Element::Vertex, field)?.into_iter().map(VertexRef).collect()))
+    }
+
+    /// The operation on its edge, or one on each selected edge.
+    pub fn each_edge<O: Clone>(
+        &self,
+        op: O,
+        field: &str,
+        place: fn(&mut O) -> &mut Option<EdgeRef>,
+    ) -> Result<Vec<O>, Problem> {
+        each(op, place, || Ok(self.edges(field)?.into_iter().map(EdgeRef::from).collect()))
+    }
+
+    /// The operation on its face, or one on each selected face.
+    pub fn each_face<O: Clone>(
+        &self,
+        op: O,
+        field: &str,
+        place: fn(&mut O) -> &mut Option<FaceRef>,
+    ) -> Result<Vec<O>, Problem> {
+        each(op, place, || Ok(self.ids(Element::Face, field)?.into_iter().map(FaceRef).collect()))
+    }
+}
+
+fn each<O: Clone, R>(
+    mut op: O,
+    place: fn(&mut O) -> &mut Option<R>,
+    selected: impl FnOnce() -> Result<Vec<R>, Problem>,
+) -> Result<Vec<O>, Problem> {
+    if place(&mut op).is_some() {
+        return Ok(vec![op]);
+    }
+    let on = |element| {
+        let mut op = op.clone();
+        *place(&mut op) = Some(element);
+        op
+    };
+    Ok(selected()?.into_iter().map(on).collect())
 }
 
 fn missing(field: &str, what: &str) -> Problem {
     Problem::field(field, format!("is missing, and {what} is selected that it could stand for"))
 }
 
-/// An operation on a few elements of one mesh.
+fn wrong_number(field: &str, selected: usize, needed: &str) -> Problem {
+    let are = if selected == 1 { "1 is" } else { &format!("{selected} are") };
+    Problem::field(field, format!("is missing, and {are} selected where it takes {needed}"))
+}
+
+/// An operation on a few elements of one mesh. Called on resolved operations, whose elements are
+/// all given.
 pub(crate) trait LocalEdit {
+    /// Whether the edit would succeed; where not, why.
+    fn can(&self, mesh: &Mesh) -> Result<(), Problem>;
+
     /// Makes the edit, all or nothing: the caller takes back what was written before an error.
-    /// Called on resolved operations, whose elements are all given.
-    fn edit(&self, mesh: &mut Mesh) -> Result<(), Problem>;
+    /// What the user should know besides goes to `notes`.
+    fn edit(&self, mesh: &mut Mesh, notes: &mut Vec<String>) -> Result<(), Problem>;
+
+    /// Whether there is nothing left to do because an earlier one of several edits made in one step
+    /// took the element away.
+    fn is_moot(&self, mesh: &Mesh) -> bool {
+        let _ = mesh;
+        false
+    }
 
     /// About how many faces are written to: what decides whether it becomes a job.
     fn cost(&self, mesh: &Mesh) -> usize {
@@ -183,14 +309,24 @@ impl<'a> Place<'a> {
     }
 }
 
-impl Op {
-    /// Runs a local edit on a mesh that records; for local operations only.
-    pub(crate) fn edit(&self, mesh: &mut Mesh) -> Result<(), Problem> {
-        match self.action() {
-            Action::Local(edit) => edit.edit(mesh),
-            Action::WholeMesh(_) | Action::Document(_) => {
-                Err(Problem::new("this op does not edit a few elements, so it can't be previewed"))
-            }
+/// Makes local edits one after the other; the first runs in any case, so that what is wrong with
+/// it is told.
+pub(crate) fn edit_all(
+    ops: &[Op],
+    mesh: &mut Mesh,
+    notes: &mut Vec<String>,
+    progress: &mut Progress<'_>,
+) -> Result<(), Problem> {
+    for (at, op) in ops.iter().enumerate() {
+        let Action::Local(edit) = op.action() else {
+            return Err(Problem::new("this op does not edit a few elements, so it can't be previewed"));
+        };
+        if progress(at as f32 / ops.len() as f32).is_break() {
+            return Err(Problem::cancelled());
+        }
+        if at == 0 || !edit.is_moot(mesh) {
+            edit.edit(mesh, notes)?;
         }
     }
+    Ok(())
 }

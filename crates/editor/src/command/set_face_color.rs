@@ -1,9 +1,9 @@
 //! `set-face-color`: paints faces.
 
-use super::fields::find_all;
+use super::fields::faces;
 use super::{Action, FaceRef, Field, FieldKind, LocalEdit, Operation, OperationKind, Spec, Target};
 use crate::error::Problem;
-use halfedge::{Color, Element, Mesh, keys};
+use halfedge::{Color, FaceId, Mesh, keys};
 use serde::{Deserialize, Serialize};
 
 /// Paints faces.
@@ -33,9 +33,7 @@ impl Operation for SetFaceColor {
     fields_by_serde!();
 
     fn resolve(mut self, target: &Target<'_>) -> Result<Vec<Self>, Problem> {
-        if self.faces.is_none() {
-            self.faces = Some(target.ids(Element::Face, "faces")?.into_iter().map(FaceRef).collect());
-        }
+        target.fill_faces(&mut self.faces, "faces")?;
         Ok(vec![self])
     }
 
@@ -44,13 +42,23 @@ impl Operation for SetFaceColor {
     }
 }
 
-impl LocalEdit for SetFaceColor {
-    fn edit(&self, mesh: &mut Mesh) -> Result<(), Problem> {
+impl SetFaceColor {
+    fn found(&self, mesh: &Mesh) -> Result<(Vec<FaceId>, Color), Problem> {
         let color = Color::from_hex(&self.color).ok_or_else(|| {
             Problem::field("color", format!("{:?} is not a color; write it as #rrggbb", self.color))
         })?;
-        let faces = self.faces.as_deref().unwrap_or_default();
-        for face in find_all(faces, "faces", |face, field| face.find(mesh, field))? {
+        Ok((faces(&self.faces, mesh)?, color))
+    }
+}
+
+impl LocalEdit for SetFaceColor {
+    fn can(&self, mesh: &Mesh) -> Result<(), Problem> {
+        self.found(mesh).map(drop)
+    }
+
+    fn edit(&self, mesh: &mut Mesh, _notes: &mut Vec<String>) -> Result<(), Problem> {
+        let (faces, color) = self.found(mesh)?;
+        for face in faces {
             mesh.set(keys::FACE_COLOR, face.index(), color);
         }
         Ok(())

@@ -1,5 +1,6 @@
 //! `set-vertex-position`: puts one vertex somewhere.
 
+use super::fields::one;
 use super::{Action, Field, FieldKind, LocalEdit, Operation, OperationKind, Spec, Target, VertexRef};
 use crate::error::Problem;
 use halfedge::{Element, Mesh};
@@ -45,9 +46,12 @@ impl Operation for SetVertexPosition {
 }
 
 impl LocalEdit for SetVertexPosition {
-    fn edit(&self, mesh: &mut Mesh) -> Result<(), Problem> {
-        let vertex = self.vertex.ok_or_else(|| Problem::field("vertex", "is missing"))?;
-        let v = vertex.find(mesh, "vertex")?;
+    fn can(&self, mesh: &Mesh) -> Result<(), Problem> {
+        one(self.vertex, "vertex")?.find(mesh, "vertex").map(drop)
+    }
+
+    fn edit(&self, mesh: &mut Mesh, _notes: &mut Vec<String>) -> Result<(), Problem> {
+        let v = one(self.vertex, "vertex")?.find(mesh, "vertex")?;
         mesh.set_position(v, self.position.into());
         Ok(())
     }

@@ -77,6 +77,8 @@ pub enum FieldKind {
     },
     /// Three numbers: a position, an offset or a direction.
     Vector,
+    /// Two positions.
+    VectorPair,
     /// Three factors, or one for all three axes.
     Factors,
     /// An axis and degrees: `{"axis": [0, 0, 1], "degrees": 90}`.

@@ -1,5 +1,6 @@
 //! `split-edge`: a new vertex on an edge, and cuts from it.
 
+use super::fields::one;
 use super::{Action, EdgeRef, Field, FieldKind, LocalEdit, Operation, OperationKind, Spec, Target};
 use crate::error::Problem;
 use halfedge::{Mesh, edit};
@@ -33,7 +34,7 @@ pub enum Connect {
     All,
 }
 
-fn half() -> f32 {
+pub(super) fn half() -> f32 {
     0.5
 }
 
@@ -60,11 +61,7 @@ impl Operation for SplitEdge {
     fields_by_serde!();
 
     fn resolve(self, target: &Target<'_>) -> Result<Vec<Self>, Problem> {
-        if self.edge.is_some() {
-            return Ok(vec![self]);
-        }
-        let edges = target.edges("edge")?;
-        Ok(edges.into_iter().map(|e| Self { edge: Some(e.into()), ..self.clone() }).collect())
+        target.each_edge(self, "edge", |op| &mut op.edge)
     }
 
     fn action(&self) -> Action<'_> {
@@ -72,15 +69,25 @@ impl Operation for SplitEdge {
     }
 }
 
+impl From<Connect> for edit::Connect {
+    fn from(connect: Connect) -> Self {
+        match connect {
+            Connect::None => Self::None,
+            Connect::Triangles => Self::Triangles,
+            Connect::All => Self::All,
+        }
+    }
+}
+
 impl LocalEdit for SplitEdge {
-    fn edit(&self, mesh: &mut Mesh) -> Result<(), Problem> {
-        let edge = self.edge.ok_or_else(|| Problem::field("edge", "is missing"))?.find(mesh, "edge")?;
-        let connect = match self.connect {
-            Connect::None => edit::Connect::None,
-            Connect::Triangles => edit::Connect::Triangles,
-            Connect::All => edit::Connect::All,
-        };
-        edit::split_edge(mesh, edge, self.t, connect)?;
+    fn can(&self, mesh: &Mesh) -> Result<(), Problem> {
+        let edge = one(self.edge, "edge")?.find(mesh, "edge")?;
+        Ok(edit::can_split_edge(mesh, edge, self.t, self.connect.into())?)
+    }
+
+    fn edit(&self, mesh: &mut Mesh, _notes: &mut Vec<String>) -> Result<(), Problem> {
+        let edge = one(self.edge, "edge")?.find(mesh, "edge")?;
+        edit::split_edge(mesh, edge, self.t, self.connect.into())?;
         Ok(())
     }
 }

@@ -1,7 +1,6 @@
 //! `transform`: moves, turns and scales elements; what the gizmo sends.
 
-use super::fields::find_all;
-use super::{Action, EdgeRef, FaceRef, Field, FieldKind, LocalEdit, Operation, OperationKind, Spec, Target, VertexRef};
+use super::{Action, EdgeRef, FaceRef, Field, FieldKind, LocalEdit, Operation, OperationKind, Spec, Target, VertexRef, fields};
 use crate::error::Problem;
 use crate::json::{finite, finite3, finite3_option, finite_option};
 use glam::{Affine3A, Mat3A, Quat, Vec3};
@@ -116,13 +115,14 @@ impl Operation for Transform {
 }
 
 impl LocalEdit for Transform {
-    fn edit(&self, mesh: &mut Mesh) -> Result<(), Problem> {
+    fn can(&self, mesh: &Mesh) -> Result<(), Problem> {
         let vertices = self.moved(mesh)?;
-        let pivot = match self.pivot {
-            Some(pivot) => pivot.into(),
-            None => center(mesh, &vertices),
-        };
-        let map = self.map(pivot)?;
+        self.map(self.pivot(mesh, &vertices)).map(drop)
+    }
+
+    fn edit(&self, mesh: &mut Mesh, _notes: &mut Vec<String>) -> Result<(), Problem> {
+        let vertices = self.moved(mesh)?;
+        let map = self.map(self.pivot(mesh, &vertices))?;
         let weights = match self.falloff {
             None => vertices.into_iter().map(|v| (v, 1.0)).collect(),
             Some(radius) if radius > 0.0 => soft(mesh, &vertices, radius),
@@ -153,19 +153,20 @@ impl LocalEdit for Transform {
 impl Transform {
     /// The vertices of the given elements, each once, in order of id.
     fn moved(&self, mesh: &Mesh) -> Result<Vec<VertexId>, Problem> {
-        let mut vertices = Vec::new();
-        if let Some(list) = &self.vertices {
-            vertices.extend(find_all(list, "vertices", |v, field| v.find(mesh, field))?);
-        }
-        for e in find_all(self.edges.as_deref().unwrap_or_default(), "edges", |e, field| e.find(mesh, field))? {
+        let mut vertices = fields::vertices(&self.vertices, mesh)?;
+        for e in fields::edges(&self.edges, mesh)? {
             vertices.extend(mesh.ends(e));
         }
-        for f in find_all(self.faces.as_deref().unwrap_or_default(), "faces", |f, field| f.find(mesh, field))? {
+        for f in fields::faces(&self.faces, mesh)? {
             vertices.extend(mesh.face_vertices(f));
         }
         vertices.sort_unstable();
         vertices.dedup();
         Ok(vertices)
+    }
+
+    fn pivot(&self, mesh: &Mesh, vertices: &[VertexId]) -> Vec3 {
+        self.pivot.map_or_else(|| center(mesh, vertices), Vec3::from)
     }
 
     /// Scale, then turn, about the pivot; then move.

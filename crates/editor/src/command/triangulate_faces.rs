@@ -1,9 +1,9 @@
 //! `triangulate-faces`: polygons cut into triangles.
 
-use super::fields::find_all;
+use super::fields::faces_or_all;
 use super::{Action, FaceRef, Field, FieldKind, LocalEdit, Operation, OperationKind, Spec, Target};
 use crate::error::Problem;
-use halfedge::{Element, Mesh, edit};
+use halfedge::{Element, FaceId, Mesh, Refusal, edit};
 use serde::{Deserialize, Serialize};
 
 /// Cuts polygons into triangles.
@@ -25,6 +25,8 @@ pub enum Method {
     /// A fan from the face's first corner.
     #[default]
     Fan,
+    /// By cutting off ears: right on concave faces too.
+    Ear,
 }
 
 impl Operation for TriangulateFaces {
@@ -36,15 +38,20 @@ impl Operation for TriangulateFaces {
         kind: OperationKind::Local,
         fields: &[
             Field::new("faces", FieldKind::Faces, "The faces to cut").or("the selected faces, or all"),
-            Field::new("method", FieldKind::Choice(&["fan"]), "A fan from the first corner").or("\"fan\""),
+            Field::new(
+                "method",
+                FieldKind::Choice(&["fan", "ear"]),
+                "A fan from the first corner, or ears, which are right on concave faces too",
+            )
+            .or("\"fan\""),
         ],
     };
 
     fields_by_serde!();
 
     fn resolve(mut self, target: &Target<'_>) -> Result<Vec<Self>, Problem> {
-        if self.faces.is_none() && target.selection.kind() == Element::Face && !target.selection.is_empty() {
-            self.faces = Some(target.selection.ids().map(FaceRef).collect());
+        if self.faces.is_none() && target.has_selected(Element::Face) {
+            target.fill_faces(&mut self.faces, "faces")?;
         }
         Ok(vec![self])
     }
@@ -59,19 +66,31 @@ impl Operation for TriangulateFaces {
 }
 
 impl LocalEdit for TriangulateFaces {
-    fn edit(&self, mesh: &mut Mesh) -> Result<(), Problem> {
-        let faces = match &self.faces {
-            Some(list) => find_all(list, "faces", |face, field| face.find(mesh, field))?,
-            None => mesh.faces().collect(),
-        };
-        for face in faces {
-            edit::triangulate_face(mesh, face)
-                .map_err(|refusal| Problem::field("faces", format!("{face} can't be cut: {refusal}")))?;
-        }
-        Ok(())
+    fn can(&self, mesh: &Mesh) -> Result<(), Problem> {
+        faces_or_all(&self.faces, mesh)?.into_iter().try_for_each(|face| {
+            let result = match self.method {
+                Method::Fan => edit::can_triangulate_face(mesh, face),
+                Method::Ear => edit::can_triangulate_face_ears(mesh, face),
+            };
+            result.map_err(|refusal| refused(face, &refusal))
+        })
+    }
+
+    fn edit(&self, mesh: &mut Mesh, _notes: &mut Vec<String>) -> Result<(), Problem> {
+        faces_or_all(&self.faces, mesh)?.into_iter().try_for_each(|face| {
+            let result = match self.method {
+                Method::Fan => edit::triangulate_face(mesh, face),
+                Method::Ear => edit::triangulate_face_ears(mesh, face),
+            };
+            result.map(drop).map_err(|refusal| refused(face, &refusal))
+        })
     }
 
     fn cost(&self, mesh: &Mesh) -> usize {
         self.faces.as_ref().map_or(mesh.face_count(), Vec::len)
     }
+}
+
+fn refused(face: FaceId, refusal: &Refusal) -> Problem {
+    Problem::field("faces", format!("{face} can't be cut: {refusal}"))
 }

@@ -1,7 +1,7 @@
 //! Drags and spins: a preview that each movement replaces, and one undo step at the end.
 
 use super::Editor;
-use crate::command::{Command, Op};
+use crate::command::Command;
 use crate::document::ObjectId;
 use crate::error::{CommandError, Problem};
 use crate::history::Change;
@@ -14,7 +14,7 @@ use std::sync::Arc;
 #[derive(Debug)]
 pub(super) struct Drag {
     object: ObjectId,
-    label: String,
+    command: Command,
     journal: Journal,
     selection: Arc<Selection>,
 }
@@ -32,42 +32,27 @@ impl Editor {
 
     fn drag_inner(&mut self, command: Command) -> Result<Outcome, Problem> {
         // The elements are looked for in the document without the preview, as at the commit.
-        let last = self.drag.take();
-        let shown = last.as_ref().map(|drag| (drag.object, drag.label.clone(), drag.selection.clone()));
-        let redo = last.map(|drag| self.take_back(drag));
-        let result = self.preview(command);
-        match (result, shown) {
-            (Ok((object, ops, edited, selection)), shown) => {
-                let label = ops.first().map_or_else(String::new, |op| op.spec().label.to_owned());
-                let selection = shown.map_or(selection, |(_, _, before)| before);
-                self.drag = Some(Drag { object, label, journal: edited.journal, selection });
-                Ok(Self::outcome(&ops, edited.created, edited.removed))
+        let Some(last) = self.drag.take() else {
+            let selection = self.selection.clone();
+            return self.preview(command, selection);
+        };
+        let (object, shown, selection) = (last.object, last.command.clone(), last.selection.clone());
+        let redo = self.take_back(last);
+        self.preview(command, selection.clone()).inspect_err(|_| {
+            if let Some(Change::Journal(_, journal)) = self.make(redo).pop() {
+                self.drop_gone_from_selection();
+                self.drag = Some(Drag { object, command: shown, journal, selection });
             }
-            (Err(problem), Some((object, label, selection))) => {
-                let back = redo.into_iter().flat_map(|redo| self.make(redo)).next();
-                if let Some(Change::Journal(_, journal)) = back {
-                    self.drop_gone_from_selection();
-                    self.drag = Some(Drag { object, label, journal, selection });
-                }
-                Err(problem)
-            }
-            (Err(problem), None) => Err(problem),
-        }
+        })
     }
 
-    #[expect(clippy::type_complexity, reason = "four parts of one preview, named where it is called")]
-    fn preview(
-        &mut self,
-        command: Command,
-    ) -> Result<(ObjectId, Vec<Op>, super::Edited, Arc<Selection>), Problem> {
-        let selection = self.selection.clone();
-        match self.plan(command)? {
-            super::Planned::Local { object, ops } => {
-                let edited = self.edit(object, &ops)?;
-                Ok((object, ops, edited, selection))
-            }
-            _ => Err(Problem::new("this op can't be dragged: it does not edit a few elements")),
-        }
+    fn preview(&mut self, command: Command, selection: Arc<Selection>) -> Result<Outcome, Problem> {
+        let super::Planned::Local { object, ops } = self.plan(command.clone())? else {
+            return Err(Problem::new("this op can't be dragged: it does not edit a few elements"));
+        };
+        let edited = self.edit(object, &ops)?;
+        self.drag = Some(Drag { object, command, journal: edited.journal, selection });
+        Ok(Outcome { warnings: edited.notes, ..Self::outcome(&ops, edited.created, edited.removed) })
     }
 
     /// Takes a preview back and gives what shows it again.
@@ -89,15 +74,17 @@ impl Editor {
     pub fn commit_drag(&mut self) -> Option<String> {
         let mut drag = self.drag.take()?;
         drag.journal.fold_moves();
+        let label = drag.command.op.spec().label.to_owned();
         let back = vec![Change::Journal(drag.object, drag.journal)];
-        self.push_step(drag.label.clone(), back, drag.selection);
-        Some(drag.label)
+        self.push_step(label.clone(), back, drag.selection);
+        self.remember(drag.command);
+        Some(label)
     }
 
     /// Takes the preview back without a trace; gives its label, or none where nothing was dragged.
     pub fn cancel_drag(&mut self) -> Option<String> {
         let drag = self.drag.take()?;
-        let label = drag.label.clone();
+        let label = drag.command.op.spec().label.to_owned();
         self.take_back(drag);
         Some(label)
     }

@@ -25,6 +25,7 @@ pub enum Begun {
 
 /// What became of a job that was finished.
 #[derive(Debug)]
+#[expect(clippy::large_enum_variant, reason = "there is one at a time, and it is taken apart at once")]
 pub enum Finished {
     /// A command is done, or a file is open.
     Done(Outcome),
@@ -52,7 +53,7 @@ pub(super) struct Waiting {
 enum WaitingFor {
     Open,
     Export,
-    Run { op: Op, objects: Vec<ObjectId>, at: usize },
+    Run { command: Command, op: Op, objects: Vec<ObjectId>, at: usize },
 }
 
 impl WaitingFor {
@@ -86,7 +87,7 @@ impl Editor {
     }
 
     fn begin_inner(&mut self, command: Command, faces: usize) -> Result<Begun, Problem> {
-        let planned = self.plan(command)?;
+        let planned = self.plan(command.clone())?;
         let (objects, ops, at) = match &planned {
             Planned::Whole { op, objects, at } => (objects.clone(), vec![op.clone()], *at),
             Planned::Local { object, ops } => (vec![*object], ops.clone(), 0),
@@ -104,12 +105,14 @@ impl Editor {
         let first = ops.first().cloned();
         match first {
             Some(op) if cost >= faces => {
-                let id = self.wait_for(WaitingFor::Run { op, objects, at });
+                let id = self.wait_for(WaitingFor::Run { command, op, objects, at });
                 Ok(Begun::Job(JobRequest { id, work: Work::Run(ops, inputs) }))
             }
             _ => {
                 drop(inputs);
-                self.carry_out(planned, &mut |_| ControlFlow::Continue(())).map(Begun::Done)
+                let outcome = self.carry_out(planned, &mut |_| ControlFlow::Continue(()))?;
+                self.remember(command);
+                Ok(Begun::Done(outcome))
             }
         }
     }
@@ -158,10 +161,11 @@ impl Editor {
         match (job.kind, made) {
             (WaitingFor::Open, Made::Import(import)) => self.open(import).map(Finished::Done),
             (WaitingFor::Export, Made::Files(files)) => Ok(Finished::Exported(files)),
-            (WaitingFor::Run { op, objects, at }, made @ Made::Meshes(..)) => {
+            (WaitingFor::Run { command, op, objects, at }, made @ Made::Meshes(..)) => {
                 let outcome = self
                     .commit_whole(op, &objects, at, made)
                     .map_err(|problem| self.report(CommandError::of(name, problem)))?;
+                self.remember(command);
                 self.say(MessageKind::Info, outcome.message.clone());
                 Ok(Finished::Done(outcome))
             }

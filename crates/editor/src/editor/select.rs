@@ -60,11 +60,13 @@ impl Editor {
     pub fn select_range(&mut self, kind: Element, to: u32) -> Result<(), CommandError> {
         let from = if self.selection.kind() == kind { self.selection.latest() } else { None };
         let Some(mesh) = self.mesh().filter(|mesh| mesh.exists(kind, to)) else {
-            return Err(CommandError::of("select", Problem::field("ids", format!("there is no {kind} {to}"))));
+            return Err(CommandError::of(
+                "select",
+                Problem::field("ids", format!("there is no {kind} {to}")),
+            ));
         };
         let from = from.unwrap_or(to);
-        let mut ids: Vec<u32> =
-            (from.min(to)..=from.max(to)).filter(|&id| mesh.exists(kind, id)).collect();
+        let mut ids: Vec<u32> = (from.min(to)..=from.max(to)).filter(|&id| mesh.exists(kind, id)).collect();
         if from > to {
             ids.reverse();
         }

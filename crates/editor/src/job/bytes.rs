@@ -43,7 +43,7 @@ enum RequestHeader {
 #[derive(Serialize, Deserialize)]
 enum ResultHeader {
     Import { name: String, report: ImportReport, meshes: Vec<MeshHeader> },
-    Meshes { meshes: Vec<MeshHeader>, ids: Option<[usize; 6]> },
+    Meshes { meshes: Vec<MeshHeader>, ids: Option<[usize; 6]>, notes: Vec<String> },
     Files { files: Vec<FileHeader> },
 }
 
@@ -148,13 +148,14 @@ impl JobResult {
                 report: import.report.clone(),
                 meshes: import.objects.iter().map(|object| out.mesh(&object.name, &object.mesh)).collect(),
             },
-            Made::Meshes(outputs, ids) => ResultHeader::Meshes {
+            Made::Meshes(outputs, ids, notes) => ResultHeader::Meshes {
                 meshes: outputs.iter().map(|output| out.mesh(&output.name, &output.mesh)).collect(),
                 ids: ids.as_ref().map(|(created, removed)| {
                     let [a, b, c] = out.ids(created);
                     let [d, e, f] = out.ids(removed);
                     [a, b, c, d, e, f]
                 }),
+                notes: notes.clone(),
             },
             Made::Files(files) => ResultHeader::Files { files: out.files(files) },
         };
@@ -178,7 +179,7 @@ impl JobResult {
                     .collect::<Result<_, BadBytes>>()?;
                 Made::Import(Import { name, objects, report })
             }
-            ResultHeader::Meshes { meshes, ids } => {
+            ResultHeader::Meshes { meshes, ids, notes } => {
                 let outputs = meshes
                     .into_iter()
                     .map(|header| {
@@ -190,7 +191,7 @@ impl JobResult {
                     Some([a, b, c, d, e, f]) => Some((rest.ids([a, b, c])?, rest.ids([d, e, f])?)),
                     None => None,
                 };
-                Made::Meshes(outputs, ids)
+                Made::Meshes(outputs, ids, notes)
             }
             ResultHeader::Files { files } => Made::Files(rest.files(files)?),
         };
@@ -232,9 +233,7 @@ impl Writer {
         let raw = mesh.clone().into_raw();
         self.body.reserve(mesh.bytes());
         self.column(&raw.positions);
-        for column in
-            [&raw.vertex_halfedge, &raw.next, &raw.prev, &raw.to, &raw.face, &raw.face_halfedge]
-        {
+        for column in [&raw.vertex_halfedge, &raw.next, &raw.prev, &raw.to, &raw.face, &raw.face_halfedge] {
             self.column(column);
         }
         for list in [&gaps.vertices, &gaps.edges, &gaps.faces] {

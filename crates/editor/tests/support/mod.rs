@@ -8,9 +8,8 @@ use serde_json::{Value, json};
 
 /// A cube of quads: vertices 0..8, faces 0..6.
 pub fn cube() -> Mesh {
-    let positions = (0..8)
-        .map(|i| Vec3::new((i & 1) as f32, (i >> 1 & 1) as f32, (i >> 2 & 1) as f32))
-        .collect();
+    let positions =
+        (0..8).map(|i| Vec3::new((i & 1) as f32, (i >> 1 & 1) as f32, (i >> 2 & 1) as f32)).collect();
     let faces: [&[u32]; 6] =
         [&[0, 2, 3, 1], &[4, 5, 7, 6], &[0, 1, 5, 4], &[2, 6, 7, 3], &[0, 4, 6, 2], &[1, 3, 7, 5]];
     build(positions, &faces)
