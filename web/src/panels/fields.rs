@@ -5,6 +5,7 @@ use egui::{Checkbox, ComboBox, DragValue, RichText, TextEdit, Ui};
 use serde_json::{Map, Value, json};
 
 use crate::lists::columns::element_name;
+use crate::panels::color_button::color_button;
 use halfedge::Element;
 
 /// What the person filled in, by the fields' names. What is not in it is left out of the command.
@@ -27,7 +28,7 @@ pub fn initial(spec: &Spec) -> Filled {
 }
 
 /// The default as a value, where it is one.
-fn default_value(field: &Field) -> Option<Value> {
+pub fn default_value(field: &Field) -> Option<Value> {
     serde_json::from_str(field.default?).ok()
 }
 
@@ -53,6 +54,7 @@ fn blank(kind: FieldKind) -> Value {
         FieldKind::Number { min, max } => json!(1.0_f32.clamp(min, max)),
         FieldKind::Integer { min, max } => json!(1_u32.clamp(min, max)),
         FieldKind::Vector => json!([0.0, 0.0, 0.0]),
+        FieldKind::VectorPair => json!([[0.0, 0.0, 0.0], [0.0, 0.0, 0.0]]),
         FieldKind::Factors => json!([1.0, 1.0, 1.0]),
         FieldKind::Rotation => json!({ "axis": [0.0, 1.0, 0.0], "degrees": 0.0 }),
         FieldKind::Color => json!("#c8c8c8"),
@@ -112,6 +114,11 @@ fn edit(ui: &mut Ui, field: &Field, label: &str, value: &mut Value) {
             integer(ui, value, 0..=u32::MAX - 1)
         }
         FieldKind::Vector | FieldKind::Factors => axes(ui, label, value),
+        FieldKind::VectorPair => {
+            for (at, vector) in value.as_array_mut().into_iter().flatten().enumerate() {
+                axes(ui, &format!("{label} {}", at + 1), vector);
+            }
+        }
         FieldKind::Rotation => {
             if let Some(axis) = value.get_mut("axis") {
                 axes(ui, &format!("{label} axis"), axis);
@@ -184,7 +191,7 @@ fn axes(ui: &mut Ui, label: &str, value: &mut Value) {
 fn color(ui: &mut Ui, label: &str, value: &mut Value) {
     let parsed = value.as_str().and_then(halfedge::Color::from_hex).unwrap_or(halfedge::Color::UNPAINTED);
     let mut rgb = parsed.0;
-    if ui.color_edit_button_srgb(&mut rgb).accessible_name(label).changed() {
+    if color_button(ui, label, &mut rgb).1 {
         *value = halfedge::Color(rgb).to_hex().into();
     }
 }
