@@ -22,6 +22,8 @@ export { Picture } from "./support/picture.mjs";
 export { Editor, browserWith, serve, site };
 
 export const DESKTOP = { name: "desktop", width: 1280, height: 800 };
+/** The wide layout in few pixels, for tests that need many frames: software draws slowly. */
+export const SMALL = { name: "small", width: 880, height: 540 };
 export const PHONE = { name: "phone", width: 390, height: 844, touch: true };
 
 /** The renderers that the page can draw with. */

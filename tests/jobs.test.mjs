@@ -1,0 +1,124 @@
+// What takes long runs beside the page, says how far it is, and can be cancelled.
+
+import assert from "node:assert/strict";
+
+import { SMALL, editorTest } from "./harness.mjs";
+import { grid } from "./support/meshes.mjs";
+
+const SIDE = 708;
+const TRIANGLES = 2 * SIDE * SIDE;
+
+/** Puts `dropLarge` into the page, which drops a million triangles: made there, because they are 35 MB of text. */
+function prepare(editor) {
+  return editor.page.evaluate(([grid, side]) => {
+    const text = Function(`return (${grid})`)()(side, side, { triangles: true });
+    window.dropLarge = (name) => {
+      const dataTransfer = new DataTransfer();
+      dataTransfer.items.add(new File([text], name));
+      const canvas = document.getElementById("meshwright");
+      canvas.dispatchEvent(new DragEvent("drop", { dataTransfer, bubbles: true, cancelable: true }));
+    };
+    return text.length;
+  }, [grid.toString(), SIDE]);
+}
+
+/** Drops the large file and, in the middle of reading it, cancels: by Escape, or by a script. */
+function dropAndCancel(editor, how) {
+  return editor.page.evaluate(async (how) => {
+    const { meshwright } = window;
+    const frame = () => new Promise(requestAnimationFrame);
+    window.dropLarge("huge.obj");
+    let job;
+    do {
+      await frame();
+      [job] = meshwright.state().jobs;
+    } while (!(job?.progress > 0));
+    await frame();
+    await frame();
+    const names = meshwright.ui().map((node) => node.name);
+    const start = performance.now();
+    if (how === "Escape") {
+      const key = { key: "Escape", code: "Escape", bubbles: true, cancelable: true };
+      for (const type of ["keydown", "keyup"]) {
+        document.getElementById("meshwright").dispatchEvent(new KeyboardEvent(type, key));
+      }
+      while (meshwright.state().jobs.length > 0) await frame();
+    } else {
+      meshwright.cancel();
+    }
+    return { job, names, took: performance.now() - start, left: meshwright.state().jobs };
+  }, how);
+}
+
+/** Drops the large file and notes when the page draws and how far the job is, until it is done. */
+function watch(editor) {
+  return editor.page.evaluate(() => new Promise((resolve) => {
+    window.dropLarge("huge.obj");
+    const progress = [];
+    const gaps = [];
+    let last = performance.now();
+    const frame = (now) => {
+      const [job] = window.meshwright.state().jobs;
+      if (job) {
+        gaps.push(now - last);
+        progress.push(job.progress);
+      } else if (progress.length > 0) {
+        resolve({ progress, longest: Math.max(...gaps), frames: gaps.length, last: now - last });
+        return;
+      }
+      last = now;
+      requestAnimationFrame(frame);
+    };
+    requestAnimationFrame(frame);
+  }));
+}
+
+const options = { timeout: 240_000, sizes: [SMALL] };
+editorTest("a million triangles open beside the page, and can be called off", options, async (editor, t) => {
+  await editor.run({ op: "split-edge", edge: 0 });
+  const snapshot = async () => {
+    const { document, history, selection } = await editor.state();
+    return { document, history, selection };
+  };
+  const before = await snapshot();
+
+  // Cancelled in the middle.
+  const bytes = await prepare(editor);
+  for (const how of ["Escape", "script"]) {
+    const { job, names, took, left } = await dropAndCancel(editor, how);
+    t.diagnostic(`cancelled by ${how} at ${(100 * job.progress).toFixed(0)} % in ${took.toFixed(0)} ms`);
+    assert.equal(job.op, "open");
+    assert.ok(job.progress < 1);
+    assert.ok(names.includes("Open huge.obj") && names.includes("Cancel Open huge.obj"), "the bar shows the job");
+    assert.deepEqual(left, []);
+    await editor.frames(10);
+    assert.deepEqual(await snapshot(), before, "the document is as it was");
+  }
+
+  // Who waits for a job that is cancelled is told.
+  const told = await editor.page.evaluate(async () => {
+    const answer = window.meshwright.open("x.obj", "v 0 0 0\n").catch(String);
+    return { stopped: window.meshwright.cancel(), answer: await answer };
+  });
+  assert.equal(told.stopped, 1);
+  assert.match(told.answer, /cancelled/);
+  assert.deepEqual(await snapshot(), before);
+
+  // The next job finds a worker again.
+  await editor.open("small.obj", grid(2, 2));
+  assert.equal((await editor.state()).document.vertices, 9);
+
+  // To the end: the page draws and answers meanwhile.
+  const seen = await watch(editor);
+  await editor.until("the file is open", async () => (await editor.state()).document.name === "huge", 120_000);
+  t.diagnostic(`${(bytes / 1e6).toFixed(0)} MB, ${seen.frames} frames while the job ran, the longest ` +
+    `${seen.longest.toFixed(0)} ms apart; ${seen.last.toFixed(0)} ms for taking the mesh in`);
+  const { document } = await editor.state();
+  assert.equal(document.faces, TRIANGLES);
+  assert.equal(document.vertices, (SIDE + 1) ** 2);
+  assert.ok(seen.frames >= 3, `${seen.frames} frames while the job ran`);
+  assert.ok(new Set(seen.progress).size >= 2, `progress was ${[...new Set(seen.progress)]}`);
+  assert.deepEqual(seen.progress, seen.progress.toSorted((a, b) => a - b), "progress never goes back");
+  await editor.frames(3);
+  await editor.screenshot("a million triangles");
+});

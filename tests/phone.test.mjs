@@ -1,0 +1,62 @@
+// A narrow touch screen: everything is there, under a finger, and within the screen.
+
+import assert from "node:assert/strict";
+
+import { PHONE, editorTest } from "./harness.mjs";
+import { grid } from "./support/meshes.mjs";
+
+editorTest("the editor is usable on a phone", { sizes: [PHONE] }, async (editor) => {
+  const { width, height } = editor.size;
+  const inside = async (what) => {
+    for (const node of await editor.ui()) {
+      const [x, y, w, h] = node.rect;
+      assert.ok(x >= -1 && y >= -1 && x + w <= width + 1 && y + h <= height + 1, `${what}: ${JSON.stringify(node)}`);
+    }
+  };
+  const buttons = (await editor.ui()).filter((node) => ["button", "tab", "listBoxOption"].includes(node.role));
+  for (const { name, rect } of buttons.slice(0, -1)) {
+    assert.ok(rect[3] >= 28, `${name} is ${rect[3]} high, too small for a finger`);
+  }
+  await inside("at the start");
+
+  // Select by the list, edit in the inspector.
+  await editor.click("Vertex 3", "listBoxOption");
+  assert.deepEqual((await editor.state()).selection, { kind: "vertex", ids: [3] });
+  await editor.click("Inspector", "tab");
+  await editor.find("Position x", "spinButton");
+  await inside("the inspector");
+  await editor.screenshot("inspector");
+
+  // Run an operation, and take it back.
+  await editor.click("Operations", "tab");
+  await inside("the operations");
+  await editor.click("Upsample", "button");
+  await editor.idle();
+  assert.equal((await editor.state()).document.faces, 24);
+  await editor.click("Undo", "button");
+  assert.equal((await editor.state()).document.faces, 6);
+
+  // With the sheet put away the viewport has the room, and a tap in it selects.
+  const [, , , before] = (await editor.state()).view.rect;
+  await editor.click("Operations", "tab");
+  const [, , wide, tall] = (await editor.state()).view.rect;
+  assert.ok(wide >= width - 2 && tall > before + 200, `the viewport is ${wide} × ${tall}`);
+  await editor.select("face", [0]);
+  await editor.frames(2);
+  const corners = await Promise.all((await editor.element("face", 0)).corners.map(async (id) =>
+    (await editor.element("vertex", id)).position));
+  const at = await editor.project([0, 1, 2].map((axis) => corners.reduce((sum, p) => sum + p[axis] / 4, 0)));
+  await editor.clickAt(at);
+  const { selection } = await editor.state();
+  assert.equal(selection.kind, "face");
+  assert.equal(selection.ids.length, 1);
+  await editor.screenshot("viewport");
+
+  // A file comes in, and the menu is reachable.
+  await editor.drop({ name: "sheet.obj", content: grid(10, 10) });
+  await editor.until("the file is open", async () => (await editor.state()).document.faces === 100);
+  await editor.click("Menu", "button");
+  await editor.find("File", "button");
+  await inside("the menu");
+  await editor.screenshot("menu");
+});
