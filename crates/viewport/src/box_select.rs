@@ -1,9 +1,10 @@
 //! Box selection: the elements in a rectangle of the screen.
 
 use crate::Camera;
+use crate::occlusion::Occlusion;
 use crate::sight::Sight;
 use glam::{Vec2, Vec3};
-use halfedge::{EdgeId, Element, FaceId, Mesh};
+use halfedge::{EdgeId, Element, FaceId, HalfedgeId, Mesh, VertexId};
 use surface::{CornerTriangulator, FaceTree};
 
 /// A rectangle of the viewport, edges included, in the unit of its size.
@@ -45,14 +46,23 @@ impl ScreenRect {
     }
 }
 
+/// A mesh seen through a rectangle.
+struct Through<'a> {
+    sight: Sight<'a>,
+    rect: ScreenRect,
+    /// Whether elements have to be seen.
+    visible_only: bool,
+    /// What tells for most points whether they are.
+    occlusion: Option<Occlusion>,
+}
+
 /// The ids of the elements in a rectangle, in order: vertices that are inside, edges and faces with
 /// any part inside, and half-edges whose edge is.
 ///
 /// With `visible_only` those are left out of which nothing can be seen where it was looked for:
 /// vertices hidden by a face, edges hidden at the middle of the part inside and a quarter of the
 /// part either side of it, faces hidden in the middle and at all corners, half-edges of such
-/// faces. That takes up to three rays for each edge and one more than corners for each face inside;
-/// else costs O(mesh).
+/// faces. Costs O(mesh), and rays for what is near silhouettes.
 pub fn elements_in_rect(
     mesh: &Mesh,
     tree: &FaceTree,
@@ -62,86 +72,97 @@ pub fn elements_in_rect(
     kind: Element,
     visible_only: bool,
 ) -> Vec<u32> {
-    let sight = Sight { mesh, tree, camera, viewport };
+    let sight = Sight::new(mesh, tree, camera, viewport);
+    let occlusion = visible_only.then(|| Occlusion::new(mesh, sight.view(), rect)).flatten();
+    let through = Through { sight, rect, visible_only, occlusion };
     match kind {
-        Element::Vertex => mesh
-            .vertices()
-            .filter(|&v| {
-                let point = mesh.position(v);
-                sight.project(point).is_some_and(|p| rect.contains(p))
-                    && (!visible_only
-                        || sight.sees(point, |f| mesh.face_vertices(f).any(|w| w == v)).is_some())
-            })
-            .map(|v| v.raw())
-            .collect(),
-        Element::Edge => edges(&sight, rect, visible_only).map(EdgeId::raw).collect(),
-        Element::Halfedge => edges(&sight, rect, visible_only)
-            .flat_map(EdgeId::halfedges)
-            .filter(|&h| !visible_only || mesh.face_of(h).is_none_or(|f| sees_face(&sight, f)))
-            .map(|h| h.raw())
-            .collect(),
-        Element::Face => faces(&sight, rect, visible_only),
+        Element::Vertex => through.vertices(),
+        Element::Edge => through.edges().map(EdgeId::raw).collect(),
+        Element::Halfedge => {
+            let sees_side =
+                |h: &HalfedgeId| !visible_only || mesh.face_of(*h).is_none_or(|f| through.sees_face(f));
+            through.edges().flat_map(EdgeId::halfedges).filter(sees_side).map(HalfedgeId::raw).collect()
+        }
+        Element::Face => through.faces(),
     }
 }
 
-fn edges<'a>(
-    sight: &'a Sight<'_>,
-    rect: ScreenRect,
-    visible_only: bool,
-) -> impl Iterator<Item = EdgeId> + 'a {
-    sight.mesh.edges().filter(move |&e| {
-        let Some(segment) = sight.segment(e) else { return false };
-        let Some([enter, leave]) = rect.clip(segment.pixels) else { return false };
-        !visible_only
-            || [0.5, 0.25, 0.75].into_iter().any(|part| {
-                let point = sight.point_on(&segment, enter + (leave - enter) * part);
-                sight.sees_edge_at(e, point).is_some()
-            })
-    })
-}
-
-fn faces(sight: &Sight<'_>, rect: ScreenRect, visible_only: bool) -> Vec<u32> {
-    let mesh = sight.mesh;
-    // Of a face larger than the rectangle, no edge may be inside.
-    let middle = (rect.min + rect.max) * 0.5;
-    let mut corners = Vec::new();
-    let mut triangulator = CornerTriangulator::new();
-    let mut inside = |face: FaceId| {
-        corners.clear();
-        corners.extend(mesh.face_vertices(face).map(|v| sight.project(mesh.position(v))));
-        let all: Option<Vec<Vec2>> = corners.iter().copied().collect();
-        let Some(corners) = all else {
-            // Partly behind the eye: by the edges in front of it.
-            return mesh
-                .face_halfedges(face)
-                .any(|h| sight.segment(h.edge()).is_some_and(|segment| rect.clip(segment.pixels).is_some()));
+impl Through<'_> {
+    fn vertices(&self) -> Vec<u32> {
+        let mesh = self.sight.mesh;
+        let inside = |p: Vec3| self.sight.project(p).is_some_and(|pixel| self.rect.contains(pixel));
+        let seen = |v: VertexId| {
+            let own = |f| mesh.face_vertices(f).any(|w| w == v);
+            self.sees(mesh.position(v), || self.sight.sees(mesh.position(v), own).is_some())
         };
-        let low = corners.iter().copied().fold(Vec2::INFINITY, Vec2::min);
-        let high = corners.iter().copied().fold(Vec2::NEG_INFINITY, Vec2::max);
-        if low.cmpgt(rect.max).any() || high.cmplt(rect.min).any() {
-            return false;
-        }
-        let next = corners.iter().cycle().skip(1);
-        corners.iter().zip(next).any(|(&a, &b)| rect.clip([a, b]).is_some())
-            || triangulator.of_face(mesh, face).iter().any(|triangle| {
-                let [Some(a), Some(b), Some(c)] =
-                    triangle.map(|h| sight.project(mesh.position(mesh.from(h))))
-                else {
-                    return false;
-                };
-                let turns = [(a, b), (b, c), (c, a)].map(|(p, q)| (q - p).perp_dot(middle - p));
-                turns.iter().all(|&t| t >= 0.0) || turns.iter().all(|&t| t <= 0.0)
-            })
-    };
-    mesh.faces().filter(|&f| inside(f) && (!visible_only || sees_face(sight, f))).map(FaceId::raw).collect()
-}
+        mesh.vertices().filter(|&v| inside(mesh.position(v)) && seen(v)).map(VertexId::raw).collect()
+    }
 
-/// Whether the middle of a face, or a point just inside one of its corners, is seen.
-fn sees_face(sight: &Sight<'_>, face: FaceId) -> bool {
-    let mesh = sight.mesh;
-    let mut triangulator = CornerTriangulator::new();
-    let Some(triangle) = triangulator.of_face(mesh, face).first() else { return false };
-    let middle: Vec3 = triangle.iter().map(|&h| mesh.position(mesh.from(h)) / 3.0).sum();
-    let sees = |point: Vec3| sight.sees(point, |f| f == face).is_some();
-    sees(middle) || mesh.face_vertices(face).any(|v| sees(mesh.position(v).lerp(middle, 0.05)))
+    /// Whether a point is to be taken as seen; `by_ray` finds out where the buffer can't tell.
+    fn sees(&self, point: Vec3, by_ray: impl FnOnce() -> bool) -> bool {
+        let told = self.occlusion.as_ref().and_then(|o| o.sees(self.sight.view(), point));
+        !self.visible_only || told.unwrap_or_else(by_ray)
+    }
+
+    fn edges(&self) -> impl Iterator<Item = EdgeId> {
+        self.sight.mesh.edges().filter(|&e| {
+            let Some(segment) = self.sight.segment(e) else { return false };
+            let Some([enter, leave]) = self.rect.clip(segment.pixels) else { return false };
+            !self.visible_only
+                || [0.5, 0.25, 0.75].into_iter().any(|part| {
+                    let point = self.sight.point_on(&segment, enter + (leave - enter) * part);
+                    self.sees(point, || self.sight.sees_edge_at(e, point).is_some())
+                })
+        })
+    }
+
+    fn faces(&self) -> Vec<u32> {
+        let (sight, rect, mesh) = (&self.sight, self.rect, self.sight.mesh);
+        // Of a face larger than the rectangle, no edge may be inside.
+        let middle = (rect.min + rect.max) * 0.5;
+        let mut corners: Vec<Option<Vec2>> = Vec::new();
+        let mut triangulator = CornerTriangulator::new();
+        let mut inside = |face: FaceId| {
+            corners.clear();
+            corners.extend(mesh.face_vertices(face).map(|v| sight.project(mesh.position(v))));
+            if corners.iter().any(Option::is_none) {
+                // Partly behind the eye: by the edges in front of it.
+                return mesh.face_halfedges(face).any(|h| {
+                    sight.segment(h.edge()).is_some_and(|segment| rect.clip(segment.pixels).is_some())
+                });
+            }
+            let corners = || corners.iter().copied().flatten();
+            let low = corners().fold(Vec2::INFINITY, Vec2::min);
+            let high = corners().fold(Vec2::NEG_INFINITY, Vec2::max);
+            if low.cmpgt(rect.max).any() || high.cmplt(rect.min).any() {
+                return false;
+            }
+            let next = corners().cycle().skip(1);
+            corners().zip(next).any(|(a, b)| rect.clip([a, b]).is_some())
+                || triangulator.of_face(mesh, face).iter().any(|triangle| {
+                    let [Some(a), Some(b), Some(c)] =
+                        triangle.map(|h| sight.project(mesh.position(mesh.from(h))))
+                    else {
+                        return false;
+                    };
+                    let turns = [(a, b), (b, c), (c, a)].map(|(p, q)| (q - p).perp_dot(middle - p));
+                    turns.iter().all(|&t| t >= 0.0) || turns.iter().all(|&t| t <= 0.0)
+                })
+        };
+        mesh.faces()
+            .filter(|&f| inside(f) && (!self.visible_only || self.sees_face(f)))
+            .map(FaceId::raw)
+            .collect()
+    }
+
+    /// Whether the middle of a face, or a point just inside one of its corners, is seen.
+    fn sees_face(&self, face: FaceId) -> bool {
+        let mesh = self.sight.mesh;
+        let mut triangulator = CornerTriangulator::new();
+        let Some(triangle) = triangulator.of_face(mesh, face).first() else { return false };
+        let middle: Vec3 = triangle.iter().map(|&h| mesh.position(mesh.from(h)) / 3.0).sum();
+        let by_ray = |point: Vec3| self.sight.sees(point, |f| f == face).is_some();
+        let sees = |point: Vec3| self.sees(point, || by_ray(point));
+        sees(middle) || mesh.face_vertices(face).any(|v| sees(mesh.position(v).lerp(middle, 0.05)))
+    }
 }

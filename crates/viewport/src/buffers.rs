@@ -101,12 +101,13 @@ impl Buffers {
         self.slots.clear(mesh.face_capacity());
         let total: usize = mesh.faces().map(|f| mesh.face_degree(f).saturating_sub(2)).sum();
         sink.reset(u32::try_from(total).unwrap_or(u32::MAX));
-        let normals = if smooth { normals::vertex_normals(mesh) } else { Vec::new() };
+        let normals: Vec<[i16; 4]> =
+            if smooth { normals::vertex_normals(mesh).into_iter().map(pack).collect() } else { Vec::new() };
         let mut writer = Writer::new(mesh, origin);
         for face in mesh.faces() {
             writer.load(face);
             let range = self.slots.acquire(face.index(), writer.triangles());
-            writer.emit(range, sink, smooth.then_some(|v: VertexId| normals[v.index()]));
+            writer.emit(range, sink, |v| normals.get(v.index()).copied().filter(|n| *n != [0; 4]));
         }
         writer.flush(sink);
     }
@@ -137,12 +138,14 @@ impl Buffers {
             return self.rebuild(mesh, self.origin, self.smooth, sink);
         }
 
-        let mut known: HashMap<VertexId, Vec3> = HashMap::new();
+        let mut known: HashMap<VertexId, [i16; 4]> = HashMap::new();
         let mut writer = Writer::new(mesh, self.origin);
         for (range, face) in placed {
             writer.load(face);
-            let normal = |v: VertexId| *known.entry(v).or_insert_with(|| normals::vertex_normal(mesh, v));
-            writer.emit(range, sink, self.smooth.then_some(normal));
+            writer.emit(range, sink, |v| {
+                let normal = || pack(normals::vertex_normal(mesh, v));
+                self.smooth.then(|| *known.entry(v).or_insert_with(normal)).filter(|n| *n != [0; 4])
+            });
         }
         for range in abandoned {
             writer.blank(range, sink);
@@ -245,35 +248,36 @@ impl<'m> Writer<'m> {
         self.points.len().saturating_sub(2) as u32
     }
 
-    /// Writes the face, with the normals that `vertex_normal` gives or its own.
+    /// Writes the face, with the packed normals that `vertex_normal` gives or, where it gives none,
+    /// the face's own.
     fn emit(
         &mut self,
         range: Range,
         sink: &mut dyn Sink,
-        mut vertex_normal: Option<impl FnMut(VertexId) -> Vec3>,
+        mut vertex_normal: impl FnMut(VertexId) -> Option<[i16; 4]>,
     ) {
         self.seek(range.first, sink);
-        let flat = self.face.map_or(Vec3::ZERO, |f| normals::face_normal(self.mesh, f));
+        let flat = self.face.map_or([0; 4], |f| pack(normals::face_normal(self.mesh, f)));
         let color =
             self.face.and_then(|f| self.colors?.get(f.index()).copied()).unwrap_or(keys::FACE_COLOR.default);
         let [r, g, b] = color.0;
         let corners = self.points.len() as u32;
+        let triangles: &[[u32; 3]] =
+            if corners == 3 { &[[0, 1, 2]] } else { self.triangulator.of_polygon(&self.points) };
         let mut written = 0;
-        for &triangle in self.triangulator.of_polygon(&self.points) {
-            let [i, j, k] = triangle;
+        for triangle in triangles {
+            let [i, j, k] = *triangle;
             let flag = |a: u32, b: u32, bit: u8| if (a + 1) % corners == b { bit } else { 0 };
             let flags = flag(i, j, 1) | flag(j, k, 2) | flag(k, i, 4);
-            for corner in triangle {
-                let (Some(&point), Some(&vertex)) =
-                    (self.points.get(corner as usize), self.vertices.get(corner as usize))
-                else {
-                    continue;
-                };
-                let smooth = vertex_normal.as_mut().map(|normal| normal(vertex)).filter(|n| *n != Vec3::ZERO);
-                self.staged.positions.push((point - self.origin).to_array());
-                self.staged.normals.push(pack(smooth.unwrap_or(flat)));
-                self.staged.colors.push([r, g, b, flags]);
+            let at = triangle.map(|i| self.points.get(i as usize).copied().unwrap_or(self.origin));
+            let mut normals = [flat; 3];
+            for (normal, &corner) in normals.iter_mut().zip(triangle) {
+                let smooth = self.vertices.get(corner as usize).and_then(|&v| vertex_normal(v));
+                *normal = smooth.unwrap_or(flat);
             }
+            self.staged.positions.extend_from_slice(&at.map(|p| (p - self.origin).to_array()));
+            self.staged.normals.extend_from_slice(&normals);
+            self.staged.colors.extend_from_slice(&[[r, g, b, flags]; 3]);
             written += 1;
         }
         self.staged.blank(range.count.saturating_sub(written));

@@ -4,7 +4,7 @@
 //! units and one that lies at 1e6 units both keep the precision of their coordinates. The up axis
 //! is y, as in OBJ files of most programs; angles are radians, pixels have y pointing down.
 
-use glam::{DVec3, Mat4, Vec2, Vec3, dvec3};
+use glam::{DVec2, DVec3, Mat4, Vec2, Vec3, dvec3};
 use surface::{Ray, measure::Bounds};
 
 /// The steepest pitch: straight up or down.
@@ -159,18 +159,19 @@ impl Camera {
     /// Where a world point is on a viewport of this size, in the viewport's unit (pixels or
     /// points), y down; none when it is behind the eye. It may lie outside the viewport.
     pub fn project(&self, point: Vec3, viewport: Vec2) -> Option<Vec2> {
-        let [right, up, forward] = self.axes();
-        let from_eye = point.as_dvec3() - self.eye();
-        let depth = from_eye.dot(forward);
-        if !self.orthographic && depth < self.near() {
-            return None;
+        self.projector(viewport).project(point).map(|(pixel, _)| pixel)
+    }
+
+    /// For projecting many points.
+    pub(crate) fn projector(&self, viewport: Vec2) -> Projector {
+        Projector {
+            axes: self.axes(),
+            eye: self.eye(),
+            middle: viewport.as_dvec2() * 0.5,
+            focal: 0.5 * f64::from(viewport.y) / (self.fov_y * 0.5).tan(),
+            near: if self.orthographic { f64::NEG_INFINITY } else { self.near() },
+            parallel: self.orthographic.then_some(self.distance),
         }
-        let per_unit = if self.orthographic { 1.0 / self.distance } else { 1.0 / depth };
-        let focal = 0.5 * f64::from(viewport.y) / (self.fov_y * 0.5).tan();
-        Some(Vec2::new(
-            (f64::from(viewport.x) * 0.5 + from_eye.dot(right) * per_unit * focal) as f32,
-            (f64::from(viewport.y) * 0.5 - from_eye.dot(up) * per_unit * focal) as f32,
-        ))
     }
 
     /// How far in front of the eye a point is, along the viewing direction.
@@ -257,6 +258,52 @@ impl Camera {
         };
         Mat4::from_cols(x.extend(0.0).as_vec4(), y.extend(0.0).as_vec4(), z.as_vec4(), w.as_vec4())
             .transpose()
+    }
+}
+
+/// A camera's view with all worked out that does not depend on the point.
+pub(crate) struct Projector {
+    axes: [DVec3; 3],
+    eye: DVec3,
+    middle: DVec2,
+    /// Pixels per unit at depth 1.
+    focal: f64,
+    /// What is nearer is behind the eye.
+    pub near: f64,
+    /// With a parallel projection, the depth whose scale all depths have.
+    parallel: Option<f64>,
+}
+
+impl Projector {
+    /// Where a point is on the viewport, and its depth; none when it is behind the eye.
+    pub fn project(&self, point: Vec3) -> Option<(Vec2, f64)> {
+        let [right, up, forward] = self.axes;
+        let from_eye = point.as_dvec3() - self.eye;
+        let depth = from_eye.dot(forward);
+        if depth < self.near {
+            return None;
+        }
+        let across = DVec2::new(from_eye.dot(right), -from_eye.dot(up));
+        Some(((self.middle + across / self.units_per_pixel(depth)).as_vec2(), depth))
+    }
+
+    pub fn depth(&self, point: Vec3) -> f64 {
+        (point.as_dvec3() - self.eye).dot(self.axes[2])
+    }
+
+    pub fn units_per_pixel(&self, depth: f64) -> f64 {
+        self.parallel.unwrap_or(depth) / self.focal
+    }
+
+    /// A number that grows towards the eye and is linear across the screen on a plane.
+    pub fn nearness(&self, depth: f64) -> f32 {
+        (if self.parallel.is_some() { -depth } else { 1.0 / depth }) as f32
+    }
+
+    /// The depth that has this nearness.
+    pub fn depth_of(&self, nearness: f32) -> f64 {
+        let nearness = f64::from(nearness);
+        if self.parallel.is_some() { -nearness } else { 1.0 / nearness }
     }
 }
 

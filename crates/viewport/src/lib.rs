@@ -8,6 +8,7 @@ mod box_select;
 pub mod buffers;
 mod camera;
 mod gpu;
+mod occlusion;
 mod pick;
 mod sight;
 mod slots;

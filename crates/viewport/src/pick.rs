@@ -39,7 +39,7 @@ pub fn pick(
     kind: Element,
     radius: f32,
 ) -> Option<Picked> {
-    let sight = Sight { mesh, tree, camera, viewport };
+    let sight = Sight::new(mesh, tree, camera, viewport);
     let hit_at = |pixel| tree.hit(mesh, camera.ray(pixel, viewport));
     let under = hit_at(pixel);
     if kind == Element::Face {
@@ -103,7 +103,9 @@ fn pick_vertex(sight: &Sight<'_>, faces: &BTreeSet<FaceId>, pixel: Vec2, radius:
     let mesh = sight.mesh;
     let mut vertices: BTreeSet<_> = faces.iter().flat_map(|&f| mesh.face_vertices(f)).collect();
     // No ray meets a vertex without a face.
-    vertices.extend(mesh.vertices().filter(|&v| mesh.halfedge_from(v).is_none()));
+    let first = mesh.connectivity().vertex_halfedge.iter().enumerate();
+    let alone = first.filter(|(_, h)| **h == halfedge::NONE).filter_map(|(v, _)| mesh.vertex(v as u32));
+    vertices.extend(alone);
     let near = vertices.into_iter().filter_map(|v| {
         let away = sight.project(mesh.position(v))?.distance(pixel);
         (away <= radius).then_some((away, v))

@@ -1,11 +1,12 @@
 //! What can be seen of a mesh from where: shared by picking and box selection.
 
 use crate::Camera;
+use crate::camera::Projector;
 use glam::{Vec2, Vec3};
 use halfedge::{EdgeId, FaceId, Mesh};
 use surface::FaceTree;
 
-/// A point this fraction of its distance behind a surface still counts as on it.
+/// A point this fraction of its distance from the eye behind a surface still counts as on it.
 const ON_SURFACE: f64 = 3e-5;
 
 /// A mesh, and the camera and viewport it is seen through.
@@ -14,6 +15,7 @@ pub struct Sight<'a> {
     pub tree: &'a FaceTree,
     pub camera: &'a Camera,
     pub viewport: Vec2,
+    view: Projector,
 }
 
 /// The part of an edge in front of the eye.
@@ -24,9 +26,17 @@ pub struct Segment {
     pub pixels: [Vec2; 2],
 }
 
-impl Sight<'_> {
+impl<'a> Sight<'a> {
+    pub fn new(mesh: &'a Mesh, tree: &'a FaceTree, camera: &'a Camera, viewport: Vec2) -> Self {
+        Self { mesh, tree, camera, viewport, view: camera.projector(viewport) }
+    }
+
     pub fn project(&self, point: Vec3) -> Option<Vec2> {
-        self.camera.project(point, self.viewport)
+        self.view.project(point).map(|(pixel, _)| pixel)
+    }
+
+    pub fn view(&self) -> &Projector {
+        &self.view
     }
 
     /// Whether nothing is in front of a point, faces that `own` knows left aside; if so, how far
@@ -34,10 +44,10 @@ impl Sight<'_> {
     pub fn sees(&self, point: Vec3, own: impl Fn(FaceId) -> bool) -> Option<f64> {
         let ray = self.camera.ray(self.project(point)?, self.viewport);
         let away = (point.as_dvec3() - ray.origin.as_dvec3()).dot(ray.direction.as_dvec3());
-        let hidden = self
-            .tree
-            .hit(self.mesh, ray)
-            .is_some_and(|hit| hit.distance < away * (1.0 - ON_SURFACE) && !own(hit.face));
+        // Rays of a parallel projection start far in front of everything: the view's size counts.
+        let slack = ON_SURFACE * if self.camera.orthographic { self.camera.distance } else { away };
+        let hidden =
+            self.tree.hit(self.mesh, ray).is_some_and(|hit| hit.distance < away - slack && !own(hit.face));
         (!hidden).then_some(away)
     }
 
@@ -51,8 +61,8 @@ impl Sight<'_> {
         let mut ends = self.mesh.ends(edge).map(|v| self.mesh.position(v));
         if !self.camera.orthographic {
             // A little beyond the near plane, so that roundings don't lose the end again.
-            let near = self.camera.near() * 1.001;
-            let [a, b] = ends.map(|p| self.camera.depth(p));
+            let near = self.view.near * 1.001;
+            let [a, b] = ends.map(|p| self.view.depth(p));
             if a < near && b < near {
                 return None;
             }
@@ -76,7 +86,7 @@ impl Sight<'_> {
             t
         } else {
             // Depth changes along the screen as its inverse does.
-            let (near, far) = (self.camera.depth(a), self.camera.depth(b));
+            let (near, far) = (self.view.depth(a), self.view.depth(b));
             t * near / (far + t * (near - far))
         };
         a.as_dvec3().lerp(b.as_dvec3(), s).as_vec3()

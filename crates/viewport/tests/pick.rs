@@ -132,6 +132,45 @@ fn a_box_works_from_within_the_mesh() {
 }
 
 proptest! {
+    #![proptest_config(ProptestConfig::with_cases(10))]
+
+    /// Of a convex body, a face is visible where it is turned towards the eye, and so are its edges and
+    /// corners. With small faces most are told by the depth buffer, with few by rays.
+    #[test]
+    fn a_box_finds_the_near_side_of_a_convex_body(
+        yaw in 0.0..std::f64::consts::TAU,
+        pitch in -1.5..1.5_f64,
+        orthographic in any::<bool>(),
+        fine in any::<bool>(),
+    ) {
+        let ball = if fine { sphere(48, 36) } else { sphere(7, 5) };
+        let camera = Camera { yaw, pitch, orthographic, ..Camera::default() };
+        // How much each face is turned towards the eye.
+        let turned: Vec<f64> = ball.faces().map(|f| {
+            let corner = ball.face_vertices(f).next().map_or(Vec3::ZERO, |v| ball.position(v)).as_dvec3();
+            let to_eye = if orthographic { -camera.axes()[2] } else { (camera.eye() - corner).normalize() };
+            surface::normals::face_normal(&ball, f).as_dvec3().dot(to_eye)
+        }).collect();
+        for kind in Element::ALL {
+            let found: BTreeSet<u32> = inside(&ball, &camera, ALL, kind, true).into_iter().collect();
+            for id in 0..ball.capacity(kind) as u32 {
+                let faces: Vec<f64> = match kind {
+                    Element::Vertex => ball.vertex_faces(VertexId::new(id as usize)).collect(),
+                    Element::Edge => halfedge::EdgeId::new(id as usize)
+                        .halfedges().into_iter().filter_map(|h| ball.face_of(h)).collect(),
+                    Element::Halfedge => ball.face_of(halfedge::HalfedgeId::new(id as usize)).into_iter().collect(),
+                    Element::Face => vec![FaceId::new(id as usize)],
+                }.into_iter().map(|f| turned[f.index()]).collect();
+                let most = faces.iter().copied().fold(f64::NEG_INFINITY, f64::max);
+                if most.abs() > 0.04 {
+                    prop_assert_eq!(found.contains(&id), most > 0.0, "{} {} turned {}", kind, id, most);
+                }
+            }
+        }
+    }
+}
+
+proptest! {
     #![proptest_config(ProptestConfig::with_cases(64))]
 
     /// Pointing right at any vertex or edge that a box finds visible picks it or one in front of it

@@ -1,0 +1,126 @@
+//! What hides what in a rectangle of the screen, told for many points at once.
+//!
+//! A ray for each of a million points takes seconds. Here all faces are first drawn into a small
+//! depth buffer, which settles most points: far from any silhouette a point is either on the visible
+//! surface or well behind it. The others still get their rays.
+
+use crate::box_select::ScreenRect;
+use crate::camera::Projector;
+use glam::{Vec2, Vec3};
+use halfedge::Mesh;
+use surface::CornerTriangulator;
+
+/// Cells along the longer side of the rectangle, at most.
+const MAX_CELLS: f32 = 1024.0;
+/// Cells that may be written to before it is no gain over rays: many large faces over each other.
+const BUDGET: usize = 60_000_000;
+/// Surfaces further apart than this many cells' width in depth, within a few cells on the screen, are
+/// taken for different ones.
+const GAP: f64 = 24.0;
+/// For cells where nothing is.
+const NOTHING: f32 = f32::NEG_INFINITY;
+
+/// The depth buffer of a rectangle.
+pub struct Occlusion {
+    origin: Vec2,
+    /// Cells per pixel.
+    scale: f32,
+    width: usize,
+    height: usize,
+    /// The nearest surface in each cell's middle: [`Projector::nearness`].
+    nearness: Vec<f32>,
+}
+
+impl Occlusion {
+    /// Draws the faces of a mesh. None where that would not tell: a face reaches behind the eye, or
+    /// there is too much to draw. Costs O(mesh + cells covered).
+    pub fn new(mesh: &Mesh, view: &Projector, rect: ScreenRect) -> Option<Self> {
+        // A cell more on each side, for points on the rectangle's edge.
+        let margin = Vec2::splat(2.0);
+        let (origin, size) = (rect.min - margin, rect.max - rect.min + margin * 2.0);
+        let scale = (MAX_CELLS / size.max_element()).min(1.0);
+        let (width, height) = ((size.x * scale).ceil() as usize, (size.y * scale).ceil() as usize);
+        let nearness = vec![NOTHING; width * height];
+        let mut buffer = Self { origin, scale, width, height, nearness };
+
+        let place = |p: Vec3| {
+            view.project(p).map(|(pixel, depth)| buffer.cell_of(pixel).extend(view.nearness(depth)))
+        };
+        let places: Vec<Option<Vec3>> = mesh.positions().iter().map(|&p| place(p)).collect();
+        let mut triangulator = CornerTriangulator::new();
+        let mut left = BUDGET;
+        for face in mesh.faces() {
+            for &corners in triangulator.of_face(mesh, face) {
+                let corners = corners.map(|h| places.get(mesh.from(h).index()).copied().flatten());
+                let [Some(a), Some(b), Some(c)] = corners else { return None };
+                left = left.checked_sub(buffer.draw([a, b, c]))?;
+            }
+        }
+        Some(buffer)
+    }
+
+    fn cell_of(&self, pixel: Vec2) -> Vec2 {
+        (pixel - self.origin) * self.scale
+    }
+
+    /// Draws a triangle in cells and nearness; gives the number of cells looked at.
+    fn draw(&mut self, [a, b, c]: [Vec3; 3]) -> usize {
+        // Cells whose middle is in the triangle's box.
+        let low = (a.min(b).min(c).truncate() - 0.5).ceil().max(Vec2::ZERO);
+        let most = Vec2::new(self.width as f32 - 1.0, self.height as f32 - 1.0);
+        let high = (a.max(b).max(c).truncate() - 0.5).floor().min(most);
+        if low.x > high.x || low.y > high.y {
+            return 1;
+        }
+        let (ab, ac) = ((b - a).truncate(), (c - a).truncate());
+        let area = ab.perp_dot(ac);
+        if area == 0.0 || !area.is_finite() {
+            return 1;
+        }
+        let (columns, rows) = (low.x as usize..=high.x as usize, low.y as usize..=high.y as usize);
+        for y in rows.clone() {
+            let row = self.nearness.get_mut(y * self.width..(y + 1) * self.width).unwrap_or_default();
+            for x in columns.clone() {
+                let from_a = Vec2::new(x as f32 + 0.5, y as f32 + 0.5) - a.truncate();
+                let (v, w) = (from_a.perp_dot(ac) / area, ab.perp_dot(from_a) / area);
+                if v >= 0.0 && w >= 0.0 && v + w <= 1.0 {
+                    let here = a.z + (b.z - a.z) * v + (c.z - a.z) * w;
+                    if let Some(cell) = row.get_mut(x)
+                        && *cell < here
+                    {
+                        *cell = here;
+                    }
+                }
+            }
+        }
+        columns.count() * rows.count()
+    }
+
+    /// Whether a point is seen, where the buffer can tell: not near a silhouette, nor where there is
+    /// nothing.
+    pub fn sees(&self, view: &Projector, point: Vec3) -> Option<bool> {
+        let (pixel, depth) = view.project(point)?;
+        let cell = self.cell_of(pixel);
+        let (x, y) = (cell.x as usize, cell.y as usize);
+        if cell.x < 1.0 || cell.y < 1.0 || x + 1 >= self.width || y + 1 >= self.height {
+            return None;
+        }
+        let (mut nearest, mut farthest) = (f32::NEG_INFINITY, f32::INFINITY);
+        for row in y - 1..=y + 1 {
+            for &cell in self.nearness.get(row * self.width + x - 1..row * self.width + x + 2)? {
+                nearest = nearest.max(cell);
+                farthest = farthest.min(cell);
+            }
+        }
+        if farthest == NOTHING {
+            return None;
+        }
+        let gap = GAP * view.units_per_pixel(depth) / f64::from(self.scale);
+        let [front, back] = [nearest, farthest].map(|n| view.depth_of(n));
+        if depth - back > gap {
+            // Well behind all around it.
+            return Some(false);
+        }
+        (back - front < gap && depth <= back).then_some(true)
+    }
+}
