@@ -2,7 +2,7 @@
 
 use crate::format::Format;
 use crate::import::NamedBytes;
-use crate::{json, obj};
+use crate::{json, obj, off, ply, stl};
 use halfedge::Mesh;
 use std::fmt;
 
@@ -22,6 +22,12 @@ pub struct WriteError {
     pub message: String,
 }
 
+impl WriteError {
+    pub(crate) fn new(message: &str) -> Self {
+        Self { message: message.to_owned() }
+    }
+}
+
 impl fmt::Display for WriteError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(&self.message)
@@ -38,6 +44,11 @@ impl std::error::Error for WriteError {}
 pub fn write(format: Format, name: &str, objects: &[ObjectRef]) -> Result<Vec<NamedBytes>, WriteError> {
     Ok(match format {
         Format::Obj => obj::write(name, objects),
+        Format::Ply => ply::write(name, objects)?,
+        Format::PlyText => ply::write_text(name, objects),
+        Format::Stl => stl::write(name, objects)?,
+        Format::StlText => stl::write_text(name, objects),
+        Format::Off => off::write(name, objects),
         Format::Json => json::write(name, objects),
     })
 }

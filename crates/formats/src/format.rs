@@ -2,24 +2,42 @@
 
 use crate::import::NamedBytes;
 use crate::losses::Part;
+use crate::{off, stl};
 
-/// A file format.
+/// A file format. Where one is written in two ways, reading tells them apart and calls both by the
+/// first.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Format {
     /// Wavefront OBJ, with materials in an MTL beside it.
     Obj,
+    /// PLY, written binary (little-endian).
+    Ply,
+    /// PLY written as text.
+    PlyText,
+    /// STL, written binary.
+    Stl,
+    /// STL written as text.
+    StlText,
+    /// OFF.
+    Off,
     /// The half-edge mesh itself as JSON; written only.
     Json,
 }
 
 impl Format {
     /// All formats, in the order menus show them.
-    pub const ALL: [Self; 2] = [Self::Obj, Self::Json];
+    pub const ALL: [Self; 7] =
+        [Self::Obj, Self::Ply, Self::PlyText, Self::Stl, Self::StlText, Self::Off, Self::Json];
 
     /// What users call it.
     pub fn name(self) -> &'static str {
         match self {
             Self::Obj => "OBJ",
+            Self::Ply => "PLY",
+            Self::PlyText => "PLY (text)",
+            Self::Stl => "STL",
+            Self::StlText => "STL (text)",
+            Self::Off => "OFF",
             Self::Json => "Half-edge JSON",
         }
     }
@@ -28,6 +46,9 @@ impl Format {
     pub fn extensions(self) -> &'static [&'static str] {
         match self {
             Self::Obj => &["obj"],
+            Self::Ply | Self::PlyText => &["ply"],
+            Self::Stl | Self::StlText => &["stl"],
+            Self::Off => &["off", "coff"],
             Self::Json => &["json"],
         }
     }
@@ -37,9 +58,9 @@ impl Format {
         self.extensions().first().copied().unwrap_or_default()
     }
 
-    /// Whether [`crate::read`] reads it.
+    /// Whether [`crate::read`] gives it as a file's format.
     pub fn can_read(self) -> bool {
-        self != Self::Json
+        !matches!(self, Self::Json | Self::PlyText | Self::StlText)
     }
 
     /// Whether [`crate::write`] writes it.
@@ -52,6 +73,10 @@ impl Format {
     pub(crate) fn keeps(self, part: Part) -> bool {
         match self {
             Self::Obj => part != Part::Creases,
+            Self::Ply | Self::PlyText | Self::Off => {
+                matches!(part, Part::Polygons | Part::LooseVertices | Part::FaceColors | Part::VertexColors)
+            }
+            Self::Stl | Self::StlText => false,
             Self::Json => matches!(part, Part::Polygons | Part::LooseVertices),
         }
     }
@@ -70,7 +95,20 @@ impl Format {
     /// The format of a file: by content where that is plain, else by extension, else by a look at
     /// the first lines.
     pub fn detect(file: &NamedBytes) -> Option<Self> {
-        Self::from_name(&file.name).or_else(|| looks_like_obj(&file.bytes).then_some(Self::Obj))
+        Self::by_mark(&file.bytes)
+            .or_else(|| Self::from_name(&file.name))
+            .or_else(|| looks_like_obj(&file.bytes).then_some(Self::Obj))
+    }
+
+    /// The format by how the content starts.
+    fn by_mark(bytes: &[u8]) -> Option<Self> {
+        if bytes.starts_with(b"ply\n") || bytes.starts_with(b"ply\r") {
+            return Some(Self::Ply);
+        }
+        if off::is_off(bytes) {
+            return Some(Self::Off);
+        }
+        (stl::is_text(bytes) || stl::is_binary(bytes)).then_some(Self::Stl)
     }
 }
 
@@ -111,9 +149,24 @@ mod tests {
     }
 
     #[test]
-    fn every_format_has_a_name_and_an_extension_of_its_own() {
+    fn content_counts_for_more_than_the_name() {
+        let detect = |name: &str, bytes: &[u8]| Format::detect(&NamedBytes::new(name, bytes));
+        assert_eq!(detect("a.obj", b"ply\nformat ascii 1.0\n"), Some(Format::Ply));
+        assert_eq!(detect("a.stl", b"# x\nCOFF 3 1 0\n"), Some(Format::Off));
+        assert_eq!(detect("a.off", b"solid a b\nfacet normal 0 0 1\n"), Some(Format::Stl));
+        let mut binary = vec![b' '; 84 + 50];
+        binary[..5].copy_from_slice(b"solid");
+        binary[80..84].copy_from_slice(&1u32.to_le_bytes());
+        assert_eq!(detect("model", &binary), Some(Format::Stl));
+        assert_eq!(detect("model", &binary[1..]), None);
+    }
+
+    #[test]
+    fn extensions_lead_to_what_can_be_read() {
         for format in Format::ALL {
-            assert_eq!(Format::from_extension(format.extension()), Some(format));
+            let found = Format::from_extension(format.extension());
+            assert_eq!(found.map(Format::extension), Some(format.extension()));
+            assert!(found.is_some_and(|found| found.can_read() || found == Format::Json));
             assert!(!format.name().is_empty());
         }
     }

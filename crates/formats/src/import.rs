@@ -1,8 +1,8 @@
 //! Files in: which format, which reader, one document.
 
 use crate::format::{Format, is_material_library};
-use crate::obj;
 use crate::report::{ImportReport, counted};
+use crate::{obj, off, ply, stl};
 use halfedge::{Mesh, PolygonSoup, Progress};
 use std::fmt;
 
@@ -137,15 +137,16 @@ fn read_one(
     libraries: &[&NamedBytes],
     progress: &mut Progress,
 ) -> Result<(Vec<ImportedObject>, ImportReport), ReadError> {
-    let (objects, notes) = match format {
-        Format::Obj => {
-            let (object, report) = obj::read(file, libraries, progress)?;
-            (vec![object], report)
-        }
+    let (object, notes) = match format {
+        Format::Obj => obj::read(file, libraries, progress)?,
+        Format::Ply | Format::PlyText => ply::read(file, progress)?,
+        Format::Stl | Format::StlText => stl::read(file, progress)?,
+        Format::Off => off::read(file, progress)?,
         Format::Json => {
             return Err(ReadError::file(&file.name, "half-edge dumps can be written but not read"));
         }
     };
+    let objects = vec![object];
     let vertices = objects.iter().map(|object| object.mesh.vertex_count()).sum();
     let faces = objects.iter().map(|object| object.mesh.face_count()).sum();
     let mut report = ImportReport::default();

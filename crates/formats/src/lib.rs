@@ -11,9 +11,16 @@ mod json;
 mod losses;
 mod number;
 mod obj;
+mod off;
+mod pieces;
+mod ply;
 mod report;
+mod scan;
 mod soup;
+mod stl;
 mod text;
+mod triangles;
+mod weld;
 
 pub use export::{ObjectRef, WriteError, write};
 pub use format::Format;

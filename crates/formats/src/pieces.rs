@@ -1,0 +1,66 @@
+//! Several objects written as one mesh, for formats that hold one.
+
+use crate::export::ObjectRef;
+use glam::Vec3;
+use halfedge::{Color, FaceId, Mesh, keys};
+use std::borrow::Cow;
+
+/// Compact meshes that are numbered on from each other.
+pub(crate) struct Pieces<'a> {
+    /// The meshes, each with the number of its first vertex.
+    pub meshes: Vec<(Cow<'a, Mesh>, u64)>,
+    /// How many vertices all have.
+    pub vertices: u64,
+    /// How many faces all have.
+    pub faces: u64,
+}
+
+impl<'a> Pieces<'a> {
+    pub(crate) fn new(objects: &[ObjectRef<'a>]) -> Self {
+        let mut pieces = Self { meshes: Vec::with_capacity(objects.len()), vertices: 0, faces: 0 };
+        for object in objects {
+            let mesh = compact(object.mesh);
+            let first = pieces.vertices;
+            pieces.vertices += mesh.vertex_count() as u64;
+            pieces.faces += mesh.face_count() as u64;
+            pieces.meshes.push((mesh, first));
+        }
+        pieces
+    }
+
+    /// All positions in order.
+    pub(crate) fn positions(&self) -> impl Iterator<Item = Vec3> + '_ {
+        self.meshes.iter().flat_map(|(mesh, _)| mesh.positions().iter().copied())
+    }
+
+    /// All faces in order, each with its mesh and the number of that mesh's first vertex.
+    pub(crate) fn faces(&self) -> impl Iterator<Item = (&Mesh, u64, FaceId)> + '_ {
+        self.meshes.iter().flat_map(|(mesh, first)| mesh.faces().map(move |f| (mesh.as_ref(), *first, f)))
+    }
+
+    /// The colours of all vertices, white where one has none; nothing where none has any.
+    pub(crate) fn vertex_colors(&self) -> Option<Vec<Vec3>> {
+        let has =
+            |mesh: &Mesh| mesh.attribute(keys::VERTEX_COLOR).is_some_and(|c| c.iter().any(|c| !c.is_nan()));
+        if !self.meshes.iter().any(|(mesh, _)| has(mesh)) {
+            return None;
+        }
+        let of = |mesh: &Mesh, v: usize| {
+            let color = mesh.get(keys::VERTEX_COLOR, v);
+            if color.is_nan() { Vec3::ONE } else { color }
+        };
+        Some(self.meshes.iter().flat_map(|(mesh, _)| (0..mesh.vertex_count()).map(|v| of(mesh, v))).collect())
+    }
+
+    /// The colours of all faces; nothing where none is painted.
+    pub(crate) fn face_colors(&self) -> Option<Vec<Color>> {
+        let colors: Vec<Color> =
+            self.faces().map(|(mesh, _, f)| mesh.get(keys::FACE_COLOR, f.index())).collect();
+        colors.iter().any(|&color| color != Color::UNPAINTED).then_some(colors)
+    }
+}
+
+/// The mesh without gaps in its ids.
+pub(crate) fn compact(mesh: &Mesh) -> Cow<'_, Mesh> {
+    if mesh.is_compact() { Cow::Borrowed(mesh) } else { Cow::Owned(mesh.compacted().0) }
+}

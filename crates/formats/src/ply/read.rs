@@ -1,0 +1,260 @@
+//! Reading a PLY, table by table.
+
+use super::header::{Header, Property, Table};
+use super::source::Source;
+use crate::import::{ImportedObject, NamedBytes, ReadError, build};
+use crate::report::{ImportReport, Places, counted};
+use crate::scan::Ticker;
+use glam::Vec3;
+use halfedge::attribute::Column;
+use halfedge::{Color, NONE, PolygonSoup, Progress, keys};
+
+/// Reads one PLY as one object.
+pub(crate) fn read(
+    file: &NamedBytes,
+    progress: &mut Progress,
+) -> Result<(ImportedObject, ImportReport), ReadError> {
+    let header = Header::read(&file.bytes).map_err(|message| ReadError::file(&file.name, message))?;
+    if !header.tables.iter().any(|table| table.name == "vertex") {
+        return Err(ReadError::file(&file.name, "the PLY has no element \"vertex\""));
+    }
+    let mut reader = Reader {
+        source: Source::new(&file.bytes, header.end, header.encoding),
+        size: file.bytes.len(),
+        ticker: Ticker::new(file.bytes.len()),
+        soup: PolygonSoup::default(),
+        vertex_colors: Vec::new(),
+        face_colors: Vec::new(),
+        unread: Places::default(),
+        left_out: Vec::new(),
+    };
+    let mut report = ImportReport::default();
+    for table in &header.tables {
+        let rows = match table.name.as_str() {
+            "vertex" => reader.vertices(table, progress)?,
+            "face" => reader.faces(table, progress)?,
+            "tristrips" => reader.strips(table, progress)?,
+            _ => reader.skip(table, progress)?,
+        };
+        if rows < table.rows {
+            report.warn(format!(
+                "The file ends early: {rows} of {} (element \"{}\") are there",
+                counted(usize::try_from(table.rows).unwrap_or(usize::MAX), "row", "rows"),
+                table.name
+            ));
+            break;
+        }
+    }
+    reader.finish(file, report, progress)
+}
+
+struct Reader<'a> {
+    source: Source<'a>,
+    size: usize,
+    ticker: Ticker,
+    soup: PolygonSoup,
+    vertex_colors: Vec<Vec3>,
+    face_colors: Vec<Color>,
+    /// Vertices with a coordinate that is no number.
+    unread: Places,
+    /// Properties and elements that are not used.
+    left_out: Vec<String>,
+}
+
+/// Where in a row the channels of a colour are.
+fn color_places(table: &Table) -> Option<[usize; 3]> {
+    let place = |names: [&str; 2]| {
+        table.properties.iter().position(|p| p.count.is_none() && names.contains(&p.name.as_str()))
+    };
+    Some([
+        place(["red", "diffuse_red"])?,
+        place(["green", "diffuse_green"])?,
+        place(["blue", "diffuse_blue"])?,
+    ])
+}
+
+impl Reader<'_> {
+    /// Reads the numbers of one row: of a list the length, its values into `list`. False where the
+    /// file ends before the row does.
+    fn row(
+        &mut self,
+        properties: &[Property],
+        row: &mut Vec<f64>,
+        list: &mut Vec<f64>,
+        wanted: Option<usize>,
+    ) -> bool {
+        row.clear();
+        list.clear();
+        for (place, property) in properties.iter().enumerate() {
+            let Some(value) = self.source.next(property.count.unwrap_or(property.scalar)) else {
+                return false;
+            };
+            row.push(value);
+            if property.count.is_some() {
+                // A negative or unreadable length is none.
+                for _ in 0..value as u64 {
+                    let Some(item) = self.source.next(property.scalar) else { return false };
+                    if wanted == Some(place) {
+                        list.push(item);
+                    }
+                }
+            }
+        }
+        true
+    }
+
+    /// Calls `take` with each row of a table and the values of its list at `wanted`. Gives how
+    /// many rows there were.
+    fn rows(
+        &mut self,
+        table: &Table,
+        wanted: Option<usize>,
+        progress: &mut Progress,
+        mut take: impl FnMut(&mut Self, u64, &[f64], &[f64]),
+    ) -> Result<u64, ReadError> {
+        // Rows of nothing could be any number.
+        if table.properties.is_empty() {
+            return Ok(table.rows);
+        }
+        let (mut row, mut list) = (Vec::new(), Vec::new());
+        for number in 0..table.rows {
+            if !self.row(&table.properties, &mut row, &mut list, wanted) {
+                return Ok(number);
+            }
+            take(self, number, &row, &list);
+            self.ticker.tick(self.source.at(), progress)?;
+        }
+        Ok(table.rows)
+    }
+
+    /// How many rows to make room for: no more than the file can hold.
+    fn expected(&self, table: &Table) -> usize {
+        let most = self.size.saturating_sub(self.source.at()) / table.properties.len().max(1);
+        usize::try_from(table.rows).unwrap_or(most).min(most)
+    }
+
+    fn vertices(&mut self, table: &Table, progress: &mut Progress) -> Result<u64, ReadError> {
+        let place = |name: &str| table.properties.iter().position(|p| p.count.is_none() && p.name == name);
+        let position = [place("x"), place("y"), place("z")];
+        let color = color_places(table);
+        let full = color.map(|at| at.map(|i| table.properties.get(i).map_or(1.0, |p| p.scalar.full())));
+        for property in &table.properties {
+            let used =
+                ["x", "y", "z", "red", "green", "blue", "diffuse_red", "diffuse_green", "diffuse_blue"];
+            if !used.contains(&property.name.as_str()) {
+                self.left_out.push(property.name.clone());
+            }
+        }
+        let expected = self.expected(table);
+        self.soup.positions.reserve(expected);
+        self.rows(table, None, progress, |this, number, row, _| {
+            let value = |place: usize| row.get(place).copied().unwrap_or(0.0);
+            let at = position.map(|place| place.map_or(0.0, value) as f32);
+            if at.iter().any(|c| c.is_nan()) {
+                this.unread.add(number as usize);
+            }
+            this.soup.positions.push(Vec3::from_array(at));
+            if let Some((places, full)) = color.zip(full) {
+                let [r, g, b] = [0, 1, 2].map(|i: usize| {
+                    let place = places.get(i).copied().unwrap_or_default();
+                    (value(place) / full.get(i).copied().unwrap_or(1.0)) as f32
+                });
+                this.vertex_colors.push(Vec3::new(r, g, b));
+            }
+        })
+    }
+
+    fn faces(&mut self, table: &Table, progress: &mut Progress) -> Result<u64, ReadError> {
+        let list = self.index_list(table);
+        let color = color_places(table);
+        let full = color.map(|at| at.map(|i| table.properties.get(i).map_or(1.0, |p| p.scalar.full())));
+        for (place, property) in table.properties.iter().enumerate() {
+            if Some(place) != list && color.is_none_or(|places| !places.contains(&place)) {
+                self.left_out.push(property.name.clone());
+            }
+        }
+        let expected = self.expected(table);
+        self.soup.face_starts.reserve(expected);
+        self.soup.corners.reserve(expected * 3);
+        self.rows(table, list, progress, |this, _, row, list| {
+            // What is no vertex number becomes one that no vertex has: the build drops the face.
+            this.soup.push_face(list.iter().map(|&v| index(v)));
+            if let Some((places, full)) = color.zip(full) {
+                let channels = [0, 1, 2].map(|i: usize| {
+                    let value = places.get(i).and_then(|&place| row.get(place)).copied().unwrap_or(0.0);
+                    (value / full.get(i).copied().unwrap_or(1.0) * 255.0).round().clamp(0.0, 255.0) as u8
+                });
+                this.face_colors.push(Color(channels));
+            }
+        })
+    }
+
+    /// Strips of triangles, -1 between them, every second triangle the other way round.
+    fn strips(&mut self, table: &Table, progress: &mut Progress) -> Result<u64, ReadError> {
+        let list = self.index_list(table);
+        self.rows(table, list, progress, |this, _, _, list| {
+            for strip in list.split(|&v| v < 0.0) {
+                for (i, corners) in strip.windows(3).enumerate() {
+                    let &[a, b, c] = corners else { continue };
+                    let (a, b, c) = (index(a), index(b), index(c));
+                    // A repeat only joins two strips.
+                    if a != b && b != c && c != a {
+                        this.soup.push_face(if i % 2 == 0 { [a, b, c] } else { [b, a, c] });
+                    }
+                }
+            }
+        })
+    }
+
+    fn skip(&mut self, table: &Table, progress: &mut Progress) -> Result<u64, ReadError> {
+        if table.rows > 0 {
+            self.left_out.push(format!("all of \"{}\"", table.name));
+        }
+        self.rows(table, None, progress, |_, _, _, _| {})
+    }
+
+    /// Where a table has its list of vertex numbers.
+    fn index_list(&self, table: &Table) -> Option<usize> {
+        let is_list = |p: &Property| p.count.is_some();
+        table
+            .properties
+            .iter()
+            .position(|p| is_list(p) && matches!(p.name.as_str(), "vertex_indices" | "vertex_index"))
+            .or_else(|| table.properties.iter().position(is_list))
+    }
+
+    fn finish(
+        mut self,
+        file: &NamedBytes,
+        mut report: ImportReport,
+        progress: &mut Progress,
+    ) -> Result<(ImportedObject, ImportReport), ReadError> {
+        if !self.left_out.is_empty() {
+            report.info(format!("Properties that are not used were left out: {}", self.left_out.join(", ")));
+        }
+        if !self.unread.is_empty() {
+            report.warn(self.unread.sentence(
+                "vertex",
+                "vertices",
+                "with a coordinate that is no number",
+                "number",
+            ));
+        }
+        if self.vertex_colors.iter().any(|color| !color.is_nan()) {
+            let colors = std::mem::take(&mut self.vertex_colors);
+            self.soup.vertex_columns.push(Column::with_values(keys::VERTEX_COLOR, colors));
+        }
+        if self.face_colors.iter().any(|&color| color != Color::UNPAINTED) {
+            let mut colors = std::mem::take(&mut self.face_colors);
+            colors.resize(self.soup.face_count(), Color::UNPAINTED);
+            self.soup.face_columns.push(Column::with_values(keys::FACE_COLOR, colors));
+        }
+        let mesh = build(self.soup, &file.name, &mut report, &mut |part| progress(0.5 + part * 0.5))?;
+        Ok((ImportedObject { name: file.stem().to_owned(), mesh }, report))
+    }
+}
+
+/// A number read as a vertex number.
+fn index(value: f64) -> u32 {
+    if (0.0..f64::from(NONE)).contains(&value) { value as u32 } else { NONE }
+}

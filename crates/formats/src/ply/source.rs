@@ -1,0 +1,71 @@
+//! The numbers of a PLY, whichever way they are written.
+
+use super::header::{Encoding, Scalar};
+use crate::number;
+use crate::scan::Scan;
+
+/// Gives numbers one after the other.
+pub(crate) enum Source<'a> {
+    Text(Scan<'a>),
+    Binary { bytes: &'a [u8], at: usize, big: bool },
+}
+
+impl<'a> Source<'a> {
+    /// Numbers from `at` on.
+    pub(crate) fn new(bytes: &'a [u8], at: usize, encoding: Encoding) -> Self {
+        match encoding {
+            Encoding::Text => {
+                let mut scan = Scan::new(bytes, None);
+                scan.at = at;
+                Self::Text(scan)
+            }
+            Encoding::LittleEndian => Self::Binary { bytes, at, big: false },
+            Encoding::BigEndian => Self::Binary { bytes, at, big: true },
+        }
+    }
+
+    /// How many bytes are read.
+    pub(crate) fn at(&self) -> usize {
+        match self {
+            Self::Text(scan) => scan.at,
+            Self::Binary { at, .. } => *at,
+        }
+    }
+
+    /// The next number; none where the file ends. In text, a word that is no number is NaN.
+    pub(crate) fn next(&mut self, scalar: Scalar) -> Option<f64> {
+        match self {
+            Self::Text(scan) => {
+                let word = scan.word()?;
+                let whole = |word| number::integer(word, 0).filter(|&(_, end)| end == word.len());
+                if !scalar.is_float()
+                    && let Some((value, _)) = whole(word)
+                {
+                    return Some(value as f64);
+                }
+                let value = number::float(word, 0).filter(|&(_, end)| end == word.len());
+                Some(value.map_or(f64::NAN, |(value, _)| f64::from(value)))
+            }
+            Self::Binary { bytes, at, big } => {
+                fn take<const N: usize>(bytes: &[u8], at: &mut usize, big: bool) -> Option<[u8; N]> {
+                    let mut value = *bytes.get(*at..)?.first_chunk::<N>()?;
+                    *at += N;
+                    if big {
+                        value.reverse();
+                    }
+                    Some(value)
+                }
+                Some(match scalar {
+                    Scalar::I8 => f64::from(i8::from_le_bytes(take(bytes, at, *big)?)),
+                    Scalar::U8 => f64::from(u8::from_le_bytes(take(bytes, at, *big)?)),
+                    Scalar::I16 => f64::from(i16::from_le_bytes(take(bytes, at, *big)?)),
+                    Scalar::U16 => f64::from(u16::from_le_bytes(take(bytes, at, *big)?)),
+                    Scalar::I32 => f64::from(i32::from_le_bytes(take(bytes, at, *big)?)),
+                    Scalar::U32 => f64::from(u32::from_le_bytes(take(bytes, at, *big)?)),
+                    Scalar::F32 => f64::from(f32::from_le_bytes(take(bytes, at, *big)?)),
+                    Scalar::F64 => f64::from_le_bytes(take(bytes, at, *big)?),
+                })
+            }
+        }
+    }
+}

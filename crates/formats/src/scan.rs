@@ -1,0 +1,149 @@
+//! Words and numbers of a text file, one after the other.
+
+use crate::import::ReadError;
+use crate::number;
+use halfedge::Progress;
+
+/// A position in text made of words between blanks.
+pub(crate) struct Scan<'a> {
+    bytes: &'a [u8],
+    pub at: usize,
+    /// What starts a comment, which goes on to the end of its line.
+    comment: Option<u8>,
+}
+
+impl<'a> Scan<'a> {
+    pub(crate) fn new(bytes: &'a [u8], comment: Option<u8>) -> Self {
+        let mark = b"\xef\xbb\xbf";
+        Self { bytes, at: if bytes.starts_with(mark) { mark.len() } else { 0 }, comment }
+    }
+
+    fn peek(&self) -> Option<u8> {
+        self.bytes.get(self.at).copied()
+    }
+
+    fn is_blank(byte: u8) -> bool {
+        byte.is_ascii_whitespace() || byte == 0x0b
+    }
+
+    /// Passes over blanks, line ends and comments.
+    pub(crate) fn blanks(&mut self) {
+        while let Some(byte) = self.peek() {
+            if Some(byte) == self.comment {
+                self.skip_line();
+            } else if Self::is_blank(byte) {
+                self.at += 1;
+            } else {
+                return;
+            }
+        }
+    }
+
+    /// Passes over blanks of this line; whether something else is left on it.
+    pub(crate) fn more_on_line(&mut self) -> bool {
+        while let Some(byte) = self.peek() {
+            if byte == b'\n' || byte == b'\r' || Some(byte) == self.comment {
+                return false;
+            }
+            if !Self::is_blank(byte) {
+                return true;
+            }
+            self.at += 1;
+        }
+        false
+    }
+
+    /// Goes to the end of this line.
+    pub(crate) fn skip_line(&mut self) {
+        self.line();
+    }
+
+    /// Takes the rest of this line, without blanks around it.
+    pub(crate) fn line(&mut self) -> &'a [u8] {
+        let rest = self.bytes.get(self.at..).unwrap_or_default();
+        let length = rest.iter().position(|&b| b == b'\n' || b == b'\r').unwrap_or(rest.len());
+        self.at += length;
+        rest.get(..length).unwrap_or_default().trim_ascii()
+    }
+
+    /// The next word, if there is one.
+    pub(crate) fn word(&mut self) -> Option<&'a [u8]> {
+        self.blanks();
+        let rest = self.bytes.get(self.at..)?;
+        let length =
+            rest.iter().position(|&b| Self::is_blank(b) || Some(b) == self.comment).unwrap_or(rest.len());
+        self.at += length;
+        rest.get(..length).filter(|word| !word.is_empty())
+    }
+
+    /// The next word as a number; other words are passed over and give none.
+    pub(crate) fn float(&mut self) -> Option<f32> {
+        self.number(number::float)
+    }
+
+    /// The next word as a whole number.
+    pub(crate) fn integer(&mut self) -> Option<i64> {
+        self.number(number::integer)
+    }
+
+    fn number<T>(&mut self, read: impl Fn(&[u8], usize) -> Option<(T, usize)>) -> Option<T> {
+        self.blanks();
+        let start = self.at;
+        let taken = read(self.bytes, start);
+        let over = |end: usize| {
+            self.bytes.get(end).is_none_or(|&byte| Self::is_blank(byte) || Some(byte) == self.comment)
+        };
+        match taken {
+            Some((value, end)) if over(end) => {
+                self.at = end;
+                Some(value)
+            }
+            _ => {
+                self.word();
+                None
+            }
+        }
+    }
+
+    /// Whether there was a decimal point or an exponent between `start` and here.
+    pub(crate) fn has_point_since(&self, start: usize) -> bool {
+        self.bytes.get(start..self.at).unwrap_or_default().iter().any(|b| matches!(b, b'.' | b'e' | b'E'))
+    }
+
+    /// The line that a place is on, from 1.
+    pub(crate) fn line_number(&self) -> usize {
+        let before = self.bytes.get(..self.at).unwrap_or(self.bytes);
+        1 + before.iter().filter(|&&b| b == b'\n').count()
+    }
+
+    pub(crate) fn at_end(&mut self) -> bool {
+        self.blanks();
+        self.at >= self.bytes.len()
+    }
+}
+
+/// Tells `progress` now and then how far reading is, as the first half of the work.
+pub(crate) struct Ticker {
+    size: usize,
+    next: usize,
+}
+
+impl Ticker {
+    const EVERY: usize = 1 << 20;
+
+    pub(crate) fn new(size: usize) -> Self {
+        Self { size: size.max(1), next: Self::EVERY }
+    }
+
+    /// `at` bytes are read.
+    pub(crate) fn tick(&mut self, at: usize, progress: &mut Progress) -> Result<(), ReadError> {
+        if at < self.next {
+            return Ok(());
+        }
+        self.next = at.saturating_add(Self::EVERY);
+        if progress(0.5 * (at as f32 / self.size as f32).min(1.0)).is_break() {
+            return Err(ReadError::Cancelled);
+        }
+        Ok(())
+    }
+}

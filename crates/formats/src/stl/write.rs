@@ -1,0 +1,70 @@
+//! Writing an STL, binary or text.
+
+use crate::export::{ObjectRef, WriteError};
+use crate::import::NamedBytes;
+use crate::pieces::Pieces;
+use crate::text::push_floats;
+use crate::triangles::triangulate;
+use glam::Vec3;
+
+/// Writes a binary STL.
+pub(crate) fn write(name: &str, objects: &[ObjectRef]) -> Result<Vec<NamedBytes>, WriteError> {
+    let mut out = vec![0; 84];
+    let title = b"Written by Meshwright";
+    if let Some(place) = out.get_mut(..title.len()) {
+        place.copy_from_slice(title);
+    }
+    let mut count = 0u64;
+    for_each_triangle(objects, |normal, corners| {
+        for point in [normal].iter().chain(corners) {
+            for c in point.to_array() {
+                out.extend_from_slice(&c.to_le_bytes());
+            }
+        }
+        out.extend_from_slice(&[0, 0]);
+        count += 1;
+    });
+    let Ok(count) = u32::try_from(count) else {
+        return Err(WriteError::new("STL numbers at most 4294967295 triangles: save as OBJ instead"));
+    };
+    if let Some(place) = out.get_mut(80..84) {
+        place.copy_from_slice(&count.to_le_bytes());
+    }
+    Ok(vec![NamedBytes { name: format!("{name}.stl"), bytes: out }])
+}
+
+/// Writes an STL as text.
+pub(crate) fn write_text(name: &str, objects: &[ObjectRef]) -> Vec<NamedBytes> {
+    let title: String = name.chars().map(|c| if c.is_control() { ' ' } else { c }).collect();
+    let mut out = format!("solid {title}\n").into_bytes();
+    for_each_triangle(objects, |normal, corners| {
+        out.extend_from_slice(b"facet normal");
+        push_floats(&mut out, &normal.to_array());
+        out.extend_from_slice(b"\nouter loop\n");
+        for corner in corners {
+            out.extend_from_slice(b"vertex");
+            push_floats(&mut out, &corner.to_array());
+            out.push(b'\n');
+        }
+        out.extend_from_slice(b"endloop\nendfacet\n");
+    });
+    out.extend_from_slice(format!("endsolid {title}\n").as_bytes());
+    vec![NamedBytes { name: format!("{name}.stl"), bytes: out }]
+}
+
+/// All faces cut into triangles, with their unit normals; zero where a triangle has no area.
+fn for_each_triangle(objects: &[ObjectRef], mut take: impl FnMut(Vec3, &[Vec3; 3])) {
+    let mut points = Vec::new();
+    let mut triangles = Vec::new();
+    for (mesh, _, f) in Pieces::new(objects).faces() {
+        points.clear();
+        points.extend(mesh.face_vertices(f).map(|v| mesh.position(v)));
+        triangulate(&points, &mut triangles);
+        for corners in &triangles {
+            let corner =
+                |i: usize| corners.get(i).and_then(|&c| points.get(c as usize)).copied().unwrap_or_default();
+            let [a, b, c] = [corner(0), corner(1), corner(2)];
+            take((b - a).cross(c - a).normalize_or_zero(), &[a, b, c]);
+        }
+    }
+}

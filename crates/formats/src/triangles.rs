@@ -1,0 +1,95 @@
+//! Polygons cut into triangles, for formats that hold nothing else.
+
+use glam::{Vec2, Vec3};
+
+/// Cuts a polygon into triangles of its corners' numbers: a fan where that is right, else ear by
+/// ear in the plane that fits it best (G. Meisters, "Polygons have ears", 1975; O(n^2)). A polygon
+/// that crosses itself is cut somehow.
+pub(crate) fn triangulate(points: &[Vec3], out: &mut Vec<[u32; 3]>) {
+    out.clear();
+    let count = points.len() as u32;
+    if count == 3 {
+        out.push([0, 1, 2]);
+        return;
+    }
+    let flat = flatten(points);
+    let point = |i: u32| flat.get(i as usize).copied().unwrap_or_default();
+    let area = |[a, b, c]: [u32; 3]| (point(b) - point(a)).perp_dot(point(c) - point(a));
+    let fan = (2..count).map(|i| [0, i - 1, i]);
+    if fan.clone().all(|triangle| area(triangle) > 0.0) {
+        out.extend(fan);
+        return;
+    }
+    let mut left: Vec<u32> = (0..count).collect();
+    while left.len() > 3 {
+        let n = left.len();
+        let corner = |i: usize| left.get(i % n).copied().unwrap_or_default();
+        let triangle = |i: usize| [corner(i + n - 1), corner(i), corner(i + 1)];
+        let is_ear = |i: usize| {
+            let [a, b, c] = triangle(i);
+            area([a, b, c]) > 0.0
+                && left
+                    .iter()
+                    .filter(|&&p| p != a && p != b && p != c)
+                    .all(|&p| area([a, b, p]) < 0.0 || area([b, c, p]) < 0.0 || area([c, a, p]) < 0.0)
+        };
+        let ear = (0..n).find(|&i| is_ear(i)).unwrap_or(1);
+        out.push(triangle(ear));
+        left.remove(ear);
+    }
+    if let &[a, b, c] = left.as_slice() {
+        out.push([a, b, c]);
+    }
+}
+
+/// The polygon seen along its normal (Newell's), so that it runs counter-clockwise.
+fn flatten(points: &[Vec3]) -> Vec<Vec2> {
+    let origin = points.first().copied().unwrap_or_default();
+    let normal: Vec3 =
+        points.iter().zip(points.iter().cycle().skip(1)).map(|(&a, &b)| (a - origin).cross(b - origin)).sum();
+    let (u, v) = normal.try_normalize().unwrap_or(Vec3::Z).any_orthonormal_pair();
+    points.iter().map(|&p| Vec2::new((p - origin).dot(u), (p - origin).dot(v))).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn total_area(points: &[Vec3], triangles: &[[u32; 3]]) -> f32 {
+        triangles
+            .iter()
+            .map(|t| {
+                let [a, b, c] = t.map(|i| points[i as usize]);
+                (b - a).cross(c - a).length() / 2.0
+            })
+            .sum()
+    }
+
+    #[test]
+    fn concave_polygons_are_cut_inside() {
+        // An arrowhead whose first corner sees not all others, in a tilted plane.
+        let flat = [(0.0, 0.0), (4.0, -3.0), (1.0, 0.0), (4.0, 3.0)];
+        for turn in 0..4 {
+            let points: Vec<Vec3> =
+                (0..4).map(|i| flat[(i + turn) % 4]).map(|(x, y)| Vec3::new(x, y, x + 2.0 * y)).collect();
+            let mut out = Vec::new();
+            triangulate(&points, &mut out);
+            assert_eq!(out.len(), 2);
+            // Its area in the plane is 3, the tilt makes that sqrt(6) times as much.
+            assert!((total_area(&points, &out) - 3.0 * 6f32.sqrt()).abs() < 1e-4, "{turn} {out:?}");
+        }
+    }
+
+    #[test]
+    fn convex_polygons_are_fans_and_degenerate_ones_end() {
+        let ring: Vec<Vec3> =
+            (0..7).map(|i| Vec3::new((i as f32 * 0.9).cos(), (i as f32 * 0.9).sin(), 0.0)).collect();
+        let mut out = Vec::new();
+        triangulate(&ring, &mut out);
+        assert_eq!(out, [[0, 1, 2], [0, 2, 3], [0, 3, 4], [0, 4, 5], [0, 5, 6]]);
+        triangulate(&[Vec3::ONE; 9], &mut out);
+        assert_eq!(out.len(), 7);
+        triangulate(&[Vec3::ONE; 2], &mut out);
+        assert_eq!(out.len(), 0);
+    }
+}

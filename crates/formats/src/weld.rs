@@ -1,0 +1,27 @@
+//! Corners with positions of their own made into shared vertices, exactly.
+
+use crate::hash::Unique;
+use glam::Vec3;
+
+/// Numbers positions: equal ones, to the bit but for the sign of zero, get the same number.
+pub(crate) struct Weld {
+    unique: Unique<3>,
+    /// Each position once, in order of first appearance.
+    pub positions: Vec<Vec3>,
+}
+
+impl Weld {
+    pub(crate) fn new() -> Self {
+        Self { unique: Unique::new(), positions: Vec::new() }
+    }
+
+    /// The number of a position.
+    pub(crate) fn vertex(&mut self, position: Vec3) -> u32 {
+        // Adding zero takes the sign off a negative zero and changes nothing else.
+        let (number, new) = self.unique.number((position + Vec3::ZERO).to_array());
+        if new {
+            self.positions.push(position);
+        }
+        number
+    }
+}

@@ -1,0 +1,275 @@
+//! PLY, STL and OFF: what is written reads back, what others write reads, damage never panics.
+
+mod common;
+
+use common::{load, mesh, read, shared, write};
+use formats::{Format, NamedBytes, ObjectRef};
+use glam::Vec3;
+use halfedge::attribute::{Column, keys};
+use halfedge::{Color, Element, Mesh, PolygonSoup, VertexId};
+use proptest::prelude::*;
+
+const POLYGONS: [Format; 3] = [Format::Ply, Format::PlyText, Format::Off];
+const ALL: [Format; 5] = [Format::Ply, Format::PlyText, Format::Off, Format::Stl, Format::StlText];
+
+/// Two quads and a triangle, a vertex in no face, and positions hard to print.
+fn sample() -> Mesh {
+    let positions = [
+        [0.0, 0.0, 0.0],
+        [1.0, -0.0, 1e-30],
+        [1.1, 1.0 / 3.0, 0.1],
+        [0.0, 1.0, 16_777_217.0],
+        [9.0, 9.0, 9.0],
+        [-1.0, 2.0, f32::MIN_POSITIVE],
+        [-3.0, 1.0, 3.4e38],
+        [-2.0, 0.1, 0.0],
+    ];
+    let faces: [&[u32]; 3] = [&[0, 1, 2, 3], &[3, 5, 0], &[0, 5, 6, 7]];
+    let soup = PolygonSoup::new(positions.map(Vec3::from_array).to_vec(), &faces);
+    Mesh::build(soup).expect("small").mesh
+}
+
+fn painted() -> Mesh {
+    let mut mesh = sample();
+    let colors = vec![Color([1, 2, 3]), Color::UNPAINTED, Color([255, 0, 128])];
+    mesh.insert_column(Element::Face, Column::with_values(keys::FACE_COLOR, colors));
+    let colors = (0..8u8).map(|i| Vec3::new(f32::from(i * 30) / 255.0, 1.0, 0.2)).collect();
+    mesh.insert_column(Element::Vertex, Column::with_values(keys::VERTEX_COLOR, colors));
+    mesh
+}
+
+/// The corner positions of every face, to the bit.
+fn faces(mesh: &Mesh) -> Vec<Vec<[u32; 3]>> {
+    mesh.faces()
+        .map(|f| mesh.face_vertices(f).map(|v| mesh.position(v).to_array().map(f32::to_bits)).collect())
+        .collect()
+}
+
+fn back(format: Format, mesh: &Mesh) -> Mesh {
+    let import = read(&write(format, mesh)).unwrap_or_else(|error| panic!("{format:?}: {error}"));
+    assert!(import.report.is_clean(), "{format:?}: {}", import.report);
+    common::mesh(&import).clone()
+}
+
+#[test]
+fn polygons_and_colours_round_trip() {
+    for format in POLYGONS {
+        assert!(back(format, &sample()) == sample(), "{format:?}");
+        assert!(back(format, &painted()) == painted(), "{format:?}");
+        assert!(back(format, &Mesh::new()) == Mesh::new(), "{format:?}");
+    }
+}
+
+#[test]
+fn triangles_round_trip_through_stl_with_vertices_merged() {
+    let cube = PolygonSoup::new(
+        (0..8).map(|i| Vec3::new((i & 1) as f32, (i >> 1 & 1) as f32, (i >> 2) as f32 * 0.1)).collect(),
+        &[[0, 2, 3, 1], [4, 5, 7, 6], [0, 1, 5, 4], [2, 6, 7, 3], [0, 4, 6, 2], [1, 3, 7, 5]],
+    );
+    let cube = Mesh::build(cube).expect("small").mesh;
+    for format in [Format::Stl, Format::StlText] {
+        let back = back(format, &cube);
+        assert_eq!((back.vertex_count(), back.face_count()), (8, 12));
+        assert!(back.boundary_loops().is_empty());
+        let again = self::back(format, &back);
+        assert!(again == back, "{format:?}: triangles keep their order and so do vertices");
+    }
+    assert_eq!(formats::losses(Format::Stl, &[ObjectRef { name: "a", mesh: &cube }]).len(), 1);
+}
+
+#[test]
+fn several_objects_are_written_as_one_mesh() {
+    let (a, b) = (sample(), painted());
+    for format in POLYGONS {
+        let files = formats::write(
+            format,
+            "x",
+            &[ObjectRef { name: "a", mesh: &a }, ObjectRef { name: "b", mesh: &b }],
+        )
+        .expect("small");
+        let import = read(&files).expect("readable");
+        let both = mesh(&import);
+        assert_eq!((both.vertex_count(), both.face_count()), (16, 6));
+        assert_eq!(faces(both)[3..], faces(&b));
+        assert_eq!(both.get(keys::FACE_COLOR, 5), Color([255, 0, 128]));
+    }
+}
+
+#[test]
+fn ply_of_other_writers() {
+    let head = "comment x\nelement vertex 4\nproperty double x\nproperty double y\nproperty double z\nproperty float nx\nproperty ushort red\nproperty ushort green\nproperty ushort blue\nelement face 1\nproperty uchar flags\nproperty list uchar ushort vertex_index\nelement edge 1\nproperty int v\nend_header\n";
+    let rows = [[0.0f64, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]];
+    let mut files = vec![
+        format!(
+            "ply\nformat ascii 1.0\n{head}{}7 4 0 1 2 3\n5\n",
+            rows.map(|[x, y]| format!("{x} {y} 0.5 1 65535 0 0\n")).concat()
+        )
+        .into_bytes(),
+    ];
+    for big in [false, true] {
+        let mut bytes = format!(
+            "ply\r\nformat binary_{}_endian 1.0\r\n{}",
+            if big { "big" } else { "little" },
+            head.replace('\n', "\r\n")
+        )
+        .into_bytes();
+        let mut put = |le: &[u8]| if big { bytes.extend(le.iter().rev()) } else { bytes.extend(le) };
+        for [x, y] in rows {
+            for c in [x, y, 0.5] {
+                put(&c.to_le_bytes());
+            }
+            put(&1f32.to_le_bytes());
+            for c in [65535u16, 0, 0] {
+                put(&c.to_le_bytes());
+            }
+        }
+        put(&[7]);
+        put(&[4]);
+        (0..4u16).for_each(|v| put(&v.to_le_bytes()));
+        put(&5i32.to_le_bytes());
+        files.push(bytes);
+    }
+    for bytes in files {
+        let import = read(&[NamedBytes::new("a.ply", bytes)]).expect("readable");
+        let mesh = mesh(&import);
+        assert!(import.report.is_clean(), "{}", import.report);
+        assert!(
+            import.report.to_string().contains("left out: nx, flags, all of \"edge\""),
+            "{}",
+            import.report
+        );
+        assert_eq!((mesh.vertex_count(), mesh.face_count()), (4, 1));
+        assert_eq!(mesh.position(VertexId::new(2)), Vec3::new(1.0, 1.0, 0.5));
+        assert_eq!(mesh.attribute(keys::VERTEX_COLOR).map(|c| c[3]), Some(Vec3::X));
+    }
+    let strips = "ply\nformat ascii 1.0\nelement vertex 5\nproperty float x\nproperty float y\nproperty float z\nelement tristrips 1\nproperty list int int vertex_indices\nend_header\n0 0 0\n1 0 0\n0 1 0\n1 1 0\n0 2 0\n9 0 1 2 3 -1 2 3 4 4\n";
+    let import = read(&[NamedBytes::new("strips", strips)]).expect("readable");
+    assert!(import.report.is_clean(), "{}", import.report);
+    assert_eq!(mesh(&import).face_count(), 3);
+}
+
+#[test]
+fn off_of_other_writers() {
+    for text in [
+        "OFF\n4 2 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n3 0 1 2 255 0 0\n3 0 2 3 1.0 0 0 0.5 # red too\n",
+        "# first\nOFF4 2 5\n0 0 0 1 0 0\n\n1 1 0\n0 1 0\n3 0 1 2 255 0 0 255\n3 0 2 3 1. 0. 0.",
+        "NOFF 4 2 5\n0 0 0 0 0 1\n1 0 0 0 0 1\n1 1 0 0 0 1\n0 1 0 0 0 1\n3  0 1 2  255 0 0\r\n3 0 2 3 255 0 0\r\n",
+        "COFF\n4 2 0\n0 0 0 255 255 255 255\n1 0 0 9 9 9 255\n1 1 0 0 0 0 0\n0 1 0 1 1 1 1\n3 0 1 2 255 0 0\n3 0 2 3 255 0 0\n",
+    ] {
+        let import = read(&[NamedBytes::new("a", text)]).expect("readable");
+        assert!(import.report.is_clean(), "{}", import.report);
+        let mesh = mesh(&import);
+        assert_eq!((mesh.vertex_count(), mesh.face_count()), (4, 2), "{text}");
+        assert_eq!(mesh.attribute(keys::FACE_COLOR), Some(&[Color([255, 0, 0]); 2][..]), "{text}");
+    }
+}
+
+#[test]
+fn early_ends_and_nonsense_are_told() {
+    let report = |name: &str, bytes: &[u8]| match read(&[NamedBytes::new(name, bytes)]) {
+        Ok(import) => {
+            mesh(&import);
+            import.report.to_string()
+        }
+        Err(error) => error.to_string(),
+    };
+    let ply = write(Format::Ply, &sample()).remove(0).bytes;
+    assert!(report("a.ply", &ply[..ply.len() - 20]).contains("The file ends early: 2 of 3 rows"));
+    assert!(
+        report("a.ply", b"ply\nformat ascii 1.0\nelement vertex 4000000000\nend_header\n")
+            .contains("Read 0 vertices")
+    );
+    assert!(
+        report(
+            "a.ply",
+            b"ply\nformat ascii 1.0\nelement vertex 99999999999\nproperty int x\nend_header\n1 2"
+        )
+        .contains("ends early: 2 of 99999999999")
+    );
+    assert!(
+        report("a.ply", b"ply\nformat ebcdic 1.0\n").contains("line 2 of the head: the format is none of")
+    );
+    assert!(report("a.ply", b"hello").contains("first line is not \"ply\""));
+    assert!(report("a.stl", b"hello").contains("shorter than the head"));
+    assert!(report("a.stl", &[b'x'; 84]).contains("none of its 2021161080 triangles"));
+    assert!(
+        report("a.stl", b"solid\nfacet\nvertex 1 2 3\nendfacet\nvertex 1").contains("1 triangle left out")
+    );
+    assert!(report("a.off", b"OFF BINARY\n").contains("binary OFF"));
+    assert!(report("a.off", b"OFF\nx").contains("don't come first"));
+    assert!(
+        report("a.off", b"OFF 2000000000 4000000000 1\n0 0 0")
+            .contains("1 of 2000000000 vertices and 0 of 4000000000")
+    );
+    assert!(report("a.off", b"OFF 3 1 1\n0 0 0 1 0 0 0 1 0\n4000000000 0 1 2").contains("1 face left out"));
+}
+
+#[test]
+fn shared_models_round_trip() {
+    for path in shared("models/common", "obj") {
+        let original = read(&[load(&path)]).expect("readable");
+        let original = &original.objects[0].mesh;
+        for format in POLYGONS {
+            let back = back(format, original);
+            assert!(back.positions() == original.positions(), "{format:?} {}", path.display());
+            assert_eq!(faces(&back), faces(original), "{format:?} {}", path.display());
+        }
+        if formats::losses(Format::Stl, &[ObjectRef { name: "", mesh: original }])
+            .iter()
+            .any(|l| l.contains("polygon"))
+        {
+            continue;
+        }
+        for format in [Format::Stl, Format::StlText] {
+            // Vertices that repairs made from one are one again, and a triangle may have had corners
+            // at one place: what is compared then is which places the triangles join.
+            let import = read(&write(format, original)).expect("readable");
+            let places = |mesh: &Mesh| -> Vec<Vec<[u32; 3]>> {
+                let place = |v| (mesh.position(v) + Vec3::ZERO).to_array().map(f32::to_bits);
+                mesh.faces().map(|f| mesh.face_vertices(f).map(place).collect()).collect()
+            };
+            let (mut ours, mut theirs) = (places(mesh(&import)), places(original));
+            if !import.report.is_clean() {
+                for list in [&mut ours, &mut theirs] {
+                    for face in list.iter_mut() {
+                        face.sort_unstable();
+                        face.dedup();
+                    }
+                    list.retain(|face| face.len() == 3);
+                    list.sort_unstable();
+                    list.dedup();
+                }
+            }
+            assert!(ours == theirs, "{format:?} {}: {}", path.display(), import.report);
+        }
+    }
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(600))]
+
+    #[test]
+    fn damaged_files_never_panic(
+        format in prop::sample::select(ALL.to_vec()),
+        edits in prop::collection::vec((any::<prop::sample::Index>(), any::<u8>(), 0u8..4), 1..8),
+    ) {
+        let mut bytes = write(format, &painted()).remove(0).bytes;
+        for (at, value, kind) in edits {
+            if bytes.is_empty() {
+                break;
+            }
+            let at = at.index(bytes.len());
+            match kind {
+                0 => bytes[at] = value,
+                1 => bytes.truncate(at),
+                2 => { bytes.remove(at); }
+                _ => bytes.insert(at, value),
+            }
+        }
+        for name in ["a", "a.ply", "a.stl", "a.off"] {
+            if let Ok(import) = read(&[NamedBytes::new(name, bytes.clone())]) {
+                mesh(&import);
+            }
+        }
+    }
+}
