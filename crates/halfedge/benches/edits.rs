@@ -23,7 +23,11 @@ fn torus(n: u32, m: u32) -> Mesh {
 }
 
 /// An edit and its undo, at another edge of the mesh each time.
-fn there_and_back(mesh: &mut Mesh, step: &mut usize, edit: impl Fn(&mut Mesh, EdgeId) -> Result<(), Refusal>) {
+fn there_and_back(
+    mesh: &mut Mesh,
+    step: &mut usize,
+    edit: impl Fn(&mut Mesh, EdgeId) -> Result<(), Refusal>,
+) {
     *step += 7919;
     let edge = EdgeId::new(*step % mesh.edge_capacity());
     if let Ok(((), journal)) = mesh.transaction(|mesh| edit(mesh, edge)) {
@@ -38,7 +42,9 @@ fn one_edit(c: &mut Criterion) {
         let mut mesh = torus(n, m);
         // The columns have room for what a split adds from here on.
         let mut step = 0;
-        there_and_back(&mut mesh, &mut step, |m, e| edit::split_edge(m, e, 0.5, Connect::Triangles).map(drop));
+        there_and_back(&mut mesh, &mut step, |m, e| {
+            edit::split_edge(m, e, 0.5, Connect::Triangles).map(drop)
+        });
         group.bench_function("flip and undo", |b| {
             b.iter(|| there_and_back(&mut mesh, &mut step, edit::flip_edge));
         });

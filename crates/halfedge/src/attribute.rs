@@ -50,6 +50,20 @@ pub enum Value {
     U32(u32),
 }
 
+impl Value {
+    /// Whether two values are of one type and equal. A missing one (NaN) equals none.
+    pub(crate) fn same(self, other: Self) -> bool {
+        match (self, other) {
+            (Self::F32(a), Self::F32(b)) => a == b,
+            (Self::Vec2(a), Self::Vec2(b)) => a == b,
+            (Self::Vec3(a), Self::Vec3(b)) => a == b,
+            (Self::Color(a), Self::Color(b)) => a == b,
+            (Self::U32(a), Self::U32(b)) => a == b,
+            _ => false,
+        }
+    }
+}
+
 /// A whole column of values.
 #[derive(Clone, Debug)]
 pub enum Values {

@@ -54,7 +54,11 @@ pub fn bevel_edges(mesh: &mut Mesh, edges: &[EdgeId], segments: u32) -> Result<L
 fn plan_bevel(mesh: &Mesh, edges: &[EdgeId], segments: u32) -> Result<(Plan, Vec<SlideVertex>), Refusal> {
     mesh.need_edges(edges)?;
     if !(1..=MOST).contains(&segments) {
-        return Err(Refusal::OutOfRange { field: "segments", value: segments as f32, range: "from 1 to 256" });
+        return Err(Refusal::OutOfRange {
+            field: "segments",
+            value: segments as f32,
+            range: "from 1 to 256",
+        });
     }
     let mut edges = edges.to_vec();
     edges.sort_unstable();
@@ -161,7 +165,8 @@ impl Bevel<'_> {
         }
         // The corner of `around[i]` lies between it and the next. Sectors as ranges of `around`:
         // each but a first one on the boundary starts with a bevelled edge.
-        let starts: Vec<usize> = (0..around.len()).filter(|&i| i == 0 || self.is_bevelled(around[i])).collect();
+        let starts: Vec<usize> =
+            (0..around.len()).filter(|&i| i == 0 || self.is_bevelled(around[i])).collect();
         let mut sectors: Vec<Point> = Vec::with_capacity(starts.len());
         for (n, &start) in starts.iter().enumerate() {
             let stop = starts.get(n + 1).copied().unwrap_or(around.len());
@@ -181,7 +186,8 @@ impl Bevel<'_> {
         for (n, &i) in edges.iter().enumerate() {
             let (left, right) = (sectors[left_of(n)], sectors[right_of(n)]);
             // Two edges inside share one profile.
-            let shared = if !boundary && count == 2 && n == 1 { self.profiles.get(&around[edges[0]]) } else { None };
+            let shared =
+                if !boundary && count == 2 && n == 1 { self.profiles.get(&around[edges[0]]) } else { None };
             let profile = match shared {
                 Some(profile) => profile.iter().rev().copied().collect(),
                 None => self.profile(v, left, right),
@@ -265,8 +271,10 @@ impl Bevel<'_> {
 
     /// A face at a vertex, with the attributes of the face at this corner.
     fn cap(&mut self, corner: HalfedgeId, rim: Vec<VertexId>) {
-        let corners =
-            rim.into_iter().map(|vertex| Corner { vertex, value: Blend::Copy(corner.raw()), like: None }).collect();
+        let corners = rim
+            .into_iter()
+            .map(|vertex| Corner { vertex, value: Blend::Copy(corner.raw()), like: None })
+            .collect();
         self.patch.add_face(self.mesh.face_of(corner), corners);
     }
 
@@ -276,7 +284,10 @@ impl Bevel<'_> {
             match self.corners.get(&h).map(Vec::as_slice) {
                 Some([before @ .., last]) => {
                     corners.extend(before.iter().map(|&vertex| Corner::new(vertex, h)));
-                    corners.push(Corner { like: Some(h).filter(|&h| !self.is_bevelled(h)), ..Corner::moved(*last, h) });
+                    corners.push(Corner {
+                        like: Some(h).filter(|&h| !self.is_bevelled(h)),
+                        ..Corner::moved(*last, h)
+                    });
                 }
                 _ => corners.push(Corner::keep(self.mesh, h)),
             }

@@ -32,7 +32,7 @@
 //! and the number of boundary loops never change; a boundary loop of three never shrinks, by (2)
 //! or (4).
 
-use crate::attribute::keys;
+use crate::attribute::{keys, mix};
 use crate::edit::Refusal;
 use crate::mesh::Mesh;
 use crate::{EdgeId, Element, FaceId, HalfedgeId, VertexId};
@@ -99,19 +99,22 @@ fn triangle_tip(mesh: &Mesh, h: HalfedgeId) -> Option<VertexId> {
 ///
 /// The end that the even half-edge leaves stays, as does the edge from it of each vanished
 /// triangle. Costs O(valences of the ends + degrees of the faces beside the edge). Attributes: the
-/// vertex gets the values at `t`, and so does the corner of each polygon beside the edge; of two
-/// edges that become one, the sharper crease stays.
+/// vertex gets the values at `t`; so do the corners at the ends that have the same value as the
+/// corner beside the edge, so that texture coordinates stay in one piece on either side of a seam;
+/// of two edges that become one, the sharper crease stays.
 pub fn collapse_edge(mesh: &mut Mesh, edge: EdgeId, t: f32) -> Result<EdgeCollapse, Refusal> {
     can_collapse_edge(mesh, edge, t)?;
     let [h, twin] = edge.halfedges();
     let [a, b] = mesh.ends(edge);
     let at_b: Vec<HalfedgeId> = mesh.incoming(b).collect();
+    blend_corners(mesh, edge, t);
     mesh.set_position(a, mesh.position(a).lerp(mesh.position(b), t));
     mesh.mix_attributes(Element::Vertex, a.raw(), b.raw(), t, a.raw());
     for h in at_b {
         mesh.set_to(h, a);
     }
-    let mut made = EdgeCollapse { vertex: a, removed_vertex: b, removed_edges: vec![edge], removed_faces: vec![] };
+    let mut made =
+        EdgeCollapse { vertex: a, removed_vertex: b, removed_edges: vec![edge], removed_faces: vec![] };
     // Some half-edge that leaves the vertex and stays.
     let mut stays = mesh.next(h);
     for (side, from_a) in [(h, true), (twin, false)] {
@@ -121,8 +124,6 @@ pub fn collapse_edge(mesh: &mut Mesh, edge: EdgeId, t: f32) -> Result<EdgeCollap
             continue;
         };
         if mesh.next(after) != before {
-            let at = if from_a { t } else { 1.0 - t };
-            mesh.mix_attributes(Element::Halfedge, side.raw(), after.raw(), at, after.raw());
             mesh.link(before, after);
             if mesh.halfedge_of(face) == side {
                 mesh.set_face_halfedge(face, after);
@@ -161,4 +162,33 @@ pub fn collapse_edge(mesh: &mut Mesh, edge: EdgeId, t: f32) -> Result<EdgeCollap
     mesh.mark(Element::Vertex, b.raw(), true);
     mesh.settle_vertex(a, stays);
     Ok(made)
+}
+
+/// Gives the corners at both ends of an edge the values at `t` of the corners beside the edge that
+/// they agree with. Corners that agree with neither, or have no value, stay as they are.
+fn blend_corners(mesh: &mut Mesh, edge: EdgeId, t: f32) {
+    let [h, twin] = edge.halfedges();
+    let beside: Vec<[HalfedgeId; 2]> = [[h, mesh.next(h)], [mesh.next(twin), twin]]
+        .into_iter()
+        .filter(|&[at_a, _]| mesh.face_of(at_a).is_some())
+        .collect();
+    let [a, b] = mesh.ends(edge);
+    for column in 0..mesh.columns.of(Element::Halfedge).len() {
+        let values = &mesh.columns.of(Element::Halfedge)[column].values;
+        let mut writes = Vec::new();
+        for (end, v) in [a, b].into_iter().enumerate() {
+            for corner in mesh.outgoing(v).filter(|&h| mesh.face_of(h).is_some()) {
+                let Some(own) = values.get(corner.index()) else { continue };
+                let agrees =
+                    |pair: &&[HalfedgeId; 2]| values.get(pair[end].index()).is_some_and(|x| x.same(own));
+                let Some(&[at_a, at_b]) = beside.iter().find(agrees) else { continue };
+                if let (Some(x), Some(y)) = (values.get(at_a.index()), values.get(at_b.index())) {
+                    writes.push((corner, mix(x, y, t)));
+                }
+            }
+        }
+        for (corner, value) in writes {
+            mesh.set_value(Element::Halfedge, column, corner.index(), value);
+        }
+    }
 }

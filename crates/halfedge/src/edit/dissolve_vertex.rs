@@ -32,7 +32,10 @@ fn plan_dissolve(mesh: &Mesh, vertex: VertexId) -> Result<Plan, Refusal> {
     let ends: Vec<VertexId> = if inside && faces.len() > 2 {
         Vec::new()
     } else {
-        mesh.outgoing(vertex).filter(|h| inside || mesh.is_boundary_edge(h.edge())).map(|h| mesh.to(h)).collect()
+        mesh.outgoing(vertex)
+            .filter(|h| inside || mesh.is_boundary_edge(h.edge()))
+            .map(|h| mesh.to(h))
+            .collect()
     };
     let mut patch = Patch::new(mesh);
     let mut corners_left = usize::MAX;

@@ -4,11 +4,11 @@
 //! be several pieces, touch themselves at a vertex and reach the boundary. A whole closed piece has
 //! no outline: it moves, and no walls are made.
 
+use crate::FaceId;
 use crate::edit::patch::plan;
 use crate::edit::walls::walls;
 use crate::edit::{Grouping, Live, Refusal, Slide, SlideVertex};
 use crate::mesh::Mesh;
-use crate::FaceId;
 
 /// Whether [`extrude_faces`] would succeed.
 pub fn can_extrude_faces(mesh: &Mesh, faces: &[FaceId], grouping: Grouping) -> Result<(), Refusal> {

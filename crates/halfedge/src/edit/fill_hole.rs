@@ -4,10 +4,10 @@
 //! three edges or more, because no two edges join the same vertices. The polygon takes the free
 //! side of each edge and closes each vertex's fan.
 
+use crate::HalfedgeId;
 use crate::edit::patch::{Corner, Patch, Plan, plan};
 use crate::edit::{Made, Refusal};
 use crate::mesh::Mesh;
-use crate::HalfedgeId;
 
 /// Whether [`fill_hole`] would succeed.
 pub fn can_fill_hole(mesh: &Mesh, halfedge: HalfedgeId) -> Result<(), Refusal> {

@@ -36,9 +36,8 @@ pub fn can_flip_edge(mesh: &Mesh, edge: EdgeId) -> Result<(), Refusal> {
     };
     for v in mesh.ends(edge) {
         let valence = mesh.outgoing(v).take(4).count();
-        let inner_triangles = || {
-            mesh.outgoing(v).all(|h| mesh.face_of(h).is_some() && mesh.next(mesh.next(mesh.next(h))) == h)
-        };
+        let inner_triangles =
+            || mesh.outgoing(v).all(|h| mesh.face_of(h).is_some() && mesh.next(mesh.next(mesh.next(h))) == h);
         if valence < 3 || (valence == 3 && inner_triangles()) {
             return Err(Refusal::ValenceTooLow(v, valence));
         }
@@ -110,7 +109,8 @@ impl Mesh {
     pub(crate) fn copy_corners(&mut self, from_to: &[(crate::HalfedgeId, crate::HalfedgeId)]) {
         for at in 0..self.columns.of(Element::Halfedge).len() {
             let values = &self.columns.of(Element::Halfedge)[at].values;
-            let read: Vec<_> = from_to.iter().map(|(from, to)| (values.get(from.index()), to.index())).collect();
+            let read: Vec<_> =
+                from_to.iter().map(|(from, to)| (values.get(from.index()), to.index())).collect();
             for (value, to) in read {
                 if let Some(value) = value {
                     self.set_value(Element::Halfedge, at, to, value);

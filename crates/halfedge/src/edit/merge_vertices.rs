@@ -15,11 +15,7 @@ use glam::Vec3;
 use rustc_hash::FxHashMap;
 
 /// Whether [`merge_vertices`] would succeed.
-pub fn can_merge_vertices(
-    mesh: &Mesh,
-    vertices: &[VertexId],
-    position: Option<Vec3>,
-) -> Result<(), Refusal> {
+pub fn can_merge_vertices(mesh: &Mesh, vertices: &[VertexId], position: Option<Vec3>) -> Result<(), Refusal> {
     plan_merge(mesh, vertices, position).map(drop)
 }
 

@@ -287,9 +287,7 @@ pub(crate) fn plan(mesh: &Mesh, mut patch: Patch) -> Result<Plan, Refusal> {
             sides.push(h);
         }
     }
-    if mesh.edge_capacity() + new_edges.len() > Mesh::MAX_EDGES {
-        return Err(Refusal::TooManyEdges);
-    }
+    need_room(mesh.edge_capacity(), new_edges.len())?;
 
     affected.extend(sides.iter().map(|h| h.edge()));
     affected.sort_unstable();
@@ -330,6 +328,11 @@ pub(crate) fn plan(mesh: &Mesh, mut patch: Patch) -> Result<Plan, Refusal> {
     touched.dedup();
     plan.order_fans(mesh, &touched, kept)?;
     Ok(plan)
+}
+
+/// Refuses more edges than ids can number.
+fn need_room(edges: usize, more: usize) -> Result<(), Refusal> {
+    if edges + more > Mesh::MAX_EDGES { Err(Refusal::TooManyEdges) } else { Ok(()) }
 }
 
 fn sides_of(corners: &[Corner]) -> impl Iterator<Item = (VertexId, VertexId)> + '_ {
@@ -393,7 +396,8 @@ impl Plan {
         for &next in after.iter().flatten() {
             is_first[next] = false;
         }
-        let starts = (0..here.len()).filter(|&i| is_first[i]).chain((0..here.len()).filter(|&i| !is_first[i]));
+        let starts =
+            (0..here.len()).filter(|&i| is_first[i]).chain((0..here.len()).filter(|&i| !is_first[i]));
         let mut met = vec![false; here.len()];
         let mut fans = 0;
         for start in starts {
@@ -426,7 +430,9 @@ impl Plan {
             } else {
                 // Inside, any will do: the one it has, if that still leaves it.
                 let old = (fans == 1 && v.index() < mesh.vertex_capacity()).then(|| mesh.halfedge_from(v));
-                let stays = old.flatten().filter(|&h| here.iter().zip(&met).any(|(wedge, met)| *met && wedge.leaves == h));
+                let stays = old
+                    .flatten()
+                    .filter(|&h| here.iter().zip(&met).any(|(wedge, met)| *met && wedge.leaves == h));
                 stays.unwrap_or(here[start].leaves)
             };
             self.vertex_halfedges.push((vertex, leaves));
@@ -519,5 +525,16 @@ impl Plan {
             mesh.mark(Element::Vertex, v.raw(), true);
         }
         self.made
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn more_edges_than_can_be_numbered_are_refused() {
+        assert_eq!(need_room(Mesh::MAX_EDGES - 4, 4), Ok(()));
+        assert_eq!(need_room(Mesh::MAX_EDGES - 4, 5), Err(Refusal::TooManyEdges));
     }
 }

@@ -74,7 +74,9 @@ impl fmt::Display for Refusal {
         match self {
             Self::NoSuchElement(element, id) => write!(f, "there is no {element} {id}"),
             Self::NothingGiven(element) => write!(f, "no {element} was given; select one or more"),
-            Self::GivenTwice(element, id) => write!(f, "{element} {id} was given twice; give two different ones"),
+            Self::GivenTwice(element, id) => {
+                write!(f, "{element} {id} was given twice; give two different ones")
+            }
             Self::OutOfRange { field, value, range } => {
                 write!(f, "`{field}` is {value}, but must be {range}")
             }
@@ -97,7 +99,9 @@ impl fmt::Display for Refusal {
             Self::Pinched(v) => {
                 write!(f, "this would pinch the surface at {v}: its faces would meet there only at a point")
             }
-            Self::LeftWithoutFace(v) => write!(f, "this would leave {v} without a face; delete faces instead"),
+            Self::LeftWithoutFace(v) => {
+                write!(f, "this would leave {v} without a face; delete faces instead")
+            }
             Self::BoundaryEdge(e) => write!(f, "{e} is on the boundary; this needs a face on both sides"),
             Self::NotOnBoundary(e) => write!(f, "{e} has a face on both sides; this is for boundary edges"),
             Self::NotABoundaryHalfedge(h) => write!(f, "{h} has a face; give a half-edge of a boundary loop"),
@@ -114,7 +118,9 @@ impl fmt::Display for Refusal {
                 write!(f, "{face} and the other faces given have no outline; leave out some of the piece")
             }
             Self::NoRing(e) => write!(f, "{e} is beside no quad, so no ring of quads goes through it"),
-            Self::SameLoop(a, b) => write!(f, "{a} and {b} are on the same boundary loop; give one of each of two"),
+            Self::SameLoop(a, b) => {
+                write!(f, "{a} and {b} are on the same boundary loop; give one of each of two")
+            }
             Self::StaysJoined(e) => {
                 write!(f, "ripping {e} would leave its sides joined at both ends; rip a longer line of edges")
             }
@@ -122,7 +128,10 @@ impl fmt::Display for Refusal {
                 write!(f, "{face} is connected to faces not given; whole connected pieces are needed")
             }
             Self::NoTriangulation(face) => {
-                write!(f, "{face} can't be cut into triangles: too many of its corners are joined by edges already")
+                write!(
+                    f,
+                    "{face} can't be cut into triangles: too many of its corners are joined by edges already"
+                )
             }
         }
     }

@@ -56,7 +56,8 @@ fn find_ears(mesh: &Mesh, face: FaceId) -> Result<Vec<Ear>, Refusal> {
     mesh.need_face(face)?;
     let corners: Vec<VertexId> = mesh.face_vertices(face).collect();
     let positions: Vec<_> = corners.iter().map(|&v| mesh.position(v).as_dvec3()).collect();
-    ears(&positions, |i, j| mesh.joined(corners[i], corners[j]).is_none()).ok_or(Refusal::NoTriangulation(face))
+    ears(&positions, |i, j| mesh.joined(corners[i], corners[j]).is_none())
+        .ok_or(Refusal::NoTriangulation(face))
 }
 
 /// Cuts a face with n corners into n - 2 triangles by its ears: right on concave faces too, and on

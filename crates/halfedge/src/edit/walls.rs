@@ -8,8 +8,8 @@
 //! loosening the group left. An outline edge on the boundary of the mesh has a wall too: the
 //! boundary stays where it was. Holes and several pieces are further outlines.
 
-use crate::edit::patch::{Corner, Patch};
 use crate::edit::Refusal;
+use crate::edit::patch::{Corner, Patch};
 use crate::mesh::Mesh;
 use crate::{FaceId, HalfedgeId, VertexId};
 use glam::Vec3;
@@ -53,9 +53,8 @@ pub(crate) fn walls(mesh: &Mesh, faces: &[FaceId], grouping: Grouping) -> Result
         grouping == Grouping::Region && mesh.face_of(h).is_some_and(|face| chosen.contains(&face))
     };
     let normals: FxHashMap<FaceId, Vec3> = faces.iter().map(|&f| (f, mesh.newell_normal(f))).collect();
-    let normal = |h: HalfedgeId| {
-        mesh.face_of(h).and_then(|face| normals.get(&face)).copied().unwrap_or_default()
-    };
+    let normal =
+        |h: HalfedgeId| mesh.face_of(h).and_then(|face| normals.get(&face)).copied().unwrap_or_default();
 
     let mut patch = Patch::new(mesh);
     let mut moved: FxHashMap<HalfedgeId, VertexId> = FxHashMap::default();

@@ -1,5 +1,15 @@
 //! Local edits: each on its own, the hard cases, and long random sequences of all of them.
 
-mod basics;
+mod attributes;
+mod cmu462;
+mod collapse;
+mod dissolve;
+mod ears;
+mod flip;
+mod grow;
+mod large;
 mod random;
+mod refusals;
+mod rings;
+mod sew;
 mod zoo;

@@ -141,7 +141,9 @@ fn one_edit(mesh: &mut Mesh, random: &mut Random, kind: usize) -> Tried {
         3 => both(mesh, |m| can_collapse_face(m, face), |m| collapse_face(m, face), Said::made),
         4 => {
             let edges: Vec<EdgeId> = mesh.vertex_edges(vertex).collect();
-            let (Some(a), Some(b)) = (random.pick(&edges), random.pick(&edges)) else { return Ok(unchanged()) };
+            let (Some(a), Some(b)) = (random.pick(&edges), random.pick(&edges)) else {
+                return Ok(unchanged());
+            };
             both(
                 mesh,
                 |m| can_split_vertex(m, vertex, [a, b], None),
@@ -149,8 +151,18 @@ fn one_edit(mesh: &mut Mesh, random: &mut Random, kind: usize) -> Tried {
                 |made| Said::made(made).same(),
             )
         }
-        5 => both(mesh, |m| can_dissolve_vertex(m, vertex), |m| dissolve_vertex(m, vertex), |made| Said::made(made).same()),
-        6 => both(mesh, |m| can_dissolve_edge(m, edge), |m| dissolve_edge(m, edge), |made| Said::made(made).same()),
+        5 => both(
+            mesh,
+            |m| can_dissolve_vertex(m, vertex),
+            |m| dissolve_vertex(m, vertex),
+            |made| Said::made(made).same(),
+        ),
+        6 => both(
+            mesh,
+            |m| can_dissolve_edge(m, edge),
+            |m| dissolve_edge(m, edge),
+            |made| Said::made(made).same(),
+        ),
         7 => {
             let some: Vec<FaceId> = if all.faces.len() > 150 {
                 all.faces.iter().copied().filter(|_| random.below(2) == 0).collect()
@@ -177,7 +189,9 @@ fn one_edit(mesh: &mut Mesh, random: &mut Random, kind: usize) -> Tried {
         }
         11 => {
             let corners: Vec<VertexId> = mesh.face_vertices(face).collect();
-            let (Some(a), Some(b)) = (random.pick(&corners), random.pick(&corners)) else { return Ok(unchanged()) };
+            let (Some(a), Some(b)) = (random.pick(&corners), random.pick(&corners)) else {
+                return Ok(unchanged());
+            };
             both(
                 mesh,
                 |m| can_connect_vertices(m, a, b),
@@ -239,7 +253,8 @@ fn larger_edit(mesh: &mut Mesh, random: &mut Random, kind: usize, all: &Elements
             both(mesh, |m| can_extrude_edges(m, &edges), edit, live)
         }
         15 => {
-            let inner: Vec<EdgeId> = all.edges.iter().copied().filter(|&e| !mesh.is_boundary_edge(e)).collect();
+            let inner: Vec<EdgeId> =
+                all.edges.iter().copied().filter(|&e| !mesh.is_boundary_edge(e)).collect();
             let from = if random.below(10) == 0 { &all.edges } else { &inner };
             let edges = some(random, from);
             let segments = random.below(4) as u32;
@@ -374,7 +389,8 @@ fn run(name: &str, start: &Mesh, seed: u64, edits: usize) -> Vec<usize> {
                 if let Err(defect) = mesh.validate() {
                     panic!("{}: {defect}", at());
                 }
-                let counts_now = [mesh.vertex_count(), mesh.edge_count(), mesh.face_count()].map(|n| n as i64);
+                let counts_now =
+                    [mesh.vertex_count(), mesh.edge_count(), mesh.face_count()].map(|n| n as i64);
                 if let Some(change) = said.counts {
                     let change_now: Vec<i64> = counts.iter().zip(counts_now).map(|(a, b)| b - a).collect();
                     assert_eq!(change.as_slice(), change_now, "{}", at());
@@ -429,4 +445,3 @@ fn random_sequences_of_all_edits() {
     println!("{tried} edits tried; done, by kind: {done:?}");
     assert!(done.iter().all(|&n| n > 0), "an edit was never made: {done:?}");
 }
-

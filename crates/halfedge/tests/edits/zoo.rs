@@ -50,6 +50,13 @@ pub fn tetrahedron() -> Mesh {
     mesh(p, &[[0, 2, 1], [0, 1, 3], [1, 2, 3], [2, 0, 3]])
 }
 
+/// Two hexagons back to back, the front one cut from 0 to 3: two quads against a hexagon.
+pub fn cut_coin() -> Mesh {
+    let mut mesh = coin(6);
+    halfedge::edit::connect_vertices(&mut mesh, v(0), v(3)).unwrap();
+    mesh
+}
+
 /// A cube of side 2 round the origin; vertex 4i + 2j + k is at the i-th x, j-th y, k-th z.
 pub fn cube() -> Mesh {
     let p = (0..8u8)
@@ -60,10 +67,7 @@ pub fn cube() -> Mesh {
 
 pub fn octahedron() -> Mesh {
     let p = vec![Vec3::X, Vec3::NEG_X, Vec3::Y, Vec3::NEG_Y, Vec3::Z, Vec3::NEG_Z];
-    mesh(
-        p,
-        &[[0, 2, 4], [2, 1, 4], [1, 3, 4], [3, 0, 4], [2, 0, 5], [1, 2, 5], [3, 1, 5], [0, 3, 5]],
-    )
+    mesh(p, &[[0, 2, 4], [2, 1, 4], [1, 3, 4], [3, 0, 4], [2, 0, 5], [1, 2, 5], [3, 1, 5], [0, 3, 5]])
 }
 
 /// A flat grid of m x n quads in the xy plane; vertex j * (m + 1) + i is at (i, j).
@@ -197,9 +201,25 @@ pub fn several() -> Mesh {
     for (i, part) in [cube(), triangle(), tetrahedron(), grid(2, 2)].into_iter().enumerate() {
         let base = positions.len() as u32;
         positions.extend(part.positions().iter().map(|p| *p + Vec3::X * 5.0 * i as f32));
-        polygons.extend(part.faces().map(|f| part.face_vertices(f).map(|v| v.raw() + base).collect::<Vec<_>>()));
+        polygons
+            .extend(part.faces().map(|f| part.face_vertices(f).map(|v| v.raw() + base).collect::<Vec<_>>()));
     }
     mesh(positions, &polygons)
+}
+
+/// Three quads on a sphere through which one ring runs that crosses itself in each: the dual of a
+/// trefoil knot's drawing.
+pub fn trefoil() -> Mesh {
+    let p = vec![Vec3::Z, Vec3::NEG_Z, Vec3::X, Vec3::new(-0.5, 0.8, 0.0), Vec3::new(-0.5, -0.8, 0.0)];
+    mesh(p, &[[0, 2, 1, 3], [0, 3, 1, 4], [0, 4, 1, 2]])
+}
+
+/// The torus of seven vertices, each joined to all others (Császár).
+pub fn complete_torus() -> Mesh {
+    let p = (0..7).map(|i| Vec3::new(i as f32, (i * i % 7) as f32, (i * i * i % 5) as f32)).collect();
+    let faces: Vec<[u32; 3]> =
+        (0..7).flat_map(|i| [[i, (i + 1) % 7, (i + 3) % 7], [i, (i + 3) % 7, (i + 2) % 7]]).collect();
+    mesh(p, &faces)
 }
 
 /// Every mesh of the zoo, with its name.
@@ -219,6 +239,8 @@ pub fn all() -> Vec<(&'static str, Mesh)> {
         ("frame", frame()),
         ("patchwork", patchwork()),
         ("several", several()),
+        ("trefoil", trefoil()),
+        ("complete torus", complete_torus()),
     ]
 }
 

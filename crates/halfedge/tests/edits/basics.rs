@@ -1,1 +1,0 @@
-//! Flip, collapse and the other small ones on cases worked out by hand.

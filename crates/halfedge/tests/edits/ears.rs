@@ -1,0 +1,126 @@
+//! Triangulation.
+
+use crate::zoo::{self, v};
+use glam::Vec3;
+use halfedge::edit::*;
+use halfedge::{FaceId, Mesh, Refusal};
+
+fn polygon(points: &[[f32; 2]]) -> Mesh {
+    let positions = points.iter().map(|p| Vec3::new(p[0], p[1], 0.0)).collect();
+    zoo::mesh(positions, &[(0..points.len() as u32).collect::<Vec<_>>()])
+}
+
+/// Twice the signed areas of the faces, seen from above.
+fn areas(mesh: &Mesh) -> Vec<f32> {
+    mesh.faces()
+        .map(|f| {
+            mesh.face_halfedges(f)
+                .map(|h| {
+                    mesh.position(mesh.from(h)).truncate().perp_dot(mesh.position(mesh.to(h)).truncate())
+                })
+                .sum()
+        })
+        .collect()
+}
+
+fn check_ears(points: &[[f32; 2]]) {
+    let mut mesh = polygon(points);
+    let whole: f32 = areas(&mesh).iter().sum();
+    let made = triangulate_face_ears(&mut mesh, FaceId::new(0)).unwrap();
+    mesh.validate().unwrap();
+    assert_eq!(made.faces.len(), points.len() - 3);
+    assert!(mesh.faces().all(|f| mesh.face_degree(f) == 3));
+    let parts = areas(&mesh);
+    assert!(parts.iter().all(|&area| area > 0.0), "{points:?}: {parts:?}");
+    let sum: f32 = parts.iter().sum();
+    assert!((sum - whole).abs() < whole * 1e-5, "{points:?}: {sum} for {whole}");
+}
+
+#[test]
+fn concave_polygons() {
+    check_ears(&[[0.0, 0.0], [4.0, 0.0], [4.0, 1.0], [1.0, 1.0], [1.0, 4.0], [0.0, 4.0]]);
+    check_ears(&[[0.0, 0.0], [2.0, 1.0], [4.0, 0.0], [2.0, 4.0]]);
+    // A comb.
+    let mut comb = vec![[0.0, -1.0], [10.0, -1.0]];
+    for i in (0..10).rev() {
+        comb.extend([[i as f32 + 0.9, 3.0], [i as f32 + 0.1, 0.0]]);
+    }
+    check_ears(&comb);
+    // A spiral.
+    let point = |i: usize, r: f32| {
+        let angle = i as f32 * 0.35;
+        [(r + angle) * angle.cos(), (r + angle) * angle.sin()]
+    };
+    let mut spiral: Vec<[f32; 2]> = (0..40).map(|i| point(i, 3.0)).collect();
+    spiral.extend((0..40).rev().map(|i| point(i, 2.0)));
+    check_ears(&spiral);
+    // Corners in a row.
+    check_ears(&[[0.0, 0.0], [1.0, 0.0], [2.0, 0.0], [3.0, 0.0], [3.0, 1.0], [1.5, 2.0], [0.0, 1.0]]);
+}
+
+#[test]
+fn polygons_that_touch_themselves() {
+    // A square with a square hole, joined to it by a slit gone along twice.
+    check_ears(&[
+        [0.0, 0.0],
+        [4.0, 0.0],
+        [4.0, 4.0],
+        [0.0, 4.0],
+        [0.0, 0.0],
+        [1.0, 1.0],
+        [1.0, 3.0],
+        [3.0, 3.0],
+        [3.0, 1.0],
+        [1.0, 1.0],
+    ]);
+    // Two triangles that touch at a corner: two of the four have no area, and none a negative one.
+    let mut mesh = polygon(&[[0.0, 0.0], [2.0, 0.0], [1.0, 1.0], [2.0, 2.0], [0.0, 2.0], [1.0, 1.0]]);
+    triangulate_face_ears(&mut mesh, FaceId::new(0)).unwrap();
+    mesh.validate().unwrap();
+    let mut parts = areas(&mesh);
+    parts.sort_by(f32::total_cmp);
+    assert_eq!(parts, [0.0, 0.0, 2.0, 2.0]);
+}
+
+#[test]
+fn random_star_shapes() {
+    let mut state = 12345u32;
+    for n in 4..60 {
+        let points: Vec<[f32; 2]> = (0..n)
+            .map(|i| {
+                state = state.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
+                let r = 1.0 + (state >> 16) as f32 / 8192.0;
+                let angle = i as f32 / n as f32 * std::f32::consts::TAU;
+                [r * angle.cos(), r * angle.sin()]
+            })
+            .collect();
+        check_ears(&points);
+    }
+}
+
+#[test]
+fn a_fan_along_an_edge_that_is_there_is_refused_and_ears_go_round_it() {
+    // Two squares back to back, the front cut along the diagonal that the back's fan needs.
+    let corners = vec![Vec3::ZERO, Vec3::X, Vec3::new(1.0, 1.0, 0.0), Vec3::Y];
+    let faces: [&[u32]; 3] = [&[0, 1, 3], &[1, 2, 3], &[3, 2, 1, 0]];
+    let mut mesh = zoo::mesh(corners, &faces);
+    let back = FaceId::new(2);
+    assert_eq!(can_triangulate_face(&mesh, back), Err(Refusal::AlreadyJoined(v(3), v(1))));
+    triangulate_face_ears(&mut mesh, back).unwrap();
+    mesh.validate().unwrap();
+    assert!(mesh.find_edge(v(0), v(2)).is_some());
+}
+
+#[test]
+fn a_face_whose_corners_are_all_joined_is_refused() {
+    let mut mesh = zoo::complete_torus();
+    delete_vertices(&mut mesh, &[v(6)]).unwrap();
+    let hole = mesh.boundary_loops()[0];
+    let filled = fill_hole(&mut mesh, hole).unwrap();
+    mesh.validate().unwrap();
+    assert_eq!(mesh.face_degree(filled.faces[0]), 6);
+    assert_eq!(
+        can_triangulate_face_ears(&mesh, filled.faces[0]),
+        Err(Refusal::NoTriangulation(filled.faces[0]))
+    );
+}

@@ -1,0 +1,247 @@
+//! Extrude, inset, bevel.
+
+use crate::zoo::{self, he, v};
+use glam::Vec3;
+use halfedge::edit::*;
+use halfedge::{EdgeId, FaceId, Mesh, Refusal, VertexId};
+
+fn counts(mesh: &Mesh) -> [usize; 3] {
+    mesh.validate().unwrap();
+    [mesh.vertex_count(), mesh.edge_count(), mesh.face_count()]
+}
+
+fn corners(mesh: &Mesh, face: FaceId) -> Vec<Vec3> {
+    mesh.face_vertices(face).map(|v| mesh.position(v)).collect()
+}
+
+/// The face of a cube where x is 1.
+const SIDE: usize = 1;
+
+#[test]
+fn a_face_of_a_cube_extrudes_by_the_distance() {
+    let start = zoo::cube();
+    let face = FaceId::new(SIDE);
+    let mut mesh = start.clone();
+    let live = extrude_faces(&mut mesh, &[face], Grouping::Region).unwrap();
+    assert_eq!(counts(&mesh), [12, 20, 10]);
+    assert_eq!(corners(&mesh, face), corners(&start, face), "no height yet");
+    live.slide.apply(&mut mesh, 0.5).unwrap();
+    let moved: Vec<Vec3> = corners(&start, face).iter().map(|p| *p + Vec3::X * 0.5).collect();
+    assert_eq!(corners(&mesh, face), moved);
+    // A drag re-evaluates: it doesn't add up.
+    live.slide.apply(&mut mesh, -0.25).unwrap();
+    live.slide.apply(&mut mesh, 0.5).unwrap();
+    assert_eq!(corners(&mesh, face), moved);
+    assert_eq!(live.slide.limit, f32::INFINITY);
+}
+
+#[test]
+fn extruding_a_region_with_a_hole_on_the_boundary() {
+    let mut mesh = zoo::grid(3, 3);
+    let ring: Vec<FaceId> = mesh.faces().filter(|f| f.index() != 4).collect();
+    let live = extrude_faces(&mut mesh, &ring, Grouping::Region).unwrap();
+    // 12 outer and 4 inner outline edges.
+    assert_eq!(live.made.faces.len(), 16);
+    assert_eq!(live.made.vertices.len(), 16);
+    live.slide.apply(&mut mesh, 1.0).unwrap();
+    assert_eq!(counts(&mesh), [32, 56, 25]);
+    assert_eq!(mesh.boundary_loops().len(), 1);
+    // The boundary stayed on the ground; the region is one up.
+    for v in mesh.vertices() {
+        assert_eq!(mesh.position(v).z, if v.index() < 16 { 0.0 } else { 1.0 });
+    }
+    assert!(ring.iter().all(|&f| corners(&mesh, f).iter().all(|p| p.z == 1.0)));
+}
+
+#[test]
+fn extruding_several_pieces_and_a_region_that_touches_itself() {
+    // Two diagonal faces share a vertex: it has a copy for each.
+    let mut mesh = zoo::grid(2, 2);
+    let live = extrude_faces(&mut mesh, &[FaceId::new(0), FaceId::new(3)], Grouping::Region).unwrap();
+    assert_eq!((live.made.vertices.len(), live.made.faces.len()), (8, 8));
+    counts(&mesh);
+    // Faces of different components.
+    let mut mesh = zoo::several();
+    let all: Vec<FaceId> = mesh.faces().collect();
+    let [vertices, edges, faces] = counts(&mesh);
+    let live = extrude_faces(&mut mesh, &all, Grouping::Region).unwrap();
+    // The cube and the tetrahedron have no outline; the triangle has 3 edges, the grid 8.
+    assert_eq!(live.made.faces.len(), 11);
+    assert_eq!(counts(&mesh), [vertices + 11, edges + 22, faces + 11]);
+    // What has no outline moves as well.
+    assert_eq!(live.slide.vertices.len(), 11 + 8 + 4 + 1);
+}
+
+#[test]
+fn extruding_faces_one_by_one() {
+    let mut mesh = zoo::cube();
+    let all: Vec<FaceId> = mesh.faces().collect();
+    let live = extrude_faces(&mut mesh, &all, Grouping::Individual).unwrap();
+    assert_eq!((live.made.vertices.len(), live.made.faces.len()), (24, 24));
+    live.slide.apply(&mut mesh, 1.0).unwrap();
+    assert_eq!(counts(&mesh), [32, 60, 30]);
+    for &face in &all {
+        assert!(corners(&mesh, face).iter().all(|p| p.abs().max_element() == 2.0));
+    }
+}
+
+#[test]
+fn boundary_edges_extrude() {
+    let mut mesh = zoo::grid(2, 1);
+    let edges = [he(&mesh, 0, 1).edge(), he(&mesh, 1, 2).edge()];
+    let live = extrude_edges(&mut mesh, &edges, Vec3::NEG_Y).unwrap();
+    assert_eq!((live.made.vertices.len(), live.made.faces.len()), (3, 2));
+    live.slide.apply(&mut mesh, 1.0).unwrap();
+    assert_eq!(counts(&mesh), [9, 12, 4]);
+    assert!(live.made.vertices.iter().all(|&v| mesh.position(v).y == -1.0));
+    // All the way round.
+    let edges: Vec<EdgeId> = mesh.edges().filter(|&e| mesh.is_boundary_edge(e)).collect();
+    extrude_edges(&mut mesh, &edges, Vec3::Z).unwrap();
+    counts(&mesh);
+    assert_eq!(mesh.boundary_loops().len(), 1);
+    let inner = mesh.edges().find(|&e| !mesh.is_boundary_edge(e)).unwrap();
+    assert_eq!(can_extrude_edges(&mesh, &[inner]), Err(Refusal::NotOnBoundary(inner)));
+}
+
+#[test]
+fn an_inset_is_as_wide_as_asked_and_clamped_to_the_face() {
+    let face = FaceId::new(SIDE);
+    let mut mesh = zoo::cube();
+    let live = inset_faces(&mut mesh, &[face], Grouping::Region).unwrap();
+    assert_eq!(counts(&mesh), [12, 20, 10]);
+    assert_eq!(live.slide.apply(&mut mesh, 0.25), Ok(0.25));
+    for p in corners(&mesh, face) {
+        assert!((p.abs() - Vec3::new(1.0, 0.75, 0.75)).length() < 1e-6, "{p}");
+    }
+    assert!((live.slide.limit - 1.0).abs() < 1e-6);
+    assert_eq!(live.slide.apply(&mut mesh, 7.0), Ok(live.slide.limit));
+    for p in corners(&mesh, face) {
+        assert!((p - Vec3::X).length() < 1e-6, "clamped to the middle, not beyond: {p}");
+    }
+}
+
+#[test]
+fn insetting_regions_and_single_faces() {
+    let mut mesh = zoo::grid(2, 1);
+    let both = [FaceId::new(0), FaceId::new(1)];
+    let live = inset_faces(&mut mesh, &both, Grouping::Region).unwrap();
+    assert_eq!(live.made.faces.len(), 6);
+    live.slide.apply(&mut mesh, 0.25).unwrap();
+    let mut inner: Vec<[f32; 2]> =
+        live.made.vertices.iter().map(|&v| mesh.position(v).truncate().to_array()).collect();
+    inner.sort_by(|a, b| a.partial_cmp(b).unwrap());
+    assert_eq!(inner, [[0.25, 0.25], [0.25, 0.75], [1.0, 0.25], [1.0, 0.75], [1.75, 0.25], [1.75, 0.75]]);
+    let mut mesh = zoo::grid(2, 1);
+    let live = inset_faces(&mut mesh, &both, Grouping::Individual).unwrap();
+    assert_eq!((live.made.vertices.len(), live.made.faces.len()), (8, 8));
+    counts(&mesh);
+    // A whole closed piece has no outline to go in from.
+    let mesh = zoo::cube();
+    let all: Vec<FaceId> = mesh.faces().collect();
+    assert_eq!(can_inset_faces(&mesh, &all, Grouping::Region), Err(Refusal::NoOutline(all[0])));
+    can_inset_faces(&mesh, &all, Grouping::Individual).unwrap();
+}
+
+#[test]
+fn all_edges_of_a_cube_bevel() {
+    let mut mesh = zoo::cube();
+    let edges: Vec<EdgeId> = mesh.edges().collect();
+    let live = bevel_edges(&mut mesh, &edges, 1).unwrap();
+    assert_eq!(counts(&mesh), [24, 48, 26]);
+    live.slide.apply(&mut mesh, 0.25).unwrap();
+    for v in mesh.vertices() {
+        let mut p = mesh.position(v).abs().to_array();
+        p.sort_by(f32::total_cmp);
+        assert!((Vec3::from(p) - Vec3::new(0.75, 0.75, 1.0)).length() < 1e-6, "{p:?}");
+    }
+    assert!((live.slide.limit - 1.0).abs() < 1e-5, "{}", live.slide.limit);
+}
+
+#[test]
+fn a_round_bevel_lies_on_an_arc() {
+    let mut mesh = zoo::cube();
+    let edge = he(&mesh, 0, 1).edge();
+    let live = bevel_edges(&mut mesh, &[edge], 4).unwrap();
+    // Five vertices at each end, and four faces in the strip; the ends are taken in.
+    assert_eq!(counts(&mesh), [6 + 10, 11 + 5 + 8, 6 + 4]);
+    live.slide.apply(&mut mesh, 0.5).unwrap();
+    // The edge is along z at x = y = -1; the arc's axis is half a unit in from both faces.
+    for &v in &live.made.vertices {
+        let p = mesh.position(v);
+        let from_axis = (p.truncate() + glam::Vec2::splat(0.5)).length();
+        assert!((from_axis - 0.5).abs() < 1e-6, "{p}");
+    }
+    assert!((live.slide.limit - 2.0).abs() < 1e-5, "as long as the edges beside: {}", live.slide.limit);
+    assert_eq!(live.slide.apply(&mut mesh, 9.0), Ok(live.slide.limit));
+    counts(&mesh);
+}
+
+#[test]
+fn bevels_that_end_at_vertices_of_every_valence() {
+    // Valence 4: the old vertices stay, with a triangle between them and the strip.
+    let mut mesh = zoo::octahedron();
+    let edge = he(&mesh, 0, 2).edge();
+    let live = bevel_edges(&mut mesh, &[edge], 1).unwrap();
+    assert_eq!(counts(&mesh), [10, 19, 11]);
+    assert!(live.made.removed_vertices.is_empty());
+    // Valence 2 at both ends: the strip would have no corners.
+    let mesh = zoo::coin(6);
+    let edge = mesh.edges().next().unwrap();
+    assert!(matches!(
+        can_bevel_edges(&mesh, &[edge], 1),
+        Err(Refusal::TooFewCorners(_) | Refusal::SideTaken(..))
+    ));
+    // Valence 2 at one end: it runs out in a point.
+    let mut mesh = zoo::cube();
+    let split = split_edge(&mut mesh, EdgeId::new(0), 0.5, Connect::None).unwrap();
+    bevel_edges(&mut mesh, &[split.edges[0]], 3).unwrap();
+    mesh.validate().unwrap();
+    assert!(mesh.has_vertex(split.vertex));
+    // On the boundary the strip's end is on the boundary, and a boundary edge can't be bevelled.
+    let mut mesh = zoo::grid(2, 1);
+    let across = he(&mesh, 1, 4).edge();
+    let live = bevel_edges(&mut mesh, &[across], 2).unwrap();
+    live.slide.apply(&mut mesh, 0.25).unwrap();
+    assert_eq!(counts(&mesh), [10, 13, 4]);
+    let rim = he(&mesh, 0, 3).edge();
+    assert_eq!(can_bevel_edges(&mesh, &[rim], 1), Err(Refusal::BoundaryEdge(rim)));
+    // Two, three and all edges at a pole, and a closed loop of edges round it.
+    for (chosen, segments) in [(2, 1), (3, 2), (16, 3)] {
+        let mut mesh = zoo::lantern(16);
+        let pole: Vec<EdgeId> = mesh.vertex_edges(v(0)).step_by(16 / chosen).take(chosen).collect();
+        bevel_edges(&mut mesh, &pole, segments).unwrap();
+        counts(&mesh);
+        assert_eq!(mesh.euler_characteristic(), 2);
+        assert!(!mesh.has_vertex(v(0)));
+    }
+    let mut mesh = zoo::lantern(8);
+    let belt: Vec<EdgeId> = (0..8).map(|i| he(&mesh, 2 + i, 2 + (i + 1) % 8).edge()).collect();
+    let before = counts(&mesh);
+    bevel_edges(&mut mesh, &belt, 2).unwrap();
+    assert_eq!(counts(&mesh), [before[0] + 16, before[1] + 32, before[2] + 16]);
+}
+
+#[test]
+fn vertices_bevel_up_to_the_middle_of_their_edges() {
+    let mut mesh = zoo::cube();
+    let all: Vec<VertexId> = mesh.vertices().collect();
+    let live = bevel_vertices(&mut mesh, &all).unwrap();
+    assert_eq!(counts(&mesh), [24, 36, 14]);
+    assert!((live.slide.limit - 1.0).abs() < 1e-6);
+    live.slide.apply(&mut mesh, 5.0).unwrap();
+    // Clamped: the cuboctahedron, its vertices in pairs on the middles of the edges.
+    for v in mesh.vertices() {
+        let mut p = mesh.position(v).abs().to_array();
+        p.sort_by(f32::total_cmp);
+        assert!((Vec3::from(p) - Vec3::new(0.0, 1.0, 1.0)).length() < 1e-6);
+    }
+    // On the boundary, with one face and with two.
+    let mut mesh = zoo::grid(2, 1);
+    let live = bevel_vertices(&mut mesh, &[v(0), v(1)]).unwrap();
+    live.slide.apply(&mut mesh, 0.25).unwrap();
+    assert_eq!(counts(&mesh), [9, 11, 3]);
+    assert_eq!(mesh.boundary_loops().len(), 1);
+    // Two edges inside: nothing to cut off.
+    let mesh = zoo::coin(5);
+    assert_eq!(can_bevel_vertices(&mesh, &[v(2)]), Err(Refusal::ValenceTooLow(v(2), 2)));
+}

@@ -1,0 +1,194 @@
+//! Fill hole, bridge, weld, rip, flip orientation.
+
+use crate::zoo::{self, he, v};
+use glam::Vec3;
+use halfedge::edit::*;
+use halfedge::{EdgeId, FaceId, HalfedgeId, Mesh, Refusal};
+
+fn counts(mesh: &Mesh) -> [usize; 3] {
+    mesh.validate().unwrap();
+    [mesh.vertex_count(), mesh.edge_count(), mesh.face_count()]
+}
+
+#[test]
+fn a_hole_is_filled_with_one_polygon() {
+    let mut mesh = zoo::frame();
+    let inner = mesh.boundary_loops().into_iter().find(|&h| mesh.loop_of(h).count() == 4).unwrap();
+    let made = fill_hole(&mut mesh, inner).unwrap();
+    assert_eq!(mesh.halfedge_of(made.faces[0]), inner);
+    assert_eq!(counts(&mesh), [16, 24, 9]);
+    // The back of a lone triangle.
+    let mut mesh = zoo::triangle();
+    let outside = mesh.boundary_loops()[0];
+    fill_hole(&mut mesh, outside).unwrap();
+    assert_eq!(zoo::faces(&mesh), zoo::faces(&zoo::pillow()));
+    let inside = HalfedgeId::new(0);
+    assert_eq!(can_fill_hole(&mesh, inside), Err(Refusal::NotABoundaryHalfedge(inside)));
+}
+
+/// Regular polygons of n and m corners in parallel planes, facing each other's back.
+fn lids(n: u32, m: u32) -> Mesh {
+    let ring = |n: u32, z: f32| {
+        (0..n).map(move |i| {
+            let angle = i as f32 / n as f32 * std::f32::consts::TAU;
+            Vec3::new(angle.cos(), angle.sin(), z)
+        })
+    };
+    let positions = ring(n, 0.0).chain(ring(m, 1.0)).collect();
+    let bottom: Vec<u32> = (0..n).rev().collect();
+    let top: Vec<u32> = (n..n + m).collect();
+    zoo::mesh(positions, &[bottom, top])
+}
+
+#[test]
+fn loops_of_any_lengths_are_bridged() {
+    for (n, m) in [(4, 4), (3, 8), (9, 4), (5, 6), (30, 30)] {
+        let mut mesh = lids(n, m);
+        let loops = mesh.boundary_loops();
+        let made = bridge(&mut mesh, [loops[0], loops[1]]).unwrap_or_else(|r| panic!("{n} and {m}: {r}"));
+        let steps = n.max(m) as usize;
+        assert_eq!(made.faces.len(), steps);
+        assert_eq!(counts(&mesh)[2], steps + 2);
+        assert_eq!(mesh.euler_characteristic(), 2);
+        assert!(mesh.boundary_loops().is_empty());
+        let quads = made.faces.iter().filter(|&&f| mesh.face_degree(f) == 4).count();
+        assert_eq!(quads, n.min(m) as usize);
+        // The prism is straight: with equal lengths all edges across are upright.
+        if n == m {
+            assert!(made.edges.iter().all(|&e| {
+                let [a, b] = mesh.ends(e).map(|v| mesh.position(v));
+                (a.truncate() - b.truncate()).length() < 1e-6
+            }));
+        }
+    }
+    // The loops of one piece: a wide frame becomes a torus.
+    let mut mesh = zoo::grid(5, 5);
+    delete_faces(&mut mesh, &[FaceId::new(12)]).unwrap();
+    let loops = mesh.boundary_loops();
+    let made = bridge(&mut mesh, [loops[0], loops[1]]).unwrap();
+    assert_eq!(made.faces.len(), 20);
+    counts(&mesh);
+    assert_eq!((mesh.euler_characteristic(), mesh.boundary_loops().len()), (0, 0));
+}
+
+#[test]
+fn bridges_that_fail() {
+    // A narrow frame has an edge already where the band would have one.
+    let mesh = zoo::frame();
+    let loops = mesh.boundary_loops();
+    assert!(matches!(can_bridge(&mesh, [loops[0], loops[1]]), Err(Refusal::SideTaken(..))));
+    // A tube: its ends are joined by its own edges, all faces there.
+    let mut mesh = zoo::cube();
+    delete_faces(&mut mesh, &[FaceId::new(0), FaceId::new(1)]).unwrap();
+    let loops = mesh.boundary_loops();
+    assert!(matches!(can_bridge(&mesh, [loops[0], loops[1]]), Err(Refusal::SideTaken(..))));
+    let next = mesh.next(loops[0]);
+    assert_eq!(can_bridge(&mesh, [loops[0], next]), Err(Refusal::SameLoop(loops[0], next)));
+    let inside = loops[0].twin();
+    assert_eq!(can_bridge(&mesh, [loops[0], inside]), Err(Refusal::NotABoundaryHalfedge(inside)));
+}
+
+#[test]
+fn ripping_and_welding_are_opposites() {
+    let start = zoo::grid(2, 2);
+    // The line 3 4 5 from boundary to boundary: two pieces.
+    let line: Vec<EdgeId> = [(3, 4), (4, 5)].iter().map(|&(a, b)| he(&start, a, b).edge()).collect();
+    let mut mesh = start.clone();
+    let made = rip_edges(&mut mesh, &line).unwrap();
+    assert_eq!((made.vertices.len(), made.edges.len()), (3, 2));
+    assert_eq!(counts(&mesh), [12, 14, 4]);
+    assert_eq!(mesh.components().1, 2);
+    // Weld each with the edge in the same place.
+    for (old, new) in line.iter().zip(&made.edges) {
+        weld_edges(&mut mesh, [*old, *new]).unwrap();
+        mesh.validate().unwrap();
+    }
+    assert_eq!(counts(&mesh), counts(&start));
+    mesh.compact();
+    assert_eq!(zoo::faces(&mesh).len(), 4);
+    assert!(mesh.edges().all(|e| mesh.ends(e).iter().all(|v| mesh.position(*v).fract() == Vec3::ZERO)));
+}
+
+#[test]
+fn rips_inside_and_from_the_boundary() {
+    let mut mesh = zoo::grid(4, 4);
+    let lone = he(&mesh, 11, 12).edge();
+    assert_eq!(can_rip_edges(&mesh, &[lone]), Err(Refusal::StaysJoined(lone)));
+    // Two in a row inside: a slit.
+    let row = [he(&mesh, 11, 12).edge(), he(&mesh, 12, 13).edge()];
+    rip_edges(&mut mesh, &row).unwrap();
+    counts(&mesh);
+    assert_eq!(mesh.boundary_loops().len(), 2);
+    let rim = mesh.edges().find(|&e| mesh.is_boundary_edge(e)).unwrap();
+    assert_eq!(can_rip_edges(&mesh, &[rim]), Err(Refusal::BoundaryEdge(rim)));
+    // From the boundary one is enough.
+    let mut mesh = zoo::grid(2, 2);
+    let spoke = he(&mesh, 1, 4).edge();
+    rip_edges(&mut mesh, &[spoke]).unwrap();
+    assert_eq!(counts(&mesh), [10, 13, 4]);
+    // All edges: every face on its own.
+    let mut mesh = zoo::cube();
+    let all: Vec<EdgeId> = mesh.edges().collect();
+    rip_edges(&mut mesh, &all).unwrap();
+    assert_eq!(counts(&mesh), [24, 24, 6]);
+}
+
+#[test]
+fn welds_zip_and_close() {
+    // Two edges of one boundary that share an end are zipped.
+    let mut mesh = zoo::grid(4, 4);
+    rip_edges(&mut mesh, &[he(&zoo::grid(4, 4), 2, 7).edge()]).unwrap();
+    let h = mesh.boundary_loops()[0];
+    let notch = mesh
+        .loop_of(h)
+        .find(|&h| mesh.position(mesh.from(h)) == mesh.position(mesh.to(mesh.next(h))))
+        .unwrap();
+    let pair = [notch.edge(), mesh.next(notch).edge()];
+    weld_edges(&mut mesh, pair).unwrap();
+    assert_eq!(counts(&mesh), [25, 40, 16]);
+    let edge = notch.edge();
+    assert_eq!(
+        can_weld_edges(&mesh, [edge, edge]),
+        Err(Refusal::GivenTwice(halfedge::Element::Edge, edge.raw()))
+    );
+    let rim = mesh.edges().find(|&e| mesh.is_boundary_edge(e)).unwrap();
+    assert_eq!(can_weld_edges(&mesh, [rim, edge]), Err(Refusal::NotOnBoundary(edge)));
+    // Welding is refused where it would pinch: opposite edges of a strip of three faces share none.
+    let mesh = zoo::triangle();
+    let [a, b] = [0, 1].map(EdgeId::new);
+    assert!(can_weld_edges(&mesh, [a, b]).is_err());
+}
+
+#[test]
+fn turning_pieces_inside_out() {
+    let mut mesh = zoo::several();
+    zoo::paint(&mut mesh);
+    let start = mesh.clone();
+    let cube: Vec<FaceId> = mesh.faces().take(6).collect();
+    flip_orientation(&mut mesh, &cube).unwrap();
+    mesh.validate().unwrap();
+    for &f in &cube {
+        let (mut now, before): (Vec<_>, Vec<_>) =
+            (mesh.face_vertices(f).collect(), start.face_vertices(f).collect());
+        assert_eq!(now[0], before[0], "the first corner stays");
+        now[1..].reverse();
+        assert_eq!(now, before);
+        // Values stay with their corners.
+        for h in mesh.face_halfedges(f) {
+            let old = start.face_halfedges(f).find(|&old| start.from(old) == mesh.from(h)).unwrap();
+            let uv = halfedge::keys::CORNER_UV;
+            assert_eq!(mesh.get(uv, h.index()), start.get(uv, old.index()));
+            let normal = halfedge::keys::CORNER_NORMAL;
+            assert_eq!(mesh.get(normal, h.index()), -start.get(normal, old.index()));
+        }
+    }
+    flip_orientation(&mut mesh, &cube).unwrap();
+    assert!(mesh == start);
+    // With a boundary, and everything at once.
+    let all: Vec<FaceId> = mesh.faces().collect();
+    flip_orientation(&mut mesh, &all).unwrap();
+    mesh.validate().unwrap();
+    assert!(matches!(can_flip_orientation(&mesh, &cube[..5]), Err(Refusal::NotAWholePiece(_))));
+    assert_eq!(can_flip_orientation(&mesh, &[]), Err(Refusal::NothingGiven(halfedge::Element::Face)));
+    assert!(mesh.has_vertex(v(0)));
+}
