@@ -73,16 +73,7 @@ impl Lists {
         for kind in Element::ALL {
             let index = &mut self.indices[slot(kind)];
             match change {
-                Some(ObjectChange::Touched(touched)) => match kind {
-                    Element::Vertex => index.update(mesh, kind, touched.vertices.iter().map(|v| v.raw())),
-                    Element::Face => index.update(mesh, kind, touched.faces.iter().map(|f| f.raw())),
-                    // A marked edge takes both its half-edges along.
-                    Element::Edge => index.update(mesh, kind, touched.edges.iter().map(|e| e.raw())),
-                    Element::Halfedge => {
-                        let sides = touched.edges.iter().flat_map(|e| e.halfedges()).map(|h| h.raw());
-                        index.update(mesh, kind, sides);
-                    }
-                },
+                Some(ObjectChange::Touched(touched)) => index.follow(mesh, kind, touched),
                 _ => *index = RowIndex::new(mesh, kind),
             }
         }

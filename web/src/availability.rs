@@ -6,6 +6,7 @@ use halfedge::{Element, edit};
 use crate::actions::{self, Action};
 use crate::app::App;
 use crate::lists::columns::plural;
+use crate::panels::fields;
 
 impl App {
     /// Why an action can't be done now, as a sentence that says what to do first; none if it can.
@@ -105,9 +106,15 @@ impl App {
     }
 }
 
-/// Whether an operation does something sensible with nothing filled in: every field has a default.
+/// Whether an operation does something sensible with nothing filled in: every field is given by the
+/// selection or has a value for a default. One whose defaults are words, such as "no turn", opens its
+/// form instead.
 pub(crate) fn runs_bare(spec: &Spec) -> bool {
-    spec.name != "new" && spec.fields.iter().all(|field| field.default.is_some())
+    spec.name != "new"
+        && spec.fields.iter().all(|field| {
+            field.default.is_some()
+                && (fields::is_elements(field.kind) || fields::default_value(field).is_some())
+        })
 }
 
 /// A sentence of a refusal's words.

@@ -41,7 +41,9 @@ impl App {
         if self.palette.open {
             return;
         }
-        for action in keys::pressed(ctx) {
+        // Escape closes an open menu, which egui does by itself.
+        let menu = egui::Popup::is_any_open(ctx);
+        for action in keys::pressed(ctx, menu) {
             self.act(action);
         }
     }

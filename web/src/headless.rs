@@ -48,6 +48,11 @@ impl Outside {
         self.inner.borrow().settings.get(key).cloned()
     }
 
+    /// Keeps a setting, as an earlier visit would have.
+    pub fn set_setting(&self, key: &str, value: &str) {
+        self.inner.borrow_mut().settings.insert(key.to_owned(), value.to_owned());
+    }
+
     /// Keeps jobs waiting from now on.
     pub fn hold_jobs(&self) {
         self.inner.borrow_mut().held = Some(Vec::new());

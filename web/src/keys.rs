@@ -1,6 +1,7 @@
 //! The keys, in one table: menus, tooltips, the shortcuts window and the input handling read it.
 
 use crate::actions::Action;
+use crate::lists::row_list;
 use egui::{Context, Key, KeyboardShortcut, Modifiers};
 use halfedge::Element;
 
@@ -75,7 +76,20 @@ pub fn of(action: Action) -> &'static [KeyboardShortcut] {
 
 /// The first key of an action as the platform writes it, or nothing.
 pub fn text(ctx: &Context, action: Action) -> String {
-    of(action).first().map(|shortcut| ctx.format_shortcut(shortcut)).unwrap_or_default()
+    of(action).first().map(|shortcut| written(ctx, shortcut)).unwrap_or_default()
+}
+
+/// A key as the platform writes it: "Ctrl+Z", "?".
+pub fn written(ctx: &Context, shortcut: &KeyboardShortcut) -> String {
+    let plain = matches!(
+        shortcut.logical_key,
+        Key::Questionmark | Key::Period | Key::OpenBracket | Key::CloseBracket
+    );
+    if plain {
+        let symbol = shortcut.logical_key.symbol_or_name();
+        return if shortcut.modifiers.shift { format!("Shift+{symbol}") } else { symbol.to_owned() };
+    }
+    ctx.format_shortcut(shortcut)
 }
 
 /// A sentence with the key behind it: "Takes the last step back. (Ctrl+Z)".
@@ -85,11 +99,13 @@ pub fn tooltip(ctx: &Context, description: &str, action: Action) -> String {
 }
 
 /// The actions whose keys were pressed this frame, which are used up. While the person types, only
-/// those with Ctrl or Command that a text field has no use for, and Escape is the field's.
-pub fn pressed(ctx: &Context) -> Vec<Action> {
+/// those with Ctrl or Command that a text field has no use for, and Escape is the field's; while a menu
+/// is open, Escape is the menu's.
+pub fn pressed(ctx: &Context, menu: bool) -> Vec<Action> {
     let typing = ctx.text_edit_focused();
-    // Space and the arrows belong to the button or row that has the keyboard.
-    let on_widget = ctx.memory(|memory| memory.focused().is_some());
+    // Space belongs to the button that has the keyboard, and Home to the list.
+    let focused = ctx.memory(|memory| memory.focused());
+    let on_list = focused.is_some() && focused == row_list::focused(ctx);
     ctx.input_mut(|input| {
         BINDINGS
             .iter()
@@ -98,7 +114,13 @@ pub fn pressed(ctx: &Context) -> Vec<Action> {
                     if typing && !works_while_typing(*action) {
                         return false;
                     }
-                    if on_widget && matches!(shortcut.logical_key, Key::Space | Key::Home) {
+                    let theirs = match shortcut.logical_key {
+                        Key::Space => focused.is_some() && !on_list,
+                        Key::Home => focused.is_some(),
+                        Key::Escape => menu,
+                        _ => false,
+                    };
+                    if theirs {
                         return false;
                     }
                     consume(input, shortcut)

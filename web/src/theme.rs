@@ -147,7 +147,7 @@ fn visuals(theme: Theme) -> Visuals {
     let corner = CornerRadius::same(4);
     for (state, fill, border, text) in [
         (&mut widgets.noninteractive, grey(0x21252b, 0xf8f9fb), line, text),
-        (&mut widgets.inactive, grey(0x30363f, 0xe6e9ee), Color32::TRANSPARENT, text),
+        (&mut widgets.inactive, grey(0x30363f, 0xeceff3), grey(0x3d454f, 0xcfd5dc), text),
         (&mut widgets.hovered, grey(0x3b434e, 0xdae0e7), grey(0x515b68, 0xbcc4ce), strong),
         (&mut widgets.active, grey(0x475160, 0xcbd3dd), accent, strong),
         (&mut widgets.open, grey(0x353c46, 0xdfe4ea), line, strong),

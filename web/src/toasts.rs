@@ -90,8 +90,10 @@ impl App {
                                     ui.set_width(width - 58.0);
                                     ui.add_space(3.0);
                                     let text = ui.add(egui::Label::new(&toast.text).wrap());
-                                    ui.ctx()
-                                        .accesskit_node_builder(text.id, |node| node.set_role(Role::Alert));
+                                    ui.ctx().accesskit_node_builder(text.id, |node| {
+                                        node.set_role(Role::Alert);
+                                        node.set_label(toast.text.as_str());
+                                    });
                                     if toast.details.is_empty() {
                                         return;
                                     }

@@ -1,6 +1,6 @@
 //! Which element a row shows, and in which row an element is.
 
-use halfedge::{Element, Mesh};
+use halfedge::{Element, Mesh, Touched};
 
 /// The rows of one kind of element of one mesh: every existing id in order, one row each.
 ///
@@ -23,9 +23,22 @@ impl RowIndex {
         Self { removed, capacity }
     }
 
-    /// Takes in that some ids were added, removed or brought back. Costs O(touched · log removed)
-    /// and the moving of the removed ids that follow.
-    pub fn update(&mut self, mesh: &Mesh, kind: Element, touched: impl Iterator<Item = u32>) {
+    /// Takes in what an edit touched: ids that were added, removed or brought back. Costs
+    /// O(touched · log removed) and the moving of the removed ids that follow.
+    pub fn follow(&mut self, mesh: &Mesh, kind: Element, touched: &Touched) {
+        match kind {
+            Element::Vertex => self.update(mesh, kind, touched.vertices.iter().map(|v| v.raw())),
+            Element::Edge => self.update(mesh, kind, touched.edges.iter().map(|e| e.raw())),
+            // An edge that is marked takes both its half-edges along.
+            Element::Halfedge => {
+                let sides = touched.edges.iter().flat_map(|e| e.halfedges());
+                self.update(mesh, kind, sides.map(|h| h.raw()));
+            }
+            Element::Face => self.update(mesh, kind, touched.faces.iter().map(|f| f.raw())),
+        }
+    }
+
+    fn update(&mut self, mesh: &Mesh, kind: Element, touched: impl Iterator<Item = u32>) {
         let capacity = mesh.capacity(kind);
         self.removed.truncate(self.removed.partition_point(|&id| (id as usize) < capacity));
         let grown = self.capacity as u32..capacity as u32;
@@ -90,7 +103,6 @@ impl RowIndex {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use proptest::prelude::*;
 
     fn with_removed(capacity: usize, removed: &[u32]) -> RowIndex {
         RowIndex { removed: removed.to_vec(), capacity }
@@ -106,20 +118,45 @@ mod tests {
         assert_eq!(index.row_of(8), None);
     }
 
-    proptest! {
-        #[test]
-        fn row_and_id_are_each_other_s_inverse(marks in prop::collection::vec(any::<bool>(), 0..200)) {
-            let removed: Vec<u32> = (0..marks.len() as u32).filter(|&i| marks[i as usize]).collect();
-            let kept: Vec<u32> = (0..marks.len() as u32).filter(|&i| !marks[i as usize]).collect();
-            let index = with_removed(marks.len(), &removed);
-            prop_assert_eq!(index.len(), kept.len());
+    #[test]
+    fn an_edit_updates_what_it_touched() {
+        let grid = surface::Shape::named("grid").expect("a shape");
+        let mut mesh = grid.build().expect("a mesh");
+        let mut rows = Element::ALL.map(|kind| RowIndex::new(&mesh, kind));
+        let mut journals = Vec::new();
+        for face in [5, 17, 2, 40] {
+            let face = mesh.face(face).expect("a face");
+            let edit = |mesh: &mut Mesh| halfedge::edit::delete_faces(mesh, &[face]);
+            let (_, journal) = mesh.transaction(edit).expect("faces can be deleted");
+            check(&mesh, &mut rows, &journal.touched());
+            journals.push(journal);
+        }
+        while let Some(journal) = journals.pop() {
+            let redo = mesh.undo(journal);
+            check(&mesh, &mut rows, &redo.touched());
+        }
+        assert!(rows.iter().all(|index| index.removed.is_empty()));
+    }
+
+    fn check(mesh: &Mesh, rows: &mut [RowIndex; 4], touched: &halfedge::Touched) {
+        for (kind, index) in Element::ALL.into_iter().zip(rows) {
+            index.follow(mesh, kind, touched);
+            let fresh = RowIndex::new(mesh, kind);
+            assert_eq!((&index.removed, index.capacity), (&fresh.removed, fresh.capacity), "{kind}");
+        }
+    }
+
+    #[test]
+    fn row_and_id_are_each_other_s_inverse() {
+        // Every way of removing some of eleven ids.
+        for marks in 0_u32..1 << 11 {
+            let (removed, kept): (Vec<u32>, Vec<u32>) = (0..11).partition(|id| marks >> id & 1 == 1);
+            let index = with_removed(11, &removed);
+            assert_eq!(index.len(), kept.len());
             for (row, &id) in kept.iter().enumerate() {
-                prop_assert_eq!(index.id_of(row), Some(id));
-                prop_assert_eq!(index.row_of(id), Some(row));
+                assert_eq!((index.id_of(row), index.row_of(id)), (Some(id), Some(row)), "{marks:b}");
             }
-            for &id in &removed {
-                prop_assert_eq!(index.row_of(id), None);
-            }
+            assert!(removed.iter().all(|&id| index.row_of(id).is_none()), "{marks:b}");
         }
     }
 }

@@ -17,6 +17,14 @@ const BAR: f32 = 10.0;
 /// The shortest the scroll bar's handle gets, in points.
 const SHORTEST_HANDLE: f32 = 24.0;
 
+/// Where the list that has the keyboard is remembered.
+const FOCUSED: &str = "focused row list";
+
+/// The list that last had the keyboard.
+pub fn focused(ctx: &egui::Context) -> Option<Id> {
+    ctx.data(|data| data.get_temp(Id::unique(FOCUSED)))
+}
+
 /// Where a list is scrolled to and which row the keyboard is on. Kept from frame to frame.
 #[derive(Clone, Debug, Default)]
 pub struct RowListState {
@@ -164,6 +172,7 @@ impl RowList<'_> {
             state.cursor = Some(picked.row);
         }
         if list.has_focus() {
+            ui.data_mut(|data| data.insert_temp(Id::unique(FOCUSED), list.id));
             ui.painter().rect_stroke(
                 body.shrink(0.5),
                 CornerRadius::same(2),

@@ -1,9 +1,10 @@
 //! The panels and windows of the page, one per file. Each adds methods to [`crate::app::App`].
 
 mod about;
+mod color_button;
 mod drop_overlay;
 mod elements;
-mod fields;
+pub(crate) mod fields;
 mod inspector;
 mod menu_bar;
 mod messages;

@@ -25,7 +25,7 @@ pub fn form(ui: &mut Ui, filled: &mut Filled) {
     let combo = ComboBox::from_id_salt("shape")
         .selected_text(label_of(&name))
         .width(140.0)
-        .height(320.0)
+        .height(460.0)
         .show_ui(ui, |ui| {
             for other in Shape::names() {
                 if ui.selectable_label(other == name, label_of(other)).clicked() {

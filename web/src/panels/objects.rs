@@ -65,11 +65,17 @@ impl App {
                 }
                 return;
             }
-            let width = (ui.available_width() - 96.0).max(60.0);
-            let button = Button::selectable(active, name).truncate().min_size(vec2(width, 0.0));
+            let width = (ui.available_width() - 36.0).max(60.0);
+            let button = Button::selectable(active, name)
+                .truncate()
+                .shortcut_text(thousands(faces))
+                .min_size(vec2(width, 0.0));
             let row = ui
                 .add_sized(vec2(width, ui.spacing().interact_size.y), button)
-                .on_hover_text("Click to edit this object; double-click to rename it");
+                .accessible_name(name)
+                .on_hover_text(
+                    "Click to edit this object; double-click to rename it. The number is its faces.",
+                );
             if row.double_clicked() {
                 self.forms.renaming = Some((at, name.to_owned()));
                 self.forms.focus_renaming = true;
@@ -82,7 +88,6 @@ impl App {
                 if delete.clicked() {
                     self.send(json!({ "op": "delete-object", "object": at }));
                 }
-                ui.label(RichText::new(thousands(faces)).small().weak()).on_hover_text("Faces");
             });
         });
     }

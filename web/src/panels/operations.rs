@@ -90,9 +90,10 @@ impl App {
     fn apply_button(&mut self, ui: &mut Ui, spec: &'static Spec, filled: &Filled) {
         let action = Action::Operation(spec.name);
         let why_not = self.why_not(action);
-        let button =
-            Button::new(RichText::new(spec.label).strong()).min_size(vec2(ui.available_width(), 28.0));
-        let response = ui.add_enabled(why_not.is_none(), button);
+        let primary = ui.visuals().selection;
+        let text = RichText::new(spec.label).color(primary.stroke.color);
+        let button = Button::new(text).fill(primary.bg_fill).min_size(vec2(ui.available_width(), 28.0));
+        let response = ui.vertical_centered_justified(|ui| ui.add_enabled(why_not.is_none(), button)).inner;
         let tooltip = keys::tooltip(ui.ctx(), spec.description, action);
         let reason = why_not.clone().unwrap_or_default();
         if response.on_hover_text(tooltip).on_disabled_hover_text(reason).clicked() {

@@ -4,7 +4,7 @@ use egui::{Context, Grid, RichText, ScrollArea, Ui, Window, vec2};
 
 use crate::actions;
 use crate::app::App;
-use crate::keys::{BINDINGS, GESTURES};
+use crate::keys::{self, BINDINGS, GESTURES};
 
 impl App {
     pub(crate) fn shortcuts_window(&mut self, ctx: &Context) {
@@ -46,8 +46,8 @@ impl App {
 
 fn bindings(ui: &mut Ui, name: &str, range: std::ops::Range<usize>) {
     Grid::new(name).num_columns(2).spacing(vec2(12.0, 4.0)).min_col_width(96.0).show(ui, |ui| {
-        for (action, keys) in BINDINGS.get(range).unwrap_or_default() {
-            let texts: Vec<String> = keys.iter().map(|key| ui.ctx().format_shortcut(key)).collect();
+        for (action, shortcuts) in BINDINGS.get(range).unwrap_or_default() {
+            let texts: Vec<String> = shortcuts.iter().map(|key| keys::written(ui.ctx(), key)).collect();
             ui.label(RichText::new(texts.join(", ")).monospace());
             let entry = actions::describe(*action);
             ui.label(entry.label).on_hover_text(entry.description);

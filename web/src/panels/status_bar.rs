@@ -47,7 +47,7 @@ impl App {
         let number = |value: Option<usize>| value.map_or_else(|| "…".to_owned(), thousands);
         figure(
             ui,
-            "χ",
+            "Euler",
             mesh.euler_characteristic().to_string(),
             "Euler characteristic: vertices − edges + faces",
         );

@@ -19,6 +19,9 @@ use gesture::Gesture;
 pub(crate) use gesture::Tool;
 use picture::Picture;
 
+/// How many frames the panels take to find their sizes.
+const FRAMES_TO_SETTLE: u8 = 3;
+
 /// The viewport's state.
 pub(crate) struct View {
     pub camera: Camera,
@@ -37,8 +40,9 @@ pub(crate) struct View {
     bounds: HashMap<ObjectId, Option<Bounds>>,
     /// Made when somebody first points at the object.
     trees: HashMap<ObjectId, FaceTree>,
-    /// Everything is to be looked at as soon as the viewport has a size.
-    frame_due: bool,
+    /// In how many frames to come everything is looked at: in the first the viewport has no size yet,
+    /// and panels find theirs in the second.
+    frame_due: u8,
 }
 
 impl View {
@@ -55,7 +59,7 @@ impl View {
             looked: None,
             bounds: HashMap::new(),
             trees: HashMap::new(),
-            frame_due: true,
+            frame_due: FRAMES_TO_SETTLE,
         }
     }
 
@@ -157,14 +161,14 @@ impl View {
 
     /// Looks at everything once the viewport has a size.
     pub fn frame_when_seen(&mut self) {
-        self.frame_due = true;
+        self.frame_due = FRAMES_TO_SETTLE;
     }
 
     /// Looks at everything from the same direction.
     pub fn frame_all(&mut self) {
         match self.camera.scene() {
             Some(scene) if self.rect.is_positive() => self.camera.frame(scene, self.aspect()),
-            _ => self.frame_due = true,
+            _ => self.frame_due = FRAMES_TO_SETTLE,
         }
     }
 
@@ -222,8 +226,10 @@ impl App {
         let rect = ui.available_rect_before_wrap();
         self.view.rect = rect;
         self.view.style.theme = theme::viewport(ui.visuals());
-        if std::mem::take(&mut self.view.frame_due) {
+        if self.view.frame_due > 0 {
+            self.view.frame_due -= 1;
             self.view.frame_all();
+            ui.ctx().request_repaint();
         }
         // Not focusable: its keys are the page's keys.
         let id = ui.scope_id().with("viewport");

@@ -3,10 +3,11 @@
 
 use egui::{Align2, Color32, FontId, Pos2, Rect, RichText, Stroke, StrokeKind, Ui, vec2};
 use glam::DVec3;
+use halfedge::Element;
 
 use super::gesture::Tool;
 use crate::app::App;
-use crate::lists::columns::{element_name, row, thousands};
+use crate::lists::columns::{counted, element_name, row, thousands};
 use crate::panels;
 use crate::theme;
 
@@ -100,11 +101,12 @@ impl App {
         let selection = self.editor.selection();
         lines.push(panels::selection_words(selection.kind(), selection.len(), selection.latest()));
         if let Some(mesh) = mesh {
-            let triangles = mesh.halfedge_count().saturating_sub(2 * mesh.face_count());
+            let loops =
+                self.survey.found().map_or_else(|| "…".to_owned(), |found| thousands(found.boundary_loops));
             lines.push(format!(
-                "{} faces, at most {} triangles",
-                thousands(mesh.face_count()),
-                thousands(triangles)
+                "{}, Euler characteristic {}, boundary loops {loops}",
+                counted(Element::Face, mesh.face_count()),
+                mesh.euler_characteristic()
             ));
         }
         let camera = &self.view.camera;

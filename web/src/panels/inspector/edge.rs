@@ -72,7 +72,7 @@ impl App {
         let mut t = self.forms.split_t.unwrap_or(0.5);
         let mut connect = self.forms.split_connect.unwrap_or("triangles");
         ui.horizontal(|ui| {
-            ui.spacing_mut().slider_width = (ui.available_width() - 96.0).max(60.0);
+            ui.spacing_mut().slider_width = (ui.available_width() - 124.0).max(60.0);
             let label = ui.label("Split at");
             let slider = Slider::new(&mut t, 0.01..=0.99).max_decimals(3);
             ui.add(slider)

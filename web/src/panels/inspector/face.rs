@@ -2,6 +2,7 @@
 
 use super::{facts, measured};
 use crate::app::App;
+use crate::panels::color_button::color_button;
 use egui::{RichText, Ui};
 use glam::{DVec3, Vec3};
 use halfedge::{Color, Element, FaceId, HalfedgeId, Mesh, keys};
@@ -51,10 +52,10 @@ impl App {
     /// The color of all selected faces. Picking is a preview until the button is let go.
     fn face_color(&mut self, ui: &mut Ui, color: Color) {
         ui.horizontal(|ui| {
-            let label = ui.label(RichText::new("Color").weak());
+            ui.label(RichText::new("Color").weak());
             let mut rgb = color.0;
-            let button = ui.color_edit_button_srgb(&mut rgb).labelled_by(label.id);
-            if rgb != color.0 {
+            let (button, changed) = color_button(ui, "Face color", &mut rgb);
+            if changed {
                 self.preview(json!({ "op": "set-face-color", "color": Color(rgb).to_hex() }));
                 self.forms.painting = true;
             }

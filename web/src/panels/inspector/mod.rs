@@ -14,6 +14,7 @@ use crate::app::App;
 use crate::lists::columns::element_name;
 use crate::panels::fields;
 use crate::panels::menu_bar::explain;
+use crate::theme::TOUCH_TARGET;
 
 /// Whether an operation works on selected elements of this kind.
 pub(crate) fn applies_to(spec: &Spec, kind: Element) -> bool {
@@ -148,7 +149,13 @@ impl App {
 
 /// The table of the inspector.
 fn facts(ui: &mut Ui, name: &str, add: impl FnOnce(&mut Ui)) {
-    Grid::new(name).num_columns(2).spacing(vec2(14.0, 4.0)).min_col_width(76.0).show(ui, add);
+    let row = if ui.spacing().interact_size.y < TOUCH_TARGET { 18.0 } else { 28.0 };
+    Grid::new(name)
+        .num_columns(2)
+        .spacing(vec2(14.0, 4.0))
+        .min_col_width(76.0)
+        .min_row_height(row)
+        .show(ui, add);
 }
 
 /// A measured number with as many digits as are worth reading.

@@ -1,0 +1,117 @@
+//! A color button with a picker that is named, typed and stepped like any other control.
+
+use egui::ecolor::Hsva;
+use egui::{
+    Color32, Popup, PopupCloseBehavior, Response, Role, Sense, Slider, StrokeKind, TextEdit, Ui, WidgetInfo,
+    vec2,
+};
+use halfedge::Color;
+
+/// Colors to start from: the unpainted grey, then round the circle.
+const SWATCHES: [[u8; 3]; 12] = [
+    [0xc8, 0xc8, 0xc8],
+    [0xff, 0xff, 0xff],
+    [0x40, 0x40, 0x40],
+    [0x8a, 0x5a, 0x3c],
+    [0xe0, 0x4f, 0x4f],
+    [0xf0, 0x8c, 0x3a],
+    [0xf2, 0xc9, 0x4c],
+    [0x6f, 0xbf, 0x4b],
+    [0x3f, 0xb8, 0xa5],
+    [0x4c, 0x9a, 0xff],
+    [0x7d, 0x6a, 0xe8],
+    [0xd7, 0x62, 0xb8],
+];
+
+/// Shows the color on a button; a click opens the picker. Gives whether it was changed.
+pub fn color_button(ui: &mut Ui, name: &str, rgb: &mut [u8; 3]) -> (Response, bool) {
+    let size = vec2(44.0, ui.spacing().interact_size.y);
+    let (rect, button) = ui.allocate_exact_size(size, Sense::click());
+    button.widget_info(|| WidgetInfo::labeled(Role::ColorWell, ui.is_enabled(), name));
+    let shown = Color(*rgb).to_hex();
+    ui.ctx().accesskit_node_builder(button.id, |node| node.set_value(shown));
+    let stroke = ui.style().interact(&button).fg_stroke;
+    ui.painter().rect(rect.shrink(1.0), 4.0, color32(*rgb), stroke, StrokeKind::Inside);
+
+    let before = *rgb;
+    Popup::menu(&button).close_behavior(PopupCloseBehavior::CloseOnClickOutside).show(|ui| {
+        ui.set_width(220.0);
+        swatches(ui, rgb);
+        sliders(ui, rgb);
+        hex(ui, rgb);
+    });
+    let changed = *rgb != before;
+    (button, changed)
+}
+
+fn swatches(ui: &mut Ui, rgb: &mut [u8; 3]) {
+    ui.horizontal_wrapped(|ui| {
+        ui.spacing_mut().item_spacing = vec2(4.0, 4.0);
+        for color in SWATCHES {
+            let (rect, swatch) = ui.allocate_exact_size(vec2(32.0, 24.0), Sense::click());
+            let name = Color(color).to_hex();
+            swatch.widget_info(|| WidgetInfo::labeled(Role::Button, true, &name));
+            let stroke = ui.style().interact(&swatch).bg_stroke;
+            ui.painter().rect(rect, 4.0, color32(color), stroke, StrokeKind::Inside);
+            if swatch.on_hover_text(name).clicked() {
+                *rgb = color;
+            }
+        }
+    });
+}
+
+fn sliders(ui: &mut Ui, rgb: &mut [u8; 3]) {
+    // Grey has no hue and black no saturation: what the sliders said last is kept beside the color.
+    let kept = ui.scope_id().with("hue");
+    let mut hsva = ui
+        .data(|data| data.get_temp::<[f32; 3]>(kept))
+        .map(|[h, s, v]| Hsva::new(h, s, v, 1.0))
+        .filter(|hsva| hsva.to_srgb() == *rgb)
+        .unwrap_or_else(|| Hsva::from_srgb(*rgb));
+    let mut changed = false;
+    ui.spacing_mut().slider_width = 110.0;
+    egui::Grid::new("sliders").num_columns(2).show(ui, |ui| {
+        for (name, value, most) in [
+            ("Hue", &mut hsva.h, 360.0),
+            ("Saturation", &mut hsva.s, 100.0),
+            ("Brightness", &mut hsva.v, 100.0),
+        ] {
+            let label = ui.label(name);
+            let mut shown = *value * most;
+            let slider = Slider::new(&mut shown, 0.0..=most).max_decimals(0).smart_aim(false);
+            if ui.add(slider).labelled_by(label.id).changed() {
+                *value = shown / most;
+                changed = true;
+            }
+            ui.end_row();
+        }
+    });
+    if changed {
+        *rgb = hsva.to_srgb();
+    }
+    ui.data_mut(|data| data.insert_temp(kept, [hsva.h, hsva.s, hsva.v]));
+}
+
+fn hex(ui: &mut Ui, rgb: &mut [u8; 3]) {
+    let typed = ui.scope_id().with("typed");
+    ui.horizontal(|ui| {
+        let label = ui.label("Hex");
+        let mut text = ui.data(|data| data.get_temp::<String>(typed)).unwrap_or_else(|| Color(*rgb).to_hex());
+        let field = ui.add(TextEdit::singleline(&mut text).desired_width(90.0)).labelled_by(label.id);
+        if field.has_focus() {
+            ui.data_mut(|data| data.insert_temp(typed, text));
+        } else {
+            if field.lost_focus()
+                && let Some(color) = Color::from_hex(&format!("#{}", text.trim().trim_start_matches('#')))
+            {
+                *rgb = color.0;
+            }
+            ui.data_mut(|data| data.remove::<String>(typed));
+        }
+        field.on_hover_text("A color as #rrggbb");
+    });
+}
+
+fn color32([r, g, b]: [u8; 3]) -> Color32 {
+    Color32::from_rgb(r, g, b)
+}

@@ -1,0 +1,83 @@
+//! Pictures of the page, for people to look at: written to `$CARGO_TARGET_TMPDIR/looks`. What they
+//! are tested for is what a picture alone can show: that the viewport draws the mesh, and that
+//! nothing reaches beyond the window.
+
+use crate::page::{DESKTOP, PHONE, Page};
+use egui::Theme;
+use serde_json::json;
+
+/// Saves what the page looks like, and gives the picture.
+fn picture(page: &mut Page, name: &str) -> image::RgbaImage {
+    let picture = page.harness.render().expect("a picture");
+    let folder = std::path::Path::new(env!("CARGO_TARGET_TMPDIR")).join("looks");
+    std::fs::create_dir_all(&folder).expect("a folder for pictures");
+    picture.save(folder.join(format!("{name}.png"))).expect("a picture on disk");
+    picture
+}
+
+#[test]
+fn desktop_in_both_themes() {
+    for (theme, name) in [(Theme::Dark, "desktop dark"), (Theme::Light, "desktop light")] {
+        let mut page = Page::drawn(DESKTOP, theme);
+        page.select("vertex", &[3]);
+        let with = picture(&mut page, name);
+        // The vertex is marked where it is: the selection's orange, not the cube's grey.
+        let at = page.mesh().position(page_vertex(3)).to_array();
+        let at = page.at(at);
+        let pixel = with.get_pixel(at.x.round() as u32, at.y.round() as u32).0;
+        assert!(pixel[0] > 200 && pixel[2] < 90, "{name}: {pixel:?} at {at:?} is not the selection's orange");
+        page.select("face", &[0, 1]);
+    }
+}
+
+fn page_vertex(id: usize) -> halfedge::VertexId {
+    halfedge::VertexId::new(id)
+}
+
+#[test]
+fn every_kind_of_element_and_every_window() {
+    let mut page = Page::drawn(DESKTOP, Theme::Dark);
+    for (kind, name) in [("edge", "edge"), ("halfedge", "half-edge"), ("face", "face")] {
+        page.select(kind, &[2]);
+        picture(&mut page, &format!("inspector of a {name}"));
+    }
+    page.press(egui::Key::Questionmark);
+    picture(&mut page, "shortcuts");
+    page.press(egui::Key::Escape);
+    page.press_with(egui::Modifiers::COMMAND, egui::Key::K);
+    picture(&mut page, "palette");
+    page.press(egui::Key::Escape);
+    page.click("Mesh");
+    picture(&mut page, "mesh menu");
+    page.press(egui::Key::Escape);
+    page.click("View");
+    picture(&mut page, "view menu");
+    page.press(egui::Key::Escape);
+    page.press(egui::Key::I);
+    page.command(json!({ "op": "new", "shape": "torus", "add": true }));
+    page.open("broken.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nf 1 2 3\nf 1 2 9\nv 1 x 2\n");
+    picture(&mut page, "an import with warnings");
+}
+
+#[test]
+fn several_objects_and_a_refusal() {
+    let mut page = Page::drawn(DESKTOP, Theme::Light);
+    page.command(json!({ "op": "new", "shape": "torus", "add": true }));
+    page.command(json!({ "op": "new", "shape": "ico-sphere", "add": true }));
+    page.press_with(egui::Modifiers::COMMAND, egui::Key::A);
+    page.press(egui::Key::N);
+    picture(&mut page, "objects light");
+}
+
+#[test]
+fn telephone_in_both_themes() {
+    for (theme, name) in [(Theme::Dark, "phone dark"), (Theme::Light, "phone light")] {
+        let mut page = Page::drawn(PHONE, theme);
+        page.select("face", &[1]);
+        picture(&mut page, name);
+        page.click("Inspector");
+        picture(&mut page, &format!("{name}, inspector"));
+        page.click("Operations");
+        picture(&mut page, &format!("{name}, operations"));
+    }
+}

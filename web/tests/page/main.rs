@@ -1,0 +1,10 @@
+//! The page on the host: panels and viewport driven through the accessibility tree, as a person or a
+//! screen reader would, and pictures of it drawn by a software renderer.
+#![cfg(not(target_arch = "wasm32"))]
+
+mod lists;
+mod looks;
+mod menus;
+mod page;
+mod properties;
+mod viewport;

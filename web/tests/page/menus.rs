@@ -1,0 +1,237 @@
+//! Menus, keys, the palette, files and jobs.
+
+use crate::page::Page;
+use egui::{Key, Modifiers};
+use egui_kittest::kittest::NodeT;
+use halfedge::Element;
+use meshwright_web::actions;
+use serde_json::json;
+
+const CTRL: Modifiers = Modifiers::COMMAND;
+const CTRL_SHIFT: Modifiers = Modifiers::COMMAND.plus(Modifiers::SHIFT);
+
+fn disabled(page: &Page, role: egui::accesskit::Role, label: &str) -> (bool, Option<String>) {
+    use egui_kittest::kittest::Queryable;
+    let node = page.harness.get_by_role_and_label(role, label);
+    let node = node.accesskit_node();
+    (node.is_disabled(), node.description())
+}
+
+#[test]
+fn what_cannot_be_done_is_greyed_and_says_why() {
+    let mut page = Page::new();
+    let undo = disabled(&page, egui::accesskit::Role::Button, "Undo");
+    assert_eq!(undo, (true, Some("There is nothing to undo.".to_owned())));
+    page.click("Mesh");
+    let split = disabled(&page, egui::accesskit::Role::Button, "Split edge S");
+    assert_eq!(split, (true, Some("Select an edge first.".to_owned())));
+    page.press(Key::Escape);
+    page.select("edge", &[0]);
+    page.press(Key::S);
+    assert!(!disabled(&page, egui::accesskit::Role::Button, "Undo").0);
+}
+
+#[test]
+fn every_menu_opens_and_lists_its_entries() {
+    let mut page = Page::new();
+    for menu in actions::MENUS {
+        page.click(menu.title);
+        for entry in menu.entries.iter().flatten() {
+            assert!(page.has_part(entry.label), "{} is not in the {} menu", entry.label, menu.title);
+        }
+        page.press(Key::Escape);
+    }
+}
+
+#[test]
+fn keys_of_the_course_editors() {
+    let mut page = Page::new();
+    page.select("halfedge", &[0]);
+    let next = page.mesh().next(halfedge::HalfedgeId::new(0)).raw();
+    page.press(Key::N);
+    assert_eq!(page.selected(), (Element::Halfedge, vec![next]));
+    page.press(Key::T);
+    assert_eq!(page.selected(), (Element::Halfedge, vec![next ^ 1]));
+    assert!(page.undo_labels().is_empty(), "T on a half-edge is its twin and nothing else");
+
+    page.press(Key::S);
+    assert_eq!(page.mesh().vertex_count(), 9);
+    page.press_with(CTRL, Key::Z);
+    assert_eq!(page.mesh().vertex_count(), 8);
+    page.press_with(CTRL_SHIFT, Key::Z);
+    assert_eq!(page.mesh().vertex_count(), 9);
+    page.press_with(CTRL, Key::Z);
+    page.press_with(CTRL, Key::Y);
+    assert_eq!(page.mesh().vertex_count(), 9);
+    page.press_with(CTRL, Key::Z);
+
+    page.press(Key::U);
+    assert_eq!(page.mesh().face_count(), 24, "Catmull-Clark on a cube");
+    page.press_with(CTRL, Key::Z);
+    page.press_with(Modifiers::SHIFT, Key::T);
+    assert_eq!(page.mesh().face_count(), 12);
+    page.press(Key::U);
+    assert_eq!(page.mesh().face_count(), 48, "Loop on triangles");
+}
+
+#[test]
+fn keys_of_the_page() {
+    let mut page = Page::new();
+    let view = |page: &mut Page, name: &str| page.app().script_state()["view"][name].clone();
+    for (key, name) in [
+        (Key::W, "wireframe"),
+        (Key::M, "smooth"),
+        (Key::V, "vertices"),
+        (Key::G, "grid"),
+        (Key::P, "orthographic"),
+    ] {
+        let before = view(&mut page, name);
+        page.press(key);
+        assert_ne!(view(&mut page, name), before, "{name}");
+        page.press(key);
+        assert_eq!(view(&mut page, name), before, "{name}");
+    }
+    for (key, list) in
+        [(Key::Num2, "edge"), (Key::Num3, "half-edge"), (Key::Num4, "face"), (Key::Num1, "vertex")]
+    {
+        page.press(key);
+        assert_eq!(view(&mut page, "list"), list);
+    }
+    page.press_with(CTRL, Key::A);
+    assert_eq!(page.selected().1.len(), 8);
+    page.press_with(CTRL, Key::I);
+    assert!(page.selected().1.is_empty());
+    page.press_with(CTRL, Key::O);
+    assert_eq!(page.outside.dialogs(), 1);
+    page.press(Key::Questionmark);
+    assert!(page.has_part("Keyboard shortcuts") && page.has("Twin half-edge"));
+    page.press(Key::Escape);
+    assert!(!page.has("Twin half-edge"));
+}
+
+#[test]
+fn letters_typed_into_a_field_start_nothing() {
+    let mut page = Page::new();
+    page.select("edge", &[0]);
+    page.press_with(CTRL, Key::G);
+    page.press(Key::S);
+    page.press(Key::U);
+    assert_eq!(page.mesh().vertex_count(), 8);
+}
+
+#[test]
+fn the_palette_finds_and_runs() {
+    let mut page = Page::new();
+    page.press_with(CTRL, Key::K);
+    page.find("Find a command").type_text("catmull");
+    page.run();
+    page.press(Key::Enter);
+    // It has fields, all with defaults: it runs at once.
+    assert_eq!(page.mesh().face_count(), 24);
+    page.press(Key::F3);
+    page.find("Find a command").type_text("vertex dots");
+    page.run();
+    page.press(Key::Enter);
+    assert_eq!(page.app().script_state()["view"]["vertices"], true);
+    page.press(Key::F3);
+    page.press(Key::Escape);
+    assert!(!page.has("Find a command"));
+}
+
+const TRIANGLE: &str = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
+
+#[test]
+fn a_file_opens_saves_and_undo_brings_the_cube_back() {
+    let mut page = Page::new();
+    page.open("triangle.obj", TRIANGLE);
+    assert_eq!(page.app().editor().document().name(), "triangle");
+    assert_eq!((page.mesh().vertex_count(), page.mesh().face_count()), (3, 1));
+    page.press_with(CTRL, Key::S);
+    let files = page.outside.downloads();
+    assert_eq!(files.first().map(|file| file.name.as_str()), Some("triangle.obj"));
+    let text = String::from_utf8(files[0].bytes.clone()).expect("text");
+    assert_eq!(text.lines().filter(|line| line.starts_with("v ")).count(), 3);
+    page.press_with(CTRL, Key::Z);
+    assert_eq!(page.mesh().face_count(), 6);
+}
+
+#[test]
+fn pasted_text_opens_as_a_mesh() {
+    let mut page = Page::new();
+    page.harness.event(egui::Event::Paste(TRIANGLE.to_owned()));
+    page.run();
+    assert_eq!(page.mesh().face_count(), 1);
+}
+
+#[test]
+fn a_broken_file_changes_nothing_and_says_why() {
+    let mut page = Page::new();
+    let before = page.mesh().clone();
+    page.open("broken.obj", "v 0 0 zero\nf 1 2 3\n");
+    if page.undo_labels().is_empty() {
+        assert_eq!(page.mesh(), &before);
+    }
+    let messages = page.app().script_state()["messages"].to_string();
+    assert!(messages.contains("line 1"), "{messages}");
+    assert!(page.has("Dismiss message"), "and it is in view");
+}
+
+#[test]
+fn dragging_a_file_over_the_page_shows_where_to_drop_it() {
+    let mut page = Page::new();
+    let shapes = page.harness.output().shapes.len();
+    page.harness.input_mut().hovered_files.push(egui::HoveredFile::default());
+    page.harness.step();
+    assert!(page.harness.output().shapes.len() >= shapes + 3, "a plate, a border and a text over everything");
+}
+
+#[test]
+fn a_job_shows_its_progress_and_can_be_cancelled() {
+    let mut page = Page::new();
+    page.outside.hold_jobs();
+    page.outside.push(meshwright_web::platform::Event::Files(vec![
+        meshwright_web::platform::NamedBytes::new("triangle.obj", TRIANGLE.as_bytes()),
+    ]));
+    page.run();
+    assert!(page.has("Open triangle.obj"));
+    assert_eq!(page.mesh().face_count(), 6, "the document stays as it was");
+    page.click("Cancel Open triangle.obj");
+    assert_eq!(page.outside.cancelled().len(), 1);
+    assert!(!page.has("Open triangle.obj"));
+    page.outside.release_jobs();
+    page.run();
+    assert_eq!(page.mesh().face_count(), 6);
+
+    page.outside.hold_jobs();
+    page.outside.push(meshwright_web::platform::Event::Files(vec![
+        meshwright_web::platform::NamedBytes::new("triangle.obj", TRIANGLE.as_bytes()),
+    ]));
+    page.run();
+    page.outside.release_jobs();
+    page.run();
+    assert_eq!(page.mesh().face_count(), 1);
+}
+
+#[test]
+fn the_theme_is_kept() {
+    let mut page = Page::new();
+    page.click("View");
+    page.click("Light theme");
+    assert_eq!(page.outside.setting("theme").as_deref(), Some("light"));
+    assert_eq!(page.app().script_state()["view"]["theme"], "light");
+}
+
+#[test]
+fn objects_are_listed_once_there_are_two() {
+    let mut page = Page::new();
+    assert!(!page.has("Objects"));
+    page.command(json!({ "op": "new", "shape": "tetrahedron", "add": true }));
+    assert!(page.has("Objects") && page.has("Tetrahedron"));
+    page.click("Cube");
+    assert_eq!(page.mesh().face_count(), 6);
+    page.click("Hide Tetrahedron");
+    assert!(!page.app().editor().document().objects()[1].visible());
+    page.click("Show Tetrahedron");
+    page.click("Delete Tetrahedron");
+    assert!(!page.has("Objects"));
+}

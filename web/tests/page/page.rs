@@ -1,0 +1,179 @@
+//! A page to test: the editor in a harness, with what is outside the page at hand.
+
+use egui::{Rect, Ui, UiBuilder, Vec2};
+use egui_kittest::wgpu::{WgpuTestRenderer, create_render_state, default_wgpu_setup};
+use egui_kittest::{Harness, Node, kittest::Queryable};
+use halfedge::{Element, Mesh};
+use meshwright_web::app::App;
+use meshwright_web::headless::{Headless, Outside};
+use meshwright_web::platform::{Event, NamedBytes};
+use serde_json::Value;
+
+/// The state of a test's page.
+pub struct State {
+    app: Option<App>,
+    gpu: Option<egui_wgpu::RenderState>,
+    outside: Outside,
+}
+
+/// A page in a harness.
+pub struct Page {
+    pub harness: Harness<'static, State>,
+    pub outside: Outside,
+}
+
+/// The usual size of a window.
+pub const DESKTOP: Vec2 = Vec2::new(1280.0, 800.0);
+/// A telephone held upright.
+pub const PHONE: Vec2 = Vec2::new(390.0, 844.0);
+
+fn frame(ui: &mut Ui, state: &mut State) {
+    let ctx = ui.ctx().clone();
+    let State { app, gpu, outside } = state;
+    let app = app.get_or_insert_with(|| App::new(&ctx, Box::new(Headless::new(outside.clone())), gpu.take()));
+    app.logic(&ctx);
+    // The harness adds a margin of its own; the page fills its window.
+    let window: Rect = ctx.content_rect();
+    let mut root = ui.new_child(UiBuilder::new().max_rect(window));
+    root.set_clip_rect(window);
+    app.ui(&mut root);
+}
+
+impl Page {
+    /// A page on the cube, without graphics.
+    pub fn new() -> Self {
+        Self::sized(DESKTOP)
+    }
+
+    /// A page of another size.
+    pub fn sized(size: Vec2) -> Self {
+        Self::build(size, egui::Theme::Dark, false)
+    }
+
+    /// A page that draws, for pictures.
+    pub fn drawn(size: Vec2, theme: egui::Theme) -> Self {
+        Self::build(size, theme, true)
+    }
+
+    fn build(size: Vec2, theme: egui::Theme, drawn: bool) -> Self {
+        let outside = Outside::default();
+        let mut builder =
+            Harness::builder().with_size(size).with_theme(theme).with_max_steps(24).with_render_cursor(false);
+        let mut state = State { app: None, gpu: None, outside: outside.clone() };
+        if drawn {
+            let gpu = create_render_state(default_wgpu_setup(), egui_wgpu::RendererOptions::PREDICTABLE);
+            state.gpu = Some(gpu.clone());
+            builder = builder.renderer(WgpuTestRenderer::from_render_state(gpu));
+        }
+        let name = if theme == egui::Theme::Dark { "dark" } else { "light" };
+        outside.set_setting("theme", name);
+        let mut harness = builder.build_ui_state(frame, state);
+        harness.run();
+        Self { harness, outside }
+    }
+
+    pub fn app(&mut self) -> &mut App {
+        self.harness.state_mut().app.as_mut().expect("made in the first frame")
+    }
+
+    pub fn run(&mut self) {
+        self.harness.run();
+    }
+
+    /// Runs a command as a script would; it must work.
+    pub fn command(&mut self, command: Value) {
+        let told = std::rc::Rc::new(std::cell::RefCell::new(None));
+        let tell = told.clone();
+        self.app().script_run(command.clone(), Box::new(move |answer| *tell.borrow_mut() = Some(answer)));
+        self.run();
+        let answer = told.borrow_mut().take();
+        match answer {
+            Some(Ok(_)) => {}
+            other => panic!("{command}: {other:?}"),
+        }
+    }
+
+    /// Opens a file as if it was dropped.
+    pub fn open(&mut self, name: &str, text: &str) {
+        self.outside.push(Event::Files(vec![NamedBytes::new(name, text.as_bytes())]));
+        self.run();
+    }
+
+    pub fn select(&mut self, kind: &str, ids: &[u32]) {
+        self.app().script_select(kind, ids).expect("elements that exist");
+        self.run();
+    }
+
+    pub fn mesh(&mut self) -> &Mesh {
+        self.app().editor().mesh().expect("an object")
+    }
+
+    /// The kind and ids that are selected.
+    pub fn selected(&mut self) -> (Element, Vec<u32>) {
+        let selection = self.app().editor().selection();
+        (selection.kind(), selection.ids().collect())
+    }
+
+    pub fn undo_labels(&mut self) -> Vec<String> {
+        self.app().editor().undo_labels().map(str::to_owned).collect()
+    }
+
+    pub fn find<'a>(&'a self, label: &'a str) -> Node<'a> {
+        self.harness.get_by_label(label)
+    }
+
+    pub fn has(&self, label: &str) -> bool {
+        self.harness.query_all_by_label(label).next().is_some()
+    }
+
+    pub fn has_part(&self, text: &str) -> bool {
+        self.harness.query_all_by_label_contains(text).next().is_some()
+    }
+
+    pub fn click(&mut self, label: &str) {
+        self.find(label).click();
+        self.run();
+    }
+
+    pub fn press(&mut self, key: egui::Key) {
+        self.harness.key_press(key);
+        self.run();
+    }
+
+    pub fn press_with(&mut self, modifiers: egui::Modifiers, key: egui::Key) {
+        self.harness.key_press_modifiers(modifiers, key);
+        self.run();
+    }
+
+    /// A row of the list that is shown.
+    pub fn row<'a>(&'a self, name: &'a str) -> Node<'a> {
+        self.harness.get_by_role_and_label(egui::accesskit::Role::ListBoxOption, name)
+    }
+
+    pub fn has_row(&self, name: &str) -> bool {
+        self.harness.query_all_by_role_and_label(egui::accesskit::Role::ListBoxOption, name).next().is_some()
+    }
+
+    /// Where a point of the scene is in the window.
+    pub fn at(&mut self, point: [f32; 3]) -> egui::Pos2 {
+        let [x, y] = self.app().script_project(point).expect("in front of the eye");
+        egui::pos2(x, y)
+    }
+
+    /// Presses the first button at one place and lets it go at another.
+    pub fn drag(&mut self, from: egui::Pos2, to: egui::Pos2) {
+        self.harness.hover_at(from);
+        self.run();
+        self.harness.drag_at(from);
+        self.run();
+        for part in 1..=4 {
+            self.harness.hover_at(from + (to - from) * (part as f32 / 4.0));
+            self.run();
+        }
+    }
+
+    pub fn drop(&mut self, at: egui::Pos2) {
+        self.harness.drop_at(at);
+        self.run();
+    }
+}

@@ -1,0 +1,187 @@
+//! The viewport's gestures, and what fits on the screen.
+
+use crate::page::{DESKTOP, PHONE, Page};
+use egui::{Key, Modifiers, Pos2, Rect, pos2, vec2};
+use egui_kittest::kittest::{NodeT, Queryable};
+use halfedge::{Element, VertexId};
+
+/// The vertex of the cube that is nearest to the eye, and where it is in the window.
+fn nearest_vertex(page: &mut Page) -> (u32, Pos2) {
+    let view = page.app().script_state()["view"].clone();
+    let number = |name: &str| view[name].as_f64().expect("a number");
+    let (yaw, pitch) = (number("yaw"), number("pitch"));
+    let back =
+        glam::vec3((yaw.sin() * pitch.cos()) as f32, pitch.sin() as f32, (yaw.cos() * pitch.cos()) as f32);
+    let mesh = page.mesh();
+    let nearest =
+        mesh.vertices().max_by(|&a, &b| mesh.position(a).dot(back).total_cmp(&mesh.position(b).dot(back)));
+    let v = nearest.expect("a cube has vertices");
+    let at = mesh.position(v).to_array();
+    (v.raw(), page.at(at))
+}
+
+fn click_at(page: &mut Page, at: Pos2, modifiers: Modifiers) {
+    page.harness.hover_at(at);
+    page.run();
+    for pressed in [true, false] {
+        let button = egui::PointerButton::Primary;
+        page.harness
+            .event_modifiers(egui::Event::PointerButton { pos: at, button, pressed, modifiers }, modifiers);
+    }
+    page.run();
+}
+
+#[test]
+fn a_click_selects_what_is_seen_there_and_the_list_shows_it() {
+    let mut page = Page::new();
+    let (v, at) = nearest_vertex(&mut page);
+    click_at(&mut page, at, Modifiers::NONE);
+    assert_eq!(page.selected(), (Element::Vertex, vec![v]));
+    assert!(page.row(&format!("Vertex {v}")).accesskit_node().is_selected().unwrap_or_default());
+
+    page.press(Key::Num4);
+    click_at(&mut page, at + vec2(-6.0, 30.0), Modifiers::NONE);
+    let (kind, faces) = page.selected();
+    assert_eq!((kind, faces.len()), (Element::Face, 1));
+    click_at(&mut page, at + vec2(0.0, -30.0), Modifiers::COMMAND);
+    assert_eq!(page.selected().1.len(), 2, "control adds");
+    click_at(&mut page, at + vec2(0.0, -30.0), Modifiers::COMMAND);
+    assert_eq!(page.selected().1, faces, "and takes away");
+
+    let corner = page.harness.get_by_label("Viewport").rect().left_top() + vec2(20.0, 20.0);
+    click_at(&mut page, corner, Modifiers::SHIFT);
+    assert_eq!(page.selected().1, faces, "a near miss with shift keeps the selection");
+    click_at(&mut page, corner, Modifiers::NONE);
+    assert!(page.selected().1.is_empty(), "a click on nothing selects nothing");
+}
+
+#[test]
+fn the_element_under_the_pointer_is_named() {
+    let mut page = Page::new();
+    let (v, at) = nearest_vertex(&mut page);
+    page.harness.hover_at(at);
+    page.run();
+    assert_eq!(page.find("Viewport").value(), Some(format!("Vertex {v}")));
+}
+
+#[test]
+fn dragging_a_selected_vertex_moves_it_in_one_step_and_escape_leaves_no_trace() {
+    let mut page = Page::new();
+    let (v, at) = nearest_vertex(&mut page);
+    let before = page.mesh().position(VertexId::new(v as usize));
+    click_at(&mut page, at, Modifiers::NONE);
+    page.drag(at, at + vec2(40.0, -25.0));
+    let moved = page.mesh().position(VertexId::new(v as usize));
+    assert_ne!(moved, before, "the mesh follows the pointer");
+    let seen = page.at(moved.to_array());
+    assert!(seen.distance(at + vec2(40.0, -25.0)) < 1.0, "it is under the pointer: {seen:?}");
+    page.press(Key::Escape);
+    assert_eq!(page.mesh().position(VertexId::new(v as usize)), before);
+    page.drop(at + vec2(60.0, 0.0));
+    assert_eq!(page.mesh().position(VertexId::new(v as usize)), before);
+    assert!(page.undo_labels().is_empty());
+    assert_eq!(page.selected().1, [v], "Escape ended the drag, not the selection");
+
+    page.drag(at, at + vec2(30.0, 10.0));
+    page.drop(at + vec2(30.0, 10.0));
+    assert_ne!(page.mesh().position(VertexId::new(v as usize)), before);
+    assert_eq!(page.undo_labels().len(), 1, "{:?}", page.undo_labels());
+}
+
+#[test]
+fn dragging_beside_the_mesh_turns_the_view_and_space_resets_it() {
+    let mut page = Page::new();
+    let view = |page: &mut Page| {
+        let view = page.app().script_state()["view"].clone();
+        (view["yaw"].as_f64(), view["distance"].as_f64(), view["target"].to_string())
+    };
+    let start = view(&mut page);
+    let corner = page.find("Viewport").rect().left_top() + vec2(30.0, 30.0);
+    page.drag(corner, corner + vec2(80.0, 20.0));
+    page.drop(corner + vec2(80.0, 20.0));
+    let turned = view(&mut page);
+    assert!(turned.0 != start.0 && turned.1 == start.1);
+
+    page.harness.hover_at(corner);
+    page.run();
+    page.harness.event(egui::Event::MouseWheel {
+        unit: egui::MouseWheelUnit::Point,
+        delta: vec2(0.0, 120.0),
+        phase: egui::TouchPhase::Move,
+        source: egui::MouseWheelSource::Wheel,
+        modifiers: Modifiers::NONE,
+    });
+    page.run();
+    assert!(view(&mut page).1 < turned.1, "the wheel comes closer");
+    page.press(Key::Space);
+    assert_eq!(view(&mut page), start);
+    assert!(page.undo_labels().is_empty(), "looking is no edit");
+}
+
+#[test]
+fn a_box_selects_what_is_seen_in_it() {
+    let mut page = Page::new();
+    let area = page.find("Viewport").rect();
+    page.press(Key::R);
+    page.drag(area.left_top() + vec2(10.0, 10.0), area.right_bottom() - vec2(10.0, 10.0));
+    page.drop(area.right_bottom() - vec2(10.0, 10.0));
+    assert_eq!(page.selected().1.len(), 7, "the eighth vertex of a cube is behind it");
+    page.press(Key::Escape);
+    assert_eq!(page.selected().1.len(), 7, "Escape first ends the tool");
+    page.press(Key::Escape);
+    assert!(page.selected().1.is_empty());
+}
+
+/// Everything on screen that can be worked with lies inside the window.
+fn nothing_is_cut_off(page: &Page, size: egui::Vec2) {
+    let window = Rect::from_min_size(pos2(0.0, 0.0), size).expand(0.5);
+    for node in page.harness.root().children_recursive() {
+        let role = node.accesskit_node().role();
+        // Rows and links that are scrolled out of a panel are not on screen.
+        if !egui::accessibility::is_input(role) || role == egui::accesskit::Role::ListBoxOption {
+            continue;
+        }
+        let rect = node.rect();
+        let name = node.accesskit_node().label().unwrap_or_default();
+        assert!(
+            rect.left() >= window.left() && rect.right() <= window.right(),
+            "{name:?} is at {rect:?} of {size:?}"
+        );
+    }
+}
+
+#[test]
+fn a_window_of_1280_by_800_cuts_nothing_off() {
+    let mut page = Page::new();
+    for (kind, id) in [("vertex", 0), ("edge", 0), ("halfedge", 0), ("face", 0)] {
+        page.select(kind, &[id]);
+        nothing_is_cut_off(&page, DESKTOP);
+    }
+}
+
+#[test]
+fn a_telephone_has_it_all_within_reach() {
+    let mut page = Page::sized(PHONE);
+    let view = page.find("Viewport").rect();
+    assert!(view.width() >= 380.0 && view.height() >= 280.0, "the viewport has {view:?}");
+    nothing_is_cut_off(&page, PHONE);
+    for tab in ["Vertices", "Edges", "Half-edges", "Faces"] {
+        assert!(page.has(tab));
+    }
+    assert!(page.row("Vertex 0").rect().height() >= 28.0, "rows are tall enough for fingers");
+    page.select("vertex", &[1]);
+    page.click("Inspector");
+    assert!(page.has("Position x"));
+    nothing_is_cut_off(&page, PHONE);
+    page.click("Operations");
+    assert!(page.has("Operation"));
+    nothing_is_cut_off(&page, PHONE);
+    // The open tab's own button puts the sheet away.
+    page.harness.get_by_role_and_label(egui::accesskit::Role::Tab, "Operations").click();
+    page.run();
+    assert!(page.find("Viewport").rect().height() > 600.0);
+    page.click("Menu");
+    for menu in ["File", "Edit", "Select", "Mesh", "View", "Help"] {
+        assert!(page.has_part(menu));
+    }
+}
