@@ -3,6 +3,7 @@
 use halfedge::Refusal;
 use serde::Serialize;
 use std::fmt;
+use surface::SurfaceError;
 
 /// A command that was not carried out. The document is as it was.
 ///
@@ -91,6 +92,18 @@ impl From<Refusal> for Problem {
                 Self::field(field, format!("{value} is out of range; it must be {range}"))
             }
             other => Self::new(other.to_string()),
+        }
+    }
+}
+
+impl From<SurfaceError> for Problem {
+    fn from(error: SurfaceError) -> Self {
+        match error {
+            SurfaceError::Cancelled => Self::cancelled(),
+            SurfaceError::BadField { field, must_be } => Self::field(field, format!("must be {must_be}")),
+            SurfaceError::TooManyFaces { .. } | SurfaceError::NotTriangles { .. } => {
+                Self::new(error.to_string())
+            }
         }
     }
 }

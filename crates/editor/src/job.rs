@@ -36,6 +36,8 @@ pub(crate) enum Work {
 #[derive(Debug)]
 pub struct JobResult {
     pub(crate) made: Made,
+    /// Whether the meshes have been validated: reading a result from bytes does that.
+    pub(crate) validated: bool,
 }
 
 #[derive(Debug)]
@@ -44,6 +46,23 @@ pub(crate) enum Made {
     /// The meshes; for local edits what they created and removed; what to tell the user besides.
     Meshes(Vec<Output>, Option<(ElementIds, ElementIds)>, Vec<String>),
     Files(Vec<NamedBytes>),
+}
+
+impl Made {
+    /// Validates every mesh; gives what is wrong with the first that is not valid.
+    pub fn validate(&self) -> Result<(), String> {
+        let check = |name: &str, mesh: &Mesh| {
+            mesh.validate().map_err(|defect| match name {
+                "" => defect.to_string(),
+                name => format!("{name}: {defect}"),
+            })
+        };
+        match self {
+            Self::Import(import) => import.objects.iter().try_for_each(|o| check(&o.name, &o.mesh)),
+            Self::Meshes(outputs, ..) => outputs.iter().try_for_each(|o| check(&o.name, &o.mesh)),
+            Self::Files(_) => Ok(()),
+        }
+    }
 }
 
 impl JobRequest {
@@ -103,7 +122,7 @@ impl Work {
                 Made::Files(formats::write(*format, name, &objects).map_err(|e| Problem::new(e.to_string()))?)
             }
         };
-        Ok(JobResult { made })
+        Ok(JobResult { made, validated: false })
     }
 }
 
@@ -112,7 +131,9 @@ pub(crate) fn run(ops: &[Op], inputs: &[Input], progress: &mut Progress<'_>) -> 
     if let [op] = ops
         && let Action::WholeMesh(whole) = op.action()
     {
-        return Ok(Made::Meshes(whole.compute(inputs, progress)?, None, Vec::new()));
+        whole.check()?;
+        let mut notes = Vec::new();
+        return Ok(Made::Meshes(whole.compute(inputs, &mut notes, progress)?, None, notes));
     }
     let input = inputs.first().ok_or_else(|| Problem::new("there is no mesh to edit"))?;
     let mut mesh = Mesh::clone(&input.mesh);

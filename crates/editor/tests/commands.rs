@@ -363,6 +363,10 @@ fn refusals_name_the_op_and_the_field() {
         (json!({"op": "new", "shape": "cube", "size": "big"}), &["new", "`size`", "big"]),
         (json!({"op": "new", "shape": "cube", "add": 1}), &["new", "`add`"]),
         (json!({"op": "new", "shape": "cube", "object": 0}), &["new", "`object`"]),
+        (
+            json!({"op": "new", "shape": "grid", "columns": 4096, "rows": 4096}),
+            &["new: the shape would have 16777216 faces"],
+        ),
         (json!({"op": "activate-object"}), &["activate-object", "`object`", "missing"]),
         (json!({"op": "activate-object", "object": 1}), &["activate-object", "`object`", "no object 1"]),
         (

@@ -39,7 +39,12 @@ impl Operation for JoinObjects {
 }
 
 impl WholeMesh for JoinObjects {
-    fn compute(&self, inputs: &[Input], progress: &mut Progress<'_>) -> Result<Vec<Output>, Problem> {
+    fn compute(
+        &self,
+        inputs: &[Input],
+        _notes: &mut Vec<String>,
+        progress: &mut Progress<'_>,
+    ) -> Result<Vec<Output>, Problem> {
         if progress(0.0).is_break() {
             return Err(Problem::cancelled());
         }

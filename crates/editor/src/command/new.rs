@@ -8,7 +8,7 @@ use crate::error::Problem;
 use halfedge::Progress;
 use serde_json::{Map, Value};
 use std::sync::Arc;
-use surface::Shape;
+use surface::{Shape, SurfaceError};
 
 /// Starts a new document with a shape, or adds the shape to the document.
 #[derive(Clone, Debug, PartialEq)]
@@ -117,11 +117,21 @@ impl Operation for New {
 }
 
 impl WholeMesh for New {
-    fn compute(&self, _inputs: &[Input], progress: &mut Progress<'_>) -> Result<Vec<Output>, Problem> {
+    fn compute(
+        &self,
+        _inputs: &[Input],
+        _notes: &mut Vec<String>,
+        progress: &mut Progress<'_>,
+    ) -> Result<Vec<Output>, Problem> {
         if progress(0.0).is_break() {
             return Err(Problem::cancelled());
         }
-        let mesh = self.shape.build()?;
+        let mesh = self.shape.build().map_err(|error| match error {
+            SurfaceError::TooManyFaces { faces, limit } => Problem::new(format!(
+                "the shape would have {faces} faces, more than the {limit} that fit; give smaller counts"
+            )),
+            other => other.into(),
+        })?;
         Ok(vec![Output { name: title(self.shape.name()), mesh: Arc::new(mesh) }])
     }
 

@@ -252,8 +252,18 @@ pub(crate) enum Commit {
 
 /// An operation on whole meshes.
 pub(crate) trait WholeMesh {
-    /// Makes the new meshes from the old ones.
-    fn compute(&self, inputs: &[Input], progress: &mut Progress<'_>) -> Result<Vec<Output>, Problem>;
+    /// Looks at the fields: what can be refused without looking at a mesh.
+    fn check(&self) -> Result<(), Problem> {
+        Ok(())
+    }
+
+    /// Makes the new meshes from the old ones. What the user should know besides goes to `notes`.
+    fn compute(
+        &self,
+        inputs: &[Input],
+        notes: &mut Vec<String>,
+        progress: &mut Progress<'_>,
+    ) -> Result<Vec<Output>, Problem>;
 
     /// About how many faces the result has: what decides whether it becomes a job.
     fn cost(&self, inputs: &[Input]) -> usize;

@@ -82,7 +82,12 @@ impl Operation for Separate {
 }
 
 impl WholeMesh for Separate {
-    fn compute(&self, inputs: &[Input], progress: &mut Progress<'_>) -> Result<Vec<Output>, Problem> {
+    fn compute(
+        &self,
+        inputs: &[Input],
+        _notes: &mut Vec<String>,
+        progress: &mut Progress<'_>,
+    ) -> Result<Vec<Output>, Problem> {
         let Some(Input { name, mesh }) = inputs.first() else {
             return Err(Problem::new("there is no mesh to separate"));
         };

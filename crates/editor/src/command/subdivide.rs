@@ -54,7 +54,10 @@ pub(super) fn each(
     for (at, input) in inputs.iter().enumerate() {
         let mut part =
             |fraction: f32| -> ControlFlow<()> { progress((at as f32 + fraction) / inputs.len() as f32) };
-        let mesh = algorithm(&input.mesh, &mut part)?;
+        let mesh = algorithm(&input.mesh, &mut part).map_err(|error| match error {
+            SurfaceError::TooManyFaces { .. } => Problem::field("levels", error.to_string()),
+            other => other.into(),
+        })?;
         outputs.push(Output { name: String::new(), mesh: Arc::new(mesh) });
     }
     Ok(outputs)
@@ -63,15 +66,4 @@ pub(super) fn each(
 /// Refuses to do nothing.
 pub(super) fn check_levels(levels: u32) -> Result<(), Problem> {
     if levels == 0 { Err(Problem::field("levels", "0 does nothing; it must be 1 or more")) } else { Ok(()) }
-}
-
-impl From<SurfaceError> for Problem {
-    fn from(error: SurfaceError) -> Self {
-        match error {
-            SurfaceError::Cancelled => Self::cancelled(),
-            SurfaceError::BadField { field, must_be } => Self::field(field, format!("must be {must_be}")),
-            SurfaceError::TooManyFaces { .. } => Self::field("levels", error.to_string()),
-            SurfaceError::NotTriangles { .. } => Self::new(error.to_string()),
-        }
-    }
 }

@@ -66,8 +66,16 @@ impl Operation for SubdivideCatmullClark {
 }
 
 impl WholeMesh for SubdivideCatmullClark {
-    fn compute(&self, inputs: &[Input], progress: &mut Progress<'_>) -> Result<Vec<Output>, Problem> {
-        subdivide::check_levels(self.levels)?;
+    fn check(&self) -> Result<(), Problem> {
+        subdivide::check_levels(self.levels)
+    }
+
+    fn compute(
+        &self,
+        inputs: &[Input],
+        _notes: &mut Vec<String>,
+        progress: &mut Progress<'_>,
+    ) -> Result<Vec<Output>, Problem> {
         let options = surface::CatmullClark {
             levels: self.levels,
             boundary: self.boundary.into(),

@@ -39,8 +39,16 @@ impl Operation for SubdivideLinear {
 }
 
 impl WholeMesh for SubdivideLinear {
-    fn compute(&self, inputs: &[Input], progress: &mut Progress<'_>) -> Result<Vec<Output>, Problem> {
-        subdivide::check_levels(self.levels)?;
+    fn check(&self) -> Result<(), Problem> {
+        subdivide::check_levels(self.levels)
+    }
+
+    fn compute(
+        &self,
+        inputs: &[Input],
+        _notes: &mut Vec<String>,
+        progress: &mut Progress<'_>,
+    ) -> Result<Vec<Output>, Problem> {
         let options = surface::Linear { levels: self.levels };
         subdivide::each(inputs, progress, |mesh, progress| surface::subdivide_linear(mesh, &options, progress))
     }

@@ -1,6 +1,7 @@
 //! Drags and spins: a preview that each movement replaces, and one undo step at the end.
 
 use super::Editor;
+use super::run::Planned;
 use crate::command::Command;
 use crate::document::ObjectId;
 use crate::error::{CommandError, Problem};
@@ -47,7 +48,7 @@ impl Editor {
     }
 
     fn preview(&mut self, command: Command, selection: Arc<Selection>) -> Result<Outcome, Problem> {
-        let super::Planned::Local { object, ops } = self.plan(command.clone())? else {
+        let Planned::Local { object, ops } = self.plan(command.clone())? else {
             return Err(Problem::new("this op can't be dragged: it does not edit a few elements"));
         };
         let edited = self.edit(object, &ops)?;

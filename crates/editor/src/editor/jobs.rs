@@ -1,6 +1,7 @@
 //! Jobs as the editor sees them: begun, waited for, finished or cancelled.
 
-use super::{Editor, MessageKind, Planned};
+use super::run::{Planned, broken};
+use super::{Editor, MessageKind};
 use crate::command::{Action, Command, Op};
 use crate::document::ObjectId;
 use crate::error::{CommandError, Problem};
@@ -53,7 +54,20 @@ pub(super) struct Waiting {
 enum WaitingFor {
     Open,
     Export,
-    Run { command: Command, op: Op, objects: Vec<ObjectId>, at: usize },
+    Run(Box<Run>),
+}
+
+/// A command that runs as a job.
+#[derive(Debug)]
+struct Run {
+    /// As it was given.
+    command: Command,
+    /// The first of the operations it was resolved to.
+    op: Op,
+    /// The objects it reads.
+    objects: Vec<ObjectId>,
+    /// The place of the object it is for.
+    at: usize,
 }
 
 impl WaitingFor {
@@ -61,7 +75,7 @@ impl WaitingFor {
         match self {
             Self::Open => "open",
             Self::Export => "export",
-            Self::Run { op, .. } => op.spec().name,
+            Self::Run(run) => run.op.spec().name,
         }
     }
 }
@@ -105,7 +119,7 @@ impl Editor {
         let first = ops.first().cloned();
         match first {
             Some(op) if cost >= faces => {
-                let id = self.wait_for(WaitingFor::Run { command, op, objects, at });
+                let id = self.wait_for(WaitingFor::Run(Box::new(Run { command, op, objects, at })));
                 Ok(Begun::Job(JobRequest { id, work: Work::Run(ops, inputs) }))
             }
             _ => {
@@ -157,11 +171,15 @@ impl Editor {
         let job = self.jobs.remove(at);
         self.changes.jobs = true;
         let name = job.kind.op();
-        let made = result.map_err(|error| self.report(error))?.made;
+        let JobResult { made, validated } = result.map_err(|error| self.report(error))?;
+        if !validated {
+            made.validate().map_err(|defect| self.report(CommandError::of(name, broken(&defect))))?;
+        }
         match (job.kind, made) {
-            (WaitingFor::Open, Made::Import(import)) => self.open(import).map(Finished::Done),
+            (WaitingFor::Open, Made::Import(import)) => Ok(Finished::Done(self.open_valid(import))),
             (WaitingFor::Export, Made::Files(files)) => Ok(Finished::Exported(files)),
-            (WaitingFor::Run { command, op, objects, at }, made @ Made::Meshes(..)) => {
+            (WaitingFor::Run(run), made @ Made::Meshes(..)) => {
+                let Run { command, op, objects, at } = *run;
                 let outcome = self
                     .commit_whole(op, &objects, at, made)
                     .map_err(|problem| self.report(CommandError::of(name, problem)))?;
@@ -190,7 +208,7 @@ impl Editor {
     /// Refuses to change an object that a job runs on.
     pub(super) fn check_idle(&self, id: ObjectId) -> Result<(), Problem> {
         let busy = self.jobs.iter().find_map(|job| match &job.kind {
-            WaitingFor::Run { op, objects, .. } if objects.contains(&id) => Some(op.spec().label),
+            WaitingFor::Run(run) if run.objects.contains(&id) => Some(run.op.spec().label),
             _ => None,
         });
         match busy {

@@ -196,7 +196,7 @@ impl JobResult {
             ResultHeader::Files { files } => Made::Files(rest.files(files)?),
         };
         rest.end()?;
-        Ok(Self { made })
+        Ok(Self { made, validated: true })
     }
 }
 

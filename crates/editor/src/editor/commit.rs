@@ -1,0 +1,127 @@
+//! What a whole-mesh operation made, put into the document as one step.
+
+use super::Editor;
+use crate::command::{Action, Commit, Op, Output};
+use crate::document::{Object, ObjectId};
+use crate::error::Problem;
+use crate::history::Change;
+use crate::job::Made;
+use crate::outcome::{self, Elements, Outcome};
+use crate::selection::Selection;
+use halfedge::Mesh;
+use std::sync::Arc;
+
+impl Editor {
+    /// Puts what a whole-mesh operation made, which is valid, into the document as one step.
+    pub(super) fn commit_whole(
+        &mut self,
+        op: Op,
+        objects: &[ObjectId],
+        at: usize,
+        made: Made,
+    ) -> Result<Outcome, Problem> {
+        let Made::Meshes(outputs, ids, notes) = made else {
+            return Err(Problem::internal("the result is of another job"));
+        };
+        let commit = match op.action() {
+            Action::WholeMesh(whole) => whole.commit(),
+            Action::Local(_) | Action::Document(_) => Commit::Replace,
+        };
+        let sizes = |meshes: &mut dyn Iterator<Item = &Mesh>| {
+            meshes.fold([0; 3], |sum, mesh| {
+                let size = outcome::sizes(mesh);
+                std::array::from_fn(|i| sum[i] + size[i])
+            })
+        };
+        let after = sizes(&mut outputs.iter().map(|output| &*output.mesh));
+        let removed_all = commit == Commit::NewDocument;
+        let before = sizes(
+            &mut self
+                .document
+                .objects
+                .iter()
+                .filter(|object| removed_all || objects.contains(&object.id()))
+                .map(Object::mesh),
+        );
+        let (created, removed) = match ids {
+            Some((created, removed)) => (created.into(), removed.into()),
+            None => (Elements::gained(before, after), Elements::gained(after, before)),
+        };
+        let keeps_ids = created.ids.is_some();
+        let changes = self.changes_for(commit, objects, at, outputs)?;
+        let selection = self.selection.clone();
+        let back = self.make(changes);
+        if keeps_ids {
+            self.drop_gone_from_selection();
+        } else {
+            self.selection = Arc::new(Selection::new(selection.kind()));
+            self.changes.selection = true;
+        }
+        self.push_step(op.spec().label.to_owned(), back, selection);
+        Ok(Outcome { warnings: notes, ..Self::outcome(&[op], created, removed) })
+    }
+
+    fn changes_for(
+        &mut self,
+        commit: Commit,
+        objects: &[ObjectId],
+        at: usize,
+        outputs: Vec<Output>,
+    ) -> Result<Vec<Change>, Problem> {
+        let mut outputs = outputs.into_iter();
+        let first = outputs.next().ok_or_else(|| Problem::internal("the operation made nothing"))?;
+        let mut changes = Vec::new();
+        match commit {
+            Commit::Replace | Commit::Join => {
+                let gone = || Problem::new("the object is gone");
+                let target = *objects.first().ok_or_else(gone)?;
+                let index = self.document.index_of(target).ok_or_else(gone)?;
+                changes.push(Change::Mesh(target, first.mesh));
+                if !first.name.is_empty() {
+                    changes.push(Change::Name(target, first.name));
+                }
+                if commit == Commit::Join {
+                    let mut places: Vec<usize> =
+                        objects.iter().skip(1).filter_map(|&id| self.document.index_of(id)).collect();
+                    places.sort_unstable();
+                    let before = places.iter().filter(|&&place| place < index).count();
+                    changes.extend(places.into_iter().rev().map(Change::Remove));
+                    changes.push(Change::Active(index - before));
+                } else {
+                    for (offset, output) in outputs.enumerate() {
+                        let object = self.object(output);
+                        changes.push(Change::Insert(index + 1 + offset, Box::new(object)));
+                    }
+                    if changes.len() > 1 && self.document.active > index {
+                        let inserted = changes.iter().filter(|c| matches!(c, Change::Insert(..))).count();
+                        changes.push(Change::Active(self.document.active + inserted));
+                    }
+                }
+            }
+            Commit::NewDocument => {
+                changes.extend((0..self.document.objects.len()).rev().map(Change::Remove));
+                changes.push(Change::DocumentName(first.name.clone()));
+                let object = self.object(first);
+                changes.push(Change::Insert(0, Box::new(object)));
+                changes.push(Change::Active(0));
+            }
+            Commit::NewObject => {
+                let place = if self.document.objects.is_empty() { 0 } else { at + 1 };
+                let object = self.object(first);
+                changes.push(Change::Insert(place, Box::new(object)));
+                changes.push(Change::Active(place));
+            }
+        }
+        Ok(changes)
+    }
+
+    pub(super) fn object(&mut self, output: Output) -> Object {
+        let id = ObjectId(self.next_object);
+        self.next_object += 1;
+        Object::new(id, output.name, output.mesh)
+    }
+
+    pub(super) fn outcome(ops: &[Op], created: Elements, removed: Elements) -> Outcome {
+        ops.first().map_or_else(Outcome::default, |op| Outcome::new(op.spec().name, created, removed))
+    }
+}

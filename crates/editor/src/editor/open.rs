@@ -1,0 +1,65 @@
+//! Opening what was read from files.
+
+use super::run::broken;
+use super::{Editor, MessageKind};
+use crate::command::Output;
+use crate::error::CommandError;
+use crate::history::Change;
+use crate::outcome::{self, Elements, Outcome};
+use crate::selection::Selection;
+use formats::Import;
+use std::sync::Arc;
+
+impl Editor {
+    /// Opens what was read in place of the document, as one step: undo brings the other one back.
+    ///
+    /// # Errors
+    /// A mesh that is not valid, which a reader never makes.
+    pub fn open(&mut self, import: Import) -> Result<Outcome, CommandError> {
+        for object in &import.objects {
+            object.mesh.validate().map_err(|defect| {
+                let problem = broken(&format!("{}: {defect}", object.name));
+                self.report(CommandError::of("open", problem))
+            })?;
+        }
+        Ok(self.open_valid(import))
+    }
+
+    /// Opens meshes that are known to be valid.
+    pub(super) fn open_valid(&mut self, import: Import) -> Outcome {
+        self.commit_drag();
+        // What runs on objects that go has nowhere to put its result.
+        if !self.jobs.is_empty() {
+            self.jobs.clear();
+            self.changes.jobs = true;
+        }
+        let mut changes: Vec<Change> = (0..self.document.objects.len()).rev().map(Change::Remove).collect();
+        changes.push(Change::DocumentName(import.name.clone()));
+        let mut size = [0; 3];
+        for (at, imported) in import.objects.into_iter().enumerate() {
+            let own = outcome::sizes(&imported.mesh);
+            size = std::array::from_fn(|i| size[i] + own[i]);
+            let object = self.object(Output { name: imported.name, mesh: Arc::new(imported.mesh) });
+            changes.push(Change::Insert(at, Box::new(object)));
+        }
+        changes.push(Change::Active(0));
+        let before = self.selection.clone();
+        let back = self.make(changes);
+        self.selection = Arc::new(Selection::new(before.kind()));
+        self.changes.selection = true;
+        self.push_step("Open".into(), back, before);
+        self.saved = self.revision;
+        let created = Elements::gained([0; 3], size);
+        let message = outcome::message(&format!("Open {}", import.name), &created, &Elements::default());
+        let warnings: Vec<String> = import.report.warnings().map(str::to_owned).collect();
+        self.say(MessageKind::Info, message.clone());
+        for note in import.report.notes() {
+            let kind = match note.severity {
+                formats::Severity::Info => MessageKind::Info,
+                formats::Severity::Warning => MessageKind::Warning,
+            };
+            self.say(kind, note.text.clone());
+        }
+        Outcome { op: "open".into(), created, removed: Elements::default(), message, warnings }
+    }
+}
