@@ -1,0 +1,85 @@
+// What the page does when a part of it fails: the document stays, and words say what happened.
+
+import assert from "node:assert/strict";
+
+import { SMALL, editorTest } from "./harness.mjs";
+import { grid } from "./support/meshes.mjs";
+
+const LOADER = "**/meshwright-worker_loader.js";
+const once = { renderers: ["webgl2"], sizes: [SMALL] };
+
+/** Loads the page again with something else in place of its worker, until that is taken away. */
+async function withWorker(editor, handler) {
+  await editor.page.route(LOADER, handler);
+  await editor.page.reload();
+  await editor.ready();
+}
+
+editorTest("a worker that fails takes its job along and nothing else", once, async (editor) => {
+  const cube = JSON.stringify((await editor.state()).document);
+  const fails = async (pattern) => {
+    await assert.rejects(editor.open("grid.obj", grid(2, 2)), pattern);
+    await editor.page.unroute(LOADER);
+    const { document, jobs } = await editor.state();
+    assert.equal(JSON.stringify(document), cube);
+    assert.deepEqual(jobs, []);
+    // A later job has a worker again; one may already have been started that fails like the first.
+    await editor.open("grid.obj", grid(3, 3)).catch(() => editor.open("grid.obj", grid(3, 3)));
+    assert.equal((await editor.state()).document.vertices, 16);
+  };
+
+  editor.expectErrors(/ERR_FAILED/);
+  await withWorker(editor, (route) => route.abort());
+  await fails(/could not be started/);
+
+  const script = (body) => (route) => route.fulfill({ contentType: "text/javascript", body });
+  editor.expectErrors(/out of breath/);
+  await withWorker(editor, script(`
+    self.onmessage = () => { throw new RangeError("out of breath"); };
+    self.postMessage(["ready"]);`));
+  await fails(/memory.*out of breath/);
+
+  await withWorker(editor, script(`
+    self.onmessage = () => { self.postMessage(["crashed", "index out of bounds"]); };
+    self.postMessage(["ready"]);`));
+  await fails(/crashed.*index out of bounds/);
+
+  await withWorker(editor, script(`
+    self.onmessage = ({ data: [job] }) => {
+      self.postMessage("nonsense");
+      self.postMessage(["done", job, new Uint8Array([1, 2, 3]), 0]);
+    };
+    self.postMessage(["ready"]);`));
+  await assert.rejects(editor.open("grid.obj", grid(2, 2)), /not a job/);
+  assert.equal(JSON.stringify((await editor.state()).document), cube);
+});
+
+editorTest("a crash says so, and that it is nobody's fault but ours", once, async (editor) => {
+  const notice = editor.page.locator("#notice");
+  assert.equal(await notice.isVisible(), false);
+  // An error of another script on the page is no crash of the editor.
+  editor.expectErrors(/somebody else/);
+  await editor.page.evaluate(() => setTimeout(() => { throw new Error("somebody else's"); }));
+  await editor.frames(3);
+  assert.equal(await notice.isVisible(), false);
+  // A trap in WebAssembly is, with or without a panic that tells of it.
+  editor.expectErrors(/unreachable/);
+  await editor.page.evaluate(() => setTimeout(() => { throw new WebAssembly.RuntimeError("unreachable"); }));
+  await notice.waitFor();
+  assert.match(await notice.innerText(), /has crashed/);
+  assert.match(await notice.innerText(), /[Rr]eload/);
+  await editor.screenshot("crash");
+});
+
+editorTest("settings last from visit to visit", once, async (editor) => {
+  const theme = async () => (await editor.state()).view.theme;
+  const first = await theme();
+  const other = first === "dark" ? "Light theme" : "Dark theme";
+  await editor.click("View", "button");
+  await editor.click(other);
+  await editor.until("the theme changes", async () => (await theme()) !== first);
+  await editor.page.reload();
+  await editor.ready();
+  assert.notEqual(await theme(), first);
+  await editor.screenshot("other theme");
+});
