@@ -329,6 +329,12 @@ impl FaceTree {
     /// The point of the mesh closest to `point`; none for a mesh without faces or a point that is not
     /// finite.
     pub fn closest_point(&self, mesh: &Mesh, point: Vec3) -> Option<Hit> {
+        self.closest_point_near(mesh, point, None)
+    }
+
+    /// As [`FaceTree::closest_point`], told a face that is likely near: the closer it is, the less there
+    /// is to look at.
+    pub fn closest_point_near(&self, mesh: &Mesh, point: Vec3, near: Option<FaceId>) -> Option<Hit> {
         let point = point.as_dvec3();
         if !point.is_finite() {
             return None;
@@ -342,7 +348,7 @@ impl FaceTree {
         let mut best: Option<Hit> = None;
         let mut best_squared = f64::MAX;
         let mut triangulator = CornerTriangulator::new();
-        self.visit(mesh, away, f64::MAX, |face, _| {
+        let mut look = |face: FaceId| {
             for &corners in triangulator.of_face(mesh, face) {
                 let points = corners.map(|h| mesh.position(mesh.from(h)).as_dvec3());
                 let weights = closest_in_triangle(points, point);
@@ -362,7 +368,9 @@ impl FaceTree {
                 }
             }
             best_squared
-        });
+        };
+        let bound = near.filter(|&face| mesh.has_face(face)).map_or(f64::MAX, &mut look);
+        self.visit(mesh, away, bound, |face, _| look(face));
         best
     }
 }

@@ -8,17 +8,24 @@ pub mod bezier;
 mod error;
 mod face_tree;
 pub mod measure;
+mod merge_by_distance;
 mod morton;
 pub mod normals;
 mod pace;
 mod shapes;
+mod simplify;
+mod smooth;
 mod subdivide;
 mod triangulate_corners;
 mod trig;
+mod trimesh;
 
 pub use error::SurfaceError;
 pub use face_tree::{FaceTree, Hit, Ray};
+pub use merge_by_distance::{Merged, merge_by_distance};
 pub use shapes::{Shape, ShapeField};
+pub use simplify::{Simplified, Simplify, SimplifyTarget, simplify};
+pub use smooth::{Smooth, SmoothMethod, smooth};
 pub use subdivide::{
     BoundaryRule, CatmullClark, Linear, Loop, LoopWeights, MAX_FACES, VertexRule, quad_split_faces,
     subdivide_catmull_clark, subdivide_linear, subdivide_loop,

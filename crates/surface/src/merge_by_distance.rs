@@ -1,0 +1,181 @@
+//! Merging vertices that are close to each other.
+
+use crate::SurfaceError;
+use crate::pace::Pace;
+use glam::{DVec3, Vec3};
+use halfedge::attribute::Column;
+use halfedge::{Element, Mesh, NONE, Note, PolygonSoup, Progress};
+
+/// A mesh with close vertices merged.
+#[derive(Debug)]
+pub struct Merged {
+    /// The mesh.
+    pub mesh: Mesh,
+    /// How many vertices went into others.
+    pub merged: usize,
+    /// What had to be separated again or dropped to keep a manifold.
+    pub notes: Vec<Note>,
+}
+
+/// Merges vertices closer than `distance` (mesh units, 0 for those at the same place); the input is
+/// untouched.
+///
+/// In order of id, each vertex goes into the nearest of those before it that stay, if one is within the
+/// distance: where that one is, with that one's attributes. So nothing moves farther than the distance,
+/// and the result depends on nothing but the mesh. Faces lose the corners that fall together; those left
+/// with fewer than three go. The rest is built anew as a file is, and what doesn't fit a manifold is
+/// repaired and noted. Costs O(n log n) while few vertices share a cell of the distance's size.
+///
+/// # Errors
+/// [`SurfaceError::BadField`] for a distance that is negative or not finite; [`SurfaceError::Cancelled`].
+pub fn merge_by_distance(
+    mesh: &Mesh,
+    distance: f64,
+    progress: &mut Progress<'_>,
+) -> Result<Merged, SurfaceError> {
+    if !(distance >= 0.0 && distance.is_finite()) {
+        return Err(SurfaceError::field("distance", "a finite number, 0 or more"));
+    }
+    let mut pace = Pace::new(progress);
+    pace.at(0.0)?;
+    let source = mesh.to_soup();
+    let keeper = keepers(&source.positions, distance, &mut pace.part(0.0, 0.6))?;
+    let mut number = vec![NONE; keeper.len()];
+    let mut kept = Vec::new();
+    for (v, &into) in (0u32..).zip(&keeper) {
+        if into == v {
+            number[v as usize] = kept.len() as u32;
+            kept.push(v);
+        }
+    }
+    let renumber = |v: u32| number[keeper[v as usize] as usize];
+    let mut soup = PolygonSoup {
+        positions: kept.iter().map(|&v| source.positions[v as usize]).collect(),
+        ..PolygonSoup::default()
+    };
+    let (mut corners, mut faces) = (Vec::new(), Vec::new());
+    for face in 0..source.face_count() {
+        let start = soup.corners.len();
+        let corner_start = corners.len();
+        for corner in source.face_range(face) {
+            let v = renumber(source.corners[corner]);
+            if soup.corners.len() == start || soup.corners.last() != Some(&v) {
+                soup.corners.push(v);
+                corners.push(corner as u32);
+            }
+        }
+        while soup.corners.len() > start + 1 && soup.corners.last() == soup.corners.get(start) {
+            soup.corners.pop();
+            corners.pop();
+        }
+        if soup.corners.len() < start + 3 {
+            soup.corners.truncate(start);
+            corners.truncate(corner_start);
+            continue;
+        }
+        soup.face_starts.push(soup.corners.len() as u32);
+        faces.push(face as u32);
+    }
+    pace.at(0.7)?;
+    let pick = |columns: Vec<Column>, indices: &[u32]| -> Vec<Column> {
+        let column = |column: Column| Column {
+            values: column.values.gather(indices.iter().copied(), column.default),
+            ..column
+        };
+        columns.into_iter().map(column).collect()
+    };
+    soup.vertex_columns = pick(source.vertex_columns, &kept);
+    soup.corner_columns = pick(source.corner_columns, &corners);
+    soup.face_columns = pick(source.face_columns, &faces);
+    let merged = keeper.len() - kept.len();
+    let built = Mesh::build(soup).map_err(|e| SurfaceError::TooManyFaces {
+        faces: e.corners as u64 / 3,
+        limit: Mesh::MAX_EDGES as u64 / 3,
+    })?;
+    let mut result = built.mesh;
+    carry_edges(mesh, &mut result, renumber);
+    pace.at(1.0)?;
+    Ok(Merged { mesh: result, merged, notes: built.notes })
+}
+
+/// For each vertex the one it goes into; itself if it stays.
+fn keepers(positions: &[Vec3], distance: f64, pace: &mut Pace<'_, '_>) -> Result<Vec<u32>, SurfaceError> {
+    // Cells at least as large as the distance: what is close is in the same or a neighbouring cell.
+    // Their size is also a share of the mesh's, so that cell numbers fit.
+    let bounds = crate::measure::Bounds::of(positions.iter().copied());
+    let (origin, diagonal) = bounds.map_or((DVec3::ZERO, 0.0), |b| (b.min.as_dvec3(), b.diagonal()));
+    let size = distance.max(diagonal / f64::from(1 << 20)).max(f64::MIN_POSITIVE);
+    let cell = |p: Vec3| ((p.as_dvec3() - origin) / size).floor().as_i64vec3();
+    let key = |c: glam::I64Vec3| ((c.x + 2) as u64) << 42 | ((c.y + 2) as u64) << 21 | (c.z + 2) as u64;
+    let mut sorted: Vec<(u64, u32)> = (0u32..).zip(positions).map(|(v, &p)| (key(cell(p)), v)).collect();
+    sorted.sort_unstable();
+    let mut keeper: Vec<u32> = (0..positions.len() as u32).collect();
+    pace.chunks(positions.len(), |range| {
+        for v in range {
+            let p = positions[v];
+            let here = cell(p);
+            let mut best = (distance * distance, NONE);
+            for dx in -1..=1 {
+                for dy in -1..=1 {
+                    // Three cells along z have neighbouring keys.
+                    let low = here + glam::I64Vec3::new(dx, dy, -1);
+                    if low.x < -1 || low.y < -1 {
+                        continue;
+                    }
+                    let first = key(low);
+                    let start = sorted.partition_point(|&(k, _)| k < first);
+                    for &(k, w) in &sorted[start..] {
+                        if k > first + 2 {
+                            break;
+                        }
+                        // Only vertices before this one that stay.
+                        if w as usize >= v || keeper[w as usize] != w {
+                            continue;
+                        }
+                        let squared = p.as_dvec3().distance_squared(positions[w as usize].as_dvec3());
+                        if squared < best.0 || (squared == best.0 && w < best.1) {
+                            best = (squared, w);
+                        }
+                    }
+                }
+            }
+            if best.1 != NONE {
+                keeper[v] = best.1;
+            }
+        }
+    })?;
+    Ok(keeper)
+}
+
+/// Edge attributes follow their ends; where two edges became one, the first keeps its own.
+fn carry_edges(mesh: &Mesh, result: &mut Mesh, renumber: impl Fn(u32) -> u32) {
+    let columns = mesh.columns().of(Element::Edge);
+    if columns.is_empty() {
+        return;
+    }
+    let compact;
+    let mesh = if mesh.is_compact() {
+        mesh
+    } else {
+        compact = mesh.compacted().0;
+        &compact
+    };
+    let mut source = vec![NONE; result.edge_capacity()];
+    for e in mesh.edges() {
+        let ends = mesh.ends(e).map(|v| result.vertex(renumber(v.raw())));
+        let [Some(a), Some(b)] = ends else { continue };
+        if let Some(edge) = result.find_edge(a, b)
+            && source[edge.index()] == NONE
+        {
+            source[edge.index()] = e.raw();
+        }
+    }
+    for column in mesh.columns().of(Element::Edge) {
+        let values = column.values.gather(source.iter().copied(), column.default);
+        let labels = column.labels.clone();
+        result.insert_column(
+            Element::Edge,
+            Column { name: column.name.clone(), values, default: column.default, labels },
+        );
+    }
+}

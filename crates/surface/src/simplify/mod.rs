@@ -1,0 +1,493 @@
+//! Simplifying by edge collapse in order of the error quadrics.
+//!
+//! Garland and Heckbert: Surface simplification using quadric error metrics (1997), with area weights,
+//! planes that hold boundaries and attribute seams, a faint pull towards the old vertices that decides
+//! where the planes leave a direction open, and every collapse checked: the link condition (the result
+//! stays a manifold of the same topology), no triangle turned over or flattened.
+
+mod deviation;
+mod limit;
+mod quadric;
+mod queue;
+
+use crate::SurfaceError;
+use crate::pace::Pace;
+use crate::trimesh::{TriMesh, next, prev};
+use deviation::Outline;
+use glam::DVec3;
+use halfedge::{Mesh, NONE, Progress, keys};
+use limit::Limit;
+use quadric::Quadric;
+use queue::Queue;
+
+/// How far to go.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum SimplifyTarget {
+    /// To this many triangles.
+    Faces(usize),
+    /// To this share of the triangles, above 0 and up to 1.
+    Ratio(f64),
+    /// As far as the surface stays within this distance of what it was, in mesh units.
+    MaxError(f64),
+}
+
+/// What to simplify to.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Simplify {
+    /// How far to go.
+    pub target: SimplifyTarget,
+    /// Whether boundary vertices stay on the boundary curve, which is simplified by itself; else the
+    /// boundary is held as faintly as the surface is.
+    pub preserve_boundary: bool,
+}
+
+/// A simplified mesh.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Simplified {
+    /// The triangles.
+    pub mesh: Mesh,
+    /// The count that was asked for, where one was.
+    pub wanted: Option<usize>,
+}
+
+impl Simplified {
+    /// In words, why there are not as few triangles as asked for, if there are not.
+    pub fn shortfall(&self) -> Option<String> {
+        let (wanted, faces) = (self.wanted?, self.mesh.face_count());
+        if faces == wanted {
+            return None;
+        }
+        let closed = self.mesh.boundary_loops().is_empty();
+        Some(if faces == wanted + 1 && closed && wanted % 2 == 1 {
+            format!("{faces} triangles, not {wanted}: a closed mesh has an even number of them")
+        } else if faces < wanted {
+            format!("the mesh has only {faces} triangles")
+        } else {
+            format!(
+                "stopped at {faces} triangles, not {wanted}: any further collapse would turn over or flatten \
+                 a triangle, close a hole or glue faces together"
+            )
+        })
+    }
+}
+
+/// How much a vertex counts as a target of its own against its planes: too little to move a point off
+/// its planes, enough to keep it from sliding along them.
+const PULL: f64 = 1e-6;
+/// How much more than faces the planes count that hold boundaries and seams.
+const HOLD: f64 = 100.0;
+/// A face may turn by no more than acos of this in one collapse.
+const LEAST_COS: f64 = 0.2;
+/// Twice the area over the longest side's square: 0.87 for an equilateral triangle. None gets below,
+/// unless it was already.
+const LEAST_SHAPE: f64 = 0.02;
+/// How many collapses between two questions whether to go on.
+const ASK: usize = 4096;
+
+/// Simplifies a mesh; the input is untouched. Polygons are cut into triangles first, isolated vertices
+/// left out. Face attributes stay with the triangles that stay; corner and vertex attributes are mixed
+/// where vertices merge, and edges where corner attributes differ are kept like a boundary. Costs
+/// O(n log n) at most: the queue takes O(1) a step.
+///
+/// # Errors
+/// [`SurfaceError::BadField`] for a target out of range; [`SurfaceError::Cancelled`].
+pub fn simplify(
+    mesh: &Mesh,
+    options: &Simplify,
+    progress: &mut Progress<'_>,
+) -> Result<Simplified, SurfaceError> {
+    let mut pace = Pace::new(progress);
+    match options.target {
+        SimplifyTarget::Ratio(ratio) if !(ratio > 0.0 && ratio <= 1.0) => {
+            return Err(SurfaceError::field("ratio", "above 0 and at most 1"));
+        }
+        SimplifyTarget::MaxError(error) if !(error >= 0.0 && error.is_finite()) => {
+            return Err(SurfaceError::field("max_error", "a finite number, 0 or more"));
+        }
+        _ => {}
+    }
+    pace.at(0.0)?;
+    let tri = TriMesh::new(mesh);
+    let before = tri.faces;
+    let wanted = match options.target {
+        SimplifyTarget::Faces(faces) => Some(faces),
+        SimplifyTarget::Ratio(ratio) => Some((before as f64 * ratio).round() as usize),
+        SimplifyTarget::MaxError(_) => None,
+    };
+    let mut work = Work::new(mesh, tri, options);
+    pace.at(0.05)?;
+    work.fill();
+    pace.at(0.15)?;
+    work.run(wanted.unwrap_or(0), &mut pace.part(0.15, 0.95))?;
+    let mesh = work.tri.to_mesh(mesh);
+    pace.at(1.0)?;
+    Ok(Simplified { mesh, wanted })
+}
+
+/// What a vertex is part of.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Role {
+    /// Nothing but the surface.
+    Free,
+    /// A boundary or seam that passes through it: it stays on that.
+    Curve,
+    /// Where such curves meet or end: it stays where it is.
+    Fixed,
+}
+
+struct Work<'a> {
+    source: &'a Mesh,
+    tri: TriMesh,
+    quadrics: Vec<Quadric>,
+    roles: Vec<Role>,
+    queue: Queue,
+    stamps: Vec<u32>,
+    stamp: u32,
+    /// Per vertex: whether a collapse at it was refused since its surroundings last changed.
+    refused: Vec<bool>,
+    preserve_boundary: bool,
+    limit: Option<Limit>,
+}
+
+/// Where an edge's merged vertex would go, and what it costs.
+struct Place {
+    cost: f64,
+    at: DVec3,
+}
+
+impl<'a> Work<'a> {
+    fn new(mesh: &'a Mesh, tri: TriMesh, options: &Simplify) -> Self {
+        let vertices = tri.out.len();
+        let limit = match options.target {
+            SimplifyTarget::MaxError(error) => Some(Limit::new(mesh, &tri, error)),
+            _ => None,
+        };
+        let mut work = Self {
+            source: mesh,
+            quadrics: vec![Quadric::default(); vertices],
+            roles: vec![Role::Free; vertices],
+            queue: Queue::new(tri.v.len()),
+            stamps: vec![0; vertices],
+            stamp: 0,
+            refused: vec![false; vertices],
+            preserve_boundary: options.preserve_boundary,
+            limit,
+            tri,
+        };
+        work.add_faces();
+        work.add_curves(mesh);
+        work
+    }
+
+    fn add_faces(&mut self) {
+        let tri = &self.tri;
+        for corners in tri.v.chunks_exact(3) {
+            let [a, b, c] = [tri.at(corners[0]), tri.at(corners[1]), tri.at(corners[2])];
+            let normal = (b - a).cross(c - a);
+            let area = normal.length();
+            let plane = match normal.try_normalize() {
+                Some(normal) => Quadric::plane(normal, a, area),
+                None => Quadric::default(),
+            };
+            for (&v, p) in corners.iter().zip([a, b, c]) {
+                let q = &mut self.quadrics[v as usize];
+                q.add(&plane);
+                q.add(&Quadric::point(p, area * PULL));
+            }
+        }
+    }
+
+    /// Planes that hold boundaries, seams of corner attributes, creases, and borders between materials,
+    /// groups and colours; roles of the vertices on the first two.
+    fn add_curves(&mut self, mesh: &Mesh) {
+        let tri = &self.tri;
+        let mut curves = vec![0u8; tri.out.len()];
+        let material = mesh.attribute(keys::FACE_MATERIAL);
+        let group = mesh.attribute(keys::FACE_GROUP);
+        let color = mesh.attribute(keys::FACE_COLOR);
+        let crease = mesh.attribute(keys::EDGE_CREASE);
+        let differ = |a: u32, b: u32| {
+            let (a, b) = (tri.face_source[a as usize] as usize, tri.face_source[b as usize] as usize);
+            material.is_some_and(|m| m[a] != m[b])
+                || group.is_some_and(|g| g[a] != g[b])
+                || color.is_some_and(|c| c[a] != c[b])
+        };
+        let is_creased = |h: u32| {
+            crease
+                .zip(tri.edge_source.get(h as usize))
+                .is_some_and(|(crease, &e)| crease.get(e as usize).is_some_and(|&sharpness| sharpness > 0.0))
+        };
+        for h in 0..tri.v.len() as u32 {
+            let across = tri.opp(h);
+            let boundary = across == NONE;
+            let seam = !boundary && tri.is_seam(h);
+            if !(boundary || seam || differ(h / 3, across / 3) || is_creased(h)) {
+                continue;
+            }
+            let (a, b) = (tri.from(h), tri.to(h));
+            let strict = seam || (boundary && self.preserve_boundary);
+            if strict {
+                // A seam is met from both sides.
+                for v in [a, b] {
+                    curves[v as usize] = curves[v as usize].saturating_add(if boundary { 2 } else { 1 });
+                }
+            }
+            let (from, to, apex) = (tri.at(a), tri.at(b), tri.at(tri.apex(h)));
+            let along = to - from;
+            let face = along.cross(apex - from);
+            if let Some(normal) = along.cross(face).try_normalize() {
+                let hold = if boundary && !self.preserve_boundary { 1.0 } else { HOLD };
+                let plane = Quadric::plane(normal, from, along.length_squared() * hold);
+                self.quadrics[a as usize].add(&plane);
+                self.quadrics[b as usize].add(&plane);
+            }
+        }
+        for (role, &sides) in self.roles.iter_mut().zip(&curves) {
+            *role = match sides {
+                0 => Role::Free,
+                4 => Role::Curve,
+                _ => Role::Fixed,
+            };
+        }
+    }
+
+    /// Whether an edge is part of a curve that vertices stay on.
+    fn is_curve(&self, h: u32) -> bool {
+        if self.tri.opp(h) == NONE { self.preserve_boundary } else { self.tri.is_seam(h) }
+    }
+
+    /// Where the ends of an edge would merge; none if they may not.
+    fn place(&self, h: u32) -> Option<Place> {
+        let (a, b) = (self.tri.from(h), self.tri.to(h));
+        let sum = self.quadrics[a as usize].sum(&self.quadrics[b as usize]);
+        let (p, q) = (self.tri.at(a), self.tri.at(b));
+        let stay = |at: DVec3| Some(Place { cost: sum.at(at), at });
+        let roles = (self.roles[a as usize], self.roles[b as usize]);
+        match roles {
+            (Role::Free, Role::Free) => {}
+            (_, Role::Free) => return stay(p),
+            (Role::Free, _) => return stay(q),
+            _ if !self.is_curve(h) => return None,
+            (Role::Curve, Role::Curve) => {}
+            (Role::Fixed, Role::Curve) => return stay(p),
+            (Role::Curve, Role::Fixed) => return stay(q),
+            (Role::Fixed, Role::Fixed) => return None,
+        }
+        let middle = (p + q) * 0.5;
+        let reach = 4.0 * p.distance_squared(q);
+        if let Some(at) = sum.minimum()
+            && at.distance_squared(middle) <= reach
+        {
+            return stay(at);
+        }
+        [p, q, middle]
+            .into_iter()
+            .map(|at| Place { cost: sum.at(at), at })
+            .reduce(|best, other| if other.cost < best.cost { other } else { best })
+    }
+
+    fn fill(&mut self) {
+        for h in 0..self.tri.v.len() as u32 {
+            if self.tri.is_alive(h) && self.tri.edge(h) == h {
+                self.price(h);
+            }
+        }
+    }
+
+    fn price(&mut self, h: u32) {
+        match self.place(h) {
+            Some(place) => self.queue.put(h, place.cost),
+            None => self.queue.remove(h),
+        }
+    }
+
+    fn run(&mut self, wanted: usize, pace: &mut Pace<'_, '_>) -> Result<(), SurfaceError> {
+        let start = self.tri.faces;
+        let mut refilled = start;
+        let mut steps = 0;
+        while self.tri.faces > wanted {
+            let Some(h) = self.queue.pop() else {
+                // What was refused may be possible now that its surroundings have changed.
+                if self.tri.faces == refilled {
+                    break;
+                }
+                refilled = self.tri.faces;
+                self.fill();
+                continue;
+            };
+            steps += 1;
+            if steps % ASK == 0 {
+                pace.at((start - self.tri.faces) as f32 / (start - wanted) as f32)?;
+            }
+            // With one triangle to go only an edge that has one triangle will do.
+            if self.tri.faces == wanted + 1 && self.tri.opp(h) != NONE {
+                continue;
+            }
+            if let Some(place) = self.place(h)
+                && !self.try_collapse(h, place.at)
+            {
+                self.refused[self.tri.from(h) as usize] = true;
+                self.refused[self.tri.to(h) as usize] = true;
+            }
+        }
+        Ok(())
+    }
+
+    /// Collapses an edge if that leaves a good mesh; says whether it did.
+    fn try_collapse(&mut self, h: u32, at: DVec3) -> bool {
+        self.stamp += 1;
+        if !self.tri.can_collapse(h, &mut self.stamps, self.stamp) || !self.keeps_faces(h, at) {
+            return false;
+        }
+        let Some(error) = self.new_error(h, at) else { return false };
+        let tri = &mut self.tri;
+        let (a, b, across) = (tri.from(h), tri.to(h), tri.opp(h));
+        for side in [h, across] {
+            if side != NONE {
+                for k in [side, next(side), prev(side)] {
+                    let edge = tri.edge(k);
+                    self.queue.remove(edge);
+                }
+            }
+        }
+        let (p, q) = (tri.at(a), tri.at(b));
+        let along = q - p;
+        let t = ((at - p).dot(along) / along.length_squared().max(f64::MIN_POSITIVE)).clamp(0.0, 1.0);
+        tri.collapse(h, t);
+        tri.position[a as usize] = at;
+        let merged = self.quadrics[b as usize];
+        self.quadrics[a as usize].add(&merged);
+        if self.roles[b as usize] == Role::Fixed || self.roles[a as usize] == Role::Free {
+            self.roles[a as usize] = self.roles[b as usize];
+        }
+        if let Some(limit) = &mut self.limit {
+            limit.hand_out(&self.tri, a);
+        }
+        let first = self.tri.out[a as usize];
+        let mut around = first;
+        loop {
+            if let Some(limit) = &mut self.limit {
+                limit.error[around as usize / 3] = error;
+            }
+            self.price(self.tri.edge(around));
+            self.retry(self.tri.to(around));
+            let after = self.tri.turn(around);
+            if after == NONE {
+                self.price(prev(around));
+                self.retry(self.tri.apex(around));
+                break;
+            }
+            if after == first {
+                break;
+            }
+            around = after;
+        }
+        true
+    }
+
+    /// Puts the edges of a vertex whose triangles have changed back in the queue, if one was refused.
+    fn retry(&mut self, v: u32) {
+        if !std::mem::take(&mut self.refused[v as usize]) {
+            return;
+        }
+        let first = self.tri.out[v as usize];
+        let mut around = first;
+        loop {
+            self.price(self.tri.edge(around));
+            let after = self.tri.turn(around);
+            if after == NONE {
+                self.price(prev(around));
+                break;
+            }
+            if after == first {
+                break;
+            }
+            around = after;
+        }
+    }
+
+    /// Whether no triangle around the edge turns over or becomes a sliver when its ends move to `at`.
+    fn keeps_faces(&self, h: u32, at: DVec3) -> bool {
+        let tri = &self.tri;
+        let (a, b) = (tri.from(h), tri.to(h));
+        for (v, other) in [(a, b), (b, a)] {
+            let here = tri.at(v);
+            let mut good = true;
+            tri.around(v, |out| {
+                let (x, y) = (tri.to(out), tri.apex(out));
+                if x == other || y == other || !good {
+                    return;
+                }
+                let (x, y) = (tri.at(x), tri.at(y));
+                let old = (x - here).cross(y - here);
+                let new = (x - at).cross(y - at);
+                let (old_squared, new_squared) = (old.length_squared(), new.length_squared());
+                let turned = old.dot(new);
+                if turned < 0.0 || turned * turned < LEAST_COS * LEAST_COS * old_squared * new_squared {
+                    // A triangle without area faces nowhere.
+                    good = old_squared == 0.0 && new_squared > 0.0;
+                }
+                let rim = x.distance_squared(y);
+                let longest = rim.max(x.distance_squared(at)).max(y.distance_squared(at));
+                if new_squared < LEAST_SHAPE * LEAST_SHAPE * longest * longest {
+                    let was = rim.max(x.distance_squared(here)).max(y.distance_squared(here));
+                    good &= new_squared > 0.0 && new_squared * was * was > old_squared * longest * longest;
+                }
+            });
+            if !good {
+                return false;
+            }
+        }
+        true
+    }
+
+    /// The bound on the distance of the triangles that would be made; none if it is above the limit.
+    fn new_error(&mut self, h: u32, at: DVec3) -> Option<f32> {
+        let Some(limit) = &mut self.limit else { return Some(0.0) };
+        let tri = &self.tri;
+        let (a, b) = (tri.from(h), tri.to(h));
+        limit.patches.clear();
+        let mut error = 0.0f32;
+        for (v, other) in [(a, b), (b, a)] {
+            tri.around(v, |out| {
+                error = error.max(limit.error[out as usize / 3]);
+                let (x, y) = (tri.to(out), tri.apex(out));
+                if v == a || (x != other && y != other) {
+                    limit.patches.old.push([tri.at(v), tri.at(x), tri.at(y)]);
+                }
+                if x != other && y != other {
+                    limit.patches.new.push([at, tri.at(x), tri.at(y)]);
+                }
+            });
+        }
+        let mut outline = None;
+        if tri.opp(h) == NONE {
+            // The boundary comes in to `a` and goes on from `b`.
+            let mut last = h;
+            while tri.turn(last) != NONE {
+                last = tri.turn(last);
+            }
+            let (before, after) = (tri.apex(last), tri.to(tri.out[b as usize]));
+            outline = Some(Outline { old: [before, a, b, after].map(|v| tri.at(v)), ends: [true; 2] });
+        } else if tri.is_boundary_vertex(a) || tri.is_boundary_vertex(b) {
+            // The boundary vertex stays when it is preserved; else its outline moves with it.
+            let v = if tri.is_boundary_vertex(a) { a } else { b };
+            let out = tri.out[v as usize];
+            let mut last = out;
+            while tri.turn(last) != NONE {
+                last = tri.turn(last);
+            }
+            let here = tri.at(v);
+            outline = Some(Outline {
+                old: [tri.at(tri.apex(last)), here, here, tri.at(tri.to(out))],
+                ends: [v == a, v == b],
+            });
+        }
+        let moved = limit.patches.bound(tri.at(a), tri.at(b), at, outline.as_ref());
+        let total = f64::from(error) + moved;
+        limit.collect(tri, a, b);
+        let total = if total <= limit.distance { total } else { limit.measure(self.source, tri)? };
+        // Rounded up.
+        Some((total * (1.0 + 1e-6)) as f32 + f32::MIN_POSITIVE)
+    }
+}

@@ -1,0 +1,86 @@
+//! Smoothing positions, the connectivity left as it is.
+
+use crate::SurfaceError;
+use crate::pace::Pace;
+use glam::DVec3;
+use halfedge::{Element, Mesh, Progress, VertexId, keys};
+
+/// How to smooth.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Smooth {
+    /// How often.
+    pub iterations: u32,
+    /// How far a vertex goes towards the mean of its neighbours each time: above 0, up to 1.
+    pub strength: f64,
+    /// What is done each time.
+    pub method: SmoothMethod,
+}
+
+/// What one smoothing step is.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum SmoothMethod {
+    /// Towards the mean of the neighbours; the mesh shrinks.
+    #[default]
+    Laplacian,
+    /// The same, followed by a slightly longer step back (Taubin 1995, pass band 0.1), which keeps the
+    /// volume nearly.
+    Taubin,
+}
+
+/// The frequency below which Taubin's steps leave a shape as it is.
+const PASS_BAND: f64 = 0.1;
+
+/// Smooths a mesh; the input is untouched. Boundary vertices go towards their two neighbours on the
+/// boundary, so that boundaries are smoothed as curves; isolated vertices stay. Ids (after closing gaps)
+/// and attributes are kept, but for corner normals, which no longer fit. Costs O(iterations x mesh).
+///
+/// # Errors
+/// [`SurfaceError::BadField`]; [`SurfaceError::Cancelled`].
+pub fn smooth(mesh: &Mesh, options: &Smooth, progress: &mut Progress<'_>) -> Result<Mesh, SurfaceError> {
+    if !(options.strength > 0.0 && options.strength <= 1.0) {
+        return Err(SurfaceError::field("strength", "above 0 and at most 1"));
+    }
+    let mut pace = Pace::new(progress);
+    pace.at(0.0)?;
+    let compact = if mesh.is_compact() { mesh.clone() } else { mesh.compacted().0 };
+    let mut now: Vec<DVec3> = compact.positions().iter().map(|p| p.as_dvec3()).collect();
+    let mut later = now.clone();
+    let back = 1.0 / (PASS_BAND - 1.0 / options.strength);
+    let steps: &[f64] = match options.method {
+        SmoothMethod::Laplacian => &[options.strength],
+        SmoothMethod::Taubin => &[options.strength, back],
+    };
+    for iteration in 0..options.iterations {
+        let mut part = pace.part(
+            iteration as f32 / options.iterations as f32,
+            (iteration + 1) as f32 / options.iterations as f32,
+        );
+        for &step in steps {
+            part.chunks(now.len(), |range| {
+                for v in range {
+                    later[v] = now[v] + (mean_of_neighbors(&compact, &now, v) - now[v]) * step;
+                }
+            })?;
+            std::mem::swap(&mut now, &mut later);
+        }
+    }
+    let mut raw = compact.into_raw();
+    // Where nothing moved, positions stay as they were to the bit.
+    for (position, moved) in raw.positions.iter_mut().zip(now) {
+        *position = moved.as_vec3();
+    }
+    raw.columns.of_mut(Element::Halfedge).retain(|column| column.name != keys::CORNER_NORMAL.name);
+    pace.at(1.0)?;
+    Ok(Mesh::from_raw(raw))
+}
+
+fn mean_of_neighbors(mesh: &Mesh, positions: &[DVec3], v: usize) -> DVec3 {
+    let at = |v: VertexId| positions[v.index()];
+    let Some(first) = mesh.halfedge_from(VertexId::new(v)) else { return positions[v] };
+    if mesh.is_boundary_halfedge(first) {
+        return (at(mesh.to(first)) + at(mesh.from(mesh.prev(first)))) * 0.5;
+    }
+    let (sum, count) =
+        mesh.neighbors(VertexId::new(v)).fold((DVec3::ZERO, 0u32), |(sum, n), w| (sum + at(w), n + 1));
+    sum / f64::from(count.max(1))
+}

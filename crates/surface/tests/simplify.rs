@@ -1,0 +1,243 @@
+//! Simplifying: counts, topology, distances, attributes.
+
+mod common;
+
+use common::*;
+use glam::{Vec2, Vec3};
+use halfedge::attribute::keys;
+use halfedge::{Color, FaceId, Mesh};
+use proptest::prelude::*;
+use std::ops::ControlFlow;
+use surface::measure::*;
+use surface::normals::*;
+use surface::*;
+
+fn to(mesh: &Mesh, target: SimplifyTarget) -> Simplified {
+    let options = Simplify { target, preserve_boundary: true };
+    let result = simplify(mesh, &options, &mut go_on).expect("target in range");
+    result.mesh.validate().expect("valid");
+    assert!(result.mesh.is_compact());
+    result
+}
+
+fn shape(name: &str, sizes: &[(&str, f64)]) -> Mesh {
+    let mut shape = Shape::named(name).expect("listed");
+    for &(field, value) in sizes {
+        shape.set(field, value).expect("in range");
+    }
+    shape.build().expect("fits")
+}
+
+/// Pieces and Euler characteristic without isolated vertices, and boundary loops.
+fn topology(mesh: &Mesh) -> (usize, i64, usize) {
+    let isolated = mesh.vertices().filter(|&v| mesh.halfedge_from(v).is_none()).count();
+    (
+        mesh.components().1 - isolated,
+        mesh.euler_characteristic() - isolated as i64,
+        mesh.boundary_loops().len(),
+    )
+}
+
+/// The largest distance found from points all over one mesh to the other.
+fn sampled_distance(from: &Mesh, to: &Mesh) -> f64 {
+    let tree = FaceTree::new(to);
+    let mut worst = 0.0f64;
+    let mut cut = CornerTriangulator::new();
+    for f in from.faces() {
+        for &corners in cut.of_face(from, f) {
+            let [a, b, c] = corners.map(|h| from.position(from.from(h)));
+            for i in 0..=4 {
+                for j in 0..=4 - i {
+                    let (u, v) = (i as f32 / 4.0, j as f32 / 4.0);
+                    let p = a * (1.0 - u - v) + b * u + c * v;
+                    worst = worst.max(tree.closest_point(to, p).expect("has faces").distance);
+                }
+            }
+        }
+    }
+    worst
+}
+
+#[test]
+fn hits_the_count_that_was_asked_for() {
+    let sphere = shape("ico-sphere", &[("subdivisions", 5.0)]);
+    for faces in [10_000, 2_048, 500, 100, 20, 4] {
+        let result = to(&sphere, SimplifyTarget::Faces(faces));
+        assert_eq!((result.mesh.face_count(), result.shortfall()), (faces, None));
+        assert_eq!(topology(&result.mesh), (1, 2, 0));
+        assert!(volume(&result.mesh) > 0.0);
+    }
+    let ratio = to(&sphere, SimplifyTarget::Ratio(0.25));
+    assert_eq!((ratio.wanted, ratio.mesh.face_count()), (Some(5120), 5120));
+    assert!((volume(&ratio.mesh) / volume(&sphere) - 1.0).abs() < 1e-3);
+    let odd = to(&sphere, SimplifyTarget::Faces(501));
+    assert_eq!(odd.mesh.face_count(), 502);
+    assert_eq!(
+        odd.shortfall().as_deref(),
+        Some("502 triangles, not 501: a closed mesh has an even number of them")
+    );
+    let least = to(&sphere, SimplifyTarget::Faces(0));
+    assert!(least.mesh.face_count() >= 4 && least.shortfall().is_some());
+    let already = to(&tetrahedron(), SimplifyTarget::Faces(100));
+    assert_eq!(already.shortfall().as_deref(), Some("the mesh has only 4 triangles"));
+    // An open mesh has odd counts too.
+    let open = to(&grid(10), SimplifyTarget::Faces(31));
+    assert_eq!(open.mesh.face_count(), 31);
+}
+
+#[test]
+fn flat_faces_go_first_and_edges_stay_sharp() {
+    let mut cube = shape("cube", &[]);
+    cube = subdivide_linear(&cube, &Linear { levels: 4 }, &mut go_on).expect("fits");
+    let result = to(&cube, SimplifyTarget::Faces(12));
+    assert_eq!(result.mesh.face_count(), 12);
+    assert!((volume(&result.mesh) - 8.0).abs() < 1e-4);
+    let area = surface_area(&result.mesh);
+    assert!((area - 24.0).abs() < 1e-3, "{area}");
+    let grid = to(&grid(20), SimplifyTarget::Faces(2));
+    assert_eq!(grid.mesh.face_count(), 2);
+    assert!((surface_area(&grid.mesh) - 400.0).abs() < 1e-2, "the square's outline is kept");
+}
+
+#[test]
+fn max_error_is_a_distance() {
+    let torus = shape("torus", &[("segments", 60.0), ("tube_segments", 40.0)]);
+    for (error, most) in [(0.01, 1500), (0.05, 250)] {
+        let result = to(&torus, SimplifyTarget::MaxError(error)).mesh;
+        assert_eq!(topology(&result), (1, 0, 0));
+        let distance = sampled_distance(&torus, &result).max(sampled_distance(&result, &torus));
+        assert!(distance <= error, "{distance} is more than {error}");
+        assert!(result.face_count() <= most, "{} triangles at {error}", result.face_count());
+    }
+    let grid = grid(16);
+    let flat = to(&grid, SimplifyTarget::MaxError(0.01)).mesh;
+    assert!(flat.face_count() <= 4, "{}", flat.face_count());
+    assert!(sampled_distance(&grid, &flat) <= 0.01);
+    let exact = to(&torus, SimplifyTarget::MaxError(0.0)).mesh;
+    assert_eq!(exact.face_count(), 2 * torus.face_count());
+}
+
+#[test]
+fn seams_and_painted_borders_stay_where_they_are() {
+    // Two charts that meet at x = 8, each its own unit square; and a red half above y = 8.
+    let mut mesh = grid(16);
+    for f in mesh.faces().collect::<Vec<_>>() {
+        let center = face_center(&mesh, f);
+        let right = center.x > 8.0;
+        if center.y > 8.0 {
+            mesh.set(keys::FACE_COLOR, f.index(), Color([255, 0, 0]));
+        }
+        for h in mesh.face_halfedges(f).collect::<Vec<_>>() {
+            let p = mesh.position(mesh.from(h));
+            let shift = if right { 100.0 } else { 0.0 };
+            mesh.set(keys::CORNER_UV, h.index(), Vec2::new(p.x + shift, p.y));
+        }
+    }
+    let result = to(&mesh, SimplifyTarget::Faces(64)).mesh;
+    for f in result.faces() {
+        let center = face_center(&result, f);
+        let red = result.get(keys::FACE_COLOR, f.index()) == Color([255, 0, 0]);
+        let corners: Vec<Vec3> = result.face_vertices(f).map(|v| result.position(v)).collect();
+        assert_eq!(red, center.y > 8.0, "{f} at {corners:?}");
+        for h in result.face_halfedges(f) {
+            let p = result.position(result.from(h));
+            let uv = result.get(keys::CORNER_UV, h.index());
+            let shift = if center.x > 8.0 { 100.0 } else { 0.0 };
+            assert!(uv.distance(Vec2::new(p.x + shift, p.y)) < 1e-3, "{uv} at {p}");
+        }
+    }
+}
+
+#[test]
+fn refuses_targets_out_of_range_and_stops_when_told() {
+    let cube = cube();
+    for target in [SimplifyTarget::Ratio(0.0), SimplifyTarget::Ratio(1.5), SimplifyTarget::Ratio(f64::NAN)] {
+        let refused = simplify(&cube, &Simplify { target, preserve_boundary: true }, &mut go_on);
+        assert_eq!(refused.expect_err("no ratio").to_string(), "ratio must be above 0 and at most 1");
+    }
+    let target = SimplifyTarget::MaxError(-1.0);
+    assert!(simplify(&cube, &Simplify { target, preserve_boundary: true }, &mut go_on).is_err());
+    let sphere = shape("ico-sphere", &[("subdivisions", 5.0)]);
+    let mut asked = 0;
+    let mut stop = |fraction: f32| {
+        asked += 1;
+        if fraction > 0.2 { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
+    };
+    let target = SimplifyTarget::Faces(10);
+    let stopped = simplify(&sphere, &Simplify { target, preserve_boundary: true }, &mut stop);
+    assert_eq!(stopped, Err(SurfaceError::Cancelled));
+    assert!(asked > 3);
+    let empty = to(&Mesh::new(), SimplifyTarget::Ratio(0.5));
+    assert_eq!(empty.mesh, Mesh::new());
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(24))]
+
+    #[test]
+    fn any_mesh_keeps_its_topology(
+        mesh in random_mesh(false),
+        share in 0.05f64..1.0,
+        preserve_boundary in any::<bool>(),
+    ) {
+        let before: usize = mesh.faces().map(|f| mesh.face_degree(f) - 2).sum();
+        let wanted = ((before as f64 * share) as usize).max(1);
+        let options = Simplify { target: SimplifyTarget::Faces(wanted), preserve_boundary };
+        let result = simplify(&mesh, &options, &mut go_on).expect("in range");
+        result.mesh.validate().expect("valid");
+        prop_assert_eq!(topology(&result.mesh), topology(&mesh));
+        prop_assert!(result.mesh.face_count() >= wanted);
+        prop_assert_eq!(result.shortfall().is_none(), result.mesh.face_count() == wanted);
+        prop_assert!(result.mesh.faces().all(|f| result.mesh.face_degree(f) == 3));
+        prop_assert!(result.mesh.faces().all(|f| face_normal(&result.mesh, f) != Vec3::ZERO));
+        let again = simplify(&mesh, &options, &mut go_on).expect("in range");
+        prop_assert_eq!(again.mesh, result.mesh);
+    }
+
+    #[test]
+    fn max_error_holds_on_any_mesh(mesh in random_mesh(false), error in 0.01f64..0.5) {
+        // Polygons that are not flat are compared as the triangles that they are cut into.
+        let triangles = to(&mesh, SimplifyTarget::Ratio(1.0)).mesh;
+        prop_assume!(triangles.face_count() > 0);
+        let result = to(&triangles, SimplifyTarget::MaxError(error)).mesh;
+        let distance = sampled_distance(&triangles, &result).max(sampled_distance(&result, &triangles));
+        prop_assert!(distance <= error, "{} is more than {}", distance, error);
+    }
+
+    #[test]
+    fn attributes_are_carried(mesh in random_mesh(false)) {
+        let mut mesh = mesh;
+        for f in mesh.faces().collect::<Vec<_>>() {
+            mesh.set(keys::FACE_GROUP, f.index(), f.raw() % 3);
+            for h in mesh.face_halfedges(f).collect::<Vec<_>>() {
+                let p = mesh.position(mesh.from(h));
+                mesh.set(keys::CORNER_UV, h.index(), Vec2::new(p.x, p.y + (f.raw() % 2) as f32));
+            }
+        }
+        for e in mesh.edges().collect::<Vec<_>>() {
+            mesh.set(keys::EDGE_CREASE, e.index(), (e.raw() % 3) as f32);
+        }
+        for v in mesh.vertices().collect::<Vec<_>>() {
+            mesh.set(keys::VERTEX_COLOR, v.index(), mesh.position(v));
+        }
+        let result = to(&mesh, SimplifyTarget::Ratio(0.6)).mesh;
+        for f in result.faces() {
+            prop_assert!(result.get(keys::FACE_GROUP, f.index()) < 3);
+            for h in result.face_halfedges(f) {
+                prop_assert!(result.get(keys::CORNER_UV, h.index()).is_finite());
+            }
+        }
+        prop_assert!(result.vertices().all(|v| result.get(keys::VERTEX_COLOR, v.index()).is_finite()));
+    }
+}
+
+#[test]
+fn polygons_that_share_a_diagonal_are_cut_another_way() {
+    // Two quads on the same four corners, front and back, whose usual diagonals would join the same two
+    // corners: a pillow.
+    let pillow =
+        mesh(&[[0., 0., 0.], [1., 0., 0.], [1., 1., 0.3], [0., 1., 0.]], &[&[0, 1, 2, 3], &[0, 3, 2, 1]]);
+    let result = to(&pillow, SimplifyTarget::Ratio(1.0)).mesh;
+    assert_eq!(result.euler_characteristic(), 2);
+    assert!(result.has_face(FaceId::new(5)));
+}
