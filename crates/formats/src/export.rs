@@ -2,7 +2,7 @@
 
 use crate::format::Format;
 use crate::import::NamedBytes;
-use crate::{json, obj, off, ply, stl};
+use crate::{collada, json, obj, off, ply, stl};
 use halfedge::Mesh;
 use std::fmt;
 
@@ -49,6 +49,7 @@ pub fn write(format: Format, name: &str, objects: &[ObjectRef]) -> Result<Vec<Na
         Format::Stl => stl::write(name, objects)?,
         Format::StlText => stl::write_text(name, objects),
         Format::Off => off::write(name, objects),
+        Format::Collada => collada::write(name, objects),
         Format::Json => json::write(name, objects),
     })
 }

@@ -2,7 +2,7 @@
 
 use crate::import::NamedBytes;
 use crate::losses::Part;
-use crate::{off, stl};
+use crate::{collada, off, stl};
 
 /// A file format. Where one is written in two ways, reading tells them apart and calls both by the
 /// first.
@@ -20,14 +20,16 @@ pub enum Format {
     StlText,
     /// OFF.
     Off,
+    /// COLLADA.
+    Collada,
     /// The half-edge mesh itself as JSON; written only.
     Json,
 }
 
 impl Format {
     /// All formats, in the order menus show them.
-    pub const ALL: [Self; 7] =
-        [Self::Obj, Self::Ply, Self::PlyText, Self::Stl, Self::StlText, Self::Off, Self::Json];
+    pub const ALL: [Self; 8] =
+        [Self::Obj, Self::Ply, Self::PlyText, Self::Stl, Self::StlText, Self::Off, Self::Collada, Self::Json];
 
     /// What users call it.
     pub fn name(self) -> &'static str {
@@ -38,6 +40,7 @@ impl Format {
             Self::Stl => "STL",
             Self::StlText => "STL (text)",
             Self::Off => "OFF",
+            Self::Collada => "COLLADA",
             Self::Json => "Half-edge JSON",
         }
     }
@@ -49,6 +52,7 @@ impl Format {
             Self::Ply | Self::PlyText => &["ply"],
             Self::Stl | Self::StlText => &["stl"],
             Self::Off => &["off", "coff"],
+            Self::Collada => &["dae"],
             Self::Json => &["json"],
         }
     }
@@ -77,6 +81,9 @@ impl Format {
                 matches!(part, Part::Polygons | Part::LooseVertices | Part::FaceColors | Part::VertexColors)
             }
             Self::Stl | Self::StlText => false,
+            Self::Collada => {
+                !matches!(part, Part::VertexColors | Part::Groups | Part::Smoothing | Part::Creases)
+            }
             Self::Json => matches!(part, Part::Polygons | Part::LooseVertices),
         }
     }
@@ -107,6 +114,9 @@ impl Format {
         }
         if off::is_off(bytes) {
             return Some(Self::Off);
+        }
+        if collada::looks_like(bytes) {
+            return Some(Self::Collada);
         }
         (stl::is_text(bytes) || stl::is_binary(bytes)).then_some(Self::Stl)
     }

@@ -2,7 +2,7 @@
 
 use crate::format::{Format, is_material_library};
 use crate::report::{ImportReport, counted};
-use crate::{obj, off, ply, stl};
+use crate::{collada, obj, off, ply, stl};
 use halfedge::{Mesh, PolygonSoup, Progress};
 use std::fmt;
 
@@ -137,16 +137,17 @@ fn read_one(
     libraries: &[&NamedBytes],
     progress: &mut Progress,
 ) -> Result<(Vec<ImportedObject>, ImportReport), ReadError> {
-    let (object, notes) = match format {
-        Format::Obj => obj::read(file, libraries, progress)?,
-        Format::Ply | Format::PlyText => ply::read(file, progress)?,
-        Format::Stl | Format::StlText => stl::read(file, progress)?,
-        Format::Off => off::read(file, progress)?,
+    let one = |(object, notes)| (vec![object], notes);
+    let (objects, notes) = match format {
+        Format::Obj => one(obj::read(file, libraries, progress)?),
+        Format::Ply | Format::PlyText => one(ply::read(file, progress)?),
+        Format::Stl | Format::StlText => one(stl::read(file, progress)?),
+        Format::Off => one(off::read(file, progress)?),
+        Format::Collada => collada::read(file, progress)?,
         Format::Json => {
             return Err(ReadError::file(&file.name, "half-edge dumps can be written but not read"));
         }
     };
-    let objects = vec![object];
     let vertices = objects.iter().map(|object| object.mesh.vertex_count()).sum();
     let faces = objects.iter().map(|object| object.mesh.face_count()).sum();
     let mut report = ImportReport::default();

@@ -3,6 +3,7 @@
 //! [`read`] takes files in memory and gives a document's objects; [`write`] takes objects and gives
 //! files; [`losses`] says beforehand what a format can't hold.
 
+mod collada;
 mod export;
 mod format;
 mod hash;

@@ -8,10 +8,10 @@
 //! a label gives the same lines again.
 
 mod cursor;
-mod mtl;
-mod names;
+pub(crate) mod mtl;
+pub(crate) mod names;
 mod read;
-mod runs;
+pub(crate) mod runs;
 mod statements;
 mod write;
 

@@ -1,0 +1,162 @@
+//! Reading a COLLADA document: the scene's instances, each as an object.
+
+use super::geometry::Geometry;
+use super::transform;
+use super::xml::{Document, Node, decode};
+use crate::import::{ImportedObject, NamedBytes, ReadError, build};
+use crate::report::{ImportReport, counted};
+use glam::DMat4;
+use halfedge::Progress;
+
+/// Whether the file starts like a COLLADA document.
+pub(crate) fn looks_like(bytes: &[u8]) -> bool {
+    let head = decode(bytes.get(..4096).unwrap_or(bytes));
+    head.trim_start().starts_with('<') && head.contains("<COLLADA")
+}
+
+/// An instance of a geometry, found in the scene.
+struct Instance<'d, 'a> {
+    name: String,
+    geometry: &'d Node<'a>,
+    /// What binds materials to it.
+    binding: Option<&'d Node<'a>>,
+    transform: DMat4,
+}
+
+/// Reads one document: an object for each instance, or for each geometry if no scene has any.
+pub(crate) fn read(
+    file: &NamedBytes,
+    progress: &mut Progress,
+) -> Result<(Vec<ImportedObject>, ImportReport), ReadError> {
+    let fail = |message: String| ReadError::file(&file.name, message);
+    let text = decode(&file.bytes);
+    let document = Document::read(&text).map_err(fail)?;
+    if progress(0.3).is_break() {
+        return Err(ReadError::Cancelled);
+    }
+    let mut report = ImportReport::default();
+    let (axes, note) = transform::of_document(&document);
+    if let Some(note) = note {
+        report.info(note);
+    }
+    let mut scene = Scene { document: &document, instances: Vec::new(), visits: 0, skins: 0 };
+    scene.find(axes).map_err(fail)?;
+    if scene.skins > 0 {
+        report.info("Skeletons and shapes to blend to are not kept: meshes are as they were modelled");
+    }
+    if scene.instances.is_empty() {
+        return Err(fail("the document holds no mesh".to_owned()));
+    }
+    let mut objects = Vec::new();
+    let mut corners = 0;
+    let (mut holes, mut lines) = (0, 0);
+    let total = scene.instances.len();
+    for (i, instance) in scene.instances.iter().enumerate() {
+        let geometry = Geometry::read(&document, instance.geometry, instance.binding, instance.transform)
+            .map_err(fail)?;
+        // Instances may repeat a geometry; a small file must not fill the memory that way.
+        corners += geometry.soup.corners.len() + geometry.soup.positions.len();
+        if corners > (file.bytes.len() / 2 + 1000).saturating_mul(16) {
+            return Err(fail("its scene repeats its meshes too many times".to_owned()));
+        }
+        holes += geometry.holes;
+        lines += geometry.lines;
+        let part = |fraction: f32| 0.3 + 0.7 * (i as f32 + fraction) / total as f32;
+        let mut notes = ImportReport::default();
+        let mesh = build(geometry.soup, &file.name, &mut notes, &mut |fraction| progress(part(fraction)))?;
+        report.append(if total > 1 { notes.prefixed(&instance.name) } else { notes });
+        objects.push(ImportedObject { name: instance.name.clone(), mesh });
+    }
+    if holes > 0 {
+        report.warn(format!(
+            "The holes of {} were filled: faces have one outline here",
+            counted(holes, "polygon", "polygons")
+        ));
+    }
+    if lines > 0 {
+        report
+            .warn(format!("{} of lines left out: only faces are edited here", counted(lines, "set", "sets")));
+    }
+    Ok((objects, report))
+}
+
+struct Scene<'d, 'a> {
+    document: &'d Document<'a>,
+    instances: Vec<Instance<'d, 'a>>,
+    visits: usize,
+    skins: usize,
+}
+
+impl<'d, 'a> Scene<'d, 'a> {
+    fn find(&mut self, axes: DMat4) -> Result<(), String> {
+        let document = self.document;
+        let root = document.root();
+        let scene = document
+            .path(root, &["scene", "instance_visual_scene"])
+            .and_then(|instance| document.target(instance.attribute("url")?))
+            .or_else(|| document.path(root, &["library_visual_scenes", "visual_scene"]));
+        if let Some(scene) = scene {
+            self.nodes(scene, axes, 0)?;
+        }
+        if self.instances.is_empty() {
+            let libraries = document.children(root).filter(|child| child.name == "library_geometries");
+            for geometry in libraries.flat_map(|library| document.children(library)) {
+                if document.child(geometry, "mesh").is_some() {
+                    let name = geometry.label().to_owned();
+                    self.instances.push(Instance { name, geometry, binding: None, transform: axes });
+                }
+            }
+        }
+        Ok(())
+    }
+
+    /// The instances in the nodes inside `parent`. Nodes may refer to nodes: the number of visits
+    /// is limited.
+    fn nodes(&mut self, parent: &'d Node<'a>, transform: DMat4, depth: usize) -> Result<(), String> {
+        self.visits += 1;
+        if depth > 64 || self.visits > 100_000 {
+            return Err("the nodes of its scene refer to each other without end".to_owned());
+        }
+        let document = self.document;
+        for child in document.children(parent) {
+            let target = || child.attribute("url").and_then(|url| document.target(url));
+            match child.name {
+                "node" => {
+                    let here = transform * transform::of_node(document, child)?;
+                    self.nodes(child, here, depth + 1)?;
+                }
+                "instance_node" => {
+                    if let Some(node) = target().filter(|node| node.name == "node") {
+                        let here = transform * transform::of_node(document, node)?;
+                        self.nodes(node, here, depth + 1)?;
+                    }
+                }
+                "instance_geometry" => {
+                    let url = child.attribute("url").unwrap_or_default();
+                    let geometry = target().filter(|node| node.name == "geometry").ok_or_else(|| {
+                        format!("node \"{}\" shows geometry \"{url}\", which doesn't exist", parent.label())
+                    })?;
+                    self.instance(parent, child, geometry, transform);
+                }
+                "instance_controller" => {
+                    self.skins += 1;
+                    let skin = target().and_then(|controller| document.child(controller, "skin"));
+                    let source = skin.and_then(|skin| document.target(skin.attribute("source")?));
+                    if let Some(geometry) = source.filter(|node| node.name == "geometry") {
+                        self.instance(parent, child, geometry, transform);
+                    }
+                }
+                _ => {}
+            }
+        }
+        Ok(())
+    }
+
+    fn instance(&mut self, node: &Node, binding: &'d Node<'a>, geometry: &'d Node<'a>, transform: DMat4) {
+        // Splines and such are geometries too.
+        if self.document.child(geometry, "mesh").is_some() {
+            let name = if node.name == "node" { node.label() } else { geometry.label() }.to_owned();
+            self.instances.push(Instance { name, geometry, binding: Some(binding), transform });
+        }
+    }
+}

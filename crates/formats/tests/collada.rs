@@ -1,0 +1,307 @@
+//! COLLADA: the course's files, what is written reads back, every kind of primitive, hostile input.
+
+mod common;
+
+use common::{load, mesh, objects, read, shared};
+use formats::{Format, Import, NamedBytes, ObjectRef};
+use glam::{Vec2, Vec3};
+use halfedge::attribute::{Column, keys};
+use halfedge::{Color, Element, Mesh, PolygonSoup, VertexId};
+use proptest::prelude::*;
+
+fn read_dae(text: impl Into<Vec<u8>>) -> Result<Import, String> {
+    read(&[NamedBytes::new("a.dae", text)]).map_err(|error| error.to_string())
+}
+
+/// A document of one geometry of five vertices in a row of two squares' outline, with these
+/// primitives, and a scene.
+fn document(asset: &str, primitives: &str, scene: &str) -> String {
+    format!(
+        "<?xml version=\"1.0\"?><COLLADA xmlns=\"x\" version=\"1.4.1\"><asset>{asset}</asset><library_geometries>\
+         <geometry id=\"g\" name=\"shape\"><mesh><source id=\"s\"><float_array id=\"sa\" count=\"18\">0 0 0 1 0 0 1 1 0 0 1 0 2 0 0 2 1 0</float_array>\
+         <technique_common><accessor source=\"#sa\" count=\"6\" stride=\"3\"/></technique_common></source>\
+         <vertices id=\"v\"><input semantic=\"POSITION\" source=\"#s\"/></vertices>{primitives}</mesh></geometry>\
+         </library_geometries>{scene}</COLLADA>"
+    )
+}
+
+const INPUT: &str = "<input semantic=\"VERTEX\" source=\"#v\" offset=\"0\"/>";
+
+#[test]
+fn the_courses_files_have_their_counts() {
+    let counts = |folder: &str, counts: &[(&str, usize, usize)]| {
+        for path in shared(folder, "dae") {
+            let file = load(&path);
+            let Some(&(_, vertices, faces)) = counts.iter().find(|(name, ..)| *name == file.stem()) else {
+                panic!("{} is not in the table", file.name);
+            };
+            let import = read(std::slice::from_ref(&file)).expect("readable");
+            let mesh = mesh(&import);
+            assert_eq!((mesh.vertex_count(), mesh.face_count()), (vertices, faces), "{folder}/{}", file.name);
+            assert!(import.report.is_clean(), "{}", import.report);
+            let back = read(&formats::write(Format::Collada, "x", &objects(&import)).expect("small"))
+                .expect("readable");
+            assert!(common::mesh(&back) == mesh, "{folder}/{}", file.name);
+        }
+    };
+    counts(
+        "models/cmu462",
+        &[("bean", 812, 1620), ("cube", 8, 12), ("quadball", 386, 768), ("teapot", 1232, 2464)],
+    );
+    for (folder, [input, flip, split, collapse]) in [
+        ("cube", [(8, 12), (8, 12), (9, 14), (7, 10)]),
+        ("icosahedron", [(12, 20), (12, 20), (13, 22), (11, 18)]),
+        ("torus", [(18, 36), (18, 36), (19, 38), (17, 34)]),
+    ] {
+        let row = |name, (vertices, faces)| (name, vertices, faces);
+        counts(
+            &format!("models/cmu462/{folder}"),
+            &[
+                row("input", input),
+                row("edgeFlip", flip),
+                row("edgeSplit", split),
+                row("edgeCollapse", collapse),
+            ],
+        );
+    }
+}
+
+#[test]
+fn transforms_apply_in_metres_with_y_up() {
+    for path in shared("models/cmu462", "dae").iter().filter(|path| path.ends_with("cube.dae")) {
+        let import = read(&[load(path)]).expect("readable");
+        assert!(import.report.to_string().contains("Y is up instead of Z"), "{}", import.report);
+        // (1, 1, -1), scaled by (1.999999, 2, 2), turned.
+        assert_eq!(mesh(&import).position(VertexId::new(0)), Vec3::new(1.999_999, -2.0, -2.0));
+        assert_eq!(mesh(&import).get(keys::FACE_COLOR, 0), Color([163, 163, 163]));
+    }
+    let scene = "<library_nodes><node id=\"n\" name=\"lib\"><scale>2 2 2</scale><instance_geometry url=\"#g\"/></node></library_nodes>\
+        <library_visual_scenes><visual_scene id=\"vs\"><node name=\"outer\"><translate>0 0 3</translate><rotate>0 0 1 90</rotate>\
+        <instance_geometry url=\"#g\"/><instance_node url=\"#n\"/><node name=\"in\"><matrix>1 0 0 5 0 1 0 0 0 0 1 0 0 0 0 1</matrix><instance_geometry url=\"#g\"/></node></node></visual_scene></library_visual_scenes>\
+        <scene><instance_visual_scene url=\"#vs\"/></scene>";
+    let text = document(
+        "<unit meter=\"0.5\"/><up_axis>X_UP</up_axis>",
+        &format!("<triangles>{INPUT}<p>0 1 2</p></triangles>"),
+        scene,
+    );
+    let import = read_dae(text).expect("readable");
+    assert_eq!(import.objects.iter().map(|o| o.name.as_str()).collect::<Vec<_>>(), ["outer", "lib", "in"]);
+    let at = |object: usize| import.objects[object].mesh.position(VertexId::new(1));
+    // Vertex 1 is (1, 0, 0): turned to (0, 1, 0), moved to (0, 1, 3); X up gives (-1, 0, 3), halved.
+    assert!(at(0).distance(Vec3::new(-0.5, 0.0, 1.5)) < 1e-6, "{}", at(0));
+    assert!(at(1).distance(Vec3::new(-1.0, 0.0, 1.5)) < 1e-6, "{}", at(1));
+    assert!(at(2).distance(Vec3::new(-3.0, 0.0, 1.5)) < 1e-6, "{}", at(2));
+}
+
+#[test]
+fn every_primitive_is_read() {
+    for (primitive, faces, expected) in [
+        ("<polylist><I/><vcount>4 3</vcount><p>0 1 2 3 1 4 2</p></polylist>", 2, ""),
+        (
+            "<polygons><I/><p>0 1 2 3</p><ph><p>1 4 5 2</p><h>0 1 2</h></ph></polygons>",
+            2,
+            "The holes of 1 polygon were filled",
+        ),
+        ("<triangles><I/><p>0 1 2 0 2 3</p></triangles>", 2, ""),
+        ("<tristrips><I/><p>0 1 3 2</p><p>1 4 2 5</p></tristrips>", 4, ""),
+        ("<trifans><I/><p>0 1 2 3</p></trifans>", 2, ""),
+        ("<triangles><I/></triangles><lines><I/><p>0 1</p></lines>", 0, "1 set of lines left out"),
+    ] {
+        let import = read_dae(document("", &primitive.replace("<I/>", INPUT), "")).expect("readable");
+        let mesh = mesh(&import);
+        assert_eq!((mesh.vertex_count(), mesh.face_count()), (6, faces), "{primitive}");
+        assert!(import.report.to_string().contains(expected), "{}", import.report);
+        assert_eq!(import.report.is_clean(), expected.is_empty(), "{}", import.report);
+        assert_eq!(import.objects[0].name, "shape");
+    }
+}
+
+#[test]
+fn encodings_are_told() {
+    let text = document("", &format!("<triangles>{INPUT}<p>0 1 2</p></triangles>"), "")
+        .replace("\"shape\"", "\"Körper &amp; &#x3b1;\"");
+    let name =
+        |bytes: Vec<u8>| read(&[NamedBytes::new("a", bytes)]).expect("readable").objects[0].name.clone();
+    assert_eq!(name(text.clone().into_bytes()), "Körper & α");
+    assert_eq!(name([b"\xef\xbb\xbf", text.as_bytes()].concat()), "Körper & α");
+    assert_eq!(
+        name(std::iter::once(0xfeff).chain(text.encode_utf16()).flat_map(u16::to_le_bytes).collect()),
+        "Körper & α"
+    );
+    assert_eq!(name(text.encode_utf16().flat_map(u16::to_be_bytes).collect()), "Körper & α");
+    let latin = text.chars().map(|c| if (c as u32) < 256 { c as u8 } else { b'?' }).collect();
+    assert_eq!(name(latin), "Körper & α");
+}
+
+#[test]
+fn hostile_documents_are_errors() {
+    let scene = |nodes: &str| {
+        format!("<library_visual_scenes><visual_scene>{nodes}</visual_scene></library_visual_scenes>")
+    };
+    let triangles = format!("<triangles>{INPUT}<p>0 1 2</p></triangles>");
+    let bomb = (0..30)
+        .map(|i| {
+            format!(
+                "<node id=\"n{i}\"><instance_node url=\"#n{0}\"/><instance_node url=\"#n{0}\"/></node>",
+                i + 1
+            )
+        })
+        .collect::<String>();
+    for (text, expected) in [
+        ("<!DOCTYPE x [<!ENTITY a \"b\">]><COLLADA>&a;</COLLADA>".to_owned(), "entities"),
+        ("<COLLADA>&boom;</COLLADA>".to_owned(), "unknown entity"),
+        (format!("<COLLADA>{}", "<x>".repeat(100_000)), "more than 200 deep"),
+        (format!("<COLLADA>{}{}", "<node>".repeat(300), "</node>".repeat(300)), "more than 200 deep"),
+        ("<COLLADA><asset></COLLADA>".to_owned(), "line 1: not well-formed"),
+        ("<COLLADA><asset>".to_owned(), "ends in the middle"),
+        ("<COLLADA/>".to_owned(), "no mesh"),
+        ("<html/>".to_owned(), "root is not"),
+        ("".to_owned(), "root is not"),
+        (document("", &format!("<triangles>{INPUT}<p>0 1 9</p></triangles>"), ""), "vertex 9 of 6"),
+        (
+            document("", &format!("<triangles>{INPUT}<p>0 1 -1</p></triangles>"), ""),
+            "something else than numbers",
+        ),
+        (
+            document("", &format!("<polylist>{INPUT}<vcount>4000000000</vcount><p>0</p></polylist>"), ""),
+            "fewer indices",
+        ),
+        (document("", "<triangles><p>0 1 2</p></triangles>", ""), "no input for its vertices"),
+        (
+            document(
+                "",
+                &format!(
+                    "<triangles>{INPUT}<input semantic=\"NORMAL\" source=\"#q\" offset=\"1\"/><p>0 0</p></triangles>"
+                ),
+                "",
+            ),
+            "no source \"#q\"",
+        ),
+        (
+            document(
+                "",
+                &format!(
+                    "<triangles>{INPUT}<input semantic=\"NORMAL\" source=\"#s\" offset=\"999999999\"/></triangles>"
+                ),
+                "",
+            ),
+            "offset",
+        ),
+        (
+            document("", &triangles, &scene("<node name=\"n\"><instance_geometry url=\"#x\"/></node>")),
+            "\"#x\", which doesn't exist",
+        ),
+        (
+            document("", &triangles, &scene("<node id=\"n\"><instance_node url=\"#n\"/></node>")),
+            "without end",
+        ),
+        (
+            document(
+                "",
+                &triangles,
+                &scene(&format!("{bomb}<node id=\"n30\"><instance_geometry url=\"#g\"/></node>")),
+            ),
+            "",
+        ),
+        (document("", &triangles, &scene("<node><skew>1 2 3</skew></node>")), "skewed"),
+    ] {
+        let error = read_dae(text.as_str()).expect_err(&text.chars().take(200).collect::<String>());
+        assert!(
+            error.contains(expected) || expected.is_empty(),
+            "{error}\n{}",
+            text.chars().take(200).collect::<String>()
+        );
+    }
+}
+
+/// Quads and triangles with uvs and normals on some faces, colours, materials, a loose vertex.
+fn sample() -> Mesh {
+    let positions =
+        (0..8).map(|i| Vec3::new((i % 3) as f32 / 3.0, (i / 3) as f32, -0.1 * i as f32)).collect();
+    let faces: [&[u32]; 4] = [&[0, 1, 4, 3], &[1, 2, 5], &[1, 5, 4], &[3, 4, 6]];
+    let mut soup = PolygonSoup::new(positions, &faces);
+    let uv = |i: usize| if i < 7 { Vec2::new(i as f32 / 7.0, 0.5) } else { Vec2::NAN };
+    soup.corner_columns.push(Column::with_values(keys::CORNER_UV, (0..13).map(uv).collect()));
+    let normal = |i: usize| if i >= 4 { Vec3::Z } else { Vec3::NAN };
+    soup.corner_columns.push(Column::with_values(keys::CORNER_NORMAL, (0..13).map(normal).collect()));
+    let material = Column::with_values(keys::FACE_MATERIAL, vec![0, 1, halfedge::NONE, 0]);
+    soup.face_columns
+        .push(Column { labels: vec!["red & <\"wood\">".to_owned(), "b".to_owned()], ..material });
+    let colors = [Color([1, 2, 3]), Color([77, 0, 255]), Color([9, 9, 9]), Color([4, 5, 6])];
+    soup.face_columns.push(Column::with_values(keys::FACE_COLOR, colors.to_vec()));
+    Mesh::build(soup).expect("small").mesh
+}
+
+#[test]
+fn attributes_and_objects_round_trip() {
+    let sample = sample();
+    let mut plain = Mesh::build(sample.to_soup()).expect("small").mesh;
+    plain.insert_column(Element::Face, Column::with_values(keys::FACE_COLOR, vec![Color::UNPAINTED; 4]));
+    let given = [
+        ObjectRef { name: "one & only", mesh: &sample },
+        ObjectRef { name: "two", mesh: &plain },
+        ObjectRef { name: "empty", mesh: &Mesh::new() },
+    ];
+    let import = read(&formats::write(Format::Collada, "x", &given).expect("small")).expect("readable");
+    assert!(import.report.is_clean(), "{}", import.report);
+    assert_eq!(import.objects.len(), 3);
+    for (back, given) in import.objects.iter().zip(&given) {
+        assert_eq!(back.name, given.name);
+        back.mesh.validate().expect("valid");
+        assert!(back.mesh == *given.mesh, "{}", given.name);
+    }
+}
+
+#[test]
+fn shared_models_round_trip() {
+    for path in shared("models/common", "obj") {
+        let original = read(&[load(&path)]).expect("readable");
+        let original = &original.objects[0].mesh;
+        let files =
+            formats::write(Format::Collada, "x", &[ObjectRef { name: "m", mesh: original }]).expect("small");
+        let import = read(&files).expect("readable");
+        let back = mesh(&import);
+        assert!(import.report.is_clean(), "{}", import.report);
+        assert!(back.positions() == original.positions());
+        let corners = |mesh: &Mesh| mesh.to_soup().corners;
+        assert!(corners(back) == corners(original), "{}", path.display());
+    }
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(500))]
+
+    #[test]
+    fn damaged_documents_never_panic(
+        edits in prop::collection::vec((any::<prop::sample::Index>(), any::<prop::sample::Index>(), any::<u8>(), 0u8..5), 1..6),
+        wide in any::<bool>(),
+    ) {
+        let sample = sample();
+        let files = formats::write(Format::Collada, "x", &[ObjectRef { name: "a", mesh: &sample }]).expect("small");
+        let mut bytes = files[0].bytes.clone();
+        for (at, other, value, kind) in edits {
+            if bytes.is_empty() {
+                break;
+            }
+            let (at, other) = (at.index(bytes.len()), other.index(bytes.len()));
+            match kind {
+                0 => bytes[at] = value,
+                1 => bytes.truncate(at),
+                2 => { bytes.remove(at); }
+                3 => bytes.insert(at, b"0123456789 -.<>/\"#e"[usize::from(value) % 19]),
+                _ => {
+                    let part = bytes[at.min(other)..at.max(other).min(at.min(other) + 200)].to_vec();
+                    bytes.splice(at..at, part);
+                }
+            }
+        }
+        if wide {
+            bytes = String::from_utf8_lossy(&bytes).encode_utf16().flat_map(u16::to_le_bytes).collect();
+        }
+        if let Ok(import) = read(&[NamedBytes::new("a.dae", bytes)]) {
+            for object in &import.objects {
+                object.mesh.validate().expect("valid");
+            }
+        }
+    }
+}
