@@ -12,7 +12,8 @@ fn torus(n: u32, m: u32) -> Mesh {
     let at = |i: u32, j: u32| i % n * m + j % m;
     for i in 0..n {
         for j in 0..m {
-            let (u, v) = (i as f32 / n as f32 * 6.283, j as f32 / m as f32 * 6.283);
+            let (u, v) =
+                (i as f32 / n as f32 * std::f32::consts::TAU, j as f32 / m as f32 * std::f32::consts::TAU);
             let r = 1.0 + 0.3 * v.cos();
             soup.positions.push(Vec3::new(r * u.cos(), r * u.sin(), 0.3 * v.sin()));
             soup.push_face([at(i, j), at(i + 1, j), at(i + 1, j + 1)]);

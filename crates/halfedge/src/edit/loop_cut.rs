@@ -88,11 +88,11 @@ fn plan_cut(mesh: &Mesh, edge: EdgeId, cuts: u32, t: f32) -> Result<Plan, Refusa
     faces.dedup();
     for face in faces {
         let sides: Vec<HalfedgeId> = mesh.face_halfedges(face).collect();
-        match sides.as_slice() {
-            &[a, b, c, d] if points.contains_key(&a) => {
+        match *sides.as_slice() {
+            [a, b, c, d] if points.contains_key(&a) => {
                 cut_quad(mesh, &mut patch, &points, face, [a, b, c, d])
             }
-            &[a, b, c, d] => cut_quad(mesh, &mut patch, &points, face, [b, c, d, a]),
+            [a, b, c, d] => cut_quad(mesh, &mut patch, &points, face, [b, c, d, a]),
             _ => end_of_ring(&mut patch, mesh, &points, face, &sides),
         }
     }

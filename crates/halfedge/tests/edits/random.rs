@@ -164,7 +164,7 @@ fn one_edit(mesh: &mut Mesh, random: &mut Random, kind: usize) -> Tried {
             |made| Said::made(made).same(),
         ),
         7 => {
-            let some: Vec<FaceId> = if all.faces.len() > 150 {
+            let some: Vec<FaceId> = if all.faces.len() > 100 {
                 all.faces.iter().copied().filter(|_| random.below(2) == 0).collect()
             } else {
                 (0..=random.below(3)).filter_map(|_| random.pick(&all.faces)).collect()
@@ -372,7 +372,7 @@ fn run(name: &str, start: &Mesh, seed: u64, edits: usize) -> Vec<usize> {
             break;
         }
         // Keep it small: when large, delete the half of it.
-        let large = mesh.face_count() > 150;
+        let large = mesh.face_count() > 100;
         let kind = if large { 7 } else { random.below(EDITS) };
         let counts = [mesh.vertex_count(), mesh.edge_count(), mesh.face_count()].map(|n| n as i64);
         mesh.start_recording();
