@@ -238,45 +238,25 @@ fn every_shortened_request_is_refused() {
     }
 }
 
-#[test]
-fn headers_that_promise_more_than_there_is_are_refused() {
-    let header = json!({"Run": {"id": 1, "ops": [{"op": "subdivide-linear"}], "meshes": [
-        {"name": "", "vertices": u64::MAX / 16, "edges": u64::MAX / 2, "faces": 3, "gaps": [0, 0, 0],
-         "columns": [[], [], [], []]}]}})
-    .to_string();
-    let mut bytes = b"MWjobRq1".to_vec();
-    bytes.extend((header.len() as u64).to_le_bytes());
-    bytes.extend(header.as_bytes());
-    let error = JobRequest::from_bytes(&bytes).expect_err("nothing is there");
-    assert!(error.to_string().contains("early") || error.to_string().contains("long"), "{error}");
-}
-
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(512))]
 
-    /// Whatever comes out of damaged bytes is an error or a job with valid meshes.
     #[test]
-    fn damaged_bytes_never_panic(which in 0usize..3, at in any::<prop::sample::Index>(), bits in 1u8..) {
+    fn damaged_bytes_are_refused(which in 0usize..3, at in any::<prop::sample::Index>(), bits in 1u8..) {
         let mut bytes = requests().swap_remove(which);
         let at = at.index(bytes.len());
         bytes[at] ^= bits;
-        if let Ok(request) = JobRequest::from_bytes(&bytes) {
-            let _ = JobRequest::from_bytes(&request.to_bytes()).expect("its own bytes");
-        }
+        prop_assert!(JobRequest::from_bytes(&bytes).is_err());
     }
 
     #[test]
-    fn damaged_results_never_panic(at in any::<prop::sample::Index>(), bits in 1u8..) {
-        let editor = Editor::with_mesh("Cube", decorated());
-        let mut editor = editor;
+    fn damaged_results_are_refused(at in any::<prop::sample::Index>(), bits in 1u8..) {
+        let mut editor = Editor::with_mesh("Cube", decorated());
         let request = editor.begin_import(vec![NamedBytes::new("a.obj", OBJ)]);
         let mut bytes = request.run(&mut on).expect("a file").to_bytes();
         let at = at.index(bytes.len());
         bytes[at] ^= bits;
-        if let Ok(result) = JobResult::from_bytes(&bytes) {
-            let _ = editor.finish(request.id(), Ok(result));
-            validate(&editor);
-        }
+        prop_assert!(JobResult::from_bytes(&bytes).is_err());
     }
 
     #[test]

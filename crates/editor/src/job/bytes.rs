@@ -1,8 +1,13 @@
 //! Jobs as bytes, for sending them to a worker and back.
 //!
-//! Eight bytes of magic, the length of a JSON header, the header, then raw columns one after the
-//! other, in native byte order (both ends are the same program on the same machine). The header
-//! says what the columns are and how long, so nothing is allocated that the bytes don't hold.
+//! Eight bytes of magic, a checksum of the rest, the length of a JSON header, the header, then raw
+//! columns one after the other, in native byte order (both ends are the same program on the same
+//! machine). The header says what the columns are and how long, so nothing is allocated that the
+//! bytes don't hold.
+//!
+//! The page must not freeze while it takes in millions of faces, and validating them takes longer
+//! than a frame. So the writing end, the worker, validates, and says so in the header; the checksum
+//! tells the reading end that what arrives is what was written.
 
 use super::{JobId, JobRequest, JobResult, Made, Work};
 use crate::command::{Command, Input, Op, Output};
@@ -11,6 +16,7 @@ use formats::{Format, Import, ImportReport, ImportedObject, NamedBytes};
 use halfedge::attribute::{Column, Columns, Value, Values};
 use halfedge::{Color, Element, Gaps, Mesh, RawMesh};
 use serde::{Deserialize, Serialize};
+use std::borrow::Cow;
 use std::fmt;
 use std::sync::Arc;
 
@@ -41,7 +47,14 @@ enum RequestHeader {
 }
 
 #[derive(Serialize, Deserialize)]
-enum ResultHeader {
+struct ResultHeader {
+    /// Whether the writing end found every mesh valid.
+    validated: bool,
+    made: MadeHeader,
+}
+
+#[derive(Serialize, Deserialize)]
+enum MadeHeader {
     Import { name: String, report: ImportReport, meshes: Vec<MeshHeader> },
     Meshes { meshes: Vec<MeshHeader>, ids: Option<[usize; 6]>, notes: Vec<String> },
     Files { files: Vec<FileHeader> },
@@ -107,7 +120,7 @@ impl JobRequest {
     /// Reads a job that [`JobRequest::to_bytes`] wrote.
     ///
     /// # Errors
-    /// Bytes that are not a job, or whose meshes are not valid.
+    /// Bytes that are not a job, or were damaged on the way.
     pub fn from_bytes(bytes: &[u8]) -> Result<Self, BadBytes> {
         let (header, mut rest) = Reader::open(REQUEST, bytes)?;
         let inputs = |rest: &mut Reader<'_>, meshes: Vec<MeshHeader>| {
@@ -139,16 +152,18 @@ impl JobRequest {
 }
 
 impl JobResult {
-    /// The result as bytes, which [`JobResult::from_bytes`] reads. Costs a copy of the meshes.
+    /// The result as bytes, which [`JobResult::from_bytes`] reads. Validates the meshes, so that the
+    /// reading end need not. Costs that and a copy of the meshes.
     pub fn to_bytes(&self) -> Vec<u8> {
         let mut out = Writer::default();
-        let header = match &self.made {
-            Made::Import(import) => ResultHeader::Import {
+        let validated = self.validated || self.made.validate().is_ok();
+        let made = match &self.made {
+            Made::Import(import) => MadeHeader::Import {
                 name: import.name.clone(),
                 report: import.report.clone(),
                 meshes: import.objects.iter().map(|object| out.mesh(&object.name, &object.mesh)).collect(),
             },
-            Made::Meshes(outputs, ids, notes) => ResultHeader::Meshes {
+            Made::Meshes(outputs, ids, notes) => MadeHeader::Meshes {
                 meshes: outputs.iter().map(|output| out.mesh(&output.name, &output.mesh)).collect(),
                 ids: ids.as_ref().map(|(created, removed)| {
                     let [a, b, c] = out.ids(created);
@@ -157,19 +172,19 @@ impl JobResult {
                 }),
                 notes: notes.clone(),
             },
-            Made::Files(files) => ResultHeader::Files { files: out.files(files) },
+            Made::Files(files) => MadeHeader::Files { files: out.files(files) },
         };
-        out.finish(RESULT, &header)
+        out.finish(RESULT, &ResultHeader { validated, made })
     }
 
-    /// Reads a result that [`JobResult::to_bytes`] wrote, and validates its meshes.
+    /// Reads a result that [`JobResult::to_bytes`] wrote. Costs a copy of the meshes.
     ///
     /// # Errors
-    /// Bytes that are not a result, or whose meshes are not valid.
+    /// Bytes that are not a result, or were damaged on the way.
     pub fn from_bytes(bytes: &[u8]) -> Result<Self, BadBytes> {
-        let (header, mut rest) = Reader::open(RESULT, bytes)?;
-        let made = match header {
-            ResultHeader::Import { name, report, meshes } => {
+        let (ResultHeader { validated, made }, mut rest) = Reader::open(RESULT, bytes)?;
+        let made = match made {
+            MadeHeader::Import { name, report, meshes } => {
                 let objects = meshes
                     .into_iter()
                     .map(|header| {
@@ -179,7 +194,7 @@ impl JobResult {
                     .collect::<Result<_, BadBytes>>()?;
                 Made::Import(Import { name, objects, report })
             }
-            ResultHeader::Meshes { meshes, ids, notes } => {
+            MadeHeader::Meshes { meshes, ids, notes } => {
                 let outputs = meshes
                     .into_iter()
                     .map(|header| {
@@ -193,64 +208,67 @@ impl JobResult {
                 };
                 Made::Meshes(outputs, ids, notes)
             }
-            ResultHeader::Files { files } => Made::Files(rest.files(files)?),
+            MadeHeader::Files { files } => Made::Files(rest.files(files)?),
         };
         rest.end()?;
-        Ok(Self { made, validated: true })
+        Ok(Self { made, validated })
     }
 }
 
-/// Collects raw columns.
+/// Collects raw columns, copying nothing until the end.
 #[derive(Default)]
-struct Writer {
-    body: Vec<u8>,
+struct Writer<'a> {
+    body: Vec<Cow<'a, [u8]>>,
 }
 
-impl Writer {
-    fn column<T: bytemuck::NoUninit>(&mut self, column: &[T]) {
-        self.body.extend_from_slice(bytemuck::cast_slice(column));
+impl<'a> Writer<'a> {
+    fn column<T: bytemuck::NoUninit>(&mut self, column: &'a [T]) {
+        self.body.push(Cow::Borrowed(bytemuck::cast_slice(column)));
     }
 
-    fn files(&mut self, files: &[NamedBytes]) -> Vec<FileHeader> {
+    fn files(&mut self, files: &'a [NamedBytes]) -> Vec<FileHeader> {
         files
             .iter()
             .map(|file| {
-                self.body.extend_from_slice(&file.bytes);
+                self.column(&file.bytes);
                 FileHeader { name: file.name.clone(), bytes: file.bytes.len() }
             })
             .collect()
     }
 
-    fn ids(&mut self, ids: &ElementIds) -> [usize; 3] {
+    fn ids(&mut self, ids: &'a ElementIds) -> [usize; 3] {
         [&ids.vertices, &ids.edges, &ids.faces].map(|list| {
             self.column(list);
             list.len()
         })
     }
 
-    fn mesh(&mut self, name: &str, mesh: &Mesh) -> MeshHeader {
-        let gaps = mesh.gaps();
-        let raw = mesh.clone().into_raw();
-        self.body.reserve(mesh.bytes());
-        self.column(&raw.positions);
-        for column in [&raw.vertex_halfedge, &raw.next, &raw.prev, &raw.to, &raw.face, &raw.face_halfedge] {
+    fn mesh(&mut self, name: &str, mesh: &'a Mesh) -> MeshHeader {
+        let links = mesh.connectivity();
+        self.column(mesh.positions());
+        for column in
+            [links.vertex_halfedge, links.next, links.prev, links.to, links.face, links.face_halfedge]
+        {
             self.column(column);
         }
-        for list in [&gaps.vertices, &gaps.edges, &gaps.faces] {
-            self.column(list);
-        }
+        let gaps = mesh.gaps();
+        let lengths = [&gaps.vertices, &gaps.edges, &gaps.faces].map(|list| {
+            self.body.push(Cow::Owned(bytemuck::cast_slice(list).to_vec()));
+            list.len()
+        });
         MeshHeader {
             name: name.to_owned(),
-            vertices: raw.positions.len(),
-            edges: raw.next.len() / 2,
-            faces: raw.face_halfedge.len(),
-            gaps: [gaps.vertices.len(), gaps.edges.len(), gaps.faces.len()],
-            columns: Element::ALL
-                .map(|element| raw.columns.of(element).iter().map(|column| self.attribute(column)).collect()),
+            vertices: mesh.vertex_capacity(),
+            edges: mesh.edge_capacity(),
+            faces: mesh.face_capacity(),
+            gaps: lengths,
+            columns: Element::ALL.map(|element| {
+                mesh.columns().of(element).iter().map(|column| self.attribute(column)).collect()
+            }),
         }
     }
 
-    fn attribute(&mut self, column: &Column) -> ColumnHeader {
+    fn attribute(&mut self, column: &'a Column) -> ColumnHeader {
         let kind = match &column.values {
             Values::F32(values) => {
                 self.column(values);
@@ -265,7 +283,7 @@ impl Writer {
                 Kind::Vec3
             }
             Values::Color(values) => {
-                self.body.extend(values.iter().flat_map(|color| color.0));
+                self.body.push(Cow::Owned(values.iter().flat_map(|color| color.0).collect()));
                 Kind::Color
             }
             Values::U32(values) => {
@@ -286,13 +304,39 @@ impl Writer {
     fn finish(self, magic: [u8; 8], header: &impl Serialize) -> Vec<u8> {
         // Headers are plain data with text keys: writing them can't fail.
         let header = serde_json::to_vec(header).unwrap_or_default();
-        let mut out = Vec::with_capacity(16 + header.len() + self.body.len());
+        let body: usize = self.body.iter().map(|part| part.len()).sum();
+        let mut out = Vec::with_capacity(24 + header.len() + body);
         out.extend_from_slice(&magic);
+        out.extend_from_slice(&[0; 8]);
         out.extend_from_slice(&(header.len() as u64).to_le_bytes());
         out.extend_from_slice(&header);
-        out.extend_from_slice(&self.body);
+        for part in &self.body {
+            out.extend_from_slice(part);
+        }
+        if let Some((head, rest)) = out.split_at_mut_checked(16)
+            && let Some(slot) = head.last_chunk_mut::<8>()
+        {
+            *slot = checksum(rest).to_le_bytes();
+        }
         out
     }
+}
+
+/// A sum that every change of a single word changes: each step is a bijection of the lane and of
+/// the word. Four lanes, so that the processor does four at a time.
+fn checksum(bytes: &[u8]) -> u64 {
+    const ODD: u64 = 0x9e37_79b9_7f4a_7c15;
+    let step = |lane: u64, word: u64| (lane ^ word).wrapping_mul(ODD).rotate_left(23);
+    let mut lanes = [1, 2, 3, 4u64];
+    let (blocks, rest) = bytes.as_chunks::<32>();
+    for block in blocks {
+        let (words, _) = block.as_chunks::<8>();
+        for (lane, word) in lanes.iter_mut().zip(words) {
+            *lane = step(*lane, u64::from_le_bytes(*word));
+        }
+    }
+    let tail = rest.iter().fold(bytes.len() as u64, |sum, &byte| step(sum, u64::from(byte)));
+    lanes.into_iter().fold(tail, step)
 }
 
 /// Takes raw columns off the front of bytes, never more than are there.
@@ -303,6 +347,10 @@ struct Reader<'a> {
 impl<'a> Reader<'a> {
     fn open<H: Deserialize<'a>>(magic: [u8; 8], bytes: &'a [u8]) -> Result<(H, Self), BadBytes> {
         let rest = bytes.strip_prefix(&magic).ok_or_else(|| bad("they don't start like one"))?;
+        let (sum, rest) = rest.split_first_chunk::<8>().ok_or_else(|| bad("they end too early"))?;
+        if checksum(rest) != u64::from_le_bytes(*sum) {
+            return Err(bad("they are damaged"));
+        }
         let (length, rest) = rest.split_first_chunk::<8>().ok_or_else(|| bad("they end too early"))?;
         let length = usize::try_from(u64::from_le_bytes(*length)).map_err(bad)?;
         let (header, rest) = rest.split_at_checked(length).ok_or_else(|| bad("they end too early"))?;
@@ -324,7 +372,17 @@ impl<'a> Reader<'a> {
         len: usize,
     ) -> Result<Vec<T>, BadBytes> {
         let bytes = len.checked_mul(size_of::<T>()).ok_or_else(|| bad("a column is too long"))?;
-        Ok(bytemuck::pod_collect_to_vec(self.take(bytes)?))
+        let bytes = self.take(bytes)?;
+        // Room for the next edits, which would otherwise move every column of the mesh at once.
+        let mut column = Vec::with_capacity(len + len / 16);
+        match bytemuck::try_cast_slice(bytes) {
+            Ok(values) => column.extend_from_slice(values),
+            // Not aligned for the type.
+            Err(_) => {
+                column.extend(bytes.chunks_exact(size_of::<T>()).map(bytemuck::pod_read_unaligned::<T>))
+            }
+        }
+        Ok(column)
     }
 
     fn files(&mut self, headers: Vec<FileHeader>) -> Result<Vec<NamedBytes>, BadBytes> {
@@ -371,9 +429,7 @@ impl<'a> Reader<'a> {
                 raw.columns.of_mut(element).push(column);
             }
         }
-        let mesh = Mesh::from_raw_with_gaps(raw, &gaps);
-        mesh.validate().map_err(bad)?;
-        Ok(mesh)
+        Ok(Mesh::from_raw_with_gaps(raw, &gaps))
     }
 
     fn attribute(&mut self, header: ColumnHeader, len: usize) -> Result<Column, BadBytes> {
@@ -393,5 +449,67 @@ impl<'a> Reader<'a> {
             Kind::U32 => (Values::U32(self.column(len)?), Value::U32(bits(0)?)),
         };
         Ok(Column { name: header.name, values, default, labels: header.labels })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use halfedge::PolygonSoup;
+
+    /// Bytes with a right checksum, whatever the header promises.
+    fn sealed(header: &RequestHeader, body: &[u8]) -> Vec<u8> {
+        Writer { body: vec![Cow::Borrowed(body)] }.finish(REQUEST, header)
+    }
+
+    fn promising(vertices: usize, edges: usize, faces: usize) -> RequestHeader {
+        let columns = [const { Vec::new() }; 4];
+        let mesh = MeshHeader { name: String::new(), vertices, edges, faces, gaps: [0; 3], columns };
+        RequestHeader::Export { id: 1, extension: "obj".into(), name: String::new(), meshes: vec![mesh] }
+    }
+
+    #[test]
+    fn headers_that_promise_more_than_there_is_are_refused() {
+        assert!(JobRequest::from_bytes(&sealed(&promising(0, 0, 0), &[])).is_ok());
+        for [vertices, edges, faces] in [
+            [1, 0, 0],
+            [usize::MAX / 12, 0, 0],
+            [0, usize::MAX, 0],
+            [0, usize::MAX / 8, 0],
+            [0, 0, usize::MAX],
+        ] {
+            let error = JobRequest::from_bytes(&sealed(&promising(vertices, edges, faces), &[0; 8]));
+            let text = error.expect_err("there are eight bytes").to_string();
+            assert!(text.ends_with("too early") || text.ends_with("too long"), "{text}");
+        }
+        let error = JobRequest::from_bytes(&sealed(&promising(0, 0, 0), &[0])).expect_err("one byte more");
+        assert!(error.to_string().contains("after the end"), "{error}");
+    }
+
+    #[test]
+    fn every_damaged_byte_is_noticed() {
+        let bytes: Vec<u8> = (0..100).collect();
+        let sum = checksum(&bytes);
+        for at in 0..bytes.len() {
+            for bit in 0..8 {
+                let mut damaged = bytes.clone();
+                damaged[at] ^= 1 << bit;
+                assert_ne!(checksum(&damaged), sum, "{at}");
+            }
+            assert_ne!(checksum(&bytes[..at]), sum, "{at}");
+        }
+    }
+
+    #[test]
+    fn a_mesh_that_is_not_valid_is_said_to_be_so() {
+        let soup = PolygonSoup::new(vec![glam::Vec3::ZERO; 3], &[[0, 1, 2]]);
+        let mut raw = Mesh::build(soup).expect("small").mesh.into_raw();
+        raw.next.swap(0, 1);
+        let output = Output { name: String::new(), mesh: Arc::new(Mesh::from_raw(raw)) };
+        let made = Made::Meshes(vec![output], None, Vec::new());
+        let result = JobResult { made, validated: false };
+        let read = JobResult::from_bytes(&result.to_bytes()).expect("its own bytes");
+        assert!(!read.validated);
+        assert!(read.made.validate().is_err());
     }
 }
