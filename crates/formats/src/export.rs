@@ -2,7 +2,7 @@
 
 use crate::format::Format;
 use crate::import::NamedBytes;
-use crate::{collada, json, obj, off, ply, stl};
+use crate::{collada, gltf, json, obj, off, ply, stl};
 use halfedge::Mesh;
 use std::fmt;
 
@@ -50,6 +50,8 @@ pub fn write(format: Format, name: &str, objects: &[ObjectRef]) -> Result<Vec<Na
         Format::StlText => stl::write_text(name, objects),
         Format::Off => off::write(name, objects),
         Format::Collada => collada::write(name, objects),
+        Format::Glb => gltf::write_binary(name, objects)?,
+        Format::Gltf => gltf::write_text(name, objects),
         Format::Json => json::write(name, objects),
     })
 }

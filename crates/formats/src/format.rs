@@ -2,7 +2,7 @@
 
 use crate::import::NamedBytes;
 use crate::losses::Part;
-use crate::{collada, off, stl};
+use crate::{collada, gltf, off, stl};
 
 /// A file format. Where one is written in two ways, reading tells them apart and calls both by the
 /// first.
@@ -22,14 +22,28 @@ pub enum Format {
     Off,
     /// COLLADA.
     Collada,
+    /// glTF as one binary file.
+    Glb,
+    /// glTF as JSON, with its data beside it.
+    Gltf,
     /// The half-edge mesh itself as JSON; written only.
     Json,
 }
 
 impl Format {
     /// All formats, in the order menus show them.
-    pub const ALL: [Self; 8] =
-        [Self::Obj, Self::Ply, Self::PlyText, Self::Stl, Self::StlText, Self::Off, Self::Collada, Self::Json];
+    pub const ALL: [Self; 10] = [
+        Self::Obj,
+        Self::Ply,
+        Self::PlyText,
+        Self::Stl,
+        Self::StlText,
+        Self::Off,
+        Self::Collada,
+        Self::Glb,
+        Self::Gltf,
+        Self::Json,
+    ];
 
     /// What users call it.
     pub fn name(self) -> &'static str {
@@ -41,6 +55,8 @@ impl Format {
             Self::StlText => "STL (text)",
             Self::Off => "OFF",
             Self::Collada => "COLLADA",
+            Self::Glb => "GLB",
+            Self::Gltf => "glTF",
             Self::Json => "Half-edge JSON",
         }
     }
@@ -53,6 +69,8 @@ impl Format {
             Self::Stl | Self::StlText => &["stl"],
             Self::Off => &["off", "coff"],
             Self::Collada => &["dae"],
+            Self::Glb => &["glb"],
+            Self::Gltf => &["gltf"],
             Self::Json => &["json"],
         }
     }
@@ -84,6 +102,10 @@ impl Format {
             Self::Collada => {
                 !matches!(part, Part::VertexColors | Part::Groups | Part::Smoothing | Part::Creases)
             }
+            Self::Glb | Self::Gltf => !matches!(
+                part,
+                Part::Polygons | Part::LooseVertices | Part::Groups | Part::Smoothing | Part::Creases
+            ),
             Self::Json => matches!(part, Part::Polygons | Part::LooseVertices),
         }
     }
@@ -114,6 +136,9 @@ impl Format {
         }
         if off::is_off(bytes) {
             return Some(Self::Off);
+        }
+        if gltf::looks_like(bytes) {
+            return Some(if bytes.starts_with(b"glTF") { Self::Glb } else { Self::Gltf });
         }
         if collada::looks_like(bytes) {
             return Some(Self::Collada);

@@ -2,7 +2,7 @@
 
 use crate::format::{Format, is_material_library};
 use crate::report::{ImportReport, counted};
-use crate::{collada, obj, off, ply, stl};
+use crate::{collada, gltf, obj, off, ply, stl};
 use halfedge::{Mesh, PolygonSoup, Progress};
 use std::fmt;
 
@@ -120,12 +120,17 @@ pub fn read(files: &[NamedBytes], progress: &mut Progress) -> Result<Import, Rea
         let size = file.bytes.len().max(1);
         let mut part =
             |fraction: f32| progress((done as f32 + size as f32 * fraction.clamp(0.0, 1.0)) / total as f32);
-        let (objects, report) = read_one(file, *format, &libraries, &mut part)?;
+        let (objects, report) = read_one(file, *format, &libraries, files, &mut part)?;
         import.report.append(if models.len() > 1 { report.prefixed(&file.name) } else { report });
         import.objects.extend(objects);
         done += size;
     }
+    // The data beside a glTF is not a model of its own.
+    let has_gltf = models.iter().any(|(_, format)| *format == Format::Gltf);
     for file in others {
+        if has_gltf && file.name.to_ascii_lowercase().ends_with(".bin") {
+            continue;
+        }
         import.report.warn(format!("{} was left out: it is not a model that Meshwright can open", file.name));
     }
     Ok(import)
@@ -135,6 +140,7 @@ fn read_one(
     file: &NamedBytes,
     format: Format,
     libraries: &[&NamedBytes],
+    files: &[NamedBytes],
     progress: &mut Progress,
 ) -> Result<(Vec<ImportedObject>, ImportReport), ReadError> {
     let one = |(object, notes)| (vec![object], notes);
@@ -144,6 +150,7 @@ fn read_one(
         Format::Stl | Format::StlText => one(stl::read(file, progress)?),
         Format::Off => one(off::read(file, progress)?),
         Format::Collada => collada::read(file, progress)?,
+        Format::Glb | Format::Gltf => gltf::read(file, files, progress)?,
         Format::Json => {
             return Err(ReadError::file(&file.name, "half-edge dumps can be written but not read"));
         }

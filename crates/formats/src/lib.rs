@@ -6,6 +6,7 @@
 mod collada;
 mod export;
 mod format;
+mod gltf;
 mod hash;
 mod import;
 mod json;

@@ -56,7 +56,7 @@ pub(crate) fn read(
             .map_err(fail)?;
         // Instances may repeat a geometry; a small file must not fill the memory that way.
         corners += geometry.soup.corners.len() + geometry.soup.positions.len();
-        if corners > (file.bytes.len() / 2 + 1000).saturating_mul(16) {
+        if corners > file.bytes.len().saturating_mul(8).max(4_000_000) {
             return Err(fail("its scene repeats its meshes too many times".to_owned()));
         }
         holes += geometry.holes;

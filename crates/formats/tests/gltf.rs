@@ -1,0 +1,227 @@
+//! glTF and GLB: what is written reads back, files of other writers, hostile input.
+
+mod common;
+
+use common::{load, mesh, read, shared};
+use formats::{Format, NamedBytes, ObjectRef};
+use glam::{Vec2, Vec3};
+use halfedge::attribute::{Column, keys};
+use halfedge::{Color, Element, Mesh, PolygonSoup, VertexId};
+use proptest::prelude::*;
+
+const BOTH: [Format; 2] = [Format::Glb, Format::Gltf];
+
+/// An octahedron with a uv and a normal at each corner, so that files split its vertices.
+fn octahedron() -> Mesh {
+    let positions = [Vec3::X, Vec3::Y, Vec3::Z, -Vec3::X, -Vec3::Y, -Vec3::Z].to_vec();
+    let faces = [[0u32, 1, 2], [1, 3, 2], [3, 4, 2], [4, 0, 2], [1, 0, 5], [3, 1, 5], [4, 3, 5], [0, 4, 5]];
+    let mut soup = PolygonSoup::new(positions, &faces);
+    let uv = |i: usize| Vec2::new(i as f32 / 32.0, (i % 3) as f32 / 4.0);
+    soup.corner_columns.push(Column::with_values(keys::CORNER_UV, (0..24).map(uv).collect()));
+    let normal = |i: usize| if (i / 3).is_multiple_of(2) { Vec3::X } else { Vec3::Y };
+    soup.corner_columns.push(Column::with_values(keys::CORNER_NORMAL, (0..24).map(normal).collect()));
+    Mesh::build(soup).expect("small").mesh
+}
+
+#[test]
+fn split_vertices_become_one_again() {
+    let mesh_in = octahedron();
+    for format in BOTH {
+        let objects = [ObjectRef { name: "a", mesh: &mesh_in }, ObjectRef { name: "b", mesh: &mesh_in }];
+        let files = formats::write(format, "two", &objects).expect("small");
+        let import = read(&files).expect("readable");
+        assert!(import.report.is_clean(), "{}", import.report);
+        assert_eq!(import.objects.iter().map(|o| o.name.as_str()).collect::<Vec<_>>(), ["a", "b"]);
+        for object in &import.objects {
+            object.mesh.validate().expect("valid");
+            let (back, given) = (object.mesh.to_soup(), mesh_in.to_soup());
+            assert!(back.positions == given.positions && back.corners == given.corners, "{format:?}");
+            for name in ["uv", "normal"] {
+                let column =
+                    |soup: &PolygonSoup| soup.corner_columns.iter().find(|c| c.name == name).cloned();
+                assert!(column(&back) == column(&given), "{name}");
+            }
+        }
+    }
+}
+
+#[test]
+fn colours_and_materials_come_back_by_face() {
+    let mut mesh_in = octahedron();
+    let colors: Vec<Color> =
+        (0..8u8).map(|i| if i == 3 { Color::UNPAINTED } else { Color([i * 36, 255 - i, 128]) }).collect();
+    let material =
+        Column::with_values(keys::FACE_MATERIAL, vec![0, 0, 0, halfedge::NONE, 1, 1, halfedge::NONE, 0]);
+    mesh_in
+        .insert_column(Element::Face, Column { labels: vec!["wood".into(), "tin \"x\"".into()], ..material });
+    mesh_in.insert_column(Element::Face, Column::with_values(keys::FACE_COLOR, colors));
+    for format in BOTH {
+        let files = formats::write(format, "x", &[ObjectRef { name: "a", mesh: &mesh_in }]).expect("small");
+        let import = read(&files).expect("readable");
+        let back = mesh(&import);
+        // Faces are grouped by material: compare by the places of their corners.
+        let list = |mesh: &Mesh| {
+            let labels = &mesh.column(Element::Face, "material").expect("kept").labels;
+            let mut faces: Vec<_> = mesh
+                .faces()
+                .map(|f| {
+                    let corners: Vec<_> = mesh
+                        .face_vertices(f)
+                        .map(|v| mesh.position(v).to_array().map(f32::to_bits))
+                        .collect();
+                    let label = labels.get(mesh.get(keys::FACE_MATERIAL, f.index()) as usize).cloned();
+                    (corners, mesh.get(keys::FACE_COLOR, f.index()).0, label)
+                })
+                .collect();
+            faces.sort();
+            faces
+        };
+        assert_eq!(list(back), list(&mesh_in), "{format:?}");
+    }
+}
+
+#[test]
+fn every_colour_survives_linear_light() {
+    let positions = (0..300).map(|i| Vec3::new(i as f32, (i % 2) as f32, 0.0)).collect();
+    let faces: Vec<[u32; 3]> =
+        (0..256).map(|i| if i % 2 == 0 { [i, i + 1, i + 2] } else { [i + 1, i, i + 2] }).collect();
+    let mut mesh_in = Mesh::build(PolygonSoup::new(positions, &faces)).expect("small").mesh;
+    let colors: Vec<Color> = (0..=255u8).map(|i| Color([i, 255 - i, i / 2])).collect();
+    mesh_in.insert_column(Element::Face, Column::with_values(keys::FACE_COLOR, colors.clone()));
+    let files = formats::write(Format::Glb, "x", &[ObjectRef { name: "a", mesh: &mesh_in }]).expect("small");
+    let import = read(&files).expect("readable");
+    assert_eq!(mesh(&import).attribute(keys::FACE_COLOR), Some(&colors[..]));
+    assert_eq!(mesh(&import).attribute(keys::FACE_MATERIAL), None);
+}
+
+/// A square of two triangles in a data address, 16-bit indices, with this scene.
+fn document(scene: &str, mode: &str) -> String {
+    let mut bin = Vec::new();
+    for position in [[0f32, 0., 0.], [1., 0., 0.], [0., 1., 0.], [1., 1., 0.]] {
+        position.iter().for_each(|c| bin.extend(c.to_le_bytes()));
+    }
+    [0u16, 1, 2, 2, 1, 3].iter().for_each(|i| bin.extend(i.to_le_bytes()));
+    use base64::Engine;
+    let data = base64::engine::general_purpose::STANDARD.encode(&bin);
+    format!(
+        "{{\"asset\":{{\"version\":\"2.0\"}},\"buffers\":[{{\"byteLength\":60,\"uri\":\"data:application/octet-stream;base64,{data}\"}}],\
+         \"bufferViews\":[{{\"buffer\":0,\"byteLength\":48}},{{\"buffer\":0,\"byteOffset\":48,\"byteLength\":12}}],\
+         \"accessors\":[{{\"bufferView\":0,\"componentType\":5126,\"count\":4,\"type\":\"VEC3\"}},{{\"bufferView\":1,\"componentType\":5123,\"count\":6,\"type\":\"SCALAR\"}}],\
+         \"meshes\":[{{\"primitives\":[{{\"attributes\":{{\"POSITION\":0}}{mode}}}]}}]{scene}}}"
+    )
+}
+
+#[test]
+fn nodes_place_meshes_and_modes_are_read() {
+    let scene = ",\"scene\":0,\"scenes\":[{\"nodes\":[0]}],\"nodes\":[{\"name\":\"up\",\"translation\":[0,0,5],\"rotation\":[0,0,0.7071067811865476,0.7071067811865476],\"children\":[1,2]},{\"mesh\":0,\"scale\":[2,2,2]},{\"mesh\":0,\"name\":\"m\",\"matrix\":[1,0,0,0,0,1,0,0,0,0,1,0,1,2,3,1]}]";
+    let import = read(&[NamedBytes::new("a", document(scene, ",\"indices\":1"))]).expect("readable");
+    assert_eq!(import.objects.iter().map(|o| o.name.as_str()).collect::<Vec<_>>(), ["mesh 0", "m"]);
+    let at = |object: usize| import.objects[object].mesh.position(VertexId::new(1));
+    assert!(at(0).distance(Vec3::new(0.0, 2.0, 5.0)) < 1e-6, "{}", at(0));
+    assert!(at(1).distance(Vec3::new(-2.0, 2.0, 8.0)) < 1e-6, "{}", at(1));
+    for (mode, faces) in
+        [("", 1), (",\"indices\":1", 2), (",\"mode\":5", 2), (",\"mode\":6", 2), (",\"mode\":1", 0)]
+    {
+        let import = read(&[NamedBytes::new("a.gltf", document("", mode))]).expect("readable");
+        assert_eq!(mesh(&import).face_count(), faces, "{mode}");
+        assert_eq!(import.report.is_clean(), faces > 0);
+    }
+}
+
+#[test]
+fn what_cannot_be_read_says_why() {
+    let good = document("", ",\"indices\":1");
+    let loops = ",\"scenes\":[{\"nodes\":[0]}],\"nodes\":[{\"mesh\":0,\"children\":[0]}]";
+    for (text, expected) in [
+        (good.replace("\"count\":4", "\"count\":4000000000000"), "outside its buffer"),
+        (good.replace("\"count\":4", "\"count\":3"), "vertex 3 of 3"),
+        (good.replace("\"byteOffset\":48", "\"byteOffset\":18446744073709551615"), "outside its buffer"),
+        (good.replace("\"VEC3\"", "\"MAT4\""), "its kind is none of"),
+        (good.replace("5126", "5124"), "component type"),
+        (good.replace("\"count\":6", "\"count\":6,\"sparse\":{}"), "sparse"),
+        (good.replace("base64,", "base65,"), "not in base64"),
+        (
+            good.replace("\"byteLength\":60,\"uri\":\"data:", "\"uri\":\"x/some%20data.bin\",\"z\":\""),
+            "which was not given",
+        ),
+        (
+            good.replace(
+                "\"asset\":{",
+                "\"extensionsRequired\":[\"KHR_draco_mesh_compression\"],\"asset\":{",
+            ),
+            "KHR_draco",
+        ),
+        (good.replace("\"POSITION\":0", "\"POSITION\":9"), "accessor 9: it doesn't exist"),
+        (document(loops, ""), "shown twice"),
+        (document("", "").replace("\"meshes\"", "\"mesh\""), "holds no mesh"),
+        (good[..good.len() / 2].to_owned(), "JSON can't be read"),
+        (format!("{{\"asset\":{}", "[".repeat(100_000)), "JSON can't be read"),
+    ] {
+        let error = read(&[NamedBytes::new("a.gltf", text)]).expect_err(expected).to_string();
+        assert!(error.contains(expected), "{error} instead of {expected}");
+    }
+    let glb = |bytes: &[u8]| read(&[NamedBytes::new("a.glb", bytes)]).expect_err("damaged").to_string();
+    assert!(glb(b"glTF\x01\0\0\0").contains("version 2"));
+    assert!(glb(b"glTF\x02\0\0\0\xff\xff\xff\xff\xff\xff\xff\xffJSON{}").contains("middle of a chunk"));
+}
+
+#[test]
+fn shared_triangle_models_round_trip() {
+    for path in shared("models/common", "obj") {
+        let original = read(&[load(&path)]).expect("readable");
+        let original = &original.objects[0].mesh;
+        let lost = formats::losses(Format::Glb, &[ObjectRef { name: "", mesh: original }]).join("");
+        if lost.contains("polygon")
+            || lost.contains("vertices without faces")
+            || original.attribute(keys::FACE_MATERIAL).is_some()
+        {
+            continue;
+        }
+        let files =
+            formats::write(Format::Glb, "x", &[ObjectRef { name: "m", mesh: original }]).expect("small");
+        let import = read(&files).expect("readable");
+        let places = |mesh: &Mesh| -> Vec<Vec<[u32; 3]>> {
+            let place = |v| (mesh.position(v) + Vec3::ZERO).to_array().map(f32::to_bits);
+            mesh.faces().map(|f| mesh.face_vertices(f).map(place).collect()).collect()
+        };
+        if import.report.is_clean() {
+            assert!(places(mesh(&import)) == places(original), "{}", path.display());
+        }
+    }
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(500))]
+
+    #[test]
+    fn damaged_files_never_panic(
+        binary in any::<bool>(),
+        edits in prop::collection::vec((any::<prop::sample::Index>(), any::<u8>(), 0u8..4), 1..6),
+    ) {
+        let mesh_in = octahedron();
+        let mut bytes = if binary {
+            formats::write(Format::Glb, "x", &[ObjectRef { name: "a", mesh: &mesh_in }]).expect("small").remove(0).bytes
+        } else {
+            document(",\"scenes\":[{\"nodes\":[0]}],\"nodes\":[{\"mesh\":0}]", ",\"indices\":1").into_bytes()
+        };
+        for (at, value, kind) in edits {
+            if bytes.is_empty() {
+                break;
+            }
+            let at = at.index(bytes.len());
+            match kind {
+                0 => bytes[at] = value,
+                1 => bytes[at] = b"0123456789-.e\"{}[],:"[usize::from(value) % 20],
+                2 => { bytes.remove(at); }
+                _ => bytes.insert(at, b"0123456789-.e\"{}[],:"[usize::from(value) % 20]),
+            }
+        }
+        for name in ["a.gltf", "a.glb"] {
+            if let Ok(import) = read(&[NamedBytes::new(name, bytes.clone())]) {
+                for object in &import.objects {
+                    object.mesh.validate().expect("valid");
+                }
+            }
+        }
+    }
+}
