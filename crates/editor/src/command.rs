@@ -9,6 +9,7 @@ mod live;
 mod run;
 mod spec;
 mod subdivide;
+mod whole;
 
 pub use fields::{EdgeRef, FaceRef, HalfedgeRef, VertexRef};
 pub use live::Mode;
@@ -16,6 +17,7 @@ pub(crate) use run::{
     Action, Commit, DocumentEdit, Input, LocalEdit, Output, Place, Target, WholeMesh, edit_all,
 };
 pub use separate::By;
+pub use smooth::SmoothMethod;
 pub use spec::{Field, FieldKind, OperationKind, Spec};
 pub use split_edge::Connect;
 pub use subdivide::Boundary;
@@ -169,6 +171,9 @@ operations! {
     subdivide_catmull_clark::SubdivideCatmullClark,
     subdivide_loop::SubdivideLoop,
     subdivide_linear::SubdivideLinear,
+    simplify::Simplify,
+    smooth::Smooth,
+    merge_by_distance::MergeByDistance,
     new::New,
     activate_object::ActivateObject,
     rename_object::RenameObject,

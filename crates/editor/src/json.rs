@@ -57,6 +57,19 @@ pub(crate) mod whole {
     }
 }
 
+/// `serde(with)` for an `Option<u32>` that counts something.
+pub(crate) mod whole_option {
+    use super::*;
+
+    pub fn serialize<S: Serializer>(value: &Option<u32>, serializer: S) -> Result<S::Ok, S::Error> {
+        value.serialize(serializer)
+    }
+
+    pub fn deserialize<'de, D: Deserializer<'de>>(deserializer: D) -> Result<Option<u32>, D::Error> {
+        whole::deserialize(deserializer).map(Some)
+    }
+}
+
 /// `serde(with)` for an `f32`.
 pub(crate) mod finite {
     use super::*;

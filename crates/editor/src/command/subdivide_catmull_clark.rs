@@ -1,7 +1,7 @@
 //! `subdivide-catmull-clark`: any polygons to smooth quads.
 
 use super::subdivide::{self, BOUNDARY_NAMES, Boundary, MOST_LEVELS};
-use super::{Action, Field, FieldKind, Input, Operation, OperationKind, Output, Spec, WholeMesh};
+use super::{Action, Field, FieldKind, Input, Operation, OperationKind, Output, Spec, WholeMesh, whole};
 use crate::error::Problem;
 use halfedge::Progress;
 use serde::{Deserialize, Serialize};
@@ -67,7 +67,7 @@ impl Operation for SubdivideCatmullClark {
 
 impl WholeMesh for SubdivideCatmullClark {
     fn check(&self) -> Result<(), Problem> {
-        subdivide::check_levels(self.levels)
+        whole::at_least_one(self.levels, "levels")
     }
 
     fn compute(
@@ -84,8 +84,8 @@ impl WholeMesh for SubdivideCatmullClark {
                 VertexRule::SmoothedMidpoints => surface::VertexRule::SmoothedMidpoints,
             },
         };
-        subdivide::each(inputs, progress, |mesh, progress| {
-            surface::subdivide_catmull_clark(mesh, &options, progress)
+        whole::each(inputs, progress, |mesh, progress| {
+            surface::subdivide_catmull_clark(mesh, &options, progress).map_err(subdivide::refused)
         })
     }
 

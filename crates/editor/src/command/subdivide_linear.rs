@@ -1,7 +1,7 @@
 //! `subdivide-linear`: any polygons to quads, without smoothing.
 
 use super::subdivide::{self, MOST_LEVELS};
-use super::{Action, Field, FieldKind, Input, Operation, OperationKind, Output, Spec, WholeMesh};
+use super::{Action, Field, FieldKind, Input, Operation, OperationKind, Output, Spec, WholeMesh, whole};
 use crate::error::Problem;
 use halfedge::Progress;
 use serde::{Deserialize, Serialize};
@@ -40,7 +40,7 @@ impl Operation for SubdivideLinear {
 
 impl WholeMesh for SubdivideLinear {
     fn check(&self) -> Result<(), Problem> {
-        subdivide::check_levels(self.levels)
+        whole::at_least_one(self.levels, "levels")
     }
 
     fn compute(
@@ -50,7 +50,9 @@ impl WholeMesh for SubdivideLinear {
         progress: &mut Progress<'_>,
     ) -> Result<Vec<Output>, Problem> {
         let options = surface::Linear { levels: self.levels };
-        subdivide::each(inputs, progress, |mesh, progress| surface::subdivide_linear(mesh, &options, progress))
+        whole::each(inputs, progress, |mesh, progress| {
+            surface::subdivide_linear(mesh, &options, progress).map_err(subdivide::refused)
+        })
     }
 
     fn cost(&self, inputs: &[Input]) -> usize {

@@ -1,7 +1,7 @@
 //! `subdivide-loop`: triangles to smoother triangles.
 
 use super::subdivide::{self, BOUNDARY_NAMES, Boundary, MOST_LEVELS};
-use super::{Action, Field, FieldKind, Input, Operation, OperationKind, Output, Spec, WholeMesh};
+use super::{Action, Field, FieldKind, Input, Operation, OperationKind, Output, Spec, WholeMesh, whole};
 use crate::error::Problem;
 use halfedge::Progress;
 use serde::{Deserialize, Serialize};
@@ -67,7 +67,7 @@ impl Operation for SubdivideLoop {
 
 impl WholeMesh for SubdivideLoop {
     fn check(&self) -> Result<(), Problem> {
-        subdivide::check_levels(self.levels)
+        whole::at_least_one(self.levels, "levels")
     }
 
     fn compute(
@@ -84,7 +84,9 @@ impl WholeMesh for SubdivideLoop {
                 Weights::Warren => surface::LoopWeights::Warren,
             },
         };
-        subdivide::each(inputs, progress, |mesh, progress| surface::subdivide_loop(mesh, &options, progress))
+        whole::each(inputs, progress, |mesh, progress| {
+            surface::subdivide_loop(mesh, &options, progress).map_err(subdivide::refused)
+        })
     }
 
     fn cost(&self, inputs: &[Input]) -> usize {
