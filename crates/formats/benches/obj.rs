@@ -11,7 +11,8 @@ fn torus() -> String {
     let mut text = String::with_capacity(40 << 20);
     for i in 0..n {
         for j in 0..m {
-            let (u, v) = (i as f32 / n as f32 * std::f32::consts::TAU, j as f32 / m as f32 * std::f32::consts::TAU);
+            let (u, v) =
+                (i as f32 / n as f32 * std::f32::consts::TAU, j as f32 / m as f32 * std::f32::consts::TAU);
             let r = 1.0 + 0.3 * v.cos() + 0.05 * (7.0 * u).sin();
             let _ = writeln!(text, "v {:.6} {:.6} {:.6}", r * u.cos(), r * u.sin(), 0.3 * v.sin());
         }

@@ -9,7 +9,8 @@ fn torus(n: u32, m: u32, triangles: bool) -> PolygonSoup {
     let mut soup = PolygonSoup::default();
     for i in 0..n {
         for j in 0..m {
-            let (u, v) = (i as f32 / n as f32 * std::f32::consts::TAU, j as f32 / m as f32 * std::f32::consts::TAU);
+            let (u, v) =
+                (i as f32 / n as f32 * std::f32::consts::TAU, j as f32 / m as f32 * std::f32::consts::TAU);
             let r = 1.0 + 0.3 * v.cos() + 0.05 * (7.0 * u).sin();
             soup.positions.push(Vec3::new(r * u.cos(), r * u.sin(), 0.3 * v.sin()));
         }
