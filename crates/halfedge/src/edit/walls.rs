@@ -79,21 +79,25 @@ pub(crate) fn walls(mesh: &Mesh, faces: &[FaceId], grouping: Grouping) -> Result
     let mut inner = Vec::new();
     let mut met: FxHashSet<VertexId> = FxHashSet::default();
     for &face in &faces {
-        let corners = mesh
-            .face_halfedges(face)
-            .map(|h| match moved.get(&h) {
-                Some(&vertex) => Corner::moved(vertex, h),
-                None => {
-                    let v = mesh.from(h);
-                    if met.insert(v) {
-                        let sum: Vec3 = mesh.outgoing(v).map(normal).sum();
-                        inner.push((v, sum.normalize_or_zero()));
-                    }
-                    Corner::keep(mesh, h)
-                }
-            })
-            .collect();
-        patch.replace_face(face, corners, false);
+        let mut corners = Vec::new();
+        let mut stays = true;
+        for h in mesh.face_halfedges(face) {
+            if let Some(&vertex) = moved.get(&h) {
+                stays = false;
+                corners.push(Corner::moved(vertex, h));
+                continue;
+            }
+            let v = mesh.from(h);
+            if met.insert(v) {
+                let sum: Vec3 = mesh.outgoing(v).map(normal).sum();
+                inner.push((v, sum.normalize_or_zero()));
+            }
+            corners.push(Corner::keep(mesh, h));
+        }
+        // A face with no corner on the outline is as it was.
+        if !stays {
+            patch.replace_face(face, corners, false);
+        }
     }
     for wall in &vertices {
         let (h, next) = (wall.leaves, mesh.next(wall.leaves));
