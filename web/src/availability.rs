@@ -1,12 +1,13 @@
 //! Whether an action can be done now, and if not, why: what greys menu items and buttons.
 
 use editor::{Field, FieldKind, Spec};
-use halfedge::{Element, edit};
+use halfedge::Element;
 
 use crate::actions::{self, Action};
 use crate::app::App;
 use crate::lists::columns::plural;
-use crate::panels::fields;
+use crate::panels::{fields, inspector};
+use crate::refusals;
 
 impl App {
     /// Why an action can't be done now, as a sentence that says what to do first; none if it can.
@@ -35,6 +36,7 @@ impl App {
                 Some("There is nothing to look at. Open a file or make a shape first.".into())
             }
             Action::Upsample => self.why_not_operation(self.upsample_op()),
+            Action::SlideSplit => self.why_not_operation("split-edge"),
             Action::Operation(name) => self.why_not_operation(name),
             _ => None,
         }
@@ -52,6 +54,11 @@ impl App {
             return Some(reason);
         }
         let selection = self.editor.selection();
+        let any_kind = spec.fields.iter().any(|field| field.default == Some("the selection"));
+        if any_kind && !inspector::applies_to(spec, selection.kind()) {
+            let what = plural(selection.kind()).to_lowercase();
+            return Some(format!("“{}” does not work on {what}. Select something else first.", spec.label));
+        }
         match name {
             "subdivide-catmull-clark" | "subdivide-loop" | "subdivide-linear" if mesh.face_count() == 0 => {
                 Some("The mesh has no face to subdivide.".into())
@@ -71,38 +78,45 @@ impl App {
                         .is_some_and(|found| found.triangles_only)
                         .then(|| "All faces are triangles already.".into());
                 };
-                let first = faces.first()?;
-                if faces.iter().all(|&f| mesh.face_halfedges(f).take(4).count() == 3) {
-                    return Some("The selected faces are triangles already.".into());
-                }
-                (selection.len() == 1)
-                    .then(|| edit::can_triangulate_face(mesh, *first).err())
-                    .flatten()
-                    .map(|refusal| capital(&refusal.to_string()))
+                faces
+                    .iter()
+                    .all(|&f| mesh.face_halfedges(f).take(4).count() == 3)
+                    .then(|| "The selected faces are triangles already.".into())
             }
             _ => None,
         }
+        .or_else(|| refusals::refusal(mesh, selection, name).map(|refusal| capital(&refusal.to_string())))
     }
 
     /// What a field lacks that the selection would have to give.
     fn why_not_field(&self, field: &Field) -> Option<String> {
         let selection = self.editor.selection();
         let words = field.default.unwrap_or_default();
-        if !words.starts_with("the selected") || words.contains(", or all") {
+        if words == "the selection" && fields::is_elements(field.kind) {
+            return selection.is_empty().then(|| "Select something first.".into());
+        }
+        let two = words.starts_with("the two selected");
+        if !(two || words.starts_with("the selected")) || words.contains(", or all") {
             return None;
         }
         let kind = selection.kind();
-        let (fits, what) = match field.kind {
-            FieldKind::Vertex => (kind == Element::Vertex, "a vertex"),
-            FieldKind::Vertices => (true, "something"),
+        let (fits, element) = match field.kind {
+            FieldKind::Vertex => (kind == Element::Vertex, Element::Vertex),
+            // Those of selected edges and faces stand in.
+            FieldKind::Vertices => (!two || kind == Element::Vertex, Element::Vertex),
             FieldKind::Edge | FieldKind::Edges => {
-                (matches!(kind, Element::Edge | Element::Halfedge), "an edge")
+                (matches!(kind, Element::Edge | Element::Halfedge), Element::Edge)
             }
-            FieldKind::Halfedge | FieldKind::Halfedges => (kind == Element::Halfedge, "a half-edge"),
-            FieldKind::Face | FieldKind::Faces => (kind == Element::Face, "a face"),
+            FieldKind::Halfedge | FieldKind::Halfedges => (kind == Element::Halfedge, Element::Halfedge),
+            FieldKind::Face | FieldKind::Faces => (kind == Element::Face, Element::Face),
             _ => return None,
         };
-        (selection.is_empty() || !fits).then(|| format!("Select {what} first."))
+        if two {
+            let ready = fits && selection.len() == 2;
+            return (!ready).then(|| format!("Select two {} first.", plural(element).to_lowercase()));
+        }
+        let article = if element == Element::Edge { "an" } else { "a" };
+        (selection.is_empty() || !fits).then(|| format!("Select {article} {element} first."))
     }
 }
 

@@ -13,10 +13,12 @@ mod icons;
 mod jobs;
 pub mod keys;
 pub mod lists;
+mod live;
 #[cfg(target_arch = "wasm32")]
 pub mod page;
 mod panels;
 pub mod platform;
+mod refusals;
 pub mod scripting;
 mod survey;
 pub mod theme;

@@ -216,6 +216,7 @@ impl RowList<'_> {
         });
         ui.ctx().accesskit_node_builder(response.id, |node| {
             node.set_value(shown.value.as_str());
+            node.set_selected(shown.selected);
             node.set_position_in_set(row + 1);
             node.set_size_of_set(self.rows);
         });

@@ -77,7 +77,8 @@ fn sliders(ui: &mut Ui, rgb: &mut [u8; 3]) {
             ("Brightness", &mut hsva.v, 100.0),
         ] {
             let label = ui.label(name);
-            let mut shown = *value * most;
+            // Rounded before the slider rounds it, or showing a color would change it.
+            let mut shown = (*value * most).round();
             let slider = Slider::new(&mut shown, 0.0..=most).max_decimals(0).smart_aim(false);
             if ui.add(slider).labelled_by(label.id).changed() {
                 *value = shown / most;

@@ -30,6 +30,7 @@ impl App {
                 let tab = ui.add_sized(vec2(width, ui.spacing().interact_size.y), button);
                 ui.ctx().accesskit_node_builder(tab.id, |node| {
                     node.set_role(egui::Role::Tab);
+                    node.set_selected(on);
                     node.set_value(count.to_string());
                 });
                 let entry = actions::describe(Action::Show(kind));

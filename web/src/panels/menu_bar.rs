@@ -1,6 +1,8 @@
 //! The bar at the top: menus, the toolbar, and the document's name.
 
+use editor::{FieldKind, OperationKind, Spec};
 use egui::{Align, Button, Layout, MenuBar, Response, RichText, Ui};
+use halfedge::Element;
 
 use crate::actions::{self, Action, Entry, MENUS, Menu};
 use crate::app::App;
@@ -105,10 +107,26 @@ impl App {
             }
         }
         if menu.title == "Mesh" {
-            ui.separator();
-            for spec in actions::mesh_operations() {
-                self.menu_item(ui, &actions::of_operation(spec));
-            }
+            self.operation_menus(ui);
+        }
+    }
+
+    /// The editor's operations: those on whole meshes one by one, local ones by what they work on.
+    fn operation_menus(&mut self, ui: &mut Ui) {
+        for spec in actions::mesh_operations().filter(|spec| spec.kind == OperationKind::WholeMesh) {
+            self.menu_item(ui, &actions::of_operation(spec));
+        }
+        ui.separator();
+        let local = || actions::mesh_operations().filter(|spec| spec.kind == OperationKind::Local);
+        for (kind, title) in
+            [(Element::Vertex, "Vertex edits"), (Element::Edge, "Edge edits"), (Element::Face, "Face edits")]
+        {
+            ui.menu_button(title, |ui| {
+                ui.set_min_width(220.0);
+                for spec in local().filter(|spec| belongs_to(spec, kind)) {
+                    self.menu_item(ui, &actions::of_operation(spec));
+                }
+            });
         }
     }
 
@@ -136,6 +154,19 @@ impl App {
             ui.close();
         }
     }
+}
+
+/// Whether an operation is listed among those of a kind: by the first field that takes elements.
+fn belongs_to(spec: &Spec, kind: Element) -> bool {
+    let first = spec.fields.iter().find_map(|field| match field.kind {
+        FieldKind::Vertex | FieldKind::Vertices => Some(Element::Vertex),
+        FieldKind::Edge | FieldKind::Edges | FieldKind::Halfedge | FieldKind::Halfedges => {
+            Some(Element::Edge)
+        }
+        FieldKind::Face | FieldKind::Faces => Some(Element::Face),
+        _ => None,
+    });
+    first.unwrap_or(Element::Face) == kind
 }
 
 /// A switch's name with its key behind it: check boxes have no place of their own for keys.

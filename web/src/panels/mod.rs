@@ -1,11 +1,12 @@
 //! The panels and windows of the page, one per file. Each adds methods to [`crate::app::App`].
 
 mod about;
+pub(crate) mod adjust;
 mod color_button;
 mod drop_overlay;
 mod elements;
 pub(crate) mod fields;
-mod inspector;
+pub(crate) mod inspector;
 mod menu_bar;
 mod messages;
 mod new_shape;

@@ -47,6 +47,7 @@ impl App {
     }
 
     pub(crate) fn operations(&mut self, ui: &mut Ui) {
+        self.adjust_panel(ui);
         ui.add_space(2.0);
         ui.label(RichText::new("Operations").strong());
         let Some(chosen) = self.forms.chosen.and_then(actions::operation).or_else(first_operation) else {
@@ -57,7 +58,9 @@ impl App {
             .width(ui.available_width() - 8.0)
             .height(420.0);
         let combo = combo.show_ui(ui, |ui| {
-            for spec in actions::mesh_operations() {
+            // Whole-mesh operations first: they are what people fill in forms for.
+            let of_kind = |kind| actions::mesh_operations().filter(move |spec| spec.kind == kind);
+            for spec in of_kind(OperationKind::WholeMesh).chain(of_kind(OperationKind::Local)) {
                 if ui
                     .selectable_label(spec.name == chosen.name, spec.label)
                     .on_hover_text(spec.description)

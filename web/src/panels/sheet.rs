@@ -78,7 +78,10 @@ impl App {
                 let on = self.shown.sheet.tab == tab && !self.shown.sheet.closed;
                 let button = Button::selectable(on, label);
                 let response = ui.add_sized(vec2(width, theme::TOUCH_TARGET), button);
-                ui.ctx().accesskit_node_builder(response.id, |node| node.set_role(egui::Role::Tab));
+                ui.ctx().accesskit_node_builder(response.id, |node| {
+                    node.set_role(egui::Role::Tab);
+                    node.set_selected(on);
+                });
                 if response.on_hover_text(hint).clicked() {
                     // The open tab's own button puts the sheet away, so that the viewport has the room.
                     self.shown.sheet = Sheet { tab, closed: on };

@@ -93,7 +93,12 @@ impl App {
         }
         self.wheel(ui, response);
         self.hover(ui, response);
-        if response.clicked()
+        if !response.is_pointer_button_down_on() {
+            self.live_pointer(response.hover_pos());
+        }
+        if response.clicked() && self.live.is_some() {
+            self.end_live(true);
+        } else if response.clicked()
             && let Some(at) = pointer
         {
             self.click(ui, at);
@@ -129,7 +134,10 @@ impl App {
     /// Where the selected vertex under the pointer is: dragging it moves what is selected.
     fn movable(&mut self, at: Pos2) -> Option<Vec3> {
         let selection = self.editor.selection();
-        if self.lists.kind.0 != Element::Vertex || selection.kind() != Element::Vertex || selection.is_empty()
+        if self.live.is_some()
+            || self.lists.kind.0 != Element::Vertex
+            || selection.kind() != Element::Vertex
+            || selection.is_empty()
         {
             return None;
         }
@@ -153,7 +161,8 @@ impl App {
                 self.view.camera.pan(by, size);
                 ui.ctx().set_cursor_icon(CursorIcon::Move);
             }
-            (&Gesture::Move { from, anchor }, Some(at)) => {
+            // A hand that holds still changes nothing.
+            (&Gesture::Move { from, anchor }, Some(at)) if response.drag_delta() != egui::Vec2::ZERO => {
                 let delta = vec2(at.x - from.x, at.y - from.y);
                 let to = self.view.camera.drag(anchor, delta, size);
                 if to.is_finite() {

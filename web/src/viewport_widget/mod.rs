@@ -81,7 +81,7 @@ impl View {
     }
 
     /// The viewport's size in points, as the camera takes it.
-    fn size(&self) -> glam::Vec2 {
+    pub fn size(&self) -> glam::Vec2 {
         glam::vec2(self.rect.width(), self.rect.height())
     }
 

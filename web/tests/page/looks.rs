@@ -48,6 +48,7 @@ fn every_kind_of_element_and_every_window() {
     picture(&mut page, "palette");
     page.press(egui::Key::Escape);
     page.click("Mesh");
+    page.click("Edge edits");
     picture(&mut page, "mesh menu");
     page.press(egui::Key::Escape);
     page.click("View");

@@ -3,6 +3,7 @@
 #![cfg(not(target_arch = "wasm32"))]
 
 mod lists;
+mod live;
 mod looks;
 mod menus;
 mod page;

@@ -23,6 +23,7 @@ fn what_cannot_be_done_is_greyed_and_says_why() {
     let undo = disabled(&page, egui::accesskit::Role::Button, "Undo");
     assert_eq!(undo, (true, Some("There is nothing to undo.".to_owned())));
     page.click("Mesh");
+    page.click("Edge edits");
     let split = disabled(&page, egui::accesskit::Role::Button, "Split edge S");
     assert_eq!(split, (true, Some("Select an edge first.".to_owned())));
     page.press(Key::Escape);
