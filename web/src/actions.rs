@@ -75,6 +75,8 @@ pub enum Action {
     About,
     /// Loop on a triangle mesh, Catmull-Clark on others.
     Upsample,
+    /// Splits the selected edge where the pointer slides to.
+    SlideSplit,
     /// An operation of the editor, by name, on the selection.
     Operation(&'static str),
 }
@@ -177,11 +179,18 @@ pub static MENUS: &[Menu] = &[
     },
     Menu {
         title: "Mesh",
-        entries: &[Some(entry(
-            A::Upsample,
-            "Upsample",
-            "Subdivides once: Loop where all faces are triangles, Catmull-Clark otherwise.",
-        ))],
+        entries: &[
+            Some(entry(
+                A::Upsample,
+                "Upsample",
+                "Subdivides once: Loop where all faces are triangles, Catmull-Clark otherwise.",
+            )),
+            Some(entry(
+                A::SlideSplit,
+                "Split edge at…",
+                "Puts a new vertex on the selected edge and lets it slide along with the pointer.",
+            )),
+        ],
     },
     Menu {
         title: "View",

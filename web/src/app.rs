@@ -8,6 +8,8 @@ use crate::frame_times::FrameTimes;
 use crate::jobs::Jobs;
 use crate::lists::index::RowIndex;
 use crate::lists::row_list::RowListState;
+use crate::live::Live;
+use crate::panels::adjust::Adjusting;
 use crate::panels::operations::Forms;
 use crate::panels::palette::PaletteState;
 use crate::platform::{Event, Platform};
@@ -100,6 +102,9 @@ pub struct App {
     pub(crate) toasts: Toasts,
     pub(crate) jobs: Jobs,
     pub(crate) forms: Forms,
+    /// The edit that follows the pointer.
+    pub(crate) live: Option<Live>,
+    pub(crate) adjusting: Adjusting,
     pub(crate) palette: PaletteState,
     pub(crate) survey: Survey,
     pub(crate) frames: FrameTimes,
@@ -138,6 +143,8 @@ impl App {
             toasts: Toasts::default(),
             jobs: Jobs::default(),
             forms: Forms::default(),
+            live: None,
+            adjusting: Adjusting::default(),
             palette: PaletteState::default(),
             survey: Survey::default(),
             frames: FrameTimes::default(),
@@ -169,7 +176,9 @@ impl App {
     pub fn ui(&mut self, ui: &mut Ui) {
         let started = self.platform.now();
         let ctx = ui.ctx().clone();
-        self.keyboard(&ctx);
+        if !self.live_keys(&ctx) {
+            self.keyboard(&ctx);
+        }
         let narrow = ui.available_width() < theme::NARROW;
         Panel::top("menu bar").frame(bar_frame(ui)).show(ui, |ui| self.menu_bar(ui, narrow));
         if narrow {
@@ -190,6 +199,7 @@ impl App {
             }
         }
         CentralPanel::no_frame().show(ui, |ui| self.viewport(ui));
+        self.live_bar(&ctx);
         self.windows(&ctx, narrow);
         self.finish_live_edit(&ctx);
         self.follow();

@@ -9,6 +9,7 @@ use serde_json::json;
 use crate::actions::{self, Action};
 use crate::app::{App, ShownKind};
 use crate::keys;
+use crate::live;
 use crate::platform::NamedBytes;
 use crate::scripting::{Answer, Reply};
 use crate::viewport_widget::Tool;
@@ -50,6 +51,12 @@ impl App {
 
     /// Starts an action, from wherever it was chosen. One that can't be done says why.
     pub(crate) fn act(&mut self, action: Action) {
+        let action = match action {
+            Action::Operation(name) => {
+                Action::Operation(live::for_selection(name, self.editor.selection().kind()))
+            }
+            other => other,
+        };
         if let Some(reason) = self.why_not(action) {
             // Keys reach actions that menus show greyed.
             if !matches!(action, Action::Cancel) {
@@ -100,7 +107,12 @@ impl App {
                 let op = self.upsample_op();
                 self.send(json!({ "op": op }));
             }
+            Action::SlideSplit => self.start_live("split-edge"),
             Action::Operation(name) => match actions::operation(name) {
+                // What has an amount follows the pointer; its form stays in the operations panel.
+                Some(spec) if live::is_live(name) && !crate::availability::runs_bare(spec) => {
+                    self.start_live(name);
+                }
                 // What has to be filled in gets its form.
                 Some(spec) if !crate::availability::runs_bare(spec) => {
                     self.forms.choose(name);
@@ -195,7 +207,7 @@ impl App {
         self.follow();
     }
 
-    fn start(&mut self, request: &JobRequest, label: String, reply: Option<Reply>) {
+    pub(crate) fn start(&mut self, request: &JobRequest, label: String, reply: Option<Reply>) {
         let id = request.id();
         self.jobs.add(id, label, reply);
         self.platform.start_job(id.0, request.to_bytes());
@@ -204,11 +216,14 @@ impl App {
     /// Takes in what came of a job.
     pub(crate) fn job_done(&mut self, job: u64, result: Result<Vec<u8>, CommandError>) {
         let Some(running) = self.jobs.take(job) else { return };
+        let id = JobId(job);
         let result = result.and_then(|bytes| {
             JobResult::from_bytes(&bytes)
                 .map_err(|error| CommandError::refused(&*running.label, error.to_string()))
         });
-        match self.editor.finish(JobId(job), result) {
+        let finished = self.editor.finish(id, result);
+        self.adjustment_ended(id, finished.is_ok());
+        match finished {
             Ok(Finished::Done(outcome)) => {
                 if outcome.op == "open" {
                     self.view.frame_when_seen();
@@ -243,7 +258,7 @@ impl App {
         self.toast(kind, text, outcome.warnings.clone());
     }
 
-    fn refused(&mut self, error: &CommandError, reply: Option<Reply>) {
+    pub(crate) fn refused(&mut self, error: &CommandError, reply: Option<Reply>) {
         match reply {
             Some(reply) => reply(Err(error.to_string())),
             None if error.is_cancelled() => {}
@@ -310,6 +325,8 @@ impl App {
 
     /// Selects; an id that went away meanwhile is no error to a person.
     pub(crate) fn select(&mut self, kind: Element, ids: impl IntoIterator<Item = u32>, mode: SelectMode) {
+        // A live edit is of what was selected when it began.
+        self.end_live(true);
         if let Err(error) = self.editor.select(kind, ids, mode) {
             self.refused(&error, None);
         }

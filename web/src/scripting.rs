@@ -155,6 +155,7 @@ impl App {
     pub(crate) fn cancel_job(&mut self, id: JobId) {
         self.editor.cancel(id);
         self.platform.cancel_job(id.0);
+        self.adjustment_ended(id, false);
         if let Some(reply) = self.jobs.take(id.0).and_then(|job| job.reply) {
             reply(Err(CANCELLED.to_owned()));
         }
