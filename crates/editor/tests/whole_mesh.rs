@@ -1,0 +1,115 @@
+//! The operations on whole meshes as commands: what their fields reach, and what they say.
+
+mod support;
+
+use editor::halfedge::Mesh;
+use editor::{Begun, Editor, Finished, JobRequest, JobResult};
+use serde_json::{Value, json};
+use std::ops::ControlFlow;
+use support::*;
+
+fn on_sphere() -> Editor {
+    let mut editor = Editor::new();
+    run(&mut editor, json!({"op": "new", "shape": "ico-sphere", "subdivisions": 3}));
+    assert_eq!(sizes(&editor)[2], 1280);
+    editor
+}
+
+fn after(value: Value) -> Editor {
+    let mut editor = on_sphere();
+    let before = editor.document().clone();
+    run(&mut editor, value);
+    editor.undo().expect("free");
+    assert_eq!(editor.document(), &before);
+    editor.redo().expect("free");
+    editor
+}
+
+fn volume(mesh: &Mesh) -> f64 {
+    surface::measure::volume(mesh)
+}
+
+#[test]
+fn simplify_reaches_what_its_fields_say() {
+    assert_eq!(sizes(&after(json!({"op": "simplify", "faces": 500})))[2], 500);
+    assert_eq!(sizes(&after(json!({"op": "simplify", "ratio": 0.1})))[2], 128);
+    let by_error = sizes(&after(json!({"op": "simplify", "max_error": 0.05})))[2];
+    assert!((8..1280).contains(&by_error), "{by_error}");
+    let outcome = run(&mut on_sphere(), json!({"op": "simplify", "faces": 501, "preserve_boundary": false}));
+    assert_eq!(outcome.removed.faces, 1280 - 502);
+    assert_eq!(outcome.warnings.len(), 1);
+    assert!(
+        outcome.warnings[0].contains("502") && outcome.warnings[0].contains("501"),
+        "{:?}",
+        outcome.warnings
+    );
+}
+
+#[test]
+fn smooth_moves_vertices_and_keeps_ids() {
+    let (round, shrunk, kept) = (
+        on_sphere(),
+        after(json!({"op": "smooth", "iterations": 10})),
+        after(json!({"op": "smooth", "iterations": 10, "method": "taubin", "strength": 0.6})),
+    );
+    let [a, b, c] = [&round, &shrunk, &kept].map(|editor| volume(editor.mesh().expect("a mesh")));
+    assert_eq!(sizes(&shrunk), sizes(&round));
+    assert!(b < a * 0.99, "{b} of {a}");
+    assert!((c - a).abs() < (a - b) / 4.0, "{c} of {a}");
+}
+
+#[test]
+fn merge_by_distance_glues_pieces() {
+    let mut editor = Editor::new();
+    run(&mut editor, json!({"op": "new", "shape": "grid", "columns": 2, "rows": 2}));
+    run(&mut editor, json!({"op": "separate", "faces": [0, 1]}));
+    run(&mut editor, json!({"op": "join-objects"}));
+    assert_eq!(sizes(&editor)[0], 12);
+    let outcome = run(&mut editor, json!({"op": "merge-by-distance", "distance": 0}));
+    assert_eq!(sizes(&editor), [9, 12, 4]);
+    assert_eq!((outcome.removed.vertices, outcome.removed.edges), (3, 2));
+}
+
+#[test]
+fn refusals_name_the_field() {
+    let cases: &[(Value, &[&str])] = &[
+        (json!({"op": "simplify"}), &["`ratio`", "one of"]),
+        (json!({"op": "simplify", "faces": 3, "ratio": 0.5}), &["`faces`", "one of"]),
+        (json!({"op": "simplify", "max_error": 3, "ratio": 0.5}), &["`ratio`", "one of"]),
+        (json!({"op": "simplify", "ratio": 0}), &["`ratio`", "above 0"]),
+        (json!({"op": "simplify", "ratio": 2}), &["`ratio`", "at most 1"]),
+        (json!({"op": "simplify", "max_error": -1}), &["`max_error`"]),
+        (json!({"op": "simplify", "faces": -1}), &["`faces`", "-1"]),
+        (json!({"op": "simplify", "faces": 3, "preserve_boundary": 1}), &["`preserve_boundary`"]),
+        (json!({"op": "smooth", "iterations": 0}), &["`iterations`", "1 or more"]),
+        (json!({"op": "smooth", "strength": 0}), &["`strength`"]),
+        (json!({"op": "smooth", "strength": 1.5}), &["`strength`"]),
+        (json!({"op": "smooth", "method": "hard"}), &["`method`", "hard", "taubin"]),
+        (json!({"op": "merge-by-distance"}), &["`distance`", "missing"]),
+        (json!({"op": "merge-by-distance", "distance": -1}), &["`distance`"]),
+    ];
+    for (value, parts) in cases {
+        let text = refusal(&mut on_sphere(), value.clone());
+        let op = value["op"].as_str().expect("text");
+        assert!(text.starts_with(&format!("{op}: ")), "{text}");
+        for part in *parts {
+            assert!(text.contains(part), "{value}: {text}");
+        }
+    }
+}
+
+#[test]
+fn notes_come_back_from_a_worker() {
+    let mut editor = on_sphere();
+    let value = json!({"op": "simplify", "faces": 501});
+    let expected = on_sphere().run(command(value.clone())).expect("goes through");
+    let Begun::Job(request) = editor.begin_from(command(value), 0).expect("goes through") else {
+        panic!("a job")
+    };
+    let there = JobRequest::from_bytes(&request.to_bytes()).expect("its own bytes");
+    let result = there.run(&mut |_| ControlFlow::Continue(())).expect("goes through");
+    let back = JobResult::from_bytes(&result.to_bytes()).expect("its own bytes");
+    let Ok(Finished::Done(outcome)) = editor.finish(request.id(), Ok(back)) else { panic!("a command") };
+    assert_eq!(outcome, expected);
+    validate(&editor);
+}
