@@ -390,6 +390,118 @@ impl TriMesh {
         self.aim(a, leaving);
     }
 
+    /// Cuts an edge and its triangles at the middle. On each side the edge's half-edge becomes the half
+    /// before the middle, the side after it the cut; a new triangle has the half after the middle, the
+    /// old side after it, and the cut, in this order. Gives the new vertex, the last.
+    pub fn split(&mut self, h: u32) -> u32 {
+        let (a, b, across) = (self.from(h), self.to(h), self.opp(h));
+        let m = self.position.len() as u32;
+        self.position.push((self.at(a) + self.at(b)) * 0.5);
+        self.out.push(NONE);
+        for column in &mut self.vertex_columns {
+            push_copy(column, a as usize);
+            mix_into(column, m as usize, b as usize, 0.5);
+        }
+        let mut second = [NONE; 2];
+        let mut wedges = (NONE, NONE, NONE);
+        for (side, slot) in [h, across].into_iter().zip(&mut second) {
+            if side == NONE {
+                continue;
+            }
+            let (n, p) = (next(side), prev(side));
+            let (end, apex) = (self.from(n), self.from(p));
+            let first = self.v.len() as u32;
+            let outer = self.opp(n);
+            self.v.extend([m, end, apex]);
+            self.opp.extend([NONE, outer, n]);
+            if outer != NONE {
+                self.opp[outer as usize] = first + 1;
+            }
+            self.opp[n as usize] = first + 2;
+            self.v[n as usize] = m;
+            self.face_source.push(self.face_source[side as usize / 3]);
+            if !self.edge_source.is_empty() {
+                let (edge, after) = (self.edge_source[side as usize], self.edge_source[n as usize]);
+                self.edge_source.extend([edge, after, NONE]);
+                self.edge_source[n as usize] = NONE;
+            }
+            if !self.wedge.is_empty() {
+                let (from, to) = (self.wedge[side as usize], self.wedge[n as usize]);
+                // The other side's middle has the same values where its ends do.
+                if (wedges.0, wedges.1) != (to, from) {
+                    wedges = (from, to, self.new_wedge(from, to));
+                }
+                self.wedge.extend([wedges.2, to, self.wedge[p as usize]]);
+                self.wedge[n as usize] = wedges.2;
+            }
+            if self.out[end as usize] == n {
+                self.out[end as usize] = first + 1;
+            }
+            *slot = first;
+            self.faces += 1;
+        }
+        self.opp[second[0] as usize] = across;
+        if across != NONE {
+            self.opp[across as usize] = second[0];
+            self.opp[second[1] as usize] = h;
+            self.opp[h as usize] = second[1];
+        }
+        self.out[m as usize] = second[0];
+        m
+    }
+
+    /// A new place for corner values, halfway between two.
+    fn new_wedge(&mut self, from: u32, to: u32) -> u32 {
+        let mut place = 0;
+        for column in &mut self.corner_columns {
+            place = column.values.len();
+            push_copy(column, from as usize);
+            mix_into(column, place, to as usize, 0.5);
+        }
+        place as u32
+    }
+
+    /// Turns an edge with two triangles to their apexes. The half-edge comes to be from the apex across
+    /// to its own; after it come its triangle's last side and the first one after the edge across.
+    pub fn flip(&mut self, h: u32) {
+        let t = self.opp(h);
+        let (n, p, m, q) = (next(h), prev(h), next(t), prev(t));
+        let (a, b, c, d) = (self.from(h), self.from(t), self.from(p), self.from(q));
+        let moved = |old: [u32; 4], column: &[u32]| {
+            let [at_n, at_p, at_m, at_q] = old.map(|k| column[k as usize]);
+            [at_p, at_m, at_q, at_n]
+        };
+        let across = moved([n, p, m, q], &self.opp);
+        for (k, outer) in [n, p, m, q].into_iter().zip(across) {
+            self.opp[k as usize] = outer;
+            if outer != NONE {
+                self.opp[outer as usize] = k;
+            }
+        }
+        if !self.edge_source.is_empty() {
+            let sources = moved([n, p, m, q], &self.edge_source);
+            for (k, source) in [n, p, m, q].into_iter().zip(sources) {
+                self.edge_source[k as usize] = source;
+            }
+            self.edge_source[h as usize] = NONE;
+            self.edge_source[t as usize] = NONE;
+        }
+        if !self.wedge.is_empty() {
+            let [at_a, at_b, at_c, at_d] = [h, n, p, q].map(|k| self.wedge[k as usize]);
+            for (k, wedge) in [(h, at_d), (n, at_c), (p, at_a), (t, at_c), (m, at_d), (q, at_b)] {
+                self.wedge[k as usize] = wedge;
+            }
+        }
+        for (k, v) in [(h, d), (n, c), (p, a), (t, c), (m, d), (q, b)] {
+            self.v[k as usize] = v;
+        }
+        for (v, k) in [(a, p), (b, q), (c, n), (d, m)] {
+            if [h, n, p, t, m, q].contains(&self.out[v as usize]) {
+                self.aim(v, k);
+            }
+        }
+    }
+
     /// Makes a half-edge leaving `v` the one that is found first: turned clockwise to the boundary.
     pub fn aim(&mut self, v: u32, h: u32) {
         let mut at = h;
