@@ -334,6 +334,9 @@ fn quick(soup: &PolygonSoup) -> Option<Assembly> {
     // its even side runs, and the edge before it in the list of the same vertex.
     let mut latest = vec![NONE; vertices];
     let mut list: Vec<[u32; 2]> = Vec::with_capacity(edges);
+    // Lists are a few edges long but at the hub of a wheel; walking a list of thousands for each of
+    // its edges would not be linear. The repair sorts instead and gives the same mesh.
+    let mut patience = corners.saturating_mul(16);
     for face in 0..soup.face_count() {
         let corners = soup.face(face);
         if !has_distinct_corners(corners) {
@@ -370,6 +373,7 @@ fn quick(soup: &PolygonSoup) -> Option<Assembly> {
                     return None;
                 }
                 edge = before;
+                patience = patience.checked_sub(1)?;
             };
             // Claimed at once, so that a face that comes back along its own edge is noticed.
             face_of[h as usize] = face as u32;

@@ -171,6 +171,19 @@ fn a_two_sided_triangle_is_a_closed_surface() {
 }
 
 #[test]
+fn the_hub_of_a_wheel_takes_no_longer_than_other_vertices() {
+    // Walking all spokes for each spoke would be 10^11 steps.
+    let n = 300_000;
+    let faces: Vec<[u32; 3]> = (1..=n).map(|i| [0, i, i % n + 1]).collect();
+    let built = Mesh::build(PolygonSoup::new(points(n + 1), &faces)).unwrap();
+    built.mesh.validate().unwrap();
+    assert!(built.notes.is_empty());
+    assert_eq!(built.mesh.valence(VertexId::new(0)), n as usize);
+    assert_eq!(built.mesh.boundary_loops().len(), 1);
+    assert_eq!(built.mesh.ends(built.mesh.edge(1).unwrap()).map(VertexId::raw), [1, 2], "numbered by faces");
+}
+
+#[test]
 fn positions_that_are_not_finite_are_replaced_and_noted() {
     let mut bad = soup(3, &[&[0, 1, 2]]);
     bad.positions[1].y = f32::NAN;
