@@ -257,7 +257,10 @@ impl<'m> Writer<'m> {
         mut vertex_normal: impl FnMut(VertexId) -> Option<[i16; 4]>,
     ) {
         self.seek(range.first, sink);
-        let flat = self.face.map_or([0; 4], |f| pack(normals::face_normal(self.mesh, f)));
+        let (mesh, face) = (self.mesh, self.face);
+        let mut flat = None;
+        let mut face_normal =
+            || *flat.get_or_insert_with(|| face.map_or([0; 4], |f| pack(normals::face_normal(mesh, f))));
         let color =
             self.face.and_then(|f| self.colors?.get(f.index()).copied()).unwrap_or(keys::FACE_COLOR.default);
         let [r, g, b] = color.0;
@@ -270,10 +273,10 @@ impl<'m> Writer<'m> {
             let flag = |a: u32, b: u32, bit: u8| if (a + 1) % corners == b { bit } else { 0 };
             let flags = flag(i, j, 1) | flag(j, k, 2) | flag(k, i, 4);
             let at = triangle.map(|i| self.points.get(i as usize).copied().unwrap_or(self.origin));
-            let mut normals = [flat; 3];
+            let mut normals = [[0; 4]; 3];
             for (normal, &corner) in normals.iter_mut().zip(triangle) {
                 let smooth = self.vertices.get(corner as usize).and_then(|&v| vertex_normal(v));
-                *normal = smooth.unwrap_or(flat);
+                *normal = smooth.unwrap_or_else(&mut face_normal);
             }
             self.staged.positions.extend_from_slice(&at.map(|p| (p - self.origin).to_array()));
             self.staged.normals.extend_from_slice(&normals);

@@ -8,9 +8,9 @@ pub struct Gpu {
 }
 
 /// A device with no more than WebGL2's limits, so that what works here asks for no more; none, said
-/// aloud, where there is no adapter.
+/// aloud, where there is no adapter. `WGPU_BACKEND=gl` takes OpenGL, whose shaders are those of WebGL2.
 pub fn gpu() -> Option<Gpu> {
-    let instance = wgpu::Instance::new(wgpu::InstanceDescriptor::new_without_display_handle());
+    let instance = wgpu::Instance::new(wgpu::InstanceDescriptor::new_without_display_handle_from_env());
     let adapter = pollster::block_on(instance.request_adapter(&wgpu::RequestAdapterOptions::default()));
     let Ok(adapter) = adapter else {
         println!("skipped: no adapter");
