@@ -18,7 +18,7 @@ pub(crate) fn next(h: u32) -> u32 {
 /// The previous side of the same triangle.
 #[inline]
 pub(crate) fn prev(h: u32) -> u32 {
-    if h % 3 == 0 { h + 2 } else { h - 1 }
+    if h.is_multiple_of(3) { h + 2 } else { h - 1 }
 }
 
 /// Triangles with what lies across their sides, and where their attributes come from.
