@@ -83,7 +83,6 @@ fn keys_of_the_page() {
         (Key::W, "wireframe"),
         (Key::M, "smooth"),
         (Key::V, "vertices"),
-        (Key::G, "grid"),
         (Key::P, "orthographic"),
     ] {
         let before = view(&mut page, name);
@@ -92,6 +91,8 @@ fn keys_of_the_page() {
         page.press(key);
         assert_eq!(view(&mut page, name), before, "{name}");
     }
+    page.press_with(Modifiers::SHIFT, Key::G);
+    assert_eq!(view(&mut page, "grid"), false);
     for (key, list) in
         [(Key::Num2, "edge"), (Key::Num3, "half-edge"), (Key::Num4, "face"), (Key::Num1, "vertex")]
     {
