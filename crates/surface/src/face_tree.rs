@@ -348,26 +348,38 @@ impl FaceTree {
         let mut best: Option<Hit> = None;
         let mut best_squared = f64::MAX;
         let mut triangulator = CornerTriangulator::new();
-        let mut look = |face: FaceId| {
-            for &corners in triangulator.of_face(mesh, face) {
-                let points = corners.map(|h| mesh.position(mesh.from(h)).as_dvec3());
-                let weights = closest_in_triangle(points, point);
-                let at = points[0] * weights.x + points[1] * weights.y + points[2] * weights.z;
-                let squared = at.distance_squared(point);
-                let nearer = best
-                    .is_none_or(|hit| squared < best_squared || (squared == best_squared && face < hit.face));
-                if nearer {
-                    best_squared = squared;
-                    best = Some(Hit {
-                        face,
-                        distance: squared.sqrt(),
-                        point: at.as_vec3(),
-                        corners,
-                        barycentric: weights.as_vec3().to_array(),
-                    });
-                }
+        let mut try_triangle = |face: FaceId, corners: [HalfedgeId; 3]| {
+            let points = corners.map(|h| mesh.position(mesh.from(h)));
+            // Most triangles of a leaf are farther away than their box says already.
+            let bounds = Bounds::EMPTY.with(points[0]).with(points[1]).with(points[2]);
+            if away(&bounds) > best_squared {
+                return best_squared;
+            }
+            let points = points.map(|p| p.as_dvec3());
+            let weights = closest_in_triangle(points, point);
+            let at = points[0] * weights.x + points[1] * weights.y + points[2] * weights.z;
+            let squared = at.distance_squared(point);
+            let nearer =
+                best.is_none_or(|hit| squared < best_squared || (squared == best_squared && face < hit.face));
+            if nearer {
+                best_squared = squared;
+                best = Some(Hit {
+                    face,
+                    distance: squared.sqrt(),
+                    point: at.as_vec3(),
+                    corners,
+                    barycentric: weights.as_vec3().to_array(),
+                });
             }
             best_squared
+        };
+        let mut look = |face: FaceId| {
+            let first = mesh.halfedge_of(face);
+            let (second, last) = (mesh.next(first), mesh.prev(first));
+            if mesh.next(second) == last {
+                return try_triangle(face, [first, second, last]);
+            }
+            triangulator.of_face(mesh, face).iter().fold(f64::MAX, |_, &corners| try_triangle(face, corners))
         };
         let bound = near.filter(|&face| mesh.has_face(face)).map_or(f64::MAX, &mut look);
         self.visit(mesh, away, bound, |face, _| look(face));
