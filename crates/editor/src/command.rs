@@ -172,6 +172,7 @@ operations! {
     subdivide_loop::SubdivideLoop,
     subdivide_linear::SubdivideLinear,
     simplify::Simplify,
+    remesh::Remesh,
     smooth::Smooth,
     merge_by_distance::MergeByDistance,
     new::New,

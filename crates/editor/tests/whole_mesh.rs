@@ -71,6 +71,25 @@ fn merge_by_distance_glues_pieces() {
 }
 
 #[test]
+fn remesh_takes_a_length_and_evens_edges_out() {
+    let mut editor = on_sphere();
+    let mean = surface::measure::mean_edge_length(editor.mesh().expect("a mesh"));
+    run(&mut editor, json!({"op": "remesh", "edge_length": mean / 2.0, "iterations": 6}));
+    validate(&editor);
+    let mesh = editor.mesh().expect("a mesh");
+    assert!(mesh.face_count() > 3 * 1280, "{}", mesh.face_count());
+    assert_eq!(mesh.euler_characteristic(), 2);
+    let even = mesh.edges().filter(|&e| {
+        let [a, b] = mesh.ends(e).map(|v| mesh.position(v));
+        let length = f64::from(a.distance(b)) / (mean / 2.0);
+        (0.8..=4.0 / 3.0).contains(&length)
+    });
+    assert!(even.count() * 10 > mesh.edge_count() * 9);
+    editor.undo().expect("one step");
+    assert_eq!(sizes(&editor)[2], 1280);
+}
+
+#[test]
 fn refusals_name_the_field() {
     let cases: &[(Value, &[&str])] = &[
         (json!({"op": "simplify"}), &["`ratio`", "one of"]),
@@ -85,6 +104,11 @@ fn refusals_name_the_field() {
         (json!({"op": "smooth", "strength": 0}), &["`strength`"]),
         (json!({"op": "smooth", "strength": 1.5}), &["`strength`"]),
         (json!({"op": "smooth", "method": "hard"}), &["`method`", "hard", "taubin"]),
+        (json!({"op": "remesh", "edge_length": 0}), &["`edge_length`"]),
+        (json!({"op": "remesh", "edge_length": 1e-6}), &["`edge_length`", "memory"]),
+        (json!({"op": "remesh", "iterations": 0}), &["`iterations`", "1 or more"]),
+        (json!({"op": "remesh", "feature_angle": 200}), &["`feature_angle`"]),
+        (json!({"op": "remesh", "project": "no"}), &["`project`"]),
         (json!({"op": "merge-by-distance"}), &["`distance`", "missing"]),
         (json!({"op": "merge-by-distance", "distance": -1}), &["`distance`"]),
     ];
