@@ -22,32 +22,20 @@ function prepare(editor) {
   }, [grid.toString(), SIDE]);
 }
 
-/** Drops the large file and, in the middle of reading it, cancels: by Escape, or by a script. */
-function dropAndCancel(editor, how) {
-  return editor.page.evaluate(async (how) => {
+/** Drops the large file and cancels in the middle of reading it. */
+function dropAndCancel(editor) {
+  return editor.page.evaluate(async () => {
     const { meshwright } = window;
-    const frame = () => new Promise(requestAnimationFrame);
     window.dropLarge("huge.obj");
-    let job;
-    do {
-      await frame();
-      [job] = meshwright.state().jobs;
-    } while (!(job?.progress > 0));
-    await frame();
-    await frame();
-    const names = meshwright.ui().map((node) => node.name);
-    const start = performance.now();
-    if (how === "Escape") {
-      const key = { key: "Escape", code: "Escape", bubbles: true, cancelable: true };
-      for (const type of ["keydown", "keyup"]) {
-        document.getElementById("meshwright").dispatchEvent(new KeyboardEvent(type, key));
+    for (;;) {
+      await new Promise(requestAnimationFrame);
+      const [job] = meshwright.state().jobs;
+      if (job?.progress > 0) {
+        const start = performance.now();
+        return { job, stopped: meshwright.cancel(), left: meshwright.state().jobs, took: performance.now() - start };
       }
-      while (meshwright.state().jobs.length > 0) await frame();
-    } else {
-      meshwright.cancel();
     }
-    return { job, names, took: performance.now() - start, left: meshwright.state().jobs };
-  }, how);
+  });
 }
 
 /** Drops the large file and notes when the page draws and how far the job is, until it is done. */
@@ -84,16 +72,14 @@ editorTest("a million triangles open beside the page, and can be called off", op
 
   // Cancelled in the middle.
   const bytes = await prepare(editor);
-  for (const how of ["Escape", "script"]) {
-    const { job, names, took, left } = await dropAndCancel(editor, how);
-    t.diagnostic(`cancelled by ${how} at ${(100 * job.progress).toFixed(0)} % in ${took.toFixed(0)} ms`);
-    assert.equal(job.op, "open");
-    assert.ok(job.progress < 1);
-    assert.ok(names.includes("Open huge.obj") && names.includes("Cancel Open huge.obj"), "the bar shows the job");
-    assert.deepEqual(left, []);
-    await editor.frames(10);
-    assert.deepEqual(await snapshot(), before, "the document is as it was");
-  }
+  const { job, stopped, left, took } = await dropAndCancel(editor);
+  t.diagnostic(`cancelled at ${(100 * job.progress).toFixed(0)} % in ${took.toFixed(0)} ms`);
+  assert.equal(job.op, "open");
+  assert.ok(job.progress < 1);
+  assert.equal(stopped, 1);
+  assert.deepEqual(left, []);
+  await editor.frames(10);
+  assert.deepEqual(await snapshot(), before, "the document is as it was");
 
   // Who waits for a job that is cancelled is told.
   const told = await editor.page.evaluate(async () => {
@@ -121,4 +107,28 @@ editorTest("a million triangles open beside the page, and can be called off", op
   assert.deepEqual(seen.progress, seen.progress.toSorted((a, b) => a - b), "progress never goes back");
   await editor.frames(3);
   await editor.screenshot("a million triangles");
+});
+
+const once = { renderers: ["webgl2"], sizes: [SMALL] };
+editorTest("the bar shows a job, and its button and Escape cancel it", once, async (editor) => {
+  // A worker that gets to 30 % and stays there.
+  await editor.page.route("**/meshwright-worker_loader.js", (route) => route.fulfill({
+    contentType: "text/javascript",
+    body: `self.onmessage = ({ data: [job] }) => self.postMessage(["progress", job, 0.3]);
+      self.postMessage(["ready"]);`,
+  }));
+  await editor.page.reload();
+  await editor.ready();
+  const { document } = await editor.state();
+  const stop = { Escape: () => editor.press("Escape"), button: () => editor.click("Cancel Open never.obj", "button") };
+  for (const [how, cancel] of Object.entries(stop)) {
+    await editor.drop({ name: "never.obj", content: grid(2, 2) });
+    await editor.until("the job is on its way", async () => (await editor.state()).jobs[0]?.progress > 0.2);
+    assert.deepEqual((await editor.state()).jobs.map((job) => job.op), ["open"]);
+    await editor.find("Open never.obj", "progressIndicator");
+    await editor.screenshot(`job before ${how}`);
+    await cancel();
+    await editor.until(`${how} cancels`, async () => (await editor.state()).jobs.length === 0);
+    assert.deepEqual((await editor.state()).document, document);
+  }
 });
