@@ -79,12 +79,9 @@ fn keys_of_the_course_editors() {
 fn keys_of_the_page() {
     let mut page = Page::new();
     let view = |page: &mut Page, name: &str| page.app().script_state()["view"][name].clone();
-    for (key, name) in [
-        (Key::W, "wireframe"),
-        (Key::M, "smooth"),
-        (Key::V, "vertices"),
-        (Key::P, "orthographic"),
-    ] {
+    for (key, name) in
+        [(Key::W, "wireframe"), (Key::M, "smooth"), (Key::V, "vertices"), (Key::P, "orthographic")]
+    {
         let before = view(&mut page, name);
         page.press(key);
         assert_ne!(view(&mut page, name), before, "{name}");
