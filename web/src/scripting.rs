@@ -11,7 +11,7 @@ use crate::platform::{DeviceInfo, NamedBytes};
 
 /// What a call that takes a while came to.
 #[derive(Clone, Debug, PartialEq)]
-#[expect(clippy::large_enum_variant, reason = "there is one at a time, and it is moved once")]
+#[allow(clippy::large_enum_variant, reason = "there is one at a time, and it is moved once")]
 pub enum Answer {
     /// A command was carried out, or a file was opened.
     Outcome(Outcome),
