@@ -108,7 +108,7 @@ pub fn show(ui: &mut Ui, spec: &Spec, field: &Field, filled: &mut Filled) {
 
 fn edit(ui: &mut Ui, field: &Field, label: &str, value: &mut Value) {
     match field.kind {
-        FieldKind::Number { min, max } => number(ui, label, value, f64::from(min)..=f64::from(max)),
+        FieldKind::Number { min, max } => number(ui, None, value, f64::from(min)..=f64::from(max)),
         FieldKind::Integer { min, max } => integer(ui, value, min..=max),
         FieldKind::Vertex | FieldKind::Edge | FieldKind::Halfedge | FieldKind::Face => {
             integer(ui, value, 0..=u32::MAX - 1)
@@ -124,7 +124,7 @@ fn edit(ui: &mut Ui, field: &Field, label: &str, value: &mut Value) {
                 axes(ui, &format!("{label} axis"), axis);
             }
             if let Some(degrees) = value.get_mut("degrees") {
-                number(ui, "Degrees", degrees, -360.0..=360.0);
+                number(ui, Some("Degrees"), degrees, -360.0..=360.0);
             }
         }
         FieldKind::Color => color(ui, label, value),
@@ -151,15 +151,16 @@ fn edit(ui: &mut Ui, field: &Field, label: &str, value: &mut Value) {
     }
 }
 
-fn number(ui: &mut Ui, label: &str, value: &mut Value, range: std::ops::RangeInclusive<f64>) {
+/// A spin box; without a name of its own it is called what the row's label says.
+fn number(ui: &mut Ui, name: Option<&str>, value: &mut Value, range: std::ops::RangeInclusive<f64>) {
     let mut number = value.as_f64().unwrap_or_default();
-    // A spin over a tenth of the value a few points, so that small and large models both can be hit.
+    // A hundredth of the value a point, so that small and large models both can be hit.
     let speed = (number.abs() * 0.01).clamp(0.001, 1e6);
-    if ui
-        .add(DragValue::new(&mut number).speed(speed).range(range).max_decimals(6))
-        .accessible_name(label)
-        .changed()
-    {
+    let mut spin = ui.add(DragValue::new(&mut number).speed(speed).range(range).max_decimals(6));
+    if let Some(name) = name {
+        spin = spin.accessible_name(name);
+    }
+    if spin.changed() {
         *value = json!(number);
     }
 }
