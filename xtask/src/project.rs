@@ -17,7 +17,9 @@ pub struct Project {
 
 impl Project {
     pub fn find() -> Result<Self> {
-        let root = Path::new(env!("CARGO_MANIFEST_DIR"))
+        // Asked of the running Cargo, not of the compiler: checkouts that share a target folder share this program.
+        let xtask = env::var_os("CARGO_MANIFEST_DIR").unwrap_or_else(|| env!("CARGO_MANIFEST_DIR").into());
+        let root = Path::new(&xtask)
             .parent()
             .ok_or("xtask lies in no project folder; run it from a checkout of Meshwright.")?
             .to_path_buf();
