@@ -108,10 +108,17 @@ impl Work {
     fn run(&self, progress: &mut Progress<'_>) -> Result<JobResult, Problem> {
         let made = match self {
             Self::Import(files) => {
-                Made::Import(formats::read(files, progress).map_err(|error| match error {
+                let import = formats::read(files, progress).map_err(|error| match error {
                     ReadError::Cancelled => Problem::cancelled(),
                     other => Problem::new(other.to_string()),
-                })?)
+                })?;
+                // Nothing but trouble is no reason to take the open document away.
+                if import.objects.iter().all(|object| object.mesh.vertex_count() == 0)
+                    && let Some(first) = import.report.warnings().next()
+                {
+                    return Err(Problem::new(format!("nothing in {} could be used. {first}", import.name)));
+                }
+                Made::Import(import)
             }
             Self::Run(ops, inputs) => run(ops, inputs, progress)?,
             Self::Export(format, name, inputs) => {

@@ -218,6 +218,16 @@ fn a_broken_file_leaves_the_document_as_it_was_and_says_why() {
     assert_eq!(editor.document(), on_cube().document());
 }
 
+#[test]
+fn a_file_with_nothing_usable_in_it_is_refused() {
+    let mut editor = on_cube();
+    let request = editor.begin_import(vec![NamedBytes::new("bad.obj", "v 0 0 zero\nf 1 2 3\n")]);
+    let failed = request.run(&mut on);
+    let error = editor.finish(request.id(), failed).expect_err("no vertex").to_string();
+    assert!(error.contains("nothing in bad could be used") && error.contains("line 1"), "{error}");
+    assert_eq!(editor.document(), on_cube().document());
+}
+
 fn requests() -> Vec<Vec<u8>> {
     let mut editor = Editor::with_mesh("Cube", decorated());
     let run = job(editor.begin(command(json!({"op": "subdivide-linear", "levels": 6}))).expect("a cube"));
