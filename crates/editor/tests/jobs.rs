@@ -221,7 +221,7 @@ fn a_broken_file_leaves_the_document_as_it_was_and_says_why() {
 #[test]
 fn a_file_with_nothing_usable_in_it_is_refused() {
     let mut editor = on_cube();
-    let request = editor.begin_import(vec![NamedBytes::new("bad.obj", "v 0 0 zero\nf 1 2 3\n")]);
+    let request = editor.begin_import(vec![NamedBytes::new("bad.obj", "f 1 2 3\n")]);
     let failed = request.run(&mut on);
     let error = editor.finish(request.id(), failed).expect_err("no vertex").to_string();
     assert!(error.contains("nothing in bad could be used") && error.contains("line 1"), "{error}");
