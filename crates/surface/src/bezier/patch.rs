@@ -35,7 +35,7 @@ pub struct PatchConstruction {
 }
 
 /// The point and the derivative of a cubic.
-fn cubic(p: [Vec3; 4], t: f32) -> (Vec3, Vec3) {
+pub(super) fn cubic(p: [Vec3; 4], t: f32) -> (Vec3, Vec3) {
     let a = [mix(p[0], p[1], t), mix(p[1], p[2], t), mix(p[2], p[3], t)];
     let b = [mix(a[0], a[1], t), mix(a[1], a[2], t)];
     (mix(b[0], b[1], t), (b[1] - b[0]) * 3.0)

@@ -6,8 +6,7 @@
 //! since files print them rounded. A border whose control points are all the same is one vertex: a
 //! pole.
 
-use super::curve::mix;
-use super::patch::Patch;
+use super::patch::{Patch, cubic};
 use glam::Vec3;
 use halfedge::attribute::Column;
 use halfedge::{Mesh, Note, PolygonSoup, TooLarge, keys};
@@ -119,7 +118,7 @@ impl Surface {
             Some(inner) => inner.clone(),
             None => {
                 let p = key.map(|id| self.controls.points[id as usize]);
-                let inner: Vec<u32> = (1..n).map(|i| self.vertex(cubic(p, i as f32 / n as f32))).collect();
+                let inner: Vec<u32> = (1..n).map(|i| self.vertex(cubic(p, i as f32 / n as f32).0)).collect();
                 self.borders.insert(key, inner.clone());
                 inner
             }
@@ -148,11 +147,6 @@ impl Surface {
         soup.corner_columns.push(Column::with_values(keys::CORNER_NORMAL, normals));
         soup
     }
-}
-
-fn cubic(p: [Vec3; 4], t: f32) -> Vec3 {
-    let a = [mix(p[0], p[1], t), mix(p[1], p[2], t), mix(p[2], p[3], t)];
-    mix(mix(a[0], a[1], t), mix(a[1], a[2], t), t)
 }
 
 /// Control points by number, those within a tolerance of each other sharing one.
