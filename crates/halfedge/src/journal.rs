@@ -75,12 +75,6 @@ impl Journal {
         self.changes.len() * size_of::<Change>() + heap
     }
 
-    /// Takes in what was recorded after this journal, so that one undo takes back both: a drag is
-    /// one step. Only the first write to a place says what was there before.
-    pub fn append(&mut self, later: Self) {
-        self.changes.extend(later.changes);
-    }
-
     /// Forgets all but the first write to each vertex's position: a drag of a thousand steps costs
     /// the memory of one. Only for journals with nothing but position writes; others stay as they are.
     pub fn fold_moves(&mut self) {
