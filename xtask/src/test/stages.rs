@@ -114,7 +114,25 @@ fn native(project: &Project, rest: &[String], count: &mut Count) -> Result {
     if !rest.iter().any(|arg| matches!(arg.as_str(), "-p" | "--package")) {
         test.arg("--workspace");
     }
-    counted(test.args(rest), count)
+    counted(test.args(rest), count)?;
+    if rest.is_empty() { many_edits(project, count) } else { Ok(()) }
+}
+
+/// The random sequences of edits, as many as only optimised code gets through in a minute or two.
+fn many_edits(project: &Project, count: &mut Count) -> Result {
+    let mut test = cargo(project);
+    test.args([
+        "test",
+        "--release",
+        "-p",
+        "halfedge",
+        "--test",
+        "edits",
+        "random_sequences",
+        "--",
+        "--nocapture",
+    ]);
+    counted(test.env("MESHWRIGHT_EDITS", "1000000"), count)
 }
 
 fn wasm(project: &Project, tools: &Tools, rest: &[String], count: &mut Count) -> Result {

@@ -1,6 +1,8 @@
 //! Long random sequences of all edits over the zoo: the mesh is valid after each, each did what it
 //! reported, a refused one wrote nothing, and undo and redo go to the bit all the way.
 
+use std::sync::atomic::{AtomicU64, Ordering};
+
 use crate::zoo;
 use glam::Vec3;
 use halfedge::edit::*;
@@ -359,6 +361,9 @@ fn slid_extrude(mesh: &mut Mesh, faces: &[FaceId], grouping: Grouping, amount: f
     slid(mesh, live, amount)
 }
 
+/// How many edits are tried one after the other on a mesh.
+const SEQUENCE: usize = 150;
+
 /// Runs `edits` edits from a mesh; gives how many of each kind were made.
 fn run(name: &str, start: &Mesh, seed: u64, edits: usize) -> Vec<usize> {
     let mut mesh = start.clone();
@@ -423,7 +428,8 @@ fn run(name: &str, start: &Mesh, seed: u64, edits: usize) -> Vec<usize> {
     done
 }
 
-/// MESHWRIGHT_EDITS says how many; `cargo xtask test` runs a million in release.
+/// MESHWRIGHT_EDITS says how many; `cargo xtask test` runs a million in release. Each sequence has its
+/// own seed, so that as many threads as there are processors make the same edits.
 #[test]
 fn random_sequences_of_all_edits() {
     let edits: usize = std::env::var("MESHWRIGHT_EDITS").ok().and_then(|n| n.parse().ok()).unwrap_or(20_000);
@@ -431,17 +437,36 @@ fn random_sequences_of_all_edits() {
     for (_, mesh) in &mut zoo {
         zoo::paint(mesh);
     }
-    let mut tried = 0;
-    let mut done = vec![0; EDITS];
-    let mut seed = 1;
-    while tried < edits {
-        let (name, start) = &zoo[seed as usize % zoo.len()];
-        for (total, more) in done.iter_mut().zip(run(name, start, seed * 0x9E37_79B9, 150)) {
-            *total += more;
+    let sequences = edits.div_ceil(SEQUENCE) as u64;
+    let next = AtomicU64::new(1);
+    let sequences_of_one_thread = || {
+        let mut done = vec![0; EDITS];
+        loop {
+            let seed = next.fetch_add(1, Ordering::Relaxed);
+            if seed > sequences {
+                return done;
+            }
+            let (name, start) = &zoo[seed as usize % zoo.len()];
+            add(&mut done, &run(name, start, seed * 0x9E37_79B9, SEQUENCE));
         }
-        tried += 150;
-        seed += 1;
-    }
-    println!("{tried} edits tried; done, by kind: {done:?}");
+    };
+    let mut done = vec![0; EDITS];
+    std::thread::scope(|scope| {
+        let threads = std::thread::available_parallelism().map_or(1, |n| n.get());
+        let threads: Vec<_> = (0..threads).map(|_| scope.spawn(sequences_of_one_thread)).collect();
+        for thread in threads {
+            match thread.join() {
+                Ok(its) => add(&mut done, &its),
+                Err(panic) => std::panic::resume_unwind(panic),
+            }
+        }
+    });
+    println!("{} edits tried; done, by kind: {done:?}", sequences as usize * SEQUENCE);
     assert!(done.iter().all(|&n| n > 0), "an edit was never made: {done:?}");
+}
+
+fn add(total: &mut [usize], more: &[usize]) {
+    for (total, more) in total.iter_mut().zip(more) {
+        *total += more;
+    }
 }
