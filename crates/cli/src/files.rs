@@ -1,8 +1,8 @@
 //! Files in and out.
 
 use crate::Failure;
-use editor::{Document, Object};
-use formats::{Format, Import, NamedBytes, ObjectRef};
+use editor::Document;
+use formats::{Controls, Format, Import, NamedBytes, ObjectRef};
 use std::ops::ControlFlow;
 use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
@@ -25,13 +25,14 @@ pub fn read(path: &Path) -> Result<Read, Failure> {
     files.insert(0, model);
     // Readers tell of half the work when the text is read and building begins.
     let mut parsed = Instant::now();
-    let import = formats::read(&files, &mut |fraction| {
+    let mut import = formats::read(&files, &mut |fraction| {
         if fraction <= 0.5 {
             parsed = Instant::now();
         }
         ControlFlow::Continue(())
     })
     .map_err(|error| Failure::File(error.to_string()))?;
+    editor::show_controls(&mut import).map_err(|error| Failure::File(error.to_string()))?;
     Ok(Read { import, read: parsed - start, build: parsed.elapsed() })
 }
 
@@ -91,10 +92,16 @@ pub fn output_format(path: &Path) -> Result<Format, Failure> {
 
 /// Writes a document, and says on standard error what the format can't hold.
 pub fn write(path: &Path, format: Format, document: &Document) -> Result<(), Failure> {
+    let controls: Vec<Option<Controls>> =
+        document.objects().iter().map(|object| object.bezier().map(Controls::from)).collect();
     let objects: Vec<ObjectRef<'_>> = document
         .objects()
         .iter()
-        .map(|object: &Object| ObjectRef { name: object.name(), mesh: object.mesh() })
+        .zip(&controls)
+        .map(|(object, controls)| ObjectRef {
+            controls: controls.as_ref(),
+            ..ObjectRef::new(object.name(), object.mesh())
+        })
         .collect();
     for loss in formats::losses(format, &objects) {
         eprintln!("{}: {loss}", path.display());

@@ -261,3 +261,40 @@ fn models_go_through_operations_and_come_back() {
         assert_eq!(again["input"], answer["output"], "{name}");
     }
 }
+
+#[test]
+fn bezier_files_tessellate_and_convert() {
+    let folder = folder("bezier");
+    let mut patch = "1\n".to_owned();
+    for row in 0..4 {
+        (0..4).for_each(|column| patch += &format!("{column} {row} {} ", column * row));
+    }
+    let surface = write(&folder, "saddle.bez", &patch);
+    let curve = write(&folder, "curve.bzc", "3\n0 0 1 1 2 0\n");
+
+    let answer = json_of(&["info", text(&surface), "--json"]);
+    assert_eq!(answer["input"]["faces"], 64);
+    assert_eq!(answer["report"][0]["text"], "Read a Bezier surface of 1 patch as BEZ");
+    let answer = json_of(&["info", text(&curve), "--json"]);
+    assert_eq!(answer["input"]["vertices"], 0);
+    assert_eq!(answer["report"][0]["text"], "Read a Bezier curve of 3 control points as BZC");
+
+    let mesh = folder.join("saddle.obj");
+    let command = r#"{"op":"bezier-tessellate","resolution":10}"#;
+    let answer = json_of(&["apply", text(&surface), "--do", command, "-o", text(&mesh), "--json"]);
+    assert_eq!(answer["output"]["faces"], 100);
+    let saved = json_of(&["info", text(&mesh), "--json"]);
+    assert_eq!((&saved["input"]["vertices"], &saved["input"]["faces"]), (&json!(121), &json!(100)));
+
+    let again = folder.join("again.bez");
+    assert_eq!(run(&["convert", text(&surface), text(&again)]).status.code(), Some(0));
+    let numbers = |path: &Path| -> Vec<f32> {
+        let text = std::fs::read_to_string(path).expect("text");
+        text.split_whitespace().map(|word| word.parse().expect("a number")).collect()
+    };
+    assert_eq!(numbers(&again), numbers(&surface));
+    assert!(fails(&["convert", text(&curve), text(&mesh)], 2).contains("save it as BZC"));
+    assert!(fails(&["apply", text(&curve), "--do", command], 1).contains("bounds no faces"));
+    let wrong = write(&folder, "wrong.bez", "1\n1 2\n3 x");
+    assert!(fails(&["info", text(&wrong)], 2).contains("wrong.bez: line 3: “x” is not a number"));
+}

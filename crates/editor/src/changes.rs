@@ -8,6 +8,9 @@ use halfedge::{Mesh, Touched};
 pub struct Changes {
     /// Objects whose mesh changed, each once, and those that came or went.
     pub objects: Vec<(ObjectId, ObjectChange)>,
+    /// Objects whose control points changed, came or went, each once. A surface's mesh changed too
+    /// and is in `objects`.
+    pub bezier: Vec<ObjectId>,
     /// The list of objects, a name, a visibility or which object is active.
     pub document: bool,
     /// The selection.
@@ -62,6 +65,13 @@ impl Changes {
             Some(ObjectChange::Added) => self.objects.retain(|(object, _)| *object != id),
             Some(change) => *change = ObjectChange::Gone,
             None => self.objects.push((id, ObjectChange::Gone)),
+        }
+    }
+
+    pub(crate) fn controls(&mut self, id: ObjectId) {
+        self.document = true;
+        if !self.bezier.contains(&id) {
+            self.bezier.push(id);
         }
     }
 

@@ -4,6 +4,7 @@
 //! JSON object `{"op": "<name>", ...fields}`, with a [`Spec`] that menus, the palette, panels and
 //! the documentation are generated from.
 
+mod bezier;
 mod fields;
 mod live;
 mod run;
@@ -14,7 +15,7 @@ mod whole;
 pub use fields::{EdgeRef, FaceRef, HalfedgeRef, VertexRef};
 pub use live::Mode;
 pub(crate) use run::{
-    Action, Commit, DocumentEdit, Input, LocalEdit, Output, Place, Target, WholeMesh, edit_all,
+    Action, Commit, DocumentEdit, Input, LocalEdit, Output, Place, Target, WholeMesh, edit_all, refuse_bezier,
 };
 pub use separate::By;
 pub use smooth::SmoothMethod;
@@ -176,6 +177,12 @@ operations! {
     smooth::Smooth,
     merge_by_distance::MergeByDistance,
     new::New,
+    bezier_tessellate::BezierTessellate,
+    bezier_move_point::BezierMovePoint,
+    bezier_insert_point::BezierInsertPoint,
+    bezier_delete_point::BezierDeletePoint,
+    bezier_elevate_degree::BezierElevateDegree,
+    bezier_split::BezierSplit,
     activate_object::ActivateObject,
     rename_object::RenameObject,
     set_object_visible::SetObjectVisible,

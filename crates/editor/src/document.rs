@@ -1,5 +1,6 @@
 //! What is being edited: named objects, each with a mesh.
 
+use crate::bezier::Bezier;
 use halfedge::Mesh;
 use serde::Serialize;
 use std::fmt;
@@ -16,7 +17,7 @@ impl fmt::Display for ObjectId {
     }
 }
 
-/// A named mesh of a document.
+/// A named mesh of a document, or a Bezier curve or surface with the mesh that shows it.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Object {
     id: ObjectId,
@@ -26,11 +27,13 @@ pub struct Object {
     pub(crate) visible: bool,
     /// Shared with jobs that read it and with nothing else, so that edits don't copy it.
     pub(crate) mesh: Arc<Mesh>,
+    /// The control points that the mesh is made from.
+    pub(crate) bezier: Option<Arc<Bezier>>,
 }
 
 impl Object {
     pub(crate) fn new(id: ObjectId, name: String, mesh: Arc<Mesh>) -> Self {
-        Self { id, name, visible: true, mesh }
+        Self { id, name, visible: true, mesh, bezier: None }
     }
 
     /// The object's identity.
@@ -51,6 +54,11 @@ impl Object {
     /// The object's mesh.
     pub fn mesh(&self) -> &Mesh {
         &self.mesh
+    }
+
+    /// The control points that the mesh is made from, where it is a Bezier curve or surface.
+    pub fn bezier(&self) -> Option<&Bezier> {
+        self.bezier.as_deref()
     }
 }
 

@@ -104,7 +104,7 @@ impl Editor {
         let mut editor = Self::new();
         let name = name.into();
         editor.document.name.clone_from(&name);
-        let object = editor.object(Output { name, mesh: Arc::new(mesh) });
+        let object = editor.object(Output::new(name, mesh));
         editor.changes.added(object.id());
         editor.document.objects.push(object);
         editor

@@ -4,6 +4,7 @@
 //! makes a step's changes in reverse and what that gives is the redo. A change is a journal for a
 //! local edit and the other mesh for an operation on a whole one: undoing costs what doing cost.
 
+use crate::bezier::Bezier;
 use crate::changes::Changes;
 use crate::document::{Document, Object, ObjectId};
 use crate::selection::Selection;
@@ -18,6 +19,8 @@ pub(crate) enum Change {
     Journal(ObjectId, Journal),
     /// Gives the object another mesh.
     Mesh(ObjectId, Arc<Mesh>),
+    /// Gives the object other control points, or none.
+    Bezier(ObjectId, Option<Arc<Bezier>>),
     /// Renames the object.
     Name(ObjectId, String),
     /// Shows or hides the object.
@@ -63,6 +66,12 @@ impl Change {
                 reshaped(id);
                 Self::Mesh(id, old)
             }
+            Self::Bezier(id, bezier) => {
+                let at = find(document, id)?;
+                let old = std::mem::replace(&mut document.objects.get_mut(at)?.bezier, bezier);
+                changes.controls(id);
+                Self::Bezier(id, old)
+            }
             Self::Name(id, name) => {
                 let at = find(document, id)?;
                 changes.document = true;
@@ -82,6 +91,9 @@ impl Change {
                     return None;
                 }
                 changes.added(object.id());
+                if object.bezier.is_some() {
+                    changes.controls(object.id());
+                }
                 document.objects.insert(at, *object);
                 Self::Remove(at)
             }
@@ -91,6 +103,9 @@ impl Change {
                 }
                 let object = document.objects.remove(at);
                 changes.gone(object.id());
+                if object.bezier.is_some() {
+                    changes.controls(object.id());
+                }
                 reshaped(object.id());
                 Self::Insert(at, Box::new(object))
             }
@@ -106,7 +121,10 @@ impl Change {
             + match self {
                 Self::Journal(_, journal) => journal.bytes(),
                 Self::Mesh(_, mesh) => mesh.bytes(),
-                Self::Insert(_, object) => object.mesh.bytes(),
+                Self::Bezier(_, bezier) => bezier.as_ref().map_or(0, |bezier| bezier.bytes()),
+                Self::Insert(_, object) => {
+                    object.mesh.bytes() + object.bezier.as_ref().map_or(0, |bezier| bezier.bytes())
+                }
                 _ => 0,
             }
     }

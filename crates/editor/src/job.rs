@@ -4,12 +4,12 @@ mod bytes;
 
 pub use bytes::BadBytes;
 
+use crate::bezier::fill_previews;
 use crate::command::{Action, Input, Op, Output, edit_all};
 use crate::error::{CommandError, Problem};
 use crate::outcome::{Before, ElementIds};
-use formats::{Format, Import, NamedBytes, ReadError};
+use formats::{Controls, Format, Import, NamedBytes, ObjectRef, ReadError};
 use halfedge::{Mesh, Progress};
-use std::sync::Arc;
 
 /// Which job of an editor.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
@@ -108,12 +108,16 @@ impl Work {
     fn run(&self, progress: &mut Progress<'_>) -> Result<JobResult, Problem> {
         let made = match self {
             Self::Import(files) => {
-                let import = formats::read(files, progress).map_err(|error| match error {
+                let mut import = formats::read(files, progress).map_err(|error| match error {
                     ReadError::Cancelled => Problem::cancelled(),
                     other => Problem::new(other.to_string()),
                 })?;
+                fill_previews(&mut import)?;
                 // Nothing but trouble is no reason to take the open document away.
-                if import.objects.iter().all(|object| object.mesh.vertex_count() == 0)
+                if import
+                    .objects
+                    .iter()
+                    .all(|object| object.mesh.vertex_count() == 0 && object.controls.is_none())
                     && let Some(first) = import.report.warnings().next()
                 {
                     return Err(Problem::new(format!("nothing in {} could be used. {first}", import.name)));
@@ -122,9 +126,15 @@ impl Work {
             }
             Self::Run(ops, inputs) => run(ops, inputs, progress)?,
             Self::Export(format, name, inputs) => {
+                let controls: Vec<Option<Controls>> =
+                    inputs.iter().map(|input| input.bezier.as_deref().map(Controls::from)).collect();
                 let objects: Vec<_> = inputs
                     .iter()
-                    .map(|input| formats::ObjectRef { name: &input.name, mesh: &input.mesh })
+                    .zip(&controls)
+                    .map(|(input, controls)| ObjectRef {
+                        controls: controls.as_ref(),
+                        ..ObjectRef::new(&input.name, &input.mesh)
+                    })
                     .collect();
                 Made::Files(formats::write(*format, name, &objects).map_err(|e| Problem::new(e.to_string()))?)
             }
@@ -150,5 +160,5 @@ pub(crate) fn run(ops: &[Op], inputs: &[Input], progress: &mut Progress<'_>) -> 
     edit_all(ops, &mut mesh, &mut notes, progress)?;
     let touched = mesh.finish_recording().touched();
     let ids = before.compare(&mesh, &touched);
-    Ok(Made::Meshes(vec![Output { name: String::new(), mesh: Arc::new(mesh) }], Some(ids), notes))
+    Ok(Made::Meshes(vec![Output::new("", mesh)], Some(ids), notes))
 }

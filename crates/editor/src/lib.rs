@@ -3,6 +3,7 @@
 //! Everything a user can do is a [`Command`] value given to an [`Editor`]. Menus, keys, scripts,
 //! the command line and tests speak the same commands; [`OPERATIONS`] lists them.
 
+mod bezier;
 mod changes;
 pub mod command;
 mod document;
@@ -16,6 +17,7 @@ mod pieces;
 mod selection;
 mod state;
 
+pub use bezier::{Bezier, show_controls};
 pub use changes::{Changes, ObjectChange};
 pub use command::{Command, Field, FieldKind, OPERATIONS, Op, OperationKind, Spec};
 pub use document::{Counts, Document, Object, ObjectId};
@@ -30,3 +32,5 @@ pub use state::element_kind;
 pub use formats;
 /// The mesh library, for its types in this crate's signatures.
 pub use halfedge;
+/// The algorithms, for [`Bezier`]'s curves and patches.
+pub use surface;

@@ -1,5 +1,6 @@
 //! The editor's state as JSON: what scripts on the page see.
 
+use crate::bezier::Bezier;
 use crate::document::{Counts, Object};
 use crate::editor::Editor;
 use crate::error::{CommandError, Problem};
@@ -20,11 +21,15 @@ impl Editor {
             .objects()
             .iter()
             .map(|object| {
-                json!({
+                let mut value = json!({
                     "name": object.name(),
                     "visible": object.visible(),
                     "faces": object.mesh().face_count(),
-                })
+                });
+                if let Some(bezier) = object.bezier() {
+                    value["bezier"] = bezier_state(bezier);
+                }
+                value
             })
             .collect();
         let selection = self.selection();
@@ -75,6 +80,18 @@ impl Editor {
             Element::Edge => edge(mesh, EdgeId::new(at)),
             Element::Face => face(mesh, FaceId::new(at)),
         })
+    }
+}
+
+/// The kind of a Bezier object, with the control points of a curve and the number of a surface's
+/// patches.
+fn bezier_state(bezier: &Bezier) -> Value {
+    match bezier {
+        Bezier::Curve(curve) => json!({
+            "kind": "curve",
+            "points": curve.points.iter().map(|point| vector(point.to_array())).collect::<Vec<_>>(),
+        }),
+        Bezier::Surface(patches) => json!({"kind": "surface", "patches": patches.len()}),
     }
 }
 

@@ -48,11 +48,8 @@ fn obj(c: &mut Criterion) {
         b.iter(|| tobj::load_obj_buf(&mut text.as_bytes(), &options, |_| Ok(Default::default())));
     });
     if let Ok(import) = formats::read(&files, &mut |_| ControlFlow::Continue(())) {
-        let objects: Vec<ObjectRef> = import
-            .objects
-            .iter()
-            .map(|object| ObjectRef { name: &object.name, mesh: &object.mesh })
-            .collect();
+        let objects: Vec<ObjectRef> =
+            import.objects.iter().map(|object| ObjectRef::new(&object.name, &object.mesh)).collect();
         group.bench_function("write", |b| b.iter(|| formats::write(Format::Obj, "torus", &objects)));
     }
     group.finish();

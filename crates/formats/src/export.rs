@@ -1,8 +1,9 @@
 //! A document out: which writer, and what the format can't hold.
 
+use crate::bezier::Controls;
 use crate::format::Format;
 use crate::import::NamedBytes;
-use crate::{collada, gltf, json, obj, off, ply, stl};
+use crate::{bezier, collada, gltf, json, obj, off, ply, stl};
 use halfedge::Mesh;
 use std::fmt;
 
@@ -13,6 +14,21 @@ pub struct ObjectRef<'a> {
     pub name: &'a str,
     /// The mesh.
     pub mesh: &'a Mesh,
+    /// The control points that the mesh was made from, for formats that hold those; a curve has an
+    /// empty mesh.
+    pub controls: Option<&'a Controls>,
+}
+
+impl<'a> ObjectRef<'a> {
+    /// A mesh to write.
+    pub fn new(name: &'a str, mesh: &'a Mesh) -> Self {
+        Self { name, mesh, controls: None }
+    }
+
+    /// Whether it is a curve, of which formats for meshes can write nothing.
+    pub(crate) fn is_curve(&self) -> bool {
+        self.controls.is_some_and(Controls::is_curve)
+    }
 }
 
 /// Why nothing was written.
@@ -23,8 +39,8 @@ pub struct WriteError {
 }
 
 impl WriteError {
-    pub(crate) fn new(message: &str) -> Self {
-        Self { message: message.to_owned() }
+    pub(crate) fn new(message: impl Into<String>) -> Self {
+        Self { message: message.into() }
     }
 }
 
@@ -40,9 +56,19 @@ impl std::error::Error for WriteError {}
 /// the document's, without extension; the files are called after it.
 ///
 /// # Errors
-/// When the document is too large for the format's numbers.
+/// When the document is too large for the format's numbers, or has nothing that the format holds.
 pub fn write(format: Format, name: &str, objects: &[ObjectRef]) -> Result<Vec<NamedBytes>, WriteError> {
+    let all = objects;
+    let meshes: Vec<ObjectRef> = all.iter().filter(|object| !object.is_curve()).copied().collect();
+    if meshes.is_empty() && !all.is_empty() && !format.is_bezier() {
+        return Err(WriteError::new(format!(
+            "{} holds meshes, and the document has only Bezier curves: save it as BZC",
+            format.name()
+        )));
+    }
+    let objects = meshes.as_slice();
     Ok(match format {
+        Format::BezierCurve | Format::BezierSurface => write_controls(format, name, all)?,
         Format::Obj => obj::write(name, objects),
         Format::Ply => ply::write(name, objects)?,
         Format::PlyText => ply::write_text(name, objects),
@@ -54,4 +80,18 @@ pub fn write(format: Format, name: &str, objects: &[ObjectRef]) -> Result<Vec<Na
         Format::Gltf => gltf::write_text(name, objects),
         Format::Json => json::write(name, objects),
     })
+}
+
+fn write_controls(format: Format, name: &str, objects: &[ObjectRef]) -> Result<Vec<NamedBytes>, WriteError> {
+    let (files, what) = match format {
+        Format::BezierCurve => (bezier::write_curves(name, objects), "curve"),
+        _ => (bezier::write_surface(name, objects), "surface"),
+    };
+    if files.is_empty() {
+        return Err(WriteError::new(format!(
+            "{} holds control points, and the document has no Bezier {what}: save it in a format for meshes",
+            format.name()
+        )));
+    }
+    Ok(files)
 }

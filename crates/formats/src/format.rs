@@ -2,7 +2,7 @@
 
 use crate::import::NamedBytes;
 use crate::losses::Part;
-use crate::{collada, gltf, off, stl};
+use crate::{bezier, collada, gltf, off, stl};
 
 /// A file format. Where one is written in two ways, reading tells them apart and calls both by the
 /// first.
@@ -26,13 +26,17 @@ pub enum Format {
     Glb,
     /// glTF as JSON, with its data beside it.
     Gltf,
+    /// A Bezier curve's control points, as the CS184 course has them.
+    BezierCurve,
+    /// The patches of a Bezier surface, as the CS184 course has them.
+    BezierSurface,
     /// The half-edge mesh itself as JSON; written only.
     Json,
 }
 
 impl Format {
     /// All formats, in the order menus show them.
-    pub const ALL: [Self; 10] = [
+    pub const ALL: [Self; 12] = [
         Self::Obj,
         Self::Ply,
         Self::PlyText,
@@ -42,6 +46,8 @@ impl Format {
         Self::Collada,
         Self::Glb,
         Self::Gltf,
+        Self::BezierCurve,
+        Self::BezierSurface,
         Self::Json,
     ];
 
@@ -57,6 +63,8 @@ impl Format {
             Self::Collada => "COLLADA",
             Self::Glb => "GLB",
             Self::Gltf => "glTF",
+            Self::BezierCurve => "BZC",
+            Self::BezierSurface => "BEZ",
             Self::Json => "Half-edge JSON",
         }
     }
@@ -71,6 +79,8 @@ impl Format {
             Self::Collada => &["dae"],
             Self::Glb => &["glb"],
             Self::Gltf => &["gltf"],
+            Self::BezierCurve => &["bzc"],
+            Self::BezierSurface => &["bez"],
             Self::Json => &["json"],
         }
     }
@@ -106,8 +116,15 @@ impl Format {
                 part,
                 Part::Polygons | Part::LooseVertices | Part::Groups | Part::Smoothing | Part::Creases
             ),
+            // They hold no meshes at all, which `losses` says once.
+            Self::BezierCurve | Self::BezierSurface => true,
             Self::Json => matches!(part, Part::Polygons | Part::LooseVertices),
         }
+    }
+
+    /// Whether it holds control points of Bezier curves or surfaces and no meshes.
+    pub fn is_bezier(self) -> bool {
+        matches!(self, Self::BezierCurve | Self::BezierSurface)
     }
 
     /// The format that files of this extension have, upper or lower case.
@@ -125,8 +142,12 @@ impl Format {
     /// the first lines.
     pub fn detect(file: &NamedBytes) -> Option<Self> {
         Self::by_mark(&file.bytes)
-            .or_else(|| Self::from_name(&file.name))
+            .or_else(|| match Self::from_name(&file.name) {
+                Some(named) if named.is_bezier() => bezier::kind(&file.bytes).or(Some(named)),
+                named => named,
+            })
             .or_else(|| looks_like_obj(&file.bytes).then_some(Self::Obj))
+            .or_else(|| bezier::kind(&file.bytes))
     }
 
     /// The format by how the content starts.

@@ -1,8 +1,9 @@
 //! Files in: which format, which reader, one document.
 
+use crate::bezier::Controls;
 use crate::format::{Format, is_material_library};
 use crate::report::{ImportReport, counted};
-use crate::{collada, gltf, obj, off, ply, stl};
+use crate::{bezier, collada, gltf, obj, off, ply, stl};
 use halfedge::{Mesh, PolygonSoup, Progress};
 use std::fmt;
 
@@ -36,8 +37,22 @@ impl NamedBytes {
 pub struct ImportedObject {
     /// What to call it.
     pub name: String,
-    /// The mesh: valid and compact.
+    /// The mesh: valid and compact. Empty where the file holds control points.
     pub mesh: Mesh,
+    /// The control points of a Bezier curve or surface, which the file holds in place of a mesh.
+    pub controls: Option<Controls>,
+}
+
+impl ImportedObject {
+    /// An object with nothing in it.
+    pub(crate) fn empty(name: &str) -> Self {
+        Self::new(name, Mesh::new())
+    }
+
+    /// An object that is a mesh.
+    pub fn new(name: impl Into<String>, mesh: Mesh) -> Self {
+        Self { name: name.into(), mesh, controls: None }
+    }
 }
 
 /// What came out of files.
@@ -151,6 +166,7 @@ fn read_one(
         Format::Off => one(off::read(file, progress)?),
         Format::Collada => collada::read(file, progress)?,
         Format::Glb | Format::Gltf => gltf::read(file, files, progress)?,
+        Format::BezierCurve | Format::BezierSurface => one(bezier::read(file, format, progress)?),
         Format::Json => {
             return Err(ReadError::file(&file.name, "half-edge dumps can be written but not read"));
         }
@@ -163,14 +179,29 @@ fn read_one(
     } else {
         String::new()
     };
-    report.info(format!(
-        "Read {} and {}{several} as {}",
-        counted(vertices, "vertex", "vertices"),
-        counted(faces, "face", "faces"),
-        format.name()
-    ));
+    let what = match objects.as_slice() {
+        [ImportedObject { controls: Some(controls), .. }] => described(controls),
+        _ => format!(
+            "{} and {}{several}",
+            counted(vertices, "vertex", "vertices"),
+            counted(faces, "face", "faces")
+        ),
+    };
+    report.info(format!("Read {what} as {}", format.name()));
     report.append(notes);
     Ok((objects, report))
+}
+
+/// "a Bezier surface of 32 patches".
+fn described(controls: &Controls) -> String {
+    match controls {
+        Controls::Curve(points) => {
+            format!("a Bezier curve of {}", counted(points.len(), "control point", "control points"))
+        }
+        Controls::Surface(patches) => {
+            format!("a Bezier surface of {}", counted(patches.len(), "patch", "patches"))
+        }
+    }
 }
 
 fn no_model(libraries: &[&NamedBytes], others: &[&NamedBytes]) -> ReadError {

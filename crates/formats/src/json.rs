@@ -108,7 +108,7 @@ mod tests {
     fn two_objects_make_one_mesh_in_pieces() {
         let corners = vec![Vec3::ZERO, Vec3::X, Vec3::new(0.0, 0.5, -0.0), Vec3::Z];
         let mesh = Mesh::build(PolygonSoup::new(corners, &[[0, 1, 2]])).expect("small").mesh;
-        let object = ObjectRef { name: "a", mesh: &mesh };
+        let object = ObjectRef::new("a", &mesh);
         let files = write("two", &[object, object]);
         let text = String::from_utf8(files[0].bytes.clone()).expect("ASCII");
         assert_eq!(files[0].name, "two.json");

@@ -3,6 +3,7 @@
 //! [`read`] takes files in memory and gives a document's objects; [`write`] takes objects and gives
 //! files; [`losses`] says beforehand what a format can't hold.
 
+mod bezier;
 mod collada;
 mod export;
 mod format;
@@ -24,6 +25,7 @@ mod text;
 mod triangles;
 mod weld;
 
+pub use bezier::Controls;
 pub use export::{ObjectRef, WriteError, write};
 pub use format::Format;
 pub use import::{Import, ImportedObject, NamedBytes, ReadError, read};

@@ -119,15 +119,46 @@ fn count<T: AttributeType>(mesh: &Mesh, key: Key<T>, counts: impl Fn(T) -> bool)
 /// What writing these objects in this format would lose, one sentence each; empty where the format
 /// holds everything. Costs O(document).
 pub fn losses(format: Format, objects: &[ObjectRef]) -> Vec<String> {
-    Part::ALL
-        .into_iter()
-        .filter(|&part| !format.keeps(part))
-        .filter_map(|part| {
-            let count: usize = objects.iter().map(|object| part.count(object.mesh)).sum();
-            let enough = if part == Part::Objects { 2 } else { 1 };
-            (count >= enough).then(|| part.loss(format.name(), count))
-        })
-        .collect()
+    if format.is_bezier() {
+        return control_losses(format, objects);
+    }
+    let name = format.name();
+    let controls = objects.iter().filter(|object| object.controls.is_some()).map(|object| {
+        let own = object.name;
+        if object.is_curve() {
+            format!("{name} holds no Bezier curves: {own} is left out")
+        } else {
+            let faces = counted(object.mesh.face_count(), "face", "faces");
+            format!("{name} holds no control points: of {own} the mesh of {faces} is written that shows it")
+        }
+    });
+    let objects: Vec<ObjectRef> = objects.iter().filter(|object| !object.is_curve()).copied().collect();
+    let parts = Part::ALL.into_iter().filter(|&part| !format.keeps(part)).filter_map(|part| {
+        let count: usize = objects.iter().map(|object| part.count(object.mesh)).sum();
+        let enough = if part == Part::Objects { 2 } else { 1 };
+        (count >= enough).then(|| part.loss(name, count))
+    });
+    controls.chain(parts).collect()
+}
+
+/// What a format for Bezier curves or surfaces leaves out.
+fn control_losses(format: Format, objects: &[ObjectRef]) -> Vec<String> {
+    let name = format.name();
+    let (what, wanted) = if format == Format::BezierCurve { ("curves", true) } else { ("surfaces", false) };
+    let kept = |object: &&ObjectRef| object.controls.is_some_and(|c| c.is_curve() == wanted);
+    let count = objects.iter().filter(kept).count();
+    let mut losses: Vec<String> = objects
+        .iter()
+        .filter(|object| !kept(object))
+        .map(|object| format!("{name} holds only Bezier {what}: {} is left out", object.name))
+        .collect();
+    if count > 1 {
+        losses.push(match format {
+            Format::BezierCurve => format!("{name} holds one curve: {count} curves go to {count} files"),
+            _ => format!("{name} holds one surface: the patches of {count} objects become one"),
+        });
+    }
+    losses
 }
 
 #[cfg(test)]
@@ -141,7 +172,7 @@ mod tests {
         let corners = vec![Vec3::ZERO, Vec3::X, Vec3::ONE, Vec3::Y];
         let mut mesh = Mesh::build(PolygonSoup::new(corners, &[[0, 1, 2, 3]])).expect("small").mesh;
         fn object(mesh: &Mesh) -> ObjectRef<'_> {
-            ObjectRef { name: "a", mesh }
+            ObjectRef::new("a", mesh)
         }
         assert_eq!(losses(Format::Obj, &[object(&mesh)]), [""; 0]);
         mesh.set(keys::FACE_COLOR, 0, Color([1, 2, 3]));

@@ -237,10 +237,11 @@ fn attributes_and_objects_round_trip() {
     let sample = sample();
     let mut plain = Mesh::build(sample.to_soup()).expect("small").mesh;
     plain.insert_column(Element::Face, Column::with_values(keys::FACE_COLOR, vec![Color::UNPAINTED; 4]));
+    let empty = Mesh::new();
     let given = [
-        ObjectRef { name: "one & only", mesh: &sample },
-        ObjectRef { name: "two", mesh: &plain },
-        ObjectRef { name: "empty", mesh: &Mesh::new() },
+        ObjectRef::new("one & only", &sample),
+        ObjectRef::new("two", &plain),
+        ObjectRef::new("empty", &empty),
     ];
     let import = read(&formats::write(Format::Collada, "x", &given).expect("small")).expect("readable");
     assert!(import.report.is_clean(), "{}", import.report);
@@ -257,8 +258,7 @@ fn shared_models_round_trip() {
     for path in shared("models/common", "obj") {
         let original = read(&[load(&path)]).expect("readable");
         let original = &original.objects[0].mesh;
-        let files =
-            formats::write(Format::Collada, "x", &[ObjectRef { name: "m", mesh: original }]).expect("small");
+        let files = formats::write(Format::Collada, "x", &[ObjectRef::new("m", original)]).expect("small");
         let import = read(&files).expect("readable");
         let back = mesh(&import);
         assert!(import.report.is_clean(), "{}", import.report);
@@ -277,7 +277,7 @@ proptest! {
         wide in any::<bool>(),
     ) {
         let sample = sample();
-        let files = formats::write(Format::Collada, "x", &[ObjectRef { name: "a", mesh: &sample }]).expect("small");
+        let files = formats::write(Format::Collada, "x", &[ObjectRef::new("a", &sample)]).expect("small");
         let mut bytes = files[0].bytes.clone();
         for (at, other, value, kind) in edits {
             if bytes.is_empty() {

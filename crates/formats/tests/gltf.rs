@@ -27,7 +27,7 @@ fn octahedron() -> Mesh {
 fn split_vertices_become_one_again() {
     let mesh_in = octahedron();
     for format in BOTH {
-        let objects = [ObjectRef { name: "a", mesh: &mesh_in }, ObjectRef { name: "b", mesh: &mesh_in }];
+        let objects = [ObjectRef::new("a", &mesh_in), ObjectRef::new("b", &mesh_in)];
         let files = formats::write(format, "two", &objects).expect("small");
         let import = read(&files).expect("readable");
         assert!(import.report.is_clean(), "{}", import.report);
@@ -56,7 +56,7 @@ fn colours_and_materials_come_back_by_face() {
         .insert_column(Element::Face, Column { labels: vec!["wood".into(), "tin \"x\"".into()], ..material });
     mesh_in.insert_column(Element::Face, Column::with_values(keys::FACE_COLOR, colors));
     for format in BOTH {
-        let files = formats::write(format, "x", &[ObjectRef { name: "a", mesh: &mesh_in }]).expect("small");
+        let files = formats::write(format, "x", &[ObjectRef::new("a", &mesh_in)]).expect("small");
         let import = read(&files).expect("readable");
         let back = mesh(&import);
         // Faces are grouped by material: compare by the places of their corners.
@@ -88,7 +88,7 @@ fn every_colour_survives_linear_light() {
     let mut mesh_in = Mesh::build(PolygonSoup::new(positions, &faces)).expect("small").mesh;
     let colors: Vec<Color> = (0..=255u8).map(|i| Color([i, 255 - i, i / 2])).collect();
     mesh_in.insert_column(Element::Face, Column::with_values(keys::FACE_COLOR, colors.clone()));
-    let files = formats::write(Format::Glb, "x", &[ObjectRef { name: "a", mesh: &mesh_in }]).expect("small");
+    let files = formats::write(Format::Glb, "x", &[ObjectRef::new("a", &mesh_in)]).expect("small");
     let import = read(&files).expect("readable");
     assert_eq!(mesh(&import).attribute(keys::FACE_COLOR), Some(&colors[..]));
     assert_eq!(mesh(&import).attribute(keys::FACE_MATERIAL), None);
@@ -170,15 +170,14 @@ fn shared_triangle_models_round_trip() {
     for path in shared("models/common", "obj") {
         let original = read(&[load(&path)]).expect("readable");
         let original = &original.objects[0].mesh;
-        let lost = formats::losses(Format::Glb, &[ObjectRef { name: "", mesh: original }]).join("");
+        let lost = formats::losses(Format::Glb, &[ObjectRef::new("", original)]).join("");
         if lost.contains("polygon")
             || lost.contains("vertices without faces")
             || original.attribute(keys::FACE_MATERIAL).is_some()
         {
             continue;
         }
-        let files =
-            formats::write(Format::Glb, "x", &[ObjectRef { name: "m", mesh: original }]).expect("small");
+        let files = formats::write(Format::Glb, "x", &[ObjectRef::new("m", original)]).expect("small");
         let import = read(&files).expect("readable");
         let places = |mesh: &Mesh| -> Vec<Vec<[u32; 3]>> {
             let place = |v| (mesh.position(v) + Vec3::ZERO).to_array().map(f32::to_bits);
@@ -200,7 +199,7 @@ proptest! {
     ) {
         let mesh_in = octahedron();
         let mut bytes = if binary {
-            formats::write(Format::Glb, "x", &[ObjectRef { name: "a", mesh: &mesh_in }]).expect("small").remove(0).bytes
+            formats::write(Format::Glb, "x", &[ObjectRef::new("a", &mesh_in)]).expect("small").remove(0).bytes
         } else {
             document(",\"scenes\":[{\"nodes\":[0]}],\"nodes\":[{\"mesh\":0}]", ",\"indices\":1").into_bytes()
         };

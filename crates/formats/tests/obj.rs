@@ -179,12 +179,8 @@ fn several_objects_are_sections() {
     let first = read_obj(&format!("{SQUARE}vt 1 1\nusemtl m\ns 2\ng front\nf 1/1 2/1 3/1\no tail\nf 1 3 4"));
     let second = read_obj("v 5 5 5\nv 6 5 5\nv 5 6 5\nvt .5 .5\nf 1/1 2/1 3/1");
     let (a, b) = (mesh(&first), mesh(&second));
-    let files = formats::write(
-        Format::Obj,
-        "both",
-        &[ObjectRef { name: "a", mesh: a }, ObjectRef { name: "b\n", mesh: b }],
-    )
-    .expect("small");
+    let files = formats::write(Format::Obj, "both", &[ObjectRef::new("a", a), ObjectRef::new("b\n", b)])
+        .expect("small");
     let back = read(&files).expect("readable");
     let both = mesh(&back);
     assert_eq!((both.vertex_count(), both.face_count()), (7, 3));

@@ -74,19 +74,15 @@ fn triangles_round_trip_through_stl_with_vertices_merged() {
         let again = self::back(format, &back);
         assert!(again == back, "{format:?}: triangles keep their order and so do vertices");
     }
-    assert_eq!(formats::losses(Format::Stl, &[ObjectRef { name: "a", mesh: &cube }]).len(), 1);
+    assert_eq!(formats::losses(Format::Stl, &[ObjectRef::new("a", &cube)]).len(), 1);
 }
 
 #[test]
 fn several_objects_are_written_as_one_mesh() {
     let (a, b) = (sample(), painted());
     for format in POLYGONS {
-        let files = formats::write(
-            format,
-            "x",
-            &[ObjectRef { name: "a", mesh: &a }, ObjectRef { name: "b", mesh: &b }],
-        )
-        .expect("small");
+        let files =
+            formats::write(format, "x", &[ObjectRef::new("a", &a), ObjectRef::new("b", &b)]).expect("small");
         let import = read(&files).expect("readable");
         let both = mesh(&import);
         assert_eq!((both.vertex_count(), both.face_count()), (16, 6));
@@ -214,9 +210,7 @@ fn shared_models_round_trip() {
             assert!(back.positions() == original.positions(), "{format:?} {}", path.display());
             assert_eq!(faces(&back), faces(original), "{format:?} {}", path.display());
         }
-        if formats::losses(Format::Stl, &[ObjectRef { name: "", mesh: original }])
-            .iter()
-            .any(|l| l.contains("polygon"))
+        if formats::losses(Format::Stl, &[ObjectRef::new("", original)]).iter().any(|l| l.contains("polygon"))
         {
             continue;
         }

@@ -6,7 +6,6 @@ use crate::error::Problem;
 use crate::pieces;
 use halfedge::Progress;
 use serde::{Deserialize, Serialize};
-use std::sync::Arc;
 
 /// Makes several objects one; the first one given keeps its name.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -50,7 +49,7 @@ impl WholeMesh for JoinObjects {
         }
         let mesh =
             pieces::join(inputs.iter().map(|input| &*input.mesh)).map_err(|e| Problem::new(e.to_string()))?;
-        Ok(vec![Output { name: String::new(), mesh: Arc::new(mesh) }])
+        Ok(vec![Output::new("", mesh)])
     }
 
     fn cost(&self, inputs: &[Input]) -> usize {

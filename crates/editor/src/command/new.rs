@@ -7,7 +7,6 @@ use crate::document::ObjectId;
 use crate::error::Problem;
 use halfedge::Progress;
 use serde_json::{Map, Value};
-use std::sync::Arc;
 use surface::{Shape, SurfaceError};
 
 /// Starts a new document with a shape, or adds the shape to the document.
@@ -132,7 +131,7 @@ impl WholeMesh for New {
             )),
             other => other.into(),
         })?;
-        Ok(vec![Output { name: title(self.shape.name()), mesh: Arc::new(mesh) }])
+        Ok(vec![Output::new(title(self.shape.name()), mesh)])
     }
 
     fn cost(&self, _inputs: &[Input]) -> usize {

@@ -1,5 +1,6 @@
 //! How operations are carried out: the three ways, and what each is given.
 
+use crate::bezier::Bezier;
 use crate::command::{EdgeRef, FaceRef, Op, VertexRef};
 use crate::document::{Document, Object, ObjectId};
 use crate::error::Problem;
@@ -227,6 +228,8 @@ pub(crate) trait LocalEdit {
 pub(crate) struct Input {
     pub name: String,
     pub mesh: Arc<Mesh>,
+    /// The control points that the mesh is made from.
+    pub bezier: Option<Arc<Bezier>>,
 }
 
 /// A mesh that a whole-mesh operation made, with the name its object should have; an empty one
@@ -235,6 +238,26 @@ pub(crate) struct Input {
 pub(crate) struct Output {
     pub name: String,
     pub mesh: Arc<Mesh>,
+}
+
+impl Output {
+    pub fn new(name: impl Into<String>, mesh: Mesh) -> Self {
+        Self { name: name.into(), mesh: Arc::new(mesh) }
+    }
+}
+
+/// Refuses to edit the mesh that shows a Bezier object: the next movement of a control point would
+/// make it anew.
+pub(crate) fn refuse_bezier(name: &str, bezier: Option<&Bezier>) -> Result<(), Problem> {
+    match bezier {
+        None => Ok(()),
+        Some(Bezier::Surface(_)) => Err(Problem::new(format!(
+            "{name} is a Bezier surface; make it a mesh first, with `bezier-tessellate`"
+        ))),
+        Some(Bezier::Curve(_)) => {
+            Err(Problem::new(format!("{name} is a Bezier curve, which has no vertices, edges or faces")))
+        }
+    }
 }
 
 /// What becomes of the meshes that a whole-mesh operation made.
@@ -255,6 +278,11 @@ pub(crate) trait WholeMesh {
     /// Looks at the fields: what can be refused without looking at a mesh.
     fn check(&self) -> Result<(), Problem> {
         Ok(())
+    }
+
+    /// Looks at what it would run on, as far as that can be refused without running.
+    fn check_inputs(&self, inputs: &[Input]) -> Result<(), Problem> {
+        inputs.iter().try_for_each(|input| refuse_bezier(&input.name, input.bezier.as_deref()))
     }
 
     /// Makes the new meshes from the old ones. What the user should know besides goes to `notes`.
@@ -290,6 +318,8 @@ pub(crate) struct Place<'a> {
     pub document: &'a Document,
     /// The command's `object`, if it has one.
     pub object: Option<usize>,
+    /// The identity that an object has which the operation makes.
+    pub next_object: ObjectId,
 }
 
 impl<'a> Place<'a> {

@@ -7,7 +7,6 @@ use crate::pieces;
 use halfedge::{Element, FaceId, Mesh, NONE, Progress, keys};
 use serde::{Deserialize, Serialize};
 use std::collections::HashMap;
-use std::sync::Arc;
 
 /// Makes one object several. The first part stays in the object; vertices in no face stay there too.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -88,7 +87,7 @@ impl WholeMesh for Separate {
         _notes: &mut Vec<String>,
         progress: &mut Progress<'_>,
     ) -> Result<Vec<Output>, Problem> {
-        let Some(Input { name, mesh }) = inputs.first() else {
+        let Some(Input { name, mesh, .. }) = inputs.first() else {
             return Err(Problem::new("there is no mesh to separate"));
         };
         let parts = match self.by {
@@ -114,7 +113,7 @@ impl WholeMesh for Separate {
                 None if at == 0 => String::new(),
                 None => format!("{name} {}", at + 1),
             };
-            outputs.push(Output { name, mesh: Arc::new(mesh) });
+            outputs.push(Output::new(name, mesh));
         }
         Ok(outputs)
     }

@@ -24,6 +24,8 @@ pub enum OperationKind {
     Local,
     /// Whole meshes: may run as a job, gives elements new ids.
     WholeMesh,
+    /// The control points of a Bezier object: quick, can be dragged.
+    Bezier,
     /// The document: which objects there are, and what they are called.
     Document,
 }

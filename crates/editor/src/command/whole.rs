@@ -4,7 +4,6 @@ use super::{Input, Output};
 use crate::error::Problem;
 use halfedge::{Mesh, Progress};
 use std::ops::ControlFlow;
-use std::sync::Arc;
 
 /// Runs an algorithm on each input, its result in place of it.
 pub(super) fn each(
@@ -17,7 +16,7 @@ pub(super) fn each(
         let mut part =
             |fraction: f32| -> ControlFlow<()> { progress((at as f32 + fraction) / inputs.len() as f32) };
         let mesh = algorithm(&input.mesh, &mut part)?;
-        outputs.push(Output { name: String::new(), mesh: Arc::new(mesh) });
+        outputs.push(Output::new("", mesh));
     }
     Ok(outputs)
 }

@@ -77,6 +77,9 @@ impl Editor {
                 let target = *objects.first().ok_or_else(gone)?;
                 let index = self.document.index_of(target).ok_or_else(gone)?;
                 changes.push(Change::Mesh(target, first.mesh));
+                if self.document.object(target).is_some_and(|object| object.bezier.is_some()) {
+                    changes.push(Change::Bezier(target, None));
+                }
                 if !first.name.is_empty() {
                     changes.push(Change::Name(target, first.name));
                 }

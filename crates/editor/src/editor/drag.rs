@@ -2,26 +2,23 @@
 
 use super::Editor;
 use super::run::Planned;
-use crate::command::Command;
-use crate::document::ObjectId;
+use crate::command::{Command, OperationKind};
 use crate::error::{CommandError, Problem};
 use crate::history::Change;
-use crate::outcome::Outcome;
+use crate::outcome::{Elements, Outcome};
 use crate::selection::Selection;
-use halfedge::Journal;
 use std::sync::Arc;
 
 /// A drag that is going on: what takes its preview back.
 #[derive(Debug)]
 pub(super) struct Drag {
-    object: ObjectId,
     command: Command,
-    journal: Journal,
+    back: Vec<Change>,
     selection: Arc<Selection>,
 }
 
 impl Editor {
-    /// Shows what a local edit would do, in place of what the last call of the same drag showed.
+    /// Shows what a local edit, or a move of a control point, would do, in place of what the last call of the same drag showed.
     /// The document has the preview in it until [`Editor::commit_drag`] or [`Editor::cancel_drag`].
     ///
     /// # Errors
@@ -37,28 +34,37 @@ impl Editor {
             let selection = self.selection.clone();
             return self.preview(command, selection);
         };
-        let (object, shown, selection) = (last.object, last.command.clone(), last.selection.clone());
+        let (shown, selection) = (last.command.clone(), last.selection.clone());
         let redo = self.take_back(last);
         self.preview(command, selection.clone()).inspect_err(|_| {
-            if let Some(Change::Journal(_, journal)) = self.make(redo).pop() {
-                self.drop_gone_from_selection();
-                self.drag = Some(Drag { object, command: shown, journal, selection });
-            }
+            let back = self.make(redo);
+            self.drop_gone_from_selection();
+            self.drag = Some(Drag { command: shown, back, selection });
         })
     }
 
     fn preview(&mut self, command: Command, selection: Arc<Selection>) -> Result<Outcome, Problem> {
-        let Planned::Local { object, ops } = self.plan(command.clone())? else {
-            return Err(Problem::new("this op can't be dragged: it does not edit a few elements"));
-        };
-        let edited = self.edit(object, &ops)?;
-        self.drag = Some(Drag { object, command, journal: edited.journal, selection });
-        Ok(Outcome { warnings: edited.notes, ..Self::outcome(&ops, edited.created, edited.removed) })
+        match self.plan(command.clone())? {
+            Planned::Local { object, ops } => {
+                let edited = self.edit(object, &ops)?;
+                let back = vec![Change::Journal(object, edited.journal)];
+                self.drag = Some(Drag { command, back, selection });
+                Ok(Outcome { warnings: edited.notes, ..Self::outcome(&ops, edited.created, edited.removed) })
+            }
+            Planned::Document { op, changes } if op.spec().kind == OperationKind::Bezier => {
+                let back = self.make_document(changes);
+                self.drag = Some(Drag { command, back, selection });
+                Ok(Self::outcome(&[op], Elements::default(), Elements::default()))
+            }
+            Planned::Whole { .. } | Planned::Document { .. } => {
+                Err(Problem::new("this op can't be dragged: it does not edit a few elements"))
+            }
+        }
     }
 
     /// Takes a preview back and gives what shows it again.
     fn take_back(&mut self, drag: Drag) -> Vec<Change> {
-        let redo = self.make(vec![Change::Journal(drag.object, drag.journal)]);
+        let redo = self.make(drag.back);
         if self.selection != drag.selection {
             self.selection = drag.selection;
             self.changes.selection = true;
@@ -74,10 +80,13 @@ impl Editor {
     /// Makes the preview one undo step; gives its label, or none where nothing was dragged.
     pub fn commit_drag(&mut self) -> Option<String> {
         let mut drag = self.drag.take()?;
-        drag.journal.fold_moves();
+        for change in &mut drag.back {
+            if let Change::Journal(_, journal) = change {
+                journal.fold_moves();
+            }
+        }
         let label = drag.command.op.spec().label.to_owned();
-        let back = vec![Change::Journal(drag.object, drag.journal)];
-        self.push_step(label.clone(), back, drag.selection);
+        self.push_step(label.clone(), drag.back, drag.selection);
         self.remember(drag.command);
         Some(label)
     }

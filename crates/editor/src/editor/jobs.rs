@@ -230,7 +230,7 @@ impl Editor {
         let mut ids: Vec<ObjectId> = self.document.objects().iter().map(|object| object.id()).collect();
         for change in changes {
             let id = match change {
-                Change::Journal(id, _) | Change::Mesh(id, _) => Some(*id),
+                Change::Journal(id, _) | Change::Mesh(id, _) | Change::Bezier(id, _) => Some(*id),
                 // Places are those after the changes before it.
                 Change::Remove(at) if *at < ids.len() => Some(ids.remove(*at)),
                 Change::Insert(at, object) if *at <= ids.len() => {

@@ -2,6 +2,7 @@
 
 use super::run::broken;
 use super::{Editor, MessageKind};
+use crate::bezier::fill_previews;
 use crate::command::Output;
 use crate::error::CommandError;
 use crate::history::Change;
@@ -14,8 +15,9 @@ impl Editor {
     /// Opens what was read in place of the document, as one step: undo brings the other one back.
     ///
     /// # Errors
-    /// A mesh that is not valid, which a reader never makes.
-    pub fn open(&mut self, import: Import) -> Result<Outcome, CommandError> {
+    /// A mesh that is not valid, which a reader never makes, or a Bezier surface of too many patches.
+    pub fn open(&mut self, mut import: Import) -> Result<Outcome, CommandError> {
+        fill_previews(&mut import).map_err(|problem| self.report(CommandError::of("open", problem)))?;
         for object in &import.objects {
             object.mesh.validate().map_err(|defect| {
                 let problem = broken(&format!("{}: {defect}", object.name));
@@ -39,7 +41,8 @@ impl Editor {
         for (at, imported) in import.objects.into_iter().enumerate() {
             let own = outcome::sizes(&imported.mesh);
             size = std::array::from_fn(|i| size[i] + own[i]);
-            let object = self.object(Output { name: imported.name, mesh: Arc::new(imported.mesh) });
+            let mut object = self.object(Output::new(imported.name, imported.mesh));
+            object.bezier = imported.controls.map(|controls| Arc::new(controls.into()));
             changes.push(Change::Insert(at, Box::new(object)));
         }
         changes.push(Change::Active(0));

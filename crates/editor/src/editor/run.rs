@@ -2,7 +2,7 @@
 
 use super::Editor;
 use super::MessageKind;
-use crate::command::{Action, Command, Commit, Op, Place, Target, edit_all};
+use crate::command::{Action, Command, Commit, Op, Place, Target, edit_all, refuse_bezier};
 use crate::document::{Object, ObjectId};
 use crate::error::{CommandError, Problem};
 use crate::history::{Change, is_reshaping};
@@ -115,12 +115,7 @@ impl Editor {
             }
             Planned::Document { op, changes } => {
                 let before = self.selection.clone();
-                let active = self.document.active().map(Object::id);
-                let back = self.make(changes);
-                if self.document.active().map(Object::id) != active {
-                    self.selection = Arc::new(Selection::new(before.kind()));
-                    self.changes.selection = true;
-                }
+                let back = self.make_document(changes);
                 if !back.is_empty() {
                     self.push_step(op.spec().label.to_owned(), back, before);
                 }
@@ -131,7 +126,8 @@ impl Editor {
 
     /// Finds out what a command has to do, without doing it.
     pub(super) fn plan(&self, command: Command) -> Result<Planned, Problem> {
-        let place = Place { document: &self.document, object: command.object };
+        let next_object = ObjectId(self.next_object);
+        let place = Place { document: &self.document, object: command.object, next_object };
         if let Action::Document(edit) = command.op.action() {
             let changes = edit.changes(&place)?;
             self.check_busy(&changes)?;
@@ -159,6 +155,7 @@ impl Editor {
             for &id in &objects {
                 self.check_idle(id)?;
             }
+            whole.check_inputs(&self.inputs(&objects))?;
             if whole.commit() == Commit::NewDocument {
                 for object in &self.document.objects {
                     self.check_idle(object.id())?;
@@ -170,9 +167,28 @@ impl Editor {
                 None => Err(Problem::new("there is nothing to do")),
             };
         }
-        let object = place.object()?.id();
-        self.check_idle(object)?;
-        Ok(Planned::Local { object, ops })
+        let object = place.object()?;
+        refuse_bezier(object.name(), object.bezier())?;
+        self.check_idle(object.id())?;
+        Ok(Planned::Local { object: object.id(), ops })
+    }
+
+    /// Makes the changes of an operation on the document; gives those that take them back.
+    pub(super) fn make_document(&mut self, changes: Vec<Change>) -> Vec<Change> {
+        for change in &changes {
+            if let Change::Insert(_, object) = change {
+                self.next_object = self.next_object.max(object.id().0 + 1);
+            }
+        }
+        let active = self.document.active().map(Object::id);
+        let back = self.make(changes);
+        if self.document.active().map(Object::id) == active {
+            self.drop_gone_from_selection();
+        } else {
+            self.selection = Arc::new(Selection::new(self.selection.kind()));
+            self.changes.selection = true;
+        }
+        back
     }
 
     /// The meshes of objects, shared.
@@ -180,7 +196,11 @@ impl Editor {
         objects
             .iter()
             .filter_map(|&id| self.document.object(id))
-            .map(|object| crate::command::Input { name: object.name.clone(), mesh: object.mesh.clone() })
+            .map(|object| crate::command::Input {
+                name: object.name.clone(),
+                mesh: object.mesh.clone(),
+                bezier: object.bezier.clone(),
+            })
             .collect()
     }
 

@@ -12,7 +12,7 @@
 use super::{JobId, JobRequest, JobResult, Made, Work};
 use crate::command::{Command, Input, Op, Output};
 use crate::outcome::ElementIds;
-use formats::{Format, Import, ImportReport, ImportedObject, NamedBytes};
+use formats::{Controls, Format, Import, ImportReport, ImportedObject, NamedBytes};
 use halfedge::attribute::{Column, Columns, Value, Values};
 use halfedge::{Color, Element, Gaps, Mesh, RawMesh};
 use serde::{Deserialize, Serialize};
@@ -72,10 +72,19 @@ struct MeshHeader {
     vertices: usize,
     edges: usize,
     faces: usize,
+    /// Its control points, where it is a Bezier object.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    controls: Option<ControlsHeader>,
     /// How many vertices, edges and faces are removed.
     gaps: [usize; 3],
     /// Per kind of element, in the order of `Element::ALL`.
     columns: [Vec<ColumnHeader>; 4],
+}
+
+#[derive(Serialize, Deserialize)]
+struct ControlsHeader {
+    curve: bool,
+    points: usize,
 }
 
 #[derive(Serialize, Deserialize)]
@@ -105,13 +114,13 @@ impl JobRequest {
             Work::Run(ops, inputs) => RequestHeader::Run {
                 id: self.id.0,
                 ops: ops.iter().map(|op| Command { object: None, op: op.clone() }.to_value()).collect(),
-                meshes: inputs.iter().map(|input| out.mesh(&input.name, &input.mesh)).collect(),
+                meshes: inputs.iter().map(|input| out.input(input)).collect(),
             },
             Work::Export(format, name, inputs) => RequestHeader::Export {
                 id: self.id.0,
                 extension: format.extension().to_owned(),
                 name: name.clone(),
-                meshes: inputs.iter().map(|input| out.mesh(&input.name, &input.mesh)).collect(),
+                meshes: inputs.iter().map(|input| out.input(input)).collect(),
             },
         };
         out.finish(REQUEST, &header)
@@ -128,7 +137,9 @@ impl JobRequest {
                 .into_iter()
                 .map(|header| {
                     let name = header.name.clone();
-                    Ok(Input { name, mesh: Arc::new(rest.mesh(header)?) })
+                    let (mesh, controls) = rest.mesh(header)?;
+                    let bezier = controls.map(|controls| Arc::new(controls.into()));
+                    Ok(Input { name, mesh: Arc::new(mesh), bezier })
                 })
                 .collect::<Result<Vec<_>, BadBytes>>()
         };
@@ -161,7 +172,14 @@ impl JobResult {
             Made::Import(import) => MadeHeader::Import {
                 name: import.name.clone(),
                 report: import.report.clone(),
-                meshes: import.objects.iter().map(|object| out.mesh(&object.name, &object.mesh)).collect(),
+                meshes: import
+                    .objects
+                    .iter()
+                    .map(|object| {
+                        let header = out.mesh(&object.name, &object.mesh);
+                        MeshHeader { controls: out.controls(object.controls.clone()), ..header }
+                    })
+                    .collect(),
             },
             Made::Meshes(outputs, ids, notes) => MadeHeader::Meshes {
                 meshes: outputs.iter().map(|output| out.mesh(&output.name, &output.mesh)).collect(),
@@ -189,7 +207,8 @@ impl JobResult {
                     .into_iter()
                     .map(|header| {
                         let name = header.name.clone();
-                        Ok(ImportedObject { name, mesh: rest.mesh(header)? })
+                        let (mesh, controls) = rest.mesh(header)?;
+                        Ok(ImportedObject { controls, ..ImportedObject::new(name, mesh) })
                     })
                     .collect::<Result<_, BadBytes>>()?;
                 Made::Import(Import { name, objects, report })
@@ -199,7 +218,7 @@ impl JobResult {
                     .into_iter()
                     .map(|header| {
                         let name = header.name.clone();
-                        Ok(Output { name, mesh: Arc::new(rest.mesh(header)?) })
+                        Ok(Output::new(name, rest.mesh(header)?.0))
                     })
                     .collect::<Result<_, BadBytes>>()?;
                 let ids = match ids {
@@ -243,6 +262,19 @@ impl<'a> Writer<'a> {
         })
     }
 
+    fn input(&mut self, input: &'a Input) -> MeshHeader {
+        let header = self.mesh(&input.name, &input.mesh);
+        MeshHeader { controls: self.controls(input.bezier.as_deref().map(Controls::from)), ..header }
+    }
+
+    /// Control points, which come after their mesh.
+    fn controls(&mut self, controls: Option<Controls>) -> Option<ControlsHeader> {
+        let controls = controls?;
+        let points = controls.points();
+        self.body.push(Cow::Owned(bytemuck::cast_slice(points).to_vec()));
+        Some(ControlsHeader { curve: controls.is_curve(), points: points.len() })
+    }
+
     fn mesh(&mut self, name: &str, mesh: &'a Mesh) -> MeshHeader {
         let links = mesh.connectivity();
         self.column(mesh.positions());
@@ -261,6 +293,7 @@ impl<'a> Writer<'a> {
             vertices: mesh.vertex_capacity(),
             edges: mesh.edge_capacity(),
             faces: mesh.face_capacity(),
+            controls: None,
             gaps: lengths,
             columns: Element::ALL.map(|element| {
                 mesh.columns().of(element).iter().map(|column| self.attribute(column)).collect()
@@ -400,7 +433,7 @@ impl<'a> Reader<'a> {
         })
     }
 
-    fn mesh(&mut self, header: MeshHeader) -> Result<Mesh, BadBytes> {
+    fn mesh(&mut self, header: MeshHeader) -> Result<(Mesh, Option<Controls>), BadBytes> {
         let halfedges = header.edges.checked_mul(2).ok_or_else(|| bad("a column is too long"))?;
         let mut raw = RawMesh {
             positions: self.column(header.vertices)?,
@@ -429,7 +462,11 @@ impl<'a> Reader<'a> {
                 raw.columns.of_mut(element).push(column);
             }
         }
-        Ok(Mesh::from_raw_with_gaps(raw, &gaps))
+        let controls = match header.controls {
+            Some(header) => Some(Controls::from_points(header.curve, self.column(header.points)?)),
+            None => None,
+        };
+        Ok((Mesh::from_raw_with_gaps(raw, &gaps), controls))
     }
 
     fn attribute(&mut self, header: ColumnHeader, len: usize) -> Result<Column, BadBytes> {
@@ -464,7 +501,8 @@ mod tests {
 
     fn promising(vertices: usize, edges: usize, faces: usize) -> RequestHeader {
         let columns = [const { Vec::new() }; 4];
-        let mesh = MeshHeader { name: String::new(), vertices, edges, faces, gaps: [0; 3], columns };
+        let (name, controls) = (String::new(), None);
+        let mesh = MeshHeader { name, vertices, edges, faces, controls, gaps: [0; 3], columns };
         RequestHeader::Export { id: 1, extension: "obj".into(), name: String::new(), meshes: vec![mesh] }
     }
 
@@ -505,7 +543,7 @@ mod tests {
         let soup = PolygonSoup::new(vec![glam::Vec3::ZERO; 3], &[[0, 1, 2]]);
         let mut raw = Mesh::build(soup).expect("small").mesh.into_raw();
         raw.next.swap(0, 1);
-        let output = Output { name: String::new(), mesh: Arc::new(Mesh::from_raw(raw)) };
+        let output = Output::new("", Mesh::from_raw(raw));
         let made = Made::Meshes(vec![output], None, Vec::new());
         let result = JobResult { made, validated: false };
         let read = JobResult::from_bytes(&result.to_bytes()).expect("its own bytes");

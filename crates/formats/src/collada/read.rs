@@ -65,7 +65,7 @@ pub(crate) fn read(
         let mut notes = ImportReport::default();
         let mesh = build(geometry.soup, &file.name, &mut notes, &mut |fraction| progress(part(fraction)))?;
         report.append(if total > 1 { notes.prefixed(&instance.name) } else { notes });
-        objects.push(ImportedObject { name: instance.name.clone(), mesh });
+        objects.push(ImportedObject::new(instance.name.clone(), mesh));
     }
     if holes > 0 {
         report.warn(format!(

@@ -44,7 +44,7 @@ pub(crate) fn read(
         let mut notes = ImportReport::default();
         let mesh = build(reader.finish(), &file.name, &mut notes, &mut |fraction| progress(part(fraction)))?;
         report.append(if total > 1 { notes.prefixed(&name) } else { notes });
-        objects.push(ImportedObject { name, mesh });
+        objects.push(ImportedObject::new(name, mesh));
     }
     if left_out > 0 {
         report.warn(format!(

@@ -47,7 +47,7 @@ pub(crate) fn read(
     report_troubles(&statements.troubles, &mut report);
     let soup = soup(&mut statements, libraries, &mut report);
     let mesh = build(soup, &file.name, &mut report, &mut |part| progress(0.5 + part * 0.5))?;
-    Ok((ImportedObject { name: file.stem().to_owned(), mesh }, report))
+    Ok((ImportedObject::new(file.stem(), mesh), report))
 }
 
 /// What a file is that can't be text in UTF-8.

@@ -123,7 +123,7 @@ pub(crate) fn read(
         soup.face_columns.push(Column::with_values(keys::FACE_COLOR, reader.face_colors));
     }
     let mesh = build(soup, &file.name, &mut report, &mut |part| progress(0.5 + part * 0.5))?;
-    Ok((ImportedObject { name: file.stem().to_owned(), mesh }, report))
+    Ok((ImportedObject::new(file.stem(), mesh), report))
 }
 
 struct Reader<'a> {

@@ -250,7 +250,7 @@ impl Reader<'_> {
             self.soup.face_columns.push(Column::with_values(keys::FACE_COLOR, colors));
         }
         let mesh = build(self.soup, &file.name, &mut report, &mut |part| progress(0.5 + part * 0.5))?;
-        Ok((ImportedObject { name: file.stem().to_owned(), mesh }, report))
+        Ok((ImportedObject::new(file.stem(), mesh), report))
     }
 }
 

@@ -51,7 +51,7 @@ pub(crate) fn read(
         ));
     }
     let mesh = build(triangles.soup, &file.name, &mut report, &mut |part| progress(0.5 + part * 0.5))?;
-    Ok((ImportedObject { name: file.stem().to_owned(), mesh }, report))
+    Ok((ImportedObject::new(file.stem(), mesh), report))
 }
 
 struct Triangles {

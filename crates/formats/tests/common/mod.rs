@@ -25,12 +25,12 @@ pub fn mesh(import: &Import) -> &Mesh {
 
 /// All objects of an import, to write them again.
 pub fn objects(import: &Import) -> Vec<ObjectRef<'_>> {
-    import.objects.iter().map(|object| ObjectRef { name: &object.name, mesh: &object.mesh }).collect()
+    import.objects.iter().map(|object| ObjectRef::new(&object.name, &object.mesh)).collect()
 }
 
 /// Writes one mesh.
 pub fn write(format: Format, mesh: &Mesh) -> Vec<NamedBytes> {
-    formats::write(format, "test", &[ObjectRef { name: "test", mesh }]).expect("small enough")
+    formats::write(format, "test", &[ObjectRef::new("test", mesh)]).expect("small enough")
 }
 
 /// The text of a written file.

@@ -11,4 +11,4 @@ mod tessellate;
 pub use curve::Curve;
 pub use patch::{Patch, PatchConstruction, PatchPoint};
 pub use teapot::teapot_patches;
-pub use tessellate::{MAX_RESOLUTION, Tessellated, tessellate};
+pub use tessellate::{MAX_RESOLUTION, Tessellated, tessellate, weld_distance};

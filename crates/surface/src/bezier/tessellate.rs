@@ -157,13 +157,19 @@ struct Controls {
     tolerance: f32,
 }
 
+/// How near to each other control points of these patches are one point when [`tessellate`] welds
+/// borders: a millionth of the longest side of their bounding box.
+pub fn weld_distance(patches: &[Patch]) -> f32 {
+    let points = || patches.iter().flat_map(|patch| patch.rows.as_flattened());
+    let low = points().copied().fold(Vec3::INFINITY, Vec3::min);
+    let high = points().copied().fold(Vec3::NEG_INFINITY, Vec3::max);
+    let distance = (1e-6 * (high - low).max_element()).max(f32::MIN_POSITIVE);
+    if distance.is_finite() { distance } else { 1.0 }
+}
+
 impl Controls {
     fn new(patches: &[Patch]) -> Self {
-        let points = || patches.iter().flat_map(|patch| patch.rows.as_flattened());
-        let low = points().copied().fold(Vec3::INFINITY, Vec3::min);
-        let high = points().copied().fold(Vec3::NEG_INFINITY, Vec3::max);
-        let tolerance = (1e-6 * (high - low).max_element()).max(f32::MIN_POSITIVE);
-        Self { tolerance: if tolerance.is_finite() { tolerance } else { 1.0 }, ..Self::default() }
+        Self { tolerance: weld_distance(patches), ..Self::default() }
     }
 
     fn id(&mut self, p: Vec3) -> u32 {

@@ -1,0 +1,132 @@
+//! Reading Bezier curves and surfaces.
+
+use super::Controls;
+use crate::format::Format;
+use crate::import::{ImportedObject, NamedBytes, ReadError};
+use crate::number;
+use crate::report::{ImportReport, counted};
+use crate::scan::{Scan, Ticker};
+use glam::Vec3;
+use halfedge::Progress;
+
+/// How many numbers a patch takes: 16 points of three coordinates.
+const PATCH: usize = 48;
+
+/// Which of the two a file is, where it holds nothing but as many numbers as its first one says.
+pub(crate) fn kind(bytes: &[u8]) -> Option<Format> {
+    let mut scan = Scan::new(bytes, Some(b'#'));
+    let count = usize::try_from(whole(scan.word()?)?).ok().filter(|&count| count > 0)?;
+    let mut numbers = 0usize;
+    while let Some(word) = scan.word() {
+        word.iter().all(|b| b.is_ascii_digit() || b"+-.eE".contains(b)).then_some(())?;
+        numbers += 1;
+    }
+    let takes = |each: usize| count.checked_mul(each) == Some(numbers);
+    if takes(PATCH) {
+        return Some(Format::BezierSurface);
+    }
+    (takes(2) || takes(3)).then_some(Format::BezierCurve)
+}
+
+fn whole(word: &[u8]) -> Option<i64> {
+    number::integer(word, 0).filter(|&(_, end)| end == word.len()).map(|(value, _)| value)
+}
+
+/// Reads one curve or surface, as `format` says, as one object with an empty mesh.
+pub(crate) fn read(
+    file: &NamedBytes,
+    format: Format,
+    progress: &mut Progress,
+) -> Result<(ImportedObject, ImportReport), ReadError> {
+    let (things, what) = match format {
+        Format::BezierCurve => ("control points", "a Bezier curve"),
+        _ => ("patches", "a Bezier surface"),
+    };
+    let fail = |message: String| ReadError::file(&file.name, message);
+    let mut scan = Scan::new(&file.bytes, Some(b'#'));
+    let Some(word) = scan.word() else {
+        return Err(fail(format!("the file is empty; {what} begins with the number of its {things}")));
+    };
+    let first_line = scan.line_number();
+    let Some(count) = whole(word).and_then(|n| usize::try_from(n).ok()).filter(|&n| n > 0) else {
+        return Err(fail(format!(
+            "line {first_line}: {what} begins with the number of its {things}, 1 or more, not with “{}”",
+            shown(word)
+        )));
+    };
+    let mut numbers: Vec<f32> = Vec::new();
+    let mut ticker = Ticker::new(file.bytes.len());
+    while let Some(word) = scan.word() {
+        match number::float(word, 0).filter(|&(value, end)| end == word.len() && value.is_finite()) {
+            Some((value, _)) => numbers.push(value),
+            None => {
+                let line = scan.line_number();
+                return Err(fail(format!("line {line}: “{}” is not a number that fits", shown(word))));
+            }
+        }
+        ticker.tick(scan.at, progress)?;
+    }
+    let mut report = ImportReport::default();
+    let controls = if format == Format::BezierCurve {
+        curve(count, &numbers)
+    } else {
+        surface(count, &numbers, &mut report)
+    };
+    let controls = controls.map_err(|message| fail(format!("line {first_line}: {message}")))?;
+    if progress(1.0).is_break() {
+        return Err(ReadError::Cancelled);
+    }
+    Ok((ImportedObject { controls: Some(controls), ..ImportedObject::empty(file.stem()) }, report))
+}
+
+fn curve(count: usize, numbers: &[f32]) -> Result<Controls, String> {
+    if count > Controls::MOST_CURVE_POINTS {
+        return Err(format!(
+            "a curve of {count} control points is too slow to draw; it may have {} at most",
+            Controls::MOST_CURVE_POINTS
+        ));
+    }
+    let points = if numbers.len() == count * 2 {
+        numbers.as_chunks().0.iter().map(|&[x, y]| Vec3::new(x, y, 0.0)).collect()
+    } else if numbers.len() == count * 3 {
+        numbers.as_chunks().0.iter().map(|&xyz| Vec3::from_array(xyz)).collect()
+    } else {
+        return Err(format!(
+            "{} take {} numbers in the plane or {} in space, but {} follow",
+            counted(count, "control point", "control points"),
+            count * 2,
+            count * 3,
+            numbers.len()
+        ));
+    };
+    Ok(Controls::Curve(points))
+}
+
+fn surface(count: usize, numbers: &[f32], report: &mut ImportReport) -> Result<Controls, String> {
+    let (points, _) = numbers.as_chunks::<3>();
+    let (rows, _) = points.as_chunks::<4>();
+    let (patches, _) = rows.as_chunks::<4>();
+    let patches: Vec<[[Vec3; 4]; 4]> =
+        patches.iter().take(count).map(|rows| rows.map(|row| row.map(Vec3::from_array))).collect();
+    if patches.is_empty() {
+        return Err(format!(
+            "a patch takes {PATCH} numbers, 16 points of x, y and z, but only {} follow",
+            numbers.len()
+        ));
+    }
+    if patches.len() < count {
+        report.warn(format!("The file ends early: {} of {count} patches are there", patches.len()));
+    } else if numbers.len() > count * PATCH {
+        report.warn(format!(
+            "{} after the last of the {} left out",
+            counted(numbers.len() - count * PATCH, "number", "numbers"),
+            counted(count, "patch", "patches")
+        ));
+    }
+    Ok(Controls::Surface(patches))
+}
+
+/// The start of a word, for a message.
+fn shown(word: &[u8]) -> String {
+    String::from_utf8_lossy(word).chars().take(20).collect()
+}

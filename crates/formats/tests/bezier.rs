@@ -1,0 +1,229 @@
+//! Bezier curves and surfaces: course files read with the counts they say, what is written reads
+//! back to the bit, and what is wrong is named with its line.
+
+mod common;
+
+use common::{load, read, shared};
+use formats::{Controls, Format, Import, NamedBytes, ObjectRef};
+use glam::Vec3;
+use halfedge::{Mesh, PolygonSoup};
+use proptest::prelude::*;
+
+fn controls(import: &Import) -> &Controls {
+    assert_eq!(import.objects.len(), 1);
+    assert_eq!(import.objects[0].mesh, Mesh::new());
+    import.objects[0].controls.as_ref().expect("control points")
+}
+
+fn read_text(name: &str, text: &str) -> Import {
+    read(&[NamedBytes::new(name, text)]).unwrap_or_else(|error| panic!("{error}\n{text}"))
+}
+
+fn error(name: &str, text: &str) -> String {
+    read(&[NamedBytes::new(name, text)]).expect_err("not a Bezier file").to_string()
+}
+
+fn write(format: Format, controls: &Controls) -> Vec<NamedBytes> {
+    let empty = Mesh::new();
+    let object = ObjectRef { controls: Some(controls), ..ObjectRef::new("x", &empty) };
+    formats::write(format, "test", &[object]).expect("what the format holds")
+}
+
+/// `count` patches with points that are all different.
+fn patches(count: usize) -> Vec<[[Vec3; 4]; 4]> {
+    let mut next = 0.0f32;
+    let mut point = || {
+        next += 0.1;
+        Vec3::new(next, -next / 3.0, next * 1e-20)
+    };
+    (0..count).map(|_| [(); 4].map(|()| [(); 4].map(|()| point()))).collect()
+}
+
+#[test]
+fn a_curve_is_a_count_and_pairs_or_triples() {
+    let plane = read_text("a.bzc", "3\n0 1  2 3\r\n\n4.5e0 -5");
+    assert_eq!(
+        controls(&plane),
+        &Controls::Curve(vec![Vec3::new(0.0, 1.0, 0.0), Vec3::new(2.0, 3.0, 0.0), Vec3::new(4.5, -5.0, 0.0)])
+    );
+    assert_eq!(plane.report.to_string(), "Read a Bezier curve of 3 control points as BZC\n");
+    let space = read_text("a.bzc", "2 1 2 3 4 5 6");
+    assert_eq!(controls(&space), &Controls::Curve(vec![Vec3::new(1.0, 2.0, 3.0), Vec3::new(4.0, 5.0, 6.0)]));
+    assert_eq!(controls(&read_text("a.bzc", "1 7 8")), &Controls::Curve(vec![Vec3::new(7.0, 8.0, 0.0)]));
+}
+
+#[test]
+fn content_tells_curves_and_surfaces_apart_whatever_the_name() {
+    let curve = "4\n0 0 1 1 2 1 3 0";
+    let surface =
+        String::from_utf8(write(Format::BezierSurface, &Controls::Surface(patches(2)))[0].bytes.clone())
+            .expect("ASCII");
+    for name in ["pasted", "a.bez", "a.bzc", "a.txt"] {
+        assert!(controls(&read_text(name, curve)).is_curve(), "{name}");
+        assert!(!controls(&read_text(name, &surface)).is_curve(), "{name}");
+    }
+    // Numbers alone are not enough.
+    assert!(error("pasted", "4\n0 0 1 1 2 1 3").contains("is not a model"));
+    assert!(error("pasted", "4 x 1").contains("is not a model"));
+}
+
+#[test]
+fn what_is_wrong_is_named_with_its_line() {
+    assert!(error("a.bzc", "").contains("the file is empty; a Bezier curve begins with the number of its"));
+    assert!(error("a.bez", " \n\n").contains("the file is empty; a Bezier surface begins"));
+    assert!(error("a.bzc", "\n\ntwo 1 2").contains("line 3: a Bezier curve begins"));
+    assert!(error("a.bzc", "0").contains("line 1: "));
+    assert!(error("a.bez", "-3 1 2 3").contains("1 or more, not with “-3”"));
+    assert!(error("a.bez", "99999999999999999999 1").contains("1 or more"));
+    assert!(error("a.bzc", "3\n1 2\n3 x4\n5 6").contains("line 3: “x4” is not a number"));
+    assert!(error("a.bzc", "2\n1 2\n3 nan").contains("line 3: “nan”"));
+    assert!(error("a.bez", "1\n1 2 1e99").contains("line 2: “1e99”"));
+    assert_eq!(
+        error("a.bzc", "# four\n4\n1 2 3 4 5 6 7"),
+        "a.bzc: line 2: 4 control points take 8 numbers in the plane or 12 in space, but 7 follow"
+    );
+    assert!(error("a.bez", "2\n1 2 3").contains("line 1: a patch takes 48 numbers"));
+    let long = format!("1001{}", " 0".repeat(2002));
+    assert!(error("a.bzc", &long).contains("1000 at most"));
+    assert!(error("a.bez", "4000000000\n1 2 3").contains("only 3 follow"));
+}
+
+#[test]
+fn early_ends_keep_whole_patches() {
+    let whole = write(Format::BezierSurface, &Controls::Surface(patches(3))).remove(0).bytes;
+    let mut text = String::from_utf8(whole).expect("ASCII");
+    text.push_str("7 8");
+    let import = read_text("a.bez", &text);
+    assert!(import.report.to_string().contains("2 numbers after the last of the 3 patches left out"));
+    assert_eq!(controls(&import), &Controls::Surface(patches(3)));
+    let half = text.trim_end().rsplitn(4, '\n').last().expect("lines");
+    let import = read_text("a.bez", half);
+    assert!(import.report.to_string().contains("The file ends early: 2 of 3 patches are there"));
+    assert_eq!(controls(&import), &Controls::Surface(patches(2)));
+}
+
+#[test]
+fn course_files_read_and_round_trip() {
+    for path in shared("models/cs184", "bzc") {
+        let file = load(&path);
+        let import = read(std::slice::from_ref(&file)).expect("a curve");
+        assert!(import.report.is_clean());
+        let points = controls(&import).points().len();
+        assert_eq!(points, if file.name == "curve1.bzc" { 4 } else { 5 });
+        let written = write(Format::BezierCurve, controls(&import));
+        assert_eq!(controls(&read(&written).expect("its own")), controls(&import));
+        let numbers = |bytes: &[u8]| -> Vec<f32> {
+            String::from_utf8_lossy(bytes).split_whitespace().map(|w| w.parse().expect("a number")).collect()
+        };
+        assert_eq!(numbers(&written[0].bytes), numbers(&file.bytes));
+    }
+    for path in shared("models/cs184", "bez") {
+        let import = read(&[load(&path)]).expect("a surface");
+        assert!(import.report.is_clean());
+        let Controls::Surface(patches) = controls(&import) else { panic!("a surface") };
+        assert_eq!(patches.len(), 32);
+        assert_eq!(patches[0][0][1], Vec3::new(1.4, -0.784, 2.4));
+        let written = write(Format::BezierSurface, controls(&import));
+        assert_eq!(controls(&read(&written).expect("its own")), controls(&import));
+    }
+}
+
+#[test]
+fn formats_hold_what_they_hold_and_say_the_rest() {
+    let triangle =
+        Mesh::build(PolygonSoup::new(vec![Vec3::ZERO, Vec3::X, Vec3::Y], &[[0, 1, 2]])).expect("small").mesh;
+    let empty = Mesh::new();
+    let (curve, surface) = (Controls::Curve(vec![Vec3::X]), Controls::Surface(patches(1)));
+    let objects = [
+        ObjectRef::new("mesh", &triangle),
+        ObjectRef { controls: Some(&curve), ..ObjectRef::new("curve", &empty) },
+        ObjectRef { controls: Some(&surface), ..ObjectRef::new("surface", &triangle) },
+    ];
+    assert_eq!(
+        formats::losses(Format::BezierSurface, &objects),
+        [
+            "BEZ holds only Bezier surfaces: mesh is left out",
+            "BEZ holds only Bezier surfaces: curve is left out"
+        ]
+    );
+    assert_eq!(
+        formats::losses(Format::Obj, &objects),
+        [
+            "OBJ holds no Bezier curves: curve is left out",
+            "OBJ holds no control points: of surface the mesh of 1 face is written that shows it"
+        ]
+    );
+    let refused = |format, objects: &[ObjectRef]| {
+        formats::write(format, "x", objects).expect_err("nothing to write").message
+    };
+    assert!(refused(Format::Obj, &objects[1..2]).contains("save it as BZC"));
+    assert!(refused(Format::BezierCurve, &objects[..1]).contains("no Bezier curve"));
+    assert!(refused(Format::BezierSurface, &objects[..2]).contains("no Bezier surface"));
+    // Two curves are two files, each of which reads.
+    let both = [objects[1], objects[1]];
+    let names: Vec<String> = formats::write(Format::BezierCurve, "x", &both)
+        .expect("curves")
+        .into_iter()
+        .map(|f| f.name)
+        .collect();
+    assert_eq!(names, ["x.bzc", "x-2.bzc"]);
+    assert_eq!(formats::losses(Format::BezierCurve, &both), ["BZC holds one curve: 2 curves go to 2 files"]);
+    let import = read(&formats::write(Format::Obj, "x", &objects).expect("meshes")).expect("its own");
+    assert_eq!(import.objects[0].mesh.face_count(), 2);
+}
+
+fn coordinates() -> impl Strategy<Value = Vec3> {
+    let number = || any::<u32>().prop_map(f32::from_bits).prop_filter("finite", |x| x.is_finite());
+    (number(), number(), number()).prop_map(Vec3::from)
+}
+
+fn bits(controls: &Controls) -> Vec<[u32; 3]> {
+    controls.points().iter().map(|p| p.to_array().map(f32::to_bits)).collect()
+}
+
+proptest! {
+    #[test]
+    fn written_curves_and_surfaces_read_back(points in prop::collection::vec(coordinates(), 1..70), plane: bool) {
+        let flat = |p: &Vec3| if plane { Vec3::new(p.x, p.y, 0.0) } else { *p };
+        let curve = Controls::Curve(points.iter().map(flat).collect());
+        let back = read(&write(Format::BezierCurve, &curve)).expect("its own");
+        prop_assert_eq!(bits(controls(&back)), bits(&curve));
+        let surface = Controls::from_points(false, points);
+        if !surface.points().is_empty() {
+            let back = read(&write(Format::BezierSurface, &surface)).expect("its own");
+            prop_assert_eq!(bits(controls(&back)), bits(&surface));
+        }
+    }
+
+    #[test]
+    fn damaged_files_never_panic(
+        surface: bool,
+        edits in prop::collection::vec((any::<prop::sample::Index>(), any::<u8>(), 0u8..4), 1..8),
+    ) {
+        let (format, sample) = if surface {
+            (Format::BezierSurface, Controls::Surface(patches(2)))
+        } else {
+            (Format::BezierCurve, Controls::Curve(patches(1)[0].concat()))
+        };
+        let mut bytes = write(format, &sample).remove(0).bytes;
+        for (at, value, kind) in edits {
+            if bytes.is_empty() {
+                break;
+            }
+            let at = at.index(bytes.len());
+            match kind {
+                0 => bytes[at] = value,
+                1 => bytes.truncate(at),
+                2 => { bytes.remove(at); }
+                _ => bytes.insert(at, value),
+            }
+        }
+        for name in ["a", "a.bez", "a.bzc"] {
+            if let Ok(import) = read(&[NamedBytes::new(name, bytes.clone())])
+                && let Some(controls) = &import.objects[0].controls
+            {
+                prop_assert!(controls.points().iter().all(|p| p.is_finite()));
+            }
+        }
+    }
+}
