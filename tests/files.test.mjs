@@ -91,6 +91,7 @@ editorTest("what is saved reads back to the bit, colours and all", { sizes: [SMA
     const listen = (download) => downloads.push(download);
     editor.page.on("download", listen);
     await editor.press("Control+s");
+    await editor.press("Enter");
     return async (count) => {
       await editor.until(`${count} downloads`, () => downloads.length === count);
       editor.page.off("download", listen);

@@ -4,6 +4,7 @@
 //! page itself: what is shown and what is selected.
 
 use editor::{OPERATIONS, OperationKind, Spec};
+use formats::Format;
 use halfedge::Element;
 
 /// Something a person can start.
@@ -11,8 +12,10 @@ use halfedge::Element;
 pub enum Action {
     /// Picks a file to open.
     Open,
-    /// Saves the document as an OBJ file.
+    /// Asks how to save the document, and saves it.
     Save,
+    /// The same, with a format to begin with.
+    SaveAs(Format),
     /// Takes the last step back.
     Undo,
     /// Makes the step again that was taken back.
@@ -118,8 +121,8 @@ pub static MENUS: &[Menu] = &[
             )),
             Some(entry(
                 A::Save,
-                "Save as OBJ",
-                "Downloads the document as an OBJ file, with a material file for its colors.",
+                "Save…",
+                "Saves the document under a name, in any of the formats, and says what a format can't hold.",
             )),
         ],
     },
@@ -247,10 +250,34 @@ pub fn operation(name: &str) -> Option<&'static Spec> {
     OPERATIONS.iter().copied().find(|spec| spec.name == name)
 }
 
-/// Every action with its name: the menus' entries, then the operations.
+/// Every action with its name: the menus' entries, then the formats and the operations.
 pub fn all() -> impl Iterator<Item = Entry> {
     let fixed = MENUS.iter().flat_map(|menu| menu.entries.iter().copied().flatten());
-    fixed.chain(mesh_operations().map(of_operation))
+    fixed.chain(formats()).chain(mesh_operations().map(of_operation))
+}
+
+/// Saving in each format that can be written.
+pub fn formats() -> impl Iterator<Item = Entry> {
+    Format::ALL.into_iter().filter(|format| format.can_write()).map(of_format)
+}
+
+/// Saving in a format: what the menu calls it, and what the format is.
+pub fn of_format(format: Format) -> Entry {
+    let (label, description) = match format {
+        Format::Obj => ("Save as OBJ…", "Text that every program reads, with a material file for colors."),
+        Format::Ply => ("Save as PLY…", "Binary, with face and vertex colors."),
+        Format::PlyText => ("Save as PLY (text)…", "PLY that can be read in a text editor, with colors."),
+        Format::Stl => ("Save as STL…", "Binary triangles, for 3D printing."),
+        Format::StlText => ("Save as STL (text)…", "Triangles that can be read in a text editor."),
+        Format::Off => ("Save as OFF…", "Plain text of geometry programs, with colors."),
+        Format::Collada => ("Save as COLLADA…", "XML with several objects, for other modellers."),
+        Format::Glb => ("Save as GLB…", "glTF in one binary file, for the web and game engines."),
+        Format::Gltf => ("Save as glTF…", "glTF as text, with its data in a file beside it."),
+        Format::Json => {
+            ("Save as half-edge JSON…", "The half-edges themselves with all their links, for scripts.")
+        }
+    };
+    entry(A::SaveAs(format), label, description)
 }
 
 /// An operation as a menu shows it.

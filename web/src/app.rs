@@ -12,6 +12,7 @@ use crate::live::Live;
 use crate::panels::adjust::Adjusting;
 use crate::panels::operations::Forms;
 use crate::panels::palette::PaletteState;
+use crate::panels::save::Saving;
 use crate::platform::{Event, Platform};
 use crate::survey::Survey;
 use crate::theme;
@@ -106,6 +107,7 @@ pub struct App {
     pub(crate) live: Option<Live>,
     pub(crate) adjusting: Adjusting,
     pub(crate) palette: PaletteState,
+    pub(crate) saving: Saving,
     pub(crate) survey: Survey,
     pub(crate) frames: FrameTimes,
     /// The object whose rows the lists have.
@@ -127,7 +129,6 @@ impl App {
         });
         let mut app = Self {
             editor: Editor::new(),
-            platform,
             ctx: ctx.clone(),
             view: View::new(gpu),
             lists: Lists::default(),
@@ -146,9 +147,11 @@ impl App {
             live: None,
             adjusting: Adjusting::default(),
             palette: PaletteState::default(),
+            saving: Saving::new(&*platform),
             survey: Survey::default(),
             frames: FrameTimes::default(),
             listed: None,
+            platform,
         };
         app.open_first();
         app
@@ -226,6 +229,7 @@ impl App {
         self.ctx.request_repaint();
         self.follow_lists(&changes);
         self.survey.follow(&self.editor, &changes);
+        self.saving.follow(&changes);
         self.view.follow(&self.editor, changes);
     }
 
@@ -250,6 +254,7 @@ impl App {
 
     fn windows(&mut self, ctx: &Context, narrow: bool) {
         self.palette_window(ctx);
+        self.save_window(ctx, narrow);
         self.shortcuts_window(ctx);
         self.messages_window(ctx);
         self.about_window(ctx);

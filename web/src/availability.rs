@@ -21,7 +21,7 @@ impl App {
             Action::Redo if self.editor.redo_labels().next().is_none() => {
                 Some("There is nothing to redo: nothing was undone since the last edit.".into())
             }
-            Action::Save if document.objects().is_empty() => {
+            Action::Save | Action::SaveAs(_) if document.objects().is_empty() => {
                 Some("There is nothing to save. Open a file or make a shape first.".into())
             }
             Action::SelectAll | Action::SelectInverse | Action::GoToId => {

@@ -39,7 +39,7 @@ impl App {
                 self.open_files(vec![NamedBytes::new("Pasted.obj", text.into_bytes())], None);
             }
         }
-        if self.palette.open {
+        if self.palette.open || self.saving.is_open() {
             return;
         }
         // Escape closes an open menu, which egui does by itself.
@@ -66,7 +66,8 @@ impl App {
         }
         match action {
             Action::Open => self.platform.open_file_dialog(),
-            Action::Save => self.begin_export(Format::Obj, None),
+            Action::Save => self.saving.show(self.editor.document().name(), None),
+            Action::SaveAs(format) => self.saving.show(self.editor.document().name(), Some(format)),
             Action::Undo => self.step(true),
             Action::Redo => self.step(false),
             Action::Cancel => self.cancel(),
@@ -201,9 +202,10 @@ impl App {
         self.follow();
     }
 
-    pub(crate) fn begin_export(&mut self, format: Format, reply: Option<Reply>) {
+    /// Writes the document for a script.
+    pub(crate) fn begin_export(&mut self, format: Format, reply: Reply) {
         let request = self.editor.begin_export(format);
-        self.start(&request, format!("Save as {}", format.name()), reply);
+        self.start(&request, format!("Write {}", format.name()), Some(reply));
         self.follow();
     }
 
@@ -237,10 +239,7 @@ impl App {
             }
             Ok(Finished::Exported(files)) => match running.reply {
                 Some(reply) => reply(Ok(Answer::Files(files))),
-                None => {
-                    self.editor.mark_saved();
-                    self.platform.download(files);
-                }
+                None => self.saved(files, running.saves),
             },
             Err(error) => self.refused(&error, running.reply),
         }

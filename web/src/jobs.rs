@@ -13,6 +13,8 @@ pub struct Running {
     pub fraction: f32,
     /// Who waits for it besides the person.
     pub reply: Option<Reply>,
+    /// The state of the document that is safe once the job is done, where it saves all of it.
+    pub saves: Option<u64>,
 }
 
 /// The jobs that were started and are waited for, the oldest first.
@@ -24,7 +26,14 @@ pub struct Jobs {
 impl Jobs {
     /// Adds a job that was just started.
     pub fn add(&mut self, id: JobId, label: String, reply: Option<Reply>) {
-        self.running.push(Running { id, label, fraction: 0.0, reply });
+        self.running.push(Running { id, label, fraction: 0.0, reply, saves: None });
+    }
+
+    /// Notes that a job saves the whole document as it is in this state.
+    pub fn saves(&mut self, id: JobId, revision: u64) {
+        if let Some(running) = self.running.iter_mut().find(|running| running.id == id) {
+            running.saves = Some(revision);
+        }
     }
 
     /// Takes in that a job got further.

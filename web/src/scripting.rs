@@ -7,6 +7,7 @@ use halfedge::Element;
 use serde_json::{Value, json};
 
 use crate::app::App;
+use crate::panels::save;
 use crate::platform::{DeviceInfo, NamedBytes};
 
 /// What a call that takes a while came to.
@@ -45,13 +46,13 @@ impl App {
         }
     }
 
-    /// Writes the document in the format of this name or extension.
+    /// Writes the document in a format: its extension, or `ply-text` and `stl-text`.
     pub fn script_export(&mut self, format: &str, reply: Reply) {
-        match Format::from_extension(format).filter(|format| format.can_write()) {
-            Some(format) => self.begin_export(format, Some(reply)),
+        match save::coded(format) {
+            Some(format) => self.begin_export(format, reply),
             None => {
-                let known: Vec<_> =
-                    Format::ALL.iter().filter(|f| f.can_write()).map(|f| f.extension()).collect();
+                let known: Vec<String> =
+                    Format::ALL.into_iter().filter(|f| f.can_write()).map(save::code).collect();
                 reply(Err(format!(
                     "export: {format:?} is no format to write; there are {}",
                     known.join(", ")

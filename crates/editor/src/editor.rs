@@ -149,9 +149,14 @@ impl Editor {
         self.drag.is_some() || self.revision != self.saved
     }
 
-    /// Says that the document as it is now has been saved.
-    pub fn mark_saved(&mut self) {
-        self.saved = self.revision;
+    /// The state that the document is in: edits lead to a new one, undo and redo back to others.
+    pub fn revision(&self) -> u64 {
+        self.revision
+    }
+
+    /// Says that the document has been saved as it was in this state.
+    pub fn mark_saved(&mut self, revision: u64) {
+        self.saved = revision;
         self.changes.document = true;
     }
 

@@ -270,7 +270,7 @@ fn a_document_is_dirty_until_it_is_as_it_was_saved() {
     editor.undo().expect("free");
     assert!(!editor.is_dirty());
     editor.redo().expect("free");
-    editor.mark_saved();
+    editor.mark_saved(editor.revision());
     assert!(!editor.is_dirty());
     editor.undo().expect("free");
     assert!(editor.is_dirty());

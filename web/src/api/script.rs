@@ -1,7 +1,7 @@
 //! The methods of `window.meshwright`, which scripts call between two frames.
 //!
-//! - `open(name, bytesOrText)`, `run(command)` and `export(format)` give promises, which reject
-//!   with an `Error` that says why.
+//! - `open(name, bytesOrText)`, `openFiles([{name, content}])`, `run(command)`, `export(format)` and
+//!   `exportFiles(format)` give promises, which reject with an `Error` that says why.
 //! - `state()`, `element(kind, id)`, `select(kind, ids)`, `undo()`, `redo()`, `cancel()`,
 //!   `project([x, y, z])` and `ui()` answer at once, or throw such an `Error`.
 //!
@@ -9,7 +9,7 @@
 
 use std::cell::RefMut;
 
-use js_sys::{ArrayBuffer, Reflect, Uint8Array};
+use js_sys::{Array, ArrayBuffer, Object, Reflect, Uint8Array};
 use wasm_bindgen::prelude::*;
 
 use super::js::{Answer, Settle, error, method, promise, to_js, to_json};
@@ -29,7 +29,15 @@ pub(crate) fn install(handle: &Handle) -> Result<(), JsValue> {
         Ok(promise(|settle| {
             let name = name.as_string().ok_or_else(|| error("open: expected the file's name as a string"))?;
             let file = NamedBytes { name, bytes: content_of(&content)? };
-            app(&at)?.script_open(vec![file], reply(settle));
+            app(&at)?.script_open(vec![file], reply(settle, Wanted::Model));
+            Ok(())
+        }))
+    })?;
+
+    let at = handle.clone();
+    method(api, "openFiles", move |files, _| {
+        Ok(promise(|settle| {
+            app(&at)?.script_open(files_of(&files)?, reply(settle, Wanted::Model));
             Ok(())
         }))
     })?;
@@ -38,7 +46,7 @@ pub(crate) fn install(handle: &Handle) -> Result<(), JsValue> {
     method(api, "run", move |command, _| {
         Ok(promise(|settle| {
             let command = to_json(&command, "run: expected a command such as {op: \"split-edge\", edge: 3}")?;
-            app(&at)?.script_run(command, reply(settle));
+            app(&at)?.script_run(command, reply(settle, Wanted::Model));
             Ok(())
         }))
     })?;
@@ -46,9 +54,15 @@ pub(crate) fn install(handle: &Handle) -> Result<(), JsValue> {
     let at = handle.clone();
     method(api, "export", move |format, _| {
         Ok(promise(|settle| {
-            let format =
-                format.as_string().ok_or_else(|| error("export: expected a format such as \"obj\""))?;
-            app(&at)?.script_export(&format, reply(settle));
+            app(&at)?.script_export(&format_of(&format)?, reply(settle, Wanted::Model));
+            Ok(())
+        }))
+    })?;
+
+    let at = handle.clone();
+    method(api, "exportFiles", move |format, _| {
+        Ok(promise(|settle| {
+            app(&at)?.script_export(&format_of(&format)?, reply(settle, Wanted::AllFiles));
             Ok(())
         }))
     })?;
@@ -103,15 +117,27 @@ fn app(handle: &Handle) -> Result<RefMut<'_, App>, JsValue> {
     handle.app().ok_or_else(|| error("the editor has crashed, or is being called by itself; reload the page"))
 }
 
+/// Which of the files that were written a script gets.
+#[derive(Clone, Copy)]
+enum Wanted {
+    /// The bytes of the model itself.
+    Model,
+    /// All, with their names: materials and data may lie beside the model.
+    AllFiles,
+}
+
 /// Settles a promise with what a call came to.
-fn reply(settle: &Settle) -> Reply {
+fn reply(settle: &Settle, wanted: Wanted) -> Reply {
     let settle = settle.clone();
     Box::new(move |result| {
         settle.with(match result {
             Ok(scripting::Answer::Outcome(outcome)) => to_js(&outcome),
-            Ok(scripting::Answer::Files(files)) => Ok(files
-                .first()
-                .map_or(JsValue::UNDEFINED, |file| Uint8Array::new_from_slice(&file.bytes).into())),
+            Ok(scripting::Answer::Files(files)) => match wanted {
+                Wanted::Model => Ok(files.first().map_or(JsValue::UNDEFINED, bytes_to_js)),
+                Wanted::AllFiles => {
+                    files.iter().map(file_to_js).collect::<Result<Array, _>>().map(Into::into)
+                }
+            },
             Err(reason) => Err(error(&reason)),
         });
     })
@@ -119,6 +145,35 @@ fn reply(settle: &Settle) -> Reply {
 
 fn label(step: Result<Option<String>, String>) -> Answer {
     Ok(step.map_err(|reason| error(&reason))?.map_or(JsValue::NULL, JsValue::from))
+}
+
+fn bytes_to_js(file: &NamedBytes) -> JsValue {
+    Uint8Array::new_from_slice(&file.bytes).into()
+}
+
+fn file_to_js(file: &NamedBytes) -> Answer {
+    let object = Object::new();
+    Reflect::set(&object, &"name".into(), &file.name.as_str().into())?;
+    Reflect::set(&object, &"content".into(), &bytes_to_js(file))?;
+    Ok(object.into())
+}
+
+/// What [`file_to_js`] makes, in an array; the content may be text or a buffer too.
+fn files_of(files: &JsValue) -> Result<Vec<NamedBytes>, JsValue> {
+    let refused = || error("openFiles: expected an array of {name, content}");
+    let files: &Array = files.dyn_ref().filter(|files: &&Array| files.length() > 0).ok_or_else(refused)?;
+    let field = |file: &JsValue, name: &str| Reflect::get(file, &name.into()).map_err(|_| refused());
+    files
+        .iter()
+        .map(|file| {
+            let name = field(&file, "name")?.as_string().ok_or_else(refused)?;
+            Ok(NamedBytes { name, bytes: content_of(&field(&file, "content")?)? })
+        })
+        .collect()
+}
+
+fn format_of(format: &JsValue) -> Result<String, JsValue> {
+    format.as_string().ok_or_else(|| error("export: expected a format such as \"obj\""))
 }
 
 /// Text, a typed array or a whole buffer.

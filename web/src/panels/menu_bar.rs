@@ -106,8 +106,17 @@ impl App {
                 Some(entry) => self.menu_item(ui, entry),
             }
         }
-        if menu.title == "Mesh" {
-            self.operation_menus(ui);
+        match menu.title {
+            "File" => {
+                ui.menu_button("Save as", |ui| {
+                    ui.set_min_width(200.0);
+                    for entry in actions::formats() {
+                        self.menu_item(ui, &entry);
+                    }
+                });
+            }
+            "Mesh" => self.operation_menus(ui),
+            _ => {}
         }
     }
 
@@ -147,7 +156,11 @@ impl App {
             Some(mut on) => {
                 ui.add_enabled(why_not.is_none(), egui::Checkbox::new(&mut on, menu_text(ui, &label, &keys)))
             }
-            None => ui.add_enabled(why_not.is_none(), Button::new(label).shortcut_text(keys)),
+            None => {
+                let button = Button::new(label);
+                let button = if keys.is_empty() { button } else { button.shortcut_text(keys) };
+                ui.add_enabled(why_not.is_none(), button)
+            }
         };
         if explain(response, ui, entry, why_not.as_deref()).clicked() {
             self.act(entry.action);

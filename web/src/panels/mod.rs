@@ -13,6 +13,7 @@ mod new_shape;
 mod objects;
 pub(crate) mod operations;
 pub(crate) mod palette;
+pub(crate) mod save;
 pub(crate) mod sheet;
 mod shortcuts;
 mod status_bar;

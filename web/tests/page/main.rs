@@ -8,4 +8,5 @@ mod looks;
 mod menus;
 mod page;
 mod properties;
+mod save;
 mod viewport;

@@ -146,6 +146,7 @@ fn a_file_opens_saves_and_undo_brings_the_cube_back() {
     assert_eq!(page.app().editor().document().name(), "triangle");
     assert_eq!((page.mesh().vertex_count(), page.mesh().face_count()), (3, 1));
     page.press_with(CTRL, Key::S);
+    page.press(Key::Enter);
     let files = page.outside.downloads();
     assert_eq!(files.first().map(|file| file.name.as_str()), Some("triangle.obj"));
     let text = String::from_utf8(files[0].bytes.clone()).expect("text");

@@ -140,11 +140,16 @@ impl Editor {
         JobRequest { id, work: Work::Import(files) }
     }
 
-    /// The job of writing the document's objects to files of a format.
+    /// The job of writing the document's objects to files of a format, called after the document.
     pub fn begin_export(&mut self, format: Format) -> JobRequest {
+        self.begin_export_as(format, self.document.name.clone())
+    }
+
+    /// [`Editor::begin_export`] to files of another name, given without an extension.
+    pub fn begin_export_as(&mut self, format: Format, name: String) -> JobRequest {
         let objects: Vec<ObjectId> = self.document.objects().iter().map(|object| object.id()).collect();
         let id = self.wait_for(WaitingFor::Export);
-        JobRequest { id, work: Work::Export(format, self.document.name.clone(), self.inputs(&objects)) }
+        JobRequest { id, work: Work::Export(format, name, self.inputs(&objects)) }
     }
 
     fn wait_for(&mut self, kind: WaitingFor) -> JobId {

@@ -1,0 +1,314 @@
+//! The dialog that saves: a file name, a format, and what the format can't hold of the document.
+
+use editor::{Changes, MessageKind};
+use egui::text_selection::CCursorRange;
+use egui::{
+    Align2, Button, ComboBox, Context, Grid, Id, Key, Label, Modal, RichText, ScrollArea, TextEdit, Ui, vec2,
+};
+use formats::{Format, NamedBytes, ObjectRef};
+
+use crate::actions;
+use crate::app::App;
+use crate::platform::Platform;
+use crate::theme;
+
+/// The setting that keeps the format that was saved in last, by its [`code`].
+const FORMAT_SETTING: &str = "format";
+
+/// The dialog's state.
+pub(crate) struct Saving {
+    stage: Stage,
+    name: String,
+    format: Format,
+    /// What a format can't hold of the document as it is; none until looked at.
+    losses: Option<(Format, Vec<String>)>,
+}
+
+/// How far the dialog is.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Stage {
+    Closed,
+    /// The keyboard is yet to go to the name.
+    Opening,
+    /// The whole name is yet to be selected, so that typing replaces it.
+    Focusing,
+    Open,
+}
+
+impl Saving {
+    pub fn new(platform: &dyn Platform) -> Self {
+        let format = platform.load_setting(FORMAT_SETTING).and_then(|kept| coded(&kept));
+        let format = format.unwrap_or(Format::Obj);
+        Self { stage: Stage::Closed, name: String::new(), format, losses: None }
+    }
+
+    /// Opens the dialog for a document of this name, in a format or in the one used last.
+    pub fn show(&mut self, name: &str, format: Option<Format>) {
+        self.stage = Stage::Opening;
+        self.name = name.to_owned();
+        self.format = format.unwrap_or(self.format);
+    }
+
+    pub fn is_open(&self) -> bool {
+        self.stage != Stage::Closed
+    }
+
+    /// What can't be held is looked at again where the document changed.
+    pub fn follow(&mut self, changes: &Changes) {
+        if !changes.objects.is_empty() || changes.document {
+            self.losses = None;
+        }
+    }
+
+    /// A typed extension of another format picks that format.
+    fn follow_extension(&mut self) {
+        if let Some(format) = Format::from_name(&self.name)
+            && format.extension() != self.format.extension()
+        {
+            self.format = format;
+        }
+    }
+}
+
+/// What scripts and settings call a format: its extension, with `-text` where the extension alone
+/// means the binary way of writing.
+pub(crate) fn code(format: Format) -> String {
+    match format {
+        Format::PlyText | Format::StlText => format!("{}-text", format.extension()),
+        _ => format.extension().to_owned(),
+    }
+}
+
+/// The format with this [`code`], or with this extension.
+pub(crate) fn coded(text: &str) -> Option<Format> {
+    let text = text.to_ascii_lowercase();
+    let mut formats = Format::ALL.into_iter().filter(|format| format.can_write());
+    formats.find(|&format| code(format) == text).or_else(|| Format::from_extension(&text))
+}
+
+/// A typed name as a file's: without the format's extension and without what no system, or not every
+/// system, has in file names. None where nothing is left.
+fn stem(typed: &str, format: Format) -> Option<String> {
+    let typed = typed.trim();
+    let stem = match typed.rsplit_once('.') {
+        Some((stem, extension))
+            if format.extensions().iter().any(|own| own.eq_ignore_ascii_case(extension)) =>
+        {
+            stem
+        }
+        _ => typed,
+    };
+    let allowed = |c: char| !c.is_control() && !r#"/\:*?"<>|"#.contains(c);
+    let stem: String = stem.chars().map(|c| if allowed(c) { c } else { '_' }).collect();
+    let stem = stem.trim_matches([' ', '.']);
+    (!stem.is_empty()).then(|| stem.to_owned())
+}
+
+impl App {
+    pub(crate) fn save_window(&mut self, ctx: &Context, narrow: bool) {
+        if !self.saving.is_open() {
+            return;
+        }
+        let screen = ctx.content_rect();
+        let width = 400.0_f32.min(screen.width() - 48.0);
+        let id = Id::unique("save");
+        let area = Modal::default_area(id).anchor(Align2::CENTER_TOP, vec2(0.0, screen.height() * 0.12));
+        let shown = Modal::new(id).area(area).show(ctx, |ui| {
+            ui.set_width(width);
+            if narrow {
+                theme::for_fingers(ui);
+            }
+            self.save_form(ui, narrow)
+        });
+        if shown.inner {
+            self.save();
+        } else if shown.should_close() {
+            self.saving.stage = Stage::Closed;
+        }
+    }
+
+    /// The dialog's contents; gives whether to save now.
+    fn save_form(&mut self, ui: &mut Ui, narrow: bool) -> bool {
+        ui.label(RichText::new("Save document").heading());
+        ui.add_space(4.0);
+        let mut save = false;
+        Grid::new("save").num_columns(2).spacing(vec2(12.0, 8.0)).show(ui, |ui| {
+            let label = ui.label("File name").id;
+            save = self.name_field(ui, narrow, label);
+            ui.end_row();
+            let label = ui.label("Format").id;
+            self.format_choice(ui, label);
+            ui.end_row();
+        });
+        ui.add(Label::new(RichText::new(actions::of_format(self.saving.format).description).weak()).wrap());
+        ui.add_space(4.0);
+        self.say_losses(ui);
+        ui.add_space(8.0);
+        let ready = stem(&self.saving.name, self.saving.format).is_some();
+        ui.horizontal(|ui| {
+            let primary = ui.visuals().selection;
+            let text = RichText::new("Save").color(primary.stroke.color);
+            let button = Button::new(text).fill(primary.bg_fill).min_size(vec2(96.0, 28.0));
+            let button = ui.add_enabled(ready, button);
+            let hint = "Saves where this browser keeps its downloads (Enter)";
+            save |= button.on_hover_text(hint).on_disabled_hover_text("Give the file a name.").clicked();
+            let cancel = Button::new("Cancel").min_size(vec2(80.0, 28.0));
+            if ui.add(cancel).on_hover_text("Saves nothing (Escape)").clicked() {
+                self.saving.stage = Stage::Closed;
+            }
+        });
+        save && ready
+    }
+
+    /// The name with its extension behind it; gives whether Enter was pressed in it.
+    fn name_field(&mut self, ui: &mut Ui, narrow: bool, label: Id) -> bool {
+        let extension = self.saving.format.extension();
+        ui.horizontal(|ui| {
+            let width = ui.available_width() - 48.0;
+            let field = TextEdit::singleline(&mut self.saving.name).desired_width(width.max(80.0));
+            let field = ui.add(field).labelled_by(label);
+            if field.changed() {
+                self.saving.follow_extension();
+            }
+            match self.saving.stage {
+                // A telephone's keyboard would cover the dialog.
+                Stage::Opening if narrow => self.saving.stage = Stage::Open,
+                Stage::Opening => {
+                    field.request_focus();
+                    self.saving.stage = Stage::Focusing;
+                    ui.ctx().request_repaint();
+                }
+                Stage::Focusing => {
+                    let mut state = TextEdit::load_state(ui.ctx(), field.id).unwrap_or_default();
+                    state.cursor.set_char_range(Some(CCursorRange::select_all_str(&self.saving.name)));
+                    state.store(ui.ctx(), field.id);
+                    self.saving.stage = Stage::Open;
+                }
+                Stage::Closed | Stage::Open => {}
+            }
+            if Format::from_name(&self.saving.name) != Format::from_extension(extension) {
+                ui.label(RichText::new(format!(".{extension}")).weak());
+            }
+            field.lost_focus() && ui.input(|input| input.key_pressed(Key::Enter))
+        })
+        .inner
+    }
+
+    fn format_choice(&mut self, ui: &mut Ui, label: Id) {
+        let combo = ComboBox::from_id_salt("format")
+            .selected_text(self.saving.format.name())
+            .width(ui.available_width() - 8.0)
+            .height(420.0);
+        let combo = combo.show_ui(ui, |ui| {
+            for entry in actions::formats() {
+                let actions::Action::SaveAs(format) = entry.action else { continue };
+                let on = format == self.saving.format;
+                if ui.selectable_label(on, format.name()).on_hover_text(entry.description).clicked() {
+                    // An extension in the name would pick its own format again.
+                    if let Some(stem) = stem(&self.saving.name, self.saving.format) {
+                        self.saving.name = stem;
+                    }
+                    self.saving.format = format;
+                }
+            }
+        });
+        combo.response.labelled_by(label).on_hover_text("What kind of file to write");
+    }
+
+    /// What the format can't hold, one line each.
+    fn say_losses(&mut self, ui: &mut Ui) {
+        let format = self.saving.format;
+        let losses = self.losses_of(format);
+        if losses.is_empty() {
+            let text = format!("{} holds everything in this document.", format.name());
+            ui.label(RichText::new(text).color(theme::palette(ui.visuals()).good));
+            return;
+        }
+        ScrollArea::vertical().max_height(160.0).auto_shrink([false, true]).show(ui, |ui| {
+            for loss in losses {
+                let text = RichText::new(format!("{loss}.")).color(ui.visuals().warn_fg_color);
+                ui.add(Label::new(text).wrap());
+            }
+        });
+    }
+
+    /// Looks once after each change: at a million faces that takes longer than a frame.
+    fn losses_of(&mut self, format: Format) -> &[String] {
+        let editor = &self.editor;
+        let known = self.saving.losses.take().filter(|(looked, _)| *looked == format);
+        let losses = known.unwrap_or_else(|| {
+            let objects = editor.document().objects().iter();
+            let objects: Vec<ObjectRef> =
+                objects.map(|object| ObjectRef { name: object.name(), mesh: object.mesh() }).collect();
+            (format, formats::losses(format, &objects))
+        });
+        &self.saving.losses.insert(losses).1
+    }
+
+    /// Starts the job that writes the files.
+    fn save(&mut self) {
+        let format = self.saving.format;
+        let Some(name) = stem(&self.saving.name, format) else { return };
+        self.saving.stage = Stage::Closed;
+        self.platform.store_setting(FORMAT_SETTING, &code(format));
+        let revision = self.editor.revision();
+        let whole = self.losses_of(format).is_empty();
+        let request = self.editor.begin_export_as(format, name);
+        self.start(&request, format!("Save as {}", format.name()), None);
+        if whole {
+            self.jobs.saves(request.id(), revision);
+        }
+        self.follow();
+    }
+
+    /// Hands written files to the person. The document is saved where they hold all of it.
+    pub(crate) fn saved(&mut self, files: Vec<NamedBytes>, revision: Option<u64>) {
+        let names: Vec<&str> = files.iter().map(|file| file.name.as_str()).collect();
+        let text = format!("Saved {}", names.join(" and "));
+        let mut details = Vec::new();
+        match revision {
+            Some(revision) => self.editor.mark_saved(revision),
+            None => details.push(
+                "The format holds less than the document does, so the document still counts as changed."
+                    .to_owned(),
+            ),
+        }
+        self.editor.say(MessageKind::Info, text.clone());
+        self.toast(MessageKind::Info, text, details);
+        self.platform.download(files);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_format_has_its_own_code() {
+        for format in Format::ALL {
+            assert_eq!(coded(&code(format)), Some(format));
+        }
+        assert_eq!(coded("COFF"), Some(Format::Off), "other extensions work too");
+        assert_eq!(coded("doc"), None);
+    }
+
+    #[test]
+    fn names_become_file_names() {
+        let cases = [
+            ("bunny", Some("bunny")),
+            ("  bunny.obj ", Some("bunny")),
+            ("bunny.OBJ", Some("bunny")),
+            ("v1.2", Some("v1.2")),
+            ("bunny.tar", Some("bunny.tar")),
+            ("a/b\\c:d", Some("a_b_c_d")),
+            ("..hidden..", Some("hidden")),
+            ("straße", Some("straße")),
+            (".obj", None),
+            (" . ", None),
+            ("", None),
+        ];
+        for (typed, wanted) in cases {
+            assert_eq!(stem(typed, Format::Obj).as_deref(), wanted, "{typed:?}");
+        }
+    }
+}

@@ -1,0 +1,139 @@
+//! The dialog that saves.
+
+use crate::page::Page;
+use egui::{Event, Key, Modifiers};
+use egui_kittest::kittest::{NodeT, Queryable};
+use formats::Format;
+use meshwright_web::actions;
+use serde_json::json;
+
+/// Opens the dialog and types a name over the one that is there.
+fn ask(page: &mut Page, name: &str) {
+    page.press_with(Modifiers::COMMAND, Key::S);
+    page.harness.event(Event::Text(name.to_owned()));
+    page.run();
+}
+
+fn choose(page: &mut Page, format: &str) {
+    page.click("Format");
+    page.click(format);
+}
+
+/// The names of the files that were saved.
+fn saved(page: &Page) -> Vec<String> {
+    page.outside.downloads().into_iter().map(|file| file.name).collect()
+}
+
+fn is_dirty(page: &mut Page) -> bool {
+    page.app().editor().is_dirty()
+}
+
+#[test]
+fn every_format_is_saved_and_reads_back() {
+    let mut page = Page::new();
+    page.command(json!({ "op": "triangulate-faces" }));
+    for format in Format::ALL {
+        let before = page.outside.downloads().len();
+        let label = actions::of_format(format).label;
+        page.click("File");
+        page.click("Save as");
+        page.click(label);
+        assert_eq!(page.find("Format").value().as_deref(), Some(format.name()));
+        page.click("Save");
+        let files = page.outside.downloads().split_off(before);
+        assert_eq!(files[0].name, format!("Cube.{}", format.extension()));
+        if format.can_read() || matches!(format, Format::PlyText | Format::StlText) {
+            page.outside.push(meshwright_web::platform::Event::Files(files));
+            page.run();
+            let mesh = page.mesh();
+            assert_eq!((mesh.vertex_count(), mesh.face_count()), (8, 12), "{label}");
+            page.press_with(Modifiers::COMMAND, Key::Z);
+        }
+    }
+}
+
+#[test]
+fn the_name_is_typed_over_and_enter_saves() {
+    let mut page = Page::new();
+    ask(&mut page, "my cube");
+    page.press(Key::Enter);
+    assert_eq!(saved(&page), ["my cube.obj"]);
+    assert!(page.has("Saved my cube.obj"));
+    assert!(!page.has("File name"), "the dialog is gone");
+}
+
+#[test]
+fn an_extension_picks_its_format() {
+    let mut page = Page::new();
+    ask(&mut page, "cube.off");
+    assert_eq!(page.find("Format").value().as_deref(), Some("OFF"));
+    page.press(Key::Enter);
+    assert_eq!(saved(&page), ["cube.off"]);
+    // The format is kept for the next time, and on a later visit.
+    assert_eq!(page.outside.setting("format").as_deref(), Some("off"));
+    ask(&mut page, "again");
+    page.press(Key::Enter);
+    assert_eq!(saved(&page), ["cube.off", "again.off"]);
+}
+
+#[test]
+fn a_name_with_nothing_in_it_is_not_saved() {
+    let mut page = Page::new();
+    ask(&mut page, ".obj");
+    assert!(page.find("Save").accesskit_node().is_disabled());
+    page.press(Key::Enter);
+    page.press(Key::Escape);
+    assert_eq!(saved(&page), [""; 0]);
+    assert!(!page.has("File name"));
+}
+
+#[test]
+fn what_a_format_cannot_hold_is_said_before_saving() {
+    let mut page = Page::new();
+    page.command(json!({ "op": "set-face-color", "faces": [0, 1], "color": "#ff0000" }));
+    page.press_with(Modifiers::COMMAND, Key::S);
+    assert!(page.has("OBJ holds everything in this document."));
+    choose(&mut page, "STL");
+    assert!(page.has("STL holds triangles only: 6 polygons are cut into triangles."));
+    assert!(page.has("STL holds no face colours: those of 2 faces are lost."));
+    page.click("Save");
+    assert_eq!(saved(&page), ["Cube.stl"]);
+    assert!(is_dirty(&mut page), "what was lost is not saved");
+
+    page.press_with(Modifiers::COMMAND, Key::S);
+    choose(&mut page, "OBJ");
+    page.click("Save");
+    assert_eq!(saved(&page), ["Cube.stl", "Cube.obj", "Cube.mtl"]);
+    assert!(!is_dirty(&mut page));
+}
+
+#[test]
+fn what_is_edited_while_a_file_is_written_is_not_saved() {
+    let mut page = Page::new();
+    page.command(json!({ "op": "split-edge", "edge": 0 }));
+    page.outside.hold_jobs();
+    ask(&mut page, "early");
+    page.press(Key::Enter);
+    page.command(json!({ "op": "split-edge", "edge": 1 }));
+    page.outside.release_jobs();
+    page.run();
+    assert_eq!(saved(&page), ["early.obj"]);
+    assert!(is_dirty(&mut page));
+    page.press_with(Modifiers::COMMAND, Key::Z);
+    assert!(!is_dirty(&mut page), "undo is back at what the file has");
+}
+
+#[test]
+fn escape_and_cancel_save_nothing() {
+    let mut page = Page::new();
+    for how in ["key", "button"] {
+        ask(&mut page, "never");
+        match how {
+            "key" => page.press(Key::Escape),
+            _ => page.harness.get_by_role_and_label(egui::accesskit::Role::Button, "Cancel").click(),
+        }
+        page.run();
+        assert!(!page.has("File name"), "{how}");
+    }
+    assert_eq!(saved(&page), [""; 0]);
+}
