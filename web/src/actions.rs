@@ -242,7 +242,8 @@ pub static MENUS: &[Menu] = &[
 /// The operations that menus and the palette list, in the order of the editor's table: those on
 /// meshes. The ones on objects are in the object list itself.
 pub fn mesh_operations() -> impl Iterator<Item = &'static Spec> {
-    OPERATIONS.iter().copied().filter(|spec| spec.kind != OperationKind::Document)
+    let on_meshes = |spec: &&Spec| matches!(spec.kind, OperationKind::Local | OperationKind::WholeMesh);
+    OPERATIONS.iter().copied().filter(on_meshes)
 }
 
 /// The operation of this name.
@@ -273,6 +274,8 @@ pub fn of_format(format: Format) -> Entry {
         Format::Collada => ("Save as COLLADA…", "XML with several objects, for other modellers."),
         Format::Glb => ("Save as GLB…", "glTF in one binary file, for the web and game engines."),
         Format::Gltf => ("Save as glTF…", "glTF as text, with its data in a file beside it."),
+        Format::BezierCurve => ("Save as BZC…", "The control points of a Bezier curve."),
+        Format::BezierSurface => ("Save as BEZ…", "The control points of a Bezier surface's patches."),
         Format::Json => {
             ("Save as half-edge JSON…", "The half-edges themselves with all their links, for scripts.")
         }

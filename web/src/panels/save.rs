@@ -5,7 +5,7 @@ use egui::text_selection::CCursorRange;
 use egui::{
     Align2, Button, ComboBox, Context, Grid, Id, Key, Label, Modal, RichText, ScrollArea, TextEdit, Ui, vec2,
 };
-use formats::{Format, NamedBytes, ObjectRef};
+use formats::{Controls, Format, NamedBytes, ObjectRef};
 
 use crate::actions;
 use crate::app::App;
@@ -237,9 +237,17 @@ impl App {
         let editor = &self.editor;
         let known = self.saving.losses.take().filter(|(looked, _)| *looked == format);
         let losses = known.unwrap_or_else(|| {
-            let objects = editor.document().objects().iter();
-            let objects: Vec<ObjectRef> =
-                objects.map(|object| ObjectRef { name: object.name(), mesh: object.mesh() }).collect();
+            let objects = editor.document().objects();
+            let controls: Vec<Option<Controls>> =
+                objects.iter().map(|object| object.bezier().map(Controls::from)).collect();
+            let objects: Vec<ObjectRef> = objects
+                .iter()
+                .zip(&controls)
+                .map(|(object, controls)| ObjectRef {
+                    controls: controls.as_ref(),
+                    ..ObjectRef::new(object.name(), object.mesh())
+                })
+                .collect();
             (format, formats::losses(format, &objects))
         });
         &self.saving.losses.insert(losses).1

@@ -32,7 +32,7 @@ fn is_dirty(page: &mut Page) -> bool {
 fn every_format_is_saved_and_reads_back() {
     let mut page = Page::new();
     page.command(json!({ "op": "triangulate-faces" }));
-    for format in Format::ALL {
+    for format in Format::ALL.into_iter().filter(|format| !format.is_bezier()) {
         let before = page.outside.downloads().len();
         let label = actions::of_format(format).label;
         page.click("File");
