@@ -1,6 +1,7 @@
 //! `cargo xtask`: sets up, serves, tests, benchmarks and packages Meshwright.
 
 mod bench;
+mod bench_wasm;
 mod dist;
 mod page;
 mod project;
@@ -23,6 +24,7 @@ cargo xtask TASK
                           run the stages fmt, clippy, native, wasm, e2e, or those named (`--only native,e2e`);
                           ARGS go to the one stage named (`--only native -- -p halfedge`, `--only e2e -- smoke`)
   bench [ARGS]            run the criterion benchmarks (`bench -p surface`, `bench subdivide`)
+  bench --wasm            time the large jobs natively and in WebAssembly under Node, one beside the other
   dist                    build the optimised static site into dist/
 
 Every task first installs what it needs and finds missing, into .tools/ or $MESHWRIGHT_TOOLS.
@@ -49,6 +51,7 @@ fn run(args: &[String]) -> Result<ExitCode> {
         "setup" => no_args(args).and_then(|()| setup::everything(&project))?,
         "serve" => serve::run(&project, args)?,
         "test" => return test::run(&project, args),
+        "bench" if matches!(args, [flag] if flag == "--wasm") => bench_wasm::run(&project)?,
         "bench" => bench::run(&project, args)?,
         "dist" => no_args(args).and_then(|()| dist::run(&project))?,
         "help" | "--help" | "-h" => print!("{USAGE}"),

@@ -3,7 +3,10 @@
 mod support;
 
 use editor::halfedge::{Element, VertexId};
-use editor::{Document, Editor, ObjectChange, SelectMode, Selection};
+use std::ops::ControlFlow;
+
+use editor::formats::Format;
+use editor::{Document, Editor, Finished, ObjectChange, SelectMode, Selection};
 use proptest::prelude::*;
 use serde_json::{Value, json};
 use support::*;
@@ -178,6 +181,21 @@ fn a_drag_is_one_step_and_leaves_no_trace_when_cancelled() {
     assert_eq!(position(&editor, 7), [101.0, 1.0, 1.0]);
     assert_eq!(editor.commit_drag(), None);
     assert_eq!(editor.cancel_drag(), None);
+}
+
+#[test]
+fn a_file_written_during_a_drag_does_not_end_it() {
+    let mut editor = on_cube();
+    editor
+        .drag(command(json!({"op": "transform", "vertices": [7], "translate": [1, 0, 0]})))
+        .expect("a move");
+    let request = editor.begin_export(Format::Obj);
+    let written = request.run(&mut |_| ControlFlow::Continue(()));
+    assert!(matches!(editor.finish(request.id(), written), Ok(Finished::Exported(_))));
+    assert!(editor.is_dragging());
+    assert_eq!(editor.undo_labels().count(), 0);
+    editor.cancel_drag();
+    assert_eq!(position(&editor, 7), [1.0; 3]);
 }
 
 #[test]

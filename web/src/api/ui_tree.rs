@@ -16,6 +16,9 @@ pub struct UiNode {
     pub name: String,
     /// What it holds, where it holds something: the text of a field, the number of a spin box.
     pub value: Option<Value>,
+    /// What more is said of it: the reason why it does nothing for now.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub description: Option<String>,
     /// The part of it that can be seen: x, y, width and height in CSS pixels of the page.
     pub rect: [f32; 4],
     /// Whether it does nothing for now.
@@ -107,6 +110,7 @@ impl UiTree {
                 role: camel_case(node.role()),
                 name,
                 value,
+                description: node.description().map(str::to_owned),
                 rect: [
                     canvas[0] + rect.left() * zoom,
                     canvas[1] + rect.top() * zoom,

@@ -175,9 +175,12 @@ impl Editor {
                 ..CommandError::refused("finish", "the job was cancelled")
             });
         };
-        self.commit_drag();
         let job = self.jobs.remove(at);
         self.changes.jobs = true;
+        // Writing a file changes nothing, so what is being dragged goes on.
+        if !matches!(job.kind, WaitingFor::Export) {
+            self.commit_drag();
+        }
         let name = job.kind.op();
         let JobResult { made, validated } = result.map_err(|error| self.report(error))?;
         if !validated {
