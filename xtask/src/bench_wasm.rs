@@ -17,7 +17,7 @@ pub fn run(project: &Project) -> Result {
     let mut build = shell::cargo();
     build.args(["build", "--profile", "dist", "-p", "timings", "--lib", "--target", setup::TARGET]);
     build.current_dir(&project.root);
-    shell::run(wasm.choose_for_lto(&mut build))?;
+    shell::run(wasm.choose_for_dist(&mut build))?;
     let folder = project.target.join("timings");
     shell::make_folder(&folder)?;
     let built = project.target.join(setup::TARGET).join("dist/timings.wasm");

@@ -15,7 +15,7 @@ pub fn run(project: &Project) -> Result {
     shell::remove_folder(&site)?;
     let mut trunk = page::trunk(project, &wasm, "build", &site)?;
     trunk.args(["--release", "--cargo-profile", "dist"]);
-    shell::run(wasm.choose_for_lto(&mut trunk))?;
+    shell::run(wasm.choose_for_dist(&mut trunk))?;
     check_relative(&read(&site.join("index.html"))?)?;
 
     step(format!("{} is ready for any static host:", site.display()));

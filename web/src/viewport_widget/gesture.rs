@@ -220,10 +220,11 @@ impl App {
 
     /// Looks what is under the pointer, when the pointer or the view moved.
     fn hover(&mut self, ui: &Ui, response: &Response) {
-        let going = self.view.gesture != Gesture::None;
+        // A live edit's pointer gives an amount and points at nothing.
+        let going = self.view.gesture != Gesture::None || self.live.is_some();
         let at = response.hover_pos().filter(|_| !going && !response.is_pointer_button_down_on());
         let Some(at) = at else {
-            if !going {
+            if !going || self.live.is_some() {
                 self.view.hovered = None;
                 self.view.looked = None;
             }
