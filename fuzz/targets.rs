@@ -1,0 +1,71 @@
+//! What fuzz targets do with their bytes: shared by `cargo fuzz` and by the native test
+//! `crates/formats/tests/fuzz.rs`, which includes this file.
+
+use formats::{Format, Import, NamedBytes, ObjectRef};
+use halfedge::Mesh;
+use std::ops::ControlFlow;
+
+/// The targets, one per parser, each with the name that its bytes are read under. `any` has a name
+/// that says nothing, so that the content decides.
+#[allow(dead_code, reason = "libFuzzer's binaries name theirs themselves")]
+pub const TARGETS: [(&str, &str); 9] = [
+    ("any", "any"),
+    ("bezier", "a.bez"),
+    ("collada", "a.dae"),
+    ("gltf", "a.gltf"),
+    ("mtl", "a.mtl"),
+    ("obj", "a.obj"),
+    ("off", "a.off"),
+    ("ply", "a.ply"),
+    ("stl", "a.stl"),
+];
+
+/// An OBJ for material libraries to belong to.
+const OWNER: &[u8] = b"mtllib a.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl red\nf 1 2 3\nusemtl blue\nf 3 2 1\n";
+
+/// Reads bytes as a file of this name. Whatever is read must be valid, and what a format that holds
+/// it writes must read back as the same faces.
+///
+/// # Panics
+/// When it doesn't: that is what fuzzing looks for.
+pub fn run(name: &str, data: &[u8]) {
+    let mut files = vec![NamedBytes::new(name, data)];
+    if name.ends_with(".mtl") {
+        files.insert(0, NamedBytes::new("a.obj", OWNER));
+    }
+    let Some(import) = read(&files) else { return };
+    let objects: Vec<ObjectRef> = import
+        .objects
+        .iter()
+        .map(|object| ObjectRef {
+            controls: object.controls.as_ref(),
+            ..ObjectRef::new(&object.name, &object.mesh)
+        })
+        .collect();
+    for object in &objects {
+        check(object.mesh);
+    }
+    for format in Format::ALL.into_iter().filter(|format| format.can_read()) {
+        let _ = formats::losses(format, &objects);
+        let Ok(written) = formats::write(format, "back", &objects) else { continue };
+        // A document may hold nothing that the format has a place for.
+        let Some(back) = read(&written) else { continue };
+        if matches!(format, Format::Obj | Format::Ply | Format::Off) {
+            assert_eq!(sizes(&back), sizes(&import), "{format:?}");
+        }
+    }
+}
+
+fn read(files: &[NamedBytes]) -> Option<Import> {
+    formats::read(files, &mut |_| ControlFlow::Continue(())).ok()
+}
+
+fn check(mesh: &Mesh) {
+    mesh.validate().expect("a valid mesh");
+    assert!(mesh.positions().iter().all(|position| position.is_finite()), "finite positions");
+}
+
+fn sizes(import: &Import) -> [usize; 2] {
+    let sum = |count: fn(&Mesh) -> usize| import.objects.iter().map(|object| count(&object.mesh)).sum();
+    [sum(Mesh::vertex_count), sum(Mesh::face_count)]
+}
