@@ -17,7 +17,7 @@ struct Step {
 /// Runs commands on a file, saves the result and prints what was done.
 pub fn run(task: &Apply) -> Result<(), Failure> {
     let format = task.output.as_deref().map(files::output_format).transpose()?;
-    let mut read = files::read(&task.input)?;
+    let mut read = files::read(&task.input, &task.repairs)?;
     if !task.json {
         for warning in read.import.report.warnings() {
             eprintln!("{}: {warning}", task.input.display());
@@ -66,7 +66,7 @@ pub fn run(task: &Apply) -> Result<(), Failure> {
 /// Takes the meshes out of an import and leaves the report.
 fn take(import: &mut Import) -> Import {
     let objects = std::mem::take(&mut import.objects);
-    Import { name: import.name.clone(), objects, report: import.report.clone() }
+    Import { name: import.name.clone(), objects, offset: import.offset, report: import.report.clone() }
 }
 
 /// Runs the commands on a fresh document.

@@ -2,6 +2,7 @@
 
 use crate::Failure;
 use editor::Command;
+use formats::{NonManifold, Repairs};
 use lexopt::prelude::*;
 use std::ffi::OsString;
 use std::path::PathBuf;
@@ -11,9 +12,9 @@ pub const HELP: &str = "\
 Meshwright: polygon meshes from the command line
 
 Usage:
-  meshwright info FILE [--json]
-  meshwright convert IN OUT
-  meshwright apply IN --do COMMAND [--do COMMAND ...] [-o OUT] [--json] [--repeat N]
+  meshwright info FILE [--json] [REPAIRS]
+  meshwright convert IN OUT [REPAIRS]
+  meshwright apply IN --do COMMAND [--do COMMAND ...] [-o OUT] [--json] [--repeat N] [REPAIRS]
 
 A COMMAND is a JSON object such as '{\"op\": \"subdivide-catmull-clark\", \"levels\": 2}'.
 Operations on whole meshes run on every object of the file, others on the first one unless the
@@ -27,6 +28,14 @@ Options:
   --repeat N        do the steps N times from the same input and print the median seconds
   -h, --help        print this
   -V, --version     print the version
+
+Repairs, where the faces of a file are not a mesh as they stand:
+  --non-manifold separate|drop
+                    faces at edges where more than two meet each get an edge of their own, or only
+                    the first two stay (default: separate)
+  --merge-by-distance D
+                    vertices this near to each other become one, in mesh units
+  --no-orient       faces are not turned so that neighbors face the same way; the mesh is cut there
 
 Exit status: 0 on success, 1 where a command was refused, 2 for bad usage or an unreadable file.
 ";
@@ -51,6 +60,8 @@ pub struct Info {
     pub file: PathBuf,
     /// Whether to print JSON.
     pub json: bool,
+    /// How the file is made a mesh.
+    pub repairs: Repairs,
 }
 
 /// `meshwright convert`.
@@ -59,6 +70,8 @@ pub struct Convert {
     pub input: PathBuf,
     /// The file to write.
     pub output: PathBuf,
+    /// How the file is made a mesh.
+    pub repairs: Repairs,
 }
 
 /// `meshwright apply`.
@@ -73,6 +86,8 @@ pub struct Apply {
     pub json: bool,
     /// How often to run the commands from the same input.
     pub repeat: usize,
+    /// How the file is made a mesh.
+    pub repairs: Repairs,
 }
 
 /// Options as they are met, before it is known whether they go with the task.
@@ -83,6 +98,7 @@ struct Given {
     commands: Vec<Command>,
     output: Option<PathBuf>,
     repeat: Option<usize>,
+    repairs: Repairs,
 }
 
 /// Reads the command line, the program's name first.
@@ -106,6 +122,27 @@ pub fn parse(args: impl IntoIterator<Item = OsString>) -> Result<Task, Failure> 
                 }
                 given.repeat = Some(times);
             }
+            Long("non-manifold") => {
+                let choice = parser.value().map_err(usage)?;
+                given.repairs.non_manifold = match choice.to_str() {
+                    Some("separate") => NonManifold::Separate,
+                    Some("drop") => NonManifold::Drop,
+                    _ => {
+                        let text =
+                            format!("--non-manifold: {} is not separate or drop", choice.to_string_lossy());
+                        return Err(Failure::Usage(text));
+                    }
+                };
+            }
+            Long("merge-by-distance") => {
+                let distance = parser.value().map_err(usage)?.parse::<f32>().map_err(usage)?;
+                if !(distance.is_finite() && distance >= 0.0) {
+                    let text = format!("--merge-by-distance: {distance} is not a distance of 0 or more");
+                    return Err(Failure::Usage(text));
+                }
+                given.repairs.merge_by_distance = Some(distance);
+            }
+            Long("no-orient") => given.repairs.orient = false,
             Value(word) => given.words.push(word),
             other => return Err(usage(other.unexpected())),
         }
@@ -134,10 +171,10 @@ impl Given {
         };
         let name = name.to_string_lossy();
         let task = match &*name {
-            "info" => Task::Info(Info { file: file("FILE")?, json: self.json }),
+            "info" => Task::Info(Info { file: file("FILE")?, json: self.json, repairs: self.repairs }),
             "convert" => {
                 refuse(self.json, "--json", "convert")?;
-                Task::Convert(Convert { input: file("IN")?, output: file("OUT")? })
+                Task::Convert(Convert { input: file("IN")?, output: file("OUT")?, repairs: self.repairs })
             }
             "apply" => {
                 let input = file("IN")?;
@@ -150,6 +187,7 @@ impl Given {
                     output: self.output,
                     json: self.json,
                     repeat: self.repeat.unwrap_or(1),
+                    repairs: self.repairs,
                 })
             }
             other => return Err(Failure::Usage(format!("`{other}` is not info, convert or apply."))),

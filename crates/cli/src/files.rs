@@ -2,9 +2,9 @@
 
 use crate::Failure;
 use editor::Document;
-use formats::{Controls, Format, Import, NamedBytes, ObjectRef};
+use formats::{Controls, Format, Import, NamedBytes, ObjectRef, Repairs};
 use std::ops::ControlFlow;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 use std::time::{Duration, Instant};
 
 /// What was read, and how long it took.
@@ -17,15 +17,15 @@ pub struct Read {
     pub build: Duration,
 }
 
-/// Reads a model with the material libraries it names, if they lie where it says.
-pub fn read(path: &Path) -> Result<Read, Failure> {
+/// Reads a model with the files it names, if they lie where it says.
+pub fn read(path: &Path, repairs: &Repairs) -> Result<Read, Failure> {
     let start = Instant::now();
     let model = read_bytes(path)?;
-    let mut files = libraries(path, &model.bytes);
+    let mut files = companions(path, &model);
     files.insert(0, model);
     // Readers tell of half the work when the text is read and building begins.
     let mut parsed = Instant::now();
-    let mut import = formats::read(&files, &mut |fraction| {
+    let mut import = formats::read_with(&files, repairs, &mut |fraction| {
         if fraction <= 0.5 {
             parsed = Instant::now();
         }
@@ -46,31 +46,16 @@ fn file_name(path: &Path) -> String {
     path.file_name().map_or_else(String::new, |name| name.to_string_lossy().into_owned())
 }
 
-/// The material libraries that an OBJ names and that are there. Those that are not are for the
+/// The files that a model needs besides itself and that are there. Those that are not are for the
 /// reader's report to tell of.
-fn libraries(path: &Path, bytes: &[u8]) -> Vec<NamedBytes> {
-    if Format::from_name(&file_name(path)).is_some_and(|format| format != Format::Obj) {
-        return Vec::new();
-    }
+fn companions(path: &Path, model: &NamedBytes) -> Vec<NamedBytes> {
     let folder = path.parent().unwrap_or(Path::new(""));
-    let mut found: Vec<NamedBytes> = Vec::new();
-    for line in bytes.split(|&b| b == b'\n').filter(|line| line.starts_with(b"mtllib")) {
-        let rest = String::from_utf8_lossy(line.get(6..).unwrap_or_default());
-        // A name may have blanks in it, and a line may have several names.
-        for name in std::iter::once(rest.trim()).chain(rest.split_whitespace()) {
-            let named = |file: &NamedBytes| file.name == name;
-            if name.is_empty() || found.iter().any(named) {
-                continue;
-            }
-            let place: PathBuf = folder.join(name.replace('\\', "/"));
-            if place.is_file()
-                && let Ok(bytes) = std::fs::read(&place)
-            {
-                found.push(NamedBytes { name: name.to_owned(), bytes });
-            }
-        }
-    }
-    found
+    let there = |name: String| {
+        let place = folder.join(&name);
+        let bytes = place.is_file().then(|| std::fs::read(&place).ok())??;
+        Some(NamedBytes { name, bytes })
+    };
+    formats::companions(model).into_iter().filter_map(there).collect()
 }
 
 /// The format that an output name asks for.
@@ -100,6 +85,7 @@ pub fn write(path: &Path, format: Format, document: &Document) -> Result<(), Fai
         .zip(&controls)
         .map(|(object, controls)| ObjectRef {
             controls: controls.as_ref(),
+            offset: document.offset(),
             ..ObjectRef::new(object.name(), object.mesh())
         })
         .collect();

@@ -5,7 +5,7 @@ use crate::{Failure, files, report};
 
 /// Prints what a file holds.
 pub fn run(task: &Info) -> Result<(), Failure> {
-    let read = files::read(&task.file)?;
+    let read = files::read(&task.file, &task.repairs)?;
     let counts = report::import_counts(&read.import);
     if task.json {
         let answer = serde_json::Value::Object(report::json_start(counts, &read));

@@ -298,3 +298,66 @@ fn bezier_files_tessellate_and_convert() {
     let wrong = write(&folder, "wrong.bez", "1\n1 2\n3 x");
     assert!(fails(&["info", text(&wrong)], 2).contains("wrong.bez: line 3: “x” is not a number"));
 }
+
+/// Three triangles at one edge, of which two disagree.
+const FIN: &str = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 -1 0\nv 0 0 1\nf 1 2 3\nf 1 2 4\nf 1 2 5\n";
+
+#[test]
+fn repairs_are_chosen_on_the_command_line() {
+    let folder = folder("repairs");
+    let fin = write(&folder, "fin.obj", FIN);
+    let faces = |more: &[&str]| {
+        let args = [&["info", text(&fin), "--json"][..], more].concat();
+        let counts = json_of(&args)["input"].clone();
+        (counts["faces"].clone(), counts["components"].clone())
+    };
+    assert_eq!(faces(&[]), (json!(3), json!(3)));
+    assert_eq!(faces(&["--non-manifold", "drop"]), (json!(2), json!(2)));
+    assert_eq!(faces(&["--non-manifold", "drop", "--no-orient"]), (json!(2), json!(3)));
+    assert_eq!(faces(&["--merge-by-distance", "9"]).0, json!(0));
+    let drop = r#"{"op":"repair-import","non_manifold":"drop"}"#;
+    let answer = json_of(&["apply", text(&fin), "--do", drop, "--json"]);
+    assert_eq!(answer["output"]["faces"], 2);
+    let cube = write(&folder, "cube.obj", CUBE);
+    assert!(
+        fails(&["apply", text(&cube), "--do", drop], 1).contains("nothing was repaired when cube came to be")
+    );
+    assert!(
+        fails(&["info", text(&fin), "--non-manifold", "keep"], 2).contains("keep is not separate or drop")
+    );
+    assert!(fails(&["info", text(&fin), "--merge-by-distance", "-1"], 2).contains("--merge-by-distance"));
+}
+
+#[test]
+fn files_beside_a_model_are_found() {
+    let folder = folder("beside");
+    let cube = write(&folder, "cube.obj", &format!("mtllib my colors.mtl\nusemtl red\n{CUBE}"));
+    write(&folder, "my colors.mtl", "newmtl red\nKd 1 0 0\n");
+    let gltf = folder.join("a b.gltf");
+    assert_eq!(run(&["convert", text(&cube), text(&gltf)]).status.code(), Some(0));
+    assert!(folder.join("a b.bin").is_file());
+    let answer = json_of(&["info", text(&gltf), "--json"]);
+    assert_eq!((&answer["input"]["faces"], &answer["input"]["components"]), (&json!(12), &json!(1)));
+    let dae = folder.join("cube.dae");
+    assert_eq!(run(&["convert", text(&gltf), text(&dae)]).status.code(), Some(0));
+    assert!(
+        std::fs::read_to_string(&dae).expect("text").contains("<color>1 0 0 1</color>"),
+        "the material's colour"
+    );
+    std::fs::remove_file(folder.join("a b.bin")).expect("there");
+    assert!(fails(&["info", text(&gltf)], 2).contains("a b.bin, which was not given"));
+}
+
+#[test]
+fn coordinates_far_from_the_origin_keep_their_digits() {
+    let folder = folder("far");
+    let roof = "v 4458321.123 5412000.004 12.5\nv 4458323.125 5412000.011 12.25\nv 4458322.12 5412001.006 13\nf 1 2 3\n";
+    let input = write(&folder, "roof.obj", roof);
+    let output = folder.join("out.off");
+    let subdivide = r#"{"op":"subdivide-linear"}"#;
+    assert_eq!(run(&["apply", text(&input), "--do", subdivide, "-o", text(&output)]).status.code(), Some(0));
+    let written = std::fs::read_to_string(&output).expect("text");
+    let first: Vec<f64> =
+        written.lines().nth(2).expect("a vertex").split(' ').filter_map(|word| word.parse().ok()).collect();
+    assert!((first[0] - 4_458_321.123).abs() < 2e-7 && (first[1] - 5_412_000.004).abs() < 2e-7, "{first:?}");
+}

@@ -176,6 +176,7 @@ operations! {
     remesh::Remesh,
     smooth::Smooth,
     merge_by_distance::MergeByDistance,
+    repair_import::RepairImport,
     new::New,
     bezier_tessellate::BezierTessellate,
     bezier_move_point::BezierMovePoint,

@@ -1,8 +1,10 @@
 //! What is being edited: named objects, each with a mesh.
 
 use crate::bezier::Bezier;
-use halfedge::Mesh;
+use glam::DVec3;
+use halfedge::{EdgeId, HalfedgeId, Mesh, NONE, PolygonSoup};
 use serde::Serialize;
+use std::collections::HashSet;
 use std::fmt;
 use std::sync::Arc;
 
@@ -29,11 +31,13 @@ pub struct Object {
     pub(crate) mesh: Arc<Mesh>,
     /// The control points that the mesh is made from.
     pub(crate) bezier: Option<Arc<Bezier>>,
+    /// The faces as they were in the file, where the mesh had to be made something else.
+    pub(crate) soup: Option<Arc<PolygonSoup>>,
 }
 
 impl Object {
     pub(crate) fn new(id: ObjectId, name: String, mesh: Arc<Mesh>) -> Self {
-        Self { id, name, visible: true, mesh, bezier: None }
+        Self { id, name, visible: true, mesh, bezier: None, soup: None }
     }
 
     /// The object's identity.
@@ -60,6 +64,12 @@ impl Object {
     pub fn bezier(&self) -> Option<&Bezier> {
         self.bezier.as_deref()
     }
+
+    /// Whether something was changed when the object was read, so that `repair-import` can do it
+    /// another way.
+    pub fn is_repairable(&self) -> bool {
+        self.soup.is_some()
+    }
 }
 
 /// A document: one or more objects, one of them active. Lists, selection and commands are about
@@ -69,12 +79,19 @@ pub struct Document {
     pub(crate) name: String,
     pub(crate) objects: Vec<Object>,
     pub(crate) active: usize,
+    pub(crate) offset: DVec3,
 }
 
 impl Document {
     /// The document's name, without a file extension.
     pub fn name(&self) -> &str {
         &self.name
+    }
+
+    /// What is added to every position when the document is saved: positions of models far from the
+    /// origin are kept relative to a point near them, so that 32 bits are enough. Zero for others.
+    pub fn offset(&self) -> DVec3 {
+        self.offset
     }
 
     /// The objects in the order lists show them.
@@ -103,6 +120,54 @@ impl Document {
     }
 }
 
+/// How many boundary loops a mesh has: [`Mesh::boundary_loops`] without the list.
+fn boundary_loops(mesh: &Mesh) -> usize {
+    let mut met = HashSet::new();
+    let mut loops = 0;
+    let sides = mesh.connectivity().face.iter().enumerate().filter(|&(_, &face)| face == NONE);
+    for h in sides.map(|(h, _)| HalfedgeId::new(h)).filter(|&h| mesh.has_halfedge(h)) {
+        if !met.contains(&h) {
+            loops += 1;
+            met.extend(mesh.loop_of(h));
+        }
+    }
+    loops
+}
+
+/// How many connected pieces a mesh has: as many as vertices, less one for each edge that joins two
+/// pieces (R. Tarjan, "Efficiency of a good but not linear set union algorithm", 1975). Edges are
+/// taken in order of id: neighbours in the mesh are near to each other in memory, which a walk
+/// from vertex to vertex does not keep to.
+fn components(mesh: &Mesh) -> usize {
+    let mut parent: Vec<u32> = (0..mesh.vertex_capacity() as u32).collect();
+    let find = |parent: &mut [u32], mut v: u32| loop {
+        let Some(&above) = parent.get(v as usize) else { return v };
+        if above == v {
+            return v;
+        }
+        let top = parent.get(above as usize).copied().unwrap_or(above);
+        if let Some(slot) = parent.get_mut(v as usize) {
+            *slot = top;
+        }
+        v = top;
+    };
+    let mut pieces = mesh.vertex_count();
+    let all = mesh.is_compact();
+    for (e, ends) in mesh.connectivity().to.as_chunks::<2>().0.iter().enumerate() {
+        if !all && !mesh.has_edge(EdgeId::new(e)) {
+            continue;
+        }
+        let [a, b] = ends.map(|v| find(&mut parent, v));
+        if a != b {
+            if let Some(slot) = parent.get_mut(a.max(b) as usize) {
+                *slot = a.min(b);
+            }
+            pieces -= 1;
+        }
+    }
+    pieces
+}
+
 /// The numbers of a mesh, or of several meshes together.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]
 pub struct Counts {
@@ -123,11 +188,11 @@ pub struct Counts {
 }
 
 impl Counts {
-    /// Counts a mesh. Costs O(mesh).
+    /// Counts a mesh. Costs O(mesh): one pass over its half-edges, in the order they are stored.
     pub fn of(mesh: &Mesh) -> Self {
         let mut counts = Self::quick(mesh);
-        counts.boundary_loops = mesh.boundary_loops().len();
-        counts.components = mesh.components().1;
+        counts.boundary_loops = boundary_loops(mesh);
+        counts.components = components(mesh);
         counts
     }
 

@@ -8,7 +8,8 @@ use crate::bezier::Bezier;
 use crate::changes::Changes;
 use crate::document::{Document, Object, ObjectId};
 use crate::selection::Selection;
-use halfedge::{Journal, Mesh, Touched};
+use glam::DVec3;
+use halfedge::{Journal, Mesh, PolygonSoup, Touched};
 use std::collections::VecDeque;
 use std::sync::Arc;
 
@@ -21,6 +22,10 @@ pub(crate) enum Change {
     Mesh(ObjectId, Arc<Mesh>),
     /// Gives the object other control points, or none.
     Bezier(ObjectId, Option<Arc<Bezier>>),
+    /// Gives the object other faces to be repaired from, or none.
+    Soup(ObjectId, Option<Arc<PolygonSoup>>),
+    /// Sets what is added to every position on saving.
+    Offset(DVec3),
     /// Renames the object.
     Name(ObjectId, String),
     /// Shows or hides the object.
@@ -72,6 +77,15 @@ impl Change {
                 changes.controls(id);
                 Self::Bezier(id, old)
             }
+            Self::Soup(id, soup) => {
+                let at = find(document, id)?;
+                changes.document = true;
+                Self::Soup(id, std::mem::replace(&mut document.objects.get_mut(at)?.soup, soup))
+            }
+            Self::Offset(offset) => {
+                changes.document = true;
+                Self::Offset(std::mem::replace(&mut document.offset, offset))
+            }
             Self::Name(id, name) => {
                 let at = find(document, id)?;
                 changes.document = true;
@@ -122,12 +136,20 @@ impl Change {
                 Self::Journal(_, journal) => journal.bytes(),
                 Self::Mesh(_, mesh) => mesh.bytes(),
                 Self::Bezier(_, bezier) => bezier.as_ref().map_or(0, |bezier| bezier.bytes()),
+                Self::Soup(_, soup) => soup.as_ref().map_or(0, |soup| soup_bytes(soup)),
                 Self::Insert(_, object) => {
-                    object.mesh.bytes() + object.bezier.as_ref().map_or(0, |bezier| bezier.bytes())
+                    object.mesh.bytes()
+                        + object.bezier.as_ref().map_or(0, |bezier| bezier.bytes())
+                        + object.soup.as_ref().map_or(0, |soup| soup_bytes(soup))
                 }
                 _ => 0,
             }
     }
+}
+
+/// About the memory that a soup takes: its numbers without attributes.
+fn soup_bytes(soup: &PolygonSoup) -> usize {
+    soup.positions.len() * 12 + (soup.corners.len() + soup.face_starts.len()) * 4
 }
 
 /// Whether an edit that touched these elements may have changed more than positions and attributes

@@ -8,7 +8,8 @@ use crate::bezier::fill_previews;
 use crate::command::{Action, Input, Op, Output, edit_all};
 use crate::error::{CommandError, Problem};
 use crate::outcome::{Before, ElementIds};
-use formats::{Controls, Format, Import, NamedBytes, ObjectRef, ReadError};
+use formats::{Controls, Format, Import, NamedBytes, ObjectRef, ReadError, Repairs};
+use glam::DVec3;
 use halfedge::{Mesh, Progress};
 
 /// Which job of an editor.
@@ -24,12 +25,12 @@ pub struct JobRequest {
 
 #[derive(Clone, Debug)]
 pub(crate) enum Work {
-    /// Reads files.
-    Import(Vec<NamedBytes>),
+    /// Reads files, making meshes of what is not one by these choices.
+    Import(Vec<NamedBytes>, Repairs),
     /// Runs operations on meshes; several only where they are local edits.
     Run(Vec<Op>, Vec<Input>),
-    /// Writes a document with this name as a file.
-    Export(Format, String, Vec<Input>),
+    /// Writes a document with this name and offset as a file.
+    Export(Format, String, DVec3, Vec<Input>),
 }
 
 /// What a job made.
@@ -68,7 +69,7 @@ impl Made {
 impl JobRequest {
     /// Reading files, for whoever has no editor yet; its result goes to [`JobResult::into_import`].
     pub fn import(files: Vec<NamedBytes>) -> Self {
-        Self { id: JobId(0), work: Work::Import(files) }
+        Self { id: JobId(0), work: Work::Import(files, Repairs::default()) }
     }
 
     /// Which job this is.
@@ -79,7 +80,7 @@ impl JobRequest {
     /// The op, or `open` and `export`.
     pub fn op(&self) -> &'static str {
         match &self.work {
-            Work::Import(_) => "open",
+            Work::Import(..) => "open",
             Work::Run(ops, _) => ops.first().map_or("nothing", |op| op.spec().name),
             Work::Export(..) => "export",
         }
@@ -107,11 +108,12 @@ impl JobResult {
 impl Work {
     fn run(&self, progress: &mut Progress<'_>) -> Result<JobResult, Problem> {
         let made = match self {
-            Self::Import(files) => {
-                let mut import = formats::read(files, progress).map_err(|error| match error {
-                    ReadError::Cancelled => Problem::cancelled(),
-                    other => Problem::new(other.to_string()),
-                })?;
+            Self::Import(files, repairs) => {
+                let mut import =
+                    formats::read_with(files, repairs, progress).map_err(|error| match error {
+                        ReadError::Cancelled => Problem::cancelled(),
+                        other => Problem::new(other.to_string()),
+                    })?;
                 fill_previews(&mut import)?;
                 // Nothing but trouble is no reason to take the open document away.
                 if import
@@ -125,7 +127,7 @@ impl Work {
                 Made::Import(import)
             }
             Self::Run(ops, inputs) => run(ops, inputs, progress)?,
-            Self::Export(format, name, inputs) => {
+            Self::Export(format, name, offset, inputs) => {
                 let controls: Vec<Option<Controls>> =
                     inputs.iter().map(|input| input.bezier.as_deref().map(Controls::from)).collect();
                 let objects: Vec<_> = inputs
@@ -133,6 +135,7 @@ impl Work {
                     .zip(&controls)
                     .map(|(input, controls)| ObjectRef {
                         controls: controls.as_ref(),
+                        offset: *offset,
                         ..ObjectRef::new(&input.name, &input.mesh)
                     })
                     .collect();

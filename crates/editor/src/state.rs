@@ -5,7 +5,7 @@ use crate::document::{Counts, Object};
 use crate::editor::Editor;
 use crate::error::{CommandError, Problem};
 use crate::json::{number, vector};
-use glam::Vec3;
+use glam::{DVec3, Vec3};
 use halfedge::{EdgeId, Element, FaceId, HalfedgeId, Mesh, VertexId, keys};
 use serde_json::{Value, json};
 
@@ -29,11 +29,14 @@ impl Editor {
                 if let Some(bezier) = object.bezier() {
                     value["bezier"] = bezier_state(bezier);
                 }
+                if object.is_repairable() {
+                    value["repairable"] = true.into();
+                }
                 value
             })
             .collect();
         let selection = self.selection();
-        json!({
+        let mut state = json!({
             "document": {
                 "name": document.name(),
                 "objects": objects,
@@ -58,7 +61,11 @@ impl Editor {
             },
             "jobs": self.jobs().map(|job| json!({"op": job.op})).collect::<Vec<_>>(),
             "messages": self.messages().collect::<Vec<_>>(),
-        })
+        });
+        if document.offset() != DVec3::ZERO {
+            state["document"]["offset"] = document.offset().to_array().to_vec().into();
+        }
+        state
     }
 
     /// One element of the active object, as `window.meshwright.element(kind, id)` gives it.

@@ -394,7 +394,12 @@ proptest! {
 fn control_points_without_a_mesh_get_one_when_opened() {
     let controls = Controls::Surface(vec![[[0.0, 1.0, 2.0, 3.0].map(|x| Vec3::new(x, 0.0, 0.0)); 4]; 1]);
     let object = ImportedObject { controls: Some(controls), ..ImportedObject::new("line", Mesh::new()) };
-    let mut import = Import { name: "line".into(), objects: vec![object], report: ImportReport::default() };
+    let mut import = Import {
+        name: "line".into(),
+        objects: vec![object],
+        offset: glam::DVec3::ZERO,
+        report: ImportReport::default(),
+    };
     let mut editor = Editor::new();
     editor.open(import.clone()).expect("valid");
     validate(&editor);

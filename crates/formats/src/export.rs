@@ -4,6 +4,7 @@ use crate::bezier::Controls;
 use crate::format::Format;
 use crate::import::NamedBytes;
 use crate::{bezier, collada, gltf, json, obj, off, ply, stl};
+use glam::DVec3;
 use halfedge::Mesh;
 use std::fmt;
 
@@ -17,12 +18,14 @@ pub struct ObjectRef<'a> {
     /// The control points that the mesh was made from, for formats that hold those; a curve has an
     /// empty mesh.
     pub controls: Option<&'a Controls>,
+    /// What to add to every position, as [`Import::offset`](crate::Import::offset) said.
+    pub offset: DVec3,
 }
 
 impl<'a> ObjectRef<'a> {
     /// A mesh to write.
     pub fn new(name: &'a str, mesh: &'a Mesh) -> Self {
-        Self { name, mesh, controls: None }
+        Self { name, mesh, controls: None, offset: DVec3::ZERO }
     }
 
     /// Whether it is a curve, of which formats for meshes can write nothing.

@@ -2,10 +2,14 @@
 
 use crate::bezier::Controls;
 use crate::format::{Format, is_material_library};
+use crate::origin::{Bounds, Origin};
+use crate::repairs::{self, Repairs};
 use crate::report::{ImportReport, counted};
 use crate::{bezier, collada, gltf, obj, off, ply, stl};
+use glam::DVec3;
 use halfedge::{Mesh, PolygonSoup, Progress};
 use std::fmt;
+use std::sync::Arc;
 
 /// A file in memory.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
@@ -41,6 +45,9 @@ pub struct ImportedObject {
     pub mesh: Mesh,
     /// The control points of a Bezier curve or surface, which the file holds in place of a mesh.
     pub controls: Option<Controls>,
+    /// The faces as they are in the file, where the mesh had to be made something else: what
+    /// [`rebuild`](crate::rebuild) takes to make it another way.
+    pub soup: Option<Arc<PolygonSoup>>,
 }
 
 impl ImportedObject {
@@ -51,7 +58,7 @@ impl ImportedObject {
 
     /// An object that is a mesh.
     pub fn new(name: impl Into<String>, mesh: Mesh) -> Self {
-        Self { name: name.into(), mesh, controls: None }
+        Self { name: name.into(), mesh, controls: None, soup: None }
     }
 }
 
@@ -62,8 +69,20 @@ pub struct Import {
     pub name: String,
     /// The meshes, in the files' order.
     pub objects: Vec<ImportedObject>,
+    /// What to add to every position for the coordinates of the files: not zero where models so far
+    /// from the origin were read that 32 bits are too few for them.
+    pub offset: DVec3,
     /// What to tell the user.
     pub report: ImportReport,
+}
+
+/// What readers have to know besides the file.
+#[derive(Clone, Copy, Debug, Default)]
+pub(crate) struct Reading {
+    /// Where positions are counted from, if not from zero.
+    pub origin: Option<Origin>,
+    /// How a mesh is made of what isn't one.
+    pub repairs: Repairs,
 }
 
 /// Why nothing was read.
@@ -112,6 +131,42 @@ impl std::error::Error for ReadError {}
 /// # Cost
 /// Time and memory are linear in the size of the files.
 pub fn read(files: &[NamedBytes], progress: &mut Progress) -> Result<Import, ReadError> {
+    read_with(files, &Repairs::default(), progress)
+}
+
+/// [`read`] with choices in how meshes are made of what is not one as it stands.
+///
+/// # Errors
+/// As [`read`].
+pub fn read_with(
+    files: &[NamedBytes],
+    repairs: &Repairs,
+    progress: &mut Progress,
+) -> Result<Import, ReadError> {
+    let mut reading = Reading { repairs: *repairs, ..Reading::default() };
+    let import = read_all(files, &mut reading, progress)?;
+    let bounds = Bounds::of(&import.objects);
+    let Some(offset) = bounds.offset() else { return Ok(import) };
+    // Far away: read again, precisely, and see whether that tells more.
+    let mut reading = Reading { origin: Some(Origin::new(offset)), ..reading };
+    let mut precise = read_all(files, &mut reading, progress)?;
+    if !reading.origin.is_some_and(|origin| bounds.is_worth(&origin)) {
+        return Ok(import);
+    }
+    precise.offset = offset;
+    let DVec3 { x, y, z } = offset;
+    precise.report.info(format!(
+        "The model lies far from the origin, so positions count from ({x}, {y}, {z}), which is added again when it \
+         is saved: no digits are lost"
+    ));
+    Ok(precise)
+}
+
+fn read_all(
+    files: &[NamedBytes],
+    reading: &mut Reading,
+    progress: &mut Progress,
+) -> Result<Import, ReadError> {
     let mut models = Vec::new();
     let mut libraries = Vec::new();
     let mut others = Vec::new();
@@ -127,15 +182,19 @@ pub fn read(files: &[NamedBytes], progress: &mut Progress) -> Result<Import, Rea
     let Some((first, _)) = models.first() else {
         return Err(no_model(&libraries, &others));
     };
-    let mut import =
-        Import { name: first.stem().to_owned(), objects: Vec::new(), report: ImportReport::default() };
+    let mut import = Import {
+        name: first.stem().to_owned(),
+        objects: Vec::new(),
+        offset: DVec3::ZERO,
+        report: ImportReport::default(),
+    };
     let total: usize = models.iter().map(|(file, _)| file.bytes.len().max(1)).sum();
     let mut done = 0;
     for (file, format) in &models {
         let size = file.bytes.len().max(1);
         let mut part =
             |fraction: f32| progress((done as f32 + size as f32 * fraction.clamp(0.0, 1.0)) / total as f32);
-        let (objects, report) = read_one(file, *format, &libraries, files, &mut part)?;
+        let (objects, report) = read_one(file, *format, &libraries, files, reading, &mut part)?;
         import.report.append(if models.len() > 1 { report.prefixed(&file.name) } else { report });
         import.objects.extend(objects);
         done += size;
@@ -156,16 +215,17 @@ fn read_one(
     format: Format,
     libraries: &[&NamedBytes],
     files: &[NamedBytes],
+    reading: &mut Reading,
     progress: &mut Progress,
 ) -> Result<(Vec<ImportedObject>, ImportReport), ReadError> {
     let one = |(object, notes)| (vec![object], notes);
     let (objects, notes) = match format {
-        Format::Obj => one(obj::read(file, libraries, progress)?),
-        Format::Ply | Format::PlyText => one(ply::read(file, progress)?),
-        Format::Stl | Format::StlText => one(stl::read(file, progress)?),
-        Format::Off => one(off::read(file, progress)?),
-        Format::Collada => collada::read(file, progress)?,
-        Format::Glb | Format::Gltf => gltf::read(file, files, progress)?,
+        Format::Obj => one(obj::read(file, libraries, reading, progress)?),
+        Format::Ply | Format::PlyText => one(ply::read(file, reading, progress)?),
+        Format::Stl | Format::StlText => one(stl::read(file, reading, progress)?),
+        Format::Off => one(off::read(file, reading, progress)?),
+        Format::Collada => collada::read(file, reading, progress)?,
+        Format::Glb | Format::Gltf => gltf::read(file, files, reading, progress)?,
         Format::BezierCurve | Format::BezierSurface => one(bezier::read(file, format, progress)?),
         Format::Json => {
             return Err(ReadError::file(&file.name, "half-edge dumps can be written but not read"));
@@ -222,26 +282,26 @@ fn no_model(libraries: &[&NamedBytes], others: &[&NamedBytes]) -> ReadError {
     })
 }
 
-/// The last step of every reader: the mesh of a soup, with the build's changes noted.
+/// The last step of every reader: the object of a soup, with the changes that made it a mesh noted.
 pub(crate) fn build(
+    name: &str,
     soup: PolygonSoup,
     file: &str,
+    reading: &Reading,
     report: &mut ImportReport,
     progress: &mut Progress,
-) -> Result<Mesh, ReadError> {
+) -> Result<ImportedObject, ReadError> {
     if progress(0.0).is_break() {
         return Err(ReadError::Cancelled);
     }
-    let built = Mesh::build(soup).map_err(|error| ReadError::file(file, error.to_string()))?;
-    for note in &built.notes {
-        report.warn(note.to_string());
-    }
-    let mut mesh = built.mesh;
-    if !built.notes.is_empty() {
-        crate::soup::tidy_labels(&mut mesh);
-    }
+    let kept = soup.clone();
+    let mut notes = Vec::new();
+    let mesh = repairs::build(soup, &reading.repairs, &mut notes)
+        .map_err(|error| ReadError::file(file, error.to_string()))?;
+    let soup = (!notes.is_empty()).then(|| Arc::new(kept));
+    notes.into_iter().for_each(|note| report.warn(note));
     if progress(1.0).is_break() {
         return Err(ReadError::Cancelled);
     }
-    Ok(mesh)
+    Ok(ImportedObject { soup, ..ImportedObject::new(name, mesh) })
 }

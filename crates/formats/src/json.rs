@@ -8,6 +8,7 @@
 use crate::export::ObjectRef;
 use crate::import::NamedBytes;
 use crate::text::{push_float, push_integer};
+use glam::DVec3;
 use halfedge::Mesh;
 use std::borrow::Cow;
 
@@ -31,9 +32,14 @@ pub(crate) fn write(name: &str, objects: &[ObjectRef]) -> Vec<NamedBytes> {
         .collect();
     let mut out = Vec::new();
     out.extend_from_slice(b"{\"positions\":");
-    let positions = meshes.iter().flat_map(|(mesh, _)| mesh.positions());
-    list(&mut out, positions, |out, position| {
-        list(out, position.to_array(), push_float);
+    let offsets = objects.iter().map(|object| object.offset);
+    let positions = meshes
+        .iter()
+        .zip(offsets)
+        .flat_map(|((mesh, _), offset)| mesh.positions().iter().map(move |&position| (position, offset)));
+    list(&mut out, positions, |out, (position, offset)| match offset {
+        DVec3::ZERO => list(out, position.to_array(), push_float),
+        _ => list(out, (position.as_dvec3() + offset).to_array(), push_float),
     });
     out.extend_from_slice(b",\"vertices\":");
     let vertices = meshes.iter().flat_map(|(mesh, at)| mesh.vertices().map(move |v| (mesh, at, v)));

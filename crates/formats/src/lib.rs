@@ -3,6 +3,7 @@
 //! [`read`] takes files in memory and gives a document's objects; [`write`] takes objects and gives
 //! files; [`losses`] says beforehand what a format can't hold.
 
+mod beside;
 mod bezier;
 mod collada;
 mod export;
@@ -15,8 +16,10 @@ mod losses;
 mod number;
 mod obj;
 mod off;
+mod origin;
 mod pieces;
 mod ply;
+mod repairs;
 mod report;
 mod scan;
 mod soup;
@@ -25,9 +28,11 @@ mod text;
 mod triangles;
 mod weld;
 
+pub use beside::companions;
 pub use bezier::Controls;
 pub use export::{ObjectRef, WriteError, write};
 pub use format::Format;
-pub use import::{Import, ImportedObject, NamedBytes, ReadError, read};
+pub use import::{Import, ImportedObject, NamedBytes, ReadError, read, read_with};
 pub use losses::losses;
+pub use repairs::{NonManifold, Repairs, rebuild};
 pub use report::{ImportReport, ReportNote, Severity};

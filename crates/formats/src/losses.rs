@@ -138,7 +138,12 @@ pub fn losses(format: Format, objects: &[ObjectRef]) -> Vec<String> {
         let enough = if part == Part::Objects { 2 } else { 1 };
         (count >= enough).then(|| part.loss(name, count))
     });
-    controls.chain(parts).collect()
+    let is_far = objects.iter().any(|object| object.offset != glam::DVec3::ZERO);
+    let rounded = (is_far && format == Format::Stl).then(|| {
+        "STL holds 32 bits for a coordinate: positions so far from the origin are rounded; STL (text) keeps them"
+            .to_owned()
+    });
+    controls.chain(parts).chain(rounded).collect()
 }
 
 /// What a format for Bezier curves or surfaces leaves out.

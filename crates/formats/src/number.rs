@@ -8,6 +8,8 @@
 //! right too unless the `f64` lies exactly between two `f32`. Everything else goes to the standard
 //! library.
 
+use std::str::FromStr;
+
 /// The number of bytes of a word's worth of digits.
 const WORD: usize = 8;
 
@@ -107,6 +109,12 @@ pub(crate) fn float(bytes: &[u8], at: usize) -> Option<(f32, usize)> {
     if between || tiny { slow(bytes, at) } else { Some((value, end)) }
 }
 
+/// The decimal number at `at` rounded to the nearest `f64`, and where it ends. `None` where there is
+/// none.
+pub(crate) fn double(bytes: &[u8], at: usize) -> Option<(f64, usize)> {
+    decimal(bytes, at).or_else(|| slow(bytes, at))
+}
+
 /// A decimal number where the quick way gives the nearest `f64`.
 #[inline(always)]
 fn decimal(bytes: &[u8], at: usize) -> Option<(f64, usize)> {
@@ -139,7 +147,7 @@ fn decimal(bytes: &[u8], at: usize) -> Option<(f64, usize)> {
 /// The number that the text up to the next blank stands for, by the standard library.
 #[cold]
 #[inline(never)]
-fn slow(bytes: &[u8], at: usize) -> Option<(f32, usize)> {
+fn slow<T: FromStr>(bytes: &[u8], at: usize) -> Option<(T, usize)> {
     let text = tail(bytes, at);
     // No decimal number worth reading is longer; this bounds the cost on hostile input.
     let text = text.get(..4096).unwrap_or(text);
@@ -160,6 +168,12 @@ mod tests {
             let bytes = format!("{text}{tail}");
             let got = float(bytes.as_bytes(), 0);
             assert_eq!(got.map(|(value, _)| value.to_bits()), expected, "{text:?} {tail:?}");
+            let double = super::double(bytes.as_bytes(), 0).map(|(value, end)| (value.to_bits(), end));
+            assert_eq!(
+                double,
+                text.parse::<f64>().ok().map(|value| (value.to_bits(), text.len())),
+                "{text:?}"
+            );
             if let Some((_, end)) = got {
                 assert_eq!(end, text.len(), "{text:?}");
             }

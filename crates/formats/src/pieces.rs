@@ -1,7 +1,7 @@
 //! Several objects written as one mesh, for formats that hold one.
 
 use crate::export::ObjectRef;
-use glam::Vec3;
+use glam::{DVec3, Vec3};
 use halfedge::{Color, FaceId, Mesh, keys};
 use std::borrow::Cow;
 
@@ -9,6 +9,8 @@ use std::borrow::Cow;
 pub(crate) struct Pieces<'a> {
     /// The meshes, each with the number of its first vertex.
     pub meshes: Vec<(Cow<'a, Mesh>, u64)>,
+    /// What to add to the positions of each mesh.
+    offsets: Vec<DVec3>,
     /// How many vertices all have.
     pub vertices: u64,
     /// How many faces all have.
@@ -17,7 +19,12 @@ pub(crate) struct Pieces<'a> {
 
 impl<'a> Pieces<'a> {
     pub(crate) fn new(objects: &[ObjectRef<'a>]) -> Self {
-        let mut pieces = Self { meshes: Vec::with_capacity(objects.len()), vertices: 0, faces: 0 };
+        let mut pieces = Self {
+            meshes: Vec::with_capacity(objects.len()),
+            offsets: objects.iter().map(|object| object.offset).collect(),
+            vertices: 0,
+            faces: 0,
+        };
         for object in objects {
             let mesh = compact(object.mesh);
             let first = pieces.vertices;
@@ -28,9 +35,16 @@ impl<'a> Pieces<'a> {
         pieces
     }
 
-    /// All positions in order.
-    pub(crate) fn positions(&self) -> impl Iterator<Item = Vec3> + '_ {
-        self.meshes.iter().flat_map(|(mesh, _)| mesh.positions().iter().copied())
+    /// All positions in order, each with what is to be added to it.
+    pub(crate) fn positions(&self) -> impl Iterator<Item = (Vec3, DVec3)> + '_ {
+        let meshes = self.meshes.iter().zip(&self.offsets);
+        meshes
+            .flat_map(|((mesh, _), &offset)| mesh.positions().iter().map(move |&position| (position, offset)))
+    }
+
+    /// Whether something is to be added to positions, which takes numbers in double precision.
+    pub(crate) fn is_far(&self) -> bool {
+        self.offsets.iter().any(|&offset| offset != DVec3::ZERO)
     }
 
     /// All faces in order, each with its mesh and the number of that mesh's first vertex.

@@ -2,6 +2,8 @@
 
 use crate::import::ReadError;
 use crate::number;
+use crate::origin::Origin;
+use glam::{DVec3, Vec3};
 use halfedge::Progress;
 
 /// A position in text made of words between blanks.
@@ -79,6 +81,26 @@ impl<'a> Scan<'a> {
     /// The next word as a number; other words are passed over and give none.
     pub(crate) fn float(&mut self) -> Option<f32> {
         self.number(number::float)
+    }
+
+    /// The next three words as a position, read as precisely as its origin needs; all three are
+    /// passed over whatever they are.
+    pub(crate) fn position(&mut self, origin: &mut Option<Origin>) -> Option<Vec3> {
+        match origin {
+            None => {
+                let (x, y, z) = (self.float(), self.float(), self.float());
+                Some(Vec3::new(x?, y?, z?))
+            }
+            Some(origin) => {
+                let (x, y, z) = (self.double(), self.double(), self.double());
+                Some(origin.place(DVec3::new(x?, y?, z?)))
+            }
+        }
+    }
+
+    /// The next word as a number in double precision.
+    pub(crate) fn double(&mut self) -> Option<f64> {
+        self.number(number::double)
     }
 
     /// The next word as a whole number.

@@ -1,7 +1,9 @@
 //! Numbers into text.
 
+use glam::{DVec3, Vec3};
+
 /// Appends the shortest text that reads back as the same number, bit for bit; `-0` stays `-0`.
-pub(crate) fn push_float(out: &mut Vec<u8>, value: f32) {
+pub(crate) fn push_float<F: zmij::Float>(out: &mut Vec<u8>, value: F) {
     let mut buffer = zmij::Buffer::new();
     let text = buffer.format(value);
     out.extend_from_slice(text.strip_suffix(".0").unwrap_or(text).as_bytes());
@@ -10,6 +12,18 @@ pub(crate) fn push_float(out: &mut Vec<u8>, value: f32) {
 /// Appends numbers with one blank in front of each.
 pub(crate) fn push_floats(out: &mut Vec<u8>, values: &[f32]) {
     for &value in values {
+        out.push(b' ');
+        push_float(out, value);
+    }
+}
+
+/// Appends a position with one blank in front of each coordinate, `offset` added: in double
+/// precision where that is not zero.
+pub(crate) fn push_position(out: &mut Vec<u8>, position: Vec3, offset: DVec3) {
+    if offset == DVec3::ZERO {
+        return push_floats(out, &position.to_array());
+    }
+    for value in (position.as_dvec3() + offset).to_array() {
         out.push(b' ');
         push_float(out, value);
     }

@@ -6,7 +6,7 @@ use crate::document::{Document, Object, ObjectId};
 use crate::error::Problem;
 use crate::history::Change;
 use crate::selection::Selection;
-use halfedge::{EdgeId, Element, HalfedgeId, Mesh, Progress, VertexId};
+use halfedge::{EdgeId, Element, HalfedgeId, Mesh, PolygonSoup, Progress, VertexId};
 use std::sync::Arc;
 
 /// How an operation is carried out.
@@ -230,6 +230,8 @@ pub(crate) struct Input {
     pub mesh: Arc<Mesh>,
     /// The control points that the mesh is made from.
     pub bezier: Option<Arc<Bezier>>,
+    /// The faces as they were in the file, where the mesh had to be made something else.
+    pub soup: Option<Arc<PolygonSoup>>,
 }
 
 /// A mesh that a whole-mesh operation made, with the name its object should have; an empty one
@@ -283,6 +285,11 @@ pub(crate) trait WholeMesh {
     /// Looks at what it would run on, as far as that can be refused without running.
     fn check_inputs(&self, inputs: &[Input]) -> Result<(), Problem> {
         inputs.iter().try_for_each(|input| refuse_bezier(&input.name, input.bezier.as_deref()))
+    }
+
+    /// Whether it reads the faces as they were in the file.
+    fn reads_soup(&self) -> bool {
+        false
     }
 
     /// Makes the new meshes from the old ones. What the user should know besides goes to `notes`.

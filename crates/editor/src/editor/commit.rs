@@ -8,6 +8,7 @@ use crate::history::Change;
 use crate::job::Made;
 use crate::outcome::{self, Elements, Outcome};
 use crate::selection::Selection;
+use glam::DVec3;
 use halfedge::Mesh;
 use std::sync::Arc;
 
@@ -77,8 +78,13 @@ impl Editor {
                 let target = *objects.first().ok_or_else(gone)?;
                 let index = self.document.index_of(target).ok_or_else(gone)?;
                 changes.push(Change::Mesh(target, first.mesh));
-                if self.document.object(target).is_some_and(|object| object.bezier.is_some()) {
+                let object = self.document.object(target).ok_or_else(gone)?;
+                if object.bezier.is_some() {
                     changes.push(Change::Bezier(target, None));
+                }
+                // What it was read from is no longer what it is.
+                if object.soup.is_some() && (commit == Commit::Join || outputs.len() > 0) {
+                    changes.push(Change::Soup(target, None));
                 }
                 if !first.name.is_empty() {
                     changes.push(Change::Name(target, first.name));
@@ -95,8 +101,8 @@ impl Editor {
                         let object = self.object(output);
                         changes.push(Change::Insert(index + 1 + offset, Box::new(object)));
                     }
-                    if changes.len() > 1 && self.document.active > index {
-                        let inserted = changes.iter().filter(|c| matches!(c, Change::Insert(..))).count();
+                    let inserted = changes.iter().filter(|c| matches!(c, Change::Insert(..))).count();
+                    if inserted > 0 && self.document.active > index {
                         changes.push(Change::Active(self.document.active + inserted));
                     }
                 }
@@ -104,6 +110,7 @@ impl Editor {
             Commit::NewDocument => {
                 changes.extend((0..self.document.objects.len()).rev().map(Change::Remove));
                 changes.push(Change::DocumentName(first.name.clone()));
+                changes.push(Change::Offset(DVec3::ZERO));
                 let object = self.object(first);
                 changes.push(Change::Insert(0, Box::new(object)));
                 changes.push(Change::Active(0));

@@ -8,7 +8,7 @@ use crate::error::{CommandError, Problem};
 use crate::history::Change;
 use crate::job::{JobId, JobRequest, JobResult, Made, Work};
 use crate::outcome::Outcome;
-use formats::{Format, NamedBytes};
+use formats::{Format, NamedBytes, Repairs};
 use std::ops::ControlFlow;
 
 /// Operations whose result is smaller than this many faces run at once: that takes less time than
@@ -136,8 +136,14 @@ impl Editor {
 
     /// The job of reading files, whose result [`Editor::finish`] opens in place of the document.
     pub fn begin_import(&mut self, files: Vec<NamedBytes>) -> JobRequest {
+        self.begin_import_with(files, Repairs::default())
+    }
+
+    /// [`Editor::begin_import`] with choices in how meshes are made of what is not one as it
+    /// stands. `repair-import` makes them later.
+    pub fn begin_import_with(&mut self, files: Vec<NamedBytes>, repairs: Repairs) -> JobRequest {
         let id = self.wait_for(WaitingFor::Open);
-        JobRequest { id, work: Work::Import(files) }
+        JobRequest { id, work: Work::Import(files, repairs) }
     }
 
     /// The job of writing the document's objects to files of a format, called after the document.
@@ -149,7 +155,8 @@ impl Editor {
     pub fn begin_export_as(&mut self, format: Format, name: String) -> JobRequest {
         let objects: Vec<ObjectId> = self.document.objects().iter().map(|object| object.id()).collect();
         let id = self.wait_for(WaitingFor::Export);
-        JobRequest { id, work: Work::Export(format, name, self.inputs(&objects)) }
+        let offset = self.document.offset;
+        JobRequest { id, work: Work::Export(format, name, offset, self.inputs(&objects)) }
     }
 
     fn wait_for(&mut self, kind: WaitingFor) -> JobId {

@@ -37,11 +37,13 @@ impl Editor {
         }
         let mut changes: Vec<Change> = (0..self.document.objects.len()).rev().map(Change::Remove).collect();
         changes.push(Change::DocumentName(import.name.clone()));
+        changes.push(Change::Offset(import.offset));
         let mut size = [0; 3];
         for (at, imported) in import.objects.into_iter().enumerate() {
             let own = outcome::sizes(&imported.mesh);
             size = std::array::from_fn(|i| size[i] + own[i]);
             let mut object = self.object(Output::new(imported.name, imported.mesh));
+            object.soup = imported.soup;
             object.bezier = imported.controls.map(|controls| Arc::new(controls.into()));
             changes.push(Change::Insert(at, Box::new(object)));
         }

@@ -200,6 +200,7 @@ impl Editor {
                 name: object.name.clone(),
                 mesh: object.mesh.clone(),
                 bezier: object.bezier.clone(),
+                soup: object.soup.clone(),
             })
             .collect()
     }

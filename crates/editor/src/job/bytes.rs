@@ -10,11 +10,11 @@
 //! tells the reading end that what arrives is what was written.
 
 use super::{JobId, JobRequest, JobResult, Made, Work};
-use crate::command::{Command, Input, Op, Output};
+use crate::command::{Action, Command, Input, Op, Output};
 use crate::outcome::ElementIds;
-use formats::{Controls, Format, Import, ImportReport, ImportedObject, NamedBytes};
+use formats::{Controls, Format, Import, ImportReport, ImportedObject, NamedBytes, Repairs};
 use halfedge::attribute::{Column, Columns, Value, Values};
-use halfedge::{Color, Element, Gaps, Mesh, RawMesh};
+use halfedge::{Color, Element, Gaps, Mesh, PolygonSoup, RawMesh};
 use serde::{Deserialize, Serialize};
 use std::borrow::Cow;
 use std::fmt;
@@ -41,9 +41,9 @@ const RESULT: [u8; 8] = *b"MWjobRs1";
 
 #[derive(Serialize, Deserialize)]
 enum RequestHeader {
-    Import { id: u64, files: Vec<FileHeader> },
+    Import { id: u64, files: Vec<FileHeader>, repairs: Repairs },
     Run { id: u64, ops: Vec<serde_json::Value>, meshes: Vec<MeshHeader> },
-    Export { id: u64, extension: String, name: String, meshes: Vec<MeshHeader> },
+    Export { id: u64, extension: String, name: String, offset: [f64; 3], meshes: Vec<MeshHeader> },
 }
 
 #[derive(Serialize, Deserialize)]
@@ -55,7 +55,7 @@ struct ResultHeader {
 
 #[derive(Serialize, Deserialize)]
 enum MadeHeader {
-    Import { name: String, report: ImportReport, meshes: Vec<MeshHeader> },
+    Import { name: String, report: ImportReport, offset: [f64; 3], meshes: Vec<MeshHeader> },
     Meshes { meshes: Vec<MeshHeader>, ids: Option<[usize; 6]>, notes: Vec<String> },
     Files { files: Vec<FileHeader> },
 }
@@ -75,6 +75,9 @@ struct MeshHeader {
     /// Its control points, where it is a Bezier object.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     controls: Option<ControlsHeader>,
+    /// The faces as they were in its file.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    soup: Option<SoupHeader>,
     /// How many vertices, edges and faces are removed.
     gaps: [usize; 3],
     /// Per kind of element, in the order of `Element::ALL`.
@@ -85,6 +88,15 @@ struct MeshHeader {
 struct ControlsHeader {
     curve: bool,
     points: usize,
+}
+
+#[derive(Serialize, Deserialize)]
+struct SoupHeader {
+    positions: usize,
+    corners: usize,
+    faces: usize,
+    /// Those of vertices, corners and faces.
+    columns: [Vec<ColumnHeader>; 3],
 }
 
 #[derive(Serialize, Deserialize)]
@@ -110,17 +122,20 @@ impl JobRequest {
     pub fn to_bytes(&self) -> Vec<u8> {
         let mut out = Writer::default();
         let header = match &self.work {
-            Work::Import(files) => RequestHeader::Import { id: self.id.0, files: out.files(files) },
+            Work::Import(files, repairs) => {
+                RequestHeader::Import { id: self.id.0, files: out.files(files), repairs: *repairs }
+            }
             Work::Run(ops, inputs) => RequestHeader::Run {
                 id: self.id.0,
                 ops: ops.iter().map(|op| Command { object: None, op: op.clone() }.to_value()).collect(),
-                meshes: inputs.iter().map(|input| out.input(input)).collect(),
+                meshes: inputs.iter().map(|input| out.input(input, reads_soup(ops))).collect(),
             },
-            Work::Export(format, name, inputs) => RequestHeader::Export {
+            Work::Export(format, name, offset, inputs) => RequestHeader::Export {
                 id: self.id.0,
                 extension: format.extension().to_owned(),
                 name: name.clone(),
-                meshes: inputs.iter().map(|input| out.input(input)).collect(),
+                offset: offset.to_array(),
+                meshes: inputs.iter().map(|input| out.input(input, false)).collect(),
             },
         };
         out.finish(REQUEST, &header)
@@ -137,14 +152,14 @@ impl JobRequest {
                 .into_iter()
                 .map(|header| {
                     let name = header.name.clone();
-                    let (mesh, controls) = rest.mesh(header)?;
+                    let (mesh, controls, soup) = rest.mesh(header)?;
                     let bezier = controls.map(|controls| Arc::new(controls.into()));
-                    Ok(Input { name, mesh: Arc::new(mesh), bezier })
+                    Ok(Input { name, mesh: Arc::new(mesh), bezier, soup })
                 })
                 .collect::<Result<Vec<_>, BadBytes>>()
         };
         let (id, work) = match header {
-            RequestHeader::Import { id, files } => (id, Work::Import(rest.files(files)?)),
+            RequestHeader::Import { id, files, repairs } => (id, Work::Import(rest.files(files)?, repairs)),
             RequestHeader::Run { id, ops, meshes } => {
                 let ops = ops
                     .into_iter()
@@ -152,9 +167,9 @@ impl JobRequest {
                     .collect::<Result<Vec<Op>, BadBytes>>()?;
                 (id, Work::Run(ops, inputs(&mut rest, meshes)?))
             }
-            RequestHeader::Export { id, extension, name, meshes } => {
+            RequestHeader::Export { id, extension, name, offset, meshes } => {
                 let format = Format::from_extension(&extension).ok_or_else(|| bad("an unknown format"))?;
-                (id, Work::Export(format, name, inputs(&mut rest, meshes)?))
+                (id, Work::Export(format, name, offset.into(), inputs(&mut rest, meshes)?))
             }
         };
         rest.end()?;
@@ -172,12 +187,14 @@ impl JobResult {
             Made::Import(import) => MadeHeader::Import {
                 name: import.name.clone(),
                 report: import.report.clone(),
+                offset: import.offset.to_array(),
                 meshes: import
                     .objects
                     .iter()
                     .map(|object| {
                         let header = out.mesh(&object.name, &object.mesh);
-                        MeshHeader { controls: out.controls(object.controls.clone()), ..header }
+                        let controls = out.controls(object.controls.clone());
+                        MeshHeader { controls, soup: out.soup(object.soup.as_deref()), ..header }
                     })
                     .collect(),
             },
@@ -202,16 +219,16 @@ impl JobResult {
     pub fn from_bytes(bytes: &[u8]) -> Result<Self, BadBytes> {
         let (ResultHeader { validated, made }, mut rest) = Reader::open(RESULT, bytes)?;
         let made = match made {
-            MadeHeader::Import { name, report, meshes } => {
+            MadeHeader::Import { name, report, offset, meshes } => {
                 let objects = meshes
                     .into_iter()
                     .map(|header| {
                         let name = header.name.clone();
-                        let (mesh, controls) = rest.mesh(header)?;
-                        Ok(ImportedObject { controls, ..ImportedObject::new(name, mesh) })
+                        let (mesh, controls, soup) = rest.mesh(header)?;
+                        Ok(ImportedObject { controls, soup, ..ImportedObject::new(name, mesh) })
                     })
                     .collect::<Result<_, BadBytes>>()?;
-                Made::Import(Import { name, objects, report })
+                Made::Import(Import { name, objects, offset: offset.into(), report })
             }
             MadeHeader::Meshes { meshes, ids, notes } => {
                 let outputs = meshes
@@ -262,9 +279,25 @@ impl<'a> Writer<'a> {
         })
     }
 
-    fn input(&mut self, input: &'a Input) -> MeshHeader {
+    fn input(&mut self, input: &'a Input, with_soup: bool) -> MeshHeader {
         let header = self.mesh(&input.name, &input.mesh);
-        MeshHeader { controls: self.controls(input.bezier.as_deref().map(Controls::from)), ..header }
+        let controls = self.controls(input.bezier.as_deref().map(Controls::from));
+        let soup = self.soup(input.soup.as_deref().filter(|_| with_soup));
+        MeshHeader { controls, soup, ..header }
+    }
+
+    fn soup(&mut self, soup: Option<&'a PolygonSoup>) -> Option<SoupHeader> {
+        let soup = soup?;
+        self.column(&soup.positions);
+        self.column(&soup.corners);
+        self.column(&soup.face_starts);
+        let columns = [&soup.vertex_columns, &soup.corner_columns, &soup.face_columns];
+        Some(SoupHeader {
+            positions: soup.positions.len(),
+            corners: soup.corners.len(),
+            faces: soup.face_count(),
+            columns: columns.map(|columns| columns.iter().map(|column| self.attribute(column)).collect()),
+        })
     }
 
     /// Control points, which come after their mesh.
@@ -294,6 +327,7 @@ impl<'a> Writer<'a> {
             edges: mesh.edge_capacity(),
             faces: mesh.face_capacity(),
             controls: None,
+            soup: None,
             gaps: lengths,
             columns: Element::ALL.map(|element| {
                 mesh.columns().of(element).iter().map(|column| self.attribute(column)).collect()
@@ -372,6 +406,14 @@ fn checksum(bytes: &[u8]) -> u64 {
     lanes.into_iter().fold(tail, step)
 }
 
+/// A mesh, and what it was made from.
+type Parts = (Mesh, Option<Controls>, Option<Arc<PolygonSoup>>);
+
+/// Whether an operation reads what files held: nothing else needs it sent.
+fn reads_soup(ops: &[Op]) -> bool {
+    ops.iter().any(|op| matches!(op.action(), Action::WholeMesh(whole) if whole.reads_soup()))
+}
+
 /// Takes raw columns off the front of bytes, never more than are there.
 struct Reader<'a> {
     rest: &'a [u8],
@@ -433,7 +475,7 @@ impl<'a> Reader<'a> {
         })
     }
 
-    fn mesh(&mut self, header: MeshHeader) -> Result<(Mesh, Option<Controls>), BadBytes> {
+    fn mesh(&mut self, header: MeshHeader) -> Result<Parts, BadBytes> {
         let halfedges = header.edges.checked_mul(2).ok_or_else(|| bad("a column is too long"))?;
         let mut raw = RawMesh {
             positions: self.column(header.vertices)?,
@@ -466,7 +508,29 @@ impl<'a> Reader<'a> {
             Some(header) => Some(Controls::from_points(header.curve, self.column(header.points)?)),
             None => None,
         };
-        Ok((Mesh::from_raw_with_gaps(raw, &gaps), controls))
+        let soup = match header.soup {
+            Some(header) => Some(Arc::new(self.soup(header)?)),
+            None => None,
+        };
+        Ok((Mesh::from_raw_with_gaps(raw, &gaps), controls, soup))
+    }
+
+    fn soup(&mut self, header: SoupHeader) -> Result<PolygonSoup, BadBytes> {
+        let starts = header.faces.checked_add(1).ok_or_else(|| bad("a column is too long"))?;
+        let mut soup = PolygonSoup {
+            positions: self.column(header.positions)?,
+            corners: self.column(header.corners)?,
+            face_starts: self.column(starts)?,
+            ..PolygonSoup::default()
+        };
+        let lengths = [header.positions, header.corners, header.faces];
+        let lists = [&mut soup.vertex_columns, &mut soup.corner_columns, &mut soup.face_columns];
+        for ((headers, len), list) in header.columns.into_iter().zip(lengths).zip(lists) {
+            for header in headers {
+                list.push(self.attribute(header, len)?);
+            }
+        }
+        Ok(soup)
     }
 
     fn attribute(&mut self, header: ColumnHeader, len: usize) -> Result<Column, BadBytes> {
@@ -501,9 +565,10 @@ mod tests {
 
     fn promising(vertices: usize, edges: usize, faces: usize) -> RequestHeader {
         let columns = [const { Vec::new() }; 4];
-        let (name, controls) = (String::new(), None);
-        let mesh = MeshHeader { name, vertices, edges, faces, controls, gaps: [0; 3], columns };
-        RequestHeader::Export { id: 1, extension: "obj".into(), name: String::new(), meshes: vec![mesh] }
+        let (name, controls, soup) = (String::new(), None, None);
+        let mesh = MeshHeader { name, vertices, edges, faces, controls, soup, gaps: [0; 3], columns };
+        let (extension, name, offset) = ("obj".into(), String::new(), [0.0; 3]);
+        RequestHeader::Export { id: 1, extension, name, offset, meshes: vec![mesh] }
     }
 
     #[test]

@@ -3,8 +3,9 @@
 use super::material::Material;
 use super::xml::{Document, Node};
 use crate::obj::runs::Names;
+use crate::origin::Origin;
 use crate::scan::Scan;
-use glam::{DMat4, Vec2, Vec3};
+use glam::{DMat4, DVec3, Vec2, Vec3};
 use halfedge::attribute::Column;
 use halfedge::{Color, NONE, PolygonSoup, keys};
 use std::collections::HashMap;
@@ -29,16 +30,16 @@ pub(crate) struct Geometry {
 }
 
 /// A source of numbers, so many for each index.
-struct Source {
-    values: Vec<f32>,
+struct Source<T = f32> {
+    values: Vec<T>,
     stride: usize,
 }
 
-impl Source {
-    fn get<const N: usize>(&self, index: usize) -> Option<[f32; N]> {
+impl<T: Copy + Default> Source<T> {
+    fn get<const N: usize>(&self, index: usize) -> Option<[T; N]> {
         let start = index.checked_mul(self.stride)?;
         self.values.get(start..start.checked_add(N.min(self.stride))?).map(|found| {
-            let mut values = [0.0; N];
+            let mut values = [T::default(); N];
             values.iter_mut().zip(found).for_each(|(value, found)| *value = *found);
             values
         })
@@ -63,6 +64,7 @@ impl Geometry {
         geometry: &Node,
         instance: Option<&Node>,
         transform: DMat4,
+        origin: &mut Option<Origin>,
     ) -> Result<Self, String> {
         let fail = |what: String| format!("geometry \"{}\": {what}", geometry.label());
         let mesh = document.child(geometry, "mesh").ok_or_else(|| fail("it has no <mesh>".to_owned()))?;
@@ -73,11 +75,7 @@ impl Geometry {
             document.children(vertices).find(|input| input.attribute("semantic") == Some(semantic))
         };
         let position = input("POSITION").ok_or_else(|| fail("its vertices have no positions".to_owned()))?;
-        let source = this.source(document, position).map_err(fail)?;
-        let count = source.values.len() / source.stride;
-        this.soup.positions = (0..count)
-            .map(|i| place(Vec3::from_array(source.get(i).unwrap_or_default()), transform))
-            .collect();
+        this.soup.positions = positions(document, position, transform, origin).map_err(fail)?;
         let binds = instance.and_then(|node| document.path(node, &["bind_material", "technique_common"]));
         let bound: HashMap<&str, &str> = binds
             .into_iter()
@@ -237,7 +235,7 @@ impl Geometry {
         if let Some(known) = self.sources.get(name) {
             return Ok(Rc::clone(known));
         }
-        let read = Rc::new(source(document, input)?);
+        let read = Rc::new(source(document, input, |scan| scan.float())?);
         self.sources.insert(name.to_owned(), Rc::clone(&read));
         Ok(read)
     }
@@ -313,6 +311,25 @@ impl Geometry {
     }
 }
 
+/// All positions of a source, transformed.
+fn positions(
+    document: &Document,
+    input: &Node,
+    transform: DMat4,
+    origin: &mut Option<Origin>,
+) -> Result<Vec<Vec3>, String> {
+    let Some(origin) = origin else {
+        let source = source(document, input, |scan| scan.float())?;
+        let count = source.values.len() / source.stride;
+        let position = |i| Vec3::from_array(source.get(i).unwrap_or_default());
+        return Ok((0..count).map(|i| place(position(i), transform)).collect());
+    };
+    let source = source(document, input, |scan| scan.double())?;
+    let count = source.values.len() / source.stride;
+    let position = |i| DVec3::from_array(source.get(i).unwrap_or_default());
+    Ok((0..count).map(|i| origin.place(transform.transform_point3(position(i)))).collect())
+}
+
 /// A transformed position; untouched, to the bit, where there is nothing to do.
 fn place(position: Vec3, transform: DMat4) -> Vec3 {
     if transform == DMat4::IDENTITY {
@@ -330,7 +347,11 @@ fn direction(normal: Vec3, transform: DMat4) -> Vec3 {
 }
 
 /// The source that an input names.
-fn source(document: &Document, input: &Node) -> Result<Source, String> {
+fn source<T>(
+    document: &Document,
+    input: &Node,
+    number: impl Fn(&mut Scan) -> Option<T>,
+) -> Result<Source<T>, String> {
     let name = input.attribute("source").unwrap_or_default();
     let missing = || format!("there is no source \"{name}\"");
     let source = document.target(name).ok_or_else(missing)?;
@@ -344,7 +365,8 @@ fn source(document: &Document, input: &Node) -> Result<Source, String> {
     let mut values = Vec::with_capacity(array.text().len() / 8);
     while !scan.at_end() {
         values.push(
-            scan.float().ok_or_else(|| format!("source \"{name}\" holds something else than numbers"))?,
+            number(&mut scan)
+                .ok_or_else(|| format!("source \"{name}\" holds something else than numbers"))?,
         );
     }
     Ok(Source { values, stride })

@@ -3,7 +3,7 @@
 use super::geometry::Geometry;
 use super::transform;
 use super::xml::{Document, Node, decode};
-use crate::import::{ImportedObject, NamedBytes, ReadError, build};
+use crate::import::{ImportedObject, NamedBytes, ReadError, Reading, build};
 use crate::report::{ImportReport, counted};
 use glam::DMat4;
 use halfedge::Progress;
@@ -26,6 +26,7 @@ struct Instance<'d, 'a> {
 /// Reads one document: an object for each instance, or for each geometry if no scene has any.
 pub(crate) fn read(
     file: &NamedBytes,
+    reading: &mut Reading,
     progress: &mut Progress,
 ) -> Result<(Vec<ImportedObject>, ImportReport), ReadError> {
     let fail = |message: String| ReadError::file(&file.name, message);
@@ -52,8 +53,9 @@ pub(crate) fn read(
     let (mut holes, mut lines) = (0, 0);
     let total = scene.instances.len();
     for (i, instance) in scene.instances.iter().enumerate() {
-        let geometry = Geometry::read(&document, instance.geometry, instance.binding, instance.transform)
-            .map_err(fail)?;
+        let (node, binding, transform) = (instance.geometry, instance.binding, instance.transform);
+        let geometry =
+            Geometry::read(&document, node, binding, transform, &mut reading.origin).map_err(fail)?;
         // Instances may repeat a geometry; a small file must not fill the memory that way.
         corners += geometry.soup.corners.len() + geometry.soup.positions.len();
         if corners > file.bytes.len().saturating_mul(8).max(4_000_000) {
@@ -63,9 +65,10 @@ pub(crate) fn read(
         lines += geometry.lines;
         let part = |fraction: f32| 0.3 + 0.7 * (i as f32 + fraction) / total as f32;
         let mut notes = ImportReport::default();
-        let mesh = build(geometry.soup, &file.name, &mut notes, &mut |fraction| progress(part(fraction)))?;
+        let mut progress = |fraction| progress(part(fraction));
+        let object = build(&instance.name, geometry.soup, &file.name, reading, &mut notes, &mut progress)?;
         report.append(if total > 1 { notes.prefixed(&instance.name) } else { notes });
-        objects.push(ImportedObject::new(instance.name.clone(), mesh));
+        objects.push(object);
     }
     if holes > 0 {
         report.warn(format!(

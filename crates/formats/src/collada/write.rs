@@ -6,6 +6,7 @@ use crate::import::NamedBytes;
 use crate::obj::names::painted;
 use crate::pieces::compact;
 use crate::text::{push_float, push_integer};
+use glam::DVec3;
 use halfedge::attribute::{AttributeType, Key};
 use halfedge::{Color, Element, Mesh, NONE, keys};
 use std::collections::{HashMap, HashSet};
@@ -17,7 +18,7 @@ pub(crate) fn write(name: &str, objects: &[ObjectRef]) -> Vec<NamedBytes> {
     let mut nodes = String::new();
     for (number, object) in objects.iter().enumerate() {
         let mesh = compact(object.mesh);
-        let used = geometry(&mut geometries, number, object.name, &mesh, &mut materials);
+        let used = geometry(&mut geometries, number, object.name, &mesh, object.offset, &mut materials);
         let label = escape(object.name);
         nodes +=
             &format!("<node id=\"node{number}\" name=\"{label}\"><instance_geometry url=\"#mesh{number}\">");
@@ -121,11 +122,17 @@ fn geometry(
     number: usize,
     name: &str,
     mesh: &Mesh,
+    offset: DVec3,
     materials: &mut Materials,
 ) -> Vec<usize> {
     let id = format!("mesh{number}");
     out.extend_from_slice(format!("<geometry id=\"{id}\" name=\"{}\"><mesh>\n", escape(name)).as_bytes());
-    source(out, &format!("{id}-positions"), "X Y Z", mesh.positions().iter().map(|p| p.to_array()));
+    let positions = format!("{id}-positions");
+    if offset == DVec3::ZERO {
+        source(out, &positions, "X Y Z", mesh.positions().iter().map(|p| p.to_array()));
+    } else {
+        source(out, &positions, "X Y Z", mesh.positions().iter().map(|p| (p.as_dvec3() + offset).to_array()));
+    }
     let normals =
         corner_source(out, &format!("{id}-normals"), "X Y Z", mesh, keys::CORNER_NORMAL, |n| n.to_array());
     let uvs = corner_source(out, &format!("{id}-uvs"), "S T", mesh, keys::CORNER_UV, |uv| uv.to_array());
@@ -219,11 +226,11 @@ fn polylist(out: &mut Vec<u8>, id: &str, mesh: &Mesh, run: &Run, end: usize, nor
     out.extend_from_slice(b"</p></polylist>\n");
 }
 
-fn source<const N: usize>(
+fn source<F: zmij::Float, const N: usize>(
     out: &mut Vec<u8>,
     id: &str,
     params: &str,
-    rows: impl ExactSizeIterator<Item = [f32; N]>,
+    rows: impl ExactSizeIterator<Item = [F; N]>,
 ) {
     let count = rows.len();
     out.extend_from_slice(

@@ -161,6 +161,36 @@ fn chunks(bytes: &[u8]) -> Result<(&[u8], Option<&[u8]>), String> {
     Ok((json.ok_or("the file has no JSON chunk")?, bin))
 }
 
+/// The names of the files that hold the buffers of a glTF; none where it can't be read.
+pub(crate) fn buffer_names(file: &NamedBytes) -> Vec<String> {
+    let bytes = file.bytes.as_slice();
+    let json = if bytes.starts_with(MAGIC) { chunks(bytes).map_or(&[][..], |(json, _)| json) } else { bytes };
+    let json = json.strip_prefix(b"\xef\xbb\xbf").unwrap_or(json);
+    let Ok(document) = serde_json::from_slice::<Document>(json) else { return Vec::new() };
+    let uris = document.buffers.iter().filter_map(|buffer| buffer.uri.as_deref());
+    uris.filter(|uri| !uri.starts_with("data:")).map(percent_decoded).collect()
+}
+
+/// The text that an address stands for: `%20` is a blank (RFC 3986, 2.1).
+fn percent_decoded(uri: &str) -> String {
+    let mut out = Vec::with_capacity(uri.len());
+    let mut rest = uri.as_bytes();
+    while let Some((&byte, after)) = rest.split_first() {
+        let digit = |at: usize| char::from(*after.get(at)?).to_digit(16);
+        match (byte, digit(0), digit(1)) {
+            (b'%', Some(high), Some(low)) => {
+                out.push((high * 16 + low) as u8);
+                rest = after.get(2..).unwrap_or_default();
+            }
+            _ => {
+                out.push(byte);
+                rest = after;
+            }
+        }
+    }
+    String::from_utf8_lossy(&out).into_owned()
+}
+
 /// A buffer from its address: in the address itself, or a file given along.
 fn load<'a>(uri: &str, files: &'a [NamedBytes]) -> Result<Cow<'a, [u8]>, String> {
     if let Some(data) = uri.strip_prefix("data:") {
@@ -175,10 +205,10 @@ fn load<'a>(uri: &str, files: &'a [NamedBytes]) -> Result<Cow<'a, [u8]>, String>
             .map(Cow::Owned)
             .map_err(|error| format!("a buffer is not in base64: {error}"));
     }
-    let base =
-        |name: &str| name.rsplit(['/', '\\']).next().unwrap_or(name).replace("%20", " ").to_lowercase();
-    let found = files.iter().find(|file| base(&file.name) == base(uri));
+    let base = |name: &str| name.rsplit(['/', '\\']).next().unwrap_or(name).to_lowercase();
+    let name = percent_decoded(uri);
+    let found = files.iter().find(|file| base(&file.name) == base(&name));
     found
         .map(|file| Cow::Borrowed(file.bytes.as_slice()))
-        .ok_or_else(|| format!("its data is in {uri}, which was not given: open both files together"))
+        .ok_or_else(|| format!("its data is in {name}, which was not given: open both files together"))
 }

@@ -9,7 +9,7 @@ mod document;
 mod read;
 mod write;
 
-pub(crate) use document::looks_like;
+pub(crate) use document::{buffer_names, looks_like};
 pub(crate) use read::read;
 pub(crate) use write::{write_binary, write_text};
 

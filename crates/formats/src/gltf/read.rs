@@ -3,9 +3,10 @@
 use super::accessor::Rows;
 use super::document::{Document, Material, Mesh, Node, Primitive, open};
 use crate::hash::Unique;
-use crate::import::{ImportedObject, NamedBytes, ReadError, build};
+use crate::import::{ImportedObject, NamedBytes, ReadError, Reading, build};
 use crate::obj::names::unpainted;
 use crate::obj::runs::Names;
+use crate::origin::Origin;
 use crate::report::{ImportReport, counted};
 use glam::{DMat4, DQuat, Vec2, Vec3};
 use halfedge::attribute::Column;
@@ -18,6 +19,7 @@ use std::rc::Rc;
 pub(crate) fn read(
     file: &NamedBytes,
     files: &[NamedBytes],
+    reading: &mut Reading,
     progress: &mut Progress,
 ) -> Result<(Vec<ImportedObject>, ImportReport), ReadError> {
     let fail = |message: String| ReadError::file(&file.name, message);
@@ -35,16 +37,18 @@ pub(crate) fn read(
     let most = size.saturating_mul(8).max(4_000_000);
     let total = instances.len();
     for (i, (name, mesh, transform)) in instances.into_iter().enumerate() {
-        let mut reader = Reader::new(&document, &buffers, transform, most);
+        let mut reader = Reader::new(&document, &buffers, transform, most, reading.origin);
         for primitive in &mesh.primitives {
             reader.primitive(primitive, &mut corners).map_err(fail)?;
         }
         left_out += reader.left_out;
+        reading.origin = reader.origin;
         let part = |fraction: f32| (i as f32 + 0.5 + 0.5 * fraction) / total as f32;
         let mut notes = ImportReport::default();
-        let mesh = build(reader.finish(), &file.name, &mut notes, &mut |fraction| progress(part(fraction)))?;
+        let mut progress = |fraction| progress(part(fraction));
+        let object = build(&name, reader.finish(), &file.name, reading, &mut notes, &mut progress)?;
         report.append(if total > 1 { notes.prefixed(&name) } else { notes });
-        objects.push(ImportedObject::new(name, mesh));
+        objects.push(object);
     }
     if left_out > 0 {
         report.warn(format!(
@@ -117,6 +121,7 @@ struct Reader<'a> {
     document: &'a Document,
     buffers: &'a [Cow<'a, [u8]>],
     transform: DMat4,
+    origin: Option<Origin>,
     /// How many vertices and corners there may be in all.
     most: usize,
     soup: PolygonSoup,
@@ -132,11 +137,18 @@ struct Reader<'a> {
 }
 
 impl<'a> Reader<'a> {
-    fn new(document: &'a Document, buffers: &'a [Cow<'a, [u8]>], transform: DMat4, most: usize) -> Self {
+    fn new(
+        document: &'a Document,
+        buffers: &'a [Cow<'a, [u8]>],
+        transform: DMat4,
+        most: usize,
+        origin: Option<Origin>,
+    ) -> Self {
         Self {
             document,
             buffers,
             transform,
+            origin,
             most,
             soup: PolygonSoup::default(),
             unique: Unique::new(),
@@ -221,8 +233,12 @@ impl<'a> Reader<'a> {
         let [x, y, z] = (position + Vec3::ZERO).to_array();
         let (number, new) = self.unique.number([x, y, z, color.x, color.y, color.z]);
         if new {
-            let place = self.transform.transform_point3(position.as_dvec3()).as_vec3();
-            self.soup.positions.push(if self.transform == DMat4::IDENTITY { position } else { place });
+            let place = self.transform.transform_point3(position.as_dvec3());
+            self.soup.positions.push(match &mut self.origin {
+                Some(origin) => origin.place(place),
+                None if self.transform == DMat4::IDENTITY => position,
+                None => place.as_vec3(),
+            });
             self.colors.push(color);
         }
         number

@@ -7,7 +7,7 @@ use crate::import::NamedBytes;
 use crate::obj::names::painted;
 use crate::pieces::compact;
 use crate::triangles::triangulate;
-use glam::{Vec2, Vec3};
+use glam::{DVec3, Vec2, Vec3};
 use halfedge::{Color, Element, Mesh, NONE, keys};
 use serde_json::{Value, json};
 use std::collections::{HashMap, HashSet};
@@ -46,6 +46,9 @@ fn document(objects: &[ObjectRef], uri: Option<&str>) -> (Value, Vec<u8>) {
         let mesh = compact(object.mesh);
         let primitives = writer.primitives(&mesh);
         let mut node = json!({ "name": object.name });
+        if object.offset != DVec3::ZERO {
+            node["translation"] = json!(object.offset.to_array());
+        }
         // A mesh needs something to draw; an empty one stays a node by name.
         if !primitives.is_empty() {
             node["mesh"] = json!(meshes.len());
@@ -61,7 +64,7 @@ fn document(objects: &[ObjectRef], uri: Option<&str>) -> (Value, Vec<u8>) {
     });
     let mut buffer = json!({ "byteLength": writer.bin.len() });
     if let Some(uri) = uri {
-        buffer["uri"] = json!(uri);
+        buffer["uri"] = json!(percent_encoded(uri));
     }
     // Empty lists are not allowed.
     for (key, list) in [
@@ -76,6 +79,12 @@ fn document(objects: &[ObjectRef], uri: Option<&str>) -> (Value, Vec<u8>) {
         }
     }
     (document, writer.bin)
+}
+
+/// A file name as an address: all but letters, digits and `-._~` by their numbers (RFC 3986, 2.1).
+fn percent_encoded(name: &str) -> String {
+    let plain = |b: u8| b.is_ascii_alphanumeric() || b"-._~".contains(&b);
+    name.bytes().map(|b| if plain(b) { char::from(b).to_string() } else { format!("%{b:02X}") }).collect()
 }
 
 #[derive(Default)]

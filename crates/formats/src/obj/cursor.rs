@@ -127,6 +127,13 @@ impl<'a> Cursor<'a> {
         self.token_is_over().then_some(value)
     }
 
+    /// Takes the decimal number here in double precision. Blanks must have been passed.
+    pub(crate) fn double(&mut self) -> Option<f64> {
+        let (value, end) = number::double(self.bytes, self.at)?;
+        self.at = end;
+        self.token_is_over().then_some(value)
+    }
+
     /// Takes the whole number here.
     #[inline(always)]
     pub(crate) fn integer(&mut self) -> Option<i64> {

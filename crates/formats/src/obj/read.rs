@@ -3,7 +3,7 @@
 use super::mtl::Library;
 use super::names::unpainted;
 use super::statements::{Statements, Troubles};
-use crate::import::{ImportedObject, NamedBytes, ReadError, build};
+use crate::import::{ImportedObject, NamedBytes, ReadError, Reading, build};
 use crate::report::{ImportReport, counted};
 use crate::soup::{drop_faces, labelled};
 use halfedge::attribute::{AttributeType, Column, Key};
@@ -24,6 +24,7 @@ fn mentions(statements: &Statements, library: &str) -> bool {
 pub(crate) fn read(
     file: &NamedBytes,
     libraries: &[&NamedBytes],
+    reading: &mut Reading,
     progress: &mut Progress,
 ) -> Result<(ImportedObject, ImportReport), ReadError> {
     let fail = |message: String| ReadError::file(&file.name, message);
@@ -31,8 +32,9 @@ pub(crate) fn read(
         return Err(fail(kind.to_owned()));
     }
     // Reading takes about as long as building.
-    let mut statements =
-        Statements::read(&file.bytes, &mut |part| progress(part * 0.5)).ok_or(ReadError::Cancelled)?;
+    let mut statements = Statements::read(&file.bytes, reading.origin, &mut |part| progress(part * 0.5))
+        .ok_or(ReadError::Cancelled)?;
+    reading.origin = statements.origin;
     let has_geometry = !statements.soup.positions.is_empty()
         || statements.soup.face_count() > 0
         || !statements.troubles.missing_vertex.is_empty();
@@ -46,8 +48,9 @@ pub(crate) fn read(
     let mut report = ImportReport::default();
     report_troubles(&statements.troubles, &mut report);
     let soup = soup(&mut statements, libraries, &mut report);
-    let mesh = build(soup, &file.name, &mut report, &mut |part| progress(0.5 + part * 0.5))?;
-    Ok((ImportedObject::new(file.stem(), mesh), report))
+    let part = &mut |part| progress(0.5 + part * 0.5);
+    let object = build(file.stem(), soup, &file.name, reading, &mut report, part)?;
+    Ok((object, report))
 }
 
 /// What a file is that can't be text in UTF-8.

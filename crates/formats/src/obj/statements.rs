@@ -7,8 +7,9 @@
 use super::cursor::Cursor;
 use super::names::{group_label, spaced};
 use super::runs::{Names, Runs};
+use crate::origin::Origin;
 use crate::report::Places;
-use glam::{Vec2, Vec3};
+use glam::{DVec3, Vec2, Vec3};
 use halfedge::{NONE, PolygonSoup, Progress};
 
 /// What a file says.
@@ -16,6 +17,8 @@ use halfedge::{NONE, PolygonSoup, Progress};
 pub(crate) struct Statements {
     /// Positions and faces.
     pub soup: PolygonSoup,
+    /// Where positions are counted from, if not from zero.
+    pub origin: Option<Origin>,
     /// Per vertex, as far as colours were given: NaN where none was.
     pub colors: Vec<Vec3>,
     /// The texture coordinates that faces refer to.
@@ -81,9 +84,9 @@ fn resolve(number: i64, count: usize) -> Option<u32> {
 
 impl Statements {
     /// Reads all of a file. `None` if `progress` says to stop; it is told 0 to 1.
-    pub(crate) fn read(bytes: &[u8], progress: &mut Progress) -> Option<Self> {
+    pub(crate) fn read(bytes: &[u8], origin: Option<Origin>, progress: &mut Progress) -> Option<Self> {
         const REPORT_EVERY: usize = 1 << 20;
-        let mut this = Self::default();
+        let mut this = Self { origin, ..Self::default() };
         // For the common `v` and `f` lines of large files; always less than the file itself.
         this.soup.positions.reserve(bytes.len() / 72);
         this.soup.corners.reserve(bytes.len() / 12);
@@ -138,12 +141,45 @@ impl Statements {
     fn vertex(&mut self, cursor: &mut Cursor) {
         self.known += 1;
         let line = cursor.line;
+        if self.origin.is_some() {
+            return self.far_vertex(cursor);
+        }
         let mut values = [0.0; 7];
         let count = Self::numbers(cursor, &mut values);
         let [x, y, z, a, b, c, d] = values;
         self.soup.positions.push(Vec3::new(x, y, z));
         if count != Some(3) {
             self.unusual_vertex(line, count, [a, b, c, d]);
+        }
+    }
+
+    /// A vertex that is counted from an origin.
+    #[cold]
+    fn far_vertex(&mut self, cursor: &mut Cursor) {
+        let line = cursor.line;
+        let mut values = [0.0; 7];
+        let mut count = Some(0);
+        for value in &mut values {
+            cursor.blanks();
+            if cursor.line_is_over() {
+                break;
+            }
+            count = cursor.double().and_then(|number| {
+                *value = number;
+                Some(count? + 1)
+            });
+            if count.is_none() {
+                break;
+            }
+        }
+        cursor.blanks();
+        let count = count.filter(|_| cursor.line_is_over());
+        let [x, y, z, colors @ ..] = values;
+        let position = DVec3::new(x, y, z);
+        let place = |origin: &mut Origin| origin.place(position);
+        self.soup.positions.push(self.origin.as_mut().map_or(position.as_vec3(), place));
+        if count != Some(3) {
+            self.unusual_vertex(line, count, colors.map(|c| c as f32));
         }
     }
 

@@ -5,8 +5,8 @@ use super::names::{clean, group_lines, painted, spaced};
 use crate::export::ObjectRef;
 use crate::hash::Unique;
 use crate::import::NamedBytes;
-use crate::text::{push_floats, push_integer};
-use glam::{Vec2, Vec3};
+use crate::text::{push_floats, push_integer, push_position};
+use glam::{DVec3, Vec2, Vec3};
 use halfedge::{Color, Element, Mesh, NONE, keys};
 use std::collections::HashMap;
 
@@ -28,9 +28,9 @@ pub(crate) fn write(name: &str, objects: &[ObjectRef]) -> Vec<NamedBytes> {
             writer.name_line("o", &clean(object.name));
         }
         if object.mesh.is_compact() {
-            writer.object(object.mesh, section);
+            writer.object(object.mesh, object.offset, section);
         } else {
-            writer.object(&object.mesh.compacted().0, section);
+            writer.object(&object.mesh.compacted().0, object.offset, section);
         }
     }
     let mut files = vec![NamedBytes { name: format!("{name}.obj"), bytes: writer.out }];
@@ -78,12 +78,12 @@ impl Writer {
     }
 
     /// One compact mesh; `section` is the name of its `o` line in a file of several.
-    fn object(&mut self, mesh: &Mesh, section: Option<String>) {
+    fn object(&mut self, mesh: &Mesh, offset: DVec3, section: Option<String>) {
         self.out.reserve(mesh.vertex_count() * 36 + mesh.halfedge_count() * 5);
         if let Some(section) = &section {
             self.name_line("o", section);
         }
-        self.positions(mesh);
+        self.positions(mesh, offset);
         let uvs = self.uvs(mesh);
         let normals = self.normals(mesh);
         let mut groups = Groups::new(mesh, section);
@@ -130,11 +130,11 @@ impl Writer {
         self.normals += count(&normals);
     }
 
-    fn positions(&mut self, mesh: &Mesh) {
+    fn positions(&mut self, mesh: &Mesh, offset: DVec3) {
         let colors = mesh.attribute(keys::VERTEX_COLOR);
         for (v, position) in mesh.positions().iter().enumerate() {
             self.out.push(b'v');
-            push_floats(&mut self.out, &position.to_array());
+            push_position(&mut self.out, *position, offset);
             if let Some(color) = colors.and_then(|colors| colors.get(v)).filter(|color| !color.is_nan()) {
                 push_floats(&mut self.out, &color.to_array());
             }

@@ -1,6 +1,7 @@
 //! Reading an OFF.
 
-use crate::import::{ImportedObject, NamedBytes, ReadError, build};
+use crate::import::{ImportedObject, NamedBytes, ReadError, Reading, build};
+use crate::origin::Origin;
 use crate::report::{ImportReport, Places};
 use crate::scan::{Scan, Ticker};
 use glam::Vec3;
@@ -50,6 +51,7 @@ pub(crate) fn is_off(bytes: &[u8]) -> bool {
 /// Reads one OFF as one object.
 pub(crate) fn read(
     file: &NamedBytes,
+    reading: &mut Reading,
     progress: &mut Progress,
 ) -> Result<(ImportedObject, ImportReport), ReadError> {
     let fail = |message: &str| ReadError::file(&file.name, message);
@@ -85,6 +87,7 @@ pub(crate) fn read(
     };
     let mut reader = Reader {
         scan,
+        origin: &mut reading.origin,
         ticker: Ticker::new(file.bytes.len()),
         soup: PolygonSoup::default(),
         vertex_colors: Vec::new(),
@@ -122,12 +125,14 @@ pub(crate) fn read(
     if reader.face_colors.iter().any(|&color| color != Color::UNPAINTED) {
         soup.face_columns.push(Column::with_values(keys::FACE_COLOR, reader.face_colors));
     }
-    let mesh = build(soup, &file.name, &mut report, &mut |part| progress(0.5 + part * 0.5))?;
-    Ok((ImportedObject::new(file.stem(), mesh), report))
+    let part = &mut |part| progress(0.5 + part * 0.5);
+    let object = build(file.stem(), soup, &file.name, reading, &mut report, part)?;
+    Ok((object, report))
 }
 
 struct Reader<'a> {
     scan: Scan<'a>,
+    origin: &'a mut Option<Origin>,
     ticker: Ticker,
     soup: PolygonSoup,
     vertex_colors: Vec<Vec3>,
@@ -142,8 +147,8 @@ impl Reader<'_> {
             if self.scan.at_end() {
                 return Ok(number);
             }
+            let position = self.scan.position(self.origin);
             let mut next = || self.scan.float();
-            let position = (next(), next(), next());
             if kind.fourth {
                 next();
             }
@@ -163,8 +168,8 @@ impl Reader<'_> {
                 self.scan.skip_line();
             }
             match position {
-                (Some(x), Some(y), Some(z)) => self.soup.positions.push(Vec3::new(x, y, z)),
-                _ => {
+                Some(position) => self.soup.positions.push(position),
+                None => {
                     self.bad_vertices.add(number as usize);
                     self.soup.positions.push(Vec3::ZERO);
                 }

@@ -3,7 +3,7 @@
 use crate::export::ObjectRef;
 use crate::import::NamedBytes;
 use crate::pieces::Pieces;
-use crate::text::{push_floats, push_integer};
+use crate::text::{push_floats, push_integer, push_position};
 
 /// Writes the objects as one OFF, or COFF where vertices have colours.
 pub(crate) fn write(name: &str, objects: &[ObjectRef]) -> Vec<NamedBytes> {
@@ -12,8 +12,8 @@ pub(crate) fn write(name: &str, objects: &[ObjectRef]) -> Vec<NamedBytes> {
     let face_colors = pieces.face_colors();
     let keyword = if vertex_colors.is_some() { "COFF" } else { "OFF" };
     let mut out = format!("{keyword}\n{} {} 0\n", pieces.vertices, pieces.faces).into_bytes();
-    for (v, position) in pieces.positions().enumerate() {
-        push_floats(&mut out, &position.to_array());
+    for (v, (position, offset)) in pieces.positions().enumerate() {
+        push_position(&mut out, position, offset);
         if let Some(color) = vertex_colors.as_ref().and_then(|colors| colors.get(v)) {
             push_floats(&mut out, &color.extend(1.0).to_array());
         }

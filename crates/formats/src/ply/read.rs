@@ -2,16 +2,17 @@
 
 use super::header::{Header, Property, Table};
 use super::source::Source;
-use crate::import::{ImportedObject, NamedBytes, ReadError, build};
+use crate::import::{ImportedObject, NamedBytes, ReadError, Reading, build};
 use crate::report::{ImportReport, Places, counted};
 use crate::scan::Ticker;
-use glam::Vec3;
+use glam::{DVec3, Vec3};
 use halfedge::attribute::Column;
 use halfedge::{Color, NONE, PolygonSoup, Progress, keys};
 
 /// Reads one PLY as one object.
 pub(crate) fn read(
     file: &NamedBytes,
+    reading: &mut Reading,
     progress: &mut Progress,
 ) -> Result<(ImportedObject, ImportReport), ReadError> {
     let header = Header::read(&file.bytes).map_err(|message| ReadError::file(&file.name, message))?;
@@ -19,7 +20,8 @@ pub(crate) fn read(
         return Err(ReadError::file(&file.name, "the PLY has no element \"vertex\""));
     }
     let mut reader = Reader {
-        source: Source::new(&file.bytes, header.end, header.encoding),
+        source: Source::new(&file.bytes, header.end, header.encoding, reading.origin.is_some()),
+        reading: *reading,
         size: file.bytes.len(),
         ticker: Ticker::new(file.bytes.len()),
         soup: PolygonSoup::default(),
@@ -45,11 +47,13 @@ pub(crate) fn read(
             break;
         }
     }
+    reading.origin = reader.reading.origin;
     reader.finish(file, report, progress)
 }
 
 struct Reader<'a> {
     source: Source<'a>,
+    reading: Reading,
     size: usize,
     ticker: Ticker,
     soup: PolygonSoup,
@@ -149,11 +153,12 @@ impl Reader<'_> {
         self.soup.positions.reserve(expected);
         self.rows(table, None, progress, |this, number, row, _| {
             let value = |place: usize| row.get(place).copied().unwrap_or(0.0);
-            let at = position.map(|place| place.map_or(0.0, value) as f32);
-            if at.iter().any(|c| c.is_nan()) {
+            let at = DVec3::from_array(position.map(|place| place.map_or(0.0, value)));
+            if at.is_nan() {
                 this.unread.add(number as usize);
             }
-            this.soup.positions.push(Vec3::from_array(at));
+            let origin = this.reading.origin.as_mut();
+            this.soup.positions.push(origin.map_or(at.as_vec3(), |origin| origin.place(at)));
             if let Some((places, full)) = color.zip(full) {
                 let [r, g, b] = [0, 1, 2].map(|i: usize| {
                     let place = places.get(i).copied().unwrap_or_default();
@@ -249,8 +254,9 @@ impl Reader<'_> {
             colors.resize(self.soup.face_count(), Color::UNPAINTED);
             self.soup.face_columns.push(Column::with_values(keys::FACE_COLOR, colors));
         }
-        let mesh = build(self.soup, &file.name, &mut report, &mut |part| progress(0.5 + part * 0.5))?;
-        Ok((ImportedObject::new(file.stem(), mesh), report))
+        let part = &mut |part| progress(0.5 + part * 0.5);
+        let object = build(file.stem(), self.soup, &file.name, &self.reading, &mut report, part)?;
+        Ok((object, report))
     }
 }
 

@@ -6,18 +6,23 @@ use crate::scan::Scan;
 
 /// Gives numbers one after the other.
 pub(crate) enum Source<'a> {
-    Text(Scan<'a>),
-    Binary { bytes: &'a [u8], at: usize, big: bool },
+    /// In text, whether numbers are wanted in double precision rather than rounded to `f32` once.
+    Text(Scan<'a>, bool),
+    Binary {
+        bytes: &'a [u8],
+        at: usize,
+        big: bool,
+    },
 }
 
 impl<'a> Source<'a> {
     /// Numbers from `at` on.
-    pub(crate) fn new(bytes: &'a [u8], at: usize, encoding: Encoding) -> Self {
+    pub(crate) fn new(bytes: &'a [u8], at: usize, encoding: Encoding, precise: bool) -> Self {
         match encoding {
             Encoding::Text => {
                 let mut scan = Scan::new(bytes, None);
                 scan.at = at;
-                Self::Text(scan)
+                Self::Text(scan, precise)
             }
             Encoding::LittleEndian => Self::Binary { bytes, at, big: false },
             Encoding::BigEndian => Self::Binary { bytes, at, big: true },
@@ -27,7 +32,7 @@ impl<'a> Source<'a> {
     /// How many bytes are read.
     pub(crate) fn at(&self) -> usize {
         match self {
-            Self::Text(scan) => scan.at,
+            Self::Text(scan, _) => scan.at,
             Self::Binary { at, .. } => *at,
         }
     }
@@ -35,7 +40,7 @@ impl<'a> Source<'a> {
     /// The next number; none where the file ends. In text, a word that is no number is NaN.
     pub(crate) fn next(&mut self, scalar: Scalar) -> Option<f64> {
         match self {
-            Self::Text(scan) => {
+            Self::Text(scan, precise) => {
                 let word = scan.word()?;
                 let whole = |word| number::integer(word, 0).filter(|&(_, end)| end == word.len());
                 if !scalar.is_float()
@@ -43,8 +48,12 @@ impl<'a> Source<'a> {
                 {
                     return Some(value as f64);
                 }
-                let value = number::float(word, 0).filter(|&(_, end)| end == word.len());
-                Some(value.map_or(f64::NAN, |(value, _)| f64::from(value)))
+                let value = if *precise {
+                    number::double(word, 0)
+                } else {
+                    number::float(word, 0).map(|(value, end)| (f64::from(value), end))
+                };
+                Some(value.filter(|&(_, end)| end == word.len()).map_or(f64::NAN, |(value, _)| value))
             }
             Self::Binary { bytes, at, big } => {
                 fn take<const N: usize>(bytes: &[u8], at: &mut usize, big: bool) -> Option<[u8; N]> {

@@ -3,7 +3,7 @@
 use crate::export::{ObjectRef, WriteError};
 use crate::import::NamedBytes;
 use crate::pieces::Pieces;
-use crate::text::{push_floats, push_integer};
+use crate::text::{push_integer, push_position};
 use halfedge::Color;
 use std::io::Write;
 
@@ -17,9 +17,13 @@ pub(crate) fn write(name: &str, objects: &[ObjectRef]) -> Result<Vec<NamedBytes>
     let vertex_colors = pieces.vertex_colors();
     let face_colors = pieces.face_colors();
     let mut out = head("binary_little_endian", &pieces, vertex_colors.is_some(), face_colors.is_some());
-    for (v, position) in pieces.positions().enumerate() {
-        for c in position.to_array() {
-            out.extend_from_slice(&c.to_le_bytes());
+    let is_far = pieces.is_far();
+    for (v, (position, offset)) in pieces.positions().enumerate() {
+        if is_far {
+            let at = (position.as_dvec3() + offset).to_array();
+            out.extend(at.into_iter().flat_map(f64::to_le_bytes));
+        } else {
+            out.extend(position.to_array().into_iter().flat_map(f32::to_le_bytes));
         }
         if let Some(color) = vertex_colors.as_ref().and_then(|colors| colors.get(v)) {
             out.extend_from_slice(&color.to_array().map(byte));
@@ -44,8 +48,8 @@ pub(crate) fn write_text(name: &str, objects: &[ObjectRef]) -> Vec<NamedBytes> {
     let vertex_colors = pieces.vertex_colors();
     let face_colors = pieces.face_colors();
     let mut out = head("ascii", &pieces, vertex_colors.is_some(), face_colors.is_some());
-    for (v, position) in pieces.positions().enumerate() {
-        push_floats(&mut out, &position.to_array());
+    for (v, (position, offset)) in pieces.positions().enumerate() {
+        push_position(&mut out, position, offset);
         if let Some(color) = vertex_colors.as_ref().and_then(|colors| colors.get(v)) {
             push_channels(&mut out, color.to_array().map(byte));
         }
@@ -80,12 +84,13 @@ fn byte(channel: f32) -> u8 {
 fn head(format: &str, pieces: &Pieces, vertex_colors: bool, face_colors: bool) -> Vec<u8> {
     const CHANNELS: &str = "property uchar red\nproperty uchar green\nproperty uchar blue\n";
     let channels = |on: bool| if on { CHANNELS } else { "" };
+    let float = if pieces.is_far() { "double" } else { "float" };
     let mut out = Vec::new();
     // Writing to memory doesn't fail.
     let _ = write!(
         out,
         "ply\nformat {format} 1.0\ncomment Written by Meshwright\n\
-         element vertex {}\nproperty float x\nproperty float y\nproperty float z\n{}\
+         element vertex {}\nproperty {float} x\nproperty {float} y\nproperty {float} z\n{}\
          element face {}\nproperty list uint int vertex_indices\n{}end_header\n",
         pieces.vertices,
         channels(vertex_colors),

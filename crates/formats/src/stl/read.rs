@@ -1,6 +1,7 @@
 //! Reading an STL.
 
-use crate::import::{ImportedObject, NamedBytes, ReadError, build};
+use crate::import::{ImportedObject, NamedBytes, ReadError, Reading, build};
+use crate::origin::Origin;
 use crate::report::{ImportReport, Places, counted};
 use crate::scan::{Scan, Ticker};
 use crate::weld::Weld;
@@ -32,14 +33,15 @@ fn facets(bytes: &[u8]) -> Option<u64> {
 /// Reads one STL as one object.
 pub(crate) fn read(
     file: &NamedBytes,
+    reading: &mut Reading,
     progress: &mut Progress,
 ) -> Result<(ImportedObject, ImportReport), ReadError> {
     let mut report = ImportReport::default();
     let mut triangles = Triangles { weld: Weld::new(), soup: PolygonSoup::default() };
     if is_text(&file.bytes) && !is_binary(&file.bytes) {
-        text(file, &mut triangles, &mut report, progress)?;
+        text(file, &mut triangles, &mut reading.origin, &mut report, progress)?;
     } else {
-        binary(file, &mut triangles, &mut report, progress)?;
+        binary(file, &mut triangles, &mut reading.origin, &mut report, progress)?;
     }
     let corners = triangles.soup.corners.len();
     triangles.soup.positions = triangles.weld.positions;
@@ -50,8 +52,9 @@ pub(crate) fn read(
             counted(triangles.soup.positions.len(), "vertex", "vertices")
         ));
     }
-    let mesh = build(triangles.soup, &file.name, &mut report, &mut |part| progress(0.5 + part * 0.5))?;
-    Ok((ImportedObject::new(file.stem(), mesh), report))
+    let part = &mut |part| progress(0.5 + part * 0.5);
+    let object = build(file.stem(), triangles.soup, &file.name, reading, &mut report, part)?;
+    Ok((object, report))
 }
 
 struct Triangles {
@@ -69,6 +72,7 @@ impl Triangles {
 fn binary(
     file: &NamedBytes,
     triangles: &mut Triangles,
+    origin: &mut Option<Origin>,
     report: &mut ImportReport,
     progress: &mut Progress,
 ) -> Result<(), ReadError> {
@@ -92,7 +96,10 @@ fn binary(
         let (words, _) = facet.as_chunks::<4>();
         // A normal, three corners, and two bytes that mean nothing certain.
         let mut numbers = words.iter().skip(3).map(|word| f32::from_le_bytes(*word));
-        let mut corner = || Vec3::from_array([(); 3].map(|()| numbers.next().unwrap_or(0.0)));
+        let mut corner = || {
+            let position = Vec3::from_array([(); 3].map(|()| numbers.next().unwrap_or(0.0)));
+            origin.as_mut().map_or(position, |origin| origin.place(position.as_dvec3()))
+        };
         triangles.push([corner(), corner(), corner()]);
         ticker.tick(HEAD + i * FACET, progress)?;
     }
@@ -102,6 +109,7 @@ fn binary(
 fn text(
     file: &NamedBytes,
     triangles: &mut Triangles,
+    origin: &mut Option<Origin>,
     report: &mut ImportReport,
     progress: &mut Progress,
 ) -> Result<(), ReadError> {
@@ -113,13 +121,10 @@ fn text(
     let mut readable = true;
     while let Some(word) = scan.word() {
         match word {
-            b"vertex" => {
-                let mut number = || scan.float();
-                match (number(), number(), number()) {
-                    (Some(x), Some(y), Some(z)) => corners.push(Vec3::new(x, y, z)),
-                    _ => readable = false,
-                }
-            }
+            b"vertex" => match scan.position(origin) {
+                Some(position) => corners.push(position),
+                None => readable = false,
+            },
             b"endfacet" => {
                 facet += 1;
                 match corners.as_slice() {

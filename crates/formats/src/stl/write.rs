@@ -2,10 +2,9 @@
 
 use crate::export::{ObjectRef, WriteError};
 use crate::import::NamedBytes;
-use crate::pieces::Pieces;
-use crate::text::push_floats;
+use crate::text::{push_floats, push_position};
 use crate::triangles::triangulate;
-use glam::Vec3;
+use glam::{DVec3, Vec3};
 
 /// Writes a binary STL.
 pub(crate) fn write(name: &str, objects: &[ObjectRef]) -> Result<Vec<NamedBytes>, WriteError> {
@@ -15,8 +14,11 @@ pub(crate) fn write(name: &str, objects: &[ObjectRef]) -> Result<Vec<NamedBytes>
         place.copy_from_slice(title);
     }
     let mut count = 0u64;
-    for_each_triangle(objects, |normal, corners| {
-        for point in [normal].iter().chain(corners) {
+    for_each_triangle(objects, |normal, corners, offset| {
+        // There are 32 bits for a coordinate, however far away it is.
+        let far = |corner: Vec3| (corner.as_dvec3() + offset).as_vec3();
+        let corners = if offset == DVec3::ZERO { *corners } else { corners.map(far) };
+        for point in [normal].iter().chain(&corners) {
             for c in point.to_array() {
                 out.extend_from_slice(&c.to_le_bytes());
             }
@@ -37,13 +39,13 @@ pub(crate) fn write(name: &str, objects: &[ObjectRef]) -> Result<Vec<NamedBytes>
 pub(crate) fn write_text(name: &str, objects: &[ObjectRef]) -> Vec<NamedBytes> {
     let title: String = name.chars().map(|c| if c.is_control() { ' ' } else { c }).collect();
     let mut out = format!("solid {title}\n").into_bytes();
-    for_each_triangle(objects, |normal, corners| {
+    for_each_triangle(objects, |normal, corners, offset| {
         out.extend_from_slice(b"facet normal");
         push_floats(&mut out, &normal.to_array());
         out.extend_from_slice(b"\nouter loop\n");
         for corner in corners {
             out.extend_from_slice(b"vertex");
-            push_floats(&mut out, &corner.to_array());
+            push_position(&mut out, *corner, offset);
             out.push(b'\n');
         }
         out.extend_from_slice(b"endloop\nendfacet\n");
@@ -53,18 +55,18 @@ pub(crate) fn write_text(name: &str, objects: &[ObjectRef]) -> Vec<NamedBytes> {
 }
 
 /// All faces cut into triangles, with their unit normals; zero where a triangle has no area.
-fn for_each_triangle(objects: &[ObjectRef], mut take: impl FnMut(Vec3, &[Vec3; 3])) {
+fn for_each_triangle(objects: &[ObjectRef], mut take: impl FnMut(Vec3, &[Vec3; 3], DVec3)) {
     let mut points = Vec::new();
     let mut triangles = Vec::new();
-    for (mesh, _, f) in Pieces::new(objects).faces() {
+    for (object, f) in objects.iter().flat_map(|object| object.mesh.faces().map(move |f| (object, f))) {
         points.clear();
-        points.extend(mesh.face_vertices(f).map(|v| mesh.position(v)));
+        points.extend(object.mesh.face_vertices(f).map(|v| object.mesh.position(v)));
         triangulate(&points, &mut triangles);
         for corners in &triangles {
             let corner =
                 |i: usize| corners.get(i).and_then(|&c| points.get(c as usize)).copied().unwrap_or_default();
             let [a, b, c] = [corner(0), corner(1), corner(2)];
-            take((b - a).cross(c - a).normalize_or_zero(), &[a, b, c]);
+            take((b - a).cross(c - a).normalize_or_zero(), &[a, b, c], object.offset);
         }
     }
 }

@@ -25,7 +25,11 @@ pub fn mesh(import: &Import) -> &Mesh {
 
 /// All objects of an import, to write them again.
 pub fn objects(import: &Import) -> Vec<ObjectRef<'_>> {
-    import.objects.iter().map(|object| ObjectRef::new(&object.name, &object.mesh)).collect()
+    import
+        .objects
+        .iter()
+        .map(|object| ObjectRef { offset: import.offset, ..ObjectRef::new(&object.name, &object.mesh) })
+        .collect()
 }
 
 /// Writes one mesh.

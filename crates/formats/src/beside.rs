@@ -1,0 +1,49 @@
+//! Files that belong beside another: an OBJ's material libraries, a glTF's buffers.
+
+use crate::format::Format;
+use crate::gltf;
+use crate::import::NamedBytes;
+
+/// The names of the files that a model says it needs besides itself, as it has them, with folders:
+/// relative to its own. A line of an OBJ that may mean one name with blanks or several gives all of
+/// them, so not every name need be there. Costs a pass over the file.
+pub fn companions(file: &NamedBytes) -> Vec<String> {
+    let mut names: Vec<String> = Vec::new();
+    let mut add = |name: &str| {
+        let name = name.trim().replace('\\', "/");
+        if !name.is_empty() && !names.contains(&name) {
+            names.push(name);
+        }
+    };
+    match Format::detect(file) {
+        Some(Format::Obj) => {
+            let lines = file.bytes.split(|&b| b == b'\n').map(<[u8]>::trim_ascii_start);
+            for rest in lines.filter_map(|line| line.strip_prefix(b"mtllib")) {
+                let rest = String::from_utf8_lossy(rest);
+                add(&rest);
+                rest.split_whitespace().for_each(&mut add);
+            }
+        }
+        Some(Format::Gltf | Format::Glb) => gltf::buffer_names(file).iter().for_each(|name| add(name)),
+        _ => {}
+    }
+    names
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn models_name_the_files_beside_them() {
+        let of = |name: &str, text: &str| companions(&NamedBytes::new(name, text));
+        assert_eq!(
+            of("a.obj", "v 0 0 0\n  mtllib my box.mtl\r\nmtllib sub\\b.mtl\n"),
+            ["my box.mtl", "my", "box.mtl", "sub/b.mtl"]
+        );
+        let gltf = r#"{"asset":{"version":"2.0"},"buffers":[{"uri":"a%20b/c%C3%A9.bin"},{"uri":"data:;base64,AA"},{}]}"#;
+        assert_eq!(of("a.gltf", gltf), ["a b/cé.bin"]);
+        assert_eq!(of("a.gltf", "{\"asset\": broken"), [""; 0]);
+        assert_eq!(of("a.ply", "ply\n"), [""; 0]);
+    }
+}

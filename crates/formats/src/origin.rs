@@ -1,0 +1,117 @@
+//! Models far from the origin: positions are kept relative to a point near them.
+//!
+//! A position is three `f32`. Far from the origin, as map coordinates are, those are too coarse: at
+//! five million they are half a unit apart. So a file whose model lies far away for its size is
+//! read a second time with coordinates in `f64`, from which an offset is taken before they are
+//! rounded. Writers add it again.
+
+use crate::import::ImportedObject;
+use glam::{DVec3, Vec3};
+use halfedge::Mesh;
+
+/// Where positions are counted from, and what that is good for.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Origin {
+    /// What is taken from every position.
+    pub offset: DVec3,
+    /// The most that a coordinate would have changed if nothing were taken.
+    pub lost: f64,
+}
+
+impl Origin {
+    pub(crate) fn new(offset: DVec3) -> Self {
+        Self { offset, lost: 0.0 }
+    }
+
+    /// A position relative to the offset.
+    pub(crate) fn place(&mut self, position: DVec3) -> Vec3 {
+        let lost = (position - position.as_vec3().as_dvec3()).abs().max_element();
+        if lost.is_finite() {
+            self.lost = self.lost.max(lost);
+        }
+        (position - self.offset).as_vec3()
+    }
+}
+
+/// Where the faces of a document lie.
+pub(crate) struct Bounds {
+    low: DVec3,
+    high: DVec3,
+}
+
+impl Bounds {
+    /// So many times its size a model lies from the origin before an offset is thought of: then at
+    /// least 8 of the 24 bits of a coordinate say nothing about its shape.
+    const FAR: f64 = 256.0;
+
+    /// What of a model's size coordinates may be off by without anyone minding.
+    const TOLERANCE: f64 = 1e-6;
+
+    pub(crate) fn of(objects: &[ImportedObject]) -> Self {
+        let mut bounds = Self { low: DVec3::INFINITY, high: DVec3::NEG_INFINITY };
+        let used = |mesh: &Mesh, v: halfedge::VertexId| mesh.halfedge_from(v).is_some();
+        for mesh in objects.iter().map(|object| &object.mesh) {
+            for v in mesh.vertices().filter(|&v| used(mesh, v)) {
+                let position = mesh.position(v).as_dvec3();
+                bounds.low = bounds.low.min(position);
+                bounds.high = bounds.high.max(position);
+            }
+        }
+        bounds
+    }
+
+    fn size(&self) -> f64 {
+        (self.high - self.low).max_element()
+    }
+
+    /// The offset that a model far away would be best kept with: its middle, in whole numbers where
+    /// it is larger than that, along the axes on which it is far away.
+    pub(crate) fn offset(&self) -> Option<DVec3> {
+        let size = self.size();
+        if !(size.is_finite() && size > 0.0) {
+            return None;
+        }
+        // A power of two, so that multiples of it are exact.
+        let step = size.log2().floor().min(0.0).exp2();
+        let along = |low: f64, high: f64| {
+            let middle = low + (high - low) / 2.0;
+            if middle.abs() > size * Self::FAR { (middle / step).round() * step } else { 0.0 }
+        };
+        let offset = DVec3::from_array([0, 1, 2].map(|i| along(self.low[i], self.high[i])));
+        (offset != DVec3::ZERO && offset.is_finite()).then_some(offset)
+    }
+
+    /// Whether what would have been lost is more than nothing.
+    pub(crate) fn is_worth(&self, origin: &Origin) -> bool {
+        origin.lost > self.size() * Self::TOLERANCE
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn offset(low: [f64; 3], high: [f64; 3]) -> Option<DVec3> {
+        Bounds { low: low.into(), high: high.into() }.offset()
+    }
+
+    #[test]
+    fn only_what_is_far_away_for_its_size_gets_an_offset() {
+        assert_eq!(offset([0.0; 3], [1.0; 3]), None);
+        assert_eq!(offset([100.0; 3], [101.0; 3]), None);
+        assert_eq!(offset([5e5, -3.0, 9.0], [5e5 + 10.0, 4.0, 11.0]), Some(DVec3::new(500_005.0, 0.0, 0.0)));
+        assert_eq!(offset([1e3; 3], [1e3 + 0.01; 3]), Some(DVec3::splat(1e3 + 0.0078125)));
+        assert_eq!(offset([7.0; 3], [7.0; 3]), None);
+        assert_eq!(offset([f64::INFINITY; 3], [f64::NEG_INFINITY; 3]), None);
+        assert_eq!(offset([-3e38; 3], [3e38; 3]), None);
+    }
+
+    #[test]
+    fn what_would_be_lost_is_measured() {
+        let mut origin = Origin::new(DVec3::splat(5_000_000.0));
+        assert_eq!(origin.place(DVec3::splat(5_000_001.0)), Vec3::ONE);
+        assert_eq!(origin.lost, 0.0);
+        assert_eq!(origin.place(DVec3::new(5_000_000.125, 5e6, 5e6)), Vec3::new(0.125, 0.0, 0.0));
+        assert_eq!(origin.lost, 0.125);
+    }
+}

@@ -1,0 +1,391 @@
+//! Choices in how a file's faces are made a mesh, where they are not one as they stand.
+//!
+//! The build itself (`halfedge::Mesh::build`) separates faces where more than two meet at an edge
+//! and turns faces so that neighbours agree. What is chosen otherwise is done to the soup before.
+
+use crate::report::{Places, counted};
+use glam::Vec3;
+use halfedge::attribute::Column;
+use halfedge::{Mesh, NONE, PolygonSoup, TooLarge};
+use serde::{Deserialize, Serialize};
+use std::collections::{HashMap, HashSet};
+
+/// How faces that are not a mesh as they stand are made one.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(default, deny_unknown_fields)]
+pub struct Repairs {
+    /// What becomes of faces at edges where more than two meet.
+    pub non_manifold: NonManifold,
+    /// Vertices this near to each other become one, in mesh units; none are where it is left out.
+    /// 0 merges those at the same place.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub merge_by_distance: Option<f32>,
+    /// Whether faces are turned so that neighbours face the same way. Otherwise edges where they
+    /// don't are separated, which cuts the mesh there; a piece that has no orientation, like a
+    /// Möbius strip, is turned and cut in any case.
+    pub orient: bool,
+}
+
+impl Default for Repairs {
+    fn default() -> Self {
+        Self { non_manifold: NonManifold::Separate, merge_by_distance: None, orient: true }
+    }
+}
+
+/// What becomes of faces at edges where more than two meet.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "lowercase")]
+pub enum NonManifold {
+    /// All stay, each with an edge of its own there.
+    #[default]
+    Separate,
+    /// The first two in the file's order stay.
+    Drop,
+}
+
+/// Builds a mesh of a soup with these choices; also what was changed, in sentences. Costs
+/// O(corners).
+///
+/// # Errors
+/// [`TooLarge`] when ids would run out.
+pub fn rebuild(soup: &PolygonSoup, repairs: &Repairs) -> Result<(Mesh, Vec<String>), TooLarge> {
+    let mut notes = Vec::new();
+    let mesh = build(soup.clone(), repairs, &mut notes)?;
+    Ok((mesh, notes))
+}
+
+pub(crate) fn build(
+    mut soup: PolygonSoup,
+    repairs: &Repairs,
+    notes: &mut Vec<String>,
+) -> Result<Mesh, TooLarge> {
+    if let Some(distance) = repairs.merge_by_distance {
+        merge(&mut soup, distance.max(0.0), notes);
+    }
+    if repairs.non_manifold == NonManifold::Drop {
+        drop_non_manifold(&mut soup, notes);
+    }
+    if !repairs.orient {
+        part_disagreeing(&mut soup, notes);
+    }
+    let built = Mesh::build(soup)?;
+    let mut mesh = built.mesh;
+    if !built.notes.is_empty() || !notes.is_empty() {
+        crate::soup::tidy_labels(&mut mesh);
+    }
+    notes.extend(built.notes.iter().map(ToString::to_string));
+    Ok(mesh)
+}
+
+/// Gives vertices near to each other the number of the first of them, and takes the others out.
+fn merge(soup: &mut PolygonSoup, distance: f32, notes: &mut Vec<String>) {
+    let mut kept: Vec<u32> = Vec::new();
+    let mut number = vec![NONE; soup.positions.len()];
+    let mut near = Near::new(distance);
+    for (v, &position) in soup.positions.iter().enumerate() {
+        let first = near.first(position, kept.len() as u32);
+        if let Some(slot) = number.get_mut(v) {
+            *slot = first;
+        }
+        if first as usize == kept.len() {
+            kept.push(v as u32);
+        }
+    }
+    let merged = soup.positions.len() - kept.len();
+    if merged == 0 {
+        return;
+    }
+    notes.push(format!("{} merged with another within {distance}", counted(merged, "vertex", "vertices")));
+    // A number that no vertex has stays one, also now that there are fewer.
+    soup.corners.iter_mut().for_each(|v| *v = number.get(*v as usize).copied().unwrap_or(NONE));
+    keep_vertices(soup, &kept);
+}
+
+/// The vertices of these numbers in this order, which may repeat, with their attributes.
+fn keep_vertices(soup: &mut PolygonSoup, kept: &[u32]) {
+    let pick =
+        |column: &mut Column| column.values = column.values.gather(kept.iter().copied(), column.default);
+    soup.vertex_columns.iter_mut().for_each(pick);
+    soup.positions = kept.iter().filter_map(|&v| soup.positions.get(v as usize).copied()).collect();
+}
+
+/// Places already met, in cells as wide as the distance.
+struct Near {
+    distance: f32,
+    cells: HashMap<[u64; 3], Vec<(Vec3, u32)>>,
+}
+
+impl Near {
+    fn new(distance: f32) -> Self {
+        Self { distance, cells: HashMap::new() }
+    }
+
+    /// The number of the first place within the distance; `next` where there is none, which this
+    /// place then has.
+    fn first(&mut self, position: Vec3, next: u32) -> u32 {
+        if !position.is_finite() {
+            return next;
+        }
+        // Cells are told by the bits of a whole number: they don't run out, however small they are.
+        let width = f64::from(self.distance);
+        let home = position.to_array().map(|c| match width {
+            0.0 => f64::from(c),
+            width => (f64::from(c) / width).floor(),
+        });
+        let key = |cell: [f64; 3]| cell.map(|c| (c + 0.0).to_bits());
+        let reach = if self.distance == 0.0 { 0..1 } else { 0..27 };
+        let mut best = None;
+        for i in reach.clone() {
+            let step = |by: i32| if reach.len() == 1 { 0.0 } else { f64::from(by % 3 - 1) };
+            let cell = [home[0] + step(i), home[1] + step(i / 3), home[2] + step(i / 9)];
+            for &(place, number) in self.cells.get(&key(cell)).map_or(&[][..], Vec::as_slice) {
+                if place.distance(position) <= self.distance {
+                    best = Some(best.map_or(number, |best: u32| best.min(number)));
+                }
+            }
+        }
+        best.unwrap_or_else(|| {
+            self.cells.entry(key(home)).or_default().push((position, next));
+            next
+        })
+    }
+}
+
+/// A face's vertices without repeats in a row, if the build would take it: three or more different
+/// ones, all there.
+fn outline(face: &[u32], vertices: usize) -> Option<Vec<u32>> {
+    let mut outline = face.to_vec();
+    outline.dedup();
+    if outline.len() > 1 && outline.first() == outline.last() {
+        outline.pop();
+    }
+    let mut sorted = outline.clone();
+    sorted.sort_unstable();
+    sorted.dedup();
+    let there = sorted.last().is_some_and(|&v| (v as usize) < vertices);
+    (there && sorted.len() >= 3 && sorted.len() == outline.len()).then_some(outline)
+}
+
+fn ends(a: u32, b: u32) -> (u32, u32) {
+    (a.min(b), a.max(b))
+}
+
+/// The sides of a face, each from one vertex to another.
+fn sides(face: &[u32]) -> impl Iterator<Item = (u32, u32)> + '_ {
+    face.iter().copied().zip(face.iter().copied().cycle().skip(1))
+}
+
+/// The same for all faces with the same vertices in the same cyclic order, either way round.
+fn canonical(face: &[u32]) -> Vec<u32> {
+    let n = face.len();
+    let start = (0..n).min_by_key(|&i| face.get(i)).unwrap_or(0);
+    let at = |i: usize| face.get(i % n.max(1)).copied().unwrap_or(NONE);
+    let forward: Vec<u32> = (0..n).map(|i| at(start + i)).collect();
+    let backward: Vec<u32> = (0..n).map(|i| at(start + n - i)).collect();
+    forward.min(backward)
+}
+
+/// Takes out faces at edges where two earlier ones meet already.
+fn drop_non_manifold(soup: &mut PolygonSoup, notes: &mut Vec<String>) {
+    let mut uses: HashMap<(u32, u32), u8> = HashMap::with_capacity(soup.corners.len() / 2);
+    let mut met = HashSet::with_capacity(soup.face_count());
+    let mut dropped = Vec::new();
+    let mut places = Places::default();
+    for (f, face) in soup.faces().enumerate() {
+        // What the build leaves out, repeated faces too, is in nobody's way.
+        let Some(face) = outline(face, soup.positions.len()).filter(|face| met.insert(canonical(face)))
+        else {
+            continue;
+        };
+        if sides(&face).any(|(a, b)| uses.get(&ends(a, b)).is_some_and(|&count| count >= 2)) {
+            dropped.push(f as u32);
+            places.add(f);
+            continue;
+        }
+        for (a, b) in sides(&face) {
+            *uses.entry(ends(a, b)).or_default() += 1;
+        }
+    }
+    if !places.is_empty() {
+        notes.push(places.sentence(
+            "face",
+            "faces",
+            "left out: two earlier faces meet at one of its edges",
+            "face",
+        ));
+        crate::soup::drop_faces(soup, &dropped);
+    }
+}
+
+/// Gives pieces whose faces agree vertices of their own, so that the build doesn't turn any.
+fn part_disagreeing(soup: &mut PolygonSoup, notes: &mut Vec<String>) {
+    // Per edge the faces there, and whether each runs from the smaller to the larger vertex.
+    let mut edges: HashMap<(u32, u32), Vec<(u32, bool)>> = HashMap::with_capacity(soup.corners.len() / 2);
+    for (f, face) in soup.faces().enumerate() {
+        let Some(face) = outline(face, soup.positions.len()) else { continue };
+        for (a, b) in sides(&face) {
+            edges.entry(ends(a, b)).or_default().push((f as u32, a < b));
+        }
+    }
+    let mut disagree = 0;
+    let mut pieces = Pieces::new(soup.face_count());
+    for faces in edges.values() {
+        if let &[(f, up), (g, other)] = faces.as_slice() {
+            if up == other {
+                disagree += 1;
+            } else {
+                pieces.join(f, g);
+            }
+        }
+    }
+    if disagree == 0 {
+        return;
+    }
+    notes.push(format!(
+        "{} separated: the faces there don't face the same way",
+        counted(disagree, "edge", "edges")
+    ));
+    // The first piece at a vertex keeps it.
+    let mut owner: HashMap<u32, u32> = HashMap::new();
+    let mut copies: HashMap<(u32, u32), u32> = HashMap::new();
+    let mut kept: Vec<u32> = (0..soup.positions.len() as u32).collect();
+    for f in 0..soup.face_count() {
+        let piece = pieces.of(f as u32);
+        for corner in soup.face_range(f) {
+            let Some(v) = soup.corners.get_mut(corner).filter(|v| (**v as usize) < soup.positions.len())
+            else {
+                continue;
+            };
+            if *owner.entry(*v).or_insert(piece) != piece {
+                *v = *copies.entry((*v, piece)).or_insert_with(|| {
+                    kept.push(*v);
+                    kept.len() as u32 - 1
+                });
+            }
+        }
+    }
+    keep_vertices(soup, &kept);
+}
+
+/// Faces joined to pieces (R. Tarjan, "Efficiency of a good but not linear set union algorithm",
+/// 1975).
+struct Pieces {
+    parent: Vec<u32>,
+}
+
+impl Pieces {
+    fn new(count: usize) -> Self {
+        Self { parent: (0..count as u32).collect() }
+    }
+
+    fn of(&mut self, mut f: u32) -> u32 {
+        loop {
+            let parent = self.parent.get(f as usize).copied().unwrap_or(f);
+            if parent == f {
+                return f;
+            }
+            let above = self.parent.get(parent as usize).copied().unwrap_or(parent);
+            if let Some(slot) = self.parent.get_mut(f as usize) {
+                *slot = above;
+            }
+            f = above;
+        }
+    }
+
+    fn join(&mut self, f: u32, g: u32) {
+        let (f, g) = (self.of(f), self.of(g));
+        if let Some(slot) = self.parent.get_mut(f.max(g) as usize) {
+            *slot = f.min(g);
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use proptest::prelude::*;
+
+    fn with(soup: &PolygonSoup, repairs: Repairs) -> (Mesh, Vec<String>) {
+        let (mesh, notes) = rebuild(soup, &repairs).expect("small");
+        mesh.validate().expect("valid");
+        (mesh, notes)
+    }
+
+    fn points(count: usize) -> Vec<Vec3> {
+        (0..count).map(|i| Vec3::new(i as f32, (i * i % 7) as f32, (i % 3) as f32)).collect()
+    }
+
+    /// Three triangles at one edge.
+    fn fin() -> PolygonSoup {
+        PolygonSoup::new(points(5), &[[0, 1, 2], [1, 0, 3], [0, 1, 4]])
+    }
+
+    #[test]
+    fn faces_at_crowded_edges_are_separated_or_left_out() {
+        let (mesh, notes) = with(&fin(), Repairs::default());
+        assert_eq!(mesh.face_count(), 3);
+        assert!(notes[0].contains("1 edge separated: more than two faces"), "{notes:?}");
+        let drop = Repairs { non_manifold: NonManifold::Drop, ..Repairs::default() };
+        let (mesh, notes) = with(&fin(), drop);
+        assert_eq!((mesh.face_count(), mesh.components().1), (2, 2), "two faces, and a vertex alone");
+        assert_eq!(notes, ["1 face left out: two earlier faces meet at one of its edges (face 2)"]);
+        // A repeated face is left out as one, and not counted as the second at its edges.
+        let soup = PolygonSoup::new(points(5), &[[0, 1, 2], [2, 0, 1], [1, 0, 3], [0, 1, 4]]);
+        let (mesh, _) = with(&soup, drop);
+        assert_eq!(mesh.face_count(), 2);
+        assert!(mesh.faces().all(|f| mesh.face_vertices(f).all(|v| v.raw() < 4)));
+    }
+
+    #[test]
+    fn faces_that_disagree_are_turned_or_separated() {
+        let soup = PolygonSoup::new(points(5), &[[0, 1, 2], [0, 1, 3], [1, 3, 4]]);
+        let (mesh, notes) = with(&soup, Repairs::default());
+        assert_eq!((mesh.vertex_count(), mesh.components().1), (5, 1));
+        assert!(notes[0].contains("turned round"), "{notes:?}");
+        let (mesh, notes) = with(&soup, Repairs { orient: false, ..Repairs::default() });
+        assert_eq!(notes[0], "2 edges separated: the faces there don't face the same way");
+        assert_eq!(mesh.components().1, 3);
+        let corners: Vec<Vec<Vec3>> =
+            mesh.faces().map(|f| mesh.face_vertices(f).map(|v| mesh.position(v)).collect()).collect();
+        let expected: Vec<Vec<Vec3>> =
+            soup.faces().map(|face| face.iter().map(|&v| soup.positions[v as usize]).collect()).collect();
+        assert_eq!(corners, expected, "every face as it is in the file");
+    }
+
+    #[test]
+    fn near_vertices_become_one_with_the_attributes_of_the_first() {
+        let mut soup = PolygonSoup::new(
+            vec![Vec3::ZERO, Vec3::X, Vec3::Y, Vec3::X * 1.005, Vec3::Y * 0.995, Vec3::ONE],
+            &[[0, 1, 2], [3, 5, 4]],
+        );
+        let colors = (0..6).map(|i| Vec3::splat(i as f32 / 8.0)).collect();
+        soup.vertex_columns.push(Column::with_values(halfedge::keys::VERTEX_COLOR, colors));
+        let near = |distance| Repairs { merge_by_distance: Some(distance), ..Repairs::default() };
+        let (mesh, notes) = with(&soup, near(0.01));
+        assert_eq!((mesh.vertex_count(), mesh.edge_count(), mesh.face_count()), (4, 5, 2));
+        assert_eq!(notes, ["2 vertices merged with another within 0.01"]);
+        assert_eq!(mesh.get(halfedge::keys::VERTEX_COLOR, 3), Vec3::splat(5.0 / 8.0));
+        assert_eq!(with(&soup, near(0.0)).0.vertex_count(), 6);
+        assert_eq!(with(&soup, near(1e-30)).0.vertex_count(), 6);
+        assert_eq!(with(&soup, near(f32::MAX)).0.face_count(), 0);
+        (soup.positions[3], soup.positions[4]) = (Vec3::X, Vec3::Y);
+        assert_eq!(with(&soup, near(0.0)).0.vertex_count(), 4);
+    }
+
+    proptest! {
+        #[test]
+        fn any_soup_becomes_a_mesh(
+            faces in prop::collection::vec(prop::collection::vec(0u32..9, 0..6), 0..24),
+            drop: bool, orient: bool, distance in prop::option::of(prop::sample::select(vec![0.0f32, 0.5, 1.5, 9.0])),
+        ) {
+            let soup = PolygonSoup::new(points(8), &faces);
+            let non_manifold = if drop { NonManifold::Drop } else { NonManifold::Separate };
+            let repairs = Repairs { non_manifold, orient, merge_by_distance: distance };
+            let (mesh, notes) = with(&soup, repairs);
+            prop_assert!(mesh.face_count() <= faces.len());
+            if drop {
+                prop_assert!(!notes.iter().any(|note| note.contains("more than two faces")), "{:?}", notes);
+            }
+        }
+    }
+}

@@ -1,0 +1,135 @@
+//! Models far from the origin: coordinates keep their digits through every format, once and again.
+
+mod common;
+
+use common::{mesh, objects, read};
+use formats::{Format, Import, NamedBytes};
+use glam::DVec3;
+
+/// A roof in map coordinates, some two meters wide, with millimeters.
+const ROOF: [[f64; 3]; 5] = [
+    [4_458_321.123, 5_412_000.004, 12.125],
+    [4_458_323.125, 5_412_000.011, 12.13],
+    [4_458_323.119, 5_412_002.008, 12.121],
+    [4_458_321.127, 5_412_002.002, 12.127],
+    [4_458_322.12, 5_412_001.006, 13.75],
+];
+
+fn obj() -> String {
+    let vertices: String = ROOF.iter().map(|[x, y, z]| format!("v {x} {y} {z}\n")).collect();
+    format!("{vertices}f 1 2 5\nf 2 3 5\nf 3 4 5\nf 4 1 5\nf 4 3 2 1\n")
+}
+
+fn read_text(name: &str, text: impl Into<Vec<u8>>) -> Import {
+    let import = read(&[NamedBytes::new(name, text)]).unwrap_or_else(|error| panic!("{error}"));
+    mesh(&import);
+    import
+}
+
+/// The coordinates as they are in the file, faces' corners one after the other.
+fn corners(import: &Import) -> Vec<DVec3> {
+    let mesh = mesh(import);
+    mesh.faces()
+        .flat_map(|f| {
+            mesh.face_vertices(f).map(|v| mesh.position(v).as_dvec3() + import.offset).collect::<Vec<_>>()
+        })
+        .collect()
+}
+
+fn expected() -> Vec<DVec3> {
+    [[0, 1, 4].as_slice(), &[1, 2, 4], &[2, 3, 4], &[3, 0, 4], &[3, 2, 1, 0]]
+        .concat()
+        .into_iter()
+        .map(|v| DVec3::from(ROOF[v]))
+        .collect()
+}
+
+fn check(import: &Import, what: &str) {
+    for (at, is) in corners(import).iter().zip(expected()) {
+        assert!(at.distance(is) < 3e-7, "{what}: {at} is {is}");
+    }
+    assert!(import.report.to_string().contains("far from the origin"), "{what}: {}", import.report);
+}
+
+#[test]
+fn digits_survive_reading_and_writing_in_every_format() {
+    let import = read_text("roof.obj", obj());
+    assert_eq!(import.offset.fract(), DVec3::ZERO);
+    assert_eq!(import.offset.z, 0.0, "12 is not far for two meters");
+    check(&import, "OBJ");
+    for format in [Format::Obj, Format::Ply, Format::PlyText, Format::Off, Format::Collada] {
+        let files = formats::write(format, "roof", &objects(&import)).expect("small");
+        let back = read(&files).expect("its own");
+        check(&back, format.name());
+        assert_eq!(back.offset, import.offset, "{format:?}");
+        assert!(mesh(&back) == mesh(&import), "{format:?}: to the bit");
+    }
+    // Formats of triangles.
+    for format in [Format::Glb, Format::Gltf, Format::StlText] {
+        let files = formats::write(format, "roof", &objects(&import)).expect("small");
+        let back = read(&files).expect("its own");
+        assert_eq!((back.offset, mesh(&back).vertex_count()), (import.offset, 5), "{format:?}");
+        let places = |import: &Import| {
+            let mut places: Vec<[u32; 3]> =
+                mesh(import).positions().iter().map(|p| p.to_array().map(f32::to_bits)).collect();
+            places.sort_unstable();
+            places
+        };
+        assert_eq!(places(&back), places(&import), "{format:?}");
+    }
+    let lost = formats::losses(Format::Stl, &objects(&import)).join("\n");
+    assert!(lost.contains("positions so far from the origin are rounded"), "{lost}");
+    let files = formats::write(Format::Stl, "roof", &objects(&import)).expect("small");
+    let back = read(&files).expect("its own");
+    assert_eq!(back.offset, DVec3::ZERO, "32 bits have no more digits to keep");
+    let json = formats::write(Format::Json, "roof", &objects(&import)).expect("small").remove(0);
+    let value: serde_json::Value = serde_json::from_slice(&json.bytes).expect("JSON");
+    let x = value["positions"][0][0].as_f64().expect("a number");
+    assert!((x - ROOF[0][0]).abs() < 3e-7, "{x}");
+}
+
+#[test]
+fn what_32_bits_hold_stays_where_it_is() {
+    // Far away, but whole numbers.
+    let import = read_text("a.obj", "v 5000000 0 0\nv 5000001 0 0\nv 5000000 1 0\nf 1 2 3\n");
+    assert_eq!(import.offset, DVec3::ZERO);
+    assert_eq!(mesh(&import).positions()[1].x, 5_000_001.0);
+    // Near, whatever the digits.
+    let import = read_text("a.obj", "v 0.1 0 0\nv 1.1 0 0\nv 0.1 1 0\nf 1 2 3\n");
+    assert_eq!(import.offset, DVec3::ZERO);
+    // A vertex that no face uses does not count.
+    let import = read_text("a.obj", format!("{}v 0 0 0\n", obj()));
+    assert_ne!(import.offset, DVec3::ZERO);
+}
+
+#[test]
+fn a_node_far_away_keeps_the_digits_of_its_mesh() {
+    let dae = |translate: &str| {
+        format!(
+            "<COLLADA><library_geometries><geometry id=\"g\"><mesh><source id=\"p\"><float_array id=\"a\" count=\"9\">\
+             0 0 0 0.125 0 0 0 0.0625 0</float_array><technique_common><accessor source=\"#a\" count=\"3\" \
+             stride=\"3\"/></technique_common></source><vertices id=\"v\"><input semantic=\"POSITION\" \
+             source=\"#p\"/></vertices><polylist count=\"1\"><input semantic=\"VERTEX\" source=\"#v\" \
+             offset=\"0\"/><vcount>3</vcount><p>0 1 2</p></polylist></mesh></geometry></library_geometries>\
+             <library_visual_scenes><visual_scene id=\"s\"><node>{translate}<instance_geometry url=\"#g\"/></node>\
+             </visual_scene></library_visual_scenes><scene><instance_visual_scene url=\"#s\"/></scene></COLLADA>"
+        )
+    };
+    let near = read_text("a.dae", dae(""));
+    let far = read_text("a.dae", dae("<translate>4000000.5 0 0</translate>"));
+    assert_eq!(near.offset, DVec3::ZERO);
+    assert_ne!(far.offset, DVec3::ZERO);
+    for (a, b) in corners(&near).iter().zip(corners(&far)) {
+        assert!((*a + DVec3::new(4_000_000.5, 0.0, 0.0)).distance(b) < 1e-9, "{a} {b}");
+    }
+}
+
+#[test]
+fn files_opened_together_share_an_offset() {
+    let moved = obj().replace("4458", "4459");
+    let import = read(&[NamedBytes::new("a.obj", obj()), NamedBytes::new("b.obj", moved)]).expect("readable");
+    assert_eq!(import.objects.len(), 2);
+    // A kilometer apart, but kept with more digits than they would have there.
+    let x = |object: usize| f64::from(import.objects[object].mesh.positions()[0].x) + import.offset.x;
+    assert!((x(1) - x(0) - 1000.0).abs() < 1e-4, "{} {}", x(0), x(1));
+}
