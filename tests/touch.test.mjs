@@ -1,0 +1,121 @@
+// One finger turns the view, two move and pinch it; the mouse and the trackpad do likewise.
+
+import assert from "node:assert/strict";
+
+import { PHONE, SMALL, editorTest } from "./harness.mjs";
+
+const view = async (editor) => (await editor.state()).view;
+
+/** A place in the viewport beside the mesh. */
+async function beside(editor) {
+  const { rect: [x, y, width, height] } = await view(editor);
+  return [x + width / 2, y + height - 60];
+}
+
+/** Moves fingers, each given as the way it goes: [from, to]. */
+async function fingers(editor, ...ways) {
+  const session = await editor.context.newCDPSession(editor.page);
+  const at = (part) => ways.map(([from, to], id) => ({
+    id,
+    x: from[0] + (to[0] - from[0]) * part,
+    y: from[1] + (to[1] - from[1]) * part,
+  }));
+  const send = (type, touchPoints) => session.send("Input.dispatchTouchEvent", { type, touchPoints });
+  // A finger that rests for more than half a second asks for the menu, so the first move comes at once.
+  await send("touchStart", at(0));
+  for (let step = 1; step <= 6; step += 1) {
+    await send("touchMove", at(step / 6));
+    await editor.frames(1);
+  }
+  await send("touchEnd", []);
+  await editor.frames(3);
+  await session.detach();
+}
+
+const near = (a, b, by = 1e-6) => Math.abs(a - b) <= by;
+
+editorTest("fingers turn, move and pinch the view", { renderers: ["webgl2"], sizes: [PHONE] }, async (editor) => {
+  const [x, y] = await beside(editor);
+  const document = JSON.stringify((await editor.state()).document);
+
+  const first = await view(editor);
+  await fingers(editor, [[x, y], [x - 70, y - 30]]);
+  const turned = await view(editor);
+  assert.ok(Math.abs(turned.yaw - first.yaw) > 0.1 && Math.abs(turned.pitch - first.pitch) > 0.05, "one finger turns");
+  assert.deepEqual(turned.target, first.target);
+  assert.equal(turned.distance, first.distance);
+
+  await fingers(editor, [[x - 40, y], [x - 90, y]], [[x + 40, y], [x + 90, y]]);
+  const near1 = await view(editor);
+  assert.ok(near1.distance < turned.distance * 0.8, `spread fingers come closer: ${near1.distance}`);
+  await fingers(editor, [[x - 90, y], [x - 40, y]], [[x + 90, y], [x + 40, y]]);
+  const back = await view(editor);
+  assert.ok(back.distance > near1.distance * 1.25, "pinching goes away");
+  assert.ok(near(back.yaw, turned.yaw, 0.02) && near(back.pitch, turned.pitch, 0.02), "neither turns");
+
+  await fingers(editor, [[x - 40, y], [x - 40, y - 80]], [[x + 40, y], [x + 40, y - 80]]);
+  const moved = await view(editor);
+  assert.notDeepEqual(moved.target, back.target, "two fingers together move the view");
+  assert.ok(near(moved.distance, back.distance, back.distance * 0.05), "and come no closer");
+
+  assert.equal(JSON.stringify((await editor.state()).document), document, "looking changes nothing");
+  assert.deepEqual((await editor.state()).selection.ids, [], "and selects nothing");
+});
+
+const small = { renderers: ["webgl2"], sizes: [SMALL] };
+editorTest("the mouse and the trackpad turn, move, zoom and frame", small, async (editor) => {
+  const [x, y, width, height] = (await view(editor)).rect;
+  const free = [x + 40, y + height - 40];
+  const to = [free[0] + 90, free[1] - 40];
+
+  const first = await view(editor);
+  await editor.drag(free, to);
+  const turned = await view(editor);
+  assert.notEqual(turned.yaw, first.yaw);
+  assert.notEqual(turned.pitch, first.pitch);
+  assert.deepEqual(turned.target, first.target, "a drag beside the mesh turns");
+
+  await editor.drag(free, to, { button: "middle" });
+  assert.notEqual((await view(editor)).yaw, turned.yaw, "so does the middle button, anywhere");
+
+  const before = await view(editor);
+  await editor.drag(free, to, { button: "right" });
+  const moved = await view(editor);
+  assert.notDeepEqual(moved.target, before.target, "the right button moves");
+  assert.equal(moved.yaw, before.yaw);
+  assert.deepEqual((await editor.ui()).filter((node) => node.name === "Select all"), [], "and opens no menu");
+
+  // What is under the pointer stays there when the wheel turns.
+  const seen = async (id) => {
+    const corner = (await editor.element("vertex", id)).position;
+    const at = await editor.project(corner);
+    return { corner, at, inside: at[0] > x && at[0] < x + width && at[1] > y && at[1] < y + height };
+  };
+  const { corner, at } = (await Promise.all([0, 1, 2, 3, 4, 5, 6, 7].map(seen))).find(({ inside }) => inside);
+  await editor.page.mouse.move(...at);
+  await editor.frames(2);
+  await editor.page.mouse.wheel(0, -240);
+  await editor.until("the wheel comes closer", async () => (await view(editor)).distance < moved.distance * 0.9);
+  await editor.frames(10);
+  const zoomed = await editor.project(corner);
+  assert.ok(Math.hypot(zoomed[0] - at[0], zoomed[1] - at[1]) < 12, `${at} went to ${zoomed}`);
+
+  // A trackpad's pinch comes as a wheel with Ctrl.
+  const { distance } = await view(editor);
+  await editor.page.keyboard.down("Control");
+  await editor.page.mouse.wheel(0, 120);
+  await editor.page.keyboard.up("Control");
+  await editor.until("a pinch goes away", async () => (await view(editor)).distance > distance * 1.05);
+
+  // Home frames the whole mesh: all of it is on screen again, and large.
+  await editor.page.mouse.move(5, 5);
+  await editor.press("Home");
+  await editor.frames(20);
+  const corners = await Promise.all([0, 1, 2, 3, 4, 5, 6, 7].map(async (id) =>
+    editor.project((await editor.element("vertex", id)).position)));
+  for (const [px, py] of corners) {
+    assert.ok(px >= x && py >= y && px <= x + width && py <= y + height, `${px}, ${py} is outside`);
+  }
+  const extent = (axis) => Math.max(...corners.map((c) => c[axis])) - Math.min(...corners.map((c) => c[axis]));
+  assert.ok(Math.max(extent(0) / width, extent(1) / height) > 0.4, "and fills the viewport");
+});
