@@ -110,7 +110,8 @@ impl FaceTree {
         if leaves_extent > COHERENT * faces_extent {
             let bounds: Vec<Bounds> =
                 order.iter().map(|&face| face_bounds(mesh, FaceId::new(face as usize))).collect();
-            let sorted = morton::order(&bounds);
+            let centers: Vec<Vec3> = bounds.iter().map(|b| b.center()).collect();
+            let sorted = morton::order(&centers);
             order = sorted.iter().map(|&i| order[i as usize]).collect();
             leaves = sorted
                 .chunks(LEAF)
@@ -119,7 +120,8 @@ impl FaceTree {
         } else {
             // Only whole leaves change places; the last, which may be short, stays last.
             let whole = order.len() / LEAF;
-            let sorted = morton::order(&leaves[..whole]);
+            let centers: Vec<Vec3> = leaves[..whole].iter().map(|b| b.center()).collect();
+            let sorted = morton::order(&centers);
             let mut by_leaf = Vec::with_capacity(order.len());
             for &leaf in &sorted {
                 let start = leaf as usize * LEAF;
@@ -407,6 +409,7 @@ fn intersect([a, b, c]: [DVec3; 3], direction: DVec3) -> Option<(f64, DVec3)> {
 
 /// The weights of the point of a triangle closest to `p` (Ericson: Real-time collision detection,
 /// 5.1.5).
+#[inline]
 pub(crate) fn closest_in_triangle([a, b, c]: [DVec3; 3], p: DVec3) -> DVec3 {
     let (ab, ac) = (b - a, c - a);
     let ap = p - a;

@@ -1,18 +1,18 @@
-//! Sorting boxes along a curve through space, so that neighbours in the order are neighbours in space.
+//! Sorting points along a curve through space, so that neighbours in the order are neighbours in space.
 
 use crate::measure::Bounds;
 use glam::Vec3;
 
-/// The positions of the boxes in order of the Morton code of their centres (10 bits an axis), equal
-/// codes in order of position. Costs O(boxes): three passes of a radix sort.
-pub(crate) fn order(boxes: &[Bounds]) -> Vec<u32> {
-    let all = boxes.iter().copied().fold(Bounds::EMPTY, Bounds::union);
+/// The numbers of the points in order of their Morton codes (10 bits an axis), equal codes in order of
+/// number. Costs O(points): three passes of a radix sort.
+pub(crate) fn order(points: &[Vec3]) -> Vec<u32> {
+    let all = points.iter().copied().fold(Bounds::EMPTY, Bounds::with);
     let size = (all.max.as_dvec3() - all.min.as_dvec3()).max_element();
     let scale = if size > 0.0 && size.is_finite() { (1023.0 / size) as f32 } else { 0.0 };
     let mut codes: Vec<(u32, u32)> = (0u32..)
-        .zip(boxes)
-        .map(|(i, b)| {
-            let cell = ((b.center() - all.min) * scale).clamp(Vec3::ZERO, Vec3::splat(1023.0));
+        .zip(points)
+        .map(|(i, &point)| {
+            let cell = ((point - all.min) * scale).clamp(Vec3::ZERO, Vec3::splat(1023.0));
             (spread(cell.x as u32) | spread(cell.y as u32) << 1 | spread(cell.z as u32) << 2, i)
         })
         .collect();
@@ -57,10 +57,8 @@ mod tests {
     }
 
     #[test]
-    fn boxes_on_a_line_sort_along_it_and_ties_keep_their_order() {
-        let at = |x: f32| Bounds { min: Vec3::splat(x), max: Vec3::splat(x) };
-        let boxes: Vec<Bounds> = [9.0, 1.0, 5.0, 1.0, 0.0].map(at).to_vec();
-        assert_eq!(order(&boxes), [4, 1, 3, 2, 0]);
+    fn points_on_a_line_sort_along_it_and_ties_keep_their_order() {
+        assert_eq!(order(&[9.0, 1.0, 5.0, 1.0, 0.0].map(Vec3::splat)), [4, 1, 3, 2, 0]);
         assert_eq!(order(&[]), []);
     }
 }

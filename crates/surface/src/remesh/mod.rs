@@ -1,0 +1,174 @@
+//! Isotropic remeshing: triangles with sides of one length.
+//!
+//! Botsch and Kobbelt: A remeshing approach to multiresolution modeling (2004). Each iteration splits
+//! edges longer than 4/3 of the length, collapses those shorter than 4/5, flips edges towards valence 6
+//! (4 on the boundary), moves vertices along the surface to the middle of their triangles, and puts them
+//! back on the input. Boundaries, edges sharper than the feature angle, seams of corner attributes,
+//! creases and borders between materials, groups and colours are kept: their vertices only slide along
+//! them by being split off and merged, and where such curves meet they stay.
+
+mod curves;
+mod input;
+mod polish;
+mod relax;
+mod work;
+
+use crate::SurfaceError;
+use crate::pace::Pace;
+use crate::trimesh::TriMesh;
+use halfedge::{Mesh, NONE, Progress};
+use relax::Relaxer;
+use work::Work;
+
+/// How to remesh.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Remesh {
+    /// The length of edges, in mesh units; none for the mean of the input's.
+    pub edge_length: Option<f64>,
+    /// How many rounds.
+    pub iterations: u32,
+    /// Edges whose faces' normals differ by more than this are kept, in degrees.
+    pub feature_angle: f64,
+    /// Whether vertices are put back on the input each round.
+    pub project: bool,
+}
+
+impl Default for Remesh {
+    fn default() -> Self {
+        Self { edge_length: None, iterations: 5, feature_angle: 45.0, project: true }
+    }
+}
+
+/// The most triangles that remeshing may make.
+const MAX_TRIANGLES: u64 = 8_000_000;
+
+/// Remeshes a surface; the input is untouched. Polygons are cut into triangles first, isolated vertices
+/// left out. Triangles have the face attributes of the one they were cut from; corner, vertex and edge
+/// attributes are mixed where edges are split and merged. Costs O(iterations x (mesh + result)).
+///
+/// # Errors
+/// [`SurfaceError::BadField`]; [`SurfaceError::TooManyFaces`] beforehand, for an edge length so short;
+/// [`SurfaceError::Cancelled`].
+pub fn remesh(mesh: &Mesh, options: &Remesh, progress: &mut Progress<'_>) -> Result<Mesh, SurfaceError> {
+    let length = options.edge_length.unwrap_or_else(|| crate::measure::mean_edge_length(mesh));
+    if !(options.feature_angle > 0.0 && options.feature_angle <= 180.0) {
+        return Err(SurfaceError::field("feature_angle", "above 0 and at most 180 degrees"));
+    }
+    let mut pace = Pace::new(progress);
+    pace.at(0.0)?;
+    if mesh.face_count() == 0 {
+        return Ok(Mesh::new());
+    }
+    if !(length > 0.0 && length.is_finite()) {
+        return Err(SurfaceError::field("edge_length", "a finite number above 0"));
+    }
+    // An equilateral triangle has sqrt(3)/4 of its side's square.
+    let expected = crate::measure::surface_area(mesh) / (length * length * 0.433);
+    if expected > MAX_TRIANGLES as f64 {
+        return Err(SurfaceError::TooManyFaces { faces: expected as u64, limit: MAX_TRIANGLES });
+    }
+    let tri = TriMesh::new(mesh);
+    let (_, least_cos) = crate::trig::sin_cos_turns(options.feature_angle / 360.0);
+    let length = length / tri.frame.scale;
+    let mut work = Work::new(mesh, tri, length, least_cos, options.project);
+    let mut relaxer = Relaxer::default();
+    pace.at(0.05)?;
+    for iteration in 0..options.iterations {
+        let share = |i: u32| 0.05 + 0.8 * i as f32 / options.iterations as f32;
+        let mut part = pace.part(share(iteration), share(iteration + 1));
+        split_long(&mut work, &mut part.part(0.0, 0.1))?;
+        collapse_short(&mut work, &mut part.part(0.1, 0.2))?;
+        if work.unordered > work.tri.faces / 4 {
+            work.put_in_order();
+        }
+        flip_to_valence(&mut work, &mut part.part(0.2, 0.4))?;
+        for round in 0..RELAXATIONS {
+            let share = |i: u32| 0.4 + 0.6 * i as f32 / RELAXATIONS as f32;
+            relaxer.run(&mut work, &mut part.part(share(round), share(round + 1)))?;
+        }
+    }
+    polish::polish(&mut work, &mut pace.part(0.85, 0.95))?;
+    let result = work.tri.to_mesh(mesh);
+    pace.at(1.0)?;
+    Ok(result)
+}
+
+/// How often vertices are moved in each iteration.
+const RELAXATIONS: u32 = 2;
+
+/// Calls `edit` with each edge that exists when its turn comes, those made meanwhile included.
+fn each_edge(
+    work: &mut Work,
+    pace: &mut Pace<'_, '_>,
+    mut edit: impl FnMut(&mut Work, u32),
+) -> Result<(), SurfaceError> {
+    let mut h = 0;
+    while h < work.tri.v.len() as u32 {
+        if h % 65_536 == 0 {
+            pace.at(h as f32 / work.tri.v.len() as f32)?;
+        }
+        // The smaller of an edge's half-edges stands for it; NONE is larger than all.
+        if work.tri.is_alive(h) && h < work.tri.opp(h) {
+            edit(work, h);
+        }
+        h += 1;
+    }
+    Ok(())
+}
+
+fn split_long(work: &mut Work, pace: &mut Pace<'_, '_>) -> Result<(), SurfaceError> {
+    each_edge(work, pace, |work, h| {
+        while work.length_squared(h) > work.longest {
+            let longest = work.longest_near(h);
+            work.split(longest);
+        }
+    })
+}
+
+fn collapse_short(work: &mut Work, pace: &mut Pace<'_, '_>) -> Result<(), SurfaceError> {
+    each_edge(work, pace, |work, h| {
+        if work.length_squared(h) < work.shortest
+            && let Some(merge) = work.merge_of(h)
+            && work.can_merge(merge, work.longest)
+        {
+            work.merge(merge);
+        }
+    })
+}
+
+/// Flips edges where that brings valences closer to six, or to four on the boundary, where half a disc
+/// of triangles is.
+fn flip_to_valence(work: &mut Work, pace: &mut Pace<'_, '_>) -> Result<(), SurfaceError> {
+    // How far each vertex is above its best.
+    let mut excess: Vec<i32> = (0..work.tri.out.len() as u32)
+        .map(|v| if work.tri.is_boundary_vertex(v) { -4 } else { -6 })
+        .collect();
+    for h in 0..work.tri.v.len() as u32 {
+        if work.tri.is_alive(h) {
+            excess[work.tri.from(h) as usize] += 1;
+            if work.tri.opp(h) == NONE {
+                excess[work.tri.to(h) as usize] += 1;
+            }
+        }
+    }
+    each_edge(work, pace, |work, h| {
+        let across = work.tri.opp(h);
+        if across == NONE {
+            return;
+        }
+        let ends = [work.tri.from(h), work.tri.to(h)];
+        let apexes = [work.tri.apex(h), work.tri.apex(across)];
+        let sum = |vs: [u32; 2]| vs.iter().map(|&v| excess[v as usize]).sum::<i32>();
+        // The sum of squares changes by twice the apexes' sum less twice the ends' sum, plus four.
+        if sum(apexes) - sum(ends) + 2 >= 0 || !work.can_flip(h) {
+            return;
+        }
+        work.flip(h);
+        for v in ends {
+            excess[v as usize] -= 1;
+        }
+        for v in apexes {
+            excess[v as usize] += 1;
+        }
+    })
+}

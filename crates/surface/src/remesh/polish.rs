@@ -1,0 +1,275 @@
+//! The worst triangles, made better one by one.
+//!
+//! Rounds of splitting, merging, flipping and relaxing make nearly all triangles good; the few that are
+//! left have no reason to go. So each of those is given the one change (a flip, a merge or a move of a
+//! corner) that makes the worst triangle it touches best (as in Freitag and Ollivier-Gooch: Tetrahedral
+//! mesh improvement using swapping and smoothing, 1997). Nothing ever gets worse than the worst before.
+
+use super::curves::Role;
+use super::work::{Merge, Work};
+use crate::SurfaceError;
+use crate::pace::Pace;
+use glam::DVec3;
+use halfedge::NONE;
+
+/// Triangles are good when their smallest angle is 36 degrees: this is its sine's square.
+const GOOD: f64 = 0.345;
+/// A change has to make the worst better by this factor, so that none is made for rounding's sake.
+const GAIN: f64 = 1.001;
+/// How many rounds at most. Each looks at what the last one left or made.
+const ROUNDS: u32 = 16;
+/// Shares of the way to a better place that are tried.
+const STEPS: [f64; 4] = [1.0, 0.5, 0.25, 0.125];
+/// No edge becomes longer than the square root of this, in longest edges.
+const STRETCH: f64 = 1.2;
+
+/// What can be done for a triangle.
+enum Change {
+    Flip(u32),
+    Merge(Merge),
+    /// A free vertex to a place in a triangle of the input.
+    Move {
+        v: u32,
+        to: DVec3,
+        near: u32,
+    },
+    /// A vertex by a length along its curve.
+    Slide {
+        v: u32,
+        by: f64,
+    },
+}
+
+/// The square of the sine of the smallest angle, which lies across from the shortest side: 3/4 at best.
+#[inline]
+fn quality(a: DVec3, b: DVec3, c: DVec3) -> f64 {
+    let area = (b - a).cross(c - a).length_squared();
+    let (x, y, z) = (a.distance_squared(b), b.distance_squared(c), c.distance_squared(a));
+    let shortest = x.min(y).min(z);
+    // The product of the two longer ones, without the shortest.
+    let longer = if shortest == x {
+        y * z
+    } else if shortest == y {
+        x * z
+    } else {
+        x * y
+    };
+    if longer > 0.0 { area / longer } else { 0.0 }
+}
+
+pub(super) fn polish(work: &mut Work, pace: &mut Pace<'_, '_>) -> Result<(), SurfaceError> {
+    let mut bad: Vec<u32> = (0..work.tri.v.len() as u32 / 3).filter(|&f| is_bad(work, f)).collect();
+    let mut following = Vec::new();
+    for round in 0..ROUNDS {
+        let mut part = pace.part(round as f32 / ROUNDS as f32, (round + 1) as f32 / ROUNDS as f32);
+        let mut asked = 0;
+        let mut changed = false;
+        for (i, &f) in bad.iter().enumerate() {
+            // Looking for a change takes a few microseconds.
+            if i >= asked {
+                part.at(i as f32 / bad.len() as f32)?;
+                asked = i + 4096;
+            }
+            if !is_bad(work, f) {
+                continue;
+            }
+            match best_change(work, f) {
+                Some(change) => {
+                    let v = apply(work, change);
+                    changed = true;
+                    work.tri.around(v, |out| following.push(out / 3));
+                }
+                None => following.push(f),
+            }
+        }
+        if !changed {
+            break;
+        }
+        following.sort_unstable();
+        following.dedup();
+        std::mem::swap(&mut bad, &mut following);
+        following.clear();
+    }
+    Ok(())
+}
+
+fn is_bad(work: &Work, f: u32) -> bool {
+    work.tri.is_alive(3 * f) && of_triangle(work, 3 * f) < GOOD
+}
+
+fn of_triangle(work: &Work, h: u32) -> f64 {
+    let tri = &work.tri;
+    quality(tri.at(tri.from(h)), tri.at(tri.to(h)), tri.at(tri.apex(h)))
+}
+
+fn best_change(work: &mut Work, f: u32) -> Option<Change> {
+    let mut best = None;
+    let mut worst = 0.0;
+    let mut offer = |before: f64, after: f64, change: Change| {
+        if after > before * GAIN && after > worst {
+            worst = after;
+            best = Some(change);
+        }
+    };
+    for h in 3 * f..3 * f + 3 {
+        if work.can_flip(h) {
+            let (before, after) = of_flip(work, h);
+            offer(before, after, Change::Flip(h));
+        }
+        let v = work.tri.from(h);
+        match work.roles[v as usize] {
+            Role::Free => {
+                let before = of_star(work, v, work.tri.at(v));
+                for to in better_places(work, v) {
+                    let to = to - work.tri.at(v);
+                    for step in STEPS {
+                        let (to, near) = put_on(work, v, work.tri.at(v) + to * step);
+                        offer(before, of_star(work, v, to), Change::Move { v, to, near });
+                    }
+                }
+            }
+            Role::Curve => {
+                let before = of_star(work, v, work.tri.at(v));
+                let [a, b] = work.kept_at(v);
+                if a == NONE || b == NONE {
+                    continue;
+                }
+                let curve = work.arcs[work.arc[a as usize] as usize / 2].curve;
+                let from = work.places_from(v, a)[0];
+                for edge in [a, b] {
+                    let [start, end] = work.places_from(v, edge);
+                    for step in &STEPS[1..] {
+                        let by = (end - start) * step;
+                        let to = work.curves.at(curve, from + by);
+                        offer(before, of_star(work, v, to), Change::Slide { v, by });
+                    }
+                }
+            }
+            Role::Fixed => {}
+        }
+        if let Some(merge) = work.merge_of(h) {
+            let merge = if work.roles[work.tri.from(merge.edge) as usize] == Role::Free {
+                Merge { at: put_on(work, v, merge.at).0, ..merge }
+            } else {
+                merge
+            };
+            if work.can_merge(merge, work.longest * STRETCH) {
+                let (before, after) = of_merge(work, merge);
+                offer(before, after, Change::Merge(merge));
+            }
+        }
+    }
+    best
+}
+
+/// Makes a change; gives a vertex whose triangles are all those that it touched, or nearly.
+fn apply(work: &mut Work, change: Change) -> u32 {
+    match change {
+        Change::Flip(h) => {
+            work.flip(h);
+            work.tri.from(h)
+        }
+        Change::Merge(merge) => {
+            let v = work.tri.from(merge.edge);
+            work.merge(merge);
+            v
+        }
+        Change::Move { v, to, near } => {
+            work.tri.position[v as usize] = to;
+            work.near[v as usize] = near;
+            v
+        }
+        Change::Slide { v, by } => {
+            let pair = work.kept_at(v);
+            for edge in pair {
+                let [place, _] = work.places_from(v, edge);
+                work.set_place(v, edge, place + by);
+            }
+            let arc = work.arc[pair[0] as usize] as usize / 2;
+            let place = work.places_from(v, pair[0])[0];
+            work.tri.position[v as usize] = work.curves.at(work.arcs[arc].curve, place);
+            v
+        }
+    }
+}
+
+/// The point of the input for a point near a vertex, with its triangle.
+fn put_on(work: &Work, v: u32, p: DVec3) -> (DVec3, u32) {
+    let near = work.near[v as usize];
+    match &work.input {
+        Some(input) => {
+            let foot = input.closest(near, p);
+            (foot.at, foot.face)
+        }
+        None => (p, near),
+    }
+}
+
+/// Where a vertex would do better: the mean of the tips of equilateral triangles on the sides across
+/// from it, once evenly and once with more weight to those that are bad now.
+fn better_places(work: &Work, v: u32) -> [DVec3; 2] {
+    let tri = &work.tri;
+    let here = tri.at(v);
+    let mut normal = DVec3::ZERO;
+    tri.around(v, |out| normal += (tri.at(tri.to(out)) - here).cross(tri.at(tri.apex(out)) - here));
+    let normal = normal.normalize_or_zero();
+    let mut sums = [(DVec3::ZERO, 0.0f64); 2];
+    tri.around(v, |out| {
+        let (x, y) = (tri.at(tri.to(out)), tri.at(tri.apex(out)));
+        let tip = (x + y) * 0.5 + normal.cross(y - x) * 0.866_025_403_784_438_6;
+        let badness = 1.0 / (quality(here, x, y) + 0.01);
+        for ((sum, weights), weight) in sums.iter_mut().zip([1.0, badness * badness]) {
+            *sum += tip * weight;
+            *weights += weight;
+        }
+    });
+    sums.map(|(sum, weights)| {
+        let by = sum / weights - here;
+        if by.is_finite() { here + by - normal * by.dot(normal) } else { here }
+    })
+}
+
+/// The worst triangle of a vertex if it were at `at`; less than none if one turned over or became too
+/// long.
+fn of_star(work: &Work, v: u32, at: DVec3) -> f64 {
+    let tri = &work.tri;
+    let here = tri.at(v);
+    let limit = work.longest * STRETCH;
+    let mut worst = f64::MAX;
+    tri.around(v, |out| {
+        let (x, y) = (tri.at(tri.to(out)), tri.at(tri.apex(out)));
+        let old = (x - here).cross(y - here);
+        let turned = (x - at).cross(y - at).dot(old) <= 0.0 && old != DVec3::ZERO;
+        let stretched = [x, y].into_iter().any(|p| {
+            let length = p.distance_squared(at);
+            length > limit && length > p.distance_squared(here)
+        });
+        worst = worst.min(if turned || stretched { -1.0 } else { quality(at, x, y) });
+    });
+    worst
+}
+
+/// The worse of an edge's two triangles now and flipped.
+fn of_flip(work: &Work, h: u32) -> (f64, f64) {
+    let tri = &work.tri;
+    let across = tri.opp(h);
+    let [a, b, c, d] = [tri.from(h), tri.to(h), tri.apex(h), tri.apex(across)].map(|v| tri.at(v));
+    (quality(a, b, c).min(quality(b, a, d)), quality(a, d, c).min(quality(d, b, c)))
+}
+
+/// The worst triangle around an edge now and with its ends merged.
+fn of_merge(work: &Work, merge: Merge) -> (f64, f64) {
+    let tri = &work.tri;
+    let (a, b) = (tri.from(merge.edge), tri.to(merge.edge));
+    let (mut before, mut after) = (f64::MAX, f64::MAX);
+    for (v, other) in [(a, b), (b, a)] {
+        tri.around(v, |out| {
+            before = before.min(of_triangle(work, out));
+            let (x, y) = (tri.to(out), tri.apex(out));
+            if x != other && y != other {
+                after = after.min(quality(merge.at, tri.at(x), tri.at(y)));
+            }
+        });
+    }
+    (before, after)
+}

@@ -1,0 +1,358 @@
+//! The mesh being worked on, and its three changes: split, collapse and flip, with the curves kept.
+
+use super::curves::{Arc, Curves, Role};
+use super::input::Input;
+use crate::trimesh::{TriMesh, next, prev};
+use glam::DVec3;
+use halfedge::{Mesh, NONE};
+
+/// How far a triangle's normal may turn in a collapse or flip: acos of this.
+const LEAST_COS: f64 = 0.5;
+
+/// With the usual limits, 4/3 and 4/5 of the length, edges come out a little longer than it on average;
+/// with limits smaller by this factor, as long as asked for.
+const EVEN: f64 = 0.97;
+
+pub(super) struct Work {
+    pub tri: TriMesh,
+    pub curves: Curves,
+    /// The input to put vertices back on, if they are.
+    pub input: Option<Input>,
+    /// Per half-edge and per kept edge, as in [`super::curves::Found`].
+    pub arc: Vec<u32>,
+    pub arcs: Vec<Arc>,
+    /// Per vertex.
+    pub roles: Vec<Role>,
+    /// Per vertex: the triangle of the input it was last closest to.
+    pub near: Vec<u32>,
+    pub stamps: Vec<u32>,
+    pub stamp: u32,
+    /// Squares of the longest and the shortest edge to leave alone, in the frame.
+    pub longest: f64,
+    pub shortest: f64,
+    /// How many triangles have been made since the arrays were last put in order.
+    pub unordered: usize,
+}
+
+/// Where an edge's ends would merge: `edge` leaves the vertex that stays.
+#[derive(Clone, Copy)]
+pub(super) struct Merge {
+    pub edge: u32,
+    pub at: DVec3,
+}
+
+impl Work {
+    /// Ready to start; `length` is that of edges, in the frame.
+    pub fn new(mesh: &Mesh, mut tri: TriMesh, length: f64, least_cos: f64, project: bool) -> Self {
+        tri.put_in_order();
+        let square = |x: f64| x * x;
+        let found = Curves::find(mesh, &tri, least_cos, length);
+        let input = Input::of(&tri);
+        Self {
+            near: (0..tri.out.len() as u32).map(|v| input.face_at(v)).collect(),
+            input: project.then_some(input),
+            curves: found.curves,
+            arc: found.arc,
+            arcs: found.arcs,
+            roles: found.roles,
+            stamps: vec![0; tri.out.len()],
+            stamp: 0,
+            longest: square(EVEN * length * 4.0 / 3.0),
+            shortest: square(EVEN * length * 4.0 / 5.0),
+            unordered: 0,
+            tri,
+        }
+    }
+
+    /// Puts what belongs together in space together in memory again, without what was removed.
+    pub fn put_in_order(&mut self) {
+        let order = self.tri.put_in_order();
+        let vertex = |v: &u32| *v as usize;
+        self.roles = order.vertices.iter().map(|v| self.roles[vertex(v)]).collect();
+        self.near = order.vertices.iter().map(|v| self.near[vertex(v)]).collect();
+        self.stamps = vec![0; order.vertices.len()];
+        self.stamp = 0;
+        self.arc =
+            (order.triangles.iter()).flat_map(|&f| [0, 1, 2].map(|k| self.arc[3 * f as usize + k])).collect();
+        self.unordered = 0;
+    }
+
+    #[inline]
+    pub fn is_kept(&self, h: u32) -> bool {
+        self.arc[h as usize] != NONE
+    }
+
+    #[inline]
+    pub fn length_squared(&self, h: u32) -> f64 {
+        self.tri.at(self.tri.from(h)).distance_squared(self.tri.at(self.tri.to(h)))
+    }
+
+    /// The places on its curve of a kept half-edge's start and end.
+    pub fn places(&self, h: u32) -> [f64; 2] {
+        let arc = self.arc[h as usize];
+        let [a, b] = self.arcs[arc as usize / 2].ends;
+        if arc % 2 == 0 { [a, b] } else { [b, a] }
+    }
+
+    /// Sets the place of a kept half-edge's start.
+    fn set_start(&mut self, h: u32, place: f64) {
+        let arc = self.arc[h as usize];
+        self.arcs[arc as usize / 2].ends[arc as usize % 2] = place;
+    }
+
+    fn set_end(&mut self, h: u32, place: f64) {
+        let arc = self.arc[h as usize];
+        self.arcs[arc as usize / 2].ends[1 - arc as usize % 2] = place;
+    }
+
+    /// The kept half-edges at a vertex, the first two of them; those that come in where none leaves.
+    pub fn kept_at(&self, v: u32) -> [u32; 2] {
+        let (mut pair, mut count) = ([NONE; 2], 0);
+        let mut put = |h: u32| {
+            if let Some(slot) = pair.get_mut(count) {
+                *slot = h;
+            }
+            count += 1;
+        };
+        self.tri.around(v, |out| {
+            if self.is_kept(out) {
+                put(out);
+            }
+            // On the boundary the last edge has a half-edge that comes in, and none that leaves.
+            if self.tri.turn(out) == NONE {
+                put(prev(out));
+            }
+        });
+        pair
+    }
+
+    /// The place at `v`, one of its ends, of a kept half-edge, and that of the other end.
+    pub fn places_from(&self, v: u32, h: u32) -> [f64; 2] {
+        let [a, b] = self.places(h);
+        if self.tri.from(h) == v { [a, b] } else { [b, a] }
+    }
+
+    /// Moves the end of a kept half-edge that is at `v`.
+    pub fn set_place(&mut self, v: u32, h: u32, place: f64) {
+        if self.tri.from(h) == v { self.set_start(h, place) } else { self.set_end(h, place) }
+    }
+
+    /// From an edge on to longer ones of its triangles, up to one that is the longest of both. Cutting
+    /// that one first keeps triangles from becoming ever thinner (Rivara 1984).
+    pub fn longest_near(&self, h: u32) -> u32 {
+        let (mut best, mut length) = (h, self.length_squared(h));
+        loop {
+            let at = best;
+            for side in [at, self.tri.opp(at)] {
+                if side == NONE {
+                    continue;
+                }
+                for other in [next(side), prev(side)] {
+                    let squared = self.length_squared(other);
+                    if squared > length {
+                        (best, length) = (other, squared);
+                    }
+                }
+            }
+            if best == at {
+                return best;
+            }
+        }
+    }
+
+    /// Cuts an edge in the middle. `h` becomes the half before the middle.
+    pub fn split(&mut self, h: u32) {
+        let across = self.tri.opp(h);
+        let arc = self.arc[h as usize];
+        let m = self.tri.split(h);
+        self.near.push(self.near[self.tri.from(h) as usize]);
+        self.stamps.push(0);
+        self.arc.resize(self.tri.v.len(), NONE);
+        self.unordered += 2;
+        let mut second = [NONE; 2];
+        for (side, slot) in [h, across].into_iter().zip(&mut second) {
+            if side != NONE {
+                // The cut took the place of the side after, which went to the new triangle.
+                let cut = next(side);
+                *slot = next(self.tri.opp(cut));
+                self.arc[next(*slot) as usize] = self.arc[cut as usize];
+                self.arc[cut as usize] = NONE;
+            }
+        }
+        if arc == NONE {
+            self.roles.push(Role::Free);
+            return;
+        }
+        self.roles.push(Role::Curve);
+        let (number, backward) = (arc / 2, arc % 2);
+        let Arc { curve, ends } = self.arcs[number as usize];
+        let middle = 0.5 * (ends[0] + ends[1]);
+        let added = self.arcs.len() as u32;
+        self.arcs.push(Arc { curve, ends });
+        self.arcs[added as usize].ends[backward as usize] = middle;
+        self.arcs[number as usize].ends[1 - backward as usize] = middle;
+        self.arc[second[0] as usize] = 2 * added + backward;
+        if across != NONE {
+            self.arc[across as usize] = 2 * added + (1 - backward);
+            self.arc[second[1] as usize] = 2 * number + (1 - backward);
+        }
+        let at = self.curves.at(curve, middle);
+        if self.may_move(m, at) {
+            self.tri.position[m as usize] = at;
+        }
+    }
+
+    /// Whether no triangle of a vertex turns over when it moves.
+    pub fn may_move(&self, v: u32, to: DVec3) -> bool {
+        let tri = &self.tri;
+        let here = tri.at(v);
+        let mut good = true;
+        tri.around(v, |out| {
+            let (x, y) = (tri.at(tri.to(out)), tri.at(tri.apex(out)));
+            let (old, new) = ((x - here).cross(y - here), (x - to).cross(y - to));
+            good &= new.dot(old) > 0.0 || old == DVec3::ZERO;
+        });
+        good
+    }
+
+    /// Where the ends of an edge may merge as far as kept curves go: what is on one may only move along it.
+    pub fn merge_of(&self, h: u32) -> Option<Merge> {
+        let (a, b) = (self.tri.from(h), self.tri.to(h));
+        let (p, q) = (self.tri.at(a), self.tri.at(b));
+        Some(match (self.roles[a as usize], self.roles[b as usize]) {
+            (Role::Free, Role::Free) => Merge { edge: h, at: (p + q) * 0.5 },
+            (_, Role::Free) => Merge { edge: h, at: p },
+            (Role::Free, _) => Merge { edge: self.tri.opp(h), at: q },
+            _ if !self.is_kept(h) => return None,
+            (_, Role::Curve) => Merge { edge: h, at: p },
+            // Its half-edge the other way may not exist: the fixed end moves into the other's id.
+            (Role::Curve, Role::Fixed) => Merge { edge: h, at: q },
+            (Role::Fixed, Role::Fixed) => return None,
+        })
+    }
+
+    /// Whether the ends of an edge may merge: that keeps the topology, makes no edge longer than the
+    /// square root of `longest` and turns no triangle too far.
+    pub fn can_merge(&mut self, merge: Merge, longest: f64) -> bool {
+        self.stamp += 1;
+        self.tri.can_collapse(merge.edge, &mut self.stamps, self.stamp) && self.allows(merge, longest)
+    }
+
+    /// Merges the ends of an edge, which [`Work::can_merge`] allows.
+    pub fn merge(&mut self, Merge { edge: h, at }: Merge) {
+        let (a, b, across) = (self.tri.from(h), self.tri.to(h), self.tri.opp(h));
+        let (p, q) = (self.tri.at(a), self.tri.at(b));
+        if self.is_kept(h) {
+            let [place_a, place_b] = self.places(h);
+            let to_b = self.roles[b as usize] == Role::Fixed;
+            // The curve's other edge at the vertex that moves.
+            let (mover, by) = if to_b { (a, place_b - place_a) } else { (b, place_a - place_b) };
+            for other in self.kept_at(mover) {
+                if other != NONE && other != h && other != across {
+                    let [place, _] = self.places_from(mover, other);
+                    self.set_place(mover, other, place + by);
+                }
+            }
+            if to_b {
+                self.roles[a as usize] = Role::Fixed;
+            }
+        }
+        for side in [h, across] {
+            if side == NONE {
+                continue;
+            }
+            let (left, right) = (self.tri.opp(next(side)), self.tri.opp(prev(side)));
+            // `left` goes from the apex to the end that is merged, `right` from the merged end back.
+            let arc = match (self.arc[next(side) as usize], self.arc[prev(side) as usize]) {
+                (NONE, NONE) => continue,
+                (NONE, to_end) => to_end,
+                (from_end, _) => from_end ^ 1,
+            };
+            if left != NONE {
+                self.arc[left as usize] = arc;
+            }
+            if right != NONE {
+                self.arc[right as usize] = arc ^ 1;
+            }
+        }
+        let t = if at == p { 0.0 } else { (at - p).length() / (q - p).length() };
+        self.tri.collapse(h, t.min(1.0));
+        self.tri.position[a as usize] = at;
+    }
+
+    /// Whether merging an edge's ends leaves all edges and triangles good.
+    fn allows(&self, Merge { edge: h, at }: Merge, longest: f64) -> bool {
+        let tri = &self.tri;
+        // A kept edge beside the merged one must not land on another one.
+        for side in [h, tri.opp(h)] {
+            if side != NONE && self.is_kept(next(side)) && self.is_kept(prev(side)) {
+                return false;
+            }
+        }
+        let (a, b) = (tri.from(h), tri.to(h));
+        let mut good = true;
+        for (v, other) in [(a, b), (b, a)] {
+            let here = tri.at(v);
+            tri.around(v, |out| {
+                let (x, y) = (tri.to(out), tri.apex(out));
+                if !good {
+                    return;
+                }
+                let (p, q) = (tri.at(x), tri.at(y));
+                if x != other {
+                    good = p.distance_squared(at) <= longest;
+                }
+                if y != other && tri.turn(out) == NONE {
+                    good &= q.distance_squared(at) <= longest;
+                }
+                if x == other || y == other {
+                    return;
+                }
+                let old = (p - here).cross(q - here);
+                let new = (p - at).cross(q - at);
+                let turned = new.dot(old);
+                good &= (turned > 0.0
+                    && turned * turned > LEAST_COS * LEAST_COS * new.length_squared() * old.length_squared())
+                    || (old == DVec3::ZERO && new != DVec3::ZERO);
+            });
+        }
+        good
+    }
+
+    /// Whether an edge may be turned to its apexes: it is not kept, they are not joined yet, and no
+    /// triangle would face elsewhere.
+    pub fn can_flip(&self, h: u32) -> bool {
+        let across = self.tri.opp(h);
+        if across == NONE || self.is_kept(h) {
+            return false;
+        }
+        let (a, b) = (self.tri.from(h), self.tri.to(h));
+        let (c, d) = (self.tri.apex(h), self.tri.apex(across));
+        let mut joined = false;
+        self.tri.neighbors(c, |w| joined |= w == d);
+        if joined {
+            return false;
+        }
+        let [a, b, c, d] = [a, b, c, d].map(|v| self.tri.at(v));
+        let normal = (b - a).cross(c - a) + (d - a).cross(b - a);
+        let faces = |t: DVec3| {
+            let along = t.dot(normal);
+            along > 0.0
+                && along * along > LEAST_COS * LEAST_COS * t.length_squared() * normal.length_squared()
+        };
+        faces((a - c).cross(d - c)) && faces((d - c).cross(b - c))
+    }
+
+    /// Turns an edge to its apexes.
+    pub fn flip(&mut self, h: u32) {
+        let across = self.tri.opp(h);
+        let sides = [next(h), prev(h), next(across), prev(across)].map(|k| self.arc[k as usize]);
+        self.tri.flip(h);
+        // `TriMesh::flip`: h's triangle has the sides p and m after it, the other q and n.
+        for (k, arc) in
+            [(next(h), sides[1]), (prev(h), sides[2]), (next(across), sides[3]), (prev(across), sides[0])]
+        {
+            self.arc[k as usize] = arc;
+        }
+    }
+}
