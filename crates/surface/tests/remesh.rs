@@ -5,7 +5,7 @@ mod common;
 use common::*;
 use glam::{DVec3, Vec2};
 use halfedge::attribute::keys;
-use halfedge::{Color, Mesh};
+use halfedge::{Color, Mesh, PolygonSoup};
 use proptest::prelude::*;
 use std::ops::ControlFlow;
 use surface::measure::*;
@@ -94,6 +94,143 @@ fn an_open_grid_keeps_its_outline_and_its_charts() {
             for h in result.face_halfedges(f) {
                 let uv = result.get(keys::CORNER_UV, h.index());
                 assert_eq!(uv.x > 25.0, right, "{uv}");
+            }
+        }
+    }
+}
+
+/// The share of inner vertices that have six neighbours.
+fn regular(mesh: &Mesh) -> f64 {
+    let inner: Vec<_> = mesh.vertices().filter(|&v| !mesh.is_boundary_vertex(v)).collect();
+    inner.iter().filter(|&&v| mesh.valence(v) == 6).count() as f64 / inner.len() as f64
+}
+
+fn same_topology(a: &Mesh, b: &Mesh) {
+    let isolated = a.vertices().filter(|&v| a.halfedge_from(v).is_none()).count();
+    assert_eq!(b.euler_characteristic(), a.euler_characteristic() - isolated as i64);
+    assert_eq!(b.boundary_loops().len(), a.boundary_loops().len());
+    assert_eq!(b.components().1, a.components().1 - isolated);
+}
+
+/// The largest distance of the result's vertices from the input.
+fn farthest_vertex(input: &Mesh, result: &Mesh) -> f64 {
+    let tree = FaceTree::new(input);
+    let off = |p| tree.closest_point(input, p).expect("has faces").distance;
+    result.positions().iter().map(|&p| off(p)).fold(0.0, f64::max)
+}
+
+#[test]
+fn a_scan_becomes_regular_and_stays_where_it_was() {
+    let Some(path) = shared("models/common/stanford-bunny.obj") else { return };
+    let bunny = load(&path);
+    // Features are left aside: on a scan of this resolution they are noise that allows no good triangles.
+    let options = Remesh { iterations: 10, feature_angle: 180.0, ..Remesh::default() };
+    let result = run(&bunny, &options);
+    same_topology(&bunny, &result);
+    let (least, mean) = angles(&result);
+    assert!(least > 30.0 && mean > 48.0, "{least} {mean}");
+    assert!(regular(&result) > 0.8, "{}", regular(&result));
+    assert!((mean_edge_length(&result) / mean_edge_length(&bunny) - 1.0).abs() < 0.05);
+    let size = bounding_box(&bunny).expect("has vertices").diagonal();
+    assert!(farthest_vertex(&bunny, &result) < 1e-6 * size);
+}
+
+#[test]
+fn models_with_features_holes_and_pieces_keep_their_topology() {
+    for name in ["cow", "fandisk", "beetle", "cheburashka", "spot", "teapot"] {
+        let Some(path) = shared(&format!("models/common/{name}.obj")) else { return };
+        let (positions, faces) = read_obj(&path);
+        let positions = positions.iter().map(|p| p.as_vec3()).collect();
+        let mesh = Mesh::build(PolygonSoup::new(positions, &faces)).expect("small").mesh;
+        let result = run(&mesh, &Remesh::default());
+        same_topology(&mesh, &result);
+        let size = bounding_box(&mesh).expect("has vertices").diagonal();
+        // Curves are on the input too, but for the few places where they can't be.
+        assert!(farthest_vertex(&mesh, &result) < 5e-3 * size, "{name}: {}", farthest_vertex(&mesh, &result));
+    }
+}
+
+#[test]
+fn boundaries_and_sharp_edges_are_cut_evenly_where_they_were() {
+    let mut cylinder = Shape::named("cylinder").expect("listed");
+    cylinder.set("segments", 64.0).expect("in range");
+    let cylinder = cylinder.build().expect("fits");
+    let result = run(&cylinder, &Remesh { edge_length: Some(0.15), iterations: 8, ..Remesh::default() });
+    let (least, _) = angles(&result);
+    assert!(least > 30.0, "{least}");
+    let height = bounding_box(&cylinder).expect("has vertices").max.y;
+    let rim: Vec<_> = result
+        .edges()
+        .filter(|&e| {
+            result.ends(e).iter().all(|&v| {
+                let p = result.position(v);
+                p.y == height && p.x.hypot(p.z) > 0.997
+            })
+        })
+        .map(|e| edge_length(&result, e))
+        .collect();
+    // A polygon of 64 sides is nearly as long as the circle, 6.28: 42 edges of 0.15 give or take.
+    assert!((36..54).contains(&rim.len()), "{}", rim.len());
+    assert!((rim.iter().sum::<f64>() - std::f64::consts::TAU).abs() < 0.02, "all the way round");
+    let (short, long) = rim.iter().fold((f64::MAX, 0.0f64), |(s, l), &x| (s.min(x), l.max(x)));
+    assert!(short > 0.7 * 0.15 && long < 1.4 * 0.15, "{short} to {long}");
+
+    let mut disc = grid(20);
+    for v in disc.vertices().collect::<Vec<_>>() {
+        // A square of circles.
+        let p = disc.position(v) / 10.0 - 1.0;
+        let (x, y) = (p.x, p.y);
+        disc.set_position(
+            v,
+            glam::Vec3::new(x * (1.0 - y * y / 2.0).sqrt(), y * (1.0 - x * x / 2.0).sqrt(), 0.0),
+        );
+    }
+    let result = run(&disc, &Remesh { iterations: 8, ..Remesh::default() });
+    let rim: Vec<DVec3> = disc
+        .vertices()
+        .filter(|&v| disc.is_boundary_vertex(v))
+        .map(|v| disc.position(v).as_dvec3())
+        .collect();
+    assert!(angles(&result).0 > 30.0, "{}", angles(&result).0);
+    for v in result.vertices().filter(|&v| result.is_boundary_vertex(v)) {
+        let p = result.position(v).as_dvec3();
+        // On a side of the polygon: two of its corners in line with it, one each way.
+        let on = rim.iter().any(|&a| {
+            rim.iter()
+                .any(|&b| (a.distance(p) + b.distance(p) - a.distance(b)).abs() < 1e-6 && a.distance(b) < 0.2)
+        });
+        assert!(on, "{p}");
+    }
+}
+
+#[test]
+fn noise_is_no_feature() {
+    let mut mesh = run(&shape("uv-sphere"), &Remesh { edge_length: Some(0.1), ..Remesh::default() });
+    let v = mesh.vertices().nth(100).expect("has many");
+    let p = mesh.position(v);
+    mesh.set_position(v, p * 1.1);
+    let result = run(&mesh, &Remesh { iterations: 8, ..Remesh::default() });
+    let (least, _) = angles(&result);
+    assert!(least > 30.0, "{least}");
+}
+
+#[test]
+fn the_smallest_meshes() {
+    let triangle = mesh(&[[0., 0., 0.], [1., 0., 0.], [0., 1., 0.]], &[&[0, 1, 2]]);
+    for (mesh, name) in [(triangle, "triangle"), (cube(), "cube"), (tetrahedron(), "tetrahedron")] {
+        for length in [None, Some(0.3), Some(100.0)] {
+            for iterations in [0, 1, 5] {
+                let result = run(&mesh, &Remesh { edge_length: length, iterations, ..Remesh::default() });
+                same_topology(&mesh, &result);
+                // All corners are sharp, so all stay.
+                for &p in mesh.positions() {
+                    assert!(result.positions().contains(&p), "{name} {length:?}: {p}");
+                }
+                let (before, after) = (surface_area(&mesh), surface_area(&result));
+                assert!(
+                    (before - after).abs() < 1e-5 * before,
+                    "{name} {length:?} {iterations}: {before} {after}"
+                );
             }
         }
     }

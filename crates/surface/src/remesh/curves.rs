@@ -4,9 +4,10 @@
 //! kept edge of the mesh being worked on knows the places of its two ends, so that a vertex slides along
 //! its curve exactly, whatever the curve does in space, and never past its neighbours.
 
+use super::kept::{Kept, kept_edges};
 use crate::trimesh::TriMesh;
 use glam::DVec3;
-use halfedge::{Mesh, NONE, keys};
+use halfedge::{Mesh, NONE};
 
 /// What a vertex is part of.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -58,22 +59,6 @@ pub(super) struct Found {
     pub roles: Vec<Role>,
 }
 
-/// Sharp edges that hang together are kept if they are this many edges long in all.
-const SPECK: f64 = 5.0;
-
-/// A triangle is a sliver when it is lower than this, as a share of its longest side.
-const SLIVER: f64 = 0.1;
-
-/// Why an edge is kept.
-#[derive(Clone, Copy, PartialEq, Eq)]
-enum Kept {
-    No,
-    /// For the angle of its faces only.
-    Sharp,
-    /// For what it separates or carries.
-    Border,
-}
-
 impl Curves {
     /// The point at a place.
     pub fn at(&self, curve: u32, place: f64) -> DVec3 {
@@ -88,116 +73,20 @@ impl Curves {
         points[end - 1] + (points[end] - points[end - 1]) * t
     }
 
+    fn length(&self, curve: u32) -> f64 {
+        let Curve { first, count, .. } = self.curves[curve as usize];
+        self.along[first + count - 1]
+    }
+
     /// Finds the curves of `tri`, the triangles of `mesh`. Sharp edges are those whose faces' normals
     /// have a smaller cosine than `least_cos`; `length` is how long edges are going to be.
     pub fn find(mesh: &Mesh, tri: &TriMesh, least_cos: f64, length: f64) -> Found {
-        let mut kept = kept_edges(mesh, tri, least_cos);
-        drop_long_sides(tri, &mut kept);
-        drop_specks(tri, &mut kept, SPECK * length);
+        let mut kept = kept_edges(mesh, tri, least_cos, length);
         loop {
-            let found = Search::new(tri, &kept, least_cos, length).run();
+            let found = find_all(tri, &kept, least_cos, length);
             if !drop_short(tri, &found, &mut kept, length) {
                 return found;
             }
-        }
-    }
-}
-
-fn kept_edges(mesh: &Mesh, tri: &TriMesh, least_cos: f64) -> Vec<Kept> {
-    let material = mesh.attribute(keys::FACE_MATERIAL);
-    let group = mesh.attribute(keys::FACE_GROUP);
-    let color = mesh.attribute(keys::FACE_COLOR);
-    let crease = mesh.attribute(keys::EDGE_CREASE);
-    let area = |h: u32| {
-        let [a, b, c] = [tri.from(h), tri.to(h), tri.apex(h)].map(|v| tri.at(v));
-        (b - a).cross(c - a)
-    };
-    let kept = |h: u32| {
-        let across = tri.opp(h);
-        if across == NONE || tri.is_seam(h) {
-            return Kept::Border;
-        }
-        if across < h {
-            // Filled in from the other side.
-            return Kept::No;
-        }
-        let [a, b] = [h, across].map(|h| tri.face_source[h as usize / 3] as usize);
-        let creased = crease
-            .zip(tri.edge_source.get(h as usize))
-            .is_some_and(|(crease, &e)| crease.get(e as usize).is_some_and(|&sharpness| sharpness > 0.0));
-        if creased
-            || material.is_some_and(|m| m[a] != m[b])
-            || group.is_some_and(|g| g[a] != g[b])
-            || color.is_some_and(|c| c[a] != c[b])
-        {
-            return Kept::Border;
-        }
-        let (n, m) = (area(h), area(across));
-        if a != b && n.dot(m) < least_cos * (n.length_squared() * m.length_squared()).sqrt() {
-            return Kept::Sharp;
-        }
-        Kept::No
-    };
-    let mut all: Vec<Kept> = (0..tri.v.len() as u32).map(kept).collect();
-    for h in 0..all.len() {
-        let across = tri.opp[h];
-        if across != NONE && across < h as u32 {
-            all[h] = all[across as usize];
-        }
-    }
-    all
-}
-
-/// No longer keeps the longest side of slivers all of whose sides are sharp: which way such a triangle
-/// faces says nothing, and the two other sides keep the same curve.
-fn drop_long_sides(tri: &TriMesh, kept: &mut [Kept]) {
-    for h in (0..tri.v.len() as u32).step_by(3) {
-        let sides = [h, h + 1, h + 2];
-        if sides.iter().any(|&h| kept[h as usize] != Kept::Sharp) {
-            continue;
-        }
-        let squared = sides.map(|h| tri.at(tri.from(h)).distance_squared(tri.at(tri.to(h))));
-        let longest = if squared[0] >= squared[1] && squared[0] >= squared[2] {
-            0
-        } else if squared[1] >= squared[2] {
-            1
-        } else {
-            2
-        };
-        let [a, b, c] = sides.map(|h| tri.at(tri.from(h)));
-        let height = (b - a).cross(c - a).length() / squared[longest];
-        if height < SLIVER {
-            kept[sides[longest] as usize] = Kept::No;
-            kept[tri.opp(sides[longest]) as usize] = Kept::No;
-        }
-    }
-}
-
-/// No longer keeps sharp edges where those that hang together are not `length` long in all: noise, too.
-fn drop_specks(tri: &TriMesh, kept: &mut [Kept], length: f64) {
-    let sharp: Vec<u32> =
-        (0..tri.v.len() as u32).filter(|&h| kept[h as usize] == Kept::Sharp && tri.edge(h) == h).collect();
-    // Sets of vertices that are joined, each pointing towards the smallest of its set.
-    let mut set: Vec<u32> = (0..tri.out.len() as u32).collect();
-    let mut lengths = vec![0.0; set.len()];
-    let root = |set: &mut [u32], mut v: u32| {
-        while set[v as usize] != v {
-            set[v as usize] = set[set[v as usize] as usize];
-            v = set[v as usize];
-        }
-        v
-    };
-    for &h in &sharp {
-        let (a, b) = (root(&mut set, tri.from(h)), root(&mut set, tri.to(h)));
-        set[a.max(b) as usize] = a.min(b);
-    }
-    for &h in &sharp {
-        lengths[root(&mut set, tri.from(h)) as usize] += tri.at(tri.from(h)).distance(tri.at(tri.to(h)));
-    }
-    for &h in &sharp {
-        if lengths[root(&mut set, tri.from(h)) as usize] < length {
-            kept[h as usize] = Kept::No;
-            kept[tri.opp(h) as usize] = Kept::No;
         }
     }
 }
@@ -219,10 +108,8 @@ fn drop_short(tri: &TriMesh, found: &Found, kept: &mut [Kept], length: f64) -> b
         sharp[curve] &= kept[h as usize] == Kept::Sharp;
         loose[curve] |= degree[tri.from(h) as usize] == 1 || degree[tri.to(h) as usize] == 1;
     }
-    let dropped: Vec<bool> = (found.curves.curves.iter().zip(sharp).zip(loose))
-        .map(|((curve, sharp), loose)| {
-            sharp && loose && found.curves.along[curve.first + curve.count - 1] < length
-        })
+    let dropped: Vec<bool> = ((0u32..).zip(sharp).zip(loose))
+        .map(|((curve, sharp), loose)| sharp && loose && found.curves.length(curve) < length)
         .collect();
     if !dropped.contains(&true) {
         return false;
@@ -238,6 +125,22 @@ fn drop_short(tri: &TriMesh, found: &Found, kept: &mut [Kept], length: f64) -> b
 /// The kept edges at a vertex, up to two.
 type Pair = [u32; 2];
 
+fn find_all(tri: &TriMesh, kept: &[Kept], least_cos: f64, length: f64) -> Found {
+    let mut search = Search::new(tri, kept);
+    search.trace_all();
+    search.fix_corners(least_cos, length);
+    let roles = std::mem::take(&mut search.found.roles);
+    search.found = Found::nothing(tri, roles);
+    search.trace_all();
+    search.found
+}
+
+impl Found {
+    fn nothing(tri: &TriMesh, roles: Vec<Role>) -> Self {
+        Self { curves: Curves::default(), arc: vec![NONE; tri.v.len()], arcs: Vec::new(), roles }
+    }
+}
+
 struct Search<'a> {
     tri: &'a TriMesh,
     kept: &'a [Kept],
@@ -247,7 +150,7 @@ struct Search<'a> {
 }
 
 impl<'a> Search<'a> {
-    fn new(tri: &'a TriMesh, kept: &'a [Kept], least_cos: f64, length: f64) -> Self {
+    fn new(tri: &'a TriMesh, kept: &'a [Kept]) -> Self {
         let mut pairs = vec![[NONE; 2]; tri.out.len()];
         let mut degree = vec![0u8; tri.out.len()];
         for h in 0..tri.v.len() as u32 {
@@ -270,11 +173,7 @@ impl<'a> Search<'a> {
                 _ => Role::Fixed,
             })
             .collect();
-        let found =
-            Found { curves: Curves::default(), arc: vec![NONE; tri.v.len()], arcs: Vec::new(), roles };
-        let mut search = Self { tri, kept, pairs, found };
-        search.fix_corners(least_cos, length);
-        search
+        Self { tri, kept, pairs, found: Found::nothing(tri, roles) }
     }
 
     /// The other end of an edge.
@@ -283,14 +182,15 @@ impl<'a> Search<'a> {
         if v == from { to } else { from }
     }
 
-    /// A curve that turns by more than the feature angle within the length of an edge has a corner where
-    /// it turns most. What is finer than edges can follow is no corner.
+    /// A curve that turns by more than the feature angle within the length of an edge, or an eighth of its
+    /// own, has a corner where it turns most. What is finer than that is no corner.
     fn fix_corners(&mut self, least_cos: f64, length: f64) {
         let on_curve: Vec<u32> =
             (0..self.tri.out.len() as u32).filter(|&v| self.found.roles[v as usize] == Role::Curve).collect();
         let mut turns: Vec<(f64, u32)> = Vec::new();
         for &v in &on_curve {
             let here = self.tri.at(v);
+            let length = self.reach(v, length);
             let [a, b] = self.pairs[v as usize].map(|edge| {
                 let (there, _) = self.walk(v, edge, length);
                 (self.tri.at(there) - here).normalize_or_zero()
@@ -307,6 +207,7 @@ impl<'a> Search<'a> {
             if near[v as usize] {
                 continue;
             }
+            let length = self.reach(v, length);
             for edge in self.pairs[v as usize] {
                 let (mut at, mut edge, mut gone) = (v, edge, 0.0);
                 loop {
@@ -322,6 +223,12 @@ impl<'a> Search<'a> {
             }
             self.found.roles[v as usize] = Role::Fixed;
         }
+    }
+
+    /// How far along its curve a vertex looks to see whether it is a corner.
+    fn reach(&self, v: u32, length: f64) -> f64 {
+        let arc = self.found.arcs[self.found.arc[self.pairs[v as usize][0] as usize] as usize / 2];
+        length.min(0.125 * self.found.curves.length(arc.curve))
     }
 
     /// The edge of a curve after `edge` at `v`.
@@ -347,7 +254,7 @@ impl<'a> Search<'a> {
         (at, edge)
     }
 
-    fn run(mut self) -> Found {
+    fn trace_all(&mut self) {
         for v in 0..self.tri.out.len() as u32 {
             if self.found.roles[v as usize] == Role::Fixed {
                 let tri = self.tri;
@@ -365,7 +272,6 @@ impl<'a> Search<'a> {
                 self.trace(self.tri.from(h), h);
             }
         }
-        self.found
     }
 
     /// Notes the curve that starts at a vertex with an edge, if that is kept and new.
@@ -402,5 +308,74 @@ impl<'a> Search<'a> {
         }
         let closed = roles[start as usize] == Role::Curve;
         curves.curves.push(Curve { first, count: curves.points.len() - first, closed });
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::Shape;
+
+    fn found(mesh: &Mesh, length: f64) -> (TriMesh, Found) {
+        let tri = TriMesh::new(mesh);
+        let found = Curves::find(mesh, &tri, 0.7, length / tri.frame.scale);
+        (tri, found)
+    }
+
+    fn shape(name: &str) -> Mesh {
+        Shape::named(name).expect("listed").build().expect("fits")
+    }
+
+    #[test]
+    fn a_cube_has_twelve_curves_and_a_cylinder_two_that_are_closed() {
+        let (_, of_cube) = found(&shape("cube"), 0.5);
+        assert_eq!(of_cube.curves.curves.len(), 12);
+        assert!(of_cube.roles.iter().all(|&role| role == Role::Fixed));
+        let (tri, of_cylinder) = found(&shape("cylinder"), 0.5);
+        assert!(of_cylinder.curves.curves.iter().map(|c| c.closed).eq([true, true]));
+        assert_eq!(of_cylinder.arcs.len(), 64);
+        // Both half-edges of a kept edge know its places, the other way round.
+        for h in 0..tri.v.len() as u32 {
+            let arc = of_cylinder.arc[h as usize];
+            if arc == NONE {
+                continue;
+            }
+            assert_eq!(of_cylinder.arc[tri.opp(h) as usize], arc ^ 1);
+            let Arc { curve, ends } = of_cylinder.arcs[arc as usize / 2];
+            let start = of_cylinder.curves.at(curve, ends[arc as usize % 2]);
+            assert!(start.distance(tri.at(tri.from(h))) < 1e-12);
+        }
+    }
+
+    #[test]
+    fn places_go_round_closed_curves_and_stop_at_the_ends_of_open_ones() {
+        let square = vec![DVec3::ZERO, DVec3::X, DVec3::new(1.0, 1.0, 0.0), DVec3::Y, DVec3::ZERO];
+        let along = vec![0.0, 1.0, 2.0, 3.0, 4.0];
+        let curve = |closed| Curves {
+            curves: vec![Curve { first: 0, count: 5, closed }],
+            points: square.clone(),
+            along: along.clone(),
+        };
+        let (round, open) = (curve(true), curve(false));
+        for (place, on_round, on_open) in [
+            (1.5, DVec3::new(1.0, 0.5, 0.0), DVec3::new(1.0, 0.5, 0.0)),
+            (4.25, DVec3::new(0.25, 0.0, 0.0), DVec3::ZERO),
+            (-0.5, DVec3::new(0.0, 0.5, 0.0), DVec3::ZERO),
+            (3.0, DVec3::Y, DVec3::Y),
+        ] {
+            assert_eq!(round.at(0, place), on_round);
+            assert_eq!(open.at(0, place), on_open);
+        }
+    }
+
+    #[test]
+    fn a_speck_on_a_wide_surface_is_no_curve() {
+        let mut sphere = shape("ico-sphere");
+        let spike = sphere.vertices().next().expect("has vertices");
+        sphere.set_position(spike, sphere.position(spike) * 1.5);
+        let count = |mesh: &Mesh, length| found(mesh, length).1.curves.curves.len();
+        assert_eq!(count(&sphere, 1.0), 0);
+        assert!(count(&sphere, 0.1) >= 5);
+        assert_eq!(count(&shape("cube"), 6.0), 12, "nothing else would be left of it");
     }
 }

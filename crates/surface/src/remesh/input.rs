@@ -14,6 +14,8 @@ pub(super) struct Input {
     opp: Vec<u32>,
     out: Vec<u32>,
     position: Vec<DVec3>,
+    /// Per face of the mesh: one of its triangles.
+    of_face: Vec<u32>,
 }
 
 /// A point on the input.
@@ -26,13 +28,29 @@ pub(super) struct Foot {
 }
 
 impl Input {
-    pub fn of(tri: &TriMesh) -> Self {
-        Self { v: tri.v.clone(), opp: tri.opp.clone(), out: tri.out.clone(), position: tri.position.clone() }
+    /// The triangles of a mesh with faces below `faces`.
+    pub fn of(tri: &TriMesh, faces: usize) -> Self {
+        let mut of_face = vec![0; faces];
+        for (triangle, &face) in (0u32..).zip(&tri.face_source) {
+            of_face[face as usize] = triangle;
+        }
+        Self {
+            of_face,
+            v: tri.v.clone(),
+            opp: tri.opp.clone(),
+            out: tri.out.clone(),
+            position: tri.position.clone(),
+        }
     }
 
     /// Some triangle with a vertex of the input.
     pub fn face_at(&self, v: u32) -> u32 {
         self.out[v as usize] / 3
+    }
+
+    /// A triangle of a face of the mesh.
+    pub fn triangle_of(&self, face: u32) -> u32 {
+        self.of_face[face as usize]
     }
 
     /// The point closest to `p`, walking down from a triangle to neighbours that are closer. What lies

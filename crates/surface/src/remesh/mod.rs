@@ -3,12 +3,17 @@
 //! Botsch and Kobbelt: A remeshing approach to multiresolution modeling (2004). Each iteration splits
 //! edges longer than 4/3 of the length, collapses those shorter than 4/5, flips edges towards valence 6
 //! (4 on the boundary), moves vertices along the surface to the middle of their triangles, and puts them
-//! back on the input. Boundaries, edges sharper than the feature angle, seams of corner attributes,
-//! creases and borders between materials, groups and colours are kept: their vertices only slide along
-//! them by being split off and merged, and where such curves meet they stay.
+//! back on the input. In the end the worst triangles are made better one by one.
+//!
+//! Boundaries, edges sharper than the feature angle, seams of corner attributes, creases and borders
+//! between materials, groups and colours are kept: their vertices slide along them, and where such
+//! curves end, meet or turn they stay. Sharp edges that are nothing but noise at the new length are not
+//! kept: those that hang together over less than five edge lengths on a piece wider than that, and ends
+//! that lie loose in the surface and are shorter than one.
 
 mod curves;
 mod input;
+mod kept;
 mod polish;
 mod relax;
 mod work;
@@ -46,6 +51,10 @@ const MAX_TRIANGLES: u64 = 8_000_000;
 /// left out. Triangles have the face attributes of the one they were cut from; corner, vertex and edge
 /// attributes are mixed where edges are split and merged. Costs O(iterations x (mesh + result)).
 ///
+/// A vertex is put on the point of the input that is closest among those it can reach by getting ever
+/// closer from where it was: never on the far side of a thin wall. A vertex on a kept curve is on that
+/// curve of the input exactly, unless a triangle would turn over.
+///
 /// # Errors
 /// [`SurfaceError::BadField`]; [`SurfaceError::TooManyFaces`] beforehand, for an edge length so short;
 /// [`SurfaceError::Cancelled`].
@@ -81,9 +90,9 @@ pub fn remesh(mesh: &Mesh, options: &Remesh, progress: &mut Progress<'_>) -> Res
         if work.unordered > work.tri.faces / 4 {
             work.put_in_order();
         }
-        flip_to_valence(&mut work, &mut part.part(0.2, 0.4))?;
         for round in 0..RELAXATIONS {
-            let share = |i: u32| 0.4 + 0.6 * i as f32 / RELAXATIONS as f32;
+            let share = |i: u32| 0.2 + 0.8 * i as f32 / RELAXATIONS as f32;
+            flip_to_valence(&mut work, &mut part.part(share(round), share(round)))?;
             relaxer.run(&mut work, &mut part.part(share(round), share(round + 1)))?;
         }
     }
@@ -116,6 +125,9 @@ fn each_edge(
     Ok(())
 }
 
+/// The square of how much longer than others an edge may become by a merge along a curve.
+const ALONG: f64 = 1.6;
+
 fn split_long(work: &mut Work, pace: &mut Pace<'_, '_>) -> Result<(), SurfaceError> {
     each_edge(work, pace, |work, h| {
         while work.length_squared(h) > work.longest {
@@ -129,9 +141,12 @@ fn collapse_short(work: &mut Work, pace: &mut Pace<'_, '_>) -> Result<(), Surfac
     each_edge(work, pace, |work, h| {
         if work.length_squared(h) < work.shortest
             && let Some(merge) = work.merge_of(h)
-            && work.can_merge(merge, work.longest)
         {
-            work.merge(merge);
+            // Along a curve the next edge takes up all of what goes, until they are evened out.
+            let longest = if work.is_kept(h) { work.longest * ALONG } else { work.longest };
+            if work.can_merge(merge, longest) {
+                work.merge(merge);
+            }
         }
     })
 }
@@ -171,4 +186,54 @@ fn flip_to_valence(work: &mut Work, pace: &mut Pace<'_, '_>) -> Result<(), Surfa
             excess[v as usize] += 1;
         }
     })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::Shape;
+    use std::ops::ControlFlow;
+
+    /// Every kept edge's ends are at their places on its curve.
+    fn check(work: &Work, step: &str) {
+        for h in 0..work.tri.v.len() as u32 {
+            if !work.tri.is_alive(h) || !work.is_kept(h) {
+                continue;
+            }
+            let arc = work.arcs[work.arc[h as usize] as usize / 2];
+            for (v, place) in [work.tri.from(h), work.tri.to(h)].into_iter().zip(work.places(h)) {
+                let off = work.curves.at(arc.curve, place).distance(work.tri.at(v));
+                assert!(off < 1e-9, "after {step}: {off}");
+            }
+        }
+    }
+
+    #[test]
+    fn edges_know_their_places_on_curves_throughout() {
+        let mut go_on = |_: f32| ControlFlow::Continue(());
+        let progress: &mut Progress<'_> = &mut go_on;
+        for (name, length) in [("tetrahedron", 0.2), ("cube", 0.3), ("cylinder", 0.15), ("plane", 0.2)] {
+            let mesh = Shape::named(name).expect("listed").build().expect("fits");
+            let tri = TriMesh::new(&mesh);
+            let length = length / tri.frame.scale;
+            let mut work = Work::new(&mesh, tri, length, 0.7, true);
+            let mut relaxer = Relaxer::default();
+            let mut pace = Pace::new(&mut *progress);
+            check(&work, "start");
+            for _ in 0..4 {
+                split_long(&mut work, &mut pace).expect("not cancelled");
+                check(&work, "split");
+                collapse_short(&mut work, &mut pace).expect("not cancelled");
+                check(&work, "collapse");
+                work.put_in_order();
+                check(&work, "order");
+                flip_to_valence(&mut work, &mut pace).expect("not cancelled");
+                check(&work, "flip");
+                relaxer.run(&mut work, &mut pace).expect("not cancelled");
+                check(&work, "relax");
+            }
+            polish::polish(&mut work, &mut pace).expect("not cancelled");
+            check(&work, "polish");
+        }
+    }
 }

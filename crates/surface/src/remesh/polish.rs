@@ -6,7 +6,7 @@
 //! mesh improvement using swapping and smoothing, 1997). Nothing ever gets worse than the worst before.
 
 use super::curves::Role;
-use super::work::{Merge, Work};
+use super::work::{Merge, Work, quality};
 use crate::SurfaceError;
 use crate::pace::Pace;
 use glam::DVec3;
@@ -38,23 +38,6 @@ enum Change {
         v: u32,
         by: f64,
     },
-}
-
-/// The square of the sine of the smallest angle, which lies across from the shortest side: 3/4 at best.
-#[inline]
-fn quality(a: DVec3, b: DVec3, c: DVec3) -> f64 {
-    let area = (b - a).cross(c - a).length_squared();
-    let (x, y, z) = (a.distance_squared(b), b.distance_squared(c), c.distance_squared(a));
-    let shortest = x.min(y).min(z);
-    // The product of the two longer ones, without the shortest.
-    let longer = if shortest == x {
-        y * z
-    } else if shortest == y {
-        x * z
-    } else {
-        x * y
-    };
-    if longer > 0.0 { area / longer } else { 0.0 }
 }
 
 pub(super) fn polish(work: &mut Work, pace: &mut Pace<'_, '_>) -> Result<(), SurfaceError> {
@@ -123,7 +106,7 @@ fn best_change(work: &mut Work, f: u32) -> Option<Change> {
                 for to in better_places(work, v) {
                     let to = to - work.tri.at(v);
                     for step in STEPS {
-                        let (to, near) = put_on(work, v, work.tri.at(v) + to * step);
+                        let (to, near) = work.put_on(v, work.tri.at(v) + to * step);
                         offer(before, of_star(work, v, to), Change::Move { v, to, near });
                     }
                 }
@@ -134,29 +117,23 @@ fn best_change(work: &mut Work, f: u32) -> Option<Change> {
                 if a == NONE || b == NONE {
                     continue;
                 }
-                let curve = work.arcs[work.arc[a as usize] as usize / 2].curve;
                 let from = work.places_from(v, a)[0];
                 for edge in [a, b] {
                     let [start, end] = work.places_from(v, edge);
                     for step in &STEPS[1..] {
                         let by = (end - start) * step;
-                        let to = work.curves.at(curve, from + by);
+                        let to = work.curve_point(a, from + by);
                         offer(before, of_star(work, v, to), Change::Slide { v, by });
                     }
                 }
             }
             Role::Fixed => {}
         }
-        if let Some(merge) = work.merge_of(h) {
-            let merge = if work.roles[work.tri.from(merge.edge) as usize] == Role::Free {
-                Merge { at: put_on(work, v, merge.at).0, ..merge }
-            } else {
-                merge
-            };
-            if work.can_merge(merge, work.longest * STRETCH) {
-                let (before, after) = of_merge(work, merge);
-                offer(before, after, Change::Merge(merge));
-            }
+        if let Some(merge) = work.merge_of(h)
+            && work.can_merge(merge, work.longest * STRETCH)
+        {
+            let (before, after) = of_merge(work, merge);
+            offer(before, after, Change::Merge(merge));
         }
     }
     best
@@ -180,28 +157,12 @@ fn apply(work: &mut Work, change: Change) -> u32 {
             v
         }
         Change::Slide { v, by } => {
-            let pair = work.kept_at(v);
-            for edge in pair {
-                let [place, _] = work.places_from(v, edge);
-                work.set_place(v, edge, place + by);
-            }
-            let arc = work.arc[pair[0] as usize] as usize / 2;
-            let place = work.places_from(v, pair[0])[0];
-            work.tri.position[v as usize] = work.curves.at(work.arcs[arc].curve, place);
+            let edge = work.kept_at(v)[0];
+            work.slide(v, by);
+            let [place, _] = work.places_from(v, edge);
+            work.tri.position[v as usize] = work.curve_point(edge, place);
             v
         }
-    }
-}
-
-/// The point of the input for a point near a vertex, with its triangle.
-fn put_on(work: &Work, v: u32, p: DVec3) -> (DVec3, u32) {
-    let near = work.near[v as usize];
-    match &work.input {
-        Some(input) => {
-            let foot = input.closest(near, p);
-            (foot.at, foot.face)
-        }
-        None => (p, near),
     }
 }
 

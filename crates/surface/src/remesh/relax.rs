@@ -8,6 +8,22 @@ use crate::pace::Pace;
 use glam::DVec3;
 use halfedge::NONE;
 
+/// How often the vertices of a curve are put in the middle between their neighbours in one round.
+const SWEEPS: u32 = 8;
+/// How much of the way to a neighbour a vertex may go in one round: less than half, so that they stay in
+/// order even where one of them may not move.
+const REACH: f64 = 0.45;
+
+/// A vertex on a curve.
+struct Sliding {
+    v: u32,
+    /// One of its two edges there.
+    edge: u32,
+    /// How far its neighbours are along the curve, and who they are.
+    gaps: [f64; 2],
+    ends: [u32; 2],
+}
+
 /// What a vertex's triangles add up to.
 #[derive(Clone, Copy, Default)]
 struct Sum {
@@ -23,6 +39,10 @@ struct Sum {
 pub(super) struct Relaxer {
     sums: Vec<Sum>,
     moved: Vec<DVec3>,
+    /// The vertices on curves.
+    sliding: Vec<Sliding>,
+    /// Per vertex: how far it goes along its curve.
+    shift: Vec<f64>,
     back: Vec<u32>,
 }
 
@@ -32,18 +52,60 @@ impl Relaxer {
         self.add_up(work);
         self.moved.clear();
         self.moved.extend_from_slice(&work.tri.position);
+        self.slide(work);
         pace.chunks(work.tri.out.len(), |range| {
             for v in range {
                 match work.roles[v] {
                     Role::Free => self.moved[v] = self.middle(work, v),
-                    Role::Curve => self.moved[v] = slide(work, v as u32),
-                    Role::Fixed => {}
+                    // Where these go is known already.
+                    Role::Curve | Role::Fixed => {}
                 }
             }
         })?;
         self.take_back(work);
+        for &Sliding { v, .. } in &self.sliding {
+            if self.moved[v as usize] != work.tri.at(v) {
+                work.slide(v, self.shift[v as usize]);
+            }
+        }
         std::mem::swap(&mut self.moved, &mut work.tri.position);
         Ok(())
+    }
+
+    /// Evens out the places of vertices on curves.
+    fn slide(&mut self, work: &Work) {
+        self.shift.clear();
+        self.shift.resize(work.tri.out.len(), 0.0);
+        self.sliding.clear();
+        for v in 0..work.tri.out.len() as u32 {
+            if work.roles[v as usize] != Role::Curve || work.tri.out[v as usize] == NONE {
+                continue;
+            }
+            let [a, b] = work.kept_at(v);
+            if a == NONE || b == NONE {
+                continue;
+            }
+            let gaps = [a, b].map(|h| {
+                let [here, there] = work.places_from(v, h);
+                there - here
+            });
+            let ends = [a, b].map(|h| if work.tri.from(h) == v { work.tri.to(h) } else { work.tri.from(h) });
+            self.sliding.push(Sliding { v, edge: a, gaps, ends });
+        }
+        for _ in 0..SWEEPS {
+            for &Sliding { v, gaps, ends, .. } in &self.sliding {
+                // One gap is positive and one negative: towards the start of the curve.
+                let [p, q] = ends.map(|w| self.shift[w as usize]);
+                self.shift[v as usize] = 0.5 * ((gaps[0] + p) + (gaps[1] + q));
+            }
+        }
+        for &Sliding { v, edge, gaps, .. } in &self.sliding {
+            let shift = &mut self.shift[v as usize];
+            let (low, high) = (REACH * gaps[0].min(gaps[1]).min(0.0), REACH * gaps[0].max(gaps[1]).max(0.0));
+            *shift = shift.clamp(low, high);
+            let [here, _] = work.places_from(v, edge);
+            self.moved[v as usize] = work.curve_point(edge, here + *shift);
+        }
     }
 
     fn add_up(&mut self, work: &Work) {
@@ -76,10 +138,9 @@ impl Relaxer {
         }
         let by = sum.middles / (3.0 * sum.weight) - here;
         let to = here + by - sum.normal * (by.dot(sum.normal) / squared);
-        let Some(input) = &work.input else { return to };
-        let foot = input.closest(work.near[v], to);
-        work.near[v] = foot.face;
-        foot.at
+        let (at, near) = work.put_on(v as u32, to);
+        work.near[v] = near;
+        at
     }
 
     /// Has vertices stay where a triangle would turn over, until none does.
@@ -115,18 +176,4 @@ impl Relaxer {
             });
         }
     }
-}
-
-/// Moves a vertex along its curve to the middle between its neighbours there.
-fn slide(work: &mut Work, v: u32) -> DVec3 {
-    let [a, b] = work.kept_at(v);
-    if a == NONE || b == NONE {
-        return work.tri.at(v);
-    }
-    let ([from, before], [to, after]) = (work.places_from(v, a), work.places_from(v, b));
-    // The signs say which way the curve runs; both go away from the vertex.
-    let by = 0.5 * ((before - from) + (after - to));
-    work.set_place(v, a, from + by);
-    work.set_place(v, b, to + by);
-    work.curves.at(work.arcs[work.arc[a as usize] as usize / 2].curve, from + by)
 }

@@ -9,6 +9,8 @@ use halfedge::{Mesh, NONE};
 /// How far a triangle's normal may turn in a collapse or flip: acos of this.
 const LEAST_COS: f64 = 0.5;
 
+/// The least [`quality`] that a merge may leave: a smallest angle of 10 degrees.
+const POOR: f64 = 0.03;
 /// With the usual limits, 4/3 and 4/5 of the length, edges come out a little longer than it on average;
 /// with limits smaller by this factor, as long as asked for.
 const EVEN: f64 = 0.97;
@@ -34,6 +36,23 @@ pub(super) struct Work {
     pub unordered: usize,
 }
 
+/// The square of the sine of the smallest angle, which lies across from the shortest side: 3/4 at best.
+#[inline]
+pub(super) fn quality(a: DVec3, b: DVec3, c: DVec3) -> f64 {
+    let area = (b - a).cross(c - a).length_squared();
+    let (x, y, z) = (a.distance_squared(b), b.distance_squared(c), c.distance_squared(a));
+    let shortest = x.min(y).min(z);
+    // The product of the two longer ones, without the shortest.
+    let longer = if shortest == x {
+        y * z
+    } else if shortest == y {
+        x * z
+    } else {
+        x * y
+    };
+    if longer > 0.0 { area / longer } else { 0.0 }
+}
+
 /// Where an edge's ends would merge: `edge` leaves the vertex that stays.
 #[derive(Clone, Copy)]
 pub(super) struct Merge {
@@ -47,7 +66,7 @@ impl Work {
         tri.put_in_order();
         let square = |x: f64| x * x;
         let found = Curves::find(mesh, &tri, least_cos, length);
-        let input = Input::of(&tri);
+        let input = Input::of(&tri, mesh.face_capacity());
         Self {
             near: (0..tri.out.len() as u32).map(|v| input.face_at(v)).collect(),
             input: project.then_some(input),
@@ -91,7 +110,7 @@ impl Work {
     pub fn places(&self, h: u32) -> [f64; 2] {
         let arc = self.arc[h as usize];
         let [a, b] = self.arcs[arc as usize / 2].ends;
-        if arc % 2 == 0 { [a, b] } else { [b, a] }
+        if arc.is_multiple_of(2) { [a, b] } else { [b, a] }
     }
 
     /// Sets the place of a kept half-edge's start.
@@ -126,6 +145,21 @@ impl Work {
         pair
     }
 
+    /// The point at a place on a kept half-edge's curve.
+    pub fn curve_point(&self, h: u32, place: f64) -> DVec3 {
+        self.curves.at(self.arcs[self.arc[h as usize] as usize / 2].curve, place)
+    }
+
+    /// Notes that a vertex on a curve has moved along it.
+    pub fn slide(&mut self, v: u32, by: f64) {
+        for h in self.kept_at(v) {
+            if h != NONE {
+                let [place, _] = self.places_from(v, h);
+                self.set_place(v, h, place + by);
+            }
+        }
+    }
+
     /// The place at `v`, one of its ends, of a kept half-edge, and that of the other end.
     pub fn places_from(&self, v: u32, h: u32) -> [f64; 2] {
         let [a, b] = self.places(h);
@@ -133,7 +167,7 @@ impl Work {
     }
 
     /// Moves the end of a kept half-edge that is at `v`.
-    pub fn set_place(&mut self, v: u32, h: u32, place: f64) {
+    fn set_place(&mut self, v: u32, h: u32, place: f64) {
         if self.tri.from(h) == v { self.set_start(h, place) } else { self.set_end(h, place) }
     }
 
@@ -160,12 +194,21 @@ impl Work {
         }
     }
 
-    /// Cuts an edge in the middle. `h` becomes the half before the middle.
+    /// Cuts an edge in the middle. `h` becomes the half before the middle. That is where it was, not yet
+    /// on the input, so that each half is shorter; on a curve it is the middle of that piece of it.
     pub fn split(&mut self, h: u32) {
         let across = self.tri.opp(h);
         let arc = self.arc[h as usize];
+        // A vertex on a curve says nothing about the side of it that the edge is on; the triangle does.
+        let free =
+            [self.tri.from(h), self.tri.to(h)].into_iter().find(|&v| self.roles[v as usize] == Role::Free);
+        let near = match (free, &self.input) {
+            (Some(v), _) => self.near[v as usize],
+            (None, Some(input)) => input.triangle_of(self.tri.face_source[h as usize / 3]),
+            (None, None) => 0,
+        };
         let m = self.tri.split(h);
-        self.near.push(self.near[self.tri.from(h) as usize]);
+        self.near.push(near);
         self.stamps.push(0);
         self.arc.resize(self.tri.v.len(), NONE);
         self.unordered += 2;
@@ -202,6 +245,18 @@ impl Work {
         }
     }
 
+    /// The point of the input for a point near a vertex, with its triangle.
+    pub fn put_on(&self, v: u32, p: DVec3) -> (DVec3, u32) {
+        let near = self.near[v as usize];
+        match &self.input {
+            Some(input) => {
+                let foot = input.closest(near, p);
+                (foot.at, foot.face)
+            }
+            None => (p, near),
+        }
+    }
+
     /// Whether no triangle of a vertex turns over when it moves.
     pub fn may_move(&self, v: u32, to: DVec3) -> bool {
         let tri = &self.tri;
@@ -215,12 +270,13 @@ impl Work {
         good
     }
 
-    /// Where the ends of an edge may merge as far as kept curves go: what is on one may only move along it.
+    /// Where the ends of an edge may merge as far as kept curves go: what is on one may only move along
+    /// it. Free vertices merge on the input.
     pub fn merge_of(&self, h: u32) -> Option<Merge> {
         let (a, b) = (self.tri.from(h), self.tri.to(h));
         let (p, q) = (self.tri.at(a), self.tri.at(b));
         Some(match (self.roles[a as usize], self.roles[b as usize]) {
-            (Role::Free, Role::Free) => Merge { edge: h, at: (p + q) * 0.5 },
+            (Role::Free, Role::Free) => Merge { edge: h, at: self.put_on(a, (p + q) * 0.5).0 },
             (_, Role::Free) => Merge { edge: h, at: p },
             (Role::Free, _) => Merge { edge: self.tri.opp(h), at: q },
             _ if !self.is_kept(h) => return None,
@@ -245,14 +301,9 @@ impl Work {
         if self.is_kept(h) {
             let [place_a, place_b] = self.places(h);
             let to_b = self.roles[b as usize] == Role::Fixed;
-            // The curve's other edge at the vertex that moves.
             let (mover, by) = if to_b { (a, place_b - place_a) } else { (b, place_a - place_b) };
-            for other in self.kept_at(mover) {
-                if other != NONE && other != h && other != across {
-                    let [place, _] = self.places_from(mover, other);
-                    self.set_place(mover, other, place + by);
-                }
-            }
+            // This also moves the merged edge's own end, which goes.
+            self.slide(mover, by);
             if to_b {
                 self.roles[a as usize] = Role::Fixed;
             }
@@ -314,6 +365,10 @@ impl Work {
                 good &= (turned > 0.0
                     && turned * turned > LEAST_COS * LEAST_COS * new.length_squared() * old.length_squared())
                     || (old == DVec3::ZERO && new != DVec3::ZERO);
+                if good {
+                    let shape = quality(at, p, q);
+                    good = shape > POOR || shape > quality(here, p, q);
+                }
             });
         }
         good
