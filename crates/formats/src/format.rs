@@ -106,7 +106,12 @@ impl Format {
         match self {
             Self::Obj => part != Part::Creases,
             Self::Ply | Self::PlyText | Self::Off => {
-                matches!(part, Part::Polygons | Part::LooseVertices | Part::FaceColors | Part::VertexColors)
+                // Normals, and in an OFF texture coordinates, as far as corners of a vertex agree: that is
+                // looked at in `losses`.
+                !matches!(
+                    part,
+                    Part::Objects | Part::Groups | Part::Materials | Part::Smoothing | Part::Creases
+                )
             }
             Self::Stl | Self::StlText => false,
             Self::Collada => {

@@ -10,6 +10,7 @@ mod export;
 mod format;
 mod gltf;
 mod hash;
+mod holes;
 mod import;
 mod json;
 mod losses;

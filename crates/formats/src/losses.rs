@@ -2,7 +2,9 @@
 
 use crate::export::ObjectRef;
 use crate::format::Format;
+use crate::pieces::uniform;
 use crate::report::counted;
+use glam::{Vec2, Vec3};
 use halfedge::attribute::{AttributeType, Key};
 use halfedge::{Color, Element, Mesh, NONE, keys};
 
@@ -138,12 +140,40 @@ pub fn losses(format: Format, objects: &[ObjectRef]) -> Vec<String> {
         let enough = if part == Part::Objects { 2 } else { 1 };
         (count >= enough).then(|| part.loss(name, count))
     });
+    let split = split_losses(format, &objects);
     let is_far = objects.iter().any(|object| object.offset != glam::DVec3::ZERO);
     let rounded = (is_far && format == Format::Stl).then(|| {
         "STL holds 32 bits for a coordinate: positions so far from the origin are rounded; STL (text) keeps them"
             .to_owned()
     });
-    controls.chain(parts).chain(rounded).collect()
+    controls.chain(parts).chain(split).chain(rounded).collect()
+}
+
+/// What is lost where a format has a place at vertices for what corners have, and corners of a
+/// vertex differ.
+fn split_losses(format: Format, objects: &[ObjectRef]) -> Vec<String> {
+    let normals = matches!(format, Format::Ply | Format::PlyText | Format::Off);
+    let uvs = format == Format::Off;
+    let mut losses = Vec::new();
+    let mut lose = |part: Part, what: &str, fits: &dyn Fn(&Mesh) -> bool| {
+        let count: usize = objects.iter().map(|object| part.count(object.mesh)).sum();
+        if count > 0 && !objects.iter().all(|object| fits(object.mesh)) {
+            let corners = counted(count, "corner", "corners");
+            losses.push(format!(
+                "{} holds one {what} for each vertex: those of {corners} are lost",
+                format.name()
+            ));
+        }
+    };
+    if normals {
+        let fits = |mesh: &Mesh| uniform(mesh, keys::CORNER_NORMAL, |n| n.is_nan(), Vec3::ZERO).is_some();
+        lose(Part::Normals, "normal", &fits);
+    }
+    if uvs {
+        let fits = |mesh: &Mesh| uniform(mesh, keys::CORNER_UV, |uv| uv.is_nan(), Vec2::ZERO).is_some();
+        lose(Part::TextureCoordinates, "texture coordinate", &fits);
+    }
+    losses
 }
 
 /// What a format for Bezier curves or surfaces leaves out.
@@ -169,7 +199,6 @@ fn control_losses(format: Format, objects: &[ObjectRef]) -> Vec<String> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use glam::{Vec2, Vec3};
     use halfedge::PolygonSoup;
 
     #[test]

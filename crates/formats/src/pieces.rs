@@ -1,7 +1,8 @@
 //! Several objects written as one mesh, for formats that hold one.
 
 use crate::export::ObjectRef;
-use glam::{DVec3, Vec3};
+use glam::{DVec3, Vec2, Vec3};
+use halfedge::attribute::{AttributeType, Key};
 use halfedge::{Color, FaceId, Mesh, keys};
 use std::borrow::Cow;
 
@@ -66,12 +67,67 @@ impl<'a> Pieces<'a> {
         Some(self.meshes.iter().flat_map(|(mesh, _)| (0..mesh.vertex_count()).map(|v| of(mesh, v))).collect())
     }
 
+    /// The normals of all vertices, zero for those in no face; nothing where there are none or
+    /// corners of a vertex differ.
+    pub(crate) fn vertex_normals(&self) -> Option<Vec<Vec3>> {
+        self.uniform(keys::CORNER_NORMAL, |normal| normal.is_nan(), Vec3::ZERO)
+    }
+
+    /// The texture coordinates of all vertices, zero for those in no face; nothing where there are
+    /// none or corners of a vertex differ.
+    pub(crate) fn vertex_uvs(&self) -> Option<Vec<Vec2>> {
+        self.uniform(keys::CORNER_UV, |uv| uv.is_nan(), Vec2::ZERO)
+    }
+
+    fn uniform<T: AttributeType + PartialEq>(
+        &self,
+        key: Key<T>,
+        is_missing: fn(T) -> bool,
+        loose: T,
+    ) -> Option<Vec<T>> {
+        let mut all = Vec::new();
+        for (mesh, _) in &self.meshes {
+            all.extend(uniform(mesh, key, is_missing, loose)?);
+        }
+        (self.faces > 0).then_some(all)
+    }
+
+    /// Whether some corner has a texture coordinate.
+    pub(crate) fn has_uvs(&self) -> bool {
+        let has = |mesh: &Mesh| {
+            mesh.attribute(keys::CORNER_UV).is_some_and(|uvs| uvs.iter().any(|uv| !uv.is_nan()))
+        };
+        self.meshes.iter().any(|(mesh, _)| has(mesh))
+    }
+
     /// The colours of all faces; nothing where none is painted.
     pub(crate) fn face_colors(&self) -> Option<Vec<Color>> {
         let colors: Vec<Color> =
             self.faces().map(|(mesh, _, f)| mesh.get(keys::FACE_COLOR, f.index())).collect();
         colors.iter().any(|&color| color != Color::UNPAINTED).then_some(colors)
     }
+}
+
+/// The value that all corners of each vertex have, `loose` for vertices in no face; nothing where
+/// corners of a vertex differ, or one has none. By vertex id.
+pub(crate) fn uniform<T: AttributeType + PartialEq>(
+    mesh: &Mesh,
+    key: Key<T>,
+    is_missing: impl Fn(T) -> bool,
+    loose: T,
+) -> Option<Vec<T>> {
+    let mut values = vec![loose; mesh.vertex_capacity()];
+    let mut met = vec![false; mesh.vertex_capacity()];
+    for h in mesh.halfedges().filter(|&h| !mesh.is_boundary_halfedge(h)) {
+        let value = mesh.get(key, h.index());
+        let v = mesh.from(h).index();
+        let (slot, met) = values.get_mut(v).zip(met.get_mut(v))?;
+        if is_missing(value) || (*met && *slot != value) {
+            return None;
+        }
+        (*slot, *met) = (value, true);
+    }
+    Some(values)
 }
 
 /// The mesh without gaps in its ids.

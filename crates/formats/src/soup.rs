@@ -1,6 +1,6 @@
 //! Changes to polygon soups that several formats need.
 
-use halfedge::attribute::{Column, Key};
+use halfedge::attribute::{AttributeType, Column, Key};
 use halfedge::{Element, Mesh, NONE, PolygonSoup, keys};
 
 /// Takes faces out of a soup with their corners and attributes. `dropped` is in ascending order.
@@ -39,6 +39,12 @@ pub(crate) fn tidy_labels(mesh: &mut Mesh) {
         let tidy = labelled(key, values.to_vec(), &column.labels);
         mesh.insert_column(Element::Face, tidy);
     }
+}
+
+/// A column of corners from values of vertices, as far as those are there.
+pub(crate) fn of_vertices<T: AttributeType>(soup: &PolygonSoup, key: Key<T>, values: &[T]) -> Column {
+    let corner = |&v: &u32| values.get(v as usize).copied().unwrap_or(key.default);
+    Column::with_values(key, soup.corners.iter().map(corner).collect())
 }
 
 /// A labelled column: `values` are numbers of `names` or [`NONE`]; labels no value uses are left

@@ -12,26 +12,38 @@ pub(crate) fn triangulate(points: &[Vec3], out: &mut Vec<[u32; 3]>) {
         out.push([0, 1, 2]);
         return;
     }
-    let flat = flatten(points);
-    let point = |i: u32| flat.get(i as usize).copied().unwrap_or_default();
-    let area = |[a, b, c]: [u32; 3]| (point(b) - point(a)).perp_dot(point(c) - point(a));
+    let plane = Plane::of(points);
+    let flat: Vec<Vec2> = points.iter().map(|&p| plane.flat(p)).collect();
     let fan = (2..count).map(|i| [0, i - 1, i]);
-    if fan.clone().all(|triangle| area(triangle) > 0.0) {
+    if fan.clone().all(|triangle| area(&flat, triangle) > 0.0) {
         out.extend(fan);
         return;
     }
-    let mut left: Vec<u32> = (0..count).collect();
+    clip_ears(&flat, out);
+}
+
+/// Twice the area of a triangle of these points; more than zero where it runs counter-clockwise.
+fn area(flat: &[Vec2], [a, b, c]: [u32; 3]) -> f32 {
+    let point = |i: u32| flat.get(i as usize).copied().unwrap_or_default();
+    (point(b) - point(a)).perp_dot(point(c) - point(a))
+}
+
+/// Cuts ears off a polygon in the plane that runs counter-clockwise, until nothing is left. It may
+/// touch itself, as along the bridges to its holes.
+pub(crate) fn clip_ears(flat: &[Vec2], out: &mut Vec<[u32; 3]>) {
+    let point = |i: u32| flat.get(i as usize).copied().unwrap_or_default();
+    let mut left: Vec<u32> = (0..flat.len() as u32).collect();
     while left.len() > 3 {
         let n = left.len();
         let corner = |i: usize| left.get(i % n).copied().unwrap_or_default();
         let triangle = |i: usize| [corner(i + n - 1), corner(i), corner(i + 1)];
         let is_ear = |i: usize| {
             let [a, b, c] = triangle(i);
-            area([a, b, c]) > 0.0
-                && left
-                    .iter()
-                    .filter(|&&p| p != a && p != b && p != c)
-                    .all(|&p| area([a, b, p]) < 0.0 || area([b, c, p]) < 0.0 || area([c, a, p]) < 0.0)
+            let ends = [a, b, c].map(point);
+            area(flat, [a, b, c]) > 0.0
+                && left.iter().filter(|&&p| !ends.contains(&point(p))).all(|&p| {
+                    area(flat, [a, b, p]) < 0.0 || area(flat, [b, c, p]) < 0.0 || area(flat, [c, a, p]) < 0.0
+                })
         };
         let ear = (0..n).find(|&i| is_ear(i)).unwrap_or(1);
         out.push(triangle(ear));
@@ -42,13 +54,28 @@ pub(crate) fn triangulate(points: &[Vec3], out: &mut Vec<[u32; 3]>) {
     }
 }
 
-/// The polygon seen along its normal (Newell's), so that it runs counter-clockwise.
-fn flatten(points: &[Vec3]) -> Vec<Vec2> {
-    let origin = points.first().copied().unwrap_or_default();
-    let normal: Vec3 =
-        points.iter().zip(points.iter().cycle().skip(1)).map(|(&a, &b)| (a - origin).cross(b - origin)).sum();
-    let (u, v) = normal.try_normalize().unwrap_or(Vec3::Z).any_orthonormal_pair();
-    points.iter().map(|&p| Vec2::new((p - origin).dot(u), (p - origin).dot(v))).collect()
+/// The plane that fits a polygon best, in which it runs counter-clockwise.
+pub(crate) struct Plane {
+    origin: Vec3,
+    u: Vec3,
+    v: Vec3,
+}
+
+impl Plane {
+    /// By the polygon's normal (Newell's).
+    pub(crate) fn of(points: &[Vec3]) -> Self {
+        let origin = points.first().copied().unwrap_or_default();
+        let next = points.iter().cycle().skip(1);
+        let normal: Vec3 = points.iter().zip(next).map(|(&a, &b)| (a - origin).cross(b - origin)).sum();
+        let (u, v) = normal.try_normalize().unwrap_or(Vec3::Z).any_orthonormal_pair();
+        Self { origin, u, v }
+    }
+
+    /// A point as seen along the normal.
+    pub(crate) fn flat(&self, point: Vec3) -> Vec2 {
+        let from = point - self.origin;
+        Vec2::new(from.dot(self.u), from.dot(self.v))
+    }
 }
 
 #[cfg(test)]

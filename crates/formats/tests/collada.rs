@@ -117,6 +117,31 @@ fn every_primitive_is_read() {
 }
 
 #[test]
+fn polygons_with_holes_are_cut_round_them() {
+    // Vertices 0 to 3 are a square; the hole's are made for it.
+    let sources = |points: &str, count: usize| {
+        format!(
+            "<COLLADA><library_geometries><geometry id=\"g\"><mesh><source id=\"p\"><float_array id=\"a\" \
+             count=\"{count}\">{points}</float_array><technique_common><accessor source=\"#a\" stride=\"3\"/>\
+             </technique_common></source><vertices id=\"v\"><input semantic=\"POSITION\" source=\"#p\"/></vertices>\
+             <polygons><input semantic=\"VERTEX\" source=\"#v\" offset=\"0\"/><ph><p>0 1 2 3</p><h>4 5 6 7</h></ph>\
+             </polygons></mesh></geometry></library_geometries></COLLADA>"
+        )
+    };
+    let text = sources("0 0 0 4 0 0 4 4 0 0 4 0 1 1 0 3 1 0 3 3 0 1 3 0", 24);
+    let import = read_dae(text).expect("readable");
+    let mesh = mesh(&import);
+    assert!(import.report.is_clean(), "{}", import.report);
+    assert!(
+        import.report.to_string().contains("1 polygon with holes cut into triangles"),
+        "{}",
+        import.report
+    );
+    assert_eq!((mesh.vertex_count(), mesh.face_count(), mesh.boundary_loops().len()), (8, 8, 2));
+    assert!(mesh.components().1 == 1 && mesh.euler_characteristic() == 0, "a ring");
+}
+
+#[test]
 fn encodings_are_told() {
     let text = document("", &format!("<triangles>{INPUT}<p>0 1 2</p></triangles>"), "")
         .replace("\"shape\"", "\"Körper &amp; &#x3b1;\"");

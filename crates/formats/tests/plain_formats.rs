@@ -4,7 +4,7 @@ mod common;
 
 use common::{load, mesh, read, shared, write};
 use formats::{Format, NamedBytes, ObjectRef};
-use glam::Vec3;
+use glam::{Vec2, Vec3};
 use halfedge::attribute::{Column, keys};
 use halfedge::{Color, Element, Mesh, PolygonSoup, VertexId};
 use proptest::prelude::*;
@@ -57,6 +57,57 @@ fn polygons_and_colours_round_trip() {
         assert!(back(format, &sample()) == sample(), "{format:?}");
         assert!(back(format, &painted()) == painted(), "{format:?}");
         assert!(back(format, &Mesh::new()) == Mesh::new(), "{format:?}");
+    }
+}
+
+/// [`painted`] with texture coordinates and normals at corners, which agree at vertices or don't.
+fn dressed(normals: Option<bool>, uvs: Option<bool>) -> Mesh {
+    let mut mesh = painted();
+    for h in mesh.halfedges().filter(|&h| !mesh.is_boundary_halfedge(h)).collect::<Vec<_>>() {
+        let (v, corner) = (mesh.from(h).index() as f32, h.index() as f32);
+        if let Some(agree) = normals {
+            let normal = if agree { Vec3::new(v, 1.0, -0.5) } else { Vec3::new(0.0, corner, 0.7) };
+            mesh.set(keys::CORNER_NORMAL, h.index(), normal);
+        }
+        if let Some(agree) = uvs {
+            let uv = if agree { Vec2::new(v, 0.1) } else { Vec2::new(0.3, corner / 7.0) };
+            mesh.set(keys::CORNER_UV, h.index(), uv);
+        }
+    }
+    mesh
+}
+
+#[test]
+fn normals_and_texture_coordinates_round_trip_where_there_is_a_place_for_them() {
+    for format in POLYGONS {
+        let same = dressed(Some(true), Some(true));
+        assert!(back(format, &same) == same, "{format:?}");
+        assert_eq!(formats::losses(format, &[ObjectRef::new("a", &same)]), [""; 0], "{format:?}");
+        let split = dressed(Some(false), Some(false));
+        let lost = formats::losses(format, &[ObjectRef::new("a", &split)]).join("\n");
+        assert!(lost.contains("holds one normal for each vertex: those of 11 corners are lost"), "{lost}");
+        assert_eq!(lost.contains("one texture coordinate"), format == Format::Off, "{lost}");
+        let kept = dressed(None, (format != Format::Off).then_some(false));
+        assert!(back(format, &split) == kept, "{format:?}");
+    }
+    // Faces without texture coordinates among others.
+    let mut some = dressed(Some(true), Some(false));
+    for h in some.face_halfedges(halfedge::FaceId::new(1)).collect::<Vec<_>>() {
+        some.set(keys::CORNER_UV, h.index(), Vec2::NAN);
+    }
+    for format in [Format::Ply, Format::PlyText] {
+        assert!(back(format, &some) == some, "{format:?}");
+    }
+    // More corners than a byte counts numbers for.
+    let ring: Vec<Vec3> =
+        (0..200).map(|i| Vec3::new((i as f32 * 0.03).cos(), (i as f32 * 0.03).sin(), 0.0)).collect();
+    let mut large =
+        Mesh::build(PolygonSoup::new(ring, &[(0..200).collect::<Vec<u32>>()])).expect("small").mesh;
+    for h in large.face_halfedges(halfedge::FaceId::new(0)).collect::<Vec<_>>() {
+        large.set(keys::CORNER_UV, h.index(), Vec2::splat(h.index() as f32));
+    }
+    for format in [Format::Ply, Format::PlyText] {
+        assert!(back(format, &large) == large, "{format:?}");
     }
 }
 
@@ -207,6 +258,10 @@ fn shared_models_round_trip() {
         let original = &original.objects[0].mesh;
         for format in POLYGONS {
             let back = back(format, original);
+            // Identical, where the format has a place for all there is.
+            if formats::losses(format, &[ObjectRef::new("", original)]).is_empty() {
+                assert!(back == *original, "{format:?} {}", path.display());
+            }
             assert!(back.positions() == original.positions(), "{format:?} {}", path.display());
             assert_eq!(faces(&back), faces(original), "{format:?} {}", path.display());
         }

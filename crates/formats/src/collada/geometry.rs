@@ -2,6 +2,7 @@
 
 use super::material::Material;
 use super::xml::{Document, Node};
+use crate::holes;
 use crate::obj::runs::Names;
 use crate::origin::Origin;
 use crate::scan::Scan;
@@ -15,8 +16,10 @@ use std::rc::Rc;
 #[derive(Default)]
 pub(crate) struct Geometry {
     pub soup: PolygonSoup,
-    /// Polygons that had holes, which were filled.
-    pub holes: usize,
+    /// Polygons that had holes: how many were cut into triangles round them, and of how many the
+    /// holes were filled.
+    pub cut: usize,
+    pub filled: usize,
     /// Lines and splines, which are not kept.
     pub lines: usize,
     /// The numbers of the materials of faces, and those materials.
@@ -151,8 +154,10 @@ impl Geometry {
                         "p" => self.face(&whole(child)?, &inputs, directions)?,
                         "ph" => {
                             if let Some(outline) = document.child(child, "p") {
-                                self.face(&whole(outline)?, &inputs, directions)?;
-                                self.holes += 1;
+                                let outline = whole(outline)?;
+                                let holes = document.children(child).filter(|part| part.name == "h");
+                                let holes = holes.map(whole).collect::<Result<Vec<_>, _>>()?;
+                                self.face_with_holes(&outline, &holes, &inputs, directions)?;
                             }
                         }
                         _ => {}
@@ -225,6 +230,39 @@ impl Geometry {
         // Two corners are no face; the build would drop it by number.
         if self.soup.corners.len() > start {
             self.soup.face_starts.push(self.soup.corners.len() as u32);
+        }
+        Ok(())
+    }
+
+    /// Adds a polygon with holes as triangles, or its outline alone where it can't be cut.
+    fn face_with_holes(
+        &mut self,
+        outline: &[u32],
+        holes: &[Vec<u32>],
+        inputs: &Inputs,
+        directions: DMat4,
+    ) -> Result<(), String> {
+        let groups: Vec<&[u32]> = outline
+            .chunks_exact(inputs.stride)
+            .chain(holes.iter().flat_map(|hole| hole.chunks_exact(inputs.stride)))
+            .collect();
+        let place = |group: &[u32]| {
+            let vertex = group.get(inputs.vertex).copied().unwrap_or(NONE);
+            self.soup.positions.get(vertex as usize).copied().unwrap_or(Vec3::NAN)
+        };
+        let ring =
+            |indices: &[u32]| -> Vec<Vec3> { indices.chunks_exact(inputs.stride).map(place).collect() };
+        let rings: Vec<Vec<Vec3>> = holes.iter().map(|hole| ring(hole)).collect();
+        let Some(triangles) = holes::cut(&ring(outline), &rings) else {
+            self.filled += 1;
+            return self.face(outline, inputs, directions);
+        };
+        self.cut += 1;
+        let mut corners: Vec<u32> = Vec::with_capacity(3 * inputs.stride);
+        for triangle in triangles {
+            corners.clear();
+            corners.extend(triangle.iter().filter_map(|&i| groups.get(i as usize)).copied().flatten());
+            self.face(&corners, inputs, directions)?;
         }
         Ok(())
     }

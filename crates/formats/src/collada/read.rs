@@ -50,7 +50,7 @@ pub(crate) fn read(
     }
     let mut objects = Vec::new();
     let mut corners = 0;
-    let (mut holes, mut lines) = (0, 0);
+    let (mut cut, mut filled, mut lines) = (0, 0, 0);
     let total = scene.instances.len();
     for (i, instance) in scene.instances.iter().enumerate() {
         let (node, binding, transform) = (instance.geometry, instance.binding, instance.transform);
@@ -61,7 +61,8 @@ pub(crate) fn read(
         if corners > file.bytes.len().saturating_mul(8).max(4_000_000) {
             return Err(fail("its scene repeats its meshes too many times".to_owned()));
         }
-        holes += geometry.holes;
+        cut += geometry.cut;
+        filled += geometry.filled;
         lines += geometry.lines;
         let part = |fraction: f32| 0.3 + 0.7 * (i as f32 + fraction) / total as f32;
         let mut notes = ImportReport::default();
@@ -70,10 +71,16 @@ pub(crate) fn read(
         report.append(if total > 1 { notes.prefixed(&instance.name) } else { notes });
         objects.push(object);
     }
-    if holes > 0 {
+    if cut > 0 {
+        report.info(format!(
+            "{} with holes cut into triangles: faces have one outline here",
+            counted(cut, "polygon", "polygons")
+        ));
+    }
+    if filled > 0 {
         report.warn(format!(
-            "The holes of {} were filled: faces have one outline here",
-            counted(holes, "polygon", "polygons")
+            "The holes of {} were filled: they don't lie inside it, apart from each other",
+            counted(filled, "polygon", "polygons")
         ));
     }
     if lines > 0 {

@@ -1,5 +1,5 @@
 //! OFF, Geomview's object file format, in text: polygons, with colours of vertices (`COFF`) and
-//! faces. After "OFF files" in the Geomview manual.
+//! faces, normals (`NOFF`) and texture coordinates (`STOFF`) of vertices. After "OFF files" in the Geomview manual.
 
 mod read;
 mod write;

@@ -4,7 +4,8 @@ use crate::import::{ImportedObject, NamedBytes, ReadError, Reading, build};
 use crate::origin::Origin;
 use crate::report::{ImportReport, Places};
 use crate::scan::{Scan, Ticker};
-use glam::Vec3;
+use crate::soup::of_vertices;
+use glam::{Vec2, Vec3};
 use halfedge::attribute::Column;
 use halfedge::{Color, NONE, PolygonSoup, Progress, keys};
 
@@ -91,6 +92,8 @@ pub(crate) fn read(
         ticker: Ticker::new(file.bytes.len()),
         soup: PolygonSoup::default(),
         vertex_colors: Vec::new(),
+        normals: Vec::new(),
+        uvs: Vec::new(),
         face_colors: Vec::new(),
         bad_vertices: Places::default(),
         bad_faces: Places::default(),
@@ -115,10 +118,15 @@ pub(crate) fn read(
             report.warn(places.sentence(one, many, what, "number"));
         }
     }
-    if kind.texture || kind.normal {
-        report.info("Texture coordinates and normals of vertices were left out");
-    }
     let mut soup = reader.soup;
+    // A normal of no length is none.
+    reader.normals.iter_mut().filter(|normal| **normal == Vec3::ZERO).for_each(|normal| *normal = Vec3::NAN);
+    if reader.normals.iter().any(|normal| !normal.is_nan()) {
+        soup.corner_columns.push(of_vertices(&soup, keys::CORNER_NORMAL, &reader.normals));
+    }
+    if reader.uvs.iter().any(|uv| !uv.is_nan()) {
+        soup.corner_columns.push(of_vertices(&soup, keys::CORNER_UV, &reader.uvs));
+    }
     if kind.color && !reader.vertex_colors.is_empty() {
         soup.vertex_columns.push(Column::with_values(keys::VERTEX_COLOR, reader.vertex_colors));
     }
@@ -136,6 +144,8 @@ struct Reader<'a> {
     ticker: Ticker,
     soup: PolygonSoup,
     vertex_colors: Vec<Vec3>,
+    normals: Vec<Vec3>,
+    uvs: Vec<Vec2>,
     face_colors: Vec<Color>,
     bad_vertices: Places,
     bad_faces: Places,
@@ -153,7 +163,8 @@ impl Reader<'_> {
                 next();
             }
             if kind.normal {
-                let _ = (next(), next(), next());
+                let normal = [next(), next(), next()].map(|c| c.unwrap_or(f32::NAN));
+                self.normals.push(Vec3::from_array(normal));
             }
             if kind.color {
                 let channels = [next(), next(), next()].map(|c| c.unwrap_or(f32::NAN));
@@ -165,7 +176,12 @@ impl Reader<'_> {
                 }
             }
             if kind.texture {
-                self.scan.skip_line();
+                // The last two numbers of the line: a colour before them may have an opacity.
+                let mut uv = [f32::NAN; 2];
+                while self.scan.more_on_line() {
+                    uv = [uv[1], self.scan.float().unwrap_or(f32::NAN)];
+                }
+                self.uvs.push(Vec2::from_array(uv));
             }
             match position {
                 Some(position) => self.soup.positions.push(position),

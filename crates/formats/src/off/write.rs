@@ -5,17 +5,33 @@ use crate::import::NamedBytes;
 use crate::pieces::Pieces;
 use crate::text::{push_floats, push_integer, push_position};
 
-/// Writes the objects as one OFF, or COFF where vertices have colours.
+/// Writes the objects as one OFF, with what vertices have besides: texture coordinates (`ST`),
+/// colours (`C`) and normals (`N`).
 pub(crate) fn write(name: &str, objects: &[ObjectRef]) -> Vec<NamedBytes> {
     let pieces = Pieces::new(objects);
     let vertex_colors = pieces.vertex_colors();
     let face_colors = pieces.face_colors();
-    let keyword = if vertex_colors.is_some() { "COFF" } else { "OFF" };
-    let mut out = format!("{keyword}\n{} {} 0\n", pieces.vertices, pieces.faces).into_bytes();
+    let (normals, uvs) = (pieces.vertex_normals(), pieces.vertex_uvs());
+    let prefix = |there: bool, prefix: &'static str| if there { prefix } else { "" };
+    let mut out = format!(
+        "{}{}{}OFF\n{} {} 0\n",
+        prefix(uvs.is_some(), "ST"),
+        prefix(vertex_colors.is_some(), "C"),
+        prefix(normals.is_some(), "N"),
+        pieces.vertices,
+        pieces.faces
+    )
+    .into_bytes();
     for (v, (position, offset)) in pieces.positions().enumerate() {
         push_position(&mut out, position, offset);
+        if let Some(normal) = normals.as_ref().and_then(|normals| normals.get(v)) {
+            push_floats(&mut out, &normal.to_array());
+        }
         if let Some(color) = vertex_colors.as_ref().and_then(|colors| colors.get(v)) {
             push_floats(&mut out, &color.extend(1.0).to_array());
+        }
+        if let Some(uv) = uvs.as_ref().and_then(|uvs| uvs.get(v)) {
+            push_floats(&mut out, &uv.to_array());
         }
         out.push(b'\n');
     }

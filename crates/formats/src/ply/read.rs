@@ -5,7 +5,8 @@ use super::source::Source;
 use crate::import::{ImportedObject, NamedBytes, ReadError, Reading, build};
 use crate::report::{ImportReport, Places, counted};
 use crate::scan::Ticker;
-use glam::{DVec3, Vec3};
+use crate::soup::of_vertices;
+use glam::{DVec3, Vec2, Vec3};
 use halfedge::attribute::Column;
 use halfedge::{Color, NONE, PolygonSoup, Progress, keys};
 
@@ -26,6 +27,9 @@ pub(crate) fn read(
         ticker: Ticker::new(file.bytes.len()),
         soup: PolygonSoup::default(),
         vertex_colors: Vec::new(),
+        normals: Vec::new(),
+        uvs: Vec::new(),
+        corner_uvs: Vec::new(),
         face_colors: Vec::new(),
         unread: Places::default(),
         left_out: Vec::new(),
@@ -58,6 +62,11 @@ struct Reader<'a> {
     ticker: Ticker,
     soup: PolygonSoup,
     vertex_colors: Vec<Vec3>,
+    /// What vertices have, for all of their corners.
+    normals: Vec<Vec3>,
+    uvs: Vec<Vec2>,
+    /// What faces say of their own corners, which counts for more.
+    corner_uvs: Vec<Vec2>,
     face_colors: Vec<Color>,
     /// Vertices with a coordinate that is no number.
     unread: Places,
@@ -65,30 +74,40 @@ struct Reader<'a> {
     left_out: Vec<String>,
 }
 
-/// Where in a row the channels of a colour are.
-fn color_places(table: &Table) -> Option<[usize; 3]> {
-    let place = |names: [&str; 2]| {
-        table.properties.iter().position(|p| p.count.is_none() && names.contains(&p.name.as_str()))
-    };
-    Some([
-        place(["red", "diffuse_red"])?,
-        place(["green", "diffuse_green"])?,
-        place(["blue", "diffuse_blue"])?,
-    ])
+/// The names that the parts of a colour, a normal and a texture coordinate go by.
+const COLOR: [[&str; 3]; 2] = [["red", "green", "blue"], ["diffuse_red", "diffuse_green", "diffuse_blue"]];
+const NORMAL: [[&str; 3]; 1] = [["nx", "ny", "nz"]];
+const UV: [[&str; 2]; 4] = [["s", "t"], ["u", "v"], ["texture_u", "texture_v"], ["s0", "t0"]];
+
+/// Where in a row the numbers are that go by these names, or by those after them.
+fn places<const N: usize>(table: &Table, names: &[[&str; N]]) -> Option<[usize; N]> {
+    names.iter().find_map(|names| {
+        let mut found = [0; N];
+        for (place, name) in found.iter_mut().zip(names) {
+            *place = table.properties.iter().position(|p| p.count.is_none() && p.name == *name)?;
+        }
+        Some(found)
+    })
+}
+
+/// What the channels of a colour are divided by.
+fn full(table: &Table, places: [usize; 3]) -> [f64; 3] {
+    places.map(|i| table.properties.get(i).map_or(1.0, |p| p.scalar.full()))
 }
 
 impl Reader<'_> {
-    /// Reads the numbers of one row: of a list the length, its values into `list`. False where the
+    /// Reads the numbers of one row: of a list the length, the values of those at `wanted` into
+    /// `lists`. False where the
     /// file ends before the row does.
     fn row(
         &mut self,
         properties: &[Property],
         row: &mut Vec<f64>,
-        list: &mut Vec<f64>,
-        wanted: Option<usize>,
+        lists: &mut [Vec<f64>; 2],
+        wanted: [Option<usize>; 2],
     ) -> bool {
         row.clear();
-        list.clear();
+        lists.iter_mut().for_each(Vec::clear);
         for (place, property) in properties.iter().enumerate() {
             let Some(value) = self.source.next(property.count.unwrap_or(property.scalar)) else {
                 return false;
@@ -98,8 +117,10 @@ impl Reader<'_> {
                 // A negative or unreadable length is none.
                 for _ in 0..value as u64 {
                     let Some(item) = self.source.next(property.scalar) else { return false };
-                    if wanted == Some(place) {
-                        list.push(item);
+                    for (list, wanted) in lists.iter_mut().zip(wanted) {
+                        if wanted == Some(place) {
+                            list.push(item);
+                        }
                     }
                 }
             }
@@ -107,25 +128,25 @@ impl Reader<'_> {
         true
     }
 
-    /// Calls `take` with each row of a table and the values of its list at `wanted`. Gives how
+    /// Calls `take` with each row of a table and the values of its lists at `wanted`. Gives how
     /// many rows there were.
     fn rows(
         &mut self,
         table: &Table,
-        wanted: Option<usize>,
+        wanted: [Option<usize>; 2],
         progress: &mut Progress,
-        mut take: impl FnMut(&mut Self, u64, &[f64], &[f64]),
+        mut take: impl FnMut(&mut Self, u64, &[f64], &[Vec<f64>; 2]),
     ) -> Result<u64, ReadError> {
         // Rows of nothing could be any number.
         if table.properties.is_empty() {
             return Ok(table.rows);
         }
-        let (mut row, mut list) = (Vec::new(), Vec::new());
+        let (mut row, mut lists) = (Vec::new(), [Vec::new(), Vec::new()]);
         for number in 0..table.rows {
-            if !self.row(&table.properties, &mut row, &mut list, wanted) {
+            if !self.row(&table.properties, &mut row, &mut lists, wanted) {
                 return Ok(number);
             }
-            take(self, number, &row, &list);
+            take(self, number, &row, &lists);
             self.ticker.tick(self.source.at(), progress)?;
         }
         Ok(table.rows)
@@ -140,18 +161,19 @@ impl Reader<'_> {
     fn vertices(&mut self, table: &Table, progress: &mut Progress) -> Result<u64, ReadError> {
         let place = |name: &str| table.properties.iter().position(|p| p.count.is_none() && p.name == name);
         let position = [place("x"), place("y"), place("z")];
-        let color = color_places(table);
-        let full = color.map(|at| at.map(|i| table.properties.get(i).map_or(1.0, |p| p.scalar.full())));
-        for property in &table.properties {
-            let used =
-                ["x", "y", "z", "red", "green", "blue", "diffuse_red", "diffuse_green", "diffuse_blue"];
-            if !used.contains(&property.name.as_str()) {
-                self.left_out.push(property.name.clone());
-            }
-        }
+        let color = places(table, &COLOR);
+        let full = color.map(|places| full(table, places));
+        let (normal, uv) = (places(table, &NORMAL), places(table, &UV));
+        let in_use: Vec<usize> = position
+            .into_iter()
+            .flatten()
+            .chain([color, normal].into_iter().flatten().flatten())
+            .chain(uv.into_iter().flatten())
+            .collect();
+        self.leave_out(table, &in_use);
         let expected = self.expected(table);
         self.soup.positions.reserve(expected);
-        self.rows(table, None, progress, |this, number, row, _| {
+        self.rows(table, [None; 2], progress, |this, number, row, _| {
             let value = |place: usize| row.get(place).copied().unwrap_or(0.0);
             let at = DVec3::from_array(position.map(|place| place.map_or(0.0, value)));
             if at.is_nan() {
@@ -166,22 +188,33 @@ impl Reader<'_> {
                 });
                 this.vertex_colors.push(Vec3::new(r, g, b));
             }
+            if let Some(places) = normal {
+                let normal = Vec3::from_array(places.map(|place| value(place) as f32));
+                // A normal of no length is none.
+                this.normals.push(if normal == Vec3::ZERO { Vec3::NAN } else { normal });
+            }
+            if let Some(places) = uv {
+                this.uvs.push(Vec2::from_array(places.map(|place| value(place) as f32)));
+            }
         })
     }
 
     fn faces(&mut self, table: &Table, progress: &mut Progress) -> Result<u64, ReadError> {
         let list = self.index_list(table);
-        let color = color_places(table);
-        let full = color.map(|at| at.map(|i| table.properties.get(i).map_or(1.0, |p| p.scalar.full())));
-        for (place, property) in table.properties.iter().enumerate() {
-            if Some(place) != list && color.is_none_or(|places| !places.contains(&place)) {
-                self.left_out.push(property.name.clone());
-            }
-        }
+        let uvs = table.properties.iter().position(|p| p.count.is_some() && p.name == "texcoord");
+        let color = places(table, &COLOR);
+        let full = color.map(|places| full(table, places));
+        let in_use: Vec<usize> = list.into_iter().chain(uvs).chain(color.into_iter().flatten()).collect();
+        self.leave_out(table, &in_use);
         let expected = self.expected(table);
         self.soup.face_starts.reserve(expected);
         self.soup.corners.reserve(expected * 3);
-        self.rows(table, list, progress, |this, _, row, list| {
+        self.rows(table, [list, uvs], progress, |this, _, row, [list, uvs]| {
+            let (pairs, rest) = uvs.as_chunks::<2>();
+            if !pairs.is_empty() && pairs.len() == list.len() && rest.is_empty() {
+                this.corner_uvs.resize(this.soup.corners.len(), Vec2::NAN);
+                this.corner_uvs.extend(pairs.iter().map(|uv| Vec2::from_array(uv.map(|c| c as f32))));
+            }
             // What is no vertex number becomes one that no vertex has: the build drops the face.
             this.soup.push_face(list.iter().map(|&v| index(v)));
             if let Some((places, full)) = color.zip(full) {
@@ -197,7 +230,7 @@ impl Reader<'_> {
     /// Strips of triangles, -1 between them, every second triangle the other way round.
     fn strips(&mut self, table: &Table, progress: &mut Progress) -> Result<u64, ReadError> {
         let list = self.index_list(table);
-        self.rows(table, list, progress, |this, _, _, list| {
+        self.rows(table, [list, None], progress, |this, _, _, [list, _]| {
             for strip in list.split(|&v| v < 0.0) {
                 for (i, corners) in strip.windows(3).enumerate() {
                     let &[a, b, c] = corners else { continue };
@@ -215,7 +248,13 @@ impl Reader<'_> {
         if table.rows > 0 {
             self.left_out.push(format!("all of \"{}\"", table.name));
         }
-        self.rows(table, None, progress, |_, _, _, _| {})
+        self.rows(table, [None; 2], progress, |_, _, _, _| {})
+    }
+
+    /// Notes the properties of a table that are not used.
+    fn leave_out(&mut self, table: &Table, in_use: &[usize]) {
+        let unused = table.properties.iter().enumerate().filter(|(place, _)| !in_use.contains(place));
+        self.left_out.extend(unused.map(|(_, property)| property.name.clone()));
     }
 
     /// Where a table has its list of vertex numbers.
@@ -253,6 +292,16 @@ impl Reader<'_> {
             let mut colors = std::mem::take(&mut self.face_colors);
             colors.resize(self.soup.face_count(), Color::UNPAINTED);
             self.soup.face_columns.push(Column::with_values(keys::FACE_COLOR, colors));
+        }
+        if self.normals.iter().any(|normal| !normal.is_nan()) {
+            self.soup.corner_columns.push(of_vertices(&self.soup, keys::CORNER_NORMAL, &self.normals));
+        }
+        if !self.corner_uvs.is_empty() {
+            self.corner_uvs.resize(self.soup.corners.len(), Vec2::NAN);
+            let uvs = std::mem::take(&mut self.corner_uvs);
+            self.soup.corner_columns.push(Column::with_values(keys::CORNER_UV, uvs));
+        } else if self.uvs.iter().any(|uv| !uv.is_nan()) {
+            self.soup.corner_columns.push(of_vertices(&self.soup, keys::CORNER_UV, &self.uvs));
         }
         let part = &mut |part| progress(0.5 + part * 0.5);
         let object = build(file.stem(), self.soup, &file.name, &self.reading, &mut report, part)?;
