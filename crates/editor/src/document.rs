@@ -157,7 +157,12 @@ fn components(mesh: &Mesh) -> usize {
         if !all && !mesh.has_edge(EdgeId::new(e)) {
             continue;
         }
-        let [a, b] = ends.map(|v| find(&mut parent, v));
+        // Most edges are inside a piece that is known, one step from its smallest vertex.
+        let [a, b] = ends.map(|v| parent.get(v as usize).copied().unwrap_or(v));
+        if a == b {
+            continue;
+        }
+        let [a, b] = [a, b].map(|v| find(&mut parent, v));
         if a != b {
             if let Some(slot) = parent.get_mut(a.max(b) as usize) {
                 *slot = a.min(b);

@@ -3,7 +3,8 @@
 mod support;
 
 use editor::halfedge::{Element, VertexId};
-use editor::{SelectMode, element_kind};
+use editor::{Counts, Editor, SelectMode, element_kind};
+use proptest::prelude::*;
 use serde_json::{Value, json};
 use support::*;
 
@@ -98,4 +99,23 @@ fn kinds_have_names() {
     assert_eq!(element_kind("half-edge"), Some(Element::Halfedge));
     assert_eq!(element_kind("halfedge"), Some(Element::Halfedge));
     assert_eq!(element_kind("corner"), None);
+}
+
+proptest! {
+    #[test]
+    fn counts_are_those_of_the_walks(deleted in prop::collection::vec(0u32..64, 0..40)) {
+        let mut editor = Editor::new();
+        run(&mut editor, json!({"op": "new", "shape": "grid", "columns": 8, "rows": 8}));
+        for face in deleted {
+            // Some are gone already.
+            let _ = editor.run(command(json!({"op": "delete-faces", "faces": [face]})));
+        }
+        let mesh = editor.mesh().expect("a grid");
+        let counts = Counts::of(mesh);
+        prop_assert_eq!(counts.boundary_loops, mesh.boundary_loops().len());
+        prop_assert_eq!(counts.components, mesh.components().1);
+        let state = editor.state();
+        prop_assert_eq!(&state["document"]["components"], &json!(counts.components));
+        prop_assert_eq!(&state["document"]["boundary_loops"], &json!(counts.boundary_loops));
+    }
 }

@@ -1,6 +1,6 @@
 //! `bevel-edges`: edges made strips of faces.
 
-use super::fields::{edges};
+use super::fields::edges;
 use super::live::{not_negative, slide};
 use super::{Action, EdgeRef, Field, FieldKind, LocalEdit, Operation, OperationKind, Spec, Target};
 use crate::error::Problem;
@@ -31,8 +31,17 @@ impl Operation for BevelEdges {
         kind: OperationKind::Local,
         fields: &[
             Field::new("edges", FieldKind::Edges, "The edges to bevel").or("the selected edges"),
-            Field::new("width", FieldKind::Number { min: 0.0, max: f32::MAX }, "How far it goes on each side, in mesh units"),
-            Field::new("segments", FieldKind::Integer { min: 1, max: 256 }, "How many faces there are across").or("1"),
+            Field::new(
+                "width",
+                FieldKind::Number { min: 0.0, max: f32::MAX },
+                "How far it goes on each side, in mesh units",
+            ),
+            Field::new(
+                "segments",
+                FieldKind::Integer { min: 1, max: 256 },
+                "How many faces there are across",
+            )
+            .or("1"),
         ],
     };
 

@@ -1,6 +1,6 @@
 //! `bevel-vertices`: vertices cut off with a face each.
 
-use super::fields::{vertices};
+use super::fields::vertices;
 use super::live::{not_negative, slide};
 use super::{Action, Field, FieldKind, LocalEdit, Operation, OperationKind, Spec, Target, VertexRef};
 use crate::error::Problem;
@@ -28,7 +28,11 @@ impl Operation for BevelVertices {
         kind: OperationKind::Local,
         fields: &[
             Field::new("vertices", FieldKind::Vertices, "The vertices to bevel").or("the selected vertices"),
-            Field::new("width", FieldKind::Number { min: 0.0, max: f32::MAX }, "How far along each edge, in mesh units"),
+            Field::new(
+                "width",
+                FieldKind::Number { min: 0.0, max: f32::MAX },
+                "How far along each edge, in mesh units",
+            ),
         ],
     };
 

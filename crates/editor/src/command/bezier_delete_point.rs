@@ -36,7 +36,10 @@ impl DocumentEdit for BezierDeletePoint {
         let (object, curve) = bezier::curve(place)?;
         let at = bezier::check_point(self.index, curve, "index")?;
         if curve.points.len() == 1 {
-            return Err(Problem::field("index", "a curve keeps at least one control point; delete the object instead"));
+            return Err(Problem::field(
+                "index",
+                "a curve keeps at least one control point; delete the object instead",
+            ));
         }
         let mut curve = curve.clone();
         curve.points.remove(at);

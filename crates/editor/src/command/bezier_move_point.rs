@@ -85,11 +85,17 @@ impl BezierMovePoint {
 
     fn move_of_surface(&self, patches: &[Patch]) -> Result<Vec<Patch>, Problem> {
         if self.point.is_some() {
-            return Err(Problem::field("point", "is for curves; a surface's has `patch`, `row` and `column`"));
+            return Err(Problem::field(
+                "point",
+                "is for curves; a surface's has `patch`, `row` and `column`",
+            ));
         }
         let index = |given: Option<u32>, field: &str, count: usize| match one(given, field)? {
             at if (at as usize) < count => Ok(at as usize),
-            at => Err(Problem::field(field, format!("there is no {field} {at}; the last one is {}", count.saturating_sub(1)))),
+            at => Err(Problem::field(
+                field,
+                format!("there is no {field} {at}; the last one is {}", count.saturating_sub(1)),
+            )),
         };
         let patch = index(self.patch, "patch", patches.len())?;
         let (row, column) = (index(self.row, "row", 4)?, index(self.column, "column", 4)?);

@@ -30,7 +30,9 @@ impl Operation for BezierSplit {
         description: "Splits a Bezier curve into two of the same degree.",
         key: None,
         kind: OperationKind::Bezier,
-        fields: &[Field::new("t", FieldKind::Number { min: 0.0, max: 1.0 }, "Where along the curve").or("0.5")],
+        fields: &[
+            Field::new("t", FieldKind::Number { min: 0.0, max: 1.0 }, "Where along the curve").or("0.5")
+        ],
     };
 
     fields_by_serde!();
@@ -44,7 +46,10 @@ impl DocumentEdit for BezierSplit {
     fn changes(&self, place: &Place<'_>) -> Result<Vec<Change>, Problem> {
         let (object, curve) = bezier::curve(place)?;
         if self.t <= 0.0 || self.t >= 1.0 {
-            return Err(Problem::field("t", format!("{} is out of range; it must be above 0 and below 1", self.t)));
+            return Err(Problem::field(
+                "t",
+                format!("{} is out of range; it must be above 0 and below 1", self.t),
+            ));
         }
         let at = place.index()?;
         let (first, rest) = curve.split(self.t);

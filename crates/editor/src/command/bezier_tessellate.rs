@@ -57,7 +57,10 @@ impl WholeMesh for BezierTessellate {
             match input.bezier.as_deref() {
                 Some(Bezier::Surface(_)) => {}
                 Some(Bezier::Curve(_)) => {
-                    return Err(Problem::new(format!("{} is a Bezier curve, which bounds no faces", input.name)));
+                    return Err(Problem::new(format!(
+                        "{} is a Bezier curve, which bounds no faces",
+                        input.name
+                    )));
                 }
                 None => return Err(Problem::new(format!("{} is a mesh already", input.name))),
             }

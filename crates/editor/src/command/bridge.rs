@@ -1,6 +1,6 @@
 //! `bridge`: a band between two boundary loops.
 
-use super::fields::{pair};
+use super::fields::pair;
 use super::{Action, Field, FieldKind, HalfedgeRef, LocalEdit, Operation, OperationKind, Spec, Target};
 use crate::error::Problem;
 use halfedge::{Mesh, edit};
@@ -22,9 +22,8 @@ impl Operation for Bridge {
         description: "Puts a band of faces between two boundary loops.",
         key: None,
         kind: OperationKind::Local,
-        fields: &[
-            Field::new("halfedges", FieldKind::Halfedges, "A boundary half-edge of each loop").or("the two selected half-edges"),
-        ],
+        fields: &[Field::new("halfedges", FieldKind::Halfedges, "A boundary half-edge of each loop")
+            .or("the two selected half-edges")],
     };
 
     fields_by_serde!();

@@ -1,6 +1,6 @@
 //! `collapse-edge`: the ends of an edge made one vertex.
 
-use super::fields::{one};
+use super::fields::one;
 use super::{Action, EdgeRef, Field, FieldKind, LocalEdit, Operation, OperationKind, Spec, Target};
 use crate::error::Problem;
 use halfedge::{Mesh, edit};
@@ -27,7 +27,8 @@ impl Operation for CollapseEdge {
         kind: OperationKind::Local,
         fields: &[
             Field::new("edge", FieldKind::Edge, "The edge to collapse").or("the selected edges"),
-            Field::new("t", FieldKind::Number { min: 0.0, max: 1.0 }, "How far along the edge the vertex is").or("0.5"),
+            Field::new("t", FieldKind::Number { min: 0.0, max: 1.0 }, "How far along the edge the vertex is")
+                .or("0.5"),
         ],
     };
 

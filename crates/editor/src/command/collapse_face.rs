@@ -1,6 +1,6 @@
 //! `collapse-face`: the corners of a face made one vertex.
 
-use super::fields::{one};
+use super::fields::one;
 use super::{Action, FaceRef, Field, FieldKind, LocalEdit, Operation, OperationKind, Spec, Target};
 use crate::error::Problem;
 use halfedge::{Mesh, edit};
@@ -22,9 +22,7 @@ impl Operation for CollapseFace {
         description: "Makes all corners of a face one vertex at its center.",
         key: None,
         kind: OperationKind::Local,
-        fields: &[
-            Field::new("face", FieldKind::Face, "The face to collapse").or("the selected faces"),
-        ],
+        fields: &[Field::new("face", FieldKind::Face, "The face to collapse").or("the selected faces")],
     };
 
     fields_by_serde!();

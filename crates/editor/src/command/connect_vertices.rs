@@ -1,6 +1,6 @@
 //! `connect-vertices`: a face cut between two corners.
 
-use super::fields::{pair};
+use super::fields::pair;
 use super::{Action, Field, FieldKind, LocalEdit, Operation, OperationKind, Spec, Target, VertexRef};
 use crate::error::Problem;
 use halfedge::{Element, Mesh, edit};
@@ -22,9 +22,8 @@ impl Operation for ConnectVertices {
         description: "Cuts a face from one of its corners to another.",
         key: None,
         kind: OperationKind::Local,
-        fields: &[
-            Field::new("vertices", FieldKind::Vertices, "Two corners of one face").or("the two selected vertices"),
-        ],
+        fields: &[Field::new("vertices", FieldKind::Vertices, "Two corners of one face")
+            .or("the two selected vertices")],
     };
 
     fields_by_serde!();

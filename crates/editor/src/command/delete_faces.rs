@@ -1,6 +1,6 @@
 //! `delete-faces`: faces taken away.
 
-use super::fields::{faces};
+use super::fields::{face_count, faces};
 use super::{Action, FaceRef, Field, FieldKind, LocalEdit, Operation, OperationKind, Spec, Target};
 use crate::error::Problem;
 use halfedge::{Mesh, edit};
@@ -22,9 +22,7 @@ impl Operation for DeleteFaces {
         description: "Takes faces away, and vertices left with no face.",
         key: None,
         kind: OperationKind::Local,
-        fields: &[
-            Field::new("faces", FieldKind::Faces, "The faces to delete").or("the selected faces"),
-        ],
+        fields: &[Field::new("faces", FieldKind::Faces, "The faces to delete").or("the selected faces")],
     };
 
     fields_by_serde!();
@@ -50,6 +48,6 @@ impl LocalEdit for DeleteFaces {
     }
 
     fn cost(&self, mesh: &Mesh) -> usize {
-        self.faces.as_ref().map_or(mesh.face_count(), Vec::len)
+        face_count(&self.faces, mesh)
     }
 }

@@ -1,6 +1,6 @@
 //! `delete-vertices`: vertices taken away with their faces.
 
-use super::fields::{vertices};
+use super::fields::vertices;
 use super::{Action, Field, FieldKind, LocalEdit, Operation, OperationKind, Spec, Target, VertexRef};
 use crate::error::Problem;
 use halfedge::{Mesh, edit};
@@ -23,7 +23,7 @@ impl Operation for DeleteVertices {
         key: None,
         kind: OperationKind::Local,
         fields: &[
-            Field::new("vertices", FieldKind::Vertices, "The vertices to delete").or("the selected vertices"),
+            Field::new("vertices", FieldKind::Vertices, "The vertices to delete").or("the selected vertices")
         ],
     };
 

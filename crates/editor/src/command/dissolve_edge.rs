@@ -1,6 +1,6 @@
 //! `dissolve-edge`: the faces beside an edge made one.
 
-use super::fields::{one};
+use super::fields::one;
 use super::{Action, EdgeRef, Field, FieldKind, LocalEdit, Operation, OperationKind, Spec, Target};
 use crate::error::Problem;
 use halfedge::{Mesh, edit};
@@ -22,9 +22,7 @@ impl Operation for DissolveEdge {
         description: "Makes the two faces beside an edge one polygon.",
         key: None,
         kind: OperationKind::Local,
-        fields: &[
-            Field::new("edge", FieldKind::Edge, "The edge to dissolve").or("the selected edges"),
-        ],
+        fields: &[Field::new("edge", FieldKind::Edge, "The edge to dissolve").or("the selected edges")],
     };
 
     fields_by_serde!();

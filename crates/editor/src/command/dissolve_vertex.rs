@@ -1,6 +1,6 @@
 //! `dissolve-vertex`: the faces around a vertex made one.
 
-use super::fields::{one};
+use super::fields::one;
 use super::{Action, Field, FieldKind, LocalEdit, Operation, OperationKind, Spec, Target, VertexRef};
 use crate::error::Problem;
 use halfedge::{Mesh, edit};
@@ -23,7 +23,7 @@ impl Operation for DissolveVertex {
         key: None,
         kind: OperationKind::Local,
         fields: &[
-            Field::new("vertex", FieldKind::Vertex, "The vertex to dissolve").or("the selected vertices"),
+            Field::new("vertex", FieldKind::Vertex, "The vertex to dissolve").or("the selected vertices")
         ],
     };
 

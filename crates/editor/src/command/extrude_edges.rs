@@ -1,7 +1,7 @@
 //! `extrude-edges`: quads beside boundary edges.
 
-use super::fields::{edges};
-use super::live::{slide};
+use super::fields::edges;
+use super::live::slide;
 use super::{Action, EdgeRef, Field, FieldKind, LocalEdit, Operation, OperationKind, Spec, Target};
 use crate::error::Problem;
 use halfedge::{Mesh, edit};

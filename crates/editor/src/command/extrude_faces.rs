@@ -1,6 +1,6 @@
 //! `extrude-faces`: faces moved outward, with walls.
 
-use super::fields::{faces};
+use super::fields::{face_count, faces};
 use super::live::{MODE_NAMES, Mode, slide};
 use super::{Action, FaceRef, Field, FieldKind, LocalEdit, Operation, OperationKind, Spec, Target};
 use crate::error::Problem;
@@ -31,8 +31,17 @@ impl Operation for ExtrudeFaces {
         kind: OperationKind::Local,
         fields: &[
             Field::new("faces", FieldKind::Faces, "The faces to extrude").or("the selected faces"),
-            Field::new("distance", FieldKind::Number { min: f32::MIN, max: f32::MAX }, "How far outward, in mesh units"),
-            Field::new("mode", FieldKind::Choice(MODE_NAMES), "Whether faces that share an edge stay together").or("\"region\""),
+            Field::new(
+                "distance",
+                FieldKind::Number { min: f32::MIN, max: f32::MAX },
+                "How far outward, in mesh units",
+            ),
+            Field::new(
+                "mode",
+                FieldKind::Choice(MODE_NAMES),
+                "Whether faces that share an edge stay together",
+            )
+            .or("\"region\""),
         ],
     };
 
@@ -59,6 +68,6 @@ impl LocalEdit for ExtrudeFaces {
     }
 
     fn cost(&self, mesh: &Mesh) -> usize {
-        self.faces.as_ref().map_or(mesh.face_count(), Vec::len)
+        face_count(&self.faces, mesh)
     }
 }

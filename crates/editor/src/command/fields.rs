@@ -133,6 +133,11 @@ pub(crate) fn faces_or_all(list: &Option<Vec<FaceRef>>, mesh: &Mesh) -> Result<V
     }
 }
 
+/// How many faces a `faces` field names; all where it is left out.
+pub(crate) fn face_count(list: &Option<Vec<FaceRef>>, mesh: &Mesh) -> usize {
+    list.as_ref().map_or(mesh.face_count(), Vec::len)
+}
+
 macro_rules! id_conversions {
     ($($from:ty => $to:ident $(:: $variant:ident)?),* $(,)?) => {
         $(impl From<$from> for $to {

@@ -1,6 +1,6 @@
 //! `fill-hole`: a polygon on a boundary loop.
 
-use super::fields::{one};
+use super::fields::one;
 use super::{Action, Field, FieldKind, HalfedgeRef, LocalEdit, Operation, OperationKind, Spec, Target};
 use crate::error::Problem;
 use halfedge::{Mesh, edit};
@@ -22,9 +22,8 @@ impl Operation for FillHole {
         description: "Puts one polygon on a boundary loop.",
         key: None,
         kind: OperationKind::Local,
-        fields: &[
-            Field::new("halfedge", FieldKind::Halfedge, "A half-edge of the boundary loop").or("the selected half-edges"),
-        ],
+        fields: &[Field::new("halfedge", FieldKind::Halfedge, "A half-edge of the boundary loop")
+            .or("the selected half-edges")],
     };
 
     fields_by_serde!();

@@ -1,6 +1,6 @@
 //! `flip-edge`: an edge turned within its two faces.
 
-use super::fields::{one};
+use super::fields::one;
 use super::{Action, EdgeRef, Field, FieldKind, LocalEdit, Operation, OperationKind, Spec, Target};
 use crate::error::Problem;
 use halfedge::{Mesh, edit};
@@ -22,9 +22,7 @@ impl Operation for FlipEdge {
         description: "Turns an edge one step counter-clockwise within the two faces beside it.",
         key: None,
         kind: OperationKind::Local,
-        fields: &[
-            Field::new("edge", FieldKind::Edge, "The edge to flip").or("the selected edges"),
-        ],
+        fields: &[Field::new("edge", FieldKind::Edge, "The edge to flip").or("the selected edges")],
     };
 
     fields_by_serde!();

@@ -1,9 +1,9 @@
 //! `flip-orientation`: pieces turned inside out.
 
-use super::fields::{faces_or_all};
+use super::fields::{face_count, faces_or_all};
 use super::{Action, FaceRef, Field, FieldKind, LocalEdit, Operation, OperationKind, Spec, Target};
 use crate::error::Problem;
-use halfedge::{Element, Mesh, edit};
+use halfedge::{Mesh, edit};
 use serde::{Deserialize, Serialize};
 
 /// Turns whole connected pieces inside out.
@@ -22,17 +22,14 @@ impl Operation for FlipOrientation {
         description: "Turns whole connected pieces inside out.",
         key: None,
         kind: OperationKind::Local,
-        fields: &[
-            Field::new("faces", FieldKind::Faces, "The faces of whole pieces").or("the selected faces, or all"),
-        ],
+        fields: &[Field::new("faces", FieldKind::Faces, "The faces of whole pieces")
+            .or("the selected faces, or all")],
     };
 
     fields_by_serde!();
 
     fn resolve(mut self, target: &Target<'_>) -> Result<Vec<Self>, Problem> {
-        if self.faces.is_none() && target.has_selected(Element::Face) {
-            target.fill_faces(&mut self.faces, "faces")?;
-        }
+        target.fill_faces_or_all(&mut self.faces)?;
         Ok(vec![self])
     }
 
@@ -56,6 +53,6 @@ impl LocalEdit for FlipOrientation {
     }
 
     fn cost(&self, mesh: &Mesh) -> usize {
-        self.faces.as_ref().map_or(mesh.face_count(), Vec::len)
+        face_count(&self.faces, mesh)
     }
 }

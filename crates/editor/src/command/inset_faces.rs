@@ -1,6 +1,6 @@
 //! `inset-faces`: a ring inside the outline of faces.
 
-use super::fields::{faces};
+use super::fields::{face_count, faces};
 use super::live::{MODE_NAMES, Mode, not_negative, slide};
 use super::{Action, FaceRef, Field, FieldKind, LocalEdit, Operation, OperationKind, Spec, Target};
 use crate::error::Problem;
@@ -31,8 +31,17 @@ impl Operation for InsetFaces {
         kind: OperationKind::Local,
         fields: &[
             Field::new("faces", FieldKind::Faces, "The faces to inset").or("the selected faces"),
-            Field::new("amount", FieldKind::Number { min: 0.0, max: f32::MAX }, "How wide the ring is, in mesh units"),
-            Field::new("mode", FieldKind::Choice(MODE_NAMES), "Whether faces that share an edge stay together").or("\"region\""),
+            Field::new(
+                "amount",
+                FieldKind::Number { min: 0.0, max: f32::MAX },
+                "How wide the ring is, in mesh units",
+            ),
+            Field::new(
+                "mode",
+                FieldKind::Choice(MODE_NAMES),
+                "Whether faces that share an edge stay together",
+            )
+            .or("\"region\""),
         ],
     };
 
@@ -61,6 +70,6 @@ impl LocalEdit for InsetFaces {
     }
 
     fn cost(&self, mesh: &Mesh) -> usize {
-        self.faces.as_ref().map_or(mesh.face_count(), Vec::len)
+        face_count(&self.faces, mesh)
     }
 }

@@ -1,6 +1,8 @@
 //! `join-objects`: several objects as one.
 
-use super::{Action, Commit, Field, FieldKind, Input, Operation, OperationKind, Output, Place, Spec, WholeMesh};
+use super::{
+    Action, Commit, Field, FieldKind, Input, Operation, OperationKind, Output, Place, Spec, WholeMesh,
+};
 use crate::document::{Object, ObjectId};
 use crate::error::Problem;
 use crate::pieces;

@@ -1,6 +1,6 @@
 //! `loop-cut`: cuts along a ring of quads.
 
-use super::fields::{one};
+use super::fields::one;
 use super::{Action, EdgeRef, Field, FieldKind, LocalEdit, Operation, OperationKind, Spec, Target};
 use crate::error::Problem;
 use halfedge::{Mesh, edit};
@@ -31,7 +31,12 @@ impl Operation for LoopCut {
         fields: &[
             Field::new("edge", FieldKind::Edge, "An edge that the ring goes through").or("the selected edge"),
             Field::new("cuts", FieldKind::Integer { min: 1, max: 1000 }, "How many cuts").or("1"),
-            Field::new("t", FieldKind::Number { min: 0.0, max: 1.0 }, "Where the middle of the cuts is along the edge").or("0.5"),
+            Field::new(
+                "t",
+                FieldKind::Number { min: 0.0, max: 1.0 },
+                "Where the middle of the cuts is along the edge",
+            )
+            .or("0.5"),
         ],
     };
 

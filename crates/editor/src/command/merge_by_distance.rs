@@ -1,9 +1,10 @@
 //! `merge-by-distance`: vertices at the same place made one.
 
-use super::{Action, Field, FieldKind, Input, Operation, OperationKind, Output, Spec, WholeMesh, whole};
+use super::whole::EachMesh;
+use super::{Action, Field, FieldKind, Operation, OperationKind, Spec};
 use crate::error::Problem;
 use crate::json::shortest;
-use halfedge::Progress;
+use halfedge::{Mesh, Progress};
 use serde::{Deserialize, Serialize};
 
 /// Makes vertices that are close to each other one.
@@ -36,21 +37,19 @@ impl Operation for MergeByDistance {
     }
 }
 
-impl WholeMesh for MergeByDistance {
-    fn compute(
+impl EachMesh for MergeByDistance {
+    fn make(
         &self,
-        inputs: &[Input],
+        mesh: &Mesh,
         notes: &mut Vec<String>,
         progress: &mut Progress<'_>,
-    ) -> Result<Vec<Output>, Problem> {
-        whole::each(inputs, progress, |mesh, progress| {
-            let merged = surface::merge_by_distance(mesh, shortest(self.distance), progress)?;
-            notes.extend(merged.notes.iter().map(ToString::to_string));
-            Ok(merged.mesh)
-        })
+    ) -> Result<Mesh, Problem> {
+        let merged = surface::merge_by_distance(mesh, shortest(self.distance), progress)?;
+        notes.extend(merged.notes.iter().map(ToString::to_string));
+        Ok(merged.mesh)
     }
 
-    fn cost(&self, inputs: &[Input]) -> usize {
-        whole::faces(inputs).saturating_mul(2)
+    fn cost(&self, faces: usize) -> usize {
+        faces.saturating_mul(2)
     }
 }

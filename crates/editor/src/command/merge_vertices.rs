@@ -1,6 +1,6 @@
 //! `merge-vertices`: several vertices made one.
 
-use super::fields::{vertices};
+use super::fields::vertices;
 use super::{Action, Field, FieldKind, LocalEdit, Operation, OperationKind, Spec, Target, VertexRef};
 use crate::error::Problem;
 use halfedge::{Mesh, edit};
@@ -27,7 +27,8 @@ impl Operation for MergeVertices {
         kind: OperationKind::Local,
         fields: &[
             Field::new("vertices", FieldKind::Vertices, "The vertices to merge").or("the selected vertices"),
-            Field::new("position", FieldKind::Vector, "Where the vertex goes").or("the center of the vertices"),
+            Field::new("position", FieldKind::Vector, "Where the vertex goes")
+                .or("the center of the vertices"),
         ],
     };
 

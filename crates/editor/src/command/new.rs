@@ -70,7 +70,10 @@ impl Operation for New {
                 Problem::field("shape", format!("`{name}` is not a shape; it is one of {}", names()))
             })?,
             Some(other) => {
-                return Err(Problem::field("shape", format!("{other} is not the name of a shape, in quotes")));
+                return Err(Problem::field(
+                    "shape",
+                    format!("{other} is not the name of a shape, in quotes"),
+                ));
             }
         };
         let add = match fields.remove("add") {

@@ -1,9 +1,10 @@
 //! `remesh`: triangles with sides of one length.
 
-use super::{Action, Field, FieldKind, Input, Operation, OperationKind, Output, Spec, WholeMesh, whole};
+use super::whole::{self, EachMesh};
+use super::{Action, Field, FieldKind, Operation, OperationKind, Spec};
 use crate::error::Problem;
 use crate::json::{finite, finite_option, shortest};
-use halfedge::Progress;
+use halfedge::{Mesh, Progress};
 use serde::{Deserialize, Serialize};
 use surface::SurfaceError;
 
@@ -71,35 +72,33 @@ impl Operation for Remesh {
     }
 }
 
-impl WholeMesh for Remesh {
+impl EachMesh for Remesh {
     fn check(&self) -> Result<(), Problem> {
         whole::at_least_one(self.iterations, "iterations")
     }
 
-    fn compute(
+    fn make(
         &self,
-        inputs: &[Input],
+        mesh: &Mesh,
         _notes: &mut Vec<String>,
         progress: &mut Progress<'_>,
-    ) -> Result<Vec<Output>, Problem> {
+    ) -> Result<Mesh, Problem> {
         let options = surface::Remesh {
             edge_length: self.edge_length.map(shortest),
             iterations: self.iterations,
             feature_angle: shortest(self.feature_angle),
             project: self.project,
         };
-        whole::each(inputs, progress, |mesh, progress| {
-            surface::remesh(mesh, &options, progress).map_err(|error| match error {
-                SurfaceError::TooManyFaces { faces, limit } => Problem::field(
-                    "edge_length",
-                    format!("the result would have some {faces} triangles, more than the {limit} that fit in memory; use a larger length"),
-                ),
-                other => other.into(),
-            })
+        surface::remesh(mesh, &options, progress).map_err(|error| match error {
+            SurfaceError::TooManyFaces { faces, limit } => Problem::field(
+                "edge_length",
+                format!("the result would have some {faces} triangles, more than the {limit} that fit in memory; use a larger length"),
+            ),
+            other => other.into(),
         })
     }
 
-    fn cost(&self, inputs: &[Input]) -> usize {
-        whole::faces(inputs).saturating_mul(4 * self.iterations as usize)
+    fn cost(&self, faces: usize) -> usize {
+        faces.saturating_mul(4 * self.iterations as usize)
     }
 }

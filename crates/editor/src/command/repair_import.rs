@@ -1,6 +1,8 @@
 //! `repair-import`: what was read made a mesh another way.
 
-use super::{Action, Field, FieldKind, Input, Operation, OperationKind, Output, Spec, WholeMesh, refuse_bezier, whole};
+use super::{
+    Action, Field, FieldKind, Input, Operation, OperationKind, Output, Spec, WholeMesh, refuse_bezier, whole,
+};
 use crate::error::Problem;
 use formats::{NonManifold, Repairs};
 use halfedge::Progress;
@@ -46,8 +48,12 @@ impl Operation for RepairImport {
                 "Vertices this near to each other become one, in mesh units",
             )
             .or("none"),
-            Field::new("orient", FieldKind::Flag, "Whether faces are turned so that neighbors face the same way")
-                .or("true"),
+            Field::new(
+                "orient",
+                FieldKind::Flag,
+                "Whether faces are turned so that neighbors face the same way",
+            )
+            .or("true"),
         ],
     };
 

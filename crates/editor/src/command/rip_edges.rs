@@ -1,6 +1,6 @@
 //! `rip-edges`: edges made boundary.
 
-use super::fields::{edges};
+use super::fields::edges;
 use super::{Action, EdgeRef, Field, FieldKind, LocalEdit, Operation, OperationKind, Spec, Target};
 use crate::error::Problem;
 use halfedge::{Mesh, edit};
@@ -22,9 +22,7 @@ impl Operation for RipEdges {
         description: "Makes edges boundary: the faces on both sides come apart.",
         key: None,
         kind: OperationKind::Local,
-        fields: &[
-            Field::new("edges", FieldKind::Edges, "The edges to rip").or("the selected edges"),
-        ],
+        fields: &[Field::new("edges", FieldKind::Edges, "The edges to rip").or("the selected edges")],
     };
 
     fields_by_serde!();

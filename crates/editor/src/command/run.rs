@@ -143,6 +143,11 @@ impl Target<'_> {
         Ok(())
     }
 
+    /// [`Target::fill_faces`] for a list that stands for all faces where it stays empty.
+    pub fn fill_faces_or_all(&self, list: &mut Option<Vec<FaceRef>>) -> Result<(), Problem> {
+        if self.has_selected(Element::Face) { self.fill_faces(list, "faces") } else { Ok(()) }
+    }
+
     /// The operation on its vertex, or one on each selected vertex.
     pub fn each_vertex<O: Clone>(
         &self,

@@ -1,7 +1,9 @@
 //! `separate`: one object as several.
 
 use super::fields::find_all;
-use super::{Action, FaceRef, Field, FieldKind, Input, Operation, OperationKind, Output, Spec, Target, WholeMesh};
+use super::{
+    Action, FaceRef, Field, FieldKind, Input, Operation, OperationKind, Output, Spec, Target, WholeMesh,
+};
 use crate::error::Problem;
 use crate::pieces;
 use halfedge::{Element, FaceId, Mesh, NONE, Progress, keys};
@@ -100,14 +102,18 @@ impl WholeMesh for Separate {
         }
         if parts.len() > MOST_PARTS {
             let count = parts.len();
-            return Err(Problem::field("by", format!("that makes {count} objects; at most {MOST_PARTS} are of use")));
+            return Err(Problem::field(
+                "by",
+                format!("that makes {count} objects; at most {MOST_PARTS} are of use"),
+            ));
         }
         let mut outputs = Vec::with_capacity(parts.len());
         for (at, part) in parts.iter().enumerate() {
             if progress(at as f32 / parts.len() as f32).is_break() {
                 return Err(Problem::cancelled());
             }
-            let mesh = pieces::extract(mesh, &part.faces, at == 0).map_err(|e| Problem::new(e.to_string()))?;
+            let mesh =
+                pieces::extract(mesh, &part.faces, at == 0).map_err(|e| Problem::new(e.to_string()))?;
             let name = match &part.name {
                 Some(own) => own.clone(),
                 None if at == 0 => String::new(),

@@ -1,7 +1,9 @@
 //! `set-crease`: how sharp edges and vertices stay.
 
 use super::fields::{edges, vertices};
-use super::{Action, EdgeRef, Field, FieldKind, LocalEdit, Operation, OperationKind, Spec, Target, VertexRef};
+use super::{
+    Action, EdgeRef, Field, FieldKind, LocalEdit, Operation, OperationKind, Spec, Target, VertexRef,
+};
 use crate::error::Problem;
 use halfedge::{Element, Mesh, edit};
 use serde::{Deserialize, Serialize};
@@ -31,7 +33,11 @@ impl Operation for SetCrease {
         fields: &[
             Field::new("edges", FieldKind::Edges, "Edges to make sharp").or("the selection"),
             Field::new("vertices", FieldKind::Vertices, "Vertices to make sharp").or("the selection"),
-            Field::new("sharpness", FieldKind::Number { min: 0.0, max: 10.0 }, "0 is smooth, 10 infinitely sharp"),
+            Field::new(
+                "sharpness",
+                FieldKind::Number { min: 0.0, max: 10.0 },
+                "0 is smooth, 10 infinitely sharp",
+            ),
         ],
     };
 

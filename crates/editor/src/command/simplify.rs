@@ -1,9 +1,10 @@
 //! `simplify`: fewer triangles, the same shape.
 
-use super::{Action, Field, FieldKind, Input, Operation, OperationKind, Output, Spec, WholeMesh, whole};
+use super::whole::EachMesh;
+use super::{Action, Field, FieldKind, Operation, OperationKind, Spec};
 use crate::error::Problem;
 use crate::json::shortest;
-use halfedge::Progress;
+use halfedge::{Mesh, Progress};
 use serde::{Deserialize, Serialize};
 use surface::SimplifyTarget;
 
@@ -38,7 +39,8 @@ impl Operation for Simplify {
         key: None,
         kind: OperationKind::WholeMesh,
         fields: &[
-            Field::new("faces", FieldKind::Integer { min: 1, max: u32::MAX }, "To this many triangles").or("not by count"),
+            Field::new("faces", FieldKind::Integer { min: 1, max: u32::MAX }, "To this many triangles")
+                .or("not by count"),
             Field::new("ratio", FieldKind::Number { min: 0.0, max: 1.0 }, "To this share of the triangles"),
             Field::new(
                 "max_error",
@@ -46,7 +48,8 @@ impl Operation for Simplify {
                 "As far as the surface stays this near to what it was, in mesh units",
             )
             .or("not by error"),
-            Field::new("preserve_boundary", FieldKind::Flag, "Whether the boundary keeps its course").or("true"),
+            Field::new("preserve_boundary", FieldKind::Flag, "Whether the boundary keeps its course")
+                .or("true"),
         ],
     };
 
@@ -63,37 +66,37 @@ impl Simplify {
             (Some(faces), None, None) => Ok(SimplifyTarget::Faces(faces as usize)),
             (None, Some(ratio), None) => Ok(SimplifyTarget::Ratio(shortest(ratio))),
             (None, None, Some(error)) => Ok(SimplifyTarget::MaxError(shortest(error))),
-            (None, None, None) => {
-                Err(Problem::field("ratio", "is missing: how far? Give one of `faces`, `ratio` and `max_error`"))
+            (None, None, None) => Err(Problem::field(
+                "ratio",
+                "is missing: how far? Give one of `faces`, `ratio` and `max_error`",
+            )),
+            (Some(_), _, _) => {
+                Err(Problem::field("faces", "goes without `ratio` and `max_error`: give one of them"))
             }
-            (Some(_), _, _) => Err(Problem::field("faces", "goes without `ratio` and `max_error`: give one of them")),
             (None, _, _) => Err(Problem::field("ratio", "goes without `max_error`: give one of them")),
         }
     }
 }
 
-impl WholeMesh for Simplify {
+impl EachMesh for Simplify {
     fn check(&self) -> Result<(), Problem> {
         self.target().map(drop)
     }
 
-    fn compute(
+    fn make(
         &self,
-        inputs: &[Input],
+        mesh: &Mesh,
         notes: &mut Vec<String>,
         progress: &mut Progress<'_>,
-    ) -> Result<Vec<Output>, Problem> {
-        let options =
-            surface::Simplify { target: self.target()?, preserve_boundary: self.preserve_boundary };
-        whole::each(inputs, progress, |mesh, progress| {
-            let simplified = surface::simplify(mesh, &options, progress)?;
-            notes.extend(simplified.shortfall());
-            Ok(simplified.mesh)
-        })
+    ) -> Result<Mesh, Problem> {
+        let options = surface::Simplify { target: self.target()?, preserve_boundary: self.preserve_boundary };
+        let simplified = surface::simplify(mesh, &options, progress)?;
+        notes.extend(simplified.shortfall());
+        Ok(simplified.mesh)
     }
 
-    fn cost(&self, inputs: &[Input]) -> usize {
+    fn cost(&self, faces: usize) -> usize {
         // What there is to look at counts, not what is left.
-        whole::faces(inputs).saturating_mul(4)
+        faces.saturating_mul(4)
     }
 }

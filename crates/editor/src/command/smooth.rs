@@ -1,9 +1,10 @@
 //! `smooth`: vertices moved towards their neighbours.
 
-use super::{Action, Field, FieldKind, Input, Operation, OperationKind, Output, Spec, WholeMesh, whole};
+use super::whole::{self, EachMesh};
+use super::{Action, Field, FieldKind, Operation, OperationKind, Spec};
 use crate::error::Problem;
 use crate::json::shortest;
-use halfedge::Progress;
+use halfedge::{Mesh, Progress};
 use serde::{Deserialize, Serialize};
 
 /// Moves every vertex towards the middle of its neighbours.
@@ -65,17 +66,17 @@ impl Operation for Smooth {
     }
 }
 
-impl WholeMesh for Smooth {
+impl EachMesh for Smooth {
     fn check(&self) -> Result<(), Problem> {
         whole::at_least_one(self.iterations, "iterations")
     }
 
-    fn compute(
+    fn make(
         &self,
-        inputs: &[Input],
+        mesh: &Mesh,
         _notes: &mut Vec<String>,
         progress: &mut Progress<'_>,
-    ) -> Result<Vec<Output>, Problem> {
+    ) -> Result<Mesh, Problem> {
         let options = surface::Smooth {
             iterations: self.iterations,
             strength: shortest(self.strength),
@@ -84,10 +85,10 @@ impl WholeMesh for Smooth {
                 SmoothMethod::Taubin => surface::SmoothMethod::Taubin,
             },
         };
-        whole::each(inputs, progress, |mesh, progress| Ok(surface::smooth(mesh, &options, progress)?))
+        Ok(surface::smooth(mesh, &options, progress)?)
     }
 
-    fn cost(&self, inputs: &[Input]) -> usize {
-        whole::faces(inputs).saturating_mul(self.iterations as usize)
+    fn cost(&self, faces: usize) -> usize {
+        faces.saturating_mul(self.iterations as usize)
     }
 }

@@ -47,8 +47,12 @@ impl Operation for SplitEdge {
         kind: OperationKind::Local,
         fields: &[
             Field::new("edge", FieldKind::Edge, "The edge to split").or("the selected edges"),
-            Field::new("t", FieldKind::Number { min: 0.0, max: 1.0 }, "How far along the edge, between its ends")
-                .or("0.5"),
+            Field::new(
+                "t",
+                FieldKind::Number { min: 0.0, max: 1.0 },
+                "How far along the edge, between its ends",
+            )
+            .or("0.5"),
             Field::new(
                 "connect",
                 FieldKind::Choice(&["none", "triangles", "all"]),

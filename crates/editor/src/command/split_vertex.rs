@@ -1,7 +1,9 @@
 //! `split-vertex`: a vertex made two.
 
 use super::fields::{one, pair};
-use super::{Action, EdgeRef, Field, FieldKind, LocalEdit, Operation, OperationKind, Spec, Target, VertexRef};
+use super::{
+    Action, EdgeRef, Field, FieldKind, LocalEdit, Operation, OperationKind, Spec, Target, VertexRef,
+};
 use crate::error::Problem;
 use glam::Vec3;
 use halfedge::{EdgeId, Element, Mesh, VertexId, edit};
@@ -57,8 +59,8 @@ impl Operation for SplitVertex {
             let mesh = target.mesh;
             let [a, b] = pair(&self.edges, "edges", |e, field| e.find(mesh, field))?.map(|e| mesh.ends(e));
             let shared = a.into_iter().find(|v| b.contains(v));
-            let shared =
-                shared.ok_or_else(|| Problem::field("vertex", "is missing, and the two edges don't meet at one"))?;
+            let shared = shared
+                .ok_or_else(|| Problem::field("vertex", "is missing, and the two edges don't meet at one"))?;
             self.vertex = Some(shared.into());
         }
         Ok(vec![self])

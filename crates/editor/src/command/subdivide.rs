@@ -1,6 +1,5 @@
 //! What the subdivisions have in common.
 
-use super::{Input, whole};
 use crate::error::Problem;
 use serde::{Deserialize, Serialize};
 use surface::{BoundaryRule, SurfaceError};
@@ -36,8 +35,8 @@ pub(super) fn one() -> u32 {
 }
 
 /// How many faces there are after that many levels of cutting each into four.
-pub(super) fn faces_after(inputs: &[Input], levels: u32) -> usize {
-    whole::faces(inputs).saturating_mul(4usize.saturating_pow(levels))
+pub(super) fn faces_after(faces: usize, levels: u32) -> usize {
+    faces.saturating_mul(4usize.saturating_pow(levels))
 }
 
 /// A subdivision's refusal; too many faces come of too many levels.

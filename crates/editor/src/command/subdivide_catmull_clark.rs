@@ -1,9 +1,10 @@
 //! `subdivide-catmull-clark`: any polygons to smooth quads.
 
 use super::subdivide::{self, BOUNDARY_NAMES, Boundary, MOST_LEVELS};
-use super::{Action, Field, FieldKind, Input, Operation, OperationKind, Output, Spec, WholeMesh, whole};
+use super::whole::{self, EachMesh};
+use super::{Action, Field, FieldKind, Operation, OperationKind, Spec};
 use crate::error::Problem;
-use halfedge::Progress;
+use halfedge::{Mesh, Progress};
 use serde::{Deserialize, Serialize};
 
 /// Subdivides any polygons into quads that approach a smooth surface (Catmull & Clark 1978).
@@ -65,17 +66,17 @@ impl Operation for SubdivideCatmullClark {
     }
 }
 
-impl WholeMesh for SubdivideCatmullClark {
+impl EachMesh for SubdivideCatmullClark {
     fn check(&self) -> Result<(), Problem> {
         whole::at_least_one(self.levels, "levels")
     }
 
-    fn compute(
+    fn make(
         &self,
-        inputs: &[Input],
+        mesh: &Mesh,
         _notes: &mut Vec<String>,
         progress: &mut Progress<'_>,
-    ) -> Result<Vec<Output>, Problem> {
+    ) -> Result<Mesh, Problem> {
         let options = surface::CatmullClark {
             levels: self.levels,
             boundary: self.boundary.into(),
@@ -84,12 +85,10 @@ impl WholeMesh for SubdivideCatmullClark {
                 VertexRule::SmoothedMidpoints => surface::VertexRule::SmoothedMidpoints,
             },
         };
-        whole::each(inputs, progress, |mesh, progress| {
-            surface::subdivide_catmull_clark(mesh, &options, progress).map_err(subdivide::refused)
-        })
+        surface::subdivide_catmull_clark(mesh, &options, progress).map_err(subdivide::refused)
     }
 
-    fn cost(&self, inputs: &[Input]) -> usize {
-        subdivide::faces_after(inputs, self.levels)
+    fn cost(&self, faces: usize) -> usize {
+        subdivide::faces_after(faces, self.levels)
     }
 }

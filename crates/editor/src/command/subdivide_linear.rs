@@ -1,9 +1,10 @@
 //! `subdivide-linear`: any polygons to quads, without smoothing.
 
 use super::subdivide::{self, MOST_LEVELS};
-use super::{Action, Field, FieldKind, Input, Operation, OperationKind, Output, Spec, WholeMesh, whole};
+use super::whole::{self, EachMesh};
+use super::{Action, Field, FieldKind, Operation, OperationKind, Spec};
 use crate::error::Problem;
-use halfedge::Progress;
+use halfedge::{Mesh, Progress};
 use serde::{Deserialize, Serialize};
 
 /// Cuts polygons into quads as Catmull-Clark does, leaving the surface where it is.
@@ -38,24 +39,22 @@ impl Operation for SubdivideLinear {
     }
 }
 
-impl WholeMesh for SubdivideLinear {
+impl EachMesh for SubdivideLinear {
     fn check(&self) -> Result<(), Problem> {
         whole::at_least_one(self.levels, "levels")
     }
 
-    fn compute(
+    fn make(
         &self,
-        inputs: &[Input],
+        mesh: &Mesh,
         _notes: &mut Vec<String>,
         progress: &mut Progress<'_>,
-    ) -> Result<Vec<Output>, Problem> {
+    ) -> Result<Mesh, Problem> {
         let options = surface::Linear { levels: self.levels };
-        whole::each(inputs, progress, |mesh, progress| {
-            surface::subdivide_linear(mesh, &options, progress).map_err(subdivide::refused)
-        })
+        surface::subdivide_linear(mesh, &options, progress).map_err(subdivide::refused)
     }
 
-    fn cost(&self, inputs: &[Input]) -> usize {
-        subdivide::faces_after(inputs, self.levels)
+    fn cost(&self, faces: usize) -> usize {
+        subdivide::faces_after(faces, self.levels)
     }
 }

@@ -1,9 +1,10 @@
 //! `subdivide-loop`: triangles to smoother triangles.
 
 use super::subdivide::{self, BOUNDARY_NAMES, Boundary, MOST_LEVELS};
-use super::{Action, Field, FieldKind, Input, Operation, OperationKind, Output, Spec, WholeMesh, whole};
+use super::whole::{self, EachMesh};
+use super::{Action, Field, FieldKind, Operation, OperationKind, Spec};
 use crate::error::Problem;
-use halfedge::Progress;
+use halfedge::{Mesh, Progress};
 use serde::{Deserialize, Serialize};
 
 /// Subdivides triangles into triangles that approach a smooth surface (Loop 1987).
@@ -65,17 +66,17 @@ impl Operation for SubdivideLoop {
     }
 }
 
-impl WholeMesh for SubdivideLoop {
+impl EachMesh for SubdivideLoop {
     fn check(&self) -> Result<(), Problem> {
         whole::at_least_one(self.levels, "levels")
     }
 
-    fn compute(
+    fn make(
         &self,
-        inputs: &[Input],
+        mesh: &Mesh,
         _notes: &mut Vec<String>,
         progress: &mut Progress<'_>,
-    ) -> Result<Vec<Output>, Problem> {
+    ) -> Result<Mesh, Problem> {
         let options = surface::Loop {
             levels: self.levels,
             boundary: self.boundary.into(),
@@ -84,12 +85,10 @@ impl WholeMesh for SubdivideLoop {
                 Weights::Warren => surface::LoopWeights::Warren,
             },
         };
-        whole::each(inputs, progress, |mesh, progress| {
-            surface::subdivide_loop(mesh, &options, progress).map_err(subdivide::refused)
-        })
+        surface::subdivide_loop(mesh, &options, progress).map_err(subdivide::refused)
     }
 
-    fn cost(&self, inputs: &[Input]) -> usize {
-        subdivide::faces_after(inputs, self.levels)
+    fn cost(&self, faces: usize) -> usize {
+        subdivide::faces_after(faces, self.levels)
     }
 }

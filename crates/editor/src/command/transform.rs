@@ -1,8 +1,11 @@
 //! `transform`: moves, turns and scales elements; what the gizmo sends.
 
-use super::{Action, EdgeRef, FaceRef, Field, FieldKind, LocalEdit, Operation, OperationKind, Spec, Target, VertexRef, fields};
+use super::{
+    Action, EdgeRef, FaceRef, Field, FieldKind, LocalEdit, Operation, OperationKind, Spec, Target, VertexRef,
+    fields,
+};
 use crate::error::Problem;
-use crate::json::{finite, finite3, finite3_option, finite_option};
+use crate::json::{finite, finite_option, finite3, finite3_option};
 use glam::{Affine3A, Mat3A, Quat, Vec3};
 use halfedge::{Mesh, VertexId};
 use serde::de::{Deserializer, Error};
@@ -127,7 +130,10 @@ impl LocalEdit for Transform {
             None => vertices.into_iter().map(|v| (v, 1.0)).collect(),
             Some(radius) if radius > 0.0 => soft(mesh, &vertices, radius),
             Some(radius) => {
-                return Err(Problem::field("falloff", format!("{radius} is out of range; it must be above 0")));
+                return Err(Problem::field(
+                    "falloff",
+                    format!("{radius} is out of range; it must be above 0"),
+                ));
             }
         };
         for (v, weight) in weights {
@@ -175,9 +181,9 @@ impl Transform {
         let turn = match self.rotate {
             None => Quat::IDENTITY,
             Some(Rotate { axis, degrees }) => {
-                let axis = Vec3::from(axis).try_normalize().ok_or_else(|| {
-                    Problem::field("rotate.axis", "is too short to give a direction")
-                })?;
+                let axis = Vec3::from(axis)
+                    .try_normalize()
+                    .ok_or_else(|| Problem::field("rotate.axis", "is too short to give a direction"))?;
                 Quat::from_axis_angle(axis, degrees.to_radians())
             }
         };

@@ -1,9 +1,9 @@
 //! `triangulate-faces`: polygons cut into triangles.
 
-use super::fields::faces_or_all;
+use super::fields::{face_count, faces_or_all};
 use super::{Action, FaceRef, Field, FieldKind, LocalEdit, Operation, OperationKind, Spec, Target};
 use crate::error::Problem;
-use halfedge::{Element, FaceId, Mesh, Refusal, edit};
+use halfedge::{FaceId, Mesh, Refusal, edit};
 use serde::{Deserialize, Serialize};
 
 /// Cuts polygons into triangles.
@@ -50,9 +50,7 @@ impl Operation for TriangulateFaces {
     fields_by_serde!();
 
     fn resolve(mut self, target: &Target<'_>) -> Result<Vec<Self>, Problem> {
-        if self.faces.is_none() && target.has_selected(Element::Face) {
-            target.fill_faces(&mut self.faces, "faces")?;
-        }
+        target.fill_faces_or_all(&mut self.faces)?;
         Ok(vec![self])
     }
 
@@ -87,7 +85,7 @@ impl LocalEdit for TriangulateFaces {
     }
 
     fn cost(&self, mesh: &Mesh) -> usize {
-        self.faces.as_ref().map_or(mesh.face_count(), Vec::len)
+        face_count(&self.faces, mesh)
     }
 }
 

@@ -1,6 +1,6 @@
 //! `weld-edges`: two boundary edges made one.
 
-use super::fields::{pair};
+use super::fields::pair;
 use super::{Action, EdgeRef, Field, FieldKind, LocalEdit, Operation, OperationKind, Spec, Target};
 use crate::error::Problem;
 use halfedge::{Element, Mesh, edit};
@@ -22,9 +22,7 @@ impl Operation for WeldEdges {
         description: "Makes two boundary edges one.",
         key: None,
         kind: OperationKind::Local,
-        fields: &[
-            Field::new("edges", FieldKind::Edges, "Two boundary edges").or("the two selected edges"),
-        ],
+        fields: &[Field::new("edges", FieldKind::Edges, "Two boundary edges").or("the two selected edges")],
     };
 
     fields_by_serde!();

@@ -1,24 +1,52 @@
 //! What the operations have in common that make one mesh of each.
 
-use super::{Input, Output};
+use super::{Input, Output, WholeMesh};
 use crate::error::Problem;
 use halfedge::{Mesh, Progress};
 use std::ops::ControlFlow;
 
-/// Runs an algorithm on each input, its result in place of it.
-pub(super) fn each(
-    inputs: &[Input],
-    progress: &mut Progress<'_>,
-    mut algorithm: impl FnMut(&Mesh, &mut Progress<'_>) -> Result<Mesh, Problem>,
-) -> Result<Vec<Output>, Problem> {
-    let mut outputs = Vec::with_capacity(inputs.len());
-    for (at, input) in inputs.iter().enumerate() {
-        let mut part =
-            |fraction: f32| -> ControlFlow<()> { progress((at as f32 + fraction) / inputs.len() as f32) };
-        let mesh = algorithm(&input.mesh, &mut part)?;
-        outputs.push(Output::new("", mesh));
+/// An operation that makes one mesh of each: the frame around an algorithm.
+pub(crate) trait EachMesh {
+    /// Looks at the fields: what can be refused without looking at a mesh.
+    fn check(&self) -> Result<(), Problem> {
+        Ok(())
     }
-    Ok(outputs)
+
+    /// Makes the new mesh. What the user should know besides goes to `notes`.
+    fn make(
+        &self,
+        mesh: &Mesh,
+        notes: &mut Vec<String>,
+        progress: &mut Progress<'_>,
+    ) -> Result<Mesh, Problem>;
+
+    /// How much work it is, in faces to look at or to make, for meshes of so many faces.
+    fn cost(&self, faces: usize) -> usize;
+}
+
+impl<T: EachMesh> WholeMesh for T {
+    fn check(&self) -> Result<(), Problem> {
+        EachMesh::check(self)
+    }
+
+    fn compute(
+        &self,
+        inputs: &[Input],
+        notes: &mut Vec<String>,
+        progress: &mut Progress<'_>,
+    ) -> Result<Vec<Output>, Problem> {
+        let mut outputs = Vec::with_capacity(inputs.len());
+        for (at, input) in inputs.iter().enumerate() {
+            let mut part =
+                |fraction: f32| -> ControlFlow<()> { progress((at as f32 + fraction) / inputs.len() as f32) };
+            outputs.push(Output::new("", self.make(&input.mesh, notes, &mut part)?));
+        }
+        Ok(outputs)
+    }
+
+    fn cost(&self, inputs: &[Input]) -> usize {
+        EachMesh::cost(self, faces(inputs))
+    }
 }
 
 /// How many faces there are to look at.
