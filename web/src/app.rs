@@ -154,6 +154,7 @@ impl App {
             platform,
         };
         app.open_first();
+        app.fetch_wanted();
         app
     }
 
@@ -168,6 +169,7 @@ impl App {
             match event {
                 Event::JobProgress { job, fraction } => self.jobs.progress(job, fraction),
                 Event::JobDone { job, result } => self.job_done(job, result),
+                Event::Fetched { job, files } => self.fetched(job, files),
                 Event::Files(files) => self.open_files(files, None),
                 Event::Failed(text) => self.fail(text),
             }

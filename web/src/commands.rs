@@ -202,6 +202,33 @@ impl App {
         self.follow();
     }
 
+    /// Fetches the files that the page's address asks for, and opens them together.
+    pub(crate) fn fetch_wanted(&mut self) {
+        let wanted = self.platform.wanted();
+        let Some(first) = wanted.first() else { return };
+        let name = first.split(['?', '#']).next().and_then(|path| path.rsplit('/').next()).unwrap_or(first);
+        let id = self.editor.expect_import();
+        self.jobs.add(id, format!("Fetch {name}"), None);
+        self.platform.fetch(id.0, wanted);
+    }
+
+    /// Opens what was fetched, as the rest of the same job; or says why it can't.
+    pub(crate) fn fetched(&mut self, job: u64, files: Result<Vec<NamedBytes>, String>) {
+        let id = JobId(job);
+        match files {
+            Ok(files) if self.jobs.iter().any(|running| running.id == id) => {
+                self.platform.start_job(job, JobRequest::import_expected(id, files).to_bytes());
+            }
+            Ok(_) => {}
+            Err(text) => {
+                self.editor.cancel(id);
+                self.jobs.take(job);
+                self.fail(text);
+            }
+        }
+        self.follow();
+    }
+
     /// Writes the document for a script.
     pub(crate) fn begin_export(&mut self, format: Format, reply: Reply) {
         let request = self.editor.begin_export(format);
@@ -262,7 +289,12 @@ impl App {
             Some(reply) => reply(Err(error.to_string())),
             None if error.is_cancelled() => {}
             None => {
-                let label = actions::operation(&error.op).map_or(error.op.as_str(), |spec| spec.label);
+                let label = match (actions::operation(&error.op), error.op.as_str()) {
+                    (Some(spec), _) => spec.label,
+                    (None, "open") => "Open",
+                    (None, "export") => "Save",
+                    (None, other) => other,
+                };
                 self.toast(MessageKind::Error, sentence(label, &error.problem), Vec::new());
             }
         }

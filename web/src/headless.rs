@@ -25,6 +25,8 @@ struct Inner {
     /// Jobs are kept waiting, so that a test can look at their progress.
     held: Option<Vec<(u64, Vec<u8>)>>,
     cancelled: Vec<u64>,
+    wanted: Vec<String>,
+    fetches: Vec<(u64, Vec<String>)>,
 }
 
 impl Outside {
@@ -56,6 +58,16 @@ impl Outside {
     /// Keeps jobs waiting from now on.
     pub fn hold_jobs(&self) {
         self.inner.borrow_mut().held = Some(Vec::new());
+    }
+
+    /// Asks the page to open with a file from this address.
+    pub fn want(&self, address: &str) {
+        self.inner.borrow_mut().wanted.push(address.to_owned());
+    }
+
+    /// What is to be fetched: the job and the addresses.
+    pub fn fetches(&self) -> Vec<(u64, Vec<String>)> {
+        self.inner.borrow().fetches.clone()
     }
 
     /// The jobs that were cancelled.
@@ -104,6 +116,14 @@ impl Platform for Headless {
             return;
         }
         self.outside.push(run(job, &request));
+    }
+
+    fn wanted(&self) -> Vec<String> {
+        self.outside.inner.borrow().wanted.clone()
+    }
+
+    fn fetch(&mut self, job: u64, addresses: Vec<String>) {
+        self.outside.inner.borrow_mut().fetches.push((job, addresses));
     }
 
     fn cancel_job(&mut self, job: u64) {

@@ -72,6 +72,11 @@ impl JobRequest {
         Self { id: JobId(0), work: Work::Import(files, Repairs::default()) }
     }
 
+    /// Reading the files of an import that was announced with [`crate::Editor::expect_import`].
+    pub fn import_expected(id: JobId, files: Vec<NamedBytes>) -> Self {
+        Self { id, work: Work::Import(files, Repairs::default()) }
+    }
+
     /// Which job this is.
     pub fn id(&self) -> JobId {
         self.id

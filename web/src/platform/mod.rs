@@ -38,6 +38,14 @@ pub enum Event {
         /// that the worker itself failed (it could not start, ran out of memory, crashed).
         result: Result<Vec<u8>, CommandError>,
     },
+    /// What [`Platform::fetch`] was to fetch is here, or can't be had: a sentence. Fetching that was
+    /// cancelled sends nothing more.
+    Fetched {
+        /// The number given to [`Platform::fetch`].
+        job: u64,
+        /// All of the files, or why one is missing.
+        files: Result<Vec<NamedBytes>, String>,
+    },
     /// Files arrived whole: picked or dropped.
     Files(Vec<NamedBytes>),
     /// Something the person asked for could not be done, such as reading a dropped file: a sentence.
@@ -54,7 +62,14 @@ pub trait Platform {
     /// be waiting; they run in order.
     fn start_job(&mut self, job: u64, request: Vec<u8>);
 
-    /// Stops a job, whether it runs or waits. Nothing more comes from it.
+    /// The addresses of the files that the page was asked to open with, as they were written: each
+    /// `model` of the page's own address.
+    fn wanted(&self) -> Vec<String>;
+
+    /// Fetches files from the addresses, as the first part of a job.
+    fn fetch(&mut self, job: u64, addresses: Vec<String>);
+
+    /// Stops a job, whether it is fetched for, runs or waits. Nothing more comes from it.
     fn cancel_job(&mut self, job: u64);
 
     /// Lets the person pick files; they come as [`Event::Files`], or never.

@@ -172,7 +172,44 @@ fn a_broken_file_changes_nothing_and_says_why() {
     assert_eq!(page.mesh(), &before);
     let messages = page.app().script_state()["messages"].to_string();
     assert!(messages.contains("line 1"), "{messages}");
+    assert!(page.has_part("Open: ") && !page.has_part("open: "), "a sentence");
     assert!(page.has("Dismiss message"), "and it is in view");
+}
+
+#[test]
+fn a_page_asked_for_a_model_fetches_and_opens_it() {
+    use meshwright_web::platform::{Event, NamedBytes};
+    let wanting = || {
+        let mut page = Page::wanting(&["https://a.example/tri%20angle.obj?x=1", "colors.mtl"]);
+        assert!(page.has("Fetch tri%20angle.obj"));
+        assert_eq!(page.mesh().face_count(), 6, "on the cube meanwhile");
+        let fetches = page.outside.fetches();
+        assert_eq!(fetches.len(), 1);
+        assert_eq!(fetches[0].1, ["https://a.example/tri%20angle.obj?x=1", "colors.mtl"]);
+        (page, fetches[0].0)
+    };
+    let files = || Ok(vec![NamedBytes::new("triangle.obj", TRIANGLE.as_bytes())]);
+
+    let (mut page, job) = wanting();
+    page.outside.push(Event::Fetched { job, files: files() });
+    page.run();
+    page.run();
+    assert_eq!(page.mesh().face_count(), 1);
+    assert!(!page.has("Fetch tri%20angle.obj"));
+
+    let (mut page, job) = wanting();
+    page.outside.push(Event::Fetched { job, files: Err("a.example did not answer.".to_owned()) });
+    page.run();
+    assert_eq!(page.mesh().face_count(), 6);
+    assert!(page.has_part("a.example did not answer.") && !page.has("Fetch tri%20angle.obj"));
+
+    // Cancelled, and here after all.
+    let (mut page, job) = wanting();
+    page.click("Cancel Fetch tri%20angle.obj");
+    assert_eq!(page.outside.cancelled(), [job]);
+    page.outside.push(Event::Fetched { job, files: files() });
+    page.run();
+    assert_eq!(page.mesh().face_count(), 6);
 }
 
 #[test]

@@ -47,16 +47,22 @@ impl Page {
 
     /// A page of another size.
     pub fn sized(size: Vec2) -> Self {
-        Self::build(size, egui::Theme::Dark, false)
+        Self::build(size, egui::Theme::Dark, false, &[])
+    }
+
+    /// A page whose address names files to open with.
+    pub fn wanting(addresses: &[&str]) -> Self {
+        Self::build(DESKTOP, egui::Theme::Dark, false, addresses)
     }
 
     /// A page that draws, for pictures.
     pub fn drawn(size: Vec2, theme: egui::Theme) -> Self {
-        Self::build(size, theme, true)
+        Self::build(size, theme, true, &[])
     }
 
-    fn build(size: Vec2, theme: egui::Theme, drawn: bool) -> Self {
+    fn build(size: Vec2, theme: egui::Theme, drawn: bool, addresses: &[&str]) -> Self {
         let outside = Outside::default();
+        addresses.iter().for_each(|address| outside.want(address));
         let mut builder =
             Harness::builder().with_size(size).with_theme(theme).with_max_steps(24).with_render_cursor(false);
         let mut state = State { app: None, gpu: None, outside: outside.clone() };

@@ -142,8 +142,13 @@ impl Editor {
     /// [`Editor::begin_import`] with choices in how meshes are made of what is not one as it
     /// stands. `repair-import` makes them later.
     pub fn begin_import_with(&mut self, files: Vec<NamedBytes>, repairs: Repairs) -> JobRequest {
-        let id = self.wait_for(WaitingFor::Open);
-        JobRequest { id, work: Work::Import(files, repairs) }
+        JobRequest { id: self.expect_import(), work: Work::Import(files, repairs) }
+    }
+
+    /// Announces an import whose files are still on their way: a job that can be cancelled, and whose
+    /// request [`JobRequest::import_expected`] makes once they are here.
+    pub fn expect_import(&mut self) -> JobId {
+        self.wait_for(WaitingFor::Open)
     }
 
     /// The job of writing the document's objects to files of a format, called after the document.

@@ -2,6 +2,7 @@
 //! local storage.
 
 mod download;
+mod fetch;
 mod files;
 mod jobs;
 
@@ -11,6 +12,7 @@ use std::rc::Rc;
 use wasm_bindgen::JsValue;
 
 use super::{DeviceInfo, Event, NamedBytes, Platform};
+use fetch::Fetches;
 use files::FilePicker;
 use jobs::Jobs;
 
@@ -40,6 +42,7 @@ impl Inbox {
 pub struct Browser {
     inbox: Inbox,
     jobs: Jobs,
+    fetches: Fetches,
     picker: FilePicker,
     device: DeviceInfo,
 }
@@ -48,7 +51,13 @@ impl Browser {
     /// Starts the worker at once, so that the first job need not wait for it.
     pub fn new(ctx: &egui::Context, device: DeviceInfo) -> Self {
         let inbox = Inbox::new(ctx);
-        Self { jobs: Jobs::new(inbox.clone()), picker: FilePicker::new(inbox.clone()), inbox, device }
+        Self {
+            jobs: Jobs::new(inbox.clone()),
+            fetches: Fetches::new(inbox.clone()),
+            picker: FilePicker::new(inbox.clone()),
+            inbox,
+            device,
+        }
     }
 }
 
@@ -65,7 +74,16 @@ impl Platform for Browser {
         self.jobs.start(job, request);
     }
 
+    fn wanted(&self) -> Vec<String> {
+        fetch::wanted().unwrap_or_default()
+    }
+
+    fn fetch(&mut self, job: u64, addresses: Vec<String>) {
+        self.fetches.start(job, addresses);
+    }
+
     fn cancel_job(&mut self, job: u64) {
+        self.fetches.cancel(job);
         self.jobs.cancel(job);
     }
 

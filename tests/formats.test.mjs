@@ -1,0 +1,141 @@
+// Every format comes in by a drop, whatever it is called, and files come from other addresses.
+
+import assert from "node:assert/strict";
+import { createServer } from "node:http";
+
+import { SMALL, editorTest, openPage } from "./harness.mjs";
+import { TWO_COLORS_OBJ, TWO_COLORS_MTL, grid } from "./support/meshes.mjs";
+
+const once = { renderers: ["webgl2"], sizes: [SMALL] };
+const CURVE = "4\n0 0\n1 2\n3 2\n4 0\n";
+
+/** The formats and what is left of a cube with a red face in them: faces, and whether the colour stays. */
+const FORMATS = [
+  { format: "ply", faces: 6, color: true },
+  { format: "stl", faces: 12, color: false },
+  { format: "off", faces: 6, color: true },
+  { format: "dae", faces: 6, color: true },
+  { format: "glb", faces: 12, color: true },
+];
+
+const name = async (editor) => (await editor.state()).document.name;
+
+editorTest("every format is opened by a drop, by its content", once, async (editor) => {
+  await editor.run({ op: "set-face-color", faces: [0, 1, 2, 3, 4, 5], color: "#ff0000" });
+  const cube = (await editor.state()).document;
+  const files = [];
+  for (const { format, ...rest } of FORMATS) files.push({ format, content: await editor.export(format), ...rest });
+  for (const { format, content, faces, color } of files) {
+    // The second time under a name that says nothing.
+    for (const file of [`from-${format}.${format}`, `nameless-${format}`]) {
+      await editor.drop({ name: file, content });
+      await editor.until(`${file} is open`, async () => (await name(editor)) === file.replace(/\.\w+$/, ""));
+      const { document } = await editor.state();
+      assert.equal(document.vertices, cube.vertices, `${file}: corners that are one vertex are one again`);
+      assert.equal(document.faces, faces, file);
+      assert.equal(document.euler, 2, file);
+      assert.equal(document.boundary_loops, 0, file);
+      if (color) assert.equal((await editor.element("face", 0)).color, "#ff0000", file);
+    }
+  }
+
+  // Several at once: a mesh with its materials, and none of two that are broken.
+  await editor.drop(
+    { name: "colors.mtl", content: TWO_COLORS_MTL },
+    { name: "two.obj", content: TWO_COLORS_OBJ },
+    { name: "sheet.obj", content: grid(2, 2) },
+  );
+  await editor.until("all are open", async () => (await editor.state()).document.objects.length === 2);
+  const opened = (await editor.state()).document;
+  assert.deepEqual(opened.objects.map((object) => object.faces).sort(), [2, 4]);
+
+  const before = await editor.export("json");
+  for (const [file, content] of [
+    ["broken.ply", "ply\nformat ascii 1.0\nelement vertex many\n"],
+    ["broken.stl", Buffer.alloc(90, 7)],
+    ["broken.off", "OFF\nthree 1 0\n"],
+    ["broken.dae", "<COLLADA><library_geometries></COLLADA>"],
+    ["broken.glb", "glTF\u0002\0\0\0"],
+  ]) {
+    await editor.drop({ name: file, content });
+    await editor.until(`a message names ${file}`, async () =>
+      (await editor.ui()).some((node) => node.role === "alert" && node.name.includes(file)));
+    assert.deepEqual(await editor.export("json"), before, `${file} changes nothing`);
+  }
+});
+
+/** A server of another site, which lets other sites read its files, or not. */
+async function otherSite(answer) {
+  const server = createServer(answer);
+  await new Promise((done) => server.listen(0, "127.0.0.1", done));
+  return {
+    url: `http://127.0.0.1:${server.address().port}/`,
+    stop: () => new Promise((done) => {
+      server.close(done);
+      server.closeAllConnections();
+    }),
+  };
+}
+
+const open = { "access-control-allow-origin": "*" };
+
+/** The editor on a page whose address asks for a model of another site, with what it says of it. */
+async function asking(t, answer, path, check) {
+  const other = await otherSite(answer);
+  const query = `?model=${encodeURIComponent(other.url + path)}`;
+  const editor = await openPage({ renderer: "webgl2", size: SMALL, query, label: t.name });
+  try {
+    await editor.ready();
+    await check(editor, other);
+  } finally {
+    await editor.close();
+    await other.stop();
+  }
+}
+
+const alert = (editor, pattern) => editor.until(`a message that matches ${pattern}`, async () =>
+  (await editor.ui()).find((node) => node.role === "alert" && pattern.test(node.name)));
+
+editorTest("?model= opens a file of another site", once, async (_, t) => {
+  const serve = (request, response) => response.writeHead(200, open).end(grid(4, 3));
+  await asking(t, serve, "models/my%20sheet.obj", async (editor) => {
+    await editor.until("it is open", async () => (await name(editor)) === "my sheet");
+    assert.equal((await editor.state()).document.faces, 12);
+    assert.equal((await editor.state()).document.dirty, false);
+    editor.assertNoErrors();
+  });
+
+  // A server that allows no other sites, one that has no such file, and an address that is none.
+  const closed = (request, response) => response.writeHead(200).end(grid(4, 3));
+  await asking(t, closed, "a.obj", async (editor) => {
+    editor.expectErrors(/CORS|Failed to load resource/);
+    const { name: text } = await alert(editor, /a\.obj could not be fetched/);
+    assert.match(text, /doesn't allow pages of other sites.*Access-Control-Allow-Origin/);
+    assert.match(text, /drop it here/);
+    assert.equal((await editor.state()).document.faces, 6, "the cube stays");
+    assert.deepEqual((await editor.state()).jobs, []);
+    editor.assertNoErrors();
+  });
+  const none = (request, response) => response.writeHead(404, open).end();
+  await asking(t, none, "gone.obj", async (editor) => {
+    editor.expectErrors(/404/);
+    await alert(editor, /gone\.obj could not be fetched: the server answered 404/);
+    assert.equal((await editor.state()).document.faces, 6);
+  });
+
+  // What takes long can be called off.
+  const slow = (request, response) => response.writeHead(200, { ...open, "content-length": 1e6 }).write("v 0 0 0\n");
+  await asking(t, slow, "slow.obj", async (editor) => {
+    await editor.find("Fetch slow.obj", "progressIndicator");
+    await editor.click("Cancel Fetch slow.obj", "button");
+    assert.deepEqual((await editor.state()).jobs, []);
+    assert.equal((await editor.state()).document.faces, 6);
+    editor.assertNoErrors();
+  });
+
+  // And files beside the page.
+  const editor = await openPage({ renderer: "webgl2", size: SMALL, query: "?model=http://", label: t.name });
+  await editor.ready();
+  await alert(editor, /"http:\/\/" after `\?model=` is no address/);
+  await editor.close();
+});
