@@ -1,7 +1,7 @@
 //! What fuzz targets do with their bytes: shared by `cargo fuzz` and by the native test
 //! `crates/formats/tests/fuzz.rs`, which includes this file.
 
-use formats::{Format, Import, NamedBytes, ObjectRef};
+use formats::{Format, Import, NamedBytes, NonManifold, ObjectRef, Repairs};
 use halfedge::Mesh;
 use std::ops::ControlFlow;
 
@@ -39,11 +39,23 @@ pub fn run(name: &str, data: &[u8]) {
         .iter()
         .map(|object| ObjectRef {
             controls: object.controls.as_ref(),
+            offset: import.offset,
             ..ObjectRef::new(&object.name, &object.mesh)
         })
         .collect();
-    for object in &objects {
-        check(object.mesh);
+    for object in &import.objects {
+        check(&object.mesh);
+        // What was no mesh as it stands can be made one in other ways.
+        for (non_manifold, orient, merge) in [
+            (NonManifold::Drop, true, None),
+            (NonManifold::Separate, false, None),
+            (NonManifold::Drop, false, Some(0.5)),
+        ] {
+            if let Some(soup) = &object.soup {
+                let repairs = Repairs { non_manifold, orient, merge_by_distance: merge };
+                check(&formats::rebuild(soup, &repairs).expect("small").0);
+            }
+        }
     }
     for format in Format::ALL.into_iter().filter(|format| format.can_read()) {
         let _ = formats::losses(format, &objects);

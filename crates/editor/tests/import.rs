@@ -135,3 +135,15 @@ fn an_offset_comes_with_the_document_and_goes_with_it() {
     editor.undo().expect("free");
     assert_eq!(editor.document().offset(), offset);
 }
+
+#[test]
+fn objects_of_a_file_come_apart_under_their_names() {
+    let mut editor = Editor::new();
+    let text =
+        "o box\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\no car\ng wheel\nv 5 0 0\nv 6 0 0\nv 5 1 0\nf 4 5 6\n";
+    open(&mut editor, text, Repairs::default());
+    assert_eq!(editor.document().objects().len(), 1);
+    run(&mut editor, json!({"op": "separate", "by": "groups"}));
+    let names: Vec<&str> = editor.document().objects().iter().map(|object| object.name()).collect();
+    assert_eq!(names, ["box", "o car; g wheel"]);
+}

@@ -8,7 +8,7 @@ use crate::triangles::{Plane, clip_ears};
 use glam::{Vec2, Vec3};
 
 /// The most corners of a polygon with holes that is cut: the time grows with their square.
-const MOST_CORNERS: usize = 2000;
+const MOST_CORNERS: usize = 1000;
 
 /// Cuts a polygon with holes into triangles of its corners, numbered the outline's first, then each
 /// hole's. Nothing where that is not what it is: holes that cross it or each other or lie outside,

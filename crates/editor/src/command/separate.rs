@@ -158,7 +158,10 @@ fn parts_by_groups(mesh: &Mesh) -> Result<Vec<Part>, Problem> {
     };
     let labels = mesh.column(Element::Face, keys::FACE_GROUP.name).map_or(&[][..], |column| &column.labels);
     let name = |group: u32| match labels.get(group as usize) {
-        Some(label) => label.clone(),
+        // The name of an object in an OBJ, where the faces of it are in no group.
+        Some(label) => {
+            label.strip_prefix("o ").filter(|rest| !rest.contains("; g ")).unwrap_or(label).to_owned()
+        }
         None if group == NONE => "No group".to_owned(),
         None => format!("Group {group}"),
     };
