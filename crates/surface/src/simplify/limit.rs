@@ -100,8 +100,11 @@ impl Limit {
             }
         }
         worst = worst.sqrt();
+        // Each point is near the one before, and so is what it is closest to.
+        let mut near = None;
         let mut at_input = |p: DVec3| {
-            let hit = self.tree.closest_point(mesh, tri.frame.outward(p))?;
+            let hit = self.tree.closest_point_near(mesh, tri.frame.outward(p), near)?;
+            near = Some(hit.face);
             worst = worst.max(hit.distance / tri.frame.scale);
             (worst <= limit).then_some(())
         };

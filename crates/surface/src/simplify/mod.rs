@@ -28,6 +28,14 @@ pub enum SimplifyTarget {
     /// To this share of the triangles, above 0 and up to 1.
     Ratio(f64),
     /// As far as the surface stays within this distance of what it was, in mesh units.
+    ///
+    /// Each collapse is held to it in one of two ways. The distances that collapses move the surface by,
+    /// at most and both ways, are added up; while the sum is within the limit, that holds for every
+    /// point. Where the sum is past it, which it is long before the surface is, distances are measured
+    /// and have to be within three quarters of the limit: from the corners, middles and middles of sides
+    /// of the input's triangles to the new ones, and from a dozen points of each new triangle (its
+    /// corners, points on its sides and inside) to the input. In between points nothing is proven: a
+    /// point can be farther off than the nearest one measured by at most its distance from that.
     MaxError(f64),
 }
 
@@ -107,7 +115,8 @@ pub fn simplify(
         _ => {}
     }
     pace.at(0.0)?;
-    let tri = TriMesh::new(mesh);
+    let mut tri = TriMesh::new(mesh);
+    tri.put_in_order();
     let before = tri.faces;
     let wanted = match options.target {
         SimplifyTarget::Faces(faces) => Some(faces),
