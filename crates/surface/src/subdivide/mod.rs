@@ -6,6 +6,7 @@
 
 mod carry;
 mod catmull_clark;
+mod halves;
 mod linear;
 mod loops;
 mod quads;

@@ -13,13 +13,13 @@
 //! So half-edge `h` becomes `2h` (from its vertex to the middle) and `2 (h ^ 1) + 1` (from the
 //! middle on), and a quad's first half-edge leaves the old vertex.
 
-use super::Level;
+use super::{Level, halves};
 use crate::SurfaceError;
 use crate::pace::Pace;
 use glam::DVec3;
 use glam::Vec3;
+use halfedge::RawMesh;
 use halfedge::attribute::Columns;
-use halfedge::{NONE, RawMesh};
 
 /// The children's links, and positions with the face points (means of the corners) filled in and
 /// the others zero.
@@ -92,32 +92,7 @@ pub(super) fn split(level: &Level<'_>, pace: &mut Pace<'_, '_>) -> Result<RawMes
             corner += degree;
         }
     })?;
-    pace.part(0.8, 0.9).chunks(edges, |range| {
-        for e in range {
-            let even = 2 * e;
-            let mut out_of_middle = 2 * even + 3;
-            for h in [even, even + 1] {
-                if links.face[h] != NONE {
-                    continue;
-                }
-                let (first_half, second_half) = (2 * h, 2 * (h ^ 1) + 1);
-                next[first_half] = second_half as u32;
-                prev[first_half] = 2 * (links.prev[h] ^ 1) + 1;
-                to[first_half] = first_edge_point + e as u32;
-                face[first_half] = NONE;
-                next[second_half] = 2 * links.next[h];
-                prev[second_half] = first_half as u32;
-                to[second_half] = links.to[h];
-                face[second_half] = NONE;
-                out_of_middle = second_half;
-            }
-            vertex_halfedge[vertices + e] = out_of_middle as u32;
-        }
-    })?;
-    for (child, &h) in vertex_halfedge.iter_mut().zip(links.vertex_halfedge) {
-        *child = if h == NONE { NONE } else { 2 * h };
-    }
-    Ok(RawMesh {
+    let mut raw = RawMesh {
         positions,
         vertex_halfedge,
         next,
@@ -126,5 +101,7 @@ pub(super) fn split(level: &Level<'_>, pace: &mut Pace<'_, '_>) -> Result<RawMes
         face,
         face_halfedge,
         columns: Columns::default(),
-    })
+    };
+    halves::finish(&mut raw, level, &mut pace.part(0.8, 0.9))?;
+    Ok(raw)
 }

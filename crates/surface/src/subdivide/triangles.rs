@@ -9,12 +9,12 @@
 //! | the edge that cuts off corner `c` | edge `2E + c` |
 //! | the triangle at the `k`-th corner; the middle one | face `4f + k`; `4f + 3` |
 
-use super::Level;
+use super::{Level, halves};
 use crate::SurfaceError;
 use crate::pace::Pace;
 use glam::Vec3;
+use halfedge::RawMesh;
 use halfedge::attribute::Columns;
-use halfedge::{NONE, RawMesh};
 
 /// The half-edges of a triangle, its first corner's first.
 pub(super) fn sides(level: &Level<'_>, face: usize) -> [u32; 3] {
@@ -32,7 +32,7 @@ pub(super) fn split(level: &Level<'_>, pace: &mut Pace<'_, '_>) -> Result<RawMes
     let mut to = vec![0u32; halfedges];
     let mut face = vec![0u32; halfedges];
     let mut face_halfedge = vec![0u32; 4 * faces];
-    let mut vertex_halfedge = vec![0u32; vertices + edges];
+    let vertex_halfedge = vec![0u32; vertices + edges];
 
     let first_edge_point = vertices as u32;
     pace.part(0.0, 0.8).chunks(faces, |range| {
@@ -71,32 +71,7 @@ pub(super) fn split(level: &Level<'_>, pace: &mut Pace<'_, '_>) -> Result<RawMes
             face_halfedge[middle_face as usize] = (first_inner + 3) as u32;
         }
     })?;
-    pace.part(0.8, 0.9).chunks(edges, |range| {
-        for e in range {
-            let even = 2 * e;
-            let mut out_of_middle = 2 * even + 3;
-            for h in [even, even + 1] {
-                if links.face[h] != NONE {
-                    continue;
-                }
-                let (first_half, second_half) = (2 * h, 2 * (h ^ 1) + 1);
-                next[first_half] = second_half as u32;
-                prev[first_half] = 2 * (links.prev[h] ^ 1) + 1;
-                to[first_half] = first_edge_point + e as u32;
-                face[first_half] = NONE;
-                next[second_half] = 2 * links.next[h];
-                prev[second_half] = first_half as u32;
-                to[second_half] = links.to[h];
-                face[second_half] = NONE;
-                out_of_middle = second_half;
-            }
-            vertex_halfedge[vertices + e] = out_of_middle as u32;
-        }
-    })?;
-    for (child, &h) in vertex_halfedge.iter_mut().zip(links.vertex_halfedge) {
-        *child = if h == NONE { NONE } else { 2 * h };
-    }
-    Ok(RawMesh {
+    let mut raw = RawMesh {
         positions: vec![Vec3::ZERO; vertices + edges],
         vertex_halfedge,
         next,
@@ -105,5 +80,7 @@ pub(super) fn split(level: &Level<'_>, pace: &mut Pace<'_, '_>) -> Result<RawMes
         face,
         face_halfedge,
         columns: Columns::default(),
-    })
+    };
+    halves::finish(&mut raw, level, &mut pace.part(0.8, 0.9))?;
+    Ok(raw)
 }

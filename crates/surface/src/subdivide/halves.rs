@@ -1,0 +1,43 @@
+//! What both splits do to edges: each becomes two halves, with a point in the middle.
+
+use super::Level;
+use crate::SurfaceError;
+use crate::pace::Pace;
+use halfedge::{NONE, RawMesh};
+
+/// Fills in the half-edges on the boundary and those that leave old vertices and edge points.
+pub(super) fn finish(
+    raw: &mut RawMesh,
+    level: &Level<'_>,
+    pace: &mut Pace<'_, '_>,
+) -> Result<(), SurfaceError> {
+    let links = level.links;
+    let vertices = level.vertices();
+    let RawMesh { vertex_halfedge, next, prev, to, face, .. } = raw;
+    pace.chunks(level.edges(), |range| {
+        for e in range {
+            let even = 2 * e;
+            let mut out_of_middle = 2 * even + 3;
+            for h in [even, even + 1] {
+                if links.face[h] != NONE {
+                    continue;
+                }
+                let (first_half, second_half) = (2 * h, 2 * (h ^ 1) + 1);
+                next[first_half] = second_half as u32;
+                prev[first_half] = 2 * (links.prev[h] ^ 1) + 1;
+                to[first_half] = (vertices + e) as u32;
+                face[first_half] = NONE;
+                next[second_half] = 2 * links.next[h];
+                prev[second_half] = first_half as u32;
+                to[second_half] = links.to[h];
+                face[second_half] = NONE;
+                out_of_middle = second_half;
+            }
+            vertex_halfedge[vertices + e] = out_of_middle as u32;
+        }
+    })?;
+    for (child, &h) in vertex_halfedge.iter_mut().zip(links.vertex_halfedge) {
+        *child = if h == NONE { NONE } else { 2 * h };
+    }
+    Ok(())
+}
