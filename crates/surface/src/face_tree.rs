@@ -13,6 +13,8 @@ const WIDE: usize = 8;
 /// Faces in order of id are taken as they come when those that share a box are within this many face
 /// sizes of each other on average; else they are sorted along a curve through space.
 const COHERENT: f64 = 12.0;
+/// How many boxes are looked at to find that out.
+const SAMPLES: usize = 1024;
 
 /// A half-line in mesh coordinates.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -90,48 +92,51 @@ fn extent(bounds: Bounds) -> f64 {
     size.x + size.y + size.z
 }
 
+/// Whether faces that follow each other are near each other, as far as some of them tell.
+fn is_coherent(mesh: &Mesh, order: &[u32]) -> bool {
+    let chunks = order.len().div_ceil(LEAF);
+    let (mut faces_extent, mut leaves_extent, mut faces, mut leaves) = (0.0, 0.0, 0usize, 0usize);
+    for chunk in order.chunks(LEAF).step_by(chunks.div_ceil(SAMPLES).max(1)) {
+        let mut leaf = Bounds::EMPTY;
+        for &face in chunk {
+            let bounds = face_bounds(mesh, FaceId::new(face as usize));
+            faces_extent += extent(bounds);
+            leaf = leaf.union(bounds);
+        }
+        leaves_extent += extent(leaf);
+        faces += chunk.len();
+        leaves += 1;
+    }
+    leaves_extent * faces as f64 <= COHERENT * faces_extent * leaves as f64
+}
+
 impl FaceTree {
     /// The tree of all faces. Costs O(mesh).
     pub fn new(mesh: &Mesh) -> Self {
         let mut order: Vec<u32> = mesh.faces().map(FaceId::raw).collect();
-        let mut leaves = Vec::with_capacity(order.len().div_ceil(LEAF));
-        let mut faces_extent = 0.0;
-        for chunk in order.chunks(LEAF) {
-            let mut leaf = Bounds::EMPTY;
-            for &face in chunk {
-                let bounds = face_bounds(mesh, FaceId::new(face as usize));
-                faces_extent += extent(bounds);
-                leaf = leaf.union(bounds);
-            }
-            leaves.push(leaf);
-        }
-        faces_extent /= order.len().max(1) as f64;
-        let leaves_extent: f64 = leaves.iter().map(|&b| extent(b)).sum::<f64>() / leaves.len().max(1) as f64;
-        if leaves_extent > COHERENT * faces_extent {
-            let bounds: Vec<Bounds> =
-                order.iter().map(|&face| face_bounds(mesh, FaceId::new(face as usize))).collect();
-            let centers: Vec<Vec3> = bounds.iter().map(|b| b.center()).collect();
-            let sorted = morton::order(&centers);
-            order = sorted.iter().map(|&i| order[i as usize]).collect();
-            leaves = sorted
-                .chunks(LEAF)
-                .map(|chunk| chunk.iter().map(|&i| bounds[i as usize]).fold(Bounds::EMPTY, Bounds::union))
-                .collect();
-        } else {
+        let bounds = |face: u32| face_bounds(mesh, FaceId::new(face as usize));
+        let leaf_of =
+            |chunk: &[u32]| chunk.iter().map(|&face| bounds(face)).fold(Bounds::EMPTY, Bounds::union);
+        let leaves: Vec<Bounds>;
+        if is_coherent(mesh, &order) {
+            let in_turn: Vec<Bounds> = order.chunks(LEAF).map(leaf_of).collect();
             // Only whole leaves change places; the last, which may be short, stays last.
             let whole = order.len() / LEAF;
-            let centers: Vec<Vec3> = leaves[..whole].iter().map(|b| b.center()).collect();
-            let sorted = morton::order(&centers);
-            let mut by_leaf = Vec::with_capacity(order.len());
-            for &leaf in &sorted {
-                let start = leaf as usize * LEAF;
-                by_leaf.extend_from_slice(&order[start..start + LEAF]);
-            }
-            by_leaf.extend_from_slice(&order[whole * LEAF..]);
-            order = by_leaf;
-            let mut moved: Vec<Bounds> = sorted.iter().map(|&leaf| leaves[leaf as usize]).collect();
-            moved.extend_from_slice(&leaves[whole..]);
-            leaves = moved;
+            let centers: Vec<Vec3> = in_turn[..whole].iter().map(|b| b.center()).collect();
+            let mut sorted = morton::order(&centers);
+            sorted.extend(whole as u32..in_turn.len() as u32);
+            order = (sorted.iter())
+                .flat_map(|&leaf| {
+                    let start = leaf as usize * LEAF;
+                    &order[start..order.len().min(start + LEAF)]
+                })
+                .copied()
+                .collect();
+            leaves = sorted.iter().map(|&leaf| in_turn[leaf as usize]).collect();
+        } else {
+            let centers: Vec<Vec3> = order.iter().map(|&face| bounds(face).center()).collect();
+            order = morton::order(&centers).into_iter().map(|i| order[i as usize]).collect();
+            leaves = order.chunks(LEAF).map(leaf_of).collect();
         }
         let mut place = vec![NONE; mesh.face_capacity()];
         for (at, &face) in order.iter().enumerate() {
@@ -140,11 +145,6 @@ impl FaceTree {
         let sorted = order.len();
         let mut tree = Self { order, place, levels: vec![leaves], sorted };
         tree.fit_levels();
-        for level in 1..tree.levels.len() {
-            for node in 0..tree.levels[level].len() {
-                tree.refresh(mesh, level, node);
-            }
-        }
         tree
     }
 
