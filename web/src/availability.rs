@@ -66,6 +66,10 @@ impl App {
             "subdivide-loop" if self.survey.found().is_some_and(|found| !found.triangles_only) => {
                 Some("Loop subdivision needs a mesh of triangles. Triangulate the faces first.".into())
             }
+            "repair-import" if !self.editor.document().active().is_some_and(editor::Object::is_repairable) => Some(
+                "Nothing had to be repaired when this object was read, so there is nothing to do another way."
+                    .into(),
+            ),
             "triangulate-faces" => {
                 let chosen = selection.kind() == Element::Face && !selection.is_empty();
                 let faces: Vec<_> = if chosen {

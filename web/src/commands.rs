@@ -282,6 +282,9 @@ impl App {
             many => text.push_str(&format!("; {many} things were changed on the way in")),
         }
         self.toast(kind, text, outcome.warnings.clone());
+        if self.editor.document().active().is_some_and(editor::Object::is_repairable) {
+            self.offer(Action::Operation("repair-import"));
+        }
     }
 
     pub(crate) fn refused(&mut self, error: &CommandError, reply: Option<Reply>) {

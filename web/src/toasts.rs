@@ -3,6 +3,7 @@
 use editor::MessageKind;
 use egui::{Align2, Area, Context, Frame, Id, Margin, Order, RichText, Role, Stroke, vec2};
 
+use crate::actions::{self, Action};
 use crate::app::App;
 use crate::icons::{Icon, icon_button};
 use crate::theme;
@@ -14,6 +15,8 @@ struct Toast {
     text: String,
     details: Vec<String>,
     open: bool,
+    /// What can be done about it.
+    remedy: Option<Action>,
     /// When it goes by itself, on egui's clock; none where the person has to close it.
     until: Option<f64>,
 }
@@ -36,7 +39,8 @@ impl Toasts {
         let stays = if kind == MessageKind::Info { BRIEFLY } else { LONGER };
         // The same again only stays longer.
         self.list.retain(|toast| toast.text != text);
-        self.list.push(Toast { kind, text, details, open: false, until: Some(now + stays) });
+        let until = Some(now + stays);
+        self.list.push(Toast { kind, text, details, open: false, remedy: None, until });
         if self.list.len() > MOST {
             self.list.remove(0);
         }
@@ -49,6 +53,13 @@ impl App {
         let now = self.ctx.input(|input| input.time);
         self.toasts.add(now, kind, text, details);
         self.ctx.request_repaint();
+    }
+
+    /// Offers an action in the message that was said last.
+    pub(crate) fn offer(&mut self, remedy: Action) {
+        if let Some(toast) = self.toasts.list.last_mut() {
+            toast.remedy = Some(remedy);
+        }
     }
 
     /// Says that something could not be done, in a toast and in the messages.
@@ -69,6 +80,7 @@ impl App {
         let viewport = self.view.rect();
         let width = if narrow { viewport.width() - 24.0 } else { 360.0 };
         let mut closed = None;
+        let mut chosen = None;
         Area::new(Id::unique("toasts"))
             .order(Order::Foreground)
             .pivot(Align2::LEFT_BOTTOM)
@@ -94,6 +106,11 @@ impl App {
                                         node.set_role(Role::Alert);
                                         node.set_label(toast.text.as_str());
                                     });
+                                    if let Some(entry) = toast.remedy.map(actions::describe)
+                                        && ui.link(entry.label).on_hover_text(entry.description).clicked()
+                                    {
+                                        chosen = toast.remedy;
+                                    }
                                     if toast.details.is_empty() {
                                         return;
                                     }
@@ -129,6 +146,9 @@ impl App {
             });
         if let Some(at) = closed {
             self.toasts.list.remove(at);
+        }
+        if let Some(action) = chosen {
+            self.act(action);
         }
     }
 }

@@ -1,8 +1,9 @@
 //! Menus, keys, the palette, files and jobs.
 
 use crate::page::Page;
+use egui::accesskit::Role;
 use egui::{Key, Modifiers};
-use egui_kittest::kittest::NodeT;
+use egui_kittest::kittest::{NodeT, Queryable};
 use halfedge::Element;
 use meshwright_web::actions;
 use serde_json::json;
@@ -10,8 +11,7 @@ use serde_json::json;
 const CTRL: Modifiers = Modifiers::COMMAND;
 const CTRL_SHIFT: Modifiers = Modifiers::COMMAND.plus(Modifiers::SHIFT);
 
-fn disabled(page: &Page, role: egui::accesskit::Role, label: &str) -> (bool, Option<String>) {
-    use egui_kittest::kittest::Queryable;
+fn disabled(page: &Page, role: Role, label: &str) -> (bool, Option<String>) {
     let node = page.harness.get_by_role_and_label(role, label);
     let node = node.accesskit_node();
     (node.is_disabled(), node.description())
@@ -20,16 +20,16 @@ fn disabled(page: &Page, role: egui::accesskit::Role, label: &str) -> (bool, Opt
 #[test]
 fn what_cannot_be_done_is_greyed_and_says_why() {
     let mut page = Page::new();
-    let undo = disabled(&page, egui::accesskit::Role::Button, "Undo");
+    let undo = disabled(&page, Role::Button, "Undo");
     assert_eq!(undo, (true, Some("There is nothing to undo.".to_owned())));
     page.click("Mesh");
     page.click("Edge edits");
-    let split = disabled(&page, egui::accesskit::Role::Button, "Split edge S");
+    let split = disabled(&page, Role::Button, "Split edge S");
     assert_eq!(split, (true, Some("Select an edge first.".to_owned())));
     page.press(Key::Escape);
     page.select("edge", &[0]);
     page.press(Key::S);
-    assert!(!disabled(&page, egui::accesskit::Role::Button, "Undo").0);
+    assert!(!disabled(&page, Role::Button, "Undo").0);
 }
 
 #[test]
@@ -174,6 +174,27 @@ fn a_broken_file_changes_nothing_and_says_why() {
     assert!(messages.contains("line 1"), "{messages}");
     assert!(page.has_part("Open: ") && !page.has_part("open: "), "a sentence");
     assert!(page.has("Dismiss message"), "and it is in view");
+}
+
+#[test]
+fn what_an_import_repaired_can_be_done_another_way() {
+    let mut page = Page::new();
+    page.open("sound.obj", TRIANGLE);
+    assert!(!page.has("Repair import"), "nothing was repaired");
+    page.open("fin.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 -1 0\nv 0 0 1\nf 1 2 3\nf 2 1 4\nf 1 2 5\n");
+    assert_eq!(page.mesh().face_count(), 3);
+    let as_read = page.mesh().clone();
+    let press = |page: &mut Page, role, label| {
+        page.harness.get_by_role_and_label(role, label).click();
+        page.run();
+    };
+    press(&mut page, Role::Link, "Repair import");
+    press(&mut page, Role::ComboBox, "Non manifold");
+    page.click("Drop");
+    press(&mut page, Role::Button, "Repair import");
+    assert_eq!(page.mesh().face_count(), 2, "two faces meet at an edge, no third");
+    page.press_with(CTRL, Key::Z);
+    assert_eq!(page.mesh(), &as_read);
 }
 
 #[test]
