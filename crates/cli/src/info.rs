@@ -2,6 +2,7 @@
 
 use crate::arguments::Info;
 use crate::{Failure, files, report};
+use formats::Controls;
 
 /// Prints what a file holds.
 pub fn run(task: &Info) -> Result<(), Failure> {
@@ -18,7 +19,12 @@ pub fn run(task: &Info) -> Result<(), Failure> {
     if read.import.objects.len() > 1 {
         text += "objects:\n";
         for object in &read.import.objects {
-            text += &format!("  {}: {} faces\n", object.name, object.mesh.face_count());
+            let what = match &object.controls {
+                None => format!("{} faces", object.mesh.face_count()),
+                Some(Controls::Curve(points)) => format!("Bezier curve of {} control points", points.len()),
+                Some(Controls::Surface(patches)) => format!("Bezier surface of {} patches", patches.len()),
+            };
+            text += &format!("  {}: {what}\n", object.name);
         }
     }
     text += &read.import.report.to_string();

@@ -196,6 +196,50 @@ fn ply_of_other_writers() {
 }
 
 #[test]
+fn normals_and_texture_coordinates_of_other_writers() {
+    let ply = |names: &str, list: &str, face: &str| {
+        format!(
+            "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\n{names}\
+             element face 1\nproperty list uchar int vertex_indices\n{list}end_header\n0 0 0 0 0 1 .5 1\n\
+             1 0 0 0 0 0 0 .25\n0 1 0 0 1 0 1 0\n3 0 1 2{face}\n"
+        )
+    };
+    let normals = "property float nx\nproperty float ny\nproperty float nz\n";
+    let at = |mesh: &Mesh, corner: usize| {
+        let h = mesh.face_halfedges(halfedge::FaceId::new(0)).nth(corner).expect("a triangle").index();
+        (mesh.get(keys::CORNER_NORMAL, h), mesh.get(keys::CORNER_UV, h))
+    };
+    for (uv, other) in [("s", "t"), ("u", "v"), ("texture_u", "texture_v"), ("s0", "t0")] {
+        let names = format!("{normals}property float {uv}\nproperty float {other}\n");
+        let import = read(&[NamedBytes::new("a.ply", ply(&names, "", ""))]).expect("readable");
+        let mesh = mesh(&import);
+        assert!(!import.report.to_string().contains("left out"), "{}", import.report);
+        assert_eq!(at(mesh, 0), (Vec3::Z, Vec2::new(0.5, 1.0)), "{uv}");
+        assert!(at(mesh, 1).0.is_nan(), "a normal of no length is none");
+        assert_eq!(at(mesh, 2), (Vec3::Y, Vec2::X));
+    }
+    // What a face says counts for more; one of the wrong length says nothing.
+    let names = format!("{normals}property float s\nproperty float t\n");
+    let list = "property list uchar float texcoord\n";
+    let of = |face: &str| {
+        let import = read(&[NamedBytes::new("a.ply", ply(&names, list, face))]).expect("readable");
+        at(mesh(&import), 1).1
+    };
+    assert_eq!(of(" 6 9 9 8 8 7 7"), Vec2::splat(8.0));
+    assert_eq!(of(" 4 9 9 8 8"), Vec2::new(0.0, 0.25));
+    let off = "STNOFF 3 1 0\n0 0 0 0 0 1 .5 1\n1 0 0 0 0 0 0 .25\n0 1 0 0 1 0 1 0\n3 0 1 2\n";
+    let import = read(&[NamedBytes::new("a", off)]).expect("readable");
+    assert_eq!(at(mesh(&import), 2), (Vec3::Y, Vec2::X));
+    let off = "STCOFF 3 1 0\n0 0 0 1 0 0 .5 1\n1 0 0 1 0 0 1 0 .25\n0 1 0 1 0 0 1 1 0\n3 0 1 2\n";
+    let import = read(&[NamedBytes::new("a", off)]).expect("readable");
+    assert_eq!(
+        [0, 1, 2].map(|c| at(mesh(&import), c).1),
+        [Vec2::new(0.5, 1.0), Vec2::new(0.0, 0.25), Vec2::X]
+    );
+    assert_eq!(mesh(&import).get(keys::VERTEX_COLOR, 2), Vec3::X);
+}
+
+#[test]
 fn off_of_other_writers() {
     for text in [
         "OFF\n4 2 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n3 0 1 2 255 0 0\n3 0 2 3 1.0 0 0 0.5 # red too\n",

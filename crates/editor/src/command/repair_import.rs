@@ -81,7 +81,8 @@ impl WholeMesh for RepairImport {
             match &input.soup {
                 Some(_) => Ok(()),
                 None => Err(Problem::new(format!(
-                    "nothing was repaired when {} came to be, so there is nothing to do another way",
+                    "nothing was repaired when {} came to be, so there is nothing to do another way; merge-by-distance \
+                     works on any mesh",
                     input.name
                 ))),
             }
