@@ -86,3 +86,74 @@ fn loop_on_triangles() {
     let commands = [r#"{"op": "triangulate-faces"}"#, r#"{"op": "subdivide-loop", "levels": 4}"#];
     assert_eq!(after(&commands), (2560, 0x2d29_fcca_7fde_9df0));
 }
+
+/// The open box with enough triangles to work on.
+const FINE: [&str; 2] = [r#"{"op": "triangulate-faces"}"#, r#"{"op": "subdivide-loop", "levels": 3}"#];
+
+#[test]
+fn simplified() {
+    let [triangles, fine] = FINE;
+    assert_eq!(
+        after(&[triangles, fine, r#"{"op": "simplify", "ratio": 0.2}"#]),
+        (128, 0xf3d8_789c_f970_3ace)
+    );
+    let command = r#"{"op": "simplify", "max_error": 0.02, "preserve_boundary": false}"#;
+    assert_eq!(after(&[triangles, fine, command]), (134, 0x9a43_5cc8_c679_86fa));
+}
+
+#[test]
+fn remeshed() {
+    assert_eq!(
+        after(&[r#"{"op": "remesh", "edge_length": 0.2, "iterations": 10}"#]),
+        (886, 0x3ac9_0e3c_215a_4722)
+    );
+}
+
+#[test]
+fn smoothed() {
+    let [triangles, fine] = FINE;
+    let laplacian = r#"{"op": "smooth", "iterations": 5}"#;
+    let taubin = r#"{"op": "smooth", "iterations": 5, "method": "taubin"}"#;
+    assert_eq!(after(&[triangles, fine, laplacian, taubin]), (640, 0x3d44_d22d_024e_e719));
+}
+
+#[test]
+fn split_without_smoothing_and_merged() {
+    let commands =
+        [r#"{"op": "subdivide-linear", "levels": 3}"#, r#"{"op": "merge-by-distance", "distance": 0.15}"#];
+    assert_eq!(after(&commands), (330, 0x55ac_4470_7fc6_4dd6));
+}
+
+#[test]
+fn creased() {
+    let commands = [
+        r#"{"op": "set-crease", "edges": [0, 1, 2, 3, 4], "vertices": [5], "sharpness": 1.7}"#,
+        r#"{"op": "subdivide-catmull-clark", "levels": 3}"#,
+    ];
+    assert_eq!(after(&commands), (352, 0xcfed_d729_aaf4_7c14));
+}
+
+#[test]
+fn edited() {
+    let commands = [
+        r#"{"op": "extrude-faces", "faces": [1, 2], "distance": 0.3}"#,
+        r#"{"op": "inset-faces", "faces": [3], "amount": 0.1}"#,
+        r#"{"op": "bevel-edges", "edges": [0], "width": 0.1, "segments": 3}"#,
+        r#"{"op": "transform", "vertices": [0, 1], "rotate": {"axis": [1, 2, 3], "degrees": 33}, "falloff": 1.5}"#,
+        r#"{"op": "triangulate-faces", "method": "ear"}"#,
+    ];
+    assert_eq!(after(&commands), (41, 0xa766_62ac_78b7_a61d));
+}
+
+#[test]
+fn shapes() {
+    for (shape, expected) in [
+        ("uv-sphere", (512, 0x73f2_efb7_2829_fbc1)),
+        ("torus", (1152, 0x11f7_9c71_50f0_7869)),
+        ("dodecahedron", (12, 0x561d_9106_24e6_50c5)),
+        ("teapot", (2048, 0x0b4c_f9ba_1a74_264a)),
+    ] {
+        let command = format!(r#"{{"op": "new", "shape": "{shape}"}}"#);
+        assert_eq!(after(&[&command]), expected, "{shape}");
+    }
+}
