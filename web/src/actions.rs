@@ -78,6 +78,14 @@ pub enum Action {
     About,
     /// Loop on a triangle mesh, Catmull-Clark on others.
     Upsample,
+    /// Simplifies to a quarter of the triangles.
+    Downsample,
+    /// Remeshes to the target edge length.
+    Resample,
+    /// Makes the target edge length of resampling larger.
+    LongerEdges,
+    /// Makes the target edge length of resampling smaller.
+    ShorterEdges,
     /// Splits the selected edge where the pointer slides to.
     SlideSplit,
     /// An operation of the editor, by name, on the selection.
@@ -187,6 +195,22 @@ pub static MENUS: &[Menu] = &[
                 A::Upsample,
                 "Upsample",
                 "Subdivides once: Loop where all faces are triangles, Catmull-Clark otherwise.",
+            )),
+            Some(entry(A::Downsample, "Downsample", "Simplifies to a quarter of the triangles.")),
+            Some(entry(
+                A::Resample,
+                "Resample",
+                "Remeshes to the target edge length, which is the mean of the edges until it is changed.",
+            )),
+            Some(entry(
+                A::LongerEdges,
+                "Longer target edges",
+                "Makes the target edge length of resampling a tenth larger.",
+            )),
+            Some(entry(
+                A::ShorterEdges,
+                "Shorter target edges",
+                "Makes the target edge length of resampling a tenth smaller.",
             )),
             Some(entry(
                 A::SlideSplit,

@@ -9,6 +9,7 @@ use crate::jobs::Jobs;
 use crate::lists::index::RowIndex;
 use crate::lists::row_list::RowListState;
 use crate::live::Live;
+use crate::measures::Measured;
 use crate::panels::adjust::Adjusting;
 use crate::panels::operations::Forms;
 use crate::panels::palette::PaletteState;
@@ -109,6 +110,7 @@ pub struct App {
     pub(crate) palette: PaletteState,
     pub(crate) saving: Saving,
     pub(crate) survey: Survey,
+    pub(crate) measured: Measured,
     pub(crate) frames: FrameTimes,
     /// The object whose rows the lists have.
     listed: Option<ObjectId>,
@@ -149,6 +151,7 @@ impl App {
             palette: PaletteState::default(),
             saving: Saving::new(&*platform),
             survey: Survey::default(),
+            measured: Measured::default(),
             frames: FrameTimes::default(),
             listed: None,
             platform,
@@ -232,6 +235,7 @@ impl App {
         self.follow_lists(&changes);
         self.survey.follow(&self.editor, &changes);
         self.saving.follow(&changes);
+        self.measured.follow(&self.editor, &changes);
         self.view.follow(&self.editor, changes);
     }
 
@@ -239,6 +243,7 @@ impl App {
         let active = self.editor.document().active().map(editor::Object::id);
         if active != self.listed {
             self.listed = active;
+            self.forms.forget_lengths();
             self.lists.follow(&self.editor, None);
             self.lists.states = Default::default();
         } else if let Some(change) = active.and_then(|id| changes.of(id)) {

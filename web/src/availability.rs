@@ -36,6 +36,8 @@ impl App {
                 Some("There is nothing to look at. Open a file or make a shape first.".into())
             }
             Action::Upsample => self.why_not_operation(self.upsample_op()),
+            Action::Downsample => self.why_not_operation("simplify"),
+            Action::Resample | Action::LongerEdges | Action::ShorterEdges => self.why_not_operation("remesh"),
             Action::SlideSplit => self.why_not_operation("split-edge"),
             Action::Operation(name) => self.why_not_operation(name),
             _ => None,
@@ -62,6 +64,9 @@ impl App {
         match name {
             "subdivide-catmull-clark" | "subdivide-loop" | "subdivide-linear" if mesh.face_count() == 0 => {
                 Some("The mesh has no face to subdivide.".into())
+            }
+            "simplify" | "remesh" | "smooth" if mesh.face_count() == 0 => {
+                Some("The mesh has no face.".into())
             }
             "subdivide-loop" if self.survey.found().is_some_and(|found| !found.triangles_only) => {
                 Some("Loop subdivision needs a mesh of triangles. Triangulate the faces first.".into())

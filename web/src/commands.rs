@@ -10,6 +10,7 @@ use crate::actions::{self, Action};
 use crate::app::{App, ShownKind};
 use crate::keys;
 use crate::live;
+use crate::measures::rounded;
 use crate::platform::NamedBytes;
 use crate::scripting::{Answer, Reply};
 use crate::viewport_widget::Tool;
@@ -108,6 +109,14 @@ impl App {
                 let op = self.upsample_op();
                 self.send(json!({ "op": op }));
             }
+            Action::Downsample => self.send(json!({ "op": "simplify", "ratio": 0.25 })),
+            Action::Resample => {
+                let mut command = self.forms.filled("remesh").cloned().unwrap_or_default();
+                command.insert("op".into(), "remesh".into());
+                self.send(command.into());
+            }
+            Action::LongerEdges => self.scale_target_edge(1.1),
+            Action::ShorterEdges => self.scale_target_edge(1.0 / 1.1),
             Action::SlideSplit => self.start_live("split-edge"),
             Action::Operation(name) => match actions::operation(name) {
                 // What has an amount follows the pointer; its form stays in the operations panel.
@@ -162,6 +171,20 @@ impl App {
             (None, None) => false,
         };
         if triangles { "subdivide-loop" } else { "subdivide-catmull-clark" }
+    }
+
+    /// The edge length that resampling aims at, where it was set; else it is the mean of the edges.
+    pub(crate) fn target_edge(&self) -> Option<f64> {
+        self.forms.filled("remesh")?.get("edge_length")?.as_f64()
+    }
+
+    fn scale_target_edge(&mut self, factor: f64) {
+        let Some(spec) = actions::operation("remesh") else { return };
+        let hints = self.hints("remesh");
+        let now = self.target_edge().or_else(|| Some(hints.measures?.mean_edge));
+        let Some(length) = now.filter(|length| *length > 0.0) else { return };
+        let length = rounded((length * factor).clamp(1e-6, 1e6));
+        self.forms.fill(spec, &hints, "edge_length", json!(length));
     }
 
     /// Sends a command as JSON: what menus, forms and buttons do.

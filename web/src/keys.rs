@@ -44,10 +44,14 @@ pub static BINDINGS: &[Binding] = &[
     (A::Operation("flip-edge"), &[key(Key::F)]),
     (A::Operation("collapse-edge"), &[key(Key::C)]),
     (A::Operation("extrude-faces"), &[key(Key::E)]),
+    (A::BoxSelect, &[with(Modifiers::SHIFT, Key::B)]),
     (A::Operation("bevel-edges"), &[key(Key::B)]),
     (A::Upsample, &[key(Key::U)]),
+    (A::Downsample, &[key(Key::D)]),
+    (A::Resample, &[key(Key::R)]),
+    (A::LongerEdges, &[key(Key::Equals)]),
+    (A::ShorterEdges, &[key(Key::Minus)]),
     (A::OnlySelected, &[key(Key::O)]),
-    (A::BoxSelect, &[key(Key::R)]),
     (A::FrameAll, &[with(Modifiers::SHIFT, Key::Period), key(Key::Home)]),
     (A::Frame, &[key(Key::Period)]),
     (A::ResetView, &[key(Key::Space)]),
@@ -90,7 +94,7 @@ pub fn text(ctx: &Context, action: Action) -> String {
 pub fn written(ctx: &Context, shortcut: &KeyboardShortcut) -> String {
     let plain = matches!(
         shortcut.logical_key,
-        Key::Questionmark | Key::Period | Key::OpenBracket | Key::CloseBracket
+        Key::Questionmark | Key::Period | Key::OpenBracket | Key::CloseBracket | Key::Equals | Key::Minus
     );
     if plain {
         let symbol = shortcut.logical_key.symbol_or_name();

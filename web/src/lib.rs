@@ -14,6 +14,7 @@ mod jobs;
 pub mod keys;
 pub mod lists;
 mod live;
+mod measures;
 #[cfg(target_arch = "wasm32")]
 pub mod page;
 mod panels;

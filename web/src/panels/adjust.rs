@@ -1,7 +1,7 @@
 //! "Adjust last operation": the fields of what was done last. Changing one does it again in place of
 //! itself, as one undo step.
 
-use editor::{Begun, Command, JobId, OperationKind};
+use editor::{Begun, Command, JobId, MessageKind, OperationKind};
 use egui::{CollapsingHeader, Grid, Ui, vec2};
 use serde_json::Value;
 
@@ -15,7 +15,15 @@ pub(crate) struct Adjusting {
     pending: Option<Value>,
     /// The job of an adjustment: if it fails, the step it replaces comes back.
     job: Option<JobId>,
+    /// The last adjustment took too long to be made at every step of a spin.
+    slow: bool,
 }
+
+/// Seconds that an adjustment may take to be made at every step of a spin.
+const QUICK: f64 = 0.03;
+
+/// An operation that left this many faces or more is not tried at every step of a spin.
+const SMALL: usize = 20_000;
 
 impl App {
     /// The panel; nothing where the last thing done has no fields to change.
@@ -31,40 +39,48 @@ impl App {
         }
         let before = self.adjusting.pending.clone().unwrap_or_else(|| command.to_value());
         let Some(mut filled) = before.as_object().cloned() else { return };
-        for (name, value) in fields::initial(spec) {
-            // A default that stands for elements would take the place of those of the command.
-            if spec.field(&name).is_some_and(|field| !fields::is_elements(field.kind)) {
-                filled.entry(name).or_insert(value);
+        // A default that stands for elements would take the place of those of the command.
+        for field in shown() {
+            if let Some(value) = fields::default_value(field) {
+                filled.entry(field.name).or_insert(value);
             }
         }
+        let hints = self.hints(spec.name);
         let start = filled.clone();
         let title = format!("Adjust last operation: {}", spec.label);
         CollapsingHeader::new(title).id_salt("adjust").default_open(true).show(ui, |ui| {
             Grid::new(("adjust", spec.name)).num_columns(2).spacing(vec2(10.0, 6.0)).show(ui, |ui| {
-                for field in shown() {
-                    fields::show(ui, spec, field, &mut filled);
-                }
+                fields::rows(ui, spec, &mut filled, &hints, |field| !fields::is_elements(field.kind));
             });
         });
         ui.separator();
         if filled != start {
             self.adjusting.pending = Some(filled.into());
         }
-        // A local edit follows every step of a spin; a whole mesh waits for its end.
-        let waits = spec.kind == OperationKind::WholeMesh && ui.input(|input| input.pointer.any_down());
+        // What is quick follows every step of a spin; what takes a while waits for its end.
+        let quick = spec.kind != OperationKind::WholeMesh
+            || (!self.adjusting.slow && self.editor.mesh().is_some_and(|mesh| mesh.face_count() < SMALL));
+        let waits = !quick && ui.input(|input| input.pointer.any_down());
         if let Some(value) = self.adjusting.pending.take_if(|_| !waits) {
             self.adjust(value);
         }
     }
 
     fn adjust(&mut self, value: Value) {
+        let started = self.platform.now();
         let begun = Command::from_value(value).and_then(|command| {
             let label = command.op.spec().label;
             self.editor.adjust(command).map(|begun| (begun, label))
         });
         match begun {
-            Ok((Begun::Done(_), _)) => {}
+            Ok((Begun::Done(outcome), _)) => {
+                self.adjusting.slow = self.platform.now() - started > QUICK;
+                if !outcome.warnings.is_empty() {
+                    self.toast(MessageKind::Warning, outcome.message, outcome.warnings);
+                }
+            }
             Ok((Begun::Job(request), label)) => {
+                self.adjusting.slow = true;
                 self.adjusting.job = Some(request.id());
                 self.start(&request, label.to_owned(), None);
             }

@@ -5,21 +5,37 @@ use egui::{Checkbox, ComboBox, DragValue, RichText, TextEdit, Ui};
 use serde_json::{Map, Value, json};
 
 use crate::lists::columns::element_name;
+use crate::measures::{Measures, rounded};
 use crate::panels::color_button::color_button;
+use crate::panels::simplify;
 use halfedge::Element;
 
 /// What the person filled in, by the fields' names. What is not in it is left out of the command.
 pub type Filled = Map<String, Value>;
 
+/// What forms know of the mesh that they are filled in for.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Hints {
+    /// Its lengths and area, where a field of the form is about those.
+    pub measures: Option<Measures>,
+    /// How many triangles it can be cut into, where that is known.
+    pub triangles: Option<usize>,
+}
+
+/// Whether an operation's form suggests lengths, which have to be measured.
+pub fn suggests_lengths(op: &str) -> bool {
+    matches!(op, "remesh" | "simplify" | "merge-by-distance")
+}
+
 /// The values that a form starts with: the defaults that are values. Defaults in words, such as
 /// "the selected faces", stay out.
-pub fn initial(spec: &Spec) -> Filled {
+pub fn initial(spec: &Spec, hints: &Hints) -> Filled {
     spec.fields
         .iter()
         .filter_map(|field| {
             let value = match default_value(field) {
                 Some(value) => value,
-                None if field.default.is_none() => blank(field.kind),
+                None if field.default.is_none() => suggested(spec, field, hints),
                 None => return None,
             };
             Some((field.name.to_owned(), value))
@@ -48,7 +64,22 @@ pub fn is_elements(kind: FieldKind) -> bool {
     )
 }
 
-/// What a field without a default starts with.
+/// What a field starts with that has no value for a default: what suits the mesh, where it depends on
+/// that.
+fn suggested(spec: &Spec, field: &Field, hints: &Hints) -> Value {
+    let fitting = hints.measures.and_then(|measures| match (spec.name, field.name) {
+        ("remesh", "edge_length") => Some(measures.mean_edge),
+        ("merge-by-distance", "distance") => Some(measures.diagonal * 1e-4),
+        ("simplify", "ratio") => Some(0.5),
+        _ => None,
+    });
+    match fitting.map(rounded).filter(|number| *number > 0.0) {
+        Some(number) => json!(number),
+        None => blank(field.kind),
+    }
+}
+
+/// What a field of a kind starts with.
 fn blank(kind: FieldKind) -> Value {
     match kind {
         FieldKind::Number { min, max } => json!(1.0_f32.clamp(min, max)),
@@ -68,7 +99,7 @@ fn blank(kind: FieldKind) -> Value {
 
 /// One row of a form: the field's name, its value, and a tooltip with what it means. Fields that the
 /// selection gives are one line that says so.
-pub fn show(ui: &mut Ui, spec: &Spec, field: &Field, filled: &mut Filled) {
+fn show(ui: &mut Ui, spec: &Spec, field: &Field, filled: &mut Filled, hints: &Hints) {
     let label = label_of(field.name);
     if is_elements(field.kind) && field.default.is_some() {
         ui.label(RichText::new(&label).weak()).on_hover_text(field.description);
@@ -89,7 +120,7 @@ pub fn show(ui: &mut Ui, spec: &Spec, field: &Field, filled: &mut Filled) {
                     .on_hover_text(hint);
                 if check.changed() {
                     if given {
-                        filled.insert(field.name.to_owned(), blank(field.kind));
+                        filled.insert(field.name.to_owned(), suggested(spec, field, hints));
                     } else {
                         filled.remove(field.name);
                     }
@@ -99,11 +130,24 @@ pub fn show(ui: &mut Ui, spec: &Spec, field: &Field, filled: &mut Filled) {
                     return;
                 }
             }
-            let value = filled.entry(field.name).or_insert_with(|| blank(field.kind));
+            let value = filled.entry(field.name).or_insert_with(|| suggested(spec, field, hints));
             ui.push_id((spec.name, field.name), |ui| edit(ui, field, &label, value));
         });
     });
     ui.end_row();
+}
+
+/// The rows of an operation's fields that `shown` picks.
+pub fn rows(ui: &mut Ui, spec: &Spec, filled: &mut Filled, hints: &Hints, shown: impl Fn(&Field) -> bool) {
+    let simplifies = spec.name == "simplify";
+    if simplifies {
+        simplify::rows(ui, filled, hints);
+    }
+    for field in spec.fields.iter().filter(|field| shown(field)) {
+        if !(simplifies && simplify::is_target(field.name)) {
+            show(ui, spec, field, filled, hints);
+        }
+    }
 }
 
 fn edit(ui: &mut Ui, field: &Field, label: &str, value: &mut Value) {

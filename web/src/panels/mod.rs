@@ -5,6 +5,7 @@ pub(crate) mod adjust;
 mod color_button;
 mod drop_overlay;
 mod elements;
+pub(crate) mod estimate;
 pub(crate) mod fields;
 pub(crate) mod inspector;
 mod menu_bar;
@@ -16,6 +17,7 @@ pub(crate) mod palette;
 pub(crate) mod save;
 pub(crate) mod sheet;
 mod shortcuts;
+mod simplify;
 mod status_bar;
 
 pub(crate) use fields::selection_words;

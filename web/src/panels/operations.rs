@@ -9,8 +9,8 @@ use serde_json::{Map, Value};
 use crate::actions::{self, Action};
 use crate::app::App;
 use crate::keys;
-use crate::lists::columns::thousands;
-use crate::panels::fields::{self, Filled};
+use crate::panels::estimate::Merged;
+use crate::panels::fields::{self, Filled, Hints};
 use crate::panels::new_shape;
 
 /// What is filled in, in all forms of the page.
@@ -26,12 +26,30 @@ pub(crate) struct Forms {
     /// Where along an edge the inspector's split button puts the vertex.
     pub split_t: Option<f32>,
     pub split_connect: Option<&'static str>,
+    /// What a merge would leave.
+    pub merged: Option<Merged>,
 }
 
 impl Forms {
     /// Shows an operation's form.
     pub fn choose(&mut self, name: &'static str) {
         self.chosen = Some(name);
+    }
+
+    /// What is filled in for an operation, once its form was shown or a key changed it.
+    pub fn filled(&self, name: &str) -> Option<&Filled> {
+        self.filled.get(name)
+    }
+
+    /// Fills in one field.
+    pub fn fill(&mut self, spec: &'static Spec, hints: &Hints, field: &str, value: Value) {
+        let filled = self.filled.entry(spec.name).or_insert_with(|| fields::initial(spec, hints));
+        filled.insert(field.to_owned(), value);
+    }
+
+    /// Leaves out again what was filled in for one mesh and means nothing for another.
+    pub fn forget_lengths(&mut self) {
+        self.filled.retain(|op, _| !fields::suggests_lengths(op));
     }
 }
 
@@ -73,15 +91,15 @@ impl App {
         combo.response.accessible_name("Operation").on_hover_text("Which operation to fill in and apply");
         ui.add(egui::Label::new(RichText::new(chosen.description).weak()).wrap());
 
-        let mut filled = self.forms.filled.remove(chosen.name).unwrap_or_else(|| fields::initial(chosen));
+        let hints = self.hints(chosen.name);
+        let mut filled =
+            self.forms.filled.remove(chosen.name).unwrap_or_else(|| fields::initial(chosen, &hints));
         Grid::new(("form", chosen.name)).num_columns(2).spacing(vec2(10.0, 6.0)).show(ui, |ui| {
             if chosen.name == "new" {
                 new_shape::form(ui, &mut filled);
                 return;
             }
-            for field in chosen.fields {
-                fields::show(ui, chosen, field, &mut filled);
-            }
+            fields::rows(ui, chosen, &mut filled, &hints, |_| true);
         });
         if let Some(estimate) = self.estimate(chosen.name, &filled) {
             ui.label(RichText::new(estimate).small().weak());
@@ -109,24 +127,10 @@ impl App {
         }
     }
 
-    /// How large the result of a subdivision is.
-    fn estimate(&self, name: &str, filled: &Filled) -> Option<String> {
-        if name == "new" {
-            return new_shape::estimate(filled);
-        }
-        let mesh = self.editor.mesh()?;
-        let levels = filled.get("levels")?.as_u64()?;
-        let levels = u32::try_from(levels).ok().filter(|&levels| levels > 0)?;
-        let faces = match name {
-            // One quad for each corner, then four for each quad.
-            "subdivide-catmull-clark" | "subdivide-linear" => {
-                let corners = mesh.halfedge_count() - self.survey.found()?.boundary_halfedges;
-                corners.checked_mul(4_usize.checked_pow(levels - 1)?)?
-            }
-            "subdivide-loop" => mesh.face_count().checked_mul(4_usize.checked_pow(levels)?)?,
-            _ => return None,
-        };
-        Some(format!("Result: {} faces", thousands(faces)))
+    /// What an operation's form should know of the mesh.
+    pub(crate) fn hints(&mut self, op: &str) -> Hints {
+        let measures = if fields::suggests_lengths(op) { self.measured.get(&self.editor) } else { None };
+        Hints { measures, triangles: self.triangles() }
     }
 }
 

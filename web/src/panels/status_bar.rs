@@ -54,6 +54,9 @@ impl App {
         if !narrow {
             figure(ui, "Boundary loops", number(found.map(|f| f.boundary_loops)), "Boundary loops");
             figure(ui, "Components", number(found.map(|f| f.components)), "Connected components");
+            if let Some(length) = self.target_edge() {
+                figure(ui, "Target edge", length.to_string(), "Target edge length of resampling");
+            }
         }
     }
 

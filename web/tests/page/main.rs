@@ -10,3 +10,4 @@ mod page;
 mod properties;
 mod save;
 mod viewport;
+mod whole;

@@ -122,7 +122,7 @@ fn dragging_beside_the_mesh_turns_the_view_and_space_resets_it() {
 fn a_box_selects_what_is_seen_in_it() {
     let mut page = Page::new();
     let area = page.find("Viewport").rect();
-    page.press(Key::R);
+    page.press_with(Modifiers::SHIFT, Key::B);
     page.drag(area.left_top() + vec2(10.0, 10.0), area.right_bottom() - vec2(10.0, 10.0));
     page.drop(area.right_bottom() - vec2(10.0, 10.0));
     assert_eq!(page.selected().1.len(), 7, "the eighth vertex of a cube is behind it");

@@ -1,0 +1,170 @@
+// Operations on whole meshes: their progress moves, a click cancels them and leaves no trace, undo takes them back.
+
+import assert from "node:assert/strict";
+import { existsSync } from "node:fs";
+import { readFile } from "node:fs/promises";
+
+import { SMALL, editorTest } from "./harness.mjs";
+
+const BUNNY = new URL("../../shared/models/common/stanford-bunny.obj", import.meta.url).pathname;
+const once = { renderers: ["webgl2"], sizes: [SMALL], timeout: 280_000 };
+
+/** Keeps the whole mesh in the page under a name, or compares it with what was kept. */
+const keep = (editor) => editor.page.evaluate(async () => { window.kept = await window.meshwright.export("json"); });
+const isAsKept = (editor) => editor.page.evaluate(async () => {
+  const now = await window.meshwright.export("json");
+  return now.length === window.kept.length && now.every((byte, at) => byte === window.kept[at]);
+});
+
+const told = async (editor) => {
+  const { document, history, selection } = await editor.state();
+  return { document, history, selection };
+};
+
+/** Starts a command, clicks its cancel button once it is on its way, and says how that went. */
+async function startAndCancel(editor, command, label) {
+  const before = await told(editor);
+  const [worker] = editor.page.workers();
+  const closed = new Promise((resolve) => worker.once("close", resolve));
+  await editor.page.evaluate((command) => {
+    window.answer = window.meshwright.run(command).then(() => "done", String);
+    window.cancelled = new Promise((resolve) => {
+      addEventListener("pointerup", () => {
+        const start = performance.now();
+        const look = () => {
+          if (window.meshwright.state().jobs.length === 0) resolve(performance.now() - start);
+          else setTimeout(look, 5);
+        };
+        look();
+      }, { capture: true, once: true });
+    });
+  }, command);
+  const job = await editor.until(`${label} is on its way`, async () =>
+    (await editor.state()).jobs.find((job) => job.progress > 0));
+  assert.equal(job.op, command.op);
+  assert.ok(job.progress < 1);
+  await editor.find(label, "progressIndicator");
+  const { rect: [x, y, width, height] } = await editor.find(`Cancel ${label}`, "button");
+  await editor.page.mouse.move(x + width / 2, y + height / 2);
+  await editor.frames(2);
+  await editor.page.mouse.click(x + width / 2, y + height / 2);
+  const took = await editor.page.evaluate(() => window.cancelled);
+  assert.match(await editor.page.evaluate(() => window.answer), /cancelled/, label);
+  await closed;
+  assert.deepEqual(await told(editor), before, `${label} left a trace`);
+  return { took, at: job.progress };
+}
+
+/** Runs a command to its end; gives its outcome and the progress that was seen. */
+async function runAndWatch(editor, command) {
+  return editor.page.evaluate(async (command) => {
+    const seen = [];
+    let going = true;
+    const look = () => {
+      const [job] = window.meshwright.state().jobs;
+      if (job) seen.push(job.progress);
+      if (going) setTimeout(look, 20);
+    };
+    const answer = window.meshwright.run(command);
+    look();
+    const outcome = await answer;
+    going = false;
+    return { outcome, seen };
+  }, command);
+}
+
+async function check(editor, t, { label, endless, command, faces }) {
+  const before = await told(editor);
+  await keep(editor);
+  const { took, at } = await startAndCancel(editor, endless ?? command, label);
+  t.diagnostic(`${command.op}: cancelled at ${(100 * at).toFixed(0)} %, ${took.toFixed(0)} ms after the click`);
+  assert.ok(await isAsKept(editor), `${label}, cancelled, changed the mesh`);
+
+  const { seen } = await runAndWatch(editor, command);
+  assert.deepEqual(seen, seen.toSorted((a, b) => a - b), `${label}: progress goes back: ${seen}`);
+  assert.ok(new Set(seen).size >= 2, `${label}: progress was ${seen}`);
+  const { document, history } = await editor.state();
+  assert.equal(history.undo.at(-1), label);
+  if (typeof faces === "number") assert.equal(document.faces, faces, label);
+  else assert.ok(faces(document.faces), `${label}: ${document.faces} faces`);
+  assert.equal(document.euler, before.document.euler, `${label} keeps the Euler characteristic`);
+
+  await editor.undo();
+  const after = await told(editor);
+  assert.deepEqual(after.document, before.document);
+  assert.ok(await isAsKept(editor), `undo of ${label} is not where it began`);
+}
+
+const QUADS = 240 * 120;
+const TORUS = { op: "new", shape: "torus", segments: 240, tube_segments: 120 };
+const lessThan = (count) => (faces) => faces > 0 && faces < count;
+
+const ON_TRIANGLES = [
+  { label: "Simplify", command: { op: "simplify", ratio: 0.1 }, faces: QUADS / 5 },
+  { label: "Remesh", command: { op: "remesh", edge_length: 0.03 }, faces: lessThan(QUADS) },
+  {
+    label: "Smooth",
+    endless: { op: "smooth", iterations: 1000 },
+    command: { op: "smooth", iterations: 100, method: "taubin" },
+    faces: 2 * QUADS,
+  },
+  {
+    label: "Subdivide (Loop)",
+    endless: { op: "subdivide-loop", levels: 4 },
+    command: { op: "subdivide-loop", levels: 1 },
+    faces: 8 * QUADS,
+  },
+];
+
+const ON_QUADS = [
+  {
+    label: "Subdivide (Catmull-Clark)",
+    endless: { op: "subdivide-catmull-clark", levels: 4 },
+    command: { op: "subdivide-catmull-clark", levels: 2 },
+    faces: 16 * QUADS,
+  },
+  {
+    label: "Subdivide (linear)",
+    endless: { op: "subdivide-linear", levels: 4 },
+    command: { op: "subdivide-linear", levels: 2 },
+    faces: 16 * QUADS,
+  },
+  {
+    // Far apart for the mesh's edges: many vertices to look at around each.
+    label: "Merge by distance",
+    endless: { op: "merge-by-distance", distance: 0.3 },
+    command: { op: "merge-by-distance", distance: 0.02 },
+    faces: lessThan(QUADS),
+  },
+];
+
+for (const [name, cases, prepare] of [
+  ["triangles", ON_TRIANGLES, [{ op: "triangulate-faces" }]],
+  ["quads", ON_QUADS, []],
+]) {
+  editorTest(`operations on whole meshes of ${name} are watched, cancelled and undone`, once, async (editor, t) => {
+    for (const command of [TORUS, ...prepare]) await editor.run(command);
+    assert.equal((await editor.state()).document.euler, 0);
+    for (const what of cases) await check(editor, t, what);
+    await editor.run(cases[0].command);
+    await editor.frames(3);
+    await editor.screenshot(cases[0].command.op);
+  });
+}
+
+const skip = existsSync(BUNNY) ? false : `${BUNNY} is not there`;
+editorTest("a scanned model is simplified and remeshed", { ...once, skip }, async (editor, t) => {
+  await editor.open("bunny.obj", await readFile(BUNNY));
+  const { document } = await editor.state();
+  const quarter = Math.round(document.faces / 4);
+  await check(editor, t, { label: "Simplify", command: { op: "simplify", ratio: 0.25 }, faces: quarter });
+  await check(editor, t, { label: "Remesh", command: { op: "remesh" }, faces: lessThan(2 * document.faces) });
+
+  // The keys of the course editors do the same.
+  await editor.press("d");
+  await editor.idle(120_000);
+  assert.equal((await editor.state()).document.faces, quarter);
+  await editor.press("Equal");
+  await editor.find(/^Target edge length of resampling: /, "label");
+  await editor.screenshot("simplified bunny");
+});

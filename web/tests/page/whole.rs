@@ -1,0 +1,218 @@
+//! Operations on whole meshes: their keys, their forms, and the last one done again.
+
+use crate::page::Page;
+use egui::accesskit::Role;
+use egui::{Event, Key, Modifiers};
+use egui_kittest::kittest::{NodeT, Queryable};
+use serde_json::json;
+
+/// A sphere of 320 triangles.
+fn sphere() -> Page {
+    let mut page = Page::new();
+    page.command(json!({ "op": "new", "shape": "ico-sphere", "subdivisions": 2 }));
+    page
+}
+
+fn choose(page: &mut Page, operation: &str) {
+    page.click("Operation");
+    page.click(operation);
+}
+
+fn type_into(page: &mut Page, field: &str, text: &str) {
+    page.harness.get_by_role_and_label(Role::SpinButton, field).click();
+    page.run();
+    page.press_with(Modifiers::COMMAND, Key::A);
+    page.harness.event(Event::Text(text.to_owned()));
+    page.run();
+    page.press(Key::Enter);
+}
+
+fn apply(page: &mut Page, operation: &str) {
+    page.harness.get_by_role_and_label(Role::Button, operation).click();
+    page.run();
+}
+
+/// The result that the form promises.
+fn promise(page: &Page) -> String {
+    let node = page.harness.get_by_label_contains("Result: ");
+    node.accesskit_node().label().or_else(|| node.value()).unwrap_or_default()
+}
+
+fn target_edge(page: &Page) -> Option<f64> {
+    let start = "Target edge length of resampling: ";
+    let mut labels = page.harness.root().children_recursive().map(|node| node.accesskit_node().label());
+    labels.find_map(|label| label?.strip_prefix(start)?.parse().ok())
+}
+
+fn mean_edge(page: &mut Page) -> f64 {
+    surface::measure::mean_edge_length(page.mesh())
+}
+
+#[test]
+fn d_simplifies_to_a_quarter_and_u_subdivides() {
+    let mut page = sphere();
+    page.press(Key::D);
+    assert_eq!(page.mesh().face_count(), 80);
+    page.press(Key::U);
+    assert_eq!(page.mesh().face_count(), 320);
+    page.press_with(Modifiers::COMMAND, Key::Z);
+    page.press_with(Modifiers::COMMAND, Key::Z);
+    assert_eq!(page.mesh().face_count(), 320);
+    assert_eq!(page.undo_labels().len(), 1);
+}
+
+#[test]
+fn equals_and_minus_change_the_length_that_r_resamples_to() {
+    let mut page = sphere();
+    assert_eq!(target_edge(&page), None, "nothing is set at first");
+    let mean = mean_edge(&mut page);
+    for _ in 0..7 {
+        page.press(Key::Equals);
+    }
+    let long = target_edge(&page).expect("the status bar says it");
+    assert!((long / mean - 1.1_f64.powi(7)).abs() < 0.01, "{long} is 1.1^7 times {mean}");
+    page.press(Key::R);
+    let coarse = page.mesh().face_count();
+    assert!(coarse < 200, "{coarse} triangles of twice the side");
+    assert!((mean_edge(&mut page) / long - 1.0).abs() < 0.25);
+    for _ in 0..7 {
+        page.press(Key::Minus);
+    }
+    let short = target_edge(&page).expect("it stays set");
+    assert!((short / mean - 1.0).abs() < 0.01, "as often down as up");
+    page.press(Key::R);
+    assert!(page.mesh().face_count() > 200, "finer again");
+
+    // For another mesh a length means nothing.
+    page.command(json!({ "op": "new", "shape": "cube" }));
+    assert_eq!(target_edge(&page), None);
+}
+
+#[test]
+fn simplify_is_told_how_far_in_one_of_three_ways() {
+    let mut page = sphere();
+    choose(&mut page, "Simplify");
+    assert_eq!(promise(&page), "Result: 160 of 320 triangles");
+    type_into(&mut page, "Ratio", "0.3");
+    assert_eq!(promise(&page), "Result: 96 of 320 triangles");
+
+    // Another way starts where the last one was.
+    page.click("Simplify to");
+    page.click("A number of triangles");
+    assert_eq!(promise(&page), "Result: 96 of 320 triangles");
+    type_into(&mut page, "Faces", "1000");
+    assert_eq!(promise(&page), "Result: 320 of 320 triangles", "there are no more");
+    type_into(&mut page, "Faces", "64");
+    apply(&mut page, "Simplify");
+    assert_eq!(page.mesh().face_count(), 64);
+
+    page.press_with(Modifiers::COMMAND, Key::Z);
+    page.click("Simplify to");
+    page.click("As far as the error allows");
+    apply(&mut page, "Simplify");
+    let left = page.mesh().face_count();
+    assert!(left <= 320 && left > 64, "{left}: a thousandth of the size is little");
+}
+
+#[test]
+fn remeshing_starts_from_the_mesh_s_own_length_and_says_about_how_much_it_makes() {
+    let mut page = sphere();
+    choose(&mut page, "Remesh");
+    page.click("Set Edge length");
+    assert!((target_edge(&page).expect("set in the form") / mean_edge(&mut page) - 1.0).abs() < 0.01);
+    let promised = promise(&page);
+    let number: f64 = promised
+        .trim_start_matches("Result: about ")
+        .trim_end_matches(" triangles")
+        .replace(' ', "")
+        .parse()
+        .expect("a number");
+    apply(&mut page, "Remesh");
+    let made = page.mesh().face_count() as f64;
+    assert!((made / number - 1.0).abs() < 0.3, "{promised}, {made} made");
+}
+
+#[test]
+fn merging_is_counted_before_it_is_done() {
+    let mut page = Page::new();
+    page.command(json!({ "op": "new", "shape": "grid", "size": 10.0, "columns": 10, "rows": 10 }));
+    choose(&mut page, "Merge by distance");
+    assert_eq!(promise(&page), "Result: 121 of 121 vertices");
+    type_into(&mut page, "Distance", "1.1");
+    let promised = promise(&page);
+    apply(&mut page, "Merge by distance");
+    let left = page.mesh().vertex_count();
+    assert_eq!(promised, format!("Result: {left} of 121 vertices"));
+    assert!(left < 121);
+}
+
+#[test]
+fn every_whole_mesh_operation_has_a_form_that_works_as_it_opens() {
+    let names = [
+        "Smooth",
+        "Subdivide (Catmull-Clark)",
+        "Subdivide (Loop)",
+        "Subdivide (linear)",
+        "Simplify",
+        "Remesh",
+    ];
+    for name in names {
+        let mut page = sphere();
+        choose(&mut page, name);
+        apply(&mut page, name);
+        assert_eq!(page.undo_labels().len(), 2, "{name}");
+        assert!(page.mesh().validate().is_ok(), "{name}");
+        assert!(page.has(&format!("Adjust last operation: {name}")), "{name}");
+    }
+}
+
+#[test]
+fn a_quick_operation_follows_its_fields_while_they_are_dragged() {
+    let mut page = sphere();
+    page.command(json!({ "op": "smooth", "iterations": 1, "strength": 0.5 }));
+    let once = page.mesh().clone();
+    let field = page.harness.get_all_by_label("Strength").next().expect("its strength").rect().center();
+    page.drag(field, field + egui::vec2(-60.0, 0.0));
+    let during = page.mesh().clone();
+    assert_ne!(during, once, "the mesh follows before the button is let go");
+    page.drop(field + egui::vec2(-60.0, 0.0));
+    assert_eq!(page.undo_labels().len(), 2, "in place of itself: {:?}", page.undo_labels());
+    page.press_with(Modifiers::COMMAND, Key::Z);
+    page.press_with(Modifiers::COMMAND | Modifiers::SHIFT, Key::Z);
+    assert_eq!(page.mesh(), &during);
+}
+
+/// A sphere that is large enough for its operations to be jobs, simplified.
+fn adjusted_job() -> Page {
+    let mut page = Page::new();
+    page.command(json!({ "op": "new", "shape": "ico-sphere", "subdivisions": 5 }));
+    page.command(json!({ "op": "simplify", "faces": 5000 }));
+    assert_eq!(page.mesh().face_count(), 5000);
+    page.outside.hold_jobs();
+    type_into(&mut page, "Faces", "4000");
+    page
+}
+
+#[test]
+fn a_job_is_adjusted_from_the_input_that_was_kept() {
+    let mut page = adjusted_job();
+    assert_eq!(page.mesh().face_count(), 20_480, "what it runs on");
+    page.outside.release_jobs();
+    page.run();
+    assert_eq!(page.mesh().face_count(), 4000);
+    assert_eq!(page.undo_labels(), ["New", "Simplify"]);
+    page.press_with(Modifiers::COMMAND, Key::Z);
+    assert_eq!(page.mesh().face_count(), 20_480);
+}
+
+#[test]
+fn an_adjustment_that_is_cancelled_leaves_what_was_adjusted() {
+    let mut page = adjusted_job();
+    page.click("Cancel Simplify");
+    assert_eq!(page.mesh().face_count(), 5000);
+    assert_eq!(page.undo_labels(), ["New", "Simplify"]);
+    assert!(page.has("Adjust last operation: Simplify"), "and it can be adjusted again");
+    page.outside.release_jobs();
+    page.run();
+    assert_eq!(page.mesh().face_count(), 5000);
+}
