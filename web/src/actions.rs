@@ -88,6 +88,22 @@ pub enum Action {
     ShorterEdges,
     /// Splits the selected edge where the pointer slides to.
     SlideSplit,
+    /// Draws one level more of de Casteljau's construction.
+    NextLevel,
+    /// The whole Bezier curve, or only as far as the construction.
+    WholeCurve,
+    /// A Bezier surface's control nets.
+    ControlNets,
+    /// Moves along the Bezier curve or patch.
+    Play,
+    /// Adds a control point to the Bezier curve.
+    AddPoint,
+    /// Takes the chosen control point away.
+    DeletePoint,
+    /// Gives the Bezier curve one control point more, and the same shape.
+    ElevateDegree,
+    /// Splits the Bezier curve where the construction is.
+    SplitCurve,
     /// An operation of the editor, by name, on the selection.
     Operation(&'static str),
 }
@@ -216,6 +232,44 @@ pub static MENUS: &[Menu] = &[
                 A::SlideSplit,
                 "Split edge at…",
                 "Puts a new vertex on the selected edge and lets it slide along with the pointer.",
+            )),
+        ],
+    },
+    Menu {
+        title: "Bezier",
+        entries: &[
+            Some(entry(
+                A::NextLevel,
+                "Next level",
+                "Draws one level more of de Casteljau's construction; after the last, none.",
+            )),
+            Some(entry(A::Play, "Play", "Moves the construction along the curve or patch.")),
+            Some(entry(
+                A::WholeCurve,
+                "Whole curve",
+                "Draws the whole curve, or only as far as the construction has come.",
+            )),
+            Some(entry(
+                A::ControlNets,
+                "Control nets",
+                "Draws the control points of a surface and their net.",
+            )),
+            None,
+            Some(entry(
+                A::AddPoint,
+                "Add control point",
+                "Adds a control point after the chosen one. Double-clicking in the viewport adds one there.",
+            )),
+            Some(entry(A::DeletePoint, "Delete control point", "Takes the chosen control point away.")),
+            Some(entry(
+                A::ElevateDegree,
+                "Elevate degree",
+                "Gives the curve one control point more without changing its shape.",
+            )),
+            Some(entry(
+                A::SplitCurve,
+                "Split at t",
+                "Makes two curves of it that meet where the construction is.",
             )),
         ],
     },

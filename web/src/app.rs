@@ -4,6 +4,7 @@ use editor::{Changes, Editor, ObjectChange, ObjectId};
 use egui::{CentralPanel, Context, Panel, ThemePreference, Ui};
 use halfedge::Element;
 
+use crate::bezier::Player;
 use crate::frame_times::FrameTimes;
 use crate::jobs::Jobs;
 use crate::lists::index::RowIndex;
@@ -111,6 +112,7 @@ pub struct App {
     pub(crate) saving: Saving,
     pub(crate) survey: Survey,
     pub(crate) measured: Measured,
+    pub(crate) player: Player,
     pub(crate) frames: FrameTimes,
     /// The object whose rows the lists have.
     listed: Option<ObjectId>,
@@ -152,6 +154,7 @@ impl App {
             saving: Saving::new(&*platform),
             survey: Survey::default(),
             measured: Measured::default(),
+            player: Player::default(),
             frames: FrameTimes::default(),
             listed: None,
             platform,
@@ -236,6 +239,7 @@ impl App {
         self.survey.follow(&self.editor, &changes);
         self.saving.follow(&changes);
         self.measured.follow(&self.editor, &changes);
+        self.player.follow(&self.editor, &changes);
         self.view.follow(&self.editor, changes);
     }
 

@@ -5,6 +5,7 @@ use halfedge::Element;
 
 use crate::actions::{self, Action};
 use crate::app::App;
+use crate::bezier;
 use crate::lists::columns::plural;
 use crate::panels::{fields, inspector};
 use crate::refusals;
@@ -35,6 +36,12 @@ impl App {
             Action::Frame | Action::FrameAll if document.objects().is_empty() => {
                 Some("There is nothing to look at. Open a file or make a shape first.".into())
             }
+            Action::NextLevel | Action::Play | Action::ControlNets => self.why_not_bezier(action),
+            Action::WholeCurve
+            | Action::AddPoint
+            | Action::DeletePoint
+            | Action::ElevateDegree
+            | Action::SplitCurve => self.why_not_bezier(action),
             Action::Upsample => self.why_not_operation(self.upsample_op()),
             Action::Downsample => self.why_not_operation("simplify"),
             Action::Resample | Action::LongerEdges | Action::ShorterEdges => self.why_not_operation("remesh"),
@@ -52,6 +59,19 @@ impl App {
         let Some(mesh) = self.editor.mesh() else {
             return Some("There is no object to work on. Open a file or make a shape first.".into());
         };
+        match bezier::active(&self.editor) {
+            Some((object, shape)) if name != "bezier-tessellate" || shape.curve().is_some() => {
+                let what = match shape.curve() {
+                    Some(_) => "a Bezier curve, which has no faces",
+                    None => "a Bezier surface. Tessellate it first",
+                };
+                return Some(format!("{} is {what}.", object.name()));
+            }
+            None if name == "bezier-tessellate" => {
+                return Some("This is a mesh already. Open a Bezier surface, a .bez file, first.".into());
+            }
+            _ => {}
+        }
         if let Some(reason) = spec.fields.iter().find_map(|field| self.why_not_field(field)) {
             return Some(reason);
         }
@@ -95,6 +115,26 @@ impl App {
             _ => None,
         }
         .or_else(|| refusals::refusal(mesh, selection, name).map(|refusal| capital(&refusal.to_string())))
+    }
+
+    /// Why something can't be done with the Bezier curve or surface that is active.
+    fn why_not_bezier(&self, action: Action) -> Option<String> {
+        let Some((_, shape)) = bezier::active(&self.editor) else {
+            return Some("Open a Bezier curve or surface, a .bzc or .bez file, first.".into());
+        };
+        match (action, shape.curve()) {
+            (Action::NextLevel | Action::Play, _) => None,
+            (Action::ControlNets, None) => None,
+            (Action::ControlNets, Some(_)) => Some("A curve's control points are always drawn.".into()),
+            (_, None) => Some("This is for Bezier curves, and the active object is a surface.".into()),
+            (Action::DeletePoint, Some(_)) if self.player.chosen.is_none() => {
+                Some("Choose a control point first.".into())
+            }
+            (Action::SplitCurve, Some(_)) if self.player.t <= 0.0 || self.player.t >= 1.0 => {
+                Some("Move t away from the ends of the curve first.".into())
+            }
+            (_, Some(_)) => None,
+        }
     }
 
     /// What a field lacks that the selection would have to give.

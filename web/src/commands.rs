@@ -8,6 +8,7 @@ use serde_json::json;
 
 use crate::actions::{self, Action};
 use crate::app::{App, ShownKind};
+use crate::bezier;
 use crate::keys;
 use crate::live;
 use crate::measures::rounded;
@@ -45,7 +46,7 @@ impl App {
         }
         // Escape closes an open menu, which egui does by itself.
         let menu = egui::Popup::is_any_open(ctx);
-        for action in keys::pressed(ctx, menu) {
+        for action in keys::pressed(ctx, menu, bezier::active(&self.editor).is_some()) {
             self.act(action);
         }
     }
@@ -67,8 +68,8 @@ impl App {
         }
         match action {
             Action::Open => self.platform.open_file_dialog(),
-            Action::Save => self.saving.show(self.editor.document().name(), None),
-            Action::SaveAs(format) => self.saving.show(self.editor.document().name(), Some(format)),
+            Action::Save => self.saving.show(self.editor.document(), None),
+            Action::SaveAs(format) => self.saving.show(self.editor.document(), Some(format)),
             Action::Undo => self.step(true),
             Action::Redo => self.step(false),
             Action::Cancel => self.cancel(),
@@ -118,6 +119,20 @@ impl App {
             Action::LongerEdges => self.scale_target_edge(1.1),
             Action::ShorterEdges => self.scale_target_edge(1.0 / 1.1),
             Action::SlideSplit => self.start_live("split-edge"),
+            Action::NextLevel | Action::Play => {
+                if let Some((_, bezier)) = bezier::active(&self.editor) {
+                    match action {
+                        Action::Play => self.player.play(bezier),
+                        _ => self.player.next_level(bezier),
+                    }
+                }
+            }
+            Action::WholeCurve => self.player.whole ^= true,
+            Action::ControlNets => self.player.nets ^= true,
+            Action::AddPoint => self.add_control_point(),
+            Action::DeletePoint => self.delete_control_point(),
+            Action::ElevateDegree => self.send(json!({ "op": "bezier-elevate-degree" })),
+            Action::SplitCurve => self.send(json!({ "op": "bezier-split", "t": self.player.t })),
             Action::Operation(name) => match actions::operation(name) {
                 // What has an amount follows the pointer; its form stays in the operations panel.
                 Some(spec) if live::is_live(name) && !crate::availability::runs_bare(spec) => {
@@ -151,6 +166,9 @@ impl App {
             Action::Overlay => self.shown.overlay,
             Action::LeftPanel => self.shown.left,
             Action::RightPanel => self.shown.right,
+            Action::WholeCurve => self.player.whole,
+            Action::ControlNets => self.player.nets,
+            Action::Play => self.player.playing,
             Action::SystemTheme => self.theme_preference() == ThemePreference::System,
             Action::LightTheme => self.theme_preference() == ThemePreference::Light,
             Action::DarkTheme => self.theme_preference() == ThemePreference::Dark,
@@ -278,7 +296,7 @@ impl App {
         match finished {
             Ok(Finished::Done(outcome)) => {
                 if outcome.op == "open" {
-                    self.view.frame_when_seen();
+                    self.look_at_opened();
                     self.say_opened(&outcome);
                 } else {
                     self.toast(MessageKind::Info, outcome.message.clone(), outcome.warnings.clone());
@@ -294,6 +312,19 @@ impl App {
             Err(error) => self.refused(&error, running.reply),
         }
         self.follow();
+    }
+
+    /// Looks at what was opened: flat curves from straight above their plane, so that they are seen as
+    /// they were drawn.
+    fn look_at_opened(&mut self) {
+        let flat = |object: &editor::Object| {
+            object.bezier().and_then(editor::Bezier::curve).is_some_and(bezier::is_flat)
+        };
+        let objects = self.editor.document().objects();
+        if !objects.is_empty() && objects.iter().all(flat) {
+            (self.view.camera.yaw, self.view.camera.pitch) = (0.0, 0.0);
+        }
+        self.view.frame_when_seen();
     }
 
     fn say_opened(&mut self, outcome: &editor::Outcome) {
@@ -345,7 +376,7 @@ impl App {
             self.cancel_job(id);
         } else if self.view.tool == Tool::Box {
             self.view.tool = Tool::Orbit;
-        } else {
+        } else if self.player.chosen.take().is_none() {
             self.editor.deselect();
         }
     }

@@ -68,6 +68,13 @@ pub static BINDINGS: &[Binding] = &[
     (A::RightPanel, &[key(Key::CloseBracket)]),
 ];
 
+/// Keys that mean something else while a Bezier curve or surface is active.
+pub static BEZIER_BINDINGS: &[Binding] = &[
+    (A::NextLevel, &[key(Key::E)]),
+    (A::WholeCurve, &[key(Key::C)]),
+    (A::DeletePoint, &[key(Key::Delete), key(Key::X)]),
+];
+
 /// What the mouse, the trackpad and fingers do, for the shortcuts window.
 pub static GESTURES: &[(&str, &str)] = &[
     ("Turn the view", "Drag beside the mesh, middle-drag, Alt+drag, or one finger"),
@@ -78,11 +85,14 @@ pub static GESTURES: &[(&str, &str)] = &[
     ("Add or take away", "Ctrl+click"),
     ("Select with a box", "Ctrl+drag, or the box tool"),
     ("Move a vertex", "Drag a selected vertex"),
+    ("Move a control point", "Drag it, on a Bezier curve or surface"),
+    ("Add a control point", "Double-click, on a Bezier curve"),
 ];
 
 /// The keys of an action.
 pub fn of(action: Action) -> &'static [KeyboardShortcut] {
-    BINDINGS.iter().find(|(bound, _)| *bound == action).map_or(&[], |(_, keys)| keys)
+    let mut all = BINDINGS.iter().chain(BEZIER_BINDINGS);
+    all.find(|(bound, _)| *bound == action).map_or(&[], |(_, keys)| keys)
 }
 
 /// The first key of an action as the platform writes it, or nothing.
@@ -111,15 +121,17 @@ pub fn tooltip(ctx: &Context, description: &str, action: Action) -> String {
 
 /// The actions whose keys were pressed this frame, which are used up. While the person types, only
 /// those with Ctrl or Command that a text field has no use for, and Escape is the field's; while a menu
-/// is open, Escape is the menu's.
-pub fn pressed(ctx: &Context, menu: bool) -> Vec<Action> {
+/// is open, Escape is the menu's. `bezier` says that a Bezier object is active.
+pub fn pressed(ctx: &Context, menu: bool, bezier: bool) -> Vec<Action> {
     let typing = ctx.text_edit_focused();
     // Space belongs to the button that has the keyboard, and Home to the list.
     let focused = ctx.memory(|memory| memory.focused());
     let on_list = focused.is_some() && focused == row_list::focused(ctx);
     ctx.input_mut(|input| {
-        BINDINGS
+        let first = if bezier { BEZIER_BINDINGS } else { &[] };
+        first
             .iter()
+            .chain(BINDINGS)
             .filter(|(action, keys)| {
                 keys.iter().any(|shortcut| {
                     if typing && !works_while_typing(*action) {
@@ -186,7 +198,7 @@ mod tests {
 
     #[test]
     fn every_bound_action_is_in_a_menu() {
-        for (action, _) in BINDINGS {
+        for (action, _) in BINDINGS.iter().chain(BEZIER_BINDINGS) {
             assert!(actions::all().any(|entry| entry.action == *action), "{action:?}");
         }
     }

@@ -5,6 +5,7 @@ pub mod actions;
 pub mod api;
 pub mod app;
 mod availability;
+mod bezier;
 mod commands;
 mod frame_times;
 #[cfg(not(target_arch = "wasm32"))]

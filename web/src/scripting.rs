@@ -77,6 +77,7 @@ impl App {
     }
 
     fn view_state(&self) -> Value {
+        let bezier = crate::bezier::active(&self.editor).map(|_| self.player.state());
         let (camera, style) = (&self.view.camera, &self.view.style);
         let rect = self.view.rect();
         json!({
@@ -93,6 +94,7 @@ impl App {
             "grid": style.grid,
             "list": self.lists.kind.0.to_string(),
             "theme": if self.ctx.global_style().visuals.dark_mode { "dark" } else { "light" },
+            "bezier": bezier,
             "frame_ms": { "median": self.frames.median(), "worst": self.frames.worst() },
         })
     }

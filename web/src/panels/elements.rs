@@ -195,6 +195,11 @@ impl App {
                     format!("No {kind} is selected"),
                     "Click one in the viewport, or turn off “Only selected” to see all.".to_owned(),
                 )
+            } else if crate::bezier::active(&self.editor).is_some() {
+                (
+                    format!("A curve has no {}", plural(kind).to_lowercase()),
+                    "It has control points, which the inspector lists.".to_owned(),
+                )
             } else if self.editor.document().objects().is_empty() {
                 (
                     "No mesh".to_owned(),

@@ -2,6 +2,7 @@
 
 mod about;
 pub(crate) mod adjust;
+mod bezier;
 mod color_button;
 mod drop_overlay;
 mod elements;

@@ -26,6 +26,8 @@ pub(crate) struct Forms {
     /// Where along an edge the inspector's split button puts the vertex.
     pub split_t: Option<f32>,
     pub split_connect: Option<&'static str>,
+    /// How many quads lie along a side of each patch that the Bezier panel tessellates.
+    pub tessellation: Option<u32>,
     /// What a merge would leave.
     pub merged: Option<Merged>,
 }

@@ -1,6 +1,6 @@
 //! The dialog that saves: a file name, a format, and what the format can't hold of the document.
 
-use editor::{Changes, MessageKind};
+use editor::{Changes, Document, MessageKind};
 use egui::text_selection::CCursorRange;
 use egui::{
     Align2, Button, ComboBox, Context, Grid, Id, Key, Label, Modal, RichText, ScrollArea, TextEdit, Ui, vec2,
@@ -42,11 +42,20 @@ impl Saving {
         Self { stage: Stage::Closed, name: String::new(), format, losses: None }
     }
 
-    /// Opens the dialog for a document of this name, in a format or in the one used last.
-    pub fn show(&mut self, name: &str, format: Option<Format>) {
+    /// Opens the dialog for a document, in a format, in the one used last, or in that of control
+    /// points where the document has nothing else.
+    pub fn show(&mut self, document: &Document, format: Option<Format>) {
         self.stage = Stage::Opening;
-        self.name = name.to_owned();
-        self.format = format.unwrap_or(self.format);
+        self.name = document.name().to_owned();
+        let kinds = || document.objects().iter().map(|object| object.bezier().map(|b| b.curve().is_some()));
+        let all = |wanted| !document.objects().is_empty() && kinds().all(|is_curve| is_curve == wanted);
+        self.format = match (format, self.format) {
+            (Some(format), _) => format,
+            (None, _) if all(Some(true)) => Format::BezierCurve,
+            (None, _) if all(Some(false)) => Format::BezierSurface,
+            (None, last) if last.is_bezier() && all(None) => Format::Obj,
+            (None, last) => last,
+        };
     }
 
     pub fn is_open(&self) -> bool {

@@ -4,7 +4,7 @@ use egui::{Context, Grid, RichText, ScrollArea, Ui, Window, vec2};
 
 use crate::actions;
 use crate::app::App;
-use crate::keys::{self, BINDINGS, GESTURES};
+use crate::keys::{self, BEZIER_BINDINGS, BINDINGS, Binding, GESTURES};
 
 impl App {
     pub(crate) fn shortcuts_window(&mut self, ctx: &Context) {
@@ -25,15 +25,17 @@ impl App {
                         if wide {
                             ui.columns(2, |columns| {
                                 if let [left, right] = columns {
-                                    let half = BINDINGS.len().div_ceil(2) + 2;
-                                    bindings(left, "keys", 0..half);
-                                    bindings(right, "more keys", half..BINDINGS.len());
+                                    let half = (BINDINGS.len().div_ceil(2) + 6).min(BINDINGS.len());
+                                    bindings(left, "keys", BINDINGS.get(..half));
+                                    bindings(right, "more keys", BINDINGS.get(half..));
+                                    bezier(right);
                                     right.add_space(12.0);
                                     gestures(right);
                                 }
                             });
                         } else {
-                            bindings(ui, "keys", 0..BINDINGS.len());
+                            bindings(ui, "keys", Some(BINDINGS));
+                            bezier(ui);
                             ui.add_space(12.0);
                             gestures(ui);
                         }
@@ -44,9 +46,15 @@ impl App {
     }
 }
 
-fn bindings(ui: &mut Ui, name: &str, range: std::ops::Range<usize>) {
+fn bezier(ui: &mut Ui) {
+    ui.add_space(12.0);
+    ui.label(RichText::new("On a Bezier curve or surface").strong());
+    bindings(ui, "bezier keys", Some(BEZIER_BINDINGS));
+}
+
+fn bindings(ui: &mut Ui, name: &str, table: Option<&[Binding]>) {
     Grid::new(name).num_columns(2).spacing(vec2(12.0, 4.0)).min_col_width(96.0).show(ui, |ui| {
-        for (action, shortcuts) in BINDINGS.get(range).unwrap_or_default() {
+        for (action, shortcuts) in table.unwrap_or_default() {
             let texts: Vec<String> = shortcuts.iter().map(|key| keys::written(ui.ctx(), key)).collect();
             ui.label(RichText::new(texts.join(", ")).monospace());
             let entry = actions::describe(*action);

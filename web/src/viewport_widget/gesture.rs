@@ -10,6 +10,7 @@ use viewport::ScreenRect;
 
 use super::View;
 use crate::app::App;
+use crate::bezier::{self, ControlPoint};
 
 /// How far from a vertex or an edge the pointer may be to mean it, in points.
 const REACH: f32 = 8.0;
@@ -37,6 +38,11 @@ pub(super) enum Gesture {
         from: Pos2,
         anchor: Vec3,
     },
+    Control {
+        point: ControlPoint,
+        from: Pos2,
+        anchor: Vec3,
+    },
     /// Given up with Escape, but the button is still down.
     Ended,
 }
@@ -44,7 +50,8 @@ pub(super) enum Gesture {
 impl View {
     /// Gives up the drag that is going on, if any; whether there was one.
     pub fn cancel_gesture(&mut self) -> bool {
-        let going = matches!(self.gesture, Gesture::Box { .. } | Gesture::Move { .. });
+        let going =
+            matches!(self.gesture, Gesture::Box { .. } | Gesture::Move { .. } | Gesture::Control { .. });
         if going {
             self.gesture = Gesture::Ended;
         }
@@ -103,6 +110,12 @@ impl App {
         {
             self.click(ui, at);
         }
+        if response.double_clicked()
+            && let Some(at) = pointer
+            && self.control_point_at(at).is_none()
+        {
+            self.add_control_point_at(at);
+        }
         if response.secondary_clicked()
             && let Some(at) = pointer
             && let Some(id) = self.pick(at)
@@ -123,6 +136,9 @@ impl App {
             Gesture::Orbit
         } else if modifiers.command || self.view.tool == Tool::Box {
             Gesture::Box { from }
+        } else if let Some((point, anchor)) = self.control_point_at(from) {
+            self.player.choose(Some(point));
+            Gesture::Control { point, from, anchor }
         } else {
             match self.movable(from) {
                 Some(anchor) => Gesture::Move { from, anchor },
@@ -161,6 +177,14 @@ impl App {
                 self.view.camera.pan(by, size);
                 ui.ctx().set_cursor_icon(CursorIcon::Move);
             }
+            (&Gesture::Control { point, from, anchor }, Some(at))
+                if response.drag_delta() != egui::Vec2::ZERO =>
+            {
+                let to = self.dragged_to(anchor, from, at);
+                if to.is_finite() {
+                    self.preview(bezier::moved(point, to));
+                }
+            }
             // A hand that holds still changes nothing.
             (&Gesture::Move { from, anchor }, Some(at)) if response.drag_delta() != egui::Vec2::ZERO => {
                 let delta = vec2(at.x - from.x, at.y - from.y);
@@ -190,8 +214,8 @@ impl App {
     /// Ends the drag, at a place with or without shift, or without a trace.
     fn end_gesture(&mut self, at: Option<(Pos2, bool)>) {
         match (std::mem::replace(&mut self.view.gesture, Gesture::None), at) {
-            (Gesture::Move { .. }, Some(_)) => self.commit_preview(),
-            (Gesture::Move { .. }, None) => {
+            (Gesture::Move { .. } | Gesture::Control { .. }, Some(_)) => self.commit_preview(),
+            (Gesture::Move { .. } | Gesture::Control { .. }, None) => {
                 self.editor.cancel_drag();
                 self.follow();
             }
@@ -226,6 +250,7 @@ impl App {
         let Some(at) = at else {
             if !going || self.live.is_some() {
                 self.view.hovered = None;
+                self.player.hovered = None;
                 self.view.looked = None;
             }
             return;
@@ -235,8 +260,12 @@ impl App {
             return;
         }
         self.view.looked = Some(look);
-        self.view.hovered = self.pick(at).map(|id| (self.lists.kind.0, id));
-        if self.view.hovered.is_some() && self.view.tool == Tool::Orbit {
+        self.player.hovered = self.control_point_at(at).map(|(point, _)| point);
+        self.view.hovered = match self.player.hovered {
+            Some(_) => None,
+            None => self.pick(at).map(|id| (self.lists.kind.0, id)),
+        };
+        if (self.view.hovered.is_some() || self.player.hovered.is_some()) && self.view.tool == Tool::Orbit {
             ui.ctx().set_cursor_icon(CursorIcon::PointingHand);
         }
     }
@@ -265,6 +294,11 @@ impl App {
     fn click(&mut self, ui: &Ui, at: Pos2) {
         let modifiers = ui.input(|input| input.modifiers);
         let kind = self.lists.kind.0;
+        let point = self.control_point_at(at).map(|(point, _)| point);
+        self.player.choose(point);
+        if point.is_some() {
+            return;
+        }
         match self.pick(at) {
             Some(id) => {
                 let mode = if modifiers.command {

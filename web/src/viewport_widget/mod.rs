@@ -13,6 +13,7 @@ use surface::FaceTree;
 use viewport::{Bounds, Camera, Style};
 
 use crate::app::App;
+use crate::bezier;
 use crate::lists::columns::element_name;
 use crate::theme;
 use gesture::Gesture;
@@ -109,6 +110,9 @@ impl View {
 
     /// Makes the buffers, the boxes and the highlights follow the document.
     pub fn follow(&mut self, editor: &Editor, changes: Changes) {
+        if !changes.bezier.is_empty() {
+            self.looked = None;
+        }
         for (id, change) in &changes.objects {
             self.looked = None;
             let Some(object) = editor.document().object(*id) else {
@@ -142,7 +146,14 @@ impl View {
                 picture.sync(*id, mesh, change, &self.style);
             }
         }
-        if !changes.objects.is_empty() || changes.document {
+        for id in &changes.bezier {
+            // Control points lie outside the surface, and a curve has no mesh to bound it.
+            let bezier = editor.document().object(*id).and_then(|object| object.bezier());
+            if let Some(bounds) = bezier.and_then(|bezier| Bounds::of(bezier::control_points(bezier))) {
+                self.bounds.insert(*id, Some(bounds));
+            }
+        }
+        if !changes.objects.is_empty() || changes.document || !changes.bezier.is_empty() {
             let shown = editor.document().objects().iter().filter(|object| object.visible());
             let all = shown.filter_map(|object| self.bounds.get(&object.id()).copied().flatten());
             self.camera.set_scene(all.reduce(|a, b| a.union(b)));
@@ -240,8 +251,12 @@ impl App {
         ui.ctx().accesskit_node_builder(id, |node| node.set_value(under.unwrap_or_default()));
 
         self.gestures(ui, &response);
-        response.context_menu(|ui| self.element_menu(ui));
+        response.context_menu(|ui| match bezier::active(&self.editor) {
+            Some(_) => self.bezier_menu(ui),
+            None => self.element_menu(ui),
+        });
         self.paint_picture(ui, rect);
+        self.paint_bezier(ui, rect);
         self.paint_overlay(ui, rect);
     }
 }

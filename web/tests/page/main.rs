@@ -2,6 +2,7 @@
 //! screen reader would, and pictures of it drawn by a software renderer.
 #![cfg(not(target_arch = "wasm32"))]
 
+mod bezier;
 mod lists;
 mod live;
 mod looks;

@@ -30,11 +30,14 @@ pub(crate) fn applies_to(spec: &Spec, kind: Element) -> bool {
 impl App {
     pub(crate) fn inspector(&mut self, ui: &mut Ui) {
         ui.add_space(4.0);
+        self.bezier_panel(ui);
         let selection = self.editor.selection();
         let (kind, count) = (selection.kind(), selection.len());
         let latest = selection.latest();
         let Some(id) = latest else {
-            self.empty_inspector(ui);
+            if crate::bezier::active(&self.editor).is_none() {
+                self.empty_inspector(ui);
+            }
             return;
         };
         ui.horizontal(|ui| {

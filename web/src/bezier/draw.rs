@@ -1,0 +1,170 @@
+//! Curves, control points and the construction, drawn over the picture.
+
+use super::{ControlPoint, active, line};
+use crate::app::App;
+use crate::theme;
+use editor::Bezier;
+use egui::epaint::Hsva;
+use egui::{Align2, Color32, FontId, Painter, Pos2, Rect, Shape, Stroke, Ui, vec2};
+use glam::Vec3;
+use surface::bezier::{Curve, Patch};
+
+/// More lines of a construction than this are not drawn: they would cover each other, and the page.
+const MOST_LINES: usize = 4000;
+
+/// Up to this many control points have their numbers beside them.
+const MOST_NUMBERS: usize = 24;
+
+/// What draws: the painter, and where things are on the page.
+struct Pen<'a> {
+    app: &'a App,
+    painter: Painter,
+    dark: bool,
+}
+
+impl Pen<'_> {
+    fn at(&self, point: Vec3) -> Option<Pos2> {
+        self.app.view.project(point)
+    }
+
+    /// A line through points, with gaps where it passes behind the eye.
+    fn line(&self, points: &[Vec3], stroke: Stroke) {
+        let mut run = Vec::with_capacity(points.len());
+        let draw = |run: &mut Vec<Pos2>| {
+            if run.len() > 1 {
+                self.painter.add(Shape::line(std::mem::take(run), stroke));
+            }
+            run.clear();
+        };
+        for &point in points {
+            match self.at(point) {
+                Some(at) => run.push(at),
+                None => draw(&mut run),
+            }
+        }
+        draw(&mut run);
+    }
+
+    fn dot(&self, point: Vec3, radius: f32, color: Color32) {
+        if let Some(at) = self.at(point) {
+            self.painter.circle_filled(at, radius, color);
+        }
+    }
+
+    /// The colour of a level: from blue over violet to red at the point itself.
+    fn level_color(&self, level: usize, last: usize) -> Color32 {
+        let along = level as f32 / last.max(1) as f32;
+        let brightness = if self.dark { 0.95 } else { 0.72 };
+        Hsva::new(0.58 + 0.42 * along, 0.7, brightness, 1.0).into()
+    }
+
+    /// The levels from the second on, the first being the points that they start from. The last one
+    /// that is drawn is strong.
+    fn levels(&self, levels: &[Vec<Vec3>], shown: usize, first: usize, last: usize) {
+        let mut lines = 0;
+        for (at, points) in levels.iter().enumerate().skip(1).take(shown) {
+            lines += points.len();
+            if lines > MOST_LINES {
+                break;
+            }
+            let color = self.level_color(first + at, last);
+            self.line(points, Stroke::new(if at == shown { 2.0 } else { 1.25 }, color));
+            for &point in points {
+                self.dot(point, if points.len() == 1 { 5.0 } else { 3.0 }, color);
+            }
+        }
+    }
+}
+
+impl App {
+    /// Draws the curves of all visible objects, and the player of the active one.
+    pub(crate) fn paint_bezier(&mut self, ui: &Ui, rect: Rect) {
+        if self.player.advance(ui.input(|input| input.stable_dt.min(0.1))) {
+            ui.ctx().request_repaint();
+        }
+        let dark = ui.visuals().dark_mode;
+        let pen = Pen { app: self, painter: ui.painter().with_clip_rect(rect), dark };
+        let strong = ui.visuals().strong_text_color();
+        let weak = ui.visuals().weak_text_color();
+        let own = active(&self.editor).filter(|(object, _)| object.visible());
+        for object in self.editor.document().objects().iter().filter(|object| object.visible()) {
+            let is_own = own.is_some_and(|(own, _)| own.id() == object.id());
+            let Some(points) = self.player.lines.get(&object.id()) else { continue };
+            if !is_own {
+                pen.line(points, Stroke::new(1.5, weak));
+            } else if self.player.whole {
+                pen.line(points, Stroke::new(2.5, strong));
+            }
+        }
+        let Some((_, bezier)) = own else { return };
+        match bezier {
+            Bezier::Curve(curve) => self.paint_curve(&pen, curve, strong, weak),
+            Bezier::Surface(patches) => self.paint_surface(&pen, patches, weak),
+        }
+        self.paint_points(ui, &pen, bezier);
+    }
+
+    fn paint_curve(&self, pen: &Pen, curve: &Curve, strong: Color32, weak: Color32) {
+        let player = &self.player;
+        pen.line(&curve.points, Stroke::new(1.0, weak));
+        let last = curve.points.len().saturating_sub(1);
+        if player.level == 0 || last == 0 {
+            return;
+        }
+        if player.level == last && !player.whole {
+            // As far as the construction has come.
+            pen.line(&line(curve, player.t), Stroke::new(2.5, strong));
+        }
+        pen.levels(&curve.construction(player.t), player.level, 0, last);
+    }
+
+    fn paint_surface(&self, pen: &Pen, patches: &[Patch], weak: Color32) {
+        let player = &self.player;
+        for (at, patch) in player.nets(patches) {
+            let stroke = if at == player.patch {
+                Stroke::new(1.5, weak)
+            } else {
+                Stroke::new(0.75, weak.gamma_multiply(0.6))
+            };
+            for i in 0..4 {
+                pen.line(&patch.rows[i], stroke);
+                pen.line(&patch.rows.map(|row| row[i]), stroke);
+            }
+        }
+        let Some(patch) = patches.get(player.patch).filter(|_| player.level > 0) else { return };
+        let (rows, down) = (player.level.min(3), player.level.saturating_sub(3));
+        let construction = patch.construction(player.t, player.v);
+        for levels in &construction.rows {
+            pen.levels(levels, rows, 0, super::SURFACE_LEVELS);
+        }
+        if rows == 3 {
+            // The curve that the rows' results are the control points of: it runs over the surface.
+            let column = Curve { points: construction.column.first().cloned().unwrap_or_default() };
+            let color = pen.level_color(3, super::SURFACE_LEVELS);
+            pen.line(&column.points, Stroke::new(1.25, color));
+            pen.line(&line(&column, 1.0), Stroke::new(2.5, color));
+        }
+        pen.levels(&construction.column, down, 3, super::SURFACE_LEVELS);
+    }
+
+    fn paint_points(&self, ui: &Ui, pen: &Pen, bezier: &Bezier) {
+        let player = &self.player;
+        let [r, g, b] = theme::viewport(ui.visuals()).selected.0;
+        let selected = Color32::from_rgb(r, g, b);
+        let points = player.points(bezier);
+        let numbered = points.len() <= MOST_NUMBERS && bezier.curve().is_some();
+        let plain = ui.visuals().hyperlink_color;
+        for (point, position) in points {
+            let Some(at) = pen.at(position) else { continue };
+            let chosen = player.chosen == Some(point);
+            let radius = if chosen || player.hovered == Some(point) { 6.0 } else { 4.5 };
+            let color = if chosen { selected } else { plain };
+            pen.painter.circle(at, radius, color, Stroke::new(1.0, ui.visuals().panel_fill));
+            if let (true, ControlPoint::Curve(number)) = (numbered, point) {
+                let font = FontId::proportional(12.0);
+                let color = ui.visuals().text_color();
+                pen.painter.text(at + vec2(8.0, -6.0), Align2::LEFT_BOTTOM, number.to_string(), font, color);
+            }
+        }
+    }
+}

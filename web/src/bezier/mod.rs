@@ -1,0 +1,228 @@
+//! The Bezier players: which control points there are to drag, how far de Casteljau's construction is
+//! drawn, and where on the curve or surface.
+
+mod draw;
+mod edit;
+
+pub(crate) use edit::moved;
+
+use editor::{Bezier, Changes, Editor, Object, ObjectId};
+use glam::Vec3;
+use std::collections::HashMap;
+use surface::bezier::{Curve, Patch};
+
+/// A control point of the active object.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum ControlPoint {
+    /// Of a curve, from 0.
+    Curve(usize),
+    /// Of a surface.
+    Patch {
+        /// Which patch.
+        patch: usize,
+        /// Which of its rows, 0 to 3.
+        row: usize,
+        /// Which point of the row, 0 to 3.
+        column: usize,
+    },
+}
+
+/// What the player shows of the active Bezier object.
+pub(crate) struct Player {
+    object: Option<ObjectId>,
+    /// Where on a curve: t. Where on a patch: u.
+    pub t: f32,
+    /// Where on a patch: v.
+    pub v: f32,
+    /// How many levels of the construction are drawn; 0 draws the control points alone.
+    pub level: usize,
+    /// Whether the whole curve is drawn, not only as far as t.
+    pub whole: bool,
+    /// Whether a surface's control nets are drawn.
+    pub nets: bool,
+    pub playing: bool,
+    /// The control point that spin boxes and Delete are about.
+    pub chosen: Option<ControlPoint>,
+    pub hovered: Option<ControlPoint>,
+    /// The patch that the construction is drawn on.
+    pub patch: usize,
+    /// The curves of all objects as lines.
+    lines: HashMap<ObjectId, Vec<Vec3>>,
+}
+
+impl Default for Player {
+    fn default() -> Self {
+        Self {
+            object: None,
+            t: 0.5,
+            v: 0.5,
+            level: 0,
+            whole: true,
+            nets: true,
+            playing: false,
+            chosen: None,
+            hovered: None,
+            patch: 0,
+            lines: HashMap::new(),
+        }
+    }
+}
+
+/// Nets of more patches than this are drawn one at a time: all at once would be a haze of lines.
+const MOST_NETS: usize = 64;
+
+/// A surface's construction has three levels along the rows and three down the column.
+const SURFACE_LEVELS: usize = 6;
+
+/// Seconds from one end of a curve to the other.
+const PLAY_TIME: f32 = 4.0;
+
+/// The Bezier curve or surface of an object.
+pub(crate) fn active(editor: &Editor) -> Option<(&Object, &Bezier)> {
+    let object = editor.document().active()?;
+    Some((object, object.bezier()?))
+}
+
+/// All control points of an object.
+pub(crate) fn control_points(bezier: &Bezier) -> Box<dyn Iterator<Item = Vec3> + '_> {
+    match bezier {
+        Bezier::Curve(curve) => Box::new(curve.points.iter().copied()),
+        Bezier::Surface(patches) => {
+            Box::new(patches.iter().flat_map(|patch| patch.rows.iter().flatten().copied()))
+        }
+    }
+}
+
+/// Where a control point is; none where there is no such point.
+pub(crate) fn position(bezier: &Bezier, point: ControlPoint) -> Option<Vec3> {
+    match (bezier, point) {
+        (Bezier::Curve(curve), ControlPoint::Curve(at)) => curve.points.get(at).copied(),
+        (Bezier::Surface(patches), ControlPoint::Patch { patch, row, column }) => {
+            patches.get(patch)?.rows.get(row)?.get(column).copied()
+        }
+        _ => None,
+    }
+}
+
+/// Whether a curve lies in the plane z = 0, as those of most files do: it stays there.
+pub(crate) fn is_flat(curve: &Curve) -> bool {
+    curve.points.iter().all(|point| point.z == 0.0)
+}
+
+/// How many levels the construction has beyond the control points.
+pub(crate) fn levels(bezier: &Bezier) -> usize {
+    match bezier {
+        Bezier::Curve(curve) => curve.points.len().saturating_sub(1),
+        Bezier::Surface(_) => SURFACE_LEVELS,
+    }
+}
+
+/// A curve as a line: fine enough to look smooth, and for the many points of a large one no finer
+/// than can be reckoned in a frame.
+fn line(curve: &Curve, end: f32) -> Vec<Vec3> {
+    let count = curve.points.len().max(1);
+    let segments = (8_000_000 / (count * count)).clamp(24, 256);
+    (0..=segments).map(|i| curve.point(end * i as f32 / segments as f32)).collect()
+}
+
+impl Player {
+    /// Follows the document: another object starts over.
+    pub fn follow(&mut self, editor: &Editor, changes: &Changes) {
+        for id in changes.bezier.iter().chain(changes.objects.iter().map(|(id, _)| id)) {
+            let curve = editor.document().object(*id).and_then(|object| object.bezier()?.curve());
+            match curve {
+                Some(curve) => self.lines.insert(*id, line(curve, 1.0)),
+                None => self.lines.remove(id),
+            };
+        }
+        let object = active(editor).map(|(object, _)| object.id());
+        if object != self.object {
+            let lines = std::mem::take(&mut self.lines);
+            *self = Self { object, lines, whole: self.whole, nets: self.nets, ..Self::default() };
+        }
+        let Some((_, bezier)) = active(editor) else { return };
+        self.level = self.level.min(levels(bezier));
+        self.patch = self.patch.min(bezier.patches().len().saturating_sub(1));
+        self.chosen = self.chosen.filter(|point| position(bezier, *point).is_some());
+        self.hovered = self.hovered.filter(|point| position(bezier, *point).is_some());
+    }
+
+    /// Draws one level more; after the last none.
+    pub fn next_level(&mut self, bezier: &Bezier) {
+        let last = levels(bezier);
+        self.level = if self.level < last { self.level + 1 } else { 0 };
+    }
+
+    /// Starts or stops moving along the curve.
+    pub fn play(&mut self, bezier: &Bezier) {
+        self.playing = !self.playing;
+        // With nothing drawn of the construction, nothing would be seen to move.
+        if self.playing && self.level == 0 {
+            self.level = levels(bezier);
+        }
+    }
+
+    /// Moves on while it plays; gives whether it does.
+    pub fn advance(&mut self, seconds: f32) -> bool {
+        if self.playing {
+            let t = self.t + seconds / PLAY_TIME;
+            self.t = if t > 1.0 { 0.0 } else { t };
+        }
+        self.playing
+    }
+
+    /// Chooses a control point, and with it its patch.
+    pub fn choose(&mut self, point: Option<ControlPoint>) {
+        self.chosen = point;
+        if let Some(ControlPoint::Patch { patch, .. }) = point {
+            self.patch = patch;
+        }
+    }
+
+    /// The patches whose nets are drawn, with their numbers.
+    fn nets<'a>(&self, patches: &'a [Patch]) -> impl Iterator<Item = (usize, &'a Patch)> {
+        let all = self.nets && patches.len() <= MOST_NETS;
+        let one = self.nets.then_some(self.patch);
+        patches.iter().enumerate().filter(move |(at, _)| all || one == Some(*at))
+    }
+
+    /// The control points that are drawn, and can be hit.
+    fn points(&self, bezier: &Bezier) -> Vec<(ControlPoint, Vec3)> {
+        match bezier {
+            Bezier::Curve(curve) => {
+                curve.points.iter().enumerate().map(|(at, &p)| (ControlPoint::Curve(at), p)).collect()
+            }
+            Bezier::Surface(patches) => {
+                let mut points = Vec::new();
+                for (patch, net) in self.nets(patches) {
+                    for (row, line) in net.rows.iter().enumerate() {
+                        let own = line.iter().enumerate();
+                        points
+                            .extend(own.map(|(column, &p)| (ControlPoint::Patch { patch, row, column }, p)));
+                    }
+                }
+                points
+            }
+        }
+    }
+
+    /// The player as `state().view.bezier` tells of it.
+    pub fn state(&self) -> serde_json::Value {
+        let chosen = self.chosen.map(|point| match point {
+            ControlPoint::Curve(at) => serde_json::json!({ "point": at }),
+            ControlPoint::Patch { patch, row, column } => {
+                serde_json::json!({ "patch": patch, "row": row, "column": column })
+            }
+        });
+        serde_json::json!({
+            "t": self.t,
+            "v": self.v,
+            "level": self.level,
+            "whole": self.whole,
+            "nets": self.nets,
+            "playing": self.playing,
+            "patch": self.patch,
+            "chosen": chosen,
+        })
+    }
+}

@@ -1,0 +1,264 @@
+//! The Bezier players: control points, the construction, and what there is to do with curves and
+//! surfaces.
+
+use crate::page::Page;
+use editor::Bezier;
+use egui::accesskit::Role;
+use egui::{Event, Key, Modifiers, Pos2, vec2};
+use egui_kittest::kittest::{NodeT, Queryable};
+use glam::Vec3;
+use serde_json::{Value, json};
+
+const CURVE: &str = "4\n0 0 1 2 3 2 4 0\n";
+
+/// A page on a flat curve of four control points.
+fn on_curve() -> Page {
+    let mut page = Page::new();
+    page.open("arc.bzc", CURVE);
+    page
+}
+
+/// Two patches side by side, arched along x.
+fn on_surface() -> Page {
+    let mut text = "2\n".to_owned();
+    for patch in 0..2 {
+        for row in 0..4 {
+            for column in 0..4 {
+                let height = if column == 1 || column == 2 { 1 } else { 0 };
+                text += &format!("{} {row} {height} ", patch * 3 + column);
+            }
+        }
+    }
+    let mut page = Page::new();
+    page.open("arches.bez", &text);
+    page
+}
+
+fn points(page: &mut Page) -> Vec<Vec3> {
+    match page.app().editor().document().active().and_then(|object| object.bezier()) {
+        Some(Bezier::Curve(curve)) => curve.points.clone(),
+        Some(Bezier::Surface(patches)) => {
+            patches.iter().flat_map(|p| p.rows.as_flattened().to_vec()).collect()
+        }
+        None => panic!("the active object is a mesh"),
+    }
+}
+
+fn player(page: &mut Page, field: &str) -> Value {
+    page.app().script_state()["view"]["bezier"][field].clone()
+}
+
+fn click_at(page: &mut Page, at: Pos2, times: usize) {
+    page.harness.hover_at(at);
+    page.run();
+    // A frame of a test is a quarter of a second.
+    page.harness.ctx.options_mut(|options| options.input_options.max_double_click_delay = 10.0);
+    for _ in 0..times {
+        for pressed in [true, false] {
+            let button = egui::PointerButton::Primary;
+            page.harness.event(Event::PointerButton { pos: at, button, pressed, modifiers: Modifiers::NONE });
+            page.harness.step();
+        }
+    }
+    page.run();
+}
+
+fn type_into(page: &mut Page, field: &str, text: &str) {
+    page.harness.get_by_role_and_label(Role::SpinButton, field).click();
+    page.run();
+    page.press_with(Modifiers::COMMAND, Key::A);
+    page.harness.event(Event::Text(text.to_owned()));
+    page.run();
+    page.press(Key::Enter);
+}
+
+#[test]
+fn a_curve_opens_seen_from_above_with_its_player() {
+    let mut page = on_curve();
+    assert!(page.has("Bezier curve") && page.has_part("4 control points, degree 3"));
+    let [first, last] = [[0.0, 0.0, 0.0], [4.0, 0.0, 0.0]].map(|p| page.at(p));
+    assert!((first.y - last.y).abs() < 0.5 && last.x > first.x + 100.0, "seen as drawn: {first} to {last}");
+    assert!(page.has("A curve has no vertices"), "the lists say where its points are");
+    assert!(page.undo_labels().len() == 1);
+}
+
+#[test]
+fn e_draws_level_by_level_and_c_the_whole_curve() {
+    let mut page = on_curve();
+    for level in [1, 2, 3, 0, 1] {
+        page.press(Key::E);
+        assert_eq!(player(&mut page, "level"), level);
+    }
+    assert_eq!(player(&mut page, "whole"), true);
+    page.press(Key::C);
+    assert_eq!(player(&mut page, "whole"), false);
+    page.click("Whole curve");
+    assert_eq!(player(&mut page, "whole"), true);
+    assert_eq!(page.undo_labels().len(), 1, "looking is no edit");
+
+    // On a mesh, the same keys extrude and collapse.
+    page.command(json!({ "op": "new", "shape": "cube" }));
+    page.select("edge", &[0]);
+    page.press(Key::C);
+    assert_eq!(page.mesh().vertex_count(), 7);
+}
+
+#[test]
+fn a_control_point_is_dragged_in_one_step_and_stays_in_the_plane() {
+    let mut page = on_curve();
+    let at = page.at([1.0, 2.0, 0.0]);
+    let to = at + vec2(60.0, 35.0);
+    page.drag(at, to);
+    let moved = points(&mut page)[1];
+    assert!(moved != Vec3::new(1.0, 2.0, 0.0), "it follows the pointer");
+    page.drop(to);
+    let moved = points(&mut page)[1];
+    assert_eq!(moved.z, 0.0);
+    assert!(page.at(moved.to_array()).distance(to) < 1.0, "it is under the pointer");
+    assert_eq!(page.undo_labels().len(), 2, "{:?}", page.undo_labels());
+    assert_eq!(player(&mut page, "chosen"), json!({ "point": 1 }));
+    page.press_with(Modifiers::COMMAND, Key::Z);
+    assert_eq!(points(&mut page)[1], Vec3::new(1.0, 2.0, 0.0));
+
+    // Escape leaves no trace.
+    page.drag(at, to);
+    page.press(Key::Escape);
+    assert_eq!(points(&mut page)[1], Vec3::new(1.0, 2.0, 0.0));
+    page.drop(to);
+    assert_eq!(page.undo_labels().len(), 1);
+}
+
+#[test]
+fn points_are_added_and_taken_away_in_the_viewport() {
+    let mut page = on_curve();
+    // On the line between two others.
+    let at = page.at([2.0, 2.0, 0.0]);
+    click_at(&mut page, at, 2);
+    let now = points(&mut page);
+    assert_eq!(now.len(), 5);
+    assert!(now[2].distance(Vec3::new(2.0, 2.0, 0.0)) < 0.05, "{now:?}");
+    assert_eq!(player(&mut page, "chosen"), json!({ "point": 2 }));
+    page.press(Key::Delete);
+    assert_eq!(points(&mut page).len(), 4);
+    assert_eq!(player(&mut page, "chosen"), Value::Null);
+
+    // Anywhere else it comes last.
+    let at = page.at([3.0, -1.0, 0.0]);
+    click_at(&mut page, at, 2);
+    let now = points(&mut page);
+    assert_eq!(now.len(), 5);
+    assert!(now[4].distance(Vec3::new(3.0, -1.0, 0.0)) < 0.05, "{now:?}");
+    assert_eq!(page.undo_labels().len(), 4);
+}
+
+#[test]
+fn the_panel_does_what_the_viewport_does() {
+    let mut page = on_curve();
+    type_into(&mut page, "Point 1 y", "3.5");
+    assert_eq!(points(&mut page)[1], Vec3::new(1.0, 3.5, 0.0));
+    assert_eq!(page.undo_labels().len(), 2);
+    page.click("Control point 3");
+    page.click("Add point");
+    assert_eq!(points(&mut page)[4], Vec3::new(5.0, -2.0, 0.0), "as far on as from the one before");
+    page.click("Control point 0");
+    page.click("Delete point");
+    assert_eq!(points(&mut page)[0], Vec3::new(1.0, 3.5, 0.0));
+}
+
+#[test]
+fn elevating_keeps_the_shape_and_splitting_makes_two() {
+    let mut page = on_curve();
+    let before = points(&mut page);
+    page.click("Elevate degree");
+    assert_eq!(points(&mut page).len(), 5);
+    assert_eq!(points(&mut page)[4], before[3]);
+    page.press_with(Modifiers::COMMAND, Key::Z);
+
+    page.click("Split at t");
+    let objects = page.app().editor().document().objects().len();
+    assert_eq!(objects, 2);
+    assert_eq!(points(&mut page)[3], Vec3::new(2.0, 1.5, 0.0), "the middle of the curve");
+    assert!(page.has("arc 2"), "the rest is in the list of objects");
+    page.press_with(Modifiers::COMMAND, Key::Z);
+    assert_eq!(points(&mut page), before);
+}
+
+#[test]
+fn playing_moves_t_until_it_is_paused() {
+    let mut page = on_curve();
+    page.find("Play").click();
+    for _ in 0..10 {
+        page.harness.step();
+    }
+    assert_eq!(player(&mut page, "playing"), true);
+    assert_eq!(player(&mut page, "level"), 3, "the construction is drawn so that one sees it move");
+    let t = player(&mut page, "t").as_f64().expect("a number");
+    assert!(t > 0.5, "{t}");
+    page.find("Pause").click();
+    page.run();
+    assert_eq!(player(&mut page, "playing"), false);
+}
+
+#[test]
+fn a_surface_has_nets_to_drag_and_is_tessellated() {
+    let mut page = on_surface();
+    assert!(page.has("Bezier surface") && page.has_part("2 patches"));
+    assert_eq!(page.mesh().face_count(), 128, "a mesh shows it");
+    let from = points(&mut page)[5];
+    let at = page.at(from.to_array());
+    page.drag(at, at + vec2(0.0, -40.0));
+    page.drop(at + vec2(0.0, -40.0));
+    assert_ne!(points(&mut page)[5], from);
+    assert_eq!(player(&mut page, "chosen"), json!({ "patch": 0, "row": 1, "column": 1 }));
+    assert_eq!(page.undo_labels().len(), 2);
+    page.press_with(Modifiers::COMMAND, Key::Z);
+    assert_eq!(points(&mut page)[5], from);
+
+    // The construction goes along the rows and then down the column.
+    for level in [1, 2, 3, 4, 5, 6, 0] {
+        page.press(Key::E);
+        assert_eq!(player(&mut page, "level"), level);
+    }
+
+    // A point of the shared border moves both patches.
+    page.click("Control point 0, 3");
+    type_into(&mut page, "Point z", "2");
+    let now = points(&mut page);
+    assert_eq!((now[3], now[16]), (Vec3::new(3.0, 0.0, 2.0), Vec3::new(3.0, 0.0, 2.0)));
+
+    type_into(&mut page, "Quads per side", "5");
+    page.click("Tessellate");
+    assert_eq!(page.mesh().face_count(), 50);
+    assert!(page.mesh().validate().is_ok());
+    assert!(!page.has("Bezier surface"), "it is a mesh now");
+}
+
+#[test]
+fn mesh_operations_say_why_they_do_not_apply() {
+    let mut page = on_surface();
+    page.click("Operation");
+    page.click("Smooth");
+    assert!(page.has_part("arches is a Bezier surface. Tessellate it first."));
+    page.press(Key::U);
+    assert_eq!(page.undo_labels().len(), 1);
+
+    let mut page = Page::new();
+    page.click("Operation");
+    page.click("Tessellate Bezier surface");
+    let apply = page.harness.get_by_role_and_label(Role::Button, "Tessellate Bezier surface");
+    assert!(apply.accesskit_node().is_disabled());
+}
+
+#[test]
+fn control_points_are_saved_as_control_points() {
+    let mut page = on_curve();
+    page.press_with(Modifiers::COMMAND, Key::S);
+    assert_eq!(page.find("Format").value().as_deref(), Some("BZC"));
+    page.press(Key::Enter);
+    let file = page.outside.downloads().pop().expect("a file");
+    assert_eq!(file.name, "arc.bzc");
+    assert_eq!(String::from_utf8_lossy(&file.bytes).split_whitespace().next(), Some("4"));
+    let mut page = on_surface();
+    page.press_with(Modifiers::COMMAND, Key::S);
+    assert_eq!(page.find("Format").value().as_deref(), Some("BEZ"));
+}
