@@ -7,7 +7,7 @@ use surface::SurfaceError;
 
 /// A command that was not carried out. The document is as it was.
 ///
-/// Displays as one line: the op, the field where one is at fault, and what is wrong.
+/// Displays as one line: the op (or that a file could not be opened or saved), the field where one is at fault, and what is wrong.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
 pub struct CommandError {
     /// The op, or what was tried, such as `open`.
@@ -50,9 +50,15 @@ impl CommandError {
 
 impl fmt::Display for CommandError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        // These are no ops: nobody has asked for them by these names.
+        let tried = match self.op.as_str() {
+            "open" => "Could not open",
+            "export" => "Could not save",
+            op => op,
+        };
         match &self.field {
-            Some(field) => write!(f, "{}: `{field}`: {}", self.op, self.problem),
-            None => write!(f, "{}: {}", self.op, self.problem),
+            Some(field) => write!(f, "{tried}: `{field}`: {}", self.problem),
+            None => write!(f, "{tried}: {}", self.problem),
         }
     }
 }

@@ -213,7 +213,10 @@ fn a_broken_file_leaves_the_document_as_it_was_and_says_why() {
     let request = editor.begin_import(vec![NamedBytes::new("photo.jpg", [0xff, 0xd8, 0xff, 0xe0])]);
     let failed = request.run(&mut on);
     let error = editor.finish(request.id(), failed).expect_err("no model");
-    assert!(error.to_string().starts_with("open: ") && error.to_string().contains("photo.jpg"), "{error}");
+    assert!(
+        error.to_string().starts_with("Could not open: ") && error.to_string().contains("photo.jpg"),
+        "{error}"
+    );
     assert_eq!(editor.messages().next_back().expect("said").text, error.to_string());
     assert_eq!(editor.document(), on_cube().document());
 }

@@ -15,6 +15,9 @@ const MOST_LINES: usize = 4000;
 /// Up to this many control points have their numbers beside them.
 const MOST_NUMBERS: usize = 24;
 
+/// Of more control points than this, those of other patches than the chosen one are drawn small.
+const MOST_LARGE: usize = 64;
+
 /// What draws: the painter, and where things are on the page.
 struct Pen<'a> {
     app: &'a App,
@@ -152,11 +155,16 @@ impl App {
         let [r, g, b] = theme::viewport(ui.visuals()).selected.0;
         let selected = Color32::from_rgb(r, g, b);
         let points = player.points(bezier);
+        let crowded = points.len() > MOST_LARGE;
         let numbered = points.len() <= MOST_NUMBERS && bezier.curve().is_some();
         let plain = ui.visuals().hyperlink_color;
         for (point, position) in points {
             let Some(at) = pen.at(position) else { continue };
             let chosen = player.chosen == Some(point);
+            if crowded && player.hovered != Some(point) && !player.is_on_patch(point) {
+                pen.painter.circle_filled(at, 2.0, plain.gamma_multiply(0.7));
+                continue;
+            }
             let radius = if chosen || player.hovered == Some(point) { 6.0 } else { 4.5 };
             let color = if chosen { selected } else { plain };
             pen.painter.circle(at, radius, color, Stroke::new(1.0, ui.visuals().panel_fill));

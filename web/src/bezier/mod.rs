@@ -179,6 +179,14 @@ impl Player {
         }
     }
 
+    /// Whether a control point is of the patch that the construction is drawn on, or of a curve.
+    fn is_on_patch(&self, point: ControlPoint) -> bool {
+        match point {
+            ControlPoint::Curve(_) => true,
+            ControlPoint::Patch { patch, .. } => patch == self.patch,
+        }
+    }
+
     /// The patches whose nets are drawn, with their numbers.
     fn nets<'a>(&self, patches: &'a [Patch]) -> impl Iterator<Item = (usize, &'a Patch)> {
         let all = self.nets && patches.len() <= MOST_NETS;

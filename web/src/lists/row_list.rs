@@ -184,7 +184,12 @@ impl RowList<'_> {
     }
 
     fn header(&self, ui: &mut Ui, char_width: f32) {
-        let (rect, _) = ui.allocate_exact_size(vec2(ui.available_width(), self.row_height), Sense::hover());
+        let (mut rect, _) =
+            ui.allocate_exact_size(vec2(ui.available_width(), self.row_height), Sense::hover());
+        let line = ui.visuals().widgets.noninteractive.bg_stroke;
+        ui.painter().hline(rect.x_range(), rect.max.y - 0.5, line);
+        // As wide as the rows: the scroll bar stands beside them.
+        rect.max.x -= BAR;
         let font = FontId::proportional(ui.style().text_styles[&egui::TextStyle::Small].size);
         let color = ui.visuals().weak_text_color();
         for (column, cell) in self.columns.iter().zip(cells(self.columns, rect, char_width)) {
@@ -194,8 +199,6 @@ impl RowList<'_> {
             let (at, anchor) = place(cell, column.align);
             ui.painter().text(at, anchor, column.title, font.clone(), color);
         }
-        let line = ui.visuals().widgets.noninteractive.bg_stroke;
-        ui.painter().hline(rect.x_range(), rect.max.y - 0.5, line);
     }
 
     #[allow(clippy::too_many_arguments)]

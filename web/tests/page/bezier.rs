@@ -51,8 +51,8 @@ fn player(page: &mut Page, field: &str) -> Value {
 fn click_at(page: &mut Page, at: Pos2, times: usize) {
     page.harness.hover_at(at);
     page.run();
-    // A frame of a test is a quarter of a second.
-    page.harness.ctx.options_mut(|options| options.input_options.max_double_click_delay = 10.0);
+    // A frame of a test is a quarter of a second, and a double click takes three.
+    page.harness.ctx.options_mut(|options| options.input_options.max_double_click_delay = 0.8);
     for _ in 0..times {
         for pressed in [true, false] {
             let button = egui::PointerButton::Primary;
