@@ -5,7 +5,7 @@ import assert from "node:assert/strict";
 import { SMALL, editorTest } from "./harness.mjs";
 import { grid } from "./support/meshes.mjs";
 
-const LOADER = "**/meshwright-worker_loader.js";
+const LOADER = "**/meshwright-worker*_loader.js";
 const once = { renderers: ["webgl2"], sizes: [SMALL] };
 
 /** Loads the page again with something else in place of its worker, until that is taken away. */

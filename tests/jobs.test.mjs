@@ -112,7 +112,7 @@ editorTest("a million triangles open beside the page, and can be called off", op
 const once = { renderers: ["webgl2"], sizes: [SMALL] };
 editorTest("the bar shows a job, and its button and Escape cancel it", once, async (editor) => {
   // A worker that gets to 30 % and stays there.
-  await editor.page.route("**/meshwright-worker_loader.js", (route) => route.fulfill({
+  await editor.page.route("**/meshwright-worker*_loader.js", (route) => route.fulfill({
     contentType: "text/javascript",
     body: `self.onmessage = ({ data: [job] }) => self.postMessage(["progress", job, 0.3]);
       self.postMessage(["ready"]);`,

@@ -42,7 +42,8 @@ impl App {
             | Action::DeletePoint
             | Action::ElevateDegree
             | Action::SplitCurve => self.why_not_bezier(action),
-            Action::Upsample => self.why_not_operation(self.upsample_op()),
+            // Which of the two it is may take a look at every face, and both say the same of a mesh with none.
+            Action::Upsample => self.why_not_operation("subdivide-catmull-clark"),
             Action::Downsample => self.why_not_operation("simplify"),
             Action::Resample | Action::LongerEdges | Action::ShorterEdges => self.why_not_operation("remesh"),
             Action::SlideSplit => self.why_not_operation("split-edge"),

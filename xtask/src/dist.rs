@@ -5,7 +5,7 @@ use std::fs;
 use crate::project::Project;
 use crate::setup::npm;
 use crate::shell::{self, Result, read, step};
-use crate::{page, setup};
+use crate::{page, setup, worker_name};
 
 pub fn run(project: &Project) -> Result {
     let wasm = setup::for_building(project)?;
@@ -16,6 +16,7 @@ pub fn run(project: &Project) -> Result {
     let mut trunk = page::trunk(project, &wasm, "build", &site)?;
     trunk.args(["--release", "--cargo-profile", "dist"]);
     shell::run(wasm.choose_for_dist(&mut trunk))?;
+    worker_name::name_by_content(&site)?;
     check_relative(&read(&site.join("index.html"))?)?;
 
     step(format!("{} is ready for any static host:", site.display()));

@@ -9,6 +9,7 @@ mod serve;
 mod setup;
 mod shell;
 mod test;
+mod worker_name;
 
 use std::process::ExitCode;
 

@@ -6,6 +6,7 @@ use std::process::Command;
 use crate::project::Project;
 use crate::setup::WasmToolchain;
 use crate::shell::{self, Result};
+use crate::worker_name;
 
 /// Trunk with a subcommand, using the pinned tools and nothing from the network.
 pub fn trunk(project: &Project, wasm: &WasmToolchain, subcommand: &str, site: &Path) -> Result<Command> {
@@ -24,7 +25,8 @@ pub fn trunk(project: &Project, wasm: &WasmToolchain, subcommand: &str, site: &P
 
 /// Builds the page as it is developed: quickly, and not for size.
 pub fn build(project: &Project, wasm: &WasmToolchain, site: &Path) -> Result {
-    shell::run(&mut trunk(project, wasm, "build", site)?)
+    shell::run(&mut trunk(project, wasm, "build", site)?)?;
+    worker_name::name_by_content(site)
 }
 
 /// `--offline` holds for Cargo too, so what the lock file names must be there before.

@@ -7,11 +7,8 @@ use crate::measures::rounded;
 use crate::panels::fields::{Filled, Hints, label_of};
 
 /// The fields of which one is given, with what the choice between them calls it.
-const TARGETS: [(&str, &str); 3] = [
-    ("ratio", "A share of the triangles"),
-    ("faces", "A number of triangles"),
-    ("max_error", "As far as the error allows"),
-];
+const TARGETS: [(&str, &str); 3] =
+    [("ratio", "A share"), ("faces", "A count"), ("max_error", "An error limit")];
 
 /// Whether a field of `simplify` is among those that the rows here stand for.
 pub fn is_target(field: &str) -> bool {
@@ -46,7 +43,7 @@ pub fn rows(ui: &mut Ui, filled: &mut Filled, hints: &Hints) {
     let label = ui.label("Simplify to");
     let called = |field| TARGETS.iter().find(|(name, _)| *name == field).map_or("", |(_, text)| *text);
     let combo =
-        ComboBox::from_id_salt("simplify to").selected_text(called(field)).width(150.0).show_ui(ui, |ui| {
+        ComboBox::from_id_salt("simplify to").selected_text(called(field)).width(110.0).show_ui(ui, |ui| {
             for (name, text) in TARGETS {
                 if ui.selectable_label(name == field, text).clicked() && name != field {
                     let value = start(name, filled, hints);

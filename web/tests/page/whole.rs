@@ -98,7 +98,7 @@ fn simplify_is_told_how_far_in_one_of_three_ways() {
 
     // Another way starts where the last one was.
     page.click("Simplify to");
-    page.click("A number of triangles");
+    page.click("A count");
     assert_eq!(promise(&page), "Result: 96 of 320 triangles");
     type_into(&mut page, "Faces", "1000");
     assert_eq!(promise(&page), "Result: 320 of 320 triangles", "there are no more");
@@ -108,7 +108,7 @@ fn simplify_is_told_how_far_in_one_of_three_ways() {
 
     page.press_with(Modifiers::COMMAND, Key::Z);
     page.click("Simplify to");
-    page.click("As far as the error allows");
+    page.click("An error limit");
     apply(&mut page, "Simplify");
     let left = page.mesh().face_count();
     assert!(left <= 320 && left > 64, "{left}: a thousandth of the size is little");

@@ -16,9 +16,18 @@ use web_sys::{MessageEvent, Worker, WorkerOptions, WorkerType};
 use super::{Inbox, describe};
 use crate::platform::Event;
 
-/// Made by Trunk beside the page, see index.html. Relative to the page, so that the site may
-/// stand in any folder.
-const SCRIPT: &str = "./meshwright-worker_loader.js";
+/// Where index.html says what the worker's script is called: a built site names it after what it holds.
+const SCRIPT_NAMED_BY: &str = "meta[name=meshwright-worker]";
+
+/// The script that Trunk makes beside the page. Relative to the page, so that the site may stand in
+/// any folder.
+fn script() -> String {
+    let named = web_sys::window()
+        .and_then(|window| window.document())
+        .and_then(|document| document.query_selector(SCRIPT_NAMED_BY).ok()?)
+        .and_then(|meta| meta.get_attribute("content"));
+    named.unwrap_or_else(|| "./meshwright-worker_loader.js".to_owned())
+}
 
 /// A worker whose memory has grown past this many bytes is replaced once it has nothing to do.
 const MEMORY_KEPT: f64 = (256 << 20) as f64;
@@ -163,7 +172,7 @@ impl Pool {
             ));
         } else {
             self.worker = None;
-            let reason = said.unwrap_or_else(|| format!("{SCRIPT} did not load"));
+            let reason = said.unwrap_or_else(|| format!("{} did not load", script()));
             self.fail_all(&could_not_start(&reason));
         }
     }
@@ -195,7 +204,7 @@ impl Link {
         let options = WorkerOptions::new();
         options.set_type(WorkerType::Module);
         options.set_name("meshwright-worker");
-        let worker = Worker::new_with_options(SCRIPT, &options)?;
+        let worker = Worker::new_with_options(&script(), &options)?;
         let on_message = Closure::new({
             let pool = pool.clone();
             move |event: MessageEvent| {
