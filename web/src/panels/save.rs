@@ -246,6 +246,7 @@ impl App {
         let editor = &self.editor;
         let known = self.saving.losses.take().filter(|(looked, _)| *looked == format);
         let losses = known.unwrap_or_else(|| {
+            let offset = editor.document().offset();
             let objects = editor.document().objects();
             let controls: Vec<Option<Controls>> =
                 objects.iter().map(|object| object.bezier().map(Controls::from)).collect();
@@ -254,6 +255,7 @@ impl App {
                 .zip(&controls)
                 .map(|(object, controls)| ObjectRef {
                     controls: controls.as_ref(),
+                    offset,
                     ..ObjectRef::new(object.name(), object.mesh())
                 })
                 .collect();

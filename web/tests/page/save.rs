@@ -137,3 +137,17 @@ fn escape_and_cancel_save_nothing() {
     }
     assert_eq!(saved(&page), [""; 0]);
 }
+
+#[test]
+fn coordinates_too_large_for_a_format_are_named() {
+    let mut page = Page::new();
+    page.open(
+        "far.obj",
+        "v 4458321.123 5412000.004 12.5\nv 4458323.125 5412000.011 12.25\nv 4458322.12 5412001.006 13\nf 1 2 3\n",
+    );
+    page.press_with(Modifiers::COMMAND, Key::S);
+    choose(&mut page, "STL");
+    assert!(page.has_part("STL holds 32 bits for a coordinate"));
+    choose(&mut page, "PLY");
+    assert!(!page.has_part("32 bits for a coordinate"));
+}
