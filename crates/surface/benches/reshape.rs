@@ -1,34 +1,53 @@
-//! Simplifying and remeshing spheres of triangles.
+//! Simplifying and remeshing, on spheres of 5 thousand to 1.3 million triangles and on the bunny refined;
+//! simplifying beside meshoptimizer.
+
+mod meshes;
 
 use criterion::{BenchmarkId, Criterion, criterion_group, criterion_main};
 use halfedge::Mesh;
+use meshes::{bunny, go_on, sphere};
 use std::hint::black_box;
-use std::ops::ControlFlow;
 use surface::*;
 
-fn sphere(subdivisions: f64) -> Mesh {
-    let mut shape = Shape::named("ico-sphere").expect("listed");
-    shape.set("subdivisions", subdivisions).expect("in range");
-    shape.build().expect("fits")
+fn with_bunny(spheres: [f64; 3], levels: u32) -> Vec<(&'static str, Mesh)> {
+    let mut meshes: Vec<_> = spheres.map(|subdivisions| ("sphere", sphere(subdivisions))).into();
+    meshes.extend(bunny(levels).map(|mesh| ("bunny", mesh)));
+    meshes
 }
 
 fn reshape(c: &mut Criterion) {
     let mut group = c.benchmark_group("reshape");
     group.sample_size(10);
-    for subdivisions in [4.0, 6.0, 8.0] {
-        let mesh = sphere(subdivisions);
+    for (name, mesh) in with_bunny([5.0, 6.0, 8.0], 2) {
         let options = Simplify { target: SimplifyTarget::Ratio(0.1), preserve_boundary: true };
-        let size = format!("{} triangles to a tenth", mesh.face_count());
-        group.bench_function(BenchmarkId::new("simplify", size), |b| {
-            b.iter(|| simplify(black_box(&mesh), &options, &mut |_| ControlFlow::Continue(())));
+        let size = format!("{name}, {} triangles to a tenth", mesh.face_count());
+        group.bench_function(BenchmarkId::new("simplify", &size), |b| {
+            b.iter(|| simplify(black_box(&mesh), &options, &mut go_on));
+        });
+        let positions: Vec<[f32; 3]> = mesh.positions().iter().map(|p| p.to_array()).collect();
+        let indices: Vec<u32> =
+            mesh.faces().flat_map(|f| mesh.face_vertices(f).map(|v| v.raw()).collect::<Vec<_>>()).collect();
+        let bytes = meshopt::typed_to_bytes(&positions);
+        let vertices = meshopt::VertexDataAdapter::new(bytes, 12, 0).expect("whole vertices");
+        group.bench_function(BenchmarkId::new("simplify with meshopt", &size), |b| {
+            b.iter(|| {
+                let wanted = indices.len() / 30 * 3;
+                meshopt::simplify(
+                    black_box(&indices),
+                    &vertices,
+                    wanted,
+                    f32::MAX,
+                    meshopt::SimplifyOptions::None,
+                    None,
+                )
+            });
         });
     }
-    for subdivisions in [4.0, 6.0, 7.0] {
-        let mesh = sphere(subdivisions);
+    for (name, mesh) in with_bunny([5.0, 6.0, 8.0], 1) {
         let options = Remesh { iterations: 10, ..Remesh::default() };
-        let size = format!("{} triangles, 10 iterations", mesh.face_count());
+        let size = format!("{name}, {} triangles, 10 iterations", mesh.face_count());
         group.bench_function(BenchmarkId::new("remesh", size), |b| {
-            b.iter(|| remesh(black_box(&mesh), &options, &mut |_| ControlFlow::Continue(())));
+            b.iter(|| remesh(black_box(&mesh), &options, &mut go_on));
         });
     }
     group.finish();

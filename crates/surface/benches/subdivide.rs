@@ -1,5 +1,7 @@
 //! Both subdivisions to about two million faces, from one level's input and from four.
 
+mod meshes;
+
 use criterion::{BenchmarkId, Criterion, criterion_group, criterion_main};
 use glam::Vec3;
 use halfedge::{Mesh, PolygonSoup};
@@ -58,6 +60,12 @@ fn subdivide(c: &mut Criterion) {
                 b.iter(|| subdivide_loop(black_box(&mesh), &options, &mut |_| ControlFlow::Continue(())));
             },
         );
+    }
+    if let Some(bunny) = meshes::bunny(0) {
+        let options = Loop { levels: 2, ..Loop::default() };
+        group.bench_function(BenchmarkId::new("loop", "the bunny, 2 levels to 1111216 triangles"), |b| {
+            b.iter(|| subdivide_loop(black_box(&bunny), &options, &mut meshes::go_on));
+        });
     }
     group.finish();
 }

@@ -1,0 +1,48 @@
+//! The meshes that the benchmarks run on.
+#![allow(dead_code, reason = "each benchmark uses its part")]
+
+use glam::Vec3;
+use halfedge::{Mesh, PolygonSoup};
+use std::ops::ControlFlow;
+use surface::{Loop, Shape, subdivide_loop};
+
+/// Progress that always goes on.
+pub fn go_on(_: f32) -> ControlFlow<()> {
+    ControlFlow::Continue(())
+}
+
+/// A sphere of 20 triangles, each divided into four so many times.
+pub fn sphere(subdivisions: f64) -> Mesh {
+    let mut shape = Shape::named("ico-sphere").expect("listed");
+    shape.set("subdivisions", subdivisions).expect("in range");
+    shape.build().expect("fits")
+}
+
+/// The Stanford bunny, 69 thousand triangles, after so many levels of Loop subdivision; none, and a line
+/// that says so, where the shared models are missing.
+pub fn bunny(levels: u32) -> Option<Mesh> {
+    let path = std::path::Path::new(env!("CARGO_MANIFEST_DIR"))
+        .join("../../../shared/models/common/stanford-bunny.obj");
+    let Ok(text) = std::fs::read_to_string(&path) else {
+        eprintln!("skipped: {} is missing", path.display());
+        return None;
+    };
+    let mut soup = PolygonSoup::default();
+    for line in text.lines() {
+        let mut words = line.split_whitespace();
+        match words.next() {
+            Some("v") => {
+                let mut number = || words.next().and_then(|word| word.parse().ok()).expect("a number");
+                soup.positions.push(Vec3::new(number(), number(), number()));
+            }
+            Some("f") => {
+                let corner = |word: &str| word.parse::<u32>().expect("an index") - 1;
+                soup.push_face(words.map(corner).collect::<Vec<_>>());
+            }
+            _ => {}
+        }
+    }
+    let mesh = Mesh::build(soup).expect("fits").mesh;
+    let options = Loop { levels, ..Loop::default() };
+    Some(subdivide_loop(&mesh, &options, &mut go_on).expect("fits"))
+}
