@@ -97,7 +97,10 @@ pub fn remesh(mesh: &Mesh, options: &Remesh, progress: &mut Progress<'_>) -> Res
         }
     }
     polish::polish(&mut work, &mut pace.part(0.85, 0.95))?;
-    let result = work.tri.to_mesh(mesh);
+    // Everything else goes before the result comes: that is where memory peaks.
+    drop(relaxer);
+    let Work { tri, .. } = work;
+    let result = tri.to_mesh(mesh);
     pace.at(1.0)?;
     Ok(result)
 }

@@ -128,7 +128,9 @@ pub fn simplify(
     work.fill();
     pace.at(0.15)?;
     work.run(wanted.unwrap_or(0), &mut pace.part(0.15, 0.95))?;
-    let mesh = work.tri.to_mesh(mesh);
+    // Everything else goes before the result comes.
+    let Work { tri, .. } = work;
+    let mesh = tri.to_mesh(mesh);
     pace.at(1.0)?;
     Ok(Simplified { mesh, wanted })
 }
