@@ -23,6 +23,10 @@ pub fn run(project: &Project, args: &[String]) -> Result {
             bench.args(["--bench", name]);
         }
     }
+    let packages = packages_named(args);
+    if (packages.is_empty() || packages.contains(&"surface")) && shell::find("c++").is_some() {
+        bench.args(["--features", "surface/meshopt"]);
+    }
     shell::run(bench.args(args))
 }
 
