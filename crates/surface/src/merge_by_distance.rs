@@ -39,16 +39,19 @@ pub fn merge_by_distance(
     let mut pace = Pace::new(progress);
     pace.at(0.0)?;
     let source = mesh.to_soup();
-    let keeper = keepers(&source.positions, distance, &mut pace.part(0.0, 0.6))?;
-    let mut number = vec![NONE; keeper.len()];
+    let mut number = keepers(&source.positions, distance, &mut pace.part(0.0, 0.6))?;
     let mut kept = Vec::new();
-    for (v, &into) in (0u32..).zip(&keeper) {
+    for v in 0..number.len() {
+        // Whoever a vertex goes into comes before it, and has its number already.
+        let into = number[v] as usize;
         if into == v {
-            number[v as usize] = kept.len() as u32;
-            kept.push(v);
+            number[v] = kept.len() as u32;
+            kept.push(v as u32);
+        } else {
+            number[v] = number[into];
         }
     }
-    let renumber = |v: u32| number[keeper[v as usize] as usize];
+    let renumber = |v: u32| number[v as usize];
     let mut soup = PolygonSoup {
         positions: kept.iter().map(|&v| source.positions[v as usize]).collect(),
         ..PolygonSoup::default()
@@ -87,7 +90,9 @@ pub fn merge_by_distance(
     soup.vertex_columns = pick(source.vertex_columns, &kept);
     soup.corner_columns = pick(source.corner_columns, &corners);
     soup.face_columns = pick(source.face_columns, &faces);
-    let merged = keeper.len() - kept.len();
+    let merged = number.len() - kept.len();
+    // Building takes as much again: keep nothing along that it doesn't need.
+    drop((source.positions, source.corners, source.face_starts, kept, corners, faces));
     let built = Mesh::build(soup).map_err(|e| SurfaceError::TooManyFaces {
         faces: e.corners as u64 / 3,
         limit: Mesh::MAX_EDGES as u64 / 3,
