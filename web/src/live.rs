@@ -50,6 +50,9 @@ pub(crate) struct Live {
     /// Where the pointer was when it began to count; none until it is over the viewport, and again
     /// when a number was given otherwise.
     from: Option<Pos2>,
+    /// Where the pointer was last: what is shown stays as it is, whatever the panels beside the
+    /// viewport do to its size, until the pointer moves.
+    at: Option<Pos2>,
     follows: bool,
     /// Whether the document has the edit in it.
     shown: bool,
@@ -68,6 +71,7 @@ impl Live {
             value,
             typed: String::new(),
             from: None,
+            at: None,
             follows: true,
             shown: false,
             refused: None,
@@ -199,7 +203,7 @@ impl App {
     /// Lets the amount follow the pointer over the viewport.
     pub(crate) fn live_pointer(&mut self, pointer: Option<Pos2>) {
         let (Some(live), Some(at)) = (&mut self.live, pointer) else { return };
-        if !live.follows {
+        if !live.follows || live.at.replace(at) == Some(at) {
             return;
         }
         let Some(from) = live.from else {

@@ -47,6 +47,22 @@ fn extruding_follows_the_pointer_and_is_one_step() {
 }
 
 #[test]
+fn what_is_shown_stays_until_the_pointer_moves() {
+    let mut page = cube_face();
+    page.press_with(egui::Modifiers::SHIFT, Key::I);
+    hover(&mut page, vec2(0.0, 0.0));
+    hover(&mut page, vec2(15.0, 0.0));
+    let shown = page.mesh().clone();
+    // A panel that takes or leaves a pixel makes the picture, and so a point's worth of it, another.
+    let size = page.harness.ctx.content_rect().size();
+    page.harness.set_size(size - vec2(60.0, 40.0));
+    page.run();
+    assert_eq!(page.mesh(), &shown);
+    page.press(Key::Enter);
+    assert_eq!(page.mesh(), &shown);
+}
+
+#[test]
 fn escape_leaves_no_trace() {
     let mut page = cube_face();
     let before = page.mesh().clone();
