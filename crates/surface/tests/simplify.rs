@@ -85,6 +85,49 @@ fn hits_the_count_that_was_asked_for() {
     assert_eq!(open.mesh.face_count(), 31);
 }
 
+/// Meshes past some ten thousand triangles are worked on block by block.
+#[test]
+fn large_meshes_are_simplified_evenly() {
+    let mesh = grid(200);
+    let result = to(&mesh, SimplifyTarget::Ratio(0.1)).mesh;
+    assert_eq!(result.face_count(), 8000);
+    assert!((surface_area(&result) - 40_000.0).abs() < 1.0);
+    // No part of the plane keeps more of its triangles than another: 500 in each sixteenth.
+    let mut parts = [0; 16];
+    for f in result.faces() {
+        let middle = face_center(&result, f) / 50.0;
+        parts[middle.x as usize + 4 * middle.y as usize] += 1;
+    }
+    assert!(parts.iter().all(|count| (400..=600).contains(count)), "{parts:?}");
+
+    let sphere = shape("ico-sphere", &[("subdivisions", 6.0)]);
+    let result = to(&sphere, SimplifyTarget::Ratio(0.1)).mesh;
+    assert_eq!(topology(&result), (1, 2, 0));
+    // A chord of a triangle's size is off by its square over eight; twice that all over is generous.
+    assert!(sampled_distance(&result, &sphere) < 2.5e-3);
+    let areas: Vec<f64> = result.faces().map(|f| face_area(&result, f)).collect();
+    let largest = areas.iter().copied().fold(0.0, f64::max);
+    assert!(largest < 4.0 * surface_area(&result) / areas.len() as f64);
+}
+
+#[test]
+fn what_cannot_be_simplified_is_left_at_once() {
+    // No tetrahedron of these ten thousand can lose a triangle.
+    let mut soup = halfedge::PolygonSoup::default();
+    for i in 0..10_000u32 {
+        let at = Vec3::new((i % 100) as f32, (i / 100) as f32, 0.0) * 3.0;
+        soup.positions.extend([Vec3::ZERO, Vec3::X, Vec3::Y, Vec3::Z].map(|p| at + p));
+        for face in [[0, 2, 1], [0, 1, 3], [1, 2, 3], [2, 0, 3]] {
+            soup.push_face(face.map(|v| 4 * i + v));
+        }
+    }
+    let mesh = build(soup);
+    let result = to(&mesh, SimplifyTarget::Ratio(0.1));
+    assert_eq!(result.mesh.face_count(), 40_000);
+    let why = result.shortfall().expect("falls short");
+    assert!(why.starts_with("stopped at 40000 triangles, not 4000"), "{why}");
+}
+
 #[test]
 fn flat_faces_go_first_and_edges_stay_sharp() {
     let mut cube = shape("cube", &[]);

@@ -4,7 +4,8 @@
 //! what came before, which holds for every point but adds up; and, once that goes past the limit,
 //! measuring, from points all over the old patch to the new one and from the new one to the input.
 
-use super::deviation::Patches;
+use super::Work;
+use super::deviation::{Outline, Patches};
 use crate::FaceTree;
 use crate::face_tree::closest_in_triangle;
 use crate::trimesh::TriMesh;
@@ -147,4 +148,56 @@ impl Limit {
 fn distance_squared(triangle: &[DVec3; 3], p: DVec3) -> f64 {
     let w = closest_in_triangle(*triangle, p);
     (triangle[0] * w.x + triangle[1] * w.y + triangle[2] * w.z).distance_squared(p)
+}
+
+impl Work<'_> {
+    /// The bound on the distance of the triangles that would be made; none if it is above the limit.
+    pub(super) fn new_error(&mut self, h: u32, at: DVec3) -> Option<f32> {
+        let Some(limit) = &mut self.limit else { return Some(0.0) };
+        let tri = &self.tri;
+        let (a, b) = (tri.from(h), tri.to(h));
+        limit.patches.clear();
+        let mut error = 0.0f32;
+        for (v, other) in [(a, b), (b, a)] {
+            tri.around(v, |out| {
+                error = error.max(limit.error[out as usize / 3]);
+                let (x, y) = (tri.to(out), tri.apex(out));
+                if v == a || (x != other && y != other) {
+                    limit.patches.old.push([tri.at(v), tri.at(x), tri.at(y)]);
+                }
+                if x != other && y != other {
+                    limit.patches.new.push([at, tri.at(x), tri.at(y)]);
+                }
+            });
+        }
+        let mut outline = None;
+        if tri.opp(h) == NONE {
+            // The boundary comes in to `a` and goes on from `b`.
+            let mut last = h;
+            while tri.turn(last) != NONE {
+                last = tri.turn(last);
+            }
+            let (before, after) = (tri.apex(last), tri.to(tri.out[b as usize]));
+            outline = Some(Outline { old: [before, a, b, after].map(|v| tri.at(v)), ends: [true; 2] });
+        } else if tri.is_boundary_vertex(a) || tri.is_boundary_vertex(b) {
+            // The boundary vertex stays when it is preserved; else its outline moves with it.
+            let v = if tri.is_boundary_vertex(a) { a } else { b };
+            let out = tri.out[v as usize];
+            let mut last = out;
+            while tri.turn(last) != NONE {
+                last = tri.turn(last);
+            }
+            let here = tri.at(v);
+            outline = Some(Outline {
+                old: [tri.at(tri.apex(last)), here, here, tri.at(tri.to(out))],
+                ends: [v == a, v == b],
+            });
+        }
+        let moved = limit.patches.bound(tri.at(a), tri.at(b), at, outline.as_ref());
+        let total = f64::from(error) + moved;
+        limit.collect(tri, a, b);
+        let total = if total <= limit.distance { total } else { limit.measure(self.source, tri)? };
+        // Rounded up.
+        Some((total * (1.0 + 1e-6)) as f32 + f32::MIN_POSITIVE)
+    }
 }

@@ -9,11 +9,11 @@ mod deviation;
 mod limit;
 mod quadric;
 mod queue;
+mod run;
 
 use crate::SurfaceError;
 use crate::pace::Pace;
 use crate::trimesh::{TriMesh, next, prev};
-use deviation::Outline;
 use glam::DVec3;
 use halfedge::{Mesh, NONE, Progress, keys};
 use limit::Limit;
@@ -89,8 +89,6 @@ const LEAST_COS: f64 = 0.2;
 /// Twice the area over the longest side's square: 0.87 for an equilateral triangle. None gets below,
 /// unless it was already.
 const LEAST_SHAPE: f64 = 0.02;
-/// How many collapses between two questions whether to go on.
-const ASK: usize = 4096;
 
 /// Simplifies a mesh; the input is untouched. Polygons are cut into triangles first, isolated vertices
 /// left out. Face attributes stay with the triangles that stay; corner and vertex attributes are mixed
@@ -125,9 +123,7 @@ pub fn simplify(
     };
     let mut work = Work::new(mesh, tri, options);
     pace.at(0.05)?;
-    work.fill();
-    pace.at(0.15)?;
-    work.run(wanted.unwrap_or(0), &mut pace.part(0.15, 0.95))?;
+    run::to(&mut work, wanted.unwrap_or(0), &mut pace.part(0.1, 0.95))?;
     // Everything else goes before the result comes.
     let Work { tri, .. } = work;
     let mesh = tri.to_mesh(mesh);
@@ -156,6 +152,7 @@ struct Work<'a> {
     stamp: u32,
     /// Per vertex: whether a collapse at it was refused since its surroundings last changed.
     refused: Vec<bool>,
+
     preserve_boundary: bool,
     limit: Option<Limit>,
 }
@@ -297,53 +294,6 @@ impl<'a> Work<'a> {
             .reduce(|best, other| if other.cost < best.cost { other } else { best })
     }
 
-    fn fill(&mut self) {
-        for h in 0..self.tri.v.len() as u32 {
-            if self.tri.is_alive(h) && self.tri.edge(h) == h {
-                self.price(h);
-            }
-        }
-    }
-
-    fn price(&mut self, h: u32) {
-        match self.place(h) {
-            Some(place) => self.queue.put(h, place.cost),
-            None => self.queue.remove(h),
-        }
-    }
-
-    fn run(&mut self, wanted: usize, pace: &mut Pace<'_, '_>) -> Result<(), SurfaceError> {
-        let start = self.tri.faces;
-        let mut refilled = start;
-        let mut steps = 0;
-        while self.tri.faces > wanted {
-            let Some(h) = self.queue.pop() else {
-                // What was refused may be possible now that its surroundings have changed.
-                if self.tri.faces == refilled {
-                    break;
-                }
-                refilled = self.tri.faces;
-                self.fill();
-                continue;
-            };
-            steps += 1;
-            if steps % ASK == 0 {
-                pace.at((start - self.tri.faces) as f32 / (start - wanted) as f32)?;
-            }
-            // With one triangle to go only an edge that has one triangle will do.
-            if self.tri.faces == wanted + 1 && self.tri.opp(h) != NONE {
-                continue;
-            }
-            if let Some(place) = self.place(h)
-                && !self.try_collapse(h, place.at)
-            {
-                self.refused[self.tri.from(h) as usize] = true;
-                self.refused[self.tri.to(h) as usize] = true;
-            }
-        }
-        Ok(())
-    }
-
     /// Collapses an edge if that leaves a good mesh; says whether it did.
     fn try_collapse(&mut self, h: u32, at: DVec3) -> bool {
         self.stamp += 1;
@@ -353,12 +303,21 @@ impl<'a> Work<'a> {
         let Some(error) = self.new_error(h, at) else { return false };
         let tri = &mut self.tri;
         let (a, b, across) = (tri.from(h), tri.to(h), tri.opp(h));
-        for side in [h, across] {
-            if side != NONE {
-                for k in [side, next(side), prev(side)] {
-                    let edge = tri.edge(k);
-                    self.queue.remove(edge);
-                }
+        // Two edges of each triangle become one. What it will cost is no less than what either does:
+        // quadrics only grow.
+        let mut joined = [(NONE, 0); 2];
+        for (side, joined) in [h, across].into_iter().zip(&mut joined) {
+            if side == NONE {
+                continue;
+            }
+            self.queue.remove(tri.edge(side));
+            let ranks = [next(side), prev(side)].map(|k| {
+                let rank = self.queue.rank_of(tri.edge(k));
+                self.queue.remove(tri.edge(k));
+                rank
+            });
+            if let [Some(left), Some(right)] = ranks {
+                *joined = (tri.opp(next(side)).min(tri.opp(prev(side))), left.max(right));
             }
         }
         let (p, q) = (tri.at(a), tri.at(b));
@@ -374,17 +333,22 @@ impl<'a> Work<'a> {
         if let Some(limit) = &mut self.limit {
             limit.hand_out(&self.tri, a);
         }
+        for (edge, rank) in joined {
+            if edge != NONE {
+                self.queue.put(edge, rank);
+            }
+        }
         let first = self.tri.out[a as usize];
         let mut around = first;
         loop {
             if let Some(limit) = &mut self.limit {
                 limit.error[around as usize / 3] = error;
             }
-            self.price(self.tri.edge(around));
+            self.put_back(self.tri.edge(around));
             self.retry(self.tri.to(around));
             let after = self.tri.turn(around);
             if after == NONE {
-                self.price(prev(around));
+                self.put_back(prev(around));
                 self.retry(self.tri.apex(around));
                 break;
             }
@@ -404,10 +368,10 @@ impl<'a> Work<'a> {
         let first = self.tri.out[v as usize];
         let mut around = first;
         loop {
-            self.price(self.tri.edge(around));
+            self.put_back(self.tri.edge(around));
             let after = self.tri.turn(around);
             if after == NONE {
-                self.price(prev(around));
+                self.put_back(prev(around));
                 break;
             }
             if after == first {
@@ -450,55 +414,5 @@ impl<'a> Work<'a> {
             }
         }
         true
-    }
-
-    /// The bound on the distance of the triangles that would be made; none if it is above the limit.
-    fn new_error(&mut self, h: u32, at: DVec3) -> Option<f32> {
-        let Some(limit) = &mut self.limit else { return Some(0.0) };
-        let tri = &self.tri;
-        let (a, b) = (tri.from(h), tri.to(h));
-        limit.patches.clear();
-        let mut error = 0.0f32;
-        for (v, other) in [(a, b), (b, a)] {
-            tri.around(v, |out| {
-                error = error.max(limit.error[out as usize / 3]);
-                let (x, y) = (tri.to(out), tri.apex(out));
-                if v == a || (x != other && y != other) {
-                    limit.patches.old.push([tri.at(v), tri.at(x), tri.at(y)]);
-                }
-                if x != other && y != other {
-                    limit.patches.new.push([at, tri.at(x), tri.at(y)]);
-                }
-            });
-        }
-        let mut outline = None;
-        if tri.opp(h) == NONE {
-            // The boundary comes in to `a` and goes on from `b`.
-            let mut last = h;
-            while tri.turn(last) != NONE {
-                last = tri.turn(last);
-            }
-            let (before, after) = (tri.apex(last), tri.to(tri.out[b as usize]));
-            outline = Some(Outline { old: [before, a, b, after].map(|v| tri.at(v)), ends: [true; 2] });
-        } else if tri.is_boundary_vertex(a) || tri.is_boundary_vertex(b) {
-            // The boundary vertex stays when it is preserved; else its outline moves with it.
-            let v = if tri.is_boundary_vertex(a) { a } else { b };
-            let out = tri.out[v as usize];
-            let mut last = out;
-            while tri.turn(last) != NONE {
-                last = tri.turn(last);
-            }
-            let here = tri.at(v);
-            outline = Some(Outline {
-                old: [tri.at(tri.apex(last)), here, here, tri.at(tri.to(out))],
-                ends: [v == a, v == b],
-            });
-        }
-        let moved = limit.patches.bound(tri.at(a), tri.at(b), at, outline.as_ref());
-        let total = f64::from(error) + moved;
-        limit.collect(tri, a, b);
-        let total = if total <= limit.distance { total } else { limit.measure(self.source, tri)? };
-        // Rounded up.
-        Some((total * (1.0 + 1e-6)) as f32 + f32::MIN_POSITIVE)
     }
 }

@@ -23,6 +23,8 @@ pub(super) struct Queue {
     /// Which buckets have edges, and which words of that have bits.
     filled: Vec<u64>,
     filled_words: [u64; BUCKETS / 4096],
+    /// Edges of a rank above stay out.
+    pub ceiling: u16,
 }
 
 impl Queue {
@@ -33,14 +35,30 @@ impl Queue {
             place: vec![NOWHERE; edges],
             filled: vec![0; BUCKETS / 64],
             filled_words: [0; BUCKETS / 4096],
+            ceiling: u16::MAX,
         }
     }
 
-    /// Puts an edge in, or moves it to its new cost, which is not negative.
-    pub fn put(&mut self, edge: u32, cost: f64) {
+    /// The rank of a cost, which is not negative: costs in order have ranks in order.
+    #[inline]
+    pub fn rank(cost: f64) -> u16 {
         // The bits of positive floats sort as the floats do.
-        let bucket = (((cost as f32).to_bits() >> 15) as u16).min(NOWHERE - 1);
+        (((cost as f32).to_bits() >> 15) as u16).min(NOWHERE - 1)
+    }
+
+    /// The rank that an edge is in with.
+    #[inline]
+    pub fn rank_of(&self, edge: u32) -> Option<u16> {
+        Some(self.place[edge as usize]).filter(|&rank| rank != NOWHERE)
+    }
+
+    /// Puts an edge in, or moves it to its new rank.
+    pub fn put(&mut self, edge: u32, bucket: u16) {
         if self.place[edge as usize] == bucket {
+            return;
+        }
+        if bucket > self.ceiling {
+            self.place[edge as usize] = NOWHERE;
             return;
         }
         self.place[edge as usize] = bucket;
@@ -55,8 +73,8 @@ impl Queue {
         self.place[edge as usize] = NOWHERE;
     }
 
-    /// Takes out the edge of least cost.
-    pub fn pop(&mut self) -> Option<u32> {
+    /// Takes out an edge of the least rank, and gives both.
+    pub fn pop(&mut self) -> Option<(u32, u16)> {
         loop {
             let high = self.filled_words.iter().position(|&word| word != 0)?;
             let word = high * 64 + self.filled_words[high].trailing_zeros() as usize;
@@ -66,7 +84,7 @@ impl Queue {
                 bucket.gone += 1;
                 if self.place[edge as usize] == at as u16 {
                     self.place[edge as usize] = NOWHERE;
-                    return Some(edge);
+                    return Some((edge, at as u16));
                 }
             }
             *bucket = Bucket::default();
@@ -94,12 +112,12 @@ mod tests {
                     held[edge] = None;
                 } else {
                     let cost = 2f64.powf(exponent);
-                    queue.put(edge as u32, cost);
+                    queue.put(edge as u32, Queue::rank(cost));
                     held[edge] = Some(cost);
                 }
             }
             let mut before = 0.0;
-            while let Some(edge) = queue.pop() {
+            while let Some((edge, _)) = queue.pop() {
                 let cost = held[edge as usize].take().expect("put in and not removed");
                 prop_assert!(cost >= before * 0.996, "{} after {}", cost, before);
                 before = f64::max(before, cost);
