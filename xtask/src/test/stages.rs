@@ -174,7 +174,7 @@ fn e2e(project: &Project, tools: &Tools, rest: &[String], count: &mut Count) -> 
         return Err(format!("no file of tests/*.test.mjs has `{}` in its name.", rest.join("` or `")));
     }
     let mut node = Command::new("node");
-    node.args(["--test", "--test-reporter=spec", "--test-timeout=300000"]).args(files).current_dir(&folder);
+    node.args(["--test", "--test-reporter=spec", "--test-timeout=900000"]).args(files).current_dir(&folder);
     node.env("MESHWRIGHT_TOOLS", &project.tools)
         .env("MESHWRIGHT_SITE", site)
         .env("MESHWRIGHT_SHOTS", project.target.join("screenshots"))
