@@ -4,7 +4,7 @@ use crate::bezier::Controls;
 use crate::format::{Format, is_material_library};
 use crate::origin::{Bounds, Origin};
 use crate::repairs::{self, Repairs};
-use crate::report::{ImportReport, counted};
+use crate::report::{ImportReport, Places, counted};
 use crate::{bezier, collada, gltf, obj, off, ply, stl};
 use glam::DVec3;
 use halfedge::{Mesh, PolygonSoup, Progress};
@@ -300,8 +300,18 @@ pub(crate) fn build(
         .map_err(|error| ReadError::file(file, error.to_string()))?;
     let soup = (!notes.is_empty()).then(|| Arc::new(kept));
     notes.into_iter().for_each(|note| report.warn(note));
+    note_loose_vertices(&mesh, report);
     if progress(1.0).is_break() {
         return Err(ReadError::Cancelled);
     }
     Ok(ImportedObject { soup, ..ImportedObject::new(name, mesh) })
+}
+
+/// Says which vertices no face uses: they count as components, which puzzles who doesn't know of them.
+fn note_loose_vertices(mesh: &Mesh, report: &mut ImportReport) {
+    let mut loose = Places::default();
+    mesh.vertices().filter(|&v| mesh.halfedge_from(v).is_none()).for_each(|v| loose.add(v.index()));
+    if !loose.is_empty() {
+        report.info(loose.sentence("vertex", "vertices", "in no face, kept as single points", "number"));
+    }
 }

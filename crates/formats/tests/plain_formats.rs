@@ -256,6 +256,44 @@ fn off_of_other_writers() {
 }
 
 #[test]
+fn vertices_in_no_face_are_counted_in_the_report() {
+    let loose = "6 vertices in no face, kept as single points (numbers 1, 2, 4, 5, 6, 7)";
+    for (name, text) in [
+        (
+            "a.obj",
+            "v 0 0 0\nv 9 0 0\nv 9 1 0\nv 1 0 0\nv 9 2 0\nv 9 3 0\nv 9 4 0\nv 9 5 0\nv 0 1 0\nf 1 4 9\n",
+        ),
+        ("a.off", "OFF 9 1 0\n0 0 0\n9 0 0\n9 1 0\n1 0 0\n9 2 0\n9 3 0\n9 4 0\n9 5 0\n0 1 0\n3 0 3 8\n"),
+    ] {
+        let import = read(&[NamedBytes::new(name, text)]).expect("readable");
+        let notes = import.report.to_string();
+        assert_eq!(notes.matches("in no face").count(), 1, "{notes}");
+        assert!(notes.contains(loose), "{notes}");
+        assert!(import.report.is_clean(), "kept as they were: nothing to warn of");
+        assert_eq!(mesh(&import).vertex_count(), 9);
+        // Written in a format that keeps them, they are counted again.
+        let again = read(&write(Format::Ply, mesh(&import))).expect("its own").report.to_string();
+        assert!(again.contains(loose), "{again}");
+    }
+    let one = read(&[NamedBytes::new("a.obj", "v 0 0 0\n")]).expect("readable").report.to_string();
+    assert!(one.contains("1 vertex in no face, kept as single points (number 0)"), "{one}");
+    let none = read(&write(Format::Ply, &Mesh::new())).expect("its own").report.to_string();
+    assert!(!none.contains("in no face"), "{none}");
+}
+
+#[test]
+fn text_stl_in_capitals_is_read() {
+    let text = "solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1e0 0\nendloop\nendfacet\nendsolid a\n";
+    for text in [text.to_owned(), text.to_uppercase(), text.replace("endfacet", "EndFacet")] {
+        for name in ["pasted", "a.stl"] {
+            let import = read(&[NamedBytes::new(name, text.as_str())]).expect("readable");
+            assert!(import.report.is_clean(), "{}", import.report);
+            assert_eq!((mesh(&import).vertex_count(), mesh(&import).face_count()), (3, 1), "{text}");
+        }
+    }
+}
+
+#[test]
 fn early_ends_and_nonsense_are_told() {
     let report = |name: &str, bytes: &[u8]| match read(&[NamedBytes::new(name, bytes)]) {
         Ok(import) => {

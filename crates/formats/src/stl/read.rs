@@ -16,13 +16,15 @@ pub(crate) fn is_binary(bytes: &[u8]) -> bool {
     facets(bytes).is_some_and(|count| (bytes.len() - HEAD) as u64 == count * FACET as u64)
 }
 
-/// Whether the bytes are a text STL.
+/// Whether the bytes are a text STL. Some programs write its words in capitals.
 pub(crate) fn is_text(bytes: &[u8]) -> bool {
     let head = bytes.get(..1024).unwrap_or(bytes);
     let mut scan = Scan::new(head, None);
-    scan.word() == Some(b"solid") && {
+    let is = |word: Option<&[u8]>, what: &[u8]| word.is_some_and(|word| word.eq_ignore_ascii_case(what));
+    is(scan.word(), b"solid") && {
         scan.skip_line();
-        matches!(scan.word(), Some(b"facet" | b"endsolid") | None)
+        let next = scan.word();
+        next.is_none() || is(next, b"facet") || is(next, b"endsolid")
     }
 }
 
@@ -120,25 +122,25 @@ fn text(
     let mut bad = Places::default();
     let mut readable = true;
     while let Some(word) = scan.word() {
-        match word {
-            b"vertex" => match scan.position(origin) {
+        let is = |what: &[u8]| word.eq_ignore_ascii_case(what);
+        if is(b"vertex") {
+            match scan.position(origin) {
                 Some(position) => corners.push(position),
                 None => readable = false,
-            },
-            b"endfacet" => {
-                facet += 1;
-                match corners.as_slice() {
-                    &[a, b, c] if readable => triangles.push([a, b, c]),
-                    _ => bad.add(facet),
-                }
-                corners.clear();
-                readable = true;
-                ticker.tick(scan.at, progress)?;
             }
-            b"solid" | b"endsolid" => scan.skip_line(),
-            // The words between, and the normal, which follows from the corners.
-            _ => {}
+        } else if is(b"endfacet") {
+            facet += 1;
+            match corners.as_slice() {
+                &[a, b, c] if readable => triangles.push([a, b, c]),
+                _ => bad.add(facet),
+            }
+            corners.clear();
+            readable = true;
+            ticker.tick(scan.at, progress)?;
+        } else if is(b"solid") || is(b"endsolid") {
+            scan.skip_line();
         }
+        // The words between mean nothing more, nor does the normal, which follows from the corners.
     }
     if !bad.is_empty() {
         report.warn(bad.sentence(
