@@ -28,6 +28,61 @@ fn document(asset: &str, primitives: &str, scene: &str) -> String {
 const INPUT: &str = "<input semantic=\"VERTEX\" source=\"#v\" offset=\"0\"/>";
 
 #[test]
+fn faces_that_are_not_there_in_full_are_told() {
+    let told = |primitive: &str| {
+        let import = read_dae(document("", primitive, "")).expect(primitive);
+        let warnings: Vec<String> = import.report.warnings().map(str::to_owned).collect();
+        (mesh(&import).face_count(), warnings.join("\n"))
+    };
+    for (primitive, faces, says) in [
+        (
+            format!("<polylist count=\"1\">{INPUT}<p>0 1 2 3</p></polylist>"),
+            0,
+            "a <polylist> has no <vcount>",
+        ),
+        (
+            format!("<polylist count=\"1\">{INPUT}<vcount>4</vcount><p>0 1 2 3 4</p></polylist>"),
+            1,
+            "a <polylist> has 1 number in its <p> that make no whole face",
+        ),
+        (format!("<polylist count=\"2\">{INPUT}</polylist>"), 0, "a <polylist> has none of its 2 faces"),
+        (format!("<triangles count=\"12\">{INPUT}</triangles>"), 0, "a <triangles> has none of its 12 faces"),
+        (
+            format!("<triangles count=\"2\">{INPUT}<p>0 1 2 3 4</p></triangles>"),
+            1,
+            "a <triangles> has 2 numbers in its <p> that make no whole face",
+        ),
+        (format!("<tristrips count=\"1\">{INPUT}<p>0 1</p></tristrips>"), 0, "a <tristrips> has 2 numbers"),
+        (format!("<trifans count=\"1\">{INPUT}</trifans>"), 0, "a <trifans> has none of its 1 face"),
+        (format!("<polygons count=\"1\">{INPUT}</polygons>"), 0, "a <polygons> has none of its 1 face"),
+        (
+            format!("<polygons count=\"2\">{INPUT}<p>0 1 2</p><ph><h>3 4 5</h></ph></polygons>"),
+            1,
+            "a <polygons> has a <ph> without <p>",
+        ),
+    ] {
+        let (read, warnings) = told(&primitive);
+        assert_eq!(read, faces, "{primitive}");
+        assert!(warnings.contains("Faces left out: geometry \"shape\": "), "{warnings}");
+        assert!(warnings.contains(says), "{warnings} instead of {says}");
+    }
+    for whole in [
+        format!("<polylist count=\"0\">{INPUT}<vcount></vcount><p></p></polylist>"),
+        format!("<polylist count=\"0\">{INPUT}</polylist>"),
+        format!(
+            "<triangles count=\"0\">{INPUT}</triangles><trifans count=\"1\">{INPUT}<p>0 1 2 3</p></trifans>"
+        ),
+    ] {
+        assert_eq!(told(&whole).1, "", "{whole}");
+    }
+    // Many of them, and many instances of one, make a few lines.
+    let many = format!("<triangles count=\"1\">{INPUT}</triangles>").repeat(4);
+    assert_eq!(told(&many).1.lines().count(), 1);
+    let many: String = (1..20).map(|i| format!("<triangles count=\"{i}\">{INPUT}</triangles>")).collect();
+    assert!(told(&many).1.ends_with("13 primitives more of the same kind"), "{}", told(&many).1);
+}
+
+#[test]
 fn the_courses_files_have_their_counts() {
     let counts = |folder: &str, counts: &[(&str, usize, usize)]| {
         for path in shared(folder, "dae") {

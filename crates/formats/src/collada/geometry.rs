@@ -1,12 +1,13 @@
 //! One geometry: its sources and primitives, as polygon soup.
 
 use super::material::Material;
+use super::source::{Source, integers, positions, source};
 use super::xml::{Document, Node};
 use crate::holes;
 use crate::obj::runs::Names;
 use crate::origin::Origin;
-use crate::scan::Scan;
-use glam::{DMat4, DVec3, Vec2, Vec3};
+use crate::report::counted;
+use glam::{DMat4, Vec2, Vec3};
 use halfedge::attribute::Column;
 use halfedge::{Color, NONE, PolygonSoup, keys};
 use std::collections::HashMap;
@@ -22,6 +23,8 @@ pub(crate) struct Geometry {
     pub filled: usize,
     /// Lines and splines, which are not kept.
     pub lines: usize,
+    /// What primitives lack or have too much of, in sentences.
+    pub troubles: Vec<String>,
     /// The numbers of the materials of faces, and those materials.
     face_materials: Vec<u32>,
     materials: Vec<Material>,
@@ -30,23 +33,6 @@ pub(crate) struct Geometry {
     sources: HashMap<String, Rc<Source>>,
     uvs: Vec<Vec2>,
     normals: Vec<Vec3>,
-}
-
-/// A source of numbers, so many for each index.
-struct Source<T = f32> {
-    values: Vec<T>,
-    stride: usize,
-}
-
-impl<T: Copy + Default> Source<T> {
-    fn get<const N: usize>(&self, index: usize) -> Option<[T; N]> {
-        let start = index.checked_mul(self.stride)?;
-        self.values.get(start..start.checked_add(N.min(self.stride))?).map(|found| {
-            let mut values = [T::default(); N];
-            values.iter_mut().zip(found).for_each(|(value, found)| *value = *found);
-            values
-        })
-    }
 }
 
 /// What the numbers of a corner refer to: for each a place in the group of numbers, and a source.
@@ -89,7 +75,13 @@ impl Geometry {
             match primitive.name {
                 "polylist" | "polygons" | "triangles" | "tristrips" | "trifans" => {
                     let first = this.soup.face_count();
+                    let troubles = this.troubles.len();
                     this.primitive(document, vertices, primitive, transform).map_err(fail)?;
+                    let count = primitive.attribute("count").and_then(|count| count.parse::<usize>().ok());
+                    if first == this.soup.face_count() && troubles == this.troubles.len() && count > Some(0) {
+                        let count = count.unwrap_or_default();
+                        this.trouble(primitive, &format!("none of its {}", counted(count, "face", "faces")));
+                    }
                     if let Some(symbol) = primitive.attribute("material") {
                         let material = Material::find(document, bound.get(symbol).copied(), symbol);
                         let next = this.materials.len() as u32;
@@ -138,6 +130,10 @@ impl Geometry {
                     };
                 };
                 let indices = whole(indices)?;
+                if document.child(node, "vcount").is_none() && !indices.is_empty() {
+                    self.trouble(node, "no <vcount>, which says how many corners each face has");
+                    return Ok(());
+                }
                 let mut rest = indices.as_slice();
                 for count in counts {
                     let numbers = (count as usize).saturating_mul(inputs.stride);
@@ -147,18 +143,25 @@ impl Geometry {
                     rest = after;
                     self.face(face, &inputs, directions)?;
                 }
+                self.left_over(node, rest.len());
             }
             "polygons" => {
                 for child in document.children(node) {
                     match child.name {
-                        "p" => self.face(&whole(child)?, &inputs, directions)?,
+                        "p" => {
+                            let corners = whole(child)?;
+                            self.left_over(node, corners.len() % inputs.stride);
+                            self.face(&corners, &inputs, directions)?;
+                        }
                         "ph" => {
-                            if let Some(outline) = document.child(child, "p") {
-                                let outline = whole(outline)?;
-                                let holes = document.children(child).filter(|part| part.name == "h");
-                                let holes = holes.map(whole).collect::<Result<Vec<_>, _>>()?;
-                                self.face_with_holes(&outline, &holes, &inputs, directions)?;
-                            }
+                            let Some(outline) = document.child(child, "p") else {
+                                self.trouble(node, "a <ph> without <p>, its outline");
+                                continue;
+                            };
+                            let outline = whole(outline)?;
+                            let holes = document.children(child).filter(|part| part.name == "h");
+                            let holes = holes.map(whole).collect::<Result<Vec<_>, _>>()?;
+                            self.face_with_holes(&outline, &holes, &inputs, directions)?;
                         }
                         _ => {}
                     }
@@ -168,6 +171,13 @@ impl Geometry {
                 for part in document.children(node).filter(|child| child.name == "p") {
                     let indices = whole(part)?;
                     let groups: Vec<&[u32]> = indices.chunks_exact(inputs.stride).collect();
+                    // Strips and fans use every corner, where there are enough for one triangle.
+                    let unused = match node.name {
+                        "triangles" => groups.len() % 3,
+                        _ if groups.len() < 3 => groups.len(),
+                        _ => 0,
+                    };
+                    self.left_over(node, unused * inputs.stride + indices.len() % inputs.stride);
                     let mut triangle = |parts: [&[u32]; 3]| {
                         corners.clear();
                         parts.iter().for_each(|part| corners.extend_from_slice(part));
@@ -197,6 +207,19 @@ impl Geometry {
             }
         }
         Ok(())
+    }
+
+    /// Notes what a primitive has that is no good: "it has …".
+    fn trouble(&mut self, node: &Node, what: &str) {
+        self.troubles.push(format!("a <{}> has {what}", node.name));
+    }
+
+    /// Notes numbers behind the last whole face of a primitive.
+    fn left_over(&mut self, node: &Node, count: usize) {
+        if count > 0 {
+            let numbers = counted(count, "number", "numbers");
+            self.trouble(node, &format!("{numbers} in its <p> that make no whole face"));
+        }
     }
 
     /// Adds a face by the numbers of its corners.
@@ -349,73 +372,10 @@ impl Geometry {
     }
 }
 
-/// All positions of a source, transformed.
-fn positions(
-    document: &Document,
-    input: &Node,
-    transform: DMat4,
-    origin: &mut Option<Origin>,
-) -> Result<Vec<Vec3>, String> {
-    let Some(origin) = origin else {
-        let source = source(document, input, |scan| scan.float())?;
-        let count = source.values.len() / source.stride;
-        let position = |i| Vec3::from_array(source.get(i).unwrap_or_default());
-        return Ok((0..count).map(|i| place(position(i), transform)).collect());
-    };
-    let source = source(document, input, |scan| scan.double())?;
-    let count = source.values.len() / source.stride;
-    let position = |i| DVec3::from_array(source.get(i).unwrap_or_default());
-    Ok((0..count).map(|i| origin.place(transform.transform_point3(position(i)))).collect())
-}
-
-/// A transformed position; untouched, to the bit, where there is nothing to do.
-fn place(position: Vec3, transform: DMat4) -> Vec3 {
-    if transform == DMat4::IDENTITY {
-        position
-    } else {
-        transform.transform_point3(position.as_dvec3()).as_vec3()
-    }
-}
-
+/// A transformed direction of unit length; untouched, to the bit, where there is nothing to do.
 fn direction(normal: Vec3, transform: DMat4) -> Vec3 {
     if transform == DMat4::IDENTITY {
         return normal;
     }
     transform.transform_vector3(normal.as_dvec3()).normalize_or_zero().as_vec3()
-}
-
-/// The source that an input names.
-fn source<T>(
-    document: &Document,
-    input: &Node,
-    number: impl Fn(&mut Scan) -> Option<T>,
-) -> Result<Source<T>, String> {
-    let name = input.attribute("source").unwrap_or_default();
-    let missing = || format!("there is no source \"{name}\"");
-    let source = document.target(name).ok_or_else(missing)?;
-    let array = document.child(source, "float_array").ok_or_else(missing)?;
-    let stride = document
-        .path(source, &["technique_common", "accessor"])
-        .and_then(|accessor| accessor.attribute("stride")?.parse().ok())
-        .unwrap_or(1usize)
-        .max(1);
-    let mut scan = Scan::new(array.text(), None);
-    let mut values = Vec::with_capacity(array.text().len() / 8);
-    while !scan.at_end() {
-        values.push(
-            number(&mut scan)
-                .ok_or_else(|| format!("source \"{name}\" holds something else than numbers"))?,
-        );
-    }
-    Ok(Source { values, stride })
-}
-
-/// All whole numbers in the text of an element; none where something else is among them.
-fn integers(node: &Node) -> Option<Vec<u32>> {
-    let mut scan = Scan::new(node.text(), None);
-    let mut values = Vec::with_capacity(node.text().len() / 6);
-    while !scan.at_end() {
-        values.push(u32::try_from(scan.integer()?).ok()?);
-    }
-    Some(values)
 }

@@ -7,6 +7,7 @@
 mod geometry;
 mod material;
 mod read;
+mod source;
 mod transform;
 mod write;
 mod xml;

@@ -7,6 +7,7 @@ use crate::import::{ImportedObject, NamedBytes, ReadError, Reading, build};
 use crate::report::{ImportReport, counted};
 use glam::DMat4;
 use halfedge::Progress;
+use std::collections::HashSet;
 
 /// Whether the file starts like a COLLADA document.
 pub(crate) fn looks_like(bytes: &[u8]) -> bool {
@@ -49,6 +50,7 @@ pub(crate) fn read(
         return Err(fail("the document holds no mesh".to_owned()));
     }
     let mut objects = Vec::new();
+    let mut troubles = Vec::new();
     let mut corners = 0;
     let (mut cut, mut filled, mut lines) = (0, 0, 0);
     let total = scene.instances.len();
@@ -64,6 +66,8 @@ pub(crate) fn read(
         cut += geometry.cut;
         filled += geometry.filled;
         lines += geometry.lines;
+        let label = node.label();
+        troubles.extend(geometry.troubles.iter().map(|what| format!("geometry \"{label}\": {what}")));
         let part = |fraction: f32| 0.3 + 0.7 * (i as f32 + fraction) / total as f32;
         let mut notes = ImportReport::default();
         let mut progress = |fraction| progress(part(fraction));
@@ -71,6 +75,7 @@ pub(crate) fn read(
         report.append(if total > 1 { notes.prefixed(&instance.name) } else { notes });
         objects.push(object);
     }
+    report_troubles(troubles, &mut report);
     if cut > 0 {
         report.info(format!(
             "{} with holes cut into triangles: faces have one outline here",
@@ -88,6 +93,22 @@ pub(crate) fn read(
             .warn(format!("{} of lines left out: only faces are edited here", counted(lines, "set", "sets")));
     }
     Ok((objects, report))
+}
+
+/// Warns of the first few faces that are not there in full; instances of a geometry repeat them.
+fn report_troubles(troubles: Vec<String>, report: &mut ImportReport) {
+    const SHOWN: usize = 6;
+    let mut met = HashSet::new();
+    for trouble in troubles {
+        if !met.contains(&trouble) && met.len() < SHOWN {
+            report.warn(format!("Faces left out: {trouble}"));
+        }
+        met.insert(trouble);
+    }
+    if met.len() > SHOWN {
+        let more = counted(met.len() - SHOWN, "primitive", "primitives");
+        report.warn(format!("Faces left out: {more} more of the same kind"));
+    }
 }
 
 struct Scene<'d, 'a> {
