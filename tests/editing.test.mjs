@@ -116,6 +116,9 @@ editorTest("scripts get outcomes, and errors that say what is wrong", once, asyn
   await refused(() => window.meshwright.run({ op: "split-edge", edge: "x" }), /edge/);
   const nowhere = () => window.meshwright.run({ op: "set-vertex-position", vertex: 0, position: [0, NaN, 0] });
   await refused(nowhere, /position\[1\]/);
+  const notANumber = () =>
+    window.meshwright.run({ op: "set-vertex-position", vertex: 0, position: [0, NaN, 0] });
+  await refused(notANumber, /position\[1\].*NaN is not a finite number/);
   await refused(() => window.meshwright.run({ op: "frobnicate" }), /frobnicate.*no such op/);
   await refused(() => window.meshwright.run(), /run: expected a command/);
   await refused(() => window.meshwright.run("split-edge"), /JSON object/);

@@ -57,6 +57,9 @@ pub fn run(task: &Apply) -> Result<(), Failure> {
     }
     let mut text = format!("input:  {}\n", report::counts_line(counts));
     for step in &steps {
+        for warning in &step.outcome.warnings {
+            eprintln!("{}: {warning}", step.outcome.op);
+        }
         text += &format!("{} ({:.3} s)\n", step.outcome.message, step.time.as_secs_f64());
     }
     text += &format!("output: {}\n", report::counts_line(output));
@@ -136,7 +139,8 @@ fn add(a: Outcome, b: Outcome) -> Outcome {
         faces: a.faces + b.faces,
         ids: None,
     };
-    Outcome::new(a.op, sum(a.created, b.created), sum(a.removed, b.removed))
+    let outcome = Outcome::new(a.op, sum(a.created, b.created), sum(a.removed, b.removed));
+    Outcome { warnings: [a.warnings, b.warnings].concat(), ..outcome }
 }
 
 /// The middle one of some times; the mean of the two in the middle of an even number.

@@ -195,6 +195,16 @@ fn bad_usage_and_unreadable_files_exit_with_2() {
 }
 
 #[test]
+fn what_an_operation_warns_of_is_told() {
+    let folder = folder("warnings");
+    let cube = write(&folder, "cube.obj", CUBE);
+    let output = run(&["apply", text(&cube), "--do", r#"{"op":"simplify","faces":2}"#]);
+    assert_eq!(output.status.code(), Some(0));
+    let told = String::from_utf8_lossy(&output.stderr);
+    assert!(told.contains("simplify: stopped at 4 triangles, not 2"), "{told}");
+}
+
+#[test]
 fn help_and_version() {
     for (option, part) in
         [("--help", "meshwright apply"), ("-h", "--repeat N"), ("--version", env!("CARGO_PKG_VERSION"))]

@@ -316,6 +316,42 @@ fn from_fields<T: DeserializeOwned>(fields: Map<String, Value>) -> Result<T, Pro
         {
             return Problem::field(path, format!("{given} is not a choice; expected {known}"));
         }
+        let text = in_plain_words(&text).unwrap_or(text);
         if path == "." { Problem::new(text) } else { Problem::field(path, text) }
     })
+}
+
+/// What serde says about a value that doesn't fit, without the names of Rust's types.
+fn in_plain_words(text: &str) -> Option<String> {
+    if let Some(rest) = text.strip_prefix("invalid length ") {
+        let (length, expected) = rest.split_once(", expected ")?;
+        let wanted = match expected.strip_prefix("an array of length ") {
+            Some(wanted) => format!("expected {wanted}"),
+            None if expected == "fewer elements in array" => "expected fewer".to_owned(),
+            None => format!("expected {expected}"),
+        };
+        return Some(format!("a list of {length} values; {wanted}"));
+    }
+    let rest = text.strip_prefix("invalid type: ").or_else(|| text.strip_prefix("invalid value: "))?;
+    let (given, expected) = rest.split_once(", expected ")?;
+    let given = match given.split_once(' ').unwrap_or((given, "")) {
+        ("map", _) => "an object",
+        ("sequence", _) => "a list",
+        ("integer" | "boolean", value) => value.trim_matches('`'),
+        ("floating", value) => value.trim_start_matches("point ").trim_matches('`'),
+        ("string", value) => value,
+        _ => given,
+    };
+    let expected = match expected {
+        "f64" | "f32" => "a number",
+        "a sequence" => "a list",
+        "a boolean" => "true or false",
+        "a map" => "an object",
+        "unit" | "unit variant" => "a name alone",
+        other => match other.strip_prefix("an array of length ") {
+            Some(length) => return Some(format!("{given} is not a list of {length} numbers")),
+            None => other,
+        },
+    };
+    Some(format!("{given} is not {expected}"))
 }

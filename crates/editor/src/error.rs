@@ -107,9 +107,9 @@ impl From<SurfaceError> for Problem {
         match error {
             SurfaceError::Cancelled => Self::cancelled(),
             SurfaceError::BadField { field, must_be } => Self::field(field, format!("must be {must_be}")),
-            SurfaceError::TooManyFaces { .. } | SurfaceError::NotTriangles { .. } => {
-                Self::new(error.to_string())
-            }
+            SurfaceError::TooManyFaces { .. }
+            | SurfaceError::NotTriangles { .. }
+            | SurfaceError::MeetTwice { .. } => Self::new(error.to_string()),
         }
     }
 }

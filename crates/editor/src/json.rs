@@ -1,7 +1,8 @@
 //! Numbers in JSON: finite in, shortest out.
 
-use serde::de::{Error, Unexpected};
+use serde::de::{Error, Unexpected, Visitor};
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
+use std::fmt;
 
 /// The 64-bit number that prints like the 32-bit one: 0.1, not 0.10000000149011612.
 pub(crate) fn shortest(value: f32) -> f64 {
@@ -24,12 +25,41 @@ struct Finite(f32);
 
 impl<'de> Deserialize<'de> for Finite {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-        let value = f64::deserialize(deserializer)?;
+        deserializer.deserialize_any(FiniteVisitor)
+    }
+}
+
+struct FiniteVisitor;
+
+impl Visitor<'_> for FiniteVisitor {
+    type Value = Finite;
+
+    fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str("a finite number of at most 3.4e38")
+    }
+
+    fn visit_f64<E: Error>(self, value: f64) -> Result<Finite, E> {
         let narrow = value as f32;
         if narrow.is_finite() {
-            Ok(Self(narrow))
+            Ok(Finite(narrow))
         } else {
-            Err(D::Error::invalid_value(Unexpected::Float(value), &"a finite number of at most 3.4e38"))
+            Err(E::invalid_value(Unexpected::Float(value), &self))
+        }
+    }
+
+    fn visit_i64<E: Error>(self, value: i64) -> Result<Finite, E> {
+        self.visit_f64(value as f64)
+    }
+
+    fn visit_u64<E: Error>(self, value: u64) -> Result<Finite, E> {
+        self.visit_f64(value as f64)
+    }
+
+    /// Numbers that JSON can't say come from JavaScript by their names.
+    fn visit_str<E: Error>(self, value: &str) -> Result<Finite, E> {
+        match value {
+            "NaN" | "Infinity" | "-Infinity" => Err(E::custom(format!("{value} is not a finite number"))),
+            _ => Err(E::invalid_type(Unexpected::Str(value), &self)),
         }
     }
 }

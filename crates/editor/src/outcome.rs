@@ -1,5 +1,6 @@
 //! What a command did.
 
+use formats::ReportNote;
 use halfedge::{EdgeId, FaceId, Mesh, Touched, VertexId};
 use serde::Serialize;
 
@@ -16,6 +17,9 @@ pub struct Outcome {
     pub message: String,
     /// What the user should know besides, such as what an import had to repair.
     pub warnings: Vec<String>,
+    /// The import report, where the op was to open files.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub report: Vec<ReportNote>,
 }
 
 impl Outcome {
@@ -24,7 +28,7 @@ impl Outcome {
         let op = op.into();
         let label = crate::OPERATIONS.iter().find(|spec| spec.name == op).map_or(&*op, |spec| spec.label);
         let message = message(label, &created, &removed);
-        Self { op, created, removed, message, warnings: Vec::new() }
+        Self { op, created, removed, message, warnings: Vec::new(), report: Vec::new() }
     }
 }
 

@@ -114,7 +114,8 @@ fn new_makes_every_shape() {
         }
     }
     let mut editor = on_cube();
-    run(&mut editor, json!({"op": "new", "shape": "ico-sphere", "subdivisions": 1, "add": true}));
+    let added = run(&mut editor, json!({"op": "new", "shape": "ico-sphere", "subdivisions": 1, "add": true}));
+    assert_eq!((added.created.faces, added.removed.faces), (80, 0));
     assert_eq!(editor.document().objects().len(), 2);
     assert_eq!(editor.document().active_index(), 1);
     assert_eq!(editor.document().active().expect("it").name(), "Ico sphere");
@@ -128,7 +129,10 @@ fn new_makes_every_shape() {
 fn new_starts_over_and_undo_brings_the_document_back() {
     let mut editor = on_two();
     let before = editor.document().clone();
-    run(&mut editor, json!({"op": "new", "shape": "torus"}));
+    let gone: usize = before.objects().iter().map(|object| object.mesh().face_count()).sum();
+    let outcome = run(&mut editor, json!({"op": "new", "shape": "tetrahedron"}));
+    assert_eq!(outcome.created.faces, 4, "all of it is new");
+    assert_eq!(outcome.removed.faces, gone, "nothing stays of two cubes");
     editor.undo().expect("free");
     assert_eq!(editor.document(), &before);
 }
@@ -400,6 +404,42 @@ fn refusals_name_the_op_and_the_field() {
         (
             json!({"op": "transform", "vertices": [7], "scale": 1e38, "translate": [3e38, 0, 0], "pivot": [-9, 0, 0]}),
             &["transform", "finite"],
+        ),
+        (
+            json!({"op": "set-vertex-position", "vertex": 0, "position": [0, 0, 0, 0]}),
+            &["`position`", "a list of 4 values; expected fewer"],
+        ),
+        (
+            json!({"op": "set-vertex-position", "vertex": 0, "position": [0, 0]}),
+            &["`position`", "a list of 2 values; expected 3"],
+        ),
+        (
+            json!({"op": "set-vertex-position", "vertex": 0, "position": {}}),
+            &["`position`", "an object is not a list of 3 numbers"],
+        ),
+        (
+            json!({"op": "set-vertex-position", "vertex": 0, "position": ["NaN", 0, 0]}),
+            &["`position[0]`", "NaN is not a finite number"],
+        ),
+        (
+            json!({"op": "set-vertex-position", "vertex": 0, "position": [0, 1e99, 0]}),
+            &["`position[1]`", "1e+99 is not a finite number"],
+        ),
+        (json!({"op": "split-edge", "edge": 0, "t": null}), &["`t`", "null is not a finite number"]),
+        (json!({"op": "split-edge", "edge": 0, "t": "x"}), &["`t`", "\"x\" is not a finite number"]),
+        (json!({"op": "delete-faces", "faces": 0}), &["`faces`", "0 is not a list"]),
+        (
+            json!({"op": "simplify", "preserve_boundary": 1}),
+            &["`preserve_boundary`", "1 is not true or false"],
+        ),
+        (json!({"op": "merge-vertices", "vertices": [0]}), &["only vertex 0 is given; give two or more"]),
+        (
+            json!({"op": "subdivide-catmull-clark", "levels": 99}),
+            &["`levels`", "would have more than a million million faces", "use fewer levels"],
+        ),
+        (
+            json!({"op": "remesh", "edge_length": 1e-9}),
+            &["`edge_length`", "more than a million million faces", "use a larger length"],
         ),
     ];
     for (value, parts) in cases {

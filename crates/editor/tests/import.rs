@@ -3,7 +3,7 @@
 mod support;
 
 use editor::formats::{Format, NamedBytes, NonManifold, Repairs};
-use editor::{Begun, Editor, Finished, JobRequest, JobResult};
+use editor::{Begun, Editor, Finished, JobRequest, JobResult, Outcome};
 use glam::DVec3;
 use serde_json::json;
 use std::ops::ControlFlow;
@@ -38,10 +38,21 @@ fn components(editor: &Editor) -> usize {
 fn a_repair_can_be_done_another_way_and_undone() {
     let mut editor = on_fin();
     assert!(editor.document().objects()[0].is_repairable());
+    let report = |outcome: &Outcome| {
+        serde_json::to_value(outcome).expect("plain")["report"]
+            .as_array()
+            .map(|notes| notes.iter().map(|note| note["severity"].to_string()).collect::<Vec<_>>())
+    };
+    let request = editor.begin_import(vec![NamedBytes::new("a.obj", FIN)]);
+    let result = request.run(&mut |_| ControlFlow::Continue(()));
+    let Ok(Finished::Done(opened)) = editor.finish(request.id(), result) else { panic!("opens") };
+    let severities = report(&opened).expect("the whole report, not only its warnings");
+    assert!(severities.contains(&"\"info\"".into()) && severities.contains(&"\"warning\"".into()));
     assert_eq!(editor.state()["document"]["objects"][0]["repairable"], true);
     assert_eq!((sizes(&editor)[2], components(&editor)), (3, 3));
     let before = editor.document().clone();
     let outcome = run(&mut editor, json!({"op": "repair-import", "non_manifold": "drop"}));
+    assert_eq!(report(&outcome), None, "only opening has a report");
     assert_eq!(outcome.warnings, ["1 face left out: two earlier faces meet at one of its edges (face 2)"]);
     assert_eq!((sizes(&editor)[2], components(&editor)), (2, 2));
     let dropped = editor.document().clone();

@@ -1,6 +1,6 @@
 //! Why a whole-mesh operation was refused or stopped.
 
-use halfedge::FaceId;
+use halfedge::{FaceId, VertexId};
 use std::fmt;
 
 /// Why a whole-mesh operation gave no mesh. The input is untouched in every case.
@@ -21,6 +21,13 @@ pub enum SurfaceError {
         face: FaceId,
         /// How many corners it has.
         corners: usize,
+    },
+    /// Two triangles meet along two edges: cut in four, their cuts would join the same two midpoints.
+    MeetTwice {
+        /// The vertex between the edges, which has no others.
+        vertex: VertexId,
+        /// The triangles.
+        faces: [FaceId; 2],
     },
     /// A field has a value that the operation can't work with.
     BadField {
@@ -44,11 +51,17 @@ impl fmt::Display for SurfaceError {
             Self::Cancelled => f.write_str("cancelled"),
             Self::TooManyFaces { faces, limit } => write!(
                 f,
-                "the result would have {faces} faces, more than the {limit} that fit in memory; use fewer levels"
+                "the result would have {} faces, more than the {limit} that fit in memory",
+                count(*faces)
             ),
             Self::NotTriangles { face, corners } => write!(
                 f,
                 "{face} has {corners} corners; this works on triangles only, so triangulate the faces first"
+            ),
+            Self::MeetTwice { vertex, faces: [a, b] } => write!(
+                f,
+                "{a} and {b} meet along both edges of {vertex}; dissolve that vertex or delete one of the faces \
+                 first"
             ),
             Self::BadField { field, must_be } => write!(f, "{field} must be {must_be}"),
         }
@@ -56,3 +69,8 @@ impl fmt::Display for SurfaceError {
 }
 
 impl std::error::Error for SurfaceError {}
+
+/// A number in words where its digits say nothing, as where counting it ran out of them.
+pub(crate) fn count(number: u64) -> String {
+    if number < 1_000_000_000_000 { number.to_string() } else { "more than a million million".to_owned() }
+}

@@ -423,7 +423,7 @@ pub(crate) fn closest_in_triangle([a, b, c]: [DVec3; 3], p: DVec3) -> DVec3 {
         return DVec3::Y;
     }
     let vc = d1 * d4 - d3 * d2;
-    if vc <= 0.0 && d1 >= 0.0 && d3 <= 0.0 {
+    if vc <= 0.0 && d1 >= 0.0 && d3 <= 0.0 && d1 > d3 {
         let v = d1 / (d1 - d3);
         return DVec3::new(1.0 - v, v, 0.0);
     }
@@ -433,16 +433,39 @@ pub(crate) fn closest_in_triangle([a, b, c]: [DVec3; 3], p: DVec3) -> DVec3 {
         return DVec3::Z;
     }
     let vb = d5 * d2 - d1 * d6;
-    if vb <= 0.0 && d2 >= 0.0 && d6 <= 0.0 {
+    if vb <= 0.0 && d2 >= 0.0 && d6 <= 0.0 && d2 > d6 {
         let w = d2 / (d2 - d6);
         return DVec3::new(1.0 - w, 0.0, w);
     }
     let va = d3 * d6 - d5 * d4;
-    if va <= 0.0 && d4 >= d3 && d5 >= d6 {
-        let w = (d4 - d3) / ((d4 - d3) + (d5 - d6));
+    let past_b = d4 - d3;
+    let along = past_b + (d5 - d6);
+    if va <= 0.0 && past_b >= 0.0 && d5 >= d6 && along > 0.0 {
+        let w = past_b / along;
         return DVec3::new(0.0, 1.0 - w, w);
     }
     let sum = va + vb + vc;
+    // A triangle without area to speak of is its sides, and the three areas are noise.
+    if sum <= 1e-14 * ab.length_squared() * ac.length_squared() {
+        return closest_on_sides([a, b, c], p);
+    }
     let (v, w) = (vb / sum, vc / sum);
     DVec3::new(1.0 - v - w, v, w)
+}
+
+/// The weights of the point closest to `p` on a triangle's sides.
+fn closest_on_sides(corners: [DVec3; 3], p: DVec3) -> DVec3 {
+    let on_side = |i: usize| {
+        let (from, to) = (corners[i], corners[(i + 1) % 3]);
+        let side = to - from;
+        let t = (side.dot(p - from) / side.length_squared()).clamp(0.0, 1.0);
+        let t = if t.is_nan() { 0.0 } else { t };
+        let mut weights = DVec3::ZERO;
+        weights[i] = 1.0 - t;
+        weights[(i + 1) % 3] = t;
+        (weights, from.lerp(to, t).distance_squared(p))
+    };
+    let [first, second, third] = [0, 1, 2].map(on_side);
+    let nearer = |a: (DVec3, f64), b: (DVec3, f64)| if b.1 < a.1 { b } else { a };
+    nearer(nearer(first, second), third).0
 }

@@ -199,3 +199,35 @@ fn nothing_to_hit_is_no_hit() {
     let inside = tree.hit(&cube, Ray { origin: Vec3::ZERO, direction: Vec3::X * 0.001 }).expect("closed");
     assert_eq!((inside.distance, inside.face), (1.0, FaceId::new(5)));
 }
+
+/// Faces whose corners lie on a line or at one place, in every order.
+#[test]
+fn faces_without_area_are_their_sides() {
+    let spots =
+        [Vec3::ZERO, Vec3::new(1.0, 0.5, -0.25), Vec3::new(0.3, 0.15, -0.075), Vec3::new(3.0, 1.5, -0.75)];
+    let probes = [
+        Vec3::ZERO,
+        Vec3::new(0.4, 0.2, -0.1),
+        Vec3::new(0.5, 1.0, 2.0),
+        Vec3::new(-1.0, 3.0, 0.1),
+        Vec3::new(5.0, 0.0, 0.0),
+        Vec3::new(0.9, 0.5, -0.2),
+    ];
+    for a in spots {
+        for b in spots {
+            for c in spots {
+                let soup = PolygonSoup::new(vec![a, b, c], &[&[0u32, 1, 2][..]]);
+                let mesh = Mesh::build(soup).expect("small").mesh;
+                for p in probes {
+                    let found = FaceTree::new(&mesh).closest_point(&mesh, p).expect("has a face");
+                    let expected = slow_distance(&mesh, p.as_dvec3());
+                    assert!(
+                        (found.distance - expected).abs() < 1e-6,
+                        "{a} {b} {c} {p}: {found:?} {expected}"
+                    );
+                    assert!(found.point.is_finite());
+                }
+            }
+        }
+    }
+}

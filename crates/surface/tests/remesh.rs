@@ -37,6 +37,19 @@ fn angles(mesh: &Mesh) -> (f64, f64) {
 }
 
 #[test]
+fn faces_without_area_are_remeshed_too() {
+    // As a bevel of width 0 leaves it: a quad between two edges at one place.
+    let mut mesh = cube();
+    let edge = mesh.edges().next().expect("has edges");
+    let live = halfedge::edit::bevel_edges(&mut mesh, &[edge], 1);
+    live.expect("any edge").slide.apply(&mut mesh, 0.0).expect("in range");
+    for length in [0.3, 0.5, 1.0] {
+        let options = Remesh { edge_length: Some(length), ..Remesh::default() };
+        assert_eq!(run(&mesh, &options).euler_characteristic(), 2);
+    }
+}
+
+#[test]
 fn a_sphere_gets_regular_triangles_of_the_length_asked_for() {
     let sphere = shape("uv-sphere");
     let options = Remesh { edge_length: Some(0.1), iterations: 10, ..Remesh::default() };

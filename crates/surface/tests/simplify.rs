@@ -111,6 +111,20 @@ fn large_meshes_are_simplified_evenly() {
 }
 
 #[test]
+fn seams_that_stop_it_are_named() {
+    let mut mesh = shape("cube", &[]);
+    mesh = subdivide_linear(&mesh, &Linear { levels: 2 }, &mut go_on).expect("fits");
+    // A chart of its own for each face: every edge is a seam.
+    for h in 0..mesh.halfedge_count() {
+        mesh.set(keys::CORNER_UV, h, Vec2::splat(h as f32));
+    }
+    let why = to(&mesh, SimplifyTarget::Faces(4)).shortfall().expect("falls short");
+    assert!(why.contains("break a seam of the texture coordinates"), "{why}");
+    let flat = to(&cube(), SimplifyTarget::Faces(2)).shortfall().expect("falls short");
+    assert!(!flat.contains("seam"), "{flat}");
+}
+
+#[test]
 fn what_cannot_be_simplified_is_left_at_once() {
     // No tetrahedron of these ten thousand can lose a triangle.
     let mut soup = halfedge::PolygonSoup::default();

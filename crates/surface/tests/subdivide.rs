@@ -178,6 +178,20 @@ fn loop_weights_by_hand() {
 }
 
 #[test]
+fn loop_refuses_triangles_that_meet_twice() {
+    let pair = mesh(&[[0.0; 3], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]], &[&[0, 1, 2], &[2, 1, 0]]);
+    let refused =
+        subdivide_loop(&pair, &Loop::default(), &mut go_on).expect_err("would join midpoints twice");
+    assert!(refused.to_string().contains("meet along both edges of vertex"), "{refused}");
+    // At a corner of the boundary two edges are not between the same triangles.
+    let fold = mesh(
+        &[[0.0; 3], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0], [0.0, 0.0, -1.0]],
+        &[&[0, 1, 2], &[1, 0, 3], &[0, 2, 4]],
+    );
+    assert_eq!(lp(&fold, 1).face_count(), 12);
+}
+
+#[test]
 fn a_flat_grid_stays_flat_and_linear_keeps_its_outline() {
     let input = grid(3);
     let linear = subdivide_linear(&input, &Linear { levels: 2 }, &mut go_on).expect("fits");

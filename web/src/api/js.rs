@@ -37,7 +37,15 @@ pub fn to_js(value: &impl Serialize) -> Answer {
 /// `message`.
 pub fn to_json(value: &JsValue, message: &str) -> Result<serde_json::Value, JsValue> {
     let refused = || error(message);
-    let text = JSON::stringify(value).map_err(|_| refused())?;
+    // NaN and the infinities would become null: by their names they can be refused for what they are.
+    let by_name =
+        Closure::<dyn Fn(JsValue, JsValue) -> JsValue>::new(|_, value: JsValue| match value.as_f64() {
+            Some(number) if number.is_nan() => "NaN".into(),
+            Some(f64::INFINITY) => "Infinity".into(),
+            Some(f64::NEG_INFINITY) => "-Infinity".into(),
+            _ => value,
+        });
+    let text = JSON::stringify_with_replacer(value, by_name.as_ref()).map_err(|_| refused())?;
     let text = text.as_string().ok_or_else(refused)?;
     serde_json::from_str(&text).map_err(|_| refused())
 }

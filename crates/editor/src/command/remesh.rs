@@ -90,10 +90,9 @@ impl EachMesh for Remesh {
             project: self.project,
         };
         surface::remesh(mesh, &options, progress).map_err(|error| match error {
-            SurfaceError::TooManyFaces { faces, limit } => Problem::field(
-                "edge_length",
-                format!("the result would have some {faces} triangles, more than the {limit} that fit in memory; use a larger length"),
-            ),
+            SurfaceError::TooManyFaces { .. } => {
+                Problem::field("edge_length", format!("{error}; use a larger length"))
+            }
             other => other.into(),
         })
     }

@@ -42,7 +42,7 @@ pub(super) fn faces_after(faces: usize, levels: u32) -> usize {
 /// A subdivision's refusal; too many faces come of too many levels.
 pub(super) fn refused(error: SurfaceError) -> Problem {
     match error {
-        SurfaceError::TooManyFaces { .. } => Problem::field("levels", error.to_string()),
+        SurfaceError::TooManyFaces { .. } => Problem::field("levels", format!("{error}; use fewer levels")),
         other => other.into(),
     }
 }

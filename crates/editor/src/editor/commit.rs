@@ -44,9 +44,15 @@ impl Editor {
                 .filter(|object| removed_all || objects.contains(&object.id()))
                 .map(Object::mesh),
         );
-        let (created, removed) = match ids {
-            Some((created, removed)) => (created.into(), removed.into()),
-            None => (Elements::gained(before, after), Elements::gained(after, before)),
+        let (created, removed) = match (ids, commit) {
+            (Some((created, removed)), _) => (created.into(), removed.into()),
+            (None, Commit::NewDocument) => {
+                (Elements::gained([0; 3], after), Elements::gained([0; 3], before))
+            }
+            (None, Commit::NewObject) => (Elements::gained([0; 3], after), Elements::default()),
+            (None, Commit::Replace | Commit::Join) => {
+                (Elements::gained(before, after), Elements::gained(after, before))
+            }
         };
         let keeps_ids = created.ids.is_some();
         let changes = self.changes_for(commit, objects, at, outputs)?;

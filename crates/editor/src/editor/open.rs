@@ -65,6 +65,7 @@ impl Editor {
             };
             self.say(kind, note.text.clone());
         }
-        Outcome { op: "open".into(), created, removed: Elements::default(), message, warnings }
+        let report = import.report.notes().to_vec();
+        Outcome { op: "open".into(), created, removed: Elements::default(), message, warnings, report }
     }
 }

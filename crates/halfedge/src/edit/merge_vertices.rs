@@ -30,7 +30,8 @@ fn plan_merge(mesh: &Mesh, vertices: &[VertexId], position: Option<Vec3>) -> Res
     let becomes: FxHashMap<VertexId, VertexId> =
         vertices.iter().filter(|&&v| v != target).map(|&v| (v, target)).collect();
     if becomes.is_empty() {
-        return Err(Refusal::GivenTwice(Element::Vertex, target.raw()));
+        let why = if vertices.len() == 1 { Refusal::OnlyOne } else { Refusal::GivenTwice };
+        return Err(why(Element::Vertex, target.raw()));
     }
     plan(mesh, substitute(mesh, &becomes))?.keeping_vertices(|v| becomes.contains_key(&v))
 }

@@ -12,6 +12,8 @@ pub enum Refusal {
     NothingGiven(Element),
     /// The edit needs different elements and was given this one twice.
     GivenTwice(Element, u32),
+    /// The edit makes one of several elements and was given only this one.
+    OnlyOne(Element, u32),
     /// A parameter is out of its range.
     OutOfRange {
         /// The parameter's name in commands.
@@ -76,6 +78,9 @@ impl fmt::Display for Refusal {
             Self::NothingGiven(element) => write!(f, "no {element} was given; select one or more"),
             Self::GivenTwice(element, id) => {
                 write!(f, "{element} {id} was given twice; give two different ones")
+            }
+            Self::OnlyOne(element, id) => {
+                write!(f, "only {element} {id} is given; give two or more")
             }
             Self::OutOfRange { field, value, range } => {
                 write!(f, "`{field}` is {value}, but must be {range}")

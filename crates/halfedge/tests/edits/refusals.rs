@@ -58,6 +58,7 @@ fn reached() -> Vec<Refusal> {
         can_loop_cut(&triangle, EdgeId::new(0), 1, 0.5),
         can_bridge(&frame, [loops[0], frame.next(loops[0])]),
         can_rip_edges(&cube, &[EdgeId::new(0)]),
+        can_merge_vertices(&cube, &[VertexId::new(0)], None),
         can_flip_orientation(&cube, &all[1..]),
         can_triangulate_face_ears(&holed, filled),
     ];
@@ -70,6 +71,7 @@ fn name(refusal: &Refusal) -> &'static str {
         Refusal::NoSuchElement(..) => "no such element",
         Refusal::NothingGiven(_) => "nothing given",
         Refusal::GivenTwice(..) => "given twice",
+        Refusal::OnlyOne(..) => "only one",
         Refusal::OutOfRange { .. } => "out of range",
         Refusal::TooFarAway(_) => "too far away",
         // Reached by a unit test: no mesh of two billion edges fits in memory here.
@@ -103,7 +105,7 @@ fn every_reason_is_reached_once_and_told() {
     let mut names: Vec<&str> = reached().iter().map(name).collect();
     names.sort_unstable();
     names.dedup();
-    assert_eq!(names.len(), 26, "{names:?}");
+    assert_eq!(names.len(), 27, "{names:?}");
     for refusal in reached() {
         let words = refusal.to_string();
         assert!(words.len() > 15, "{words}");

@@ -56,6 +56,8 @@ pub struct Simplified {
     pub mesh: Mesh,
     /// The count that was asked for, where one was.
     pub wanted: Option<usize>,
+    /// Whether it stopped early and has seams of corner attributes, such as texture coordinates.
+    pub has_seams: bool,
 }
 
 impl Simplified {
@@ -71,9 +73,11 @@ impl Simplified {
         } else if faces < wanted {
             format!("the mesh has only {faces} triangles")
         } else {
+            let seam =
+                if self.has_seams { "break a seam of the texture coordinates or normals, " } else { "" };
             format!(
-                "stopped at {faces} triangles, not {wanted}: any further collapse would turn over or flatten \
-                 a triangle, close a hole or glue faces together"
+                "stopped at {faces} triangles, not {wanted}: any further collapse would {seam}turn over or \
+                 flatten a triangle, close a hole or glue faces together"
             )
         })
     }
@@ -126,9 +130,11 @@ pub fn simplify(
     run::to(&mut work, wanted.unwrap_or(0), &mut pace.part(0.1, 0.95))?;
     // Everything else goes before the result comes.
     let Work { tri, .. } = work;
+    let has_seams = wanted.is_some_and(|wanted| tri.faces > wanted)
+        && (0..tri.v.len() as u32).any(|h| tri.is_alive(h) && tri.is_seam(h));
     let mesh = tri.to_mesh(mesh);
     pace.at(1.0)?;
-    Ok(Simplified { mesh, wanted })
+    Ok(Simplified { mesh, wanted, has_seams })
 }
 
 /// What a vertex is part of.

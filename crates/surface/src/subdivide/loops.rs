@@ -64,7 +64,7 @@ const TABLE: usize = 32;
 /// Attributes as in [`super::subdivide_catmull_clark`]. Costs O(result).
 ///
 /// # Errors
-/// [`SurfaceError::NotTriangles`]; [`SurfaceError::TooManyFaces`] beforehand, above
+/// [`SurfaceError::NotTriangles`]; [`SurfaceError::MeetTwice`]; [`SurfaceError::TooManyFaces`] beforehand, above
 /// [`super::MAX_FACES`]; [`SurfaceError::Cancelled`].
 pub fn subdivide_loop(
     mesh: &Mesh,
@@ -72,6 +72,7 @@ pub fn subdivide_loop(
     progress: &mut Progress<'_>,
 ) -> Result<Mesh, SurfaceError> {
     crate::require_triangles(mesh)?;
+    no_two_meet_twice(mesh)?;
     check_size((mesh.face_count() as u64).saturating_mul(4), options.levels)?;
     let mut table = [0.0; TABLE];
     for (valence, weight) in (0u32..).zip(&mut table).skip(1) {
@@ -89,6 +90,20 @@ pub fn subdivide_loop(
         },
         Sharpness::of_children,
     )
+}
+
+/// Two triangles that share two edges share the vertex between, which has no other edges.
+fn no_two_meet_twice(mesh: &Mesh) -> Result<(), SurfaceError> {
+    for h in mesh.halfedges() {
+        // The half-edge after `h` from the same vertex, and the one after that.
+        let other = mesh.next(h.twin());
+        if mesh.next(other.twin()) == h
+            && let (Some(a), Some(b)) = (mesh.face_of(h), mesh.face_of(h.twin()))
+        {
+            return Err(SurfaceError::MeetTwice { vertex: mesh.from(h), faces: [a, b] });
+        }
+    }
+    Ok(())
 }
 
 fn place(
