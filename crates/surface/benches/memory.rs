@@ -11,13 +11,14 @@ use std::io::Write as _;
 use std::process::Command;
 use surface::*;
 
-const JOBS: [&str; 7] = [
+const JOBS: [&str; 8] = [
     "catmull-clark",
     "loop",
     "linear",
     "simplify",
     "simplify within a distance",
     "remesh",
+    "remesh a scan",
     "merge by distance",
 ];
 /// Which job a child process is to do.
@@ -46,6 +47,7 @@ fn status(name: &str) -> Option<usize> {
 fn run(job: &str) {
     let input = match job {
         "simplify within a distance" => bunny(0).unwrap_or_else(|| sphere(6.0)),
+        "remesh a scan" => bunny(1).unwrap_or_else(|| sphere(7.0)),
         "simplify" | "merge by distance" => sphere(8.0),
         _ => sphere(7.0),
     };
@@ -77,7 +79,7 @@ fn operate(job: &str, mesh: &Mesh) -> Mesh {
         "catmull-clark" => subdivide_catmull_clark(mesh, &CatmullClark::default(), &mut go_on).expect("fits"),
         "loop" => subdivide_loop(mesh, &Loop::default(), &mut go_on).expect("fits"),
         "linear" => subdivide_linear(mesh, &Linear { levels: 1 }, &mut go_on).expect("fits"),
-        "remesh" => remesh(mesh, &Remesh::default(), &mut go_on).expect("in range"),
+        "remesh" | "remesh a scan" => remesh(mesh, &Remesh::default(), &mut go_on).expect("in range"),
         "merge by distance" => merge_by_distance(mesh, 1e-7, &mut go_on).expect("in range").mesh,
         _ => {
             let target = if job == "simplify" {

@@ -5,6 +5,7 @@
 //! its curve exactly, whatever the curve does in space, and never past its neighbours.
 
 use super::kept::{Kept, kept_edges};
+use super::sides::Sides;
 use crate::trimesh::TriMesh;
 use glam::DVec3;
 use halfedge::{Mesh, NONE};
@@ -53,7 +54,7 @@ pub(super) struct Found {
     pub curves: Curves,
     /// Per half-edge: twice its edge's place in `arcs`, plus 1 if it goes from the second end to the
     /// first; or [`NONE`].
-    pub arc: Vec<u32>,
+    pub arc: Sides,
     pub arcs: Vec<Arc>,
     /// Per vertex.
     pub roles: Vec<Role>,
@@ -104,7 +105,7 @@ fn drop_short(tri: &TriMesh, found: &Found, kept: &mut [Kept], length: f64) -> b
         }
     }
     for h in edges() {
-        let curve = found.arcs[found.arc[h as usize] as usize / 2].curve as usize;
+        let curve = found.arcs[found.arc.get(h) as usize / 2].curve as usize;
         sharp[curve] &= kept[h as usize] == Kept::Sharp;
         loose[curve] |= degree[tri.from(h) as usize] == 1 || degree[tri.to(h) as usize] == 1;
     }
@@ -114,7 +115,8 @@ fn drop_short(tri: &TriMesh, found: &Found, kept: &mut [Kept], length: f64) -> b
     if !dropped.contains(&true) {
         return false;
     }
-    for (kept, &arc) in kept.iter_mut().zip(&found.arc) {
+    for (h, kept) in (0u32..).zip(kept) {
+        let arc = found.arc.get(h);
         if arc != NONE && dropped[found.arcs[arc as usize / 2].curve as usize] {
             *kept = Kept::No;
         }
@@ -137,7 +139,7 @@ fn find_all(tri: &TriMesh, kept: &[Kept], least_cos: f64, length: f64) -> Found 
 
 impl Found {
     fn nothing(tri: &TriMesh, roles: Vec<Role>) -> Self {
-        Self { curves: Curves::default(), arc: vec![NONE; tri.v.len()], arcs: Vec::new(), roles }
+        Self { curves: Curves::default(), arc: Sides::new(tri.v.len() / 3), arcs: Vec::new(), roles }
     }
 }
 
@@ -227,7 +229,7 @@ impl<'a> Search<'a> {
 
     /// How far along its curve a vertex looks to see whether it is a corner.
     fn reach(&self, v: u32, length: f64) -> f64 {
-        let arc = self.found.arcs[self.found.arc[self.pairs[v as usize][0] as usize] as usize / 2];
+        let arc = self.found.arcs[self.found.arc.get(self.pairs[v as usize][0]) as usize / 2];
         length.min(0.125 * self.found.curves.length(arc.curve))
     }
 
@@ -276,7 +278,7 @@ impl<'a> Search<'a> {
 
     /// Notes the curve that starts at a vertex with an edge, if that is kept and new.
     fn trace(&mut self, start: u32, edge: u32) {
-        if self.kept[edge as usize] == Kept::No || self.found.arc[edge as usize] != NONE {
+        if self.kept[edge as usize] == Kept::No || self.found.arc.get(edge) != NONE {
             return;
         }
         let tri = self.tri;
@@ -294,10 +296,10 @@ impl<'a> Search<'a> {
             curves.along.push(along);
             let number = 2 * arcs.len() as u32;
             arcs.push(Arc { curve: curves.curves.len() as u32, ends: [before, along] });
-            arc[edge as usize] = number + u32::from(!forward);
+            arc.set(edge, number + u32::from(!forward));
             let across = tri.opp(edge);
             if across != NONE {
-                arc[across as usize] = number + u32::from(forward);
+                arc.set(across, number + u32::from(forward));
             }
             if next == start || roles[next as usize] != Role::Curve {
                 break;
@@ -336,11 +338,11 @@ mod tests {
         assert_eq!(of_cylinder.arcs.len(), 64);
         // Both half-edges of a kept edge know its places, the other way round.
         for h in 0..tri.v.len() as u32 {
-            let arc = of_cylinder.arc[h as usize];
+            let arc = of_cylinder.arc.get(h);
             if arc == NONE {
                 continue;
             }
-            assert_eq!(of_cylinder.arc[tri.opp(h) as usize], arc ^ 1);
+            assert_eq!(of_cylinder.arc.get(tri.opp(h)), arc ^ 1);
             let Arc { curve, ends } = of_cylinder.arcs[arc as usize / 2];
             let start = of_cylinder.curves.at(curve, ends[arc as usize % 2]);
             assert!(start.distance(tri.at(tri.from(h))) < 1e-12);

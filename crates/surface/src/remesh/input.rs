@@ -1,8 +1,8 @@
 //! The surface that is remeshed, to put vertices back on.
 
 use crate::face_tree::closest_in_triangle;
-use crate::trimesh::{TriMesh, prev};
-use glam::DVec3;
+use crate::trimesh::{Frame, TriMesh, prev};
+use glam::{DVec3, Vec3};
 use halfedge::NONE;
 
 /// How many triangles one walk may cross: far more than any vertex moves over.
@@ -13,9 +13,9 @@ pub(super) struct Input {
     v: Vec<u32>,
     opp: Vec<u32>,
     out: Vec<u32>,
-    position: Vec<DVec3>,
-    /// Per face of the mesh: one of its triangles.
-    of_face: Vec<u32>,
+    /// As in the mesh: they are exact there.
+    position: Vec<Vec3>,
+    frame: Frame,
 }
 
 /// A point on the input.
@@ -28,29 +28,15 @@ pub(super) struct Foot {
 }
 
 impl Input {
-    /// The triangles of a mesh with faces below `faces`.
-    pub fn of(tri: &TriMesh, faces: usize) -> Self {
-        let mut of_face = vec![0; faces];
-        for (triangle, &face) in (0u32..).zip(&tri.face_source) {
-            of_face[face as usize] = triangle;
-        }
+    /// A copy of triangles.
+    pub fn of(tri: &TriMesh) -> Self {
         Self {
-            of_face,
             v: tri.v.clone(),
             opp: tri.opp.clone(),
             out: tri.out.clone(),
-            position: tri.position.clone(),
+            position: tri.position.iter().map(|&p| tri.frame.outward(p)).collect(),
+            frame: tri.frame,
         }
-    }
-
-    /// Some triangle with a vertex of the input.
-    pub fn face_at(&self, v: u32) -> u32 {
-        self.out[v as usize] / 3
-    }
-
-    /// A triangle of a face of the mesh.
-    pub fn triangle_of(&self, face: u32) -> u32 {
-        self.of_face[face as usize]
     }
 
     /// The point closest to `p`, walking down from a triangle to neighbours that are closer. What lies
@@ -89,7 +75,7 @@ impl Input {
     #[inline]
     fn on(&self, face: u32, p: DVec3) -> Foot {
         let first = 3 * face as usize;
-        let corner = |k: usize| self.position[self.v[first + k] as usize];
+        let corner = |k: usize| self.frame.inward(self.position[self.v[first + k] as usize]);
         let (a, b, c) = (corner(0), corner(1), corner(2));
         let weights = closest_in_triangle([a, b, c], p);
         let at = a * weights.x + b * weights.y + c * weights.z;

@@ -16,13 +16,14 @@ mod input;
 mod kept;
 mod polish;
 mod relax;
+mod sides;
 mod work;
 
 use crate::SurfaceError;
 use crate::pace::Pace;
 use crate::trimesh::TriMesh;
 use halfedge::{Mesh, NONE, Progress};
-use relax::Relaxer;
+use relax::relax;
 use work::Work;
 
 /// How to remesh.
@@ -80,33 +81,24 @@ pub fn remesh(mesh: &Mesh, options: &Remesh, progress: &mut Progress<'_>) -> Res
     let (_, least_cos) = crate::trig::sin_cos_turns(options.feature_angle / 360.0);
     let length = length / tri.frame.scale;
     let mut work = Work::new(mesh, tri, length, least_cos, options.project);
-    let mut relaxer = Relaxer::default();
     pace.at(0.05)?;
     for iteration in 0..options.iterations {
         let share = |i: u32| 0.05 + 0.8 * i as f32 / options.iterations as f32;
         let mut part = pace.part(share(iteration), share(iteration + 1));
         split_long(&mut work, &mut part.part(0.0, 0.1))?;
         collapse_short(&mut work, &mut part.part(0.1, 0.2))?;
-        if work.unordered > work.tri.faces / 4 {
+        if work.unordered > work.tri.faces / 8 {
             work.put_in_order();
         }
-        for round in 0..RELAXATIONS {
-            let share = |i: u32| 0.2 + 0.8 * i as f32 / RELAXATIONS as f32;
-            flip_to_valence(&mut work, &mut part.part(share(round), share(round)))?;
-            relaxer.run(&mut work, &mut part.part(share(round), share(round + 1)))?;
-        }
+        flip_to_valence(&mut work, &mut part.part(0.2, 0.4))?;
+        relax(&mut work, &mut part.part(0.4, 1.0))?;
     }
     polish::polish(&mut work, &mut pace.part(0.85, 0.95))?;
-    // Everything else goes before the result comes: that is where memory peaks.
-    drop(relaxer);
-    let Work { tri, .. } = work;
-    let result = tri.to_mesh(mesh);
+    let tri = work.finish();
+    let result = tri.into_mesh(mesh);
     pace.at(1.0)?;
     Ok(result)
 }
-
-/// How often vertices are moved in each iteration.
-const RELAXATIONS: u32 = 2;
 
 /// Calls `edit` with each edge that exists when its turn comes, those made meanwhile included.
 fn each_edge(
@@ -203,7 +195,7 @@ mod tests {
             if !work.tri.is_alive(h) || !work.is_kept(h) {
                 continue;
             }
-            let arc = work.arcs[work.arc[h as usize] as usize / 2];
+            let arc = work.arcs[work.arc.get(h) as usize / 2];
             for (v, place) in [work.tri.from(h), work.tri.to(h)].into_iter().zip(work.places(h)) {
                 let off = work.curves.at(arc.curve, place).distance(work.tri.at(v));
                 assert!(off < 1e-9, "after {step}: {off}");
@@ -220,7 +212,6 @@ mod tests {
             let tri = TriMesh::new(&mesh);
             let length = length / tri.frame.scale;
             let mut work = Work::new(&mesh, tri, length, 0.7, true);
-            let mut relaxer = Relaxer::default();
             let mut pace = Pace::new(&mut *progress);
             check(&work, "start");
             for _ in 0..4 {
@@ -232,7 +223,7 @@ mod tests {
                 check(&work, "order");
                 flip_to_valence(&mut work, &mut pace).expect("not cancelled");
                 check(&work, "flip");
-                relaxer.run(&mut work, &mut pace).expect("not cancelled");
+                relax(&mut work, &mut pace).expect("not cancelled");
                 check(&work, "relax");
             }
             polish::polish(&mut work, &mut pace).expect("not cancelled");

@@ -19,161 +19,109 @@ struct Sliding {
     v: u32,
     /// One of its two edges there.
     edge: u32,
-    /// How far its neighbours are along the curve, and who they are.
+    /// How far its neighbours are along the curve, one of them backwards.
     gaps: [f64; 2],
+    /// Their places in the list of such vertices, or [`NONE`] for those that stay.
     ends: [u32; 2],
+    /// How far it goes along the curve.
+    shift: f64,
 }
 
-/// What a vertex's triangles add up to.
-#[derive(Clone, Copy, Default)]
-struct Sum {
-    /// Twice their area vectors.
-    normal: DVec3,
-    /// Their middles, times three, by area.
-    middles: DVec3,
-    weight: f64,
+/// One round: first vertices on curves, then the others, each where it does best between its neighbours as
+/// they are by then. Vertices whose move would turn a triangle over stay this time.
+pub(super) fn relax(work: &mut Work, pace: &mut Pace<'_, '_>) -> Result<(), SurfaceError> {
+    slide(work);
+    let mut star = Vec::new();
+    pace.chunks(work.tri.out.len(), |range| {
+        for v in range.start as u32..range.end as u32 {
+            if work.roles[v as usize] == Role::Free && work.tri.out[v as usize] != NONE {
+                to_middle(work, v, &mut star);
+            }
+        }
+    })
 }
 
-/// Scratch space, kept from one round to the next.
-#[derive(Default)]
-pub(super) struct Relaxer {
-    sums: Vec<Sum>,
-    moved: Vec<DVec3>,
-    /// The vertices on curves.
-    sliding: Vec<Sliding>,
-    /// Per vertex: how far it goes along its curve.
-    shift: Vec<f64>,
-    back: Vec<u32>,
+/// Evens out the places of vertices on curves.
+fn slide(work: &mut Work) {
+    let mut sliding = sliding(work);
+    for _ in 0..SWEEPS {
+        for i in 0..sliding.len() {
+            let Sliding { gaps, ends, .. } = sliding[i];
+            // One gap is positive and one negative: towards the start of the curve.
+            let [p, q] = ends.map(|end| sliding.get(end as usize).map_or(0.0, |end| end.shift));
+            sliding[i].shift = 0.5 * ((gaps[0] + p) + (gaps[1] + q));
+        }
+    }
+    for Sliding { v, edge, gaps, shift, .. } in sliding {
+        let (low, high) = (REACH * gaps[0].min(gaps[1]).min(0.0), REACH * gaps[0].max(gaps[1]).max(0.0));
+        let shift = shift.clamp(low, high);
+        let [here, _] = work.places_from(v, edge);
+        let to = work.curve_point(edge, here + shift);
+        if to != work.tri.at(v) && work.may_move(v, to) {
+            work.slide(v, shift);
+            work.tri.position[v as usize] = to;
+        }
+    }
 }
 
-impl Relaxer {
-    /// One round. Vertices whose move would turn a triangle over stay this time.
-    pub fn run(&mut self, work: &mut Work, pace: &mut Pace<'_, '_>) -> Result<(), SurfaceError> {
-        self.add_up(work);
-        self.moved.clear();
-        self.moved.extend_from_slice(&work.tri.position);
-        self.slide(work);
-        pace.chunks(work.tri.out.len(), |range| {
-            for v in range {
-                match work.roles[v] {
-                    Role::Free => self.moved[v] = self.middle(work, v),
-                    // Where these go is known already.
-                    Role::Curve | Role::Fixed => {}
-                }
-            }
-        })?;
-        self.take_back(work);
-        for &Sliding { v, .. } in &self.sliding {
-            if self.moved[v as usize] != work.tri.at(v) {
-                work.slide(v, self.shift[v as usize]);
-            }
+/// The vertices that a curve passes through, in order of number.
+fn sliding(work: &Work) -> Vec<Sliding> {
+    let mut list = Vec::new();
+    for v in 0..work.tri.out.len() as u32 {
+        if work.roles[v as usize] != Role::Curve || work.tri.out[v as usize] == NONE {
+            continue;
         }
-        std::mem::swap(&mut self.moved, &mut work.tri.position);
-        Ok(())
+        let [a, b] = work.kept_at(v);
+        if a == NONE || b == NONE {
+            continue;
+        }
+        let gaps = [a, b].map(|h| {
+            let [here, there] = work.places_from(v, h);
+            there - here
+        });
+        let ends = [a, b].map(|h| if work.tri.from(h) == v { work.tri.to(h) } else { work.tri.from(h) });
+        list.push(Sliding { v, edge: a, gaps, ends, shift: 0.0 });
     }
+    for i in 0..list.len() {
+        let ends = list[i].ends;
+        let place = |end: u32| list.binary_search_by_key(&end, |at| at.v).map_or(NONE, |i| i as u32);
+        list[i].ends = ends.map(place);
+    }
+    list
+}
 
-    /// Evens out the places of vertices on curves.
-    fn slide(&mut self, work: &Work) {
-        self.shift.clear();
-        self.shift.resize(work.tri.out.len(), 0.0);
-        self.sliding.clear();
-        for v in 0..work.tri.out.len() as u32 {
-            if work.roles[v as usize] != Role::Curve || work.tri.out[v as usize] == NONE {
-                continue;
-            }
-            let [a, b] = work.kept_at(v);
-            if a == NONE || b == NONE {
-                continue;
-            }
-            let gaps = [a, b].map(|h| {
-                let [here, there] = work.places_from(v, h);
-                there - here
-            });
-            let ends = [a, b].map(|h| if work.tri.from(h) == v { work.tri.to(h) } else { work.tri.from(h) });
-            self.sliding.push(Sliding { v, edge: a, gaps, ends });
-        }
-        for _ in 0..SWEEPS {
-            for &Sliding { v, gaps, ends, .. } in &self.sliding {
-                // One gap is positive and one negative: towards the start of the curve.
-                let [p, q] = ends.map(|w| self.shift[w as usize]);
-                self.shift[v as usize] = 0.5 * ((gaps[0] + p) + (gaps[1] + q));
-            }
-        }
-        for &Sliding { v, edge, gaps, .. } in &self.sliding {
-            let shift = &mut self.shift[v as usize];
-            let (low, high) = (REACH * gaps[0].min(gaps[1]).min(0.0), REACH * gaps[0].max(gaps[1]).max(0.0));
-            *shift = shift.clamp(low, high);
-            let [here, _] = work.places_from(v, edge);
-            self.moved[v as usize] = work.curve_point(edge, here + *shift);
-        }
+/// Moves a free vertex to the middle of its triangles, on its tangent plane and then on the input. `star`
+/// is scratch space.
+fn to_middle(work: &mut Work, v: u32, star: &mut Vec<DVec3>) {
+    let tri = &work.tri;
+    let here = tri.at(v);
+    star.clear();
+    tri.around(v, |out| star.push(tri.at(tri.to(out))));
+    let Some(&last) = star.last() else { return };
+    let (mut before, mut all) = (last, DVec3::ZERO);
+    let (mut middles, mut weights) = (DVec3::ZERO, 0.0);
+    for &after in &*star {
+        let normal = (before - here).cross(after - here);
+        let weight = normal.length();
+        all += normal;
+        middles += (before + after + here) * weight;
+        weights += weight;
+        before = after;
     }
-
-    fn add_up(&mut self, work: &Work) {
-        self.sums.clear();
-        self.sums.resize(work.tri.out.len(), Sum::default());
-        for corners in work.tri.v.chunks_exact(3) {
-            if corners[0] == NONE {
-                continue;
-            }
-            let (a, b, c) = (work.tri.at(corners[0]), work.tri.at(corners[1]), work.tri.at(corners[2]));
-            let normal = (b - a).cross(c - a);
-            let weight = normal.length();
-            let middles = (a + b + c) * weight;
-            for &v in corners {
-                let sum = &mut self.sums[v as usize];
-                sum.normal += normal;
-                sum.middles += middles;
-                sum.weight += weight;
-            }
-        }
+    let squared = all.length_squared();
+    if squared.is_nan() || squared <= 0.0 {
+        return;
     }
-
-    /// The middle of a free vertex's triangles, on its tangent plane and then on the input.
-    fn middle(&self, work: &mut Work, v: usize) -> DVec3 {
-        let here = work.tri.position[v];
-        let sum = &self.sums[v];
-        let squared = sum.normal.length_squared();
-        if work.tri.out[v] == NONE || squared.is_nan() || squared <= 0.0 {
-            return here;
+    let by = middles / (3.0 * weights) - here;
+    let (to, near) = work.put_on(v, here + by - all * (by.dot(all) / squared));
+    let mut before = last;
+    for &after in &*star {
+        let old = (before - here).cross(after - here);
+        if (before - to).cross(after - to).dot(old) <= 0.0 && old != DVec3::ZERO {
+            return;
         }
-        let by = sum.middles / (3.0 * sum.weight) - here;
-        let to = here + by - sum.normal * (by.dot(sum.normal) / squared);
-        let (at, near) = work.put_on(v as u32, to);
-        work.near[v] = near;
-        at
+        before = after;
     }
-
-    /// Has vertices stay where a triangle would turn over, until none does.
-    fn take_back(&mut self, work: &Work) {
-        let tri = &work.tri;
-        let turns = |moved: &[DVec3], corners: [u32; 3]| {
-            let area = |p: &[DVec3]| {
-                let (a, b, c) = (p[corners[0] as usize], p[corners[1] as usize], p[corners[2] as usize]);
-                (b - a).cross(c - a)
-            };
-            let (old, new) = (area(&tri.position), area(moved));
-            new.dot(old) <= 0.0 && old != DVec3::ZERO
-        };
-        self.back.clear();
-        for f in 0..tri.v.len() / 3 {
-            let corners = [tri.v[3 * f], tri.v[3 * f + 1], tri.v[3 * f + 2]];
-            if corners[0] != NONE && turns(&self.moved, corners) {
-                self.back.extend(corners);
-            }
-        }
-        while let Some(v) = self.back.pop() {
-            let here = tri.at(v);
-            if self.moved[v as usize] == here {
-                continue;
-            }
-            self.moved[v as usize] = here;
-            let (moved, back) = (&self.moved, &mut self.back);
-            tri.around(v, |out| {
-                let corners = [v, tri.to(out), tri.apex(out)];
-                if turns(moved, corners) {
-                    back.extend(corners);
-                }
-            });
-        }
-    }
+    work.tri.position[v as usize] = to;
+    work.near[v as usize] = near;
 }

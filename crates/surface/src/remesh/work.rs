@@ -2,9 +2,10 @@
 
 use super::curves::{Arc, Curves, Role};
 use super::input::Input;
-use crate::trimesh::{TriMesh, next, prev};
+use super::sides::Sides;
+use crate::trimesh::{TriMesh, make_room, next, prev, with_room};
 use glam::DVec3;
-use halfedge::{Mesh, NONE};
+use halfedge::{Element, Mesh, NONE};
 
 /// How far a triangle's normal may turn in a collapse or flip: acos of this.
 const LEAST_COS: f64 = 0.5;
@@ -16,12 +17,15 @@ const POOR: f64 = 0.03;
 const EVEN: f64 = 0.97;
 
 pub(super) struct Work {
+    /// Its triangles' sources are triangles of the input.
     pub tri: TriMesh,
     pub curves: Curves,
     /// The input to put vertices back on, if they are.
-    pub input: Option<Input>,
+    input: Option<Input>,
+    /// Per triangle of the input: its face of the mesh. Empty where faces have no attributes.
+    face: Vec<u32>,
     /// Per half-edge and per kept edge, as in [`super::curves::Found`].
-    pub arc: Vec<u32>,
+    pub arc: Sides,
     pub arcs: Vec<Arc>,
     /// Per vertex.
     pub roles: Vec<Role>,
@@ -63,42 +67,65 @@ pub(super) struct Merge {
 impl Work {
     /// Ready to start; `length` is that of edges, in the frame.
     pub fn new(mesh: &Mesh, mut tri: TriMesh, length: f64, least_cos: f64, project: bool) -> Self {
-        tri.put_in_order();
         let square = |x: f64| x * x;
+        let longest = square(EVEN * length * 4.0 / 3.0);
+        // Arrays that grow in turn leave holes in memory: there is room for the first splits at once, and
+        // for a few more, as longer edges nearby are split before.
+        let splits = (0..tri.v.len() as u32)
+            .filter(|&h| h < tri.opp(h) && tri.at(tri.from(h)).distance_squared(tri.at(tri.to(h))) > longest);
+        let splits = splits.count() * 17 / 16;
+        tri.put_in_order(splits);
         let found = Curves::find(mesh, &tri, least_cos, length);
-        let input = Input::of(&tri, mesh.face_capacity());
+        let own: Vec<u32> = (0..tri.face_source.len() as u32).collect();
+        let mut face = std::mem::replace(&mut tri.face_source, own);
+        if mesh.columns().of(Element::Face).is_empty() {
+            face = Vec::new();
+        }
         Self {
-            near: (0..tri.out.len() as u32).map(|v| input.face_at(v)).collect(),
-            input: project.then_some(input),
+            near: with_room(tri.out.iter().map(|out| out / 3), splits),
+            input: project.then(|| Input::of(&tri)),
+            face,
             curves: found.curves,
             arc: found.arc,
             arcs: found.arcs,
             roles: found.roles,
-            stamps: vec![0; tri.out.len()],
+            stamps: with_room(tri.out.iter().map(|_| 0), splits),
             stamp: 0,
-            longest: square(EVEN * length * 4.0 / 3.0),
+            longest,
             shortest: square(EVEN * length * 4.0 / 5.0),
             unordered: 0,
             tri,
         }
     }
 
+    /// The triangles; everything else goes, to make room for the result.
+    pub fn finish(self) -> TriMesh {
+        let Self { mut tri, face, .. } = self;
+        if face.is_empty() {
+            tri.face_source = Vec::new();
+        }
+        for source in &mut tri.face_source {
+            *source = face[*source as usize];
+        }
+        tri
+    }
+
     /// Puts what belongs together in space together in memory again, without what was removed.
     pub fn put_in_order(&mut self) {
-        let order = self.tri.put_in_order();
+        self.stamps = Vec::new();
+        let order = self.tri.put_in_order(0);
         let vertex = |v: &u32| *v as usize;
         self.roles = order.vertices.iter().map(|v| self.roles[vertex(v)]).collect();
         self.near = order.vertices.iter().map(|v| self.near[vertex(v)]).collect();
         self.stamps = vec![0; order.vertices.len()];
         self.stamp = 0;
-        self.arc =
-            (order.triangles.iter()).flat_map(|&f| [0, 1, 2].map(|k| self.arc[3 * f as usize + k])).collect();
+        self.arc.reorder(&order.triangles);
         self.unordered = 0;
     }
 
     #[inline]
     pub fn is_kept(&self, h: u32) -> bool {
-        self.arc[h as usize] != NONE
+        self.arc.get(h) != NONE
     }
 
     #[inline]
@@ -108,19 +135,19 @@ impl Work {
 
     /// The places on its curve of a kept half-edge's start and end.
     pub fn places(&self, h: u32) -> [f64; 2] {
-        let arc = self.arc[h as usize];
+        let arc = self.arc.get(h);
         let [a, b] = self.arcs[arc as usize / 2].ends;
         if arc.is_multiple_of(2) { [a, b] } else { [b, a] }
     }
 
     /// Sets the place of a kept half-edge's start.
     fn set_start(&mut self, h: u32, place: f64) {
-        let arc = self.arc[h as usize];
+        let arc = self.arc.get(h);
         self.arcs[arc as usize / 2].ends[arc as usize % 2] = place;
     }
 
     fn set_end(&mut self, h: u32, place: f64) {
-        let arc = self.arc[h as usize];
+        let arc = self.arc.get(h);
         self.arcs[arc as usize / 2].ends[1 - arc as usize % 2] = place;
     }
 
@@ -147,7 +174,7 @@ impl Work {
 
     /// The point at a place on a kept half-edge's curve.
     pub fn curve_point(&self, h: u32, place: f64) -> DVec3 {
-        self.curves.at(self.arcs[self.arc[h as usize] as usize / 2].curve, place)
+        self.curves.at(self.arcs[self.arc.get(h) as usize / 2].curve, place)
     }
 
     /// Notes that a vertex on a curve has moved along it.
@@ -198,19 +225,18 @@ impl Work {
     /// on the input, so that each half is shorter; on a curve it is the middle of that piece of it.
     pub fn split(&mut self, h: u32) {
         let across = self.tri.opp(h);
-        let arc = self.arc[h as usize];
+        let arc = self.arc.get(h);
         // A vertex on a curve says nothing about the side of it that the edge is on; the triangle does.
         let free =
             [self.tri.from(h), self.tri.to(h)].into_iter().find(|&v| self.roles[v as usize] == Role::Free);
-        let near = match (free, &self.input) {
-            (Some(v), _) => self.near[v as usize],
-            (None, Some(input)) => input.triangle_of(self.tri.face_source[h as usize / 3]),
-            (None, None) => 0,
-        };
+        let near = free.map_or(self.tri.face_source[h as usize / 3], |v| self.near[v as usize]);
         let m = self.tri.split(h);
+        make_room(&mut self.near, 1);
         self.near.push(near);
+        make_room(&mut self.stamps, 1);
         self.stamps.push(0);
-        self.arc.resize(self.tri.v.len(), NONE);
+        make_room(&mut self.roles, 1);
+        self.arc.extend_to(self.tri.v.len() / 3);
         self.unordered += 2;
         let mut second = [NONE; 2];
         for (side, slot) in [h, across].into_iter().zip(&mut second) {
@@ -218,8 +244,8 @@ impl Work {
                 // The cut took the place of the side after, which went to the new triangle.
                 let cut = next(side);
                 *slot = next(self.tri.opp(cut));
-                self.arc[next(*slot) as usize] = self.arc[cut as usize];
-                self.arc[cut as usize] = NONE;
+                self.arc.set(next(*slot), self.arc.get(cut));
+                self.arc.set(cut, NONE);
             }
         }
         if arc == NONE {
@@ -234,10 +260,10 @@ impl Work {
         self.arcs.push(Arc { curve, ends });
         self.arcs[added as usize].ends[backward as usize] = middle;
         self.arcs[number as usize].ends[1 - backward as usize] = middle;
-        self.arc[second[0] as usize] = 2 * added + backward;
+        self.arc.set(second[0], 2 * added + backward);
         if across != NONE {
-            self.arc[across as usize] = 2 * added + (1 - backward);
-            self.arc[second[1] as usize] = 2 * number + (1 - backward);
+            self.arc.set(across, 2 * added + (1 - backward));
+            self.arc.set(second[1], 2 * number + (1 - backward));
         }
         let at = self.curves.at(curve, middle);
         if self.may_move(m, at) {
@@ -314,16 +340,16 @@ impl Work {
             }
             let (left, right) = (self.tri.opp(next(side)), self.tri.opp(prev(side)));
             // `left` goes from the apex to the end that is merged, `right` from the merged end back.
-            let arc = match (self.arc[next(side) as usize], self.arc[prev(side) as usize]) {
+            let arc = match (self.arc.get(next(side)), self.arc.get(prev(side))) {
                 (NONE, NONE) => continue,
                 (NONE, to_end) => to_end,
                 (from_end, _) => from_end ^ 1,
             };
             if left != NONE {
-                self.arc[left as usize] = arc;
+                self.arc.set(left, arc);
             }
             if right != NONE {
-                self.arc[right as usize] = arc ^ 1;
+                self.arc.set(right, arc ^ 1);
             }
         }
         let t = if at == p { 0.0 } else { (at - p).length() / (q - p).length() };
@@ -401,13 +427,13 @@ impl Work {
     /// Turns an edge to its apexes.
     pub fn flip(&mut self, h: u32) {
         let across = self.tri.opp(h);
-        let sides = [next(h), prev(h), next(across), prev(across)].map(|k| self.arc[k as usize]);
+        let sides = [next(h), prev(h), next(across), prev(across)].map(|k| self.arc.get(k));
         self.tri.flip(h);
         // `TriMesh::flip`: h's triangle has the sides p and m after it, the other q and n.
         for (k, arc) in
             [(next(h), sides[1]), (prev(h), sides[2]), (next(across), sides[3]), (prev(across), sides[0])]
         {
-            self.arc[k as usize] = arc;
+            self.arc.set(k, arc);
         }
     }
 }

@@ -118,7 +118,7 @@ pub fn simplify(
     }
     pace.at(0.0)?;
     let mut tri = TriMesh::new(mesh);
-    tri.put_in_order();
+    tri.put_in_order(0);
     let before = tri.faces;
     let wanted = match options.target {
         SimplifyTarget::Faces(faces) => Some(faces),
@@ -132,7 +132,7 @@ pub fn simplify(
     let Work { tri, .. } = work;
     let has_seams = wanted.is_some_and(|wanted| tri.faces > wanted)
         && (0..tri.v.len() as u32).any(|h| tri.is_alive(h) && tri.is_seam(h));
-    let mesh = tri.to_mesh(mesh);
+    let mesh = tri.into_mesh(mesh);
     pace.at(1.0)?;
     Ok(Simplified { mesh, wanted, has_seams })
 }

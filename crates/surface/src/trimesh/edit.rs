@@ -1,7 +1,7 @@
 //! Collapse, split and flip.
 
 use super::values::{mix_into, push_copy};
-use super::{TriMesh, next, prev};
+use super::{TriMesh, make_room, next, prev};
 use halfedge::NONE;
 
 impl TriMesh {
@@ -85,6 +85,8 @@ impl TriMesh {
     pub fn split(&mut self, h: u32) -> u32 {
         let (a, b, across) = (self.from(h), self.to(h), self.opp(h));
         let m = self.position.len() as u32;
+        make_room(&mut self.position, 1);
+        make_room(&mut self.out, 1);
         self.position.push((self.at(a) + self.at(b)) * 0.5);
         self.out.push(NONE);
         for column in &mut self.vertex_columns {
@@ -101,6 +103,10 @@ impl TriMesh {
             let (end, apex) = (self.from(n), self.from(p));
             let first = self.v.len() as u32;
             let outer = self.opp(n);
+            for corners in [&mut self.v, &mut self.opp] {
+                make_room(corners, 3);
+            }
+            make_room(&mut self.face_source, 1);
             self.v.extend([m, end, apex]);
             self.opp.extend([NONE, outer, n]);
             if outer != NONE {
@@ -111,6 +117,7 @@ impl TriMesh {
             self.face_source.push(self.face_source[side as usize / 3]);
             if !self.edge_source.is_empty() {
                 let (edge, after) = (self.edge_source[side as usize], self.edge_source[n as usize]);
+                make_room(&mut self.edge_source, 3);
                 self.edge_source.extend([edge, after, NONE]);
                 self.edge_source[n as usize] = NONE;
             }
@@ -120,6 +127,7 @@ impl TriMesh {
                 if (wedges.0, wedges.1) != (to, from) {
                     wedges = (from, to, self.new_wedge(from, to));
                 }
+                make_room(&mut self.wedge, 3);
                 self.wedge.extend([wedges.2, to, self.wedge[p as usize]]);
                 self.wedge[n as usize] = wedges.2;
             }

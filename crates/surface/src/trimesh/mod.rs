@@ -26,6 +26,22 @@ pub(crate) fn prev(h: u32) -> u32 {
     if h.is_multiple_of(3) { h + 2 } else { h - 1 }
 }
 
+/// Makes room for so many more values. Vectors that grow by doubling take up to twice what they hold; this
+/// grows by an eighth, which copies each value eight times on average.
+#[inline]
+pub(crate) fn make_room<T>(values: &mut Vec<T>, more: usize) {
+    if values.capacity() - values.len() < more {
+        values.reserve_exact(more.max(values.len() / 8));
+    }
+}
+
+/// Collects values, with room for so many more.
+pub(crate) fn with_room<T>(values: impl ExactSizeIterator<Item = T>, more: usize) -> Vec<T> {
+    let mut list = Vec::with_capacity(values.len() + more);
+    list.extend(values);
+    list
+}
+
 /// Triangles with what lies across their sides, and where their attributes come from.
 pub(crate) struct TriMesh {
     /// Per half-edge: the vertex it leaves; [`NONE`] for removed triangles.
@@ -59,6 +75,8 @@ pub(crate) struct Frame {
     center: DVec3,
     /// Mesh units per unit of the frame.
     pub scale: f64,
+    /// The other way round: exact, too.
+    inverse: f64,
 }
 
 impl Frame {
@@ -72,11 +90,12 @@ impl Frame {
         while scale > 2.0 * size && size > 0.0 {
             scale *= 0.5;
         }
-        Self { center, scale }
+        Self { center, scale, inverse: 1.0 / scale }
     }
 
+    #[inline]
     pub fn inward(&self, p: glam::Vec3) -> DVec3 {
-        (p.as_dvec3() - self.center) / self.scale
+        (p.as_dvec3() - self.center) * self.inverse
     }
 
     pub fn outward(&self, p: DVec3) -> glam::Vec3 {

@@ -6,7 +6,8 @@ use halfedge::{Element, Mesh, NONE, RawMesh};
 
 impl TriMesh {
     /// The mesh: vertices and faces in their order here, without gaps, with the attributes of `source`.
-    pub fn to_mesh(&self, source: &Mesh) -> Mesh {
+    /// What is written goes at once: both together are large.
+    pub fn into_mesh(mut self, source: &Mesh) -> Mesh {
         let mut number = vec![NONE; self.out.len()];
         let mut kept = Vec::new();
         for (v, &out) in (0u32..).zip(&self.out) {
@@ -15,6 +16,8 @@ impl TriMesh {
                 kept.push(v);
             }
         }
+        let positions = kept.iter().map(|&v| self.frame.outward(self.at(v))).collect();
+        self.position = Vec::new();
         let mut half = vec![NONE; self.v.len()];
         let mut edges = 0u32;
         for h in 0..self.v.len() as u32 {
@@ -29,7 +32,7 @@ impl TriMesh {
         }
         let len = 2 * edges as usize;
         let mut raw = RawMesh {
-            positions: kept.iter().map(|&v| self.frame.outward(self.at(v))).collect(),
+            positions,
             vertex_halfedge: vec![NONE; kept.len()],
             next: vec![NONE; len],
             prev: vec![NONE; len],
@@ -38,7 +41,8 @@ impl TriMesh {
             face_halfedge: Vec::with_capacity(self.faces),
             columns: Columns::default(),
         };
-        let mut faces = Vec::with_capacity(self.faces);
+        let has_attributes = !source.columns().of(Element::Face).is_empty();
+        let mut faces = Vec::with_capacity(if has_attributes { self.faces } else { 0 });
         let mut corner = if self.wedge.is_empty() { Vec::new() } else { vec![NONE; len] };
         let mut edge = if self.edge_source.is_empty() { Vec::new() } else { vec![NONE; edges as usize] };
         for f in 0..self.v.len() / 3 {
@@ -48,7 +52,9 @@ impl TriMesh {
             }
             let id = raw.face_halfedge.len() as u32;
             raw.face_halfedge.push(half[first as usize]);
-            faces.push(self.face_source[f]);
+            if has_attributes {
+                faces.push(self.face_source[f]);
+            }
             for h in first..first + 3 {
                 let at = half[h as usize] as usize;
                 raw.next[at] = half[next(h) as usize];
@@ -74,6 +80,7 @@ impl TriMesh {
                 }
             }
         }
+        drop(number);
         for (v, &old) in kept.iter().enumerate() {
             let out = self.out[old as usize];
             // The boundary half-edge that leaves is the twin of the side that comes in.
@@ -88,7 +95,10 @@ impl TriMesh {
             }
         }
         let put = |columns: &mut Columns, element: Element, from: &[Column], indices: &[u32]| {
-            columns.of_mut(element).extend(from.iter().map(|column| Column {
+            // Positions have moved: normals given by the file no longer fit.
+            let fits =
+                |column: &&Column| element != Element::Halfedge || column.name != keys::CORNER_NORMAL.name;
+            columns.of_mut(element).extend(from.iter().filter(fits).map(|column| Column {
                 name: column.name.clone(),
                 values: column.values.gather(indices.iter().copied(), column.default),
                 default: column.default,
@@ -96,14 +106,7 @@ impl TriMesh {
             }));
         };
         put(&mut raw.columns, Element::Vertex, &self.vertex_columns, &kept);
-        // Positions have moved: normals given by the file no longer fit.
-        let corner_columns: Vec<Column> = self
-            .corner_columns
-            .iter()
-            .filter(|column| column.name != keys::CORNER_NORMAL.name)
-            .cloned()
-            .collect();
-        put(&mut raw.columns, Element::Halfedge, &corner_columns, &corner);
+        put(&mut raw.columns, Element::Halfedge, &self.corner_columns, &corner);
         put(&mut raw.columns, Element::Edge, source.columns().of(Element::Edge), &edge);
         put(&mut raw.columns, Element::Face, source.columns().of(Element::Face), &faces);
         Mesh::from_raw(raw)

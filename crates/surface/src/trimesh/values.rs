@@ -1,5 +1,6 @@
 //! Attribute values: copied and mixed in place.
 
+use super::make_room;
 use halfedge::attribute::{Column, Value, Values, mix};
 
 fn set(column: &mut Column, index: usize, value: Value) {
@@ -14,12 +15,16 @@ fn set(column: &mut Column, index: usize, value: Value) {
 }
 
 pub(super) fn push_copy(column: &mut Column, index: usize) {
+    fn push<T: Copy>(values: &mut Vec<T>, index: usize) {
+        make_room(values, 1);
+        values.push(values[index]);
+    }
     match &mut column.values {
-        Values::F32(values) => values.push(values[index]),
-        Values::Vec2(values) => values.push(values[index]),
-        Values::Vec3(values) => values.push(values[index]),
-        Values::Color(values) => values.push(values[index]),
-        Values::U32(values) => values.push(values[index]),
+        Values::F32(values) => push(values, index),
+        Values::Vec2(values) => push(values, index),
+        Values::Vec3(values) => push(values, index),
+        Values::Color(values) => push(values, index),
+        Values::U32(values) => push(values, index),
     }
 }
 

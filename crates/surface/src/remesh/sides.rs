@@ -1,0 +1,84 @@
+//! Numbers on a few of the sides of triangles.
+
+use crate::trimesh::make_room;
+use halfedge::NONE;
+
+/// A number, or [`NONE`], per half-edge: kept edges have them, and those are few. Takes 4 bytes per
+/// triangle and 12 more for those with a number.
+#[derive(Default)]
+pub(super) struct Sides {
+    /// Per triangle: its place in `rows`, or [`NONE`].
+    row: Vec<u32>,
+    rows: Vec<[u32; 3]>,
+}
+
+impl Sides {
+    /// No numbers, for so many triangles.
+    pub fn new(triangles: usize) -> Self {
+        Self { row: vec![NONE; triangles], rows: Vec::new() }
+    }
+
+    #[inline]
+    pub fn get(&self, h: u32) -> u32 {
+        match self.row[h as usize / 3] {
+            NONE => NONE,
+            row => self.rows[row as usize][h as usize % 3],
+        }
+    }
+
+    pub fn set(&mut self, h: u32, number: u32) {
+        let row = &mut self.row[h as usize / 3];
+        if *row == NONE {
+            if number == NONE {
+                return;
+            }
+            *row = self.rows.len() as u32;
+            self.rows.push([NONE; 3]);
+        }
+        self.rows[*row as usize][h as usize % 3] = number;
+    }
+
+    /// Adds triangles without numbers, up to so many in all.
+    pub fn extend_to(&mut self, triangles: usize) {
+        let more = triangles.saturating_sub(self.row.len());
+        make_room(&mut self.row, more);
+        self.row.resize(triangles, NONE);
+    }
+
+    /// Puts triangles in another order: `old` has the old number of each.
+    pub fn reorder(&mut self, old: &[u32]) {
+        let mut rows = Vec::new();
+        let mut new_row = |f: &u32| {
+            let numbers = *self.rows.get(self.row[*f as usize] as usize)?;
+            if numbers == [NONE; 3] {
+                return None;
+            }
+            rows.push(numbers);
+            Some(rows.len() as u32 - 1)
+        };
+        self.row = old.iter().map(|f| new_row(f).unwrap_or(NONE)).collect();
+        self.rows = rows;
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn sides_have_the_numbers_they_were_given_in_any_order() {
+        let mut sides = Sides::new(3);
+        sides.set(1, NONE);
+        sides.set(4, 7);
+        sides.set(8, 9);
+        sides.extend_to(4);
+        sides.set(9, 3);
+        sides.set(8, NONE);
+        let all = |sides: &Sides, count: u32| (0..count).map(|h| sides.get(h)).collect::<Vec<_>>();
+        let none = NONE;
+        assert_eq!(all(&sides, 12), [none, none, none, none, 7, none, none, none, none, 3, none, none]);
+        sides.reorder(&[3, 2, 1]);
+        assert_eq!(all(&sides, 9), [3, none, none, none, none, none, none, 7, none]);
+        assert_eq!(sides.rows.len(), 2);
+    }
+}
