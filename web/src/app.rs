@@ -204,7 +204,7 @@ impl App {
                 });
             }
             if self.shown.right {
-                Panel::right("inspector").default_size(284.0).size_range(220.0..=460.0).show(ui, |ui| {
+                Panel::right("inspector").default_size(300.0).size_range(220.0..=460.0).show(ui, |ui| {
                     self.right_panel(ui);
                 });
             }

@@ -16,6 +16,9 @@ use crate::platform::NamedBytes;
 use crate::scripting::{Answer, Reply};
 use crate::viewport_widget::Tool;
 
+/// Yaw and pitch of a view on the plane that flat curves lie in.
+const FROM_ABOVE: (f64, f64) = (0.0, 0.0);
+
 impl App {
     /// The document that the page opens on.
     pub(crate) fn open_first(&mut self) {
@@ -218,6 +221,9 @@ impl App {
         let label = command.op.spec().label;
         match self.editor.begin(command) {
             Ok(Begun::Done(outcome)) => {
+                if outcome.op == "new" {
+                    self.look_at_new();
+                }
                 if !outcome.warnings.is_empty() {
                     self.toast(MessageKind::Warning, outcome.message.clone(), outcome.warnings.clone());
                 }
@@ -299,6 +305,9 @@ impl App {
                     self.look_at_opened();
                     self.say_opened(&outcome);
                 } else {
+                    if outcome.op == "new" {
+                        self.look_at_new();
+                    }
                     self.toast(MessageKind::Info, outcome.message.clone(), outcome.warnings.clone());
                 }
                 if let Some(reply) = running.reply {
@@ -321,10 +330,23 @@ impl App {
             object.bezier().and_then(editor::Bezier::curve).is_some_and(bezier::is_flat)
         };
         let objects = self.editor.document().objects();
+        let was_from_above = (self.view.camera.yaw, self.view.camera.pitch) == FROM_ABOVE;
         if !objects.is_empty() && objects.iter().all(flat) {
-            (self.view.camera.yaw, self.view.camera.pitch) = (0.0, 0.0);
+            (self.view.camera.yaw, self.view.camera.pitch) = FROM_ABOVE;
+        } else if was_from_above {
+            // What is not flat hides its depth there.
+            self.view.reset();
         }
         self.view.frame_when_seen();
+        // What was offered for another document has nothing to work on here.
+        self.toasts.withdraw();
+    }
+
+    /// Looks at a shape that is the whole document; one that was added may be meant for where one looks.
+    fn look_at_new(&mut self) {
+        if self.editor.document().objects().len() == 1 {
+            self.look_at_opened();
+        }
     }
 
     fn say_opened(&mut self, outcome: &editor::Outcome) {

@@ -44,6 +44,7 @@ pub static BINDINGS: &[Binding] = &[
     (A::Operation("flip-edge"), &[key(Key::F)]),
     (A::Operation("collapse-edge"), &[key(Key::C)]),
     (A::Operation("extrude-faces"), &[key(Key::E)]),
+    (A::Operation("delete-faces"), &[key(Key::Delete), key(Key::X)]),
     (A::BoxSelect, &[with(Modifiers::SHIFT, Key::B)]),
     (A::Operation("bevel-edges"), &[key(Key::B)]),
     (A::Upsample, &[key(Key::U)]),
@@ -91,6 +92,10 @@ pub static GESTURES: &[(&str, &str)] = &[
 
 /// The keys of an action.
 pub fn of(action: Action) -> &'static [KeyboardShortcut] {
+    let action = match action {
+        A::Operation(name) => A::Operation(crate::live::key_holder(name)),
+        other => other,
+    };
     let mut all = BINDINGS.iter().chain(BEZIER_BINDINGS);
     all.find(|(bound, _)| *bound == action).map_or(&[], |(_, keys)| keys)
 }

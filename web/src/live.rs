@@ -105,11 +105,23 @@ pub(crate) fn is_live(name: &str) -> bool {
     LIVE.iter().any(|(op, ..)| *op == name)
 }
 
-/// The operation that a key means for what is selected: extrude and bevel exist for several kinds.
+/// The operation that a key means for what is selected: some exist for several kinds.
 pub(crate) fn for_selection(name: &'static str, kind: Element) -> &'static str {
     match (name, kind) {
         ("extrude-faces", Element::Edge | Element::Halfedge) => "extrude-edges",
         ("bevel-edges", Element::Vertex) => "bevel-vertices",
+        ("delete-faces", Element::Vertex) => "delete-vertices",
+        ("delete-faces", Element::Edge | Element::Halfedge) => "dissolve-edge",
+        _ => name,
+    }
+}
+
+/// The operation that has the key of another: what [`for_selection`] takes it from.
+pub(crate) fn key_holder(name: &'static str) -> &'static str {
+    match name {
+        "extrude-edges" => "extrude-faces",
+        "bevel-vertices" => "bevel-edges",
+        "delete-vertices" | "dissolve-edge" => "delete-faces",
         _ => name,
     }
 }

@@ -45,6 +45,13 @@ impl Toasts {
             self.list.remove(0);
         }
     }
+
+    /// Takes back what messages offer; what they say stays.
+    pub(crate) fn withdraw(&mut self) {
+        for toast in &mut self.list {
+            toast.remedy = None;
+        }
+    }
 }
 
 impl App {

@@ -84,7 +84,7 @@ impl fmt::Display for Note {
             }
             NoteKind::RepeatedCorner => ("face", "faces", "simplified: the same corner came twice in a row"),
             NoteKind::DuplicateFace => {
-                ("face", "faces", "left out: it has the same corners as an earlier face")
+                ("face", "faces", "left out: the same corners as an earlier face")
             }
             NoteKind::NonManifoldEdge => ("edge", "edges", "separated: more than two faces met there"),
             NoteKind::FaceTurned => {

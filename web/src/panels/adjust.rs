@@ -2,7 +2,7 @@
 //! itself, as one undo step.
 
 use editor::{Begun, Command, JobId, MessageKind, OperationKind};
-use egui::{CollapsingHeader, Grid, Ui, vec2};
+use egui::{CollapsingHeader, Grid, RichText, Ui, vec2};
 use serde_json::Value;
 
 use crate::app::App;
@@ -47,8 +47,9 @@ impl App {
         }
         let hints = self.hints(spec.name);
         let start = filled.clone();
-        let title = format!("Adjust last operation: {}", spec.label);
-        CollapsingHeader::new(title).id_salt("adjust").default_open(true).show(ui, |ui| {
+        // A header doesn't wrap: with the operation's name in it, it would widen the panel.
+        CollapsingHeader::new("Adjust last operation").id_salt("adjust").default_open(true).show(ui, |ui| {
+            ui.label(RichText::new(spec.label).strong());
             Grid::new(("adjust", spec.name)).num_columns(2).spacing(vec2(10.0, 6.0)).show(ui, |ui| {
                 fields::rows(ui, spec, &mut filled, &hints, |field| !fields::is_elements(field.kind));
             });

@@ -22,7 +22,7 @@ impl App {
         ui.add_space(4.0);
         ui.horizontal(|ui| {
             ui.spacing_mut().item_spacing.x = 2.0;
-            let width = (ui.available_width() - 3.0 * 2.0) / 4.0;
+            let width = ((ui.available_width() - 3.0 * 2.0) / 4.0).floor();
             for kind in Element::ALL {
                 let on = self.lists.kind.0 == kind;
                 let count = self.lists.index(kind).len();

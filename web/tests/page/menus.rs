@@ -109,6 +109,37 @@ fn keys_of_the_page() {
 }
 
 #[test]
+fn delete_removes_what_is_selected() {
+    for (kind, faces, vertices) in [("face", 5, 8), ("vertex", 3, 7), ("edge", 5, 8)] {
+        for key in [Key::Delete, Key::X] {
+            let mut page = Page::new();
+            page.select(kind, &[0]);
+            page.press(key);
+            assert_eq!((page.mesh().face_count(), page.mesh().vertex_count()), (faces, vertices), "{kind}");
+            page.press_with(CTRL, Key::Z);
+            assert_eq!(page.mesh().face_count(), 6);
+        }
+    }
+}
+
+#[test]
+fn a_new_document_is_looked_at_whole() {
+    let mut page = Page::new();
+    let view = |page: &mut Page, name: &str| page.app().script_state()["view"][name].clone();
+    let start = view(&mut page, "pitch");
+    page.open("flat.bzc", "3\n0 0 5 5 10 0\n");
+    assert_eq!(view(&mut page, "pitch"), 0.0);
+    page.command(serde_json::json!({ "op": "new", "shape": "cube", "size": 100 }));
+    assert_eq!(view(&mut page, "pitch"), start, "from where solids are looked at");
+    assert!(view(&mut page, "distance").as_f64().expect("a number") > 100.0, "all of it");
+    assert_eq!(view(&mut page, "target"), serde_json::json!([0.0, 0.0, 0.0]));
+    // Another shape beside it leaves the view where it is.
+    let before = view(&mut page, "distance");
+    page.command(serde_json::json!({ "op": "new", "shape": "cube", "size": 1, "add": true }));
+    assert_eq!(view(&mut page, "distance"), before);
+}
+
+#[test]
 fn letters_typed_into_a_field_start_nothing() {
     let mut page = Page::new();
     page.select("edge", &[0]);
@@ -188,6 +219,11 @@ fn what_an_import_repaired_can_be_done_another_way() {
         page.harness.get_by_role_and_label(role, label).click();
         page.run();
     };
+    page.open("sound.obj", TRIANGLE);
+    let link = page.harness.query_by_role_and_label(Role::Link, "Repair import");
+    assert!(link.is_none(), "the offer goes with its document");
+    page.press_with(CTRL, Key::Z);
+    page.open("fin.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 -1 0\nv 0 0 1\nf 1 2 3\nf 2 1 4\nf 1 2 5\n");
     press(&mut page, Role::Link, "Repair import");
     press(&mut page, Role::ComboBox, "Non manifold");
     page.click("Drop");

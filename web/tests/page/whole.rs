@@ -162,7 +162,7 @@ fn every_whole_mesh_operation_has_a_form_that_works_as_it_opens() {
         apply(&mut page, name);
         assert_eq!(page.undo_labels().len(), 2, "{name}");
         assert!(page.mesh().validate().is_ok(), "{name}");
-        assert!(page.has(&format!("Adjust last operation: {name}")), "{name}");
+        assert!(page.has("Adjust last operation") && page.has(name), "{name}");
     }
 }
 
@@ -211,7 +211,7 @@ fn an_adjustment_that_is_cancelled_leaves_what_was_adjusted() {
     page.click("Cancel Simplify");
     assert_eq!(page.mesh().face_count(), 5000);
     assert_eq!(page.undo_labels(), ["New", "Simplify"]);
-    assert!(page.has("Adjust last operation: Simplify"), "and it can be adjusted again");
+    assert!(page.has("Adjust last operation") && page.has("Simplify"), "and it can be adjusted again");
     page.outside.release_jobs();
     page.run();
     assert_eq!(page.mesh().face_count(), 5000);
