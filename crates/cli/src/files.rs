@@ -61,8 +61,10 @@ fn companions(path: &Path, model: &NamedBytes) -> Vec<NamedBytes> {
 /// The format that an output name asks for.
 pub fn output_format(path: &Path) -> Result<Format, Failure> {
     let known = || {
-        let names: Vec<String> =
+        let mut names: Vec<String> =
             Format::ALL.iter().filter(|f| f.can_write()).map(|f| format!(".{}", f.extension())).collect();
+        // Text and binary of a format follow each other and have one extension.
+        names.dedup();
         names.join(", ")
     };
     match Format::from_name(&file_name(path)) {

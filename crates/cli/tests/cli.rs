@@ -176,7 +176,10 @@ fn bad_usage_and_unreadable_files_exit_with_2() {
         (vec!["info", cube, "--repeat", "2"], "--repeat"),
         (vec!["info", cube, "--verbose"], "--verbose"),
         (vec!["convert", cube], "OUT is missing"),
-        (vec!["convert", cube, "out.xyz"], "out.xyz"),
+        (
+            vec!["convert", cube, "out.xyz"],
+            "out.xyz: the extension tells no format to write; use one of .obj, .ply, .stl, ",
+        ),
         (vec!["convert", cube, "out.obj", "--json"], "--json"),
         (vec!["apply", cube], "--do"),
         (vec!["apply", cube, "--do"], "--do"),

@@ -453,6 +453,21 @@ fn refusals_name_the_op_and_the_field() {
 }
 
 #[test]
+fn places_along_an_edge_count_from_the_vertex_named_first() {
+    for (edge, x) in [(json!([0, 1]), 0.2), (json!([1, 0]), 0.8)] {
+        let mut editor = on_cube();
+        run(&mut editor, json!({"op": "split-edge", "edge": edge, "t": 0.2}));
+        let split = editor.mesh().expect("a mesh").positions()[8];
+        assert!((split - glam::vec3(x, 0.0, 0.0)).length() < 1e-6, "{edge}: {split}");
+        editor.undo().expect("free");
+        let outcome = run(&mut editor, json!({"op": "collapse-edge", "edge": edge, "t": 0.2}));
+        let gone = outcome.removed.ids.expect("local").vertices[0];
+        let stays = editor.mesh().expect("a mesh").positions()[1 - gone as usize];
+        assert!((stays - glam::vec3(x, 0.0, 0.0)).length() < 1e-6, "{edge}: {stays}");
+    }
+}
+
+#[test]
 fn several_edges_at_once_are_split_or_none() {
     // Two triangles back to back: splitting an edge meets itself on the other side.
     let back_to_back = build(vec![glam::Vec3::ZERO, glam::Vec3::X, glam::Vec3::Y], &[[0, 1, 2], [0, 2, 1]]);

@@ -83,9 +83,7 @@ impl fmt::Display for Note {
                 ("face", "faces", "left out: fewer than three different corners, or the same corner twice")
             }
             NoteKind::RepeatedCorner => ("face", "faces", "simplified: the same corner came twice in a row"),
-            NoteKind::DuplicateFace => {
-                ("face", "faces", "left out: the same corners as an earlier face")
-            }
+            NoteKind::DuplicateFace => ("face", "faces", "left out: the same corners as an earlier face"),
             NoteKind::NonManifoldEdge => ("edge", "edges", "separated: more than two faces met there"),
             NoteKind::FaceTurned => {
                 ("face", "faces", "turned round so that neighbouring faces face the same way")

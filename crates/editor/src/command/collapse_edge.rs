@@ -45,11 +45,13 @@ impl Operation for CollapseEdge {
 
 impl LocalEdit for CollapseEdge {
     fn can(&self, mesh: &Mesh) -> Result<(), Problem> {
-        Ok(edit::can_collapse_edge(mesh, one(self.edge, "edge")?.find(mesh, "edge")?, self.t)?)
+        let (edge, t) = one(self.edge, "edge")?.find_along(self.t, mesh, "edge")?;
+        Ok(edit::can_collapse_edge(mesh, edge, t)?)
     }
 
     fn edit(&self, mesh: &mut Mesh, _notes: &mut Vec<String>) -> Result<(), Problem> {
-        edit::collapse_edge(mesh, one(self.edge, "edge")?.find(mesh, "edge")?, self.t)?;
+        let (edge, t) = one(self.edge, "edge")?.find_along(self.t, mesh, "edge")?;
+        edit::collapse_edge(mesh, edge, t)?;
         Ok(())
     }
 

@@ -62,6 +62,16 @@ impl EdgeRef {
     }
 }
 
+impl EdgeRef {
+    /// The edge, and a place along it given from the first of its two vertices: the one named first,
+    /// or the one that the edge's first half-edge leaves.
+    pub(crate) fn find_along(self, t: f32, mesh: &Mesh, field: &str) -> Result<(EdgeId, f32), Problem> {
+        let edge = self.find(mesh, field)?;
+        let turned = matches!(self, Self::Ends([first, _]) if mesh.from(edge.halfedge()).raw() != first);
+        Ok((edge, if turned { 1.0 - t } else { t }))
+    }
+}
+
 impl HalfedgeRef {
     pub(crate) fn find(self, mesh: &Mesh, field: &str) -> Result<HalfedgeId, Problem> {
         match self {

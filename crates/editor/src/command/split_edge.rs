@@ -85,13 +85,13 @@ impl From<Connect> for edit::Connect {
 
 impl LocalEdit for SplitEdge {
     fn can(&self, mesh: &Mesh) -> Result<(), Problem> {
-        let edge = one(self.edge, "edge")?.find(mesh, "edge")?;
-        Ok(edit::can_split_edge(mesh, edge, self.t, self.connect.into())?)
+        let (edge, t) = one(self.edge, "edge")?.find_along(self.t, mesh, "edge")?;
+        Ok(edit::can_split_edge(mesh, edge, t, self.connect.into())?)
     }
 
     fn edit(&self, mesh: &mut Mesh, _notes: &mut Vec<String>) -> Result<(), Problem> {
-        let edge = one(self.edge, "edge")?.find(mesh, "edge")?;
-        edit::split_edge(mesh, edge, self.t, self.connect.into())?;
+        let (edge, t) = one(self.edge, "edge")?.find_along(self.t, mesh, "edge")?;
+        edit::split_edge(mesh, edge, t, self.connect.into())?;
         Ok(())
     }
 }
