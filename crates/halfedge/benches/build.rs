@@ -1,4 +1,4 @@
-//! Polygon soup to mesh, at a million triangles and at a quarter of a million quads.
+//! Polygon soup to mesh, at 10 thousand, 100 thousand and a million triangles and at a quarter of a million quads.
 
 use criterion::{BatchSize, Criterion, criterion_group, criterion_main};
 use glam::Vec3;
@@ -44,13 +44,18 @@ fn shuffled(soup: &PolygonSoup) -> PolygonSoup {
 }
 
 fn build(c: &mut Criterion) {
+    let (small, middle) = (torus(100, 50, true), torus(500, 100, true));
     let triangles = torus(1000, 500, true);
     let quads = torus(500, 500, false);
     let scattered = shuffled(&triangles);
     let mut group = c.benchmark_group("build");
-    for (name, soup) in
-        [("1M triangles", &triangles), ("1M triangles in random order", &scattered), ("250k quads", &quads)]
-    {
+    for (name, soup) in [
+        ("10k triangles", &small),
+        ("100k triangles", &middle),
+        ("1M triangles", &triangles),
+        ("1M triangles in random order", &scattered),
+        ("250k quads", &quads),
+    ] {
         group.bench_function(name, |b| {
             b.iter_batched(
                 || soup.clone(),

@@ -1,17 +1,19 @@
-//! Simplifying and remeshing, on spheres of 5 thousand to 1.3 million triangles and on the bunny refined;
+//! Simplifying and remeshing, on tori of 10 thousand to 1 million triangles and on the bunny refined;
 //! simplifying beside meshoptimizer.
 
 mod meshes;
 
+use self::meshes::{bunny, go_on, torus};
 use criterion::measurement::WallTime;
 use criterion::{BenchmarkGroup, BenchmarkId, Criterion, criterion_group, criterion_main};
 use halfedge::Mesh;
-use meshes::{bunny, go_on, sphere};
 use std::hint::black_box;
 use surface::*;
 
-fn with_bunny(spheres: [f64; 3], levels: u32) -> Vec<(&'static str, Mesh)> {
-    let mut meshes: Vec<_> = spheres.map(|subdivisions| ("sphere", sphere(subdivisions))).into();
+/// Tori of 10 thousand, 100 thousand and 1 million triangles, and the bunny refined.
+fn inputs(levels: u32) -> Vec<(&'static str, Mesh)> {
+    let sizes = [(100, 50), (500, 100), (1000, 500)];
+    let mut meshes: Vec<_> = sizes.map(|(u, v)| ("torus", torus(u, v, true))).into();
     meshes.extend(bunny(levels).map(|mesh| ("bunny", mesh)));
     meshes
 }
@@ -39,7 +41,7 @@ fn with_meshopt(_: &mut Group<'_>, _: &str, _: &Mesh) {}
 fn reshape(c: &mut Criterion) {
     let mut group = c.benchmark_group("reshape");
     group.sample_size(10);
-    for (name, mesh) in with_bunny([5.0, 6.0, 8.0], 2) {
+    for (name, mesh) in inputs(2) {
         let options = Simplify { target: SimplifyTarget::Ratio(0.1), preserve_boundary: true };
         let size = format!("{name}, {} triangles to a tenth", mesh.face_count());
         group.bench_function(BenchmarkId::new("simplify", &size), |b| {
@@ -47,7 +49,7 @@ fn reshape(c: &mut Criterion) {
         });
         with_meshopt(&mut group, &size, &mesh);
     }
-    for (name, mesh) in with_bunny([5.0, 6.0, 8.0], 1) {
+    for (name, mesh) in inputs(1) {
         let options = Remesh { iterations: 10, ..Remesh::default() };
         let size = format!("{name}, {} triangles, 10 iterations", mesh.face_count());
         group.bench_function(BenchmarkId::new("remesh", size), |b| {

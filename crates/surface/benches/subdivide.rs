@@ -3,36 +3,9 @@
 mod meshes;
 
 use criterion::{BenchmarkId, Criterion, criterion_group, criterion_main};
-use glam::Vec3;
-use halfedge::{Mesh, PolygonSoup};
+use meshes::{bunny, go_on, torus};
 use std::hint::black_box;
-use std::ops::ControlFlow;
 use surface::*;
-
-/// A torus of `u` by `v` quads, or twice as many triangles.
-fn torus(u: u32, v: u32, triangles: bool) -> Mesh {
-    let mut soup = PolygonSoup::default();
-    for i in 0..u * v {
-        let (a, b) = ((i % u) as f32 / u as f32, (i / u) as f32 / v as f32);
-        let ((sin_a, cos_a), (sin_b, cos_b)) =
-            ((a * std::f32::consts::TAU).sin_cos(), (b * std::f32::consts::TAU).sin_cos());
-        let r = 1.0 + 0.4 * cos_b;
-        soup.positions.push(Vec3::new(r * cos_a, r * sin_a, 0.4 * sin_b));
-    }
-    let at = |x: u32, y: u32| (y % v) * u + x % u;
-    for y in 0..v {
-        for x in 0..u {
-            let [a, b, c, d] = [at(x, y), at(x + 1, y), at(x + 1, y + 1), at(x, y + 1)];
-            if triangles {
-                soup.push_face([a, b, c]);
-                soup.push_face([a, c, d]);
-            } else {
-                soup.push_face([a, b, c, d]);
-            }
-        }
-    }
-    Mesh::build(soup).expect("small").mesh
-}
 
 fn subdivide(c: &mut Criterion) {
     let mut group = c.benchmark_group("subdivide");
@@ -44,9 +17,7 @@ fn subdivide(c: &mut Criterion) {
         group.bench_function(
             BenchmarkId::new("catmull-clark", format!("{levels} levels to {faces} quads")),
             |b| {
-                b.iter(|| {
-                    subdivide_catmull_clark(black_box(&mesh), &options, &mut |_| ControlFlow::Continue(()))
-                });
+                b.iter(|| subdivide_catmull_clark(black_box(&mesh), &options, &mut go_on));
             },
         );
     }
@@ -57,14 +28,14 @@ fn subdivide(c: &mut Criterion) {
         group.bench_function(
             BenchmarkId::new("loop", format!("{levels} levels to {faces} triangles")),
             |b| {
-                b.iter(|| subdivide_loop(black_box(&mesh), &options, &mut |_| ControlFlow::Continue(())));
+                b.iter(|| subdivide_loop(black_box(&mesh), &options, &mut go_on));
             },
         );
     }
-    if let Some(bunny) = meshes::bunny(0) {
+    if let Some(bunny) = bunny(0) {
         let options = Loop { levels: 2, ..Loop::default() };
         group.bench_function(BenchmarkId::new("loop", "the bunny, 2 levels to 1111216 triangles"), |b| {
-            b.iter(|| subdivide_loop(black_box(&bunny), &options, &mut meshes::go_on));
+            b.iter(|| subdivide_loop(black_box(&bunny), &options, &mut go_on));
         });
     }
     group.finish();

@@ -18,6 +18,31 @@ pub fn sphere(subdivisions: f64) -> Mesh {
     shape.build().expect("fits")
 }
 
+/// A torus of `u` by `v` quads, or twice as many triangles.
+pub fn torus(u: u32, v: u32, triangles: bool) -> Mesh {
+    let mut soup = PolygonSoup::default();
+    for i in 0..u * v {
+        let (a, b) = ((i % u) as f32 / u as f32, (i / u) as f32 / v as f32);
+        let ((sin_a, cos_a), (sin_b, cos_b)) =
+            ((a * std::f32::consts::TAU).sin_cos(), (b * std::f32::consts::TAU).sin_cos());
+        let r = 1.0 + 0.4 * cos_b;
+        soup.positions.push(Vec3::new(r * cos_a, r * sin_a, 0.4 * sin_b));
+    }
+    let at = |x: u32, y: u32| (y % v) * u + x % u;
+    for y in 0..v {
+        for x in 0..u {
+            let [a, b, c, d] = [at(x, y), at(x + 1, y), at(x + 1, y + 1), at(x, y + 1)];
+            if triangles {
+                soup.push_face([a, b, c]);
+                soup.push_face([a, c, d]);
+            } else {
+                soup.push_face([a, b, c, d]);
+            }
+        }
+    }
+    Mesh::build(soup).expect("small").mesh
+}
+
 /// The Stanford bunny, 69 thousand triangles, after so many levels of Loop subdivision; none, and a line
 /// that says so, where the shared models are missing.
 pub fn bunny(levels: u32) -> Option<Mesh> {
