@@ -1,6 +1,7 @@
 //! Which edges of the input are kept, and which sharp ones are only noise.
 
 use crate::trimesh::TriMesh;
+use glam::DVec3;
 use halfedge::{Mesh, NONE, keys};
 
 /// Sharp edges that hang together are kept if they are this many edges long in all.
@@ -23,7 +24,7 @@ pub(super) enum Kept {
 /// faces' normals have a smaller cosine than `least_cos`; `length` is how long edges are going to be.
 pub(super) fn kept_edges(mesh: &Mesh, tri: &TriMesh, least_cos: f64, length: f64) -> Vec<Kept> {
     let mut kept = marked_edges(mesh, tri, least_cos);
-    drop_long_sides(tri, &mut kept);
+    drop_sliver_sides(tri, &mut kept, least_cos);
     drop_specks(tri, &mut kept, SPECK * length);
     kept
 }
@@ -33,10 +34,6 @@ fn marked_edges(mesh: &Mesh, tri: &TriMesh, least_cos: f64) -> Vec<Kept> {
     let group = mesh.attribute(keys::FACE_GROUP);
     let color = mesh.attribute(keys::FACE_COLOR);
     let crease = mesh.attribute(keys::EDGE_CREASE);
-    let area = |h: u32| {
-        let [a, b, c] = [tri.from(h), tri.to(h), tri.apex(h)].map(|v| tri.at(v));
-        (b - a).cross(c - a)
-    };
     let kept = |h: u32| {
         let across = tri.opp(h);
         if across == NONE || tri.is_seam(h) {
@@ -57,8 +54,7 @@ fn marked_edges(mesh: &Mesh, tri: &TriMesh, least_cos: f64) -> Vec<Kept> {
         {
             return Kept::Border;
         }
-        let (n, m) = (area(h), area(across));
-        if a != b && n.dot(m) < least_cos * (n.length_squared() * m.length_squared()).sqrt() {
+        if a != b && turns(area(tri, h), area(tri, across), least_cos) {
             return Kept::Sharp;
         }
         Kept::No
@@ -74,8 +70,9 @@ fn marked_edges(mesh: &Mesh, tri: &TriMesh, least_cos: f64) -> Vec<Kept> {
 }
 
 /// No longer keeps the longest side of slivers all of whose sides are sharp: which way such a triangle
-/// faces says nothing, and the two other sides keep the same curve.
-fn drop_long_sides(tri: &TriMesh, kept: &mut [Kept]) {
+/// faces says nothing, and the two other sides keep the same curve. Those are only kept where they are
+/// sharp towards what is across the longest side.
+fn drop_sliver_sides(tri: &TriMesh, kept: &mut [Kept], least_cos: f64) {
     for h in (0..tri.v.len() as u32).step_by(3) {
         let sides = [h, h + 1, h + 2];
         if sides.iter().any(|&h| kept[h as usize] != Kept::Sharp) {
@@ -89,13 +86,29 @@ fn drop_long_sides(tri: &TriMesh, kept: &mut [Kept]) {
         } else {
             2
         };
-        let [a, b, c] = sides.map(|h| tri.at(tri.from(h)));
-        let height = (b - a).cross(c - a).length() / squared[longest];
-        if height < SLIVER {
-            kept[sides[longest] as usize] = Kept::No;
-            kept[tri.opp(sides[longest]) as usize] = Kept::No;
+        if area(tri, h).length() / squared[longest] >= SLIVER {
+            continue;
+        }
+        let behind = area(tri, tri.opp(sides[longest]));
+        for (k, h) in sides.into_iter().enumerate() {
+            let across = tri.opp(h);
+            if k == longest || !turns(behind, area(tri, across), least_cos) {
+                kept[h as usize] = Kept::No;
+                kept[across as usize] = Kept::No;
+            }
         }
     }
+}
+
+/// Twice the area vector of a half-edge's triangle.
+fn area(tri: &TriMesh, h: u32) -> DVec3 {
+    let [a, b, c] = [tri.from(h), tri.to(h), tri.apex(h)].map(|v| tri.at(v));
+    (b - a).cross(c - a)
+}
+
+/// Whether two normals, of any length, differ by more than the feature angle.
+fn turns(n: DVec3, m: DVec3, least_cos: f64) -> bool {
+    n.dot(m) < least_cos * (n.length_squared() * m.length_squared()).sqrt()
 }
 
 /// No longer keeps sharp edges where those that hang together are shorter in all than `length` and than
