@@ -67,6 +67,12 @@ fn any_command() -> impl Strategy<Value = Value> {
         any_edit(),
         Just(json!({"op": "subdivide-linear"})),
         (0usize..3).prop_map(|o| json!({"op": "subdivide-catmull-clark", "object": o})),
+        (0usize..3, 0.2f32..1.0).prop_map(|(o, r)| json!({"op": "simplify", "object": o, "ratio": r})),
+        (0usize..3, 0.4f32..2.0)
+            .prop_map(|(o, l)| json!({"op": "remesh", "object": o, "edge_length": l, "iterations": 2})),
+        (0usize..3, 1u32..4).prop_map(|(o, i)| json!({"op": "smooth", "object": o, "iterations": i})),
+        (0usize..3, 0f32..1.0)
+            .prop_map(|(o, d)| json!({"op": "merge-by-distance", "object": o, "distance": d})),
         Just(json!({"op": "new", "shape": "grid", "columns": 2, "rows": 1, "add": true})),
         Just(json!({"op": "new", "shape": "tetrahedron"})),
         (0usize..4).prop_map(|o| json!({"op": "activate-object", "object": o})),

@@ -157,6 +157,10 @@ fn models_with_features_holes_and_pieces_keep_their_topology() {
         let mesh = Mesh::build(PolygonSoup::new(positions, &faces)).expect("small").mesh;
         let result = run(&mesh, &Remesh::default());
         same_topology(&mesh, &result);
+        if name == "cheburashka" {
+            let (least, _) = angles(&result);
+            assert!(least > 25.0, "its folded sliver is no feature: {least}");
+        }
         let size = bounding_box(&mesh).expect("has vertices").diagonal();
         // Curves are on the input too, but for the few places where they can't be.
         assert!(farthest_vertex(&mesh, &result) < 5e-3 * size, "{name}: {}", farthest_vertex(&mesh, &result));
@@ -288,5 +292,31 @@ proptest! {
             mesh.edges().filter(|&e| mesh.is_boundary_edge(e)).map(|e| edge_length(mesh, e)).sum()
         };
         prop_assert!(length_of(&result) <= length_of(&mesh) * (1.0 + 1e-5) + 1e-5, "no boundary grows");
+    }
+}
+
+proptest! {
+    // Each case makes many triangles.
+    #![proptest_config(ProptestConfig::with_cases(8))]
+
+    /// Edges shorter than those of the input follow it closely, whatever the polygons, the boundary and the
+    /// pieces: area and volume stay, and no part goes.
+    #[test]
+    fn fine_edges_keep_area_and_volume(mesh in random_mesh(false), length in 0.12f64..0.2) {
+        // Polygons that aren't flat have an area once they are cut.
+        let whole = Simplify { target: SimplifyTarget::Ratio(1.0), preserve_boundary: true };
+        let cut = simplify(&mesh, &whole, &mut go_on).expect("in range").mesh;
+        let result = run(&mesh, &Remesh { edge_length: Some(length), ..Remesh::default() });
+        if cut.face_count() == 0 {
+            return Ok(());
+        }
+        let (before, after) = (surface_area(&cut), surface_area(&result));
+        prop_assert!(after > 0.85 * before && after < 1.25 * before, "area from {} to {}", before, after);
+        let change = (volume_from_origin(&result) - volume_from_origin(&cut)).abs();
+        prop_assert!(change < 0.3 * length * before, "volume by {}, of area {}", change, before);
+        let (there, back) = (farthest_vertex(&cut, &result), farthest_vertex(&result, &cut));
+        prop_assert!(back < 0.5 * length, "the input is {} off", back);
+        // Vertices on curves whose way is blocked are off the input, by less than its faces are wide.
+        prop_assert!(there < 1.0, "{} off", there);
     }
 }

@@ -163,4 +163,41 @@ proptest! {
             prop_assert_eq!(result.position(v), mesh.position(v));
         }
     }
+    /// Triangles, taken apart and a little off, come together as they were.
+    #[test]
+    fn loose_faces_merge_to_the_same_surface(mesh in random_mesh(true), off in 0f32..1e-5) {
+        let mut soup = PolygonSoup::default();
+        for f in mesh.faces() {
+            let first = soup.positions.len() as u32;
+            let shift = Vec3::splat(off * (f.raw() % 3) as f32);
+            soup.positions.extend(mesh.face_vertices(f).map(|v| mesh.position(v) + shift));
+            soup.push_face(first..first + mesh.face_degree(f) as u32);
+        }
+        let result = merge(&build(soup), 1e-3).mesh;
+        prop_assert_eq!(result.face_count(), mesh.face_count());
+        let rim = |mesh: &Mesh| -> f64 {
+            mesh.edges().filter(|&e| mesh.is_boundary_edge(e)).map(|e| edge_length(mesh, e)).sum()
+        };
+        let (before, after) = (surface_area(&mesh), surface_area(&result));
+        prop_assert!((after - before).abs() <= 2e-3 * before, "area from {} to {}", before, after);
+        let change = (volume_from_origin(&result) - volume_from_origin(&mesh)).abs();
+        prop_assert!(change <= 2e-3 * before, "volume by {}, of area {}", change, before);
+        let (before, after) = (rim(&mesh), rim(&result));
+        prop_assert!((after - before).abs() <= 2e-3 * before, "boundary from {} to {}", before, after);
+    }
+
+    /// Vertices go to between their neighbours: the area grows little if it does, and a closed surface's
+    /// volume changes by no more than what it passes over.
+    #[test]
+    fn smoothing_keeps_area_and_volume_in_bounds(mesh in random_mesh(true), strength in 0.1f64..1.0) {
+        let result = smoothed(&mesh, 3, strength, SmoothMethod::Laplacian);
+        let (before, after) = (surface_area(&mesh), surface_area(&result));
+        prop_assert!(after <= 1.25 * before, "area from {} to {}", before, after);
+        if mesh.boundary_loops().is_empty() {
+            let moved = |v| f64::from(mesh.position(v).distance(result.position(v)));
+            let farthest = mesh.vertices().map(moved).fold(0.0, f64::max);
+            let change = (volume(&result) - volume(&mesh)).abs();
+            prop_assert!(change <= farthest * before, "volume by {}, of area {}", change, before);
+        }
+    }
 }

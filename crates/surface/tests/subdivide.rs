@@ -8,6 +8,7 @@ use halfedge::attribute::{Column, keys};
 use halfedge::{Color, Element, Mesh, VertexId};
 use proptest::prelude::*;
 use std::ops::ControlFlow;
+use surface::measure::{surface_area, volume};
 use surface::*;
 
 fn cc(mesh: &Mesh, levels: u32, boundary: BoundaryRule) -> Mesh {
@@ -361,5 +362,14 @@ proptest! {
         let result = subdivide_linear(&mesh, &Linear { levels: 1 }, &mut go_on).expect("fits");
         assert_split_of(&mesh, &result, true);
         prop_assert_eq!(&result.positions()[..mesh.vertex_count()], mesh.positions());
+    }
+    /// Flat pieces of flat faces: nothing else changes.
+    #[test]
+    fn linear_keeps_area_and_volume(mesh in random_mesh(true), levels in 1u32..3) {
+        let result = subdivide_linear(&mesh, &Linear { levels }, &mut go_on).expect("fits");
+        let (before, after) = (surface_area(&mesh), surface_area(&result));
+        prop_assert!((after - before).abs() <= 1e-5 * before, "area from {} to {}", before, after);
+        let change = (volume(&result) - volume(&mesh)).abs();
+        prop_assert!(change <= 1e-5 * before, "volume by {}, of area {}", change, before);
     }
 }

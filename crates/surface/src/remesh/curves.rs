@@ -380,4 +380,18 @@ mod tests {
         assert!(count(&sphere, 0.1) >= 5);
         assert_eq!(count(&shape("cube"), 6.0), 12, "nothing else would be left of it");
     }
+
+    #[test]
+    fn a_folded_sliver_is_no_curve() {
+        // Two flat triangles with a thin one between them that is folded back over the first: its sides
+        // are sharp, but what lies beyond it is flat.
+        let p = |x: f32, y: f32| glam::Vec3::new(x, y, 0.0);
+        let positions = vec![p(-9.0, 0.0), p(9.0, 0.0), p(0.0, 9.0), p(0.0, -9.0), p(1.0, 0.2)];
+        let faces = [[0, 1, 2], [1, 0, 4], [0, 3, 4], [3, 1, 4]];
+        let mesh = Mesh::build(halfedge::PolygonSoup::new(positions, &faces)).expect("small").mesh;
+        let tri = TriMesh::new(&mesh);
+        let kept = kept_edges(&mesh, &tri, 0.7, 1e-6);
+        let borders = kept.iter().filter(|&&kept| kept == Kept::Border).count();
+        assert_eq!((borders, kept.iter().filter(|&&kept| kept == Kept::Sharp).count()), (4, 0));
+    }
 }

@@ -9,7 +9,9 @@
 //! between materials, groups and colours are kept: their vertices slide along them, and where such
 //! curves end, meet or turn they stay. Sharp edges that are nothing but noise at the new length are not
 //! kept: those that hang together over less than five edge lengths on a piece wider than that, and ends
-//! that lie loose in the surface and are shorter than one.
+//! that lie loose in the surface and are shorter than one, and sides of slivers, folded ones among them,
+//! beyond which the surface does not turn. All others are kept as they are: where they run closer together
+//! than an edge is long, or meet at a small angle, triangles between them have small angles too.
 
 mod curves;
 mod input;

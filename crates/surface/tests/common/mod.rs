@@ -229,6 +229,16 @@ pub fn farthest(from: &[DVec3], to: &[DVec3]) -> f64 {
     worst
 }
 
+/// The volume between the triangles of a mesh and the origin: of two open surfaces with one boundary, it
+/// differs by the volume between them.
+pub fn volume_from_origin(mesh: &Mesh) -> f64 {
+    let of_face = |f| {
+        let p: Vec<DVec3> = mesh.face_vertices(f).map(|v| mesh.position(v).as_dvec3()).collect();
+        p[0].dot(p[1].cross(p[2])) / 6.0
+    };
+    mesh.faces().map(of_face).sum()
+}
+
 pub fn points(mesh: &Mesh) -> Vec<DVec3> {
     mesh.vertices().map(|v| mesh.position(v).as_dvec3()).collect()
 }
