@@ -15,6 +15,9 @@ use halfedge::{Mesh, NONE};
 /// How much of the limit what is measured at points may use up: in between it can be a little more.
 const MEASURED: f64 = 0.75;
 
+/// How many points of the input are looked for where its triangles are large.
+const POINTS: f64 = 2e5;
+
 /// The bookkeeping of a bound on the distance.
 pub(super) struct Limit {
     /// In the frame of the triangles.
@@ -24,19 +27,26 @@ pub(super) struct Limit {
     pub patches: Patches,
     /// The faces of the input, by closeness.
     tree: FaceTree,
-    /// Corners, middles and middles of sides of the input's triangles, in the frame, and for each triangle those that are
-    /// closest to it: the first, and for each point the next.
+    /// Corners, middles and points of sides of the input's triangles, and of the larger ones points
+    /// inside, in the frame; and for each triangle those that are closest to it: the first, and for each
+    /// point the next.
     points: Vec<DVec3>,
     first_point: Vec<u32>,
     next_point: Vec<u32>,
     /// Those around the edge looked at.
     near: Vec<u32>,
+    /// Into how many parts at most a side is cut to find points.
+    most: u32,
 }
 
 impl Limit {
     /// Nothing moved yet; `error` in mesh units.
     pub fn new(mesh: &Mesh, tri: &TriMesh, error: f64) -> Self {
         let triangles = tri.v.len() / 3;
+        // Rounding positions to floats must not go past it.
+        let distance = error / tri.frame.scale - 1e-7;
+        // Few triangles are large ones, with much between points; of many, the middles are close enough.
+        let most = (POINTS / triangles.max(1) as f64).sqrt().clamp(2.0, 8.0) as u32;
         let mut points = Vec::with_capacity(3 * triangles + tri.out.len());
         let mut first_point = vec![NONE; triangles];
         let mut next_point = Vec::with_capacity(points.capacity());
@@ -52,15 +62,20 @@ impl Limit {
         for (f, corners) in tri.v.chunks_exact(3).enumerate() {
             let [a, b, c] = [tri.at(corners[0]), tri.at(corners[1]), tri.at(corners[2])];
             put(f, (a + b + c) / 3.0);
-            for (h, (p, q)) in (3 * f as u32..).zip([(a, b), (b, c), (c, a)]) {
-                if h < tri.opp(h) {
-                    put(f, (p + q) * 0.5);
+            let parts = parts(&[a, b, c], distance).clamp(2, most);
+            for [i, j, k] in grid(parts) {
+                // A side's points are found from one of its triangles.
+                let side = [(k, 0), (i, 1), (j, 2)].into_iter().find(|(weight, _)| *weight == 0);
+                if side.is_none_or(|(_, side)| {
+                    let h = 3 * f as u32 + side;
+                    h < tri.opp(h)
+                }) {
+                    put(f, weighed([a, b, c], [i, j, k]));
                 }
             }
         }
         Self {
-            // Rounding positions to floats must not go past it.
-            distance: error / tri.frame.scale - 1e-7,
+            distance,
             error: vec![0.0; triangles],
             patches: Patches::default(),
             tree: FaceTree::new(mesh),
@@ -68,6 +83,7 @@ impl Limit {
             first_point,
             next_point,
             near: Vec::new(),
+            most,
         }
     }
 
@@ -110,16 +126,12 @@ impl Limit {
             (worst <= limit).then_some(())
         };
         at_input(self.patches.new.first()?[0])?;
-        for &[p, x, y] in &self.patches.new {
+        for triangle in &self.patches.new {
+            let [p, x, y] = *triangle;
             at_input((p + x + y) / 3.0)?;
-            for (from, to) in [(p, x), (x, y), (y, p)] {
-                at_input((from + to) * 0.5)?;
-                at_input((from * 3.0 + to) * 0.25)?;
-                at_input((from + to * 3.0) * 0.25)?;
+            for weights in grid(parts(triangle, self.distance).clamp(4, self.most.max(4))) {
+                at_input(weighed(*triangle, weights))?;
             }
-            at_input((p * 2.0 + x + y) * 0.25)?;
-            at_input((p + x * 2.0 + y) * 0.25)?;
-            at_input((p + x + y * 2.0) * 0.25)?;
         }
         Some(worst)
     }
@@ -143,6 +155,23 @@ impl Limit {
             }
         }
     }
+}
+
+/// Into how many parts a triangle's longest side is to be cut, so that each is about a distance long.
+fn parts([a, b, c]: &[DVec3; 3], distance: f64) -> u32 {
+    let longest = a.distance(*b).max(b.distance(*c)).max(c.distance(*a));
+    (longest / distance).ceil() as u32
+}
+
+/// The weights of the points of a triangle whose sides are cut into equal parts, but for its corners.
+fn grid(parts: u32) -> impl Iterator<Item = [u32; 3]> {
+    (0..=parts)
+        .flat_map(move |i| (0..=parts - i).map(move |j| [i, j, parts - i - j]))
+        .filter(move |weights| !weights.contains(&parts))
+}
+
+fn weighed([a, b, c]: [DVec3; 3], [i, j, k]: [u32; 3]) -> DVec3 {
+    (a * f64::from(i) + b * f64::from(j) + c * f64::from(k)) / f64::from(i + j + k)
 }
 
 fn distance_squared(triangle: &[DVec3; 3], p: DVec3) -> f64 {

@@ -34,8 +34,10 @@ pub enum SimplifyTarget {
     /// point. Where the sum is past it, which it is long before the surface is, distances are measured
     /// and have to be within three quarters of the limit: from the corners, middles and middles of sides
     /// of the input's triangles to the new ones, and from a dozen points of each new triangle (its
-    /// corners, points on its sides and inside) to the input. In between points nothing is proven: a
-    /// point can be farther off than the nearest one measured by at most its distance from that.
+    /// corners, points on its sides and inside) to the input; where the input has few triangles, from up
+    /// to seven times as many points, so that large ones have them closer together. In between points
+    /// nothing is proven: a point can be farther off than the nearest one measured by at most its distance
+    /// from that.
     MaxError(f64),
 }
 
