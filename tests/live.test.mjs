@@ -32,6 +32,39 @@ async function start(editor, { key, kind, ids, by: [x, y] }) {
   }
 }
 
+editorTest("a form's operation is shown until it is applied or left", { sizes: [SMALL] }, async (editor) => {
+  await editor.run({ op: "new", shape: "ico-sphere", subdivisions: 2 });
+  await editor.page.mouse.move(5, 5);
+  const before = await whole(editor);
+  const vertex = async () => (await editor.element("vertex", 0)).position;
+  const choose = async (operation) => {
+    await editor.click("Operation", "comboBox");
+    await editor.click(operation);
+  };
+  const at = await vertex();
+  const plain = await editor.screenshot();
+  await choose("Smooth");
+  await editor.find(/^Previewed, not done yet/, "label");
+  assert.notDeepEqual(await vertex(), at, "the mesh is smoothed");
+  assert.ok((await editor.screenshot("preview of smoothing")).difference(plain) > 0, "and drawn so");
+  assert.deepEqual(await undoable(editor), before.undo);
+  await editor.press("Escape");
+  assert.deepEqual(await whole(editor), before, "Escape leaves no trace");
+
+  await choose("Simplify");
+  await editor.until("it is simplified", async () => (await editor.state()).document.faces === 160);
+  await editor.find("Result: 160 of 320 triangles", "label");
+  await editor.click("Live preview", "checkBox");
+  assert.deepEqual(await whole(editor), before, "nor does switching it off");
+  await editor.click("Live preview", "checkBox");
+  await editor.until("it is simplified again", async () => (await editor.state()).document.faces === 160);
+  await editor.click("Simplify", "button");
+  assert.equal((await editor.state()).document.faces, 160);
+  assert.deepEqual(await undoable(editor), [...before.undo, "Simplify"]);
+  await editor.undo();
+  assert.equal((await whole(editor)).mesh, before.mesh);
+});
+
 /** What is tried: the cube's faces and vertices after each, and the label of the step. */
 const CUBE = [
   { key: "e", kind: "face", ids: [0], by: [40, 0], faces: 10, vertices: 12, label: "Extrude faces" },

@@ -213,6 +213,7 @@ impl App {
         self.live_bar(&ctx);
         self.windows(&ctx, narrow);
         self.finish_live_edit(&ctx);
+        self.end_unseen_preview();
         self.follow();
         self.frames.record(self.platform.now() - started);
     }

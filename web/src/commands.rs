@@ -71,12 +71,15 @@ impl App {
         }
         match action {
             Action::Open => self.platform.open_file_dialog(),
-            Action::Save => self.saving.show(self.editor.document(), None),
-            Action::SaveAs(format) => self.saving.show(self.editor.document(), Some(format)),
+            Action::Save => self.show_saving(None),
+            Action::SaveAs(format) => self.show_saving(Some(format)),
             Action::Undo => self.step(true),
             Action::Redo => self.step(false),
             Action::Cancel => self.cancel(),
-            Action::SelectAll => self.editor.select_all(self.lists.kind.0),
+            Action::SelectAll => {
+                self.end_preview();
+                self.editor.select_all(self.lists.kind.0);
+            }
             Action::SelectNone => self.editor.deselect(),
             Action::SelectInverse => self.select_inverse(),
             Action::Show(kind) => self.show_kind(kind),
@@ -404,6 +407,7 @@ impl App {
     }
 
     fn select_inverse(&mut self) {
+        self.end_preview();
         let kind = self.lists.kind.0;
         let Some(mesh) = self.editor.mesh() else { return };
         let selection = self.editor.selection();
@@ -437,6 +441,10 @@ impl App {
     pub(crate) fn select(&mut self, kind: Element, ids: impl IntoIterator<Item = u32>, mode: SelectMode) {
         // A live edit is of what was selected when it began.
         self.end_live(true);
+        // Ids of what is only previewed mean nothing once it is taken back.
+        if self.end_preview() == Some(false) {
+            return;
+        }
         if let Err(error) = self.editor.select(kind, ids, mode) {
             self.refused(&error, None);
         }

@@ -130,6 +130,7 @@ impl App {
     /// Starts a live edit of what is selected. Nothing changes before the pointer moves.
     pub(crate) fn start_live(&mut self, name: &str) {
         self.end_live(false);
+        self.end_preview();
         self.live = Live::new(name);
         if self.live.as_ref().is_some_and(Live::does_something) {
             self.show_live();

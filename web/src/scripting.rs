@@ -113,6 +113,7 @@ impl App {
     /// An id that doesn't exist, or no such kind.
     pub fn script_select(&mut self, kind: &str, ids: &[u32]) -> Result<(), String> {
         let kind = parse_kind(kind)?;
+        self.end_preview();
         self.editor
             .select(kind, ids.iter().copied(), SelectMode::Replace)
             .map_err(|error| error.to_string())?;

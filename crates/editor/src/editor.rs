@@ -146,7 +146,7 @@ impl Editor {
 
     /// Whether the document is not as it was when it was opened or last saved.
     pub fn is_dirty(&self) -> bool {
-        self.drag.is_some() || self.revision != self.saved
+        (self.is_dragging() && !self.is_trying()) || self.revision != self.saved
     }
 
     /// The state that the document is in: edits lead to a new one, undo and redo back to others.
@@ -219,7 +219,7 @@ impl Editor {
     /// # Errors
     /// A job runs on a mesh that would change.
     pub fn redo(&mut self) -> Result<Option<String>, CommandError> {
-        self.commit_drag();
+        self.settle();
         if let Some(step) = self.history.next_redo() {
             self.refuse_while_busy("redo", &step.changes)?;
         }

@@ -2,11 +2,11 @@
 
 mod support;
 
-use editor::halfedge::{Element, VertexId};
+use editor::halfedge::{Element, Mesh, VertexId};
 use std::ops::ControlFlow;
 
 use editor::formats::Format;
-use editor::{Document, Editor, Finished, ObjectChange, SelectMode, Selection};
+use editor::{Command, Document, Editor, Finished, ObjectChange, SelectMode, Selection};
 use proptest::prelude::*;
 use serde_json::{Value, json};
 use support::*;
@@ -224,13 +224,81 @@ fn a_drag_of_an_edit_that_makes_elements_is_one_step_too() {
 }
 
 #[test]
+fn an_operation_on_the_whole_mesh_is_tried_and_kept_only_by_a_commit() {
+    let mut editor = on_cube();
+    run(&mut editor, json!({"op": "triangulate-faces", "faces": [0, 1, 2, 3, 4, 5]}));
+    run(&mut editor, json!({"op": "split-edge", "edge": 0}));
+    editor.select(Element::Vertex, [3], SelectMode::Replace).expect("there");
+    editor.mark_saved(editor.revision());
+    let before = editor.document().clone();
+    let smooth = |strength: f32| command(json!({"op": "smooth", "strength": strength, "iterations": 3}));
+    let tried = |editor: &mut Editor| {
+        let last = editor.last_command().cloned();
+        editor.drag(smooth(0.7)).expect("quick");
+        assert_ne!(editor.document(), &before);
+        assert!(editor.is_trying() && !editor.is_dirty());
+        assert_eq!(editor.last_command().cloned(), last, "nothing was done");
+    };
+    tried(&mut editor);
+    editor.drag(smooth(0.2)).expect("quick");
+    let mut other = Editor::with_mesh("Cube", before.objects()[0].mesh().clone());
+    run(&mut other, json!({"op": "smooth", "strength": 0.2, "iterations": 3}));
+    assert_eq!(editor.mesh(), other.mesh(), "each preview is of the mesh as it was");
+
+    // Whatever else is done takes it back first.
+    let steps = |editor: &Editor| editor.undo_labels().count();
+    assert_eq!(editor.cancel_drag().as_deref(), Some("Smooth"));
+    assert_eq!((editor.document(), steps(&editor)), (&before, 2));
+    assert_eq!(editor.selection().ids().collect::<Vec<_>>(), [3]);
+    tried(&mut editor);
+    assert_eq!(editor.undo().expect("free").as_deref(), Some("Smooth"));
+    assert_eq!((editor.document(), steps(&editor)), (&before, 2));
+    tried(&mut editor);
+    let request = editor.begin_export(Format::Obj);
+    let written = request.run(&mut |_| ControlFlow::Continue(()));
+    assert!(matches!(editor.finish(request.id(), written), Ok(Finished::Exported(_))));
+    assert_eq!((editor.document(), steps(&editor)), (&before, 2), "what is saved is what was done");
+    tried(&mut editor);
+    run(&mut editor, json!({"op": "split-edge", "edge": 1}));
+    assert_eq!(editor.undo_labels().last(), Some("Split edge"));
+    editor.undo().expect("free");
+    assert_eq!((editor.document(), steps(&editor)), (&before, 2));
+    tried(&mut editor);
+    assert_eq!(editor.redo().expect("free").as_deref(), Some("Split edge"));
+    editor.undo().expect("free");
+    assert_eq!(editor.document(), &before);
+
+    // Another operation in place of it, kept.
+    tried(&mut editor);
+    editor.drag(command(json!({"op": "simplify", "faces": 8}))).expect("quick");
+    assert_eq!(editor.commit_drag().as_deref(), Some("Simplify"));
+    assert_eq!(editor.mesh().map(Mesh::face_count), Some(8));
+    assert_eq!(editor.last_command().map(Command::name), Some("simplify"));
+    editor.undo().expect("free");
+    assert_eq!(editor.document(), &before);
+    assert_eq!(editor.selection().ids().collect::<Vec<_>>(), [3]);
+
+    // What is refused, or takes long, shows nothing.
+    for bad in
+        [json!({"op": "smooth", "iterations": 0}), json!({"op": "smooth", "iterations": 1000, "object": 7})]
+    {
+        assert!(editor.drag(command(bad)).is_err());
+        assert_eq!((editor.document(), editor.is_dragging()), (&before, false));
+    }
+    run(&mut editor, json!({"op": "new", "shape": "grid", "columns": 200, "rows": 200}));
+    assert!(!editor.is_quick(smooth(0.5)));
+    let error = editor.drag(smooth(0.5)).expect_err("too much");
+    assert!(error.to_string().contains("too long"), "{error}");
+}
+
+#[test]
 fn a_refused_preview_leaves_the_last_one() {
     let mut editor = on_cube();
     editor.drag(command(json!({"op": "split-edge", "edge": 0, "t": 0.5}))).expect("a split");
     let shown = editor.document().clone();
     for bad in [
         json!({"op": "split-edge", "edge": 0, "t": 1.5}),
-        json!({"op": "subdivide-linear"}),
+        json!({"op": "new", "shape": "cube"}),
         json!({"op": "rename-object", "name": "No"}),
         // Edge 12 is there in the preview only.
         json!({"op": "split-edge", "edge": 12}),

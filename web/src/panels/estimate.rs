@@ -2,7 +2,7 @@
 
 use crate::app::App;
 use crate::lists::columns::{counted, thousands};
-use crate::panels::fields::Filled;
+use crate::panels::fields::{Filled, Hints};
 use crate::panels::new_shape;
 use halfedge::Element;
 use serde_json::Value;
@@ -19,42 +19,38 @@ pub(crate) struct Merged {
 const TRIED: usize = 20_000;
 
 impl App {
-    /// How many triangles the faces can be cut into; none while they are counted.
-    pub(crate) fn triangles(&self) -> Option<usize> {
-        let mesh = self.editor.mesh()?;
-        let corners = mesh.halfedge_count() - self.survey.found()?.boundary_halfedges;
-        corners.checked_sub(2 * mesh.face_count())
-    }
-
     /// How large the result of an operation with these fields is, as a sentence; none where that
     /// can't be said beforehand.
-    pub(crate) fn estimate(&mut self, name: &str, filled: &Filled) -> Option<String> {
+    pub(crate) fn estimate(&mut self, name: &str, filled: &Filled, hints: &Hints) -> Option<String> {
         if name == "new" {
             return new_shape::estimate(filled);
         }
-        let mesh = self.editor.mesh()?;
-        let faces = mesh.face_count();
+        // What is shown has no need of reckoning.
+        let shown = self.previewed(name, filled).map(|mesh| (mesh.vertex_count(), mesh.face_count()));
         let number = |field: &str| filled.get(field).and_then(Value::as_f64);
         let result = |count: usize| format!("Result: {}", counted(Element::Face, count));
         let levels = || u32::try_from(filled.get("levels")?.as_u64()?).ok().filter(|&levels| levels > 0);
         match name {
             // One quad for each corner, then four for each quad.
             "subdivide-catmull-clark" | "subdivide-linear" => {
-                let corners = mesh.halfedge_count() - self.survey.found()?.boundary_halfedges;
-                Some(result(corners.checked_mul(4_usize.checked_pow(levels()? - 1)?)?))
+                Some(result(hints.corners?.checked_mul(4_usize.checked_pow(levels()? - 1)?)?))
             }
-            "subdivide-loop" => Some(result(faces.checked_mul(4_usize.checked_pow(levels()?)?)?)),
+            "subdivide-loop" => Some(result(hints.faces.checked_mul(4_usize.checked_pow(levels()?)?)?)),
             "simplify" => {
-                let all = self.triangles()?;
-                let wanted = match (number("ratio"), number("faces")) {
-                    (Some(ratio), _) => (all as f64 * ratio).round() as usize,
-                    (None, Some(faces)) => (faces as usize).min(all),
-                    (None, None) => return Some(format!("Of {} triangles", thousands(all))),
+                let all = hints.triangles()?;
+                let wanted = match (shown, number("ratio"), number("faces")) {
+                    (Some((_, faces)), ..) => faces,
+                    (None, Some(ratio), _) => (all as f64 * ratio).round() as usize,
+                    (None, None, Some(faces)) => (faces as usize).min(all),
+                    (None, None, None) => return Some(format!("Of {} triangles", thousands(all))),
                 };
                 Some(format!("Result: {} of {} triangles", thousands(wanted), thousands(all)))
             }
             "remesh" => {
-                let measures = self.measured.get(&self.editor)?;
+                if let Some((_, faces)) = shown {
+                    return Some(format!("Result: {} triangles", thousands(faces)));
+                }
+                let measures = hints.measures?;
                 let length = number("edge_length").unwrap_or(measures.mean_edge);
                 // As many equilateral triangles as have the same area.
                 let count = measures.area / (length * length * 3_f64.sqrt() / 4.0);
@@ -62,8 +58,11 @@ impl App {
                     .is_finite()
                     .then(|| format!("Result: about {} triangles", thousands(count.round() as usize)))
             }
-            "smooth" => Some(format!("{} move; counts stay", counted(Element::Vertex, mesh.vertex_count()))),
-            "merge-by-distance" => self.estimate_merge(number("distance")?),
+            "smooth" => Some(format!("{} move; counts stay", counted(Element::Vertex, hints.vertices))),
+            "merge-by-distance" => match shown {
+                Some((vertices, _)) => Some(of_vertices(vertices, hints.vertices)),
+                None => self.estimate_merge(number("distance")?),
+            },
             "bezier-tessellate" => {
                 let patches = self.editor.document().active()?.bezier()?.patches().len();
                 let side = usize::try_from(filled.get("resolution")?.as_u64()?).ok()?;
@@ -92,6 +91,10 @@ impl App {
         };
         let all = mesh.vertex_count();
         self.forms.merged = Some(merged);
-        Some(format!("Result: {} of {} vertices", thousands(merged.vertices), thousands(all)))
+        Some(of_vertices(merged.vertices, all))
     }
+}
+
+fn of_vertices(left: usize, all: usize) -> String {
+    format!("Result: {} of {} vertices", thousands(left), thousands(all))
 }

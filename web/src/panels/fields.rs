@@ -18,8 +18,19 @@ pub type Filled = Map<String, Value>;
 pub struct Hints {
     /// Its lengths and area, where a field of the form is about those.
     pub measures: Option<Measures>,
-    /// How many triangles it can be cut into, where that is known.
-    pub triangles: Option<usize>,
+    /// How many vertices it has.
+    pub vertices: usize,
+    /// How many faces it has.
+    pub faces: usize,
+    /// How many corners its faces have in all; none while they are counted.
+    pub corners: Option<usize>,
+}
+
+impl Hints {
+    /// How many triangles the faces can be cut into, where that is known.
+    pub fn triangles(&self) -> Option<usize> {
+        self.corners?.checked_sub(2 * self.faces)
+    }
 }
 
 /// Whether an operation's form suggests lengths, which have to be measured.

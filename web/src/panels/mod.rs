@@ -20,5 +20,6 @@ pub(crate) mod sheet;
 mod shortcuts;
 mod simplify;
 mod status_bar;
+mod trial;
 
 pub(crate) use fields::selection_words;

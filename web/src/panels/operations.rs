@@ -12,6 +12,7 @@ use crate::keys;
 use crate::panels::estimate::Merged;
 use crate::panels::fields::{self, Filled, Hints};
 use crate::panels::new_shape;
+use crate::panels::trial::Previews;
 
 /// What is filled in, in all forms of the page.
 #[derive(Default)]
@@ -30,12 +31,14 @@ pub(crate) struct Forms {
     pub tessellation: Option<u32>,
     /// What a merge would leave.
     pub merged: Option<Merged>,
+    pub previews: Previews,
 }
 
 impl Forms {
     /// Shows an operation's form.
     pub fn choose(&mut self, name: &'static str) {
         self.chosen = Some(name);
+        self.previews.ask();
     }
 
     /// What is filled in for an operation, once its form was shown or a key changed it.
@@ -96,6 +99,7 @@ impl App {
         let hints = self.hints(chosen.name);
         let mut filled =
             self.forms.filled.remove(chosen.name).unwrap_or_else(|| fields::initial(chosen, &hints));
+        let before = filled.clone();
         Grid::new(("form", chosen.name)).num_columns(2).spacing(vec2(10.0, 6.0)).show(ui, |ui| {
             if chosen.name == "new" {
                 new_shape::form(ui, &mut filled);
@@ -103,7 +107,8 @@ impl App {
             }
             fields::rows(ui, chosen, &mut filled, &hints, |_| true);
         });
-        if let Some(estimate) = self.estimate(chosen.name, &filled) {
+        self.preview_row(ui, chosen, &filled, filled != before);
+        if let Some(estimate) = self.estimate(chosen.name, &filled, &hints) {
             ui.label(RichText::new(estimate).small().weak());
         }
         self.apply_button(ui, chosen, &filled);
@@ -119,7 +124,9 @@ impl App {
         let response = ui.vertical_centered_justified(|ui| ui.add_enabled(why_not.is_none(), button)).inner;
         let tooltip = keys::tooltip(ui.ctx(), spec.description, action);
         let reason = why_not.clone().unwrap_or_default();
-        if response.on_hover_text(tooltip).on_disabled_hover_text(reason).clicked() {
+        if response.on_hover_text(tooltip).on_disabled_hover_text(reason).clicked()
+            && !self.apply_preview(spec.name, filled)
+        {
             let mut command: Map<String, Value> = filled.clone();
             command.insert("op".into(), spec.name.into());
             self.send(command.into());
@@ -129,10 +136,20 @@ impl App {
         }
     }
 
-    /// What an operation's form should know of the mesh.
+    /// What an operation's form should know of the mesh, as it is without what is only previewed.
     pub(crate) fn hints(&mut self, op: &str) -> Hints {
+        if let Some(hints) = self.hints_before_preview() {
+            return hints;
+        }
         let measures = if fields::suggests_lengths(op) { self.measured.get(&self.editor) } else { None };
-        Hints { measures, triangles: self.triangles() }
+        let Some(mesh) = self.editor.mesh() else { return Hints::default() };
+        let boundary = self.survey.found().map(|found| found.boundary_halfedges);
+        Hints {
+            measures,
+            vertices: mesh.vertex_count(),
+            faces: mesh.face_count(),
+            corners: boundary.map(|boundary| mesh.halfedge_count() - boundary),
+        }
     }
 }
 

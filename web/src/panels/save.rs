@@ -114,6 +114,13 @@ fn stem(typed: &str, format: Format) -> Option<String> {
 }
 
 impl App {
+    /// Opens the dialog, in a format or in the one that suits the document.
+    pub(crate) fn show_saving(&mut self, format: Option<Format>) {
+        // What is only previewed is not saved, and so not counted.
+        self.end_preview();
+        self.saving.show(self.editor.document(), format);
+    }
+
     pub(crate) fn save_window(&mut self, ctx: &Context, narrow: bool) {
         if !self.saving.is_open() {
             return;

@@ -22,7 +22,7 @@ fn chosen(filled: &Filled) -> &'static str {
 
 /// What a field starts with when it is chosen: about what the one before it asked for.
 fn start(field: &str, before: &Filled, hints: &Hints) -> Value {
-    let triangles = hints.triangles.unwrap_or(1000) as f64;
+    let triangles = hints.triangles().unwrap_or(1000) as f64;
     let share = match (before.get("ratio"), before.get("faces")) {
         (Some(ratio), _) => ratio.as_f64().unwrap_or(0.5),
         (None, Some(faces)) => faces.as_f64().unwrap_or(triangles) / triangles.max(1.0),
@@ -64,7 +64,7 @@ pub fn rows(ui: &mut Ui, filled: &mut Filled, hints: &Hints) {
     let mut number = value.as_f64().unwrap_or_default();
     let spin = match field {
         "faces" => {
-            let most = hints.triangles.unwrap_or(u32::MAX as usize).clamp(1, u32::MAX as usize) as f64;
+            let most = hints.triangles().unwrap_or(u32::MAX as usize).clamp(1, u32::MAX as usize) as f64;
             DragValue::new(&mut number).speed((most * 0.002).max(0.2)).max_decimals(0).range(1.0..=most)
         }
         "max_error" => {

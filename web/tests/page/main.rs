@@ -8,6 +8,7 @@ mod live;
 mod looks;
 mod menus;
 mod page;
+mod previews;
 mod properties;
 mod save;
 mod viewport;

@@ -14,7 +14,8 @@ impl Editor {
     /// was something else, such as an undo.
     pub fn last_command(&self) -> Option<&Command> {
         let (command, revision) = self.last.as_ref()?;
-        (*revision == self.revision && self.drag.is_none()).then_some(command)
+        let edited = self.is_dragging() && !self.is_trying();
+        (*revision == self.revision && !edited).then_some(command)
     }
 
     /// Does the last command again with other fields: takes the last step back and begins this
@@ -33,6 +34,7 @@ impl Editor {
             ));
         }
         let last = self.last.clone();
+        self.settle();
         self.undo()?;
         self.begin(command).map_err(|error| match self.redo() {
             Ok(_) => {

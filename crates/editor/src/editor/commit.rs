@@ -16,11 +16,25 @@ impl Editor {
     /// Puts what a whole-mesh operation made, which is valid, into the document as one step.
     pub(super) fn commit_whole(
         &mut self,
-        op: Op,
+        op: &Op,
         objects: &[ObjectId],
         at: usize,
         made: Made,
     ) -> Result<Outcome, Problem> {
+        let before = self.selection.clone();
+        let (outcome, back) = self.put_whole(op, objects, at, made)?;
+        self.push_step(op.spec().label.to_owned(), back, before);
+        Ok(outcome)
+    }
+
+    /// Puts what a whole-mesh operation made into the document; gives what takes it out again.
+    pub(super) fn put_whole(
+        &mut self,
+        op: &Op,
+        objects: &[ObjectId],
+        at: usize,
+        made: Made,
+    ) -> Result<(Outcome, Vec<Change>), Problem> {
         let Made::Meshes(outputs, ids, notes) = made else {
             return Err(Problem::internal("the result is of another job"));
         };
@@ -56,16 +70,15 @@ impl Editor {
         };
         let keeps_ids = created.ids.is_some();
         let changes = self.changes_for(commit, objects, at, outputs)?;
-        let selection = self.selection.clone();
         let back = self.make(changes);
         if keeps_ids {
             self.drop_gone_from_selection();
         } else {
-            self.selection = Arc::new(Selection::new(selection.kind()));
+            self.selection = Arc::new(Selection::new(self.selection.kind()));
             self.changes.selection = true;
         }
-        self.push_step(op.spec().label.to_owned(), back, selection);
-        Ok(Outcome { warnings: notes, ..Self::outcome(&[op], created, removed) })
+        let outcome = Self::outcome(std::slice::from_ref(op), created, removed);
+        Ok((Outcome { warnings: notes, ..outcome }, back))
     }
 
     fn changes_for(

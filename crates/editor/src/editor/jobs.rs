@@ -2,7 +2,7 @@
 
 use super::run::{Planned, broken};
 use super::{Editor, MessageKind};
-use crate::command::{Action, Command, Op};
+use crate::command::{Action, Command, Input, Op};
 use crate::document::ObjectId;
 use crate::error::{CommandError, Problem};
 use crate::history::Change;
@@ -13,7 +13,7 @@ use std::ops::ControlFlow;
 
 /// Operations whose result is smaller than this many faces run at once: that takes less time than
 /// a frame, and less than sending the mesh to a worker.
-const SMALL: usize = 20_000;
+pub(super) const SMALL: usize = 20_000;
 
 /// What became of a command that was begun.
 #[derive(Debug)]
@@ -98,7 +98,7 @@ impl Editor {
     /// # Errors
     /// As [`Editor::begin`].
     pub fn begin_from(&mut self, command: Command, faces: usize) -> Result<Begun, CommandError> {
-        self.commit_drag();
+        self.settle();
         let name = command.name();
         self.begin_inner(command, faces).map_err(|problem| self.report(CommandError::of(name, problem)))
     }
@@ -111,14 +111,7 @@ impl Editor {
             Planned::Document { .. } => (Vec::new(), Vec::new(), 0),
         };
         let inputs = self.inputs(&objects);
-        let cost: usize = ops
-            .iter()
-            .map(|op| match op.action() {
-                Action::WholeMesh(whole) => whole.cost(&inputs),
-                Action::Local(edit) => inputs.first().map_or(0, |input| edit.cost(&input.mesh)),
-                Action::Document(_) => 0,
-            })
-            .sum();
+        let cost = Self::cost(&ops, &inputs);
         let first = ops.first().cloned();
         match first {
             Some(op) if cost >= faces => {
@@ -131,6 +124,27 @@ impl Editor {
                 self.remember(command);
                 Ok(Begun::Done(outcome))
             }
+        }
+    }
+
+    /// How much work operations are, in faces to look at or to make.
+    pub(super) fn cost(ops: &[Op], inputs: &[Input]) -> usize {
+        let each = ops.iter().map(|op| match op.action() {
+            Action::WholeMesh(whole) => whole.cost(inputs),
+            Action::Local(edit) => inputs.first().map_or(0, |input| edit.cost(&input.mesh)),
+            Action::Document(_) => 0,
+        });
+        each.fold(0, usize::saturating_add)
+    }
+
+    /// Whether a command runs at once when it is begun, and so can be previewed at every change of its
+    /// fields; one that would be refused is not quick. Costs what finding its elements costs.
+    pub fn is_quick(&self, command: Command) -> bool {
+        match self.plan(command) {
+            Ok(Planned::Whole { op, objects, .. }) => Self::cost(&[op], &self.inputs(&objects)) < SMALL,
+            Ok(Planned::Local { object, ops }) => Self::cost(&ops, &self.inputs(&[object])) < SMALL,
+            Ok(Planned::Document { .. }) => true,
+            Err(_) => false,
         }
     }
 
@@ -158,6 +172,9 @@ impl Editor {
 
     /// [`Editor::begin_export`] to files of another name, given without an extension.
     pub fn begin_export_as(&mut self, format: Format, name: String) -> JobRequest {
+        if self.is_trying() {
+            self.cancel_drag();
+        }
         let objects: Vec<ObjectId> = self.document.objects().iter().map(|object| object.id()).collect();
         let id = self.wait_for(WaitingFor::Export);
         let offset = self.document.offset;
@@ -191,7 +208,7 @@ impl Editor {
         self.changes.jobs = true;
         // Writing a file changes nothing, so what is being dragged goes on.
         if !matches!(job.kind, WaitingFor::Export) {
-            self.commit_drag();
+            self.settle();
         }
         let name = job.kind.op();
         let JobResult { made, validated } = result.map_err(|error| self.report(error))?;
@@ -204,7 +221,7 @@ impl Editor {
             (WaitingFor::Run(run), made @ Made::Meshes(..)) => {
                 let Run { command, op, objects, at } = *run;
                 let outcome = self
-                    .commit_whole(op, &objects, at, made)
+                    .commit_whole(&op, &objects, at, made)
                     .map_err(|problem| self.report(CommandError::of(name, problem)))?;
                 self.remember(command);
                 self.say(MessageKind::Info, outcome.message.clone());

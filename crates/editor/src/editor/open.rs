@@ -29,7 +29,7 @@ impl Editor {
 
     /// Opens meshes that are known to be valid.
     pub(super) fn open_valid(&mut self, import: Import) -> Outcome {
-        self.commit_drag();
+        self.settle();
         // What runs on objects that go has nowhere to put its result.
         if !self.jobs.is_empty() {
             self.jobs.clear();

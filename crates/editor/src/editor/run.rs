@@ -46,7 +46,7 @@ impl Editor {
         command: Command,
         progress: &mut halfedge::Progress<'_>,
     ) -> Result<Outcome, CommandError> {
-        self.commit_drag();
+        self.settle();
         let name = command.name();
         self.run_inner(command, progress).map_err(|problem| self.report(CommandError::of(name, problem)))
     }
@@ -107,11 +107,8 @@ impl Editor {
                 Ok(Outcome { warnings: done.notes, ..Self::outcome(&ops, done.created, done.removed) })
             }
             Planned::Whole { op, objects, at } => {
-                let inputs = self.inputs(&objects);
-                let made = job::run(std::slice::from_ref(&op), &inputs, progress)?;
-                drop(inputs);
-                made.validate().map_err(|defect| broken(&defect))?;
-                self.commit_whole(op, &objects, at, made)
+                let made = self.compute(&op, &objects, progress)?;
+                self.commit_whole(&op, &objects, at, made)
             }
             Planned::Document { op, changes } => {
                 let before = self.selection.clone();
@@ -122,6 +119,18 @@ impl Editor {
                 Ok(Self::outcome(&[op], Elements::default(), Elements::default()))
             }
         }
+    }
+
+    /// What a whole-mesh operation makes of objects; it is valid.
+    pub(super) fn compute(
+        &self,
+        op: &Op,
+        objects: &[ObjectId],
+        progress: &mut halfedge::Progress<'_>,
+    ) -> Result<job::Made, Problem> {
+        let made = job::run(std::slice::from_ref(op), &self.inputs(objects), progress)?;
+        made.validate().map_err(|defect| broken(&defect))?;
+        Ok(made)
     }
 
     /// Finds out what a command has to do, without doing it.
