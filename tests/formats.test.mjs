@@ -77,6 +77,21 @@ async function otherSite(answer) {
   };
 }
 
+/** A triangle as a glTF whose data is in a file beside it. */
+function triangleGltf(uri) {
+  const json = JSON.stringify({
+    asset: { version: "2.0" },
+    buffers: [{ uri: encodeURIComponent(uri), byteLength: 36 }],
+    bufferViews: [{ buffer: 0, byteLength: 36 }],
+    accessors: [{ bufferView: 0, componentType: 5126, count: 3, type: "VEC3", min: [0, 0, 0], max: [1, 1, 0] }],
+    meshes: [{ primitives: [{ attributes: { POSITION: 0 } }] }],
+    nodes: [{ mesh: 0 }],
+    scenes: [{ nodes: [0] }],
+    scene: 0,
+  });
+  return { json, data: Buffer.from(new Float32Array([0, 0, 0, 1, 0, 0, 0, 1, 0]).buffer) };
+}
+
 const open = { "access-control-allow-origin": "*" };
 
 /** The editor on a page whose address asks for a model of another site, with what it says of it. */
@@ -121,6 +136,61 @@ editorTest("?model= opens a file of another site", once, async (_, t) => {
     editor.expectErrors(/404/);
     await alert(editor, /gone\.obj could not be fetched: the server answered 404/);
     assert.equal((await editor.state()).document.faces, 6);
+  });
+
+  // What belongs to it lies beside it, and is asked for there.
+  const OBJ = TWO_COLORS_OBJ.replace(/mtllib .*/, "mtllib ../materials/my%23 colors.mtl");
+  const asked = [];
+  const shelf = (files) => (request, response) => {
+    asked.push(request.url);
+    const file = files[request.url];
+    if (file === undefined) response.writeHead(404, open).end();
+    else response.writeHead(200, file.closed ? {} : open).end(file.content ?? file);
+  };
+  const opened = async (editor, file) => editor.until(`${file} is open`, async () => (await name(editor)) === file);
+  const said = async (editor) => (await editor.state()).messages.map(({ text }) => text).join("\n");
+  const twoColors = { "/a/two.obj?v=1": OBJ, "/materials/my%2523%20colors.mtl": TWO_COLORS_MTL };
+  await asking(t, shelf(twoColors), "a/two.obj?v=1", async (editor) => {
+    await opened(editor, "two");
+    assert.equal((await editor.element("face", 0)).color, "#ff0000");
+    assert.doesNotMatch(await said(editor), /which belongs to/);
+    assert.ok(asked.every((path) => !path.endsWith("/my%2523")), `a name with blanks is one: ${asked}`);
+    assert.deepEqual((await editor.state()).jobs, []);
+  });
+  // A file beside it that is not there, or may not be read, is a note.
+  await asking(t, shelf({ "/two.obj": TWO_COLORS_OBJ }), "two.obj", async (editor) => {
+    editor.expectErrors(/404/);
+    await opened(editor, "two");
+    await alert(editor, /colors\.mtl, which belongs to two\.obj, could not be fetched: the server answered 404/);
+    assert.match(await said(editor), /colors\.mtl, which belongs to two\.obj, could not be fetched/);
+    editor.assertNoErrors();
+  });
+  const locked = { "/two.obj": TWO_COLORS_OBJ, "/colors.mtl": { content: TWO_COLORS_MTL, closed: true } };
+  await asking(t, shelf(locked), "two.obj", async (editor) => {
+    editor.expectErrors(/CORS|Failed to load resource/);
+    await opened(editor, "two");
+    await alert(editor, /colors\.mtl, which belongs to two\.obj, .*Access-Control-Allow-Origin/);
+    editor.assertNoErrors();
+  });
+  // A model has the page ask no other site.
+  const elsewhere = TWO_COLORS_OBJ.replace(/mtllib .*/, "mtllib //other.example/colors.mtl");
+  await asking(t, shelf({ "/two.obj": elsewhere }), "two.obj", async (editor) => {
+    await opened(editor, "two");
+    await alert(editor, /other\.example\/colors\.mtl, which belongs to two\.obj, does not lie beside it/);
+    editor.assertNoErrors();
+  });
+  // A glTF with its data, and one without.
+  const gltf = triangleGltf("my data.bin");
+  await asking(t, shelf({ "/one.gltf": gltf.json, "/my%20data.bin": gltf.data }), "one.gltf", async (editor) => {
+    await opened(editor, "one");
+    assert.equal((await editor.state()).document.faces, 1);
+    editor.assertNoErrors();
+  });
+  await asking(t, shelf({ "/one.gltf": gltf.json }), "one.gltf", async (editor) => {
+    editor.expectErrors(/404/);
+    await alert(editor, /my data\.bin, which was not given.*the server answered 404/s);
+    assert.equal((await editor.state()).document.faces, 6, "the cube stays");
+    editor.assertNoErrors();
   });
 
   // What takes long can be called off.

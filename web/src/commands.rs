@@ -12,7 +12,7 @@ use crate::bezier;
 use crate::keys;
 use crate::live;
 use crate::measures::rounded;
-use crate::platform::NamedBytes;
+use crate::platform::{Fetched, NamedBytes};
 use crate::scripting::{Answer, Reply};
 use crate::viewport_widget::Tool;
 
@@ -263,10 +263,11 @@ impl App {
     }
 
     /// Opens what was fetched, as the rest of the same job; or says why it can't.
-    pub(crate) fn fetched(&mut self, job: u64, files: Result<Vec<NamedBytes>, String>) {
+    pub(crate) fn fetched(&mut self, job: u64, fetched: Result<Fetched, String>) {
         let id = JobId(job);
-        match files {
-            Ok(files) if self.jobs.iter().any(|running| running.id == id) => {
+        match fetched {
+            Ok(Fetched { files, notes }) if self.jobs.iter().any(|running| running.id == id) => {
+                self.jobs.note(id, notes);
                 self.platform.start_job(job, JobRequest::import_expected(id, files).to_bytes());
             }
             Ok(_) => {}
@@ -300,10 +301,10 @@ impl App {
             JobResult::from_bytes(&bytes)
                 .map_err(|error| CommandError::refused(&*running.label, error.to_string()))
         });
-        let finished = self.editor.finish(id, result);
+        let finished = self.editor.finish(id, result.map_err(|error| with_notes(error, &running.notes)));
         self.adjustment_ended(id, finished.is_ok());
         match finished {
-            Ok(Finished::Done(outcome)) => {
+            Ok(Finished::Done(mut outcome)) => {
                 if outcome.op == "open" {
                     self.look_at_opened();
                     self.say_opened(&outcome);
@@ -312,6 +313,11 @@ impl App {
                         self.look_at_new();
                     }
                     self.toast(MessageKind::Info, outcome.message.clone(), outcome.warnings.clone());
+                }
+                for note in running.notes {
+                    self.editor.say(MessageKind::Warning, note.clone());
+                    self.toast(MessageKind::Warning, note.clone(), Vec::new());
+                    outcome.warnings.push(note);
                 }
                 if let Some(reply) = running.reply {
                     reply(Ok(Answer::Outcome(outcome)));
@@ -476,11 +482,21 @@ impl App {
     }
 }
 
+/// What failed, with what is known besides: where a file could not be read without another one, why
+/// that is not there.
+fn with_notes(mut error: CommandError, notes: &[String]) -> CommandError {
+    for note in notes {
+        error.problem = format!("{} {note}", sentence_end(&error.problem));
+    }
+    error
+}
+
+/// A text with a full stop behind it, unless it ends like a sentence.
+fn sentence_end(text: &str) -> String {
+    if text.ends_with(['.', '!', '?']) { text.to_owned() } else { format!("{text}.") }
+}
+
 /// "Split edge" and "vertex 3 is …" as one sentence.
 fn sentence(label: &str, problem: &str) -> String {
-    let mut text = format!("{label}: {problem}");
-    if !text.ends_with(['.', '!', '?']) {
-        text.push('.');
-    }
-    text
+    sentence_end(&format!("{label}: {problem}"))
 }

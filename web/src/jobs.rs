@@ -15,6 +15,8 @@ pub struct Running {
     pub reply: Option<Reply>,
     /// The state of the document that is safe once the job is done, where it saves all of it.
     pub saves: Option<u64>,
+    /// What is to be told with its result.
+    pub notes: Vec<String>,
 }
 
 /// The jobs that were started and are waited for, the oldest first.
@@ -26,13 +28,20 @@ pub struct Jobs {
 impl Jobs {
     /// Adds a job that was just started.
     pub fn add(&mut self, id: JobId, label: String, reply: Option<Reply>) {
-        self.running.push(Running { id, label, fraction: 0.0, reply, saves: None });
+        self.running.push(Running { id, label, fraction: 0.0, reply, saves: None, notes: Vec::new() });
     }
 
     /// Notes that a job saves the whole document as it is in this state.
     pub fn saves(&mut self, id: JobId, revision: u64) {
         if let Some(running) = self.running.iter_mut().find(|running| running.id == id) {
             running.saves = Some(revision);
+        }
+    }
+
+    /// Keeps what is to be told with a job's result.
+    pub fn note(&mut self, id: JobId, notes: Vec<String>) {
+        if let Some(running) = self.running.iter_mut().find(|running| running.id == id) {
+            running.notes.extend(notes);
         }
     }
 

@@ -30,9 +30,35 @@ pub fn companions(file: &NamedBytes) -> Vec<String> {
     names
 }
 
+/// Of the names that [`companions`] gives, those to tell of when only the files that `is_there` says
+/// exist: a line that may mean one name with blanks or several has one reading.
+pub fn missing<'a>(names: &'a [String], is_there: impl Fn(&str) -> bool) -> Vec<&'a str> {
+    let is_named = |part: &str| names.iter().any(|name| name == part);
+    let parts = |name: &'a str| name.split_whitespace().filter(move |part| *part != name && is_named(part));
+    let is_read_as_parts = |name: &'a str| !is_there(name) && parts(name).any(&is_there);
+    let told = |name: &&'a str| {
+        let whole = names.iter().find(|other| parts(other).any(|part| part == *name));
+        !is_there(name) && !is_read_as_parts(name) && whole.is_none_or(|whole| is_read_as_parts(whole))
+    };
+    names.iter().map(String::as_str).filter(told).collect()
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn a_name_with_blanks_is_missed_once() {
+        let names = companions(&NamedBytes::new("a.obj", "mtllib my box.mtl\nmtllib b.mtl\n"));
+        let missed = |there: &[&str]| missing(&names, |name| there.contains(&name)).join(", ");
+        assert_eq!(missed(&[]), "my box.mtl, b.mtl");
+        assert_eq!(missed(&["my box.mtl"]), "b.mtl");
+        assert_eq!(missed(&["box.mtl", "b.mtl"]), "my");
+        assert_eq!(missed(&["my", "box.mtl", "b.mtl"]), "");
+        assert_eq!(missed(&["my box.mtl", "b.mtl"]), "");
+        let one = ["my data.bin".to_owned()];
+        assert_eq!(missing(&one, |name| name != "my data.bin"), one, "a glTF's name is one");
+    }
 
     #[test]
     fn models_name_the_files_beside_them() {

@@ -20,6 +20,15 @@ pub struct DeviceInfo {
     pub adapter: String,
 }
 
+/// Files that were fetched.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Fetched {
+    /// The models that were asked for, and the files beside them that belong to them.
+    pub files: Vec<NamedBytes>,
+    /// Why files that belong to them are not here: sentences for the report of the import.
+    pub notes: Vec<String>,
+}
+
 /// What happened since the last poll.
 #[derive(Debug)]
 pub enum Event {
@@ -43,8 +52,8 @@ pub enum Event {
     Fetched {
         /// The number given to [`Platform::fetch`].
         job: u64,
-        /// All of the files, or why one is missing.
-        files: Result<Vec<NamedBytes>, String>,
+        /// The files, or why one that was asked for is missing.
+        files: Result<Fetched, String>,
     },
     /// Files arrived whole: picked or dropped.
     Files(Vec<NamedBytes>),

@@ -235,7 +235,7 @@ fn what_an_import_repaired_can_be_done_another_way() {
 
 #[test]
 fn a_page_asked_for_a_model_fetches_and_opens_it() {
-    use meshwright_web::platform::{Event, NamedBytes};
+    use meshwright_web::platform::{Event, Fetched, NamedBytes};
     let wanting = || {
         let mut page = Page::wanting(&["https://a.example/tri%20angle.obj?x=1", "colors.mtl"]);
         assert!(page.has("Fetch tri%20angle.obj"));
@@ -245,7 +245,11 @@ fn a_page_asked_for_a_model_fetches_and_opens_it() {
         assert_eq!(fetches[0].1, ["https://a.example/tri%20angle.obj?x=1", "colors.mtl"]);
         (page, fetches[0].0)
     };
-    let files = || Ok(vec![NamedBytes::new("triangle.obj", TRIANGLE.as_bytes())]);
+    let note = "colors.mtl, which belongs to triangle.obj, could not be fetched: the server answered 404.";
+    let fetched = |name: &str, text: &str| {
+        Ok(Fetched { files: vec![NamedBytes::new(name, text.as_bytes())], notes: vec![note.to_owned()] })
+    };
+    let files = || fetched("triangle.obj", TRIANGLE);
 
     let (mut page, job) = wanting();
     page.outside.push(Event::Fetched { job, files: files() });
@@ -253,6 +257,18 @@ fn a_page_asked_for_a_model_fetches_and_opens_it() {
     page.run();
     assert_eq!(page.mesh().face_count(), 1);
     assert!(!page.has("Fetch tri%20angle.obj"));
+    assert!(page.has_part("colors.mtl, which belongs to triangle.obj"), "what is not there is told");
+    let messages: Vec<String> = page.app().editor().messages().map(|message| message.text.clone()).collect();
+    assert!(messages.iter().any(|text| text == note), "and stays in the report: {messages:?}");
+
+    // Without which nothing could be read.
+    let (mut page, job) = wanting();
+    let gltf = r#"{"asset":{"version":"2.0"},"buffers":[{"uri":"data.bin","byteLength":4}],"meshes":[{"primitives":[{}]}]}"#;
+    page.outside.push(Event::Fetched { job, files: fetched("a.gltf", gltf) });
+    page.run();
+    page.run();
+    assert_eq!(page.mesh().face_count(), 6);
+    assert!(page.has_part("which was not given") && page.has_part("the server answered 404."));
 
     let (mut page, job) = wanting();
     page.outside.push(Event::Fetched { job, files: Err("a.example did not answer.".to_owned()) });

@@ -12,7 +12,7 @@ use web_sys::{
 };
 
 use super::{Inbox, describe};
-use crate::platform::{Event, NamedBytes};
+use crate::platform::{Event, Fetched, NamedBytes};
 
 /// The program's memory ends at 4 GiB, and a larger copy would be a crash.
 const LARGEST: usize = 2 << 30;
@@ -38,7 +38,8 @@ impl Fetches {
         Self { inbox, running: Rc::default() }
     }
 
-    /// Fetches the files one after the other and delivers them together.
+    /// Fetches the files one after the other, then what belongs to them and lies beside them, and delivers
+    /// all together.
     pub fn start(&self, job: u64, addresses: Vec<String>) {
         let (Some(window), Ok(abort)) = (web_sys::window(), AbortController::new()) else { return };
         self.running.borrow_mut().insert(job, abort.clone());
@@ -67,46 +68,104 @@ async fn fetch_all(
     addresses: &[String],
     abort: &AbortController,
     progress: impl Fn(f64),
-) -> Result<Vec<NamedBytes>, String> {
-    let mut files = Vec::with_capacity(addresses.len());
-    for address in addresses {
-        let before = files.len() as f64;
-        let part = |part: f64| progress((before + part) / addresses.len() as f64);
-        files.push(fetch(window, address, abort, part).await?);
+) -> Result<Fetched, String> {
+    let page = window.location().href().unwrap_or_default();
+    let mut fetched = Fetched::default();
+    let mut models = Vec::new();
+    for (at, address) in addresses.iter().enumerate() {
+        let url = Url::new_with_base(address, &page)
+            .map_err(|_| format!("{address:?} after `?model=` is no address of a file."))?;
+        let part = |part: f64| progress((at as f64 + part) / addresses.len() as f64);
+        let (bytes, url) = fetch(window, &url, abort, part)
+            .await
+            .map_err(|Failure { why, advice }| format!("{} {why}. {advice}", url.href()))?;
+        models.push(url.clone());
+        fetched.files.push(NamedBytes { name: name_of(&url), bytes });
     }
-    Ok(files)
+    let asked: Vec<String> = models.iter().map(Url::href).collect();
+    for (at, model) in models.iter().enumerate() {
+        let Some(file) = fetched.files.get(at) else { continue };
+        let (name, companions) = (file.name.clone(), formats::companions(file));
+        let mut failures: HashMap<&str, String> = HashMap::new();
+        for companion in &companions {
+            // Found under its whole name, a name with blanks is not several.
+            let is_part = |other: &&String| other.split_whitespace().any(|part| part == companion);
+            let mut wholes = companions.iter().filter(|other| *other != companion).filter(is_part);
+            if wholes.any(|whole| fetched.files.iter().any(|file| file.name == *whole)) {
+                continue;
+            }
+            match beside(window, model, companion, &asked, abort).await {
+                Ok(Some(bytes)) => fetched.files.push(NamedBytes { name: companion.clone(), bytes }),
+                Ok(None) => {}
+                Err(why) => {
+                    failures.insert(companion, why);
+                }
+            }
+        }
+        for missing in formats::missing(&companions, |name| !failures.contains_key(name)) {
+            let why = failures.get(missing).map_or("could not be fetched", String::as_str);
+            fetched.notes.push(format!("{missing}, which belongs to {name}, {why}."));
+        }
+    }
+    Ok(fetched)
 }
 
-/// One file; a sentence where it can't be had.
+/// A file that a model names, from where the model is; none where it was asked for itself.
+async fn beside(
+    window: &Window,
+    model: &Url,
+    name: &str,
+    asked: &[String],
+    abort: &AbortController,
+) -> Result<Option<Vec<u8>>, String> {
+    let path: Vec<String> =
+        name.split('/').map(|part| String::from(js_sys::encode_uri_component(part))).collect();
+    let elsewhere = "does not lie beside it, and is not looked for elsewhere";
+    let url = Url::new_with_base(&path.join("/"), &model.href()).map_err(|_| elsewhere.to_owned())?;
+    // A model must not make the page ask other sites.
+    if url.origin() != model.origin() {
+        return Err(elsewhere.to_owned());
+    }
+    if asked.contains(&url.href()) {
+        return Ok(None);
+    }
+    match fetch(window, &url, abort, |_| {}).await {
+        Ok((bytes, _)) => Ok(Some(bytes)),
+        Err(Failure { why, .. }) => Err(format!("{why} ({})", url.href())),
+    }
+}
+
+/// Why a file is not here.
+struct Failure {
+    /// What comes after its name: "could not be fetched: …".
+    why: String,
+    /// What to do where the person asked for it: a sentence.
+    advice: &'static str,
+}
+
+/// One file, and the address that it came from in the end.
 async fn fetch(
     window: &Window,
-    address: &str,
+    url: &Url,
     abort: &AbortController,
     progress: impl Fn(f64),
-) -> Result<NamedBytes, String> {
-    let page = window.location().href().unwrap_or_default();
-    let url = Url::new_with_base(address, &page)
-        .map_err(|_| format!("{address:?} after `?model=` is no address of a file."))?;
+) -> Result<(Vec<u8>, Url), Failure> {
     let options = RequestInit::new();
     options.set_signal(Some(&abort.signal()));
     let response = JsFuture::from(window.fetch_with_str_and_init(&url.href(), &options))
         .await
-        .map_err(|error| unreachable(window, &url, &describe(&error)))?;
-    let broken = |error: JsValue| {
-        format!(
-            "{} broke off while it was fetched: {}. Reload the page to try again.",
-            url.href(),
-            describe(&error)
-        )
+        .map_err(|error| unreachable(window, url, &describe(&error)))?;
+    let broken = |error: JsValue| Failure {
+        why: format!("broke off while it was fetched: {}", describe(&error)),
+        advice: "Reload the page to try again.",
     };
     let response: Response = response.dyn_into().map_err(broken)?;
     if !response.ok() {
         let status = format!("{} {}", response.status(), response.status_text());
-        return Err(format!(
-            "{} could not be fetched: the server answered {}. Check the address after `?model=`.",
-            url.href(),
-            status.trim_end()
-        ));
+        return Err(Failure {
+            why: format!("could not be fetched: the server answered {}", status.trim_end()),
+            advice: "Check the address after `?model=`.",
+        });
     }
     let length = response.headers().get("content-length").ok().flatten();
     let length = length.and_then(|text| text.parse::<f64>().ok()).filter(|&length| length > 0.0);
@@ -122,7 +181,8 @@ async fn fetch(
             }
             let chunk: Uint8Array = field("value").and_then(JsCast::dyn_into).map_err(broken)?;
             if bytes.len() + chunk.length() as usize > LARGEST {
-                return Err(format!("{} is larger than 2 GB: too large for a browser.", url.href()));
+                let why = "is larger than 2 GB: too large for a browser".to_owned();
+                return Err(Failure { why, advice: "Use the command line for it." });
             }
             let start = bytes.len();
             bytes.resize(start + chunk.length() as usize, 0);
@@ -133,11 +193,12 @@ async fn fetch(
             progress(length.map_or(0.0, |length| (bytes.len() as f64 / length).min(1.0)));
         }
     }
-    Ok(NamedBytes { name: name_of(&url), bytes })
+    let came_from = Url::new(&response.url()).unwrap_or_else(|_| url.clone());
+    Ok((bytes, came_from))
 }
 
 /// Browsers keep from the page why a fetch failed; these are the reasons there are.
-fn unreachable(window: &Window, url: &Url, said: &str) -> String {
+fn unreachable(window: &Window, url: &Url, said: &str) -> Failure {
     let insecure = window.location().protocol().is_ok_and(|own| own == "https:") && url.protocol() == "http:";
     let why = if insecure {
         "a page from https can't read files from http".to_owned()
@@ -148,10 +209,10 @@ fn unreachable(window: &Window, url: &Url, said: &str) -> String {
             url.host()
         )
     };
-    format!(
-        "{} could not be fetched ({said}): {why}. Download the file and drop it here, or put it on a server that allows it.",
-        url.href()
-    )
+    Failure {
+        why: format!("could not be fetched ({said}): {why}"),
+        advice: "Download the file and drop it here, or put it on a server that allows it.",
+    }
 }
 
 /// The last part of an address's path.
