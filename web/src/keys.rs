@@ -73,6 +73,7 @@ pub static BINDINGS: &[Binding] = &[
 pub static BEZIER_BINDINGS: &[Binding] = &[
     (A::NextLevel, &[key(Key::E)]),
     (A::WholeCurve, &[key(Key::C)]),
+    (A::Play, &[key(Key::K)]),
     (A::DeletePoint, &[key(Key::Delete), key(Key::X)]),
 ];
 
@@ -192,11 +193,13 @@ mod tests {
 
     #[test]
     fn no_key_is_bound_twice() {
-        let mut seen = Vec::new();
-        for (action, keys) in BINDINGS {
-            for key in *keys {
-                assert!(!seen.contains(key), "{key:?} is bound to {action:?} and to another");
-                seen.push(*key);
+        for table in [BINDINGS, BEZIER_BINDINGS] {
+            let mut seen = Vec::new();
+            for (action, keys) in table {
+                for key in *keys {
+                    assert!(!seen.contains(key), "{key:?} is bound to {action:?} and to another");
+                    seen.push(*key);
+                }
             }
         }
     }

@@ -187,6 +187,11 @@ impl Player {
         }
     }
 
+    /// The patch whose net alone is drawn of a surface that has more; none where all are, or no net.
+    pub fn only_net(&self, bezier: &Bezier) -> Option<usize> {
+        (self.nets && bezier.patches().len() > MOST_NETS).then_some(self.patch)
+    }
+
     /// The patches whose nets are drawn, with their numbers.
     fn nets<'a>(&self, patches: &'a [Patch]) -> impl Iterator<Item = (usize, &'a Patch)> {
         let all = self.nets && patches.len() <= MOST_NETS;

@@ -76,6 +76,10 @@ impl App {
                 self.act(action);
             }
         });
+        if let Some(patch) = self.player.only_net(bezier) {
+            let text = format!("Of so many patches only the net of the one below, {patch}, is drawn.");
+            ui.add(Label::new(RichText::new(text).small().weak()).wrap());
+        }
     }
 
     fn bezier_button(&mut self, ui: &mut Ui, action: Action, text: &str) {

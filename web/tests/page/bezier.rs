@@ -197,6 +197,37 @@ fn playing_moves_t_until_it_is_paused() {
     page.find("Pause").click();
     page.run();
     assert_eq!(player(&mut page, "playing"), false);
+
+    // Its key does the same, and opens no palette.
+    for playing in [true, false] {
+        page.harness.key_press(Key::K);
+        page.harness.step();
+        assert_eq!(player(&mut page, "playing"), playing);
+    }
+    page.press(Key::Questionmark);
+    assert!(page.has("K"), "the list of keys has it");
+}
+
+#[test]
+fn a_surface_of_many_patches_says_that_one_net_is_drawn() {
+    let patches = |count: usize| {
+        let patch = |at: usize| {
+            let point = |i: usize| format!("{} {} 0 ", at * 3 + i % 4, i / 4);
+            (0..16).map(point).collect::<String>()
+        };
+        let mut page = Page::new();
+        let text = format!("{count}\n{}\n", (0..count).map(patch).collect::<String>());
+        page.open("strip.bez", &text);
+        page
+    };
+    let says = "only the net of the one below";
+    assert!(!patches(64).has_part(says), "all are drawn");
+    let mut page = patches(65);
+    assert!(page.has_part("only the net of the one below, 0, is drawn"));
+    type_into(&mut page, "Patch", "7");
+    assert!(page.has_part("only the net of the one below, 7, is drawn"));
+    page.click("Control nets");
+    assert!(!page.has_part(says), "none is");
 }
 
 #[test]
