@@ -436,3 +436,23 @@ fn activating_another_object_drops_the_selection_and_undo_brings_it_back() {
     editor.undo().expect("free");
     assert_eq!(editor.selection().ids().collect::<Vec<_>>(), [7]);
 }
+
+#[test]
+fn the_first_colour_of_a_mesh_changes_its_own_face_alone() {
+    let mut editor = on_cube();
+    let id = editor.document().objects()[0].id();
+    let _ = editor.take_changes();
+    let faces = |editor: &mut Editor| match editor.take_changes().of(id) {
+        Some(ObjectChange::Touched(touched)) => touched.faces.iter().map(|f| f.raw()).collect::<Vec<_>>(),
+        other => panic!("{other:?}"),
+    };
+    run(&mut editor, json!({"op": "set-face-color", "faces": [3], "color": "#ff0000"}));
+    assert_eq!(faces(&mut editor), [3]);
+    editor.undo().expect("free");
+    assert_eq!(faces(&mut editor), [3]);
+    assert_eq!(editor.document(), on_cube().document());
+    editor.redo().expect("free");
+    assert_eq!(faces(&mut editor), [3]);
+    run(&mut editor, json!({"op": "set-face-color", "faces": [4], "color": "#00ff00"}));
+    assert_eq!(faces(&mut editor), [4]);
+}

@@ -21,10 +21,13 @@ pub(crate) enum Change {
     Position(u32, Vec3),
     Positions(Box<[Vec3]>),
     Attribute(Element, u16, u32, Value),
-    /// A column was put here: before it there was this one, or none (it is the last).
-    Column(Element, u16, Option<Box<Column>>),
-    /// The column that was last is gone.
-    ColumnGone(Element, Box<Column>),
+    /// A column was put in place of this one.
+    Column(Element, u16, Box<Column>),
+    /// A column was added behind the others. Whether it was blank, with the default everywhere: then no
+    /// element has another value than before.
+    ColumnAdded(Element, bool),
+    /// The column that was last is gone. Whether it was blank.
+    ColumnGone(Element, Box<Column>, bool),
     /// A vertex, edge or face was added at the end.
     Added(Element),
     /// The vertex, edge or face at the end, all its values reset beforehand, is gone.
@@ -51,7 +54,8 @@ pub struct Touched {
     pub edges: Vec<EdgeId>,
     /// Faces relinked, added or removed, or with another attribute.
     pub faces: Vec<FaceId>,
-    /// Whether a whole column was replaced, so that every element may have changed.
+    /// Whether a whole column was put in, replaced or taken away, so that every element may have
+    /// changed. A column that is blank, as the first value of an attribute makes it, doesn't count.
     pub everything: bool,
 }
 
@@ -68,7 +72,7 @@ impl Journal {
             .iter()
             .map(|change| match change {
                 Change::Positions(positions) => std::mem::size_of_val::<[Vec3]>(positions),
-                Change::Column(_, _, Some(column)) | Change::ColumnGone(_, column) => column.bytes(),
+                Change::Column(_, _, column) | Change::ColumnGone(_, column, _) => column.bytes(),
                 _ => 0,
             })
             .sum();
@@ -112,7 +116,8 @@ impl Journal {
                 Change::Attribute(element, _, raw, _) | Change::Marked(element, raw, _) => {
                     added(element, raw)
                 }
-                Change::Positions(_) | Change::Column(..) | Change::ColumnGone(..) => everything = true,
+                Change::ColumnAdded(_, blank) | Change::ColumnGone(_, _, blank) => everything |= !blank,
+                Change::Positions(_) | Change::Column(..) => everything = true,
                 Change::Added(_) | Change::Dropped(_) => {}
             }
         }
@@ -191,19 +196,19 @@ impl Mesh {
             Change::Attribute(element, column, index, old) => {
                 self.set_value(element, column as usize, index as usize, old);
             }
-            Change::Column(element, at, Some(old)) => {
+            Change::Column(element, at, old) => {
                 let now = std::mem::replace(&mut self.columns.of_mut(element)[at as usize], *old);
-                self.record(Change::Column(element, at, Some(Box::new(now))));
+                self.record(Change::Column(element, at, Box::new(now)));
             }
-            Change::Column(element, _, None) => {
+            // Every write since has been taken back, so the column is as it was when it was added.
+            Change::ColumnAdded(element, blank) => {
                 if let Some(column) = self.columns.of_mut(element).pop() {
-                    self.record(Change::ColumnGone(element, Box::new(column)));
+                    self.record(Change::ColumnGone(element, Box::new(column), blank));
                 }
             }
-            Change::ColumnGone(element, column) => {
+            Change::ColumnGone(element, column, blank) => {
                 self.columns.of_mut(element).push(*column);
-                let at = self.columns.of(element).len() - 1;
-                self.record(Change::Column(element, at as u16, None));
+                self.record(Change::ColumnAdded(element, blank));
             }
             Change::Added(element) => self.drop_last(element),
             Change::Dropped(element) => self.push_blank(element),

@@ -443,19 +443,20 @@ impl Mesh {
     /// Adds a column, or replaces the one of that name; it is made as long as the element's ids.
     /// Gives its place among the element's columns.
     pub fn insert_column(&mut self, element: Element, mut column: Column) -> usize {
+        let blank = column.values.is_empty();
         column.values.resize(self.capacity(element), column.default);
         let old_at = self.columns.position(element, &column.name);
         let columns = self.columns.of_mut(element);
         match old_at {
             Some(at) => {
                 let old = std::mem::replace(&mut columns[at], column);
-                self.record(Change::Column(element, at as u16, Some(Box::new(old))));
+                self.record(Change::Column(element, at as u16, Box::new(old)));
                 at
             }
             None => {
                 columns.push(column);
                 let at = columns.len() - 1;
-                self.record(Change::Column(element, at as u16, None));
+                self.record(Change::ColumnAdded(element, blank));
                 at
             }
         }
