@@ -1,7 +1,10 @@
 //! Finding the face that a ray hits first, and the point of a mesh closest to a point.
 
+mod builder;
+
+pub use builder::FaceTreeBuilder;
+
 use crate::measure::Bounds;
-use crate::morton;
 use crate::triangulate_corners::CornerTriangulator;
 use glam::{DVec3, Vec3};
 use halfedge::{FaceId, HalfedgeId, Mesh, NONE, VertexId};
@@ -10,11 +13,6 @@ use halfedge::{FaceId, HalfedgeId, Mesh, NONE, VertexId};
 const LEAF: usize = 16;
 /// How many boxes share one on the level above.
 const WIDE: usize = 8;
-/// Faces in order of id are taken as they come when those that share a box are within this many face
-/// sizes of each other on average; else they are sorted along a curve through space.
-const COHERENT: f64 = 12.0;
-/// How many boxes are looked at to find that out.
-const SAMPLES: usize = 1024;
 
 /// A half-line in mesh coordinates.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -87,65 +85,10 @@ fn face_bounds(mesh: &Mesh, face: FaceId) -> Bounds {
     }
 }
 
-fn extent(bounds: Bounds) -> f64 {
-    let size = bounds.max.as_dvec3() - bounds.min.as_dvec3();
-    size.x + size.y + size.z
-}
-
-/// Whether faces that follow each other are near each other, as far as some of them tell.
-fn is_coherent(mesh: &Mesh, order: &[u32]) -> bool {
-    let chunks = order.len().div_ceil(LEAF);
-    let (mut faces_extent, mut leaves_extent, mut faces, mut leaves) = (0.0, 0.0, 0usize, 0usize);
-    for chunk in order.chunks(LEAF).step_by(chunks.div_ceil(SAMPLES).max(1)) {
-        let mut leaf = Bounds::EMPTY;
-        for &face in chunk {
-            let bounds = face_bounds(mesh, FaceId::new(face as usize));
-            faces_extent += extent(bounds);
-            leaf = leaf.union(bounds);
-        }
-        leaves_extent += extent(leaf);
-        faces += chunk.len();
-        leaves += 1;
-    }
-    leaves_extent * faces as f64 <= COHERENT * faces_extent * leaves as f64
-}
-
 impl FaceTree {
     /// The tree of all faces. Costs O(mesh).
     pub fn new(mesh: &Mesh) -> Self {
-        let mut order: Vec<u32> = mesh.faces().map(FaceId::raw).collect();
-        let bounds = |face: u32| face_bounds(mesh, FaceId::new(face as usize));
-        let leaf_of =
-            |chunk: &[u32]| chunk.iter().map(|&face| bounds(face)).fold(Bounds::EMPTY, Bounds::union);
-        let leaves: Vec<Bounds>;
-        if is_coherent(mesh, &order) {
-            let in_turn: Vec<Bounds> = order.chunks(LEAF).map(leaf_of).collect();
-            // Only whole leaves change places; the last, which may be short, stays last.
-            let whole = order.len() / LEAF;
-            let centers: Vec<Vec3> = in_turn[..whole].iter().map(|b| b.center()).collect();
-            let mut sorted = morton::order(&centers);
-            sorted.extend(whole as u32..in_turn.len() as u32);
-            order = (sorted.iter())
-                .flat_map(|&leaf| {
-                    let start = leaf as usize * LEAF;
-                    &order[start..order.len().min(start + LEAF)]
-                })
-                .copied()
-                .collect();
-            leaves = sorted.iter().map(|&leaf| in_turn[leaf as usize]).collect();
-        } else {
-            let centers: Vec<Vec3> = order.iter().map(|&face| bounds(face).center()).collect();
-            order = morton::order(&centers).into_iter().map(|i| order[i as usize]).collect();
-            leaves = order.chunks(LEAF).map(leaf_of).collect();
-        }
-        let mut place = vec![NONE; mesh.face_capacity()];
-        for (at, &face) in order.iter().enumerate() {
-            place[face as usize] = at as u32;
-        }
-        let sorted = order.len();
-        let mut tree = Self { order, place, levels: vec![leaves], sorted };
-        tree.fit_levels();
-        tree
+        FaceTreeBuilder::new(mesh).finish(mesh)
     }
 
     /// Heap bytes in use.

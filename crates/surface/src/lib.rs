@@ -22,7 +22,7 @@ mod trig;
 mod trimesh;
 
 pub use error::SurfaceError;
-pub use face_tree::{FaceTree, Hit, Ray};
+pub use face_tree::{FaceTree, FaceTreeBuilder, Hit, Ray};
 pub use merge_by_distance::{Merged, merge_by_distance};
 pub use remesh::{Remesh, remesh};
 pub use shapes::{Shape, ShapeField};

@@ -169,6 +169,19 @@ fn faces_in_any_order_and_gaps_are_found() {
     }
     let mesh = build(soup);
     let tree = FaceTree::new(&mesh);
+    for mesh in [&mesh, &ordered, &Mesh::new()] {
+        for slice in [1, 100, 3599, 3600] {
+            let (mut builder, mut slices) = (FaceTreeBuilder::new(mesh), 1);
+            let made = loop {
+                match builder.step(mesh, slice) {
+                    Some(tree) => break tree,
+                    None => slices += 1,
+                }
+            };
+            assert_eq!(format!("{made:?}"), format!("{:?}", FaceTree::new(mesh)), "{slice} at a time");
+            assert!(slices >= mesh.face_count().div_ceil(slice.next_multiple_of(16)), "{slices}");
+        }
+    }
     for i in 0..n {
         for j in 0..n {
             let origin = Vec3::new(i as f32 + 0.3, j as f32 + 0.6, 5.0);

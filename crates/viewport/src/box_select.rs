@@ -1,10 +1,11 @@
 //! Box selection: the elements in a rectangle of the screen.
 
 use crate::Camera;
-use crate::occlusion::Occlusion;
+use crate::occlusion::{Drawing, Drawn, Occlusion};
 use crate::sight::Sight;
 use glam::{Vec2, Vec3};
 use halfedge::{EdgeId, Element, FaceId, HalfedgeId, Mesh, VertexId};
+use std::ops::Range;
 use surface::{CornerTriangulator, FaceTree};
 
 /// A rectangle of the viewport, edges included, in the unit of its size.
@@ -56,46 +57,113 @@ struct Through<'a> {
     occlusion: Option<Occlusion>,
 }
 
-/// The ids of the elements in a rectangle, in order: vertices that are inside, edges and faces with
-/// any part inside, and half-edges whose edge is.
+/// A box selection that is found a part at a time, for callers that can't wait for all of it. The mesh
+/// must stay the same meanwhile.
 ///
-/// With `visible_only` those are left out of which nothing can be seen where it was looked for:
+/// Found are vertices that are inside, edges and faces with any part inside, and half-edges whose edge
+/// is. With `visible_only` those are left out of which nothing can be seen where it was looked for:
 /// vertices hidden by a face, edges hidden at the middle of the part inside and a quarter of the
 /// part either side of it, faces hidden in the middle and at all corners, half-edges of such
-/// faces. Costs O(mesh), and rays for what is near silhouettes.
-pub fn elements_in_rect(
-    mesh: &Mesh,
-    tree: &FaceTree,
-    camera: &Camera,
+/// faces. Costs O(mesh) in all, and rays for what is near silhouettes.
+pub struct BoxSelection {
+    camera: Camera,
     viewport: Vec2,
     rect: ScreenRect,
     kind: Element,
     visible_only: bool,
-) -> Vec<u32> {
-    let sight = Sight::new(mesh, tree, camera, viewport);
-    let occlusion = visible_only.then(|| Occlusion::new(mesh, sight.view(), rect)).flatten();
-    let through = Through { sight, rect, visible_only, occlusion };
-    match kind {
-        Element::Vertex => through.vertices(),
-        Element::Edge => through.edges().map(EdgeId::raw).collect(),
-        Element::Halfedge => {
-            let sees_side =
-                |h: &HalfedgeId| !visible_only || mesh.face_of(*h).is_none_or(|f| through.sees_face(f));
-            through.edges().flat_map(EdgeId::halfedges).filter(sees_side).map(HalfedgeId::raw).collect()
+    stage: Stage,
+}
+
+enum Stage {
+    Begun,
+    /// Finding out what hides what.
+    Drawing(Drawing),
+    /// Looking at the elements from this id on.
+    Looking(Option<Occlusion>, usize, Vec<u32>),
+}
+
+impl BoxSelection {
+    /// What is in a rectangle of a viewport. Costs nothing yet.
+    pub fn new(camera: &Camera, viewport: Vec2, rect: ScreenRect, kind: Element, visible_only: bool) -> Self {
+        Self { camera: *camera, viewport, rect, kind, visible_only, stage: Stage::Begun }
+    }
+
+    /// What kind of elements it finds.
+    pub fn kind(&self) -> Element {
+        self.kind
+    }
+
+    /// Looks at about so many elements more; gives the ids that were found, in order, once all have
+    /// been looked at.
+    pub fn step(&mut self, mesh: &Mesh, tree: &FaceTree, elements: usize) -> Option<Vec<u32>> {
+        let sight = Sight::new(mesh, tree, &self.camera, self.viewport);
+        match std::mem::replace(&mut self.stage, Stage::Begun) {
+            Stage::Begun if self.visible_only => {
+                self.stage = Stage::Drawing(Occlusion::draw_into(mesh, sight.view(), self.rect));
+                None
+            }
+            Stage::Begun => {
+                self.stage = Stage::Looking(None, 0, Vec::new());
+                None
+            }
+            Stage::Drawing(drawing) => {
+                self.stage = match drawing.go_on(mesh, elements) {
+                    Drawn::Partly(drawing) => Stage::Drawing(drawing),
+                    Drawn::Whole(occlusion) => Stage::Looking(occlusion, 0, Vec::new()),
+                };
+                None
+            }
+            Stage::Looking(occlusion, next, mut found) => {
+                // The sides of an edge are looked at together.
+                let kind = if self.kind == Element::Halfedge { Element::Edge } else { self.kind };
+                let end = next.saturating_add(elements).min(mesh.capacity(kind));
+                let through = Through { sight, rect: self.rect, visible_only: self.visible_only, occlusion };
+                through.find(self.kind, next as u32..end as u32, &mut found);
+                if end == mesh.capacity(kind) {
+                    return Some(found);
+                }
+                self.stage = Stage::Looking(through.occlusion, end, found);
+                None
+            }
         }
-        Element::Face => through.faces(),
+    }
+
+    /// Looks at all that is left.
+    pub fn finish(&mut self, mesh: &Mesh, tree: &FaceTree) -> Vec<u32> {
+        loop {
+            if let Some(found) = self.step(mesh, tree, usize::MAX) {
+                return found;
+            }
+        }
     }
 }
 
 impl Through<'_> {
-    fn vertices(&self) -> Vec<u32> {
+    /// Adds what is seen of the elements with these ids, or of half-edges with edges of these ids.
+    fn find(&self, kind: Element, ids: Range<u32>, found: &mut Vec<u32>) {
+        let mesh = self.sight.mesh;
+        match kind {
+            Element::Vertex => self.vertices(ids, found),
+            Element::Edge => found.extend(self.edges(ids).map(EdgeId::raw)),
+            Element::Halfedge => {
+                let sees_side =
+                    |h: &HalfedgeId| !self.visible_only || mesh.face_of(*h).is_none_or(|f| self.sees_face(f));
+                let sides = self.edges(ids).flat_map(EdgeId::halfedges).filter(sees_side);
+                found.extend(sides.map(HalfedgeId::raw));
+            }
+            Element::Face => self.faces(ids, found),
+        }
+    }
+
+    fn vertices(&self, ids: Range<u32>, found: &mut Vec<u32>) {
         let mesh = self.sight.mesh;
         let inside = |p: Vec3| self.sight.project(p).is_some_and(|pixel| self.rect.contains(pixel));
         let seen = |v: VertexId| {
             let own = |f| mesh.face_vertices(f).any(|w| w == v);
             self.sees(mesh.position(v), || self.sight.sees(mesh.position(v), own).is_some())
         };
-        mesh.vertices().filter(|&v| inside(mesh.position(v)) && seen(v)).map(VertexId::raw).collect()
+        let vertices = ids.filter_map(|id| mesh.vertex(id));
+        found.extend(vertices.filter(|&v| inside(mesh.position(v)) && seen(v)).map(VertexId::raw));
     }
 
     /// Whether a point is to be taken as seen; `by_ray` finds out where the buffer can't tell.
@@ -104,8 +172,8 @@ impl Through<'_> {
         !self.visible_only || told.unwrap_or_else(by_ray)
     }
 
-    fn edges(&self) -> impl Iterator<Item = EdgeId> {
-        self.sight.mesh.edges().filter(|&e| {
+    fn edges(&self, ids: Range<u32>) -> impl Iterator<Item = EdgeId> {
+        ids.filter_map(|id| self.sight.mesh.edge(id)).filter(|&e| {
             let Some(segment) = self.sight.segment(e) else { return false };
             let Some([enter, leave]) = self.rect.clip(segment.pixels) else { return false };
             !self.visible_only
@@ -116,7 +184,7 @@ impl Through<'_> {
         })
     }
 
-    fn faces(&self) -> Vec<u32> {
+    fn faces(&self, ids: Range<u32>, found: &mut Vec<u32>) {
         let (sight, rect, mesh) = (&self.sight, self.rect, self.sight.mesh);
         // Of a face larger than the rectangle, no edge may be inside.
         let middle = (rect.min + rect.max) * 0.5;
@@ -149,10 +217,10 @@ impl Through<'_> {
                     turns.iter().all(|&t| t >= 0.0) || turns.iter().all(|&t| t <= 0.0)
                 })
         };
-        mesh.faces()
-            .filter(|&f| inside(f) && (!self.visible_only || self.sees_face(f)))
-            .map(FaceId::raw)
-            .collect()
+        let faces = ids.filter_map(|id| mesh.face(id));
+        found.extend(
+            faces.filter(|&f| inside(f) && (!self.visible_only || self.sees_face(f))).map(FaceId::raw),
+        );
     }
 
     /// Whether the middle of a face, or a point just inside one of its corners, is seen.

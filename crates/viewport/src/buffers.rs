@@ -59,6 +59,14 @@ pub trait Sink {
     fn write(&mut self, first_triangle: u32, corners: &Corners);
 }
 
+/// A mesh that is being written whole, some faces at a time.
+#[derive(Clone, Debug)]
+pub struct Rebuilding {
+    next: usize,
+    /// Of the vertices, packed, where shading is smooth.
+    normals: Vec<[i16; 4]>,
+}
+
 /// The layout of one object's buffers: which triangles each face has, and where zero is.
 #[derive(Clone, Debug, Default)]
 pub struct Buffers {
@@ -96,6 +104,12 @@ impl Buffers {
 
     /// Writes the whole mesh, with this origin. Costs O(mesh).
     pub fn rebuild(&mut self, mesh: &Mesh, origin: Vec3, smooth: bool, sink: &mut dyn Sink) {
+        let mut rebuilding = self.begin(mesh, origin, smooth, sink);
+        self.go_on(mesh, &mut rebuilding, usize::MAX, sink);
+    }
+
+    /// Begins to write the whole mesh, which [`Buffers::go_on`] does. Costs O(mesh), little for each face.
+    pub fn begin(&mut self, mesh: &Mesh, origin: Vec3, smooth: bool, sink: &mut dyn Sink) -> Rebuilding {
         self.origin = origin;
         self.smooth = smooth;
         self.slots.clear(mesh.face_capacity());
@@ -103,13 +117,29 @@ impl Buffers {
         sink.reset(u32::try_from(total).unwrap_or(u32::MAX));
         let normals: Vec<[i16; 4]> =
             if smooth { normals::vertex_normals(mesh).into_iter().map(pack).collect() } else { Vec::new() };
-        let mut writer = Writer::new(mesh, origin);
-        for face in mesh.faces() {
+        Rebuilding { next: 0, normals }
+    }
+
+    /// Writes the faces of so many ids more; gives whether there are any left. An edit made since
+    /// [`Buffers::begin`] has to be told to [`Buffers::update`] once all are written.
+    pub fn go_on(
+        &mut self,
+        mesh: &Mesh,
+        rebuilding: &mut Rebuilding,
+        faces: usize,
+        sink: &mut dyn Sink,
+    ) -> bool {
+        let Rebuilding { next, normals } = rebuilding;
+        let end = next.saturating_add(faces).min(mesh.face_capacity());
+        let mut writer = Writer::new(mesh, self.origin);
+        for face in (*next..end).map(FaceId::new).filter(|f| mesh.has_face(*f)) {
             writer.load(face);
             let range = self.slots.acquire(face.index(), writer.triangles());
             writer.emit(range, sink, |v| normals.get(v.index()).copied().filter(|n| *n != [0; 4]));
         }
         writer.flush(sink);
+        *next = end;
+        end < mesh.face_capacity()
     }
 
     /// Writes what an edit touched: the faces that were relinked, recoloured or have a moved corner,

@@ -14,7 +14,7 @@ mod sight;
 mod slots;
 mod style;
 
-pub use box_select::{ScreenRect, elements_in_rect};
+pub use box_select::{BoxSelection, ScreenRect};
 pub use camera::Camera;
 pub use gpu::{Frame, Highlight, Layer, ObjectChange, ObjectDraw, Renderer};
 pub use pick::{Picked, pick};

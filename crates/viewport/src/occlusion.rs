@@ -7,7 +7,7 @@
 use crate::box_select::ScreenRect;
 use crate::camera::Projector;
 use glam::{Vec2, Vec3};
-use halfedge::Mesh;
+use halfedge::{FaceId, Mesh};
 use surface::CornerTriangulator;
 
 /// Cells along the longer side of the rectangle, at most.
@@ -20,6 +20,16 @@ const GAP: f64 = 24.0;
 /// For cells where nothing is.
 const NOTHING: f32 = f32::NEG_INFINITY;
 
+/// A depth buffer that faces are still drawn into.
+pub struct Drawing {
+    buffer: Occlusion,
+    /// Where the vertices are, in cells and nearness; none behind the eye.
+    places: Vec<Option<Vec3>>,
+    next: usize,
+    /// How many cells may still be written to.
+    left: usize,
+}
+
 /// The depth buffer of a rectangle.
 pub struct Occlusion {
     origin: Vec2,
@@ -31,32 +41,51 @@ pub struct Occlusion {
     nearness: Vec<f32>,
 }
 
+/// How far a drawing is.
+pub enum Drawn {
+    /// There are more faces.
+    Partly(Drawing),
+    /// All of it; none where it would not tell, because a face reaches behind the eye or there is too
+    /// much to draw.
+    Whole(Option<Occlusion>),
+}
+
+impl Drawing {
+    /// Draws the faces of so many ids more. Costs O(faces + cells covered).
+    pub fn go_on(mut self, mesh: &Mesh, faces: usize) -> Drawn {
+        let end = self.next.saturating_add(faces).min(mesh.face_capacity());
+        let mut triangulator = CornerTriangulator::new();
+        for face in (self.next..end).map(FaceId::new).filter(|f| mesh.has_face(*f)) {
+            for &corners in triangulator.of_face(mesh, face) {
+                let corners = corners.map(|h| self.places.get(mesh.from(h).index()).copied().flatten());
+                let [Some(a), Some(b), Some(c)] = corners else { return Drawn::Whole(None) };
+                let Some(left) = self.left.checked_sub(self.buffer.draw([a, b, c])) else {
+                    return Drawn::Whole(None);
+                };
+                self.left = left;
+            }
+        }
+        self.next = end;
+        if end < mesh.face_capacity() { Drawn::Partly(self) } else { Drawn::Whole(Some(self.buffer)) }
+    }
+}
+
 impl Occlusion {
-    /// Draws the faces of a mesh. None where that would not tell: a face reaches behind the eye, or
-    /// there is too much to draw. Costs O(mesh + cells covered).
-    pub fn new(mesh: &Mesh, view: &Projector, rect: ScreenRect) -> Option<Self> {
+    /// Begins to draw the faces of a mesh, which [`Drawing::go_on`] does. Costs O(vertices + cells).
+    pub fn draw_into(mesh: &Mesh, view: &Projector, rect: ScreenRect) -> Drawing {
         // A cell more on each side, for points on the rectangle's edge.
         let margin = Vec2::splat(2.0);
         let (origin, size) = (rect.min - margin, rect.max - rect.min + margin * 2.0);
         let scale = (MAX_CELLS / size.max_element()).min(1.0);
         let (width, height) = ((size.x * scale).ceil() as usize, (size.y * scale).ceil() as usize);
         let nearness = vec![NOTHING; width * height];
-        let mut buffer = Self { origin, scale, width, height, nearness };
+        let buffer = Self { origin, scale, width, height, nearness };
 
         let place = |p: Vec3| {
             view.project(p).map(|(pixel, depth)| buffer.cell_of(pixel).extend(view.nearness(depth)))
         };
-        let places: Vec<Option<Vec3>> = mesh.positions().iter().map(|&p| place(p)).collect();
-        let mut triangulator = CornerTriangulator::new();
-        let mut left = BUDGET;
-        for face in mesh.faces() {
-            for &corners in triangulator.of_face(mesh, face) {
-                let corners = corners.map(|h| places.get(mesh.from(h).index()).copied().flatten());
-                let [Some(a), Some(b), Some(c)] = corners else { return None };
-                left = left.checked_sub(buffer.draw([a, b, c]))?;
-            }
-        }
-        Some(buffer)
+        let places = mesh.positions().iter().map(|&p| place(p)).collect();
+        Drawing { buffer, places, next: 0, left: BUDGET }
     }
 
     fn cell_of(&self, pixel: Vec2) -> Vec2 {

@@ -192,6 +192,34 @@ fn a_local_edit_uploads_what_its_valence_says_whatever_the_mesh() {
 }
 
 #[test]
+fn a_mesh_may_be_edited_while_it_is_written_a_part_at_a_time() {
+    for smooth in [false, true] {
+        let mut mesh = grid(20, 15, true);
+        let (mut buffers, mut mirror) = (Buffers::default(), Mirror::default());
+        let mut rebuilding = buffers.begin(&mesh, Vec3::ZERO, smooth, &mut mirror);
+        let mut parts = 1;
+        while parts < 5 && buffers.go_on(&mesh, &mut rebuilding, 80, &mut mirror) {
+            parts += 1;
+        }
+        assert_eq!((parts, mirror.written), (5, 4 * 80 * TRIANGLE_BYTES));
+        // Among what is written, and what is not.
+        let edit = touched(&mut mesh, |mesh| {
+            for e in [3, 500, 900] {
+                split_edge(mesh, EdgeId::new(e), 0.5, Connect::All).expect("splits");
+            }
+            for v in [5, 300] {
+                mesh.set_position(VertexId::new(v), mesh.positions()[v] + Vec3::Z);
+            }
+            halfedge::edit::delete_faces(mesh, &[FaceId::new(40), FaceId::new(550)]).expect("faces");
+        });
+        while buffers.go_on(&mesh, &mut rebuilding, 80, &mut mirror) {}
+        buffers.update(&mesh, &edit, &mut mirror);
+        assert_eq!(mirror.resets, 1, "no rebuild");
+        assert_as_rebuilt(&mesh, &buffers, &mirror);
+    }
+}
+
+#[test]
 fn an_edit_of_everything_is_a_rebuild() {
     let mut mesh = grid(100, 100, false);
     let (mut buffers, mut mirror) = rebuilt(&mesh, false);

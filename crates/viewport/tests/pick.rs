@@ -8,7 +8,7 @@ use proptest::prelude::*;
 use std::collections::BTreeSet;
 use support::{cube, grid, sphere};
 use surface::FaceTree;
-use viewport::{Camera, Picked, ScreenRect, elements_in_rect, pick};
+use viewport::{BoxSelection, Camera, Picked, ScreenRect, pick};
 
 const VIEW: Vec2 = Vec2::new(800.0, 600.0);
 const ALL: ScreenRect = ScreenRect { min: Vec2::ZERO, max: VIEW };
@@ -89,7 +89,18 @@ fn a_vertex_without_faces_can_be_picked_unless_it_is_hidden() {
 }
 
 fn inside(mesh: &Mesh, camera: &Camera, rect: ScreenRect, kind: Element, visible: bool) -> Vec<u32> {
-    elements_in_rect(mesh, &FaceTree::new(mesh), camera, VIEW, rect, kind, visible)
+    let tree = FaceTree::new(mesh);
+    let begun = || BoxSelection::new(camera, VIEW, rect, kind, visible);
+    let all = begun().finish(mesh, &tree);
+    // A part at a time finds the same.
+    let mut parts = begun();
+    let found = loop {
+        if let Some(found) = parts.step(mesh, &tree, 3) {
+            break found;
+        }
+    };
+    assert_eq!(found, all, "{kind}");
+    all
 }
 
 #[test]
@@ -181,7 +192,7 @@ proptest! {
         let tree = FaceTree::new(&ball);
         let camera = Camera { yaw, pitch, orthographic, ..Camera::default() };
         let visible: BTreeSet<u32> =
-            elements_in_rect(&ball, &tree, &camera, VIEW, ALL, Element::Vertex, true).into_iter().collect();
+            BoxSelection::new(&camera, VIEW, ALL, Element::Vertex, true).finish(&ball, &tree).into_iter().collect();
         for v in ball.vertices() {
             let p = ball.position(v);
             let picked = pick(&ball, &tree, &camera, VIEW, at(&camera, p), Element::Vertex, 2.0);

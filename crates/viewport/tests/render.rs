@@ -209,6 +209,37 @@ fn highlights_are_drawn_over_what_hides_them() {
 }
 
 #[test]
+fn a_highlight_is_uploaded_a_part_at_a_time() {
+    let Some(gpu) = gpu() else { return };
+    let ball = sphere(12, 8);
+    let (camera, style) = (Camera::default(), bare());
+    for kind in Element::ALL {
+        let mut ids: Vec<u32> = (0..ball.capacity(kind) as u32).filter(|id| id % 5 != 0).collect();
+        // A second time changes nothing.
+        ids.extend(if kind == Element::Face { vec![1, 2] } else { vec![] });
+        let highlight = Highlight { object: 7, mesh: &ball, kind, ids: &ids };
+        let whole = draw_with(&gpu, &ball, &camera, &style, |renderer| {
+            renderer.set_highlight(&gpu.device, &gpu.queue, Layer::Selected, Some(highlight));
+        });
+        let mut parts = 0;
+        let in_parts = draw_with(&gpu, &ball, &camera, &style, |renderer| {
+            renderer.begin_highlight(&gpu.device, Layer::Selected, Some(highlight));
+            loop {
+                parts += 1;
+                if !renderer.go_on_with_highlight(&gpu.device, &gpu.queue, Layer::Selected, &ball, 10) {
+                    break;
+                }
+            }
+            renderer.begin_highlight(&gpu.device, Layer::Hovered, None);
+        });
+        assert!(parts > 5, "{kind}: {parts}");
+        assert!(whole.pixels == in_parts.pixels, "{kind}");
+        let plain = draw(&gpu, &ball, &camera, &style);
+        assert!(plain.pixels != whole.pixels, "{kind} is highlighted");
+    }
+}
+
+#[test]
 fn a_half_edge_is_an_arrow_on_its_faces_side() {
     let Some(gpu) = gpu() else { return };
     let (square, camera, style) = (tilted(0.0, [255; 3]), front(), bare());
@@ -298,6 +329,44 @@ fn an_edited_object_looks_as_one_made_anew() {
         let differ = edited.pixels.iter().zip(&anew.pixels).filter(|(a, b)| a != b).count();
         assert!(differ < 8, "{differ} pixels differ");
     }
+}
+
+#[test]
+fn an_object_is_drawn_as_it_was_until_all_of_the_next_is_uploaded() {
+    let Some(gpu) = gpu() else { return };
+    let (style, camera) = (Style { vertices: true, ..bare() }, Camera::default());
+    let (before, mut after) = (cube(), sphere(12, 8));
+    paint_all(&mut after, [0, 200, 0]);
+    let [old, new] = [&before, &after].map(|mesh| draw(&gpu, mesh, &camera, &style));
+    let mut renderer = gpu.renderer();
+    renderer.sync_object(&gpu.device, &gpu.queue, 7, &before, ObjectChange::Everything, &style);
+    let bytes = renderer.gpu_bytes();
+    renderer.begin_object(&gpu.device, &gpu.queue, 7, &after, &style);
+    assert!(renderer.is_behind(7) && renderer.gpu_bytes() > bytes);
+    let mut steps = 0;
+    while renderer.is_behind(7) {
+        assert!(gpu.render(&mut renderer, &frame(&camera, &style), GAMMA).pixels == old.pixels, "{steps}");
+        let done = renderer.go_on(&gpu.device, &gpu.queue, 7, &after, 25);
+        assert_eq!(done, !renderer.is_behind(7));
+        steps += 1;
+    }
+    assert_eq!(steps, after.face_count().div_ceil(25));
+    assert!(gpu.render(&mut renderer, &frame(&camera, &style), GAMMA).pixels == new.pixels);
+    assert!(!renderer.go_on(&gpu.device, &gpu.queue, 7, &after, 25), "there is no more to do");
+
+    // An edit meanwhile is drawn with it.
+    renderer.begin_object(&gpu.device, &gpu.queue, 7, &after, &style);
+    renderer.go_on(&gpu.device, &gpu.queue, 7, &after, 25);
+    after.start_recording();
+    for face in [2, 80] {
+        paint(&mut after, face, [255, 0, 0]);
+    }
+    let touched = after.finish_recording().touched();
+    let change = ObjectChange::Touched(&touched);
+    renderer.sync_object(&gpu.device, &gpu.queue, 7, &after, change, &style);
+    assert!(!renderer.is_behind(7));
+    let painted = draw(&gpu, &after, &camera, &style);
+    assert!(gpu.render(&mut renderer, &frame(&camera, &style), GAMMA).pixels == painted.pixels);
 }
 
 #[test]

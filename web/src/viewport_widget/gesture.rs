@@ -5,10 +5,10 @@ use egui::{CursorIcon, PointerButton, Pos2, Rect, Response, Ui};
 use glam::{Vec3, vec2};
 use halfedge::Element;
 use serde_json::json;
-use surface::FaceTree;
-use viewport::ScreenRect;
+use viewport::{BoxSelection, ScreenRect};
 
 use super::View;
+use super::picture::FACES_A_FRAME;
 use crate::app::App;
 use crate::bezier::{self, ControlPoint};
 
@@ -55,7 +55,7 @@ impl View {
         if going {
             self.gesture = Gesture::Ended;
         }
-        going
+        self.boxed.take().is_some() || going
     }
 
     /// The box that is being drawn.
@@ -98,6 +98,7 @@ impl App {
         if response.drag_stopped() {
             self.end_gesture(pointer.map(|at| (at, ui.input(|input| input.modifiers.shift))));
         }
+        self.go_on_with_box(ui);
         self.wheel(ui, response);
         self.hover(ui, response);
         if !response.is_pointer_button_down_on() {
@@ -220,9 +221,7 @@ impl App {
                 self.follow();
             }
             (Gesture::Box { from }, Some((to, extend))) => {
-                let ids = self.in_box(Rect::from_two_pos(from, to));
-                let mode = if extend { SelectMode::Extend } else { SelectMode::Replace };
-                self.select(self.lists.kind.0, ids, mode);
+                self.start_box(Rect::from_two_pos(from, to), extend);
             }
             _ => {}
         }
@@ -259,6 +258,12 @@ impl App {
         if self.view.looked == Some(look) {
             return;
         }
+        let active = self.editor.document().active().filter(|object| object.visible());
+        if active.is_some_and(|object| !self.view.plant(object)) {
+            // Looked at again in the next frame, with more of the tree.
+            ui.ctx().request_repaint();
+            return;
+        }
         self.view.looked = Some(look);
         self.player.hovered = self.control_point_at(at).map(|(point, _)| point);
         self.view.hovered = match self.player.hovered {
@@ -275,20 +280,40 @@ impl App {
         let object = self.editor.document().active().filter(|object| object.visible())?;
         let (camera, local, size) = (self.view.camera, self.view.local(at), self.view.size());
         let mesh = object.mesh();
-        let tree = self.view.trees.entry(object.id()).or_insert_with(|| FaceTree::new(mesh));
+        let tree = self.view.tree(object);
         viewport::pick(mesh, tree, &camera, size, local, self.lists.kind.0, REACH).map(|picked| picked.id)
     }
 
-    /// The visible elements of the listed kind in a box of the page.
-    fn in_box(&mut self, area: Rect) -> Vec<u32> {
-        let Some(object) = self.editor.document().active().filter(|object| object.visible()) else {
-            return Vec::new();
-        };
-        let (camera, size) = (self.view.camera, self.view.size());
+    /// Begins to select the visible elements of the listed kind in a box of the page.
+    fn start_box(&mut self, area: Rect, extend: bool) {
+        let Some(object) = self.editor.document().active().filter(|object| object.visible()) else { return };
         let rect = ScreenRect::between(self.view.local(area.min), self.view.local(area.max));
+        let (camera, size) = (self.view.camera, self.view.size());
+        let found = BoxSelection::new(&camera, size, rect, self.lists.kind.0, true);
+        self.view.boxed = Some((object.id(), found, extend));
+    }
+
+    /// Looks what else is in the box: of a small mesh all of it, else some elements in each frame.
+    fn go_on_with_box(&mut self, ui: &Ui) {
+        let Some((id, mut boxed, extend)) = self.view.boxed.take() else { return };
+        let Some(object) = self.editor.document().active().filter(|object| object.id() == id) else { return };
         let mesh = object.mesh();
-        let tree = self.view.trees.entry(object.id()).or_insert_with(|| FaceTree::new(mesh));
-        viewport::elements_in_rect(mesh, tree, &camera, size, rect, self.lists.kind.0, true)
+        let found = match self.view.plant(object) {
+            true if mesh.face_count() <= FACES_A_FRAME => Some(boxed.finish(mesh, self.view.tree(object))),
+            true => boxed.step(mesh, self.view.tree(object), FACES_A_FRAME),
+            false => None,
+        };
+        match found {
+            Some(ids) => {
+                let mode = if extend { SelectMode::Extend } else { SelectMode::Replace };
+                self.select(boxed.kind(), ids, mode);
+            }
+            None => {
+                self.view.boxed = Some((id, boxed, extend));
+                ui.ctx().set_cursor_icon(CursorIcon::Progress);
+                ui.ctx().request_repaint();
+            }
+        }
     }
 
     fn click(&mut self, ui: &Ui, at: Pos2) {

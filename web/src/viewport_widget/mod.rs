@@ -4,13 +4,13 @@ mod gesture;
 mod overlay;
 mod picture;
 
-use editor::{Changes, Editor, ObjectChange, ObjectId};
+use editor::{Changes, Editor, Object, ObjectChange, ObjectId};
 use egui::{Rect, Sense, Ui, Vec2, WidgetInfo};
 use glam::Vec3;
 use halfedge::{Element, FaceId, Mesh, Touched};
 use std::collections::HashMap;
-use surface::FaceTree;
-use viewport::{Bounds, Camera, Style};
+use surface::{FaceTree, FaceTreeBuilder};
+use viewport::{Bounds, BoxSelection, Camera, Style};
 
 use crate::app::App;
 use crate::bezier;
@@ -18,7 +18,7 @@ use crate::lists::columns::element_name;
 use crate::theme;
 use gesture::Gesture;
 pub(crate) use gesture::Tool;
-use picture::Picture;
+use picture::{FACES_A_FRAME, Picture};
 
 /// How many frames the panels take to find their sizes.
 const FRAMES_TO_SETTLE: u8 = 3;
@@ -41,6 +41,10 @@ pub(crate) struct View {
     bounds: HashMap<ObjectId, Option<Bounds>>,
     /// Made when somebody first points at the object.
     trees: HashMap<ObjectId, FaceTree>,
+    /// The tree of a large mesh, made some faces a frame.
+    planting: Option<(ObjectId, FaceTreeBuilder)>,
+    /// What a box selects, found some elements a frame; and whether it extends what is selected.
+    boxed: Option<(ObjectId, BoxSelection, bool)>,
     /// In how many frames to come everything is looked at: in the first the viewport has no size yet,
     /// and panels find theirs in the second.
     frame_due: u8,
@@ -60,6 +64,8 @@ impl View {
             looked: None,
             bounds: HashMap::new(),
             trees: HashMap::new(),
+            planting: None,
+            boxed: None,
             frame_due: FRAMES_TO_SETTLE,
         }
     }
@@ -115,6 +121,8 @@ impl View {
         }
         for (id, change) in &changes.objects {
             self.looked = None;
+            self.planting.take_if(|(planted, _)| planted == id);
+            self.boxed.take_if(|(boxed, ..)| boxed == id);
             let Some(object) = editor.document().object(*id) else {
                 self.bounds.remove(id);
                 self.trees.remove(id);
@@ -168,6 +176,36 @@ impl View {
         {
             self.hovered = None;
         }
+    }
+
+    /// Makes some of the tree that picking on an object needs; gives whether it is whole.
+    fn plant(&mut self, object: &Object) -> bool {
+        let (id, mesh) = (object.id(), object.mesh());
+        if self.trees.contains_key(&id) || mesh.face_count() <= FACES_A_FRAME {
+            return true;
+        }
+        let planting = self.planting.take().filter(|(planted, _)| *planted == id);
+        let (_, mut builder) = planting.unwrap_or_else(|| (id, FaceTreeBuilder::new(mesh)));
+        match builder.step(mesh, FACES_A_FRAME) {
+            Some(tree) => {
+                self.trees.insert(id, tree);
+                true
+            }
+            None => {
+                self.planting = Some((id, builder));
+                false
+            }
+        }
+    }
+
+    /// The tree of an object, made or made whole now if need be.
+    fn tree(&mut self, object: &Object) -> &FaceTree {
+        let (id, mesh) = (object.id(), object.mesh());
+        let planting = self.planting.take_if(|(planted, _)| *planted == id);
+        self.trees.entry(id).or_insert_with(|| match planting {
+            Some((_, builder)) => builder.finish(mesh),
+            None => FaceTree::new(mesh),
+        })
     }
 
     /// Looks at everything once the viewport has a size.

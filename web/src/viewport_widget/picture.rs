@@ -8,6 +8,12 @@ use viewport::{Camera, Frame, Highlight, Layer, ObjectDraw, Renderer, Style};
 
 use crate::app::App;
 
+/// Of a mesh with more faces, so many are uploaded in a frame: all at once would be a long one.
+pub(super) const FACES_A_FRAME: usize = 150_000;
+
+/// Of more selected elements, so many are uploaded in a frame.
+const HIGHLIGHTED_A_FRAME: usize = 200_000;
+
 /// The renderer, which lives among egui's resources so that paint callbacks reach it.
 pub(super) struct Picture {
     gpu: RenderState,
@@ -37,29 +43,36 @@ impl Picture {
     }
 
     pub fn sync(&self, id: ObjectId, mesh: &Mesh, change: &ObjectChange, style: &Style) {
-        let change = match change {
-            ObjectChange::Touched(touched) => viewport::ObjectChange::Touched(touched),
-            _ => viewport::ObjectChange::Everything,
-        };
-        self.with(|renderer, device, queue| renderer.sync_object(device, queue, id.0, mesh, change, style));
+        self.with(|renderer, device, queue| match change {
+            ObjectChange::Touched(touched) => {
+                let change = viewport::ObjectChange::Touched(touched);
+                renderer.sync_object(device, queue, id.0, mesh, change, style);
+            }
+            _ => upload(renderer, device, queue, id, mesh, style),
+        });
     }
 
-    /// Uploads what the style or the highlights need besides.
-    fn prepare(&mut self, editor: &Editor, style: &Style, hovered: Option<(Element, u32)>) {
-        for object in editor.document().objects().iter().filter(|object| object.visible()) {
-            self.with(|renderer, device, queue| {
-                if !renderer.fits_style(object.id().0, style) {
-                    let all = viewport::ObjectChange::Everything;
-                    renderer.sync_object(device, queue, object.id().0, object.mesh(), all, style);
+    /// Uploads what the style or the highlights need besides; gives whether there is more to upload.
+    fn prepare(&mut self, editor: &Editor, style: &Style, hovered: Option<(Element, u32)>) -> bool {
+        let mut behind = false;
+        for object in editor.document().objects() {
+            let (id, mesh) = (object.id(), object.mesh());
+            let done = self.with(|renderer, device, queue| {
+                if object.visible() && !renderer.fits_style(id.0, style) {
+                    upload(renderer, device, queue, id, mesh, style);
                 }
+                let done = renderer.go_on(device, queue, id.0, mesh, FACES_A_FRAME);
+                behind |= renderer.is_behind(id.0);
+                done
             });
+            self.selection_stale |= done == Some(true);
         }
         let active = editor.document().active();
         let highlight = |layer, kind, ids: &[u32]| {
             let highlight = active.filter(|_| !ids.is_empty());
             let highlight =
                 highlight.map(|object| Highlight { object: object.id().0, mesh: object.mesh(), kind, ids });
-            self.with(|renderer, device, queue| renderer.set_highlight(device, queue, layer, highlight));
+            self.with(|renderer, device, _| renderer.begin_highlight(device, layer, highlight));
         };
         if self.selection_stale {
             let selection = editor.selection();
@@ -71,8 +84,33 @@ impl Picture {
             let (kind, id) = hovered.map_or((Element::Vertex, None), |(kind, id)| (kind, Some(id)));
             highlight(Layer::Hovered, kind, id.as_slice());
         }
+        if let Some(active) = active {
+            for layer in [Layer::Selected, Layer::Hovered] {
+                self.with(|renderer, device, queue| {
+                    let mesh = active.mesh();
+                    behind |= renderer.go_on_with_highlight(device, queue, layer, mesh, HIGHLIGHTED_A_FRAME);
+                });
+            }
+        }
         self.selection_stale = false;
         self.hovered = hovered;
+        behind
+    }
+}
+
+/// Uploads a mesh whole: at once, or from now on a part in each frame.
+fn upload(
+    renderer: &mut Renderer,
+    device: &wgpu::Device,
+    queue: &wgpu::Queue,
+    id: ObjectId,
+    mesh: &Mesh,
+    style: &Style,
+) {
+    if mesh.face_count() > FACES_A_FRAME {
+        renderer.begin_object(device, queue, id.0, mesh, style);
+    } else {
+        renderer.sync_object(device, queue, id.0, mesh, viewport::ObjectChange::Everything, style);
     }
 }
 
@@ -131,7 +169,9 @@ impl App {
             return;
         };
         let document = self.editor.document();
-        picture.prepare(&self.editor, &view.style, view.hovered);
+        if picture.prepare(&self.editor, &view.style, view.hovered) {
+            ui.ctx().request_repaint();
+        }
         let pixels_per_point = ui.pixels_per_point();
         let pixels = |points: f32| (points * pixels_per_point).round().max(1.0) as u32;
         let active = document.active().map(editor::Object::id);

@@ -38,6 +38,18 @@ pub struct Marked {
     pub arrows: Stream,
     /// Triangles of the faces: three positions each.
     pub fill: Stream,
+    /// What is still to be uploaded.
+    rest: Option<Rest>,
+}
+
+/// Elements of a highlight that is uploaded some at a time.
+struct Rest {
+    kind: Element,
+    origin: Vec3,
+    ids: Vec<u32>,
+    next: usize,
+    /// For faces, a bit for each id that is highlighted: edges between two are not drawn.
+    marked: Vec<u64>,
 }
 
 /// What goes into the buffers; positions relative to the object's origin.
@@ -57,27 +69,68 @@ impl Marked {
             lines: Stream::new("highlighted edges"),
             arrows: Stream::new("highlighted half-edges"),
             fill: Stream::new("highlighted faces"),
+            rest: None,
         }
     }
 
-    /// Uploads a highlight, or none. Costs O(elements).
-    pub fn set(
+    /// Begins with a highlight, or none, which [`Marked::go_on`] uploads. Costs O(elements), little for
+    /// each.
+    pub fn begin(&mut self, device: &wgpu::Device, highlight: Option<(Highlight<'_>, Vec3)>) {
+        self.object = highlight.map(|(h, _)| h.object);
+        // Room for all of it where every face is a triangle; for more they grow.
+        let room = |kind, size| match highlight {
+            Some((h, _)) if h.kind == kind => h.ids.len() as u64 * size,
+            _ => 0,
+        };
+        self.points.reset(device, room(Element::Vertex, 12));
+        self.lines.reset(device, room(Element::Edge, 24));
+        self.arrows.reset(device, room(Element::Halfedge, 36));
+        self.fill.reset(device, room(Element::Face, 36));
+        self.rest = highlight.map(|(h, origin)| {
+            let Highlight { mesh, kind, ids, .. } = h;
+            let (ids, marked) = if kind == Element::Face { marks(mesh, ids) } else { (ids.to_vec(), vec![]) };
+            Rest { kind, origin, ids, next: 0, marked }
+        });
+    }
+
+    /// Whether there is more to upload.
+    pub fn is_behind(&self) -> bool {
+        self.rest.is_some()
+    }
+
+    /// Uploads so many elements more, of the mesh that it began with; gives whether there are any left.
+    pub fn go_on(
         &mut self,
         device: &wgpu::Device,
         queue: &wgpu::Queue,
-        highlight: Option<(Highlight<'_>, Vec3)>,
-    ) {
-        self.object = highlight.map(|(h, _)| h.object);
-        let shapes = highlight.map_or_else(Shapes::default, |(h, origin)| shapes(h, origin));
-        self.points.set(device, queue, &shapes.points);
-        self.lines.set(device, queue, &shapes.lines);
-        self.arrows.set(device, queue, &shapes.arrows);
-        self.fill.set(device, queue, &shapes.fill);
+        mesh: &Mesh,
+        elements: usize,
+    ) -> bool {
+        let Some(rest) = &mut self.rest else { return false };
+        let shapes = rest.take(mesh, elements);
+        let is_left = rest.next < rest.ids.len();
+        self.points.append(device, queue, &shapes.points);
+        self.lines.append(device, queue, &shapes.lines);
+        self.arrows.append(device, queue, &shapes.arrows);
+        self.fill.append(device, queue, &shapes.fill);
+        if !is_left {
+            self.rest = None;
+        }
+        is_left
     }
 }
 
-fn shapes(highlight: Highlight<'_>, origin: Vec3) -> Shapes {
-    let Highlight { mesh, kind, ids, .. } = highlight;
+impl Rest {
+    /// The shapes of so many elements more.
+    fn take(&mut self, mesh: &Mesh, elements: usize) -> Shapes {
+        let end = self.next.saturating_add(elements).min(self.ids.len());
+        let ids = self.ids.get(self.next..end).unwrap_or_default();
+        self.next = end;
+        shapes(mesh, self.kind, ids, &self.marked, self.origin)
+    }
+}
+
+fn shapes(mesh: &Mesh, kind: Element, ids: &[u32], marked: &[u64], origin: Vec3) -> Shapes {
     let mut shapes = Shapes::default();
     let ids = ids.iter().copied();
     let at = |v| (mesh.position(v) - origin).to_array();
@@ -92,7 +145,7 @@ fn shapes(highlight: Highlight<'_>, origin: Vec3) -> Shapes {
                 shapes.arrows.push([at(mesh.from(h)), at(mesh.to(h)), inward]);
             }
         }
-        Element::Face => faces(mesh, ids.filter_map(|id| mesh.face(id)), origin, &mut shapes),
+        Element::Face => faces(mesh, ids.filter_map(|id| mesh.face(id)), marked, origin, &mut shapes),
     }
     shapes
 }
@@ -106,24 +159,35 @@ fn inward(mesh: &Mesh, h: HalfedgeId) -> Vec3 {
     normal.as_dvec3().cross(along.normalize_or_zero()).normalize_or_zero().as_vec3()
 }
 
-/// Triangles of the faces, and the edges between them and the others: many faces are outlined as
-/// one region.
-fn faces(mesh: &Mesh, faces: impl Iterator<Item = FaceId>, origin: Vec3, shapes: &mut Shapes) {
+/// The faces, each once, and a bit for each.
+fn marks(mesh: &Mesh, faces: &[u32]) -> (Vec<u32>, Vec<u64>) {
     let mut marked = vec![0_u64; mesh.face_capacity().div_ceil(64)];
-    let mut list = Vec::new();
-    for face in faces {
-        if let Some(word) = marked.get_mut(face.index() / 64) {
-            let bit = 1 << (face.index() % 64);
+    let mut list = Vec::with_capacity(faces.len());
+    for &face in faces {
+        if let Some(word) = marked.get_mut(face as usize / 64) {
+            let bit = 1 << (face % 64);
             if *word & bit == 0 {
                 *word |= bit;
                 list.push(face);
             }
         }
     }
+    (list, marked)
+}
+
+/// Triangles of the faces, and the edges between those that are marked and the others: many faces are
+/// outlined as one region.
+fn faces(
+    mesh: &Mesh,
+    faces: impl Iterator<Item = FaceId>,
+    marked: &[u64],
+    origin: Vec3,
+    shapes: &mut Shapes,
+) {
     let is_marked = |f: FaceId| marked.get(f.index() / 64).is_some_and(|w| w >> (f.index() % 64) & 1 == 1);
     let mut triangulator = CornerTriangulator::new();
     let mut points = Vec::new();
-    for face in list {
+    for face in faces {
         points.clear();
         points.extend(mesh.face_vertices(face).map(|v| mesh.position(v)));
         let corner = |i: u32| points.get(i as usize).map(|p| (*p - origin).to_array());

@@ -1,7 +1,7 @@
 //! One object on the GPU.
 
 use super::stream::Stream;
-use crate::buffers::{Buffers, Corners, Sink};
+use crate::buffers::{Buffers, Corners, Rebuilding, Sink};
 use glam::Vec3;
 use halfedge::{Mesh, Touched};
 
@@ -40,6 +40,20 @@ pub struct Object {
     /// A position per vertex id for the dots; empty unless dots are shown.
     pub points: Stream,
     pub has_points: bool,
+    /// What takes the place of these buffers once it is written.
+    next: Option<Next>,
+}
+
+/// Buffers of a mesh that is uploaded some faces at a time, while the ones before are drawn.
+struct Next {
+    buffers: Buffers,
+    pages: Vec<Page>,
+    rebuilding: Rebuilding,
+    points: bool,
+}
+
+fn origin_of(mesh: &Mesh) -> Vec3 {
+    surface::measure::bounding_box(mesh).map_or(Vec3::ZERO, |b| b.center())
 }
 
 impl Object {
@@ -49,6 +63,7 @@ impl Object {
             pages: Vec::new(),
             points: Stream::new("vertices"),
             has_points: false,
+            next: None,
         }
     }
 
@@ -61,19 +76,66 @@ impl Object {
         smooth: bool,
         points: bool,
     ) -> u64 {
-        let origin = surface::measure::bounding_box(mesh).map_or(Vec3::ZERO, |b| b.center());
+        self.next = None;
         let mut upload = Upload { device, queue, pages: &mut self.pages, bytes: 0 };
-        self.buffers.rebuild(mesh, origin, smooth, &mut upload);
-        let bytes = upload.bytes;
+        self.buffers.rebuild(mesh, origin_of(mesh), smooth, &mut upload);
+        upload.bytes + self.set_points(device, queue, mesh, points)
+    }
+
+    /// Uploads the dots, or gives them up.
+    fn set_points(&mut self, device: &wgpu::Device, queue: &wgpu::Queue, mesh: &Mesh, points: bool) -> u64 {
         self.has_points = points;
         if !points {
             self.points.reset(device, 0);
-            return bytes;
+            return 0;
         }
+        let origin = self.buffers.origin();
         let positions: Vec<[f32; 3]> =
             (0..mesh.vertex_capacity() as u32).map(|v| point(mesh, v, origin)).collect();
         self.points.set(device, queue, &positions);
-        bytes + self.points.len()
+        self.points.len()
+    }
+
+    /// Begins to upload all of a mesh, which [`Object::go_on`] does.
+    pub fn begin(
+        &mut self,
+        device: &wgpu::Device,
+        queue: &wgpu::Queue,
+        mesh: &Mesh,
+        smooth: bool,
+        points: bool,
+    ) {
+        let (mut buffers, mut pages) = (Buffers::default(), Vec::new());
+        let mut upload = Upload { device, queue, pages: &mut pages, bytes: 0 };
+        let rebuilding = buffers.begin(mesh, origin_of(mesh), smooth, &mut upload);
+        self.next = Some(Next { buffers, pages, rebuilding, points });
+    }
+
+    /// Uploads so many faces more of what was begun; gives whether that was the last of it, and it is
+    /// what is drawn from now on.
+    pub fn go_on(&mut self, device: &wgpu::Device, queue: &wgpu::Queue, mesh: &Mesh, faces: usize) -> bool {
+        let Some(mut next) = self.next.take() else { return false };
+        let mut upload = Upload { device, queue, pages: &mut next.pages, bytes: 0 };
+        if next.buffers.go_on(mesh, &mut next.rebuilding, faces, &mut upload) {
+            self.next = Some(next);
+            return false;
+        }
+        (self.buffers, self.pages) = (next.buffers, next.pages);
+        self.set_points(device, queue, mesh, next.points);
+        true
+    }
+
+    /// Whether an upload has begun and is not done.
+    pub fn is_behind(&self) -> bool {
+        self.next.is_some()
+    }
+
+    /// Whether what is uploaded, or will be, is shaded smoothly, and has dots.
+    pub fn looks(&self) -> (bool, bool) {
+        match &self.next {
+            Some(next) => (next.buffers.smooth(), next.points),
+            None => (self.buffers.smooth(), self.has_points),
+        }
     }
 
     /// Uploads what an edit touched; gives the bytes.
@@ -84,6 +146,8 @@ impl Object {
         mesh: &Mesh,
         touched: &Touched,
     ) -> u64 {
+        // Faces that are written already may be among those that were touched, and are written again.
+        self.go_on(device, queue, mesh, usize::MAX);
         let mut upload = Upload { device, queue, pages: &mut self.pages, bytes: 0 };
         self.buffers.update(mesh, touched, &mut upload);
         let mut bytes = upload.bytes;
@@ -105,7 +169,8 @@ impl Object {
 
     /// Bytes of GPU memory.
     pub fn gpu_bytes(&self) -> u64 {
-        let pages = self.pages.iter().flat_map(|p| [&p.positions, &p.normals, &p.colors]);
+        let next = self.next.iter().flat_map(|next| &next.pages);
+        let pages = self.pages.iter().chain(next).flat_map(|p| [&p.positions, &p.normals, &p.colors]);
         pages.map(Stream::capacity).sum::<u64>() + self.points.capacity()
     }
 }

@@ -138,12 +138,49 @@ impl Renderer {
         }
     }
 
+    /// Begins to upload an object's mesh whole; what was uploaded before is drawn until
+    /// [`Renderer::go_on`] has uploaded all of it. For meshes that take longer than a frame: it takes
+    /// the memory of both meanwhile.
+    pub fn begin_object(
+        &mut self,
+        device: &wgpu::Device,
+        queue: &wgpu::Queue,
+        id: u64,
+        mesh: &Mesh,
+        style: &Style,
+    ) {
+        let object = self.objects.entry(id).or_insert_with(Object::new);
+        object.begin(device, queue, mesh, style.smooth, style.vertices);
+    }
+
+    /// Whether an object's upload has begun and is not done.
+    pub fn is_behind(&self, id: u64) -> bool {
+        self.objects.get(&id).is_some_and(Object::is_behind)
+    }
+
+    /// Uploads so many faces more of an object that is behind, with its mesh as it is now; gives whether
+    /// that was the last of it. Highlights are due then: positions count from elsewhere.
+    pub fn go_on(
+        &mut self,
+        device: &wgpu::Device,
+        queue: &wgpu::Queue,
+        id: u64,
+        mesh: &Mesh,
+        faces: usize,
+    ) -> bool {
+        let object = self.objects.get_mut(&id).filter(|object| object.is_behind());
+        let done = object.is_some_and(|object| object.go_on(device, queue, mesh, faces));
+        self.generation += u64::from(done);
+        done
+    }
+
     /// Whether the object's buffers suit the style. If not, [`Renderer::sync_object`] is due even
     /// though the mesh is the same.
     pub fn fits_style(&self, id: u64, style: &Style) -> bool {
-        self.objects.get(&id).is_some_and(|object| {
-            object.buffers.smooth() == style.smooth && (object.has_points || !style.vertices)
-        })
+        self.objects
+            .get(&id)
+            .map(Object::looks)
+            .is_some_and(|(smooth, has_points)| smooth == style.smooth && (has_points || !style.vertices))
     }
 
     /// Forgets an object.
@@ -167,16 +204,48 @@ impl Renderer {
         layer: Layer,
         highlight: Option<Highlight<'_>>,
     ) {
+        self.begin_highlight(device, layer, highlight);
+        if let Some(highlight) = highlight {
+            self.go_on_with_highlight(device, queue, layer, highlight.mesh, usize::MAX);
+        }
+    }
+
+    /// Begins to replace a highlight, which [`Renderer::go_on_with_highlight`] does, for those of more
+    /// elements than there is time for in a frame. Otherwise as [`Renderer::set_highlight`].
+    pub fn begin_highlight(&mut self, device: &wgpu::Device, layer: Layer, highlight: Option<Highlight<'_>>) {
         let highlight = highlight.and_then(|h| Some((h, self.objects.get(&h.object)?.buffers.origin())));
-        let marked = match layer {
-            Layer::Selected => &mut self.selected,
-            Layer::Hovered => &mut self.hovered,
-        };
+        let marked = self.marked(layer);
         if marked.object.is_none() && highlight.is_none() {
             return;
         }
+        marked.begin(device, highlight);
         self.generation += 1;
-        marked.set(device, queue, highlight);
+    }
+
+    /// Uploads so many elements more of a highlight that has begun, with the same mesh; gives whether
+    /// there are any left.
+    pub fn go_on_with_highlight(
+        &mut self,
+        device: &wgpu::Device,
+        queue: &wgpu::Queue,
+        layer: Layer,
+        mesh: &Mesh,
+        elements: usize,
+    ) -> bool {
+        let marked = self.marked(layer);
+        if !marked.is_behind() {
+            return false;
+        }
+        let is_left = marked.go_on(device, queue, mesh, elements);
+        self.generation += 1;
+        is_left
+    }
+
+    fn marked(&mut self, layer: Layer) -> &mut Marked {
+        match layer {
+            Layer::Selected => &mut self.selected,
+            Layer::Hovered => &mut self.hovered,
+        }
     }
 
     /// Bytes of GPU memory in vertex buffers of objects.

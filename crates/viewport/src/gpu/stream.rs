@@ -63,16 +63,23 @@ impl Stream {
         self.len = self.len.max(end);
     }
 
+    /// Adds entries of type `T` at the end; those beyond what the device can hold in a buffer are left
+    /// out.
+    pub fn append<T: bytemuck::Pod>(&mut self, device: &wgpu::Device, queue: &wgpu::Queue, entries: &[T]) {
+        let most = device.limits().max_buffer_size;
+        let room = most.saturating_sub(self.len) / size_of::<T>().max(1) as u64;
+        let kept = entries.len().min(usize::try_from(room).unwrap_or(usize::MAX));
+        let data: &[u8] = bytemuck::cast_slice(entries.get(..kept).unwrap_or_default());
+        if !data.is_empty() {
+            self.write(device, queue, self.len, data, most);
+        }
+    }
+
     /// Replaces the contents, with entries of type `T`; those beyond what the device can hold in a
     /// buffer are left out.
     pub fn set<T: bytemuck::Pod>(&mut self, device: &wgpu::Device, queue: &wgpu::Queue, entries: &[T]) {
-        let most = device.limits().max_buffer_size / size_of::<T>().max(1) as u64;
-        let kept = entries.len().min(usize::try_from(most).unwrap_or(usize::MAX));
-        let data: &[u8] = bytemuck::cast_slice(entries.get(..kept).unwrap_or_default());
-        self.reset(device, data.len() as u64);
-        if !data.is_empty() {
-            self.write(device, queue, 0, data, data.len() as u64);
-        }
+        self.reset(device, (size_of_val(entries) as u64).min(device.limits().max_buffer_size));
+        self.append(device, queue, entries);
     }
 }
 

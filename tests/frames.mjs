@@ -1,0 +1,84 @@
+// How long the page's thread is busy at a stretch with a million triangles: the longest tasks of each thing a person
+// does, in milliseconds, with the processor time of the thread beside it (the machine may have other things to do).
+//
+//   cargo xtask dist && MESHWRIGHT_SITE=dist node tests/frames.mjs
+//
+// Software draws, so the times of the graphics process are not in it. MESHWRIGHT_TRIANGLES is another size.
+
+import { SMALL, browserWith, openPage } from "./harness.mjs";
+import { closeBrowsers } from "./support/browsers.mjs";
+
+const TRIANGLES = Number(process.env.MESHWRIGHT_TRIANGLES ?? 1_000_000);
+const RENDERER = process.env.MESHWRIGHT_RENDERERS ?? "webgl2";
+const side = Math.round(Math.sqrt(TRIANGLES / 2));
+
+const browser = await browserWith(RENDERER);
+const editor = await openPage({ renderer: RENDERER, size: SMALL });
+await editor.ready();
+
+/** Does something and says what the longest tasks of the page's thread were. */
+async function watch(what, act) {
+  await browser.startTracing(editor.page, { categories: ["toplevel", "devtools.timeline", "__metadata"] });
+  await act();
+  // Not asked for its state, which lists what is selected: that takes longer than what is measured.
+  await editor.frames(40);
+  const { traceEvents } = JSON.parse((await browser.stopTracing()).toString());
+  const main = new Set(traceEvents
+    .filter(({ name, args }) => name === "thread_name" && args.name === "CrRendererMain")
+    .map(({ pid, tid }) => `${pid} ${tid}`));
+  const tasks = traceEvents
+    .filter(({ name, ph, pid, tid }) => ph === "X" && name.endsWith("RunTask") && main.has(`${pid} ${tid}`))
+    .map(({ dur, tdur }) => ({ wall: dur / 1000, busy: (tdur ?? dur) / 1000 }))
+    .sort((a, b) => b.busy - a.busy);
+  const times = tasks.slice(0, 4).map(({ wall, busy }) => `${busy.toFixed(0)} (${wall.toFixed(0)})`);
+  console.log(`${what.padEnd(36)} ${times.join("  ")}`);
+}
+
+const rect = async () => (await editor.state()).view.rect;
+const middle = async () => {
+  const [x, y, width, height] = await rect();
+  return [x + width / 2, y + height / 2];
+};
+
+console.log(`${2 * side * side} triangles, ${RENDERER}: processor time (and wall time) in ms of the longest tasks`);
+await editor.run({ op: "set-object-visible", object: 0, visible: false });
+await watch("a grid comes from the worker", () =>
+  editor.run({ op: "new", shape: "grid", columns: side, rows: side, size: 10 }));
+await watch("cut into triangles, from the worker", () => editor.run({ op: "triangulate-faces" }));
+await watch("smoothed, from the worker", () => editor.run({ op: "smooth" }));
+await watch("undo", () => editor.undo());
+await watch("redo", () => editor.redo());
+await editor.frames(4);
+await watch("first hover", async () => {
+  await editor.page.mouse.move(...await middle());
+  await editor.frames(4);
+});
+await watch("second hover", async () => {
+  const [x, y] = await middle();
+  await editor.page.mouse.move(x + 30, y + 20);
+  await editor.frames(4);
+});
+await watch("a vertex moved", () => editor.run({ op: "set-vertex-position", vertex: 5, position: [0, 0, 1] }));
+await watch("the first colour", () => editor.run({ op: "set-face-color", faces: [7], color: "#ff0000" }));
+await watch("the second colour", () => editor.run({ op: "set-face-color", faces: [9], color: "#00ff00" }));
+for (const [key, kind] of [["1", "vertices"], ["2", "edges"], ["4", "faces"]]) {
+  await editor.press(key);
+  await watch(`box over all ${kind}`, async () => {
+    const [x, y, width, height] = await rect();
+    await editor.page.keyboard.down("Control");
+    await editor.drag([x + 4, y + 40], [x + width - 4, y + height - 4], { steps: 3 });
+    await editor.page.keyboard.up("Control");
+  });
+  await editor.press("Escape");
+}
+await watch("everything selected", () => editor.press("Control+a"));
+await editor.press("Escape");
+await watch("the save dialog", () => editor.press("Control+s"));
+await editor.press("Escape");
+await watch("saved as OBJ, in the worker", () => editor.page.evaluate(async () => {
+  await window.meshwright.export("obj");
+}));
+
+await editor.close();
+await closeBrowsers();
+process.exit(0);
