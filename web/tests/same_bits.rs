@@ -105,7 +105,7 @@ fn simplified() {
 fn remeshed() {
     assert_eq!(
         after(&[r#"{"op": "remesh", "edge_length": 0.2, "iterations": 10}"#]),
-        (890, 0xaa1f_7576_a198_0a53)
+        (886, 0xf504_8320_2b0c_b821)
     );
 }
 

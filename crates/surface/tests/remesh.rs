@@ -36,6 +36,24 @@ fn angles(mesh: &Mesh) -> (f64, f64) {
     (least, sum / mesh.face_count() as f64)
 }
 
+/// Its ears, cut from concave polygons, are folds: points close to each other go onto the same edge.
+#[test]
+fn no_two_vertices_come_to_one_place() {
+    let Some(path) = shared("models/common/spot_control_mesh.obj") else { return };
+    let mesh = load(&path);
+    for feature_angle in [45.0, 180.0] {
+        let result = run(&mesh, &Remesh { edge_length: Some(0.0512), feature_angle, ..Remesh::default() });
+        let areas = result.faces().map(|f| face_area(&result, f));
+        assert!(areas.fold(f64::MAX, f64::min) > 0.0);
+        let mut places: Vec<[u32; 3]> =
+            result.positions().iter().map(|p| p.to_array().map(f32::to_bits)).collect();
+        let count = places.len();
+        places.sort_unstable();
+        places.dedup();
+        assert_eq!(places.len(), count, "{feature_angle}");
+    }
+}
+
 #[test]
 fn faces_without_area_are_remeshed_too() {
     // As a bevel of width 0 leaves it: a quad between two edges at one place.

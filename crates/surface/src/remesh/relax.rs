@@ -14,6 +14,9 @@ const SWEEPS: u32 = 8;
 /// order even where one of them may not move.
 const REACH: f64 = 0.45;
 
+/// What part of its area a triangle keeps at least when its vertex moves.
+const LEAST_AREA: f64 = 0.05;
+
 /// A vertex on a curve.
 struct Sliding {
     v: u32,
@@ -117,7 +120,9 @@ fn to_middle(work: &mut Work, v: u32, star: &mut Vec<DVec3>) {
     let mut before = last;
     for &after in &*star {
         let old = (before - here).cross(after - here);
-        if (before - to).cross(after - to).dot(old) <= 0.0 && old != DVec3::ZERO {
+        let turned = (before - to).cross(after - to).dot(old);
+        // What comes close to nothing on a fold of the input would come to be nothing in floats.
+        if turned <= LEAST_AREA * old.length_squared() && old != DVec3::ZERO {
             return;
         }
         before = after;

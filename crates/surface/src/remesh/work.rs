@@ -12,6 +12,8 @@ const LEAST_COS: f64 = 0.5;
 
 /// The least [`quality`] that a merge may leave: a smallest angle of 10 degrees.
 const POOR: f64 = 0.03;
+/// The least that a flip may leave, which later moves can mend: one of 3 degrees.
+const THIN: f64 = 0.003;
 /// With the usual limits, 4/3 and 4/5 of the length, edges come out a little longer than it on average;
 /// with limits smaller by this factor, as long as asked for.
 const EVEN: f64 = 0.97;
@@ -401,7 +403,7 @@ impl Work {
     }
 
     /// Whether an edge may be turned to its apexes: it is not kept, they are not joined yet, and no
-    /// triangle would face elsewhere.
+    /// triangle would face elsewhere or become a sliver that none was.
     pub fn can_flip(&self, h: u32) -> bool {
         let across = self.tri.opp(h);
         if across == NONE || self.is_kept(h) {
@@ -421,7 +423,11 @@ impl Work {
             along > 0.0
                 && along * along > LEAST_COS * LEAST_COS * t.length_squared() * normal.length_squared()
         };
-        faces((a - c).cross(d - c)) && faces((d - c).cross(b - c))
+        if !(faces((a - c).cross(d - c)) && faces((d - c).cross(b - c))) {
+            return false;
+        }
+        let shape = quality(a, d, c).min(quality(d, b, c));
+        shape > THIN || shape > quality(a, b, c).min(quality(b, a, d))
     }
 
     /// Turns an edge to its apexes.
