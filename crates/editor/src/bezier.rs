@@ -20,9 +20,6 @@ pub enum Bezier {
 }
 
 impl Bezier {
-    /// The most control points that a curve may have.
-    pub const MOST_CURVE_POINTS: usize = Controls::MOST_CURVE_POINTS;
-
     /// The mesh that shows a surface has 8 x 8 quads per patch, fewer where that would make more
     /// than this many in all: it is made anew at each movement of a control point.
     const MOST_PREVIEW_FACES: usize = 20_000;

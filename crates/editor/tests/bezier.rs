@@ -327,10 +327,26 @@ fn refusals_name_the_field_and_say_what_there_is() {
     assert!(text.contains("Cube is a mesh; this op is for Bezier curves and surfaces"), "{text}");
     let text = refusal(&mut Editor::new(), json!({"op": "bezier-elevate-degree"}));
     assert!(text.contains("no object"), "{text}");
-    let mut full = open(&[("a.bzc", format!("1000 {}", "1 ".repeat(2000)))]);
-    for op in [json!({"op": "bezier-elevate-degree"}), json!({"op": "bezier-insert-point", "position": p})] {
-        assert!(refusal(&mut full, op).contains("1000 control points, which is as many as it may have"));
+    let mut large = open(&[("a.bzc", format!("20001 {}", "1 ".repeat(40_002)))]);
+    assert!(
+        refusal(&mut large, json!({"op": "bezier-split"})).contains("20001 control points; splitting takes")
+    );
+}
+
+#[test]
+fn a_curve_of_thirty_thousand_points_is_edited_like_any_other() {
+    let text: String = (0..30_000).map(|i| format!("\n{i} {}", i % 7)).collect();
+    let mut editor = open(&[("large.bzc", format!("30000{text}"))]);
+    for op in [
+        json!({"op": "bezier-move-point", "point": 29_999, "position": [1, 2, 3]}),
+        json!({"op": "bezier-insert-point", "index": 15_000, "position": [1, 2, 3]}),
+        json!({"op": "bezier-delete-point", "index": 0}),
+        json!({"op": "bezier-elevate-degree"}),
+    ] {
+        there_and_back(&mut editor, op);
     }
+    let curve = editor.document().objects()[0].bezier().and_then(Bezier::curve).expect("a curve");
+    assert_eq!(curve.points.len(), 30_001);
 }
 
 #[test]

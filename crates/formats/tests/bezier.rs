@@ -83,9 +83,53 @@ fn what_is_wrong_is_named_with_its_line() {
         "a.bzc: line 2: 4 control points take 8 numbers in the plane or 12 in space, but 7 follow"
     );
     assert!(error("a.bez", "2\n1 2 3").contains("line 1: a patch takes 48 numbers"));
-    let long = format!("1001{}", " 0".repeat(2002));
-    assert!(error("a.bzc", &long).contains("1000 at most"));
+    assert!(error("a.bzc", "4000000000\n1 2 3").contains("but 3 follow"));
     assert!(error("a.bez", "4000000000\n1 2 3").contains("only 3 follow"));
+}
+
+#[test]
+fn a_curve_may_have_any_number_of_control_points() {
+    let text: String = (0..30_000).map(|i| format!("\n{i} {}", i % 7)).collect();
+    let import = read_text("a.bzc", &format!("30000{text}"));
+    assert!(import.report.is_clean());
+    assert_eq!(controls(&import).points().len(), 30_000);
+    assert_eq!(controls(&import).points()[29_999], Vec3::new(29_999.0, 4.0, 0.0));
+    assert_eq!(
+        controls(&read(&write(Format::BezierCurve, controls(&import))).expect("its own")),
+        controls(&import)
+    );
+}
+
+#[test]
+fn numbers_left_over_are_told() {
+    let plane = Controls::Curve(vec![Vec3::ZERO, Vec3::new(1.0, 1.0, 0.0)]);
+    for (text, said) in
+        [("2\n0 0\n1 1\n2 2\n", "2 numbers"), ("2\n0 0\n1 1 # x\n\n2 2\n3 3\n4 4", "6 numbers")]
+    {
+        let import = read_text("a.bzc", text);
+        assert_eq!(controls(&import), &plane);
+        let warnings: Vec<&str> = import.report.warnings().collect();
+        assert_eq!(warnings, [format!("{said} after the last of the 2 control points left out")]);
+    }
+    let import = read_text("a.bzc", "1\n0 0 1\n2 2 2");
+    assert_eq!(controls(&import), &Controls::Curve(vec![Vec3::Z]));
+    assert!(import.report.to_string().contains("3 numbers after the last of the 1 control point left out"));
+    // As many as the count says in space, and no lines that say otherwise: nothing is left out.
+    let import = read_text("a.bzc", "2\n0 0 1 1 2 2");
+    assert_eq!(controls(&import), &Controls::Curve(vec![Vec3::Z, Vec3::new(1.0, 2.0, 2.0)]));
+    assert!(import.report.is_clean());
+    assert!(import.report.to_string().contains("in space: there are three numbers"), "{}", import.report);
+    // Neither: nothing tells which are meant.
+    assert!(error("a.bzc", "2\n0 0 1 1 2").contains("but 5 follow"));
+}
+
+#[test]
+fn a_surface_by_name_that_is_read_as_a_curve_says_so() {
+    let import = read_text("s.bez", "1\n0 0 0\n");
+    assert!(controls(&import).is_curve());
+    let warnings: Vec<&str> = import.report.warnings().collect();
+    assert!(warnings.len() == 1 && warnings[0].contains("it ends early: 3 numbers follow"), "{warnings:?}");
+    assert!(read_text("s.bzc", "1\n0 0 0\n").report.is_clean());
 }
 
 #[test]

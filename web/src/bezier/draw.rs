@@ -1,6 +1,6 @@
 //! Curves, control points and the construction, drawn over the picture.
 
-use super::{ControlPoint, active, line};
+use super::{ControlPoint, Drawn, active};
 use crate::app::App;
 use crate::theme;
 use editor::Bezier;
@@ -9,14 +9,14 @@ use egui::{Align2, Color32, FontId, Painter, Pos2, Rect, Shape, Stroke, Ui, vec2
 use glam::Vec3;
 use surface::bezier::{Curve, Patch};
 
-/// More lines of a construction than this are not drawn: they would cover each other, and the page.
-const MOST_LINES: usize = 4000;
-
 /// Up to this many control points have their numbers beside them.
 const MOST_NUMBERS: usize = 24;
 
 /// Of more control points than this, those of other patches than the chosen one are drawn small.
 const MOST_LARGE: usize = 64;
+
+/// Of more control points than this, a curve's are drawn small.
+const MOST_LARGE_OF_CURVE: usize = 500;
 
 /// What draws: the painter, and where things are on the page.
 struct Pen<'a> {
@@ -64,17 +64,15 @@ impl Pen<'_> {
     /// The levels from the second on, the first being the points that they start from. The last one
     /// that is drawn is strong.
     fn levels(&self, levels: &[Vec<Vec3>], shown: usize, first: usize, last: usize) {
-        let mut lines = 0;
         for (at, points) in levels.iter().enumerate().skip(1).take(shown) {
-            lines += points.len();
-            if lines > MOST_LINES {
-                break;
-            }
-            let color = self.level_color(first + at, last);
-            self.line(points, Stroke::new(if at == shown { 2.0 } else { 1.25 }, color));
-            for &point in points {
-                self.dot(point, if points.len() == 1 { 5.0 } else { 3.0 }, color);
-            }
+            self.level(points, self.level_color(first + at, last), at == shown);
+        }
+    }
+
+    fn level(&self, points: &[Vec3], color: Color32, strong: bool) {
+        self.line(points, Stroke::new(if strong { 2.0 } else { 1.25 }, color));
+        for &point in points {
+            self.dot(point, if points.len() == 1 { 5.0 } else { 3.0 }, color);
         }
     }
 }
@@ -109,16 +107,20 @@ impl App {
 
     fn paint_curve(&self, pen: &Pen, curve: &Curve, strong: Color32, weak: Color32) {
         let player = &self.player;
-        pen.line(&curve.points, Stroke::new(1.0, weak));
+        let drawn = Drawn::of(curve.points.len(), player.level);
+        pen.line(&curve.level(0, 0.0, drawn.stride), Stroke::new(1.0, weak));
         let last = curve.points.len().saturating_sub(1);
         if player.level == 0 || last == 0 {
             return;
         }
         if player.level == last && !player.whole {
             // As far as the construction has come.
-            pen.line(&line(curve, player.t), Stroke::new(2.5, strong));
+            pen.line(&curve.polyline(player.t), Stroke::new(2.5, strong));
         }
-        pen.levels(&curve.construction(player.t), player.level, 0, last);
+        let first = Curve { points: curve.level(drawn.level, player.t, drawn.level_stride) };
+        for (at, points) in (drawn.level..=player.level).zip(first.levels(player.t)) {
+            pen.level(&points, pen.level_color(at, last), at == player.level);
+        }
     }
 
     fn paint_surface(&self, pen: &Pen, patches: &[Patch], weak: Color32) {
@@ -145,7 +147,7 @@ impl App {
             let column = Curve { points: construction.column.first().cloned().unwrap_or_default() };
             let color = pen.level_color(3, super::SURFACE_LEVELS);
             pen.line(&column.points, Stroke::new(1.25, color));
-            pen.line(&line(&column, 1.0), Stroke::new(2.5, color));
+            pen.line(&column.polyline(1.0), Stroke::new(2.5, color));
         }
         pen.levels(&construction.column, down, 3, super::SURFACE_LEVELS);
     }
@@ -156,12 +158,15 @@ impl App {
         let selected = Color32::from_rgb(r, g, b);
         let points = player.points(bezier);
         let crowded = points.len() > MOST_LARGE;
+        let large = points.len() <= MOST_LARGE_OF_CURVE;
         let numbered = points.len() <= MOST_NUMBERS && bezier.curve().is_some();
         let plain = ui.visuals().hyperlink_color;
         for (point, position) in points {
             let Some(at) = pen.at(position) else { continue };
             let chosen = player.chosen == Some(point);
-            if crowded && player.hovered != Some(point) && !player.is_on_patch(point) {
+            let stands_out =
+                player.hovered == Some(point) || (player.is_on_patch(point) && (large || chosen));
+            if crowded && !stands_out {
                 pen.painter.circle_filled(at, 2.0, plain.gamma_multiply(0.7));
                 continue;
             }

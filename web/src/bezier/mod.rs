@@ -117,12 +117,51 @@ pub(crate) fn levels(bezier: &Bezier) -> usize {
     }
 }
 
-/// A curve as a line: fine enough to look smooth, and for the many points of a large one no finer
-/// than can be reckoned in a frame.
-fn line(curve: &Curve, end: f32) -> Vec<Vec3> {
-    let count = curve.points.len().max(1);
-    let segments = (8_000_000 / (count * count)).clamp(24, 256);
-    (0..=segments).map(|i| curve.point(end * i as f32 / segments as f32)).collect()
+/// Of a construction no more lines than this are drawn: they would cover each other, and the page.
+const MOST_LINES: usize = 4000;
+
+/// Of a level that has more points than that on its own, so many are drawn: each takes some reckoning.
+const MOST_OF_LEVEL: usize = 1000;
+
+/// Of a curve's control points no more than this are drawn, one for so many.
+const MOST_POINTS: usize = 2000;
+
+/// How much of a large curve is drawn; all of a small one.
+pub(crate) struct Drawn {
+    /// Every how many-th control point is drawn.
+    pub stride: usize,
+    /// The first level of the construction that is drawn, up to the one that the player is at.
+    pub level: usize,
+    /// Every how many-th point of that level is drawn; 1 where more than one level is.
+    pub level_stride: usize,
+}
+
+impl Drawn {
+    /// Of a curve of `count` control points, with the player at `level`.
+    pub(crate) fn of(count: usize, level: usize) -> Self {
+        let points = |level: usize| count.saturating_sub(level);
+        let (mut first, mut lines) = (level, points(level));
+        while first > 1 && lines + points(first - 1) <= MOST_LINES {
+            first -= 1;
+            lines += points(first);
+        }
+        let level_stride = if lines > MOST_LINES { lines.div_ceil(MOST_OF_LEVEL) } else { 1 };
+        Self { stride: count.div_ceil(MOST_POINTS).max(1), level: first, level_stride }
+    }
+
+    /// What is left out, in words; nothing where all is drawn.
+    pub(crate) fn left_out(&self, level: usize) -> Option<String> {
+        let mut said = Vec::new();
+        if self.stride > 1 {
+            said.push(format!("one control point in {} is drawn", self.stride));
+        }
+        if self.level_stride > 1 {
+            said.push(format!("of the construction one point in {} of level {level}", self.level_stride));
+        } else if self.level > 1 {
+            said.push(format!("of the construction levels {} to {level}", self.level));
+        }
+        (!said.is_empty()).then(|| format!("There are too many points to draw all: {}.", said.join(", ")))
+    }
 }
 
 impl Player {
@@ -131,7 +170,7 @@ impl Player {
         for id in changes.bezier.iter().chain(changes.objects.iter().map(|(id, _)| id)) {
             let curve = editor.document().object(*id).and_then(|object| object.bezier()?.curve());
             match curve {
-                Some(curve) => self.lines.insert(*id, line(curve, 1.0)),
+                Some(curve) => self.lines.insert(*id, curve.polyline(1.0)),
                 None => self.lines.remove(id),
             };
         }
@@ -203,7 +242,10 @@ impl Player {
     fn points(&self, bezier: &Bezier) -> Vec<(ControlPoint, Vec3)> {
         match bezier {
             Bezier::Curve(curve) => {
-                curve.points.iter().enumerate().map(|(at, &p)| (ControlPoint::Curve(at), p)).collect()
+                let stride = Drawn::of(curve.points.len(), 0).stride;
+                let is_drawn = |at: usize| at % stride == 0 || self.chosen == Some(ControlPoint::Curve(at));
+                let points = curve.points.iter().enumerate().filter(|(at, _)| is_drawn(*at));
+                points.map(|(at, &point)| (ControlPoint::Curve(at), point)).collect()
             }
             Bezier::Surface(patches) => {
                 let mut points = Vec::new();
@@ -237,5 +279,33 @@ impl Player {
             "patch": self.patch,
             "chosen": chosen,
         })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn of_small_curves_all_is_drawn_and_of_large_ones_what_a_page_takes() {
+        for (count, level) in [(1, 0), (4, 3), (60, 59), (2000, 1)] {
+            let drawn = Drawn::of(count, level);
+            assert_eq!((drawn.stride, drawn.level, drawn.level_stride), (1, level.min(1), 1));
+            assert_eq!(drawn.left_out(level), None);
+        }
+        for (count, level) in [(2001, 0), (20_000, 7), (20_000, 19_999), (1_000_000, 500_000), (300, 299)] {
+            let drawn = Drawn::of(count, level);
+            let lines: usize = (drawn.level..=level).map(|l| (count - l).div_ceil(drawn.level_stride)).sum();
+            assert!(level == 0 || lines <= MOST_LINES, "{lines} lines");
+            assert!(count.div_ceil(drawn.stride) <= MOST_POINTS);
+            assert!(drawn.left_out(level).is_some());
+        }
+        assert_eq!(
+            Drawn::of(20_000, 19_999).left_out(19_999).as_deref(),
+            Some(
+                "There are too many points to draw all: one control point in 10 is drawn, of the construction \
+                 levels 19911 to 19999."
+            )
+        );
     }
 }

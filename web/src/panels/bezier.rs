@@ -7,7 +7,7 @@ use serde_json::json;
 
 use crate::actions::{self, Action};
 use crate::app::App;
-use crate::bezier::{ControlPoint, active, levels, moved, position};
+use crate::bezier::{ControlPoint, Drawn, active, levels, moved, position};
 use crate::panels::menu_bar::explain;
 
 impl App {
@@ -68,6 +68,11 @@ impl App {
             ui.label(format!("{} of {last}", self.player.level))
                 .on_hover_text("How many levels of de Casteljau's construction are drawn");
         });
+        let level = self.player.level;
+        let drawn = bezier.curve().map(|curve| Drawn::of(curve.points.len(), level));
+        if let Some(left_out) = drawn.and_then(|drawn| drawn.left_out(level)) {
+            ui.add(Label::new(RichText::new(left_out).small().weak()).wrap());
+        }
         ui.horizontal(|ui| {
             let action = if is_curve { Action::WholeCurve } else { Action::ControlNets };
             let entry = actions::describe(action);

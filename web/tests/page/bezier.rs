@@ -104,6 +104,23 @@ fn e_draws_level_by_level_and_c_the_whole_curve() {
 }
 
 #[test]
+fn a_curve_of_twenty_thousand_points_says_what_of_it_is_drawn() {
+    let text: String = (0..20_000).map(|i| format!("\n{i} {}", i % 7)).collect();
+    let mut page = Page::new();
+    page.open("large.bzc", &format!("20000{text}"));
+    assert!(page.has_part("20000 control points, degree 19999"));
+    assert!(page.has_part("one control point in 10 is drawn"));
+    assert!(!page.has_part("of the construction"));
+    page.press(Key::E);
+    assert!(page.has_part("of the construction one point in 20 of level 1"));
+    page.click("Play");
+    page.click("Pause");
+    page.press(Key::C);
+    page.command(json!({ "op": "bezier-move-point", "point": 5, "position": [0, 9, 0] }));
+    assert_eq!(points(&mut page)[5], Vec3::new(0.0, 9.0, 0.0));
+}
+
+#[test]
 fn a_control_point_is_dragged_in_one_step_and_stays_in_the_plane() {
     let mut page = on_curve();
     let at = page.at([1.0, 2.0, 0.0]);

@@ -57,14 +57,3 @@ pub(super) fn put(object: &Object, bezier: Bezier) -> Result<Vec<Change>, Proble
 pub(super) fn put_curve(object: &Object, curve: Curve) -> Result<Vec<Change>, Problem> {
     put(object, Bezier::Curve(curve))
 }
-
-/// Refuses a curve that would have more control points than can be drawn in time.
-pub(super) fn check_room(curve: &Curve) -> Result<(), Problem> {
-    let most = Bezier::MOST_CURVE_POINTS;
-    if curve.points.len() >= most {
-        return Err(Problem::new(format!(
-            "the curve has {most} control points, which is as many as it may have"
-        )));
-    }
-    Ok(())
-}

@@ -19,6 +19,10 @@ pub struct BezierSplit {
     pub t: f32,
 }
 
+/// A curve of more control points is not split: the work grows with the square of their number, and
+/// would hold everything up.
+const MOST_POINTS: usize = 20_000;
+
 fn half() -> f32 {
     0.5
 }
@@ -50,6 +54,12 @@ impl DocumentEdit for BezierSplit {
                 "t",
                 format!("{} is out of range; it must be above 0 and below 1", self.t),
             ));
+        }
+        let count = curve.points.len();
+        if count > MOST_POINTS {
+            return Err(Problem::new(format!(
+                "the curve has {count} control points; splitting takes too long for more than {MOST_POINTS}"
+            )));
         }
         let at = place.index()?;
         let (first, rest) = curve.split(self.t);

@@ -23,10 +23,6 @@ pub enum Controls {
 }
 
 impl Controls {
-    /// The most control points of a curve that is read: drawing one takes time that grows with
-    /// the square of their number.
-    pub const MOST_CURVE_POINTS: usize = 1000;
-
     /// All control points, patch by patch and row by row.
     pub fn points(&self) -> &[Vec3] {
         match self {

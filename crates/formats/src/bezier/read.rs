@@ -55,8 +55,16 @@ pub(crate) fn read(
         )));
     };
     let mut numbers: Vec<f32> = Vec::new();
+    // How many numbers each line has, where all have as many.
+    let (mut per_line, mut on_line, mut even) = (0, 0, true);
     let mut ticker = Ticker::new(file.bytes.len());
-    while let Some(word) = scan.word() {
+    loop {
+        if !scan.more_on_line() && on_line > 0 {
+            even &= per_line == 0 || per_line == on_line;
+            (per_line, on_line) = (on_line, 0);
+        }
+        let Some(word) = scan.word() else { break };
+        on_line += 1;
         match number::float(word, 0).filter(|&(value, end)| end == word.len() && value.is_finite()) {
             Some((value, _)) => numbers.push(value),
             None => {
@@ -68,7 +76,16 @@ pub(crate) fn read(
     }
     let mut report = ImportReport::default();
     let controls = if format == Format::BezierCurve {
-        curve(count, &numbers)
+        let width = if even { per_line } else { 0 };
+        curve(count, &numbers, width, &mut report).inspect(|_| {
+            if Format::from_name(&file.name) == Some(Format::BezierSurface) {
+                let numbers = counted(numbers.len(), "number", "numbers");
+                report.warn(format!(
+                    "Read as a curve, for which there are as many numbers as its first one says; if it is a surface, \
+                     as its name has it, it ends early: {numbers} follow, and each patch takes {PATCH}"
+                ));
+            }
+        })
     } else {
         surface(count, &numbers, &mut report)
     };
@@ -79,27 +96,41 @@ pub(crate) fn read(
     Ok((ImportedObject { controls: Some(controls), ..ImportedObject::empty(file.stem()) }, report))
 }
 
-fn curve(count: usize, numbers: &[f32]) -> Result<Controls, String> {
-    if count > Controls::MOST_CURVE_POINTS {
-        return Err(format!(
-            "a curve of {count} control points is too slow to draw; it may have {} at most",
-            Controls::MOST_CURVE_POINTS
-        ));
-    }
-    let points = if numbers.len() == count * 2 {
-        numbers.as_chunks().0.iter().map(|&[x, y]| Vec3::new(x, y, 0.0)).collect()
-    } else if numbers.len() == count * 3 {
-        numbers.as_chunks().0.iter().map(|&xyz| Vec3::from_array(xyz)).collect()
+/// The control points of a curve; `width` is how many numbers are on each line, 0 where that differs.
+fn curve(count: usize, numbers: &[f32], width: usize, report: &mut ImportReport) -> Result<Controls, String> {
+    let needs = |each: usize| count.saturating_mul(each);
+    // Lines of two or three numbers tell points that are too many from another kind of points.
+    let is_laid_out = |each: usize| width == each && numbers.len() > needs(each);
+    let each = if numbers.len() == needs(2) || is_laid_out(2) {
+        2
+    } else if numbers.len() == needs(3) || is_laid_out(3) {
+        3
     } else {
         return Err(format!(
             "{} take {} numbers in the plane or {} in space, but {} follow",
             counted(count, "control point", "control points"),
-            count * 2,
-            count * 3,
+            needs(2),
+            needs(3),
             numbers.len()
         ));
     };
+    let used = numbers.get(..needs(each)).unwrap_or(numbers);
+    let points = if each == 2 {
+        used.as_chunks().0.iter().map(|&[x, y]| Vec3::new(x, y, 0.0)).collect()
+    } else {
+        report.info("Its control points are in space: there are three numbers, x, y and z, for each");
+        used.as_chunks().0.iter().map(|&xyz| Vec3::from_array(xyz)).collect()
+    };
+    left_over(numbers.len() - used.len(), &counted(count, "control point", "control points"), report);
     Ok(Controls::Curve(points))
+}
+
+/// Warns of numbers after the last of `things`.
+fn left_over(count: usize, things: &str, report: &mut ImportReport) {
+    if count > 0 {
+        let numbers = counted(count, "number", "numbers");
+        report.warn(format!("{numbers} after the last of the {things} left out"));
+    }
 }
 
 fn surface(count: usize, numbers: &[f32], report: &mut ImportReport) -> Result<Controls, String> {
@@ -116,13 +147,9 @@ fn surface(count: usize, numbers: &[f32], report: &mut ImportReport) -> Result<C
     }
     if patches.len() < count {
         report.warn(format!("The file ends early: {} of {count} patches are there", patches.len()));
-    } else if numbers.len() > count * PATCH {
-        report.warn(format!(
-            "{} after the last of the {} left out",
-            counted(numbers.len() - count * PATCH, "number", "numbers"),
-            counted(count, "patch", "patches")
-        ));
     }
+    let rest = numbers.len().saturating_sub(count.saturating_mul(PATCH));
+    left_over(rest, &counted(count, "patch", "patches"), report);
     Ok(Controls::Surface(patches))
 }
 
