@@ -117,10 +117,9 @@ impl Format {
             Self::Collada => {
                 !matches!(part, Part::VertexColors | Part::Groups | Part::Smoothing | Part::Creases)
             }
-            Self::Glb | Self::Gltf => !matches!(
-                part,
-                Part::Polygons | Part::LooseVertices | Part::Groups | Part::Smoothing | Part::Creases
-            ),
+            Self::Glb | Self::Gltf => {
+                !matches!(part, Part::Polygons | Part::Groups | Part::Smoothing | Part::Creases)
+            }
             // They hold no meshes at all, which `losses` says once.
             Self::BezierCurve | Self::BezierSurface => true,
             Self::Json => matches!(part, Part::Polygons | Part::LooseVertices),

@@ -45,6 +45,65 @@ fn split_vertices_become_one_again() {
     }
 }
 
+/// Two squares side by side whose border vertices are at the same places but not the same, and a vertex
+/// in no face at one of those places.
+fn seam() -> Mesh {
+    let corner = |x: f32, y: f32| Vec3::new(x, y, 0.0);
+    let left = [corner(0.0, 0.0), corner(1.0, 0.0), corner(1.0, 1.0)];
+    let right = [corner(1.0, 0.0), corner(2.0, 0.0), corner(1.0, 1.0)];
+    let loose = [corner(1.0, -0.0), corner(5.0, 5.0)];
+    let positions = [&left[..], &loose[..], &right[..]].concat();
+    Mesh::build(PolygonSoup::new(positions, &[[0, 1, 2], [5, 6, 7]])).expect("small").mesh
+}
+
+#[test]
+fn vertices_at_one_place_and_in_no_face_stay_as_they_are() {
+    for format in BOTH {
+        assert_eq!(formats::losses(format, &[ObjectRef::new("a", &seam())]), [""; 0]);
+        let import = read(&common::write(format, &seam())).expect("readable");
+        assert!(import.report.is_clean(), "{}", import.report);
+        assert!(mesh(&import) == &seam(), "{format:?}");
+    }
+    // Only files that need it have the attribute, and in ways that the format allows.
+    let json = |mesh: &Mesh| common::text(&common::write(Format::Gltf, mesh)[0]).to_owned();
+    assert!(!json(&octahedron()).contains("_VERTEX_ID"));
+    assert!(
+        json(&seam()).contains("{\"bufferView\":1,\"componentType\":5121,\"count\":8,\"type\":\"VEC4\"}")
+    );
+    // Of another kind it is somebody else's and tells nothing.
+    let other = json(&seam()).replace("\"_VERTEX_ID\":1", "\"_VERTEX_ID\":0");
+    let mut files = common::write(Format::Gltf, &seam());
+    files[0].bytes = other.into_bytes();
+    assert_eq!(mesh(&read(&files).expect("readable")).vertex_count(), 5);
+}
+
+#[test]
+fn empty_meshes_and_points_alone_come_back() {
+    let points = Mesh::build(PolygonSoup::new(vec![Vec3::X, Vec3::Y], &[[0u32; 0]; 0])).expect("small").mesh;
+    for format in BOTH {
+        for one in [&Mesh::new(), &points] {
+            let import = read(&common::write(format, one)).expect("readable");
+            assert!(import.report.is_clean(), "{}", import.report);
+            assert!(mesh(&import) == one, "{format:?}");
+        }
+        let (full, empty) = (octahedron(), Mesh::new());
+        let objects = [
+            ObjectRef::new("full", &full),
+            ObjectRef::new("empty", &empty),
+            ObjectRef::new("points", &points),
+        ];
+        let import = read(&formats::write(format, "x", &objects).expect("small")).expect("readable");
+        let found: Vec<_> = import.objects.iter().map(|o| (o.name.as_str(), o.mesh.vertex_count())).collect();
+        assert_eq!(found, [("full", 6), ("empty", 0), ("points", 2)]);
+    }
+    // Points of other writers are vertices too; a scene of nothing but cameras is no model.
+    let import = read(&[NamedBytes::new("a.gltf", document("", ",\"mode\":0"))]).expect("readable");
+    assert_eq!((mesh(&import).vertex_count(), import.report.is_clean()), (4, true));
+    let cameras = "{\"asset\":{\"version\":\"2.0\"},\"scenes\":[{\"nodes\":[0]}],\"nodes\":[{\"camera\":0}]}";
+    let error = read(&[NamedBytes::new("a.gltf", cameras)]).expect_err("nothing").to_string();
+    assert!(error.contains("holds no mesh"), "{error}");
+}
+
 #[test]
 fn colours_and_materials_come_back_by_face() {
     let mut mesh_in = octahedron();

@@ -10,6 +10,7 @@ use std::collections::HashMap;
 #[derive(Debug, Default, Deserialize)]
 #[serde(default, rename_all = "camelCase")]
 pub(crate) struct Document {
+    pub asset: Asset,
     pub scene: Option<usize>,
     pub scenes: Vec<Scene>,
     pub nodes: Vec<Node>,
@@ -19,6 +20,12 @@ pub(crate) struct Document {
     buffers: Vec<Buffer>,
     pub materials: Vec<Material>,
     extensions_required: Vec<String>,
+}
+
+#[derive(Debug, Default, Deserialize)]
+#[serde(default)]
+pub(crate) struct Asset {
+    pub generator: Option<String>,
 }
 
 #[derive(Debug, Default, Deserialize)]

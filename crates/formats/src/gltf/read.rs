@@ -2,6 +2,7 @@
 
 use super::accessor::Rows;
 use super::document::{Document, Material, Mesh, Node, Primitive, open};
+use super::{GENERATOR, VERTEX_ID};
 use crate::hash::Unique;
 use crate::import::{ImportedObject, NamedBytes, ReadError, Reading, build};
 use crate::obj::names::unpainted;
@@ -38,7 +39,7 @@ pub(crate) fn read(
     let total = instances.len();
     for (i, (name, mesh, transform)) in instances.into_iter().enumerate() {
         let mut reader = Reader::new(&document, &buffers, transform, most, reading.origin);
-        for primitive in &mesh.primitives {
+        for primitive in mesh.map_or(&[][..], |mesh| &mesh.primitives) {
             reader.primitive(primitive, &mut corners).map_err(fail)?;
         }
         left_out += reader.left_out;
@@ -52,16 +53,17 @@ pub(crate) fn read(
     }
     if left_out > 0 {
         report.warn(format!(
-            "{} of lines or points left out: only faces are edited here",
+            "{} of lines left out: only faces are edited here",
             counted(left_out, "set", "sets")
         ));
     }
     Ok((objects, report))
 }
 
-/// The meshes that the scene's nodes show, with their names and transforms; if none does, all
-/// meshes as they are.
-fn find<'d>(document: &'d Document, out: &mut Vec<(String, &'d Mesh, DMat4)>) -> Result<(), String> {
+/// The meshes that the scene's nodes show, with their names and transforms, none for an empty one; if
+/// no node does, all meshes as they are.
+fn find<'d>(document: &'d Document, out: &mut Vec<(String, Option<&'d Mesh>, DMat4)>) -> Result<(), String> {
+    let is_ours = document.asset.generator.as_deref() == Some(GENERATOR);
     let scene = document.scenes.get(document.scene.unwrap_or(0));
     let mut open: Vec<(usize, DMat4)> = scene
         .map_or(&[][..], |scene| &scene.nodes)
@@ -79,7 +81,9 @@ fn find<'d>(document: &'d Document, out: &mut Vec<(String, &'d Mesh, DMat4)>) ->
         let here = parent * transform(node);
         if let Some(index) = node.mesh {
             let mesh = document.meshes.get(index).ok_or_else(|| format!("mesh {index} doesn't exist"))?;
-            out.push((name(node.name.as_ref().or(mesh.name.as_ref()), index), mesh, here));
+            out.push((name(node.name.as_ref().or(mesh.name.as_ref()), index), Some(mesh), here));
+        } else if is_ours {
+            out.push((name(node.name.as_ref(), index), None, here));
         }
         open.extend(node.children.iter().rev().map(|&child| (child, here)));
     }
@@ -89,7 +93,7 @@ fn find<'d>(document: &'d Document, out: &mut Vec<(String, &'d Mesh, DMat4)>) ->
                 .meshes
                 .iter()
                 .enumerate()
-                .map(|(i, mesh)| (name(mesh.name.as_ref(), i), mesh, DMat4::IDENTITY)),
+                .map(|(i, mesh)| (name(mesh.name.as_ref(), i), Some(mesh), DMat4::IDENTITY)),
         );
     }
     Ok(())
@@ -114,8 +118,8 @@ fn transform(node: &Node) -> DMat4 {
     )
 }
 
-/// Accessors of positions and of colours.
-type AccessorPair = (Option<usize>, Option<usize>);
+/// Accessors of what tells vertices apart: positions, colours and numbers.
+type Accessors = [Option<usize>; 3];
 
 struct Reader<'a> {
     document: &'a Document,
@@ -125,10 +129,10 @@ struct Reader<'a> {
     /// How many vertices and corners there may be in all.
     most: usize,
     soup: PolygonSoup,
-    /// Vertices by position and colour.
-    unique: Unique<6>,
-    /// The vertices made for each pair of accessors of positions and colours.
-    vertices: HashMap<AccessorPair, Rc<Vec<u32>>>,
+    /// Vertices by position, colour and number.
+    unique: Unique<7>,
+    /// The vertices made for each set of accessors.
+    vertices: HashMap<Accessors, Rc<Vec<u32>>>,
     colors: Vec<Vec3>,
     uvs: Vec<Vec2>,
     normals: Vec<Vec3>,
@@ -163,7 +167,8 @@ impl<'a> Reader<'a> {
 
     fn primitive(&mut self, primitive: &Primitive, met: &mut usize) -> Result<(), String> {
         let mode = primitive.mode.unwrap_or(4);
-        if !matches!(mode, 4..=6) {
+        // Points are vertices in no face.
+        if !matches!(mode, 0 | 4..=6) {
             self.left_out += 1;
             return Ok(());
         }
@@ -173,11 +178,14 @@ impl<'a> Reader<'a> {
         };
         let Some(positions) = find("POSITION")? else { return Ok(()) };
         let (colors, uvs, normals) = (find("COLOR_0")?, find("TEXCOORD_0")?, find("NORMAL")?);
+        // What others call by this name may be anything.
+        let ids = primitive.attributes.get(VERTEX_ID).copied();
+        let ids = ids.and_then(|ids| Rows::find(self.document, self.buffers, ids).ok());
+        let ids = ids.filter(|ids| ids.width == 4);
         let indices = primitive.indices.map(|i| Rows::find(self.document, self.buffers, i)).transpose()?;
         let count = indices.as_ref().map_or(positions.count, |indices| indices.count);
         // Primitives often share their vertices, each with some of the faces.
-        let key =
-            (primitive.attributes.get("POSITION").copied(), primitive.attributes.get("COLOR_0").copied());
+        let key = ["POSITION", "COLOR_0", VERTEX_ID].map(|name| primitive.attributes.get(name).copied());
         let known = self.vertices.get(&key).map(Rc::clone);
         // A small file must not fill the memory by sharing.
         *met += count + if known.is_none() { positions.count } else { 0 };
@@ -186,9 +194,14 @@ impl<'a> Reader<'a> {
         }
         let vertices = known.unwrap_or_else(|| {
             let color = |row| colors.as_ref().map(|colors| colors.floats(row));
-            Rc::new((0..positions.count).map(|row| self.vertex(positions.floats(row), color(row))).collect())
+            let id = |row| ids.as_ref().map_or(0, |ids| u32::from_le_bytes(ids.floats(row).map(|b| b as u8)));
+            let vertex = |row| self.vertex(positions.floats(row), color(row), id(row));
+            Rc::new((0..positions.count).map(vertex).collect())
         });
         self.vertices.insert(key, Rc::clone(&vertices));
+        if mode == 0 {
+            return Ok(());
+        }
         let index = |i: usize| indices.as_ref().map_or(i as u32, |indices| indices.index(i));
         let faces = count.saturating_sub(2);
         let triangles: Box<dyn Iterator<Item = [usize; 3]>> = match mode {
@@ -226,12 +239,12 @@ impl<'a> Reader<'a> {
         Ok(())
     }
 
-    fn vertex(&mut self, position: [f32; 3], color: Option<[f32; 3]>) -> u32 {
+    fn vertex(&mut self, position: [f32; 3], color: Option<[f32; 3]>, id: u32) -> u32 {
         let position = Vec3::from_array(position);
         let color = color.map_or(Vec3::NAN, |color| Vec3::from_array(color.map(to_srgb)));
         // Adding zero takes the sign off a negative zero.
         let [x, y, z] = (position + Vec3::ZERO).to_array();
-        let (number, new) = self.unique.number([x, y, z, color.x, color.y, color.z]);
+        let (number, new) = self.unique.number([x, y, z, color.x, color.y, color.z, f32::from_bits(id)]);
         if new {
             let place = self.transform.transform_point3(position.as_dvec3());
             self.soup.positions.push(match &mut self.origin {

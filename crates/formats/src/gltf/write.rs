@@ -1,12 +1,13 @@
 //! Writing a glTF, as one binary file or as JSON with its data beside it.
 
-use super::{BIN_CHUNK, JSON_CHUNK, MAGIC};
+use super::{BIN_CHUNK, GENERATOR, JSON_CHUNK, MAGIC, VERTEX_ID};
 use crate::export::{ObjectRef, WriteError};
 use crate::hash::Unique;
 use crate::import::NamedBytes;
 use crate::obj::names::painted;
 use crate::pieces::compact;
 use crate::triangles::triangulate;
+use crate::weld::Weld;
 use glam::{DVec3, Vec2, Vec3};
 use halfedge::{Color, Element, Mesh, NONE, keys};
 use serde_json::{Value, json};
@@ -57,7 +58,7 @@ fn document(objects: &[ObjectRef], uri: Option<&str>) -> (Value, Vec<u8>) {
         nodes.push(node);
     }
     let mut document = json!({
-        "asset": { "version": "2.0", "generator": "Meshwright" },
+        "asset": { "version": "2.0", "generator": GENERATOR },
         "scene": 0,
         "scenes": [{ "nodes": (0..nodes.len()).collect::<Vec<_>>() }],
         "nodes": nodes,
@@ -115,6 +116,14 @@ impl Writer {
         self.accessor(offset, 34962, accessor)
     }
 
+    /// Adds numbers of vertices as [`VERTEX_ID`] has them; gives the accessor.
+    fn ids(&mut self, ids: &[u32]) -> usize {
+        let offset = self.bin.len();
+        self.bin.extend(ids.iter().flat_map(|id| id.to_le_bytes()));
+        let accessor = json!({ "componentType": 5121, "count": ids.len(), "type": "VEC4" });
+        self.accessor(offset, 34962, accessor)
+    }
+
     fn indices(&mut self, indices: &[u32]) -> usize {
         let offset = self.bin.len();
         self.bin.extend(indices.iter().flat_map(|index| index.to_le_bytes()));
@@ -134,10 +143,11 @@ impl Writer {
         self.accessors.len() - 1
     }
 
-    /// The vertices of a mesh once, and a primitive for each material that uses them.
+    /// The vertices of a mesh once, a primitive for each material that uses them, and one of points
+    /// for those in no face.
     fn primitives(&mut self, mesh: &Mesh) -> Vec<Value> {
         let vertices = Vertices::new(mesh);
-        if mesh.face_count() == 0 {
+        if vertices.positions.is_empty() {
             return Vec::new();
         }
         let mut attributes = json!({ "POSITION": self.floats(&vertices.positions, true) });
@@ -149,6 +159,9 @@ impl Writer {
         }
         if !vertices.colors.is_empty() {
             attributes["COLOR_0"] = json!(self.floats(&vertices.colors, false));
+        }
+        if has_coincident(mesh) {
+            attributes[VERTEX_ID] = json!(self.ids(&vertices.ids));
         }
         // Triangles by material, in order of first use; faces of one material stay in order.
         let mut order: Vec<(Option<usize>, Vec<u32>)> = Vec::new();
@@ -178,7 +191,7 @@ impl Writer {
                 indices.extend(triangles.iter().flatten().filter_map(|&c| corners.get(c as usize)));
             }
         }
-        order
+        let mut primitives: Vec<Value> = order
             .into_iter()
             .map(|(material, indices)| {
                 let mut primitive = json!({ "attributes": attributes, "indices": self.indices(&indices) });
@@ -187,7 +200,12 @@ impl Writer {
                 }
                 primitive
             })
-            .collect()
+            .collect();
+        if !vertices.loose.is_empty() {
+            let points = self.indices(&vertices.loose);
+            primitives.push(json!({ "attributes": attributes, "indices": points, "mode": 0 }));
+        }
+        primitives
     }
 
     fn material(&mut self, label: &str, color: Option<Color>) -> usize {
@@ -220,6 +238,10 @@ struct Vertices {
     normals: Vec<[f32; 3]>,
     uvs: Vec<[f32; 2]>,
     colors: Vec<[f32; 3]>,
+    /// The mesh's vertex that each is one of.
+    ids: Vec<u32>,
+    /// Those in no face.
+    loose: Vec<u32>,
     /// For each half-edge of a face the vertex of its corner.
     of_corner: Vec<u32>,
 }
@@ -244,6 +266,7 @@ impl Vertices {
             let id = f32::from_bits(v.raw());
             let push = |this: &mut Self, uv: Vec2, normal: Vec3| {
                 this.positions.push(mesh.position(v).to_array());
+                this.ids.push(v.raw());
                 if normals.is_some() {
                     this.normals.push(normal.to_array());
                 }
@@ -273,12 +296,21 @@ impl Vertices {
             }
             if loose {
                 // Numbers go by what was added, so this takes one too.
-                unique.number([id, f32::NAN, 0.0, 0.0, 0.0, 0.0]);
+                this.loose.push(unique.number([id, f32::NAN, 0.0, 0.0, 0.0, 0.0]).0);
                 push(&mut this, Vec2::ZERO, Vec3::Z);
             }
         }
         this
     }
+}
+
+/// Whether two vertices lie at the same place.
+fn has_coincident(mesh: &Mesh) -> bool {
+    let mut places = Weld::new();
+    mesh.vertices().for_each(|v| {
+        places.vertex(mesh.position(v));
+    });
+    places.positions.len() < mesh.vertex_count()
 }
 
 /// An sRGB channel, linear.
