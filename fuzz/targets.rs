@@ -40,6 +40,7 @@ pub fn run(name: &str, data: &[u8]) {
         .map(|object| ObjectRef {
             controls: object.controls.as_ref(),
             offset: import.offset,
+            materials: &import.materials,
             ..ObjectRef::new(&object.name, &object.mesh)
         })
         .collect();
@@ -64,6 +65,10 @@ pub fn run(name: &str, data: &[u8]) {
         let Some(back) = read(&written) else { continue };
         if matches!(format, Format::Obj | Format::Ply | Format::Off) {
             assert_eq!(sizes(&back), sizes(&import), "{format:?}");
+            for material in &back.materials {
+                let known = import.materials.iter().find(|known| known.name == material.name);
+                assert!(known.is_none_or(|known| known == material), "{known:?} became {material:?}");
+            }
         }
     }
 }

@@ -69,7 +69,7 @@ pub fn run(task: &Apply) -> Result<(), Failure> {
 /// Takes the meshes out of an import and leaves the report.
 fn take(import: &mut Import) -> Import {
     let objects = std::mem::take(&mut import.objects);
-    Import { name: import.name.clone(), objects, offset: import.offset, report: import.report.clone() }
+    Import { objects, ..import.clone() }
 }
 
 /// Runs the commands on a fresh document.

@@ -88,6 +88,7 @@ pub fn write(path: &Path, format: Format, document: &Document) -> Result<(), Fai
         .map(|(object, controls)| ObjectRef {
             controls: controls.as_ref(),
             offset: document.offset(),
+            materials: document.materials(),
             ..ObjectRef::new(object.name(), object.mesh())
         })
         .collect();

@@ -1,6 +1,7 @@
 //! What is being edited: named objects, each with a mesh.
 
 use crate::bezier::Bezier;
+use formats::Material;
 use glam::DVec3;
 use halfedge::{EdgeId, HalfedgeId, Mesh, NONE, PolygonSoup};
 use serde::Serialize;
@@ -80,6 +81,7 @@ pub struct Document {
     pub(crate) objects: Vec<Object>,
     pub(crate) active: usize,
     pub(crate) offset: DVec3,
+    pub(crate) materials: Vec<Material>,
 }
 
 impl Document {
@@ -92,6 +94,12 @@ impl Document {
     /// origin are kept relative to a point near them, so that 32 bits are enough. Zero for others.
     pub fn offset(&self) -> DVec3 {
         self.offset
+    }
+
+    /// What a material library said of the materials that faces have or had: it is written again when
+    /// the document is saved as OBJ.
+    pub fn materials(&self) -> &[Material] {
+        &self.materials
     }
 
     /// The objects in the order lists show them.

@@ -8,7 +8,7 @@ use crate::bezier::fill_previews;
 use crate::command::{Action, Input, Op, Output, edit_all};
 use crate::error::{CommandError, Problem};
 use crate::outcome::{Before, ElementIds};
-use formats::{Controls, Format, Import, NamedBytes, ObjectRef, ReadError, Repairs};
+use formats::{Controls, Format, Import, Material, NamedBytes, ObjectRef, ReadError, Repairs};
 use glam::DVec3;
 use halfedge::{Mesh, Progress};
 
@@ -29,8 +29,18 @@ pub(crate) enum Work {
     Import(Vec<NamedBytes>, Repairs),
     /// Runs operations on meshes; several only where they are local edits.
     Run(Vec<Op>, Vec<Input>),
-    /// Writes a document with this name and offset as a file.
-    Export(Format, String, DVec3, Vec<Input>),
+    /// Writes a document as files.
+    Export(ExportHead, Vec<Input>),
+}
+
+/// What there is to a document that is written besides its objects.
+#[derive(Clone, Debug)]
+pub(crate) struct ExportHead {
+    pub format: Format,
+    /// The document's name, which files are called after.
+    pub name: String,
+    pub offset: DVec3,
+    pub materials: Vec<Material>,
 }
 
 /// What a job made.
@@ -132,7 +142,7 @@ impl Work {
                 Made::Import(import)
             }
             Self::Run(ops, inputs) => run(ops, inputs, progress)?,
-            Self::Export(format, name, offset, inputs) => {
+            Self::Export(head, inputs) => {
                 let controls: Vec<Option<Controls>> =
                     inputs.iter().map(|input| input.bezier.as_deref().map(Controls::from)).collect();
                 let objects: Vec<_> = inputs
@@ -140,11 +150,13 @@ impl Work {
                     .zip(&controls)
                     .map(|(input, controls)| ObjectRef {
                         controls: controls.as_ref(),
-                        offset: *offset,
+                        offset: head.offset,
+                        materials: &head.materials,
                         ..ObjectRef::new(&input.name, &input.mesh)
                     })
                     .collect();
-                Made::Files(formats::write(*format, name, &objects).map_err(|e| Problem::new(e.to_string()))?)
+                let files = formats::write(head.format, &head.name, &objects);
+                Made::Files(files.map_err(|error| Problem::new(error.to_string()))?)
             }
         };
         Ok(JobResult { made, validated: false })

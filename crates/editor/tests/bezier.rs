@@ -414,6 +414,7 @@ fn control_points_without_a_mesh_get_one_when_opened() {
         name: "line".into(),
         objects: vec![object],
         offset: glam::DVec3::ZERO,
+        materials: Vec::new(),
         report: ImportReport::default(),
     };
     let mut editor = Editor::new();

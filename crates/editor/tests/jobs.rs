@@ -231,6 +231,29 @@ fn a_file_with_nothing_usable_in_it_is_refused() {
     assert_eq!(editor.document(), on_cube().document());
 }
 
+#[test]
+fn materials_go_along_from_a_file_to_a_file() {
+    let model = "mtllib a.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl m\nf 1 2 3\n";
+    let library = "newmtl m\nKd 0.5 0.2 0.2\nmap_Kd wood.png\n";
+    let mut editor = Editor::with_mesh("Cube", decorated());
+    let before = editor.document().clone();
+    let files = vec![NamedBytes::new("a.obj", model), NamedBytes::new("a.mtl", library)];
+    let request = editor.begin_import(files);
+    editor.finish(request.id(), Ok(through_bytes(&request))).expect("a model");
+    assert_eq!(editor.document().materials().len(), 1);
+    let request = editor.begin_export(Format::Obj);
+    let Ok(Finished::Exported(files)) = editor.finish(request.id(), Ok(through_bytes(&request))) else {
+        panic!("exported")
+    };
+    assert!(String::from_utf8_lossy(&files[1].bytes).ends_with(library), "{:?}", files[1]);
+    editor.run(command(json!({"op": "new", "shape": "cube"}))).expect("a cube");
+    assert!(editor.document().materials().is_empty(), "another document");
+    editor.undo().expect("free");
+    assert_eq!(editor.document().materials().len(), 1);
+    editor.undo().expect("free");
+    assert_eq!(editor.document(), &before);
+}
+
 fn requests() -> Vec<Vec<u8>> {
     let mut editor = Editor::with_mesh("Cube", decorated());
     let run = job(editor.begin(command(json!({"op": "subdivide-linear", "levels": 6}))).expect("a cube"));

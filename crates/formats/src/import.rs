@@ -2,12 +2,14 @@
 
 use crate::bezier::Controls;
 use crate::format::{Format, is_material_library};
+use crate::obj::Material;
 use crate::origin::{Bounds, Origin};
 use crate::repairs::{self, Repairs};
 use crate::report::{ImportReport, Places, counted};
 use crate::{bezier, collada, gltf, obj, off, ply, stl};
 use glam::DVec3;
 use halfedge::{Mesh, PolygonSoup, Progress};
+use std::collections::HashMap;
 use std::fmt;
 use std::sync::Arc;
 
@@ -72,6 +74,8 @@ pub struct Import {
     /// What to add to every position for the coordinates of the files: not zero where models so far
     /// from the origin were read that 32 bits are too few for them.
     pub offset: DVec3,
+    /// What material libraries say of the materials that faces have, each name once.
+    pub materials: Vec<Material>,
     /// What to tell the user.
     pub report: ImportReport,
 }
@@ -186,6 +190,7 @@ fn read_all(
         name: first.stem().to_owned(),
         objects: Vec::new(),
         offset: DVec3::ZERO,
+        materials: Vec::new(),
         report: ImportReport::default(),
     };
     let total: usize = models.iter().map(|(file, _)| file.bytes.len().max(1)).sum();
@@ -194,7 +199,9 @@ fn read_all(
         let size = file.bytes.len().max(1);
         let mut part =
             |fraction: f32| progress((done as f32 + size as f32 * fraction.clamp(0.0, 1.0)) / total as f32);
-        let (objects, report) = read_one(file, *format, &libraries, files, reading, &mut part)?;
+        let (objects, materials, mut report) =
+            read_one(file, *format, &libraries, files, reading, &mut part)?;
+        add_materials(&mut import.materials, materials, &mut report);
         import.report.append(if models.len() > 1 { report.prefixed(&file.name) } else { report });
         import.objects.extend(objects);
         done += size;
@@ -210,6 +217,22 @@ fn read_all(
     Ok(import)
 }
 
+/// Adds materials of another file. A document has one of a name.
+fn add_materials(all: &mut Vec<Material>, more: Vec<Material>, report: &mut ImportReport) {
+    let known: HashMap<String, usize> = (0..).zip(all.iter()).map(|(i, m)| (m.name.clone(), i)).collect();
+    for material in more {
+        match known.get(&material.name).and_then(|&i| all.get(i)) {
+            None => all.push(material),
+            Some(first) if *first == material => {}
+            Some(_) => report.warn(format!(
+                "Material {} is another one than that of an earlier file, whose settings are kept; faces keep their \
+                 colours",
+                material.name
+            )),
+        }
+    }
+}
+
 fn read_one(
     file: &NamedBytes,
     format: Format,
@@ -217,10 +240,15 @@ fn read_one(
     files: &[NamedBytes],
     reading: &mut Reading,
     progress: &mut Progress,
-) -> Result<(Vec<ImportedObject>, ImportReport), ReadError> {
+) -> Result<(Vec<ImportedObject>, Vec<Material>, ImportReport), ReadError> {
     let one = |(object, notes)| (vec![object], notes);
+    let mut materials = Vec::new();
     let (objects, notes) = match format {
-        Format::Obj => one(obj::read(file, libraries, reading, progress)?),
+        Format::Obj => {
+            let (object, found, notes) = obj::read(file, libraries, reading, progress)?;
+            materials = found;
+            one((object, notes))
+        }
         Format::Ply | Format::PlyText => one(ply::read(file, reading, progress)?),
         Format::Stl | Format::StlText => one(stl::read(file, reading, progress)?),
         Format::Off => one(off::read(file, reading, progress)?),
@@ -249,7 +277,7 @@ fn read_one(
     };
     report.info(format!("Read {what} as {}", format.name()));
     report.append(notes);
-    Ok((objects, report))
+    Ok((objects, materials, report))
 }
 
 /// "a Bezier surface of 32 patches".

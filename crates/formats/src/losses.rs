@@ -2,11 +2,14 @@
 
 use crate::export::ObjectRef;
 use crate::format::Format;
+use crate::obj::mtl;
 use crate::pieces::uniform;
 use crate::report::counted;
+use crate::weld::Weld;
 use glam::{Vec2, Vec3};
 use halfedge::attribute::{AttributeType, Key};
 use halfedge::{Color, Element, Mesh, NONE, keys};
+use std::collections::HashSet;
 
 /// What a document can have that some format has no place for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -140,13 +143,53 @@ pub fn losses(format: Format, objects: &[ObjectRef]) -> Vec<String> {
         let enough = if part == Part::Objects { 2 } else { 1 };
         (count >= enough).then(|| part.loss(name, count))
     });
+    let materials = (format != Format::Obj).then(|| material_loss(name, &objects)).flatten();
     let split = split_losses(format, &objects);
+    let merged =
+        matches!(format, Format::Stl | Format::StlText).then(|| merged_loss(name, &objects)).flatten();
     let is_far = objects.iter().any(|object| object.offset != glam::DVec3::ZERO);
     let rounded = (is_far && format == Format::Stl).then(|| {
         "STL holds 32 bits for a coordinate: positions so far from the origin are rounded; STL (text) keeps them"
             .to_owned()
     });
-    controls.chain(parts).chain(split).chain(rounded).collect()
+    controls.chain(parts).chain(materials).chain(split).chain(merged).chain(rounded).collect()
+}
+
+/// What is lost of materials where a format holds no more of them than a colour.
+fn material_loss(format: &str, objects: &[ObjectRef]) -> Option<String> {
+    let mut met = HashSet::new();
+    let mut lost = Vec::new();
+    for object in objects.iter().filter(|object| !object.materials.is_empty()) {
+        let names = mtl::names_in_use(object.mesh);
+        let own = object.materials.iter().filter(|m| !m.lines.is_empty() && names.contains(m.name.as_str()));
+        lost.extend(own.filter(|material| met.insert(material.name.as_str())));
+    }
+    let parameters = mtl::parameters(lost.iter().copied())?;
+    let materials = counted(lost.len(), "material", "materials");
+    Some(format!(
+        "{format} holds no more of a material than its colour: of {materials} {parameters} are lost"
+    ))
+}
+
+/// What is lost where a format holds triangles by their positions alone: that vertices at one place
+/// are different ones.
+fn merged_loss(format: &str, objects: &[ObjectRef]) -> Option<String> {
+    let mut places = Weld::new();
+    let mut count = 0;
+    for mesh in objects.iter().map(|object| object.mesh) {
+        for v in mesh.vertices().filter(|&v| mesh.halfedge_from(v).is_some()) {
+            places.vertex(mesh.position(v));
+            count += 1;
+        }
+    }
+    let merged = count - places.positions.len();
+    (merged > 0).then(|| {
+        format!(
+            "{format} holds triangles without shared vertices: {} at the same place as another will be one with it \
+             when the file is opened",
+            counted(merged, "vertex", "vertices")
+        )
+    })
 }
 
 /// What is lost where a format has a place at vertices for what corners have, and corners of a

@@ -143,8 +143,89 @@ fn materials_bring_their_colours() {
     let mesh = mesh(&import);
     assert_eq!(mesh.attribute(keys::FACE_COLOR), Some(&[Color([255, 0, 0]), Color::UNPAINTED][..]));
     assert_eq!(labels(mesh, keys::FACE_MATERIAL), some(&["red", "plain"]));
-    assert!(import.report.to_string().contains("textures are not kept"));
+    assert!(import.report.to_string().contains("1 material that no face has left out: grey"));
     assert_round_trip(mesh);
+}
+
+#[test]
+fn materials_come_back_as_they_were() {
+    let library = "newmtl wood\nKd 0.5 0.2 0.2\nKs 0 0 0\nNs 10\nmap_Kd wood.png\n\nnewmtl glass\nd 0.3\n\nnewmtl x\nd 1\n";
+    let model = format!("mtllib a.mtl\n{SQUARE}usemtl wood\nf 1 2 3\nusemtl glass\nf 1 3 4\n");
+    let import =
+        read(&[NamedBytes::new("a.mtl", library), NamedBytes::new("a.obj", model)]).expect("readable");
+    let report = import.report.to_string();
+    assert!(report.contains("saved as OBJ: Ks (1), Ns (1), map_Kd (1), d (1)"), "{report}");
+    assert!(report.contains("1 material that no face has left out: x"), "{report}");
+    let written = |mesh: &Mesh, format| {
+        let object = ObjectRef { materials: &import.materials, ..ObjectRef::new("a", mesh) };
+        formats::write(format, "a", &[object]).expect("small")
+    };
+    let kept = library.split("\nnewmtl x").next().expect("a start");
+    let files = written(mesh(&import), Format::Obj);
+    assert_eq!(text(&files[1]), format!("# Materials written by Meshwright\n\n{kept}"));
+    let back = read(&files).expect("its own");
+    assert!(back.materials == import.materials && common::mesh(&back) == mesh(&import));
+    // Faces of another colour have it, and all the rest.
+    let mut painted = mesh(&import).clone();
+    painted.set(keys::FACE_COLOR, 0, Color([0, 0, 255]));
+    let files = written(&painted, Format::Obj);
+    assert_eq!(
+        text(&files[1]),
+        format!("# Materials written by Meshwright\n\n{}", kept.replace("0.5 0.2 0.2", "0 0 1"))
+    );
+    painted.set(keys::FACE_COLOR, 0, Color([0, 0, 255]));
+    painted.insert_column(Element::Face, {
+        let mut one = mesh(&import).column(Element::Face, "material").expect("materials").clone();
+        one.values = halfedge::attribute::Values::U32(vec![0, 0]);
+        one
+    });
+    let files = written(&painted, Format::Obj);
+    assert_eq!(text(&files[1]).matches("map_Kd wood.png\n").count(), 2, "{}", text(&files[1]));
+    let back = read(&files).expect("its own");
+    assert!(!back.report.to_string().contains("that no face has"), "{}", back.report);
+    assert_eq!(back.materials.len(), 1);
+    // Without colours too: a library is written for what it says besides.
+    let plain = read(&[
+        NamedBytes::new("a.mtl", "newmtl wood\nmap_Kd wood.png\n"),
+        NamedBytes::new("a.obj", format!("mtllib a.mtl\n{SQUARE}usemtl wood\nf 1 2 3\nf 1 3 4\n")),
+    ])
+    .expect("readable");
+    let object = ObjectRef { materials: &plain.materials, ..ObjectRef::new("a", mesh(&plain)) };
+    let files = formats::write(Format::Obj, "a", &[object]).expect("small");
+    assert!(text(&files[1]).ends_with("newmtl wood\nmap_Kd wood.png\n"));
+    assert!(common::mesh(&read(&files).expect("its own")) == mesh(&plain));
+    // Where no face has the material any more it goes.
+    let bare = read_obj(&format!("{SQUARE}f 1 2 3\n"));
+    assert_eq!(written(mesh(&bare), Format::Obj).len(), 1);
+    // Other formats say what they lose.
+    let object = ObjectRef { materials: &import.materials, ..ObjectRef::new("a", mesh(&import)) };
+    assert_eq!(
+        formats::losses(Format::Collada, &[object]),
+        [
+            "COLLADA holds no more of a material than its colour: of 2 materials Ks (1), Ns (1), map_Kd (1), d (1) are lost"
+        ]
+    );
+    assert_eq!(formats::losses(Format::Obj, &[object]), [""; 0]);
+}
+
+#[test]
+fn materials_of_one_name_in_two_files_are_told() {
+    let file = |name: &str, text: String| NamedBytes::new(name, text);
+    let model = |library: &str| format!("mtllib {library}\n{SQUARE}usemtl m\nf 1 2 3\n");
+    let files = |second: &str| {
+        [
+            file("a.obj", model("a.mtl")),
+            file("b.obj", model("b.mtl")),
+            file("a.mtl", "newmtl m\nKd 1 0 0\nd 1\n".to_owned()),
+            file("b.mtl", format!("newmtl m\n{second}")),
+        ]
+    };
+    let import = read(&files("Kd 0 1 0\n")).expect("readable");
+    let warnings: Vec<&str> = import.report.warnings().collect();
+    assert!(warnings.len() == 1 && warnings[0].starts_with("b.obj: Material m is another"), "{warnings:?}");
+    assert_eq!(import.materials.len(), 1);
+    assert_eq!(import.objects[1].mesh.get(keys::FACE_COLOR, 0), Color([0, 255, 0]));
+    assert!(read(&files("Kd 1 0 0\nd 1\n")).expect("readable").report.is_clean());
 }
 
 #[test]

@@ -129,6 +129,21 @@ fn triangles_round_trip_through_stl_with_vertices_merged() {
 }
 
 #[test]
+fn stl_says_that_vertices_at_one_place_become_one() {
+    let positions = [Vec3::ZERO, Vec3::X, Vec3::Y, Vec3::X, Vec3::ONE, Vec3::Y].to_vec();
+    let seam = Mesh::build(PolygonSoup::new(positions, &[[0u32, 1, 2], [3, 4, 5]])).expect("small").mesh;
+    for format in [Format::Stl, Format::StlText] {
+        let losses = formats::losses(format, &[ObjectRef::new("a", &seam)]).join("\n");
+        assert!(losses.contains("2 vertices at the same place as another will be one with it"), "{losses}");
+        assert_eq!(back(format, &seam).vertex_count(), 4);
+        // Of two objects all.
+        let both =
+            formats::losses(format, &[ObjectRef::new("a", &seam), ObjectRef::new("b", &seam)]).join("\n");
+        assert!(both.contains("8 vertices at the same place"), "{both}");
+    }
+}
+
+#[test]
 fn several_objects_are_written_as_one_mesh() {
     let (a, b) = (sample(), painted());
     for format in POLYGONS {

@@ -253,8 +253,8 @@ impl App {
         let editor = &self.editor;
         let known = self.saving.losses.take().filter(|(looked, _)| *looked == format);
         let losses = known.unwrap_or_else(|| {
-            let offset = editor.document().offset();
-            let objects = editor.document().objects();
+            let document = editor.document();
+            let objects = document.objects();
             let controls: Vec<Option<Controls>> =
                 objects.iter().map(|object| object.bezier().map(Controls::from)).collect();
             let objects: Vec<ObjectRef> = objects
@@ -262,7 +262,8 @@ impl App {
                 .zip(&controls)
                 .map(|(object, controls)| ObjectRef {
                     controls: controls.as_ref(),
-                    offset,
+                    offset: document.offset(),
+                    materials: document.materials(),
                     ..ObjectRef::new(object.name(), object.mesh())
                 })
                 .collect();

@@ -6,7 +6,7 @@ use crate::command::{Action, Command, Input, Op};
 use crate::document::ObjectId;
 use crate::error::{CommandError, Problem};
 use crate::history::Change;
-use crate::job::{JobId, JobRequest, JobResult, Made, Work};
+use crate::job::{ExportHead, JobId, JobRequest, JobResult, Made, Work};
 use crate::outcome::Outcome;
 use formats::{Format, NamedBytes, Repairs};
 use std::ops::ControlFlow;
@@ -177,8 +177,13 @@ impl Editor {
         }
         let objects: Vec<ObjectId> = self.document.objects().iter().map(|object| object.id()).collect();
         let id = self.wait_for(WaitingFor::Export);
-        let offset = self.document.offset;
-        JobRequest { id, work: Work::Export(format, name, offset, self.inputs(&objects)) }
+        let head = ExportHead {
+            format,
+            name,
+            offset: self.document.offset,
+            materials: self.document.materials.clone(),
+        };
+        JobRequest { id, work: Work::Export(head, self.inputs(&objects)) }
     }
 
     fn wait_for(&mut self, kind: WaitingFor) -> JobId {

@@ -38,6 +38,7 @@ impl Editor {
         let mut changes: Vec<Change> = (0..self.document.objects.len()).rev().map(Change::Remove).collect();
         changes.push(Change::DocumentName(import.name.clone()));
         changes.push(Change::Offset(import.offset));
+        changes.push(Change::Materials(import.materials));
         let mut size = [0; 3];
         for (at, imported) in import.objects.into_iter().enumerate() {
             let own = outcome::sizes(&imported.mesh);

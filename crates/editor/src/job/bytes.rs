@@ -9,10 +9,10 @@
 //! than a frame. So the writing end, the worker, validates, and says so in the header; the checksum
 //! tells the reading end that what arrives is what was written.
 
-use super::{JobId, JobRequest, JobResult, Made, Work};
+use super::{ExportHead, JobId, JobRequest, JobResult, Made, Work};
 use crate::command::{Action, Command, Input, Op, Output};
 use crate::outcome::ElementIds;
-use formats::{Controls, Format, Import, ImportReport, ImportedObject, NamedBytes, Repairs};
+use formats::{Controls, Format, Import, ImportReport, ImportedObject, Material, NamedBytes, Repairs};
 use halfedge::attribute::{Column, Columns, Value, Values};
 use halfedge::{Color, Element, Gaps, Mesh, PolygonSoup, RawMesh};
 use serde::{Deserialize, Serialize};
@@ -41,9 +41,24 @@ const RESULT: [u8; 8] = *b"MWjobRs1";
 
 #[derive(Serialize, Deserialize)]
 enum RequestHeader {
-    Import { id: u64, files: Vec<FileHeader>, repairs: Repairs },
-    Run { id: u64, ops: Vec<serde_json::Value>, meshes: Vec<MeshHeader> },
-    Export { id: u64, extension: String, name: String, offset: [f64; 3], meshes: Vec<MeshHeader> },
+    Import {
+        id: u64,
+        files: Vec<FileHeader>,
+        repairs: Repairs,
+    },
+    Run {
+        id: u64,
+        ops: Vec<serde_json::Value>,
+        meshes: Vec<MeshHeader>,
+    },
+    Export {
+        id: u64,
+        extension: String,
+        name: String,
+        offset: [f64; 3],
+        materials: Vec<Material>,
+        meshes: Vec<MeshHeader>,
+    },
 }
 
 #[derive(Serialize, Deserialize)]
@@ -55,9 +70,21 @@ struct ResultHeader {
 
 #[derive(Serialize, Deserialize)]
 enum MadeHeader {
-    Import { name: String, report: ImportReport, offset: [f64; 3], meshes: Vec<MeshHeader> },
-    Meshes { meshes: Vec<MeshHeader>, ids: Option<[usize; 6]>, notes: Vec<String> },
-    Files { files: Vec<FileHeader> },
+    Import {
+        name: String,
+        report: ImportReport,
+        offset: [f64; 3],
+        materials: Vec<Material>,
+        meshes: Vec<MeshHeader>,
+    },
+    Meshes {
+        meshes: Vec<MeshHeader>,
+        ids: Option<[usize; 6]>,
+        notes: Vec<String>,
+    },
+    Files {
+        files: Vec<FileHeader>,
+    },
 }
 
 #[derive(Serialize, Deserialize)]
@@ -130,11 +157,12 @@ impl JobRequest {
                 ops: ops.iter().map(|op| Command { object: None, op: op.clone() }.to_value()).collect(),
                 meshes: inputs.iter().map(|input| out.input(input, reads_soup(ops))).collect(),
             },
-            Work::Export(format, name, offset, inputs) => RequestHeader::Export {
+            Work::Export(head, inputs) => RequestHeader::Export {
                 id: self.id.0,
-                extension: format.extension().to_owned(),
-                name: name.clone(),
-                offset: offset.to_array(),
+                extension: head.format.extension().to_owned(),
+                name: head.name.clone(),
+                offset: head.offset.to_array(),
+                materials: head.materials.clone(),
                 meshes: inputs.iter().map(|input| out.input(input, false)).collect(),
             },
         };
@@ -167,9 +195,10 @@ impl JobRequest {
                     .collect::<Result<Vec<Op>, BadBytes>>()?;
                 (id, Work::Run(ops, inputs(&mut rest, meshes)?))
             }
-            RequestHeader::Export { id, extension, name, offset, meshes } => {
+            RequestHeader::Export { id, extension, name, offset, materials, meshes } => {
                 let format = Format::from_extension(&extension).ok_or_else(|| bad("an unknown format"))?;
-                (id, Work::Export(format, name, offset.into(), inputs(&mut rest, meshes)?))
+                let head = ExportHead { format, name, offset: offset.into(), materials };
+                (id, Work::Export(head, inputs(&mut rest, meshes)?))
             }
         };
         rest.end()?;
@@ -188,6 +217,7 @@ impl JobResult {
                 name: import.name.clone(),
                 report: import.report.clone(),
                 offset: import.offset.to_array(),
+                materials: import.materials.clone(),
                 meshes: import
                     .objects
                     .iter()
@@ -219,7 +249,7 @@ impl JobResult {
     pub fn from_bytes(bytes: &[u8]) -> Result<Self, BadBytes> {
         let (ResultHeader { validated, made }, mut rest) = Reader::open(RESULT, bytes)?;
         let made = match made {
-            MadeHeader::Import { name, report, offset, meshes } => {
+            MadeHeader::Import { name, report, offset, materials, meshes } => {
                 let objects = meshes
                     .into_iter()
                     .map(|header| {
@@ -228,7 +258,7 @@ impl JobResult {
                         Ok(ImportedObject { controls, soup, ..ImportedObject::new(name, mesh) })
                     })
                     .collect::<Result<_, BadBytes>>()?;
-                Made::Import(Import { name, objects, offset: offset.into(), report })
+                Made::Import(Import { name, objects, offset: offset.into(), materials, report })
             }
             MadeHeader::Meshes { meshes, ids, notes } => {
                 let outputs = meshes
@@ -568,7 +598,7 @@ mod tests {
         let (name, controls, soup) = (String::new(), None, None);
         let mesh = MeshHeader { name, vertices, edges, faces, controls, soup, gaps: [0; 3], columns };
         let (extension, name, offset) = ("obj".into(), String::new(), [0.0; 3]);
-        RequestHeader::Export { id: 1, extension, name, offset, meshes: vec![mesh] }
+        RequestHeader::Export { id: 1, extension, name, offset, materials: Vec::new(), meshes: vec![mesh] }
     }
 
     #[test]

@@ -15,5 +15,6 @@ pub(crate) mod runs;
 mod statements;
 mod write;
 
+pub use mtl::Material;
 pub(crate) use read::read;
 pub(crate) use write::write;

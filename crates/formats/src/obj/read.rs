@@ -1,6 +1,6 @@
 //! Reading an OBJ: statements to polygon soup with attributes, to a mesh, with a report.
 
-use super::mtl::Library;
+use super::mtl::{self, Material};
 use super::names::unpainted;
 use super::statements::{Statements, Troubles};
 use crate::import::{ImportedObject, NamedBytes, ReadError, Reading, build};
@@ -8,7 +8,7 @@ use crate::report::{ImportReport, counted};
 use crate::soup::{drop_faces, labelled};
 use halfedge::attribute::{AttributeType, Column, Key};
 use halfedge::{Color, NONE, PolygonSoup, Progress, keys};
-use std::collections::HashMap;
+use std::collections::{HashMap, HashSet};
 
 /// Whether a `mtllib` line names this file. A line may name several files, or one with blanks.
 fn mentions(statements: &Statements, library: &str) -> bool {
@@ -20,13 +20,14 @@ fn mentions(statements: &Statements, library: &str) -> bool {
         .any(|line| base(line) == library || line.split_whitespace().any(|name| base(name) == library))
 }
 
-/// Reads one OBJ as one object. `libraries` are the `.mtl` files that came with it.
+/// Reads one OBJ as one object, and the materials of its faces. `libraries` are the `.mtl` files that
+/// came with it.
 pub(crate) fn read(
     file: &NamedBytes,
     libraries: &[&NamedBytes],
     reading: &mut Reading,
     progress: &mut Progress,
-) -> Result<(ImportedObject, ImportReport), ReadError> {
+) -> Result<(ImportedObject, Vec<Material>, ImportReport), ReadError> {
     let fail = |message: String| ReadError::file(&file.name, message);
     if let Some(kind) = not_text(&file.bytes) {
         return Err(fail(kind.to_owned()));
@@ -47,10 +48,10 @@ pub(crate) fn read(
     }
     let mut report = ImportReport::default();
     report_troubles(&statements.troubles, &mut report);
-    let soup = soup(&mut statements, libraries, &mut report);
+    let (soup, materials) = soup(&mut statements, libraries, &mut report);
     let part = &mut |part| progress(0.5 + part * 0.5);
     let object = build(file.stem(), soup, &file.name, reading, &mut report, part)?;
-    Ok((object, report))
+    Ok((object, materials, report))
 }
 
 /// What a file is that can't be text in UTF-8.
@@ -64,8 +65,12 @@ fn not_text(bytes: &[u8]) -> Option<&'static str> {
     (binary.count() > 0).then_some("this is a binary file, not the text of an OBJ model")
 }
 
-/// The soup with all attributes that the file gives.
-fn soup(statements: &mut Statements, libraries: &[&NamedBytes], report: &mut ImportReport) -> PolygonSoup {
+/// The soup with all attributes that the file gives, and the materials that its faces have.
+fn soup(
+    statements: &mut Statements,
+    libraries: &[&NamedBytes],
+    report: &mut ImportReport,
+) -> (PolygonSoup, Vec<Material>) {
     let mut soup = std::mem::take(&mut statements.soup);
     let faces = soup.face_count();
     if !statements.colors.is_empty() {
@@ -87,12 +92,39 @@ fn soup(statements: &mut Statements, libraries: &[&NamedBytes], report: &mut Imp
     if let Some(groups) = statements.groups.expand(faces, NONE) {
         soup.face_columns.push(statements.group_names.column(keys::FACE_GROUP, groups));
     }
-    materials(statements, faces, libraries, &mut soup.face_columns, report);
+    let given = read_libraries(statements, libraries, report);
+    let names = materials(statements, faces, &given, &mut soup.face_columns);
     if let Some(smoothing) = statements.smoothing.expand(faces, 0) {
         soup.face_columns.push(Column::with_values(keys::FACE_SMOOTHING, smoothing));
     }
     drop_faces(&mut soup, &statements.faces_without_vertices);
-    soup
+    (soup, in_use(given, &names, report))
+}
+
+/// Those of the libraries' materials that faces have, by name.
+fn in_use(given: Vec<Material>, names: &[String], report: &mut ImportReport) -> Vec<Material> {
+    let names: HashSet<&str> = names.iter().map(String::as_str).collect();
+    let is_used = |name: &str| !name.is_empty() && names.contains(name);
+    let (used, mut unused): (Vec<_>, Vec<_>) =
+        given.into_iter().partition(|material| is_used(&material.name));
+    // Those that stand for a colour of another one are in the colours of faces.
+    unused.retain(|material| unpainted(&material.name).is_none());
+    if let Some(parameters) = mtl::parameters(used.iter()) {
+        report.info(format!(
+            "What its materials have besides a colour is not shown, and is written again when it is saved as OBJ: \
+             {parameters}"
+        ));
+    }
+    if !unused.is_empty() {
+        let names: Vec<&str> = unused.iter().take(6).map(|material| material.name.as_str()).collect();
+        report.info(format!(
+            "{} that no face has left out: {}{}",
+            counted(unused.len(), "material", "materials"),
+            names.join(", "),
+            if unused.len() > names.len() { ", …" } else { "" }
+        ));
+    }
+    used
 }
 
 /// The values that corners refer to by number; nothing where no corner has one.
@@ -112,16 +144,16 @@ fn corner_column<T: AttributeType>(
     Some(Column::with_values(key, column))
 }
 
-/// The columns of materials and of their colours.
+/// Adds the columns of materials and of their colours; gives the materials' names.
 fn materials(
     statements: &Statements,
     faces: usize,
-    libraries: &[&NamedBytes],
+    given: &[Material],
     columns: &mut Vec<Column>,
-    report: &mut ImportReport,
-) {
-    let given = read_libraries(statements, libraries, report);
-    let Some(numbers) = statements.materials.expand(faces, NONE) else { return };
+) -> Vec<String> {
+    let Some(numbers) = statements.materials.expand(faces, NONE) else { return Vec::new() };
+    let given: HashMap<&str, Option<Color>> =
+        given.iter().map(|material| (material.name.as_str(), material.color())).collect();
     // What each name in the file stands for.
     let count = numbers.iter().filter(|&&n| n != NONE).max().map_or(0, |&n| n as usize + 1);
     let mut names: Vec<String> = Vec::with_capacity(count);
@@ -157,29 +189,28 @@ fn materials(
         let color = |n: &u32| colors.get(*n as usize).copied().unwrap_or(Color::UNPAINTED);
         columns.push(Column::with_values(keys::FACE_COLOR, numbers.iter().map(color).collect()));
     }
+    names
 }
 
-/// The colours of all materials in the libraries that belong to the file: those it names, or, if
-/// it names none of those that came with it, all that did.
+/// All materials in the libraries that belong to the file: those it names, or, if it names none of
+/// those that came with it, all that did.
 fn read_libraries(
     statements: &Statements,
     libraries: &[&NamedBytes],
     report: &mut ImportReport,
-) -> HashMap<String, Option<Color>> {
+) -> Vec<Material> {
     let named: Vec<_> = libraries.iter().filter(|library| mentions(statements, &library.name)).collect();
     let used = if named.is_empty() { libraries.iter().collect() } else { named };
-    let mut colors = HashMap::new();
+    let mut materials: Vec<Material> = Vec::new();
+    let mut met = HashSet::new();
     for library in &used {
-        let Library { colors: more, has_textures } = Library::read(&library.bytes);
-        let textures = if has_textures { "; textures are not kept" } else { "" };
+        let more = mtl::read(&library.bytes);
         report.info(format!(
-            "Colours of {} read from {}{textures}",
+            "Colours of {} read from {}",
             counted(more.len(), "material", "materials"),
             library.name
         ));
-        for (name, color) in more {
-            colors.entry(name).or_insert(color);
-        }
+        materials.extend(more.into_iter().filter(|material| met.insert(material.name.clone())));
     }
     if used.is_empty() && !statements.libraries.is_empty() {
         report.info(format!(
@@ -187,7 +218,7 @@ fn read_libraries(
             statements.libraries.join(", ")
         ));
     }
-    colors
+    materials
 }
 
 fn report_troubles(troubles: &Troubles, report: &mut ImportReport) {

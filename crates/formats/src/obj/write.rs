@@ -1,6 +1,6 @@
 //! Writing an OBJ, with its materials in an MTL beside it.
 
-use super::mtl;
+use super::mtl::{self, Entry, Material};
 use super::names::{clean, group_lines, painted, spaced};
 use crate::export::ObjectRef;
 use crate::hash::Unique;
@@ -11,14 +11,23 @@ use halfedge::{Color, Element, Mesh, NONE, keys};
 use std::collections::HashMap;
 
 /// Writes the objects into one OBJ, several as `o` sections; a second file holds the materials if
-/// faces have colours. Read again, one object is the same mesh: numbering, positions to the bit,
+/// faces have colours or a library told of their materials. Read again, one object is the same mesh: numbering, positions to the bit,
 /// corners, attributes.
 pub(crate) fn write(name: &str, objects: &[ObjectRef]) -> Vec<NamedBytes> {
     let has_colors = objects.iter().any(|object| shows_colors(object.mesh));
+    let mut known: HashMap<String, &Material> = HashMap::new();
+    for material in objects.iter().flat_map(|object| object.materials) {
+        known.entry(clean(&material.name)).or_insert(material);
+    }
+    let is_known = |object: &ObjectRef| {
+        !known.is_empty()
+            && mtl::names_in_use(object.mesh).into_iter().any(|name| known.contains_key(&clean(name)))
+    };
+    let has_materials = has_colors || objects.iter().any(is_known);
     let library = format!("{name}.mtl");
     let mut writer = Writer { materials: Materials::new(has_colors), ..Writer::default() };
     writer.out.extend_from_slice(b"# Written by Meshwright\n");
-    if has_colors {
+    if has_materials {
         writer.name_line("mtllib", &clean(&library));
     }
     for object in objects {
@@ -34,8 +43,14 @@ pub(crate) fn write(name: &str, objects: &[ObjectRef]) -> Vec<NamedBytes> {
         }
     }
     let mut files = vec![NamedBytes { name: format!("{name}.obj"), bytes: writer.out }];
-    if has_colors {
-        files.push(NamedBytes { name: library, bytes: mtl::write(&writer.materials.list) });
+    if has_materials {
+        let entry = |named: Named| Entry {
+            name: named.name,
+            color: has_colors.then_some(named.color),
+            known: known.get(&named.label).copied(),
+        };
+        let entries: Vec<Entry> = writer.materials.list.into_iter().map(entry).collect();
+        files.push(NamedBytes { name: library, bytes: mtl::write(&entries) });
     }
     files
 }
@@ -241,11 +256,19 @@ impl<'a> Groups<'a> {
     }
 }
 
+/// A material of the file: its name there, the colour of its faces, and the name that it is known by,
+/// empty where it only stands for a colour.
+struct Named {
+    name: String,
+    color: Color,
+    label: String,
+}
+
 /// All materials of the file. A material whose faces differ in colour becomes several.
 #[derive(Default)]
 struct Materials {
     has_colors: bool,
-    list: Vec<(String, Color)>,
+    list: Vec<Named>,
     numbers: HashMap<(String, Option<Color>), usize>,
     /// The colour that goes under a material's own name: that of its first face.
     own: HashMap<String, Color>,
@@ -270,7 +293,7 @@ impl Materials {
             painted(material, color)
         };
         let number = self.list.len();
-        self.list.push((name, color));
+        self.list.push(Named { name, color, label: material.to_owned() });
         self.numbers.insert((material.to_owned(), color_key), number);
         number
     }
@@ -317,6 +340,6 @@ impl<'a> FaceMaterials<'a> {
             return None;
         }
         self.said = Some(number);
-        materials.list.get(number).map(|(name, _)| name.as_str())
+        materials.list.get(number).map(|named| named.name.as_str())
     }
 }
