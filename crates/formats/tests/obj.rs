@@ -209,6 +209,48 @@ fn materials_come_back_as_they_were() {
 }
 
 #[test]
+fn a_painted_face_leaves_the_others_their_material() {
+    let library = NamedBytes::new("a.mtl", "newmtl white\nKd 1 1 1\n");
+    let model =
+        format!("mtllib a.mtl\n{SQUARE}v 2 0 0\nv 2 1 0\nusemtl white\nf 1 2 3\nf 1 3 4\nf 2 5 6\nf 2 6 3\n");
+    let import = read(&[NamedBytes::new("a.obj", model), library]).expect("readable");
+    let paint = |faces: &[usize]| {
+        let mut painted = mesh(&import).clone();
+        faces.iter().for_each(|&f| painted.set(keys::FACE_COLOR, f, Color([255, 0, 0])));
+        painted
+    };
+    let names = |format, mesh: &Mesh, materials| -> String {
+        let object = ObjectRef { materials, ..ObjectRef::new("a", mesh) };
+        let files = formats::write(format, "a", &[object]).expect("small");
+        let back = read(&files).expect("its own");
+        let colors = |mesh: &Mesh| -> Vec<Color> {
+            let mut all: Vec<Color> = mesh.faces().map(|f| mesh.get(keys::FACE_COLOR, f.index())).collect();
+            all.sort_by_key(|color| color.0);
+            all
+        };
+        assert_eq!(colors(common::mesh(&back)), colors(mesh), "{format:?}");
+        files.iter().map(|file| String::from_utf8_lossy(&file.bytes).into_owned()).collect()
+    };
+    for faces in [&[0][..], &[3], &[0, 1, 2]] {
+        let text = names(Format::Obj, &paint(faces), &import.materials);
+        assert!(text.contains("newmtl white\nKd 1 1 1\n"), "{text}");
+        assert!(text.contains("newmtl white.color-ff0000\nKd 1 0 0\n"), "{text}");
+        for format in [Format::Gltf, Format::Collada] {
+            let text = names(format, &paint(faces), &import.materials);
+            assert!(text.contains("white.color-ff0000") && !text.contains("white.color-ffffff"), "{text}");
+        }
+    }
+    // Where no library says what the material's own colour is, most faces do.
+    let text = names(Format::Obj, &paint(&[0]), &[]);
+    assert!(text.contains("newmtl white\nKd 1 1 1\n") && text.contains("white.color-ff0000"), "{text}");
+    let text = names(Format::Obj, &paint(&[0, 1, 2]), &[]);
+    assert!(text.contains("newmtl white\nKd 1 0 0\n") && text.contains("white.color-ffffff"), "{text}");
+    // Painted all over, the material has that colour.
+    let text = names(Format::Obj, &paint(&[0, 1, 2, 3]), &import.materials);
+    assert!(text.contains("newmtl white\nKd 1 0 0\n") && !text.contains("color-"), "{text}");
+}
+
+#[test]
 fn materials_of_one_name_in_two_files_are_told() {
     let file = |name: &str, text: String| NamedBytes::new(name, text);
     let model = |library: &str| format!("mtllib {library}\n{SQUARE}usemtl m\nf 1 2 3\n");

@@ -3,17 +3,18 @@
 use crate::export::ObjectRef;
 use crate::hash::Unique;
 use crate::import::NamedBytes;
-use crate::obj::names::painted;
+use crate::obj::names::{own_colors, painted};
 use crate::pieces::compact;
 use crate::text::{push_float, push_integer};
 use glam::DVec3;
 use halfedge::attribute::{AttributeType, Key};
 use halfedge::{Color, Element, Mesh, NONE, keys};
-use std::collections::{HashMap, HashSet};
+use std::collections::HashMap;
 
 /// Writes the objects into one document. Read again, they are the same meshes.
 pub(crate) fn write(name: &str, objects: &[ObjectRef]) -> Vec<NamedBytes> {
-    let mut materials = Materials::default();
+    let own = own_colors(objects, str::to_owned);
+    let mut materials = Materials { own, ..Materials::default() };
     let mut geometries = Vec::new();
     let mut nodes = String::new();
     for (number, object) in objects.iter().enumerate() {
@@ -76,7 +77,8 @@ pub(crate) fn write(name: &str, objects: &[ObjectRef]) -> Vec<NamedBytes> {
 struct Materials {
     list: Vec<(String, Option<Color>)>,
     numbers: HashMap<(String, Option<Color>), usize>,
-    names: HashSet<String>,
+    /// The colours that go under materials' own names.
+    own: HashMap<String, Color>,
 }
 
 impl Materials {
@@ -88,12 +90,10 @@ impl Materials {
         let number = self.list.len();
         // A material whose faces differ in colour becomes several, named so that they read back as
         // one.
-        let taken = self.names.contains(label);
         let name = match color {
-            Some(color) if label.is_empty() || taken => painted(label, color),
+            Some(color) if self.own.get(label) != Some(&color) => painted(label, color),
             _ => label.to_owned(),
         };
-        self.names.insert(name.clone());
         self.list.push((name, color));
         self.numbers.insert(key, number);
         number

@@ -4,14 +4,14 @@ use super::{BIN_CHUNK, GENERATOR, JSON_CHUNK, MAGIC, VERTEX_ID};
 use crate::export::{ObjectRef, WriteError};
 use crate::hash::Unique;
 use crate::import::NamedBytes;
-use crate::obj::names::painted;
+use crate::obj::names::{own_colors, painted};
 use crate::pieces::compact;
 use crate::triangles::triangulate;
 use crate::weld::Weld;
 use glam::{DVec3, Vec2, Vec3};
 use halfedge::{Color, Element, Mesh, NONE, keys};
 use serde_json::{Value, json};
-use std::collections::{HashMap, HashSet};
+use std::collections::HashMap;
 
 /// Writes a `.glb`.
 pub(crate) fn write_binary(name: &str, objects: &[ObjectRef]) -> Result<Vec<NamedBytes>, WriteError> {
@@ -41,7 +41,7 @@ pub(crate) fn write_text(name: &str, objects: &[ObjectRef]) -> Vec<NamedBytes> {
 }
 
 fn document(objects: &[ObjectRef], uri: Option<&str>) -> (Value, Vec<u8>) {
-    let mut writer = Writer::default();
+    let mut writer = Writer { own_colors: own_colors(objects, str::to_owned), ..Writer::default() };
     let (mut meshes, mut nodes) = (Vec::new(), Vec::new());
     for object in objects {
         let mesh = compact(object.mesh);
@@ -95,7 +95,8 @@ struct Writer {
     accessors: Vec<Value>,
     materials: Vec<Value>,
     material_numbers: HashMap<(String, Option<Color>), usize>,
-    material_names: HashSet<String>,
+    /// The colours that go under materials' own names.
+    own_colors: HashMap<String, Color>,
 }
 
 impl Writer {
@@ -213,9 +214,8 @@ impl Writer {
         if let Some(&number) = self.material_numbers.get(&key) {
             return number;
         }
-        let taken = self.material_names.contains(label);
         let name = match color {
-            Some(color) if label.is_empty() || taken => painted(label, color),
+            Some(color) if self.own_colors.get(label) != Some(&color) => painted(label, color),
             _ => label.to_owned(),
         };
         let mut surface = json!({ "metallicFactor": 0.0 });
@@ -225,7 +225,6 @@ impl Writer {
         }
         let number = self.materials.len();
         self.materials.push(json!({ "name": name, "doubleSided": true, "pbrMetallicRoughness": surface }));
-        self.material_names.insert(name);
         self.material_numbers.insert(key, number);
         number
     }

@@ -1,6 +1,8 @@
 //! How group and material names of a file become labels of a mesh, and back.
 
-use halfedge::Color;
+use crate::export::ObjectRef;
+use halfedge::{Color, Element, FaceId, NONE, keys};
+use std::collections::HashMap;
 
 /// The label of the faces between these `o` and `g` lines.
 pub(crate) fn group_label(object: &str, group: &str) -> Option<String> {
@@ -40,6 +42,51 @@ pub(crate) fn unpainted(name: &str) -> Option<(&str, Color)> {
         }
     };
     Some((material, Color::from_hex(&format!("#{hex}"))?))
+}
+
+/// The colours of faces that go under their materials' own names, by what `name` makes of those: the one
+/// that the library gave the material, where a face still has it, or else the one that most faces have.
+/// Faces of other colours get a material of a [`painted`] name. Costs O(faces).
+pub(crate) fn own_colors(objects: &[ObjectRef], name: impl Fn(&str) -> String) -> HashMap<String, Color> {
+    // For each name its colours in order of first use, with how many faces have them.
+    let mut found: HashMap<String, Vec<(Color, usize)>> = HashMap::new();
+    for mesh in objects.iter().map(|object| object.mesh) {
+        let labels = mesh.column(Element::Face, keys::FACE_MATERIAL.name).map_or(&[][..], |c| &c.labels);
+        let of =
+            |f: FaceId| (mesh.get(keys::FACE_MATERIAL, f.index()), mesh.get(keys::FACE_COLOR, f.index()));
+        let mut counts: HashMap<(u32, Color), usize> = HashMap::new();
+        let mut order = Vec::new();
+        for key in mesh.faces().map(of).filter(|&(label, _)| label != NONE) {
+            *counts.entry(key).or_insert_with(|| {
+                order.push(key);
+                0
+            }) += 1;
+        }
+        for key in order {
+            let Some(label) = labels.get(key.0 as usize) else { continue };
+            let colors = found.entry(name(label)).or_default();
+            let count = counts.get(&key).copied().unwrap_or_default();
+            match colors.iter_mut().find(|(color, _)| *color == key.1) {
+                Some((_, sum)) => *sum += count,
+                None => colors.push((key.1, count)),
+            }
+        }
+    }
+    let mut own: HashMap<String, Color> = HashMap::with_capacity(found.len());
+    for material in objects.iter().flat_map(|object| object.materials) {
+        let name = name(&material.name);
+        let color = material.color().unwrap_or(Color::UNPAINTED);
+        if found.get(&name).is_some_and(|colors| colors.iter().any(|&(has, _)| has == color)) {
+            own.entry(name).or_insert(color);
+        }
+    }
+    for (name, colors) in found {
+        // Of as many faces, the first: `max_by_key` takes the last.
+        if let Some(&(color, _)) = colors.iter().rev().max_by_key(|(_, count)| *count) {
+            own.entry(name).or_insert(color);
+        }
+    }
+    own
 }
 
 /// A name as it can stand on a line of a file: no control characters, nothing that would read as a

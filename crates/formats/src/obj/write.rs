@@ -1,7 +1,7 @@
 //! Writing an OBJ, with its materials in an MTL beside it.
 
 use super::mtl::{self, Entry, Material};
-use super::names::{clean, group_lines, painted, spaced};
+use super::names::{clean, group_lines, own_colors, painted, spaced};
 use crate::export::ObjectRef;
 use crate::hash::Unique;
 use crate::import::NamedBytes;
@@ -25,7 +25,8 @@ pub(crate) fn write(name: &str, objects: &[ObjectRef]) -> Vec<NamedBytes> {
     };
     let has_materials = has_colors || objects.iter().any(is_known);
     let library = format!("{name}.mtl");
-    let mut writer = Writer { materials: Materials::new(has_colors), ..Writer::default() };
+    let mut writer =
+        Writer { materials: Materials::new(has_colors, own_colors(objects, clean)), ..Writer::default() };
     writer.out.extend_from_slice(b"# Written by Meshwright\n");
     if has_materials {
         writer.name_line("mtllib", &clean(&library));
@@ -270,13 +271,13 @@ struct Materials {
     has_colors: bool,
     list: Vec<Named>,
     numbers: HashMap<(String, Option<Color>), usize>,
-    /// The colour that goes under a material's own name: that of its first face.
+    /// The colours that go under materials' own names.
     own: HashMap<String, Color>,
 }
 
 impl Materials {
-    fn new(has_colors: bool) -> Self {
-        Self { has_colors, ..Self::default() }
+    fn new(has_colors: bool, own: HashMap<String, Color>) -> Self {
+        Self { has_colors, own, ..Self::default() }
     }
 
     /// The number of the material of a face with this material (or none, if empty) and colour.
@@ -287,7 +288,7 @@ impl Materials {
         }
         let name = if material.is_empty() {
             painted("", color)
-        } else if !self.has_colors || *self.own.entry(material.to_owned()).or_insert(color) == color {
+        } else if !self.has_colors || self.own.get(material) == Some(&color) {
             material.to_owned()
         } else {
             painted(material, color)
