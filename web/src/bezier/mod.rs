@@ -304,7 +304,7 @@ mod tests {
             Drawn::of(20_000, 19_999).left_out(19_999).as_deref(),
             Some(
                 "There are too many points to draw all: one control point in 10 is drawn, of the construction \
-                 levels 19911 to 19999."
+                 levels 19912 to 19999."
             )
         );
     }
