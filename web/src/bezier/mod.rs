@@ -145,7 +145,7 @@ impl Drawn {
             first -= 1;
             lines += points(first);
         }
-        let level_stride = if lines > MOST_LINES { lines.div_ceil(MOST_OF_LEVEL) } else { 1 };
+        let level_stride = if level > 0 && lines > MOST_LINES { lines.div_ceil(MOST_OF_LEVEL) } else { 1 };
         Self { stride: count.div_ceil(MOST_POINTS).max(1), level: first, level_stride }
     }
 
@@ -243,7 +243,8 @@ impl Player {
         match bezier {
             Bezier::Curve(curve) => {
                 let stride = Drawn::of(curve.points.len(), 0).stride;
-                let is_drawn = |at: usize| at % stride == 0 || self.chosen == Some(ControlPoint::Curve(at));
+                let is_drawn =
+                    |at: usize| at.is_multiple_of(stride) || self.chosen == Some(ControlPoint::Curve(at));
                 let points = curve.points.iter().enumerate().filter(|(at, _)| is_drawn(*at));
                 points.map(|(at, &point)| (ControlPoint::Curve(at), point)).collect()
             }
@@ -299,6 +300,7 @@ mod tests {
             assert!(level == 0 || lines <= MOST_LINES, "{lines} lines");
             assert!(count.div_ceil(drawn.stride) <= MOST_POINTS);
             assert!(drawn.left_out(level).is_some());
+            assert_eq!(drawn.left_out(level).is_some_and(|said| said.contains("construction")), level > 0);
         }
         assert_eq!(
             Drawn::of(20_000, 19_999).left_out(19_999).as_deref(),
