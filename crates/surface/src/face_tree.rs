@@ -352,7 +352,7 @@ fn intersect([a, b, c]: [DVec3; 3], direction: DVec3) -> Option<(f64, DVec3)> {
 
 /// The weights of the point of a triangle closest to `p` (Ericson: Real-time collision detection,
 /// 5.1.5).
-#[inline]
+#[inline(always)]
 pub(crate) fn closest_in_triangle([a, b, c]: [DVec3; 3], p: DVec3) -> DVec3 {
     let (ab, ac) = (b - a, c - a);
     let ap = p - a;
@@ -397,6 +397,8 @@ pub(crate) fn closest_in_triangle([a, b, c]: [DVec3; 3], p: DVec3) -> DVec3 {
 }
 
 /// The weights of the point closest to `p` on a triangle's sides.
+#[cold]
+#[inline(never)]
 fn closest_on_sides(corners: [DVec3; 3], p: DVec3) -> DVec3 {
     let on_side = |i: usize| {
         let (from, to) = (corners[i], corners[(i + 1) % 3]);

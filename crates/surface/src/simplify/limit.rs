@@ -163,9 +163,11 @@ fn parts([a, b, c]: &[DVec3; 3], distance: f64) -> u32 {
     (longest / distance).ceil() as u32
 }
 
-/// The weights of the points of a triangle whose sides are cut into equal parts, but for its corners.
+/// The weights of the points of a triangle whose sides are cut into equal parts, but for its corners;
+/// those near the first corner first, where what has moved is.
 fn grid(parts: u32) -> impl Iterator<Item = [u32; 3]> {
     (0..=parts)
+        .rev()
         .flat_map(move |i| (0..=parts - i).map(move |j| [i, j, parts - i - j]))
         .filter(move |weights| !weights.contains(&parts))
 }
