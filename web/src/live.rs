@@ -105,25 +105,24 @@ pub(crate) fn is_live(name: &str) -> bool {
     LIVE.iter().any(|(op, ..)| *op == name)
 }
 
-/// The operation that a key means for what is selected: some exist for several kinds.
+/// Operations that exist for several kinds of elements and share a key: the one that has it, the kinds
+/// that are selected where another is meant, and that other.
+const FAMILIES: &[(&str, &[Element], &str)] = &[
+    ("extrude-faces", &[Element::Edge, Element::Halfedge], "extrude-edges"),
+    ("bevel-edges", &[Element::Vertex], "bevel-vertices"),
+    ("delete-faces", &[Element::Vertex], "delete-vertices"),
+    ("delete-faces", &[Element::Edge, Element::Halfedge], "dissolve-edge"),
+];
+
+/// The operation that a key means for what is selected.
 pub(crate) fn for_selection(name: &'static str, kind: Element) -> &'static str {
-    match (name, kind) {
-        ("extrude-faces", Element::Edge | Element::Halfedge) => "extrude-edges",
-        ("bevel-edges", Element::Vertex) => "bevel-vertices",
-        ("delete-faces", Element::Vertex) => "delete-vertices",
-        ("delete-faces", Element::Edge | Element::Halfedge) => "dissolve-edge",
-        _ => name,
-    }
+    let meant = FAMILIES.iter().find(|(holder, kinds, _)| *holder == name && kinds.contains(&kind));
+    meant.map_or(name, |(.., other)| other)
 }
 
-/// The operation that has the key of another: what [`for_selection`] takes it from.
+/// The operation that has the key of another.
 pub(crate) fn key_holder(name: &'static str) -> &'static str {
-    match name {
-        "extrude-edges" => "extrude-faces",
-        "bevel-vertices" => "bevel-edges",
-        "delete-vertices" | "dissolve-edge" => "delete-faces",
-        _ => name,
-    }
+    FAMILIES.iter().find(|(.., other)| *other == name).map_or(name, |(holder, ..)| holder)
 }
 
 impl App {

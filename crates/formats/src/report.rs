@@ -119,6 +119,12 @@ pub(crate) fn counted(count: usize, one: &str, many: &str) -> String {
     format!("{count} {}", if count == 1 { one } else { many })
 }
 
+/// "a, b, c, …": no more words than are shown.
+pub(crate) fn first_few(words: &[impl AsRef<str>], shown: usize) -> String {
+    let few: Vec<&str> = words.iter().take(shown).map(AsRef::as_ref).collect();
+    few.join(", ") + if words.len() > shown { ", …" } else { "" }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

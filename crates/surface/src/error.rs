@@ -71,6 +71,6 @@ impl fmt::Display for SurfaceError {
 impl std::error::Error for SurfaceError {}
 
 /// A number in words where its digits say nothing, as where counting it ran out of them.
-pub(crate) fn count(number: u64) -> String {
+fn count(number: u64) -> String {
     if number < 1_000_000_000_000 { number.to_string() } else { "more than a million million".to_owned() }
 }

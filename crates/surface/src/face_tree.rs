@@ -396,15 +396,19 @@ pub(crate) fn closest_in_triangle([a, b, c]: [DVec3; 3], p: DVec3) -> DVec3 {
     DVec3::new(1.0 - v - w, v, w)
 }
 
+/// How far along a segment, from 0 to 1, the point of it is that is closest to `p`.
+pub(crate) fn along_segment(from: DVec3, to: DVec3, p: DVec3) -> f64 {
+    let along = to - from;
+    ((p - from).dot(along) / along.length_squared().max(f64::MIN_POSITIVE)).clamp(0.0, 1.0)
+}
+
 /// The weights of the point closest to `p` on a triangle's sides.
 #[cold]
 #[inline(never)]
 fn closest_on_sides(corners: [DVec3; 3], p: DVec3) -> DVec3 {
     let on_side = |i: usize| {
         let (from, to) = (corners[i], corners[(i + 1) % 3]);
-        let side = to - from;
-        let t = (side.dot(p - from) / side.length_squared()).clamp(0.0, 1.0);
-        let t = if t.is_nan() { 0.0 } else { t };
+        let t = along_segment(from, to, p);
         let mut weights = DVec3::ZERO;
         weights[i] = 1.0 - t;
         weights[(i + 1) % 3] = t;

@@ -6,7 +6,7 @@ use egui::{CollapsingHeader, Grid, RichText, Ui, vec2};
 use serde_json::Value;
 
 use crate::app::App;
-use crate::panels::fields;
+use crate::panels::{QUICK, fields};
 
 /// Fields that were changed and are not done yet, and the job that does them.
 #[derive(Default)]
@@ -18,9 +18,6 @@ pub(crate) struct Adjusting {
     /// The last adjustment took too long to be made at every step of a spin.
     slow: bool,
 }
-
-/// Seconds that an adjustment may take to be made at every step of a spin.
-const QUICK: f64 = 0.03;
 
 /// An operation that left this many faces or more is not tried at every step of a spin.
 const SMALL: usize = 20_000;

@@ -23,3 +23,6 @@ mod status_bar;
 mod trial;
 
 pub(crate) use fields::selection_words;
+
+/// Seconds that what a field changes may take to be made at every step of a spin.
+const QUICK: f64 = 0.03;

@@ -7,6 +7,7 @@ use halfedge::{Element, Mesh};
 use serde_json::Value;
 
 use crate::app::App;
+use crate::panels::QUICK;
 use crate::panels::fields::{Filled, Hints};
 use editor::{MessageKind, Outcome, Spec};
 
@@ -20,9 +21,6 @@ const PREVIEWED: [&str; 7] = [
     "subdivide-loop",
     "subdivide-linear",
 ];
-
-/// Seconds that a preview may take to be made at every step of a spin.
-const QUICK: f64 = 0.03;
 
 /// The previews of forms.
 pub(crate) struct Previews {

@@ -63,15 +63,6 @@ fn click_at(page: &mut Page, at: Pos2, times: usize) {
     page.run();
 }
 
-fn type_into(page: &mut Page, field: &str, text: &str) {
-    page.harness.get_by_role_and_label(Role::SpinButton, field).click();
-    page.run();
-    page.press_with(Modifiers::COMMAND, Key::A);
-    page.harness.event(Event::Text(text.to_owned()));
-    page.run();
-    page.press(Key::Enter);
-}
-
 #[test]
 fn a_curve_opens_seen_from_above_with_its_player() {
     let mut page = on_curve();
@@ -176,7 +167,7 @@ fn points_are_added_and_taken_away_in_the_viewport() {
 #[test]
 fn the_panel_does_what_the_viewport_does() {
     let mut page = on_curve();
-    type_into(&mut page, "Point 1 y", "3.5");
+    page.type_into("Point 1 y", "3.5");
     assert_eq!(points(&mut page)[1], Vec3::new(1.0, 3.5, 0.0));
     assert_eq!(page.undo_labels().len(), 2);
     page.click("Control point 3");
@@ -246,7 +237,7 @@ fn a_surface_of_many_patches_says_that_one_net_is_drawn() {
     assert!(!patches(64).has_part(says), "all are drawn");
     let mut page = patches(65);
     assert!(page.has_part("only the net of the one below, 0, is drawn"));
-    type_into(&mut page, "Patch", "7");
+    page.type_into("Patch", "7");
     assert!(page.has_part("only the net of the one below, 7, is drawn"));
     page.click("Control nets");
     assert!(!page.has_part(says), "none is");
@@ -275,11 +266,11 @@ fn a_surface_has_nets_to_drag_and_is_tessellated() {
 
     // A point of the shared border moves both patches.
     page.click("Control point 0, 3");
-    type_into(&mut page, "Point z", "2");
+    page.type_into("Point z", "2");
     let now = points(&mut page);
     assert_eq!((now[3], now[16]), (Vec3::new(3.0, 0.0, 2.0), Vec3::new(3.0, 0.0, 2.0)));
 
-    type_into(&mut page, "Quads per side", "5");
+    page.type_into("Quads per side", "5");
     page.click("Tessellate");
     assert_eq!(page.mesh().face_count(), 50);
     assert!(page.mesh().validate().is_ok());

@@ -1,6 +1,7 @@
 //! A page to test: the editor in a harness, with what is outside the page at hand.
 
-use egui::{Rect, Ui, UiBuilder, Vec2};
+use egui::accesskit::Role;
+use egui::{Key, Modifiers, Rect, Ui, UiBuilder, Vec2};
 use egui_kittest::wgpu::{WgpuTestRenderer, create_render_state, default_wgpu_setup};
 use egui_kittest::{Harness, Node, kittest::Queryable};
 use halfedge::{Element, Mesh};
@@ -122,6 +123,28 @@ impl Page {
 
     pub fn undo_labels(&mut self) -> Vec<String> {
         self.app().editor().undo_labels().map(str::to_owned).collect()
+    }
+
+    /// Chooses an operation's form.
+    pub fn choose(&mut self, operation: &str) {
+        self.click("Operation");
+        self.click(operation);
+    }
+
+    /// Types a number into a field of a form.
+    pub fn type_into(&mut self, field: &str, text: &str) {
+        self.harness.get_by_role_and_label(Role::SpinButton, field).click();
+        self.run();
+        self.press_with(Modifiers::COMMAND, Key::A);
+        self.harness.event(egui::Event::Text(text.to_owned()));
+        self.run();
+        self.press(Key::Enter);
+    }
+
+    /// Presses the button of an operation's form.
+    pub fn apply(&mut self, operation: &str) {
+        self.harness.get_by_role_and_label(Role::Button, operation).click();
+        self.run();
     }
 
     pub fn find<'a>(&'a self, label: &'a str) -> Node<'a> {

@@ -2,7 +2,7 @@
 
 use crate::page::{PHONE, Page};
 use egui::accesskit::Role;
-use egui::{Event, Key, Modifiers};
+use egui::{Key, Modifiers};
 use egui_kittest::kittest::Queryable;
 use halfedge::{Element, Mesh};
 use serde_json::json;
@@ -11,25 +11,6 @@ fn sphere(subdivisions: u32) -> Page {
     let mut page = Page::new();
     page.command(json!({ "op": "new", "shape": "ico-sphere", "subdivisions": subdivisions }));
     page
-}
-
-fn choose(page: &mut Page, operation: &str) {
-    page.click("Operation");
-    page.click(operation);
-}
-
-fn type_into(page: &mut Page, field: &str, text: &str) {
-    page.harness.get_by_role_and_label(Role::SpinButton, field).click();
-    page.run();
-    page.press_with(Modifiers::COMMAND, Key::A);
-    page.harness.event(Event::Text(text.to_owned()));
-    page.run();
-    page.press(Key::Enter);
-}
-
-fn apply(page: &mut Page, operation: &str) {
-    page.harness.get_by_role_and_label(Role::Button, operation).click();
-    page.run();
 }
 
 fn smoothed(mesh: &Mesh, strength: f64) -> Mesh {
@@ -46,9 +27,9 @@ fn trace(page: &mut Page) -> (Vec<String>, bool) {
 fn smoothing_is_shown_before_it_is_done() {
     let mut page = sphere(2);
     let (before, steps) = (page.mesh().clone(), trace(&mut page));
-    choose(&mut page, "Smooth");
+    page.choose("Smooth");
     assert_eq!(page.mesh(), &smoothed(&before, 0.5), "as the form opens");
-    type_into(&mut page, "Strength", "0.25");
+    page.type_into("Strength", "0.25");
     assert_eq!(page.mesh(), &smoothed(&before, 0.25), "of the mesh as it was, not of the preview");
     assert_eq!(trace(&mut page), steps);
     assert!(page.has_part("Previewed, not done yet"));
@@ -62,7 +43,7 @@ fn smoothing_is_shown_before_it_is_done() {
     assert_eq!(trace(&mut page), steps);
 
     let shown = page.mesh().clone();
-    apply(&mut page, "Smooth");
+    page.apply("Smooth");
     assert_eq!(page.mesh(), &shown, "just what was shown");
     assert_eq!(page.undo_labels(), ["New", "Smooth"]);
     assert!(page.has("Adjust last operation") && page.has("Smooth"));
@@ -79,7 +60,7 @@ fn a_preview_leaves_no_trace() {
         assert_eq!(page.mesh(), &before, "{how}");
         assert_eq!(trace(page), steps, "{how}");
     };
-    choose(&mut page, "Smooth");
+    page.choose("Smooth");
     assert_ne!(page.mesh(), &before);
     page.press(Key::Escape);
     gone(&mut page, "Escape");
@@ -89,26 +70,26 @@ fn a_preview_leaves_no_trace() {
     assert_eq!(page.selected().1, [0; 0], "the next Escape is for what is selected");
     page.select("face", &[7]);
 
-    type_into(&mut page, "Strength", "0.4");
+    page.type_into("Strength", "0.4");
     assert_ne!(page.mesh(), &before, "until a field is changed");
     page.press_with(Modifiers::COMMAND, Key::Z);
     gone(&mut page, "undo");
 
     // Another form, the panel closed, a script, saving.
-    choose(&mut page, "Simplify");
+    page.choose("Simplify");
     assert_eq!(page.mesh().face_count(), 160);
-    choose(&mut page, "Separate");
+    page.choose("Separate");
     gone(&mut page, "another form");
-    choose(&mut page, "Simplify");
+    page.choose("Simplify");
     assert_eq!(page.mesh().face_count(), 160);
     page.press(Key::CloseBracket);
     gone(&mut page, "the panel closed");
     page.press(Key::CloseBracket);
-    choose(&mut page, "Smooth");
+    page.choose("Smooth");
     page.press_with(Modifiers::COMMAND, Key::S);
     gone(&mut page, "saving");
     page.press(Key::Escape);
-    choose(&mut page, "Simplify");
+    page.choose("Simplify");
     page.command(json!({ "op": "set-face-color", "faces": [319], "color": "#ff0000" }));
     assert_eq!(page.mesh().face_count(), 320, "a script's command is of what was there");
     assert_eq!(page.undo_labels(), ["New", "Paint faces"]);
@@ -117,12 +98,12 @@ fn a_preview_leaves_no_trace() {
 #[test]
 fn what_is_selected_in_a_preview_is_selected_without_it_or_not_at_all() {
     let mut page = sphere(2);
-    choose(&mut page, "Smooth");
+    page.choose("Smooth");
     page.row("Vertex 3").click();
     page.run();
     assert_eq!(page.selected(), (Element::Vertex, vec![3]));
     assert!(page.has("Change a field to preview it."), "the preview is over");
-    choose(&mut page, "Simplify");
+    page.choose("Simplify");
     page.row("Vertex 3").click();
     page.run();
     assert_eq!(page.mesh().face_count(), 320);
@@ -132,19 +113,19 @@ fn what_is_selected_in_a_preview_is_selected_without_it_or_not_at_all() {
 #[test]
 fn the_form_counts_from_the_mesh_as_it_was() {
     let mut page = sphere(2);
-    choose(&mut page, "Simplify");
+    page.choose("Simplify");
     for faces in [64, 96, 40] {
-        type_into(&mut page, "Ratio", &(faces as f64 / 320.0).to_string());
+        page.type_into("Ratio", &(faces as f64 / 320.0).to_string());
         assert_eq!(page.mesh().face_count(), faces);
         assert!(page.has(&format!("Result: {faces} of 320 triangles")));
     }
-    choose(&mut page, "Remesh");
+    page.choose("Remesh");
     let made = page.mesh().face_count();
     assert!(page.has(&format!("Result: {made} triangles")), "counted, not reckoned");
-    choose(&mut page, "Subdivide (Loop)");
+    page.choose("Subdivide (Loop)");
     assert_eq!(page.mesh().face_count(), 1280);
     assert!(page.has("Result: 1 280 faces"));
-    type_into(&mut page, "Levels", "2");
+    page.type_into("Levels", "2");
     assert_eq!(page.mesh().face_count(), 5120, "not of the preview");
 }
 
@@ -152,15 +133,15 @@ fn the_form_counts_from_the_mesh_as_it_was() {
 fn a_preview_can_be_switched_off() {
     let mut page = sphere(2);
     let before = page.mesh().clone();
-    choose(&mut page, "Smooth");
+    page.choose("Smooth");
     page.click("Live preview");
     assert_eq!(page.mesh(), &before);
-    type_into(&mut page, "Strength", "0.9");
+    page.type_into("Strength", "0.9");
     assert_eq!(page.mesh(), &before, "it stays off");
     page.click("Live preview");
     assert_eq!(page.mesh(), &smoothed(&before, 0.9));
     page.click("Live preview");
-    apply(&mut page, "Smooth");
+    page.apply("Smooth");
     assert_eq!(page.mesh(), &smoothed(&before, 0.9), "and the form works without");
     assert_eq!(page.undo_labels(), ["New", "Smooth"]);
 }
@@ -169,20 +150,20 @@ fn a_preview_can_be_switched_off() {
 fn a_form_says_why_there_is_no_preview() {
     let mut page = sphere(5);
     let before = page.mesh().clone();
-    choose(&mut page, "Smooth");
+    page.choose("Smooth");
     assert_eq!(page.mesh(), &before);
     assert!(page.has_part("this mesh takes too long to be shown at every change"));
     // A smaller one is shown, up to what its fields ask for.
     page.command(json!({ "op": "new", "shape": "ico-sphere", "subdivisions": 3 }));
     let before = page.mesh().clone();
-    type_into(&mut page, "Strength", "0.6");
+    page.type_into("Strength", "0.6");
     assert_eq!(page.mesh(), &smoothed(&before, 0.6));
-    type_into(&mut page, "Iterations", "1000");
+    page.type_into("Iterations", "1000");
     assert_eq!(page.mesh(), &before, "nothing that the fields don't say");
     assert!(page.has_part("this mesh takes too long"));
     // Loop's subdivision is of triangles.
     page.command(json!({ "op": "new", "shape": "cube" }));
-    choose(&mut page, "Subdivide (Loop)");
+    page.choose("Subdivide (Loop)");
     assert!(page.has_part("triangles"), "the reason is on the screen");
     assert_eq!(page.mesh().face_count(), 6);
 }
@@ -192,7 +173,7 @@ fn a_telephone_previews_in_its_sheet() {
     let mut page = Page::sized(PHONE);
     page.command(json!({ "op": "new", "shape": "ico-sphere", "subdivisions": 2 }));
     page.click("Operations");
-    choose(&mut page, "Simplify");
+    page.choose("Simplify");
     assert_eq!(page.mesh().face_count(), 160);
     assert!(page.harness.query_by_role_and_label(Role::CheckBox, "Live preview").is_some());
     page.harness.get_by_role_and_label(Role::Tab, "Elements").click();

@@ -1,8 +1,7 @@
 //! Operations on whole meshes: their keys, their forms, and the last one done again.
 
 use crate::page::Page;
-use egui::accesskit::Role;
-use egui::{Event, Key, Modifiers};
+use egui::{Key, Modifiers};
 use egui_kittest::kittest::{NodeT, Queryable};
 use serde_json::json;
 
@@ -11,25 +10,6 @@ fn sphere() -> Page {
     let mut page = Page::new();
     page.command(json!({ "op": "new", "shape": "ico-sphere", "subdivisions": 2 }));
     page
-}
-
-fn choose(page: &mut Page, operation: &str) {
-    page.click("Operation");
-    page.click(operation);
-}
-
-fn type_into(page: &mut Page, field: &str, text: &str) {
-    page.harness.get_by_role_and_label(Role::SpinButton, field).click();
-    page.run();
-    page.press_with(Modifiers::COMMAND, Key::A);
-    page.harness.event(Event::Text(text.to_owned()));
-    page.run();
-    page.press(Key::Enter);
-}
-
-fn apply(page: &mut Page, operation: &str) {
-    page.harness.get_by_role_and_label(Role::Button, operation).click();
-    page.run();
 }
 
 /// The result that the form promises.
@@ -91,25 +71,25 @@ fn equals_and_minus_change_the_length_that_r_resamples_to() {
 #[test]
 fn simplify_is_told_how_far_in_one_of_three_ways() {
     let mut page = sphere();
-    choose(&mut page, "Simplify");
+    page.choose("Simplify");
     assert_eq!(promise(&page), "Result: 160 of 320 triangles");
-    type_into(&mut page, "Ratio", "0.3");
+    page.type_into("Ratio", "0.3");
     assert_eq!(promise(&page), "Result: 96 of 320 triangles");
 
     // Another way starts where the last one was.
     page.click("Simplify to");
     page.click("A count");
     assert_eq!(promise(&page), "Result: 96 of 320 triangles");
-    type_into(&mut page, "Faces", "1000");
+    page.type_into("Faces", "1000");
     assert_eq!(promise(&page), "Result: 320 of 320 triangles", "there are no more");
-    type_into(&mut page, "Faces", "64");
-    apply(&mut page, "Simplify");
+    page.type_into("Faces", "64");
+    page.apply("Simplify");
     assert_eq!(page.mesh().face_count(), 64);
 
     page.press_with(Modifiers::COMMAND, Key::Z);
     page.click("Simplify to");
     page.click("An error limit");
-    apply(&mut page, "Simplify");
+    page.apply("Simplify");
     let left = page.mesh().face_count();
     assert!(left <= 320 && left > 64, "{left}: a thousandth of the size is little");
 }
@@ -117,7 +97,7 @@ fn simplify_is_told_how_far_in_one_of_three_ways() {
 #[test]
 fn remeshing_starts_from_the_mesh_s_own_length_and_says_about_how_much_it_makes() {
     let mut page = sphere();
-    choose(&mut page, "Remesh");
+    page.choose("Remesh");
     page.click("Set Edge length");
     assert!((target_edge(&page).expect("set in the form") / mean_edge(&mut page) - 1.0).abs() < 0.01);
     // What is previewed is counted, not reckoned.
@@ -129,7 +109,7 @@ fn remeshing_starts_from_the_mesh_s_own_length_and_says_about_how_much_it_makes(
         .replace(' ', "")
         .parse()
         .expect("a number");
-    apply(&mut page, "Remesh");
+    page.apply("Remesh");
     let made = page.mesh().face_count() as f64;
     assert!((made / number - 1.0).abs() < 0.3, "{promised}, {made} made");
 }
@@ -138,11 +118,11 @@ fn remeshing_starts_from_the_mesh_s_own_length_and_says_about_how_much_it_makes(
 fn merging_is_counted_before_it_is_done() {
     let mut page = Page::new();
     page.command(json!({ "op": "new", "shape": "grid", "size": 10.0, "columns": 10, "rows": 10 }));
-    choose(&mut page, "Merge by distance");
+    page.choose("Merge by distance");
     assert_eq!(promise(&page), "Result: 121 of 121 vertices");
-    type_into(&mut page, "Distance", "1.1");
+    page.type_into("Distance", "1.1");
     let promised = promise(&page);
-    apply(&mut page, "Merge by distance");
+    page.apply("Merge by distance");
     let left = page.mesh().vertex_count();
     assert_eq!(promised, format!("Result: {left} of 121 vertices"));
     assert!(left < 121);
@@ -160,8 +140,8 @@ fn every_whole_mesh_operation_has_a_form_that_works_as_it_opens() {
     ];
     for name in names {
         let mut page = sphere();
-        choose(&mut page, name);
-        apply(&mut page, name);
+        page.choose(name);
+        page.apply(name);
         assert_eq!(page.undo_labels().len(), 2, "{name}");
         assert!(page.mesh().validate().is_ok(), "{name}");
         assert!(page.has("Adjust last operation") && page.has(name), "{name}");
@@ -191,7 +171,7 @@ fn adjusted_job() -> Page {
     page.command(json!({ "op": "simplify", "faces": 5000 }));
     assert_eq!(page.mesh().face_count(), 5000);
     page.outside.hold_jobs();
-    type_into(&mut page, "Faces", "4000");
+    page.type_into("Faces", "4000");
     page
 }
 

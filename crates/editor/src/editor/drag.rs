@@ -1,7 +1,6 @@
 //! Drags and spins: a preview that each movement replaces, and one undo step at the end.
 
 use super::Editor;
-use super::jobs::SMALL;
 use super::run::Planned;
 use crate::command::{Action, Command, Commit, Op, OperationKind};
 use crate::error::{CommandError, Problem};
@@ -64,7 +63,7 @@ impl Editor {
                 (back, Self::outcome(&[op], Elements::default(), Elements::default()), false)
             }
             Planned::Whole { op, objects, at } if changes_one_mesh(&op) => {
-                if Self::cost(std::slice::from_ref(&op), &self.inputs(&objects)) >= SMALL {
+                if !self.is_small(std::slice::from_ref(&op), &objects) {
                     return Err(Problem::new("on a mesh of this size it takes too long to be previewed"));
                 }
                 let made = self.compute(&op, &objects, &mut |_| std::ops::ControlFlow::Continue(()))?;

@@ -13,7 +13,7 @@ use std::ops::ControlFlow;
 
 /// Operations whose result is smaller than this many faces run at once: that takes less time than
 /// a frame, and less than sending the mesh to a worker.
-pub(super) const SMALL: usize = 20_000;
+const SMALL: usize = 20_000;
 
 /// What became of a command that was begun.
 #[derive(Debug)]
@@ -128,7 +128,7 @@ impl Editor {
     }
 
     /// How much work operations are, in faces to look at or to make.
-    pub(super) fn cost(ops: &[Op], inputs: &[Input]) -> usize {
+    fn cost(ops: &[Op], inputs: &[Input]) -> usize {
         let each = ops.iter().map(|op| match op.action() {
             Action::WholeMesh(whole) => whole.cost(inputs),
             Action::Local(edit) => inputs.first().map_or(0, |input| edit.cost(&input.mesh)),
@@ -141,11 +141,16 @@ impl Editor {
     /// fields; one that would be refused is not quick. Costs what finding its elements costs.
     pub fn is_quick(&self, command: Command) -> bool {
         match self.plan(command) {
-            Ok(Planned::Whole { op, objects, .. }) => Self::cost(&[op], &self.inputs(&objects)) < SMALL,
-            Ok(Planned::Local { object, ops }) => Self::cost(&ops, &self.inputs(&[object])) < SMALL,
+            Ok(Planned::Whole { op, objects, .. }) => self.is_small(&[op], &objects),
+            Ok(Planned::Local { object, ops }) => self.is_small(&ops, &[object]),
             Ok(Planned::Document { .. }) => true,
             Err(_) => false,
         }
+    }
+
+    /// Whether operations on these objects run at once.
+    pub(super) fn is_small(&self, ops: &[Op], objects: &[ObjectId]) -> bool {
+        Self::cost(ops, &self.inputs(objects)) < SMALL
     }
 
     /// The job of reading files, whose result [`Editor::finish`] opens in place of the document.

@@ -5,6 +5,7 @@
 //! reader to its results.
 
 use super::cursor::Cursor;
+use crate::report::first_few;
 use halfedge::{Color, Element, Mesh, keys};
 use serde::{Deserialize, Serialize};
 use std::collections::{HashMap, HashSet};
@@ -138,13 +139,9 @@ pub(crate) fn parameters<'a>(materials: impl Iterator<Item = &'a Material>) -> O
         }
         *count += 1;
     }
-    let shown: Vec<String> = order
-        .iter()
-        .take(SHOWN)
-        .map(|word| format!("{word} ({})", counts.get(word).copied().unwrap_or_default()))
-        .collect();
-    let more = if order.len() > SHOWN { ", …" } else { "" };
-    (!shown.is_empty()).then(|| shown.join(", ") + more)
+    let count = |word: &&str| format!("{word} ({})", counts.get(word).copied().unwrap_or_default());
+    let words: Vec<String> = order.iter().map(count).collect();
+    (!words.is_empty()).then(|| first_few(&words, SHOWN))
 }
 
 /// The names of the materials that faces of a mesh have.

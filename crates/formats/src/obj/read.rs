@@ -4,7 +4,7 @@ use super::mtl::{self, Material};
 use super::names::unpainted;
 use super::statements::{Statements, Troubles};
 use crate::import::{ImportedObject, NamedBytes, ReadError, Reading, build};
-use crate::report::{ImportReport, counted};
+use crate::report::{ImportReport, counted, first_few};
 use crate::soup::{drop_faces, labelled};
 use halfedge::attribute::{AttributeType, Column, Key};
 use halfedge::{Color, NONE, PolygonSoup, Progress, keys};
@@ -116,12 +116,11 @@ fn in_use(given: Vec<Material>, names: &[String], report: &mut ImportReport) -> 
         ));
     }
     if !unused.is_empty() {
-        let names: Vec<&str> = unused.iter().take(6).map(|material| material.name.as_str()).collect();
+        let names: Vec<&str> = unused.iter().map(|material| material.name.as_str()).collect();
         report.info(format!(
-            "{} that no face has left out: {}{}",
+            "{} that no face has left out: {}",
             counted(unused.len(), "material", "materials"),
-            names.join(", "),
-            if unused.len() > names.len() { ", …" } else { "" }
+            first_few(&names, 6)
         ));
     }
     used

@@ -6,6 +6,7 @@
 //! above or below it, so that height bounds the distance both ways. Where a patch folds over and is no
 //! graph, the distance that the merged vertices travel bounds it too.
 
+use crate::face_tree::along_segment;
 use glam::{DVec2, DVec3};
 
 /// The triangles around an edge before and after, with what is needed to compare them. Reused from one
@@ -109,9 +110,7 @@ impl Outline {
 
 /// The distance from a point to a segment.
 fn distance(q: DVec3, from: DVec3, to: DVec3) -> f64 {
-    let along = to - from;
-    let t = ((q - from).dot(along) / along.length_squared().max(f64::MIN_POSITIVE)).clamp(0.0, 1.0);
-    q.distance(from + along * t)
+    q.distance(from + (to - from) * along_segment(from, to, q))
 }
 
 /// The height of a patch over a point, if the patch covers it.

@@ -12,6 +12,7 @@ mod queue;
 mod run;
 
 use crate::SurfaceError;
+use crate::face_tree::along_segment;
 use crate::pace::Pace;
 use crate::trimesh::{TriMesh, next, prev};
 use glam::DVec3;
@@ -130,8 +131,7 @@ pub fn simplify(
     let mut work = Work::new(mesh, tri, options);
     pace.at(0.05)?;
     run::to(&mut work, wanted.unwrap_or(0), &mut pace.part(0.1, 0.95))?;
-    // Everything else goes before the result comes.
-    let Work { tri, .. } = work;
+    let tri = work.finish();
     let has_seams = wanted.is_some_and(|wanted| tri.faces > wanted)
         && (0..tri.v.len() as u32).any(|h| tri.is_alive(h) && tri.is_seam(h));
     let mesh = tri.into_mesh(mesh);
@@ -193,6 +193,11 @@ impl<'a> Work<'a> {
         work.add_faces();
         work.add_curves(mesh);
         work
+    }
+
+    /// The triangles; everything else goes, to make room for the result.
+    fn finish(self) -> TriMesh {
+        self.tri
     }
 
     fn add_faces(&mut self) {
@@ -328,10 +333,7 @@ impl<'a> Work<'a> {
                 *joined = (tri.opp(next(side)).min(tri.opp(prev(side))), left.max(right));
             }
         }
-        let (p, q) = (tri.at(a), tri.at(b));
-        let along = q - p;
-        let t = ((at - p).dot(along) / along.length_squared().max(f64::MIN_POSITIVE)).clamp(0.0, 1.0);
-        tri.collapse(h, t);
+        tri.collapse(h, along_segment(tri.at(a), tri.at(b), at));
         tri.position[a as usize] = at;
         let merged = self.quadrics[b as usize];
         self.quadrics[a as usize].add(&merged);
