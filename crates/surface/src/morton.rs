@@ -3,15 +3,14 @@
 use crate::measure::Bounds;
 use glam::Vec3;
 
-/// The numbers of the points in order of their Morton codes (10 bits an axis), equal codes in order of
-/// number. Costs O(points): three passes of a radix sort.
-pub(crate) fn order(points: &[Vec3]) -> Vec<u32> {
-    let all = points.iter().copied().fold(Bounds::EMPTY, Bounds::with);
+/// The numbers of points in order of their Morton codes (10 bits an axis), equal codes as they come. Costs
+/// O(points): three passes of a radix sort.
+pub(crate) fn order(points: impl Iterator<Item = (u32, Vec3)> + Clone) -> Vec<u32> {
+    let all = points.clone().map(|(_, point)| point).fold(Bounds::EMPTY, Bounds::with);
     let size = (all.max.as_dvec3() - all.min.as_dvec3()).max_element();
     let scale = if size > 0.0 && size.is_finite() { (1023.0 / size) as f32 } else { 0.0 };
-    let mut codes: Vec<(u32, u32)> = (0u32..)
-        .zip(points)
-        .map(|(i, &point)| {
+    let mut codes: Vec<(u32, u32)> = points
+        .map(|(i, point)| {
             let cell = ((point - all.min) * scale).clamp(Vec3::ZERO, Vec3::splat(1023.0));
             (spread(cell.x as u32) | spread(cell.y as u32) << 1 | spread(cell.z as u32) << 2, i)
         })
@@ -58,7 +57,8 @@ mod tests {
 
     #[test]
     fn points_on_a_line_sort_along_it_and_ties_keep_their_order() {
-        assert_eq!(order(&[9.0, 1.0, 5.0, 1.0, 0.0].map(Vec3::splat)), [4, 1, 3, 2, 0]);
-        assert_eq!(order(&[]), []);
+        let points = [9.0, 1.0, 5.0, 1.0, 0.0].map(Vec3::splat);
+        assert_eq!(order((0..).zip(points)), [4, 1, 3, 2, 0]);
+        assert_eq!(order([].into_iter()), []);
     }
 }

@@ -74,7 +74,7 @@ impl FaceTreeBuilder {
             Stage::LeavesInTurn(leaves) => sort_leaves(&mut self.order, leaves),
             Stage::Leaves(leaves) => std::mem::take(leaves),
             Stage::Centers(centers) => {
-                self.order = morton::order(centers).into_iter().map(|i| self.order[i as usize]).collect();
+                self.order = morton::order(self.order.iter().copied().zip(centers.iter().copied()));
                 self.done = 0;
                 self.stage = Stage::Leaves(Vec::with_capacity(self.order.len().div_ceil(LEAF)));
                 return None;
@@ -96,8 +96,7 @@ impl FaceTreeBuilder {
 fn sort_leaves(order: &mut Vec<u32>, in_turn: &[Bounds]) -> Vec<Bounds> {
     // Only whole leaves change places; the last, which may be short, stays last.
     let whole = order.len() / LEAF;
-    let centers: Vec<Vec3> = in_turn[..whole].iter().map(|b| b.center()).collect();
-    let mut sorted = morton::order(&centers);
+    let mut sorted = morton::order((0u32..).zip(in_turn[..whole].iter().map(|b| b.center())));
     sorted.extend(whole as u32..in_turn.len() as u32);
     *order = (sorted.iter())
         .flat_map(|&leaf| {

@@ -1,6 +1,6 @@
 //! Numbers on a few of the sides of triangles.
 
-use crate::trimesh::make_room;
+use crate::trimesh::{Renumbering, make_room};
 use halfedge::NONE;
 
 /// A number, or [`NONE`], per half-edge: kept edges have them, and those are few. Takes 4 bytes per
@@ -45,18 +45,18 @@ impl Sides {
         self.row.resize(triangles, NONE);
     }
 
-    /// Puts triangles in another order: `old` has the old number of each.
-    pub fn reorder(&mut self, old: &[u32]) {
+    /// Puts triangles in another order, and leaves out rows that no longer have numbers.
+    pub fn reorder(&mut self, triangles: &Renumbering) {
+        triangles.apply(&mut self.row, 0);
         let mut rows = Vec::new();
-        let mut new_row = |f: &u32| {
-            let numbers = *self.rows.get(self.row[*f as usize] as usize)?;
-            if numbers == [NONE; 3] {
-                return None;
+        for row in self.row.iter_mut().filter(|row| **row != NONE) {
+            let numbers = self.rows[*row as usize];
+            *row = NONE;
+            if numbers != [NONE; 3] {
+                *row = rows.len() as u32;
+                rows.push(numbers);
             }
-            rows.push(numbers);
-            Some(rows.len() as u32 - 1)
-        };
-        self.row = old.iter().map(|f| new_row(f).unwrap_or(NONE)).collect();
+        }
         self.rows = rows;
     }
 }
@@ -77,7 +77,7 @@ mod tests {
         let all = |sides: &Sides, count: u32| (0..count).map(|h| sides.get(h)).collect::<Vec<_>>();
         let none = NONE;
         assert_eq!(all(&sides, 12), [none, none, none, none, 7, none, none, none, none, 3, none, none]);
-        sides.reorder(&[3, 2, 1]);
+        sides.reorder(&Renumbering(vec![3, 2, 1]));
         assert_eq!(all(&sides, 9), [3, none, none, none, none, none, none, 7, none]);
         assert_eq!(sides.rows.len(), 2);
     }

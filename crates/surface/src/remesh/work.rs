@@ -3,7 +3,7 @@
 use super::curves::{Arc, Curves, Role};
 use super::input::Input;
 use super::sides::Sides;
-use crate::trimesh::{TriMesh, make_room, next, prev, with_room};
+use crate::trimesh::{Order, TriMesh, make_room, next, prev, with_room};
 use glam::DVec3;
 use halfedge::{Element, Mesh, NONE};
 
@@ -115,13 +115,12 @@ impl Work {
     /// Puts what belongs together in space together in memory again, without what was removed.
     pub fn put_in_order(&mut self) {
         self.stamps = Vec::new();
-        let order = self.tri.put_in_order(0);
-        let vertex = |v: &u32| *v as usize;
-        self.roles = order.vertices.iter().map(|v| self.roles[vertex(v)]).collect();
-        self.near = order.vertices.iter().map(|v| self.near[vertex(v)]).collect();
-        self.stamps = vec![0; order.vertices.len()];
+        let Order { vertices, triangles } = self.tri.put_in_order(0);
+        vertices.apply(&mut self.roles, 0);
+        vertices.apply(&mut self.near, 0);
+        self.stamps = vec![0; vertices.len()];
         self.stamp = 0;
-        self.arc.reorder(&order.triangles);
+        self.arc.reorder(&triangles);
         self.unordered = 0;
     }
 

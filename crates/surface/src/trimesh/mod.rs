@@ -10,6 +10,8 @@ mod order;
 mod output;
 mod values;
 
+pub(crate) use order::{Order, Renumbering};
+
 use glam::DVec3;
 use halfedge::attribute::Column;
 use halfedge::{Mesh, NONE};

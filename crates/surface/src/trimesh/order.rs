@@ -1,14 +1,86 @@
 //! Putting elements that are near in space near in memory.
 
-use super::{TriMesh, with_room};
+use super::TriMesh;
 use crate::morton;
-use glam::Vec3;
 use halfedge::NONE;
 
-/// What [`TriMesh::put_in_order`] did: the old number of each vertex and triangle.
+/// What [`TriMesh::put_in_order`] did.
 pub(crate) struct Order {
-    pub vertices: Vec<u32>,
-    pub triangles: Vec<u32>,
+    pub vertices: Renumbering,
+    pub triangles: Renumbering,
+}
+
+/// New numbers for what is kept of a list: the old number of each.
+pub(crate) struct Renumbering(pub Vec<u32>);
+
+impl Renumbering {
+    /// How many are kept.
+    pub fn len(&self) -> usize {
+        self.0.len()
+    }
+
+    /// Per old number, of which there were so many: the new one, or [`NONE`] for what is left out.
+    fn new_numbers(&self, count: usize) -> Vec<u32> {
+        let mut new = vec![NONE; count];
+        for (at, &old) in (0u32..).zip(&self.0) {
+            new[old as usize] = at;
+        }
+        new
+    }
+
+    /// Puts a list in its new order where it is: a second one beside it is memory that large meshes don't
+    /// have. There is room for so many more values then. Costs O(list).
+    pub fn apply<T: Copy>(&self, values: &mut Vec<T>, more: usize) {
+        self.permute(values);
+        fit(values, self.len(), more);
+    }
+
+    /// As [`Self::apply`], for a list of three values for each number; an empty one stays empty.
+    fn apply_to_corners(&self, values: &mut Vec<u32>, more: usize) {
+        if !values.is_empty() {
+            self.permute(values.as_chunks_mut::<3>().0);
+            fit(values, 3 * self.len(), 3 * more);
+        }
+    }
+
+    fn permute<T: Copy>(&self, values: &mut [T]) {
+        let Self(old) = self;
+        let mut wanted = vec![false; old.len()];
+        for &from in old {
+            if let Some(wanted) = wanted.get_mut(from as usize) {
+                *wanted = true;
+            }
+        }
+        let mut done = vec![false; old.len()];
+        // A place whose own value is left out takes another's, whose place is free then and takes the
+        // next, until one comes from past the end.
+        for start in (0..old.len()).filter(|&at| !wanted[at]) {
+            let mut at = start;
+            while let Some(&from) = old.get(at) {
+                values[at] = values[from as usize];
+                done[at] = true;
+                at = from as usize;
+            }
+        }
+        // What is left goes round in cycles.
+        for start in 0..old.len() {
+            let first = values[start];
+            let mut at = start;
+            while !done[at] {
+                done[at] = true;
+                let from = old[at] as usize;
+                values[at] = if from == start { first } else { values[from] };
+                at = from;
+            }
+        }
+    }
+}
+
+/// Cuts a list off, with room for so many more values and no memory beyond that.
+fn fit<T>(values: &mut Vec<T>, len: usize, more: usize) {
+    values.truncate(len);
+    values.shrink_to(len + more);
+    values.reserve_exact(more);
 }
 
 impl TriMesh {
@@ -16,26 +88,42 @@ impl TriMesh {
     /// leaves out what was removed: neighbours come to be near each other in memory. Says where each
     /// vertex and triangle was. There is room for so many [`TriMesh::split`]s then. Costs O(mesh).
     pub fn put_in_order(&mut self, splits: usize) -> Order {
-        let live: Vec<u32> =
-            (0u32..).zip(&self.out).filter(|(_, out)| **out != NONE).map(|(v, _)| v).collect();
-        let points: Vec<Vec3> = live.iter().map(|&v| self.position[v as usize].as_vec3()).collect();
-        let vertices: Vec<u32> = morton::order(&points).into_iter().map(|i| live[i as usize]).collect();
-        drop((points, live));
-        let mut vertex = vec![NONE; self.out.len()];
-        for (new, &old) in (0u32..).zip(&vertices) {
-            vertex[old as usize] = new;
+        let live = (0u32..).zip(&self.out).filter(|(_, out)| **out != NONE);
+        let vertices = Renumbering(morton::order(live.map(|(v, _)| (v, self.at(v).as_vec3()))));
+        let vertex = vertices.new_numbers(self.out.len());
+        let triangles = Renumbering(self.triangles_by_first(&vertex));
+        triangles.apply_to_corners(&mut self.v, 2 * splits);
+        self.v.iter_mut().for_each(|v| *v = vertex[*v as usize]);
+        drop(vertex);
+        let triangle = triangles.new_numbers(self.opp.len() / 3);
+        let half = |h: u32| if h == NONE { NONE } else { 3 * triangle[h as usize / 3] + h % 3 };
+        triangles.apply_to_corners(&mut self.opp, 2 * splits);
+        self.opp.iter_mut().for_each(|h| *h = half(*h));
+        vertices.apply(&mut self.out, splits);
+        self.out.iter_mut().for_each(|h| *h = half(*h));
+        drop(triangle);
+        vertices.apply(&mut self.position, splits);
+        triangles.apply(&mut self.face_source, 2 * splits);
+        triangles.apply_to_corners(&mut self.wedge, 2 * splits);
+        triangles.apply_to_corners(&mut self.edge_source, 2 * splits);
+        for column in &mut self.vertex_columns {
+            column.values = column.values.gather(vertices.0.iter().copied(), column.default);
         }
-        // Triangles by their smallest vertex, counted first.
+        Order { vertices, triangles }
+    }
+
+    /// The triangles there are, by the smallest new number of their vertices: counted first.
+    fn triangles_by_first(&self, vertex: &[u32]) -> Vec<u32> {
         let first = |corners: &[u32]| {
             let [a, b, c] = [corners[0], corners[1], corners[2]].map(|v| vertex[v as usize]);
             a.min(b).min(c) as usize
         };
         let is_live = |corners: &&[u32]| corners[0] != NONE;
-        let mut starts = vec![0u32; vertices.len() + 1];
+        let mut starts = vec![0u32; vertex.len() + 1];
         for corners in self.v.chunks_exact(3).filter(is_live) {
             starts[first(corners) + 1] += 1;
         }
-        for v in 0..vertices.len() {
+        for v in 0..vertex.len() {
             starts[v + 1] += starts[v];
         }
         let mut triangles = vec![NONE; self.faces];
@@ -46,35 +134,35 @@ impl TriMesh {
                 *place += 1;
             }
         }
-        drop(starts);
-        // One column after the other, small ones first, and no map before it is needed: remeshing takes
-        // most memory here.
-        self.face_source = with_room(triangles.iter().map(|&f| self.face_source[f as usize]), 2 * splits);
-        self.position = with_room(vertices.iter().map(|&v| self.position[v as usize]), splits);
-        let corners = |column: &[u32]| -> Vec<u32> {
-            if column.is_empty() {
-                return Vec::new();
-            }
-            let mut gathered = Vec::with_capacity(3 * triangles.len() + 6 * splits);
-            gathered.extend(triangles.iter().flat_map(|&f| [0, 1, 2].map(|k| column[3 * f as usize + k])));
-            gathered
-        };
-        self.v = corners(&self.v);
-        self.v.iter_mut().for_each(|v| *v = vertex[*v as usize]);
-        drop(vertex);
-        self.wedge = corners(&self.wedge);
-        self.edge_source = corners(&self.edge_source);
-        let mut triangle = vec![NONE; self.opp.len() / 3];
-        for (new, &old) in (0u32..).zip(&triangles) {
-            triangle[old as usize] = new;
+        triangles
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use proptest::prelude::*;
+
+    proptest! {
+        #[test]
+        fn renumbering_in_place_is_gathering(
+            old in (0u32..60).prop_flat_map(|count| {
+                let all: Vec<u32> = (0..count).collect();
+                prop::sample::subsequence(all, 0..=count as usize).prop_shuffle()
+            }),
+            beyond in 0u32..5,
+        ) {
+            let count = old.iter().max().map_or(0, |most| most + 1) + beyond;
+            let mut values: Vec<u32> = (0..count).map(|v| 7 * v).collect();
+            let mut corners: Vec<u32> = (0..3 * count).collect();
+            let renumbering = Renumbering(old.clone());
+            let new = renumbering.new_numbers(count as usize);
+            prop_assert!((0u32..).zip(&old).all(|(at, &v)| new[v as usize] == at));
+            prop_assert_eq!(new.iter().filter(|&&at| at != NONE).count(), old.len());
+            renumbering.apply(&mut values, 1);
+            prop_assert_eq!(values, old.iter().map(|v| 7 * v).collect::<Vec<_>>());
+            renumbering.apply_to_corners(&mut corners, 0);
+            prop_assert_eq!(corners, old.iter().flat_map(|v| [0, 1, 2].map(|k| 3 * v + k)).collect::<Vec<_>>());
         }
-        let half = |h: u32| if h == NONE { NONE } else { 3 * triangle[h as usize / 3] + h % 3 };
-        self.opp = corners(&self.opp);
-        self.opp.iter_mut().for_each(|h| *h = half(*h));
-        self.out = with_room(vertices.iter().map(|&v| half(self.out[v as usize])), splits);
-        for column in &mut self.vertex_columns {
-            column.values = column.values.gather(vertices.iter().copied(), column.default);
-        }
-        Order { vertices, triangles }
     }
 }
