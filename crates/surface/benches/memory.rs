@@ -46,8 +46,7 @@ fn status(name: &str) -> Option<usize> {
 
 fn run(job: &str) {
     let input = match job {
-        "simplify within a distance" => bunny(0).unwrap_or_else(|| sphere(6.0)),
-        "remesh a scan" => bunny(1).unwrap_or_else(|| sphere(7.0)),
+        "simplify within a distance" | "remesh a scan" => bunny(1).unwrap_or_else(|| sphere(7.0)),
         "simplify" | "merge by distance" => sphere(8.0),
         _ => sphere(7.0),
     };

@@ -5,7 +5,7 @@ mod common;
 use common::*;
 use glam::{Vec2, Vec3};
 use halfedge::attribute::keys;
-use halfedge::{Color, FaceId, Mesh};
+use halfedge::{Color, FaceId, Mesh, PolygonSoup};
 use proptest::prelude::*;
 use std::ops::ControlFlow;
 use surface::measure::*;
@@ -172,6 +172,46 @@ fn max_error_is_a_distance() {
     assert!(sampled_distance(&grid, &flat) <= 0.01);
     let exact = to(&torus, SimplifyTarget::MaxError(0.0)).mesh;
     assert_eq!(exact.face_count(), 2 * torus.face_count());
+}
+
+#[test]
+fn max_error_holds_where_the_nearest_triangle_is_round_a_fold() {
+    // A strip that turns back over itself: walking from where a corner was ends on the wrong side.
+    let mut soup = PolygonSoup::default();
+    soup.positions.extend(
+        [
+            [0.0, 0.0, 3.0],
+            [0.0, 1.2227526, 2.94685],
+            [0.0, 2.0, 3.0],
+            [0.0, 3.0, 3.0],
+            [2.598076, 0.0, -1.5000002],
+            [2.598076, 1.0, -1.5000002],
+            [2.598076, 2.0, -1.5000002],
+            [2.598076, 3.0, -1.5000002],
+            [-2.6149266, 0.0, -1.4999998],
+            [-2.5980763, 1.0, -1.6239247],
+            [-2.3457916, 2.0, -1.4999998],
+            [-2.5980763, 3.0, -1.4999998],
+            [0.0, 1.2227526, 2.94685],
+        ]
+        .map(Vec3::from),
+    );
+    for face in [
+        &[1, 2, 6, 5][..],
+        &[2, 3, 7, 6],
+        &[4, 5, 6, 10, 9, 8],
+        &[6, 7, 11, 10],
+        &[8, 9, 12, 0],
+        &[10, 11, 3, 2],
+    ] {
+        soup.push_face(face.iter().copied());
+    }
+    let mesh = to(&Mesh::build(soup).expect("small").mesh, SimplifyTarget::Ratio(1.0)).mesh;
+    for error in [0.3, 0.4686, 0.6] {
+        let result = to(&mesh, SimplifyTarget::MaxError(error)).mesh;
+        let distance = sampled_distance(&mesh, &result).max(sampled_distance(&result, &mesh));
+        assert!(distance <= error, "{distance} is more than {error}");
+    }
 }
 
 #[test]

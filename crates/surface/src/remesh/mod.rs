@@ -14,7 +14,6 @@
 //! than an edge is long, or meet at a small angle, triangles between them have small angles too.
 
 mod curves;
-mod input;
 mod kept;
 mod polish;
 mod relax;

@@ -1,9 +1,8 @@
 //! The mesh being worked on, and its three changes: split, collapse and flip, with the curves kept.
 
 use super::curves::{Arc, Curves, Role};
-use super::input::Input;
 use super::sides::Sides;
-use crate::trimesh::{Order, TriMesh, make_room, next, prev, with_room};
+use crate::trimesh::{Input, Order, Surface, TriMesh, make_room, next, prev, with_room};
 use glam::DVec3;
 use halfedge::{Element, Mesh, NONE};
 

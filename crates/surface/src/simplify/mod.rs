@@ -7,6 +7,7 @@
 
 mod deviation;
 mod limit;
+mod measured;
 mod quadric;
 mod queue;
 mod run;
@@ -14,10 +15,11 @@ mod run;
 use crate::SurfaceError;
 use crate::face_tree::along_segment;
 use crate::pace::Pace;
-use crate::trimesh::{TriMesh, next, prev};
+use crate::trimesh::{Input, Order, Renumbering, TriMesh, next, prev};
 use glam::DVec3;
 use halfedge::{Mesh, NONE, Progress, keys};
 use limit::Limit;
+use measured::Measured;
 use quadric::Quadric;
 use queue::Queue;
 
@@ -175,7 +177,10 @@ impl<'a> Work<'a> {
     fn new(mesh: &'a Mesh, tri: TriMesh, options: &Simplify) -> Self {
         let vertices = tri.out.len();
         let limit = match options.target {
-            SimplifyTarget::MaxError(error) => Some(Limit::new(mesh, &tri, error)),
+            // Rounding positions to floats must not go past it.
+            SimplifyTarget::MaxError(error) => {
+                Some(Limit::new(tri.v.len() / 3, vertices, error / tri.frame.scale - 1e-7))
+            }
             _ => None,
         };
         let mut work = Self {
@@ -193,6 +198,41 @@ impl<'a> Work<'a> {
         work.add_faces();
         work.add_curves(mesh);
         work
+    }
+
+    /// Starts to measure distances. What was removed no longer takes memory then.
+    fn measure(&mut self, pace: &mut Pace<'_, '_>) -> Result<(), SurfaceError> {
+        let Some(limit) = &mut self.limit else { return Ok(()) };
+        self.queue.restart(0);
+        self.stamps = Vec::new();
+        let before = self.tri.out.len();
+        let Order { vertices, triangles } = self.tri.put_in_order(0);
+        vertices.apply(&mut self.quadrics, 0);
+        vertices.apply(&mut self.roles, 0);
+        vertices.apply(&mut self.refused, 0);
+        triangles.apply(&mut limit.error, 0);
+        let Renumbering(near) = triangles;
+        let number = vertices.new_numbers(before);
+        // Numbered as the triangles were in the beginning.
+        let mut input = TriMesh::new(self.source);
+        input.put_in_order(0);
+        let mut into = std::mem::take(&mut limit.into);
+        let merged = |v: u32| {
+            let mut v = v as usize;
+            while into[v] as usize != v {
+                into[v] = into[into[v] as usize];
+                v = into[v] as usize;
+            }
+            number[v]
+        };
+        let input = Input::from(input);
+        let measured = Measured::new(input, &self.tri, near, &limit.error, merged, limit.distance, pace)?;
+        limit.measured = Some(measured);
+        self.stamps = vec![0; vertices.len()];
+        self.stamp = 0;
+        self.refused.fill(false);
+        self.queue.restart(self.tri.v.len());
+        Ok(())
     }
 
     /// The triangles; everything else goes, to make room for the result.
@@ -340,9 +380,7 @@ impl<'a> Work<'a> {
         if self.roles[b as usize] == Role::Fixed || self.roles[a as usize] == Role::Free {
             self.roles[a as usize] = self.roles[b as usize];
         }
-        if let Some(limit) = &mut self.limit {
-            limit.hand_out(&self.tri, a);
-        }
+        self.note_merge(b, a, error);
         for (edge, rank) in joined {
             if edge != NONE {
                 self.queue.put(edge, rank);
@@ -351,9 +389,6 @@ impl<'a> Work<'a> {
         let first = self.tri.out[a as usize];
         let mut around = first;
         loop {
-            if let Some(limit) = &mut self.limit {
-                limit.error[around as usize / 3] = error;
-            }
             self.put_back(self.tri.edge(around));
             self.retry(self.tri.to(around));
             let after = self.tri.turn(around);

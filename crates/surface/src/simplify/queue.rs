@@ -30,13 +30,24 @@ pub(super) struct Queue {
 impl Queue {
     /// An empty queue for edges below `edges`.
     pub fn new(edges: usize) -> Self {
-        Self {
+        let mut queue = Self {
             buckets: vec![Bucket::default(); BUCKETS],
-            place: vec![NOWHERE; edges],
+            place: Vec::new(),
             filled: vec![0; BUCKETS / 64],
             filled_words: [0; BUCKETS / 4096],
-            ceiling: u16::MAX,
-        }
+            ceiling: 0,
+        };
+        queue.restart(edges);
+        queue
+    }
+
+    /// Forgets all edges, and is ready for those below `edges`.
+    pub fn restart(&mut self, edges: usize) {
+        self.buckets.fill(Bucket::default());
+        self.filled.fill(0);
+        self.filled_words.fill(0);
+        self.place = vec![NOWHERE; edges];
+        self.ceiling = u16::MAX;
     }
 
     /// The rank of a cost, which is not negative: costs in order have ranks in order.

@@ -31,9 +31,10 @@ struct Run<'r, 'w, 'p, 'q, 's> {
 
 impl Run<'_, '_, '_, '_, '_> {
     fn run(&mut self) -> Result<(), SurfaceError> {
-        // A distance that is kept needs measuring, beside which the queue costs nothing.
-        if self.work.limit.is_none() {
-            self.in_blocks()?;
+        self.in_blocks()?;
+        if self.work.limit.is_some() {
+            let gone = self.gone();
+            self.work.measure(&mut self.pace.part(gone, gone))?;
         }
         self.work.queue.ceiling = u16::MAX;
         let mut before = usize::MAX;
@@ -78,9 +79,14 @@ impl Run<'_, '_, '_, '_, '_> {
         (0..end).step_by(3 * BLOCK).map(move |first| first..end.min(first + 3 * BLOCK as u32))
     }
 
+    /// The share of the triangles to go that have.
+    fn gone(&self) -> f32 {
+        (self.start - self.work.tri.faces) as f32 / (self.start - self.wanted) as f32
+    }
+
     fn ask(&mut self) -> Result<(), SurfaceError> {
-        let gone = self.start - self.work.tri.faces;
-        self.pace.at(gone as f32 / (self.start - self.wanted) as f32)
+        let gone = self.gone();
+        self.pace.at(gone)
     }
 
     /// Collapses what is in the queue until this many triangles are left.

@@ -5,7 +5,7 @@ use super::{Frame, TriMesh};
 use crate::CornerTriangulator;
 use glam::DVec3;
 use halfedge::attribute::Value;
-use halfedge::{Element, Mesh, NONE};
+use halfedge::{Element, HalfedgeId, Mesh, NONE};
 
 impl TriMesh {
     /// The triangles of a mesh, its polygons cut. Isolated vertices are not taken over.
@@ -13,17 +13,25 @@ impl TriMesh {
         let frame = Frame::of(mesh);
         let mut position: Vec<DVec3> = mesh.positions().iter().map(|&p| frame.inward(p)).collect();
         let mut vertex_columns = mesh.columns().of(Element::Vertex).to_vec();
-        let count: usize = mesh.halfedge_count();
-        let mut v = Vec::with_capacity(count);
-        // The mesh's half-edge that a side is, or NONE for a diagonal.
-        let mut side: Vec<u32> = Vec::with_capacity(count);
-        // The mesh's half-edge that leaves the corner of a side.
-        let mut corner: Vec<u32> = Vec::with_capacity(count);
-        let mut face_source = Vec::with_capacity(count / 3);
+        let (faces, sides) = (mesh.face_count(), mesh.halfedge_count());
+        // A polygon has two triangles less than sides, unless it gets a vertex in the middle.
+        let triangles = sides.saturating_sub(2 * faces);
+        let mut v = Vec::with_capacity(3 * triangles);
+        // Per half-edge of the mesh: the side that it is.
+        let mut of_side = vec![NONE; mesh.halfedge_capacity()];
+        // The mesh's half-edge that leaves the corner of a side, where corners have attributes.
+        let corner_columns = mesh.columns().of(Element::Halfedge).to_vec();
+        let mut corner: Vec<u32> = Vec::new();
+        let mut put_corner = |h: HalfedgeId| {
+            if !corner_columns.is_empty() {
+                corner.push(h.raw());
+            }
+        };
+        let mut face_source = Vec::with_capacity(triangles);
         let poked = clashing_polygons(mesh);
         let mut cut = CornerTriangulator::new();
         let mut diagonals: Vec<(u64, u32)> = Vec::new();
-        let mut pairs: Vec<(u32, u32)> = Vec::new();
+        let mut pairs: Vec<(u32, u32)> = Vec::with_capacity(triangles.saturating_sub(faces));
         for f in mesh.faces() {
             if poked.binary_search(&f.raw()).is_ok() {
                 let first = mesh.halfedge_of(f);
@@ -38,8 +46,8 @@ impl TriMesh {
                 for (i, h) in (0u32..).zip(mesh.face_halfedges(f)) {
                     let at = v.len() as u32;
                     v.extend([mesh.from(h).raw(), mesh.to(h).raw(), middle]);
-                    side.extend([h.raw(), NONE, NONE]);
-                    corner.extend([h.raw(), mesh.next(h).raw(), first.raw()]);
+                    of_side[h.index()] = at;
+                    [h, mesh.next(h), first].into_iter().for_each(&mut put_corner);
                     face_source.push(f.raw());
                     pairs.push((at + 1, start + 3 * ((i + 1) % degree) + 2));
                 }
@@ -51,13 +59,12 @@ impl TriMesh {
                     let (h, after) = (triangle[k], triangle[(k + 1) % 3]);
                     let (from, to) = (mesh.from(h), mesh.from(after));
                     if mesh.next(h) == after {
-                        side.push(h.raw());
+                        of_side[h.index()] = v.len() as u32;
                     } else {
                         let (a, b) = (u64::from(from.raw()), u64::from(to.raw()));
                         diagonals.push((a.min(b) << 32 | a.max(b), v.len() as u32));
-                        side.push(NONE);
                     }
-                    corner.push(h.raw());
+                    put_corner(h);
                     v.push(from.raw());
                 }
                 face_source.push(f.raw());
@@ -66,15 +73,11 @@ impl TriMesh {
             pairs.extend(diagonals.chunks_exact(2).map(|pair| (pair[0].1, pair[1].1)));
         }
         let mut opp = vec![NONE; v.len()];
-        let mut of_side = vec![NONE; mesh.halfedge_capacity()];
-        for (h, &s) in (0u32..).zip(&side) {
-            if s != NONE {
-                of_side[s as usize] = h;
-            }
-        }
-        for (h, &s) in side.iter().enumerate() {
-            if s != NONE {
-                opp[h] = of_side[s as usize ^ 1];
+        for pair in of_side.as_chunks::<2>().0 {
+            for (this, other) in [(pair[0], pair[1]), (pair[1], pair[0])] {
+                if this != NONE {
+                    opp[this as usize] = other;
+                }
             }
         }
         for (a, b) in pairs {
@@ -83,10 +86,15 @@ impl TriMesh {
         }
         let mut edge_source = Vec::new();
         if !mesh.columns().of(Element::Edge).is_empty() {
-            edge_source.extend(side.iter().map(|&s| if s == NONE { NONE } else { s / 2 }));
+            edge_source.resize(v.len(), NONE);
+            for (side, &h) in (0u32..).zip(&of_side) {
+                if h != NONE {
+                    edge_source[h as usize] = side / 2;
+                }
+            }
         }
-        let corner_columns = mesh.columns().of(Element::Halfedge).to_vec();
-        let wedge = if corner_columns.is_empty() { Vec::new() } else { corner };
+        drop(of_side);
+        let wedge = corner;
         let faces = face_source.len();
         let mut tri = Self {
             out: vec![NONE; position.len()],

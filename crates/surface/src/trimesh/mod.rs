@@ -9,8 +9,10 @@ mod edit;
 mod order;
 mod output;
 mod values;
+mod walk;
 
 pub(crate) use order::{Order, Renumbering};
+pub(crate) use walk::{Input, Surface};
 
 use glam::DVec3;
 use halfedge::attribute::Column;

@@ -20,7 +20,7 @@ impl Renumbering {
     }
 
     /// Per old number, of which there were so many: the new one, or [`NONE`] for what is left out.
-    fn new_numbers(&self, count: usize) -> Vec<u32> {
+    pub fn new_numbers(&self, count: usize) -> Vec<u32> {
         let mut new = vec![NONE; count];
         for (at, &old) in (0u32..).zip(&self.0) {
             new[old as usize] = at;
