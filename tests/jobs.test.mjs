@@ -132,3 +132,25 @@ editorTest("the bar shows a job, and its button and Escape cancel it", once, asy
     assert.deepEqual((await editor.state()).document, document);
   }
 });
+
+const once = { renderers: ["webgl2"], sizes: [SMALL] };
+editorTest("numbers out of all proportion neither stop the page nor keep it busy", once, async (editor) => {
+  const most = 2 ** 32 - 1;
+  for (const command of [
+    { op: "remesh", iterations: most },
+    { op: "remesh", edge_length: 0.004 },
+    { op: "smooth", iterations: most },
+  ]) {
+    const { jobs, answer } = await editor.page.evaluate(async (command) => {
+      const { meshwright } = window;
+      const answer = meshwright.run(command).then(() => "done", String);
+      const { jobs } = meshwright.state();
+      meshwright.cancel();
+      return { jobs: jobs.map(({ op }) => op), answer: await answer };
+    }, command);
+    assert.deepEqual(jobs, [command.op]);
+    assert.match(answer, /cancelled/);
+  }
+  const { warnings } = await editor.run({ op: "simplify", faces: most });
+  assert.match(warnings.join(), /only 12 triangles/);
+});

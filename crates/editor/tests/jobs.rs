@@ -70,6 +70,33 @@ fn what_is_small_is_done_at_once_and_what_is_large_is_a_job() {
 }
 
 #[test]
+fn what_makes_much_of_little_is_a_job() {
+    for (shape, op) in [
+        (json!({"shape": "cube"}), json!({"op": "remesh", "edge_length": 0.02})),
+        (json!({"shape": "cube"}), json!({"op": "remesh", "iterations": 4_294_967_295u32})),
+        (json!({"shape": "cube"}), json!({"op": "smooth", "iterations": 4_294_967_295u32})),
+        (
+            json!({"shape": "cube"}),
+            json!({"op": "bevel-edges", "edges": [0], "width": 0.1, "segments": 20_000}),
+        ),
+        (
+            json!({"shape": "grid", "rows": 1, "columns": 100}),
+            json!({"op": "loop-cut", "edge": [0, 101], "cuts": 1000}),
+        ),
+        (json!({"shape": "grid", "rows": 70, "columns": 70}), json!({"op": "simplify", "max_error": 0.01})),
+    ] {
+        let mut editor = on_cube();
+        let mut new = json!({"op": "new"});
+        for (field, value) in shape.as_object().expect("fields") {
+            new[field] = value.clone();
+        }
+        run(&mut editor, new);
+        let begun = editor.begin(command(op.clone())).unwrap_or_else(|error| panic!("{op}: {error}"));
+        assert!(matches!(begun, Begun::Job(_)), "{op} was done at once");
+    }
+}
+
+#[test]
 fn a_job_through_bytes_equals_the_direct_run() {
     for op in [
         json!({"op": "subdivide-catmull-clark", "levels": 6, "boundary": "edge-and-corner"}),

@@ -24,7 +24,7 @@ pub struct Merged {
 /// distance: where that one is, with that one's attributes. So nothing moves farther than the distance,
 /// and the result depends on nothing but the mesh. Faces lose the corners that fall together; those left
 /// with fewer than three go. The rest is built anew as a file is, and what doesn't fit a manifold is
-/// repaired and noted. Costs O(n log n) while few vertices share a cell of the distance's size.
+/// repaired and noted. Costs O(n log n), whatever the distance.
 ///
 /// # Errors
 /// [`SurfaceError::BadField`] for a distance that is negative or not finite; [`SurfaceError::Cancelled`].
@@ -109,16 +109,22 @@ fn keepers(positions: &[Vec3], distance: f64, pace: &mut Pace<'_, '_>) -> Result
     // Their size is also a share of the mesh's, so that cell numbers fit.
     let bounds = crate::measure::Bounds::of(positions.iter().copied());
     let (origin, diagonal) = bounds.map_or((DVec3::ZERO, 0.0), |b| (b.min.as_dvec3(), b.diagonal()));
-    let size = distance.max(diagonal / f64::from(1 << 20)).max(f64::MIN_POSITIVE);
+    let size = distance.max(diagonal / (1u64 << 40) as f64).max(f64::MIN_POSITIVE);
     let cell = |p: Vec3| ((p.as_dvec3() - origin) / size).floor().as_i64vec3();
-    let key = |c: glam::I64Vec3| ((c.x + 2) as u64) << 42 | ((c.y + 2) as u64) << 21 | (c.z + 2) as u64;
-    let mut sorted: Vec<(u64, u32)> = (0u32..).zip(positions).map(|(v, &p)| (key(cell(p)), v)).collect();
-    sorted.sort_unstable();
+    let key = |c: glam::I64Vec3| ((c.x + 2) as u128) << 84 | ((c.y + 2) as u128) << 42 | (c.z + 2) as u128;
+    let mut cells: Vec<u128> = positions.iter().map(|&p| key(cell(p))).collect();
+    cells.sort_unstable();
+    cells.dedup();
+    // Per cell the last of the vertices in it that stay, and per vertex the one before it. Those that stay
+    // are farther apart than the distance: few fit into a cell of its size.
+    let mut last = vec![NONE; cells.len()];
+    let mut before = vec![NONE; positions.len()];
     let mut keeper: Vec<u32> = (0..positions.len() as u32).collect();
     pace.chunks(positions.len(), |range| {
         for v in range {
             let p = positions[v];
             let here = cell(p);
+            let mut own = 0;
             let mut best = (distance * distance, NONE);
             for dx in -1..=1 {
                 for dy in -1..=1 {
@@ -128,23 +134,25 @@ fn keepers(positions: &[Vec3], distance: f64, pace: &mut Pace<'_, '_>) -> Result
                         continue;
                     }
                     let first = key(low);
-                    let start = sorted.partition_point(|&(k, _)| k < first);
-                    for &(k, w) in &sorted[start..] {
-                        if k > first + 2 {
-                            break;
+                    let start = cells.partition_point(|&key| key < first);
+                    for (at, _) in (start..).zip(cells[start..].iter().take_while(|&&key| key <= first + 2)) {
+                        if cells[at] == key(here) {
+                            own = at;
                         }
-                        // Only vertices before this one that stay.
-                        if w as usize >= v || keeper[w as usize] != w {
-                            continue;
-                        }
-                        let squared = p.as_dvec3().distance_squared(positions[w as usize].as_dvec3());
-                        if squared < best.0 || (squared == best.0 && w < best.1) {
-                            best = (squared, w);
+                        let mut w = last[at];
+                        while w != NONE {
+                            let squared = p.as_dvec3().distance_squared(positions[w as usize].as_dvec3());
+                            if squared < best.0 || (squared == best.0 && w < best.1) {
+                                best = (squared, w);
+                            }
+                            w = before[w as usize];
                         }
                     }
                 }
             }
-            if best.1 != NONE {
+            if best.1 == NONE {
+                before[v] = std::mem::replace(&mut last[own], v as u32);
+            } else {
                 keeper[v] = best.1;
             }
         }

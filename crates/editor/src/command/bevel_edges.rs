@@ -70,6 +70,7 @@ impl LocalEdit for BevelEdges {
     }
 
     fn cost(&self, mesh: &Mesh) -> usize {
-        self.edges.as_ref().map_or(mesh.edge_count(), Vec::len)
+        let edges = self.edges.as_ref().map_or(mesh.edge_count(), Vec::len);
+        edges.saturating_mul(self.segments as usize)
     }
 }

@@ -63,4 +63,10 @@ impl LocalEdit for LoopCut {
         edit::loop_cut(mesh, one(self.edge, "edge")?.find(mesh, "edge")?, self.cuts, self.t)?;
         Ok(())
     }
+
+    fn cost(&self, mesh: &Mesh) -> usize {
+        let edge = self.edge.and_then(|edge| edge.find(mesh, "edge").ok());
+        let ring = edge.map_or(0, |edge| edit::edge_ring(mesh, edge).0.len());
+        ring.saturating_mul(self.cuts as usize)
+    }
 }

@@ -49,7 +49,7 @@ impl EachMesh for MergeByDistance {
         Ok(merged.mesh)
     }
 
-    fn cost(&self, faces: usize) -> usize {
-        faces.saturating_mul(2)
+    fn cost(&self, mesh: &Mesh) -> usize {
+        mesh.face_count().saturating_mul(2)
     }
 }

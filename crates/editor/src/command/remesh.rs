@@ -97,7 +97,9 @@ impl EachMesh for Remesh {
         })
     }
 
-    fn cost(&self, faces: usize) -> usize {
-        faces.saturating_mul(4 * self.iterations as usize)
+    fn cost(&self, mesh: &Mesh) -> usize {
+        let made = self.edge_length.map_or(0.0, |length| surface::Remesh::expected(mesh, shortest(length)));
+        let triangles = mesh.face_count().saturating_add(made as usize);
+        triangles.saturating_mul(4).saturating_mul(self.iterations as usize)
     }
 }

@@ -88,7 +88,7 @@ impl EachMesh for Smooth {
         Ok(surface::smooth(mesh, &options, progress)?)
     }
 
-    fn cost(&self, faces: usize) -> usize {
-        faces.saturating_mul(self.iterations as usize)
+    fn cost(&self, mesh: &Mesh) -> usize {
+        mesh.face_count().saturating_mul(self.iterations as usize)
     }
 }

@@ -88,7 +88,7 @@ impl EachMesh for SubdivideCatmullClark {
         surface::subdivide_catmull_clark(mesh, &options, progress).map_err(subdivide::refused)
     }
 
-    fn cost(&self, faces: usize) -> usize {
-        subdivide::faces_after(faces, self.levels)
+    fn cost(&self, mesh: &Mesh) -> usize {
+        subdivide::faces_after(mesh.face_count(), self.levels)
     }
 }

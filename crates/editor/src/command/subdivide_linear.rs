@@ -54,7 +54,7 @@ impl EachMesh for SubdivideLinear {
         surface::subdivide_linear(mesh, &options, progress).map_err(subdivide::refused)
     }
 
-    fn cost(&self, faces: usize) -> usize {
-        subdivide::faces_after(faces, self.levels)
+    fn cost(&self, mesh: &Mesh) -> usize {
+        subdivide::faces_after(mesh.face_count(), self.levels)
     }
 }

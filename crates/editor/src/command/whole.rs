@@ -20,8 +20,8 @@ pub(crate) trait EachMesh {
         progress: &mut Progress<'_>,
     ) -> Result<Mesh, Problem>;
 
-    /// How much work it is, in faces to look at or to make, for meshes of so many faces.
-    fn cost(&self, faces: usize) -> usize;
+    /// How much work it is, in faces to look at or to make.
+    fn cost(&self, mesh: &Mesh) -> usize;
 }
 
 impl<T: EachMesh> WholeMesh for T {
@@ -45,7 +45,7 @@ impl<T: EachMesh> WholeMesh for T {
     }
 
     fn cost(&self, inputs: &[Input]) -> usize {
-        EachMesh::cost(self, faces(inputs))
+        inputs.iter().map(|input| EachMesh::cost(self, &input.mesh)).fold(0, usize::saturating_add)
     }
 }
 

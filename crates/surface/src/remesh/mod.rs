@@ -46,6 +46,15 @@ impl Default for Remesh {
     }
 }
 
+impl Remesh {
+    /// About how many triangles with sides of this length a mesh's surface takes: that of equilateral ones.
+    /// Costs O(mesh).
+    pub fn expected(mesh: &Mesh, edge_length: f64) -> f64 {
+        // An equilateral triangle has sqrt(3)/4 of its side's square.
+        crate::measure::surface_area(mesh) / (edge_length * edge_length * 0.433)
+    }
+}
+
 /// The most triangles that remeshing may make.
 const MAX_TRIANGLES: u64 = 8_000_000;
 
@@ -73,8 +82,7 @@ pub fn remesh(mesh: &Mesh, options: &Remesh, progress: &mut Progress<'_>) -> Res
     if !(length > 0.0 && length.is_finite()) {
         return Err(SurfaceError::field("edge_length", "a finite number above 0"));
     }
-    // An equilateral triangle has sqrt(3)/4 of its side's square.
-    let expected = crate::measure::surface_area(mesh) / (length * length * 0.433);
+    let expected = Remesh::expected(mesh, length);
     if expected > MAX_TRIANGLES as f64 {
         return Err(SurfaceError::TooManyFaces { faces: expected as u64, limit: MAX_TRIANGLES });
     }

@@ -73,7 +73,7 @@ impl Simplified {
             return None;
         }
         let closed = self.mesh.boundary_loops().is_empty();
-        Some(if faces == wanted + 1 && closed && wanted % 2 == 1 {
+        Some(if faces.checked_sub(1) == Some(wanted) && closed && wanted % 2 == 1 {
             format!("{faces} triangles, not {wanted}: a closed mesh has an even number of them")
         } else if faces < wanted {
             format!("the mesh has only {faces} triangles")
