@@ -53,8 +53,14 @@ pub fn counts_text(counts: Counts) -> String {
 
 /// Counts as one line of text.
 pub fn counts_line(counts: Counts) -> String {
-    format!(
-        "{} vertices, {} edges, {} faces, {} boundary loops, {} components",
-        counts.vertices, counts.edges, counts.faces, counts.boundary_loops, counts.components
-    )
+    let count =
+        |count: usize, one: &str, more: &str| format!("{count} {}", if count == 1 { one } else { more });
+    [
+        count(counts.vertices, "vertex", "vertices"),
+        count(counts.edges, "edge", "edges"),
+        count(counts.faces, "face", "faces"),
+        count(counts.boundary_loops, "boundary loop", "boundary loops"),
+        count(counts.components, "component", "components"),
+    ]
+    .join(", ")
 }

@@ -325,12 +325,13 @@ fn from_fields<T: DeserializeOwned>(fields: Map<String, Value>) -> Result<T, Pro
 fn in_plain_words(text: &str) -> Option<String> {
     if let Some(rest) = text.strip_prefix("invalid length ") {
         let (length, expected) = rest.split_once(", expected ")?;
-        let wanted = match expected.strip_prefix("an array of length ") {
-            Some(wanted) => format!("expected {wanted}"),
-            None if expected == "fewer elements in array" => "expected fewer".to_owned(),
-            None => format!("expected {expected}"),
-        };
-        return Some(format!("a list of {length} values; {wanted}"));
+        return Some(match expected.strip_prefix("an array of length ") {
+            Some(wanted) => format!("a list of {length} values; expected {wanted}"),
+            None if expected == "fewer elements in array" => {
+                format!("a list of {length} values is too long")
+            }
+            None => format!("a list of {length} values; expected {expected}"),
+        });
     }
     let rest = text.strip_prefix("invalid type: ").or_else(|| text.strip_prefix("invalid value: "))?;
     let (given, expected) = rest.split_once(", expected ")?;

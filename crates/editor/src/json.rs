@@ -80,10 +80,11 @@ pub(crate) mod whole {
 
     pub fn deserialize<'de, D: Deserializer<'de>>(deserializer: D) -> Result<u32, D::Error> {
         let value = serde_json::Value::deserialize(deserializer)?;
-        value
-            .as_u64()
-            .and_then(|whole| u32::try_from(whole).ok())
-            .ok_or_else(|| D::Error::custom(format!("{value} is not a whole number of 0 or more")))
+        let Some(whole) = value.as_u64() else {
+            return Err(D::Error::custom(format!("{value} is not a whole number of 0 or more")));
+        };
+        u32::try_from(whole)
+            .map_err(|_| D::Error::custom(format!("{whole} is too large; it may be {} at most", u32::MAX)))
     }
 }
 

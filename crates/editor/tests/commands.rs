@@ -160,6 +160,32 @@ fn objects_are_activated_renamed_hidden_and_deleted() {
 }
 
 #[test]
+fn the_same_name_again_is_no_step() {
+    let mut editor = on_two();
+    run(&mut editor, json!({"op": "split-edge", "edge": 0}));
+    let name = editor.document().objects()[0].name().to_owned();
+    run(&mut editor, json!({"op": "rename-object", "object": 0, "name": name}));
+    assert_eq!(editor.last_command().map(|last| last.name()), Some("split-edge"));
+    editor.undo().expect("free");
+    assert_eq!(editor.document(), on_two().document());
+}
+
+#[test]
+fn what_is_seen_stays_to_be_seen_when_it_is_joined() {
+    for (hidden, visible) in [(vec![0], true), (vec![1], true), (vec![0, 1], false)] {
+        let mut editor = on_two();
+        for object in &hidden {
+            run(&mut editor, json!({"op": "set-object-visible", "object": object, "visible": false}));
+        }
+        let before = editor.document().clone();
+        run(&mut editor, json!({"op": "join-objects", "objects": [0, 1]}));
+        assert_eq!(editor.document().objects()[0].visible(), visible, "{hidden:?}");
+        editor.undo().expect("free");
+        assert_eq!(*editor.document(), before);
+    }
+}
+
+#[test]
 fn commands_act_on_the_object_they_name() {
     let mut editor = on_two();
     run(&mut editor, json!({"op": "subdivide-linear", "object": 1}));
@@ -292,6 +318,18 @@ fn refusals_name_the_op_and_the_field() {
         ),
         (json!({"op": "split-edge", "edge": [0, 80]}), &["split-edge", "`edge`", "no vertex 80"]),
         (json!({"op": "split-edge", "edge": 0, "t": 1}), &["split-edge", "`t`", "between 0 and 1"]),
+        (json!({"op": "split-edge", "edge": [1, 0], "t": 0}), &["split-edge", "`t`: 0 is out of range"]),
+        (
+            json!({"op": "collapse-edge", "edge": [1, 0], "t": 2}),
+            &["collapse-edge", "`t`: 2 is out of range"],
+        ),
+        (
+            json!({"op": "subdivide-linear", "levels": 10_000_000_000u64}),
+            &["`levels`", "too large", "4294967295"],
+        ),
+        (json!({"op": "transform", "vertices": []}), &["transform", "no vertex was given"]),
+        (json!({"op": "set-face-color", "faces": [], "color": "#ff0000"}), &["no face was given"]),
+        (json!({"op": "triangulate-faces", "faces": []}), &["no face was given"]),
         (json!({"op": "split-edge", "edge": 0, "t": 1e39}), &["split-edge", "`t`", "finite"]),
         (json!({"op": "split-edge", "edge": 0, "t": null}), &["split-edge", "`t`"]),
         (json!({"op": "split-edge", "edge": 0, "T": 1}), &["split-edge", "`T`", "not a field", "`t`"]),
@@ -407,7 +445,7 @@ fn refusals_name_the_op_and_the_field() {
         ),
         (
             json!({"op": "set-vertex-position", "vertex": 0, "position": [0, 0, 0, 0]}),
-            &["`position`", "a list of 4 values; expected fewer"],
+            &["`position`", "a list of 4 values is too long"],
         ),
         (
             json!({"op": "set-vertex-position", "vertex": 0, "position": [0, 0]}),

@@ -1,6 +1,6 @@
 //! `collapse-edge`: the ends of an edge made one vertex.
 
-use super::fields::one;
+use super::fields::{given_t, one};
 use super::{Action, EdgeRef, Field, FieldKind, LocalEdit, Operation, OperationKind, Spec, Target};
 use crate::error::Problem;
 use halfedge::{Mesh, edit};
@@ -46,12 +46,12 @@ impl Operation for CollapseEdge {
 impl LocalEdit for CollapseEdge {
     fn can(&self, mesh: &Mesh) -> Result<(), Problem> {
         let (edge, t) = one(self.edge, "edge")?.find_along(self.t, mesh, "edge")?;
-        Ok(edit::can_collapse_edge(mesh, edge, t)?)
+        Ok(edit::can_collapse_edge(mesh, edge, t).map_err(given_t(self.t))?)
     }
 
     fn edit(&self, mesh: &mut Mesh, _notes: &mut Vec<String>) -> Result<(), Problem> {
         let (edge, t) = one(self.edge, "edge")?.find_along(self.t, mesh, "edge")?;
-        edit::collapse_edge(mesh, edge, t)?;
+        edit::collapse_edge(mesh, edge, t).map_err(given_t(self.t))?;
         Ok(())
     }
 

@@ -1,6 +1,7 @@
 //! Fields that name elements: an id, or for edges and half-edges a pair of vertices.
 
 use crate::error::Problem;
+use halfedge::edit::Refusal;
 use halfedge::{EdgeId, Element, FaceId, HalfedgeId, Mesh, VertexId};
 use serde::de::{Deserializer, Error, SeqAccess, Unexpected, Visitor};
 use serde::{Deserialize, Serialize, Serializer};
@@ -88,6 +89,14 @@ fn between([from, to]: [u32; 2], mesh: &Mesh, field: &str) -> Result<HalfedgeId,
         .ok_or_else(|| Problem::field(field, format!("no edge joins vertex {from} and vertex {to}")))
 }
 
+/// A refusal of a place along an edge, which names the place as it was given.
+pub(crate) fn given_t(t: f32) -> impl Fn(Refusal) -> Refusal {
+    move |refusal| match refusal {
+        Refusal::OutOfRange { field: "t", range, .. } => Refusal::OutOfRange { field: "t", value: t, range },
+        other => other,
+    }
+}
+
 /// The elements of a list field, each checked; the field in messages has the place in the list.
 pub(crate) fn find_all<R: Copy, T>(
     list: &[R],
@@ -137,7 +146,8 @@ pub(crate) fn faces(list: &Option<Vec<FaceRef>>, mesh: &Mesh) -> Result<Vec<Face
 
 /// The faces of a `faces` field that stands for all when left out.
 pub(crate) fn faces_or_all(list: &Option<Vec<FaceRef>>, mesh: &Mesh) -> Result<Vec<FaceId>, Problem> {
-    match list {
+    match list.as_deref() {
+        Some([]) => Err(Refusal::NothingGiven(Element::Face).into()),
         Some(_) => faces(list, mesh),
         None => Ok(mesh.faces().collect()),
     }

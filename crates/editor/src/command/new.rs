@@ -85,7 +85,7 @@ impl Operation for New {
             if shape.get(&field).is_none() {
                 let known: Vec<String> = shape.fields().iter().map(|f| format!("`{}`", f.name)).collect();
                 let known = known.join(", ");
-                let text = format!("is not a field of a {}; it has `shape`, `add`, {known}", shape.name());
+                let text = format!("is not a field of the shape `{}`; it has `shape`, `add`, {known}", shape.name());
                 return Err(Problem::field(field, text));
             }
             let number =

@@ -38,6 +38,7 @@ impl DocumentEdit for RenameObject {
         if name.is_empty() || name.chars().any(char::is_control) {
             return Err(Problem::field("name", "a name has at least one character, and none of control"));
         }
-        Ok(vec![Change::Name(object.id(), name.to_owned())])
+        let renamed = (name != object.name()).then(|| Change::Name(object.id(), name.to_owned()));
+        Ok(renamed.into_iter().collect())
     }
 }

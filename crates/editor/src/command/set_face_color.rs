@@ -3,7 +3,8 @@
 use super::fields::faces;
 use super::{Action, FaceRef, Field, FieldKind, LocalEdit, Operation, OperationKind, Spec, Target};
 use crate::error::Problem;
-use halfedge::{Color, FaceId, Mesh, keys};
+use halfedge::edit::Refusal;
+use halfedge::{Color, Element, FaceId, Mesh, keys};
 use serde::{Deserialize, Serialize};
 
 /// Paints faces.
@@ -47,7 +48,8 @@ impl SetFaceColor {
         let color = Color::from_hex(&self.color).ok_or_else(|| {
             Problem::field("color", format!("{:?} is not a color; write it as #rrggbb", self.color))
         })?;
-        Ok((faces(&self.faces, mesh)?, color))
+        let faces = faces(&self.faces, mesh)?;
+        if faces.is_empty() { Err(Refusal::NothingGiven(Element::Face).into()) } else { Ok((faces, color)) }
     }
 }
 

@@ -1,6 +1,6 @@
 //! `split-edge`: a new vertex on an edge, and cuts from it.
 
-use super::fields::one;
+use super::fields::{given_t, one};
 use super::{Action, EdgeRef, Field, FieldKind, LocalEdit, Operation, OperationKind, Spec, Target};
 use crate::error::Problem;
 use halfedge::{Mesh, edit};
@@ -86,12 +86,12 @@ impl From<Connect> for edit::Connect {
 impl LocalEdit for SplitEdge {
     fn can(&self, mesh: &Mesh) -> Result<(), Problem> {
         let (edge, t) = one(self.edge, "edge")?.find_along(self.t, mesh, "edge")?;
-        Ok(edit::can_split_edge(mesh, edge, t, self.connect.into())?)
+        Ok(edit::can_split_edge(mesh, edge, t, self.connect.into()).map_err(given_t(self.t))?)
     }
 
     fn edit(&self, mesh: &mut Mesh, _notes: &mut Vec<String>) -> Result<(), Problem> {
         let (edge, t) = one(self.edge, "edge")?.find_along(self.t, mesh, "edge")?;
-        edit::split_edge(mesh, edge, t, self.connect.into())?;
+        edit::split_edge(mesh, edge, t, self.connect.into()).map_err(given_t(self.t))?;
         Ok(())
     }
 }

@@ -7,7 +7,8 @@ use super::{
 use crate::error::Problem;
 use crate::json::{finite, finite_option, finite3, finite3_option};
 use glam::{Affine3A, Mat3A, Quat, Vec3};
-use halfedge::{Mesh, VertexId};
+use halfedge::edit::Refusal;
+use halfedge::{Element, Mesh, VertexId};
 use serde::de::{Deserializer, Error};
 use serde::{Deserialize, Serialize, Serializer};
 use std::cmp::Ordering;
@@ -168,7 +169,7 @@ impl Transform {
         }
         vertices.sort_unstable();
         vertices.dedup();
-        Ok(vertices)
+        if vertices.is_empty() { Err(Refusal::NothingGiven(Element::Vertex).into()) } else { Ok(vertices) }
     }
 
     fn pivot(&self, mesh: &Mesh, vertices: &[VertexId]) -> Vec3 {

@@ -109,6 +109,10 @@ impl Editor {
                     changes.push(Change::Name(target, first.name));
                 }
                 if commit == Commit::Join {
+                    let is_visible = |&id: &ObjectId| self.document.object(id).is_some_and(Object::visible);
+                    if objects.iter().any(is_visible) && !is_visible(&target) {
+                        changes.push(Change::Visible(target, true));
+                    }
                     let mut places: Vec<usize> =
                         objects.iter().skip(1).filter_map(|&id| self.document.index_of(id)).collect();
                     places.sort_unstable();

@@ -120,9 +120,7 @@ impl Editor {
             }
             _ => {
                 drop(inputs);
-                let outcome = self.carry_out(planned, &mut |_| ControlFlow::Continue(()))?;
-                self.remember(command);
-                Ok(Begun::Done(outcome))
+                Ok(Begun::Done(self.carry_out(command, planned, &mut |_| ControlFlow::Continue(()))?))
             }
         }
     }

@@ -88,12 +88,26 @@ impl Editor {
         progress: &mut halfedge::Progress<'_>,
     ) -> Result<Outcome, Problem> {
         let planned = self.plan(command.clone())?;
-        let outcome = self.carry_out(planned, progress)?;
-        self.remember(command);
+        self.carry_out(command, planned, progress)
+    }
+
+    /// Does what was planned for a command, which is the last from then on.
+    pub(super) fn carry_out(
+        &mut self,
+        command: Command,
+        planned: Planned,
+        progress: &mut halfedge::Progress<'_>,
+    ) -> Result<Outcome, Problem> {
+        let before = self.revision;
+        let outcome = self.carry_out_step(planned, progress)?;
+        // What changed nothing is no step, and there is nothing of it to adjust.
+        if self.revision != before {
+            self.remember(command);
+        }
         Ok(outcome)
     }
 
-    pub(super) fn carry_out(
+    fn carry_out_step(
         &mut self,
         planned: Planned,
         progress: &mut halfedge::Progress<'_>,

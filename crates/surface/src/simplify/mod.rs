@@ -76,7 +76,7 @@ impl Simplified {
         Some(if faces.checked_sub(1) == Some(wanted) && closed && wanted % 2 == 1 {
             format!("{faces} triangles, not {wanted}: a closed mesh has an even number of them")
         } else if faces < wanted {
-            format!("the mesh has only {faces} triangles")
+            format!("the mesh has only {faces} triangle{}", if faces == 1 { "" } else { "s" })
         } else {
             let seam =
                 if self.has_seams { "break a seam of the texture coordinates or normals, " } else { "" };
