@@ -16,6 +16,7 @@ const FORMATS = [
   { format: "off", faces: 6, color: true },
   { format: "dae", faces: 6, color: true },
   { format: "glb", faces: 12, color: true },
+  { format: "gltf", faces: 12, color: true },
 ];
 
 const name = async (editor) => (await editor.state()).document.name;

@@ -43,6 +43,17 @@ pub fn missing<'a>(names: &'a [String], is_there: impl Fn(&str) -> bool) -> Vec<
     names.iter().map(String::as_str).filter(told).collect()
 }
 
+/// Of the files that [`crate::write`] gave, the model as one that opens by itself: a `.gltf` has its data
+/// inside, an OBJ does without its materials. None where there are no files.
+pub fn alone(files: Vec<NamedBytes>) -> Option<NamedBytes> {
+    let mut files = files.into_iter();
+    let model = files.next()?;
+    match files.next() {
+        Some(data) if model.name.ends_with(".gltf") => Some(gltf::with_data(model, &data)),
+        _ => Some(model),
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

@@ -29,7 +29,7 @@ mod text;
 mod triangles;
 mod weld;
 
-pub use beside::{companions, missing};
+pub use beside::{alone, companions, missing};
 pub use bezier::Controls;
 pub use export::{ObjectRef, WriteError, write};
 pub use format::Format;

@@ -45,6 +45,19 @@ fn split_vertices_become_one_again() {
     }
 }
 
+#[test]
+fn a_model_alone_opens_by_itself() {
+    let mesh_in = octahedron();
+    for format in BOTH.into_iter().chain([Format::Obj]) {
+        let files = formats::write(format, "two", &[ObjectRef::new("a", &mesh_in)]).expect("small");
+        let alone = formats::alone(files).expect("there is one");
+        let import = read(&[alone]).expect("readable");
+        assert_eq!(import.objects[0].mesh.face_count(), 8, "{format:?}");
+    }
+    let empty = formats::write(Format::Gltf, "none", &[]).expect("small");
+    assert!(formats::alone(empty).is_some() && formats::alone(Vec::new()).is_none());
+}
+
 /// Two squares side by side whose border vertices are at the same places but not the same, and a vertex
 /// in no face at one of those places.
 fn seam() -> Mesh {

@@ -133,7 +133,7 @@ fn reply(settle: &Settle, wanted: Wanted) -> Reply {
         settle.with(match result {
             Ok(scripting::Answer::Outcome(outcome)) => to_js(&outcome),
             Ok(scripting::Answer::Files(files)) => match wanted {
-                Wanted::Model => Ok(files.first().map_or(JsValue::UNDEFINED, bytes_to_js)),
+                Wanted::Model => Ok(formats::alone(files).as_ref().map_or(JsValue::UNDEFINED, bytes_to_js)),
                 Wanted::AllFiles => {
                     files.iter().map(file_to_js).collect::<Result<Array, _>>().map(Into::into)
                 }

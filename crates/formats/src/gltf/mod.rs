@@ -12,7 +12,7 @@ mod write;
 
 pub(crate) use document::{buffer_names, looks_like};
 pub(crate) use read::read;
-pub(crate) use write::{write_binary, write_text};
+pub(crate) use write::{with_data, write_binary, write_text};
 
 /// What our files say made them. In these a node without a mesh is an empty one: the format has no
 /// meshes with nothing to draw.

@@ -8,6 +8,7 @@ use crate::obj::names::{own_colors, painted};
 use crate::pieces::compact;
 use crate::triangles::triangulate;
 use crate::weld::Weld;
+use base64::Engine;
 use glam::{DVec3, Vec2, Vec3};
 use halfedge::{Color, Element, Mesh, NONE, keys};
 use serde_json::{Value, json};
@@ -38,6 +39,16 @@ pub(crate) fn write_text(name: &str, objects: &[ObjectRef]) -> Vec<NamedBytes> {
     let (document, bin) = document(objects, Some(&data));
     let json = NamedBytes { name: format!("{name}.gltf"), bytes: document.to_string().into_bytes() };
     vec![json, NamedBytes { name: data, bytes: bin }]
+}
+
+/// What [`write_text`] wrote as one file, with the data in it as base64.
+pub(crate) fn with_data(json: NamedBytes, data: &NamedBytes) -> NamedBytes {
+    let Ok(mut document) = serde_json::from_slice::<Value>(&json.bytes) else { return json };
+    if let Some(buffer) = document.pointer_mut("/buffers/0") {
+        let text = base64::engine::general_purpose::STANDARD.encode(&data.bytes);
+        buffer["uri"] = json!(format!("data:application/octet-stream;base64,{text}"));
+    }
+    NamedBytes { name: json.name, bytes: document.to_string().into_bytes() }
 }
 
 fn document(objects: &[ObjectRef], uri: Option<&str>) -> (Value, Vec<u8>) {
