@@ -24,6 +24,7 @@ mod repairs;
 mod report;
 mod scan;
 mod soup;
+mod srgb;
 mod stl;
 mod text;
 mod triangles;

@@ -1,7 +1,14 @@
 //! Changes to polygon soups that several formats need.
 
+use glam::{DMat3, DMat4};
 use halfedge::attribute::{AttributeType, Column, Key};
 use halfedge::{Element, Mesh, NONE, PolygonSoup, keys};
+
+/// Whether a transform mirrors: shapes come out inside out, unless their faces go the other way round
+/// (glTF 2.0, 3.7.4).
+pub(crate) fn is_mirrored(transform: DMat4) -> bool {
+    DMat3::from_mat4(transform).determinant() < 0.0
+}
 
 /// Takes faces out of a soup with their corners and attributes. `dropped` is in ascending order.
 pub(crate) fn drop_faces(soup: &mut PolygonSoup, dropped: &[u32]) {

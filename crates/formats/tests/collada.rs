@@ -28,6 +28,42 @@ fn document(asset: &str, primitives: &str, scene: &str) -> String {
 const INPUT: &str = "<input semantic=\"VERTEX\" source=\"#v\" offset=\"0\"/>";
 
 #[test]
+fn nodes_that_mirror_turn_faces_round() {
+    let files = common::write(Format::Collada, &common::tetrahedron());
+    let text = common::text(&files[0]);
+    let place = text.find("<instance_geometry").expect("an instance");
+    for (transform, outer, sign) in [
+        ("<scale>-1 1 1</scale>", "", Vec3::new(-1.0, 1.0, 1.0)),
+        ("<scale>-1 -1 1</scale>", "", Vec3::new(-1.0, -1.0, 1.0)),
+        ("<matrix>1 0 0 0 0 1 0 0 0 0 -1 0 0 0 0 1</matrix>", "", Vec3::new(1.0, 1.0, -1.0)),
+        ("", "<scale>1 -1 1</scale>", Vec3::new(1.0, -1.0, 1.0)),
+        ("<scale>-1 1 1</scale>", "<scale>1 -1 1</scale>", Vec3::new(-1.0, -1.0, 1.0)),
+    ] {
+        let (before, after) = text.split_at(place);
+        let (head, end) = after.split_at(after.find("</node>").expect("its end"));
+        let nested = format!("{before}{outer}<node>{transform}{head}</node>{end}");
+        common::check_tetrahedron(mesh(&read_dae(nested).expect("readable")), |p| p * sign);
+    }
+    // Polygons start at the corner they started at, and holes are cut from the right side.
+    let square = |scale: &str| {
+        let polygons = format!(
+            "<polygons count=\"1\">{INPUT}<p>3 0 1 2</p></polygons><polygons count=\"1\">{INPUT}<ph><p>0 4 5</p><h>1 2 3</h></ph></polygons>"
+        );
+        let scene = format!(
+            "<library_visual_scenes><visual_scene><node><scale>{scale}</scale><instance_geometry url=\"#g\"/></node></visual_scene></library_visual_scenes>"
+        );
+        read_dae(document("", &polygons, &scene)).expect("readable").objects.remove(0).mesh
+    };
+    let corners = |mesh: &Mesh| -> Vec<Vec<u32>> {
+        mesh.faces().map(|f| mesh.face_vertices(f).map(|v| v.raw()).collect()).collect()
+    };
+    let (plain, mirrored) = (corners(&square("1 1 1")), corners(&square("1 1 -1")));
+    assert_eq!(plain[0], [3, 0, 1, 2]);
+    assert_eq!(mirrored[0], [3, 2, 1, 0]);
+    assert_eq!(plain.len(), mirrored.len());
+}
+
+#[test]
 fn faces_that_are_not_there_in_full_are_told() {
     let told = |primitive: &str| {
         let import = read_dae(document("", primitive, "")).expect(primitive);

@@ -201,6 +201,42 @@ fn nodes_place_meshes_and_modes_are_read() {
 }
 
 #[test]
+fn nodes_that_mirror_turn_faces_round() {
+    let text = |nodes: &str| {
+        let mut files = common::write(Format::Gltf, &common::tetrahedron());
+        let mut json: serde_json::Value = serde_json::from_slice(&files[0].bytes).expect("JSON");
+        json["asset"] = serde_json::json!({ "version": "2.0" });
+        json["nodes"] = serde_json::from_str(nodes).expect("JSON");
+        files[0].bytes = json.to_string().into_bytes();
+        read(&files).expect("readable").objects.remove(0).mesh
+    };
+    for (nodes, sign) in [
+        (r#"[{"mesh":0,"scale":[-1,1,1]}]"#, Vec3::new(-1.0, 1.0, 1.0)),
+        (r#"[{"mesh":0,"scale":[-1,-1,1]}]"#, Vec3::new(-1.0, -1.0, 1.0)),
+        (r#"[{"mesh":0,"matrix":[1,0,0,0, 0,1,0,0, 0,0,-1,0, 0,0,0,1]}]"#, Vec3::new(1.0, 1.0, -1.0)),
+        // In a node, and mirrored again in it.
+        (r#"[{"children":[1],"scale":[1,-1,1]},{"mesh":0}]"#, Vec3::new(1.0, -1.0, 1.0)),
+        (r#"[{"children":[1],"scale":[1,-1,1]},{"mesh":0,"scale":[-1,1,1]}]"#, Vec3::new(-1.0, -1.0, 1.0)),
+    ] {
+        common::check_tetrahedron(&text(nodes), |p| p * sign);
+    }
+}
+
+#[test]
+fn colours_of_vertices_come_back_to_the_bit() {
+    let positions = (0..256).map(|i| Vec3::new(i as f32, (i * i) as f32, 0.0)).collect();
+    let faces: Vec<[u32; 3]> = (0..254).map(|i| [i, i + 1, i + 2]).collect();
+    let mut mesh_in = Mesh::build(PolygonSoup::new(positions, &faces)).expect("small").mesh;
+    let colors: Vec<Vec3> =
+        (0..=255u8).map(|i| Vec3::new(f32::from(i), f32::from(255 - i), f32::from(i / 2)) / 255.0).collect();
+    mesh_in.insert_column(Element::Vertex, Column::with_values(keys::VERTEX_COLOR, colors.clone()));
+    for format in BOTH {
+        let import = read(&common::write(format, &mesh_in)).expect("readable");
+        assert_eq!(mesh(&import).attribute(keys::VERTEX_COLOR), Some(&colors[..]), "{format:?}");
+    }
+}
+
+#[test]
 fn what_cannot_be_read_says_why() {
     let good = document("", ",\"indices\":1");
     let loops = ",\"scenes\":[{\"nodes\":[0]}],\"nodes\":[{\"mesh\":0,\"children\":[0]}]";

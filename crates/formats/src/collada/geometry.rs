@@ -7,6 +7,7 @@ use crate::holes;
 use crate::obj::runs::Names;
 use crate::origin::Origin;
 use crate::report::counted;
+use crate::soup::is_mirrored;
 use glam::{DMat4, Vec2, Vec3};
 use halfedge::attribute::Column;
 use halfedge::{Color, NONE, PolygonSoup, keys};
@@ -21,6 +22,8 @@ pub(crate) struct Geometry {
     /// holes were filled.
     pub cut: usize,
     pub filled: usize,
+    /// Whether the transform mirrors, so that faces go the other way round.
+    mirrored: bool,
     /// Lines and splines, which are not kept.
     pub lines: usize,
     /// What primitives lack or have too much of, in sentences.
@@ -57,7 +60,7 @@ impl Geometry {
     ) -> Result<Self, String> {
         let fail = |what: String| format!("geometry \"{}\": {what}", geometry.label());
         let mesh = document.child(geometry, "mesh").ok_or_else(|| fail("it has no <mesh>".to_owned()))?;
-        let mut this = Self::default();
+        let mut this = Self { mirrored: is_mirrored(transform), ..Self::default() };
         let vertices =
             document.child(mesh, "vertices").ok_or_else(|| fail("it has no <vertices>".to_owned()))?;
         let input = |semantic: &str| {
@@ -225,7 +228,12 @@ impl Geometry {
     /// Adds a face by the numbers of its corners.
     fn face(&mut self, indices: &[u32], inputs: &Inputs, directions: DMat4) -> Result<(), String> {
         let start = self.soup.corners.len();
-        for group in indices.chunks_exact(inputs.stride) {
+        let groups = indices.chunks_exact(inputs.stride);
+        let count = groups.len();
+        for i in 0..count {
+            // Backwards from the same first corner where the transform mirrors.
+            let place = if self.mirrored && i > 0 { count - i } else { i };
+            let Some(group) = groups.clone().nth(place) else { continue };
             let number = |place: usize| group.get(place).copied().unwrap_or(NONE);
             let vertex = number(inputs.vertex);
             if vertex as usize >= self.soup.positions.len() {

@@ -9,6 +9,8 @@ use crate::obj::names::unpainted;
 use crate::obj::runs::Names;
 use crate::origin::Origin;
 use crate::report::{ImportReport, counted};
+use crate::soup::is_mirrored;
+use crate::srgb::to_srgb;
 use glam::{DMat4, DQuat, Vec2, Vec3};
 use halfedge::attribute::Column;
 use halfedge::{Color, NONE, PolygonSoup, Progress, keys};
@@ -211,8 +213,10 @@ impl<'a> Reader<'a> {
         };
         // Directions turn with the transform's inverse transpose.
         let turn = (self.transform != DMat4::IDENTITY).then(|| self.transform.inverse().transpose());
-        for corners in triangles {
-            for corner in corners {
+        // A transform that mirrors turns triangles over, which go the other way round for it.
+        let mirrored = is_mirrored(self.transform);
+        for [a, b, c] in triangles {
+            for corner in if mirrored { [a, c, b] } else { [a, b, c] } {
                 let row = index(corner);
                 let Some(&vertex) = vertices.get(row as usize) else {
                     return Err(format!("a corner refers to vertex {row} of {}", vertices.len()));
@@ -302,9 +306,4 @@ fn material(material: &Material) -> (String, Option<Color>) {
         Some((plain, paint)) if color == Some(paint) => (plain.to_owned(), color),
         _ => (name, color),
     }
-}
-
-/// A linear channel in sRGB (IEC 61966-2-1).
-fn to_srgb(linear: f32) -> f32 {
-    if linear <= 0.003_130_8 { linear * 12.92 } else { 1.055 * linear.powf(1.0 / 2.4) - 0.055 }
 }

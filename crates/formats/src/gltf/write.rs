@@ -6,6 +6,7 @@ use crate::hash::Unique;
 use crate::import::NamedBytes;
 use crate::obj::names::{own_colors, painted};
 use crate::pieces::compact;
+use crate::srgb::to_linear;
 use crate::triangles::triangulate;
 use crate::weld::Weld;
 use base64::Engine;
@@ -321,9 +322,4 @@ fn has_coincident(mesh: &Mesh) -> bool {
         places.vertex(mesh.position(v));
     });
     places.positions.len() < mesh.vertex_count()
-}
-
-/// An sRGB channel, linear.
-fn to_linear(srgb: f32) -> f32 {
-    if srgb <= 0.040_45 { srgb / 12.92 } else { ((srgb + 0.055) / 1.055).powf(2.4) }
 }

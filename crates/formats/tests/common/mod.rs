@@ -2,7 +2,8 @@
 #![allow(dead_code, reason = "each test binary uses a part")]
 
 use formats::{Format, Import, NamedBytes, ObjectRef};
-use halfedge::Mesh;
+use glam::{Vec2, Vec3};
+use halfedge::{Mesh, PolygonSoup, keys};
 use std::ops::ControlFlow;
 use std::path::{Path, PathBuf};
 
@@ -21,6 +22,52 @@ pub fn mesh(import: &Import) -> &Mesh {
     assert_eq!(import.objects.len(), 1);
     import.objects[0].mesh.validate().expect("a valid mesh");
     &import.objects[0].mesh
+}
+
+/// Six times the volume of a closed mesh of triangles, more than zero where its faces look outward.
+pub fn volume(mesh: &Mesh) -> f32 {
+    let of = |f| {
+        let corners: Vec<_> = mesh.face_vertices(f).map(|v| mesh.position(v)).collect();
+        corners[0].dot(corners[1].cross(corners[2]))
+    };
+    mesh.faces().map(of).sum()
+}
+
+/// A tetrahedron with texture coordinates that tell where each corner lies and the normals of its faces.
+pub fn tetrahedron() -> Mesh {
+    let positions = vec![Vec3::ZERO, Vec3::X, Vec3::Y, Vec3::Z];
+    let faces = [[0u32, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]];
+    let mut mesh = Mesh::build(PolygonSoup::new(positions, &faces)).expect("small").mesh;
+    for f in mesh.faces().collect::<Vec<_>>() {
+        let corners: Vec<_> = mesh.face_halfedges(f).collect();
+        let at = |i: usize| mesh.position(mesh.from(corners[i]));
+        let normal = (at(1) - at(0)).cross(at(2) - at(0)).normalize();
+        for &h in &corners {
+            let p = mesh.position(mesh.from(h));
+            mesh.set(keys::CORNER_UV, h.index(), Vec2::new(p.x + 2.0 * p.y, p.z));
+            mesh.set(keys::CORNER_NORMAL, h.index(), normal);
+        }
+    }
+    mesh
+}
+
+/// Checks that a mesh read is the tetrahedron, placed so that `back` takes it where it was: faces look
+/// outward, corners still have their texture coordinates, and normals those of their faces.
+pub fn check_tetrahedron(mesh: &Mesh, back: impl Fn(Vec3) -> Vec3) {
+    assert_eq!((mesh.vertex_count(), mesh.face_count()), (4, 4));
+    assert!(volume(mesh) > 0.0, "{}", volume(mesh));
+    for f in mesh.faces() {
+        let corners: Vec<_> = mesh.face_halfedges(f).collect();
+        let at = |i: usize| mesh.position(mesh.from(corners[i]));
+        let normal = (at(1) - at(0)).cross(at(2) - at(0)).normalize();
+        for &h in &corners {
+            let p = back(mesh.position(mesh.from(h)));
+            let uv = mesh.get(keys::CORNER_UV, h.index());
+            assert!(uv.distance(Vec2::new(p.x + 2.0 * p.y, p.z)) < 1e-5, "{p}: {uv}");
+            let kept = mesh.get(keys::CORNER_NORMAL, h.index());
+            assert!(kept.distance(normal) < 1e-5, "{normal}: {kept}");
+        }
+    }
 }
 
 /// All objects of an import, to write them again.
