@@ -73,7 +73,9 @@ impl App {
             }
             _ => {}
         }
-        if let Some(reason) = spec.fields.iter().find_map(|field| self.why_not_field(field)) {
+        // Separating by pieces or groups takes no faces; its form says what it does take.
+        let fields = if name == "separate" { &[] } else { spec.fields };
+        if let Some(reason) = fields.iter().find_map(|field| self.why_not_field(field)) {
             return Some(reason);
         }
         let selection = self.editor.selection();
@@ -86,7 +88,10 @@ impl App {
             "subdivide-catmull-clark" | "subdivide-loop" | "subdivide-linear" if mesh.face_count() == 0 => {
                 Some("The mesh has no face to subdivide.".into())
             }
-            "simplify" | "remesh" | "smooth" if mesh.face_count() == 0 => {
+            "join-objects" if self.editor.document().objects().len() < 2 => {
+                Some("There is only one object, so there is nothing to join.".into())
+            }
+            "simplify" | "remesh" | "smooth" | "separate" if mesh.face_count() == 0 => {
                 Some("The mesh has no face.".into())
             }
             "subdivide-loop" if self.survey.found().is_some_and(|found| !found.triangles_only) => {

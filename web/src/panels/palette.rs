@@ -95,7 +95,8 @@ impl App {
     }
 }
 
-/// The actions whose name has all the typed words in it; those that start with what was typed first.
+/// The actions whose name has all the typed words in it; the one of just that name first, then those that
+/// start with what was typed.
 fn find(typed: &str) -> Vec<Entry> {
     let typed = typed.trim().to_lowercase();
     let mut found: Vec<(usize, Entry)> = actions::all()
@@ -109,9 +110,10 @@ fn find(typed: &str) -> Vec<Entry> {
                 return None;
             }
             let rank = match () {
-                () if label.starts_with(&typed) => 0,
-                () if label.split(' ').any(|word| word.starts_with(&typed)) => 1,
-                () => 2,
+                () if label.trim_end_matches('…') == typed || name == typed => 0,
+                () if label.starts_with(&typed) => 1,
+                () if label.split(' ').any(|word| word.starts_with(&typed)) => 2,
+                () => 3,
             };
             Some((rank, entry))
         })
@@ -133,6 +135,8 @@ mod tests {
             find("split-edge").first().map(|entry| entry.action),
             Some(Action::Operation("split-edge"))
         );
+        let smooth = find("smooth").first().map(|entry| entry.action);
+        assert_eq!(smooth, Some(Action::Operation("smooth")), "before smooth shading");
         assert_eq!(find("all select").first().map(|entry| entry.action), Some(Action::SelectAll));
         assert!(find("no such thing").is_empty());
         assert_eq!(find("").len(), actions::all().count());

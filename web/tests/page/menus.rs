@@ -33,6 +33,19 @@ fn what_cannot_be_done_is_greyed_and_says_why() {
 }
 
 #[test]
+fn joining_takes_two_objects_and_separating_no_selection() {
+    let mut page = Page::new();
+    page.click("Mesh");
+    let join = disabled(&page, Role::Button, "Join objects");
+    assert_eq!(join, (true, Some("There is only one object, so there is nothing to join.".to_owned())));
+    assert!(!disabled(&page, Role::Button, "Separate…").0);
+    page.press(Key::Escape);
+    page.command(json!({"op": "new", "shape": "grid", "add": true}));
+    page.click("Mesh");
+    assert!(!disabled(&page, Role::Button, "Join objects").0);
+}
+
+#[test]
 fn every_menu_opens_and_lists_its_entries() {
     let mut page = Page::new();
     for menu in actions::MENUS {
