@@ -347,6 +347,10 @@ impl App {
             self.view.reset();
         }
         self.view.frame_when_seen();
+        if self.editor.mesh().is_some_and(|mesh| mesh.count(self.lists.kind.0) == 0) {
+            // Points without faces: what there is to point at.
+            self.lists.kind = ShownKind(Element::Vertex);
+        }
         // What was offered for another document has nothing to work on here.
         self.toasts.withdraw();
     }
@@ -472,7 +476,7 @@ impl App {
         self.follow();
     }
 
-    /// A color is picked in a popup that has no end of its own: the step is made when the button is
+    /// A colour is picked in a popup that has no end of its own: the step is made when the button is
     /// let go.
     pub(crate) fn finish_live_edit(&mut self, ctx: &Context) {
         if self.forms.painting && !ctx.input(|input| input.pointer.any_down()) {

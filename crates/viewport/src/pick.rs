@@ -101,12 +101,11 @@ fn with_neighbors(mesh: &Mesh, faces: &[FaceId]) -> BTreeSet<FaceId> {
 
 fn pick_vertex(sight: &Sight<'_>, faces: &BTreeSet<FaceId>, pixel: Vec2, radius: f32) -> Option<Picked> {
     let mesh = sight.mesh;
-    let mut vertices: BTreeSet<_> = faces.iter().flat_map(|&f| mesh.face_vertices(f)).collect();
+    let vertices: BTreeSet<_> = faces.iter().flat_map(|&f| mesh.face_vertices(f)).collect();
     // No ray meets a vertex without a face.
     let first = mesh.connectivity().vertex_halfedge.iter().enumerate();
     let alone = first.filter(|(_, h)| **h == halfedge::NONE).filter_map(|(v, _)| mesh.vertex(v as u32));
-    vertices.extend(alone);
-    let near = vertices.into_iter().filter_map(|v| {
+    let near = vertices.into_iter().chain(alone).filter_map(|v| {
         let away = sight.project(mesh.position(v))?.distance(pixel);
         (away <= radius).then_some((away, v))
     });

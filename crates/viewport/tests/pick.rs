@@ -88,6 +88,23 @@ fn a_vertex_without_faces_can_be_picked_unless_it_is_hidden() {
     }
 }
 
+#[test]
+fn points_without_any_faces_are_picked_and_boxed() {
+    let soup = PolygonSoup {
+        positions: (0..5).map(|i| Vec3::splat(i as f32 * 0.2)).collect(),
+        ..PolygonSoup::default()
+    };
+    let (mesh, camera) = (Mesh::build(soup).expect("points").mesh, Camera::default());
+    for v in mesh.vertices() {
+        let pixel = at(&camera, mesh.position(v));
+        assert_eq!(id(&mesh, &camera, pixel + 2.0, Element::Vertex), Some(v.raw()));
+        assert_eq!(id(&mesh, &camera, pixel, Element::Face), None);
+    }
+    for visible in [false, true] {
+        assert_eq!(inside(&mesh, &camera, ALL, Element::Vertex, visible), [0, 1, 2, 3, 4]);
+    }
+}
+
 fn inside(mesh: &Mesh, camera: &Camera, rect: ScreenRect, kind: Element, visible: bool) -> Vec<u32> {
     let tree = FaceTree::new(mesh);
     let begun = || BoxSelection::new(camera, VIEW, rect, kind, visible);

@@ -3,8 +3,8 @@
 mod support;
 
 use glam::{DVec3, Vec2, Vec3, vec2, vec3};
-use halfedge::edit::{Connect, split_edge};
-use halfedge::{EdgeId, Element, Mesh, VertexId};
+use halfedge::edit::{Connect, delete_vertices, split_edge};
+use halfedge::{EdgeId, Element, Mesh, PolygonSoup, VertexId};
 use support::gpu::{Gpu, Image, bare, close, gpu, shown};
 use support::{cube, grid, mesh, paint, paint_all, sphere};
 use viewport::{Bounds, Camera, Frame, Highlight, Layer, ObjectChange, Renderer, Style};
@@ -273,6 +273,79 @@ fn dots_are_drawn_where_vertices_are_and_not_through_faces() {
     let at = |v: usize| camera.project(mesh.position(VertexId::new(v)), VIEW).expect("in front");
     assert!(close(image.near(at(4)), [255, 0, 255], 2), "{:?}", image.near(at(4)));
     assert!(!close(image.near(at(0)), [255, 0, 255], 60), "hidden by the front");
+}
+
+/// A square with a vertex before it, one behind it and one beside it that no face uses.
+fn square_with_strays() -> Mesh {
+    let corners = [vec3(-1., -1., 0.), vec3(1., -1., 0.), vec3(1., 1., 0.), vec3(-1., 1., 0.)];
+    let strays = [vec3(0.0, 0.0, 0.5), vec3(0.5, 0.5, -0.5), vec3(1.4, 0.0, 0.0)];
+    let soup = PolygonSoup::new([&corners[..], &strays].concat(), &[[0_u32, 1, 2, 3]]);
+    let mut mesh = Mesh::build(soup).expect("a square").mesh;
+    paint(&mut mesh, 0, [0, 255, 0]);
+    mesh
+}
+
+#[test]
+fn vertices_that_no_face_uses_are_drawn_whatever_else_is() {
+    let Some(gpu) = gpu() else { return };
+    let mut style = bare();
+    style.theme.vertex = halfedge::Color([0, 0, 255]);
+    style.theme.lone = halfedge::Color([255, 0, 255]);
+    let (mesh, camera) = (square_with_strays(), front());
+    let is_dot = |image: &Image, v: usize, color: [u8; 3]| {
+        let at = camera.project(mesh.position(VertexId::new(v)), VIEW).expect("in front");
+        close(image.near(at), color, 2)
+    };
+    let dots =
+        |image: &Image| -> Vec<usize> { (0..7).filter(|&v| is_dot(image, v, [255, 0, 255])).collect() };
+    assert_eq!(dots(&draw(&gpu, &mesh, &camera, &style)), [4, 6], "hidden is the one behind the square");
+    let all = draw(&gpu, &mesh, &camera, &Style { vertices: true, ..style });
+    assert_eq!(dots(&all), [4, 6]);
+    assert!((0..4).all(|v| is_dot(&all, v, [0, 0, 255])), "the others as ever");
+
+    // So they are of an object that is not the active one, whose other dots are not shown.
+    let mut renderer = gpu.renderer();
+    let style = Style { vertices: true, ..style };
+    renderer.sync_object(&gpu.device, &gpu.queue, 7, &mesh, ObjectChange::Everything, &style);
+    let objects = [viewport::ObjectDraw { id: 7, visible: true, active: false }];
+    let image = gpu.render(&mut renderer, &Frame { objects: &objects, ..frame(&camera, &style) }, GAMMA);
+    assert_eq!(dots(&image), [4, 6]);
+}
+
+#[test]
+fn vertices_that_no_face_uses_follow_edits_and_undo() {
+    let Some(gpu) = gpu() else { return };
+    let (style, camera) = (bare(), front());
+    let mut mesh = square_with_strays();
+    let mut renderer = gpu.renderer();
+    renderer.sync_object(&gpu.device, &gpu.queue, 7, &mesh, ObjectChange::Everything, &style);
+    let mut pictures = vec![draw(&gpu, &mesh, &camera, &style)];
+    let mut journals = Vec::new();
+    for step in 0..3 {
+        mesh.start_recording();
+        match step {
+            0 => mesh.set_position(VertexId::new(6), vec3(1.4, 0.5, 0.0)),
+            1 => drop(delete_vertices(&mut mesh, &[VertexId::new(6)]).expect("no face needs it")),
+            _ => drop(delete_vertices(&mut mesh, &[VertexId::new(4)]).expect("nor this one")),
+        }
+        let journal = mesh.finish_recording();
+        let change = journal.touched();
+        renderer.sync_object(&gpu.device, &gpu.queue, 7, &mesh, ObjectChange::Touched(&change), &style);
+        let followed = gpu.render(&mut renderer, &frame(&camera, &style), GAMMA);
+        let anew = draw(&gpu, &mesh, &camera, &style);
+        let differ = followed.pixels.iter().zip(&anew.pixels).filter(|(a, b)| a != b).count();
+        assert!(differ < 8, "step {step}: {differ} pixels differ");
+        assert!(followed.pixels != pictures[step].pixels, "step {step} is seen");
+        pictures.push(followed);
+        journals.push(journal);
+    }
+    for (journal, before) in journals.into_iter().zip(pictures).rev() {
+        let change = mesh.undo(journal).touched();
+        renderer.sync_object(&gpu.device, &gpu.queue, 7, &mesh, ObjectChange::Touched(&change), &style);
+        let undone = gpu.render(&mut renderer, &frame(&camera, &style), GAMMA);
+        let differ = undone.pixels.iter().zip(&before.pixels).filter(|(a, b)| a != b).count();
+        assert!(differ < 8, "{differ} pixels differ");
+    }
 }
 
 #[test]

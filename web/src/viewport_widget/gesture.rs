@@ -298,8 +298,9 @@ impl App {
         let Some((id, mut boxed, extend)) = self.view.boxed.take() else { return };
         let Some(object) = self.editor.document().active().filter(|object| object.id() == id) else { return };
         let mesh = object.mesh();
+        let small = mesh.face_count().max(mesh.vertex_count()) <= FACES_A_FRAME;
         let found = match self.view.plant(object) {
-            true if mesh.face_count() <= FACES_A_FRAME => Some(boxed.finish(mesh, self.view.tree(object))),
+            true if small => Some(boxed.finish(mesh, self.view.tree(object))),
             true => boxed.step(mesh, self.view.tree(object), FACES_A_FRAME),
             false => None,
         };

@@ -71,6 +71,27 @@ fn several_objects_and_a_refusal() {
 }
 
 #[test]
+fn points_without_faces() {
+    for (theme, name) in [(Theme::Dark, "points dark"), (Theme::Light, "points light")] {
+        for size in [DESKTOP, PHONE] {
+            let mut page = Page::drawn(size, theme);
+            let points = (0..40).map(|i| f32::from(i as u8) * 0.4);
+            let lines: Vec<String> =
+                points.map(|t| format!("v {} {} {}\n", t.cos(), t * 0.1, t.sin())).collect();
+            page.open("points.obj", &lines.concat());
+            let with = picture(&mut page, &format!("{name} {}", size.x));
+            page.press(egui::Key::V);
+            picture(&mut page, &format!("{name} {}, dots on", size.x));
+            let at = page.at([0.4_f32.cos(), 0.04, 0.4_f32.sin()]);
+            let pixel = with.get_pixel(at.x as u32, at.y as u32).0;
+            let beside = with.get_pixel(at.x as u32 + 8, at.y as u32).0;
+            let differs = (0..3).map(|c| beside[c].abs_diff(pixel[c])).max();
+            assert!(differs > Some(100), "{name}: {pixel:?} on {beside:?}");
+        }
+    }
+}
+
+#[test]
 fn telephone_in_both_themes() {
     for (theme, name) in [(Theme::Dark, "phone dark"), (Theme::Light, "phone light")] {
         let mut page = Page::drawn(PHONE, theme);

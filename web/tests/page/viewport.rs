@@ -89,6 +89,26 @@ fn dragging_a_selected_vertex_moves_it_in_one_step_and_escape_leaves_no_trace() 
 }
 
 #[test]
+fn points_without_faces_are_in_view_and_can_be_pointed_at() {
+    let mut page = Page::new();
+    page.press(Key::Num4);
+    let points = [[10.0, 0.0, 0.0], [12.0, 1.0, 0.0], [11.0, 3.0, -2.0]];
+    let lines: Vec<String> = points.iter().map(|[x, y, z]| format!("v {x} {y} {z}\n")).collect();
+    page.open("points.obj", &lines.concat());
+    assert!(page.has_row("Vertex 2"), "the list that was shown has nothing to show");
+    let view = page.find("Viewport").rect();
+    for (v, point) in points.into_iter().enumerate() {
+        let at = page.at(point);
+        assert!(view.shrink(20.0).contains(at), "vertex {v} is framed: {at:?} in {view:?}");
+        page.harness.hover_at(at);
+        page.run();
+        assert_eq!(page.find("Viewport").value(), Some(format!("Vertex {v}")));
+        click_at(&mut page, at, Modifiers::NONE);
+        assert_eq!(page.selected(), (Element::Vertex, vec![v as u32]));
+    }
+}
+
+#[test]
 fn dragging_beside_the_mesh_turns_the_view_and_space_resets_it() {
     let mut page = Page::new();
     let view = |page: &mut Page| {

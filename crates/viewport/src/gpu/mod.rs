@@ -1,6 +1,7 @@
 //! Everything that touches wgpu.
 
 mod highlight;
+mod lone;
 mod object;
 mod pipelines;
 mod renderer;

@@ -1,5 +1,6 @@
 //! One object on the GPU.
 
+use super::lone::Lone;
 use super::stream::Stream;
 use crate::buffers::{Buffers, Corners, Rebuilding, Sink};
 use glam::Vec3;
@@ -9,7 +10,7 @@ use halfedge::{Mesh, Touched};
 /// one page and no buffer exceeds what any device allows (128 MiB in the most modest).
 pub const PAGE_TRIANGLES: u32 = 1 << 20;
 /// Where a vertex id without a vertex is: shaders skip it.
-const NOWHERE: f32 = 3.0e38;
+pub const NOWHERE: [f32; 3] = [3.0e38; 3];
 
 /// Vertex streams of up to [`PAGE_TRIANGLES`].
 pub struct Page {
@@ -40,6 +41,8 @@ pub struct Object {
     /// A position per vertex id for the dots; empty unless dots are shown.
     pub points: Stream,
     pub has_points: bool,
+    /// The dots of vertices that no face uses, which are always shown.
+    pub lone: Lone,
     /// What takes the place of these buffers once it is written.
     next: Option<Next>,
 }
@@ -63,6 +66,7 @@ impl Object {
             pages: Vec::new(),
             points: Stream::new("vertices"),
             has_points: false,
+            lone: Lone::new(),
             next: None,
         }
     }
@@ -82,18 +86,19 @@ impl Object {
         upload.bytes + self.set_points(device, queue, mesh, points)
     }
 
-    /// Uploads the dots, or gives them up.
+    /// Uploads the dots of all vertices, or gives them up, and those of vertices that no face uses.
     fn set_points(&mut self, device: &wgpu::Device, queue: &wgpu::Queue, mesh: &Mesh, points: bool) -> u64 {
         self.has_points = points;
+        let origin = self.buffers.origin();
+        let lone = self.lone.set(device, queue, mesh, origin);
         if !points {
             self.points.reset(device, 0);
-            return 0;
+            return lone;
         }
-        let origin = self.buffers.origin();
         let positions: Vec<[f32; 3]> =
             (0..mesh.vertex_capacity() as u32).map(|v| point(mesh, v, origin)).collect();
         self.points.set(device, queue, &positions);
-        self.points.len()
+        lone + self.points.len()
     }
 
     /// Begins to upload all of a mesh, which [`Object::go_on`] does.
@@ -150,10 +155,11 @@ impl Object {
         self.go_on(device, queue, mesh, usize::MAX);
         let mut upload = Upload { device, queue, pages: &mut self.pages, bytes: 0 };
         self.buffers.update(mesh, touched, &mut upload);
-        let mut bytes = upload.bytes;
+        let (mut bytes, origin) = (upload.bytes, self.buffers.origin());
+        bytes += self.lone.follow(device, queue, mesh, origin, &touched.vertices);
         if self.has_points {
             for v in &touched.vertices {
-                let position = point(mesh, v.raw(), self.buffers.origin());
+                let position = point(mesh, v.raw(), origin);
                 self.points.write(
                     device,
                     queue,
@@ -171,12 +177,13 @@ impl Object {
     pub fn gpu_bytes(&self) -> u64 {
         let next = self.next.iter().flat_map(|next| &next.pages);
         let pages = self.pages.iter().chain(next).flat_map(|p| [&p.positions, &p.normals, &p.colors]);
-        pages.map(Stream::capacity).sum::<u64>() + self.points.capacity()
+        pages.map(Stream::capacity).sum::<u64>() + self.points.capacity() + self.lone.points.capacity()
     }
 }
 
-fn point(mesh: &Mesh, raw: u32, origin: Vec3) -> [f32; 3] {
-    mesh.vertex(raw).map_or([NOWHERE; 3], |v| (mesh.position(v) - origin).to_array())
+/// Where a vertex is, relative to the object's origin.
+pub fn point(mesh: &Mesh, raw: u32, origin: Vec3) -> [f32; 3] {
+    mesh.vertex(raw).map_or(NOWHERE, |v| (mesh.position(v) - origin).to_array())
 }
 
 /// Writes streams to pages.

@@ -3,6 +3,7 @@
 use super::highlight::{Highlight, Layer, Marked};
 use super::object::Object;
 use super::pipelines::Pipelines;
+use super::stream::Stream;
 use super::targets::Targets;
 use super::uniforms::{DrawUniform, FrameUniform, rgba};
 use crate::{Camera, Style};
@@ -81,7 +82,7 @@ pub struct Renderer {
 enum Step<'a> {
     Background,
     Mesh(&'a Object),
-    Points(&'a Object),
+    Points(&'a Stream),
     Ground,
     Marked(&'a Marked, Shape),
 }
@@ -332,12 +333,19 @@ impl Renderer {
         if style.grid {
             steps.push((Step::Ground, plain));
         }
-        for (_, object) in visible().filter(|(draw, o)| draw.active && style.vertices && o.has_points) {
-            let (color, params) = (rgba(theme.vertex, 1.0), [2.5 * ppp, 0.0, 1e-3, 0.0]);
-            steps.push((
-                Step::Points(object),
-                DrawUniform::new(camera, object.buffers.origin(), color, params),
-            ));
+        for (draw, object) in visible() {
+            let origin = object.buffers.origin();
+            let mut push = |points, color, radius, rim| {
+                let params = [radius * ppp, rim * ppp, 1e-3, 0.0];
+                steps
+                    .push((Step::Points(points), DrawUniform::new(camera, origin, rgba(color, 1.0), params)));
+            };
+            if draw.active && style.vertices && object.has_points {
+                push(&object.points, theme.vertex, 2.5, 0.0);
+            }
+            if object.lone.points.len() > 0 {
+                push(&object.lone.points, theme.lone, 3.5, 1.0);
+            }
         }
         for (marked, color) in [(&self.selected, theme.selected), (&self.hovered, theme.hovered)] {
             let Some((_, object)) = visible().find(|(draw, _)| Some(draw.id) == marked.object) else {
@@ -408,7 +416,7 @@ impl Renderer {
                         }
                     }
                 }
-                Step::Points(object) => instances(&mut pass, &p.points, &object.points, 12, 6),
+                Step::Points(points) => instances(&mut pass, &p.points, points, 12, 6),
                 Step::Marked(marked, Shape::Fill) => {
                     if let Some(fill) = marked.fill.slice() {
                         pass.set_pipeline(&p.marked_fill);
@@ -434,7 +442,7 @@ impl Renderer {
 fn instances(
     pass: &mut wgpu::RenderPass<'_>,
     pipeline: &wgpu::RenderPipeline,
-    stream: &super::stream::Stream,
+    stream: &Stream,
     entry: u64,
     vertices: u32,
 ) {

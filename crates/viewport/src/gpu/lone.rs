@@ -1,0 +1,72 @@
+//! The vertices that no face uses: drawn as dots always, as nothing else would show them.
+
+use super::object::{NOWHERE, point};
+use super::stream::Stream;
+use glam::Vec3;
+use halfedge::{Mesh, VertexId};
+use std::collections::HashMap;
+
+/// Bytes of a position.
+const ENTRY: u64 = 12;
+
+/// A position for each vertex without a face. An edit writes only those it touched, so that a few
+/// among a million vertices cost what a few do.
+pub struct Lone {
+    /// Each vertex's entry.
+    places: HashMap<VertexId, u32>,
+    /// Entries that no vertex has, whose position is nowhere.
+    free: Vec<u32>,
+    pub points: Stream,
+}
+
+fn is_lone(mesh: &Mesh, v: VertexId) -> bool {
+    mesh.has_vertex(v) && mesh.halfedge_from(v).is_none()
+}
+
+impl Lone {
+    pub fn new() -> Self {
+        Self { places: HashMap::new(), free: Vec::new(), points: Stream::new("vertices without a face") }
+    }
+
+    /// Uploads those of a whole mesh; gives the bytes. Costs O(vertices).
+    pub fn set(&mut self, device: &wgpu::Device, queue: &wgpu::Queue, mesh: &Mesh, origin: Vec3) -> u64 {
+        self.free.clear();
+        let vertices: Vec<VertexId> = mesh.vertices().filter(|&v| is_lone(mesh, v)).collect();
+        self.places = vertices.iter().copied().zip(0..).collect();
+        let positions: Vec<[f32; 3]> = vertices.iter().map(|v| point(mesh, v.raw(), origin)).collect();
+        self.points.set(device, queue, &positions);
+        self.points.len()
+    }
+
+    /// Takes in vertices that an edit touched; gives the bytes uploaded.
+    pub fn follow(
+        &mut self,
+        device: &wgpu::Device,
+        queue: &wgpu::Queue,
+        mesh: &Mesh,
+        origin: Vec3,
+        touched: &[VertexId],
+    ) -> u64 {
+        let mut bytes = 0;
+        for &v in touched {
+            let (place, position) = if is_lone(mesh, v) {
+                let entries = (self.points.len() / ENTRY) as u32;
+                let place = match self.places.get(&v) {
+                    Some(&place) => place,
+                    None => self.free.pop().unwrap_or(entries),
+                };
+                self.places.insert(v, place);
+                (place, point(mesh, v.raw(), origin))
+            } else if let Some(place) = self.places.remove(&v) {
+                self.free.push(place);
+                (place, NOWHERE)
+            } else {
+                continue;
+            };
+            let offset = u64::from(place) * ENTRY;
+            self.points.write(device, queue, offset, bytemuck::bytes_of(&position), u64::MAX);
+            bytes += ENTRY;
+        }
+        bytes
+    }
+}
