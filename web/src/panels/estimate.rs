@@ -4,19 +4,27 @@ use crate::app::App;
 use crate::lists::columns::{counted, thousands};
 use crate::panels::fields::{Filled, Hints};
 use crate::panels::new_shape;
-use halfedge::Element;
+use editor::Command;
+use halfedge::{Element, Mesh, Progress};
 use serde_json::Value;
+use std::ops::ControlFlow;
 
-/// A count that was made for a form, and for which state of the document and which field.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Merged {
+/// A count that was made by trying an operation out, and for which state of the document and which
+/// fields.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct Tried {
     revision: u64,
-    distance: f64,
-    vertices: usize,
+    op: &'static str,
+    filled: Filled,
+    /// The vertices or faces it makes; none where it is refused.
+    count: Option<usize>,
 }
 
 /// Up to this many faces, merging is tried out to count what would be left: a few milliseconds.
 const TRIED: usize = 20_000;
+
+/// Up to so many times the mean length of its edges, a mesh's area says how many triangles it becomes.
+const COARSER: f64 = 1.5;
 
 impl App {
     /// How large the result of an operation with these fields is, as a sentence; none where that
@@ -46,22 +54,14 @@ impl App {
                 };
                 Some(format!("Result: {} of {} triangles", thousands(wanted), thousands(all)))
             }
-            "remesh" => {
-                if let Some((_, faces)) = shown {
-                    return Some(format!("Result: {} triangles", thousands(faces)));
-                }
-                let measures = hints.measures?;
-                let length = number("edge_length").unwrap_or(measures.mean_edge);
-                // As many equilateral triangles as have the same area.
-                let count = measures.area / (length * length * 3_f64.sqrt() / 4.0);
-                count
-                    .is_finite()
-                    .then(|| format!("Result: about {} triangles", thousands(count.round() as usize)))
-            }
+            "remesh" => match shown {
+                Some((_, faces)) => Some(format!("Result: {} triangles", thousands(faces))),
+                None => self.estimate_remesh(filled, hints),
+            },
             "smooth" => Some(format!("{} move; counts stay", counted(Element::Vertex, hints.vertices))),
             "merge-by-distance" => match shown {
                 Some((vertices, _)) => Some(of_vertices(vertices, hints.vertices)),
-                None => self.estimate_merge(number("distance")?),
+                None => self.estimate_merge(filled),
             },
             "bezier-tessellate" => {
                 let patches = self.editor.document().active()?.bezier()?.patches().len();
@@ -73,25 +73,65 @@ impl App {
     }
 
     /// Tries a merge out on a small mesh and counts what is left.
-    fn estimate_merge(&mut self, distance: f64) -> Option<String> {
+    fn estimate_merge(&mut self, filled: &Filled) -> Option<String> {
+        let distance = filled.get("distance")?.as_f64()?;
         let mesh = self.editor.mesh()?;
-        if mesh.face_count() > TRIED || self.editor.is_dragging() {
-            return Some(format!("Of {}", counted(Element::Vertex, mesh.vertex_count())));
-        }
-        let revision = self.editor.revision();
-        let known =
-            self.forms.merged.filter(|merged| merged.revision == revision && merged.distance == distance);
-        let merged = match known {
-            Some(merged) => merged,
-            None => {
-                let go_on = &mut |_| std::ops::ControlFlow::Continue(());
-                let vertices = surface::merge_by_distance(mesh, distance, go_on).ok()?.mesh.vertex_count();
-                Merged { revision, distance, vertices }
-            }
-        };
         let all = mesh.vertex_count();
-        self.forms.merged = Some(merged);
-        Some(of_vertices(merged.vertices, all))
+        if mesh.face_count() > TRIED || self.editor.is_dragging() {
+            return Some(format!("Of {}", counted(Element::Vertex, all)));
+        }
+        let left = self.tried("merge-by-distance", filled, |mesh, go_on| {
+            Some(surface::merge_by_distance(mesh, distance, go_on).ok()?.mesh.vertex_count())
+        })?;
+        Some(of_vertices(left, all))
+    }
+
+    /// Tries remeshing out where that is quick. Else reckons with the area, as long as edges don't get
+    /// much longer: how much coarser a mesh can become depends on what all has to be kept.
+    fn estimate_remesh(&mut self, filled: &Filled, hints: &Hints) -> Option<String> {
+        let mut value = filled.clone();
+        value.insert("op".into(), "remesh".into());
+        let command = Command::from_value(Value::Object(value)).ok()?;
+        if !self.editor.is_dragging() && self.editor.is_quick(command) {
+            let defaults = surface::Remesh::default();
+            let number = |field: &str| filled.get(field).and_then(Value::as_f64);
+            let whole = |field: &str| filled.get(field).and_then(Value::as_u64);
+            let options = surface::Remesh {
+                edge_length: number("edge_length"),
+                iterations: whole("iterations").map_or(defaults.iterations, |n| n as u32),
+                feature_angle: number("feature_angle").unwrap_or(defaults.feature_angle),
+                project: filled.get("project").and_then(Value::as_bool).unwrap_or(defaults.project),
+            };
+            let made = self.tried("remesh", filled, |mesh, go_on| {
+                Some(surface::remesh(mesh, &options, go_on).ok()?.face_count())
+            })?;
+            return Some(format!("Result: {} triangles", thousands(made)));
+        }
+        let measures = hints.measures?;
+        let length = filled.get("edge_length").and_then(Value::as_f64).unwrap_or(measures.mean_edge);
+        if length > COARSER * measures.mean_edge {
+            return None;
+        }
+        // As many equilateral triangles as have the same area.
+        let count = measures.area / (length * length * 3_f64.sqrt() / 4.0);
+        count.is_finite().then(|| format!("Result: about {} triangles", thousands(count.round() as usize)))
+    }
+
+    /// What `count` finds for the active mesh, once for a state of the document and fields.
+    fn tried(
+        &mut self,
+        op: &'static str,
+        filled: &Filled,
+        count: impl FnOnce(&Mesh, &mut Progress<'_>) -> Option<usize>,
+    ) -> Option<usize> {
+        let revision = self.editor.revision();
+        let known = |tried: &Tried| tried.revision == revision && tried.op == op && tried.filled == *filled;
+        if let Some(tried) = self.forms.tried.as_ref().filter(|tried| known(tried)) {
+            return tried.count;
+        }
+        let count = count(self.editor.mesh()?, &mut |_| ControlFlow::Continue(()));
+        self.forms.tried = Some(Tried { revision, op, filled: filled.clone(), count });
+        count
     }
 }
 

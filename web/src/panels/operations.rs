@@ -9,7 +9,7 @@ use serde_json::{Map, Value};
 use crate::actions::{self, Action};
 use crate::app::App;
 use crate::keys;
-use crate::panels::estimate::Merged;
+use crate::panels::estimate::Tried;
 use crate::panels::fields::{self, Filled, Hints};
 use crate::panels::new_shape;
 use crate::panels::trial::Previews;
@@ -22,15 +22,15 @@ pub(crate) struct Forms {
     /// The object whose name is being typed.
     pub renaming: Option<(usize, String)>,
     pub focus_renaming: bool,
-    /// A face color is being picked, as a preview.
+    /// A face colour is being picked, as a preview.
     pub painting: bool,
     /// Where along an edge the inspector's split button puts the vertex.
     pub split_t: Option<f32>,
     pub split_connect: Option<&'static str>,
     /// How many quads lie along a side of each patch that the Bezier panel tessellates.
     pub tessellation: Option<u32>,
-    /// What a merge would leave.
-    pub merged: Option<Merged>,
+    /// What an operation that was tried out makes.
+    pub tried: Option<Tried>,
     pub previews: Previews,
 }
 
