@@ -343,12 +343,12 @@ pub fn formats() -> impl Iterator<Item = Entry> {
 /// Saving in a format: what the menu calls it, and what the format is.
 pub fn of_format(format: Format) -> Entry {
     let (label, description) = match format {
-        Format::Obj => ("Save as OBJ…", "Text that every program reads, with a material file for colors."),
-        Format::Ply => ("Save as PLY…", "Binary, with face and vertex colors."),
-        Format::PlyText => ("Save as PLY (text)…", "PLY that can be read in a text editor, with colors."),
+        Format::Obj => ("Save as OBJ…", "Text that every program reads, with a material file for colours."),
+        Format::Ply => ("Save as PLY…", "Binary, with face and vertex colours."),
+        Format::PlyText => ("Save as PLY (text)…", "PLY that can be read in a text editor, with colours."),
         Format::Stl => ("Save as STL…", "Binary triangles, for 3D printing."),
         Format::StlText => ("Save as STL (text)…", "Triangles that can be read in a text editor."),
-        Format::Off => ("Save as OFF…", "Plain text of geometry programs, with colors."),
+        Format::Off => ("Save as OFF…", "Plain text of geometry programs, with colours."),
         Format::Collada => ("Save as COLLADA…", "XML with several objects, for other modellers."),
         Format::Glb => ("Save as GLB…", "glTF in one binary file, for the web and game engines."),
         Format::Gltf => ("Save as glTF…", "glTF as text, with its data in a file beside it."),

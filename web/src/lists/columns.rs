@@ -90,7 +90,7 @@ impl Row {
             let _ = write!(text, "{} {cell}", column.title.to_lowercase());
         }
         if let Some(color) = self.swatch {
-            let _ = write!(text, ", color {}", color.to_hex());
+            let _ = write!(text, ", colour {}", color.to_hex());
         }
         text
     }

@@ -276,8 +276,22 @@ fn ids(ui: &mut Ui, value: &mut Value) {
     }
 }
 
+/// Names that say too little when only their first letter is made large.
+const LABELS: [(&str, &str); 7] = [
+    ("by", "Separate by"),
+    ("color", "Colour"),
+    ("non_manifold", "Non-manifold edges"),
+    ("orient", "Re-orient faces"),
+    ("project", "Stay on surface"),
+    ("t", "Position (0 to 1)"),
+    ("uv-sphere", "UV sphere"),
+];
+
 /// `boundary_rule` as people read it: "Boundary rule".
 pub fn label_of(name: &str) -> String {
+    if let Some((_, label)) = LABELS.iter().find(|(known, _)| *known == name) {
+        return (*label).to_owned();
+    }
     let mut text = name.replace(['_', '-'], " ");
     if let Some(first) = text.get_mut(..1) {
         first.make_ascii_uppercase();

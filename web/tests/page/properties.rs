@@ -61,10 +61,10 @@ fn pointers_of_a_half_edge_select() {
 }
 
 #[test]
-fn picking_a_color_is_one_step() {
+fn picking_a_colour_is_one_step() {
     let mut page = Page::new();
     page.select("face", &[1, 2]);
-    page.click("Face color");
+    page.click("Face colour");
     page.click("#4c9aff");
     assert_eq!(page.undo_labels().len(), 1, "{:?}", page.undo_labels());
     // A drag along a slider is one step more.
@@ -156,4 +156,30 @@ fn a_subdivision_says_how_large_it_gets_and_gets_so() {
     page.run();
     assert_eq!(page.mesh().face_count(), 384);
     assert_eq!(page.undo_labels().len(), 1);
+}
+
+#[test]
+fn what_people_read_is_spelt_one_way() {
+    let american = |text: &str| {
+        let text = text.to_lowercase();
+        ["color", "neighbor", "center", "gray"].into_iter().find(|word| text.contains(word))
+    };
+    for spec in editor::OPERATIONS {
+        let fields =
+            spec.fields.iter().flat_map(|field| [field.description, field.default.unwrap_or_default()]);
+        for text in [spec.label, spec.description].into_iter().chain(fields) {
+            assert_eq!(american(text), None, "{}: {text}", spec.name);
+        }
+    }
+    let mut page = Page::new();
+    page.command(json!({ "op": "set-face-color", "faces": [1], "color": "#4c9aff" }));
+    for kind in Element::ALL {
+        page.select(&kind.to_string(), &[1]);
+        for node in page.harness.root().children_recursive() {
+            let node = node.accesskit_node();
+            for text in [node.label(), node.value()].into_iter().flatten() {
+                assert_eq!(american(&text), None, "{kind}: {text}, {:?}", node.role());
+            }
+        }
+    }
 }

@@ -19,7 +19,7 @@ impl Operation for CollapseFace {
     const SPEC: Spec = Spec {
         name: "collapse-face",
         label: "Collapse face",
-        description: "Makes all corners of a face one vertex at its center.",
+        description: "Makes all corners of a face one vertex at its centre.",
         key: None,
         kind: OperationKind::Local,
         fields: &[Field::new("face", FieldKind::Face, "The face to collapse").or("the selected faces")],

@@ -28,7 +28,7 @@ impl Operation for MergeVertices {
         fields: &[
             Field::new("vertices", FieldKind::Vertices, "The vertices to merge").or("the selected vertices"),
             Field::new("position", FieldKind::Vector, "Where the vertex goes")
-                .or("the center of the vertices"),
+                .or("the centre of the vertices"),
         ],
     };
 

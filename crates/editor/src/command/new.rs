@@ -50,7 +50,7 @@ impl Operation for New {
             ),
             Field::new("add", FieldKind::Flag, "Whether it is added to the document").or("false"),
             Field::new("size", NUMBER, "The length of its sides").or("by shape"),
-            Field::new("radius", NUMBER, "How far it goes from its center or axis").or("by shape"),
+            Field::new("radius", NUMBER, "How far it goes from its centre or axis").or("by shape"),
             Field::new("tube_radius", NUMBER, "The radius of a torus' tube").or("by shape"),
             Field::new("height", NUMBER, "How high it is").or("by shape"),
             Field::new("segments", COUNT, "How many faces there are around").or("by shape"),

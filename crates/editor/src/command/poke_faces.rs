@@ -1,4 +1,4 @@
-//! `poke-faces`: faces cut from their centers.
+//! `poke-faces`: faces cut from their centres.
 
 use super::fields::{face_count, faces};
 use super::{Action, FaceRef, Field, FieldKind, LocalEdit, Operation, OperationKind, Spec, Target};
@@ -19,7 +19,7 @@ impl Operation for PokeFaces {
     const SPEC: Spec = Spec {
         name: "poke-faces",
         label: "Poke faces",
-        description: "Puts a vertex at the center of each face, joined to every corner.",
+        description: "Puts a vertex at the centre of each face, joined to every corner.",
         key: None,
         kind: OperationKind::Local,
         fields: &[Field::new("faces", FieldKind::Faces, "The faces to poke").or("the selected faces")],

@@ -51,7 +51,7 @@ impl Operation for RepairImport {
             Field::new(
                 "orient",
                 FieldKind::Flag,
-                "Whether faces are turned so that neighbors face the same way",
+                "Whether faces are turned so that neighbours face the same way",
             )
             .or("true"),
         ],

@@ -22,12 +22,12 @@ impl Operation for SetFaceColor {
     const SPEC: Spec = Spec {
         name: "set-face-color",
         label: "Paint faces",
-        description: "Gives faces a color.",
+        description: "Gives faces a colour.",
         key: None,
         kind: OperationKind::Local,
         fields: &[
             Field::new("faces", FieldKind::Faces, "The faces to paint").or("the selected faces"),
-            Field::new("color", FieldKind::Color, "The color as #rrggbb"),
+            Field::new("color", FieldKind::Color, "The colour as #rrggbb"),
         ],
     };
 
@@ -46,7 +46,7 @@ impl Operation for SetFaceColor {
 impl SetFaceColor {
     fn found(&self, mesh: &Mesh) -> Result<(Vec<FaceId>, Color), Problem> {
         let color = Color::from_hex(&self.color).ok_or_else(|| {
-            Problem::field("color", format!("{:?} is not a color; write it as #rrggbb", self.color))
+            Problem::field("color", format!("{:?} is not a colour; write it as #rrggbb", self.color))
         })?;
         let faces = faces(&self.faces, mesh)?;
         if faces.is_empty() { Err(Refusal::NothingGiven(Element::Face).into()) } else { Ok((faces, color)) }

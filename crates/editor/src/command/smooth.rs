@@ -43,7 +43,7 @@ impl Operation for Smooth {
     const SPEC: Spec = Spec {
         name: "smooth",
         label: "Smooth",
-        description: "Moves every vertex towards the middle of its neighbors.",
+        description: "Moves every vertex towards the middle of its neighbours.",
         key: None,
         kind: OperationKind::WholeMesh,
         fields: &[
@@ -53,7 +53,7 @@ impl Operation for Smooth {
             Field::new(
                 "method",
                 FieldKind::Choice(&["laplacian", "taubin"]),
-                "Towards the neighbors, or there and back, which keeps the volume",
+                "Towards the neighbours, or there and back, which keeps the volume",
             )
             .or("\"laplacian\""),
         ],

@@ -53,7 +53,7 @@ impl Operation for SubdivideLoop {
             Field::new(
                 "weights",
                 FieldKind::Choice(&["loop", "warren"]),
-                "How much a vertex's neighbors count: as in OpenSubdiv, or as in the CS184 course",
+                "How much a vertex's neighbours count: as in OpenSubdiv, or as in the CS184 course",
             )
             .or("\"loop\""),
         ],

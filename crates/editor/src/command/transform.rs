@@ -94,7 +94,7 @@ impl Operation for Transform {
             Field::new("translate", FieldKind::Vector, "How far to move, in mesh units").or("[0, 0, 0]"),
             Field::new("rotate", FieldKind::Rotation, "How to turn about the pivot").or("no turn"),
             Field::new("scale", FieldKind::Factors, "By how much to scale about the pivot").or("1"),
-            Field::new("pivot", FieldKind::Vector, "What stays in place").or("the center of what is moved"),
+            Field::new("pivot", FieldKind::Vector, "What stays in place").or("the centre of what is moved"),
             Field::new(
                 "falloff",
                 FieldKind::Number { min: 0.0, max: f32::MAX },

@@ -1,4 +1,4 @@
-//! A face: its corners, area, normal and color.
+//! A face: its corners, area, normal and colour.
 
 use super::{facts, measured};
 use crate::app::App;
@@ -49,12 +49,12 @@ impl App {
         self.links(ui, "Half-edges", Element::Halfedge, &sides);
     }
 
-    /// The color of all selected faces. Picking is a preview until the button is let go.
+    /// The colour of all selected faces. Picking is a preview until the button is let go.
     fn face_color(&mut self, ui: &mut Ui, color: Color) {
         ui.horizontal(|ui| {
-            ui.label(RichText::new("Color").weak());
+            ui.label(RichText::new("Colour").weak());
             let mut rgb = color.0;
-            let (button, changed) = color_button(ui, "Face color", &mut rgb);
+            let (button, changed) = color_button(ui, "Face colour", &mut rgb);
             if changed {
                 self.preview(json!({ "op": "set-face-color", "color": Color(rgb).to_hex() }));
                 self.forms.painting = true;

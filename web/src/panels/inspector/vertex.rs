@@ -37,7 +37,7 @@ impl App {
             self.fact(ui, "Boundary", boundary, "Whether the vertex is on a boundary loop");
         });
         self.links(ui, "Outgoing half-edges", Element::Halfedge, &outgoing);
-        self.links(ui, "Neighbors", Element::Vertex, &neighbors);
+        self.links(ui, "Neighbours", Element::Vertex, &neighbors);
         self.links(ui, "Faces", Element::Face, &faces);
     }
 
