@@ -9,8 +9,10 @@ pub struct Running {
     pub id: JobId,
     /// What the status bar calls it.
     pub label: String,
-    /// How much of it is done.
+    /// How much of it is done; 0 until it says so.
     pub fraction: f32,
+    /// When it was first seen waiting, in the seconds that egui counts.
+    pub seen: Option<f64>,
     /// Who waits for it besides the person.
     pub reply: Option<Reply>,
     /// The state of the document that is safe once the job is done, where it saves all of it.
@@ -28,7 +30,15 @@ pub struct Jobs {
 impl Jobs {
     /// Adds a job that was just started.
     pub fn add(&mut self, id: JobId, label: String, reply: Option<Reply>) {
-        self.running.push(Running { id, label, fraction: 0.0, reply, saves: None, notes: Vec::new() });
+        self.running.push(Running {
+            id,
+            label,
+            fraction: 0.0,
+            seen: None,
+            reply,
+            saves: None,
+            notes: Vec::new(),
+        });
     }
 
     /// Notes that a job saves the whole document as it is in this state.
@@ -67,6 +77,13 @@ impl Jobs {
     /// The jobs, the one that runs first.
     pub fn iter(&self) -> impl Iterator<Item = &Running> {
         self.running.iter()
+    }
+
+    /// How many seconds the one that runs has been waited for, as far as was seen. There must be one
+    /// asking in each frame, from the first one on.
+    pub fn waited(&mut self, now: f64) -> Option<f64> {
+        let first = self.running.first_mut()?;
+        Some(now - *first.seen.get_or_insert(now))
     }
 
     /// The latest job: the one that Escape cancels.

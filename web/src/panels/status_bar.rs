@@ -1,11 +1,14 @@
 //! The bar at the bottom: counts, what runs, renderer and frame time.
 
-use egui::{Align, Layout, ProgressBar, RichText, Ui, vec2};
+use egui::{Align, Layout, ProgressBar, Rect, RichText, Sense, Ui, Vec2, WidgetInfo, vec2};
 use halfedge::Element;
 
 use crate::app::App;
 use crate::icons::{Icon, icon_button};
 use crate::lists::columns::thousands;
+
+/// A job that is done within so many seconds is not shown: a bar that flashes says nothing.
+const PATIENCE: f64 = 0.3;
 
 impl App {
     pub(crate) fn status_bar(&mut self, ui: &mut Ui, narrow: bool) {
@@ -14,8 +17,10 @@ impl App {
         }
         ui.horizontal(|ui| {
             ui.spacing_mut().item_spacing.x = if narrow { 8.0 } else { 14.0 };
-            if self.jobs.latest().is_some() {
-                self.job_progress(ui, narrow);
+            match self.jobs.waited(ui.input(|input| input.time)) {
+                Some(waited) if waited >= PATIENCE => self.job_progress(ui, narrow),
+                Some(waited) => ui.ctx().request_repaint_after_secs((PATIENCE - waited) as f32),
+                None => {}
             }
             self.counts(ui, narrow);
             if !narrow {
@@ -84,11 +89,16 @@ impl App {
         if let Some(job) = self.jobs.iter().next() {
             let text = if waiting > 0 { format!("{} (+{waiting})", job.label) } else { job.label.clone() };
             let width = if narrow { 120.0 } else { 200.0 };
-            let bar = ProgressBar::new(job.fraction)
-                .desired_width(width)
-                .desired_height(16.0)
-                .text(RichText::new(&text).small());
-            ui.add_sized(vec2(width, 16.0), bar).accessible_name(text);
+            let size = vec2(width, 16.0);
+            if job.fraction > 0.0 {
+                let bar = ProgressBar::new(job.fraction)
+                    .desired_width(size.x)
+                    .desired_height(size.y)
+                    .text(RichText::new(&text).small());
+                ui.add_sized(size, bar).accessible_name(text);
+            } else {
+                going_on(ui, size, &text);
+            }
             if icon_button(ui, Icon::Close, &format!("Cancel {}", job.label), false)
                 .on_hover_text("Cancel (Escape)")
                 .clicked()
@@ -100,4 +110,25 @@ impl App {
             self.cancel_job(id);
         }
     }
+}
+
+/// A bar for what has not said how far it is: something in it goes to and fro.
+fn going_on(ui: &mut Ui, size: Vec2, text: &str) {
+    const SECONDS: f64 = 1.6;
+    const LENGTH: f32 = 0.3;
+    let (rect, response) = ui.allocate_exact_size(size, Sense::hover());
+    response.widget_info(|| WidgetInfo::labeled(egui::Role::ProgressIndicator, true, text));
+    let turn = ui.input(|input| input.time / SECONDS).fract() * std::f64::consts::TAU;
+    let start = (0.5 - 0.5 * turn.cos()) as f32 * (1.0 - LENGTH) * size.x;
+    let part = Rect::from_min_size(rect.min + vec2(start, 0.0), vec2(LENGTH * size.x, size.y));
+    let visuals = ui.visuals();
+    let radius = size.y / 2.0;
+    ui.painter().rect_filled(rect, radius, visuals.extreme_bg_color);
+    ui.painter().rect_filled(part, radius, visuals.selection.bg_fill);
+    let font = egui::TextStyle::Small.resolve(ui.style());
+    let galley = ui.painter().layout(text.to_owned(), font, visuals.text_color(), size.x - 12.0);
+    let at = rect.left_center() + vec2(6.0, -galley.size().y / 2.0);
+    ui.painter().with_clip_rect(rect).galley(at, galley, visuals.text_color());
+    // Often enough to be seen moving, no more: the worker needs the processor.
+    ui.ctx().request_repaint_after_secs(0.05);
 }

@@ -237,8 +237,10 @@ fn what_an_import_repaired_can_be_done_another_way() {
     assert!(link.is_none(), "the offer goes with its document");
     page.press_with(CTRL, Key::Z);
     page.open("fin.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 -1 0\nv 0 0 1\nf 1 2 3\nf 2 1 4\nf 1 2 5\n");
+    let width = page.find("Viewport").rect().width();
     press(&mut page, Role::Link, "Repair import");
-    press(&mut page, Role::ComboBox, "Non manifold");
+    assert_eq!(page.find("Viewport").rect().width(), width, "the form has room beside it");
+    press(&mut page, Role::ComboBox, "Non-manifold edges");
     page.click("Drop");
     press(&mut page, Role::Button, "Repair import");
     assert_eq!(page.mesh().face_count(), 2, "two faces meet at an edge, no third");
@@ -251,6 +253,7 @@ fn a_page_asked_for_a_model_fetches_and_opens_it() {
     use meshwright_web::platform::{Event, Fetched, NamedBytes};
     let wanting = || {
         let mut page = Page::wanting(&["https://a.example/tri%20angle.obj?x=1", "colors.mtl"]);
+        page.wait();
         assert!(page.has("Fetch tri%20angle.obj"));
         assert_eq!(page.mesh().face_count(), 6, "on the cube meanwhile");
         let fetches = page.outside.fetches();
@@ -314,8 +317,20 @@ fn a_job_shows_its_progress_and_can_be_cancelled() {
     page.outside.push(meshwright_web::platform::Event::Files(vec![
         meshwright_web::platform::NamedBytes::new("triangle.obj", TRIANGLE.as_bytes()),
     ]));
+    page.harness.step();
+    assert!(!page.has("Open triangle.obj"), "what is done in no time flashes no bar");
+    page.wait();
+    let bar = |page: &Page| {
+        page.harness
+            .get_by_role_and_label(Role::ProgressIndicator, "Open triangle.obj")
+            .accesskit_node()
+            .numeric_value()
+    };
+    assert_eq!(bar(&page), None, "it has not said how far it is");
+    let job = page.app().editor().jobs().next().expect("it runs").id.0;
+    page.outside.push(meshwright_web::platform::Event::JobProgress { job, fraction: 0.3 });
     page.run();
-    assert!(page.has("Open triangle.obj"));
+    assert_eq!(bar(&page).map(|value| value.round()), Some(30.0));
     assert_eq!(page.mesh().face_count(), 6, "the document stays as it was");
     page.click("Cancel Open triangle.obj");
     assert_eq!(page.outside.cancelled().len(), 1);

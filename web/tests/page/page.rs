@@ -87,6 +87,13 @@ impl Page {
         self.harness.run();
     }
 
+    /// Lets a second go by: what takes no longer is not shown as going on.
+    pub fn wait(&mut self) {
+        for _ in 0..4 {
+            self.harness.step();
+        }
+    }
+
     /// Runs a command as a script would; it must work.
     pub fn command(&mut self, command: Value) {
         let told = std::rc::Rc::new(std::cell::RefCell::new(None));
