@@ -262,6 +262,36 @@ fn a_half_edge_is_an_arrow_on_its_faces_side() {
 }
 
 #[test]
+fn the_ground_grid_is_seen_where_it_is_nearer_than_the_mesh_and_nowhere_else() {
+    let Some(gpu) = gpu() else { return };
+    let mut cube = cube();
+    paint_all(&mut cube, [250, 40, 40]);
+    let tree = surface::FaceTree::new(&cube);
+    for (pitch, orthographic) in [(0.5, false), (-0.4, false), (0.5, true), (1.2, true)] {
+        let mut camera = Camera { yaw: 0.7, pitch, distance: 6.0, orthographic, ..Camera::default() };
+        camera.set_scene(surface::measure::bounding_box(&cube));
+        let without = draw(&gpu, &cube, &camera, &bare());
+        let with = draw(&gpu, &cube, &camera, &Style { grid: true, ..bare() });
+        let mut beside = 0;
+        for (x, y) in (0..SIZE[1]).flat_map(|y| (0..SIZE[0]).map(move |x| (x, y))) {
+            if with.at(x, y) == without.at(x, y) {
+                continue;
+            }
+            // Of a pixel on an edge or on the line where the cube cuts the ground, some part may show it.
+            let shows =
+                [-1.0, 0.0, 1.0].iter().flat_map(|dx| [-1.0, 0.0, 1.0].map(|dy| vec2(*dx, dy))).any(|by| {
+                    let ray = camera.ray(vec2(x as f32 + 0.5, y as f32 + 0.5) + by, VIEW);
+                    let to_ground = -f64::from(ray.origin.y) / f64::from(ray.direction.y);
+                    tree.hit(&cube, ray).is_none_or(|hit| to_ground < hit.distance)
+                });
+            assert!(shows, "{x}, {y} from pitch {pitch}: {:?} not {:?}", with.at(x, y), without.at(x, y));
+            beside += usize::from(without.at(x, y) == [0, 0, 0]);
+        }
+        assert!(beside > 300, "{beside} pixels of grid beside the cube");
+    }
+}
+
+#[test]
 fn dots_are_drawn_where_vertices_are_and_not_through_faces() {
     let Some(gpu) = gpu() else { return };
     let mut style = Style { vertices: true, ..bare() };
