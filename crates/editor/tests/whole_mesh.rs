@@ -2,6 +2,7 @@
 
 mod support;
 
+use editor::formats::NamedBytes;
 use editor::halfedge::Mesh;
 use editor::{Begun, Editor, Finished, JobRequest, JobResult};
 use serde_json::{Value, json};
@@ -136,4 +137,35 @@ fn notes_come_back_from_a_worker() {
     let Ok(Finished::Done(outcome)) = editor.finish(request.id(), Ok(back)) else { panic!("a command") };
     assert_eq!(outcome, expected);
     validate(&editor);
+}
+
+#[test]
+fn seams_that_stop_simplifying_can_be_given_up() {
+    // Nine squares, each with a piece of the texture of its own.
+    let mut text = String::new();
+    for i in 0..16 {
+        text += &format!("v {} 0 {}\n", i % 4, i / 4);
+    }
+    for corner in 0..36 {
+        text += &format!("vt {} {}\n", corner as f32 / 40.0, (corner % 5) as f32 / 5.0);
+    }
+    for (face, a) in [1, 2, 3, 5, 6, 7, 9, 10, 11].into_iter().enumerate() {
+        let corners = [a, a + 4, a + 5, a + 1];
+        let written = corners.iter().enumerate().map(|(i, v)| format!(" {v}/{}", face * 4 + i + 1));
+        text += &format!("f{}\n", written.collect::<String>());
+    }
+    let charted = || {
+        let mut editor = Editor::new();
+        let files = [NamedBytes::new("charts.obj", text.clone().into_bytes())];
+        let imported = editor::formats::read(&files, &mut |_| ControlFlow::Continue(())).expect("readable");
+        editor.open(imported).expect("valid");
+        editor
+    };
+    let mut editor = charted();
+    let kept = run(&mut editor, json!({"op": "simplify", "faces": 2}));
+    assert!(sizes(&editor)[2] > 2);
+    assert!(kept.warnings.iter().any(|text| text.contains("`preserve_seams`")), "{:?}", kept.warnings);
+    let mut editor = charted();
+    let free = run(&mut editor, json!({"op": "simplify", "faces": 2, "preserve_seams": false}));
+    assert_eq!((sizes(&editor)[2], free.warnings.len()), (2, 0), "{:?}", free.warnings);
 }

@@ -86,7 +86,9 @@ fn operate(job: &str, mesh: &Mesh) -> Mesh {
             } else {
                 SimplifyTarget::MaxError(1e-3 * measure::bounding_box(mesh).expect("has vertices").diagonal())
             };
-            simplify(mesh, &Simplify { target, preserve_boundary: true }, &mut go_on).expect("in range").mesh
+            simplify(mesh, &Simplify { target, preserve_boundary: true, preserve_seams: true }, &mut go_on)
+                .expect("in range")
+                .mesh
         }
     }
 }

@@ -42,7 +42,8 @@ fn reshape(c: &mut Criterion) {
     let mut group = c.benchmark_group("reshape");
     group.sample_size(10);
     for (name, mesh) in inputs(2) {
-        let options = Simplify { target: SimplifyTarget::Ratio(0.1), preserve_boundary: true };
+        let options =
+            Simplify { target: SimplifyTarget::Ratio(0.1), preserve_boundary: true, preserve_seams: true };
         let size = format!("{name}, {} triangles to a tenth", mesh.face_count());
         group.bench_function(BenchmarkId::new("simplify", &size), |b| {
             b.iter(|| simplify(black_box(&mesh), &options, &mut go_on));

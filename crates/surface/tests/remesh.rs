@@ -322,7 +322,7 @@ proptest! {
     #[test]
     fn fine_edges_keep_area_and_volume(mesh in random_mesh(false), length in 0.12f64..0.2) {
         // Polygons that aren't flat have an area once they are cut.
-        let whole = Simplify { target: SimplifyTarget::Ratio(1.0), preserve_boundary: true };
+        let whole = Simplify { target: SimplifyTarget::Ratio(1.0), preserve_boundary: true, preserve_seams: true };
         let cut = simplify(&mesh, &whole, &mut go_on).expect("in range").mesh;
         let result = run(&mesh, &Remesh { edge_length: Some(length), ..Remesh::default() });
         if cut.face_count() == 0 {

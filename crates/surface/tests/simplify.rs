@@ -13,7 +13,7 @@ use surface::normals::*;
 use surface::*;
 
 fn to(mesh: &Mesh, target: SimplifyTarget) -> Simplified {
-    let options = Simplify { target, preserve_boundary: true };
+    let options = Simplify { target, preserve_boundary: true, preserve_seams: true };
     let result = simplify(mesh, &options, &mut go_on).expect("target in range");
     result.mesh.validate().expect("valid");
     assert!(result.mesh.is_compact());
@@ -122,6 +122,27 @@ fn seams_that_stop_it_are_named() {
     assert!(why.contains("break a seam of the texture coordinates"), "{why}");
     let flat = to(&cube(), SimplifyTarget::Faces(2)).shortfall().expect("falls short");
     assert!(!flat.contains("seam"), "{flat}");
+}
+
+#[test]
+fn seams_can_be_given_up() {
+    let mut mesh = subdivide_linear(&cube(), &Linear { levels: 2 }, &mut go_on).expect("fits");
+    for h in 0..mesh.halfedge_count() {
+        mesh.set(keys::CORNER_UV, h, Vec2::splat(h as f32));
+    }
+    let run = |faces: usize, preserve_seams: bool| {
+        let target = SimplifyTarget::Faces(faces);
+        let options = Simplify { target, preserve_boundary: true, preserve_seams };
+        let result = simplify(&mesh, &options, &mut go_on).expect("in range");
+        result.mesh.validate().expect("valid");
+        result
+    };
+    assert_eq!(run(12, true).mesh.face_count(), 192, "every vertex is where seams meet");
+    let free = run(12, false);
+    assert_eq!((free.mesh.face_count(), free.has_seams), (12, false));
+    assert!((surface_area(&free.mesh) / surface_area(&mesh) - 1.0).abs() < 1e-5, "the shape stays");
+    assert!(free.mesh.attribute(keys::CORNER_UV).is_some_and(|uv| uv.iter().all(|uv| uv.is_finite())));
+    assert!(!run(2, false).shortfall().expect("falls short").contains("seam"), "no seam stops it");
 }
 
 #[test]
@@ -249,11 +270,15 @@ fn seams_and_painted_borders_stay_where_they_are() {
 fn refuses_targets_out_of_range_and_stops_when_told() {
     let cube = cube();
     for target in [SimplifyTarget::Ratio(0.0), SimplifyTarget::Ratio(1.5), SimplifyTarget::Ratio(f64::NAN)] {
-        let refused = simplify(&cube, &Simplify { target, preserve_boundary: true }, &mut go_on);
+        let refused =
+            simplify(&cube, &Simplify { target, preserve_boundary: true, preserve_seams: true }, &mut go_on);
         assert_eq!(refused.expect_err("no ratio").to_string(), "ratio must be above 0 and at most 1");
     }
     let target = SimplifyTarget::MaxError(-1.0);
-    assert!(simplify(&cube, &Simplify { target, preserve_boundary: true }, &mut go_on).is_err());
+    assert!(
+        simplify(&cube, &Simplify { target, preserve_boundary: true, preserve_seams: true }, &mut go_on)
+            .is_err()
+    );
     let sphere = shape("ico-sphere", &[("subdivisions", 5.0)]);
     let mut asked = 0;
     let mut stop = |fraction: f32| {
@@ -261,7 +286,8 @@ fn refuses_targets_out_of_range_and_stops_when_told() {
         if fraction > 0.2 { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
     };
     let target = SimplifyTarget::Faces(10);
-    let stopped = simplify(&sphere, &Simplify { target, preserve_boundary: true }, &mut stop);
+    let stopped =
+        simplify(&sphere, &Simplify { target, preserve_boundary: true, preserve_seams: true }, &mut stop);
     assert_eq!(stopped, Err(SurfaceError::Cancelled));
     assert!(asked > 3);
     let empty = to(&Mesh::new(), SimplifyTarget::Ratio(0.5));
@@ -279,7 +305,7 @@ proptest! {
     ) {
         let before: usize = mesh.faces().map(|f| mesh.face_degree(f) - 2).sum();
         let wanted = ((before as f64 * share) as usize).max(1);
-        let options = Simplify { target: SimplifyTarget::Faces(wanted), preserve_boundary };
+        let options = Simplify { target: SimplifyTarget::Faces(wanted), preserve_boundary, preserve_seams: true };
         let result = simplify(&mesh, &options, &mut go_on).expect("in range");
         result.mesh.validate().expect("valid");
         prop_assert_eq!(topology(&result.mesh), topology(&mesh));

@@ -69,7 +69,8 @@ fn loop_rule() -> Prepared {
 
 fn simplify() -> Prepared {
     let mesh = mesh(wavy_torus(1000, 500, true));
-    let options = Simplify { target: SimplifyTarget::Ratio(0.1), preserve_boundary: true };
+    let options =
+        Simplify { target: SimplifyTarget::Ratio(0.1), preserve_boundary: true, preserve_seams: true };
     Box::new(move || drop(black_box(surface::simplify(&mesh, &options, &mut go_on))))
 }
 

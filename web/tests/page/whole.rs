@@ -73,6 +73,7 @@ fn simplify_is_told_how_far_in_one_of_three_ways() {
     let mut page = sphere();
     page.choose("Simplify");
     assert_eq!(promise(&page), "Result: 160 of 320 triangles");
+    assert!(page.has("Preserve boundary") && page.has("Preserve seams"));
     page.type_into("Ratio", "0.3");
     assert_eq!(promise(&page), "Result: 96 of 320 triangles");
 

@@ -25,6 +25,9 @@ pub struct Simplify {
     /// Whether the boundary keeps its course.
     #[serde(default = "yes")]
     pub preserve_boundary: bool,
+    /// Whether seams of texture coordinates and normals keep their course.
+    #[serde(default = "yes")]
+    pub preserve_seams: bool,
 }
 
 pub(super) fn yes() -> bool {
@@ -50,6 +53,12 @@ impl Operation for Simplify {
             .or("not by error"),
             Field::new("preserve_boundary", FieldKind::Flag, "Whether the boundary keeps its course")
                 .or("true"),
+            Field::new(
+                "preserve_seams",
+                FieldKind::Flag,
+                "Whether seams of texture coordinates and normals keep their course",
+            )
+            .or("true"),
         ],
     };
 
@@ -89,9 +98,16 @@ impl EachMesh for Simplify {
         notes: &mut Vec<String>,
         progress: &mut Progress<'_>,
     ) -> Result<Mesh, Problem> {
-        let options = surface::Simplify { target: self.target()?, preserve_boundary: self.preserve_boundary };
+        let options = surface::Simplify {
+            target: self.target()?,
+            preserve_boundary: self.preserve_boundary,
+            preserve_seams: self.preserve_seams,
+        };
         let simplified = surface::simplify(mesh, &options, progress)?;
         notes.extend(simplified.shortfall());
+        if simplified.has_seams {
+            notes.push("Without “Preserve seams” (`preserve_seams`) it can become fewer".to_owned());
+        }
         Ok(simplified.mesh)
     }
 

@@ -52,6 +52,9 @@ pub struct Simplify {
     /// Whether boundary vertices stay on the boundary curve, which is simplified by itself; else the
     /// boundary is held as faintly as the surface is.
     pub preserve_boundary: bool,
+    /// Whether vertices on seams of corner attributes, such as texture coordinates, stay on them; else
+    /// the values beside a seam that moves no longer meet where they did.
+    pub preserve_seams: bool,
 }
 
 /// A simplified mesh.
@@ -61,7 +64,7 @@ pub struct Simplified {
     pub mesh: Mesh,
     /// The count that was asked for, where one was.
     pub wanted: Option<usize>,
-    /// Whether it stopped early and has seams of corner attributes, such as texture coordinates.
+    /// Whether it stopped early and has seams of corner attributes that were preserved.
     pub has_seams: bool,
 }
 
@@ -101,8 +104,8 @@ const LEAST_SHAPE: f64 = 0.02;
 
 /// Simplifies a mesh; the input is untouched. Polygons are cut into triangles first, isolated vertices
 /// left out. Face attributes stay with the triangles that stay; corner and vertex attributes are mixed
-/// where vertices merge, and edges where corner attributes differ are kept like a boundary. Costs
-/// O(n log n) at most: the queue takes O(1) a step.
+/// where vertices merge, and edges where corner attributes differ are kept like a boundary, if
+/// asked. Costs O(n log n) at most: the queue takes O(1) a step.
 ///
 /// # Errors
 /// [`SurfaceError::BadField`] for a target out of range; [`SurfaceError::Cancelled`].
@@ -134,7 +137,8 @@ pub fn simplify(
     pace.at(0.05)?;
     run::to(&mut work, wanted.unwrap_or(0), &mut pace.part(0.1, 0.95))?;
     let tri = work.finish();
-    let has_seams = wanted.is_some_and(|wanted| tri.faces > wanted)
+    let has_seams = options.preserve_seams
+        && wanted.is_some_and(|wanted| tri.faces > wanted)
         && (0..tri.v.len() as u32).any(|h| tri.is_alive(h) && tri.is_seam(h));
     let mesh = tri.into_mesh(mesh);
     pace.at(1.0)?;
@@ -164,6 +168,7 @@ struct Work<'a> {
     refused: Vec<bool>,
 
     preserve_boundary: bool,
+    preserve_seams: bool,
     limit: Option<Limit>,
 }
 
@@ -192,6 +197,7 @@ impl<'a> Work<'a> {
             stamp: 0,
             refused: vec![false; vertices],
             preserve_boundary: options.preserve_boundary,
+            preserve_seams: options.preserve_seams,
             limit,
             tri,
         };
@@ -281,7 +287,7 @@ impl<'a> Work<'a> {
         for h in 0..tri.v.len() as u32 {
             let across = tri.opp(h);
             let boundary = across == NONE;
-            let seam = !boundary && tri.is_seam(h);
+            let seam = !boundary && self.preserve_seams && tri.is_seam(h);
             if !(boundary || seam || differ(h / 3, across / 3) || is_creased(h)) {
                 continue;
             }
@@ -314,7 +320,11 @@ impl<'a> Work<'a> {
 
     /// Whether an edge is part of a curve that vertices stay on.
     fn is_curve(&self, h: u32) -> bool {
-        if self.tri.opp(h) == NONE { self.preserve_boundary } else { self.tri.is_seam(h) }
+        if self.tri.opp(h) == NONE {
+            self.preserve_boundary
+        } else {
+            self.preserve_seams && self.tri.is_seam(h)
+        }
     }
 
     /// Where the ends of an edge would merge; none if they may not.
