@@ -205,8 +205,13 @@ editorTest("?model= opens a file of another site", once, async (_, t) => {
   });
 
   // And files beside the page.
-  const editor = await openPage({ renderer: "webgl2", size: SMALL, query: "?model=http://", label: t.name });
-  await editor.ready();
-  await alert(editor, /"http:\/\/" after `\?model=` is no address/);
-  await editor.close();
+  for (const [query, why] of [
+    ["?model=http://", /"http:\/\/" after `\?model=` is no address/],
+    ["?model=file:///c:/a.obj", /can't be fetched: a page reads addresses that begin with http/],
+  ]) {
+    const editor = await openPage({ renderer: "webgl2", size: SMALL, query, label: t.name });
+    await editor.ready();
+    await alert(editor, why);
+    await editor.close();
+  }
 });

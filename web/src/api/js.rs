@@ -3,7 +3,7 @@
 use std::cell::RefCell;
 use std::rc::Rc;
 
-use js_sys::{Function, JSON, Promise, Reflect};
+use js_sys::{Array, ArrayBuffer, Function, JSON, Promise, Reflect};
 use serde::Serialize;
 use wasm_bindgen::prelude::*;
 
@@ -33,18 +33,29 @@ pub fn to_js(value: &impl Serialize) -> Answer {
     JSON::parse(&text)
 }
 
-/// A script's argument as JSON. `undefined` and functions, which JSON has not, are refused with the
-/// `message`.
+/// A script's argument as JSON; typed arrays are lists. `undefined`, which JSON has not, is refused with
+/// the `message`.
 pub fn to_json(value: &JsValue, message: &str) -> Result<serde_json::Value, JsValue> {
     let refused = || error(message);
-    // NaN and the infinities would become null: by their names they can be refused for what they are.
-    let by_name =
-        Closure::<dyn Fn(JsValue, JsValue) -> JsValue>::new(|_, value: JsValue| match value.as_f64() {
+    // What JSON has not would become null or be left out, as if nothing had been given: by its name it is
+    // refused for what it is.
+    let by_name = Closure::<dyn Fn(JsValue, JsValue) -> JsValue>::new(|_, value: JsValue| {
+        if value.is_function() {
+            return "a function".into();
+        }
+        if value.is_symbol() {
+            return "a symbol".into();
+        }
+        if ArrayBuffer::is_view(&value) {
+            return Array::from(&value).into();
+        }
+        match value.as_f64() {
             Some(number) if number.is_nan() => "NaN".into(),
             Some(f64::INFINITY) => "Infinity".into(),
             Some(f64::NEG_INFINITY) => "-Infinity".into(),
             _ => value,
-        });
+        }
+    });
     let text = JSON::stringify_with_replacer(value, by_name.as_ref()).map_err(|_| refused())?;
     let text = text.as_string().ok_or_else(refused)?;
     serde_json::from_str(&text).map_err(|_| refused())

@@ -190,7 +190,8 @@ pub fn thousands(value: usize) -> String {
     let mut text = String::with_capacity(digits.len() * 2);
     for (at, digit) in digits.chars().enumerate() {
         if at > 0 && (digits.len() - at).is_multiple_of(3) {
-            text.push(' ');
+            // One that no line breaks at.
+            text.push('\u{a0}');
         }
         text.push(digit);
     }
@@ -215,8 +216,8 @@ mod tests {
     #[test]
     fn thousands_are_set_apart() {
         assert_eq!(thousands(7), "7");
-        assert_eq!(thousands(1000), "1 000");
-        assert_eq!(thousands(3_000_000), "3 000 000");
+        assert_eq!(thousands(1000), "1\u{a0}000");
+        assert_eq!(thousands(3_000_000), "3\u{a0}000\u{a0}000");
     }
 
     #[test]

@@ -88,7 +88,7 @@ fn go_to_id_selects_or_says_what_there_is() {
     page.find("Go to id").type_text("99999");
     page.press(Key::Enter);
     assert_eq!(page.selected().1, [3000], "nothing else is selected");
-    assert!(page.has_part("There is no vertex “99999”: ids go from 0 to 3 720."));
+    assert!(page.has_part("There is no vertex “99999”: ids go from 0 to 3\u{a0}720."));
 }
 
 #[test]

@@ -124,7 +124,7 @@ fn the_form_counts_from_the_mesh_as_it_was() {
     assert!(page.has(&format!("Result: {made} triangles")), "counted, not reckoned");
     page.choose("Subdivide (Loop)");
     assert_eq!(page.mesh().face_count(), 1280);
-    assert!(page.has("Result: 1 280 faces"));
+    assert!(page.has("Result: 1\u{a0}280 faces"));
     page.type_into("Levels", "2");
     assert_eq!(page.mesh().face_count(), 5120, "not of the preview");
 }

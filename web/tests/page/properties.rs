@@ -25,6 +25,18 @@ fn a_drag_on_a_spin_box_is_one_step() {
 }
 
 #[test]
+fn far_models_say_where_their_coordinates_are_counted_from() {
+    let mut page = Page::new();
+    page.select("vertex", &[0]);
+    assert!(!page.has("Counted from"));
+    page.open("far.obj", "v 1000000000.5 0 0\nv 1000000001.5 0 0\nv 1000000000.5 1 0\nf 1 2 3\n");
+    page.select("vertex", &[0]);
+    let offset = page.app().editor().document().offset();
+    assert!(offset.x >= 1e9);
+    assert!(page.has("Counted from") && page.has(&format!("{}, {}, {}", offset.x, offset.y, offset.z)));
+}
+
+#[test]
 fn a_typed_coordinate_is_one_step() {
     let mut page = Page::new();
     page.select("vertex", &[5]);

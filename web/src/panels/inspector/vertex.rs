@@ -24,8 +24,19 @@ impl App {
         let neighbors: Vec<u32> = mesh.neighbors(v).map(|w| w.raw()).collect();
         let faces: Vec<u32> = mesh.vertex_faces(v).map(|f| f.raw()).collect();
 
+        let offset = self.editor.document().offset();
         self.position_boxes(ui, id, position);
         facts(ui, "vertex facts", |ui| {
+            if offset != glam::DVec3::ZERO {
+                let place = offset.to_array().map(|x| x.to_string()).join(", ");
+                self.fact(
+                    ui,
+                    "Counted from",
+                    place,
+                    "The file lies far from the origin: coordinates are shown, and given to commands, from this \
+                     place, and saved in full",
+                );
+            }
             self.pointer(
                 ui,
                 "Half-edge",

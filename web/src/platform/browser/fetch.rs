@@ -24,7 +24,8 @@ const SHARE: f64 = 0.5;
 pub fn wanted() -> Option<Vec<String>> {
     let search = web_sys::window()?.location().search().ok()?;
     let all = UrlSearchParams::new_with_str(&search).ok()?.get_all("model");
-    Some(all.iter().filter_map(|value| value.as_string()).collect())
+    // `?model=` alone asks for nothing, not for the page itself.
+    Some(all.iter().filter_map(|value| value.as_string()).filter(|value| !value.trim().is_empty()).collect())
 }
 
 /// What is being fetched.
@@ -75,6 +76,12 @@ async fn fetch_all(
     for (at, address) in addresses.iter().enumerate() {
         let url = Url::new_with_base(address, &page)
             .map_err(|_| format!("{address:?} after `?model=` is no address of a file."))?;
+        if !matches!(url.protocol().as_str(), "http:" | "https:" | "blob:" | "data:") {
+            return Err(format!(
+                "{address:?} after `?model=` can't be fetched: a page reads addresses that begin with http or \
+                 https. Drop a file from this computer on the page instead."
+            ));
+        }
         let part = |part: f64| progress((at as f64 + part) / addresses.len() as f64);
         let (bytes, url) = fetch(window, &url, abort, part)
             .await
