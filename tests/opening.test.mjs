@@ -2,7 +2,7 @@
 
 import assert from "node:assert/strict";
 
-import { SMALL, editorTest } from "./harness.mjs";
+import { DESKTOP, PHONE, SMALL, editorTest } from "./harness.mjs";
 
 const counts = async (editor) => {
   const { vertices, edges, faces, boundary_loops: loops } = (await editor.state()).document;
@@ -144,5 +144,23 @@ editorTest("what can't be opened is said in words, and nothing changes", once, a
     await assert.rejects(editor.open(name, Buffer.from(content, "latin1")), (error) =>
       error.message.includes("Could not open: ") && error.message.includes(name));
     assert.deepEqual(await told(), before, name);
+  }
+});
+
+editorTest("points without faces are seen, and can be clicked", { sizes: [DESKTOP, PHONE] }, async (editor) => {
+  const points = [[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]];
+  await drop(editor, { name: "points.obj", content: points.map((point) => `v ${point.join(" ")}\n`).join("") });
+  await editor.frames(6);
+  const places = await Promise.all(points.map((point) =>
+    editor.page.evaluate((point) => window.meshwright.project(point), point)));
+  const picture = await editor.screenshot("points");
+  for (const [id, [x, y]] of places.entries()) {
+    const [dot, beside] = [picture.at(x, y), picture.at(x + 9, y + 3)];
+    assert.ok(dot.some((value, channel) => Math.abs(value - beside[channel]) > 80), `vertex ${id}: ${dot} on ${beside}`);
+    await editor.page.mouse.click(x, y);
+    await editor.until(`vertex ${id} is selected`, async () => {
+      const { kind, ids } = (await editor.state()).selection;
+      return kind === "vertex" && ids.join() === String(id);
+    });
   }
 });
