@@ -1,8 +1,8 @@
 //! The formats, and how a file's is told.
 
+use crate::detect::by_content;
 use crate::import::NamedBytes;
 use crate::losses::Part;
-use crate::{bezier, collada, gltf, off, stl};
 
 /// A file format. Where one is written in two ways, reading tells them apart and calls both by the
 /// first.
@@ -142,84 +142,21 @@ impl Format {
         Self::from_extension(name.rsplit_once('.')?.1)
     }
 
-    /// The format of a file: by content where that is plain, else by extension, else by a look at
-    /// the first lines.
+    /// The format of a file: by content where that is plain, else by extension.
     pub fn detect(file: &NamedBytes) -> Option<Self> {
-        Self::by_mark(&file.bytes)
-            .or_else(|| match Self::from_name(&file.name) {
-                Some(named) if named.is_bezier() => bezier::kind(&file.bytes).or(Some(named)),
-                named => named,
-            })
-            .or_else(|| looks_like_obj(&file.bytes).then_some(Self::Obj))
-            .or_else(|| bezier::kind(&file.bytes))
-    }
-
-    /// The format by how the content starts.
-    fn by_mark(bytes: &[u8]) -> Option<Self> {
-        if bytes.starts_with(b"ply\n") || bytes.starts_with(b"ply\r") {
-            return Some(Self::Ply);
-        }
-        if off::is_off(bytes) {
-            return Some(Self::Off);
-        }
-        if gltf::looks_like(bytes) {
-            return Some(if bytes.starts_with(b"glTF") { Self::Glb } else { Self::Gltf });
-        }
-        if collada::looks_like(bytes) {
-            return Some(Self::Collada);
-        }
-        (stl::is_text(bytes) || stl::is_binary(bytes)).then_some(Self::Stl)
+        by_content(&file.bytes).or_else(|| Self::from_name(&file.name))
     }
 }
 
-/// Whether the first lines that say anything are statements of an OBJ.
-fn looks_like_obj(bytes: &[u8]) -> bool {
-    let head = bytes.get(..64 * 1024).unwrap_or(bytes);
-    let head = head.strip_prefix(b"\xef\xbb\xbf").unwrap_or(head);
-    head.split(|&b| b == b'\n' || b == b'\r')
-        .map(<[u8]>::trim_ascii)
-        .filter(|line| !line.is_empty() && !line.starts_with(b"#"))
-        .take(100)
-        .any(|line| {
-            let mut words = line.split(u8::is_ascii_whitespace).filter(|word| !word.is_empty());
-            matches!(words.next(), Some(b"v" | b"f"))
-                && words
-                    .next()
-                    .is_some_and(|word| word.iter().all(|b| b.is_ascii_digit() || b"+-.eE/".contains(b)))
-        })
-}
-
-/// Whether a file is a material library rather than a model.
+/// Whether a file is a material library rather than a model: by its name, unless it is a model after all.
 pub(crate) fn is_material_library(file: &NamedBytes) -> bool {
     file.name.rsplit_once('.').is_some_and(|(_, extension)| extension.eq_ignore_ascii_case("mtl"))
+        && by_content(&file.bytes).is_none()
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    #[test]
-    fn formats_are_told_by_name_and_by_content() {
-        let detect = |name: &str, bytes: &[u8]| Format::detect(&NamedBytes::new(name, bytes));
-        assert_eq!(detect("a/b.OBJ", b""), Some(Format::Obj));
-        assert_eq!(detect("pasted", b"# hello\n\n  v 0 0 0\n"), Some(Format::Obj));
-        assert_eq!(detect("pasted.txt", b"\xef\xbb\xbff -1/2 1 1"), Some(Format::Obj));
-        assert_eq!(detect("readme.txt", b"v for vendetta\nf sharp"), None);
-        assert_eq!(detect("nothing", b""), None);
-    }
-
-    #[test]
-    fn content_counts_for_more_than_the_name() {
-        let detect = |name: &str, bytes: &[u8]| Format::detect(&NamedBytes::new(name, bytes));
-        assert_eq!(detect("a.obj", b"ply\nformat ascii 1.0\n"), Some(Format::Ply));
-        assert_eq!(detect("a.stl", b"# x\nCOFF 3 1 0\n"), Some(Format::Off));
-        assert_eq!(detect("a.off", b"solid a b\nfacet normal 0 0 1\n"), Some(Format::Stl));
-        let mut binary = vec![b' '; 84 + 50];
-        binary[..5].copy_from_slice(b"solid");
-        binary[80..84].copy_from_slice(&1u32.to_le_bytes());
-        assert_eq!(detect("model", &binary), Some(Format::Stl));
-        assert_eq!(detect("model", &binary[1..]), None);
-    }
 
     #[test]
     fn extensions_lead_to_what_can_be_read() {

@@ -109,6 +109,19 @@ impl ReadError {
     pub(crate) fn file(file: &str, message: impl Into<String>) -> Self {
         Self::File { file: file.to_owned(), message: message.into() }
     }
+
+    /// The file is not of the format that its name says, nor plainly of another.
+    pub(crate) fn not_a(file: &NamedBytes, format: &str, why: &str) -> Self {
+        Self::file(&file.name, not_a(format, why))
+    }
+}
+
+/// That a file is not a model of its format, why, and what to do.
+pub(crate) fn not_a(format: &str, why: &str) -> String {
+    format!(
+        "this is not {format}: {why}; nothing else that Meshwright opens is in it either, so check that it is the right \
+         file, or export the model again"
+    )
 }
 
 impl fmt::Display for ReadError {
@@ -276,6 +289,15 @@ fn read_one(
         ),
     };
     report.info(format!("Read {what} as {}", format.name()));
+    if let Some(named) =
+        Format::from_name(&file.name).filter(|named| named.extensions() != format.extensions())
+    {
+        report.info(format!(
+            "The file is named .{} but holds {}: it was read as what it holds",
+            named.extension(),
+            format.name()
+        ));
+    }
     report.append(notes);
     Ok((objects, materials, report))
 }

@@ -6,6 +6,7 @@
 mod beside;
 mod bezier;
 mod collada;
+mod detect;
 mod export;
 mod format;
 mod gltf;

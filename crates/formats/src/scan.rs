@@ -6,6 +6,12 @@ use crate::origin::Origin;
 use glam::{DVec3, Vec3};
 use halfedge::Progress;
 
+/// Whether the start of a file has only bytes that text has. That in UTF-16 is not told from others.
+pub(crate) fn is_text(bytes: &[u8]) -> bool {
+    let head = bytes.get(..4096).unwrap_or(bytes);
+    head.iter().all(|&b| b >= 0x20 || matches!(b, b'\t' | b'\n' | b'\r' | 0x0b | 0x0c | 0x1a))
+}
+
 /// A position in text made of words between blanks.
 pub(crate) struct Scan<'a> {
     bytes: &'a [u8],

@@ -364,9 +364,10 @@ fn nonsense_is_an_error_and_says_why() {
     };
     assert_eq!(
         error("a.obj", b"hello\nworld"),
-        "a.obj: this is not an OBJ model: none of its 2 lines is a vertex (\"v 1 2 3\") or a face (\"f 1 2 3\")"
+        "a.obj: this is not an OBJ: none of its 2 lines is a vertex (\"v 1 2 3\") or a face (\"f 1 2 3\"); nothing else \
+         that Meshwright opens is in it either, so check that it is the right file, or export the model again"
     );
-    assert!(error("a.obj", b"").contains("not an OBJ model"));
+    assert!(error("a.obj", b"").contains("not an OBJ: none of its 0 lines"));
     assert!(error("a.obj", b"v 1 2 3\nf 1\0 2 3").contains("binary"));
     assert!(error("a.obj", b"\xff\xfev\0 \0").contains("UTF-16"));
     assert!(error("photo.png", b"\x89PNG").contains("photo.png is not a model"));

@@ -32,7 +32,10 @@ pub(crate) fn read(
 ) -> Result<(Vec<ImportedObject>, ImportReport), ReadError> {
     let fail = |message: String| ReadError::file(&file.name, message);
     let text = decode(&file.bytes);
-    let document = Document::read(&text).map_err(fail)?;
+    let document = Document::read(&text).map_err(|why| match looks_like(&file.bytes) {
+        true => fail(why),
+        false => ReadError::not_a(file, "a COLLADA document", &why),
+    })?;
     if progress(0.3).is_break() {
         return Err(ReadError::Cancelled);
     }

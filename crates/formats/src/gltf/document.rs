@@ -1,7 +1,7 @@
 //! The JSON of a glTF, as far as it matters here, and its buffers.
 
 use super::{BIN_CHUNK, JSON_CHUNK, MAGIC};
-use crate::import::NamedBytes;
+use crate::import::{NamedBytes, not_a};
 use base64::Engine;
 use serde::Deserialize;
 use std::borrow::Cow;
@@ -109,8 +109,12 @@ pub(crate) fn looks_like(bytes: &[u8]) -> bool {
     if bytes.starts_with(MAGIC) {
         return true;
     }
-    let head = bytes.get(..4096).unwrap_or(bytes);
-    head.trim_ascii_start().starts_with(b"{") && head.windows(7).any(|word| word == b"\"asset\"")
+    let head = bytes.get(..64 * 1024).unwrap_or(bytes);
+    let head = head.strip_prefix(b"\xef\xbb\xbf").unwrap_or(head);
+    let has = |key: &[u8]| head.windows(key.len()).any(|word| word == key);
+    // Which of them comes first, and how far in, is up to the writer.
+    head.trim_ascii_start().starts_with(b"{")
+        && (has(b"\"asset\"") || has(b"\"accessors\"") || has(b"\"bufferViews\"") || has(b"\"buffers\""))
 }
 
 /// The bytes of each buffer.
@@ -124,8 +128,10 @@ pub(crate) fn open<'a>(
     let bytes = file.bytes.as_slice();
     let (json, bin) = if bytes.starts_with(MAGIC) { chunks(bytes)? } else { (bytes, None) };
     let json = json.strip_prefix(b"\xef\xbb\xbf").unwrap_or(json);
-    let document: Document =
-        serde_json::from_slice(json).map_err(|error| format!("its JSON can't be read: {error}"))?;
+    let document: Document = serde_json::from_slice(json).map_err(|error| {
+        let why = format!("its JSON can't be read: {error}");
+        if looks_like(bytes) { why } else { not_a("a glTF", &why) }
+    })?;
     // Compressed geometry and the like; what is merely used is not needed.
     let needed = document.extensions_required.iter().find(|name| {
         !(name.starts_with("KHR_materials")

@@ -3,8 +3,9 @@
 use super::mtl::{self, Material};
 use super::names::unpainted;
 use super::statements::{Statements, Troubles};
-use crate::import::{ImportedObject, NamedBytes, ReadError, Reading, build};
+use crate::import::{ImportedObject, NamedBytes, ReadError, Reading, build, not_a};
 use crate::report::{ImportReport, counted, first_few};
+use crate::scan::is_text;
 use crate::soup::{drop_faces, labelled};
 use halfedge::attribute::{AttributeType, Column, Key};
 use halfedge::{Color, NONE, PolygonSoup, Progress, keys};
@@ -28,9 +29,8 @@ pub(crate) fn read(
     reading: &mut Reading,
     progress: &mut Progress,
 ) -> Result<(ImportedObject, Vec<Material>, ImportReport), ReadError> {
-    let fail = |message: String| ReadError::file(&file.name, message);
     if let Some(kind) = not_text(&file.bytes) {
-        return Err(fail(kind.to_owned()));
+        return Err(ReadError::file(&file.name, kind));
     }
     // Reading takes about as long as building.
     let mut statements = Statements::read(&file.bytes, reading.origin, &mut |part| progress(part * 0.5))
@@ -41,10 +41,9 @@ pub(crate) fn read(
         || !statements.troubles.missing_vertex.is_empty();
     let is_obj = has_geometry || (statements.known > 0 && statements.troubles.unknown.is_empty());
     if !is_obj {
-        return Err(fail(format!(
-            "this is not an OBJ model: none of its {} is a vertex (\"v 1 2 3\") or a face (\"f 1 2 3\")",
-            counted(statements.lines, "line", "lines")
-        )));
+        let lines = counted(statements.lines, "line", "lines");
+        let why = format!("none of its {lines} is a vertex (\"v 1 2 3\") or a face (\"f 1 2 3\")");
+        return Err(ReadError::not_a(file, "an OBJ", &why));
     }
     let mut report = ImportReport::default();
     report_troubles(&statements.troubles, &mut report);
@@ -55,14 +54,11 @@ pub(crate) fn read(
 }
 
 /// What a file is that can't be text in UTF-8.
-fn not_text(bytes: &[u8]) -> Option<&'static str> {
+fn not_text(bytes: &[u8]) -> Option<String> {
     if bytes.starts_with(b"\xff\xfe") || bytes.starts_with(b"\xfe\xff") {
-        return Some("the text is encoded as UTF-16; save it as UTF-8 and open it again");
+        return Some("the text is encoded as UTF-16; save it as UTF-8 and open it again".to_owned());
     }
-    let head = bytes.get(..4096).unwrap_or(bytes);
-    let binary =
-        head.iter().filter(|&&b| b < 0x20 && !matches!(b, b'\t' | b'\n' | b'\r' | 0x0b | 0x0c | 0x1a));
-    (binary.count() > 0).then_some("this is a binary file, not the text of an OBJ model")
+    (!is_text(bytes)).then(|| not_a("an OBJ", "it is a binary file, not text"))
 }
 
 /// The soup with all attributes that the file gives, and the materials that its faces have.

@@ -58,7 +58,7 @@ pub(crate) fn read(
     let fail = |message: &str| ReadError::file(&file.name, message);
     let mut scan = Scan::new(&file.bytes, Some(b'#'));
     let mut probe = Scan::new(&file.bytes, Some(b'#'));
-    let word = probe.word().ok_or_else(|| fail("the file is empty"))?;
+    let word = probe.word().ok_or_else(|| ReadError::not_a(file, "an OFF", "it is empty"))?;
     // The keyword may be left out: then the counts come first.
     let kind = kind(word);
     if let Some(kind) = &kind {
@@ -84,7 +84,8 @@ pub(crate) fn read(
     }
     let mut count = || scan.integer().and_then(|count| u64::try_from(count).ok());
     let (Some(vertices), Some(faces), Some(_)) = (count(), count(), count()) else {
-        return Err(fail("this is not an OFF: the numbers of vertices, faces and edges don't come first"));
+        let why = "the numbers of its vertices, faces and edges don't come first";
+        return Err(ReadError::not_a(file, "an OFF", why));
     };
     let mut reader = Reader {
         scan,

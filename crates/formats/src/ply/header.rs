@@ -1,5 +1,6 @@
 //! The head of a PLY: which elements with which properties come, and how they are written.
 
+use crate::import::not_a;
 use crate::scan::Scan;
 
 /// How a number is stored.
@@ -91,7 +92,7 @@ impl Header {
         let mut encoding = None;
         let mut tables: Vec<Table> = Vec::new();
         if scan.word() != Some(b"ply") {
-            return Err("this is not a PLY: its first line is not \"ply\"".to_owned());
+            return Err(not_a("a PLY", "its first line is not \"ply\""));
         }
         loop {
             let Some(word) = scan.word() else {

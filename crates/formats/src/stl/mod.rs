@@ -6,5 +6,5 @@
 mod read;
 mod write;
 
-pub(crate) use read::{is_binary, is_text, read};
+pub(crate) use read::{is_binary, is_text_stl, read};
 pub(crate) use write::{write, write_text};

@@ -3,7 +3,7 @@
 use crate::import::{ImportedObject, NamedBytes, ReadError, Reading, build};
 use crate::origin::Origin;
 use crate::report::{ImportReport, Places, counted};
-use crate::scan::{Scan, Ticker};
+use crate::scan::{Scan, Ticker, is_text};
 use crate::weld::Weld;
 use glam::Vec3;
 use halfedge::{PolygonSoup, Progress};
@@ -11,21 +11,54 @@ use halfedge::{PolygonSoup, Progress};
 const HEAD: usize = 84;
 const FACET: usize = 50;
 
-/// Whether the bytes are a binary STL: 80 bytes of anything, a count, and so many triangles.
+/// Whether the bytes are a binary STL: 80 bytes of anything, a count, and so many triangles, or some of
+/// them and what can't be anything else, where the file was cut short or has more bytes behind.
 pub(crate) fn is_binary(bytes: &[u8]) -> bool {
-    facets(bytes).is_some_and(|count| (bytes.len() - HEAD) as u64 == count * FACET as u64)
+    facets(bytes).is_some_and(|count| is_whole(bytes, count) || has_triangles(bytes, count))
+}
+
+fn is_whole(bytes: &[u8], count: u64) -> bool {
+    bytes.len() as u64 == HEAD as u64 + count * FACET as u64
+}
+
+/// Whether most of what should be triangles is: looked at in up to a thousand of them.
+fn has_triangles(bytes: &[u8], count: u64) -> bool {
+    let (there, _) = bytes.get(HEAD..).unwrap_or_default().as_chunks::<FACET>();
+    let counted = there.len().min(usize::try_from(count).unwrap_or(usize::MAX));
+    // A count is less than 2^24 where a file isn't enormous, so that one of its bytes is zero.
+    if counted == 0 || count / 1000 > there.len() as u64 || is_text(bytes) {
+        return false;
+    }
+    let step = counted.div_ceil(1000);
+    let looked_at = there.iter().take(counted).step_by(step);
+    let total = looked_at.len();
+    looked_at.filter(|facet| is_triangle(facet)).count() * 4 >= total * 3
+}
+
+/// Whether the numbers are those of a triangle: a normal of length 1 or none, corners that differ, none
+/// of them beyond what anybody measures.
+fn is_triangle(facet: &[u8; FACET]) -> bool {
+    let (words, _) = facet.as_chunks::<4>();
+    let mut numbers = words.iter().map(|word| f32::from_le_bytes(*word));
+    let mut point = || Vec3::from_array([(); 3].map(|()| numbers.next().unwrap_or(f32::NAN)));
+    let [normal, a, b, c] = [(); 4].map(|()| point());
+    let is_measure = |c: f32| c == 0.0 || (1e-30..1e30).contains(&c.abs());
+    (normal == Vec3::ZERO || (normal.length() - 1.0).abs() < 0.1)
+        && [a, b, c].iter().all(|corner| corner.to_array().into_iter().all(is_measure))
+        && (a != b || b != c)
 }
 
 /// Whether the bytes are a text STL. Some programs write its words in capitals.
-pub(crate) fn is_text(bytes: &[u8]) -> bool {
-    let head = bytes.get(..1024).unwrap_or(bytes);
+pub(crate) fn is_text_stl(bytes: &[u8]) -> bool {
+    let head = bytes.get(..4096).unwrap_or(bytes);
     let mut scan = Scan::new(head, None);
-    let is = |word: Option<&[u8]>, what: &[u8]| word.is_some_and(|word| word.eq_ignore_ascii_case(what));
-    is(scan.word(), b"solid") && {
-        scan.skip_line();
-        let next = scan.word();
-        next.is_none() || is(next, b"facet") || is(next, b"endsolid")
+    let is = |word: &[u8], what: &[u8]| word.eq_ignore_ascii_case(what);
+    if !is_text(head) || !scan.word().is_some_and(|word| is(word, b"solid")) {
+        return false;
     }
+    scan.skip_line();
+    let mut rest = std::iter::from_fn(|| scan.word()).peekable();
+    rest.peek().is_none() || rest.any(|word| is(word, b"facet") || is(word, b"endsolid"))
 }
 
 fn facets(bytes: &[u8]) -> Option<u64> {
@@ -40,7 +73,7 @@ pub(crate) fn read(
 ) -> Result<(ImportedObject, ImportReport), ReadError> {
     let mut report = ImportReport::default();
     let mut triangles = Triangles { weld: Weld::new(), soup: PolygonSoup::default() };
-    if is_text(&file.bytes) && !is_binary(&file.bytes) {
+    if is_text_stl(&file.bytes) {
         text(file, &mut triangles, &mut reading.origin, &mut report, progress)?;
     } else {
         binary(file, &mut triangles, &mut reading.origin, &mut report, progress)?;
@@ -79,18 +112,24 @@ fn binary(
     progress: &mut Progress,
 ) -> Result<(), ReadError> {
     let Some(count) = facets(&file.bytes) else {
-        return Err(ReadError::file(&file.name, "this is not an STL: it is shorter than the head of one"));
+        return Err(ReadError::not_a(file, "an STL", "it is shorter than the head of one"));
     };
     let body = file.bytes.get(HEAD..).unwrap_or_default();
     let there = (body.len() / FACET) as u64;
     if there == 0 && count > 0 {
-        return Err(ReadError::file(
-            &file.name,
-            format!("this is not an STL: none of its {count} triangles is there"),
-        ));
+        return Err(ReadError::not_a(file, "an STL", &format!("none of its {count} triangles is there")));
+    }
+    if !is_binary(&file.bytes) {
+        let why = "it has neither the words of one, \"solid\" and \"facet\", nor the numbers of triangles";
+        return Err(ReadError::not_a(file, "an STL", why));
     }
     if there < count {
         report.warn(format!("The file ends early: {there} of {count} triangles are there"));
+    }
+    let more = (body.len() as u64).saturating_sub(count * FACET as u64);
+    if more > 0 {
+        let bytes = counted(more as usize, "byte", "bytes");
+        report.warn(format!("{bytes} after the last of its {count} triangles left out"));
     }
     let mut ticker = Ticker::new(file.bytes.len());
     let (facets, _) = body.as_chunks::<FACET>();
