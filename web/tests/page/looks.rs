@@ -4,6 +4,7 @@
 
 use crate::page::{DESKTOP, PHONE, Page};
 use egui::Theme;
+use egui_kittest::kittest::Queryable;
 use serde_json::json;
 
 /// Saves what the page looks like, and gives the picture.
@@ -88,6 +89,29 @@ fn points_without_faces() {
             let differs = (0..3).map(|c| beside[c].abs_diff(pixel[c])).max();
             assert!(differs > Some(100), "{name}: {pixel:?} on {beside:?}");
         }
+    }
+}
+
+#[test]
+fn a_job_that_has_not_said_how_far_it_is() {
+    for (theme, size, name) in [(Theme::Dark, DESKTOP, "job dark"), (Theme::Light, PHONE, "job light phone")]
+    {
+        let mut page = Page::drawn(size, theme);
+        let idle = picture(&mut page, name);
+        page.outside.hold_jobs();
+        page.outside.push(meshwright_web::platform::Event::Files(vec![
+            meshwright_web::platform::NamedBytes::new("triangle.obj", b"v 0 0 0\n"),
+        ]));
+        page.wait();
+        let bar = page.harness.get_by_label("Open triangle.obj").rect();
+        let going = picture(&mut page, name);
+        let drawn = |picture: &image::RgbaImage| -> Vec<[u8; 4]> {
+            let y = bar.bottom() as u32 - 2;
+            (bar.left() as u32 + 8..bar.right() as u32 - 8).map(|x| picture.get_pixel(x, y).0).collect()
+        };
+        assert_ne!(drawn(&going), drawn(&idle), "{name}: the bar");
+        page.harness.step();
+        assert_ne!(drawn(&picture(&mut page, name)), drawn(&going), "{name}: what is in it moves");
     }
 }
 
