@@ -133,7 +133,6 @@ editorTest("the bar shows a job, and its button and Escape cancel it", once, asy
   }
 });
 
-const once = { renderers: ["webgl2"], sizes: [SMALL] };
 editorTest("numbers out of all proportion neither stop the page nor keep it busy", once, async (editor) => {
   const most = 2 ** 32 - 1;
   for (const command of [

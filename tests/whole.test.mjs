@@ -43,23 +43,22 @@ async function startAndCancel(editor, command, label, atOnce) {
       addEventListener("pointerup", window.timeToEnd, { capture: true, once: true });
     });
   }, command);
-  const job = await editor.page.evaluate(async (label, atOnce) => {
+  const job = await editor.page.evaluate(async ([label, atOnce]) => {
     for (;;) {
       const [job] = window.meshwright.state().jobs;
       if (!job) return { ended: await window.answer };
       const controls = window.meshwright.ui();
       const bar = controls.find(({ role, name }) => role === "progressIndicator" && name === label);
       const button = controls.find(({ role, name }) => role === "button" && name === `Cancel ${label}`);
-      if (job.progress > 0 && bar && button) {
-        if (atOnce) {
-          window.timeToEnd();
-          window.meshwright.cancel();
-        }
-        return { ...job, rect: button.rect };
+      if (job.progress > 0 && atOnce) {
+        window.timeToEnd();
+        window.meshwright.cancel();
+        return job;
       }
+      if (job.progress > 0 && bar && button) return { ...job, rect: button.rect };
       await new Promise((resolve) => setTimeout(resolve, 5));
     }
-  }, label, atOnce);
+  }, [label, atOnce]);
   assert.equal(job.op, command.op, `${label} is not on its way: ${job.ended}`);
   assert.ok(job.progress < 1);
   if (!atOnce) {
@@ -142,12 +141,13 @@ const SUITES = {
   "a triangle mesh": [[torus(SMALLER), { op: "triangulate-faces" }], [
     {
       label: "Smooth",
-      endless: { op: "smooth", iterations: 1000 },
+      endless: { op: "smooth", iterations: 10_000 },
       command: { op: "smooth", iterations: 200, method: "taubin" },
       faces: 2 * quads(SMALLER),
     },
     {
       label: "Subdivide (Loop)",
+      atOnce: true,
       endless: { op: "subdivide-loop", levels: 3 },
       command: { op: "subdivide-loop", levels: 2 },
       faces: 32 * quads(SMALLER),
@@ -156,12 +156,14 @@ const SUITES = {
   "a quad mesh": [[torus(SMALLER)], [
     {
       label: "Subdivide (Catmull-Clark)",
+      atOnce: true,
       endless: { op: "subdivide-catmull-clark", levels: 3 },
       command: { op: "subdivide-catmull-clark", levels: 2 },
       faces: 16 * quads(SMALLER),
     },
     {
       label: "Subdivide (linear)",
+      atOnce: true,
       endless: { op: "subdivide-linear", levels: 3 },
       command: { op: "subdivide-linear", levels: 2 },
       faces: 16 * quads(SMALLER),

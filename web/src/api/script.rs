@@ -206,6 +206,6 @@ fn id_of(value: &JsValue) -> Option<u32> {
 }
 
 fn ids_of(value: &JsValue) -> Option<Vec<u32>> {
-    let array: &js_sys::Array = value.dyn_ref()?;
-    array.iter().map(|id| id_of(&id)).collect()
+    let is_list = Array::is_array(value) || ArrayBuffer::is_view(value);
+    is_list.then(|| Array::from(value))?.iter().map(|id| id_of(&id)).collect()
 }
