@@ -1,9 +1,11 @@
 //! Triangulation.
 
+use crate::touching::{Growth, comb};
 use crate::zoo::{self, v};
 use glam::Vec3;
 use halfedge::edit::*;
 use halfedge::{FaceId, Mesh, Refusal};
+use proptest::prelude::*;
 
 fn polygon(points: &[[f32; 2]]) -> Mesh {
     let positions = points.iter().map(|p| Vec3::new(p[0], p[1], 0.0)).collect();
@@ -82,6 +84,51 @@ fn polygons_that_touch_themselves() {
     assert_eq!(parts, [0.0, 0.0, 2.0, 2.0]);
 }
 
+/// Checks that no triangle of a polygon is turned over; whether they cover what it does follows, as the
+/// areas with their signs add up to its own.
+fn check_touching(points: &[[f32; 2]]) {
+    // In a tilted plane too, where rounding keeps corners from lying on sides exactly.
+    for tilt in [0.0, 0.3] {
+        let positions = points.iter().map(|p| Vec3::new(p[0], p[1], (p[0] * 1.1 - p[1]) * tilt)).collect();
+        check_covered(zoo::mesh(positions, &[(0..points.len() as u32).collect::<Vec<_>>()]), points);
+    }
+}
+
+fn check_covered(mut mesh: Mesh, points: &[[f32; 2]]) {
+    let whole: f32 = areas(&mesh).iter().sum();
+    triangulate_face_ears(&mut mesh, FaceId::new(0)).unwrap();
+    mesh.validate().unwrap();
+    assert!(mesh.faces().all(|f| mesh.face_degree(f) == 3));
+    let parts = areas(&mesh);
+    let covered: f32 = parts.iter().map(|area| area.abs()).sum();
+    assert!(parts.iter().all(|&area| area >= 0.0), "{points:?}: {parts:?}");
+    assert_eq!(covered, whole, "{points:?}");
+}
+
+#[test]
+fn polygons_that_touch_themselves_in_other_ways() {
+    for points in [
+        // Two squares that touch at a corner.
+        &[[0., 0.], [1., 0.], [1., 1.], [2., 1.], [2., 2.], [1., 2.], [1., 1.], [0., 1.]][..],
+        // Corners that touch, and a corner that touches a side.
+        &[[0., 0.], [2., 1.], [4., 0.], [4., 4.], [2., 1.], [0., 4.]],
+        &[[0., 0.], [4., 0.], [4., 4.], [3., 4.], [2., 0.], [1., 4.], [0., 4.]],
+        // Spikes: out along a side, into the inside.
+        &[[0., 0.], [2., 0.], [4., 0.], [6., 0.], [4., 0.], [4., 4.], [0., 4.]],
+        &[[0., 0.], [4., 0.], [4., 4.], [2., 4.], [2., 2.], [2., 4.], [0., 4.]],
+        // Corners in one place, and a polygon without area.
+        &[[0., 0.], [1., 0.], [1., 0.], [1., 1.], [0., 1.]],
+        &[[0., 0.], [1., 0.], [2., 0.], [3., 0.], [2., 0.]],
+    ] {
+        // Whichever corner comes first.
+        for start in 0..points.len() {
+            let mut turned = points.to_vec();
+            turned.rotate_left(start);
+            check_touching(&turned);
+        }
+    }
+}
+
 #[test]
 fn random_star_shapes() {
     let mut state = 12345u32;
@@ -123,4 +170,47 @@ fn a_face_whose_corners_are_all_joined_is_refused() {
         can_triangulate_face_ears(&mesh, filled.faces[0]),
         Err(Refusal::NoTriangulation(filled.faces[0]))
     );
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(400))]
+
+    #[test]
+    fn squares_joined_at_corners_with_slits_and_spikes(
+        moves in prop::collection::vec(any::<u32>(), 1..40),
+        start: prop::sample::Index,
+    ) {
+        check_grown(&moves, start);
+    }
+
+    #[test]
+    fn combs_whose_teeth_touch(heights in prop::collection::vec(0u8..4, 1..80), start: prop::sample::Index) {
+        let mut points = comb(&heights);
+        points.rotate_left(start.index(heights.len()));
+        check_touching(&points);
+    }
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(40))]
+
+    // More corners than all triangulations are weighed for.
+    #[test]
+    fn many_squares_joined_at_corners(
+        moves in prop::collection::vec(any::<u32>(), 100..300),
+        start: prop::sample::Index,
+    ) {
+        check_grown(&moves, start);
+    }
+}
+
+fn check_grown(moves: &[u32], start: prop::sample::Index) {
+    let growth = Growth::new(moves);
+    let mut points = growth.points();
+    let doubled: f32 =
+        points.iter().zip(points.iter().cycle().skip(1)).map(|(a, b)| a[0] * b[1] - b[0] * a[1]).sum();
+    assert_eq!(doubled, 2.0 * growth.area(), "a check of the test itself");
+    let first = start.index(points.len());
+    points.rotate_left(first);
+    check_touching(&points);
 }

@@ -12,4 +12,5 @@ mod random;
 mod refusals;
 mod rings;
 mod sew;
+mod touching;
 mod zoo;
