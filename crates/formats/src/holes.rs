@@ -4,8 +4,9 @@
 //! "Triangulation by Ear Clipping", 2002), which gives one polygon that touches itself along the
 //! bridges; that one is cut ear by ear.
 
-use crate::triangles::{Plane, clip_ears};
+use crate::triangles::Plane;
 use glam::{Vec2, Vec3};
+use halfedge::edit::polygon_ears;
 
 /// The most corners of a polygon with holes that is cut: the time grows with their square.
 const MOST_CORNERS: usize = 1000;
@@ -51,12 +52,10 @@ pub(crate) fn cut(outline: &[Vec3], holes: &[Vec<Vec3>]) -> Option<Vec<[u32; 3]>
     for hole in inner {
         join(&mut ring, &hole, point)?;
     }
-    let flat: Vec<Vec2> = ring.iter().map(|&i| point(i)).collect();
-    let mut triangles = Vec::new();
-    clip_ears(&flat, &mut triangles);
-    let triangles: Vec<[u32; 3]> = triangles
+    let flat: Vec<Vec3> = ring.iter().map(|&i| point(i).extend(0.0)).collect();
+    let triangles: Vec<[u32; 3]> = polygon_ears(&flat)?
         .into_iter()
-        .map(|triangle| triangle.map(|i| ring.get(i as usize).copied().unwrap_or_default()))
+        .map(|triangle| triangle.map(|i| ring.get(i).copied().unwrap_or_default()))
         .filter(|[a, b, c]| a != b && b != c && c != a)
         .collect();
     // Whether that was right: no triangle is turned over, and together they cover what they should.

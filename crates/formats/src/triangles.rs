@@ -1,10 +1,10 @@
 //! Polygons cut into triangles, for formats that hold nothing else.
 
 use glam::{Vec2, Vec3};
+use halfedge::edit::polygon_ears;
 
 /// Cuts a polygon into triangles of its corners' numbers: a fan where that is right, else ear by
-/// ear in the plane that fits it best (G. Meisters, "Polygons have ears", 1975; O(n^2)). A polygon
-/// that crosses itself is cut somehow.
+/// ear in the plane that fits it best, at O(n^2). A polygon that crosses itself is cut somehow.
 pub(crate) fn triangulate(points: &[Vec3], out: &mut Vec<[u32; 3]>) {
     out.clear();
     let count = points.len() as u32;
@@ -15,43 +15,17 @@ pub(crate) fn triangulate(points: &[Vec3], out: &mut Vec<[u32; 3]>) {
     let plane = Plane::of(points);
     let flat: Vec<Vec2> = points.iter().map(|&p| plane.flat(p)).collect();
     let fan = (2..count).map(|i| [0, i - 1, i]);
-    if fan.clone().all(|triangle| area(&flat, triangle) > 0.0) {
-        out.extend(fan);
-        return;
+    let is_fan = fan.clone().all(|triangle| area(&flat, triangle) > 0.0);
+    match if is_fan { None } else { polygon_ears(points) } {
+        Some(ears) => out.extend(ears.iter().map(|ear| ear.map(|i| i as u32))),
+        None => out.extend(fan),
     }
-    clip_ears(&flat, out);
 }
 
 /// Twice the area of a triangle of these points; more than zero where it runs counter-clockwise.
 fn area(flat: &[Vec2], [a, b, c]: [u32; 3]) -> f32 {
     let point = |i: u32| flat.get(i as usize).copied().unwrap_or_default();
     (point(b) - point(a)).perp_dot(point(c) - point(a))
-}
-
-/// Cuts ears off a polygon in the plane that runs counter-clockwise, until nothing is left. It may
-/// touch itself, as along the bridges to its holes.
-pub(crate) fn clip_ears(flat: &[Vec2], out: &mut Vec<[u32; 3]>) {
-    let point = |i: u32| flat.get(i as usize).copied().unwrap_or_default();
-    let mut left: Vec<u32> = (0..flat.len() as u32).collect();
-    while left.len() > 3 {
-        let n = left.len();
-        let corner = |i: usize| left.get(i % n).copied().unwrap_or_default();
-        let triangle = |i: usize| [corner(i + n - 1), corner(i), corner(i + 1)];
-        let is_ear = |i: usize| {
-            let [a, b, c] = triangle(i);
-            let ends = [a, b, c].map(point);
-            area(flat, [a, b, c]) > 0.0
-                && left.iter().filter(|&&p| !ends.contains(&point(p))).all(|&p| {
-                    area(flat, [a, b, p]) < 0.0 || area(flat, [b, c, p]) < 0.0 || area(flat, [c, a, p]) < 0.0
-                })
-        };
-        let ear = (0..n).find(|&i| is_ear(i)).unwrap_or(1);
-        out.push(triangle(ear));
-        left.remove(ear);
-    }
-    if let &[a, b, c] = left.as_slice() {
-        out.push([a, b, c]);
-    }
 }
 
 /// The plane that fits a polygon best, in which it runs counter-clockwise.
@@ -104,6 +78,20 @@ mod tests {
             assert_eq!(out.len(), 2);
             // Its area in the plane is 3, the tilt makes that sqrt(6) times as much.
             assert!((total_area(&points, &out) - 3.0 * 6f32.sqrt()).abs() < 1e-4, "{turn} {out:?}");
+        }
+    }
+
+    #[test]
+    fn polygons_that_touch_themselves_are_covered_once() {
+        // Two squares that touch at a corner, and corners that touch.
+        let squares = [(0., 0.), (1., 0.), (1., 1.), (2., 1.), (2., 2.), (1., 2.), (1., 1.), (0., 1.)];
+        let waist = [(0., 0.), (2., 1.), (4., 0.), (4., 4.), (2., 1.), (0., 4.)];
+        for (flat, expected) in [(&squares[..], 2.0), (&waist, 8.0)] {
+            let points: Vec<Vec3> = flat.iter().map(|&(x, y)| Vec3::new(x, y, 0.0)).collect();
+            let mut out = Vec::new();
+            triangulate(&points, &mut out);
+            assert_eq!(out.len(), points.len() - 2);
+            assert_eq!(total_area(&points, &out), expected);
         }
     }
 

@@ -8,6 +8,7 @@ use crate::edit::Refusal;
 use crate::edit::ear::{Ear, ears};
 use crate::mesh::Mesh;
 use crate::{EdgeId, FaceId, HalfedgeId, VertexId};
+use glam::Vec3;
 
 /// What triangulating a face made; the face itself keeps its id as one of the triangles.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
@@ -58,6 +59,22 @@ fn find_ears(mesh: &Mesh, face: FaceId) -> Result<Vec<Ear>, Refusal> {
     let positions: Vec<_> = corners.iter().map(|&v| mesh.position(v).as_dvec3()).collect();
     ears(&positions, |i, j| mesh.joined(corners[i], corners[j]).is_none())
         .ok_or(Refusal::NoTriangulation(face))
+}
+
+/// The triangles that ears cut a polygon into, as numbers of its corners: what
+/// [`triangulate_face_ears`] does to a face that no edge is in the way of, at the same cost. None of
+/// fewer than three corners, and none where one of more than 128 that crosses itself can't be cut.
+pub fn polygon_ears(corners: &[Vec3]) -> Option<Vec<[usize; 3]>> {
+    if corners.len() < 3 {
+        return None;
+    }
+    let positions: Vec<_> = corners.iter().map(|corner| corner.as_dvec3()).collect();
+    let mut triangles = ears(&positions, |_, _| true)?;
+    let mut is_left = vec![true; corners.len()];
+    triangles.iter().for_each(|&[_, tip, _]| is_left[tip] = false);
+    let mut left = (0..corners.len()).filter(|&i| is_left[i]);
+    triangles.push([left.next()?, left.next()?, left.next()?]);
+    Some(triangles)
 }
 
 /// Cuts a face with n corners into n - 2 triangles by its ears: right on concave faces too, and on
