@@ -112,3 +112,12 @@ fn a_bilinear_patch_is_its_plane() {
 fn no_patches_make_an_empty_mesh() {
     assert_eq!(tessellate(&[], 5).unwrap().mesh.face_count(), 0);
 }
+
+#[test]
+fn patches_at_a_single_point_stay_there() {
+    for point in [Vec3::ZERO, Vec3::new(1.0, -2.0, 3.0), Vec3::new(0.0, 1e-30, 0.0)] {
+        let made = tessellate(&[Patch { rows: [[point; 4]; 4] }; 2], 3).unwrap();
+        made.mesh.validate().unwrap();
+        assert!(made.mesh.positions().iter().all(|p| p.is_finite() && (p - point).length() < 1e-6));
+    }
+}

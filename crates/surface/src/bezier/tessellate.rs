@@ -175,7 +175,9 @@ impl Controls {
     fn id(&mut self, p: Vec3) -> u32 {
         let cell = |x: f32| (f64::from(x) / f64::from(self.tolerance) / 2.0).floor() as i64;
         let home = [cell(p.x), cell(p.y), cell(p.z)];
-        let around = |d: i64| [home[0] + d % 3 - 1, home[1] + d / 3 % 3 - 1, home[2] + d / 9 - 1];
+        // A patch that is a single point has no size for a cell to be a part of.
+        let next = |place: i64, d: i64| place.saturating_add(d - 1);
+        let around = |d: i64| [next(home[0], d % 3), next(home[1], d / 3 % 3), next(home[2], d / 9)];
         for near in (0..27).map(around) {
             for &id in self.cells.get(&near).map_or(&[][..], Vec::as_slice) {
                 if self.points[id as usize].distance(p) <= self.tolerance {
