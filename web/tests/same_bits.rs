@@ -98,7 +98,7 @@ fn simplified() {
         (128, 0x9fae_58a2_d2ae_978a)
     );
     let command = r#"{"op": "simplify", "max_error": 0.02, "preserve_boundary": false}"#;
-    assert_eq!(after(&[triangles, fine, command]), (136, 0x31b0_6dcf_49a7_4bc3));
+    assert_eq!(after(&[triangles, fine, command]), (120, 0x65be_e329_1682_6bbb));
 }
 
 #[test]

@@ -40,15 +40,20 @@ fn topology(mesh: &Mesh) -> (usize, i64, usize) {
 
 /// The largest distance found from points all over one mesh to the other.
 fn sampled_distance(from: &Mesh, to: &Mesh) -> f64 {
+    finely_sampled_distance(from, to, 4)
+}
+
+/// As [`sampled_distance`], with the sides of triangles cut into so many parts.
+fn finely_sampled_distance(from: &Mesh, to: &Mesh, parts: u32) -> f64 {
     let tree = FaceTree::new(to);
     let mut worst = 0.0f64;
     let mut cut = CornerTriangulator::new();
     for f in from.faces() {
         for &corners in cut.of_face(from, f) {
             let [a, b, c] = corners.map(|h| from.position(from.from(h)));
-            for i in 0..=4 {
-                for j in 0..=4 - i {
-                    let (u, v) = (i as f32 / 4.0, j as f32 / 4.0);
+            for i in 0..=parts {
+                for j in 0..=parts - i {
+                    let (u, v) = (i as f32 / parts as f32, j as f32 / parts as f32);
                     let p = a * (1.0 - u - v) + b * u + c * v;
                     worst = worst.max(tree.closest_point(to, p).expect("has faces").distance);
                 }
@@ -193,6 +198,25 @@ fn max_error_is_a_distance() {
     assert!(sampled_distance(&grid, &flat) <= 0.01);
     let exact = to(&torus, SimplifyTarget::MaxError(0.0)).mesh;
     assert_eq!(exact.face_count(), 2 * torus.face_count());
+}
+
+#[test]
+fn max_error_holds_between_the_points_that_are_measured() {
+    for (name, error, most) in
+        [("alligator", 0.003, 120), ("cheburashka", 0.0005, 7000), ("fandisk", 0.02, 250), ("cow", 0.02, 300)]
+    {
+        let Some(path) = shared(&format!("models/common/{name}.obj")) else { return };
+        let (positions, faces) = read_obj(&path);
+        let positions = positions.iter().map(|p| p.as_vec3()).collect();
+        let mesh = Mesh::build(PolygonSoup::new(positions, &faces)).expect("small").mesh;
+        let mesh = to(&mesh, SimplifyTarget::Ratio(1.0)).mesh;
+        let error = error * bounding_box(&mesh).expect("has vertices").diagonal();
+        let result = to(&mesh, SimplifyTarget::MaxError(error)).mesh;
+        assert!(result.face_count() <= most, "{name}: {} triangles", result.face_count());
+        let there = finely_sampled_distance(&mesh, &result, 8);
+        let back = finely_sampled_distance(&result, &mesh, 16);
+        assert!(there.max(back) <= error, "{name}: {there} and {back}, more than {error}");
+    }
 }
 
 #[test]

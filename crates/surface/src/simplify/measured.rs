@@ -3,13 +3,17 @@
 use crate::SurfaceError;
 use crate::face_tree::closest_in_triangle;
 use crate::pace::Pace;
-use crate::trimesh::{Input, Surface, TriMesh};
+use crate::trimesh::{Foot, Input, Surface, TriMesh};
 use glam::DVec3;
 use halfedge::NONE;
 use std::collections::VecDeque;
 
-/// How much of the limit what is measured at points may use up: in between it can be a little more.
-const MEASURED: f64 = 0.75;
+/// How much of a bound what is measured at points may be: in between it can be a little more.
+const MEASURED: f64 = 0.85;
+
+/// How often a triangle is quartered to measure it: at least, unless less is proof, and at most.
+const COARSEST: u32 = 2;
+const FINEST: u32 = 7;
 
 /// How many points of the input are looked for where its triangles are large.
 const POINTS: f64 = 2e5;
@@ -74,6 +78,68 @@ impl Points {
                 put(point, weighed(places, weights));
             }
         }
+    }
+}
+
+impl Points {
+    /// The square of how far a triangle's points are from the input at most; none if it is above `most`.
+    /// `feet` are where its corners are closest to the input, and `level` how often it was quartered.
+    ///
+    /// It is quartered until the corners of each part are closest to one triangle of the input, from which
+    /// no point of the part is farther than the farthest of them (distance to what is convex is convex), or
+    /// no point can be beyond the limit, as none is far from a corner, or the input bends too little for
+    /// that within the part.
+    fn farthest(&self, triangle: &[DVec3; 3], feet: [Foot; 3], level: u32, most: f64) -> Option<f64> {
+        let worst = feet[0].squared.max(feet[1].squared).max(feet[2].squared);
+        if worst > most {
+            return None;
+        }
+        let side = longest_side(triangle);
+        let is_over_one = feet[0].face == feet[1].face && feet[1].face == feet[2].face;
+        if is_over_one || level == FINEST {
+            return Some(worst);
+        }
+        // No point of a triangle is farther from all corners than that.
+        let bound = square(worst.sqrt() + side / 3f64.sqrt());
+        if bound <= most {
+            return Some(bound);
+        }
+        if level >= COARSEST {
+            let areas = feet.map(|foot| area_vector(&self.input.places(foot.face)));
+            // Twice the area is about a side's square, but of slivers, whose neighbours are smaller than they
+            // look. Where none lies between, the input bends once at most, by the angle of the two faces.
+            if areas.iter().all(|area| side * side < area.length()) {
+                let [p, q, r] = areas.map(|area| area.normalize_or_zero());
+                let bend = p.cross(q).length().max(q.cross(r).length()).max(r.cross(p).length());
+                let turned = p.dot(q).min(q.dot(r)).min(r.dot(p)) < 0.0;
+                let bound = square(worst.sqrt() + 0.5 * side * if turned { 1.0 } else { bend });
+                if bound <= most {
+                    return Some(bound);
+                }
+            }
+        }
+        let [a, b, c] = *triangle;
+        let middles = [(a + b) * 0.5, (b + c) * 0.5, (c + a) * 0.5];
+        let [ab, bc, ca] = middles;
+        let [on_ab, on_bc, on_ca] = [0, 1, 2].map(|k| {
+            let foot = self.input.closest(feet[k].face, middles[k]);
+            if foot.squared <= most {
+                return foot;
+            }
+            // The walk may have ended in a fold: the other end may be on the right side of it.
+            let other = self.input.closest(feet[(k + 1) % 3].face, middles[k]);
+            if other.squared < foot.squared { other } else { foot }
+        });
+        let mut all = worst;
+        for (part, feet) in [
+            ([a, ab, ca], [feet[0], on_ab, on_ca]),
+            ([ab, b, bc], [on_ab, feet[1], on_bc]),
+            ([ca, bc, c], [on_ca, on_bc, feet[2]]),
+            ([ab, bc, ca], [on_ab, on_bc, on_ca]),
+        ] {
+            all = all.max(self.farthest(&part, feet, level + 1, most)?);
+        }
+        Some(all)
     }
 }
 
@@ -144,25 +210,19 @@ impl Measured {
         self.foot = self.near[h as usize / 3];
     }
 
-    /// The distance between the triangles that would replace those around an edge and the input, both
-    /// ways; none if it is above what is left of the limit for what is measured.
+    /// A bound on the distance between the triangles that would replace those around an edge and the input,
+    /// both ways; none if it is above the limit. In between the points it may be a little more than at them.
     pub fn distance(&mut self, new: &[[DVec3; 3]]) -> Option<f64> {
-        let Points { input, limit, most, .. } = &self.points;
-        let limit_squared = (limit * MEASURED) * (limit * MEASURED);
-        let mut worst = 0.0f64;
-        let mut foot = input.closest(self.foot, new.first()?[0]);
-        self.foot = foot.face;
-        worst = worst.max(foot.squared);
+        let input = &self.points.input;
+        let limit_squared = square(self.points.limit * MEASURED);
+        let first = input.closest(self.foot, new.first()?[0]);
+        self.foot = first.face;
+        let mut worst = first.squared;
         for triangle in new {
-            let parts = parts(triangle, *limit).clamp(4, *most.max(&4));
-            // Each point is near the one before, and so is what it is closest to.
-            for weights in weights(parts) {
-                if worst > limit_squared {
-                    return None;
-                }
-                foot = input.closest(foot.face, weighed(*triangle, weights));
-                worst = worst.max(foot.squared);
-            }
+            let [_, x, y] = *triangle;
+            let second = input.closest(first.face, x);
+            let feet = [first, second, input.closest(second.face, y)];
+            worst = worst.max(self.points.farthest(triangle, feet, 0, limit_squared)?);
         }
         // There are many of these: last.
         for &(_, point) in &self.found {
@@ -172,7 +232,7 @@ impl Measured {
                 return None;
             }
         }
-        (worst <= limit_squared).then(|| worst.sqrt())
+        (worst <= limit_squared).then(|| worst.sqrt() / MEASURED)
     }
 
     /// Gives the points noted to the triangles around the merged vertex, each to the closest.
@@ -240,10 +300,22 @@ impl Owners<'_> {
     }
 }
 
+fn square(x: f64) -> f64 {
+    x * x
+}
+
+fn longest_side([a, b, c]: &[DVec3; 3]) -> f64 {
+    a.distance_squared(*b).max(b.distance_squared(*c)).max(c.distance_squared(*a)).sqrt()
+}
+
+/// Twice the area, along the normal.
+fn area_vector([a, b, c]: &[DVec3; 3]) -> DVec3 {
+    (*b - *a).cross(*c - *a)
+}
+
 /// Into how many parts a triangle's longest side is to be cut, so that each is about a distance long.
-fn parts([a, b, c]: &[DVec3; 3], distance: f64) -> u32 {
-    let longest = a.distance(*b).max(b.distance(*c)).max(c.distance(*a));
-    (longest / distance).ceil() as u32
+fn parts(triangle: &[DVec3; 3], distance: f64) -> u32 {
+    (longest_side(triangle) / distance).ceil() as u32
 }
 
 /// The weights of a triangle's middle.

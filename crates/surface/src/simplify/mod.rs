@@ -34,13 +34,15 @@ pub enum SimplifyTarget {
     ///
     /// Each collapse is held to it in one of two ways. The distances that collapses move the surface by,
     /// at most and both ways, are added up; while the sum is within the limit, that holds for every
-    /// point. Where the sum is past it, which it is long before the surface is, distances are measured
-    /// and have to be within three quarters of the limit: from the corners, middles and middles of sides
-    /// of the input's triangles to the new ones, and from a dozen points of each new triangle (its
-    /// corners, points on its sides and inside) to the input; where the input has few triangles, from up
-    /// to seven times as many points, so that large ones have them closer together. In between points
-    /// nothing is proven: a point can be farther off than the nearest one measured by at most its distance
-    /// from that.
+    /// point. Where the sum is past it, which it is long before the surface is, distances are measured and
+    /// have to be within 85 % of the limit. New triangles are quartered until a bound for all points of each
+    /// part is within it: from the corners' distances to one triangle of the input, from the part's size,
+    /// or, where the parts are smaller than the input's triangles, from the angle between those that its
+    /// corners are closest to. The input's triangles are measured at their corners, middles and middles of
+    /// sides; where there are few of them, at up to seven times as many points, so that large ones have
+    /// them closer together. What is left unproven is an input that bends more than once within a part of
+    /// a new triangle that is smaller than its own triangles, or than a 128th of it, and not at any of those
+    /// points.
     MaxError(f64),
 }
 

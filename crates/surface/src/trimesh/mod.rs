@@ -12,7 +12,7 @@ mod values;
 mod walk;
 
 pub(crate) use order::{Order, Renumbering};
-pub(crate) use walk::{Input, Surface};
+pub(crate) use walk::{Foot, Input, Surface};
 
 use glam::DVec3;
 use halfedge::attribute::Column;
