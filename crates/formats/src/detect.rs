@@ -112,7 +112,11 @@ mod tests {
         let whole = binary_stl(4, 4);
         let with_more = [&whole[..], b"made by x"].concat();
         let with_many_more = [&whole[..], &[1; 500]].concat();
-        for bytes in [&whole, &whole[..whole.len() - 7], &whole[..140], &with_more, &with_many_more] {
+        let without_count = [binary_stl(0, 4), binary_stl(u32::MAX, 4)];
+        for bytes in [&whole, &whole[..whole.len() - 7], &whole[..140], &with_more, &with_many_more]
+            .into_iter()
+            .chain(without_count.iter().map(|bytes| &bytes[..]))
+        {
             for name in ["model", "a.stl", "a.obj", "a.glb"] {
                 assert_eq!(detect(name, bytes), Some(Format::Stl), "{name}, {} bytes", bytes.len());
             }
@@ -123,7 +127,7 @@ mod tests {
             Some(Format::Stl)
         );
         // Not what starts elsewhere, has too absurd a count, or none where its first triangle ends.
-        for bytes in [&whole[1..], &binary_stl(u32::MAX, 4), &whole[..130]] {
+        for bytes in [&whole[1..], &binary_stl(u32::MAX - 1, 4), &whole[..130], &[0; 284]] {
             assert_eq!(detect("model", bytes), None, "{} bytes", bytes.len());
         }
     }

@@ -129,6 +129,19 @@ fn triangles_round_trip_through_stl_with_vertices_merged() {
 }
 
 #[test]
+fn an_stl_that_does_not_say_how_many_triangles_it_has_is_read_whole() {
+    let mesh = sample();
+    let mut files = formats::write(Format::Stl, "a", &[ObjectRef::new("a", &mesh)]).expect("small");
+    let whole = read(&files).expect("readable").objects.remove(0).mesh;
+    for count in [0, u32::MAX] {
+        files[0].bytes[80..84].copy_from_slice(&count.to_le_bytes());
+        let import = read(&files).expect("readable");
+        assert!(import.objects[0].mesh == whole, "{count}");
+        assert!(import.report.to_string().contains("does not say how many triangles"), "{}", import.report);
+    }
+}
+
+#[test]
 fn stl_says_that_vertices_at_one_place_become_one() {
     let positions = [Vec3::ZERO, Vec3::X, Vec3::Y, Vec3::X, Vec3::ONE, Vec3::Y].to_vec();
     let seam = Mesh::build(PolygonSoup::new(positions, &[[0u32, 1, 2], [3, 4, 5]])).expect("small").mesh;

@@ -14,7 +14,7 @@ const FACET: usize = 50;
 /// Whether the bytes are a binary STL: 80 bytes of anything, a count, and so many triangles, or some of
 /// them and what can't be anything else, where the file was cut short or has more bytes behind.
 pub(crate) fn is_binary(bytes: &[u8]) -> bool {
-    facets(bytes).is_some_and(|count| is_whole(bytes, count) || has_triangles(bytes, count))
+    said(bytes).is_some_and(|count| is_whole(bytes, count) || has_triangles(bytes, facets(bytes, count)))
 }
 
 fn is_whole(bytes: &[u8], count: u64) -> bool {
@@ -61,8 +61,17 @@ pub(crate) fn is_text_stl(bytes: &[u8]) -> bool {
     rest.peek().is_none() || rest.any(|word| is(word, b"facet") || is(word, b"endsolid"))
 }
 
-fn facets(bytes: &[u8]) -> Option<u64> {
+/// How many triangles the head says there are.
+fn said(bytes: &[u8]) -> Option<u64> {
     bytes.get(80..)?.first_chunk::<4>().map(|count| u64::from(u32::from_le_bytes(*count)))
+}
+
+/// How many there are to be: what the head says, or all, where the program that wrote it left the place for
+/// the count as it was because it could not go back.
+fn facets(bytes: &[u8], said: u64) -> u64 {
+    let body = bytes.len().saturating_sub(HEAD);
+    let is_left = said == 0 || said == u64::from(u32::MAX);
+    if is_left && body > 0 && body.is_multiple_of(FACET) { (body / FACET) as u64 } else { said }
 }
 
 /// Reads one STL as one object.
@@ -111,9 +120,10 @@ fn binary(
     report: &mut ImportReport,
     progress: &mut Progress,
 ) -> Result<(), ReadError> {
-    let Some(count) = facets(&file.bytes) else {
+    let Some(said) = said(&file.bytes) else {
         return Err(ReadError::not_a(file, "an STL", "it is shorter than the head of one"));
     };
+    let count = facets(&file.bytes, said);
     let body = file.bytes.get(HEAD..).unwrap_or_default();
     let there = (body.len() / FACET) as u64;
     if there == 0 && count > 0 {
@@ -122,6 +132,11 @@ fn binary(
     if !is_binary(&file.bytes) {
         let why = "it has neither the words of one, \"solid\" and \"facet\", nor the numbers of triangles";
         return Err(ReadError::not_a(file, "an STL", why));
+    }
+    if count != said {
+        report.warn(format!(
+            "The file does not say how many triangles it has; all {count} there are were read"
+        ));
     }
     if there < count {
         report.warn(format!("The file ends early: {there} of {count} triangles are there"));

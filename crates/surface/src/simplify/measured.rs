@@ -79,9 +79,7 @@ impl Points {
             }
         }
     }
-}
 
-impl Points {
     /// The square of how far a triangle's points are from the input at most; none if it is above `most`.
     /// `feet` are where its corners are closest to the input, and `level` how often it was quartered.
     ///

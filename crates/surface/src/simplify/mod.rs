@@ -211,6 +211,10 @@ impl<'a> Work<'a> {
     /// Starts to measure distances. What was removed no longer takes memory then.
     fn measure(&mut self, pace: &mut Pace<'_, '_>) -> Result<(), SurfaceError> {
         let Some(limit) = &mut self.limit else { return Ok(()) };
+        // Below what rounding takes nothing can be measured.
+        if limit.distance <= 0.0 {
+            return Ok(());
+        }
         self.queue.restart(0);
         self.stamps = Vec::new();
         let before = self.tri.out.len();
