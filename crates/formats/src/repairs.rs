@@ -192,16 +192,19 @@ fn drop_non_manifold(soup: &mut PolygonSoup, notes: &mut Vec<String>) {
     let mut dropped = Vec::new();
     let mut places = Places::default();
     for (f, face) in soup.faces().enumerate() {
-        // What the build leaves out, repeated faces too, is in nobody's way.
-        let Some(face) = outline(face, soup.positions.len()).filter(|face| met.insert(canonical(face)))
-        else {
+        // What the build leaves out is in nobody's way. Faces that repeat one that stays are left out, too;
+        // those that repeat one taken out here come to the same end as that.
+        let Some(face) = outline(face, soup.positions.len()) else { continue };
+        let canonical = canonical(&face);
+        if met.contains(&canonical) {
             continue;
-        };
+        }
         if sides(&face).any(|(a, b)| uses.get(&ends(a, b)).is_some_and(|&count| count >= 2)) {
             dropped.push(f as u32);
             places.add(f);
             continue;
         }
+        met.insert(canonical);
         for (a, b) in sides(&face) {
             *uses.entry(ends(a, b)).or_default() += 1;
         }
@@ -334,6 +337,11 @@ mod tests {
         let (mesh, _) = with(&soup, drop);
         assert_eq!(mesh.face_count(), 2);
         assert!(mesh.faces().all(|f| mesh.face_vertices(f).all(|v| v.raw() < 4)));
+        // One that repeats a face left out is left out as that is.
+        let soup = PolygonSoup::new(points(5), &[[0, 1, 2], [1, 0, 3], [0, 1, 4], [4, 0, 1]]);
+        let (mesh, notes) = with(&soup, drop);
+        assert_eq!(mesh.face_count(), 2);
+        assert_eq!(notes, ["2 faces left out: two earlier faces meet at one of its edges (faces 2, 3)"]);
     }
 
     #[test]

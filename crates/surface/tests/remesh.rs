@@ -333,7 +333,10 @@ proptest! {
         let change = (volume_from_origin(&result) - volume_from_origin(&cut)).abs();
         prop_assert!(change < 0.3 * length * before, "volume by {}, of area {}", change, before);
         let (there, back) = (farthest_vertex(&cut, &result), farthest_vertex(&result, &cut));
-        prop_assert!(back < 0.5 * length, "the input is {} off", back);
+        // A corner that is no feature may end up above the middle of a triangle whose sides are the longest
+        // there are, 4/3 of the length, and above it by no more than from there to its corners: what is
+        // steeper is a feature.
+        prop_assert!(back < 4.0 / 3.0 / 3f64.sqrt() * length, "the input is {} off", back);
         // Vertices on curves whose way is blocked are off the input, by less than its faces are wide.
         prop_assert!(there < 1.0, "{} off", there);
     }
