@@ -274,12 +274,6 @@ impl FaceTree {
     /// The point of the mesh closest to `point`; none for a mesh without faces or a point that is not
     /// finite.
     pub fn closest_point(&self, mesh: &Mesh, point: Vec3) -> Option<Hit> {
-        self.closest_point_near(mesh, point, None)
-    }
-
-    /// As [`FaceTree::closest_point`], told a face that is likely near: the closer it is, the less there
-    /// is to look at.
-    pub fn closest_point_near(&self, mesh: &Mesh, point: Vec3, near: Option<FaceId>) -> Option<Hit> {
         let point = point.as_dvec3();
         if !point.is_finite() {
             return None;
@@ -318,7 +312,7 @@ impl FaceTree {
             }
             best_squared
         };
-        let mut look = |face: FaceId| {
+        let look = |face: FaceId, _: f64| {
             let first = mesh.halfedge_of(face);
             let (second, last) = (mesh.next(first), mesh.prev(first));
             if mesh.next(second) == last {
@@ -326,8 +320,7 @@ impl FaceTree {
             }
             triangulator.of_face(mesh, face).iter().fold(f64::MAX, |_, &corners| try_triangle(face, corners))
         };
-        let bound = near.filter(|&face| mesh.has_face(face)).map_or(f64::MAX, &mut look);
-        self.visit(mesh, away, bound, |face, _| look(face));
+        self.visit(mesh, away, f64::MAX, look);
         best
     }
 }

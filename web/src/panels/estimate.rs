@@ -112,8 +112,7 @@ impl App {
         if length > COARSER * measures.mean_edge {
             return None;
         }
-        // As many equilateral triangles as have the same area.
-        let count = measures.area / (length * length * 3_f64.sqrt() / 4.0);
+        let count = surface::Remesh::expected(measures.area, length);
         count.is_finite().then(|| format!("Result: about {} triangles", thousands(count.round() as usize)))
     }
 

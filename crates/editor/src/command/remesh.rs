@@ -98,7 +98,9 @@ impl EachMesh for Remesh {
     }
 
     fn cost(&self, mesh: &Mesh) -> usize {
-        let made = self.edge_length.map_or(0.0, |length| surface::Remesh::expected(mesh, shortest(length)));
+        let expected =
+            |length| surface::Remesh::expected(surface::measure::surface_area(mesh), shortest(length));
+        let made = self.edge_length.map_or(0.0, expected);
         let triangles = mesh.face_count().saturating_add(made as usize);
         triangles.saturating_mul(4).saturating_mul(self.iterations as usize)
     }

@@ -47,11 +47,10 @@ impl Default for Remesh {
 }
 
 impl Remesh {
-    /// About how many triangles with sides of this length a mesh's surface takes: that of equilateral ones.
-    /// Costs O(mesh).
-    pub fn expected(mesh: &Mesh, edge_length: f64) -> f64 {
+    /// About how many triangles with sides of this length a surface of this area takes: equilateral ones.
+    pub fn expected(area: f64, edge_length: f64) -> f64 {
         // An equilateral triangle has sqrt(3)/4 of its side's square.
-        crate::measure::surface_area(mesh) / (edge_length * edge_length * 0.433)
+        area / (edge_length * edge_length * 0.433)
     }
 }
 
@@ -82,7 +81,7 @@ pub fn remesh(mesh: &Mesh, options: &Remesh, progress: &mut Progress<'_>) -> Res
     if !(length > 0.0 && length.is_finite()) {
         return Err(SurfaceError::field("edge_length", "a finite number above 0"));
     }
-    let expected = Remesh::expected(mesh, length);
+    let expected = Remesh::expected(crate::measure::surface_area(mesh), length);
     if expected > MAX_TRIANGLES as f64 {
         return Err(SurfaceError::TooManyFaces { faces: expected as u64, limit: MAX_TRIANGLES });
     }
