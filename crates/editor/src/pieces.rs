@@ -37,7 +37,7 @@ pub(crate) fn extract(mesh: &Mesh, faces: &[FaceId], loose: bool) -> Result<Mesh
     }
     let columns = mesh.columns();
     let gather = |element, ids: &[u32]| -> Vec<Column> {
-        columns.of(element).iter().map(|column| gathered(column, ids.iter().copied())).collect()
+        columns.of(element).iter().map(|column| column.gather(ids.iter().copied())).collect()
     };
     soup.vertex_columns = gather(Element::Vertex, &kept);
     soup.corner_columns = gather(Element::Halfedge, &corners);
@@ -54,19 +54,10 @@ pub(crate) fn extract(mesh: &Mesh, faces: &[FaceId], loose: bool) -> Result<Mesh
             }
         }
         for column in columns.of(Element::Edge) {
-            part.insert_column(Element::Edge, gathered(column, source.iter().copied()));
+            part.insert_column(Element::Edge, column.gather(source.iter().copied()));
         }
     }
     Ok(part)
-}
-
-fn gathered(column: &Column, ids: impl Iterator<Item = u32>) -> Column {
-    Column {
-        name: column.name.clone(),
-        values: column.values.gather(ids, column.default),
-        default: column.default,
-        labels: column.labels.clone(),
-    }
 }
 
 /// Several meshes as one, the elements of the first first. Gaps in ids are closed. Columns of the

@@ -103,8 +103,7 @@ fn merge(soup: &mut PolygonSoup, distance: f32, notes: &mut Vec<String>) {
 
 /// The vertices of these numbers in this order, which may repeat, with their attributes.
 fn keep_vertices(soup: &mut PolygonSoup, kept: &[u32]) {
-    let pick =
-        |column: &mut Column| column.values = column.values.gather(kept.iter().copied(), column.default);
+    let pick = |column: &mut Column| *column = column.gather(kept.iter().copied());
     soup.vertex_columns.iter_mut().for_each(pick);
     soup.positions = kept.iter().filter_map(|&v| soup.positions.get(v as usize).copied()).collect();
 }

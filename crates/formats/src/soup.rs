@@ -29,7 +29,7 @@ pub(crate) fn drop_faces(soup: &mut PolygonSoup, dropped: &[u32]) {
         face_starts.push(corners.len() as u32);
     }
     let pick = |column: &mut Column, from: &[u32]| {
-        column.values = column.values.gather(from.iter().copied(), column.default);
+        *column = column.gather(from.iter().copied());
     };
     soup.face_columns.iter_mut().for_each(|column| pick(column, &faces));
     soup.corner_columns.iter_mut().for_each(|column| pick(column, &corners));

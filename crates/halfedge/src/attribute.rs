@@ -311,6 +311,16 @@ impl Column {
         }
     }
 
+    /// A column like it with the values of these indices, as [`Values::gather`] finds them.
+    pub fn gather(&self, indices: impl Iterator<Item = u32>) -> Self {
+        Self {
+            name: self.name.clone(),
+            values: self.values.gather(indices, self.default),
+            default: self.default,
+            labels: self.labels.clone(),
+        }
+    }
+
     /// Heap bytes in use.
     pub fn bytes(&self) -> usize {
         self.values.bytes() + self.labels.iter().map(|l| l.len() + size_of::<String>()).sum::<usize>()

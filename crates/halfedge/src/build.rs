@@ -265,8 +265,7 @@ impl Mesh {
         }
         let vertices = || (0..given).chain(split.iter().copied());
         for column in vertex_columns {
-            let values = column.values.gather(vertices(), column.default);
-            mesh.insert_column(Element::Vertex, crate::attribute::Column { values, ..column });
+            mesh.insert_column(Element::Vertex, column.gather(vertices()));
         }
         if !corner_columns.is_empty() {
             let mut source = vec![NONE; mesh.halfedge_capacity()];
@@ -274,13 +273,11 @@ impl Mesh {
                 source[h as usize] = corner_source.as_ref().map_or(corner as u32, |from| from[corner]);
             }
             for column in corner_columns {
-                let values = column.values.gather(source.iter().copied(), column.default);
-                mesh.insert_column(Element::Halfedge, crate::attribute::Column { values, ..column });
+                mesh.insert_column(Element::Halfedge, column.gather(source.iter().copied()));
             }
         }
         for column in face_columns {
-            let values = column.values.gather(face_source.iter().copied(), column.default);
-            mesh.insert_column(Element::Face, crate::attribute::Column { values, ..column });
+            mesh.insert_column(Element::Face, column.gather(face_source.iter().copied()));
         }
         Ok(Built { mesh, notes, face_source })
     }
@@ -308,10 +305,7 @@ impl Mesh {
             .columns
             .of(Element::Halfedge)
             .iter()
-            .map(|column| crate::attribute::Column {
-                values: column.values.gather(sources.iter().copied(), column.default),
-                ..column.clone()
-            })
+            .map(|column| column.gather(sources.iter().copied()))
             .collect();
         soup
     }

@@ -1,6 +1,5 @@
 //! Closing the gaps that removed elements leave in the ids.
 
-use crate::attribute::Column;
 use crate::mesh::Mesh;
 use crate::{Element, NONE};
 
@@ -70,12 +69,7 @@ impl Mesh {
         }
         for element in Element::ALL {
             let kept = || (0..self.capacity(element) as u32).filter(|&raw| self.exists(element, raw));
-            let columns = self.columns.of(element).iter().map(|column| Column {
-                name: column.name.clone(),
-                values: column.values.gather(kept(), column.default),
-                default: column.default,
-                labels: column.labels.clone(),
-            });
+            let columns = self.columns.of(element).iter().map(|column| column.gather(kept()));
             mesh.columns.of_mut(element).extend(columns);
         }
         (mesh, renumbering)

@@ -81,11 +81,7 @@ pub fn merge_by_distance(
     }
     pace.at(0.7)?;
     let pick = |columns: Vec<Column>, indices: &[u32]| -> Vec<Column> {
-        let column = |column: Column| Column {
-            values: column.values.gather(indices.iter().copied(), column.default),
-            ..column
-        };
-        columns.into_iter().map(column).collect()
+        columns.into_iter().map(|column| column.gather(indices.iter().copied())).collect()
     };
     soup.vertex_columns = pick(source.vertex_columns, &kept);
     soup.corner_columns = pick(source.corner_columns, &corners);
@@ -184,11 +180,6 @@ fn carry_edges(mesh: &Mesh, result: &mut Mesh, renumber: impl Fn(u32) -> u32) {
         }
     }
     for column in mesh.columns().of(Element::Edge) {
-        let values = column.values.gather(source.iter().copied(), column.default);
-        let labels = column.labels.clone();
-        result.insert_column(
-            Element::Edge,
-            Column { name: column.name.clone(), values, default: column.default, labels },
-        );
+        result.insert_column(Element::Edge, column.gather(source.iter().copied()));
     }
 }
