@@ -105,7 +105,7 @@ fn simplified() {
 fn remeshed() {
     assert_eq!(
         after(&[r#"{"op": "remesh", "edge_length": 0.2, "iterations": 10}"#]),
-        (886, 0xf504_8320_2b0c_b821)
+        (882, 0x4b90_be18_807c_9646)
     );
 }
 

@@ -7,6 +7,7 @@ use glam::{DVec3, Vec2};
 use halfedge::attribute::keys;
 use halfedge::{Color, Mesh, PolygonSoup};
 use proptest::prelude::*;
+use std::f64::consts::TAU;
 use std::ops::ControlFlow;
 use surface::measure::*;
 use surface::*;
@@ -186,30 +187,54 @@ fn models_with_features_holes_and_pieces_keep_their_topology() {
 }
 
 #[test]
-fn boundaries_and_sharp_edges_are_cut_evenly_where_they_were() {
-    let mut cylinder = Shape::named("cylinder").expect("listed");
-    cylinder.set("segments", 64.0).expect("in range");
-    let cylinder = cylinder.build().expect("fits");
-    let result = run(&cylinder, &Remesh { edge_length: Some(0.15), iterations: 8, ..Remesh::default() });
-    let (least, _) = angles(&result);
-    assert!(least > 30.0, "{least}");
-    let height = bounding_box(&cylinder).expect("has vertices").max.y;
-    let rim: Vec<_> = result
-        .edges()
-        .filter(|&e| {
-            result.ends(e).iter().all(|&v| {
-                let p = result.position(v);
-                p.y == height && p.x.hypot(p.z) > 0.997
-            })
-        })
-        .map(|e| edge_length(&result, e))
-        .collect();
-    // A polygon of 64 sides is nearly as long as the circle, 6.28: 42 edges of 0.15 give or take.
-    assert!((36..54).contains(&rim.len()), "{}", rim.len());
-    assert!((rim.iter().sum::<f64>() - std::f64::consts::TAU).abs() < 0.02, "all the way round");
-    let (short, long) = rim.iter().fold((f64::MAX, 0.0f64), |(s, l), &x| (s.min(x), l.max(x)));
-    assert!(short > 0.7 * 0.15 && long < 1.4 * 0.15, "{short} to {long}");
+fn sharp_rims_are_cut_evenly_however_fine_they_were() {
+    for (segments, length) in [(40.0, 0.1), (40.0, 0.25), (64.0, 0.15), (100.0, 0.12), (127.0, 0.2)] {
+        let mut cylinder = Shape::named("cylinder").expect("listed");
+        cylinder.set("segments", segments).expect("in range");
+        let cylinder = cylinder.build().expect("fits");
+        let options = Remesh { edge_length: Some(length), iterations: 8, ..Remesh::default() };
+        let result = run(&cylinder, &options);
+        let (least, _) = angles(&result);
+        assert!(least > 30.0, "{segments}: {least}");
+        let height = bounding_box(&cylinder).expect("has vertices").max.y;
+        for y in [height, -height] {
+            let is_on_rim = |p: glam::Vec3| p.y == y && p.x.hypot(p.z) > 0.99;
+            let rim: Vec<f64> = result
+                .edges()
+                .filter(|&e| result.ends(e).iter().all(|&v| is_on_rim(result.position(v))))
+                .map(|e| edge_length(&result, e))
+                .collect();
+            // A polygon of so many sides is nearly as long as the circle. Its sides are cut no finer than
+            // 4/5 and no coarser than 4/3 of the length, but one where a triangle would be thin.
+            let even = TAU / length;
+            let count = rim.len() as f64;
+            assert!(
+                count > 0.74 * even && count < 1.3 * even,
+                "{segments}: {count} edges, {even} would be even"
+            );
+            assert!((rim.iter().sum::<f64>() - TAU).abs() < 0.05, "all the way round");
+            let (short, long) = rim.iter().fold((f64::MAX, 0.0f64), |(s, l), &x| (s.min(x), l.max(x)));
+            assert!(short > 0.7 * length && long < 1.4 * length, "{segments}: {short} to {long}");
+        }
+    }
+}
 
+#[test]
+fn a_polygon_that_is_folded_keeps_the_fold() {
+    let corners = [(0.0, -1.0, 0.0), (1.0, 0.0, 1.0), (0.0, 1.0, 0.0), (-1.0, 0.0, 1.0)];
+    let positions = corners.map(glam::Vec3::from).to_vec();
+    let folded = Mesh::build(PolygonSoup::new(positions, &[[0, 1, 2, 3]])).expect("small").mesh;
+    let result = run(&folded, &Remesh { edge_length: Some(0.17), ..Remesh::default() });
+    let tree = FaceTree::new(&result);
+    for y in [-0.71, 0.0, 0.33] {
+        let on_fold = glam::Vec3::new(0.0, y, 0.0);
+        let off = tree.closest_point(&result, on_fold).expect("has faces").distance;
+        assert!(off < 1e-6, "{on_fold} is {off} off");
+    }
+}
+
+#[test]
+fn boundaries_are_cut_evenly_where_they_were() {
     let mut disc = grid(20);
     for v in disc.vertices().collect::<Vec<_>>() {
         // A square of circles.

@@ -54,7 +54,7 @@ fn marked_edges(mesh: &Mesh, tri: &TriMesh, least_cos: f64) -> Vec<Kept> {
         {
             return Kept::Border;
         }
-        if a != b && turns(area(tri, h), area(tri, across), least_cos) {
+        if turns(area(tri, h), area(tri, across), least_cos) {
             return Kept::Sharp;
         }
         Kept::No

@@ -14,6 +14,8 @@ use halfedge::NONE;
 
 /// Triangles are good when their smallest angle is 36 degrees: this is its sine's square.
 const GOOD: f64 = 0.345;
+/// Below this, 30 degrees, curves are cut unevenly where that helps.
+const THIN: f64 = 0.25;
 /// A change has to make the worst better by this factor, so that none is made for rounding's sake.
 const GAIN: f64 = 1.001;
 /// How many rounds at most. Each looks at what the last one left or made.
@@ -123,17 +125,20 @@ fn best_change(work: &mut Work, f: u32) -> Option<Change> {
                     for step in &STEPS[1..] {
                         let by = (end - start) * step;
                         let to = work.curve_point(a, from + by);
-                        offer(before, of_star(work, v, to), Change::Slide { v, by });
+                        if before < THIN || stays_even(work, [a, b], v, to) {
+                            offer(before, of_star(work, v, to), Change::Slide { v, by });
+                        }
                     }
                 }
             }
             Role::Fixed => {}
         }
-        if let Some(merge) = work.merge_of(h)
-            && work.can_merge(merge, work.longest * STRETCH)
-        {
-            let (before, after) = of_merge(work, merge);
-            offer(before, after, Change::Merge(merge));
+        for merge in work.merges_of(h) {
+            let stretch = if work.is_kept(h) { 1.0 } else { STRETCH };
+            if work.can_merge(merge, work.longest * stretch) {
+                let (before, after) = of_merge(work, merge);
+                offer(before, after, Change::Merge(merge));
+            }
         }
     }
     best
@@ -152,7 +157,7 @@ fn apply(work: &mut Work, change: Change) -> u32 {
             v
         }
         Change::Move { v, to, near } => {
-            work.tri.position[v as usize] = to;
+            work.tri.put(v, to);
             work.near[v as usize] = near;
             v
         }
@@ -160,7 +165,7 @@ fn apply(work: &mut Work, change: Change) -> u32 {
             let edge = work.kept_at(v)[0];
             work.slide(v, by);
             let [place, _] = work.places_from(v, edge);
-            work.tri.position[v as usize] = work.curve_point(edge, place);
+            work.tri.put(v, work.curve_point(edge, place));
             v
         }
     }
@@ -187,6 +192,17 @@ fn better_places(work: &Work, v: u32) -> [DVec3; 2] {
     sums.map(|(sum, weights)| {
         let by = sum / weights - here;
         if by.is_finite() { here + by - normal * by.dot(normal) } else { here }
+    })
+}
+
+/// Whether neither of the two edges that a vertex has on its curve becomes too short or too long if it slides
+/// to `at`, but for one that is and gets better: curves stay cut evenly.
+fn stays_even(work: &Work, edges: [u32; 2], v: u32, at: DVec3) -> bool {
+    edges.into_iter().all(|h| {
+        let other = if work.tri.from(h) == v { work.tri.to(h) } else { work.tri.from(h) };
+        let length = work.tri.at(other).distance_squared(at);
+        let was = work.length_squared(h);
+        (length >= work.shortest || length >= was) && (length <= work.longest || length <= was)
     })
 }
 

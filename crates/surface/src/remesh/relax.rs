@@ -62,7 +62,7 @@ fn slide(work: &mut Work) {
         let to = work.curve_point(edge, here + shift);
         if to != work.tri.at(v) && work.may_move(v, to) {
             work.slide(v, shift);
-            work.tri.position[v as usize] = to;
+            work.tri.put(v, to);
         }
     }
 }
@@ -127,6 +127,6 @@ fn to_middle(work: &mut Work, v: u32, star: &mut Vec<DVec3>) {
         }
         before = after;
     }
-    work.tri.position[v as usize] = to;
+    work.tri.put(v, to);
     work.near[v as usize] = near;
 }

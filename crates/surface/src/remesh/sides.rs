@@ -47,7 +47,7 @@ impl Sides {
 
     /// Puts triangles in another order, and leaves out rows that no longer have numbers.
     pub fn reorder(&mut self, triangles: &Renumbering) {
-        triangles.apply(&mut self.row, 0);
+        triangles.apply(&mut self.row);
         let mut rows = Vec::new();
         for row in self.row.iter_mut().filter(|row| **row != NONE) {
             let numbers = self.rows[*row as usize];

@@ -2,7 +2,7 @@
 
 use super::curves::{Arc, Curves, Role};
 use super::sides::Sides;
-use crate::trimesh::{Input, Order, Surface, TriMesh, make_room, next, prev, with_room};
+use crate::trimesh::{Order, TriMesh, make_room, next, prev, with_room};
 use glam::DVec3;
 use halfedge::{Element, Mesh, NONE};
 
@@ -22,7 +22,7 @@ pub(super) struct Work {
     pub tri: TriMesh,
     pub curves: Curves,
     /// The input to put vertices back on, if they are.
-    input: Option<Input>,
+    input: Option<TriMesh>,
     /// Per triangle of the input: its face of the mesh. Empty where faces have no attributes.
     face: Vec<u32>,
     /// Per half-edge and per kept edge, as in [`super::curves::Found`].
@@ -39,6 +39,8 @@ pub(super) struct Work {
     pub shortest: f64,
     /// How many triangles have been made since the arrays were last put in order.
     pub unordered: usize,
+    /// How many edges were flipped last for their poor triangles alone.
+    pub slivers: usize,
 }
 
 /// The square of the sine of the smallest angle, which lies across from the shortest side: 3/4 at best.
@@ -75,16 +77,16 @@ impl Work {
         let splits = (0..tri.v.len() as u32)
             .filter(|&h| h < tri.opp(h) && tri.at(tri.from(h)).distance_squared(tri.at(tri.to(h))) > longest);
         let splits = splits.count() * 17 / 16;
-        tri.put_in_order(splits);
+        tri.make_room(splits);
         let found = Curves::find(mesh, &tri, least_cos, length);
-        let own: Vec<u32> = (0..tri.face_source.len() as u32).collect();
+        let own = with_room(0..tri.face_source.len() as u32, 2 * splits);
         let mut face = std::mem::replace(&mut tri.face_source, own);
         if mesh.columns().of(Element::Face).is_empty() {
             face = Vec::new();
         }
         Self {
             near: with_room(tri.out.iter().map(|out| out / 3), splits),
-            input: project.then(|| Input::of(&tri)),
+            input: project.then(|| tri.bare_copy()),
             face,
             curves: found.curves,
             arc: found.arc,
@@ -95,6 +97,7 @@ impl Work {
             longest,
             shortest: square(EVEN * length * 4.0 / 5.0),
             unordered: 0,
+            slivers: usize::MAX,
             tri,
         }
     }
@@ -114,9 +117,9 @@ impl Work {
     /// Puts what belongs together in space together in memory again, without what was removed.
     pub fn put_in_order(&mut self) {
         self.stamps = Vec::new();
-        let Order { vertices, triangles } = self.tri.put_in_order(0);
-        vertices.apply(&mut self.roles, 0);
-        vertices.apply(&mut self.near, 0);
+        let Order { vertices, triangles } = self.tri.put_in_order();
+        vertices.apply(&mut self.roles);
+        vertices.apply(&mut self.near);
         self.stamps = vec![0; vertices.len()];
         self.stamp = 0;
         self.arc.reorder(&triangles);
@@ -267,7 +270,7 @@ impl Work {
         }
         let at = self.curves.at(curve, middle);
         if self.may_move(m, at) {
-            self.tri.position[m as usize] = at;
+            self.tri.put(m, at);
         }
     }
 
@@ -296,21 +299,24 @@ impl Work {
         good
     }
 
-    /// Where the ends of an edge may merge as far as kept curves go: what is on one may only move along
-    /// it. Free vertices merge on the input.
-    pub fn merge_of(&self, h: u32) -> Option<Merge> {
+    /// How the ends of an edge may merge as far as kept curves go: what is on one may only move along it,
+    /// to either end. Free vertices merge on the input.
+    pub fn merges_of(&self, h: u32) -> impl Iterator<Item = Merge> + use<> {
         let (a, b) = (self.tri.from(h), self.tri.to(h));
         let (p, q) = (self.tri.at(a), self.tri.at(b));
-        Some(match (self.roles[a as usize], self.roles[b as usize]) {
-            (Role::Free, Role::Free) => Merge { edge: h, at: self.put_on(a, (p + q) * 0.5).0 },
-            (_, Role::Free) => Merge { edge: h, at: p },
-            (Role::Free, _) => Merge { edge: self.tri.opp(h), at: q },
-            _ if !self.is_kept(h) => return None,
-            (_, Role::Curve) => Merge { edge: h, at: p },
-            // Its half-edge the other way may not exist: the fixed end moves into the other's id.
-            (Role::Curve, Role::Fixed) => Merge { edge: h, at: q },
-            (Role::Fixed, Role::Fixed) => return None,
-        })
+        let to_start = Some(Merge { edge: h, at: p });
+        let to_end = Some(Merge { edge: h, at: q });
+        let merges = match (self.roles[a as usize], self.roles[b as usize]) {
+            (Role::Free, Role::Free) => [Some(Merge { edge: h, at: self.put_on(a, (p + q) * 0.5).0 }), None],
+            (_, Role::Free) => [to_start, None],
+            (Role::Free, _) => [Some(Merge { edge: self.tri.opp(h), at: q }), None],
+            _ if !self.is_kept(h) => [None, None],
+            (Role::Curve, Role::Curve) => [to_start, to_end],
+            (Role::Fixed, Role::Curve) => [to_start, None],
+            (Role::Curve, Role::Fixed) => [to_end, None],
+            (Role::Fixed, Role::Fixed) => [None, None],
+        };
+        merges.into_iter().flatten()
     }
 
     /// Whether the ends of an edge may merge: that keeps the topology, makes no edge longer than the
@@ -326,13 +332,11 @@ impl Work {
         let (p, q) = (self.tri.at(a), self.tri.at(b));
         if self.is_kept(h) {
             let [place_a, place_b] = self.places(h);
-            let to_b = self.roles[b as usize] == Role::Fixed;
+            let to_b = self.roles[a as usize] == Role::Curve && at == q;
             let (mover, by) = if to_b { (a, place_b - place_a) } else { (b, place_a - place_b) };
             // This also moves the merged edge's own end, which goes.
             self.slide(mover, by);
-            if to_b {
-                self.roles[a as usize] = Role::Fixed;
-            }
+            self.roles[a as usize] = if to_b { self.roles[b as usize] } else { self.roles[a as usize] };
         }
         for side in [h, across] {
             if side == NONE {
@@ -354,7 +358,7 @@ impl Work {
         }
         let t = if at == p { 0.0 } else { (at - p).length() / (q - p).length() };
         self.tri.collapse(h, t.min(1.0));
-        self.tri.position[a as usize] = at;
+        self.tri.put(a, at);
     }
 
     /// Whether merging an edge's ends leaves all edges and triangles good.
@@ -398,6 +402,14 @@ impl Work {
             });
         }
         good
+    }
+
+    /// Whether an edge has a poor triangle, and better ones if it is flipped.
+    pub fn is_better_flipped(&self, h: u32) -> bool {
+        let [a, b, c] = [self.tri.from(h), self.tri.to(h), self.tri.apex(h)].map(|v| self.tri.at(v));
+        let d = self.tri.at(self.tri.apex(self.tri.opp(h)));
+        let now = quality(a, b, c).min(quality(b, a, d));
+        now < POOR && quality(a, d, c).min(quality(d, b, c)) > now
     }
 
     /// Whether an edge may be turned to its apexes: it is not kept, they are not joined yet, and no

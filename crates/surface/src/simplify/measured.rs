@@ -3,7 +3,7 @@
 use crate::SurfaceError;
 use crate::face_tree::closest_in_triangle;
 use crate::pace::Pace;
-use crate::trimesh::{Foot, Input, Surface, TriMesh};
+use crate::trimesh::{Foot, TriMesh};
 use glam::DVec3;
 use halfedge::NONE;
 use std::collections::VecDeque;
@@ -22,7 +22,7 @@ const POINTS: f64 = 2e5;
 /// larger ones points inside. They are numbered, vertices first and then so many for each triangle, and
 /// worked out when they are needed.
 struct Points {
-    input: Input,
+    input: TriMesh,
     /// In the frame.
     limit: f64,
     /// Into how many parts at most a side is cut to find points.
@@ -32,20 +32,20 @@ struct Points {
 }
 
 impl Points {
-    fn new(input: Input, limit: f64) -> Self {
+    fn new(input: TriMesh, limit: f64) -> Self {
         // Few triangles are large ones, with much between points; of many, the middles are close enough.
-        let most = (POINTS / input.triangles().max(1) as f64).sqrt().clamp(2.0, 8.0) as u32;
+        let most = (POINTS / input.faces.max(1) as f64).sqrt().clamp(2.0, 8.0) as u32;
         Self { input, limit, most, slots: weights(most).count() as u32 }
     }
 
     /// How many numbers there are.
     fn count(&self) -> usize {
-        self.input.vertices() + self.input.triangles() * self.slots as usize
+        self.input.out.len() + self.input.faces * self.slots as usize
     }
 
     /// The number of a triangle's first point that is not a vertex.
     fn first_of(&self, f: u32) -> u32 {
-        self.input.vertices() as u32 + f * self.slots
+        self.input.out.len() as u32 + f * self.slots
     }
 
     /// The weights of a triangle's points but for its corners.
@@ -56,7 +56,7 @@ impl Points {
 
     /// Where a point is.
     fn at(&self, point: u32) -> DVec3 {
-        let Some(inside) = point.checked_sub(self.first_of(0)) else { return self.input.place(point) };
+        let Some(inside) = point.checked_sub(self.first_of(0)) else { return self.input.at(point) };
         let places = self.input.places(inside / self.slots);
         let weights = self.weights_in(&places).nth((inside % self.slots) as usize);
         weighed(places, weights.unwrap_or(MIDDLE))
@@ -65,16 +65,16 @@ impl Points {
     /// Calls `put` with the points of a triangle, those that it shares with others only from one of them.
     fn each(&self, f: u32, mut put: impl FnMut(u32, DVec3)) {
         for h in 3 * f..3 * f + 3 {
-            let v = self.input.vertex(h);
-            if self.input.leaving(v) == h {
-                put(v, self.input.place(v));
+            let v = self.input.from(h);
+            if self.input.out[v as usize] == h {
+                put(v, self.input.at(v));
             }
         }
         let places = self.input.places(f);
         for (point, weights) in (self.first_of(f)..).zip(self.weights_in(&places)) {
             let [i, j, k] = weights;
             let side = [(k, 0), (i, 1), (j, 2)].into_iter().find(|(weight, _)| *weight == 0);
-            if side.is_none_or(|(_, side)| 3 * f + side < self.input.across(3 * f + side)) {
+            if side.is_none_or(|(_, side)| 3 * f + side < self.input.opp(3 * f + side)) {
                 put(point, weighed(places, weights));
             }
         }
@@ -161,7 +161,7 @@ impl Measured {
     /// of them, `error` how far it and the input are from each other at most, and `into` a vertex for each
     /// of the input's. `limit` is the distance, in the frame.
     pub fn new(
-        input: Input,
+        input: TriMesh,
         tri: &TriMesh,
         near: Vec<u32>,
         error: &[f32],
@@ -169,7 +169,7 @@ impl Measured {
         limit: f64,
         pace: &mut Pace<'_, '_>,
     ) -> Result<Self, SurfaceError> {
-        let triangles = input.triangles();
+        let triangles = input.faces;
         let points = Points::new(input, limit);
         let mut first_point = vec![NONE; tri.v.len() / 3];
         let mut next_point = vec![NONE; points.count()];
@@ -178,7 +178,7 @@ impl Measured {
         pace.chunks(triangles, |range| {
             for f in range.start as u32..range.end as u32 {
                 // Triangles around what the corners have become are near.
-                let around = [0, 1, 2].map(|k| tri.out[into(points.input.vertex(3 * f + k)) as usize]);
+                let around = [0, 1, 2].map(|k| tri.out[into(points.input.from(3 * f + k)) as usize]);
                 let mut owner = around.into_iter().find(|&out| out != NONE).unwrap_or(0) / 3;
                 points.each(f, |point, at| {
                     owner = owners.of(at, owner);

@@ -15,9 +15,9 @@ mod run;
 use crate::SurfaceError;
 use crate::face_tree::along_segment;
 use crate::pace::Pace;
-use crate::trimesh::{Input, Order, Renumbering, TriMesh, next, prev};
+use crate::trimesh::{Order, Renumbering, TriMesh, next, prev};
 use glam::DVec3;
-use halfedge::{Mesh, NONE, Progress, keys};
+use halfedge::{Element, Mesh, NONE, Progress, keys};
 use limit::Limit;
 use measured::Measured;
 use quadric::Quadric;
@@ -128,7 +128,9 @@ pub fn simplify(
     }
     pace.at(0.0)?;
     let mut tri = TriMesh::new(mesh);
-    tri.put_in_order(0);
+    if mesh.columns().of(Element::Face).is_empty() {
+        tri.face_source = Vec::new();
+    }
     let before = tri.faces;
     let wanted = match options.target {
         SimplifyTarget::Faces(faces) => Some(faces),
@@ -218,16 +220,15 @@ impl<'a> Work<'a> {
         self.queue.restart(0);
         self.stamps = Vec::new();
         let before = self.tri.out.len();
-        let Order { vertices, triangles } = self.tri.put_in_order(0);
-        vertices.apply(&mut self.quadrics, 0);
-        vertices.apply(&mut self.roles, 0);
-        vertices.apply(&mut self.refused, 0);
-        triangles.apply(&mut limit.error, 0);
+        let Order { vertices, triangles } = self.tri.put_in_order();
+        vertices.apply(&mut self.quadrics);
+        vertices.apply(&mut self.roles);
+        vertices.apply(&mut self.refused);
+        triangles.apply(&mut limit.error);
         let Renumbering(near) = triangles;
         let number = vertices.new_numbers(before);
         // Numbered as the triangles were in the beginning.
-        let mut input = TriMesh::new(self.source);
-        input.put_in_order(0);
+        let input = TriMesh::bare(self.source);
         let mut into = std::mem::take(&mut limit.into);
         let merged = |v: u32| {
             let mut v = v as usize;
@@ -237,10 +238,9 @@ impl<'a> Work<'a> {
             }
             number[v]
         };
-        let input = Input::from(input);
         let measured = Measured::new(input, &self.tri, near, &limit.error, merged, limit.distance, pace)?;
         limit.measured = Some(measured);
-        self.stamps = vec![0; vertices.len()];
+        self.stamps = vec![0; self.tri.out.len()];
         self.stamp = 0;
         self.refused.fill(false);
         self.queue.restart(self.tri.v.len());
@@ -280,7 +280,8 @@ impl<'a> Work<'a> {
         let color = mesh.attribute(keys::FACE_COLOR);
         let crease = mesh.attribute(keys::EDGE_CREASE);
         let differ = |a: u32, b: u32| {
-            let (a, b) = (tri.face_source[a as usize] as usize, tri.face_source[b as usize] as usize);
+            let [Some(&a), Some(&b)] = [a, b].map(|f| tri.face_source.get(f as usize)) else { return false };
+            let (a, b) = (a as usize, b as usize);
             material.is_some_and(|m| m[a] != m[b])
                 || group.is_some_and(|g| g[a] != g[b])
                 || color.is_some_and(|c| c[a] != c[b])
@@ -365,6 +366,8 @@ impl<'a> Work<'a> {
 
     /// Collapses an edge if that leaves a good mesh; says whether it did.
     fn try_collapse(&mut self, h: u32, at: DVec3) -> bool {
+        // What is checked is what will be there, rounded.
+        let at = self.tri.frame.inward(self.tri.frame.outward(at));
         self.stamp += 1;
         if !self.tri.can_collapse(h, &mut self.stamps, self.stamp) || !self.keeps_faces(h, at) {
             return false;
@@ -390,7 +393,7 @@ impl<'a> Work<'a> {
             }
         }
         tri.collapse(h, along_segment(tri.at(a), tri.at(b), at));
-        tri.position[a as usize] = at;
+        tri.put(a, at);
         let merged = self.quadrics[b as usize];
         self.quadrics[a as usize].add(&merged);
         if self.roles[b as usize] == Role::Fixed || self.roles[a as usize] == Role::Free {

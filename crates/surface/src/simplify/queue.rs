@@ -4,8 +4,14 @@
 //! doesn't matter to the result's quality, and a heap's log n cache misses each would. An edge whose cost
 //! changes is put in again, and passed over where it was.
 
+use crate::trimesh::make_room;
+
 /// How many buckets there are: a float's exponent and eight more bits.
 const BUCKETS: usize = 1 << 16;
+/// How many of them take memory together, once one has edges.
+const PAGE: usize = 64;
+/// From how many edges on a bucket no longer grows by doubling.
+const LARGE: usize = 256;
 /// Where edges are that are not in the queue. No cost goes there but what is not a number.
 const NOWHERE: u16 = u16::MAX;
 
@@ -17,12 +23,13 @@ struct Bucket {
 }
 
 pub(super) struct Queue {
-    buckets: Vec<Bucket>,
+    /// The buckets, so many at a time; none where all are empty.
+    pages: Vec<Vec<Bucket>>,
     /// Per edge: its bucket.
     place: Vec<u16>,
-    /// Which buckets have edges, and which words of that have bits.
+    /// Per page: which of its buckets have edges; and which words of that have bits.
     filled: Vec<u64>,
-    filled_words: [u64; BUCKETS / 4096],
+    filled_words: [u64; BUCKETS / PAGE / 64],
     /// Edges of a rank above stay out.
     pub ceiling: u16,
 }
@@ -31,10 +38,10 @@ impl Queue {
     /// An empty queue for edges below `edges`.
     pub fn new(edges: usize) -> Self {
         let mut queue = Self {
-            buckets: vec![Bucket::default(); BUCKETS],
+            pages: vec![Vec::new(); BUCKETS / PAGE],
             place: Vec::new(),
-            filled: vec![0; BUCKETS / 64],
-            filled_words: [0; BUCKETS / 4096],
+            filled: vec![0; BUCKETS / PAGE],
+            filled_words: [0; BUCKETS / PAGE / 64],
             ceiling: 0,
         };
         queue.restart(edges);
@@ -43,7 +50,7 @@ impl Queue {
 
     /// Forgets all edges, and is ready for those below `edges`.
     pub fn restart(&mut self, edges: usize) {
-        self.buckets.fill(Bucket::default());
+        self.pages.fill(Vec::new());
         self.filled.fill(0);
         self.filled_words.fill(0);
         self.place = vec![NOWHERE; edges];
@@ -73,10 +80,18 @@ impl Queue {
             return;
         }
         self.place[edge as usize] = bucket;
-        let bucket = bucket as usize;
-        self.buckets[bucket].edges.push(edge);
-        self.filled[bucket / 64] |= 1 << (bucket % 64);
-        self.filled_words[bucket / 4096] |= 1 << (bucket / 64 % 64);
+        let (page, bucket) = (bucket as usize / PAGE, bucket as usize % PAGE);
+        let buckets = &mut self.pages[page];
+        if buckets.is_empty() {
+            *buckets = vec![Bucket::default(); PAGE];
+        }
+        let edges = &mut buckets[bucket].edges;
+        if edges.len() >= LARGE {
+            make_room(edges, 1);
+        }
+        edges.push(edge);
+        self.filled[page] |= 1 << bucket;
+        self.filled_words[page / 64] |= 1 << (page % 64);
     }
 
     /// Takes an edge out, if it is in.
@@ -88,9 +103,9 @@ impl Queue {
     pub fn pop(&mut self) -> Option<(u32, u16)> {
         loop {
             let high = self.filled_words.iter().position(|&word| word != 0)?;
-            let word = high * 64 + self.filled_words[high].trailing_zeros() as usize;
-            let at = word * 64 + self.filled[word].trailing_zeros() as usize;
-            let bucket = &mut self.buckets[at];
+            let page = high * 64 + self.filled_words[high].trailing_zeros() as usize;
+            let place = self.filled[page].trailing_zeros() as usize;
+            let (at, bucket) = (page * PAGE + place, &mut self.pages[page][place]);
             while let Some(&edge) = bucket.edges.get(bucket.gone) {
                 bucket.gone += 1;
                 if self.place[edge as usize] == at as u16 {
@@ -99,9 +114,10 @@ impl Queue {
                 }
             }
             *bucket = Bucket::default();
-            self.filled[word] &= !(1 << (at % 64));
-            if self.filled[word] == 0 {
-                self.filled_words[high] &= !(1 << (word % 64));
+            self.filled[page] &= !(1 << place);
+            if self.filled[page] == 0 {
+                self.pages[page] = Vec::new();
+                self.filled_words[high] &= !(1 << (page % 64));
             }
         }
     }

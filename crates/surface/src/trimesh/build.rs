@@ -1,18 +1,38 @@
 //! Making the triangles of a mesh.
 
 use super::values::push_copy;
-use super::{Frame, TriMesh};
-use crate::CornerTriangulator;
-use glam::DVec3;
-use halfedge::attribute::Value;
-use halfedge::{Element, HalfedgeId, Mesh, NONE};
+use super::{Frame, Renumbering, TriMesh};
+use crate::{CornerTriangulator, morton};
+use glam::Vec3;
+use halfedge::attribute::{Column, Value};
+use halfedge::{Element, FaceId, HalfedgeId, Mesh, NONE, VertexId};
 
 impl TriMesh {
-    /// The triangles of a mesh, its polygons cut. Isolated vertices are not taken over.
+    /// The triangles of a mesh, its polygons cut, in the order of [`Self::put_in_order`]. Isolated vertices
+    /// are not taken over.
     pub fn new(mesh: &Mesh) -> Self {
+        Self::of(mesh, true)
+    }
+
+    /// The same triangles as [`Self::new`] makes, without where they come from and their attributes.
+    pub fn bare(mesh: &Mesh) -> Self {
+        Self::of(mesh, false)
+    }
+
+    fn of(mesh: &Mesh, with_attributes: bool) -> Self {
         let frame = Frame::of(mesh);
-        let mut position: Vec<DVec3> = mesh.positions().iter().map(|&p| frame.inward(p)).collect();
-        let mut vertex_columns = mesh.columns().of(Element::Vertex).to_vec();
+        let columns = |element| if with_attributes { mesh.columns().of(element) } else { &[] };
+        let all = mesh.positions();
+        let used = |v: &u32| mesh.vertex(*v).is_some_and(|v| mesh.halfedge_from(v).is_some());
+        let used = (0..mesh.vertex_capacity() as u32).filter(used);
+        let order = Renumbering(morton::order(used.map(|v| (v, frame.inward(all[v as usize]).as_vec3()))));
+        let mut position: Vec<Vec3> = order.0.iter().map(|&v| all[v as usize]).collect();
+        let mut vertex_columns: Vec<Column> =
+            columns(Element::Vertex).iter().map(|column| column.gather(order.0.iter().copied())).collect();
+        let number = order.new_numbers(mesh.vertex_capacity());
+        drop(order);
+        let number = |v: VertexId| number[v.index()];
+
         let (faces, sides) = (mesh.face_count(), mesh.halfedge_count());
         // A polygon has two triangles less than sides, unless it gets a vertex in the middle.
         let triangles = sides.saturating_sub(2 * faces);
@@ -20,11 +40,11 @@ impl TriMesh {
         // Per half-edge of the mesh: the side that it is.
         let mut of_side = vec![NONE; mesh.halfedge_capacity()];
         // The mesh's half-edge that leaves the corner of a side, where corners have attributes.
-        let corner_columns = mesh.columns().of(Element::Halfedge).to_vec();
-        let mut corner: Vec<u32> = Vec::new();
+        let corner_columns = columns(Element::Halfedge);
+        let mut wedge: Vec<u32> = Vec::new();
         let mut put_corner = |h: HalfedgeId| {
             if !corner_columns.is_empty() {
-                corner.push(h.raw());
+                wedge.push(h.raw());
             }
         };
         let mut face_source = Vec::with_capacity(triangles);
@@ -32,20 +52,19 @@ impl TriMesh {
         let mut cut = CornerTriangulator::new();
         let mut diagonals: Vec<(u64, u32)> = Vec::new();
         let mut pairs: Vec<(u32, u32)> = Vec::with_capacity(triangles.saturating_sub(faces));
-        for f in mesh.faces() {
+        for f in faces_by_first(mesh, position.len(), number) {
             if poked.binary_search(&f.raw()).is_ok() {
                 let first = mesh.halfedge_of(f);
                 let middle = position.len() as u32;
-                let center = crate::measure::face_center(mesh, f);
-                position.push((center - frame.center) / frame.scale);
+                position.push(crate::measure::face_center(mesh, f).as_vec3());
                 for column in &mut vertex_columns {
-                    push_copy(column, mesh.from(first).index());
+                    push_copy(column, number(mesh.from(first)) as usize);
                 }
                 let start = v.len() as u32;
                 let degree = mesh.face_degree(f) as u32;
                 for (i, h) in (0u32..).zip(mesh.face_halfedges(f)) {
                     let at = v.len() as u32;
-                    v.extend([mesh.from(h).raw(), mesh.to(h).raw(), middle]);
+                    v.extend([number(mesh.from(h)), number(mesh.to(h)), middle]);
                     of_side[h.index()] = at;
                     [h, mesh.next(h), first].into_iter().for_each(&mut put_corner);
                     face_source.push(f.raw());
@@ -57,15 +76,15 @@ impl TriMesh {
             for triangle in cut.of_face(mesh, f) {
                 for k in 0..3 {
                     let (h, after) = (triangle[k], triangle[(k + 1) % 3]);
-                    let (from, to) = (mesh.from(h), mesh.from(after));
+                    let from = mesh.from(h);
                     if mesh.next(h) == after {
                         of_side[h.index()] = v.len() as u32;
                     } else {
-                        let (a, b) = (u64::from(from.raw()), u64::from(to.raw()));
+                        let [a, b] = [from, mesh.from(after)].map(|v| u64::from(v.raw()));
                         diagonals.push((a.min(b) << 32 | a.max(b), v.len() as u32));
                     }
                     put_corner(h);
-                    v.push(from.raw());
+                    v.push(number(from));
                 }
                 face_source.push(f.raw());
             }
@@ -85,7 +104,7 @@ impl TriMesh {
             opp[b as usize] = a;
         }
         let mut edge_source = Vec::new();
-        if !mesh.columns().of(Element::Edge).is_empty() {
+        if !columns(Element::Edge).is_empty() {
             edge_source.resize(v.len(), NONE);
             for (side, &h) in (0u32..).zip(&of_side) {
                 if h != NONE {
@@ -94,8 +113,10 @@ impl TriMesh {
             }
         }
         drop(of_side);
-        let wedge = corner;
         let faces = face_source.len();
+        if !with_attributes {
+            face_source = Vec::new();
+        }
         let mut tri = Self {
             out: vec![NONE; position.len()],
             v,
@@ -104,7 +125,7 @@ impl TriMesh {
             face_source,
             wedge,
             edge_source,
-            corner_columns,
+            corner_columns: Vec::new(),
             vertex_columns,
             faces,
             frame,
@@ -115,15 +136,23 @@ impl TriMesh {
                 *out = h;
             }
         }
-        tri.share_wedges();
+        tri.share_wedges(corner_columns);
         tri
     }
 
-    /// Gives corners around a vertex that have the same values the same wedge.
-    fn share_wedges(&mut self) {
+    /// Gives corners around a vertex that have the same values the same wedge, and takes over the values of
+    /// each wedge once. Wedges are places in the columns before, and in its own after.
+    fn share_wedges(&mut self, columns: &[Column]) {
         if self.wedge.is_empty() {
             return;
         }
+        let same_values = |a: u32, b: u32| {
+            let same = |column: &Column| match [a, b].map(|at| column.values.get(at as usize)) {
+                [Some(a), Some(b)] => same_bits(a, b),
+                _ => true,
+            };
+            a == b || columns.iter().all(same)
+        };
         for v in 0..self.out.len() as u32 {
             let first = self.out[v as usize];
             if first == NONE {
@@ -133,14 +162,14 @@ impl TriMesh {
             let mut at = self.turn(first);
             while at != NONE && at != first {
                 let (a, b) = (self.wedge[before as usize], self.wedge[at as usize]);
-                if self.same_values(a, b) {
+                if same_values(a, b) {
                     self.wedge[at as usize] = a;
                 }
                 before = at;
                 at = self.turn(at);
             }
             // All the way round, the last may match the first.
-            if at == first && self.same_values(self.wedge[before as usize], self.wedge[first as usize]) {
+            if at == first && same_values(self.wedge[before as usize], self.wedge[first as usize]) {
                 let (from, to) = (self.wedge[before as usize], self.wedge[first as usize]);
                 let mut h = first;
                 loop {
@@ -154,17 +183,38 @@ impl TriMesh {
                 }
             }
         }
+        let mut place = vec![NONE; self.wedge.iter().max().map_or(0, |&most| most as usize + 1)];
+        let mut sources = Vec::new();
+        for wedge in &mut self.wedge {
+            let place = &mut place[*wedge as usize];
+            if *place == NONE {
+                *place = sources.len() as u32;
+                sources.push(*wedge);
+            }
+            *wedge = *place;
+        }
+        drop(place);
+        self.corner_columns = columns.iter().map(|column| column.gather(sources.iter().copied())).collect();
     }
+}
 
-    fn same_values(&self, a: u32, b: u32) -> bool {
-        a == b
-            || self.corner_columns.iter().all(|column| {
-                match (column.values.get(a as usize), column.values.get(b as usize)) {
-                    (Some(a), Some(b)) => same_bits(a, b),
-                    _ => true,
-                }
-            })
+/// The faces of a mesh by the smallest number of their vertices, of which there are so many: counted first.
+fn faces_by_first(mesh: &Mesh, vertices: usize, number: impl Fn(VertexId) -> u32) -> Vec<FaceId> {
+    let first = |f: FaceId| mesh.face_vertices(f).map(&number).min().unwrap_or(0) as usize;
+    let mut starts = vec![0u32; vertices + 1];
+    for f in mesh.faces() {
+        starts[first(f) + 1] += 1;
     }
+    for v in 0..vertices {
+        starts[v + 1] += starts[v];
+    }
+    let mut faces = vec![FaceId::new(0); mesh.face_count()];
+    for f in mesh.faces() {
+        let place = &mut starts[first(f)];
+        faces[*place as usize] = f;
+        *place += 1;
+    }
+    faces
 }
 
 /// The faces, in order, one of whose diagonals would join vertices that another edge or diagonal

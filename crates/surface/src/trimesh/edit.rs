@@ -87,7 +87,7 @@ impl TriMesh {
         let m = self.position.len() as u32;
         make_room(&mut self.position, 1);
         make_room(&mut self.out, 1);
-        self.position.push((self.at(a) + self.at(b)) * 0.5);
+        self.position.push(self.frame.outward((self.at(a) + self.at(b)) * 0.5));
         self.out.push(NONE);
         for column in &mut self.vertex_columns {
             push_copy(column, a as usize);

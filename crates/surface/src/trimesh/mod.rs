@@ -12,9 +12,9 @@ mod values;
 mod walk;
 
 pub(crate) use order::{Order, Renumbering};
-pub(crate) use walk::{Foot, Input, Surface};
+pub(crate) use walk::Foot;
 
-use glam::DVec3;
+use glam::{DVec3, Vec3};
 use halfedge::attribute::Column;
 use halfedge::{Mesh, NONE};
 
@@ -54,9 +54,10 @@ pub(crate) struct TriMesh {
     pub opp: Vec<u32>,
     /// Per vertex: a half-edge leaving it, the boundary one if there is one; [`NONE`] if it has no face.
     pub out: Vec<u32>,
-    /// Per vertex: its position in the frame of [`Frame`].
-    pub position: Vec<DVec3>,
-    /// Per triangle: the face it comes from.
+    /// Per vertex: its position, in mesh units and rounded as the result's will be, so that what is checked
+    /// here holds there, and what doesn't move comes back as it was.
+    pub position: Vec<Vec3>,
+    /// Per triangle: the face it comes from. May be emptied by those who don't need it.
     pub face_source: Vec<u32>,
     /// Per half-edge: the place of its corner's values in `corner_columns`; equal values around a
     /// vertex share one. Empty where the mesh has no corner attributes.
@@ -72,8 +73,8 @@ pub(crate) struct TriMesh {
     pub frame: Frame,
 }
 
-/// Coordinates around zero and about one in size, so that sums of squares keep their digits. Only
-/// shifts by a float and scales by a power of two: positions that don't change come back as they were.
+/// Coordinates around zero and about one in size, so that sums of squares keep their digits: shifted by
+/// a float and scaled by a power of two.
 #[derive(Clone, Copy)]
 pub(crate) struct Frame {
     center: DVec3,
@@ -98,16 +99,48 @@ impl Frame {
     }
 
     #[inline]
-    pub fn inward(&self, p: glam::Vec3) -> DVec3 {
+    pub fn inward(&self, p: Vec3) -> DVec3 {
         (p.as_dvec3() - self.center) * self.inverse
     }
 
-    pub fn outward(&self, p: DVec3) -> glam::Vec3 {
+    #[inline]
+    pub fn outward(&self, p: DVec3) -> Vec3 {
         (p * self.scale + self.center).as_vec3()
     }
 }
 
 impl TriMesh {
+    /// A copy of its triangles alone, as [`Self::bare`] makes them.
+    pub fn bare_copy(&self) -> Self {
+        Self {
+            v: self.v.clone(),
+            opp: self.opp.clone(),
+            out: self.out.clone(),
+            position: self.position.clone(),
+            face_source: Vec::new(),
+            wedge: Vec::new(),
+            edge_source: Vec::new(),
+            corner_columns: Vec::new(),
+            vertex_columns: Vec::new(),
+            faces: self.faces,
+            frame: self.frame,
+        }
+    }
+
+    /// Makes room for so many [`Self::split`]s, and no more than that.
+    pub fn make_room(&mut self, splits: usize) {
+        self.position.reserve_exact(splits);
+        self.out.reserve_exact(splits);
+        self.face_source.reserve_exact(2 * splits);
+        self.v.reserve_exact(6 * splits);
+        self.opp.reserve_exact(6 * splits);
+        for numbers in [&mut self.wedge, &mut self.edge_source] {
+            if !numbers.is_empty() {
+                numbers.reserve_exact(6 * splits);
+            }
+        }
+    }
+
     #[inline]
     pub fn from(&self, h: u32) -> u32 {
         self.v[h as usize]
@@ -131,7 +164,13 @@ impl TriMesh {
 
     #[inline]
     pub fn at(&self, v: u32) -> DVec3 {
-        self.position[v as usize]
+        self.frame.inward(self.position[v as usize])
+    }
+
+    /// Moves a vertex, to where rounding to floats leaves it.
+    #[inline]
+    pub fn put(&mut self, v: u32, at: DVec3) {
+        self.position[v as usize] = self.frame.outward(at);
     }
 
     /// The next half-edge leaving the same vertex, counter-clockwise; [`NONE`] past the last of a

@@ -29,17 +29,21 @@ impl Renumbering {
     }
 
     /// Puts a list in its new order where it is: a second one beside it is memory that large meshes don't
-    /// have. There is room for so many more values then. Costs O(list).
-    pub fn apply<T: Copy>(&self, values: &mut Vec<T>, more: usize) {
-        self.permute(values);
-        fit(values, self.len(), more);
+    /// have. An empty one stays empty. Costs O(list).
+    pub fn apply<T: Copy>(&self, values: &mut Vec<T>) {
+        if !values.is_empty() {
+            self.permute(values);
+            values.truncate(self.len());
+            values.shrink_to_fit();
+        }
     }
 
-    /// As [`Self::apply`], for a list of three values for each number; an empty one stays empty.
-    fn apply_to_corners(&self, values: &mut Vec<u32>, more: usize) {
+    /// As [`Self::apply`], for a list of three values for each number.
+    fn apply_to_corners(&self, values: &mut Vec<u32>) {
         if !values.is_empty() {
             self.permute(values.as_chunks_mut::<3>().0);
-            fit(values, 3 * self.len(), 3 * more);
+            values.truncate(3 * self.len());
+            values.shrink_to_fit();
         }
     }
 
@@ -76,38 +80,31 @@ impl Renumbering {
     }
 }
 
-/// Cuts a list off, with room for so many more values and no memory beyond that.
-fn fit<T>(values: &mut Vec<T>, len: usize, more: usize) {
-    values.truncate(len);
-    values.shrink_to(len + more);
-    values.reserve_exact(more);
-}
-
 impl TriMesh {
     /// Puts vertices in order along a curve through space, triangles in order of their first vertex, and
     /// leaves out what was removed: neighbours come to be near each other in memory. Says where each
-    /// vertex and triangle was. There is room for so many [`TriMesh::split`]s then. Costs O(mesh).
-    pub fn put_in_order(&mut self, splits: usize) -> Order {
+    /// vertex and triangle was. Costs O(mesh).
+    pub fn put_in_order(&mut self) -> Order {
         let live = (0u32..).zip(&self.out).filter(|(_, out)| **out != NONE);
         let vertices = Renumbering(morton::order(live.map(|(v, _)| (v, self.at(v).as_vec3()))));
         let vertex = vertices.new_numbers(self.out.len());
         let triangles = Renumbering(self.triangles_by_first(&vertex));
-        triangles.apply_to_corners(&mut self.v, 2 * splits);
+        triangles.apply_to_corners(&mut self.v);
         self.v.iter_mut().for_each(|v| *v = vertex[*v as usize]);
         drop(vertex);
         let triangle = triangles.new_numbers(self.opp.len() / 3);
         let half = |h: u32| if h == NONE { NONE } else { 3 * triangle[h as usize / 3] + h % 3 };
-        triangles.apply_to_corners(&mut self.opp, 2 * splits);
+        triangles.apply_to_corners(&mut self.opp);
         self.opp.iter_mut().for_each(|h| *h = half(*h));
-        vertices.apply(&mut self.out, splits);
+        vertices.apply(&mut self.out);
         self.out.iter_mut().for_each(|h| *h = half(*h));
         drop(triangle);
-        vertices.apply(&mut self.position, splits);
-        triangles.apply(&mut self.face_source, 2 * splits);
-        triangles.apply_to_corners(&mut self.wedge, 2 * splits);
-        triangles.apply_to_corners(&mut self.edge_source, 2 * splits);
+        vertices.apply(&mut self.position);
+        triangles.apply(&mut self.face_source);
+        triangles.apply_to_corners(&mut self.wedge);
+        triangles.apply_to_corners(&mut self.edge_source);
         for column in &mut self.vertex_columns {
-            column.values = column.values.gather(vertices.0.iter().copied(), column.default);
+            *column = column.gather(vertices.0.iter().copied());
         }
         Order { vertices, triangles }
     }
@@ -159,9 +156,9 @@ mod tests {
             let new = renumbering.new_numbers(count as usize);
             prop_assert!((0u32..).zip(&old).all(|(at, &v)| new[v as usize] == at));
             prop_assert_eq!(new.iter().filter(|&&at| at != NONE).count(), old.len());
-            renumbering.apply(&mut values, 1);
+            renumbering.apply(&mut values);
             prop_assert_eq!(values, old.iter().map(|v| 7 * v).collect::<Vec<_>>());
-            renumbering.apply_to_corners(&mut corners, 0);
+            renumbering.apply_to_corners(&mut corners);
             prop_assert_eq!(corners, old.iter().flat_map(|v| [0, 1, 2].map(|k| 3 * v + k)).collect::<Vec<_>>());
         }
     }

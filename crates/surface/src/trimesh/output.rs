@@ -16,7 +16,7 @@ impl TriMesh {
                 kept.push(v);
             }
         }
-        let positions = kept.iter().map(|&v| self.frame.outward(self.at(v))).collect();
+        let positions = kept.iter().map(|&v| self.position[v as usize]).collect();
         self.position = Vec::new();
         let mut half = vec![NONE; self.v.len()];
         let mut edges = 0u32;
@@ -98,12 +98,9 @@ impl TriMesh {
             // Positions have moved: normals given by the file no longer fit.
             let fits =
                 |column: &&Column| element != Element::Halfedge || column.name != keys::CORNER_NORMAL.name;
-            columns.of_mut(element).extend(from.iter().filter(fits).map(|column| Column {
-                name: column.name.clone(),
-                values: column.values.gather(indices.iter().copied(), column.default),
-                default: column.default,
-                labels: column.labels.clone(),
-            }));
+            columns
+                .of_mut(element)
+                .extend(from.iter().filter(fits).map(|column| column.gather(indices.iter().copied())));
         };
         put(&mut raw.columns, Element::Vertex, &self.vertex_columns, &kept);
         put(&mut raw.columns, Element::Halfedge, &self.corner_columns, &corner);
