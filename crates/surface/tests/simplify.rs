@@ -183,6 +183,31 @@ fn flat_faces_go_first_and_edges_stay_sharp() {
 }
 
 #[test]
+fn a_small_spike_stays_on_a_large_surface() {
+    let sphere = shape("ico-sphere", &[("subdivisions", 4.0)]);
+    let mut soup = sphere.to_soup();
+    // Too little area to count by that alone: inside the first triangle a spike half as wide, as high as it is wide.
+    let corners = [0, 1, 2].map(|k| soup.positions[soup.corners[k] as usize]);
+    let middle = (corners[0] + corners[1] + corners[2]) / 3.0;
+    let tip = middle + 0.5 * corners[0].distance(corners[1]) * middle.normalize();
+    let first = soup.positions.len() as u32;
+    soup.positions.extend(corners.map(|p| middle + (p - middle) * 0.5));
+    soup.positions.push(tip);
+    let mut faces: Vec<[u32; 3]> = soup.corners.as_chunks::<3>().0.to_vec();
+    let outer = faces.swap_remove(0);
+    for k in 0..3 {
+        let (a, b) = (k, (k + 1) % 3);
+        let [x, y] = [first + a as u32, first + b as u32];
+        faces.extend([[outer[a], outer[b], y], [outer[a], y, x], [x, y, first + 3]]);
+    }
+    let spiked = build(PolygonSoup::new(soup.positions, &faces));
+    let result = to(&spiked, SimplifyTarget::Ratio(0.3)).mesh;
+    let off = FaceTree::new(&result).closest_point(&result, tip).expect("has faces").distance;
+    let height = f64::from(tip.distance(middle));
+    assert!(off < 0.2 * height, "the tip is {off} off, of {height}");
+}
+
+#[test]
 fn max_error_is_a_distance() {
     let torus = shape("torus", &[("segments", 60.0), ("tube_segments", 40.0)]);
     for (error, most) in [(0.01, 1500), (0.05, 250)] {
