@@ -2,14 +2,19 @@
 
 use crate::normals::face_area_vector;
 use glam::{DVec2, DVec3, Vec3};
+use halfedge::edit::polygon_ears;
 use halfedge::{FaceId, HalfedgeId, Mesh};
+
+/// The most corners for which [`polygon_ears`], which can take the square of their number, is asked.
+const WEIGHED: usize = 1024;
 
 /// Cuts polygons into triangles by their corners, keeping its buffers from one to the next.
 ///
 /// A polygon of n corners always gives n - 2 triangles, oriented as it is. A quad is cut from its first
 /// corner, or along the other diagonal where only that keeps both halves facing the same way. Larger
 /// ones are projected along their normal and cut by ear clipping (Meisters 1975), which is right on
-/// concave ones; a polygon that crosses itself gets triangles that cover it somehow.
+/// concave ones; where that is stuck, as it can be on a polygon that touches itself, by [`polygon_ears`].
+/// A large polygon that crosses itself gets triangles that cover it somehow.
 #[derive(Clone, Debug, Default)]
 pub struct CornerTriangulator {
     triangles: Vec<[u32; 3]>,
@@ -31,7 +36,7 @@ impl CornerTriangulator {
     }
 
     /// The triangles of a face: three half-edges each, which leave the triangle's corners. Costs
-    /// O(corners x concave corners).
+    /// O(corners x concave corners), and where ears alone are stuck what [`polygon_ears`] does.
     pub fn of_face(&mut self, mesh: &Mesh, face: FaceId) -> &[[HalfedgeId; 3]] {
         self.sides.clear();
         self.sides.extend(mesh.face_halfedges(face));
@@ -51,7 +56,7 @@ impl CornerTriangulator {
         &self.side_triangles
     }
 
-    /// The triangles of a polygon, as positions in `corners`. Costs O(corners x concave corners).
+    /// The triangles of a polygon, as positions in `corners`, at the same cost.
     pub fn of_polygon(&mut self, corners: &[Vec3]) -> &[[u32; 3]] {
         self.triangulate(corners, || {
             let Some((&base, rest)) = corners.split_first() else { return DVec3::ZERO };
@@ -67,11 +72,24 @@ impl CornerTriangulator {
             [] | [_] | [_, _] => {}
             [_, _, _] => self.triangles.push([0, 1, 2]),
             &[a, b, c, d] => self.triangles.extend(quad([a, b, c, d], normal())),
-            _ => self.clip_ears(corners, normal()),
+            _ => {
+                let normal = normal();
+                if self.clip_ears(corners, normal, true) {
+                    return;
+                }
+                let ears = if corners.len() <= WEIGHED { polygon_ears(corners) } else { None };
+                self.triangles.clear();
+                match ears {
+                    Some(ears) => self.triangles.extend(ears.iter().map(|ear| ear.map(|i| i as u32))),
+                    None => _ = self.clip_ears(corners, normal, false),
+                }
+            }
         }
     }
 
-    fn clip_ears(&mut self, corners: &[Vec3], normal: DVec3) {
+    /// Cuts ears; whether they cover the polygon. A strict ear touches no other corner. Where there are none,
+    /// one is cut that touches some, else any convex corner, else any.
+    fn clip_ears(&mut self, corners: &[Vec3], normal: DVec3, strict: bool) -> bool {
         let count = corners.len() as u32;
         self.flat.clear();
         // Along the axis nearest to the normal, so that the projection keeps turning directions.
@@ -103,12 +121,13 @@ impl CornerTriangulator {
         let mut at = 0;
         let mut refused = 0;
         while left > 3 {
-            // After a round without an ear (the polygon touches or crosses itself) any convex corner
-            // is cut, after two rounds any corner.
-            let ear = self.turn(at) > 0.0 && (refused >= left || self.is_empty_ear(at));
+            let ear = self.turn(at) > 0.0 && (refused >= left && !strict || self.is_empty_ear(at, strict));
             if !ear && refused < 2 * left {
                 at = self.next[at as usize];
                 refused += 1;
+                if strict && refused >= left {
+                    return false;
+                }
                 continue;
             }
             refused = 0;
@@ -134,6 +153,7 @@ impl CornerTriangulator {
             at = self.next[after as usize];
         }
         self.triangles.push([self.prev[at as usize], at, self.next[at as usize]]);
+        self.turn(at) >= 0.0
     }
 
     /// Twice the signed area at a corner: positive where it is convex.
@@ -142,7 +162,9 @@ impl CornerTriangulator {
         (b - a).perp_dot(c - b)
     }
 
-    fn is_empty_ear(&self, i: u32) -> bool {
+    /// Whether no other corner lies in the triangle at a corner, or but for a strict ear in the place of one of
+    /// its own.
+    fn is_empty_ear(&self, i: u32, strict: bool) -> bool {
         let ear = [self.prev[i as usize], i, self.next[i as usize]];
         let [a, b, c] = ear.map(|k| self.flat[k as usize]);
         let outside = |p: DVec2| {
@@ -150,7 +172,8 @@ impl CornerTriangulator {
         };
         self.reflex.iter().all(|&k| {
             let p = self.flat[k as usize];
-            !self.is_reflex[k as usize] || ear.contains(&k) || p == a || p == b || p == c || outside(p)
+            let is_own = ear.contains(&k) || (!strict && [a, b, c].contains(&p));
+            !self.is_reflex[k as usize] || is_own || outside(p)
         })
     }
 }

@@ -95,6 +95,26 @@ fn a_comb_and_a_figure_of_eight_are_covered() {
     assert_eq!(cut.of_polygon(&eight).len(), 3);
 }
 
+#[test]
+fn polygons_that_touch_themselves_are_covered_once() {
+    // Two squares that touch at a corner, a waist, and a square with a hole and the way there and back.
+    let squares = [(0., 0.), (1., 0.), (1., 1.), (2., 1.), (2., 2.), (1., 2.), (1., 1.), (0., 1.)];
+    let waist = [(0., 0.), (2., 1.), (4., 0.), (4., 4.), (2., 1.), (0., 4.)];
+    let hole =
+        [(0., 0.), (4., 0.), (4., 4.), (0., 4.), (0., 0.), (1., 1.), (1., 3.), (3., 3.), (3., 1.), (1., 1.)];
+    let turn = glam::Quat::from_euler(glam::EulerRot::XYZ, 0.3, -0.7, 0.2);
+    for polygon in [&squares[..], &waist, &hole] {
+        for start in 0..polygon.len() {
+            let flat = polygon[start..].iter().chain(&polygon[..start]);
+            let flat: Vec<Vec3> = flat.map(|&(x, y)| Vec3::new(x, y, 0.0)).collect();
+            let tilted: Vec<Vec3> = flat.iter().map(|&p| turn * p).collect();
+            let mut cut = CornerTriangulator::new();
+            assert_cover(&flat, cut.of_polygon(&flat));
+            assert_cover(&tilted, cut.of_polygon(&tilted));
+        }
+    }
+}
+
 /// The triangles are as many as they should be, none is turned over, and their areas sum to the
 /// polygon's.
 fn assert_cover(polygon: &[Vec3], triangles: &[[u32; 3]]) {
