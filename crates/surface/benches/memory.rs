@@ -11,12 +11,14 @@ use std::io::Write as _;
 use std::process::Command;
 use surface::*;
 
-const JOBS: [&str; 8] = [
+const JOBS: [&str; 10] = [
     "catmull-clark",
     "loop",
     "linear",
     "simplify",
+    "simplify quads",
     "simplify within a distance",
+    "simplify within little",
     "remesh",
     "remesh a scan",
     "merge by distance",
@@ -46,7 +48,13 @@ fn status(name: &str) -> Option<usize> {
 
 fn run(job: &str) {
     let input = match job {
-        "simplify within a distance" | "remesh a scan" => bunny(1).unwrap_or_else(|| sphere(7.0)),
+        "simplify quads" => {
+            let levels = CatmullClark { levels: 1, ..CatmullClark::default() };
+            subdivide_catmull_clark(&sphere(6.0), &levels, &mut go_on).expect("fits")
+        }
+        "simplify within a distance" | "simplify within little" | "remesh a scan" => {
+            bunny(1).unwrap_or_else(|| sphere(7.0))
+        }
         "simplify" | "merge by distance" => sphere(8.0),
         _ => sphere(7.0),
     };
@@ -81,10 +89,11 @@ fn operate(job: &str, mesh: &Mesh) -> Mesh {
         "remesh" | "remesh a scan" => remesh(mesh, &Remesh::default(), &mut go_on).expect("in range"),
         "merge by distance" => merge_by_distance(mesh, 1e-7, &mut go_on).expect("in range").mesh,
         _ => {
-            let target = if job == "simplify" {
-                SimplifyTarget::Ratio(0.1)
-            } else {
-                SimplifyTarget::MaxError(1e-3 * measure::bounding_box(mesh).expect("has vertices").diagonal())
+            let diagonal = measure::bounding_box(mesh).expect("has vertices").diagonal();
+            let target = match job {
+                "simplify within a distance" => SimplifyTarget::MaxError(1e-3 * diagonal),
+                "simplify within little" => SimplifyTarget::MaxError(1e-4 * diagonal),
+                _ => SimplifyTarget::Ratio(0.1),
             };
             simplify(mesh, &Simplify { target, preserve_boundary: true, preserve_seams: true }, &mut go_on)
                 .expect("in range")
