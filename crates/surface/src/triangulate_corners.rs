@@ -5,6 +5,9 @@ use glam::{DVec2, DVec3, Vec3};
 use halfedge::edit::polygon_ears;
 use halfedge::{FaceId, HalfedgeId, Mesh};
 
+/// The most corners that a fan is made of: it shows polygons that are not flat as other programs do, and of
+/// many corners its triangles are thin.
+const FAN: usize = 8;
 /// The most corners for which [`polygon_ears`], which can take the square of their number, is asked.
 const WEIGHED: usize = 1024;
 
@@ -12,8 +15,8 @@ const WEIGHED: usize = 1024;
 ///
 /// A polygon of n corners always gives n - 2 triangles, oriented as it is. A quad is cut from its first
 /// corner, or along the other diagonal where only that keeps both halves facing the same way. Larger
-/// ones are projected along their normal and cut by ear clipping (Meisters 1975), which is right on
-/// concave ones; where that is stuck, as it can be on a polygon that touches itself, by [`polygon_ears`].
+/// ones are a fan from their first corner where that is right and they have no more than 8, else they are
+/// projected along their normal and cut by ear clipping (Meisters 1975), which is right on concave ones; where that is stuck, as it can be on a polygon that touches itself, by [`polygon_ears`].
 /// A large polygon that crosses itself gets triangles that cover it somehow.
 #[derive(Clone, Debug, Default)]
 pub struct CornerTriangulator {
@@ -74,6 +77,13 @@ impl CornerTriangulator {
             &[a, b, c, d] => self.triangles.extend(quad([a, b, c, d], normal())),
             _ => {
                 let normal = normal();
+                let fan = (2..corners.len() as u32).map(|i| [0, i - 1, i]);
+                if corners.len() <= FAN
+                    && fan.clone().all(|ear| faces(ear.map(|i| corners[i as usize]), normal))
+                {
+                    self.triangles.extend(fan);
+                    return;
+                }
                 if self.clip_ears(corners, normal, true) {
                     return;
                 }
@@ -176,6 +186,12 @@ impl CornerTriangulator {
             !self.is_reflex[k as usize] || is_own || outside(p)
         })
     }
+}
+
+/// Whether a triangle faces along a normal.
+fn faces(corners: [Vec3; 3], normal: DVec3) -> bool {
+    let [a, b, c] = corners.map(|p| p.as_dvec3());
+    (b - a).cross(c - a).dot(normal) > 0.0
 }
 
 fn quad(corners: [Vec3; 4], normal: DVec3) -> [[u32; 3]; 2] {

@@ -81,6 +81,24 @@ fn a_quad_is_cut_where_both_halves_face_the_same_way() {
 }
 
 #[test]
+fn small_polygons_are_fans_where_that_is_right() {
+    let mut cut = CornerTriangulator::new();
+    let ring = |count: u8| -> Vec<Vec3> {
+        let turn = |i: u8| std::f32::consts::TAU * f32::from(i) / f32::from(count);
+        (0..count).map(|i| Vec3::new(turn(i).cos(), turn(i).sin(), 0.1 * f32::from(i % 2))).collect()
+    };
+    assert_eq!(cut.of_polygon(&ring(5)), [[0, 1, 2], [0, 2, 3], [0, 3, 4]]);
+    assert_eq!(cut.of_polygon(&ring(8))[5], [0, 6, 7]);
+    let fans = |triangles: &[[u32; 3]]| triangles.iter().all(|triangle| triangle.contains(&0));
+    assert!(!fans(cut.of_polygon(&ring(60))));
+    // From its first corner the notch can't be seen past.
+    let arrow = [[0., 0.], [4., -3.], [1., 0.], [4., 3.], [2., 3.]].map(|[x, y]| Vec3::new(x, y, 0.0));
+    let notched = [arrow[1], arrow[2], arrow[3], arrow[4], arrow[0]];
+    assert_cover(&notched, cut.of_polygon(&notched));
+    assert!(!fans(cut.of_polygon(&notched)));
+}
+
+#[test]
 fn a_comb_and_a_figure_of_eight_are_covered() {
     // A comb with 200 teeth: half of its corners are concave.
     let mut comb = vec![Vec3::new(400.0, -1.0, 0.0), Vec3::new(400.0, 0.0, 0.0)];
