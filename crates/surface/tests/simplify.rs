@@ -316,6 +316,26 @@ fn seams_and_painted_borders_stay_where_they_are() {
 }
 
 #[test]
+fn sizes_at_the_ends_of_what_floats_hold_are_no_different() {
+    let sphere = shape("ico-sphere", &[("subdivisions", 3.0)]);
+    for size in [1e-36, 1e-20, 1e20, 1.9e38] {
+        let mut scaled = sphere.clone();
+        for v in sphere.vertices() {
+            scaled.set_position(v, sphere.position(v) * (size / sphere.position(v).length()));
+        }
+        let result = to(&scaled, SimplifyTarget::Ratio(0.1)).mesh;
+        assert_eq!(result.face_count(), 128);
+        let far = f64::from(size) * 1.2;
+        assert!(result.positions().iter().all(|p| p.is_finite() && p.as_dvec3().length() < far), "{size}");
+        let options = Remesh { iterations: 2, ..Remesh::default() };
+        let remeshed = remesh(&scaled, &options, &mut go_on).expect("in range");
+        remeshed.validate().expect("valid");
+        assert!(remeshed.face_count() > 500, "{size}: {}", remeshed.face_count());
+        assert!(remeshed.positions().iter().all(|p| p.is_finite() && p.as_dvec3().length() < far), "{size}");
+    }
+}
+
+#[test]
 fn refuses_targets_out_of_range_and_stops_when_told() {
     let cube = cube();
     for target in [SimplifyTarget::Ratio(0.0), SimplifyTarget::Ratio(1.5), SimplifyTarget::Ratio(f64::NAN)] {

@@ -77,13 +77,13 @@ impl Work {
         let splits = (0..tri.v.len() as u32)
             .filter(|&h| h < tri.opp(h) && tri.at(tri.from(h)).distance_squared(tri.at(tri.to(h))) > longest);
         let splits = splits.count() * 17 / 16;
-        tri.make_room(splits);
         let found = Curves::find(mesh, &tri, least_cos, length);
-        let own = with_room(0..tri.face_source.len() as u32, 2 * splits);
+        let own = (0..tri.face_source.len() as u32).collect();
         let mut face = std::mem::replace(&mut tri.face_source, own);
         if mesh.columns().of(Element::Face).is_empty() {
             face = Vec::new();
         }
+        tri.make_room(splits);
         Self {
             near: with_room(tri.out.iter().map(|out| out / 3), splits),
             input: project.then(|| tri.bare_copy()),

@@ -374,7 +374,10 @@ impl<'a> Work<'a> {
         // What is checked is what will be there, rounded.
         let at = self.tri.frame.inward(self.tri.frame.outward(at));
         self.stamp += 1;
-        if !self.tri.can_collapse(h, &mut self.stamps, self.stamp) || !self.keeps_faces(h, at) {
+        if !at.is_finite()
+            || !self.tri.can_collapse(h, &mut self.stamps, self.stamp)
+            || !self.keeps_faces(h, at)
+        {
             return false;
         }
         let Some(error) = self.new_error(h, at) else { return false };
