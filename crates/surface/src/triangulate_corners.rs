@@ -14,10 +14,11 @@ const WEIGHED: usize = 1024;
 /// Cuts polygons into triangles by their corners, keeping its buffers from one to the next.
 ///
 /// A polygon of n corners always gives n - 2 triangles, oriented as it is. A quad is cut from its first
-/// corner, or along the other diagonal where only that keeps both halves facing the same way. Larger
-/// ones are a fan from their first corner where that is right and they have no more than 8, else they are
-/// projected along their normal and cut by ear clipping (Meisters 1975), which is right on concave ones; where that is stuck, as it can be on a polygon that touches itself, by [`polygon_ears`].
-/// A large polygon that crosses itself gets triangles that cover it somehow.
+/// corner, or along the other diagonal where only that keeps both halves facing the same way. Larger ones are
+/// a fan from their first corner where that is right and they have no more than 8, else they are projected
+/// along their normal and cut by ear clipping (Meisters 1975), which is right on concave ones; where that is
+/// stuck, as it can be on a polygon that touches itself, by [`polygon_ears`]. A large polygon that crosses
+/// itself gets triangles that cover it somehow.
 #[derive(Clone, Debug, Default)]
 pub struct CornerTriangulator {
     triangles: Vec<[u32; 3]>,

@@ -14,8 +14,8 @@ use halfedge::NONE;
 
 /// Triangles are good when their smallest angle is 36 degrees: this is its sine's square.
 const GOOD: f64 = 0.345;
-/// Below this, 30 degrees, curves are cut unevenly where that helps.
-const THIN: f64 = 0.25;
+/// Triangles below 30 degrees are mended by cutting curves unevenly, too: this is its sine's square.
+const MENDED: f64 = 0.25;
 /// A change has to make the worst better by this factor, so that none is made for rounding's sake.
 const GAIN: f64 = 1.001;
 /// How many rounds at most. Each looks at what the last one left or made.
@@ -125,7 +125,7 @@ fn best_change(work: &mut Work, f: u32) -> Option<Change> {
                     for step in &STEPS[1..] {
                         let by = (end - start) * step;
                         let to = work.curve_point(a, from + by);
-                        if before < THIN || stays_even(work, [a, b], v, to) {
+                        if before < MENDED || stays_even(work, [a, b], v, to) {
                             offer(before, of_star(work, v, to), Change::Slide { v, by });
                         }
                     }
