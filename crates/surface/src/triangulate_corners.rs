@@ -80,7 +80,7 @@ impl CornerTriangulator {
                 let normal = normal();
                 let fan = (2..corners.len() as u32).map(|i| [0, i - 1, i]);
                 if corners.len() <= FAN
-                    && fan.clone().all(|ear| faces(ear.map(|i| corners[i as usize]), normal))
+                    && fan.clone().all(|ear| facing(ear.map(|i| corners[i as usize]), normal) > 0.0)
                 {
                     self.triangles.extend(fan);
                     return;
@@ -189,15 +189,15 @@ impl CornerTriangulator {
     }
 }
 
-/// Whether a triangle faces along a normal.
-fn faces(corners: [Vec3; 3], normal: DVec3) -> bool {
+/// How far a triangle faces along a normal: less than zero where it faces away.
+fn facing(corners: [Vec3; 3], normal: DVec3) -> f64 {
     let [a, b, c] = corners.map(|p| p.as_dvec3());
-    (b - a).cross(c - a).dot(normal) > 0.0
+    (b - a).cross(c - a).dot(normal)
 }
 
 fn quad(corners: [Vec3; 4], normal: DVec3) -> [[u32; 3]; 2] {
-    let [a, b, c, d] = corners.map(|p| p.as_dvec3());
-    let faces = |p: DVec3, q: DVec3, r: DVec3| (q - p).cross(r - p).dot(normal);
+    let [a, b, c, d] = corners;
+    let faces = |p, q, r| facing([p, q, r], normal);
     let first = faces(a, b, c).min(faces(a, c, d));
     if first <= 0.0 && faces(a, b, d).min(faces(b, c, d)) > first {
         return [[0, 1, 3], [1, 2, 3]];

@@ -1,6 +1,6 @@
 //! Which edges of the input are kept, and which sharp ones are only noise.
 
-use crate::trimesh::TriMesh;
+use crate::trimesh::{TriMesh, area_vector};
 use glam::DVec3;
 use halfedge::{Mesh, NONE, keys};
 
@@ -102,8 +102,7 @@ fn drop_sliver_sides(tri: &TriMesh, kept: &mut [Kept], least_cos: f64) {
 
 /// Twice the area vector of a half-edge's triangle.
 fn area(tri: &TriMesh, h: u32) -> DVec3 {
-    let [a, b, c] = [tri.from(h), tri.to(h), tri.apex(h)].map(|v| tri.at(v));
-    (b - a).cross(c - a)
+    area_vector(&[tri.from(h), tri.to(h), tri.apex(h)].map(|v| tri.at(v)))
 }
 
 /// Whether two normals, of any length, differ by more than the feature angle.

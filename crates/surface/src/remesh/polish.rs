@@ -199,8 +199,7 @@ fn better_places(work: &Work, v: u32) -> [DVec3; 2] {
 /// to `at`, but for one that is and gets better: curves stay cut evenly.
 fn stays_even(work: &Work, edges: [u32; 2], v: u32, at: DVec3) -> bool {
     edges.into_iter().all(|h| {
-        let other = if work.tri.from(h) == v { work.tri.to(h) } else { work.tri.from(h) };
-        let length = work.tri.at(other).distance_squared(at);
+        let length = work.tri.at(work.other_end(v, h)).distance_squared(at);
         let was = work.length_squared(h);
         (length >= work.shortest || length >= was) && (length <= work.longest || length <= was)
     })

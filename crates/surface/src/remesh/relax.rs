@@ -82,7 +82,7 @@ fn sliding(work: &Work) -> Vec<Sliding> {
             let [here, there] = work.places_from(v, h);
             there - here
         });
-        let ends = [a, b].map(|h| if work.tri.from(h) == v { work.tri.to(h) } else { work.tri.from(h) });
+        let ends = [a, b].map(|h| work.other_end(v, h));
         list.push(Sliding { v, edge: a, gaps, ends, shift: 0.0 });
     }
     for i in 0..list.len() {

@@ -299,6 +299,11 @@ impl Work {
         good
     }
 
+    /// The end of an edge that is not `v`.
+    pub fn other_end(&self, v: u32, h: u32) -> u32 {
+        if self.tri.from(h) == v { self.tri.to(h) } else { self.tri.from(h) }
+    }
+
     /// How the ends of an edge may merge as far as kept curves go: what is on one may only move along it,
     /// to either end. Free vertices merge on the input.
     pub fn merges_of(&self, h: u32) -> impl Iterator<Item = Merge> + use<> {
@@ -336,7 +341,9 @@ impl Work {
             let (mover, by) = if to_b { (a, place_b - place_a) } else { (b, place_a - place_b) };
             // This also moves the merged edge's own end, which goes.
             self.slide(mover, by);
-            self.roles[a as usize] = if to_b { self.roles[b as usize] } else { self.roles[a as usize] };
+            if to_b {
+                self.roles[a as usize] = self.roles[b as usize];
+            }
         }
         for side in [h, across] {
             if side == NONE {

@@ -7,6 +7,7 @@
 //! graph, the distance that the merged vertices travel bounds it too.
 
 use crate::face_tree::along_segment;
+use crate::trimesh::area_vector;
 use glam::{DVec2, DVec3};
 
 /// The triangles around an edge before and after, with what is needed to compare them. Reused from one
@@ -52,10 +53,9 @@ impl Patches {
     }
 
     fn height(&mut self, a: DVec3, b: DVec3, p: DVec3, outline: Option<&Outline>) -> Option<f64> {
-        let area = |t: &[DVec3; 3]| (t[1] - t[0]).cross(t[2] - t[0]);
-        let sum: DVec3 = self.old.iter().chain(&self.new).map(area).sum();
+        let sum: DVec3 = self.old.iter().chain(&self.new).map(area_vector).sum();
         let normal = sum.try_normalize()?;
-        let graph = |t: &[DVec3; 3]| area(t).dot(normal) >= 0.05 * area(t).length();
+        let graph = |t: &[DVec3; 3]| area_vector(t).dot(normal) >= 0.05 * area_vector(t).length();
         if !self.old.iter().chain(&self.new).all(graph) {
             return None;
         }

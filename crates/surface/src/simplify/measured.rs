@@ -3,7 +3,7 @@
 use crate::SurfaceError;
 use crate::face_tree::closest_in_triangle;
 use crate::pace::Pace;
-use crate::trimesh::{Foot, TriMesh};
+use crate::trimesh::{Foot, TriMesh, area_vector};
 use glam::DVec3;
 use halfedge::NONE;
 use std::collections::VecDeque;
@@ -304,11 +304,6 @@ fn square(x: f64) -> f64 {
 
 fn longest_side([a, b, c]: &[DVec3; 3]) -> f64 {
     a.distance_squared(*b).max(b.distance_squared(*c)).max(c.distance_squared(*a)).sqrt()
-}
-
-/// Twice the area, along the normal.
-fn area_vector([a, b, c]: &[DVec3; 3]) -> DVec3 {
-    (*b - *a).cross(*c - *a)
 }
 
 /// Into how many parts a triangle's longest side is to be cut, so that each is about a distance long.

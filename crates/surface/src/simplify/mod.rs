@@ -16,7 +16,7 @@ mod run;
 use crate::SurfaceError;
 use crate::face_tree::along_segment;
 use crate::pace::Pace;
-use crate::trimesh::{Order, Renumbering, TriMesh, next, prev};
+use crate::trimesh::{Order, Renumbering, TriMesh, area_vector, next, prev};
 use glam::DVec3;
 use halfedge::{Element, Mesh, NONE, Progress, keys};
 use limit::Limit;
@@ -257,11 +257,10 @@ impl<'a> Work<'a> {
 
     fn add_faces(&mut self) {
         let tri = &self.tri;
-        let area_vector = |[a, b, c]: [DVec3; 3]| (b - a).cross(c - a);
         let faces = || (0..tri.faces as u32).map(|f| tri.places(f));
-        let even = EVEN * faces().map(|face| area_vector(face).length()).sum::<f64>() / tri.faces as f64;
+        let even = EVEN * faces().map(|face| area_vector(&face).length()).sum::<f64>() / tri.faces as f64;
         for (corners, face) in tri.v.chunks_exact(3).zip(faces()) {
-            let normal = area_vector(face);
+            let normal = area_vector(&face);
             let weight = normal.length() + even;
             let plane = match normal.try_normalize() {
                 Some(normal) => Quadric::plane(normal, face[0], weight),

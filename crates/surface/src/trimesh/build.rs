@@ -1,5 +1,6 @@
 //! Making the triangles of a mesh.
 
+use super::order::counted;
 use super::values::push_copy;
 use super::{Frame, Renumbering, TriMesh};
 use crate::{CornerTriangulator, morton};
@@ -52,7 +53,10 @@ impl TriMesh {
         let mut cut = CornerTriangulator::new();
         let mut diagonals: Vec<(u64, u32)> = Vec::new();
         let mut pairs: Vec<(u32, u32)> = Vec::with_capacity(triangles.saturating_sub(faces));
-        for f in faces_by_first(mesh, position.len(), number) {
+        let in_order = counted(position.len(), || {
+            mesh.faces().map(|f| (f.raw(), mesh.face_vertices(f).map(number).min().unwrap_or(0)))
+        });
+        for f in in_order.into_iter().filter_map(FaceId::from_raw) {
             if poked.binary_search(&f.raw()).is_ok() {
                 let first = mesh.halfedge_of(f);
                 let middle = position.len() as u32;
@@ -196,25 +200,6 @@ impl TriMesh {
         drop(place);
         self.corner_columns = columns.iter().map(|column| column.gather(sources.iter().copied())).collect();
     }
-}
-
-/// The faces of a mesh by the smallest number of their vertices, of which there are so many: counted first.
-fn faces_by_first(mesh: &Mesh, vertices: usize, number: impl Fn(VertexId) -> u32) -> Vec<FaceId> {
-    let first = |f: FaceId| mesh.face_vertices(f).map(&number).min().unwrap_or(0) as usize;
-    let mut starts = vec![0u32; vertices + 1];
-    for f in mesh.faces() {
-        starts[first(f) + 1] += 1;
-    }
-    for v in 0..vertices {
-        starts[v + 1] += starts[v];
-    }
-    let mut faces = vec![FaceId::new(0); mesh.face_count()];
-    for f in mesh.faces() {
-        let place = &mut starts[first(f)];
-        faces[*place as usize] = f;
-        *place += 1;
-    }
-    faces
 }
 
 /// The faces, in order, one of whose diagonals would join vertices that another edge or diagonal

@@ -12,7 +12,7 @@ mod values;
 mod walk;
 
 pub(crate) use order::{Order, Renumbering};
-pub(crate) use walk::Foot;
+pub(crate) use walk::{Foot, area_vector};
 
 use glam::{DVec3, Vec3};
 use halfedge::attribute::Column;

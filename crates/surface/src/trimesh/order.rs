@@ -88,7 +88,11 @@ impl TriMesh {
         let live = (0u32..).zip(&self.out).filter(|(_, out)| **out != NONE);
         let vertices = Renumbering(morton::order(live.map(|(v, _)| (v, self.at(v).as_vec3()))));
         let vertex = vertices.new_numbers(self.out.len());
-        let triangles = Renumbering(self.triangles_by_first(&vertex));
+        let triangles = Renumbering(counted(vertices.len(), || {
+            let live = (0u32..).zip(self.v.chunks_exact(3)).filter(|(_, corners)| corners[0] != NONE);
+            let first = |corners: &[u32]| corners.iter().map(|&v| vertex[v as usize]).min().unwrap_or(0);
+            live.map(move |(f, corners)| (f, first(corners)))
+        }));
         triangles.apply_to_corners(&mut self.v);
         self.v.iter_mut().for_each(|v| *v = vertex[*v as usize]);
         drop(vertex);
@@ -108,31 +112,25 @@ impl TriMesh {
         }
         Order { vertices, triangles }
     }
+}
 
-    /// The triangles there are, by the smallest new number of their vertices: counted first.
-    fn triangles_by_first(&self, vertex: &[u32]) -> Vec<u32> {
-        let first = |corners: &[u32]| {
-            let [a, b, c] = [corners[0], corners[1], corners[2]].map(|v| vertex[v as usize]);
-            a.min(b).min(c) as usize
-        };
-        let is_live = |corners: &&[u32]| corners[0] != NONE;
-        let mut starts = vec![0u32; vertex.len() + 1];
-        for corners in self.v.chunks_exact(3).filter(is_live) {
-            starts[first(corners) + 1] += 1;
-        }
-        for v in 0..vertex.len() {
-            starts[v + 1] += starts[v];
-        }
-        let mut triangles = vec![NONE; self.faces];
-        for (old, corners) in (0u32..).zip(self.v.chunks_exact(3)) {
-            if is_live(&corners) {
-                let place = &mut starts[first(corners)];
-                triangles[*place as usize] = old;
-                *place += 1;
-            }
-        }
-        triangles
+/// Numbers in order of what comes with each, a number below `most`; as they come where that is the same.
+/// Counted first: costs O(numbers + most).
+pub(super) fn counted<I: Iterator<Item = (u32, u32)>>(most: usize, numbers: impl Fn() -> I) -> Vec<u32> {
+    let mut starts = vec![0u32; most + 1];
+    for (_, at) in numbers() {
+        starts[at as usize + 1] += 1;
     }
+    for at in 0..most {
+        starts[at + 1] += starts[at];
+    }
+    let mut ordered = vec![NONE; starts[most] as usize];
+    for (number, at) in numbers() {
+        let place = &mut starts[at as usize];
+        ordered[*place as usize] = number;
+        *place += 1;
+    }
+    ordered
 }
 
 #[cfg(test)]

@@ -8,6 +8,12 @@ use halfedge::NONE;
 /// How many triangles one walk may cross: far more than any vertex moves over.
 const STEPS: usize = 1024;
 
+/// Twice the area of a triangle, along its normal.
+#[inline]
+pub(crate) fn area_vector([a, b, c]: &[DVec3; 3]) -> DVec3 {
+    (*b - *a).cross(*c - *a)
+}
+
 impl TriMesh {
     /// Where a triangle's corners are.
     #[inline]
