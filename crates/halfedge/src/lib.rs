@@ -38,32 +38,16 @@
 //! | mesh: set coordinates | [`Mesh::set_position`], [`GivenIds::set_position`] |
 //! | Catmull-Clark as a new mesh, the old one untouched | `surface::subdivide_catmull_clark` |
 
-mod add_face;
-pub mod attribute;
-mod build;
-mod compact;
-mod connectivity;
 pub mod edit;
-mod id;
-mod journal;
+pub mod geometry;
 mod mesh;
-mod repair;
-mod soup;
-mod traverse;
-mod validate;
 
-pub use add_face::{AddFaceError, GivenIds};
-pub use attribute::{Color, keys};
-pub use build::{Built, TooLarge};
-pub use compact::Renumbering;
-pub use connectivity::Connectivity;
 pub use edit::Refusal;
-pub use id::{EdgeId, Element, FaceId, HalfedgeId, NONE, VertexId};
-pub use journal::{Journal, Touched};
-pub use mesh::{Gaps, Mesh, RawMesh};
-pub use repair::{Note, NoteKind};
-pub use soup::PolygonSoup;
-pub use validate::{Defect, Rule};
+pub use mesh::attribute::{self, Color, keys};
+pub use mesh::{
+    AddFaceError, Built, Connectivity, Defect, EdgeId, Element, FaceId, Gaps, GivenIds, HalfedgeId, Journal,
+    Mesh, NONE, Note, NoteKind, PolygonSoup, RawMesh, Renumbering, Rule, TooLarge, Touched, VertexId,
+};
 
 /// Told how much of a long operation is done (0 to 1), answers whether to go on. `Break` makes the
 /// operation stop with its input untouched.

@@ -16,7 +16,6 @@ mod connect_vertices;
 mod delete_faces;
 mod dissolve_edge;
 mod dissolve_vertex;
-mod ear;
 mod extrude_edges;
 mod extrude_faces;
 mod fill_hole;

@@ -2,10 +2,10 @@
 //!
 //! A fan joins the first corner to all others: possible exactly where none of those it is not
 //! beside in the face is joined to it already. Ears are cut one after the other by
-//! [`ear`](super::ear): right on concave and self-touching polygons, and around edges that exist.
+//! `geometry::ears`: right on concave and self-touching polygons, and around edges that exist.
 
 use crate::edit::Refusal;
-use crate::edit::ear::{Ear, ears};
+use crate::geometry::{Ear, ears};
 use crate::mesh::Mesh;
 use crate::{EdgeId, FaceId, HalfedgeId, VertexId};
 use glam::Vec3;

@@ -5,7 +5,7 @@
 //! meets all of them). [`GivenIds::finish`] separates those that stayed so.
 
 use crate::mesh::Mesh;
-use crate::repair::Note;
+use crate::mesh::repair::Note;
 use crate::{FaceId, HalfedgeId, VertexId};
 use glam::Vec3;
 use std::collections::HashMap;

@@ -15,8 +15,8 @@
 //!    copy. (This one happens in the build.)
 
 use crate::NONE;
-use crate::build::{Assembly, has_distinct_corners};
-use crate::soup::PolygonSoup;
+use crate::mesh::build::{Assembly, has_distinct_corners};
+use crate::mesh::soup::PolygonSoup;
 use std::collections::{HashMap, HashSet};
 use std::fmt;
 

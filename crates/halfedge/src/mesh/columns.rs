@@ -1,7 +1,7 @@
 //! The mesh: flat columns of connectivity, positions and attributes.
 
 use crate::attribute::{AttributeType, Column, Columns, Key, Value};
-use crate::journal::{Change, Journal};
+use crate::mesh::journal::{Change, Journal};
 use crate::{EdgeId, Element, FaceId, HalfedgeId, NONE, VertexId};
 use glam::Vec3;
 

@@ -3,11 +3,11 @@
 //! Input that is an oriented manifold takes one pass: the edges met so far are kept in a list per
 //! smaller end vertex, so finding a face's neighbour looks at the few edges of one vertex. At the
 //! first sign of anything else (an edge used twice in one direction, a corner that repeats) the
-//! build starts over through [`crate::repair`], which turns any soup into one that is.
+//! build starts over through [`repair`], which turns any soup into one that is.
 
+use crate::mesh::repair::{self, Note, NoteKind};
+use crate::mesh::soup::PolygonSoup;
 use crate::mesh::{Marks, Mesh, RawMesh};
-use crate::repair::{self, Note, NoteKind};
-use crate::soup::PolygonSoup;
 use crate::{Element, NONE};
 use glam::Vec3;
 use std::fmt;
