@@ -3,6 +3,7 @@
 mod bench;
 mod bench_wasm;
 mod dist;
+mod measures;
 mod page;
 mod project;
 mod serve;
@@ -22,8 +23,9 @@ cargo xtask TASK
   setup                   install what is missing for every task below
   serve [--port N]        build the page, serve it on 127.0.0.1 (port 8080) and rebuild on change
   test [--only STAGES] [-- ARGS]
-                          run the stages fmt, clippy, native, wasm, e2e, or those named (`--only native,e2e`);
-                          ARGS go to the one stage named (`--only native -- -p halfedge`, `--only e2e -- smoke`)
+                          run the stages fmt, measures, clippy, native, wasm, e2e, or those named
+                          (`--only native,e2e`); ARGS go to the one stage named (`--only native -- -p halfedge`, `--only e2e -- smoke`)
+  measures                print the measures of the code's structure, each with its limit
   bench [ARGS]            run the criterion benchmarks (`bench -p surface`, `bench subdivide`)
   bench --wasm            time the large jobs natively and in WebAssembly under Node, one beside the other
   dist                    build the optimised static site into dist/
@@ -54,6 +56,7 @@ fn run(args: &[String]) -> Result<ExitCode> {
         "test" => return test::run(&project, args),
         "bench" if matches!(args, [flag] if flag == "--wasm") => bench_wasm::run(&project)?,
         "bench" => bench::run(&project, args)?,
+        "measures" => no_args(args).and_then(|()| measures::run(&project))?,
         "dist" => no_args(args).and_then(|()| dist::run(&project))?,
         "help" | "--help" | "-h" => print!("{USAGE}"),
         other => return Err(format!("there is no task `{other}`.\n\n{USAGE}")),

@@ -4,6 +4,7 @@ use std::path::PathBuf;
 use std::process::Command;
 
 use super::count::Count;
+use crate::measures;
 use crate::page;
 use crate::project::Project;
 use crate::setup::{self, Browser, WasmToolchain, browser, npm};
@@ -15,6 +16,7 @@ const LINTS_OF: u32 = 96;
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub enum Stage {
     Fmt,
+    Measures,
     Clippy,
     Native,
     Wasm,
@@ -58,11 +60,12 @@ impl Tools {
 }
 
 impl Stage {
-    pub const ALL: [Self; 5] = [Self::Fmt, Self::Clippy, Self::Native, Self::Wasm, Self::E2e];
+    pub const ALL: [Self; 6] = [Self::Fmt, Self::Measures, Self::Clippy, Self::Native, Self::Wasm, Self::E2e];
 
     pub fn name(self) -> &'static str {
         match self {
             Self::Fmt => "fmt",
+            Self::Measures => "measures",
             Self::Clippy => "clippy",
             Self::Native => "native",
             Self::Wasm => "wasm",
@@ -81,12 +84,13 @@ impl Stage {
         let mut count = Count::default();
         let result = match self {
             Self::Fmt => fmt(project, rest),
+            Self::Measures => measures::run(project),
             Self::Clippy => clippy(project, tools, rest),
             Self::Native => native(project, rest, &mut count),
             Self::Wasm => wasm(project, tools, rest, &mut count),
             Self::E2e => e2e(project, tools, rest, &mut count),
         };
-        if matches!(self, Self::Fmt | Self::Clippy) {
+        if matches!(self, Self::Fmt | Self::Measures | Self::Clippy) {
             count = Count::check(result.is_ok());
         }
         (count, result)
