@@ -1,7 +1,7 @@
 //! Building, repairing, traversing, validating, compacting and undoing.
 
 use glam::{Vec2, Vec3};
-use halfedge::attribute::Column;
+use halfedge::attribute::{Column, Value};
 use halfedge::edit::{Connect, split_edge, triangulate_face};
 use halfedge::{
     AddFaceError, Color, Element, FaceId, GivenIds, Mesh, NONE, NoteKind, PolygonSoup, RawMesh, Rule,
@@ -391,6 +391,36 @@ fn a_failed_transaction_leaves_no_trace() {
     });
     assert_eq!(result.err(), Some("changed my mind"));
     assert_eq!(mesh, before);
+}
+
+#[test]
+fn writes_to_columns_past_the_65_536th_undo_and_redo() {
+    let (mesh, _) = built(8, CUBE);
+    let mut raw = mesh.into_raw();
+    for i in 0..65_540 {
+        let mut column = Column::with_values(keys::FACE_SMOOTHING, vec![i; 6]);
+        column.name = i.to_string();
+        raw.columns.of_mut(Element::Face).push(column);
+    }
+    let mut mesh = Mesh::from_raw(raw);
+    let start = mesh.clone();
+    let last = mesh.columns().of(Element::Face).len() - 1;
+    let ((), journal) = mesh
+        .transaction(|mesh| {
+            mesh.set_value(Element::Face, last, 2, Value::U32(7));
+            let mut column = Column::with_values(keys::FACE_SMOOTHING, vec![9; 6]);
+            column.name = (last - 1).to_string();
+            mesh.insert_column(Element::Face, column);
+            Ok::<_, ()>(())
+        })
+        .unwrap();
+    let end = mesh.clone();
+    // Not `assert_eq`, which would print all the columns.
+    assert!(end != start);
+    let redo = mesh.undo(journal);
+    assert!(mesh == start);
+    mesh.undo(redo);
+    assert!(mesh == end);
 }
 
 #[test]

@@ -1,7 +1,7 @@
 //! The mesh: flat columns of connectivity, positions and attributes.
 
 use crate::attribute::{AttributeType, Column, Columns, Key, Value};
-use crate::mesh::journal::{Change, Journal};
+use crate::mesh::journal::{Change, ColumnPlace, Journal};
 use crate::{EdgeId, Element, FaceId, HalfedgeId, NONE, VertexId};
 use glam::Vec3;
 
@@ -437,7 +437,7 @@ impl Mesh {
         let Some(target) = self.columns.of_mut(element).get_mut(column) else { return };
         let Some(old) = target.values.get(index) else { return };
         target.values.set(index, value);
-        self.record(Change::Attribute(element, column as u16, index as u32, old));
+        self.record(Change::Attribute(ColumnPlace::new(element, column), index as u32, old));
     }
 
     /// Adds a column, or replaces the one of that name; it is made as long as the element's ids.
@@ -450,7 +450,7 @@ impl Mesh {
         match old_at {
             Some(at) => {
                 let old = std::mem::replace(&mut columns[at], column);
-                self.record(Change::Column(element, at as u16, Box::new(old)));
+                self.record(Change::Column(ColumnPlace::new(element, at), Box::new(old)));
                 at
             }
             None => {

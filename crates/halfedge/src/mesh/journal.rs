@@ -20,9 +20,9 @@ pub(crate) enum Change {
     FaceHalfedge(u32, u32),
     Position(u32, Vec3),
     Positions(Box<[Vec3]>),
-    Attribute(Element, u16, u32, Value),
+    Attribute(ColumnPlace, u32, Value),
     /// A column was put in place of this one.
-    Column(Element, u16, Box<Column>),
+    Column(ColumnPlace, Box<Column>),
     /// A column was added behind the others. Whether it was blank, with the default everywhere: then no
     /// element has another value than before.
     ColumnAdded(Element, bool),
@@ -34,6 +34,31 @@ pub(crate) enum Change {
     Dropped(Element),
     /// A vertex, edge or face was marked as removed, or the mark was taken off.
     Marked(Element, u32, bool),
+}
+
+/// A kind of element and the number of one of its columns, in four bytes: a journal holds one for each
+/// value written. The number has 30 bits; the columns themselves would fill 64 GiB first.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct ColumnPlace(u32);
+
+impl ColumnPlace {
+    pub(crate) fn new(element: Element, column: usize) -> Self {
+        debug_assert!(column < 1 << 30, "column {column} has no place in a journal");
+        Self((column as u32) << 2 | element as u32)
+    }
+
+    fn element(self) -> Element {
+        match self.0 & 3 {
+            0 => Element::Vertex,
+            1 => Element::Halfedge,
+            2 => Element::Edge,
+            _ => Element::Face,
+        }
+    }
+
+    fn column(self) -> usize {
+        (self.0 >> 2) as usize
+    }
 }
 
 /// What was written to a mesh between [`Mesh::start_recording`] and [`Mesh::finish_recording`].
@@ -72,7 +97,7 @@ impl Journal {
             .iter()
             .map(|change| match change {
                 Change::Positions(positions) => std::mem::size_of_val::<[Vec3]>(positions),
-                Change::Column(_, _, column) | Change::ColumnGone(_, column, _) => column.bytes(),
+                Change::Column(_, column) | Change::ColumnGone(_, column, _) => column.bytes(),
                 _ => 0,
             })
             .sum();
@@ -113,9 +138,8 @@ impl Journal {
                 }
                 Change::VertexHalfedge(v, _) | Change::Position(v, _) => added(Element::Vertex, v),
                 Change::FaceHalfedge(f, _) => added(Element::Face, f),
-                Change::Attribute(element, _, raw, _) | Change::Marked(element, raw, _) => {
-                    added(element, raw)
-                }
+                Change::Attribute(place, raw, _) => added(place.element(), raw),
+                Change::Marked(element, raw, _) => added(element, raw),
                 Change::ColumnAdded(_, blank) | Change::ColumnGone(_, _, blank) => everything |= !blank,
                 Change::Positions(_) | Change::Column(..) => everything = true,
                 Change::Added(_) | Change::Dropped(_) => {}
@@ -193,12 +217,12 @@ impl Mesh {
                 let now = std::mem::replace(&mut self.positions, old.into_vec());
                 self.record(Change::Positions(now.into_boxed_slice()));
             }
-            Change::Attribute(element, column, index, old) => {
-                self.set_value(element, column as usize, index as usize, old);
+            Change::Attribute(place, index, old) => {
+                self.set_value(place.element(), place.column(), index as usize, old);
             }
-            Change::Column(element, at, old) => {
-                let now = std::mem::replace(&mut self.columns.of_mut(element)[at as usize], *old);
-                self.record(Change::Column(element, at, Box::new(now)));
+            Change::Column(place, old) => {
+                let now = std::mem::replace(&mut self.columns.of_mut(place.element())[place.column()], *old);
+                self.record(Change::Column(place, Box::new(now)));
             }
             // Every write since has been taken back, so the column is as it was when it was added.
             Change::ColumnAdded(element, blank) => {
@@ -336,6 +360,26 @@ impl Mesh {
             let len = self.capacity(kind);
             for column in self.columns.of_mut(kind) {
                 column.values.resize(len, column.default);
+            }
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_recorded_write_takes_24_bytes() {
+        assert_eq!(size_of::<Change>(), 24);
+    }
+
+    #[test]
+    fn a_place_of_a_column_gives_back_what_it_was_made_of() {
+        for element in Element::ALL {
+            for column in [0, 1, 65_535, 65_536, (1 << 30) - 1] {
+                let place = ColumnPlace::new(element, column);
+                assert_eq!((place.element(), place.column()), (element, column));
             }
         }
     }
