@@ -2,9 +2,9 @@
 
 use glam::{Vec2, Vec3};
 use halfedge::attribute::{Column, Value};
-use halfedge::edit::{Connect, split_edge, triangulate_face};
+use halfedge::edit::{Connect, set_crease, split_edge, triangulate_face};
 use halfedge::{
-    AddFaceError, Color, Element, FaceId, GivenIds, Mesh, NONE, NoteKind, PolygonSoup, RawMesh, Rule,
+    AddFaceError, Color, EdgeId, Element, FaceId, GivenIds, Mesh, NONE, NoteKind, PolygonSoup, RawMesh, Rule,
     VertexId, keys,
 };
 use proptest::prelude::*;
@@ -421,6 +421,49 @@ fn writes_to_columns_past_the_65_536th_undo_and_redo() {
     assert!(mesh == start);
     mesh.undo(redo);
     assert!(mesh == end);
+}
+
+#[test]
+fn edits_that_change_nothing_record_nothing() {
+    let (mut mesh, _) = built(6, &[&[0, 1, 2], &[2, 1, 3, 4]]);
+    let uv = Column::with_values(keys::CORNER_UV, vec![Vec2::NAN; mesh.halfedge_capacity()]);
+    mesh.insert_column(Element::Halfedge, uv.clone());
+    mesh.set(keys::EDGE_CREASE, 1, 2.0);
+    let start = mesh.clone();
+    type Edit = fn(&mut Mesh);
+    let idle: [(&str, Edit); 8] = [
+        ("position", |m| m.set_position(VertexId::new(1), m.position(VertexId::new(1)))),
+        ("positions", |m| m.set_positions(m.positions().to_vec()).unwrap()),
+        ("value", |m| m.set(keys::EDGE_CREASE, 1, 2.0)),
+        ("missing value", |m| m.set(keys::CORNER_UV, 3, Vec2::NAN)),
+        ("default of no column", |m| m.set(keys::FACE_COLOR, 0, Color::UNPAINTED)),
+        ("column", |m| {
+            let column = m.column(Element::Halfedge, "uv").unwrap().clone();
+            m.insert_column(Element::Halfedge, column);
+        }),
+        ("triangle", |m| drop(triangulate_face(m, FaceId::new(0)).unwrap())),
+        ("crease", |m| set_crease(m, &[EdgeId::new(1)], &[], 2.0).unwrap()),
+    ];
+    for (what, edit) in idle {
+        mesh.start_recording();
+        edit(&mut mesh);
+        let journal = mesh.finish_recording();
+        assert!(journal.is_empty() && mesh == start, "{what}");
+    }
+    let busy: [(&str, Edit); 4] = [
+        ("the sign of zero", |m| m.set_position(VertexId::new(0), -Vec3::ZERO)),
+        ("value", |m| m.set(keys::EDGE_CREASE, 1, 2.5)),
+        ("color", |m| m.set(keys::FACE_COLOR, 0, Color([1, 2, 3]))),
+        ("quad", |m| drop(triangulate_face(m, FaceId::new(1)).unwrap())),
+    ];
+    for (what, edit) in busy {
+        mesh.start_recording();
+        edit(&mut mesh);
+        let journal = mesh.finish_recording();
+        assert!(!journal.is_empty() && mesh != start, "{what}");
+        mesh.undo(journal);
+        assert!(mesh == start, "{what}");
+    }
 }
 
 #[test]

@@ -92,38 +92,24 @@ impl Mesh {
 
     /// Makes `next` follow `h`.
     pub(crate) fn link(&mut self, h: HalfedgeId, next: HalfedgeId) {
-        if self.next[h.index()] != next.raw() {
-            self.write_next(h.raw(), next.raw());
-        }
-        if self.prev[next.index()] != h.raw() {
-            self.write_prev(next.raw(), h.raw());
-        }
+        self.write_next(h.raw(), next.raw());
+        self.write_prev(next.raw(), h.raw());
     }
 
     pub(crate) fn set_to(&mut self, h: HalfedgeId, v: VertexId) {
-        if self.to[h.index()] != v.raw() {
-            self.write_to(h.raw(), v.raw());
-        }
+        self.write_to(h.raw(), v.raw());
     }
 
     pub(crate) fn set_face(&mut self, h: HalfedgeId, f: Option<FaceId>) {
-        let raw = f.map_or(NONE, FaceId::raw);
-        if self.face[h.index()] != raw {
-            self.write_face(h.raw(), raw);
-        }
+        self.write_face(h.raw(), f.map_or(NONE, FaceId::raw));
     }
 
     pub(crate) fn set_face_halfedge(&mut self, f: FaceId, h: HalfedgeId) {
-        if self.face_halfedge[f.index()] != h.raw() {
-            self.write_face_halfedge(f.raw(), h.raw());
-        }
+        self.write_face_halfedge(f.raw(), h.raw());
     }
 
     pub(crate) fn set_vertex_halfedge(&mut self, v: VertexId, h: Option<HalfedgeId>) {
-        let raw = h.map_or(NONE, HalfedgeId::raw);
-        if self.vertex_halfedge[v.index()] != raw {
-            self.write_vertex_halfedge(v.raw(), raw);
-        }
+        self.write_vertex_halfedge(v.raw(), h.map_or(NONE, HalfedgeId::raw));
     }
 
     /// Keeps the boundary-first rule, `h` being some half-edge that leaves the vertex.

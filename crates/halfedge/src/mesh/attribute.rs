@@ -62,6 +62,18 @@ impl Value {
             _ => false,
         }
     }
+
+    /// Whether two values are of one type and equal to the bit, so that a missing one equals itself.
+    pub(crate) fn is_identical(self, other: Self) -> bool {
+        match (self, other) {
+            (Self::F32(a), Self::F32(b)) => a.to_bits() == b.to_bits(),
+            (Self::Vec2(a), Self::Vec2(b)) => bytemuck::bytes_of(&a) == bytemuck::bytes_of(&b),
+            (Self::Vec3(a), Self::Vec3(b)) => bytemuck::bytes_of(&a) == bytemuck::bytes_of(&b),
+            (Self::Color(a), Self::Color(b)) => a == b,
+            (Self::U32(a), Self::U32(b)) => a == b,
+            _ => false,
+        }
+    }
 }
 
 /// A whole column of values.

@@ -94,7 +94,7 @@ impl PartialEq for Mesh {
             && self.removed_vertices == other.removed_vertices
             && self.removed_edges == other.removed_edges
             && self.removed_faces == other.removed_faces
-            && bytemuck::cast_slice::<Vec3, u8>(&self.positions) == bytemuck::cast_slice(&other.positions)
+            && same_bits(&self.positions, &other.positions)
             && self.columns == other.columns
     }
 }
@@ -387,7 +387,9 @@ impl Mesh {
     /// Moves a vertex. The position must be finite; commands check that.
     pub fn set_position(&mut self, v: VertexId, position: Vec3) {
         let old = std::mem::replace(&mut self.positions[v.index()], position);
-        self.record(Change::Position(v.raw(), old));
+        if bytemuck::bytes_of(&old) != bytemuck::bytes_of(&position) {
+            self.record(Change::Position(v.raw(), old));
+        }
     }
 
     /// Moves every vertex at once. The column must be as long as [`Mesh::vertex_capacity`];
@@ -397,7 +399,9 @@ impl Mesh {
             return Err(positions);
         }
         let old = std::mem::replace(&mut self.positions, positions);
-        self.record(Change::Positions(old.into_boxed_slice()));
+        if !same_bits(&old, &self.positions) {
+            self.record(Change::Positions(old.into_boxed_slice()));
+        }
         Ok(())
     }
 
@@ -423,10 +427,11 @@ impl Mesh {
         self.columns.of(element).get(at)
     }
 
-    /// Sets one value, making the column if the mesh doesn't have it.
+    /// Sets one value, making the column if the mesh doesn't have it, unless the value is the default.
     pub fn set<T: AttributeType>(&mut self, key: Key<T>, index: usize, value: T) {
         let at = match self.columns.position(key.element, key.name) {
             Some(at) => at,
+            None if value.value().is_identical(key.default.value()) => return,
             None => self.insert_column(key.element, Column::new(key)),
         };
         self.set_value(key.element, at, index, value.value());
@@ -436,6 +441,9 @@ impl Mesh {
     pub fn set_value(&mut self, element: Element, column: usize, index: usize, value: Value) {
         let Some(target) = self.columns.of_mut(element).get_mut(column) else { return };
         let Some(old) = target.values.get(index) else { return };
+        if old.is_identical(value) {
+            return;
+        }
         target.values.set(index, value);
         self.record(Change::Attribute(ColumnPlace::new(element, column), index as u32, old));
     }
@@ -449,6 +457,9 @@ impl Mesh {
         let columns = self.columns.of_mut(element);
         match old_at {
             Some(at) => {
+                if columns[at] == column && columns[at].default.is_identical(column.default) {
+                    return at;
+                }
                 let old = std::mem::replace(&mut columns[at], column);
                 self.record(Change::Column(ColumnPlace::new(element, at), Box::new(old)));
                 at
@@ -481,6 +492,10 @@ impl Mesh {
             + self.removed_edges.bytes()
             + self.removed_faces.bytes()
     }
+}
+
+fn same_bits(a: &[Vec3], b: &[Vec3]) -> bool {
+    bytemuck::cast_slice::<Vec3, u8>(a) == bytemuck::cast_slice::<Vec3, u8>(b)
 }
 
 /// A growable set of bits that knows how many are set.

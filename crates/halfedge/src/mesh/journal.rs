@@ -85,7 +85,8 @@ pub struct Touched {
 }
 
 impl Journal {
-    /// Whether nothing was written.
+    /// Whether nothing was changed: writes of what was there already are not recorded. A journal that
+    /// isn't empty may still end where it began, by a change and its opposite.
     pub fn is_empty(&self) -> bool {
         self.changes.is_empty()
     }
@@ -240,42 +241,55 @@ impl Mesh {
         }
     }
 
-    // The writes that everything else is made of.
+    // The writes that everything else is made of. Writing what is there already records nothing, so the
+    // journal of an edit that changes nothing is empty.
 
     #[inline]
     pub(crate) fn write_next(&mut self, h: u32, value: u32) {
         let old = std::mem::replace(&mut self.next[h as usize], value);
-        self.record(Change::Next(h, old));
+        if old != value {
+            self.record(Change::Next(h, old));
+        }
     }
 
     #[inline]
     pub(crate) fn write_prev(&mut self, h: u32, value: u32) {
         let old = std::mem::replace(&mut self.prev[h as usize], value);
-        self.record(Change::Prev(h, old));
+        if old != value {
+            self.record(Change::Prev(h, old));
+        }
     }
 
     #[inline]
     pub(crate) fn write_to(&mut self, h: u32, value: u32) {
         let old = std::mem::replace(&mut self.to[h as usize], value);
-        self.record(Change::To(h, old));
+        if old != value {
+            self.record(Change::To(h, old));
+        }
     }
 
     #[inline]
     pub(crate) fn write_face(&mut self, h: u32, value: u32) {
         let old = std::mem::replace(&mut self.face[h as usize], value);
-        self.record(Change::Face(h, old));
+        if old != value {
+            self.record(Change::Face(h, old));
+        }
     }
 
     #[inline]
     pub(crate) fn write_vertex_halfedge(&mut self, v: u32, value: u32) {
         let old = std::mem::replace(&mut self.vertex_halfedge[v as usize], value);
-        self.record(Change::VertexHalfedge(v, old));
+        if old != value {
+            self.record(Change::VertexHalfedge(v, old));
+        }
     }
 
     #[inline]
     pub(crate) fn write_face_halfedge(&mut self, f: u32, value: u32) {
         let old = std::mem::replace(&mut self.face_halfedge[f as usize], value);
-        self.record(Change::FaceHalfedge(f, old));
+        if old != value {
+            self.record(Change::FaceHalfedge(f, old));
+        }
     }
 
     /// Marks a vertex, edge or face as removed, or takes the mark off.
