@@ -1,6 +1,8 @@
 //! The Meshwright page, as far as it needs no browser: the editor's panels and viewport over the
 //! `editor` and `viewport` crates. `main.rs` puts it on a canvas.
 
+#![cfg_attr(not(test), deny(clippy::unwrap_used, clippy::expect_used, clippy::panic, clippy::unreachable))]
+
 pub mod actions;
 pub mod api;
 pub mod app;

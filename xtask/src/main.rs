@@ -1,5 +1,8 @@
 //! `cargo xtask`: sets up, serves, tests, benchmarks and packages Meshwright.
 
+#![cfg_attr(not(test), deny(clippy::unwrap_used, clippy::expect_used, clippy::panic, clippy::unreachable))]
+#![cfg_attr(not(test), deny(clippy::indexing_slicing))]
+
 mod bench;
 mod bench_wasm;
 mod dist;

@@ -3,6 +3,9 @@
 //! Exit status 0 on success, 1 where a command was refused, 2 for bad usage or a file that can't be
 //! read or written.
 
+#![cfg_attr(not(test), deny(clippy::unwrap_used, clippy::expect_used, clippy::panic, clippy::unreachable))]
+#![cfg_attr(not(test), deny(clippy::indexing_slicing))]
+
 mod apply;
 mod arguments;
 mod convert;

@@ -3,6 +3,8 @@
 //! Everything a user can do is a [`Command`] value given to an [`Editor`]. Menus, keys, scripts,
 //! the command line and tests speak the same commands; [`OPERATIONS`] lists them.
 
+#![cfg_attr(not(test), deny(clippy::unwrap_used, clippy::expect_used, clippy::panic, clippy::unreachable))]
+
 mod bezier;
 mod changes;
 pub mod command;

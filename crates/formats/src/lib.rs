@@ -3,6 +3,9 @@
 //! [`read`] takes files in memory and gives a document's objects; [`write`] takes objects and gives
 //! files; [`losses`] says beforehand what a format can't hold.
 
+#![cfg_attr(not(test), deny(clippy::unwrap_used, clippy::expect_used, clippy::panic, clippy::unreachable))]
+#![cfg_attr(not(test), deny(clippy::indexing_slicing))]
+
 mod beside;
 mod bezier;
 mod collada;

@@ -38,6 +38,8 @@
 //! | mesh: set coordinates | [`Mesh::set_position`], [`GivenIds::set_position`] |
 //! | Catmull-Clark as a new mesh, the old one untouched | `surface::subdivide_catmull_clark` |
 
+#![cfg_attr(not(test), deny(clippy::unwrap_used, clippy::expect_used, clippy::panic, clippy::unreachable))]
+
 pub mod edit;
 pub mod geometry;
 mod mesh;

@@ -4,6 +4,8 @@
 //! and be cancelled by, and are the same to the bit on every machine: basic IEEE operations in a fixed
 //! order, nothing from the system's mathematics library.
 
+#![cfg_attr(not(test), deny(clippy::unwrap_used, clippy::expect_used, clippy::panic, clippy::unreachable))]
+
 pub mod bezier;
 mod error;
 mod face_tree;

@@ -1,6 +1,9 @@
 //! The large jobs, the same natively and in WebAssembly, to time one beside the other:
 //! `cargo xtask bench --wasm`.
 
+#![cfg_attr(not(test), deny(clippy::unwrap_used, clippy::expect_used, clippy::panic, clippy::unreachable))]
+#![cfg_attr(not(test), deny(clippy::indexing_slicing))]
+
 use std::fmt::Write;
 use std::hint::black_box;
 use std::ops::ControlFlow;

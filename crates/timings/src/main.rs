@@ -1,5 +1,8 @@
 //! Times each job natively: its name, a tab, and the best of some runs in milliseconds, a line each.
 
+#![cfg_attr(not(test), deny(clippy::unwrap_used, clippy::expect_used, clippy::panic, clippy::unreachable))]
+#![cfg_attr(not(test), deny(clippy::indexing_slicing))]
+
 use std::time::Instant;
 
 fn main() {

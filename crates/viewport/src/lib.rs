@@ -4,6 +4,9 @@
 //! changed, and lends it a command encoder and a render pass each frame. Needs no more of the
 //! device than WebGL2 offers.
 
+#![cfg_attr(not(test), deny(clippy::unwrap_used, clippy::expect_used, clippy::panic, clippy::unreachable))]
+#![cfg_attr(not(test), deny(clippy::indexing_slicing))]
+
 mod box_select;
 pub mod buffers;
 mod camera;

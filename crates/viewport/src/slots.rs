@@ -67,6 +67,7 @@ impl Slots {
 
     /// Sees to it that the face has a range of `wanted` triangles, and gives it. A range of another
     /// size must have been released before.
+    #[expect(clippy::indexing_slicing, reason = "the column is made long enough first")]
     pub fn acquire(&mut self, face: usize, wanted: u32) -> Range {
         if self.faces.len() <= face {
             self.faces.resize(face + 1, Range::default());

@@ -1,5 +1,8 @@
 //! The web worker: runs long jobs on its own copy of the mesh, so that the page never freezes.
 
+#![cfg_attr(not(test), deny(clippy::unwrap_used, clippy::expect_used, clippy::panic, clippy::unreachable))]
+#![cfg_attr(not(test), deny(clippy::indexing_slicing))]
+
 #[cfg(target_arch = "wasm32")]
 fn main() {
     meshwright_worker::serve();

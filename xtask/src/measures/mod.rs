@@ -4,6 +4,7 @@ mod circles;
 mod commits;
 mod copies;
 mod imports;
+mod lints;
 mod operations;
 mod source;
 mod tokens;
@@ -107,6 +108,7 @@ fn measure(project: &Project, crates: &[CrateLines]) -> Result<Vec<Measure>> {
             details: Vec::new(),
         },
         longest_file(crates),
+        lints::roots_that_allow_panics(crates),
         largest_circle("web/src", &web, false),
         largest_circle("crates/formats/src", &formats, false),
     ];

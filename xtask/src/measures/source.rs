@@ -30,6 +30,10 @@ impl Source {
         Self { path: path.into(), text: text.to_owned() }
     }
 
+    pub fn text(&self) -> &str {
+        &self.text
+    }
+
     pub fn product(&self) -> Product<'_> {
         let all = tokens(&self.text);
         let mut kept = Vec::with_capacity(all.len());

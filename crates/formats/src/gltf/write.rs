@@ -1,5 +1,7 @@
 //! Writing a glTF, as one binary file or as JSON with its data beside it.
 
+#![expect(clippy::indexing_slicing, reason = "the keys of JSON objects that are made here")]
+
 use super::{BIN_CHUNK, GENERATOR, JSON_CHUNK, MAGIC, VERTEX_ID};
 use crate::export::{ObjectRef, WriteError};
 use crate::hash::Unique;
