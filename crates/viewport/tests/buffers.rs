@@ -156,15 +156,17 @@ fn a_local_edit_uploads_what_its_valence_says_whatever_the_mesh() {
         let mut sizes = Vec::new();
         for smooth in [false, true] {
             let (mut buffers, mut mirror) = rebuilt(&mesh, smooth);
-            let moved = touched(&mut mesh, |mesh| mesh.set_position(middle, vec3(0.0, 0.0, 0.1)));
+            // Other values each time round: what stays as it was is no change.
+            let (height, color) = if smooth { (0.2, [4, 5, 6]) } else { (0.1, [1, 2, 3]) };
+            let moved = touched(&mut mesh, |mesh| mesh.set_position(middle, vec3(0.0, 0.0, height)));
             buffers.update(&mesh, &moved, &mut mirror);
             sizes.push(mirror.written);
             mirror.written = 0;
-            let painted = touched(&mut mesh, |mesh| paint(mesh, 3, [1, 2, 3]));
+            let painted = touched(&mut mesh, |mesh| paint(mesh, 3, color));
             // The first colour makes the column, which is a change to all; the second is not.
             buffers.update(&mesh, &painted, &mut mirror);
             mirror.written = 0;
-            let painted = touched(&mut mesh, |mesh| paint(mesh, 4, [1, 2, 3]));
+            let painted = touched(&mut mesh, |mesh| paint(mesh, 4, color));
             buffers.update(&mesh, &painted, &mut mirror);
             sizes.push(mirror.written);
             assert_as_rebuilt(&mesh, &buffers, &mirror);
