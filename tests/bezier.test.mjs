@@ -1,13 +1,11 @@
 // The Bezier players: files dropped, control points dragged, the construction watched, surfaces made meshes.
 
 import assert from "node:assert/strict";
-import { existsSync } from "node:fs";
-import { join } from "node:path";
 
 import { DESKTOP, PHONE, SMALL, editorTest } from "./harness.mjs";
+import { readsShared, shared } from "./support/shared.mjs";
 
 const CURVE = { name: "arc.bzc", content: "4\n0 0  1 2  3 2  4 0\n" };
-const CS184 = new URL("../../shared/models/cs184/", import.meta.url).pathname;
 
 /** Two arched patches that share a border, as a .bez file. */
 function arches() {
@@ -168,9 +166,9 @@ editorTest("the players fit the screen", both, async (editor) => {
   }
 });
 
-const skip = existsSync(CS184) ? false : `${CS184} is not there`;
-editorTest("the course's curves and surfaces open", { sizes: [SMALL], renderers: ["webgl2"], skip }, async (editor) => {
-  await open(editor, join(CS184, "teapot.bez"));
+const course = { ...readsShared, sizes: [SMALL], renderers: ["webgl2"] };
+editorTest("the course's curves and surfaces open", course, async (editor) => {
+  await open(editor, shared("models/cs184/teapot.bez"));
   const teapot = await object(editor);
   assert.equal(teapot.bezier.kind, "surface");
   await editor.screenshot("teapot");

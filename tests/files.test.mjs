@@ -1,14 +1,11 @@
 // Files in and out: dropped, picked, pasted, opened by scripts, saved.
 
 import assert from "node:assert/strict";
-import { existsSync } from "node:fs";
 import { readFile } from "node:fs/promises";
-import { join } from "node:path";
 
 import { SMALL, editorTest } from "./harness.mjs";
 import { ODD_TRIANGLE, TWO_COLORS_MTL, TWO_COLORS_OBJ, grid } from "./support/meshes.mjs";
-
-const MODELS = new URL("../../shared/models/common/", import.meta.url).pathname;
+import { readsShared, shared } from "./support/shared.mjs";
 
 /** The lines of an OBJ that say what its mesh is. */
 function meshLines(obj) {
@@ -129,10 +126,11 @@ editorTest("what is saved reads back to the bit, colours and all", { sizes: [SMA
   assert.equal((await editor.element("face", 0)).corners.length, 4);
 });
 
-const skip = existsSync(MODELS) ? false : `${MODELS} is not there`;
-editorTest("real models open, draw and are saved", { skip, renderers: ["webgpu"], sizes: [SMALL] }, async (editor) => {
-  const cow = await readFile(join(MODELS, "cow.obj"));
-  await editor.drop(join(MODELS, "cow.obj"));
+const models = { ...readsShared, renderers: ["webgpu"], sizes: [SMALL] };
+editorTest("real models open, draw and are saved", models, async (editor) => {
+  const path = shared("models/common/cow.obj");
+  const cow = await readFile(path);
+  await editor.drop(path);
   await editor.until("the cow is open", async () => (await editor.state()).document.name === "cow");
   assert.equal((await editor.state()).document.faces, 5804);
   const faces = (obj) => obj.toString().match(/^f /gm).length;
@@ -140,7 +138,7 @@ editorTest("real models open, draw and are saved", { skip, renderers: ["webgpu"]
   await editor.frames(3);
   await editor.screenshot("cow");
 
-  const opened = await editor.open("spot.obj", await readFile(join(MODELS, "spot_quadrangulated.obj")));
+  const opened = await editor.open("spot.obj", await readFile(shared("models/common/spot_quadrangulated.obj")));
   assert.deepEqual(opened.created, { vertices: 2930, edges: 5856, faces: 2928 });
   await editor.run({ op: "subdivide-catmull-clark" });
   assert.equal((await editor.state()).document.faces, 4 * 2928);

@@ -1,12 +1,11 @@
 // Operations on whole meshes: their progress moves, a click cancels them and leaves no trace, undo takes them back.
 
 import assert from "node:assert/strict";
-import { existsSync } from "node:fs";
 import { readFile } from "node:fs/promises";
 
 import { SMALL, editorTest } from "./harness.mjs";
+import { readsShared, shared } from "./support/shared.mjs";
 
-const BUNNY = new URL("../../shared/models/common/stanford-bunny.obj", import.meta.url).pathname;
 const once = { renderers: ["webgl2"], sizes: [SMALL], timeout: 280_000 };
 
 /** Keeps the whole mesh in the page under a name, or compares it with what was kept. */
@@ -189,9 +188,8 @@ for (const [name, [prepare, cases]] of Object.entries(SUITES)) {
   });
 }
 
-const skip = existsSync(BUNNY) ? false : `${BUNNY} is not there`;
-editorTest("a scanned model is simplified and remeshed", { ...once, skip }, async (editor, t) => {
-  await editor.open("bunny.obj", await readFile(BUNNY));
+editorTest("a scanned model is simplified and remeshed", { ...once, ...readsShared }, async (editor, t) => {
+  await editor.open("bunny.obj", await readFile(shared("models/common/stanford-bunny.obj")));
   await editor.run({ op: "subdivide-loop" });
   await hide(editor);
   const { document } = await editor.state();

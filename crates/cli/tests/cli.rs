@@ -4,6 +4,11 @@ use serde_json::{Value, json};
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
 
+fixtures::shared_tests!(
+    models_have_the_counts_that_their_table_says,
+    models_go_through_operations_and_come_back
+);
+
 const CUBE: &str = "\
 v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\nv 0 0 1\nv 1 0 1\nv 0 1 1\nv 1 1 1
 f 1 3 4 2\nf 5 6 8 7\nf 1 2 6 5\nf 3 7 8 4\nf 1 5 7 3\nf 2 4 8 6
@@ -219,13 +224,9 @@ fn help_and_version() {
 }
 
 /// The table of `../shared/models/README.md`: V, F, boundary edges, non-manifold edges, note.
-#[test]
 fn models_have_the_counts_that_their_table_says() {
-    let models = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../../shared/models");
-    let Ok(table) = std::fs::read_to_string(models.join("README.md")) else {
-        println!("skipped: {} is not there", models.display());
-        return;
-    };
+    let models = fixtures::shared("models");
+    let table = std::fs::read_to_string(models.join("README.md")).expect("a table");
     let mut checked = 0;
     for line in table.lines() {
         let cells: Vec<&str> = line.split('|').map(str::trim).collect();
@@ -251,13 +252,8 @@ fn models_have_the_counts_that_their_table_says() {
     assert_eq!(checked, 10);
 }
 
-#[test]
 fn models_go_through_operations_and_come_back() {
-    let models = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../../shared/models/common");
-    if !models.is_dir() {
-        println!("skipped: {} is not there", models.display());
-        return;
-    }
+    let models = fixtures::shared("models/common");
     let folder = folder("models");
     for (name, op, faces) in [
         ("spot_control_mesh.obj", r#"{"op":"subdivide-catmull-clark"}"#, None),

@@ -12,6 +12,8 @@ use serde_json::{Value, json};
 use std::ops::ControlFlow;
 use support::*;
 
+fixtures::shared_tests!(the_teapot_of_the_course_opens_and_tessellates);
+
 fn open(files: &[(&str, String)]) -> Editor {
     let files: Vec<NamedBytes> =
         files.iter().map(|(name, text)| NamedBytes::new(*name, text.as_str())).collect();
@@ -358,13 +360,8 @@ fn many_patches_are_shown_coarsely() {
     assert_eq!([1, 312, 313, 5_000, 20_000, 1_000_000].map(surface), [8, 8, 7, 2, 1, 1]);
 }
 
-#[test]
 fn the_teapot_of_the_course_opens_and_tessellates() {
-    let path = concat!(env!("CARGO_MANIFEST_DIR"), "/../../../shared/models/cs184/teapot.bez");
-    let Ok(text) = std::fs::read_to_string(path) else {
-        println!("skipped: {path} is not there");
-        return;
-    };
+    let text = std::fs::read_to_string(fixtures::shared("models/cs184/teapot.bez")).expect("text");
     let mut editor = open(&[("teapot.bez", text)]);
     assert_eq!(editor.document().objects()[0].bezier().map(|b| b.patches().len()), Some(32));
     there_and_back(&mut editor, json!({"op": "bezier-tessellate", "resolution": 10}));

@@ -3,11 +3,13 @@
 
 mod common;
 
-use common::{load, read, shared};
+use common::{load, read};
 use formats::{Controls, Format, Import, NamedBytes, ObjectRef};
 use glam::Vec3;
 use halfedge::{Mesh, PolygonSoup};
 use proptest::prelude::*;
+
+fixtures::shared_tests!(course_files_read_and_round_trip);
 
 fn controls(import: &Import) -> &Controls {
     assert_eq!(import.objects.len(), 1);
@@ -146,9 +148,8 @@ fn early_ends_keep_whole_patches() {
     assert_eq!(controls(&import), &Controls::Surface(patches(2)));
 }
 
-#[test]
 fn course_files_read_and_round_trip() {
-    for path in shared("models/cs184", "bzc") {
+    for path in fixtures::shared_files("models/cs184", "bzc") {
         let file = load(&path);
         let import = read(std::slice::from_ref(&file)).expect("a curve");
         assert!(import.report.is_clean());
@@ -161,7 +162,7 @@ fn course_files_read_and_round_trip() {
         };
         assert_eq!(numbers(&written[0].bytes), numbers(&file.bytes));
     }
-    for path in shared("models/cs184", "bez") {
+    for path in fixtures::shared_files("models/cs184", "bez") {
         let import = read(&[load(&path)]).expect("a surface");
         assert!(import.report.is_clean());
         let Controls::Surface(patches) = controls(&import) else { panic!("a surface") };

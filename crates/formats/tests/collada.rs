@@ -2,12 +2,18 @@
 
 mod common;
 
-use common::{load, mesh, objects, read, shared};
+use common::{load, mesh, objects, read};
 use formats::{Format, Import, NamedBytes, ObjectRef};
 use glam::{Vec2, Vec3};
 use halfedge::attribute::{Column, keys};
 use halfedge::{Color, Element, Mesh, PolygonSoup, VertexId};
 use proptest::prelude::*;
+
+fixtures::shared_tests!(
+    the_courses_files_have_their_counts,
+    the_courses_cube_is_scaled_turned_and_coloured,
+    shared_models_round_trip
+);
 
 fn read_dae(text: impl Into<Vec<u8>>) -> Result<Import, String> {
     read(&[NamedBytes::new("a.dae", text)]).map_err(|error| error.to_string())
@@ -118,10 +124,9 @@ fn faces_that_are_not_there_in_full_are_told() {
     assert!(told(&many).1.ends_with("13 primitives more of the same kind"), "{}", told(&many).1);
 }
 
-#[test]
 fn the_courses_files_have_their_counts() {
     let counts = |folder: &str, counts: &[(&str, usize, usize)]| {
-        for path in shared(folder, "dae") {
+        for path in fixtures::shared_files(folder, "dae") {
             let file = load(&path);
             let Some(&(_, vertices, faces)) = counts.iter().find(|(name, ..)| *name == file.stem()) else {
                 panic!("{} is not in the table", file.name);
@@ -157,15 +162,16 @@ fn the_courses_files_have_their_counts() {
     }
 }
 
+fn the_courses_cube_is_scaled_turned_and_coloured() {
+    let import = read(&[load(&fixtures::shared("models/cmu462/cube.dae"))]).expect("readable");
+    assert!(import.report.to_string().contains("Y is up instead of Z"), "{}", import.report);
+    // (1, 1, -1), scaled by (1.999999, 2, 2), turned.
+    assert_eq!(mesh(&import).position(VertexId::new(0)), Vec3::new(1.999_999, -2.0, -2.0));
+    assert_eq!(mesh(&import).get(keys::FACE_COLOR, 0), Color([163, 163, 163]));
+}
+
 #[test]
 fn transforms_apply_in_metres_with_y_up() {
-    for path in shared("models/cmu462", "dae").iter().filter(|path| path.ends_with("cube.dae")) {
-        let import = read(&[load(path)]).expect("readable");
-        assert!(import.report.to_string().contains("Y is up instead of Z"), "{}", import.report);
-        // (1, 1, -1), scaled by (1.999999, 2, 2), turned.
-        assert_eq!(mesh(&import).position(VertexId::new(0)), Vec3::new(1.999_999, -2.0, -2.0));
-        assert_eq!(mesh(&import).get(keys::FACE_COLOR, 0), Color([163, 163, 163]));
-    }
     let scene = "<library_nodes><node id=\"n\" name=\"lib\"><scale>2 2 2</scale><instance_geometry url=\"#g\"/></node></library_nodes>\
         <library_visual_scenes><visual_scene id=\"vs\"><node name=\"outer\"><translate>0 0 3</translate><rotate>0 0 1 90</rotate>\
         <instance_geometry url=\"#g\"/><instance_node url=\"#n\"/><node name=\"in\"><matrix>1 0 0 5 0 1 0 0 0 0 1 0 0 0 0 1</matrix><instance_geometry url=\"#g\"/></node></node></visual_scene></library_visual_scenes>\
@@ -369,9 +375,8 @@ fn attributes_and_objects_round_trip() {
     }
 }
 
-#[test]
 fn shared_models_round_trip() {
-    for path in shared("models/common", "obj") {
+    for path in fixtures::shared_files("models/common", "obj") {
         let original = read(&[load(&path)]).expect("readable");
         let original = &original.objects[0].mesh;
         let files = formats::write(Format::Collada, "x", &[ObjectRef::new("m", original)]).expect("small");

@@ -2,12 +2,14 @@
 
 mod common;
 
-use common::{load, mesh, read, shared};
+use common::{load, mesh, read};
 use formats::{Format, NamedBytes, ObjectRef};
 use glam::{Vec2, Vec3};
 use halfedge::attribute::{Column, keys};
 use halfedge::{Color, Element, Mesh, PolygonSoup, VertexId};
 use proptest::prelude::*;
+
+fixtures::shared_tests!(shared_triangle_models_round_trip);
 
 const BOTH: [Format; 2] = [Format::Glb, Format::Gltf];
 
@@ -273,9 +275,8 @@ fn what_cannot_be_read_says_why() {
     assert!(glb(b"glTF\x02\0\0\0\xff\xff\xff\xff\xff\xff\xff\xffJSON{}").contains("middle of a chunk"));
 }
 
-#[test]
 fn shared_triangle_models_round_trip() {
-    for path in shared("models/common", "obj") {
+    for path in fixtures::shared_files("models/common", "obj") {
         let original = read(&[load(&path)]).expect("readable");
         let original = &original.objects[0].mesh;
         let lost = formats::losses(Format::Glb, &[ObjectRef::new("", original)]).join("");

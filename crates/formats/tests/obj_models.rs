@@ -3,10 +3,13 @@
 
 mod common;
 
-use common::{load, mesh, read, shared, write};
+use common::{load, mesh, read, write};
+use fixtures::{fixtures, shared_files};
 use formats::{Format, NamedBytes};
 use halfedge::{Mesh, NONE};
 use proptest::prelude::*;
+
+fixtures::shared_tests!(common_models_have_their_counts_and_round_trip);
 
 /// Vertices, faces and boundary edges as the models' README states them; for those that need
 /// repair the counts are of the file.
@@ -35,9 +38,8 @@ fn assert_round_trip(name: &str, mesh: &Mesh) {
     assert!(common::mesh(&back) == mesh, "{name} comes back different");
 }
 
-#[test]
 fn common_models_have_their_counts_and_round_trip() {
-    for path in shared("models/common", "obj") {
+    for path in shared_files("models/common", "obj") {
         let file = load(&path);
         let import = read(std::slice::from_ref(&file)).expect("readable");
         let mesh = mesh(&import);
@@ -69,9 +71,8 @@ fn common_models_have_their_counts_and_round_trip() {
 
 #[test]
 fn small_cases_read_with_their_materials_and_round_trip() {
-    let libraries: Vec<NamedBytes> =
-        shared("models/obj-cases", "mtl").iter().map(|path| load(path)).collect();
-    for path in shared("models/obj-cases", "obj") {
+    let libraries: Vec<NamedBytes> = fixtures("obj-cases", "mtl").iter().map(|path| load(path)).collect();
+    for path in fixtures("obj-cases", "obj") {
         let mut files = vec![load(&path)];
         let alone = read(&files).unwrap_or_else(|error| panic!("{error}"));
         assert_round_trip(&files[0].name, mesh(&alone));

@@ -2,12 +2,14 @@
 
 mod common;
 
-use common::{load, mesh, read, shared, write};
+use common::{load, mesh, read, write};
 use formats::{Format, NamedBytes, ObjectRef};
 use glam::{Vec2, Vec3};
 use halfedge::attribute::{Column, keys};
 use halfedge::{Color, Element, Mesh, PolygonSoup, VertexId};
 use proptest::prelude::*;
+
+fixtures::shared_tests!(shared_models_round_trip);
 
 const POLYGONS: [Format; 3] = [Format::Ply, Format::PlyText, Format::Off];
 const ALL: [Format; 5] = [Format::Ply, Format::PlyText, Format::Off, Format::Stl, Format::StlText];
@@ -363,9 +365,8 @@ fn early_ends_and_nonsense_are_told() {
     assert!(report("a.off", b"OFF 3 1 1\n0 0 0 1 0 0 0 1 0\n4000000000 0 1 2").contains("1 face left out"));
 }
 
-#[test]
 fn shared_models_round_trip() {
-    for path in shared("models/common", "obj") {
+    for path in fixtures::shared_files("models/common", "obj") {
         let original = read(&[load(&path)]).expect("readable");
         let original = &original.objects[0].mesh;
         for format in POLYGONS {

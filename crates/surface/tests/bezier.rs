@@ -4,19 +4,18 @@ use glam::Vec3;
 use halfedge::{Mesh, keys};
 use surface::bezier::{Patch, teapot_patches, tessellate};
 
-fn shared_teapot() -> Option<Vec<Patch>> {
-    let path = concat!(env!("CARGO_MANIFEST_DIR"), "/../../../shared/models/cs184/teapot.bez");
-    let Ok(text) = std::fs::read_to_string(path) else {
-        println!("skipped: {path} is not there");
-        return None;
-    };
+fixtures::shared_tests!(
+    the_control_points_are_those_of_the_course_file,
+    the_course_file_tessellates_to_the_same_pieces,
+);
+
+fn shared_teapot() -> Vec<Patch> {
+    let text = std::fs::read_to_string(fixtures::shared("models/cs184/teapot.bez")).unwrap();
     let numbers: Vec<f32> = text.split_whitespace().skip(1).map(|w| w.parse().unwrap()).collect();
     let point = |i: usize| Vec3::new(numbers[i * 3], numbers[i * 3 + 1], numbers[i * 3 + 2]);
-    Some(
-        (0..numbers.len() / 48)
-            .map(|p| Patch { rows: [0, 1, 2, 3].map(|j| [0, 1, 2, 3].map(|i| point(p * 16 + j * 4 + i))) })
-            .collect(),
-    )
+    (0..numbers.len() / 48)
+        .map(|p| Patch { rows: [0, 1, 2, 3].map(|j| [0, 1, 2, 3].map(|i| point(p * 16 + j * 4 + i))) })
+        .collect()
 }
 
 /// Every corner normal points the way the face does.
@@ -70,9 +69,8 @@ fn the_teapot_is_welded_and_faces_outside() {
     assert!(made.mesh.get(keys::CORNER_NORMAL, h.index()).x > 0.8);
 }
 
-#[test]
 fn the_control_points_are_those_of_the_course_file() {
-    let Some(theirs) = shared_teapot() else { return };
+    let theirs = shared_teapot();
     assert_eq!(theirs.len(), 32);
     // The file prints three decimals and orders points otherwise; every point is in both.
     for p in theirs.iter().flat_map(|patch| patch.rows.as_flattened()) {
@@ -84,9 +82,8 @@ fn the_control_points_are_those_of_the_course_file() {
     }
 }
 
-#[test]
 fn the_course_file_tessellates_to_the_same_pieces() {
-    let Some(theirs) = shared_teapot() else { return };
+    let theirs = shared_teapot();
     let made = tessellate(&theirs, 6).unwrap();
     made.mesh.validate().unwrap();
     let ours = tessellate(&teapot_patches(), 6).unwrap();

@@ -12,6 +12,11 @@ use std::ops::ControlFlow;
 use surface::measure::*;
 use surface::*;
 
+fixtures::shared_tests!(
+    a_scan_becomes_regular_and_stays_where_it_was,
+    models_with_features_holes_and_pieces_keep_their_topology
+);
+
 fn run(mesh: &Mesh, options: &Remesh) -> Mesh {
     let result = remesh(mesh, options, &mut go_on).expect("in range");
     result.validate().expect("valid");
@@ -40,8 +45,7 @@ fn angles(mesh: &Mesh) -> (f64, f64) {
 /// Its ears, cut from concave polygons, are folds: points close to each other go onto the same edge.
 #[test]
 fn no_two_vertices_come_to_one_place() {
-    let Some(path) = shared("models/common/spot_control_mesh.obj") else { return };
-    let mesh = load(&path);
+    let mesh = load(&fixtures::fixture("models/spot_control_mesh.obj"));
     for feature_angle in [45.0, 180.0] {
         let result = run(&mesh, &Remesh { edge_length: Some(0.0512), feature_angle, ..Remesh::default() });
         let areas = result.faces().map(|f| face_area(&result, f));
@@ -151,10 +155,8 @@ fn farthest_vertex(input: &Mesh, result: &Mesh) -> f64 {
     result.positions().iter().map(|&p| off(p)).fold(0.0, f64::max)
 }
 
-#[test]
 fn a_scan_becomes_regular_and_stays_where_it_was() {
-    let Some(path) = shared("models/common/stanford-bunny.obj") else { return };
-    let bunny = load(&path);
+    let bunny = load(&fixtures::shared("models/common/stanford-bunny.obj"));
     // Features are left aside: on a scan of this resolution they are noise that allows no good triangles.
     let options = Remesh { iterations: 10, feature_angle: 180.0, ..Remesh::default() };
     let result = run(&bunny, &options);
@@ -167,11 +169,9 @@ fn a_scan_becomes_regular_and_stays_where_it_was() {
     assert!(farthest_vertex(&bunny, &result) < 1e-6 * size);
 }
 
-#[test]
 fn models_with_features_holes_and_pieces_keep_their_topology() {
     for name in ["cow", "fandisk", "beetle", "cheburashka", "spot", "teapot"] {
-        let Some(path) = shared(&format!("models/common/{name}.obj")) else { return };
-        let (positions, faces) = read_obj(&path);
+        let (positions, faces) = read_obj(&fixtures::shared(&format!("models/common/{name}.obj")));
         let positions = positions.iter().map(|p| p.as_vec3()).collect();
         let mesh = Mesh::build(PolygonSoup::new(positions, &faces)).expect("small").mesh;
         let result = run(&mesh, &Remesh::default());

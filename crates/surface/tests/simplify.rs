@@ -12,6 +12,8 @@ use surface::measure::*;
 use surface::normals::*;
 use surface::*;
 
+fixtures::shared_tests!(max_error_holds_between_the_points_that_are_measured);
+
 fn to(mesh: &Mesh, target: SimplifyTarget) -> Simplified {
     let options = Simplify { target, preserve_boundary: true, preserve_seams: true };
     let result = simplify(mesh, &options, &mut go_on).expect("target in range");
@@ -225,13 +227,11 @@ fn max_error_is_a_distance() {
     assert_eq!(exact.face_count(), 2 * torus.face_count());
 }
 
-#[test]
 fn max_error_holds_between_the_points_that_are_measured() {
     for (name, error, most) in
         [("alligator", 0.003, 120), ("cheburashka", 0.0005, 7000), ("fandisk", 0.02, 250), ("cow", 0.02, 300)]
     {
-        let Some(path) = shared(&format!("models/common/{name}.obj")) else { return };
-        let (positions, faces) = read_obj(&path);
+        let (positions, faces) = read_obj(&fixtures::shared(&format!("models/common/{name}.obj")));
         let positions = positions.iter().map(|p| p.as_vec3()).collect();
         let mesh = Mesh::build(PolygonSoup::new(positions, &faces)).expect("small").mesh;
         let mesh = to(&mesh, SimplifyTarget::Ratio(1.0)).mesh;

@@ -3,13 +3,17 @@
 mod common;
 
 use common::*;
+use fixtures::{fixture, shared};
 use glam::{DVec3, Vec2, Vec3};
 use halfedge::attribute::{Column, keys};
 use halfedge::{Color, Element, Mesh, VertexId};
 use proptest::prelude::*;
 use std::ops::ControlFlow;
+use std::path::Path;
 use surface::measure::{surface_area, volume};
 use surface::*;
+
+fixtures::shared_tests!(models_subdivide_as_in_opensubdiv);
 
 fn cc(mesh: &Mesh, levels: u32, boundary: BoundaryRule) -> Mesh {
     let options = CatmullClark { levels, boundary, ..CatmullClark::default() };
@@ -21,10 +25,10 @@ fn lp(mesh: &Mesh, levels: u32) -> Mesh {
 }
 
 /// Counts, and points both ways within 1e-6 of the diagonal.
-fn assert_equals_reference(result: &Mesh, reference: &str) {
-    let Some(path) = shared(reference) else { return };
+fn assert_equals_reference(result: &Mesh, reference: &Path) {
     result.validate().expect("valid");
-    let (positions, faces) = read_obj(&path);
+    let (positions, faces) = read_obj(reference);
+    let reference = reference.display();
     assert_eq!((result.vertex_count(), result.face_count()), (positions.len(), faces.len()), "{reference}");
     let ours = points(result);
     let error = farthest(&ours, &positions).max(farthest(&positions, &ours)) / diagonal(&positions);
@@ -39,14 +43,13 @@ fn catmull_clark_equals_opensubdiv() {
         ("grid4_open", "_edgecorner", BoundaryRule::EdgeAndCorner, 3),
         ("prism5_ngon", "", BoundaryRule::EdgeOnly, 3),
         ("prism5_ngon", "", BoundaryRule::EdgeAndCorner, 3),
-        ("spotctl", "", BoundaryRule::EdgeOnly, 2),
+        ("spotctl", "", BoundaryRule::EdgeOnly, 1),
     ] {
-        let Some(path) = shared(&format!("references/in/{name}.obj")) else { return };
-        let input = load(&path);
+        let input = load(&fixture(&format!("opensubdiv/in/{name}.obj")));
         for level in 1..=levels {
             assert_equals_reference(
                 &cc(&input, level, boundary),
-                &format!("references/cc/{name}{suffix}_L{level}.obj"),
+                &fixture(&format!("opensubdiv/cc/{name}{suffix}_L{level}.obj")),
             );
         }
     }
@@ -54,19 +57,27 @@ fn catmull_clark_equals_opensubdiv() {
 
 #[test]
 fn loop_equals_opensubdiv() {
-    for (name, levels) in [("tetrahedron", 2), ("octahedron", 3), ("disc7_open", 3), ("bunny_small", 1)] {
-        let Some(path) = shared(&format!("references/in/{name}.obj")) else { return };
-        let input = load(&path);
+    for (name, levels) in [("tetrahedron", 2), ("octahedron", 3), ("disc7_open", 3)] {
+        let input = load(&fixture(&format!("opensubdiv/in/{name}.obj")));
         for level in 1..=levels {
-            assert_equals_reference(&lp(&input, level), &format!("references/loop/{name}_L{level}.obj"));
+            assert_equals_reference(
+                &lp(&input, level),
+                &fixture(&format!("opensubdiv/loop/{name}_L{level}.obj")),
+            );
         }
     }
 }
 
+fn models_subdivide_as_in_opensubdiv() {
+    let spot = load(&shared("references/in/spotctl.obj"));
+    assert_equals_reference(&cc(&spot, 2, BoundaryRule::EdgeOnly), &shared("references/cc/spotctl_L2.obj"));
+    let bunny = load(&shared("references/in/bunny_small.obj"));
+    assert_equals_reference(&lp(&bunny, 1), &shared("references/loop/bunny_small_L1.obj"));
+}
+
 #[test]
 fn creases_equal_opensubdiv() {
-    let Some(path) = shared("references/in/cube.obj") else { return };
-    let mut input = load(&path);
+    let mut input = load(&fixture("opensubdiv/in/cube.obj"));
     for (a, b) in [(0, 1), (1, 3), (3, 2), (2, 0)] {
         let e = input.find_edge(VertexId::new(a), VertexId::new(b)).expect("edge");
         input.set(keys::EDGE_CREASE, e.index(), 2.0);
@@ -74,7 +85,7 @@ fn creases_equal_opensubdiv() {
     for level in 1..=3 {
         assert_equals_reference(
             &cc(&input, level, BoundaryRule::EdgeOnly),
-            &format!("references/cc/cube_semisharp2_L{level}.obj"),
+            &fixture(&format!("opensubdiv/cc/cube_semisharp2_L{level}.obj")),
         );
     }
 }

@@ -45,7 +45,7 @@ impl Scene {
 
 fn one_edit(c: &mut Criterion) {
     for (name, n, m) in [("1 thousand triangles", 25, 20), ("1 million triangles", 1000, 500)] {
-        let Some(gpu) = gpu() else { return };
+        let gpu = gpu();
         let renderer = gpu.renderer();
         let mesh = support::grid(n, m, true);
         let mut scene = Scene { gpu, renderer, style: Style::default(), mesh, step: 0 };

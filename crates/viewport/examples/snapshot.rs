@@ -12,7 +12,7 @@ const TILE: u32 = 360;
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {
     let path = std::env::args().nth(1).unwrap_or_else(|| "snapshot.png".to_owned());
-    let Some(gpu) = gpu() else { return Ok(()) };
+    let gpu = gpu();
     let mut ball = sphere(16, 12);
     paint(&mut ball, 40, [0xd0, 0x40, 0x40]);
     paint(&mut ball, 41, [0x40, 0x80, 0xd0]);

@@ -53,7 +53,7 @@ fn tilted(degrees: f32, color: [u8; 3]) -> Mesh {
 
 #[test]
 fn a_lit_face_has_its_very_colour_on_either_kind_of_target() {
-    let Some(gpu) = gpu() else { return };
+    let gpu = gpu();
     for color in [[255, 0, 0], [0x33, 0x66, 0xcc], [200, 200, 200]] {
         let square = tilted(0.0, color);
         let image = draw(&gpu, &square, &front(), &bare());
@@ -71,7 +71,7 @@ fn a_lit_face_has_its_very_colour_on_either_kind_of_target() {
 
 #[test]
 fn shading_is_lambert_over_a_floor_of_a_fifth() {
-    let Some(gpu) = gpu() else { return };
+    let gpu = gpu();
     let camera = Camera { orthographic: true, ..front() };
     for (degrees, share) in [(0.0_f32, 1.0), (60.0, 0.6), (80.0, 0.2 + 0.8 * 80_f32.to_radians().cos())] {
         let image = draw(&gpu, &tilted(degrees, [250, 250, 250]), &camera, &bare());
@@ -99,7 +99,7 @@ fn shading_is_lambert_over_a_floor_of_a_fifth() {
 
 #[test]
 fn the_back_of_a_face_is_darker_and_tinted() {
-    let Some(gpu) = gpu() else { return };
+    let gpu = gpu();
     let image = draw(&gpu, &tilted(180.0, [200, 100, 40]), &front(), &bare());
     let tint = bare().theme.back_face.0;
     let expected = std::array::from_fn(|i| {
@@ -110,7 +110,7 @@ fn the_back_of_a_face_is_darker_and_tinted() {
 
 #[test]
 fn silhouettes_are_smoothed() {
-    let Some(gpu) = gpu() else { return };
+    let gpu = gpu();
     let image =
         draw(&gpu, &tilted(0.0, [255; 3]), &Camera { yaw: 0.5, pitch: 0.3, ..Camera::default() }, &bare());
     let between = image.count(|p| p[0] > 10 && p[0] < 200 && !close(p, image.at(100, 80), 20));
@@ -119,7 +119,7 @@ fn silhouettes_are_smoothed() {
 
 #[test]
 fn edges_are_drawn_and_inner_diagonals_are_not() {
-    let Some(gpu) = gpu() else { return };
+    let gpu = gpu();
     let mut square = grid(2, 2, false);
     paint_all(&mut square, [255; 3]);
     let camera = front();
@@ -145,7 +145,7 @@ fn edges_are_drawn_and_inner_diagonals_are_not() {
 
 #[test]
 fn a_concave_polygon_leaves_its_notch_open() {
-    let Some(gpu) = gpu() else { return };
+    let gpu = gpu();
     let mut notched = mesh(
         vec![vec3(-1., -1., 0.), vec3(1., -1., 0.), vec3(1., 1., 0.), vec3(0., -0.6, 0.), vec3(-1., 1., 0.)],
         &[[0, 1, 2, 3, 4]],
@@ -162,7 +162,7 @@ fn a_concave_polygon_leaves_its_notch_open() {
 
 #[test]
 fn the_nearer_face_hides_the_farther() {
-    let Some(gpu) = gpu() else { return };
+    let gpu = gpu();
     let mut cube = cube();
     for (face, color) in [[255, 0, 0], [0, 255, 0], [0, 0, 255]].into_iter().enumerate() {
         paint(&mut cube, face, color);
@@ -179,7 +179,7 @@ fn the_nearer_face_hides_the_farther() {
 
 #[test]
 fn highlights_are_drawn_over_what_hides_them() {
-    let Some(gpu) = gpu() else { return };
+    let gpu = gpu();
     let (cube, camera, style) = (cube(), front(), bare());
     let (selected, hovered) = (style.theme.selected.0, style.theme.hovered.0);
     let highlight = |layer, kind, ids: &[u32]| {
@@ -210,7 +210,7 @@ fn highlights_are_drawn_over_what_hides_them() {
 
 #[test]
 fn a_highlight_is_uploaded_a_part_at_a_time() {
-    let Some(gpu) = gpu() else { return };
+    let gpu = gpu();
     let ball = sphere(12, 8);
     let (camera, style) = (Camera::default(), bare());
     for kind in Element::ALL {
@@ -241,7 +241,7 @@ fn a_highlight_is_uploaded_a_part_at_a_time() {
 
 #[test]
 fn a_half_edge_is_an_arrow_on_its_faces_side() {
-    let Some(gpu) = gpu() else { return };
+    let gpu = gpu();
     let (square, camera, style) = (tilted(0.0, [255; 3]), front(), bare());
     let bottom = square.find_halfedge(VertexId::new(0), VertexId::new(1)).expect("a half-edge");
     for (h, up) in [(bottom, 1.0), (bottom.twin(), -1.0)] {
@@ -263,7 +263,7 @@ fn a_half_edge_is_an_arrow_on_its_faces_side() {
 
 #[test]
 fn the_ground_grid_is_seen_where_it_is_nearer_than_the_mesh_and_nowhere_else() {
-    let Some(gpu) = gpu() else { return };
+    let gpu = gpu();
     let mut cube = cube();
     paint_all(&mut cube, [250, 40, 40]);
     let tree = surface::FaceTree::new(&cube);
@@ -293,7 +293,7 @@ fn the_ground_grid_is_seen_where_it_is_nearer_than_the_mesh_and_nowhere_else() {
 
 #[test]
 fn dots_are_drawn_where_vertices_are_and_not_through_faces() {
-    let Some(gpu) = gpu() else { return };
+    let gpu = gpu();
     let mut style = Style { vertices: true, ..bare() };
     style.theme.vertex = halfedge::Color([255, 0, 255]);
     let mut mesh = cube();
@@ -317,7 +317,7 @@ fn square_with_strays() -> Mesh {
 
 #[test]
 fn vertices_that_no_face_uses_are_drawn_whatever_else_is() {
-    let Some(gpu) = gpu() else { return };
+    let gpu = gpu();
     let mut style = bare();
     style.theme.vertex = halfedge::Color([0, 0, 255]);
     style.theme.lone = halfedge::Color([255, 0, 255]);
@@ -344,7 +344,7 @@ fn vertices_that_no_face_uses_are_drawn_whatever_else_is() {
 
 #[test]
 fn vertices_that_no_face_uses_follow_edits_and_undo() {
-    let Some(gpu) = gpu() else { return };
+    let gpu = gpu();
     let (style, camera) = (bare(), front());
     let mut mesh = square_with_strays();
     let mut renderer = gpu.renderer();
@@ -380,7 +380,7 @@ fn vertices_that_no_face_uses_follow_edits_and_undo() {
 
 #[test]
 fn tiny_huge_and_far_models_look_as_others_do() {
-    let Some(gpu) = gpu() else { return };
+    let gpu = gpu();
     let picture = |scale: f32, shift: Vec3| {
         let mut ball = sphere(24, 16);
         paint_all(&mut ball, [255, 0, 0]);
@@ -408,7 +408,7 @@ fn tiny_huge_and_far_models_look_as_others_do() {
 
 #[test]
 fn an_edited_object_looks_as_one_made_anew() {
-    let Some(gpu) = gpu() else { return };
+    let gpu = gpu();
     for smooth in [false, true] {
         let style = Style { smooth, wireframe: true, vertices: true, ..bare() };
         let camera = Camera::default();
@@ -436,7 +436,7 @@ fn an_edited_object_looks_as_one_made_anew() {
 
 #[test]
 fn an_object_is_drawn_as_it_was_until_all_of_the_next_is_uploaded() {
-    let Some(gpu) = gpu() else { return };
+    let gpu = gpu();
     let (style, camera) = (Style { vertices: true, ..bare() }, Camera::default());
     let (before, mut after) = (cube(), sphere(12, 8));
     paint_all(&mut after, [0, 200, 0]);
@@ -474,7 +474,7 @@ fn an_object_is_drawn_as_it_was_until_all_of_the_next_is_uploaded() {
 
 #[test]
 fn more_than_a_page_of_triangles_is_drawn() {
-    let Some(gpu) = gpu() else { return };
+    let gpu = gpu();
     let mut plane = grid(1100, 500, true);
     assert!(plane.face_count() > 1 << 20);
     let last = plane.face_capacity() - 1;
@@ -491,7 +491,7 @@ fn more_than_a_page_of_triangles_is_drawn() {
 
 #[test]
 fn a_frame_like_the_last_is_not_drawn_again() {
-    let Some(gpu) = gpu() else { return };
+    let gpu = gpu();
     let (mesh, camera, style) = (cube(), Camera::default(), Style::default());
     let mut renderer = gpu.renderer();
     renderer.sync_object(&gpu.device, &gpu.queue, 7, &mesh, ObjectChange::Everything, &style);
@@ -514,7 +514,7 @@ fn a_frame_like_the_last_is_not_drawn_again() {
 
 #[test]
 fn nothing_at_all_can_be_drawn() {
-    let Some(gpu) = gpu() else { return };
+    let gpu = gpu();
     let mut renderer = gpu.renderer();
     let (camera, style) = (Camera::default(), Style { vertices: true, ..Style::default() });
     renderer.sync_object(&gpu.device, &gpu.queue, 7, &Mesh::new(), ObjectChange::Everything, &style);
@@ -531,7 +531,7 @@ fn nothing_at_all_can_be_drawn() {
 
 #[test]
 fn picks_agree_with_what_is_drawn() {
-    let Some(gpu) = gpu() else { return };
+    let gpu = gpu();
     let mut ball = sphere(9, 7);
     let bits = |face: u32| -> [bool; 3] { std::array::from_fn(|i| (face % 7 + 1) >> i & 1 == 1) };
     for face in 0..ball.face_capacity() {

@@ -1,7 +1,6 @@
 //! Which crates deny code that panics.
 
 use super::source::Source;
-use super::tokens::tokens;
 use super::{CrateLines, Measure};
 
 /// Denied in every crate that is shipped.
@@ -40,7 +39,7 @@ pub fn roots_that_allow_panics(crates: &[CrateLines]) -> Measure {
 
 /// Whether a crate root has `#![cfg_attr(not(test), deny(…clippy::lint…))]`.
 fn denies(root: &Source, lint: &str) -> bool {
-    let all = tokens(root.text());
+    let all = root.tokens();
     let mut denying = false;
     for (at, token) in all.iter().enumerate() {
         let next_is = |text: &str| all.get(at + 1).is_some_and(|next| next.is(text));

@@ -3,6 +3,7 @@
 mod circles;
 mod commits;
 mod copies;
+mod early_returns;
 mod imports;
 mod lints;
 mod operations;
@@ -73,9 +74,10 @@ struct CrateLines {
 }
 
 /// Counts the Rust files below `src` of each crate that is shipped, without items under `#[cfg(test)]`. What lies in
-/// `tests`, `benches` and `examples` isn't counted, nor is `xtask`.
+/// `tests`, `benches` and `examples` isn't counted, nor are `crates/fixtures`, which is for tests only, and `xtask`.
 fn product_lines(project: &Project) -> Result<Vec<CrateLines>> {
     let mut folders: Vec<PathBuf> = shell::entries(&project.root.join("crates"));
+    folders.retain(|folder| !folder.ends_with("fixtures"));
     folders.extend(["web", "web/worker"].map(|folder| project.root.join(folder)));
     let mut crates = Vec::new();
     for folder in folders {
@@ -125,6 +127,7 @@ fn measure(project: &Project, crates: &[CrateLines]) -> Result<Vec<Measure>> {
             details: if found.len() > 1 { found } else { Vec::new() },
         }
     }));
+    measures.push(early_returns::in_tests(project)?);
     let subjects = commits::odd_subjects_since(project, START)?;
     measures.push(Measure {
         name: format!("commit subjects since {START} that are too long or not `area: imperative`"),

@@ -30,12 +30,13 @@ impl Source {
         Self { path: path.into(), text: text.to_owned() }
     }
 
-    pub fn text(&self) -> &str {
-        &self.text
+    /// All its tokens, those of tests too.
+    pub fn tokens(&self) -> Vec<Token<'_>> {
+        tokens(&self.text)
     }
 
     pub fn product(&self) -> Product<'_> {
-        let all = tokens(&self.text);
+        let all = self.tokens();
         let mut kept = Vec::with_capacity(all.len());
         let mut test_lines = 0;
         let mut rest = all.as_slice();
@@ -84,7 +85,7 @@ pub fn read_folder(root: &Path, folder: &str) -> Result<Vec<Source>> {
 fn test_modules(sources: &[Source]) -> Vec<PathBuf> {
     let mut modules = Vec::new();
     for source in sources {
-        let all = tokens(&source.text);
+        let all = source.tokens();
         for start in 0..all.len() {
             let rest = all.get(start..).unwrap_or_default();
             if !starts_test_attribute(rest) {

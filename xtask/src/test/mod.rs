@@ -26,7 +26,7 @@ pub fn run(project: &Project, args: &[String]) -> Result<ExitCode> {
         step(format!("stage {}", stage.name()));
         let start = Instant::now();
         let (count, result) = stage.run(project, &tools, &rest);
-        rows.push((stage.name(), count, start.elapsed()));
+        rows.push((stage.name(), count.clone(), start.elapsed()));
         total += count;
         if let Err(message) = result {
             failure = Some((stage.name(), message));
@@ -34,6 +34,10 @@ pub fn run(project: &Project, args: &[String]) -> Result<ExitCode> {
         }
     }
     report(&rows, stages.len());
+    if !total.left_out.is_empty() {
+        println!("\n{} tests were left out:", total.left_out.len());
+        total.left_out.iter().for_each(|name| println!("    {name}"));
+    }
     if let Some((stage, message)) = &failure {
         println!("\nThe stage `{stage}` failed: {message}");
         // What does not build has no test to count.

@@ -5,7 +5,7 @@ use formats::{Format, Import, NamedBytes, ObjectRef};
 use glam::{Vec2, Vec3};
 use halfedge::{Mesh, PolygonSoup, keys};
 use std::ops::ControlFlow;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
 /// Reads with nobody watching the progress.
 pub fn read(files: &[NamedBytes]) -> Result<Import, formats::ReadError> {
@@ -87,21 +87,6 @@ pub fn write(format: Format, mesh: &Mesh) -> Vec<NamedBytes> {
 /// The text of a written file.
 pub fn text(file: &NamedBytes) -> &str {
     std::str::from_utf8(&file.bytes).expect("UTF-8")
-}
-
-/// Files of the shared models, or nothing, with a line that says so, where they are missing.
-pub fn shared(folder: &str, extension: &str) -> Vec<PathBuf> {
-    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../../shared").join(folder);
-    let Ok(entries) = std::fs::read_dir(&path) else {
-        println!("skipped: {} is missing", path.display());
-        return Vec::new();
-    };
-    let mut files: Vec<PathBuf> = entries
-        .filter_map(|entry| Some(entry.ok()?.path()))
-        .filter(|path| path.extension().is_some_and(|e| e == extension))
-        .collect();
-    files.sort();
-    files
 }
 
 /// A file from disk.

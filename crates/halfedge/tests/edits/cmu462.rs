@@ -5,6 +5,8 @@ use halfedge::edit::*;
 use halfedge::{EdgeId, Mesh, PolygonSoup, Refusal};
 use std::path::PathBuf;
 
+fixtures::shared_tests!(flip_split_and_collapse_are_those_of_the_course);
+
 /// Reads the mesh of a file of the course: one `polylist`, whose vertex indices come first.
 fn read(path: &PathBuf) -> Mesh {
     let text = std::fs::read_to_string(path).unwrap();
@@ -53,13 +55,8 @@ fn geometry(mesh: &Mesh) -> Vec<Vec<[i32; 3]>> {
     all
 }
 
-#[test]
 fn flip_split_and_collapse_are_those_of_the_course() {
-    let folder = PathBuf::from(concat!(env!("CARGO_MANIFEST_DIR"), "/../../../shared/models/cmu462"));
-    if !folder.exists() {
-        println!("skipped: {} is not there", folder.display());
-        return;
-    }
+    let folder = fixtures::shared("models/cmu462");
     type Edit = fn(&mut Mesh, EdgeId) -> Result<(), Refusal>;
     let edits: [(&str, Edit); 3] = [
         ("edgeFlip", flip_edge),

@@ -74,17 +74,17 @@ impl Growth {
         let far = plus(plus(here, u), v);
         let place = [here[0].min(far[0]), here[1].min(far[1])];
         // The squares lie at even places where this is a corner of them and none of their middles.
-        if start + 2 > (to - from).rem_euclid(8)
-            || here.iter().any(|c| c % 2 != 0)
-            || self.squares.contains(&place)
-        {
-            return;
-        }
-        if square {
-            self.squares.insert(place);
-            self.walk.splice(at + 1..at + 1, [plus(here, u), far, plus(here, v), here]);
-        } else {
-            self.walk.splice(at + 1..at + 1, [plus(place, [1, 1]), here]);
+        let is_outside = start + 2 <= (to - from).rem_euclid(8);
+        let is_free = here.iter().all(|c| c % 2 == 0) && !self.squares.contains(&place);
+        match (is_outside && is_free, square) {
+            (false, _) => {}
+            (true, true) => {
+                self.squares.insert(place);
+                self.walk.splice(at + 1..at + 1, [plus(here, u), far, plus(here, v), here]);
+            }
+            (true, false) => {
+                self.walk.splice(at + 1..at + 1, [plus(place, [1, 1]), here]);
+            }
         }
     }
 

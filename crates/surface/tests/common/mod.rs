@@ -5,7 +5,6 @@ use glam::{DVec3, Vec3};
 use halfedge::{Mesh, PolygonSoup};
 use proptest::prelude::*;
 use std::ops::ControlFlow;
-use std::path::PathBuf;
 
 /// Progress that always goes on.
 pub fn go_on(_: f32) -> ControlFlow<()> {
@@ -160,15 +159,6 @@ fn patchwork(w: usize, h: usize, wrap_x: bool, wrap_y: bool, cells: &[Cell], noi
     let mesh = Mesh::build(soup).expect("small").mesh;
     mesh.validate().expect("valid");
     mesh
-}
-
-pub fn shared(path: &str) -> Option<PathBuf> {
-    let path = PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("../../../shared").join(path);
-    if !path.exists() {
-        eprintln!("skipped: {} is missing", path.display());
-        return None;
-    }
-    Some(path)
 }
 
 /// Reads the `v` and `f` lines of an OBJ with positive indices, positions in 64 bits.

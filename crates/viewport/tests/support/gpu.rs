@@ -7,21 +7,25 @@ pub struct Gpu {
     pub queue: wgpu::Queue,
 }
 
-/// A device with no more than WebGL2's limits, so that what works here asks for no more; none, said
-/// aloud, where there is no adapter. `WGPU_BACKEND=gl` takes OpenGL, whose shaders are those of WebGL2.
-pub fn gpu() -> Option<Gpu> {
+/// A device with no more than WebGL2's limits, so that what works here asks for no more.
+/// `WGPU_BACKEND=gl` takes OpenGL, whose shaders are those of WebGL2.
+///
+/// # Panics
+/// There is no adapter: `cargo xtask setup` installs one that draws in software.
+pub fn gpu() -> Gpu {
     let instance = wgpu::Instance::new(wgpu::InstanceDescriptor::new_without_display_handle_from_env());
     let adapter = pollster::block_on(instance.request_adapter(&wgpu::RequestAdapterOptions::default()));
-    let Ok(adapter) = adapter else {
-        println!("skipped: no adapter");
-        return None;
-    };
+    let adapter = adapter.unwrap_or_else(|error| {
+        panic!(
+            "{error}: nothing here can draw; `cargo xtask setup` installs a driver that draws in software."
+        )
+    });
     let descriptor = wgpu::DeviceDescriptor {
         required_limits: wgpu::Limits::downlevel_webgl2_defaults(),
         ..Default::default()
     };
     let (device, queue) = pollster::block_on(adapter.request_device(&descriptor)).expect("a device");
-    Some(Gpu { device, queue })
+    Gpu { device, queue }
 }
 
 /// A picture, RGBA.

@@ -1,0 +1,13 @@
+// Files beside the repository, whose licences keep them out of it. They are required, unless MESHWRIGHT_NO_SHARED=1
+// leaves out the tests that read them; the run names those at its end.
+
+import { resolve } from "node:path";
+import { fileURLToPath } from "node:url";
+
+const root = fileURLToPath(new URL("../../../shared/", import.meta.url));
+
+/** The path of a file in ../shared. */
+export const shared = (path) => resolve(root, path);
+
+/** The option of a test that reads files in ../shared. */
+export const readsShared = { skip: process.env.MESHWRIGHT_NO_SHARED === "1" ? "MESHWRIGHT_NO_SHARED is set" : false };
