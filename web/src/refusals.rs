@@ -61,7 +61,7 @@ fn of_edges(mesh: &Mesh, op: &str, edges: &[EdgeId]) -> Result<(), Refusal> {
 fn of_faces(mesh: &Mesh, op: &str, faces: &[FaceId]) -> Result<(), Refusal> {
     match (op, faces) {
         ("collapse-face", &[f]) => edit::can_collapse_face(mesh, f),
-        ("triangulate-faces", &[f]) => edit::can_triangulate_face(mesh, f),
+        ("triangulate-faces", &[f]) => edit::can_triangulate_face(mesh, f, edit::Triangulation::Fan),
         ("poke-faces", _) => edit::can_poke_faces(mesh, faces),
         ("flip-orientation", _) => edit::can_flip_orientation(mesh, faces),
         _ => Ok(()),

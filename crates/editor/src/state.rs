@@ -5,7 +5,7 @@ use crate::document::{Counts, Object};
 use crate::editor::Editor;
 use crate::error::{CommandError, Problem};
 use crate::json::{number, vector};
-use glam::{DVec3, Vec3};
+use glam::DVec3;
 use halfedge::{EdgeId, Element, FaceId, HalfedgeId, Mesh, VertexId, keys};
 use serde_json::{Value, json};
 
@@ -165,15 +165,7 @@ fn face(mesh: &Mesh, f: FaceId) -> Value {
         "halfedge": mesh.halfedge_of(f).raw(),
         "corners": mesh.face_vertices(f).map(VertexId::raw).collect::<Vec<_>>(),
         "color": mesh.get(keys::FACE_COLOR, f.index()).to_hex(),
-        "area": number(area(mesh, f)),
+        "area": number(surface::measure::face_area(mesh, f) as f32),
         "boundary": mesh.is_boundary_face(f),
     })
-}
-
-/// The length of a polygon's vector area: its area where it is flat.
-fn area(mesh: &Mesh, f: FaceId) -> f32 {
-    let corners: Vec<Vec3> = mesh.face_vertices(f).map(|v| mesh.position(v)).collect();
-    let Some(&origin) = corners.first() else { return 0.0 };
-    let twice: Vec3 = corners.windows(2).map(|pair| (pair[0] - origin).cross(pair[1] - origin)).sum();
-    twice.length() / 2.0
 }

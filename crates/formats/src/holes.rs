@@ -4,9 +4,8 @@
 //! "Triangulation by Ear Clipping", 2002), which gives one polygon that touches itself along the
 //! bridges; that one is cut ear by ear.
 
-use crate::triangles::Plane;
-use glam::{Vec2, Vec3};
-use halfedge::edit::polygon_ears;
+use glam::{DVec3, Vec2, Vec3};
+use halfedge::geometry::{PolygonTriangulator, polygon_area_vector};
 
 /// The most corners of a polygon with holes that is cut: the time grows with their square.
 const MOST_CORNERS: usize = 1000;
@@ -19,8 +18,11 @@ pub(crate) fn cut(outline: &[Vec3], holes: &[Vec<Vec3>]) -> Option<Vec<[u32; 3]>
     if outline.len() < 3 || corners > MOST_CORNERS {
         return None;
     }
-    let plane = Plane::of(outline);
-    let points: Vec<Vec2> = outline.iter().chain(holes.iter().flatten()).map(|&p| plane.flat(p)).collect();
+    let normal = polygon_area_vector(outline.iter().copied()).try_normalize().unwrap_or(DVec3::Z);
+    let (u, v) = normal.as_vec3().any_orthonormal_pair();
+    let origin = outline.first().copied().unwrap_or_default();
+    let project = |&p: &Vec3| Vec2::new((p - origin).dot(u), (p - origin).dot(v));
+    let points: Vec<Vec2> = outline.iter().chain(holes.iter().flatten()).map(project).collect();
     let point = |i: u32| points.get(i as usize).copied().unwrap_or_default();
     let mut ring: Vec<u32> = (0..outline.len() as u32).collect();
     let mut area = twice_area(&ring, point);
@@ -53,9 +55,10 @@ pub(crate) fn cut(outline: &[Vec3], holes: &[Vec<Vec3>]) -> Option<Vec<[u32; 3]>
         join(&mut ring, &hole, point)?;
     }
     let flat: Vec<Vec3> = ring.iter().map(|&i| point(i).extend(0.0)).collect();
-    let triangles: Vec<[u32; 3]> = polygon_ears(&flat)?
-        .into_iter()
-        .map(|triangle| triangle.map(|i| ring.get(i).copied().unwrap_or_default()))
+    let triangles: Vec<[u32; 3]> = PolygonTriangulator::new()
+        .cut_ears(&flat)?
+        .iter()
+        .map(|triangle| triangle.map(|i| ring.get(i as usize).copied().unwrap_or_default()))
         .filter(|[a, b, c]| a != b && b != c && c != a)
         .collect();
     // Whether that was right: no triangle is turned over, and together they cover what they should.

@@ -31,7 +31,6 @@ mod soup;
 mod srgb;
 mod stl;
 mod text;
-mod triangles;
 mod weld;
 
 pub use beside::{alone, companions, missing};

@@ -2,7 +2,7 @@
 
 use glam::{Vec2, Vec3};
 use halfedge::attribute::{Column, Value};
-use halfedge::edit::{Connect, set_crease, split_edge, triangulate_face};
+use halfedge::edit::{Connect, Triangulation, set_crease, split_edge, triangulate_face};
 use halfedge::{
     AddFaceError, Color, EdgeId, Element, FaceId, GivenIds, Mesh, NONE, NoteKind, PolygonSoup, RawMesh, Rule,
     VertexId, keys,
@@ -441,7 +441,7 @@ fn edits_that_change_nothing_record_nothing() {
             let column = m.column(Element::Halfedge, "uv").unwrap().clone();
             m.insert_column(Element::Halfedge, column);
         }),
-        ("triangle", |m| drop(triangulate_face(m, FaceId::new(0)).unwrap())),
+        ("triangle", |m| drop(triangulate_face(m, FaceId::new(0), Triangulation::Fan).unwrap())),
         ("crease", |m| set_crease(m, &[EdgeId::new(1)], &[], 2.0).unwrap()),
     ];
     for (what, edit) in idle {
@@ -454,7 +454,7 @@ fn edits_that_change_nothing_record_nothing() {
         ("the sign of zero", |m| m.set_position(VertexId::new(0), -Vec3::ZERO)),
         ("value", |m| m.set(keys::EDGE_CREASE, 1, 2.5)),
         ("color", |m| m.set(keys::FACE_COLOR, 0, Color([1, 2, 3]))),
-        ("quad", |m| drop(triangulate_face(m, FaceId::new(1)).unwrap())),
+        ("quad", |m| drop(triangulate_face(m, FaceId::new(1), Triangulation::Fan).unwrap())),
     ];
     for (what, edit) in busy {
         mesh.start_recording();
@@ -469,7 +469,7 @@ fn edits_that_change_nothing_record_nothing() {
 #[test]
 fn a_fan_starts_at_the_first_corner() {
     let (mut mesh, _) = built(6, &[&[2, 3, 4, 5, 0, 1]]);
-    let made = triangulate_face(&mut mesh, FaceId::new(0)).unwrap();
+    let made = triangulate_face(&mut mesh, FaceId::new(0), Triangulation::Fan).unwrap();
     mesh.validate().unwrap();
     assert_eq!((made.faces.len(), made.edges.len()), (3, 3));
     for f in mesh.faces() {
@@ -538,7 +538,7 @@ proptest! {
                 (0, Some(e), _) => split_edge(mesh, e, 0.3, Connect::None).map(drop),
                 (1, Some(e), _) => split_edge(mesh, e, 0.5, Connect::Triangles).map(drop),
                 (2, Some(e), _) => split_edge(mesh, e, 0.5, Connect::All).map(drop),
-                (3, _, Some(f)) => triangulate_face(mesh, f).map(drop),
+                (3, _, Some(f)) => triangulate_face(mesh, f, Triangulation::Fan).map(drop),
                 (4, _, Some(f)) => {
                     mesh.set(keys::FACE_COLOR, f.index(), Color([9, 9, kind]));
                     Ok(())

@@ -5,8 +5,8 @@ mod builder;
 pub use builder::FaceTreeBuilder;
 
 use crate::measure::Bounds;
-use crate::triangulate_corners::CornerTriangulator;
 use glam::{DVec3, Vec3};
+use halfedge::geometry::PolygonTriangulator;
 use halfedge::{FaceId, HalfedgeId, Mesh, NONE, VertexId};
 
 /// How many faces share a box at the bottom of the tree.
@@ -246,10 +246,10 @@ impl FaceTree {
             if enter <= leave && leave >= 0.0 { enter * (1.0 - 1e-15) } else { f64::INFINITY }
         };
         let mut best: Option<Hit> = None;
-        let mut triangulator = CornerTriangulator::new();
+        let mut triangulator = PolygonTriangulator::new();
         self.visit(mesh, enters, f64::MAX, |face, bound| {
             let mut bound = bound;
-            for &corners in triangulator.of_face(mesh, face) {
+            for &corners in triangulator.triangulate_face(mesh, face) {
                 let points = corners.map(|h| mesh.position(mesh.from(h)).as_dvec3() - origin);
                 let Some((distance, weights)) = intersect(points, direction) else { continue };
                 let nearer = best.is_none_or(|hit| {
@@ -286,7 +286,7 @@ impl FaceTree {
         };
         let mut best: Option<Hit> = None;
         let mut best_squared = f64::MAX;
-        let mut triangulator = CornerTriangulator::new();
+        let mut triangulator = PolygonTriangulator::new();
         let mut try_triangle = |face: FaceId, corners: [HalfedgeId; 3]| {
             let points = corners.map(|h| mesh.position(mesh.from(h)));
             // Most triangles of a leaf are farther away than their box says already.
@@ -318,7 +318,10 @@ impl FaceTree {
             if mesh.next(second) == last {
                 return try_triangle(face, [first, second, last]);
             }
-            triangulator.of_face(mesh, face).iter().fold(f64::MAX, |_, &corners| try_triangle(face, corners))
+            triangulator
+                .triangulate_face(mesh, face)
+                .iter()
+                .fold(f64::MAX, |_, &corners| try_triangle(face, corners))
         };
         self.visit(mesh, away, f64::MAX, look);
         best

@@ -19,7 +19,6 @@ mod shapes;
 mod simplify;
 mod smooth;
 mod subdivide;
-mod triangulate_corners;
 mod trig;
 mod trimesh;
 
@@ -34,7 +33,6 @@ pub use subdivide::{
     BoundaryRule, CatmullClark, Linear, Loop, LoopWeights, MAX_FACES, VertexRule, quad_split_faces,
     subdivide_catmull_clark, subdivide_linear, subdivide_loop,
 };
-pub use triangulate_corners::CornerTriangulator;
 
 use halfedge::Mesh;
 

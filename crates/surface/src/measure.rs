@@ -1,7 +1,7 @@
 //! Lengths, areas, volumes and angles, in mesh units and radians.
 
-use crate::normals::face_area_vector;
 use glam::{DVec3, Vec3};
+use halfedge::geometry::face_area_vector;
 use halfedge::{EdgeId, FaceId, Mesh};
 
 /// An axis-aligned box.

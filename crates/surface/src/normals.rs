@@ -4,30 +4,8 @@
 //! elements after an edit, so that both give the same bits.
 
 use glam::{DVec3, Vec3};
-use halfedge::{Connectivity, FaceId, Mesh, VertexId};
-
-/// The area vector of a face: along its normal, as long as its area, right for polygons that are not
-/// flat too (Newell's method, relative to the first corner). Costs O(corners).
-pub fn face_area_vector(mesh: &Mesh, face: FaceId) -> DVec3 {
-    area_vector(mesh.connectivity(), mesh.positions(), face.index())
-}
-
-fn area_vector(links: Connectivity<'_>, positions: &[Vec3], face: usize) -> DVec3 {
-    let first = links.face_halfedge[face];
-    let corner = |h: u32| positions[links.to[h as usize] as usize].as_dvec3();
-    let base = corner(first);
-    let second = links.next[first as usize];
-    let mut before = corner(second) - base;
-    let mut sum = DVec3::ZERO;
-    let mut h = links.next[second as usize];
-    while h != first {
-        let here = corner(h) - base;
-        sum += before.cross(here);
-        before = here;
-        h = links.next[h as usize];
-    }
-    sum * 0.5
-}
+use halfedge::geometry::{face_area_vector, linked_area_vector};
+use halfedge::{FaceId, Mesh, VertexId};
 
 /// The unit normal of a face; zero for one without area.
 pub fn face_normal(mesh: &Mesh, face: FaceId) -> Vec3 {
@@ -55,7 +33,7 @@ pub fn vertex_normals(mesh: &Mesh) -> Vec<Vec3> {
     let (links, positions) = (mesh.connectivity(), mesh.positions());
     let mut areas = vec![DVec3::ZERO; mesh.face_capacity()];
     for face in mesh.faces() {
-        areas[face.index()] = area_vector(links, positions, face.index());
+        areas[face.index()] = linked_area_vector(links, positions, face.index());
     }
     let mut normals = vec![Vec3::ZERO; mesh.vertex_capacity()];
     for vertex in mesh.vertices() {

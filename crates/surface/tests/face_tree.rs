@@ -5,6 +5,7 @@ mod common;
 use common::*;
 use glam::{DVec3, Vec3};
 use halfedge::edit::{Connect, split_edge};
+use halfedge::geometry::PolygonTriangulator;
 use halfedge::{FaceId, Mesh, PolygonSoup};
 use proptest::prelude::*;
 use surface::*;
@@ -12,10 +13,10 @@ use surface::*;
 /// The distance along the ray to the nearest face, from all triangles of all faces (Möller, Trumbore).
 fn slow_hit(mesh: &Mesh, ray: Ray) -> Option<f64> {
     let (o, d) = (ray.origin.as_dvec3(), ray.direction.as_dvec3().normalize());
-    let mut cut = CornerTriangulator::new();
+    let mut cut = PolygonTriangulator::new();
     let mut best: Option<f64> = None;
     for f in mesh.faces() {
-        for &corners in cut.of_face(mesh, f) {
+        for &corners in cut.triangulate_face(mesh, f) {
             let [a, b, c] = corners.map(|h| mesh.position(mesh.from(h)).as_dvec3());
             let (ab, ac) = (b - a, c - a);
             let p = d.cross(ac);
@@ -36,10 +37,10 @@ fn slow_hit(mesh: &Mesh, ray: Ray) -> Option<f64> {
 
 /// The smallest distance to any triangle, by sampling none: the foot on the plane or the nearest side.
 fn slow_distance(mesh: &Mesh, p: DVec3) -> f64 {
-    let mut cut = CornerTriangulator::new();
+    let mut cut = PolygonTriangulator::new();
     let mut best = f64::INFINITY;
     for f in mesh.faces() {
-        for &corners in cut.of_face(mesh, f) {
+        for &corners in cut.triangulate_face(mesh, f) {
             let t = corners.map(|h| mesh.position(mesh.from(h)).as_dvec3());
             let n = (t[1] - t[0]).cross(t[2] - t[0]);
             let inside = (0..3).all(|i| {

@@ -4,6 +4,7 @@ mod common;
 
 use common::*;
 use glam::{DVec3, Vec3};
+use halfedge::geometry::PolygonTriangulator;
 use halfedge::{FaceId, Mesh, VertexId};
 use proptest::prelude::*;
 use std::f64::consts::{FRAC_PI_2, PI};
@@ -68,34 +69,34 @@ fn an_arrow_head_is_measured_by_its_area() {
 
 #[test]
 fn a_quad_is_cut_where_both_halves_face_the_same_way() {
-    let mut cut = CornerTriangulator::new();
+    let mut cut = PolygonTriangulator::new();
     let quad = [[0., 0., 0.], [1., 0., 0.], [1., 1., 0.], [0., 1., 0.]].map(Vec3::from_array);
-    assert_eq!(cut.of_polygon(&quad), [[0, 1, 2], [0, 2, 3]]);
+    assert_eq!(cut.triangulate(&quad), [[0, 1, 2], [0, 2, 3]]);
     let arrow = [[-2., -2., 0.], [0., 0., 0.], [2., -2., 0.], [0., 4., 0.]].map(Vec3::from_array);
-    assert_eq!(cut.of_polygon(&arrow), [[0, 1, 3], [1, 2, 3]]);
+    assert_eq!(cut.triangulate(&arrow), [[0, 1, 3], [1, 2, 3]]);
     let turned = [arrow[1], arrow[2], arrow[3], arrow[0]];
-    assert_eq!(cut.of_polygon(&turned), [[0, 1, 2], [0, 2, 3]]);
+    assert_eq!(cut.triangulate(&turned), [[0, 1, 2], [0, 2, 3]]);
     let no_area = [Vec3::ZERO; 6];
-    assert_eq!(cut.of_polygon(&no_area).len(), 4);
-    assert!(cut.of_polygon(&no_area[..2]).is_empty());
+    assert_eq!(cut.triangulate(&no_area).len(), 4);
+    assert!(cut.triangulate(&no_area[..2]).is_empty());
 }
 
 #[test]
 fn small_polygons_are_fans_where_that_is_right() {
-    let mut cut = CornerTriangulator::new();
+    let mut cut = PolygonTriangulator::new();
     let ring = |count: u8| -> Vec<Vec3> {
         let turn = |i: u8| std::f32::consts::TAU * f32::from(i) / f32::from(count);
         (0..count).map(|i| Vec3::new(turn(i).cos(), turn(i).sin(), 0.1 * f32::from(i % 2))).collect()
     };
-    assert_eq!(cut.of_polygon(&ring(5)), [[0, 1, 2], [0, 2, 3], [0, 3, 4]]);
-    assert_eq!(cut.of_polygon(&ring(8))[5], [0, 6, 7]);
+    assert_eq!(cut.triangulate(&ring(5)), [[0, 1, 2], [0, 2, 3], [0, 3, 4]]);
+    assert_eq!(cut.triangulate(&ring(8))[5], [0, 6, 7]);
     let fans = |triangles: &[[u32; 3]]| triangles.iter().all(|triangle| triangle.contains(&0));
-    assert!(!fans(cut.of_polygon(&ring(60))));
+    assert!(!fans(cut.triangulate(&ring(60))));
     // From its first corner the notch can't be seen past.
     let arrow = [[0., 0.], [4., -3.], [1., 0.], [4., 3.], [2., 3.]].map(|[x, y]| Vec3::new(x, y, 0.0));
     let notched = [arrow[1], arrow[2], arrow[3], arrow[4], arrow[0]];
-    assert_cover(&notched, cut.of_polygon(&notched));
-    assert!(!fans(cut.of_polygon(&notched)));
+    assert_cover(&notched, cut.triangulate(&notched));
+    assert!(!fans(cut.triangulate(&notched)));
 }
 
 #[test]
@@ -107,10 +108,10 @@ fn a_comb_and_a_figure_of_eight_are_covered() {
         comb.extend([[x + 1.5, 10.0], [x + 1.0, 0.0]].map(|[x, y]| Vec3::new(x, y, 0.0)));
     }
     comb.push(Vec3::new(0.0, -1.0, 0.0));
-    let mut cut = CornerTriangulator::new();
-    assert_cover(&comb, cut.of_polygon(&comb));
+    let mut cut = PolygonTriangulator::new();
+    assert_cover(&comb, cut.triangulate(&comb));
     let eight = [[0., 0.], [2., 2.], [2., 0.], [0., 2.], [-1., 1.]].map(|[x, y]| Vec3::new(x, y, 0.0));
-    assert_eq!(cut.of_polygon(&eight).len(), 3);
+    assert_eq!(cut.triangulate(&eight).len(), 3);
 }
 
 #[test]
@@ -126,9 +127,9 @@ fn polygons_that_touch_themselves_are_covered_once() {
             let flat = polygon[start..].iter().chain(&polygon[..start]);
             let flat: Vec<Vec3> = flat.map(|&(x, y)| Vec3::new(x, y, 0.0)).collect();
             let tilted: Vec<Vec3> = flat.iter().map(|&p| turn * p).collect();
-            let mut cut = CornerTriangulator::new();
-            assert_cover(&flat, cut.of_polygon(&flat));
-            assert_cover(&tilted, cut.of_polygon(&tilted));
+            let mut cut = PolygonTriangulator::new();
+            assert_cover(&flat, cut.triangulate(&flat));
+            assert_cover(&tilted, cut.triangulate(&tilted));
         }
     }
 }
@@ -174,7 +175,7 @@ fn star() -> impl Strategy<Value = Vec<Vec3>> {
 proptest! {
     #[test]
     fn ear_clipping_covers_star_polygons(polygon in star()) {
-        assert_cover(&polygon, CornerTriangulator::new().of_polygon(&polygon));
+        assert_cover(&polygon, PolygonTriangulator::new().triangulate(&polygon));
     }
 
     #[test]

@@ -5,6 +5,7 @@ mod common;
 use common::*;
 use glam::{Vec2, Vec3};
 use halfedge::attribute::keys;
+use halfedge::geometry::PolygonTriangulator;
 use halfedge::{Color, FaceId, Mesh, PolygonSoup};
 use proptest::prelude::*;
 use std::ops::ControlFlow;
@@ -49,9 +50,9 @@ fn sampled_distance(from: &Mesh, to: &Mesh) -> f64 {
 fn finely_sampled_distance(from: &Mesh, to: &Mesh, parts: u32) -> f64 {
     let tree = FaceTree::new(to);
     let mut worst = 0.0f64;
-    let mut cut = CornerTriangulator::new();
+    let mut cut = PolygonTriangulator::new();
     for f in from.faces() {
-        for &corners in cut.of_face(from, f) {
+        for &corners in cut.triangulate_face(from, f) {
             let [a, b, c] = corners.map(|h| from.position(from.from(h)));
             for i in 0..=parts {
                 for j in 0..=parts - i {

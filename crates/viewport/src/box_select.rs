@@ -4,9 +4,10 @@ use crate::Camera;
 use crate::occlusion::{Drawing, Drawn, Occlusion};
 use crate::sight::Sight;
 use glam::{Vec2, Vec3};
+use halfedge::geometry::PolygonTriangulator;
 use halfedge::{EdgeId, Element, FaceId, HalfedgeId, Mesh, VertexId};
 use std::ops::Range;
-use surface::{CornerTriangulator, FaceTree};
+use surface::FaceTree;
 
 /// A rectangle of the viewport, edges included, in the unit of its size.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -189,7 +190,7 @@ impl Through<'_> {
         // Of a face larger than the rectangle, no edge may be inside.
         let middle = (rect.min + rect.max) * 0.5;
         let mut corners: Vec<Option<Vec2>> = Vec::new();
-        let mut triangulator = CornerTriangulator::new();
+        let mut triangulator = PolygonTriangulator::new();
         let mut inside = |face: FaceId| {
             corners.clear();
             corners.extend(mesh.face_vertices(face).map(|v| sight.project(mesh.position(v))));
@@ -207,7 +208,7 @@ impl Through<'_> {
             }
             let next = corners().cycle().skip(1);
             corners().zip(next).any(|(a, b)| rect.clip([a, b]).is_some())
-                || triangulator.of_face(mesh, face).iter().any(|triangle| {
+                || triangulator.triangulate_face(mesh, face).iter().any(|triangle| {
                     let [Some(a), Some(b), Some(c)] =
                         triangle.map(|h| sight.project(mesh.position(mesh.from(h))))
                     else {
@@ -226,8 +227,8 @@ impl Through<'_> {
     /// Whether the middle of a face, or a point just inside one of its corners, is seen.
     fn sees_face(&self, face: FaceId) -> bool {
         let mesh = self.sight.mesh;
-        let mut triangulator = CornerTriangulator::new();
-        let Some(triangle) = triangulator.of_face(mesh, face).first() else { return false };
+        let mut triangulator = PolygonTriangulator::new();
+        let Some(triangle) = triangulator.triangulate_face(mesh, face).first() else { return false };
         let middle: Vec3 = triangle.iter().map(|&h| mesh.position(mesh.from(h)) / 3.0).sum();
         let by_ray = |point: Vec3| self.sight.sees(point, |f| f == face).is_some();
         let sees = |point: Vec3| self.sees(point, || by_ray(point));

@@ -7,9 +7,10 @@
 
 use crate::slots::{Range, Slots};
 use glam::Vec3;
+use halfedge::geometry::PolygonTriangulator;
 use halfedge::{FaceId, Mesh, Touched, VertexId, keys};
 use std::collections::{BTreeSet, HashMap};
-use surface::{CornerTriangulator, normals};
+use surface::normals;
 
 /// Bytes of one triangle in all streams.
 pub const TRIANGLE_BYTES: usize = 3 * (12 + 8 + 4);
@@ -244,7 +245,7 @@ struct Writer<'m> {
     face: Option<FaceId>,
     vertices: Vec<VertexId>,
     points: Vec<Vec3>,
-    triangulator: CornerTriangulator,
+    triangulator: PolygonTriangulator,
     staged: Corners,
     staged_first: u32,
 }
@@ -258,7 +259,7 @@ impl<'m> Writer<'m> {
             face: None,
             vertices: Vec::new(),
             points: Vec::new(),
-            triangulator: CornerTriangulator::new(),
+            triangulator: PolygonTriangulator::new(),
             staged: Corners::default(),
             staged_first: 0,
         }
@@ -296,7 +297,7 @@ impl<'m> Writer<'m> {
         let [r, g, b] = color.0;
         let corners = self.points.len() as u32;
         let triangles: &[[u32; 3]] =
-            if corners == 3 { &[[0, 1, 2]] } else { self.triangulator.of_polygon(&self.points) };
+            if corners == 3 { &[[0, 1, 2]] } else { self.triangulator.triangulate(&self.points) };
         let mut written = 0;
         for triangle in triangles {
             let [i, j, k] = *triangle;

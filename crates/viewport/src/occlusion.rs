@@ -7,8 +7,8 @@
 use crate::box_select::ScreenRect;
 use crate::camera::Projector;
 use glam::{Vec2, Vec3};
+use halfedge::geometry::PolygonTriangulator;
 use halfedge::{FaceId, Mesh};
-use surface::CornerTriangulator;
 
 /// Cells along the longer side of the rectangle, at most.
 const MAX_CELLS: f32 = 1024.0;
@@ -54,9 +54,9 @@ impl Drawing {
     /// Draws the faces of so many ids more. Costs O(faces + cells covered).
     pub fn go_on(mut self, mesh: &Mesh, faces: usize) -> Drawn {
         let end = self.next.saturating_add(faces).min(mesh.face_capacity());
-        let mut triangulator = CornerTriangulator::new();
+        let mut triangulator = PolygonTriangulator::new();
         for face in (self.next..end).map(FaceId::new).filter(|f| mesh.has_face(*f)) {
-            for &corners in triangulator.of_face(mesh, face) {
+            for &corners in triangulator.triangulate_face(mesh, face) {
                 let corners = corners.map(|h| self.places.get(mesh.from(h).index()).copied().flatten());
                 let [Some(a), Some(b), Some(c)] = corners else { return Drawn::Whole(None) };
                 let Some(left) = self.left.checked_sub(self.buffer.draw([a, b, c])) else {

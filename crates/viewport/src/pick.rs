@@ -149,7 +149,7 @@ fn side_of(sight: &Sight<'_>, edge: EdgeId, under: Option<FaceId>) -> HalfedgeId
             } else {
                 sight.camera.eye() - mesh.position(mesh.from(*h)).as_dvec3()
             };
-            surface::normals::face_area_vector(mesh, f).dot(to_eye) > 0.0
+            halfedge::geometry::face_area_vector(mesh, f).dot(to_eye) > 0.0
         })
     };
     let found = sides

@@ -3,7 +3,7 @@
 mod support;
 
 use glam::{Vec3, vec3};
-use halfedge::edit::{Connect, split_edge, triangulate_face};
+use halfedge::edit::{Connect, Triangulation, split_edge, triangulate_face};
 use halfedge::{EdgeId, FaceId, Mesh, Touched, VertexId};
 use proptest::prelude::*;
 use support::{cube, grid, mesh, paint, sphere};
@@ -303,7 +303,7 @@ proptest! {
                         }
                         Edit::Triangulate(f) => {
                             let f = FaceId::new(f as usize % mesh.face_capacity());
-                            let _refused = triangulate_face(&mut mesh, f);
+                            let _refused = triangulate_face(&mut mesh, f, Triangulation::Fan);
                         }
                         Edit::Move(v, p) => {
                             let v = VertexId::new(v as usize % mesh.vertex_capacity());

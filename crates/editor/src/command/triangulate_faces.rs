@@ -3,6 +3,7 @@
 use super::fields::{face_count, faces_or_all};
 use super::{Action, FaceRef, Field, FieldKind, LocalEdit, Operation, OperationKind, Spec, Target};
 use crate::error::Problem;
+use halfedge::edit::Triangulation;
 use halfedge::{FaceId, Mesh, Refusal, edit};
 use serde::{Deserialize, Serialize};
 
@@ -27,6 +28,15 @@ pub enum Method {
     Fan,
     /// By cutting off ears: right on concave faces too.
     Ear,
+}
+
+impl From<Method> for Triangulation {
+    fn from(method: Method) -> Self {
+        match method {
+            Method::Fan => Self::Fan,
+            Method::Ear => Self::Ears,
+        }
+    }
 }
 
 impl Operation for TriangulateFaces {
@@ -66,21 +76,13 @@ impl Operation for TriangulateFaces {
 impl LocalEdit for TriangulateFaces {
     fn can(&self, mesh: &Mesh) -> Result<(), Problem> {
         faces_or_all(&self.faces, mesh)?.into_iter().try_for_each(|face| {
-            let result = match self.method {
-                Method::Fan => edit::can_triangulate_face(mesh, face),
-                Method::Ear => edit::can_triangulate_face_ears(mesh, face),
-            };
-            result.map_err(|refusal| refused(face, &refusal))
+            edit::can_triangulate_face(mesh, face, self.method.into()).map_err(|refusal| refused(face, &refusal))
         })
     }
 
     fn edit(&self, mesh: &mut Mesh, _notes: &mut Vec<String>) -> Result<(), Problem> {
         faces_or_all(&self.faces, mesh)?.into_iter().try_for_each(|face| {
-            let result = match self.method {
-                Method::Fan => edit::triangulate_face(mesh, face),
-                Method::Ear => edit::triangulate_face_ears(mesh, face),
-            };
-            result.map(drop).map_err(|refusal| refused(face, &refusal))
+            edit::triangulate_face(mesh, face, self.method.into()).map(drop).map_err(|refusal| refused(face, &refusal))
         })
     }
 

@@ -9,10 +9,10 @@ use crate::import::NamedBytes;
 use crate::obj::names::{own_colors, painted};
 use crate::pieces::compact;
 use crate::srgb::to_linear;
-use crate::triangles::triangulate;
 use crate::weld::Weld;
 use base64::Engine;
 use glam::{DVec3, Vec2, Vec3};
+use halfedge::geometry::PolygonTriangulator;
 use halfedge::{Color, Element, Mesh, NONE, keys};
 use serde_json::{Value, json};
 use std::collections::HashMap;
@@ -184,7 +184,8 @@ impl Writer {
         let labels =
             mesh.column(Element::Face, keys::FACE_MATERIAL.name).map_or(&[][..], |column| &column.labels);
         let colors = mesh.attribute(keys::FACE_COLOR);
-        let (mut points, mut triangles, mut corners) = (Vec::new(), Vec::new(), Vec::new());
+        let (mut points, mut corners) = (Vec::new(), Vec::new());
+        let mut triangulator = PolygonTriangulator::new();
         for f in mesh.faces() {
             let label =
                 labels.get(mesh.get(keys::FACE_MATERIAL, f.index()) as usize).map_or("", String::as_str);
@@ -201,8 +202,8 @@ impl Writer {
                 points.push(mesh.position(mesh.from(h)));
                 corners.push(vertices.of_corner.get(h.index()).copied().unwrap_or(0));
             }
-            triangulate(&points, &mut triangles);
             if let Some((_, indices)) = order.get_mut(place) {
+                let triangles = triangulator.triangulate(&points);
                 indices.extend(triangles.iter().flatten().filter_map(|&c| corners.get(c as usize)));
             }
         }

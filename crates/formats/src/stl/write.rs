@@ -3,8 +3,8 @@
 use crate::export::{ObjectRef, WriteError};
 use crate::import::NamedBytes;
 use crate::text::{push_floats, push_position};
-use crate::triangles::triangulate;
 use glam::{DVec3, Vec3};
+use halfedge::geometry::PolygonTriangulator;
 
 /// Writes a binary STL.
 pub(crate) fn write(name: &str, objects: &[ObjectRef]) -> Result<Vec<NamedBytes>, WriteError> {
@@ -57,12 +57,11 @@ pub(crate) fn write_text(name: &str, objects: &[ObjectRef]) -> Vec<NamedBytes> {
 /// All faces cut into triangles, with their unit normals; zero where a triangle has no area.
 fn for_each_triangle(objects: &[ObjectRef], mut take: impl FnMut(Vec3, &[Vec3; 3], DVec3)) {
     let mut points = Vec::new();
-    let mut triangles = Vec::new();
+    let mut triangulator = PolygonTriangulator::new();
     for (object, f) in objects.iter().flat_map(|object| object.mesh.faces().map(move |f| (object, f))) {
         points.clear();
         points.extend(object.mesh.face_vertices(f).map(|v| object.mesh.position(v)));
-        triangulate(&points, &mut triangles);
-        for corners in &triangles {
+        for corners in triangulator.triangulate(&points) {
             let corner =
                 |i: usize| corners.get(i).and_then(|&c| points.get(c as usize)).copied().unwrap_or_default();
             let [a, b, c] = [corner(0), corner(1), corner(2)];

@@ -1,5 +1,6 @@
 //! Normals and directions that edits place new vertices by.
 
+use crate::geometry::face_area_vector;
 use crate::mesh::Mesh;
 use crate::{FaceId, HalfedgeId, VertexId};
 use glam::Vec3;
@@ -8,13 +9,7 @@ impl Mesh {
     /// The unit normal of a face by Newell's sum, which is right for any polygon; zero for a face
     /// without area.
     pub(crate) fn newell_normal(&self, face: FaceId) -> Vec3 {
-        // Relative to a corner, so that faces far from the origin keep their precision.
-        let base = self.position(self.from(self.halfedge_of(face)));
-        let sum: Vec3 = self
-            .face_halfedges(face)
-            .map(|h| (self.position(self.from(h)) - base).cross(self.position(self.to(h)) - base))
-            .sum();
-        sum.normalize_or_zero()
+        face_area_vector(self, face).normalize_or_zero().as_vec3()
     }
 
     /// The mean of a face's corners.

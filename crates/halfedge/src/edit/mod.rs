@@ -65,9 +65,6 @@ pub use set_crease::{can_set_crease, set_crease};
 pub use slide::{Live, Slide, SlideVertex};
 pub use split_edge::{Connect, EdgeSplit, can_split_edge, split_edge};
 pub use split_vertex::{can_split_vertex, split_vertex};
-pub use triangulate::{
-    Triangulated, can_triangulate_face, can_triangulate_face_ears, polygon_ears, triangulate_face,
-    triangulate_face_ears,
-};
+pub use triangulate::{Triangulated, Triangulation, can_triangulate_face, triangulate_face};
 pub use walls::Grouping;
 pub use weld_edges::{can_weld_edges, weld_edges};

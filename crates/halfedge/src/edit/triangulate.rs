@@ -1,14 +1,25 @@
 //! Triangulate: a polygon cut into triangles between its own corners.
 //!
-//! A fan joins the first corner to all others: possible exactly where none of those it is not
-//! beside in the face is joined to it already. Ears are cut one after the other by
-//! `geometry::ears`: right on concave and self-touching polygons, and around edges that exist.
+//! A cut may not join corners that an edge joins already. A fan joins the first corner to all others: possible
+//! exactly where none but its neighbours is joined to it. Otherwise
+//! [`PolygonTriangulator`] finds a way around the edges that exist, if there is one.
 
 use crate::edit::Refusal;
-use crate::geometry::{Ear, ears};
-use crate::mesh::Mesh;
-use crate::{EdgeId, FaceId, HalfedgeId, VertexId};
+use crate::geometry::PolygonTriangulator;
+use crate::{EdgeId, FaceId, HalfedgeId, Mesh, VertexId};
 use glam::Vec3;
+
+/// How to cut a face into triangles.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Triangulation {
+    /// As the face is drawn, picked and saved: by the rule of [`PolygonTriangulator`].
+    #[default]
+    Auto,
+    /// A fan from the face's first corner.
+    Fan,
+    /// Ear by ear.
+    Ears,
+}
 
 /// What triangulating a face made; the face itself keeps its id as one of the triangles.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
@@ -20,86 +31,59 @@ pub struct Triangulated {
 }
 
 /// Whether [`triangulate_face`] would succeed.
-pub fn can_triangulate_face(mesh: &Mesh, face: FaceId) -> Result<(), Refusal> {
-    mesh.need_face(face)?;
-    let corners: Vec<_> = mesh.face_vertices(face).collect();
-    // A fan joins the first corner to all but its neighbours in the face.
-    let inner = corners.get(2..corners.len().saturating_sub(1)).unwrap_or_default();
-    match inner.iter().find(|&&v| mesh.joined(corners[0], v).is_some()) {
-        Some(&v) => Err(Refusal::AlreadyJoined(corners[0], v)),
-        None => Ok(()),
-    }
+pub fn can_triangulate_face(mesh: &Mesh, face: FaceId, by: Triangulation) -> Result<(), Refusal> {
+    find_triangles(mesh, face, by).map(drop)
 }
 
-/// Cuts a face with n corners into a fan of n - 2 triangles from its first corner, with no new
-/// vertex. A triangle is left as it is.
+/// Cuts a face with n corners into n - 2 triangles, with no new vertex. A triangle is left as it is.
 ///
-/// All ids survive. Costs O(n * valence of the first corner). Attributes: triangles copy the
-/// face's, corners those of the corners they came from.
-pub fn triangulate_face(mesh: &mut Mesh, face: FaceId) -> Result<Triangulated, Refusal> {
-    can_triangulate_face(mesh, face)?;
-    let mut made = Triangulated::default();
-    for _ in 3..mesh.face_degree(face) {
-        // Cut off the corner after the first: the new face is the triangle, the old one the rest.
-        let start = mesh.halfedge_of(face);
-        let third = mesh.next(mesh.next(start));
-        made.cut(mesh, start, third);
-    }
-    Ok(made)
-}
-
-/// Whether [`triangulate_face_ears`] would succeed.
-pub fn can_triangulate_face_ears(mesh: &Mesh, face: FaceId) -> Result<(), Refusal> {
-    find_ears(mesh, face).map(drop)
-}
-
-fn find_ears(mesh: &Mesh, face: FaceId) -> Result<Vec<Ear>, Refusal> {
-    mesh.need_face(face)?;
-    let corners: Vec<VertexId> = mesh.face_vertices(face).collect();
-    let positions: Vec<_> = corners.iter().map(|&v| mesh.position(v).as_dvec3()).collect();
-    ears(&positions, |i, j| mesh.joined(corners[i], corners[j]).is_none())
-        .ok_or(Refusal::NoTriangulation(face))
-}
-
-/// The triangles that ears cut a polygon into, as numbers of its corners: what
-/// [`triangulate_face_ears`] does to a face that no edge is in the way of, at the same cost. None of
-/// fewer than three corners, and none where one of more than 128 that crosses itself can't be cut.
-pub fn polygon_ears(corners: &[Vec3]) -> Option<Vec<[usize; 3]>> {
-    if corners.len() < 3 {
-        return None;
-    }
-    let positions: Vec<_> = corners.iter().map(|corner| corner.as_dvec3()).collect();
-    let mut triangles = ears(&positions, |_, _| true)?;
-    let mut is_left = vec![true; corners.len()];
-    triangles.iter().for_each(|&[_, tip, _]| is_left[tip] = false);
-    let mut left = (0..corners.len()).filter(|&i| is_left[i]);
-    triangles.push([left.next()?, left.next()?, left.next()?]);
-    Some(triangles)
-}
-
-/// Cuts a face with n corners into n - 2 triangles by its ears: right on concave faces too, and on
-/// faces that touch themselves. No new vertex; a triangle is left as it is.
-///
-/// All ids survive. Costs O(n²), or a bounded O(n³) for faces of up to 128 corners that touch or cross
-/// themselves. Attributes: as by [`triangulate_face`].
+/// All ids survive. A fan costs O(n * valence of the first corner). The others cost O(n²); a face that
+/// touches or crosses itself or has existing edges in the way costs a bounded O(n³) up to 128 corners.
+/// Attributes: triangles copy the face's, corners those of the corners they came from.
 ///
 /// # Errors
-/// [`Refusal::NoTriangulation`] where every triangulation would duplicate an edge.
-pub fn triangulate_face_ears(mesh: &mut Mesh, face: FaceId) -> Result<Triangulated, Refusal> {
-    let ears = find_ears(mesh, face)?;
-    let mut sides: Vec<HalfedgeId> = mesh.face_halfedges(face).collect();
+/// [`Refusal::AlreadyJoined`] where an edge is in the way of the fan;
+/// [`Refusal::NoTriangulation`] where every triangulation would double an edge, or the way around the existing
+/// edges of more than 128 corners wasn't found.
+pub fn triangulate_face(mesh: &mut Mesh, face: FaceId, by: Triangulation) -> Result<Triangulated, Refusal> {
+    let triangles = find_triangles(mesh, face, by)?;
     let mut made = Triangulated::default();
-    for [before, _, after] in ears {
-        sides[before] = made.cut(mesh, sides[before], sides[after]);
+    let Some((_, cut_off)) = triangles.split_last() else { return Ok(made) };
+    let mut sides: Vec<HalfedgeId> = mesh.face_halfedges(face).collect();
+    let count = sides.len() as u32;
+    let mut next: Vec<u32> = (1..count).chain([0]).collect();
+    for &[a, b, c] in cut_off {
+        // The tip is the corner between two sides of what is left.
+        let is_ear =
+            |[before, tip, after]: [u32; 3]| next[before as usize] == tip && next[tip as usize] == after;
+        let ear = [[a, b, c], [b, c, a], [c, a, b]].into_iter().find(|&ear| is_ear(ear));
+        let Some([before, _, after]) = ear.map(|ear| ear.map(|i| i as usize)) else { continue };
+        let (across, triangle) = mesh.cut_face(sides[before], sides[after]);
+        sides[before] = across;
+        next[before] = after as u32;
+        made.edges.push(across.edge());
+        made.faces.push(triangle);
     }
     Ok(made)
 }
 
-impl Triangulated {
-    fn cut(&mut self, mesh: &mut Mesh, from: HalfedgeId, to: HalfedgeId) -> HalfedgeId {
-        let (across, triangle) = mesh.cut_face(from, to);
-        self.edges.push(across.edge());
-        self.faces.push(triangle);
-        across
+/// The triangles as numbers of corners, each an ear of what is left by those before it.
+fn find_triangles(mesh: &Mesh, face: FaceId, by: Triangulation) -> Result<Vec<[u32; 3]>, Refusal> {
+    mesh.need_face(face)?;
+    let corners: Vec<VertexId> = mesh.face_vertices(face).collect();
+    let count = corners.len() as u32;
+    if by == Triangulation::Fan {
+        // A fan joins the first corner to all but its neighbours in the face.
+        let inner = corners.get(2..corners.len().saturating_sub(1)).unwrap_or_default();
+        return match inner.iter().find(|&&v| mesh.joined(corners[0], v).is_some()) {
+            Some(&v) => Err(Refusal::AlreadyJoined(corners[0], v)),
+            None => Ok((2..count).map(|i| [0, i - 1, i]).collect()),
+        };
     }
+    let positions: Vec<Vec3> = corners.iter().map(|&v| mesh.position(v)).collect();
+    let allowed = |i: u32, j: u32| mesh.joined(corners[i as usize], corners[j as usize]).is_none();
+    PolygonTriangulator::new()
+        .triangulate_with(&positions, by == Triangulation::Auto, allowed)
+        .map(<[_]>::to_vec)
+        .ok_or(Refusal::NoTriangulation(face))
 }

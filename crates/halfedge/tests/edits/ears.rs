@@ -28,7 +28,7 @@ fn areas(mesh: &Mesh) -> Vec<f32> {
 fn check_ears(points: &[[f32; 2]]) {
     let mut mesh = polygon(points);
     let whole: f32 = areas(&mesh).iter().sum();
-    let made = triangulate_face_ears(&mut mesh, FaceId::new(0)).unwrap();
+    let made = triangulate_face(&mut mesh, FaceId::new(0), Triangulation::Ears).unwrap();
     mesh.validate().unwrap();
     assert_eq!(made.faces.len(), points.len() - 3);
     assert!(mesh.faces().all(|f| mesh.face_degree(f) == 3));
@@ -77,7 +77,7 @@ fn polygons_that_touch_themselves() {
     ]);
     // Two triangles that touch at a corner: two of the four have no area, and none a negative one.
     let mut mesh = polygon(&[[0.0, 0.0], [2.0, 0.0], [1.0, 1.0], [2.0, 2.0], [0.0, 2.0], [1.0, 1.0]]);
-    triangulate_face_ears(&mut mesh, FaceId::new(0)).unwrap();
+    triangulate_face(&mut mesh, FaceId::new(0), Triangulation::Ears).unwrap();
     mesh.validate().unwrap();
     let mut parts = areas(&mesh);
     parts.sort_by(f32::total_cmp);
@@ -96,7 +96,7 @@ fn check_touching(points: &[[f32; 2]]) {
 
 fn check_covered(mut mesh: Mesh, points: &[[f32; 2]]) {
     let whole: f32 = areas(&mesh).iter().sum();
-    triangulate_face_ears(&mut mesh, FaceId::new(0)).unwrap();
+    triangulate_face(&mut mesh, FaceId::new(0), Triangulation::Ears).unwrap();
     mesh.validate().unwrap();
     assert!(mesh.faces().all(|f| mesh.face_degree(f) == 3));
     let parts = areas(&mesh);
@@ -150,12 +150,18 @@ fn a_fan_along_an_edge_that_is_there_is_refused_and_ears_go_round_it() {
     // Two squares back to back, the front cut along the diagonal that the back's fan needs.
     let corners = vec![Vec3::ZERO, Vec3::X, Vec3::new(1.0, 1.0, 0.0), Vec3::Y];
     let faces: [&[u32]; 3] = [&[0, 1, 3], &[1, 2, 3], &[3, 2, 1, 0]];
-    let mut mesh = zoo::mesh(corners, &faces);
+    let mesh = zoo::mesh(corners, &faces);
     let back = FaceId::new(2);
-    assert_eq!(can_triangulate_face(&mesh, back), Err(Refusal::AlreadyJoined(v(3), v(1))));
-    triangulate_face_ears(&mut mesh, back).unwrap();
-    mesh.validate().unwrap();
-    assert!(mesh.find_edge(v(0), v(2)).is_some());
+    assert_eq!(
+        can_triangulate_face(&mesh, back, Triangulation::Fan),
+        Err(Refusal::AlreadyJoined(v(3), v(1)))
+    );
+    for by in [Triangulation::Ears, Triangulation::Auto] {
+        let mut mesh = mesh.clone();
+        let made = triangulate_face(&mut mesh, back, by).unwrap();
+        mesh.validate().unwrap();
+        assert_eq!(made.edges, [mesh.find_edge(v(0), v(2)).expect("the other diagonal")]);
+    }
 }
 
 #[test]
@@ -167,7 +173,7 @@ fn a_face_whose_corners_are_all_joined_is_refused() {
     mesh.validate().unwrap();
     assert_eq!(mesh.face_degree(filled.faces[0]), 6);
     assert_eq!(
-        can_triangulate_face_ears(&mesh, filled.faces[0]),
+        can_triangulate_face(&mesh, filled.faces[0], Triangulation::Ears),
         Err(Refusal::NoTriangulation(filled.faces[0]))
     );
 }

@@ -179,11 +179,8 @@ fn one_edit(mesh: &mut Mesh, random: &mut Random, kind: usize) -> Tried {
                 let [edges, faces] = [made.edges.len() as i64, made.faces.len() as i64];
                 Said { counts: Some([0, edges, faces]), ..Said::default() }.same()
             };
-            if random.below(2) == 0 {
-                both(mesh, |m| can_triangulate_face(m, face), |m| triangulate_face(m, face), count)
-            } else {
-                both(mesh, |m| can_triangulate_face_ears(m, face), |m| triangulate_face_ears(m, face), count)
-            }
+            let by = [Triangulation::Auto, Triangulation::Fan, Triangulation::Ears][random.below(3)];
+            both(mesh, |m| can_triangulate_face(m, face, by), |m| triangulate_face(m, face, by), count)
         }
         10 => {
             let some: Vec<FaceId> = (0..=random.below(3)).filter_map(|_| random.pick(&all.faces)).collect();

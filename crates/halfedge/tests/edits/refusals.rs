@@ -60,7 +60,7 @@ fn reached() -> Vec<Refusal> {
         can_rip_edges(&cube, &[EdgeId::new(0)]),
         can_merge_vertices(&cube, &[VertexId::new(0)], None),
         can_flip_orientation(&cube, &all[1..]),
-        can_triangulate_face_ears(&holed, filled),
+        can_triangulate_face(&holed, filled, Triangulation::Ears),
     ];
     refused.into_iter().map(|refused| refused.unwrap_err()).collect()
 }
@@ -131,8 +131,8 @@ fn elements_that_do_not_exist_are_refused_by_every_edit() {
             can_dissolve_edge(&mesh, EdgeId::new(9999)),
             can_delete_faces(&mesh, &[FaceId::new(9999)]),
             can_delete_vertices(&mesh, &[VertexId::new(9999)]),
-            can_triangulate_face(&mesh, FaceId::new(9999)),
-            can_triangulate_face_ears(&mesh, FaceId::new(9999)),
+            can_triangulate_face(&mesh, FaceId::new(9999), Triangulation::Fan),
+            can_triangulate_face(&mesh, FaceId::new(9999), Triangulation::Ears),
             can_poke_faces(&mesh, &[FaceId::new(9999)]),
             can_connect_vertices(&mesh, mesh.ends(e)[0], VertexId::new(9999)),
             can_extrude_faces(&mesh, &[FaceId::new(9999)], Grouping::Region),

@@ -84,7 +84,7 @@ pub fn grid(m: u32, n: u32) -> Mesh {
 pub fn triangle_grid(m: u32, n: u32) -> Mesh {
     let mut mesh = grid(m, n);
     for face in mesh.faces().collect::<Vec<_>>() {
-        halfedge::edit::triangulate_face(&mut mesh, face).unwrap();
+        halfedge::edit::triangulate_face(&mut mesh, face, halfedge::edit::Triangulation::Fan).unwrap();
     }
     mesh
 }

@@ -3,9 +3,10 @@
 use super::order::counted;
 use super::values::push_copy;
 use super::{Frame, Renumbering, TriMesh};
-use crate::{CornerTriangulator, morton};
+use crate::morton;
 use glam::Vec3;
 use halfedge::attribute::{Column, Value};
+use halfedge::geometry::PolygonTriangulator;
 use halfedge::{Element, FaceId, HalfedgeId, Mesh, NONE, VertexId};
 
 impl TriMesh {
@@ -50,7 +51,7 @@ impl TriMesh {
         };
         let mut face_source = Vec::with_capacity(triangles);
         let poked = clashing_polygons(mesh);
-        let mut cut = CornerTriangulator::new();
+        let mut cut = PolygonTriangulator::new();
         let mut diagonals: Vec<(u64, u32)> = Vec::new();
         let mut pairs: Vec<(u32, u32)> = Vec::with_capacity(triangles.saturating_sub(faces));
         let in_order = counted(position.len(), || {
@@ -77,7 +78,7 @@ impl TriMesh {
                 continue;
             }
             diagonals.clear();
-            for triangle in cut.of_face(mesh, f) {
+            for triangle in cut.triangulate_face(mesh, f) {
                 for k in 0..3 {
                     let (h, after) = (triangle[k], triangle[(k + 1) % 3]);
                     let from = mesh.from(h);
@@ -205,7 +206,7 @@ impl TriMesh {
 /// The faces, in order, one of whose diagonals would join vertices that another edge or diagonal
 /// already joins: those get a vertex in the middle instead.
 fn clashing_polygons(mesh: &Mesh) -> Vec<u32> {
-    let mut cut = CornerTriangulator::new();
+    let mut cut = PolygonTriangulator::new();
     let mut diagonals: Vec<(u32, u32, u32)> = Vec::new();
     let mut clashing = Vec::new();
     for f in mesh.faces() {
@@ -213,7 +214,7 @@ fn clashing_polygons(mesh: &Mesh) -> Vec<u32> {
         if mesh.next(mesh.next(h)) == mesh.prev(h) {
             continue;
         }
-        for triangle in cut.of_face(mesh, f) {
+        for triangle in cut.triangulate_face(mesh, f) {
             for k in 0..3 {
                 let (h, after) = (triangle[k], triangle[(k + 1) % 3]);
                 if mesh.next(h) == after {

@@ -2,8 +2,9 @@
 
 use super::stream::Stream;
 use glam::Vec3;
+use halfedge::geometry::PolygonTriangulator;
 use halfedge::{Element, FaceId, HalfedgeId, Mesh};
-use surface::{CornerTriangulator, normals};
+use surface::normals;
 
 /// Which highlight: they are drawn one over the other, in this order.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -185,13 +186,13 @@ fn faces(
     shapes: &mut Shapes,
 ) {
     let is_marked = |f: FaceId| marked.get(f.index() / 64).is_some_and(|w| w >> (f.index() % 64) & 1 == 1);
-    let mut triangulator = CornerTriangulator::new();
+    let mut triangulator = PolygonTriangulator::new();
     let mut points = Vec::new();
     for face in faces {
         points.clear();
         points.extend(mesh.face_vertices(face).map(|v| mesh.position(v)));
         let corner = |i: u32| points.get(i as usize).map(|p| (*p - origin).to_array());
-        shapes.fill.extend(triangulator.of_polygon(&points).iter().flatten().filter_map(|&i| corner(i)));
+        shapes.fill.extend(triangulator.triangulate(&points).iter().flatten().filter_map(|&i| corner(i)));
         for h in mesh.face_halfedges(face) {
             if !mesh.face_of(h.twin()).is_some_and(is_marked) {
                 shapes.lines.push([mesh.from(h), mesh.to(h)].map(|v| (mesh.position(v) - origin).to_array()));

@@ -4,8 +4,9 @@ use super::{facts, measured};
 use crate::app::App;
 use crate::panels::color_button::color_button;
 use egui::{RichText, Ui};
-use glam::{DVec3, Vec3};
-use halfedge::{Color, Element, FaceId, HalfedgeId, Mesh, keys};
+use glam::Vec3;
+use halfedge::geometry::face_area_vector;
+use halfedge::{Color, Element, HalfedgeId, keys};
 use serde_json::json;
 
 impl App {
@@ -16,7 +17,7 @@ impl App {
         let first = mesh.halfedge_of(f).raw();
         let corners: Vec<u32> = mesh.face_vertices(f).map(|v| v.raw()).collect();
         let sides: Vec<u32> = mesh.face_halfedges(f).map(HalfedgeId::raw).collect();
-        let area = area_vector(mesh, f);
+        let area = face_area_vector(mesh, f);
         let normal = area.normalize_or_zero().as_vec3();
         let color = mesh.get(keys::FACE_COLOR, f.index());
         let label = |key, name| {
@@ -64,15 +65,6 @@ impl App {
             ui.label(RichText::new(color.to_hex()).monospace().weak());
         });
     }
-}
-
-/// The polygon's normal, as long as its area: Newell's method, from the first corner on so that
-/// faces far from the origin keep their digits.
-fn area_vector(mesh: &Mesh, f: FaceId) -> DVec3 {
-    let corners: Vec<DVec3> = mesh.face_vertices(f).map(|v| mesh.position(v).as_dvec3()).collect();
-    let Some(&origin) = corners.first() else { return DVec3::ZERO };
-    let pairs = corners.iter().zip(corners.iter().skip(1));
-    pairs.map(|(a, b)| (*a - origin).cross(*b - origin)).sum::<DVec3>() * 0.5
 }
 
 fn direction(normal: Vec3) -> String {

@@ -1,47 +1,59 @@
-//! The triangles of a polygon, for drawing and picking; the mesh is left as it is.
+//! Polygons cut into triangles between their own corners.
+//!
+//! There is one rule. Drawing, picking, saving, simplifying, remeshing and the operation
+//! `triangulate-faces` all follow it, so that they agree on the surface of a non-planar polygon.
 
-use crate::normals::face_area_vector;
-use glam::{DVec2, DVec3, Vec3};
-use halfedge::edit::polygon_ears;
-use halfedge::{FaceId, HalfedgeId, Mesh};
+mod clip_ears;
+mod optimal;
+mod touching;
 
-/// The most corners that a fan is made of: it shows polygons that are not flat as other programs do, and of
-/// many corners its triangles are thin.
-const FAN: usize = 8;
-/// The most corners for which [`polygon_ears`], which can take the square of their number, is asked.
-const WEIGHED: usize = 1024;
+use crate::geometry::polygon_area_vector;
+use crate::{FaceId, HalfedgeId, Mesh};
+use clip_ears::EarClipper;
+use glam::{DVec3, Vec3};
 
-/// Cuts polygons into triangles by their corners, keeping its buffers from one to the next.
+/// Larger polygons aren't cut into a fan: its triangles would be thin, and its first corner would have a
+/// great many edges.
+const MAX_FAN_CORNERS: usize = 8;
+/// Larger polygons that touch or cross themselves are cut somehow: what covers them takes the square of their
+/// corners to find.
+const MAX_TOUCHING_CORNERS: usize = 1024;
+
+/// Which corners a cut may join, by their numbers: the edits keep edges from being doubled.
+pub(crate) trait Allowed: Fn(u32, u32) -> bool {}
+impl<F: Fn(u32, u32) -> bool> Allowed for F {}
+
+/// Cuts polygons into triangles by their corners. It keeps its buffers from one polygon to the next.
 ///
-/// A polygon of n corners always gives n - 2 triangles, oriented as it is. A quad is cut from its first
-/// corner, or along the other diagonal where only that keeps both halves facing the same way. Larger ones are
-/// a fan from their first corner where that is right and they have no more than 8, else they are projected
-/// along their normal and cut by ear clipping (Meisters 1975), which is right on concave ones; where that is
-/// stuck, as it can be on a polygon that touches itself, by [`polygon_ears`]. A large polygon that crosses
-/// itself gets triangles that cover it somehow.
+/// A polygon of n corners always gives n - 2 triangles that are oriented as it is:
+///
+/// 1. A quad is cut from its first corner, or along the other diagonal where only that keeps both halves
+///    facing the same way.
+/// 2. A polygon of up to 8 corners is cut into a fan from its first corner where every triangle of it faces
+///    the polygon's way.
+/// 3. Others are cut ear by ear (Meisters 1975), which covers concave polygons.
+/// 4. A polygon of up to 1024 corners that touches itself is cut so that nothing is covered twice, or where it
+///    crosses itself, as little as possible (Klincsek 1980).
+/// 5. The corners of a larger one are cut off one by one, convex ones first; the triangles may overlap.
 #[derive(Clone, Debug, Default)]
-pub struct CornerTriangulator {
+pub struct PolygonTriangulator {
     triangles: Vec<[u32; 3]>,
     sides: Vec<HalfedgeId>,
     side_triangles: Vec<[HalfedgeId; 3]>,
     corners: Vec<Vec3>,
-    flat: Vec<DVec2>,
-    next: Vec<u32>,
-    prev: Vec<u32>,
-    /// Corners that may lie inside an ear: those with an angle of 180 degrees or more.
-    reflex: Vec<u32>,
-    is_reflex: Vec<bool>,
+    clipper: EarClipper,
 }
 
-impl CornerTriangulator {
+impl PolygonTriangulator {
     /// A triangulator with empty buffers.
     pub fn new() -> Self {
         Self::default()
     }
 
     /// The triangles of a face: three half-edges each, which leave the triangle's corners. Costs
-    /// O(corners x concave corners), and where ears alone are stuck what [`polygon_ears`] does.
-    pub fn of_face(&mut self, mesh: &Mesh, face: FaceId) -> &[[HalfedgeId; 3]] {
+    /// O(corners x concave corners) where the face doesn't touch or cross itself, else up to
+    /// O(corners²), and O(corners³) for up to 128 corners.
+    pub fn triangulate_face(&mut self, mesh: &Mesh, face: FaceId) -> &[[HalfedgeId; 3]] {
         self.sides.clear();
         self.sides.extend(mesh.face_halfedges(face));
         self.side_triangles.clear();
@@ -52,7 +64,7 @@ impl CornerTriangulator {
         let mut corners = std::mem::take(&mut self.corners);
         corners.clear();
         corners.extend(self.sides.iter().map(|&h| mesh.position(mesh.from(h))));
-        self.triangulate(&corners, || face_area_vector(mesh, face));
+        self.triangulate(&corners);
         self.corners = corners;
         for triangle in &self.triangles {
             self.side_triangles.push(triangle.map(|i| self.sides[i as usize]));
@@ -60,147 +72,86 @@ impl CornerTriangulator {
         &self.side_triangles
     }
 
-    /// The triangles of a polygon, as positions in `corners`, at the same cost.
-    pub fn of_polygon(&mut self, corners: &[Vec3]) -> &[[u32; 3]] {
-        self.triangulate(corners, || {
-            let Some((&base, rest)) = corners.split_first() else { return DVec3::ZERO };
-            let base = base.as_dvec3();
-            rest.windows(2).map(|p| (p[0].as_dvec3() - base).cross(p[1].as_dvec3() - base)).sum()
-        });
+    /// The triangles of a polygon, as numbers of its corners; none of fewer than three. Costs as
+    /// [`PolygonTriangulator::triangulate_face`] does.
+    pub fn triangulate(&mut self, corners: &[Vec3]) -> &[[u32; 3]] {
+        self.cut(corners, true, |_, _| true);
         &self.triangles
     }
 
-    fn triangulate(&mut self, corners: &[Vec3], normal: impl FnOnce() -> DVec3) {
+    /// The triangles of a polygon cut ear by ear, however many corners it has: neither a fan nor overlapping
+    /// triangles. None where it has more than 128 corners, crosses itself and can't be cut that way. Costs as
+    /// [`PolygonTriangulator::triangulate_face`] does.
+    pub fn cut_ears(&mut self, corners: &[Vec3]) -> Option<&[[u32; 3]]> {
+        self.triangulate_with(corners, false, |_, _| true)
+    }
+
+    /// The triangles of a polygon in an order in which each is an ear of what is left by those before it,
+    /// with cuts only between corners that `allowed` says may be joined. `fans` says whether rules 1 and 2
+    /// hold or it is cut ear by ear. None where there is no way.
+    pub(crate) fn triangulate_with(
+        &mut self,
+        corners: &[Vec3],
+        fans: bool,
+        allowed: impl Allowed,
+    ) -> Option<&[[u32; 3]]> {
+        self.cut(corners, fans, allowed).then_some(&self.triangles)
+    }
+
+    fn cut(&mut self, corners: &[Vec3], fans: bool, allowed: impl Allowed) -> bool {
         self.triangles.clear();
-        match corners {
-            [] | [_] | [_, _] => {}
-            [_, _, _] => self.triangles.push([0, 1, 2]),
-            &[a, b, c, d] => self.triangles.extend(quad([a, b, c, d], normal())),
-            _ => {
-                let normal = normal();
-                let fan = (2..corners.len() as u32).map(|i| [0, i - 1, i]);
-                if corners.len() <= FAN
-                    && fan.clone().all(|ear| facing(ear.map(|i| corners[i as usize]), normal) > 0.0)
-                {
-                    self.triangles.extend(fan);
-                    return;
-                }
-                if self.clip_ears(corners, normal, true) {
-                    return;
-                }
-                let ears = if corners.len() <= WEIGHED { polygon_ears(corners) } else { None };
-                self.triangles.clear();
-                match ears {
-                    Some(ears) => self.triangles.extend(ears.iter().map(|ear| ear.map(|i| i as u32))),
-                    None => _ = self.clip_ears(corners, normal, false),
-                }
+        if corners.len() <= 3 {
+            self.triangles.extend((corners.len() == 3).then_some([0, 1, 2]));
+            return true;
+        }
+        let normal = polygon_area_vector(corners.iter().copied());
+        if fans && self.cut_fan(corners, normal, &allowed) {
+            return true;
+        }
+        if self.clipper.clip(corners, normal, &allowed, &mut self.triangles) {
+            return true;
+        }
+        self.triangles.clear();
+        // Without fans all ears are wanted that there are, whatever it costs.
+        if corners.len() <= MAX_TOUCHING_CORNERS || !fans {
+            if let Some(triangles) = touching::find_triangles(corners, normal, &allowed) {
+                self.triangles = triangles;
+                return true;
+            }
+            if !fans {
+                return false;
             }
         }
-    }
-
-    /// Cuts ears; whether they cover the polygon. A strict ear touches no other corner. Where there are none,
-    /// one is cut that touches some, else any convex corner, else any.
-    fn clip_ears(&mut self, corners: &[Vec3], normal: DVec3, strict: bool) -> bool {
+        self.clipper.clip_somehow(corners, normal, &mut self.triangles);
         let count = corners.len() as u32;
-        self.flat.clear();
-        // Along the axis nearest to the normal, so that the projection keeps turning directions.
-        let size = normal.abs();
-        let axis = if size.x >= size.y && size.x >= size.z {
-            0
-        } else if size.y >= size.z {
-            1
-        } else {
-            2
+        let is_side = |a: u32, b: u32| a.abs_diff(b) == 1 || a.abs_diff(b) == count - 1;
+        let may_join = |a, b| is_side(a, b) || allowed(a, b);
+        self.triangles.iter().all(|&[a, b, c]| may_join(a, b) && may_join(b, c) && may_join(c, a))
+    }
+
+    /// Cuts a quad, or a small polygon into a fan; whether that is right and allowed.
+    fn cut_fan(&mut self, corners: &[Vec3], normal: DVec3, allowed: &impl Allowed) -> bool {
+        let count = corners.len() as u32;
+        let facing = |triangle: &[u32; 3]| {
+            let [a, b, c] = triangle.map(|i| corners[i as usize].as_dvec3());
+            (b - a).cross(c - a).dot(normal)
         };
-        let (u, v) = ((axis + 1) % 3, (axis + 2) % 3);
-        let (u, v) = if normal[axis] < 0.0 { (v, u) } else { (u, v) };
-        self.flat.extend(corners.iter().map(|p| DVec2::new(f64::from(p[u]), f64::from(p[v]))));
-        self.next.clear();
-        self.next.extend((0..count).map(|i| if i + 1 == count { 0 } else { i + 1 }));
-        self.prev.clear();
-        self.prev.extend((0..count).map(|i| if i == 0 { count - 1 } else { i - 1 }));
-        self.is_reflex.clear();
-        self.is_reflex.resize(corners.len(), false);
-        self.reflex.clear();
-        for i in 0..count {
-            if self.turn(i) <= 0.0 {
-                self.is_reflex[i as usize] = true;
-                self.reflex.push(i);
-            }
+        let fan = (2..count).map(|i| [0, i - 1, i]);
+        if count == 4 {
+            let (first, other) = ([[0, 1, 2], [0, 2, 3]], [[0, 1, 3], [1, 2, 3]]);
+            let least = |halves: &[[u32; 3]; 2]| facing(&halves[0]).min(facing(&halves[1]));
+            let by_first = least(&first);
+            let is_first = !(by_first <= 0.0 && least(&other) > by_first);
+            let is_first = is_first && allowed(0, 2) || !allowed(1, 3);
+            self.triangles.extend(if is_first { first } else { other });
+            return !is_first || allowed(0, 2);
         }
-        let mut left = count;
-        let mut at = 0;
-        let mut refused = 0;
-        while left > 3 {
-            let ear = self.turn(at) > 0.0 && (refused >= left && !strict || self.is_empty_ear(at, strict));
-            if !ear && refused < 2 * left {
-                at = self.next[at as usize];
-                refused += 1;
-                if strict && refused >= left {
-                    return false;
-                }
-                continue;
-            }
-            refused = 0;
-            let (before, after) = (self.prev[at as usize], self.next[at as usize]);
-            self.triangles.push([before, at, after]);
-            self.next[before as usize] = after;
-            self.prev[after as usize] = before;
-            self.is_reflex[at as usize] = false;
-            left -= 1;
-            for corner in [before, after] {
-                if self.is_reflex[corner as usize] && self.turn(corner) > 0.0 {
-                    self.is_reflex[corner as usize] = false;
-                }
-            }
-            if self.reflex.len() > 16 {
-                let is_reflex = &self.is_reflex;
-                let stale = self.reflex.iter().filter(|&&i| !is_reflex[i as usize]).count();
-                if stale * 2 > self.reflex.len() {
-                    self.reflex.retain(|&i| is_reflex[i as usize]);
-                }
-            }
-            // Not the neighbour at once: cutting every second corner gives rounder triangles.
-            at = self.next[after as usize];
+        let is_right = corners.len() <= MAX_FAN_CORNERS
+            && fan.clone().all(|triangle| facing(&triangle) > 0.0)
+            && (2..count - 1).all(|i| allowed(0, i));
+        if is_right {
+            self.triangles.extend(fan);
         }
-        self.triangles.push([self.prev[at as usize], at, self.next[at as usize]]);
-        self.turn(at) >= 0.0
+        is_right
     }
-
-    /// Twice the signed area at a corner: positive where it is convex.
-    fn turn(&self, i: u32) -> f64 {
-        let [a, b, c] = [self.prev[i as usize], i, self.next[i as usize]].map(|k| self.flat[k as usize]);
-        (b - a).perp_dot(c - b)
-    }
-
-    /// Whether no other corner lies in the triangle at a corner, or but for a strict ear in the place of one of
-    /// its own.
-    fn is_empty_ear(&self, i: u32, strict: bool) -> bool {
-        let ear = [self.prev[i as usize], i, self.next[i as usize]];
-        let [a, b, c] = ear.map(|k| self.flat[k as usize]);
-        let outside = |p: DVec2| {
-            (b - a).perp_dot(p - a) < 0.0 || (c - b).perp_dot(p - b) < 0.0 || (a - c).perp_dot(p - c) < 0.0
-        };
-        self.reflex.iter().all(|&k| {
-            let p = self.flat[k as usize];
-            let is_own = ear.contains(&k) || (!strict && [a, b, c].contains(&p));
-            !self.is_reflex[k as usize] || is_own || outside(p)
-        })
-    }
-}
-
-/// How far a triangle faces along a normal: less than zero where it faces away.
-fn facing(corners: [Vec3; 3], normal: DVec3) -> f64 {
-    let [a, b, c] = corners.map(|p| p.as_dvec3());
-    (b - a).cross(c - a).dot(normal)
-}
-
-fn quad(corners: [Vec3; 4], normal: DVec3) -> [[u32; 3]; 2] {
-    let [a, b, c, d] = corners;
-    let faces = |p, q, r| facing([p, q, r], normal);
-    let first = faces(a, b, c).min(faces(a, c, d));
-    if first <= 0.0 && faces(a, b, d).min(faces(b, c, d)) > first {
-        return [[0, 1, 3], [1, 2, 3]];
-    }
-    [[0, 1, 2], [0, 2, 3]]
 }
