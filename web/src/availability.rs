@@ -16,7 +16,7 @@ impl App {
         let kind = self.lists.kind.0;
         let document = self.editor.document();
         match action {
-            Action::Undo if self.editor.undo_labels().next().is_none() && !self.editor.is_dragging() => {
+            Action::Undo if self.editor.undo_labels().next().is_none() && !self.editor.is_editing() => {
                 Some("There is nothing to undo.".into())
             }
             Action::Redo if self.editor.redo_labels().next().is_none() => {

@@ -272,7 +272,7 @@ impl App {
             }
             Ok(_) => {}
             Err(text) => {
-                self.editor.cancel(id);
+                self.editor.cancel_job(id);
                 self.jobs.take(job);
                 self.fail(text);
             }
@@ -401,7 +401,7 @@ impl App {
 
     /// Escape: the innermost thing that is going on.
     fn cancel(&mut self) {
-        if self.view.cancel_gesture() | self.editor.cancel_drag().is_some() {
+        if self.view.cancel_gesture() | self.editor.cancel_edit().is_some() {
             return;
         }
         if self.shown.close_windows() {
@@ -463,7 +463,7 @@ impl App {
 
     /// Previews an edit while the person drags or spins.
     pub(crate) fn preview(&mut self, command: serde_json::Value) {
-        let result = Command::from_value(command).and_then(|command| self.editor.drag(command));
+        let result = Command::from_value(command).and_then(|command| self.editor.update_edit(command));
         if let Err(error) = result {
             self.refused(&error, None);
         }
@@ -472,7 +472,7 @@ impl App {
 
     /// Makes the previewed edit one undo step.
     pub(crate) fn commit_preview(&mut self) {
-        self.editor.commit_drag();
+        self.editor.commit_edit();
         self.follow();
     }
 

@@ -142,7 +142,7 @@ impl App {
         if apply && live.refused.is_none() {
             self.commit_preview();
         } else {
-            self.editor.cancel_drag();
+            self.editor.cancel_edit();
             self.follow();
         }
     }
@@ -152,7 +152,7 @@ impl App {
         let Some(live) = &self.live else { return };
         if !live.does_something() {
             // Back at nothing: as it was, and still going on.
-            self.editor.cancel_drag();
+            self.editor.cancel_edit();
             self.follow();
             if let Some(live) = &mut self.live {
                 (live.shown, live.refused) = (false, None);
@@ -160,10 +160,10 @@ impl App {
             return;
         }
         let result =
-            editor::Command::from_value(live.command()).and_then(|command| self.editor.drag(command));
+            editor::Command::from_value(live.command()).and_then(|command| self.editor.update_edit(command));
         self.follow();
         if let Some(live) = &mut self.live {
-            live.shown = self.editor.is_dragging();
+            live.shown = self.editor.is_editing();
             live.refused = result.err().map(|error| error.problem.to_string());
         }
     }
@@ -172,7 +172,7 @@ impl App {
     /// one is going on.
     pub(crate) fn live_keys(&mut self, ctx: &Context) -> bool {
         let Some(live) = &mut self.live else { return false };
-        if live.shown && !self.editor.is_dragging() {
+        if live.shown && !self.editor.is_editing() {
             // An undo or a script ended it.
             self.live = None;
             return false;

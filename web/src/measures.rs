@@ -37,7 +37,7 @@ impl Measured {
     /// The measures; none where there is no mesh. Costs O(mesh) after a change.
     pub fn get(&mut self, editor: &Editor) -> Option<Measures> {
         let mesh = editor.mesh()?;
-        let may_lag = editor.is_dragging() && mesh.face_count() > SMALL && self.known.is_some();
+        let may_lag = editor.is_editing() && mesh.face_count() > SMALL && self.known.is_some();
         if (self.stale || self.known.is_none()) && !may_lag {
             self.known = Some(Measures {
                 mean_edge: measure::mean_edge_length(mesh),

@@ -158,7 +158,7 @@ impl App {
 
     /// Forgets a job and tells who waits for it.
     pub(crate) fn cancel_job(&mut self, id: JobId) {
-        self.editor.cancel(id);
+        self.editor.cancel_job(id);
         self.platform.cancel_job(id.0);
         self.adjustment_ended(id, false);
         if let Some(reply) = self.jobs.take(id.0).and_then(|job| job.reply) {

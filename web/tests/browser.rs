@@ -28,6 +28,7 @@ fn messages_of_the_worker_read_back() {
             field: field.map(str::to_owned),
             problem: "face 7 has 4 corners".to_owned(),
             kind,
+            advice: None,
         },
     };
     let messages = [

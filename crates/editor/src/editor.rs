@@ -2,8 +2,8 @@
 
 mod adjust;
 mod commit;
-mod drag;
 mod jobs;
+mod ongoing;
 mod open;
 mod run;
 mod select;
@@ -13,7 +13,7 @@ pub use jobs::{Begun, Finished, RunningJob};
 pub use select::SelectMode;
 
 use crate::changes::Changes;
-use crate::command::{Command, Output};
+use crate::ops::Output;
 use crate::document::{Counts, Document, Object, ObjectId};
 use crate::error::CommandError;
 use crate::history::{Change, History, Step};
@@ -33,7 +33,7 @@ pub struct Editor {
     selection: Arc<Selection>,
     history: History,
     changes: Changes,
-    drag: Option<drag::Drag>,
+    ongoing: Option<ongoing::Ongoing>,
     jobs: Vec<jobs::Waiting>,
     messages: VecDeque<Message>,
     next_object: u64,
@@ -42,8 +42,8 @@ pub struct Editor {
     revision: u64,
     last_revision: u64,
     saved: u64,
-    /// The command of the last step, and the state that it led to.
-    last: Option<(Command, u64)>,
+    /// The command that can be adjusted.
+    last: Option<adjust::Last>,
     /// The numbers of each object's mesh, until the mesh changes.
     counts: std::sync::Mutex<HashMap<ObjectId, Counts>>,
 }
@@ -86,7 +86,7 @@ impl Editor {
             selection: Arc::new(Selection::default()),
             history: History::new(),
             changes: Changes::default(),
-            drag: None,
+            ongoing: None,
             jobs: Vec::new(),
             messages: VecDeque::new(),
             next_object: 1,
@@ -146,7 +146,7 @@ impl Editor {
 
     /// Whether the document is not as it was when it was opened or last saved.
     pub fn is_dirty(&self) -> bool {
-        (self.is_dragging() && !self.is_trying()) || self.revision != self.saved
+        (self.is_editing() && !self.is_previewing_mesh()) || self.revision != self.saved
     }
 
     /// The state that the document is in: edits lead to a new one, undo and redo back to others.
@@ -195,13 +195,13 @@ impl Editor {
         self.changes.history = true;
     }
 
-    /// Takes the last step back and gives its label; none where there is nothing to undo. A drag
-    /// that is going on is taken back instead.
+    /// Undo the last step and return its label; none where there is nothing to undo. An ongoing edit
+    /// is cancelled instead.
     ///
     /// # Errors
     /// A job runs on a mesh that would change.
     pub fn undo(&mut self) -> Result<Option<String>, CommandError> {
-        if let Some(label) = self.cancel_drag() {
+        if let Some(label) = self.cancel_edit() {
             return Ok(Some(label));
         }
         if let Some(step) = self.history.next_undo() {
@@ -209,30 +209,30 @@ impl Editor {
         }
         let Some(step) = self.history.take_undo() else { return Ok(None) };
         let label = step.label.clone();
-        let back = self.travel(step);
+        let back = self.reverse(step);
         self.history.keep_redo(back);
         Ok(Some(label))
     }
 
-    /// Makes the last undone step again and gives its label; none where there is nothing to redo.
+    /// Redo the last undone step and return its label; none where there is nothing to redo.
     ///
     /// # Errors
     /// A job runs on a mesh that would change.
     pub fn redo(&mut self) -> Result<Option<String>, CommandError> {
-        self.settle();
+        self.end_edit();
         if let Some(step) = self.history.next_redo() {
             self.refuse_while_busy("redo", &step.changes)?;
         }
         let Some(step) = self.history.take_redo() else { return Ok(None) };
         let label = step.label.clone();
-        let back = self.travel(step);
+        let back = self.reverse(step);
         self.history.keep_undo(back);
         Ok(Some(label))
     }
 
-    /// Goes to the other side of a step and gives the step back.
-    fn travel(&mut self, step: Step) -> Step {
-        let changes = self.make(step.changes);
+    /// Makes the changes of a step and returns the step that reverses them.
+    fn reverse(&mut self, step: Step) -> Step {
+        let changes = self.apply(step.changes);
         let selection = std::mem::replace(&mut self.selection, step.selection);
         let revision = std::mem::replace(&mut self.revision, step.revision);
         self.changes.selection = true;
@@ -240,8 +240,8 @@ impl Editor {
         Step { label: step.label, changes, selection, revision }
     }
 
-    /// Makes changes in order; gives those that take them back, in order.
-    fn make(&mut self, changes: Vec<Change>) -> Vec<Change> {
+    /// Makes changes in order; returns those that reverse them, in order.
+    fn apply(&mut self, changes: Vec<Change>) -> Vec<Change> {
         let mut back = Vec::with_capacity(changes.len());
         let counts = self.counts.get_mut().unwrap_or_else(std::sync::PoisonError::into_inner);
         for change in changes {
@@ -258,13 +258,18 @@ impl Editor {
         self.counts.get_mut().unwrap_or_else(std::sync::PoisonError::into_inner).remove(&id);
     }
 
-    /// Adds the step that takes back what was just done.
-    fn push_step(&mut self, label: String, back: Vec<Change>, before: Arc<Selection>) {
+    /// Adds the step that reverses what was just done.
+    /// What changed nothing is no step; returns whether there was one.
+    fn push_step(&mut self, label: String, back: Vec<Change>, before: Arc<Selection>) -> bool {
+        if back.iter().all(Change::is_nothing) {
+            return false;
+        }
         let revision = self.revision;
         self.last_revision += 1;
         self.revision = self.last_revision;
         self.history.push(Step { label, changes: back, selection: before, revision });
         self.changes.history = true;
         self.changes.document = true;
+        true
     }
 }

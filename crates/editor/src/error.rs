@@ -7,7 +7,8 @@ use surface::SurfaceError;
 
 /// A command that was not carried out. The document is as it was.
 ///
-/// Displays as one line: the op (or that a file could not be opened or saved), the field where one is at fault, and what is wrong.
+/// Displays as one line: the op (or that a file could not be opened or saved), the field at fault if
+/// there is one, and what is wrong.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
 pub struct CommandError {
     /// The op, or what was tried, such as `open`.
@@ -18,6 +19,9 @@ pub struct CommandError {
     pub problem: String,
     /// What sort of failure it is.
     pub kind: ErrorKind,
+    /// What to tell a person in place of the field and the problem, as a sentence.
+    #[serde(skip)]
+    pub advice: Option<String>,
 }
 
 /// The sorts of failure.
@@ -28,6 +32,8 @@ pub enum ErrorKind {
     Refused,
     /// The user cancelled it.
     Cancelled,
+    /// The command can be run, and would change nothing.
+    NothingToDo,
     /// The editor itself is at fault: a result broke a rule of the mesh and was thrown away.
     Internal,
 }
@@ -35,11 +41,23 @@ pub enum ErrorKind {
 impl CommandError {
     /// A refusal of an op, with no field at fault.
     pub fn refused(op: impl Into<String>, problem: impl Into<String>) -> Self {
-        Self { op: op.into(), field: None, problem: problem.into(), kind: ErrorKind::Refused }
+        Self::of(op, Problem::new(problem))
     }
 
     pub(crate) fn of(op: impl Into<String>, problem: Problem) -> Self {
-        Self { op: op.into(), field: problem.field, problem: problem.text, kind: problem.kind }
+        let Problem { field, text, kind, advice } = problem;
+        Self { op: op.into(), field, problem: text, kind, advice }
+    }
+
+    /// Why the command can't be carried out, as a sentence for a tooltip: "Select an edge first."
+    pub fn reason(&self) -> String {
+        if let Some(advice) = &self.advice {
+            return advice.clone();
+        }
+        let mut letters = self.problem.chars();
+        let text: String =
+            letters.next().map_or_else(String::new, |first| first.to_uppercase().chain(letters).collect());
+        if text.ends_with(['.', '!', '?']) { text } else { format!("{text}.") }
     }
 
     /// Whether the user cancelled it, so that there is nothing to tell them.
@@ -50,7 +68,7 @@ impl CommandError {
 
 impl fmt::Display for CommandError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        // These are no ops: nobody has asked for them by these names.
+        // These are not ops: no command has these names.
         let tried = match self.op.as_str() {
             "open" => "Could not open",
             "export" => "Could not save",
@@ -65,21 +83,32 @@ impl fmt::Display for CommandError {
 
 impl std::error::Error for CommandError {}
 
-/// What is wrong, before it is known which op it was.
+/// What is wrong, before the op is known.
 #[derive(Clone, Debug)]
 pub(crate) struct Problem {
     pub field: Option<String>,
     pub text: String,
     pub kind: ErrorKind,
+    /// What to tell a person in place of the field and the text, as a sentence.
+    pub advice: Option<String>,
 }
 
 impl Problem {
     pub fn new(text: impl Into<String>) -> Self {
-        Self { field: None, text: text.into(), kind: ErrorKind::Refused }
+        Self { field: None, text: text.into(), kind: ErrorKind::Refused, advice: None }
     }
 
     pub fn field(field: impl Into<String>, text: impl Into<String>) -> Self {
         Self { field: Some(field.into()), ..Self::new(text) }
+    }
+
+    /// Adds what to tell a person, as a sentence.
+    pub fn advise(self, advice: impl Into<String>) -> Self {
+        Self { advice: Some(advice.into()), ..self }
+    }
+
+    pub fn nothing_to_do(sentence: &str) -> Self {
+        Self { kind: ErrorKind::NothingToDo, ..Self::new(sentence).advise(sentence) }
     }
 
     pub fn cancelled() -> Self {

@@ -137,6 +137,11 @@ impl Change {
         })
     }
 
+    /// Whether making the change would change nothing.
+    pub fn is_nothing(&self) -> bool {
+        matches!(self, Self::Journal(_, journal) if journal.is_empty())
+    }
+
     fn bytes(&self) -> usize {
         size_of::<Self>()
             + match self {

@@ -1,19 +1,19 @@
 //! The editor with no screen: a document of objects, a selection, commands, history and jobs.
 //!
 //! Everything a user can do is a [`Command`] value given to an [`Editor`]. Menus, keys, scripts,
-//! the command line and tests speak the same commands; [`OPERATIONS`] lists them.
+//! the command line and tests speak the same commands; [`OpId::ALL`] lists them.
 
 #![cfg_attr(not(test), deny(clippy::unwrap_used, clippy::expect_used, clippy::panic, clippy::unreachable))]
 
 mod bezier;
 mod changes;
-pub mod command;
 mod document;
 mod editor;
 mod error;
 mod history;
 mod job;
 mod json;
+pub mod ops;
 mod outcome;
 mod pieces;
 mod selection;
@@ -21,11 +21,11 @@ mod state;
 
 pub use bezier::{Bezier, show_controls};
 pub use changes::{Changes, ObjectChange};
-pub use command::{Command, Field, FieldKind, OPERATIONS, Op, OperationKind, Spec};
 pub use document::{Counts, Document, Object, ObjectId};
 pub use editor::{Begun, Editor, Finished, Message, MessageKind, RunningJob, SelectMode};
 pub use error::{CommandError, ErrorKind};
 pub use job::{BadBytes, JobId, JobRequest, JobResult};
+pub use ops::{Command, Facts, Op, OpId, Scope, Spec};
 pub use outcome::{ElementIds, Elements, Outcome};
 pub use selection::Selection;
 pub use state::element_kind;

@@ -26,9 +26,16 @@ impl Outcome {
     /// The outcome of an op that created and removed these, with the sentence that says so.
     pub fn new(op: impl Into<String>, created: Elements, removed: Elements) -> Self {
         let op = op.into();
-        let label = crate::OPERATIONS.iter().find(|spec| spec.name == op).map_or(&*op, |spec| spec.label);
+        let label = crate::OpId::named(&op).map_or(&*op, |id| id.spec().label);
         let message = message(label, &created, &removed);
         Self { op, created, removed, message, warnings: Vec::new(), report: Vec::new() }
+    }
+}
+
+impl Outcome {
+    /// The same outcome of an op that changed nothing, and says so.
+    pub(crate) fn unchanged(self) -> Self {
+        Self { message: format!("{}: nothing changed", self.message), ..self }
     }
 }
 

@@ -183,25 +183,25 @@ fn a_drag_is_one_step_and_a_cancelled_one_none() {
             command(value)
         };
         for z in [0.5, 1.0, 2.0] {
-            editor.drag(to(z)).expect("a preview");
+            editor.update_edit(to(z)).expect("a preview");
             validate(&editor);
         }
         let wrong = command(json!({"op": "bezier-move-point", "point": 77, "position": [0, 0, 0]}));
         let shown = editor.document().clone();
-        editor.drag(wrong).expect_err("no such point");
+        editor.update_edit(wrong).expect_err("no such point");
         assert_eq!(editor.document(), &shown);
-        assert!(editor.is_dragging());
-        assert_eq!(editor.cancel_drag().as_deref(), Some("Move control point"));
+        assert!(editor.is_editing());
+        assert_eq!(editor.cancel_edit().as_deref(), Some("Move control point"));
         assert_eq!(editor.document(), &before);
-        editor.drag(to(1.0)).expect("a preview");
-        editor.drag(to(2.0)).expect("a preview");
-        editor.commit_drag();
+        editor.update_edit(to(1.0)).expect("a preview");
+        editor.update_edit(to(2.0)).expect("a preview");
+        editor.commit_edit();
         assert_eq!(editor.undo_labels().count(), 2, "opening, and the drag");
         assert!(points(&editor, 0).contains(&Vec3::new(0.5, 0.5, 2.0)));
         editor.undo().expect("free");
         assert_eq!(editor.document(), &before);
     }
-    let error = on_curve().drag(command(json!({"op": "rename-object", "name": "x"}))).expect_err("no drag");
+    let error = on_curve().update_edit(command(json!({"op": "rename-object", "name": "x"}))).expect_err("no drag");
     assert!(error.to_string().contains("can't be dragged"), "{error}");
 }
 
@@ -212,7 +212,7 @@ fn tessellating_makes_a_mesh_that_everything_edits() {
     for op in ["subdivide-linear", "smooth", "triangulate-faces", "flip-orientation"] {
         let text = refusal(&mut editor, json!({"op": op}));
         assert!(
-            text.contains("flat is a Bezier surface; make it a mesh first, with `bezier-tessellate`"),
+            text.contains("flat is a Bezier surface; tessellate it first (`bezier-tessellate`)"),
             "{text}"
         );
     }

@@ -3,7 +3,8 @@
 mod support;
 
 use editor::halfedge::{Element, VertexId, keys};
-use editor::{Begun, Editor, OPERATIONS, OperationKind, SelectMode};
+use editor::ops::{Arity, FieldKind, Fill};
+use editor::{Begun, Editor, OpId, Scope, SelectMode};
 use serde_json::{Value, json};
 use support::*;
 
@@ -195,7 +196,7 @@ fn selected_elements_stand_in_one_after_the_other() {
 fn sizes_that_go_too_far_are_limited_and_said() {
     let mut editor = on_cube();
     let outcome = run(&mut editor, json!({"op": "inset-faces", "faces": [0], "amount": 5}));
-    assert_eq!(outcome.warnings, ["`amount` was limited to 0.5: beyond that, edges would turn round"]);
+    assert_eq!(outcome.warnings, ["`amount` was limited to 0.5: beyond that, edges would reverse"]);
     let outcome = run(&mut on_cube(), json!({"op": "inset-faces", "faces": [0], "amount": 0.25}));
     assert_eq!(outcome.warnings, [] as [String; 0]);
     for op in [
@@ -214,21 +215,20 @@ fn sizes_that_go_too_far_are_limited_and_said() {
 
 #[test]
 fn every_local_edit_refuses_elements_that_are_not_there() {
-    for spec in OPERATIONS.iter().filter(|spec| spec.kind == OperationKind::Local) {
+    for spec in OpId::ALL.iter().map(|id| id.spec()).filter(|spec| spec.scope == Scope::Elements) {
         for field in spec.fields {
-            use editor::FieldKind as K;
             let wrong = match field.kind {
-                K::Vertex | K::Edge | K::Halfedge | K::Face => json!(99),
-                K::Vertices | K::Edges | K::Halfedges | K::Faces => json!([99, 98]),
+                FieldKind::Elements { arity: Arity::One, .. } => json!(99),
+                FieldKind::Elements { .. } => json!([99, 98]),
                 _ => continue,
             };
             // The other fields as they have to be, so that only this one is wrong.
             let mut value = json!({"op": spec.name, field.name: wrong});
             for other in spec.fields.iter().filter(|other| other.name != field.name) {
-                if other.default.is_none() {
+                if other.fill == Fill::Required {
                     value[other.name] = match other.kind {
-                        K::Vector => json!([0, 0, 0]),
-                        K::Color => json!("#ffffff"),
+                        FieldKind::Vector => json!([0, 0, 0]),
+                        FieldKind::Color => json!("#ffffff"),
                         _ => json!(0.1),
                     };
                 }
@@ -276,8 +276,8 @@ fn the_last_operation_can_be_adjusted() {
     assert!(error.to_string().contains("no last operation"), "{error}");
 
     // After a drag too.
-    editor.drag(command(json!({"op": "extrude-faces", "distance": 0.5}))).expect("a preview");
+    editor.update_edit(command(json!({"op": "extrude-faces", "distance": 0.5}))).expect("a preview");
     assert_eq!(editor.last_command(), None);
-    editor.commit_drag();
+    editor.commit_edit();
     assert!(editor.last_command().is_some());
 }

@@ -108,7 +108,7 @@ fn repairing_runs_in_a_worker() {
 #[test]
 fn what_was_not_repaired_can_not_be_repaired_otherwise() {
     let text = refusal(&mut on_cube(), json!({"op": "repair-import"}));
-    assert!(text.contains("nothing was repaired when Cube came to be"), "{text}");
+    assert!(text.contains("nothing was repaired when Cube was read"), "{text}");
     let mut editor = on_fin();
     for (value, part) in [
         (json!({"op": "repair-import", "merge_by_distance": -1}), "`merge_by_distance`: -1 is out of range"),

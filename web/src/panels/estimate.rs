@@ -77,7 +77,7 @@ impl App {
         let distance = filled.get("distance")?.as_f64()?;
         let mesh = self.editor.mesh()?;
         let all = mesh.vertex_count();
-        if mesh.face_count() > TRIED || self.editor.is_dragging() {
+        if mesh.face_count() > TRIED || self.editor.is_editing() {
             return Some(format!("Of {}", counted(Element::Vertex, all)));
         }
         let left = self.tried("merge-by-distance", filled, |mesh, go_on| {
@@ -92,7 +92,7 @@ impl App {
         let mut value = filled.clone();
         value.insert("op".into(), "remesh".into());
         let command = Command::from_value(Value::Object(value)).ok()?;
-        if !self.editor.is_dragging() && self.editor.is_quick(command) {
+        if !self.editor.is_editing() && self.editor.is_quick(command) {
             let defaults = surface::Remesh::default();
             let number = |field: &str| filled.get(field).and_then(Value::as_f64);
             let whole = |field: &str| filled.get(field).and_then(Value::as_u64);

@@ -73,7 +73,7 @@ fn sizes(mesh: &Mesh) -> [usize; 4] {
 impl App {
     fn trial(&self) -> Option<&Trial> {
         // Whatever else was done has taken it back.
-        self.forms.previews.shown.as_ref().filter(|_| self.editor.is_trying())
+        self.forms.previews.shown.as_ref().filter(|_| self.editor.is_previewing_mesh())
     }
 
     /// What the mesh is without what is only previewed.
@@ -92,7 +92,7 @@ impl App {
         self.forms.previews.due = false;
         let keeps_ids = self.trial()?.keeps_ids;
         self.forms.previews.shown = None;
-        self.editor.cancel_drag();
+        self.editor.cancel_edit();
         self.follow();
         Some(keeps_ids)
     }
@@ -186,7 +186,7 @@ impl App {
             return Err(WhyNot::TooLarge);
         }
         let sizes_before = self.editor.mesh().map(sizes);
-        let outcome = self.editor.drag(command).map_err(refused)?;
+        let outcome = self.editor.update_edit(command).map_err(refused)?;
         let keeps_ids = self.editor.mesh().map(sizes) == sizes_before;
         self.forms.previews.shown =
             Some(Trial { op: spec.name, filled: filled.clone(), outcome, before, keeps_ids });

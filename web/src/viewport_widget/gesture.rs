@@ -217,7 +217,7 @@ impl App {
         match (std::mem::replace(&mut self.view.gesture, Gesture::None), at) {
             (Gesture::Move { .. } | Gesture::Control { .. }, Some(_)) => self.commit_preview(),
             (Gesture::Move { .. } | Gesture::Control { .. }, None) => {
-                self.editor.cancel_drag();
+                self.editor.cancel_edit();
                 self.follow();
             }
             (Gesture::Box { from }, Some((to, extend))) => {

@@ -67,7 +67,7 @@ impl Message {
                 transfer.push(&buffer);
             }
             Self::Refused { job, refusal } => {
-                let CommandError { op, field, problem, kind } = refusal;
+                let CommandError { op, field, problem, kind, .. } = refusal;
                 push(&["refused".into(), job_to_js(*job), op.into(), field.clone().into(), problem.into()]);
                 push(&[kind_to_js(*kind)]);
             }
@@ -99,6 +99,7 @@ impl Message {
                     field: parts.get(3).as_string(),
                     problem: parts.get(4).as_string()?,
                     kind: kind_from_js(&parts.get(5))?,
+                    advice: None,
                 };
                 Some(Self::Refused { job: job_from_js(&parts.get(1))?, refusal })
             }
@@ -141,8 +142,12 @@ fn job_from_js(value: &JsValue) -> Option<u64> {
     value.as_f64().filter(|job| *job >= 0.0).map(|job| job as u64)
 }
 
-const KINDS: [(ErrorKind, &str); 3] =
-    [(ErrorKind::Refused, "refused"), (ErrorKind::Cancelled, "cancelled"), (ErrorKind::Internal, "internal")];
+const KINDS: [(ErrorKind, &str); 4] = [
+    (ErrorKind::Refused, "refused"),
+    (ErrorKind::Cancelled, "cancelled"),
+    (ErrorKind::NothingToDo, "nothing-to-do"),
+    (ErrorKind::Internal, "internal"),
+];
 
 fn kind_to_js(kind: ErrorKind) -> JsValue {
     KINDS.iter().find(|(known, _)| *known == kind).map_or(JsValue::NULL, |(_, name)| (*name).into())

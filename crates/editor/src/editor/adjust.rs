@@ -1,25 +1,34 @@
-//! Adjusting the last operation: doing it again with other fields, in place of itself.
+//! Adjusting the last operation: running it again with other fields, in place of itself.
 
 use super::{Begun, Editor};
-use crate::command::Command;
 use crate::error::CommandError;
+use crate::ops::Command;
+
+/// The command that led to the present state.
+#[derive(Clone, Debug)]
+pub(super) struct Last {
+    command: Command,
+    revision: u64,
+    /// Whether it made an undo step. An adjustment may pass through fields that change nothing.
+    is_step: bool,
+}
 
 impl Editor {
-    /// Notes the command that led to the present state.
+    /// Remembers the command that led to the present state.
     pub(super) fn remember(&mut self, command: Command) {
-        self.last = Some((command, self.revision));
+        self.last = Some(Last { command, revision: self.revision, is_step: true });
     }
 
-    /// The command that led to the present state, as it was given; none where the last thing done
-    /// was something else, such as an undo.
+    /// The command that led to the present state, as it was given; none where something else was done
+    /// since, such as an undo.
     pub fn last_command(&self) -> Option<&Command> {
-        let (command, revision) = self.last.as_ref()?;
-        let edited = self.is_dragging() && !self.is_trying();
-        (*revision == self.revision && !edited).then_some(command)
+        let last = self.last.as_ref()?;
+        let edited = self.is_editing() && !self.is_previewing_mesh();
+        (last.revision == self.revision && !edited).then_some(&last.command)
     }
 
-    /// Does the last command again with other fields: takes the last step back and begins this
-    /// command on the document and selection from before it, so that one step stays one step.
+    /// Run the last command again with other fields: undoes the last step and begins this command on
+    /// the document and selection from before it, so that one step stays one step.
     ///
     /// Where that gives a job, the document is as before the last step until the job is finished;
     /// [`Editor::redo`] brings the last step back if the job fails or is cancelled.
@@ -27,21 +36,32 @@ impl Editor {
     /// # Errors
     /// There is no such command, or why the new one is refused; the document is then as it was.
     pub fn adjust(&mut self, command: Command) -> Result<Begun, CommandError> {
-        if self.last_command().is_none() {
+        let Some(last) = self.last.clone().filter(|_| self.last_command().is_some()) else {
             return Err(CommandError::refused(
                 command.name(),
                 "there is no last operation to adjust: something else was done since",
             ));
+        };
+        self.end_edit();
+        if last.is_step {
+            self.undo()?;
         }
-        let last = self.last.clone();
-        self.settle();
-        self.undo()?;
-        self.begin(command).map_err(|error| match self.redo() {
-            Ok(_) => {
-                self.last = last;
-                error
+        let before = self.revision;
+        match self.begin(command.clone()) {
+            Ok(begun) => {
+                if matches!(begun, Begun::Done(_)) && self.revision == before {
+                    self.last = Some(Last { command, revision: before, is_step: false });
+                }
+                Ok(begun)
             }
-            Err(stuck) => stuck,
-        })
+            Err(error) if !last.is_step => Err(error),
+            Err(error) => match self.redo() {
+                Ok(_) => {
+                    self.last = Some(last);
+                    Err(error)
+                }
+                Err(stuck) => Err(stuck),
+            },
+        }
     }
 }

@@ -1,7 +1,7 @@
 //! What a whole-mesh operation made, put into the document as one step.
 
 use super::Editor;
-use crate::command::{Action, Commit, Op, Output};
+use crate::ops::{Action, Commit, Op, Output};
 use crate::document::{Object, ObjectId};
 use crate::error::Problem;
 use crate::history::Change;
@@ -22,13 +22,29 @@ impl Editor {
         made: Made,
     ) -> Result<Outcome, Problem> {
         let before = self.selection.clone();
-        let (outcome, back) = self.put_whole(op, objects, at, made)?;
+        if self.is_unchanged(op, objects, &made) {
+            let Made::Meshes(_, _, warnings) = made else { return Err(other_job()) };
+            let outcome = Self::outcome(std::slice::from_ref(op), Elements::default(), Elements::default());
+            return Ok(Outcome { warnings, ..outcome.unchanged() });
+        }
+        let (outcome, back) = self.put_result(op, objects, at, made)?;
         self.push_step(op.spec().label.to_owned(), back, before);
         Ok(outcome)
     }
 
-    /// Puts what a whole-mesh operation made into the document; gives what takes it out again.
-    pub(super) fn put_whole(
+    /// Whether the result of a whole-mesh operation is the mesh that it started from. Costs O(mesh) where
+    /// the counts are the same.
+    fn is_unchanged(&self, op: &Op, objects: &[ObjectId], made: &Made) -> bool {
+        let (Action::WholeMesh(whole), Made::Meshes(outputs, ..)) = (op.action(), made) else { return false };
+        let ([output], [object]) = (outputs.as_slice(), objects) else { return false };
+        let object = self.document.object(*object);
+        whole.commit() == Commit::Replace
+            && output.name.is_empty()
+            && object.is_some_and(|object| object.bezier.is_none() && object.mesh == output.mesh)
+    }
+
+    /// Puts what a whole-mesh operation made into the document; returns what reverses that.
+    pub(super) fn put_result(
         &mut self,
         op: &Op,
         objects: &[ObjectId],
@@ -36,7 +52,7 @@ impl Editor {
         made: Made,
     ) -> Result<(Outcome, Vec<Change>), Problem> {
         let Made::Meshes(outputs, ids, notes) = made else {
-            return Err(Problem::internal("the result is of another job"));
+            return Err(other_job());
         };
         let commit = match op.action() {
             Action::WholeMesh(whole) => whole.commit(),
@@ -70,7 +86,7 @@ impl Editor {
         };
         let keeps_ids = created.ids.is_some();
         let changes = self.changes_for(commit, objects, at, outputs)?;
-        let back = self.make(changes);
+        let back = self.apply(changes);
         if keeps_ids {
             self.drop_gone_from_selection();
         } else {
@@ -158,4 +174,8 @@ impl Editor {
     pub(super) fn outcome(ops: &[Op], created: Elements, removed: Elements) -> Outcome {
         ops.first().map_or_else(Outcome::default, |op| Outcome::new(op.spec().name, created, removed))
     }
+}
+
+fn other_job() -> Problem {
+    Problem::internal("the result is of another job")
 }

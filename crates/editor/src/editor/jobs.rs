@@ -2,7 +2,7 @@
 
 use super::run::{Planned, broken};
 use super::{Editor, MessageKind};
-use crate::command::{Action, Command, Input, Op};
+use crate::ops::{Action, Command, Input, Op};
 use crate::document::ObjectId;
 use crate::error::{CommandError, Problem};
 use crate::history::Change;
@@ -11,9 +11,9 @@ use crate::outcome::Outcome;
 use formats::{Format, NamedBytes, Repairs};
 use std::ops::ControlFlow;
 
-/// Operations whose result is smaller than this many faces run at once: that takes less time than
-/// a frame, and less than sending the mesh to a worker.
-const SMALL: usize = 20_000;
+/// The work up to which operations run at once, in faces: that takes less time than a frame, and less
+/// than sending the mesh to a worker.
+const MAX_FACES_AT_ONCE: usize = 20_000;
 
 /// What became of a command that was begun.
 #[derive(Debug)]
@@ -90,7 +90,7 @@ impl Editor {
     /// # Errors
     /// Why the command is refused, naming the op and the field.
     pub fn begin(&mut self, command: Command) -> Result<Begun, CommandError> {
-        self.begin_from(command, SMALL)
+        self.begin_from(command, MAX_FACES_AT_ONCE)
     }
 
     /// [`Editor::begin`] with another idea of what takes long: results of this many faces or more.
@@ -98,7 +98,7 @@ impl Editor {
     /// # Errors
     /// As [`Editor::begin`].
     pub fn begin_from(&mut self, command: Command, faces: usize) -> Result<Begun, CommandError> {
-        self.settle();
+        self.end_edit();
         let name = command.name();
         self.begin_inner(command, faces).map_err(|problem| self.report(CommandError::of(name, problem)))
     }
@@ -111,7 +111,7 @@ impl Editor {
             Planned::Document { .. } => (Vec::new(), Vec::new(), 0),
         };
         let inputs = self.inputs(&objects);
-        let cost = Self::cost(&ops, &inputs);
+        let cost = Self::work(&ops, &inputs);
         let first = ops.first().cloned();
         match first {
             Some(op) if cost >= faces => {
@@ -125,8 +125,18 @@ impl Editor {
         }
     }
 
-    /// How much work operations are, in faces to look at or to make.
-    fn cost(ops: &[Op], inputs: &[Input]) -> usize {
+    /// The work of a command in faces read or made: what decides whether it becomes a job. None where
+    /// the command would be refused. Costs O(mesh) at most.
+    pub fn cost(&self, command: &Command) -> Option<usize> {
+        match self.plan(command.clone()).ok()? {
+            Planned::Whole { op, objects, .. } => Some(Self::work(&[op], &self.inputs(&objects))),
+            Planned::Local { object, ops } => Some(Self::work(&ops, &self.inputs(&[object]))),
+            Planned::Document { .. } => Some(0),
+        }
+    }
+
+    /// The work of operations, in faces read or made.
+    fn work(ops: &[Op], inputs: &[Input]) -> usize {
         let each = ops.iter().map(|op| match op.action() {
             Action::WholeMesh(whole) => whole.cost(inputs),
             Action::Local(edit) => inputs.first().map_or(0, |input| edit.cost(&input.mesh)),
@@ -136,19 +146,14 @@ impl Editor {
     }
 
     /// Whether a command runs at once when it is begun, and so can be previewed at every change of its
-    /// fields; one that would be refused is not quick. Costs what finding its elements costs.
-    pub fn is_quick(&self, command: Command) -> bool {
-        match self.plan(command) {
-            Ok(Planned::Whole { op, objects, .. }) => self.is_small(&[op], &objects),
-            Ok(Planned::Local { object, ops }) => self.is_small(&ops, &[object]),
-            Ok(Planned::Document { .. }) => true,
-            Err(_) => false,
-        }
+    /// fields; one that would be refused is not quick. Costs O(mesh) at most.
+    pub fn is_quick(&self, command: &Command) -> bool {
+        self.cost(command).is_some_and(|cost| cost < MAX_FACES_AT_ONCE)
     }
 
     /// Whether operations on these objects run at once.
     pub(super) fn is_small(&self, ops: &[Op], objects: &[ObjectId]) -> bool {
-        Self::cost(ops, &self.inputs(objects)) < SMALL
+        Self::work(ops, &self.inputs(objects)) < MAX_FACES_AT_ONCE
     }
 
     /// The job of reading files, whose result [`Editor::finish`] opens in place of the document.
@@ -175,8 +180,8 @@ impl Editor {
 
     /// [`Editor::begin_export`] to files of another name, given without an extension.
     pub fn begin_export_as(&mut self, format: Format, name: String) -> JobRequest {
-        if self.is_trying() {
-            self.cancel_drag();
+        if self.is_previewing_mesh() {
+            self.cancel_edit();
         }
         let objects: Vec<ObjectId> = self.document.objects().iter().map(|object| object.id()).collect();
         let id = self.wait_for(WaitingFor::Export);
@@ -214,9 +219,9 @@ impl Editor {
         };
         let job = self.jobs.remove(at);
         self.changes.jobs = true;
-        // Writing a file changes nothing, so what is being dragged goes on.
+        // Writing a file changes nothing, so an ongoing edit goes on.
         if !matches!(job.kind, WaitingFor::Export) {
-            self.settle();
+            self.end_edit();
         }
         let name = job.kind.op();
         let JobResult { made, validated } = result.map_err(|error| self.report(error))?;
@@ -240,7 +245,7 @@ impl Editor {
     }
 
     /// Forgets a job; what comes of it is not taken in. Gives whether it was waited for.
-    pub fn cancel(&mut self, id: JobId) -> bool {
+    pub fn cancel_job(&mut self, id: JobId) -> bool {
         let before = self.jobs.len();
         self.jobs.retain(|job| job.id != id);
         let cancelled = self.jobs.len() < before;

@@ -3,7 +3,7 @@
 use super::run::broken;
 use super::{Editor, MessageKind};
 use crate::bezier::fill_previews;
-use crate::command::Output;
+use crate::ops::Output;
 use crate::error::CommandError;
 use crate::history::Change;
 use crate::outcome::{self, Elements, Outcome};
@@ -29,7 +29,7 @@ impl Editor {
 
     /// Opens meshes that are known to be valid.
     pub(super) fn open_valid(&mut self, import: Import) -> Outcome {
-        self.settle();
+        self.end_edit();
         // What runs on objects that go has nowhere to put its result.
         if !self.jobs.is_empty() {
             self.jobs.clear();
@@ -50,7 +50,7 @@ impl Editor {
         }
         changes.push(Change::Active(0));
         let before = self.selection.clone();
-        let back = self.make(changes);
+        let back = self.apply(changes);
         self.selection = Arc::new(Selection::new(before.kind()));
         self.changes.selection = true;
         self.push_step("Open".into(), back, before);

@@ -2,7 +2,7 @@
 
 use super::Editor;
 use super::MessageKind;
-use crate::command::{Action, Command, Commit, Op, Place, Target, edit_all, refuse_bezier};
+use crate::ops::{Action, Command, Commit, Input, LocalEdit, Op, Place, Target, edit_all, refuse_bezier};
 use crate::document::{Object, ObjectId};
 use crate::error::{CommandError, Problem};
 use crate::history::{Change, is_reshaping};
@@ -46,32 +46,52 @@ impl Editor {
         command: Command,
         progress: &mut halfedge::Progress<'_>,
     ) -> Result<Outcome, CommandError> {
-        self.settle();
+        self.end_edit();
         let name = command.name();
         self.run_inner(command, progress).map_err(|problem| self.report(CommandError::of(name, problem)))
     }
 
-    /// Whether a command would be carried out, as far as can be told without doing it: for a local
-    /// edit all but whether positions stay finite (several at once are each looked at on the mesh as
-    /// it is), for an operation on whole meshes whether its elements and objects exist.
-    /// Costs what finding the elements costs; nothing is logged.
+    /// Whether a command would be carried out and change something: the one answer that menus, buttons
+    /// and keys go by. It is as exact as can be without doing it: for a local edit all but whether
+    /// positions stay finite (of several in one step the first, which the others build on), for an
+    /// operation on whole meshes whether its elements and objects exist.
+    ///
+    /// Costs O(mesh) at most. Of a selection of more than [`Editor::MAX_CHECKED_SELECTION`] elements, and
+    /// of edits that would run as a job, only the kind of element is checked. Nothing is logged.
     ///
     /// # Errors
-    /// Why it would be refused.
-    pub fn can(&self, command: Command) -> Result<(), CommandError> {
-        let name = command.name();
-        let check = || match self.plan(command)? {
+    /// Why it would be refused or change nothing; [`CommandError::reason`] is the sentence for a tooltip.
+    pub fn can(&self, command: &Command) -> Result<(), CommandError> {
+        self.check(command).map_err(|problem| CommandError::of(command.name(), problem))
+    }
+
+    /// The number of selected elements up to which [`Editor::can`] checks each.
+    pub const MAX_CHECKED_SELECTION: usize = 1000;
+
+    fn check(&self, command: &Command) -> Result<(), Problem> {
+        let op = &command.op;
+        if op.is_open() && self.selection.len() > Self::MAX_CHECKED_SELECTION {
+            let place = self.place(command);
+            let object = place.object()?;
+            refuse_bezier(object.name(), object.bezier())?;
+            self.check_idle(object.id())?;
+            return op.check_selection(&self.target(&place, &Selection::default(), &Mesh::new())?);
+        }
+        match self.plan(command.clone())? {
             Planned::Local { object, ops } => {
-                let gone = || Problem::new("the object is gone");
-                let mesh = self.document.object(object).ok_or_else(gone)?.mesh();
-                ops.iter().try_for_each(|op| match op.action() {
-                    Action::Local(edit) => edit.can(mesh),
-                    Action::WholeMesh(_) | Action::Document(_) => Ok(()),
-                })
+                let mesh = self.document.object(object).ok_or_else(object_gone)?.mesh();
+                if let Some(first) = local_edits(&ops).next().filter(|_| self.is_small(&ops, &[object])) {
+                    first.can(mesh)?;
+                }
+                let idle = local_edits(&ops).map(|edit| edit.changes_nothing(mesh));
+                nothing_to_do(idle.reduce(Option::and).flatten())
             }
-            Planned::Whole { .. } | Planned::Document { .. } => Ok(()),
-        };
-        check().map_err(|problem| CommandError::of(name, problem))
+            Planned::Whole { op, objects, .. } => match op.action() {
+                Action::WholeMesh(whole) => nothing_to_do(whole.changes_nothing(&self.inputs(&objects))),
+                Action::Local(_) | Action::Document(_) => Ok(()),
+            },
+            Planned::Document { .. } => Ok(()),
+        }
     }
 
     /// Logs a refusal.
@@ -91,7 +111,7 @@ impl Editor {
         self.carry_out(command, planned, progress)
     }
 
-    /// Does what was planned for a command, which is the last from then on.
+    /// Does what was planned for a command, and remembers it as the last one.
     pub(super) fn carry_out(
         &mut self,
         command: Command,
@@ -100,7 +120,7 @@ impl Editor {
     ) -> Result<Outcome, Problem> {
         let before = self.revision;
         let outcome = self.carry_out_step(planned, progress)?;
-        // What changed nothing is no step, and there is nothing of it to adjust.
+        // A command that changed nothing made no step, so there is nothing to adjust.
         if self.revision != before {
             self.remember(command);
         }
@@ -116,9 +136,12 @@ impl Editor {
             Planned::Local { object, ops } => {
                 let before = self.selection.clone();
                 let done = self.edit(object, &ops)?;
-                let (spec, back) = (ops.first().map(Op::spec), vec![Change::Journal(object, done.journal)]);
-                self.push_step(spec.map_or_else(String::new, |s| s.label.to_owned()), back, before);
-                Ok(Outcome { warnings: done.notes, ..Self::outcome(&ops, done.created, done.removed) })
+                let label = ops.first().map_or("", |op| op.spec().label);
+                let outcome = Self::outcome(&ops, done.created, done.removed);
+                let is_step =
+                    self.push_step(label.to_owned(), vec![Change::Journal(object, done.journal)], before);
+                let outcome = if is_step { outcome } else { outcome.unchanged() };
+                Ok(Outcome { warnings: done.notes, ..outcome })
             }
             Planned::Whole { op, objects, at } => {
                 let made = self.compute(&op, &objects, progress)?;
@@ -126,11 +149,10 @@ impl Editor {
             }
             Planned::Document { op, changes } => {
                 let before = self.selection.clone();
-                let back = self.make_document(changes);
-                if !back.is_empty() {
-                    self.push_step(op.spec().label.to_owned(), back, before);
-                }
-                Ok(Self::outcome(&[op], Elements::default(), Elements::default()))
+                let back = self.apply_to_document(changes);
+                let label = op.spec().label.to_owned();
+                let outcome = Self::outcome(&[op], Elements::default(), Elements::default());
+                Ok(if self.push_step(label, back, before) { outcome } else { outcome.unchanged() })
             }
         }
     }
@@ -149,26 +171,14 @@ impl Editor {
 
     /// Finds out what a command has to do, without doing it.
     pub(super) fn plan(&self, command: Command) -> Result<Planned, Problem> {
-        let next_object = ObjectId(self.next_object);
-        let place = Place { document: &self.document, object: command.object, next_object };
+        let place = self.place(&command);
         if let Action::Document(edit) = command.op.action() {
             let changes = edit.changes(&place)?;
             self.check_busy(&changes)?;
             return Ok(Planned::Document { op: command.op, changes });
         }
-        let empty = Selection::default();
-        let nothing = Mesh::new();
-        // `new` alone needs no object.
-        let target = match place.index() {
-            Ok(at) => self.document.objects.get(at),
-            Err(problem) if command.object.is_some() => return Err(problem),
-            Err(_) => None,
-        };
-        let is_active = target.is_some() && target.map(Object::id) == self.document.active().map(Object::id);
-        let against = Target {
-            mesh: target.map_or(&nothing, Object::mesh),
-            selection: if is_active { &self.selection } else { &empty },
-        };
+        let (nobody, nothing) = (Selection::default(), Mesh::new());
+        let against = self.target(&place, &nobody, &nothing)?;
         let mut ops = command.op.resolve(&against)?;
         if let [op] = ops.as_slice()
             && let Action::WholeMesh(whole) = op.action()
@@ -196,15 +206,44 @@ impl Editor {
         Ok(Planned::Local { object: object.id(), ops })
     }
 
-    /// Makes the changes of an operation on the document; gives those that take them back.
-    pub(super) fn make_document(&mut self, changes: Vec<Change>) -> Vec<Change> {
+    /// Where a command acts.
+    fn place(&self, command: &Command) -> Place<'_> {
+        Place {
+            document: &self.document,
+            object: command.object,
+            next_object: ObjectId(self.next_object),
+        }
+    }
+
+    /// What a command's elements are looked up in; `nobody` and `nothing` stand in for an object that
+    /// isn't there, which only `new` gets by without.
+    fn target<'a>(
+        &'a self,
+        place: &Place<'_>,
+        nobody: &'a Selection,
+        nothing: &'a Mesh,
+    ) -> Result<Target<'a>, Problem> {
+        let object = match place.index() {
+            Ok(at) => self.document.objects.get(at),
+            Err(problem) if place.object.is_some() => return Err(problem),
+            Err(_) => None,
+        };
+        let is_active = object.is_some() && object.map(Object::id) == self.document.active().map(Object::id);
+        Ok(Target {
+            mesh: object.map_or(nothing, Object::mesh),
+            selection: if is_active { &self.selection } else { nobody },
+        })
+    }
+
+    /// Makes the changes of an operation on the document; returns those that reverse them.
+    pub(super) fn apply_to_document(&mut self, changes: Vec<Change>) -> Vec<Change> {
         for change in &changes {
             if let Change::Insert(_, object) = change {
                 self.next_object = self.next_object.max(object.id().0 + 1);
             }
         }
         let active = self.document.active().map(Object::id);
-        let back = self.make(changes);
+        let back = self.apply(changes);
         if self.document.active().map(Object::id) == active {
             self.drop_gone_from_selection();
         } else {
@@ -215,11 +254,11 @@ impl Editor {
     }
 
     /// The meshes of objects, shared.
-    pub(super) fn inputs(&self, objects: &[ObjectId]) -> Vec<crate::command::Input> {
+    pub(super) fn inputs(&self, objects: &[ObjectId]) -> Vec<Input> {
         objects
             .iter()
             .filter_map(|&id| self.document.object(id))
-            .map(|object| crate::command::Input {
+            .map(|object| Input {
                 name: object.name.clone(),
                 mesh: object.mesh.clone(),
                 bezier: object.bezier.clone(),
@@ -230,8 +269,8 @@ impl Editor {
 
     /// Makes local edits on an object in one transaction, validated; all or nothing.
     pub(super) fn edit(&mut self, id: ObjectId, ops: &[Op]) -> Result<Edited, Problem> {
-        let at = self.document.index_of(id).ok_or_else(|| Problem::new("the object is gone"))?;
-        let object = self.document.objects.get_mut(at).ok_or_else(|| Problem::new("the object is gone"))?;
+        let at = self.document.index_of(id).ok_or_else(object_gone)?;
+        let object = self.document.objects.get_mut(at).ok_or_else(object_gone)?;
         let mesh = Arc::make_mut(&mut object.mesh);
         let before = Before::of(mesh);
         let mut notes = Vec::new();
@@ -253,6 +292,21 @@ impl Editor {
         }
         Ok(Edited { journal, created: created.into(), removed: removed.into(), notes })
     }
+}
+
+fn local_edits(ops: &[Op]) -> impl Iterator<Item = &dyn LocalEdit> {
+    ops.iter().filter_map(|op| match op.action() {
+        Action::Local(edit) => Some(edit),
+        Action::WholeMesh(_) | Action::Document(_) => None,
+    })
+}
+
+fn nothing_to_do(reason: Option<&str>) -> Result<(), Problem> {
+    reason.map_or(Ok(()), |sentence| Err(Problem::nothing_to_do(sentence)))
+}
+
+fn object_gone() -> Problem {
+    Problem::new("the object is gone")
 }
 
 pub(super) fn broken(defect: &str) -> Problem {

@@ -1,7 +1,7 @@
 //! What an editor opens on.
 
 use super::Editor;
-use crate::command::Command;
+use crate::ops::Command;
 use crate::error::CommandError;
 use crate::history::History;
 use crate::outcome::Outcome;

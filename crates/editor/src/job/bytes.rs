@@ -10,7 +10,7 @@
 //! tells the reading end that what arrives is what was written.
 
 use super::{ExportHead, JobId, JobRequest, JobResult, Made, Work};
-use crate::command::{Action, Command, Input, Op, Output};
+use crate::ops::{Action, Command, Input, Op, Output};
 use crate::outcome::ElementIds;
 use formats::{Controls, Format, Import, ImportReport, ImportedObject, Material, NamedBytes, Repairs};
 use halfedge::attribute::{Column, Columns, Value, Values};

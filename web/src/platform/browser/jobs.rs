@@ -186,7 +186,7 @@ impl Pool {
     }
 
     fn fail(&self, job: u64, problem: String) {
-        let error = CommandError { op: "job".to_owned(), field: None, problem, kind: ErrorKind::Internal };
+        let error = CommandError { kind: ErrorKind::Internal, ..CommandError::refused("job", problem) };
         self.inbox.push(Event::JobDone { job, result: Err(error) });
     }
 

@@ -1,0 +1,143 @@
+//! The ongoing edit: a preview in the document that each update replaces, and one undo step at the end.
+//! Drags, edits that follow the pointer, spin boxes, painting and the previews of forms all are one.
+
+use super::Editor;
+use super::run::Planned;
+use crate::error::{CommandError, Problem};
+use crate::history::Change;
+use crate::ops::{Action, Command, Commit, Op, Scope};
+use crate::outcome::{Elements, Outcome};
+use crate::selection::Selection;
+use std::ops::ControlFlow;
+use std::sync::Arc;
+
+/// An edit that is going on: what cancels its preview.
+#[derive(Debug)]
+pub(super) struct Ongoing {
+    command: Command,
+    back: Vec<Change>,
+    selection: Arc<Selection>,
+    /// It previews an operation on the whole mesh.
+    whole: bool,
+}
+
+impl Editor {
+    /// Show what a local edit, a move of a control point, or an operation on the whole mesh would do, in
+    /// place of what the last update showed. The document has the preview in it until
+    /// [`Editor::commit_edit`] or [`Editor::cancel_edit`].
+    ///
+    /// Any other command first commits an edit of elements, as the hand that made it meant it, and
+    /// cancels the preview of an operation on the whole mesh.
+    ///
+    /// # Errors
+    /// Why the edit is refused, or that an operation takes too long to be previewed
+    /// ([`Editor::is_quick`]); the last preview stays.
+    pub fn update_edit(&mut self, command: Command) -> Result<Outcome, CommandError> {
+        let name = command.name();
+        self.replace_preview(command).map_err(|problem| CommandError::of(name, problem))
+    }
+
+    fn replace_preview(&mut self, command: Command) -> Result<Outcome, Problem> {
+        // The elements are looked up in the document without the preview, as at the commit.
+        let Some(last) = self.ongoing.take() else {
+            let selection = self.selection.clone();
+            return self.show_preview(command, selection);
+        };
+        let (shown, selection, whole) = (last.command.clone(), last.selection.clone(), last.whole);
+        let redo = self.remove_preview(last);
+        self.show_preview(command, selection.clone()).inspect_err(|_| {
+            let back = self.apply(redo);
+            self.drop_gone_from_selection();
+            self.ongoing = Some(Ongoing { command: shown, back, selection, whole });
+        })
+    }
+
+    fn show_preview(&mut self, command: Command, selection: Arc<Selection>) -> Result<Outcome, Problem> {
+        let (back, outcome, whole) = match self.plan(command.clone())? {
+            Planned::Local { object, ops } => {
+                let edited = self.edit(object, &ops)?;
+                let outcome =
+                    Outcome { warnings: edited.notes, ..Self::outcome(&ops, edited.created, edited.removed) };
+                (vec![Change::Journal(object, edited.journal)], outcome, false)
+            }
+            Planned::Document { op, changes } if op.spec().scope == Scope::Bezier => {
+                let back = self.apply_to_document(changes);
+                (back, Self::outcome(&[op], Elements::default(), Elements::default()), false)
+            }
+            Planned::Whole { op, objects, at } if changes_one_mesh(&op) => {
+                if !self.is_small(std::slice::from_ref(&op), &objects) {
+                    return Err(Problem::new("on a mesh of this size it takes too long to be previewed"));
+                }
+                let made = self.compute(&op, &objects, &mut |_| ControlFlow::Continue(()))?;
+                let (outcome, back) = self.put_result(&op, &objects, at, made)?;
+                (back, outcome, true)
+            }
+            Planned::Whole { .. } | Planned::Document { .. } => {
+                return Err(Problem::new(
+                    "this op can't be dragged or previewed: it does not change one mesh",
+                ));
+            }
+        };
+        self.ongoing = Some(Ongoing { command, back, selection, whole });
+        Ok(outcome)
+    }
+
+    /// Removes a preview and returns what shows it again.
+    fn remove_preview(&mut self, ongoing: Ongoing) -> Vec<Change> {
+        let redo = self.apply(ongoing.back);
+        if self.selection != ongoing.selection {
+            self.selection = ongoing.selection;
+            self.changes.selection = true;
+        }
+        redo
+    }
+
+    /// Whether an edit is going on.
+    pub fn is_editing(&self) -> bool {
+        self.ongoing.is_some()
+    }
+
+    /// Whether the ongoing edit previews an operation on the whole mesh.
+    pub fn is_previewing_mesh(&self) -> bool {
+        self.ongoing.as_ref().is_some_and(|ongoing| ongoing.whole)
+    }
+
+    /// Ends the ongoing edit because something else is done: commits an edit of elements, cancels the
+    /// preview of an operation on the whole mesh.
+    pub(super) fn end_edit(&mut self) {
+        if self.is_previewing_mesh() {
+            self.cancel_edit()
+        } else {
+            self.commit_edit()
+        };
+    }
+
+    /// Make the preview one undo step, unless it changes nothing; returns its label, or none where no
+    /// edit is going on.
+    pub fn commit_edit(&mut self) -> Option<String> {
+        let mut ongoing = self.ongoing.take()?;
+        for change in &mut ongoing.back {
+            if let Change::Journal(_, journal) = change {
+                journal.fold_moves();
+            }
+        }
+        let label = ongoing.command.op.spec().label.to_owned();
+        if self.push_step(label.clone(), ongoing.back, ongoing.selection) {
+            self.remember(ongoing.command);
+        }
+        Some(label)
+    }
+
+    /// Remove the preview without a trace; returns its label, or none where no edit is going on.
+    pub fn cancel_edit(&mut self) -> Option<String> {
+        let ongoing = self.ongoing.take()?;
+        let label = ongoing.command.op.spec().label.to_owned();
+        self.remove_preview(ongoing);
+        Some(label)
+    }
+}
+
+/// Whether an operation changes meshes in place, and nothing else of the document.
+fn changes_one_mesh(op: &Op) -> bool {
+    matches!(op.action(), Action::WholeMesh(whole) if whole.commit() == Commit::Replace)
+}

@@ -1,0 +1,248 @@
+//! How operations are carried out: on a few elements, on whole meshes, or on the list of objects.
+
+use super::facts::{Estimate, Facts};
+use super::{Op, Slot, Spec, Target};
+use crate::bezier::Bezier;
+use crate::document::{Document, Object, ObjectId};
+use crate::error::Problem;
+use crate::history::Change;
+use halfedge::{Mesh, PolygonSoup, Progress};
+use std::sync::Arc;
+
+/// An operation: a struct with the fields of its JSON.
+pub(crate) trait Operation: Clone {
+    /// Its name, texts, keys and fields.
+    const SPEC: Spec;
+
+    /// Its element fields, in the order of [`Operation::SPEC`].
+    fn elements(&mut self) -> Vec<Slot<'_>> {
+        Vec::new()
+    }
+
+    /// Fills in what depends on other fields, once the elements are filled in from the selection.
+    fn complete(&mut self, target: &Target<'_>) -> Result<(), Problem> {
+        let _ = target;
+        Ok(())
+    }
+
+    /// Whether the fields ask for elements of the selection at all.
+    fn takes_selection(&self) -> bool {
+        true
+    }
+
+    /// How it is carried out.
+    fn action(&self) -> Action<'_>;
+}
+
+/// How an operation is carried out.
+pub(crate) enum Action<'a> {
+    /// On one mesh, recorded write by write.
+    Local(&'a dyn LocalEdit),
+    /// On whole meshes, giving others.
+    WholeMesh(&'a dyn WholeMesh),
+    /// On the list of objects.
+    Document(&'a dyn DocumentEdit),
+}
+
+/// An operation on a few elements of one mesh. Called on resolved operations, whose elements are
+/// all given.
+pub(crate) trait LocalEdit {
+    /// Whether the edit would succeed; where not, why.
+    fn can(&self, mesh: &Mesh) -> Result<(), Problem>;
+
+    /// Makes the edit, all or nothing: the caller undoes what was written before an error. Warnings
+    /// go to `notes`.
+    fn edit(&self, mesh: &mut Mesh, notes: &mut Vec<String>) -> Result<(), Problem>;
+
+    /// Why the edit would change nothing, where that is known beforehand: its menu entry is greyed.
+    fn changes_nothing(&self, mesh: &Mesh) -> Option<&'static str> {
+        let _ = mesh;
+        None
+    }
+
+    /// Whether an earlier edit of the same step already did this one's work, or removed its element.
+    fn is_moot(&self, mesh: &Mesh) -> bool {
+        let _ = mesh;
+        false
+    }
+
+    /// The work in faces written to, at least as many as the edit creates: what decides whether it
+    /// becomes a job.
+    fn cost(&self, mesh: &Mesh) -> usize;
+}
+
+/// A mesh that a whole-mesh operation reads.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct Input {
+    pub name: String,
+    pub mesh: Arc<Mesh>,
+    /// The control points that the mesh is made from.
+    pub bezier: Option<Arc<Bezier>>,
+    /// The faces as they were in the file, where the mesh had to differ from them.
+    pub soup: Option<Arc<PolygonSoup>>,
+}
+
+/// A mesh that a whole-mesh operation made, with the name its object should have; an empty one
+/// leaves the name as it is.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct Output {
+    pub name: String,
+    pub mesh: Arc<Mesh>,
+}
+
+impl Output {
+    pub fn new(name: impl Into<String>, mesh: Mesh) -> Self {
+        Self { name: name.into(), mesh: Arc::new(mesh) }
+    }
+}
+
+/// Refuses to edit the mesh that shows a Bezier object: moving a control point would replace it.
+pub(crate) fn refuse_bezier(name: &str, bezier: Option<&Bezier>) -> Result<(), Problem> {
+    match bezier {
+        None => Ok(()),
+        Some(Bezier::Surface(_)) => Err(Problem::new(format!(
+            "{name} is a Bezier surface; tessellate it first (`bezier-tessellate`)"
+        ))),
+        Some(Bezier::Curve(_)) => {
+            Err(Problem::new(format!("{name} is a Bezier curve, which has no vertices, edges or faces")))
+        }
+    }
+}
+
+/// What becomes of the meshes that a whole-mesh operation made.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Commit {
+    /// The first replaces the mesh it was made of; the others become objects after it.
+    Replace,
+    /// The one mesh replaces the first input's; the other inputs' objects are deleted.
+    Join,
+    /// It replaces the whole document.
+    NewDocument,
+    /// It becomes another object, the active one.
+    NewObject,
+}
+
+/// An operation on whole meshes.
+pub(crate) trait WholeMesh {
+    /// Checks the fields: what can be refused without looking at a mesh.
+    fn check(&self) -> Result<(), Problem> {
+        Ok(())
+    }
+
+    /// Checks what it would run on, as far as that can be refused without running. Costs O(mesh) at
+    /// most.
+    fn check_inputs(&self, inputs: &[Input]) -> Result<(), Problem> {
+        inputs.iter().try_for_each(|input| refuse_bezier(&input.name, input.bezier.as_deref()))
+    }
+
+    /// Why it would change nothing, where that is known beforehand: its menu entry is greyed.
+    fn changes_nothing(&self, inputs: &[Input]) -> Option<&'static str> {
+        let _ = inputs;
+        None
+    }
+
+    /// Whether it reads the faces as they were in the file.
+    fn reads_soup(&self) -> bool {
+        false
+    }
+
+    /// Makes the new meshes from the old ones. Warnings go to `notes`.
+    fn compute(
+        &self,
+        inputs: &[Input],
+        notes: &mut Vec<String>,
+        progress: &mut Progress<'_>,
+    ) -> Result<Vec<Output>, Problem>;
+
+    /// How large the result is; none where it is not worth saying.
+    fn result(&self, facts: &Facts) -> Option<Estimate> {
+        let _ = facts;
+        None
+    }
+
+    /// The work in faces read or made, at least as many as the result has: what decides whether it
+    /// becomes a job. Costs O(mesh) at most.
+    fn cost(&self, inputs: &[Input]) -> usize;
+
+    /// Which objects it reads.
+    fn objects(&self, place: &Place<'_>) -> Result<Vec<ObjectId>, Problem> {
+        Ok(vec![place.object()?.id()])
+    }
+
+    /// Whether the command line runs it on every object of a file.
+    fn is_for_each_object(&self) -> bool {
+        true
+    }
+
+    /// What becomes of the result.
+    fn commit(&self) -> Commit {
+        Commit::Replace
+    }
+}
+
+/// An operation on the list of objects.
+pub(crate) trait DocumentEdit {
+    /// The changes that make the edit, in order; none where it changes nothing.
+    fn changes(&self, place: &Place<'_>) -> Result<Vec<Change>, Problem>;
+}
+
+/// Where in a document an operation acts.
+pub(crate) struct Place<'a> {
+    pub document: &'a Document,
+    /// The command's `object`, if it has one.
+    pub object: Option<usize>,
+    /// The identity of the next object that is made.
+    pub next_object: ObjectId,
+}
+
+impl<'a> Place<'a> {
+    /// The place in the list of the object that the command names, or else of the active one.
+    pub fn index(&self) -> Result<usize, Problem> {
+        match self.object {
+            Some(at) => self.check(at, "object"),
+            None if self.document.objects.is_empty() => Err(no_object()),
+            None => Ok(self.document.active),
+        }
+    }
+
+    /// The object that the command names, or else the active one.
+    pub fn object(&self) -> Result<&'a Object, Problem> {
+        let at = self.index()?;
+        self.document.objects.get(at).ok_or_else(no_object)
+    }
+
+    /// Checks a place in the list.
+    pub fn check(&self, at: usize, field: &str) -> Result<usize, Problem> {
+        match self.document.objects.len() {
+            n if at < n => Ok(at),
+            0 => Err(Problem::field(field, "the document has no object")),
+            1 => Err(Problem::field(field, format!("there is no object {at}; the only one is 0"))),
+            n => Err(Problem::field(field, format!("there is no object {at}; they go from 0 to {}", n - 1))),
+        }
+    }
+}
+
+fn no_object() -> Problem {
+    Problem::new("the document has no object").advise("There is no object. Open a file or make a shape first.")
+}
+
+/// Makes local edits one after the other. The first runs in any case, so that its refusal is told.
+pub(crate) fn edit_all(
+    ops: &[Op],
+    mesh: &mut Mesh,
+    notes: &mut Vec<String>,
+    progress: &mut Progress<'_>,
+) -> Result<(), Problem> {
+    for (at, op) in ops.iter().enumerate() {
+        let Action::Local(edit) = op.action() else {
+            return Err(Problem::new("this op does not edit a few elements, so it can't be previewed"));
+        };
+        if progress(at as f32 / ops.len() as f32).is_break() {
+            return Err(Problem::cancelled());
+        }
+        if at == 0 || !edit.is_moot(mesh) {
+            edit.edit(mesh, notes)?;
+        }
+    }
+    Ok(())
+}

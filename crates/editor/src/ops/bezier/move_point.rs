@@ -1,0 +1,103 @@
+//! `bezier-move-point`: move a control point.
+
+use super::control_points;
+use crate::bezier::Bezier;
+use crate::error::Problem;
+use crate::history::Change;
+use crate::ops::refs::given;
+use crate::ops::{Action, DocumentEdit, Field, FieldKind, Operation, Place, Scope, Spec};
+use glam::Vec3;
+use serde::{Deserialize, Serialize};
+use surface::bezier::{Curve, Patch, weld_distance};
+
+/// Move a control point of a curve or a patch. Points of patches at the same position, as on a shared
+/// border, move together.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct BezierMovePoint {
+    /// For a curve: which control point, from 0.
+    #[serde(default, with = "crate::json::whole_option")]
+    pub point: Option<u32>,
+    /// For a surface: which patch, from 0.
+    #[serde(default, with = "crate::json::whole_option")]
+    pub patch: Option<u32>,
+    /// For a surface: which of the patch's rows, 0 to 3.
+    #[serde(default, with = "crate::json::whole_option")]
+    pub row: Option<u32>,
+    /// For a surface: which point of the row, 0 to 3.
+    #[serde(default, with = "crate::json::whole_option")]
+    pub column: Option<u32>,
+    /// Where it goes.
+    #[serde(with = "crate::json::finite3")]
+    pub position: [f32; 3],
+}
+
+impl Operation for BezierMovePoint {
+    const SPEC: Spec =
+        Spec::new(Scope::Bezier, "bezier-move-point", "Move control point", "Move a control point of a curve or surface; points of patches at the same position move together.")
+            .fields(&[
+                Field::count("point", [0, u32::MAX], "Which control point of a curve").optional("none, for a surface"),
+                Field::count("patch", [0, u32::MAX], "Which patch of a surface").optional("none, for a curve"),
+                Field::count("row", [0, 3], "Which row of the patch").optional("none, for a curve"),
+                Field::count("column", [0, 3], "Which point of the row").optional("none, for a curve"),
+                Field::required("position", FieldKind::Vector, "Where it goes"),
+            ]);
+
+    fn action(&self) -> Action<'_> {
+        Action::Document(self)
+    }
+}
+
+impl DocumentEdit for BezierMovePoint {
+    fn changes(&self, place: &Place<'_>) -> Result<Vec<Change>, Problem> {
+        match control_points::object(place)? {
+            (object, Bezier::Curve(curve)) => control_points::put_curve(object, self.moved_curve(curve)?),
+            (object, Bezier::Surface(patches)) => {
+                control_points::put(object, Bezier::Surface(self.moved_surface(patches)?))
+            }
+        }
+    }
+}
+
+impl BezierMovePoint {
+    fn moved_curve(&self, curve: &Curve) -> Result<Curve, Problem> {
+        for (value, field) in [(self.patch, "patch"), (self.row, "row"), (self.column, "column")] {
+            if value.is_some() {
+                return Err(Problem::field(field, "is for surfaces; a point of a curve has only `point`"));
+            }
+        }
+        let at = control_points::check_point(given(self.point, "point")?, curve, "point")?;
+        let mut curve = curve.clone();
+        if let Some(point) = curve.points.get_mut(at) {
+            *point = self.position.into();
+        }
+        Ok(curve)
+    }
+
+    fn moved_surface(&self, patches: &[Patch]) -> Result<Vec<Patch>, Problem> {
+        if self.point.is_some() {
+            return Err(Problem::field(
+                "point",
+                "is for curves; a surface's has `patch`, `row` and `column`",
+            ));
+        }
+        let index = |value: Option<u32>, field: &str, count: usize| match given(value, field)? {
+            at if (at as usize) < count => Ok(at as usize),
+            at => Err(Problem::field(
+                field,
+                format!("there is no {field} {at}; the last one is {}", count.saturating_sub(1)),
+            )),
+        };
+        let patch = index(self.patch, "patch", patches.len())?;
+        let (row, column) = (index(self.row, "row", 4)?, index(self.column, "column", 4)?);
+        let from = patches.get(patch).map_or(Vec3::ZERO, |patch| patch.rows[row][column]);
+        let near = weld_distance(patches);
+        let mut patches = patches.to_vec();
+        for point in patches.iter_mut().flat_map(|patch| patch.rows.as_flattened_mut()) {
+            if point.distance(from) <= near {
+                *point = self.position.into();
+            }
+        }
+        Ok(patches)
+    }
+}

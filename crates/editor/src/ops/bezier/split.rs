@@ -1,0 +1,63 @@
+//! `bezier-split`: split a curve into two.
+
+use super::control_points;
+use crate::bezier::Bezier;
+use crate::document::Object;
+use crate::error::Problem;
+use crate::history::Change;
+use crate::ops::{Action, Default, DocumentEdit, Field, Operation, Place, Scope, Spec, Unit};
+use halfedge::Mesh;
+use serde::{Deserialize, Serialize};
+use std::sync::Arc;
+
+/// Split a curve into two of the same degree, which together have its shape: the object keeps the
+/// part up to `t`, the rest becomes an object after it.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct BezierSplit {
+    /// Where: above 0 and below 1.
+    #[serde(with = "crate::json::finite")]
+    pub t: f32,
+}
+
+/// Curves with more control points are not split: the work grows with the square of their number.
+const MAX_SPLIT_POINTS: usize = 20_000;
+
+impl Operation for BezierSplit {
+    const SPEC: Spec =
+        Spec::new(Scope::Bezier, "bezier-split", "Split curve", "Split a Bezier curve into two of the same degree.")
+            .fields(&[Field::number("t", Unit::Fraction, [0.0, 1.0], "Where along the curve").labelled("Position (0 to 1)").or(Default::Number(0.5))]);
+
+    fn action(&self) -> Action<'_> {
+        Action::Document(self)
+    }
+}
+
+impl DocumentEdit for BezierSplit {
+    fn changes(&self, place: &Place<'_>) -> Result<Vec<Change>, Problem> {
+        let (object, curve) = control_points::curve(place)?;
+        if self.t <= 0.0 || self.t >= 1.0 {
+            return Err(Problem::field(
+                "t",
+                format!("{} is out of range; it must be above 0 and below 1", self.t),
+            ));
+        }
+        let count = curve.points.len();
+        if count > MAX_SPLIT_POINTS {
+            return Err(Problem::new(format!(
+                "the curve has {count} control points; splitting takes too long for more than {MAX_SPLIT_POINTS}"
+            )));
+        }
+        let at = place.index()?;
+        let (first, rest) = curve.split(self.t);
+        let name = format!("{} 2", object.name());
+        let mut made = Object::new(place.next_object, name, Arc::new(Mesh::new()));
+        made.bezier = Some(Arc::new(Bezier::Curve(rest)));
+        let mut changes = control_points::put_curve(object, first)?;
+        changes.push(Change::Insert(at + 1, Box::new(made)));
+        if place.document.active > at {
+            changes.push(Change::Active(place.document.active + 1));
+        }
+        Ok(changes)
+    }
+}

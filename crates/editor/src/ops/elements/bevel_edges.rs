@@ -1,0 +1,61 @@
+//! `bevel-edges`: replace each edge by a strip of faces.
+
+use super::sized::{not_negative, set_size};
+use crate::error::Problem;
+use crate::ops::refs::{all, count};
+use crate::ops::{Action, Default, Drag, Family, Field, LocalEdit, Operation, Scope, Selected, Slot, Spec, Unit, EdgeRef};
+use halfedge::{Element, Mesh, edit};
+use serde::{Deserialize, Serialize};
+
+/// Replace each edge by a strip of faces.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct BevelEdges {
+    /// The edges; the selected ones when left out.
+    pub edges: Option<Vec<EdgeRef>>,
+    /// How far the strip goes on each side, in mesh units, 0 or more.
+    #[serde(with = "crate::json::finite")]
+    pub width: f32,
+    /// How many faces there are across the strip.
+    #[serde(with = "crate::json::whole")]
+    pub segments: u32,
+}
+
+impl Operation for BevelEdges {
+    const SPEC: Spec =
+        Spec::new(Scope::Elements, "bevel-edges", "Bevel edges", "Replace each edge by a strip of faces.")
+            .keys(&["B"])
+            .family(Family::Bevel)
+            .fields(&[
+                Field::many("edges", Element::Edge, Selected::All, "The edges to bevel"),
+                Field::number("width", Unit::Length, [0.0, f32::MAX as f64], "How far it goes on each side, in mesh units").drag(Drag::Width),
+                Field::count("segments", [1, 256], "How many faces there are across").or(Default::Integer(1)),
+            ]);
+
+    fn elements(&mut self) -> Vec<Slot<'_>> {
+        vec![Slot::Edges(&mut self.edges)]
+    }
+
+    fn action(&self) -> Action<'_> {
+        Action::Local(self)
+    }
+}
+
+impl LocalEdit for BevelEdges {
+    fn can(&self, mesh: &Mesh) -> Result<(), Problem> {
+        not_negative(self.width, "width")?;
+        Ok(edit::can_bevel_edges(mesh, &all(&self.edges, "edges", mesh)?, self.segments)?)
+    }
+
+    fn edit(&self, mesh: &mut Mesh, notes: &mut Vec<String>) -> Result<(), Problem> {
+        not_negative(self.width, "width")?;
+        let live = edit::bevel_edges(mesh, &all(&self.edges, "edges", mesh)?, self.segments)?;
+        set_size(mesh, &live, self.width, "width", notes)
+    }
+
+    fn cost(&self, mesh: &Mesh) -> usize {
+        // The strips, and at each end a face with as many corners.
+        let edges = count(&self.edges, mesh.edge_count());
+        edges.saturating_mul(self.segments as usize).saturating_add(edges.saturating_mul(2))
+    }
+}

@@ -1,0 +1,46 @@
+//! `connect-vertices`: cut a face between two corners.
+
+use crate::error::Problem;
+use crate::ops::refs::two;
+use crate::ops::{Action, Field, LocalEdit, Operation, Scope, Slot, Spec, VertexRef};
+use halfedge::{Element, Mesh, edit};
+use serde::{Deserialize, Serialize};
+
+/// Cut a face from one of its corners to another.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct ConnectVertices {
+    /// Two corners of one face; the two selected ones when left out.
+    pub vertices: Option<[VertexRef; 2]>,
+}
+
+impl Operation for ConnectVertices {
+    const SPEC: Spec =
+        Spec::new(Scope::Elements, "connect-vertices", "Connect vertices", "Cut a face from one of its corners to another.")
+            .fields(&[Field::two("vertices", Element::Vertex, "Two corners of one face")]);
+
+    fn elements(&mut self) -> Vec<Slot<'_>> {
+        vec![Slot::TwoVertices(&mut self.vertices)]
+    }
+
+    fn action(&self) -> Action<'_> {
+        Action::Local(self)
+    }
+}
+
+impl LocalEdit for ConnectVertices {
+    fn can(&self, mesh: &Mesh) -> Result<(), Problem> {
+        let [a, b] = two(self.vertices, "vertices", mesh)?;
+        Ok(edit::can_connect_vertices(mesh, a, b)?)
+    }
+
+    fn edit(&self, mesh: &mut Mesh, _notes: &mut Vec<String>) -> Result<(), Problem> {
+        let [a, b] = two(self.vertices, "vertices", mesh)?;
+        edit::connect_vertices(mesh, a, b)?;
+        Ok(())
+    }
+
+    fn cost(&self, _mesh: &Mesh) -> usize {
+        2
+    }
+}

@@ -1,0 +1,56 @@
+//! `extrude-faces`: move faces outward and build walls behind them.
+
+use super::sized::{Mode, set_size};
+use crate::error::Problem;
+use crate::ops::refs::{all, corner_count};
+use crate::ops::{Action, Drag, Family, Field, LocalEdit, Operation, Scope, Selected, Slot, Spec, Unit, FaceRef};
+use halfedge::{Element, Mesh, edit};
+use serde::{Deserialize, Serialize};
+
+/// Move faces outward and build walls behind them.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct ExtrudeFaces {
+    /// The faces; the selected ones when left out.
+    pub faces: Option<Vec<FaceRef>>,
+    /// How far outward, in mesh units; negative goes inward.
+    #[serde(with = "crate::json::finite")]
+    pub distance: f32,
+    /// Whether faces that share an edge stay together.
+    pub mode: Mode,
+}
+
+impl Operation for ExtrudeFaces {
+    const SPEC: Spec =
+        Spec::new(Scope::Elements, "extrude-faces", "Extrude faces", "Move faces outward and build walls behind them.")
+            .keys(&["E"])
+            .family(Family::Extrude)
+            .fields(&[
+                Field::many("faces", Element::Face, Selected::All, "The faces to extrude"),
+                Field::number("distance", Unit::Length, [f32::MIN as f64, f32::MAX as f64], "How far outward, in mesh units").drag(Drag::Distance),
+                Mode::field("mode", "Whether faces that share an edge stay together"),
+            ]);
+
+    fn elements(&mut self) -> Vec<Slot<'_>> {
+        vec![Slot::Faces(&mut self.faces)]
+    }
+
+    fn action(&self) -> Action<'_> {
+        Action::Local(self)
+    }
+}
+
+impl LocalEdit for ExtrudeFaces {
+    fn can(&self, mesh: &Mesh) -> Result<(), Problem> {
+        Ok(edit::can_extrude_faces(mesh, &all(&self.faces, "faces", mesh)?, self.mode.into())?)
+    }
+
+    fn edit(&self, mesh: &mut Mesh, notes: &mut Vec<String>) -> Result<(), Problem> {
+        let live = edit::extrude_faces(mesh, &all(&self.faces, "faces", mesh)?, self.mode.into())?;
+        set_size(mesh, &live, self.distance, "distance", notes)
+    }
+
+    fn cost(&self, mesh: &Mesh) -> usize {
+        corner_count(&self.faces, mesh)
+    }
+}

@@ -1,0 +1,57 @@
+//! `inset-faces`: add a ring of quads inside the outline of faces.
+
+use super::sized::{Mode, not_negative, set_size};
+use crate::error::Problem;
+use crate::ops::refs::{all, corner_count};
+use crate::ops::{Action, Drag, Field, LocalEdit, Operation, Scope, Selected, Slot, Spec, Unit, FaceRef};
+use halfedge::{Element, Mesh, edit};
+use serde::{Deserialize, Serialize};
+
+/// Add a ring of quads inside the outline of faces.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct InsetFaces {
+    /// The faces; the selected ones when left out.
+    pub faces: Option<Vec<FaceRef>>,
+    /// How wide the ring is, in mesh units, 0 or more.
+    #[serde(with = "crate::json::finite")]
+    pub amount: f32,
+    /// Whether faces that share an edge stay together.
+    pub mode: Mode,
+}
+
+impl Operation for InsetFaces {
+    const SPEC: Spec =
+        Spec::new(Scope::Elements, "inset-faces", "Inset faces", "Add a ring of quads inside the outline of faces.")
+            .keys(&["Shift+I"])
+            .fields(&[
+                Field::many("faces", Element::Face, Selected::All, "The faces to inset"),
+                Field::number("amount", Unit::Length, [0.0, f32::MAX as f64], "How wide the ring is, in mesh units").drag(Drag::Width),
+                Mode::field("mode", "Whether faces that share an edge stay together"),
+            ]);
+
+    fn elements(&mut self) -> Vec<Slot<'_>> {
+        vec![Slot::Faces(&mut self.faces)]
+    }
+
+    fn action(&self) -> Action<'_> {
+        Action::Local(self)
+    }
+}
+
+impl LocalEdit for InsetFaces {
+    fn can(&self, mesh: &Mesh) -> Result<(), Problem> {
+        not_negative(self.amount, "amount")?;
+        Ok(edit::can_inset_faces(mesh, &all(&self.faces, "faces", mesh)?, self.mode.into())?)
+    }
+
+    fn edit(&self, mesh: &mut Mesh, notes: &mut Vec<String>) -> Result<(), Problem> {
+        not_negative(self.amount, "amount")?;
+        let live = edit::inset_faces(mesh, &all(&self.faces, "faces", mesh)?, self.mode.into())?;
+        set_size(mesh, &live, self.amount, "amount", notes)
+    }
+
+    fn cost(&self, mesh: &Mesh) -> usize {
+        corner_count(&self.faces, mesh)
+    }
+}

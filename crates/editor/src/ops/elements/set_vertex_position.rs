@@ -1,0 +1,52 @@
+//! `set-vertex-position`: move one vertex to a position.
+
+use crate::error::Problem;
+use crate::ops::refs::one;
+use crate::ops::{Action, Field, FieldKind, LocalEdit, Operation, Scope, Selected, Slot, Spec, VertexRef};
+use halfedge::{Element, Mesh};
+use serde::{Deserialize, Serialize};
+
+/// Move one vertex to a position.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct SetVertexPosition {
+    /// The vertex; the selected one when left out.
+    pub vertex: Option<VertexRef>,
+    /// Where it goes, in mesh units.
+    #[serde(with = "crate::json::finite3")]
+    pub position: [f32; 3],
+}
+
+impl Operation for SetVertexPosition {
+    const SPEC: Spec =
+        Spec::new(Scope::Elements, "set-vertex-position", "Move vertex", "Move a vertex to a position.").fields(
+            &[
+                Field::one("vertex", Element::Vertex, Selected::Only, "The vertex to move"),
+                Field::required("position", FieldKind::Vector, "Where it goes, in mesh units"),
+            ],
+        );
+
+    fn elements(&mut self) -> Vec<Slot<'_>> {
+        vec![Slot::Vertex(&mut self.vertex)]
+    }
+
+    fn action(&self) -> Action<'_> {
+        Action::Local(self)
+    }
+}
+
+impl LocalEdit for SetVertexPosition {
+    fn can(&self, mesh: &Mesh) -> Result<(), Problem> {
+        one(self.vertex, "vertex", mesh).map(drop)
+    }
+
+    fn edit(&self, mesh: &mut Mesh, _notes: &mut Vec<String>) -> Result<(), Problem> {
+        let v = one(self.vertex, "vertex", mesh)?;
+        mesh.set_position(v, self.position.into());
+        Ok(())
+    }
+
+    fn cost(&self, _mesh: &Mesh) -> usize {
+        1
+    }
+}

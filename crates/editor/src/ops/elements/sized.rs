@@ -1,0 +1,51 @@
+//! What the edits share that create their elements at size zero and then give them a size.
+
+use crate::error::Problem;
+use crate::json::shortest;
+use crate::ops::field::choice;
+use halfedge::Mesh;
+use halfedge::edit::{Grouping, Live};
+
+choice! {
+    /// Whether faces that share an edge stay together.
+    pub enum Mode {
+        /// They stay together.
+        Region = "region" "As one region",
+        /// Each face is on its own.
+        Individual = "individual" "Each on its own",
+    }
+}
+
+impl From<Mode> for Grouping {
+    fn from(mode: Mode) -> Self {
+        match mode {
+            Mode::Region => Self::Region,
+            Mode::Individual => Self::Individual,
+        }
+    }
+}
+
+/// Refuses a width below zero.
+pub(super) fn not_negative(value: f32, field: &str) -> Result<(), Problem> {
+    if value < 0.0 {
+        return Err(Problem::field(field, format!("{value} is out of range; it must be 0 or more")));
+    }
+    Ok(())
+}
+
+/// Gives what an edit created its size; notes where that was limited.
+pub(super) fn set_size(
+    mesh: &mut Mesh,
+    live: &Live,
+    amount: f32,
+    field: &str,
+    notes: &mut Vec<String>,
+) -> Result<(), Problem> {
+    let used =
+        live.slide.apply(mesh, amount).map_err(|refusal| Problem::field(field, refusal.to_string()))?;
+    if used < amount {
+        let used = shortest(used);
+        notes.push(format!("`{field}` was limited to {used}: beyond that, edges would reverse"));
+    }
+    Ok(())
+}

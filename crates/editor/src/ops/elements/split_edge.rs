@@ -1,0 +1,88 @@
+//! `split-edge`: add a vertex to an edge, and cut from it.
+
+use crate::error::Problem;
+use crate::ops::field::choice;
+use crate::ops::refs::{given, given_t};
+use crate::ops::{
+    Action, Default, Drag, EdgeRef, Field, LocalEdit, Operation, Scope, Selected, Slot, Spec, Unit,
+};
+use halfedge::{Element, Mesh, edit};
+use serde::{Deserialize, Serialize};
+
+/// Add a vertex to an edge and cut the faces beside it.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct SplitEdge {
+    /// The edge; each selected one in turn when left out.
+    pub edge: Option<EdgeRef>,
+    /// Where the vertex is along the edge's even half-edge, between 0 and 1.
+    #[serde(with = "crate::json::finite")]
+    pub t: f32,
+    /// Which faces beside the edge are cut.
+    pub connect: Connect,
+}
+
+choice! {
+    /// Which faces beside a split edge are cut from the new vertex.
+    pub enum Connect {
+        /// Triangles, to their opposite corner.
+        Triangles = "triangles" "Cut triangles",
+        /// None: both faces gain a corner.
+        None = "none" "Add a vertex only",
+        /// All, to the corner halfway round.
+        All = "all" "Cut all faces",
+    }
+}
+
+impl Operation for SplitEdge {
+    const SPEC: Spec = Spec::new(
+        Scope::Elements,
+        "split-edge",
+        "Split edge",
+        "Add a vertex to an edge and cut the faces beside it.",
+    )
+    .keys(&["S"])
+    .fields(&[
+        Field::one("edge", Element::Edge, Selected::Each, "The edge to split"),
+        Field::number("t", Unit::Fraction, [0.0, 1.0], "Where along the edge, between its ends")
+            .labelled("Position (0 to 1)")
+            .or(Default::Number(0.5))
+            .drag(Drag::Fraction),
+        Connect::field("connect", "Which of the faces beside the edge are cut"),
+    ]);
+
+    fn elements(&mut self) -> Vec<Slot<'_>> {
+        vec![Slot::Edge(&mut self.edge)]
+    }
+
+    fn action(&self) -> Action<'_> {
+        Action::Local(self)
+    }
+}
+
+impl From<Connect> for edit::Connect {
+    fn from(connect: Connect) -> Self {
+        match connect {
+            Connect::None => Self::None,
+            Connect::Triangles => Self::Triangles,
+            Connect::All => Self::All,
+        }
+    }
+}
+
+impl LocalEdit for SplitEdge {
+    fn can(&self, mesh: &Mesh) -> Result<(), Problem> {
+        let (edge, t) = given(self.edge, "edge")?.find_along(self.t, mesh, "edge")?;
+        Ok(edit::can_split_edge(mesh, edge, t, self.connect.into()).map_err(given_t(self.t))?)
+    }
+
+    fn edit(&self, mesh: &mut Mesh, _notes: &mut Vec<String>) -> Result<(), Problem> {
+        let (edge, t) = given(self.edge, "edge")?.find_along(self.t, mesh, "edge")?;
+        edit::split_edge(mesh, edge, t, self.connect.into()).map_err(given_t(self.t))?;
+        Ok(())
+    }
+
+    fn cost(&self, _mesh: &Mesh) -> usize {
+        2
+    }
+}

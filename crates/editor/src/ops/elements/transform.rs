@@ -1,0 +1,265 @@
+//! `transform`: move, rotate and scale elements; what the gizmo sends.
+
+use crate::error::Problem;
+use crate::json::{finite, finite_option, finite3, finite3_option};
+use crate::ops::refs::{all, count};
+use crate::ops::{
+    Action, Arity, Default, Drag, EdgeRef, FaceRef, Field, FieldKind, LocalEdit, Operation, Scope, Selected,
+    Slot, Spec, Unit, VertexRef,
+};
+use glam::{Affine3A, Mat3A, Quat, Vec3};
+use halfedge::edit::Refusal;
+use halfedge::{Element, Mesh, VertexId};
+use serde::de::{Deserializer, Error};
+use serde::{Deserialize, Serialize, Serializer};
+use std::cmp::Ordering;
+use std::collections::{BinaryHeap, HashMap};
+
+/// Scale and rotate elements about a pivot, then move them.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, std::default::Default)]
+#[serde(deny_unknown_fields)]
+pub struct Transform {
+    /// Vertices to move. When no elements are given at all, the selected ones are moved.
+    pub vertices: Option<Vec<VertexRef>>,
+    /// Edges whose ends are moved.
+    pub edges: Option<Vec<EdgeRef>>,
+    /// Faces whose corners are moved.
+    pub faces: Option<Vec<FaceRef>>,
+    /// How far to move, in mesh units.
+    #[serde(with = "finite3")]
+    pub translate: [f32; 3],
+    /// How to rotate about the pivot.
+    pub rotate: Option<Rotate>,
+    /// By how much to scale about the pivot.
+    pub scale: Scale,
+    /// What stays in place when scaling and rotating; the mean of the moved vertices when left out.
+    #[serde(default, with = "finite3_option")]
+    pub pivot: Option<[f32; 3]>,
+    /// Soft selection: vertices within this distance along the surface move too, less the farther
+    /// they are.
+    #[serde(default, with = "finite_option")]
+    pub falloff: Option<f32>,
+}
+
+/// A rotation about an axis, counter-clockwise as seen from its tip.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Rotate {
+    /// The axis; its length doesn't matter.
+    #[serde(with = "finite3")]
+    pub axis: [f32; 3],
+    /// The angle.
+    #[serde(with = "finite")]
+    pub degrees: f32,
+}
+
+/// A factor per axis; in JSON one number stands for three equal ones.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Scale(pub [f32; 3]);
+
+impl std::default::Default for Scale {
+    fn default() -> Self {
+        Self([1.0; 3])
+    }
+}
+
+impl Serialize for Scale {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        match self.0 {
+            [x, y, z] if x == y && y == z => finite::serialize(&x, serializer),
+            factors => finite3::serialize(&factors, serializer),
+        }
+    }
+}
+
+impl<'de> Deserialize<'de> for Scale {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        let value = serde_json::Value::deserialize(deserializer)?;
+        let factors = match value {
+            serde_json::Value::Array(_) => finite3::deserialize(value),
+            value => finite::deserialize(value).map(|factor| [factor; 3]),
+        };
+        factors.map(Self).map_err(|error| D::Error::custom(format!("expected a factor or three: {error}")))
+    }
+}
+
+const EDGES: FieldKind = FieldKind::Elements { element: Element::Edge, arity: Arity::Many };
+const FACES: FieldKind = FieldKind::Elements { element: Element::Face, arity: Arity::Many };
+
+/// Moving a vertex is this much less work than linking a face.
+const VERTICES_MOVED_PER_FACE_LINKED: usize = 16;
+
+impl Operation for Transform {
+    const SPEC: Spec =
+        Spec::new(Scope::Elements, "transform", "Transform", "Move, rotate and scale elements.")
+            .keys(&["G"])
+            .fields(&[
+                Field::many("vertices", Element::Vertex, Selected::Vertices, "Vertices to move"),
+                Field::required("edges", EDGES, "Edges whose ends are moved").optional("none"),
+                Field::required("faces", FACES, "Faces whose corners are moved").optional("none"),
+                Field::required("translate", FieldKind::Vector, "How far to move, in mesh units")
+                    .or(Default::Vector([0.0; 3]))
+                    .drag(Drag::Offset),
+                Field::required("rotate", FieldKind::Rotation, "How to rotate about the pivot")
+                    .unset("no rotation"),
+                Field::required("scale", FieldKind::Factors, "By how much to scale about the pivot")
+                    .or(Default::Factor(1.0)),
+                Field::required("pivot", FieldKind::Vector, "What stays in place")
+                    .unset("the centre of what is moved"),
+                Field::number(
+                    "falloff",
+                    Unit::Length,
+                    [0.0, f32::MAX as f64],
+                    "Soft selection: how far along the surface other vertices move too",
+                )
+                .unset("none"),
+            ]);
+
+    fn elements(&mut self) -> Vec<Slot<'_>> {
+        vec![Slot::Vertices(&mut self.vertices), Slot::Edges(&mut self.edges), Slot::Faces(&mut self.faces)]
+    }
+
+    fn action(&self) -> Action<'_> {
+        Action::Local(self)
+    }
+}
+
+impl LocalEdit for Transform {
+    fn can(&self, mesh: &Mesh) -> Result<(), Problem> {
+        let vertices = self.moved(mesh)?;
+        self.map(self.pivot(mesh, &vertices)).map(drop)
+    }
+
+    fn edit(&self, mesh: &mut Mesh, _notes: &mut Vec<String>) -> Result<(), Problem> {
+        let vertices = self.moved(mesh)?;
+        let map = self.map(self.pivot(mesh, &vertices))?;
+        let weights = match self.falloff {
+            None => vertices.into_iter().map(|v| (v, 1.0)).collect(),
+            Some(radius) if radius > 0.0 => soft(mesh, &vertices, radius),
+            Some(radius) => {
+                return Err(Problem::field(
+                    "falloff",
+                    format!("{radius} is out of range; it must be above 0"),
+                ));
+            }
+        };
+        for (v, weight) in weights {
+            let old = mesh.position(v);
+            let new = old + (map.transform_point3(old) - old) * weight;
+            if !new.is_finite() {
+                return Err(Problem::new(format!("{v} would get a position that is not finite")));
+            }
+            mesh.set_position(v, new);
+        }
+        Ok(())
+    }
+
+    fn cost(&self, _mesh: &Mesh) -> usize {
+        let given = count(&self.vertices, 0) + count(&self.edges, 0) + count(&self.faces, 0);
+        given / VERTICES_MOVED_PER_FACE_LINKED
+    }
+}
+
+impl Transform {
+    /// The vertices of the given elements, each once, in order of id.
+    fn moved(&self, mesh: &Mesh) -> Result<Vec<VertexId>, Problem> {
+        let mut vertices = all(&self.vertices, "vertices", mesh)?;
+        for e in all(&self.edges, "edges", mesh)? {
+            vertices.extend(mesh.ends(e));
+        }
+        for f in all(&self.faces, "faces", mesh)? {
+            vertices.extend(mesh.face_vertices(f));
+        }
+        vertices.sort_unstable();
+        vertices.dedup();
+        if vertices.is_empty() { Err(Refusal::NothingGiven(Element::Vertex).into()) } else { Ok(vertices) }
+    }
+
+    fn pivot(&self, mesh: &Mesh, vertices: &[VertexId]) -> Vec3 {
+        self.pivot.map_or_else(|| center(mesh, vertices), Vec3::from)
+    }
+
+    /// Scale, then rotate, about the pivot; then move.
+    fn map(&self, pivot: Vec3) -> Result<Affine3A, Problem> {
+        let translate = Vec3::from(self.translate);
+        if self.rotate.is_none() && self.scale == Scale::default() {
+            // Exactly what was asked for, whatever the pivot.
+            return Ok(Affine3A::from_translation(translate));
+        }
+        let rotation = match self.rotate {
+            None => Quat::IDENTITY,
+            Some(Rotate { axis, degrees }) => {
+                let axis = Vec3::from(axis)
+                    .try_normalize()
+                    .ok_or_else(|| Problem::field("rotate.axis", "is too short to give a direction"))?;
+                Quat::from_axis_angle(axis, degrees.to_radians())
+            }
+        };
+        let matrix = Mat3A::from_quat(rotation) * Mat3A::from_diagonal(self.scale.0.into());
+        Ok(Affine3A::from_mat3_translation(matrix.into(), translate + pivot - matrix * pivot))
+    }
+}
+
+/// The mean of some vertices' positions.
+fn center(mesh: &Mesh, vertices: &[VertexId]) -> Vec3 {
+    let sum = vertices.iter().fold(glam::DVec3::ZERO, |sum, &v| sum + mesh.position(v).as_dvec3());
+    if vertices.is_empty() { Vec3::ZERO } else { (sum / vertices.len() as f64).as_vec3() }
+}
+
+/// A vertex on the way of the soft selection's front, nearest first.
+struct Front {
+    distance: f32,
+    vertex: VertexId,
+    source: VertexId,
+}
+
+impl Ord for Front {
+    fn cmp(&self, other: &Self) -> Ordering {
+        other.distance.total_cmp(&self.distance).then_with(|| other.vertex.cmp(&self.vertex))
+    }
+}
+
+impl PartialOrd for Front {
+    fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
+        Some(self.cmp(other))
+    }
+}
+
+impl PartialEq for Front {
+    fn eq(&self, other: &Self) -> bool {
+        self.cmp(other) == Ordering::Equal
+    }
+}
+
+impl Eq for Front {}
+
+/// The vertices of a soft selection with their weights, in order of id: 1 for the selected ones,
+/// falling smoothly to 0 at the radius. A front goes outward over edges, each vertex remembering
+/// the selected one it comes from; the distance is the straight one to that. So a surface that
+/// only passes near by is not pulled along. Costs O(k log k) for k vertices within the radius.
+fn soft(mesh: &Mesh, selected: &[VertexId], radius: f32) -> Vec<(VertexId, f32)> {
+    let mut nearest: HashMap<VertexId, f32> = selected.iter().map(|&v| (v, 0.0)).collect();
+    let mut front: BinaryHeap<Front> =
+        selected.iter().map(|&v| Front { distance: 0.0, vertex: v, source: v }).collect();
+    while let Some(Front { distance, vertex, source }) = front.pop() {
+        if nearest.get(&vertex).is_some_and(|&known| known < distance) {
+            continue;
+        }
+        for w in mesh.neighbors(vertex) {
+            let distance = mesh.position(w).distance(mesh.position(source));
+            if distance < radius && nearest.get(&w).is_none_or(|&known| distance < known) {
+                nearest.insert(w, distance);
+                front.push(Front { distance, vertex: w, source });
+            }
+        }
+    }
+    let mut weights: Vec<(VertexId, f32)> = nearest
+        .into_iter()
+        .map(|(v, distance)| {
+            let x = 1.0 - distance / radius;
+            (v, x * x * (3.0 - 2.0 * x))
+        })
+        .collect();
+    weights.sort_unstable_by_key(|&(v, _)| v);
+    weights
+}

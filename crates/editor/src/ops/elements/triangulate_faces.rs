@@ -1,0 +1,93 @@
+//! `triangulate-faces`: cut polygons into triangles.
+
+use crate::error::Problem;
+use crate::ops::field::choice;
+use crate::ops::refs::{corner_count, faces_or_every};
+use crate::ops::{Action, FaceRef, Field, LocalEdit, Operation, Scope, Selected, Slot, Spec};
+use halfedge::{Element, FaceId, Mesh, Refusal, edit};
+use serde::{Deserialize, Serialize};
+
+/// Cut polygons into triangles between their own corners.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct TriangulateFaces {
+    /// The faces; the selected ones when left out, or all where none is selected.
+    pub faces: Option<Vec<FaceRef>>,
+    /// How.
+    pub method: Method,
+}
+
+choice! {
+    /// How a polygon is cut into triangles.
+    pub enum Method {
+        /// A fan from the face's first corner.
+        Fan = "fan" "Fan",
+        /// By cutting off ears: right on concave faces too.
+        Ear = "ear" "Ears",
+    }
+}
+
+impl Operation for TriangulateFaces {
+    const SPEC: Spec = Spec::new(
+        Scope::Elements,
+        "triangulate-faces",
+        "Triangulate",
+        "Cut polygons into triangles between their own corners.",
+    )
+    .keys(&["Shift+T"])
+    .fields(&[
+        Field::many("faces", Element::Face, Selected::AllOrEvery, "The faces to cut"),
+        Method::field("method", "A fan from the first corner, or ears, which are right on concave faces too"),
+    ]);
+
+    fn elements(&mut self) -> Vec<Slot<'_>> {
+        vec![Slot::Faces(&mut self.faces)]
+    }
+
+    fn action(&self) -> Action<'_> {
+        Action::Local(self)
+    }
+}
+
+impl LocalEdit for TriangulateFaces {
+    fn can(&self, mesh: &Mesh) -> Result<(), Problem> {
+        faces_or_every(&self.faces, mesh)?.into_iter().try_for_each(|face| {
+            let result = match self.method {
+                Method::Fan => edit::can_triangulate_face(mesh, face),
+                Method::Ear => edit::can_triangulate_face_ears(mesh, face),
+            };
+            result.map_err(|refusal| refused(face, &refusal))
+        })
+    }
+
+    fn edit(&self, mesh: &mut Mesh, _notes: &mut Vec<String>) -> Result<(), Problem> {
+        faces_or_every(&self.faces, mesh)?.into_iter().try_for_each(|face| {
+            let result = match self.method {
+                Method::Fan => edit::triangulate_face(mesh, face),
+                Method::Ear => edit::triangulate_face_ears(mesh, face),
+            };
+            result.map(drop).map_err(|refusal| refused(face, &refusal))
+        })
+    }
+
+    fn changes_nothing(&self, mesh: &Mesh) -> Option<&'static str> {
+        let is_triangle = |f: FaceId| mesh.face_halfedges(f).take(4).count() == 3;
+        match &self.faces {
+            None if mesh.face_count() == 0 => Some("The mesh has no face."),
+            None => mesh.faces().all(is_triangle).then_some("All faces are triangles already."),
+            Some(faces) => faces
+                .iter()
+                .filter_map(|face| mesh.face(face.0))
+                .all(is_triangle)
+                .then_some("The selected faces are triangles already."),
+        }
+    }
+
+    fn cost(&self, mesh: &Mesh) -> usize {
+        corner_count(&self.faces, mesh)
+    }
+}
+
+fn refused(face: FaceId, refusal: &Refusal) -> Problem {
+    Problem::field("faces", format!("{face} can't be cut: {refusal}"))
+}

@@ -1,0 +1,454 @@
+//! The fields of operations: what each takes, what it is when left out, and what forms suggest.
+
+use super::facts::Facts;
+use halfedge::Element;
+use serde_json::{Value, json};
+
+/// One field of an operation.
+#[derive(Clone, Copy, Debug)]
+pub struct Field {
+    /// The name in JSON.
+    pub name: &'static str,
+    /// What forms call it where the name read as words says too little.
+    label: &'static str,
+    /// What it means, in a few words.
+    pub description: &'static str,
+    /// What it takes.
+    pub kind: FieldKind,
+    /// What it is when left out.
+    pub fill: Fill,
+    /// What a form starts with where the field has no value as its default.
+    pub suggestion: Suggestion,
+    /// How it follows the pointer.
+    pub drag: Option<Drag>,
+    /// The title of the alternatives that it is one of: exactly one of them is given. They stand
+    /// next to each other.
+    pub alternative: Option<&'static str>,
+}
+
+/// What a field takes.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum FieldKind {
+    /// Elements by id; edges and half-edges also by the pair of their vertices.
+    Elements {
+        /// The kind of element.
+        element: Element,
+        /// How many it takes.
+        arity: Arity,
+    },
+    /// A number from `min` to `max`.
+    Number {
+        /// What it measures.
+        unit: Unit,
+        /// The smallest value.
+        min: f64,
+        /// The largest value.
+        max: f64,
+    },
+    /// A whole number from `min` to `max`.
+    Integer {
+        /// What it counts.
+        unit: Unit,
+        /// The smallest value.
+        min: u32,
+        /// The largest value.
+        max: u32,
+    },
+    /// Three numbers: a position, an offset or a direction.
+    Vector,
+    /// Two positions.
+    VectorPair,
+    /// Three factors, or one for all three axes.
+    Factors,
+    /// An axis and degrees: `{"axis": [0, 0, 1], "degrees": 90}`.
+    Rotation,
+    /// A colour as `#rrggbb`.
+    Color,
+    /// One of these words.
+    Choice(&'static [Choice]),
+    /// True or false.
+    Flag,
+    /// Text.
+    Text,
+    /// A list of places in the document's list of objects.
+    Objects,
+    /// The name of a shape. Its form also has the sizes that this shape has.
+    Shape,
+    /// A size that some shapes have: the form of the shape shows it.
+    ShapeSize,
+}
+
+/// How many elements a field takes.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Arity {
+    /// One.
+    One,
+    /// Two, as a list.
+    Two,
+    /// A list.
+    Many,
+}
+
+/// What a number measures or counts.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Unit {
+    /// A length in mesh units.
+    Length,
+    /// An angle in degrees.
+    Degrees,
+    /// A part of a whole, from 0 to 1.
+    Fraction,
+    /// A count.
+    Count,
+    /// A count of triangles of the mesh.
+    Triangles,
+    /// A part of the triangles of the mesh.
+    ShareOfTriangles,
+}
+
+/// One word of a choice.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Choice {
+    /// The word in JSON.
+    pub name: &'static str,
+    /// How forms write it.
+    pub label: &'static str,
+}
+
+/// What a field is when it is left out.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Fill {
+    /// It must be given.
+    Required,
+    /// This value.
+    Value(Default),
+    /// What the selection gives.
+    Selection(Selected),
+    /// Nothing, which does what these words say. Forms offer to set it.
+    Unset(&'static str),
+    /// Nothing, which does what these words say. Forms leave it out: something else fills it in.
+    Optional(&'static str),
+}
+
+/// A value as a default.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Default {
+    /// A number.
+    Number(f64),
+    /// A whole number.
+    Integer(u32),
+    /// True or false.
+    Flag(bool),
+    /// A word of a choice.
+    Choice(&'static str),
+    /// Three numbers.
+    Vector([f64; 3]),
+    /// Three equal factors.
+    Factor(f64),
+}
+
+/// Which selected elements a field takes when it is left out.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Selected {
+    /// The selected elements, one operation for each in one undo step.
+    Each,
+    /// The one selected element.
+    Only,
+    /// The two selected elements, the latest one second.
+    Two,
+    /// All selected elements.
+    All,
+    /// All selected elements, or every element of the mesh where none is selected.
+    AllOrEvery,
+    /// The vertices of whatever is selected.
+    Vertices,
+}
+
+/// What a form starts with.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Suggestion {
+    /// Nothing special: 1, or the nearest value the field takes.
+    None,
+    /// This number.
+    Number(f64),
+    /// The mean length of the mesh's edges.
+    MeanEdge,
+    /// This part of the diagonal of the mesh's bounding box.
+    OfDiagonal(f64),
+    /// This part of the mesh's triangles.
+    OfTriangles(f64),
+}
+
+/// How a field follows the pointer.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Drag {
+    /// A length: right and up is more.
+    Distance,
+    /// A length of 0 or more.
+    Width,
+    /// A fraction of an edge, from its middle.
+    Fraction,
+    /// A vector in the plane of the view.
+    Offset,
+}
+
+impl Field {
+    const fn new(name: &'static str, kind: FieldKind, fill: Fill, description: &'static str) -> Self {
+        let (suggestion, drag, alternative) = (Suggestion::None, None, None);
+        Self { name, label: "", description, kind, fill, suggestion, drag, alternative }
+    }
+
+    /// A field that must be given.
+    pub(crate) const fn required(name: &'static str, kind: FieldKind, description: &'static str) -> Self {
+        Self::new(name, kind, Fill::Required, description)
+    }
+
+    /// One element, which the selection stands in for.
+    pub(crate) const fn one(
+        name: &'static str,
+        element: Element,
+        selected: Selected,
+        description: &'static str,
+    ) -> Self {
+        let kind = FieldKind::Elements { element, arity: Arity::One };
+        Self::new(name, kind, Fill::Selection(selected), description)
+    }
+
+    /// Two elements, which two selected ones stand in for.
+    pub(crate) const fn two(name: &'static str, element: Element, description: &'static str) -> Self {
+        let kind = FieldKind::Elements { element, arity: Arity::Two };
+        Self::new(name, kind, Fill::Selection(Selected::Two), description)
+    }
+
+    /// A list of elements, which the selection stands in for.
+    pub(crate) const fn many(
+        name: &'static str,
+        element: Element,
+        selected: Selected,
+        description: &'static str,
+    ) -> Self {
+        let kind = FieldKind::Elements { element, arity: Arity::Many };
+        Self::new(name, kind, Fill::Selection(selected), description)
+    }
+
+    /// A number, which must be given unless a default follows.
+    pub(crate) const fn number(
+        name: &'static str,
+        unit: Unit,
+        [min, max]: [f64; 2],
+        description: &'static str,
+    ) -> Self {
+        Self::required(name, FieldKind::Number { unit, min, max }, description)
+    }
+
+    /// A whole number, which must be given unless a default follows.
+    pub(crate) const fn count(name: &'static str, [min, max]: [u32; 2], description: &'static str) -> Self {
+        Self::required(name, FieldKind::Integer { unit: Unit::Count, min, max }, description)
+    }
+
+    pub(crate) const fn or(self, default: Default) -> Self {
+        Self { fill: Fill::Value(default), ..self }
+    }
+
+    pub(crate) const fn unset(self, words: &'static str) -> Self {
+        Self { fill: Fill::Unset(words), ..self }
+    }
+
+    pub(crate) const fn optional(self, words: &'static str) -> Self {
+        Self { fill: Fill::Optional(words), ..self }
+    }
+
+    pub(crate) const fn labelled(self, label: &'static str) -> Self {
+        Self { label, ..self }
+    }
+
+    pub(crate) const fn suggest(self, suggestion: Suggestion) -> Self {
+        Self { suggestion, ..self }
+    }
+
+    pub(crate) const fn drag(self, drag: Drag) -> Self {
+        Self { drag: Some(drag), ..self }
+    }
+
+    pub(crate) const fn alternative(self, title: &'static str) -> Self {
+        Self { alternative: Some(title), ..self }
+    }
+
+    /// What forms call it: "Feature angle".
+    pub fn label(&self) -> String {
+        if self.label.is_empty() { sentence_case(self.name) } else { self.label.to_owned() }
+    }
+
+    /// Whether it takes elements or objects, which no form has values for.
+    pub fn is_elements(&self) -> bool {
+        matches!(self.kind, FieldKind::Elements { .. } | FieldKind::Objects)
+    }
+
+    /// Whether selected elements of this kind can stand in for it.
+    pub fn takes_selected(&self, kind: Element) -> bool {
+        let (FieldKind::Elements { element, .. }, Fill::Selection(selected)) = (self.kind, self.fill) else {
+            return false;
+        };
+        match (element, kind) {
+            _ if selected == Selected::Vertices => true,
+            // The edges of half-edges stand in for them, and boundary sides of edges for half-edges.
+            (Element::Edge | Element::Halfedge, Element::Edge | Element::Halfedge) => true,
+            (element, kind) => element == kind,
+        }
+    }
+
+    /// The default, where it is a value.
+    pub fn default_value(&self) -> Option<Value> {
+        let Fill::Value(default) = self.fill else { return None };
+        Some(match default {
+            Default::Number(number) | Default::Factor(number) => json!(number),
+            Default::Integer(number) => json!(number),
+            Default::Flag(on) => json!(on),
+            Default::Choice(name) => json!(name),
+            Default::Vector(vector) => json!(vector),
+        })
+    }
+
+    /// What it is when left out, in words: "0.5", "the selected edges"; none for a field that must be
+    /// given.
+    pub fn default_words(&self) -> Option<String> {
+        match self.fill {
+            Fill::Required => None,
+            Fill::Value(_) => self.default_value().map(|value| match value {
+                Value::String(word) => word,
+                value => value.to_string(),
+            }),
+            Fill::Selection(selected) => Some(self.selection_words(selected)),
+            Fill::Unset(words) | Fill::Optional(words) => Some(words.to_owned()),
+        }
+    }
+
+    fn selection_words(&self, selected: Selected) -> String {
+        let FieldKind::Elements { element, .. } = self.kind else { return "the selection".to_owned() };
+        let (one, many) = (element.to_string(), plural(element));
+        match selected {
+            Selected::Each | Selected::All => format!("the selected {many}"),
+            Selected::Only => format!("the selected {one}"),
+            Selected::Two => format!("the two selected {many}"),
+            Selected::AllOrEvery => format!("the selected {many}, or all"),
+            Selected::Vertices => "the vertices of the selection".to_owned(),
+        }
+    }
+
+    /// What a form starts with: the default, or a value that suits the mesh.
+    pub fn initial_value(&self, facts: &Facts) -> Value {
+        if let Some(value) = self.default_value() {
+            return value;
+        }
+        let suggested = match self.suggestion {
+            Suggestion::None => None,
+            Suggestion::Number(number) => Some(number),
+            Suggestion::MeanEdge => facts.mean_edge,
+            Suggestion::OfDiagonal(part) => facts.diagonal.map(|diagonal| diagonal * part),
+            Suggestion::OfTriangles(part) => facts.triangles().map(|count| (count as f64 * part).round()),
+        };
+        let suggested = suggested.map(four_digits).filter(|number| *number > 0.0);
+        match self.kind {
+            FieldKind::Number { min, max, .. } => json!(suggested.unwrap_or(1.0).clamp(min, max)),
+            FieldKind::Integer { min, max, .. } => {
+                json!(suggested.map_or(1, |number| number as u32).clamp(min, max))
+            }
+            FieldKind::Vector => json!([0.0, 0.0, 0.0]),
+            FieldKind::VectorPair => json!([[0.0, 0.0, 0.0], [0.0, 0.0, 0.0]]),
+            FieldKind::Factors => json!([1.0, 1.0, 1.0]),
+            FieldKind::Rotation => json!({ "axis": [0.0, 1.0, 0.0], "degrees": 0.0 }),
+            FieldKind::Color => json!(halfedge::Color::UNPAINTED.to_hex()),
+            FieldKind::Choice(choices) => json!(choices.first().map_or("", |choice| choice.name)),
+            FieldKind::Flag => json!(false),
+            FieldKind::Text => json!(""),
+            FieldKind::Shape => json!(surface::Shape::names().next()),
+            FieldKind::Elements { arity: Arity::One, .. } | FieldKind::ShapeSize => json!(0),
+            FieldKind::Elements { .. } | FieldKind::Objects => json!([]),
+        }
+    }
+}
+
+/// "vertices", "edges", "half-edges" or "faces".
+pub(crate) fn plural(element: Element) -> &'static str {
+    match element {
+        Element::Vertex => "vertices",
+        Element::Edge => "edges",
+        Element::Halfedge => "half-edges",
+        Element::Face => "faces",
+    }
+}
+
+/// A name in JSON as people read it: `tube_radius` is "Tube radius", `uv-sphere` "UV sphere".
+pub fn sentence_case(name: &str) -> String {
+    let words = name.replace(['_', '-'], " ").replace("uv ", "UV ");
+    let mut letters = words.chars();
+    letters.next().map_or_else(String::new, |first| first.to_uppercase().chain(letters).collect())
+}
+
+/// A length to suggest, rounded to four significant digits: 0 for one that is not above 0.
+pub fn four_digits(length: f64) -> f64 {
+    if !length.is_finite() || length <= 0.0 {
+        return 0.0;
+    }
+    let unit = 10_f64.powi(length.log10().floor() as i32 - 3);
+    let steps = (length / unit).round();
+    // Dividing by a whole power of ten gives the number that is written with these digits.
+    if unit < 1.0 { steps / (1.0 / unit).round() } else { steps * unit }
+}
+
+/// Defines the words of a choice once: the enum, its JSON names and what forms call them. The first
+/// one is the default.
+macro_rules! choice {
+    ($(#[$doc:meta])* pub enum $name:ident {
+        $(#[$first_doc:meta])* $first:ident = $first_json:literal $first_label:literal,
+        $($(#[$variant_doc:meta])* $variant:ident = $json:literal $label:literal,)*
+    }) => {
+        $(#[$doc])*
+        #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, serde::Serialize, serde::Deserialize)]
+        pub enum $name {
+            $(#[$first_doc])*
+            #[default]
+            #[serde(rename = $first_json)]
+            $first,
+            $($(#[$variant_doc])* #[serde(rename = $json)] $variant,)*
+        }
+
+        impl $name {
+            /// The words in JSON, with what forms call them.
+            pub const CHOICES: &'static [$crate::ops::Choice] = &[
+                $crate::ops::Choice { name: $first_json, label: $first_label },
+                $($crate::ops::Choice { name: $json, label: $label },)*
+            ];
+
+            /// A field that takes one of these words; the first one when left out.
+            #[allow(dead_code, reason = "a choice may be a field with a default of its own")]
+            pub(crate) const fn field(name: &'static str, description: &'static str) -> $crate::ops::Field {
+                $crate::ops::Field::required(name, $crate::ops::FieldKind::Choice(Self::CHOICES), description)
+                    .or($crate::ops::Default::Choice($first_json))
+            }
+        }
+    };
+}
+pub(crate) use choice;
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn suggested_lengths_have_four_digits() {
+        let cases = [(0.123456, 0.1235), (2.0, 2.0), (98765.4, 98770.0), (1.23456e-5, 1.235e-5), (0.0, 0.0)];
+        for (length, wanted) in cases {
+            assert_eq!(four_digits(length), wanted);
+        }
+        assert_eq!(four_digits(f64::NAN), 0.0);
+        assert_eq!(four_digits(-1.0), 0.0);
+    }
+
+    #[test]
+    fn names_are_read_as_words() {
+        assert_eq!(sentence_case("feature_angle"), "Feature angle");
+        assert_eq!(sentence_case("uv-sphere"), "UV sphere");
+        assert_eq!(sentence_case(""), "");
+    }
+}

@@ -1,0 +1,107 @@
+//! How operations read and write their fields, and what is said of fields that don't fit.
+
+use super::{Operation, Spec};
+use crate::error::Problem;
+use serde::Serialize;
+use serde::de::DeserializeOwned;
+use serde_json::{Map, Value};
+
+/// An operation's fields as JSON.
+pub(crate) trait Fields: Sized {
+    /// Reads the fields; defaults stand in for those that are left out.
+    fn parse(fields: Map<String, Value>) -> Result<Self, Problem>;
+
+    /// The fields as a JSON object, without those that are not set.
+    fn to_fields(&self) -> Value;
+}
+
+impl<O: Operation + Serialize + DeserializeOwned> Fields for O {
+    fn parse(mut fields: Map<String, Value>) -> Result<Self, Problem> {
+        add_defaults(&O::SPEC, &mut fields);
+        from_fields(fields)
+    }
+
+    fn to_fields(&self) -> Value {
+        // Plain data with text keys: this can't fail.
+        let mut value = serde_json::to_value(self).unwrap_or_default();
+        if let Value::Object(fields) = &mut value {
+            fields.retain(|_, value| !value.is_null());
+        }
+        value
+    }
+}
+
+/// Adds the defaults that are values, for fields that are left out.
+fn add_defaults(spec: &Spec, fields: &mut Map<String, Value>) {
+    for field in spec.fields {
+        if !fields.contains_key(field.name)
+            && let Some(value) = field.default_value()
+        {
+            fields.insert(field.name.to_owned(), value);
+        }
+    }
+}
+
+/// Reads an operation's fields, naming the one at fault.
+fn from_fields<T: DeserializeOwned>(fields: Map<String, Value>) -> Result<T, Problem> {
+    serde_path_to_error::deserialize(Value::Object(fields)).map_err(|error| {
+        let path = error.path().to_string();
+        let text = error.into_inner().to_string();
+        let quoted = |prefix: &str| Some(text.strip_prefix(prefix)?.split('`').next()?.to_owned());
+        if let Some(field) = quoted("missing field `") {
+            let field = if path == "." { field } else { format!("{path}.{field}") };
+            return Problem::field(field, "is missing");
+        }
+        if quoted("unknown field `").is_some() {
+            let known = text.split_once("expected ").map_or("", |(_, known)| known);
+            let text = match known {
+                "" => "is not a field of this op, which has none".to_owned(),
+                known => format!("is not a field of this op; expected {known}"),
+            };
+            return Problem::field(path, text);
+        }
+        if let Some((given, known)) =
+            text.strip_prefix("unknown variant ").and_then(|rest| rest.split_once(", expected "))
+        {
+            return Problem::field(path, format!("{given} is not a choice; expected {known}"));
+        }
+        let text = in_plain_words(&text).unwrap_or(text);
+        if path == "." { Problem::new(text) } else { Problem::field(path, text) }
+    })
+}
+
+/// What serde says about a value that doesn't fit, without the names of Rust's types.
+fn in_plain_words(text: &str) -> Option<String> {
+    if let Some(rest) = text.strip_prefix("invalid length ") {
+        let (length, expected) = rest.split_once(", expected ")?;
+        return Some(match expected.strip_prefix("an array of length ") {
+            Some(wanted) => format!("a list of {length} values; expected {wanted}"),
+            None if expected == "fewer elements in array" => {
+                format!("a list of {length} values is too long")
+            }
+            None => format!("a list of {length} values; expected {expected}"),
+        });
+    }
+    let rest = text.strip_prefix("invalid type: ").or_else(|| text.strip_prefix("invalid value: "))?;
+    let (given, expected) = rest.split_once(", expected ")?;
+    let given = match given.split_once(' ').unwrap_or((given, "")) {
+        ("map", _) => "an object",
+        ("sequence", _) => "a list",
+        ("integer" | "boolean", value) => value.trim_matches('`'),
+        ("floating", value) => value.trim_start_matches("point ").trim_matches('`'),
+        ("string", value) => value,
+        _ => given,
+    };
+    let expected = match expected {
+        "f64" | "f32" => "a number",
+        "a sequence" => "a list",
+        "a boolean" => "true or false",
+        "a map" => "an object",
+        "unit" | "unit variant" => "a name alone",
+        other => match other.strip_prefix("an array of length ") {
+            Some(length) => return Some(format!("{given} is not a list of {length} numbers")),
+            None => other,
+        },
+    };
+    Some(format!("{given} is not {expected}"))
+}

@@ -1,0 +1,28 @@
+//! `activate-object`: choose the object that lists, selection and commands are about.
+
+use crate::error::Problem;
+use crate::history::Change;
+use crate::ops::{Action, DocumentEdit, Operation, Place, Scope, Spec};
+use serde::{Deserialize, Serialize};
+
+/// Make the command's object the active one.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct ActivateObject {}
+
+impl Operation for ActivateObject {
+    const SPEC: Spec =
+        Spec::new(Scope::Document, "activate-object", "Activate object", "Make an object the one that lists, selection and commands are about.");
+
+    fn action(&self) -> Action<'_> {
+        Action::Document(self)
+    }
+}
+
+impl DocumentEdit for ActivateObject {
+    fn changes(&self, place: &Place<'_>) -> Result<Vec<Change>, Problem> {
+        let at = place.object.ok_or_else(|| Problem::field("object", "is missing: which object?"))?;
+        let at = place.check(at, "object")?;
+        Ok(if at == place.document.active { Vec::new() } else { vec![Change::Active(at)] })
+    }
+}

@@ -1,0 +1,190 @@
+//! `separate`: split an object into several.
+
+use crate::error::Problem;
+use crate::ops::field::choice;
+use crate::ops::refs::all;
+use crate::pieces;
+use crate::ops::{Action, FaceRef, Field, FieldKind, Input, Operation, Output, Scope, Selected, Slot, Spec, Target, WholeMesh};
+use halfedge::{Element, FaceId, Mesh, NONE, Progress, keys};
+use serde::{Deserialize, Serialize};
+use std::collections::HashMap;
+
+/// Split an object into several. The first part stays in the object, and so do isolated vertices.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Separate {
+    /// What makes a part; `faces` where those are given, else connected pieces.
+    pub by: Option<By>,
+    /// For `By::Faces`: the faces that become an object; the selected ones when left out.
+    pub faces: Option<Vec<FaceRef>>,
+}
+
+choice! {
+    /// What makes a part.
+    pub enum By {
+        /// Each connected piece.
+        Components = "components" "Connected pieces",
+        /// Each face group.
+        Groups = "groups" "Face groups",
+        /// The given faces, and the rest.
+        Faces = "faces" "Selected faces",
+    }
+}
+
+/// More objects than this help nobody.
+const MAX_PARTS: usize = 1000;
+
+impl Operation for Separate {
+    const SPEC: Spec =
+        Spec::new(Scope::Meshes, "separate", "Separate", "Split an object into several: its connected pieces, its face groups, or some faces and the rest.")
+            .fields(&[
+                Field::required("by", FieldKind::Choice(By::CHOICES), "What makes a part").labelled("Separate by").unset("the given faces, or connected pieces"),
+                Field::many("faces", Element::Face, Selected::All, "The faces that become an object"),
+            ]);
+
+    fn elements(&mut self) -> Vec<Slot<'_>> {
+        vec![Slot::Faces(&mut self.faces)]
+    }
+
+    fn takes_selection(&self) -> bool {
+        self.by == Some(By::Faces)
+    }
+
+    fn complete(&mut self, target: &Target<'_>) -> Result<(), Problem> {
+        match (self.by, &self.faces) {
+            (None, None) => self.by = Some(By::Components),
+            (None, Some(_)) => self.by = Some(By::Faces),
+            (Some(By::Components | By::Groups), Some(_)) => {
+                return Err(Problem::field("faces", "goes with \"by\": \"faces\" only"));
+            }
+            _ => {}
+        }
+        all(&self.faces, "faces", target.mesh).map(drop)
+    }
+
+    fn action(&self) -> Action<'_> {
+        Action::WholeMesh(self)
+    }
+}
+
+impl WholeMesh for Separate {
+    fn changes_nothing(&self, inputs: &[Input]) -> Option<&'static str> {
+        inputs.iter().all(|input| input.mesh.face_count() == 0).then_some("The mesh has no face.")
+    }
+
+    fn is_for_each_object(&self) -> bool {
+        false
+    }
+
+    fn compute(
+        &self,
+        inputs: &[Input],
+        _notes: &mut Vec<String>,
+        progress: &mut Progress<'_>,
+    ) -> Result<Vec<Output>, Problem> {
+        let Some(Input { name, mesh, .. }) = inputs.first() else {
+            return Err(Problem::new("there is no mesh to separate"));
+        };
+        let parts = match self.by {
+            Some(By::Faces) => self.parts_by_faces(mesh)?,
+            Some(By::Groups) => parts_by_groups(mesh)?,
+            Some(By::Components) | None => parts_by_components(mesh),
+        };
+        if parts.len() < 2 {
+            return Err(Problem::field("by", "that makes only one part, which the object is already"));
+        }
+        if parts.len() > MAX_PARTS {
+            let count = parts.len();
+            return Err(Problem::field(
+                "by",
+                format!("that makes {count} objects; at most {MAX_PARTS} are of use"),
+            ));
+        }
+        let mut outputs = Vec::with_capacity(parts.len());
+        for (at, part) in parts.iter().enumerate() {
+            if progress(at as f32 / parts.len() as f32).is_break() {
+                return Err(Problem::cancelled());
+            }
+            let mesh =
+                pieces::extract(mesh, &part.faces, at == 0).map_err(|e| Problem::new(e.to_string()))?;
+            let name = match &part.name {
+                Some(own) => own.clone(),
+                None if at == 0 => String::new(),
+                None => format!("{name} {}", at + 1),
+            };
+            outputs.push(Output::new(name, mesh));
+        }
+        Ok(outputs)
+    }
+
+    fn cost(&self, inputs: &[Input]) -> usize {
+        inputs.iter().map(|input| input.mesh.face_count()).sum()
+    }
+}
+
+struct Part {
+    name: Option<String>,
+    faces: Vec<FaceId>,
+}
+
+impl Separate {
+    fn parts_by_faces(&self, mesh: &Mesh) -> Result<Vec<Part>, Problem> {
+        let mut taken = vec![false; mesh.face_capacity()];
+        for face in all(&self.faces, "faces", mesh)? {
+            if let Some(slot) = taken.get_mut(face.index()) {
+                *slot = true;
+            }
+        }
+        let (faces, rest): (Vec<_>, Vec<_>) =
+            mesh.faces().partition(|f| taken.get(f.index()).copied().unwrap_or_default());
+        if faces.is_empty() || rest.is_empty() {
+            return Err(Problem::field("faces", "must be some of the object's faces, but not all of them"));
+        }
+        Ok([rest, faces].map(|faces| Part { name: None, faces }).into())
+    }
+}
+
+fn parts_by_groups(mesh: &Mesh) -> Result<Vec<Part>, Problem> {
+    let Some(groups) = mesh.attribute(keys::FACE_GROUP) else {
+        return Err(Problem::field("by", "no face is in a group"));
+    };
+    let labels = mesh.column(Element::Face, keys::FACE_GROUP.name).map_or(&[][..], |column| &column.labels);
+    let name = |group: u32| match labels.get(group as usize) {
+        // The name of an object in an OBJ, where the faces of it are in no group.
+        Some(label) => {
+            label.strip_prefix("o ").filter(|rest| !rest.contains("; g ")).unwrap_or(label).to_owned()
+        }
+        None if group == NONE => "No group".to_owned(),
+        None => format!("Group {group}"),
+    };
+    Ok(parts(mesh, |f| groups.get(f.index()).copied().unwrap_or(NONE))
+        .into_iter()
+        .map(|(group, faces)| Part { name: Some(name(group)), faces })
+        .collect())
+}
+
+fn parts_by_components(mesh: &Mesh) -> Vec<Part> {
+    let (piece, _) = mesh.components();
+    let of = |f: FaceId| {
+        let corner = mesh.to(mesh.halfedge_of(f));
+        piece.get(corner.index()).copied().unwrap_or(NONE)
+    };
+    parts(mesh, of).into_iter().map(|(_, faces)| Part { name: None, faces }).collect()
+}
+
+/// The faces by what `key` says of them, in the order of each key's first face.
+fn parts(mesh: &Mesh, key: impl Fn(FaceId) -> u32) -> Vec<(u32, Vec<FaceId>)> {
+    let mut places: HashMap<u32, usize> = HashMap::new();
+    let mut parts: Vec<(u32, Vec<FaceId>)> = Vec::new();
+    for f in mesh.faces() {
+        let key = key(f);
+        let at = *places.entry(key).or_insert_with(|| {
+            parts.push((key, Vec::new()));
+            parts.len() - 1
+        });
+        if let Some((_, faces)) = parts.get_mut(at) {
+            faces.push(f);
+        }
+    }
+    parts
+}

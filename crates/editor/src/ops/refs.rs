@@ -1,0 +1,276 @@
+//! Fields that name elements: an id, or for edges and half-edges a pair of vertices.
+
+use crate::error::Problem;
+use halfedge::edit::Refusal;
+use halfedge::{EdgeId, Element, FaceId, HalfedgeId, Mesh, VertexId};
+use serde::de::{Deserializer, Error, SeqAccess, Unexpected, Visitor};
+use serde::{Deserialize, Serialize, Serializer};
+use std::fmt;
+
+/// A vertex, by its id.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub struct VertexRef(pub u32);
+
+/// A face, by its id.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub struct FaceRef(pub u32);
+
+/// An edge, by its id or by the vertices at its ends, in either order.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum EdgeRef {
+    /// The edge's id.
+    Id(u32),
+    /// The ids of the vertices at its ends.
+    Ends([u32; 2]),
+}
+
+/// A half-edge, by its id or by the vertices it leaves and points to.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum HalfedgeRef {
+    /// The half-edge's id.
+    Id(u32),
+    /// The ids of the vertices it leaves and points to.
+    FromTo([u32; 2]),
+}
+
+/// What names an element in a command.
+pub(crate) trait ElementRef: Copy {
+    /// The element's id in the mesh.
+    type Id;
+
+    /// The element of the mesh, or a refusal that names the field.
+    fn find(self, mesh: &Mesh, field: &str) -> Result<Self::Id, Problem>;
+}
+
+fn none_such(element: Element, id: u32, mesh: &Mesh, field: &str) -> Problem {
+    let range = match mesh.capacity(element) {
+        0 => "the mesh has none".to_owned(),
+        n if mesh.count(element) == n => format!("ids go from 0 to {}", n - 1),
+        _ => "it may have been removed".to_owned(),
+    };
+    Problem::field(field, format!("there is no {element} {id}; {range}"))
+}
+
+impl ElementRef for VertexRef {
+    type Id = VertexId;
+
+    fn find(self, mesh: &Mesh, field: &str) -> Result<VertexId, Problem> {
+        mesh.vertex(self.0).ok_or_else(|| none_such(Element::Vertex, self.0, mesh, field))
+    }
+}
+
+impl ElementRef for FaceRef {
+    type Id = FaceId;
+
+    fn find(self, mesh: &Mesh, field: &str) -> Result<FaceId, Problem> {
+        mesh.face(self.0).ok_or_else(|| none_such(Element::Face, self.0, mesh, field))
+    }
+}
+
+impl ElementRef for EdgeRef {
+    type Id = EdgeId;
+
+    fn find(self, mesh: &Mesh, field: &str) -> Result<EdgeId, Problem> {
+        match self {
+            Self::Id(id) => mesh.edge(id).ok_or_else(|| none_such(Element::Edge, id, mesh, field)),
+            Self::Ends(ends) => Ok(between(ends, mesh, field)?.edge()),
+        }
+    }
+}
+
+impl ElementRef for HalfedgeRef {
+    type Id = HalfedgeId;
+
+    fn find(self, mesh: &Mesh, field: &str) -> Result<HalfedgeId, Problem> {
+        match self {
+            Self::Id(id) => mesh.halfedge(id).ok_or_else(|| none_such(Element::Halfedge, id, mesh, field)),
+            Self::FromTo(ends) => between(ends, mesh, field),
+        }
+    }
+}
+
+impl EdgeRef {
+    /// The edge, and a place along it given from the first of its two vertices: the one named first,
+    /// or the one that the edge's first half-edge leaves.
+    pub(crate) fn find_along(self, t: f32, mesh: &Mesh, field: &str) -> Result<(EdgeId, f32), Problem> {
+        let edge = self.find(mesh, field)?;
+        let reversed = matches!(self, Self::Ends([first, _]) if mesh.from(edge.halfedge()).raw() != first);
+        Ok((edge, if reversed { 1.0 - t } else { t }))
+    }
+}
+
+fn between([from, to]: [u32; 2], mesh: &Mesh, field: &str) -> Result<HalfedgeId, Problem> {
+    let a = VertexRef(from).find(mesh, field)?;
+    let b = VertexRef(to).find(mesh, field)?;
+    mesh.find_halfedge(a, b)
+        .ok_or_else(|| Problem::field(field, format!("no edge joins vertex {from} and vertex {to}")))
+}
+
+/// A refusal of a place along an edge, which names the place as it was given.
+pub(crate) fn given_t(t: f32) -> impl Fn(Refusal) -> Refusal {
+    move |refusal| match refusal {
+        Refusal::OutOfRange { field: "t", range, .. } => Refusal::OutOfRange { field: "t", value: t, range },
+        other => other,
+    }
+}
+
+/// A field that resolving fills in.
+pub(crate) fn given<R>(value: Option<R>, field: &str) -> Result<R, Problem> {
+    value.ok_or_else(|| Problem::field(field, "is missing"))
+}
+
+/// The element of a field that resolving fills in.
+pub(crate) fn one<R: ElementRef>(value: Option<R>, field: &str, mesh: &Mesh) -> Result<R::Id, Problem> {
+    given(value, field)?.find(mesh, field)
+}
+
+/// The two elements of a field that resolving fills in.
+pub(crate) fn two<R: ElementRef>(
+    value: Option<[R; 2]>,
+    field: &str,
+    mesh: &Mesh,
+) -> Result<[R::Id; 2], Problem> {
+    let [a, b] = given(value, field)?;
+    Ok([find_at(a, 0, field, mesh)?, find_at(b, 1, field, mesh)?])
+}
+
+/// The elements of a list; none for one that is left out.
+pub(crate) fn all<R: ElementRef>(
+    list: &Option<Vec<R>>,
+    field: &str,
+    mesh: &Mesh,
+) -> Result<Vec<R::Id>, Problem> {
+    let list = list.as_deref().unwrap_or_default();
+    list.iter().enumerate().map(|(at, &item)| find_at(item, at, field, mesh)).collect()
+}
+
+/// The faces of a `faces` field that stands for all when left out.
+pub(crate) fn faces_or_every(list: &Option<Vec<FaceRef>>, mesh: &Mesh) -> Result<Vec<FaceId>, Problem> {
+    match list.as_deref() {
+        Some([]) => Err(Refusal::NothingGiven(Element::Face).into()),
+        Some(_) => all(list, "faces", mesh),
+        None => Ok(mesh.faces().collect()),
+    }
+}
+
+/// An element of a list; the field in messages has the place in the list.
+fn find_at<R: ElementRef>(item: R, at: usize, field: &str, mesh: &Mesh) -> Result<R::Id, Problem> {
+    item.find(mesh, field).map_err(|problem| Problem { field: Some(format!("{field}[{at}]")), ..problem })
+}
+
+/// The number of elements in a list; `otherwise` where it is left out.
+pub(crate) fn count<R>(list: &Option<Vec<R>>, otherwise: usize) -> usize {
+    list.as_ref().map_or(otherwise, Vec::len)
+}
+
+/// The number of corners of the faces in a list, or of all faces where it is left out: an upper bound
+/// of the edges and faces that edits of faces make. Costs O(corners of the list).
+pub(crate) fn corner_count(list: &Option<Vec<FaceRef>>, mesh: &Mesh) -> usize {
+    let Some(list) = list else { return super::facts::corners_at_most(mesh) };
+    list.iter().filter_map(|face| mesh.face(face.0)).map(|f| mesh.face_degree(f)).sum()
+}
+
+macro_rules! id_conversions {
+    ($($from:ty => $to:ident $(:: $variant:ident)?),* $(,)?) => {
+        $(impl From<$from> for $to {
+            fn from(id: $from) -> Self {
+                Self $(:: $variant)? (id.raw())
+            }
+        })*
+    };
+}
+id_conversions!(VertexId => VertexRef, FaceId => FaceRef, EdgeId => EdgeRef::Id, HalfedgeId => HalfedgeRef::Id);
+
+/// Reads an id, or where allowed a pair of vertex ids.
+struct Reader {
+    expecting: &'static str,
+    pairs: bool,
+}
+
+enum Read {
+    Id(u32),
+    Pair([u32; 2]),
+}
+
+impl<'de> Visitor<'de> for Reader {
+    type Value = Read;
+
+    fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(self.expecting)
+    }
+
+    fn visit_u64<E: Error>(self, value: u64) -> Result<Read, E> {
+        let id = u32::try_from(value).ok().filter(|&id| id != halfedge::NONE);
+        id.map(Read::Id).ok_or_else(|| E::invalid_value(Unexpected::Unsigned(value), &self))
+    }
+
+    fn visit_i64<E: Error>(self, value: i64) -> Result<Read, E> {
+        match u64::try_from(value) {
+            Ok(value) => self.visit_u64(value),
+            Err(_) => Err(E::invalid_value(Unexpected::Signed(value), &self)),
+        }
+    }
+
+    fn visit_seq<A: SeqAccess<'de>>(self, mut seq: A) -> Result<Read, A::Error> {
+        if !self.pairs {
+            return Err(A::Error::invalid_type(Unexpected::Seq, &self));
+        }
+        let mut pair = [0; 2];
+        for (at, slot) in pair.iter_mut().enumerate() {
+            *slot = seq.next_element::<VertexRef>()?.ok_or_else(|| A::Error::invalid_length(at, &self))?.0;
+        }
+        let mut extra = 0;
+        while seq.next_element::<serde::de::IgnoredAny>()?.is_some() {
+            extra += 1;
+        }
+        if extra > 0 {
+            return Err(A::Error::invalid_length(2 + extra, &self));
+        }
+        Ok(Read::Pair(pair))
+    }
+}
+
+macro_rules! single {
+    ($name:ident, $expecting:literal) => {
+        impl<'de> Deserialize<'de> for $name {
+            fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+                match deserializer.deserialize_any(Reader { expecting: $expecting, pairs: false })? {
+                    Read::Id(id) => Ok(Self(id)),
+                    Read::Pair(_) => Err(D::Error::custom(concat!("expected ", $expecting))),
+                }
+            }
+        }
+
+        impl Serialize for $name {
+            fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+                serializer.serialize_u32(self.0)
+            }
+        }
+    };
+}
+single!(VertexRef, "a vertex id, a whole number from 0");
+single!(FaceRef, "a face id, a whole number from 0");
+
+macro_rules! single_or_pair {
+    ($name:ident :: $pair:ident, $expecting:literal) => {
+        impl<'de> Deserialize<'de> for $name {
+            fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+                Ok(match deserializer.deserialize_any(Reader { expecting: $expecting, pairs: true })? {
+                    Read::Id(id) => Self::Id(id),
+                    Read::Pair(pair) => Self::$pair(pair),
+                })
+            }
+        }
+
+        impl Serialize for $name {
+            fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+                match self {
+                    Self::Id(id) => serializer.serialize_u32(*id),
+                    Self::$pair(pair) => pair.serialize(serializer),
+                }
+            }
+        }
+    };
+}
+single_or_pair!(EdgeRef::Ends, "an edge id, or the pair [a, b] of the vertices at its ends");
+single_or_pair!(HalfedgeRef::FromTo, "a half-edge id, or the pair [from, to] of its vertices");

@@ -1,0 +1,137 @@
+//! The description of an operation, from which everything about it is made: menus, the palette,
+//! forms, keys, previews, the operations reference and `meshwright --help`.
+
+use super::OpId;
+use super::field::{Field, FieldKind, Fill};
+use halfedge::Element;
+
+/// An operation's name, texts, keys and fields.
+#[derive(Clone, Copy, Debug)]
+pub struct Spec {
+    /// The name in JSON.
+    pub name: &'static str,
+    /// What menus and the history call it, in sentence case.
+    pub label: &'static str,
+    /// One sentence that says what it does.
+    pub description: &'static str,
+    /// What it works on.
+    pub scope: Scope,
+    /// Its default keys, as in `Shift+T`; menus show the first one.
+    pub keys: &'static [&'static str],
+    /// The operations that share its keys, one for each kind of element.
+    pub family: Option<Family>,
+    /// Whether its form shows the result while its fields are filled in.
+    pub previewed: bool,
+    /// Its fields, without `op` and `object`.
+    pub fields: &'static [Field],
+}
+
+/// What an operation works on.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Scope {
+    /// A few elements of a mesh: quick, keeps ids, can follow the pointer.
+    Elements,
+    /// Whole meshes: may run as a job, gives elements new ids.
+    Meshes,
+    /// The control points of a Bezier object: quick, can follow the pointer.
+    Bezier,
+    /// The document: which objects there are, and what they are called.
+    Document,
+}
+
+/// Operations that do the same to different kinds of elements and share their keys. The member
+/// that declares the keys stands for the family.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Family {
+    /// Extrude faces or edges.
+    Extrude,
+    /// Bevel edges or vertices.
+    Bevel,
+    /// Delete faces or vertices, dissolve edges.
+    Delete,
+}
+
+impl Spec {
+    /// An operation without keys and fields.
+    pub(crate) const fn new(
+        scope: Scope,
+        name: &'static str,
+        label: &'static str,
+        description: &'static str,
+    ) -> Self {
+        Self { name, label, description, scope, keys: &[], family: None, previewed: false, fields: &[] }
+    }
+
+    pub(crate) const fn keys(self, keys: &'static [&'static str]) -> Self {
+        Self { keys, ..self }
+    }
+
+    pub(crate) const fn family(self, family: Family) -> Self {
+        Self { family: Some(family), ..self }
+    }
+
+    pub(crate) const fn previewed(self) -> Self {
+        Self { previewed: true, ..self }
+    }
+
+    pub(crate) const fn fields(self, fields: &'static [Field]) -> Self {
+        Self { fields, ..self }
+    }
+
+    /// The field of this name.
+    pub fn field(&self, name: &str) -> Option<&'static Field> {
+        self.fields.iter().find(|field| field.name == name)
+    }
+
+    /// The field that follows the pointer.
+    pub fn dragged_field(&self) -> Option<&'static Field> {
+        self.fields.iter().find(|field| field.drag.is_some())
+    }
+
+    /// Whether a selection of this kind can stand in for the elements that are left out.
+    pub fn applies_to(&self, kind: Element) -> bool {
+        self.fields.iter().any(|field| field.takes_selected(kind))
+    }
+
+    /// The kind of element whose menu lists the operation: that of its first element field, with
+    /// half-edges among the edges; none where it takes no elements.
+    pub fn element(&self) -> Option<Element> {
+        self.fields.iter().find_map(|field| match field.kind {
+            FieldKind::Elements { element: Element::Halfedge, .. } => Some(Element::Edge),
+            FieldKind::Elements { element, .. } => Some(element),
+            _ => None,
+        })
+    }
+
+    /// Whether the operation makes sense with no field filled in by hand: the selection gives its
+    /// elements, and every other field has a value as its default. The others open a form.
+    pub fn runs_without_form(&self) -> bool {
+        self.fields.iter().all(|field| match field.fill {
+            Fill::Required | Fill::Unset(_) => false,
+            Fill::Value(_) | Fill::Selection(_) | Fill::Optional(_) => true,
+        })
+    }
+}
+
+impl OpId {
+    /// The operation of the same family that works on a kind of element; this one where it has no
+    /// family, or where no member works on that kind.
+    pub fn for_selection(self, kind: Element) -> Self {
+        let spec = self.spec();
+        if spec.family.is_none() || spec.applies_to(kind) {
+            return self;
+        }
+        let mut family = Self::ALL.iter().filter(|id| id.spec().family == spec.family);
+        family.find(|id| id.spec().applies_to(kind)).copied().unwrap_or(self)
+    }
+
+    /// The default keys: its own, or those of its family.
+    pub fn keys(self) -> &'static [&'static str] {
+        let spec = self.spec();
+        if !spec.keys.is_empty() || spec.family.is_none() {
+            return spec.keys;
+        }
+        let mut family = Self::ALL.iter().map(|id| id.spec()).filter(|other| other.family == spec.family);
+        family.find(|other| !other.keys.is_empty()).map_or(&[], |other| other.keys)
+    }
+}

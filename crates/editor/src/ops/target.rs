@@ -1,0 +1,231 @@
+//! What an operation is resolved against: the elements that it leaves out come from the selection.
+
+use super::field::{Arity, Field, FieldKind, Fill, Selected, plural};
+use super::{EdgeRef, FaceRef, HalfedgeRef, Operation, VertexRef};
+use crate::error::Problem;
+use crate::selection::Selection;
+use halfedge::{EdgeId, Element, HalfedgeId, Mesh, VertexId};
+
+/// The mesh and the selection that an operation is for.
+pub(crate) struct Target<'a> {
+    pub mesh: &'a Mesh,
+    /// The selection; an empty one where the operation is for an object that isn't active.
+    pub selection: &'a Selection,
+}
+
+/// An element field of an operation, to be filled in.
+pub(crate) enum Slot<'a> {
+    Vertex(&'a mut Option<VertexRef>),
+    Edge(&'a mut Option<EdgeRef>),
+    Halfedge(&'a mut Option<HalfedgeRef>),
+    Face(&'a mut Option<FaceRef>),
+    Vertices(&'a mut Option<Vec<VertexRef>>),
+    Edges(&'a mut Option<Vec<EdgeRef>>),
+    Faces(&'a mut Option<Vec<FaceRef>>),
+    TwoVertices(&'a mut Option<[VertexRef; 2]>),
+    TwoEdges(&'a mut Option<[EdgeRef; 2]>),
+    TwoHalfedges(&'a mut Option<[HalfedgeRef; 2]>),
+}
+
+impl Slot<'_> {
+    pub fn is_given(&self) -> bool {
+        match self {
+            Self::Vertex(slot) => slot.is_some(),
+            Self::Edge(slot) => slot.is_some(),
+            Self::Halfedge(slot) => slot.is_some(),
+            Self::Face(slot) => slot.is_some(),
+            Self::Vertices(slot) => slot.is_some(),
+            Self::Edges(slot) => slot.is_some(),
+            Self::Faces(slot) => slot.is_some(),
+            Self::TwoVertices(slot) => slot.is_some(),
+            Self::TwoEdges(slot) => slot.is_some(),
+            Self::TwoHalfedges(slot) => slot.is_some(),
+        }
+    }
+
+    /// Puts these ids in; a slot for one element takes the first.
+    fn fill(self, ids: &[u32]) {
+        let two = || <[u32; 2]>::try_from(ids).ok();
+        match self {
+            Self::Vertex(slot) => *slot = ids.first().map(|&id| VertexRef(id)),
+            Self::Edge(slot) => *slot = ids.first().map(|&id| EdgeRef::Id(id)),
+            Self::Halfedge(slot) => *slot = ids.first().map(|&id| HalfedgeRef::Id(id)),
+            Self::Face(slot) => *slot = ids.first().map(|&id| FaceRef(id)),
+            Self::Vertices(slot) => *slot = Some(ids.iter().map(|&id| VertexRef(id)).collect()),
+            Self::Edges(slot) => *slot = Some(ids.iter().map(|&id| EdgeRef::Id(id)).collect()),
+            Self::Faces(slot) => *slot = Some(ids.iter().map(|&id| FaceRef(id)).collect()),
+            Self::TwoVertices(slot) => *slot = two().map(|ids| ids.map(VertexRef)),
+            Self::TwoEdges(slot) => *slot = two().map(|ids| ids.map(EdgeRef::Id)),
+            Self::TwoHalfedges(slot) => *slot = two().map(|ids| ids.map(HalfedgeRef::Id)),
+        }
+    }
+}
+
+/// The element fields of an operation that the selection can stand in for, with their places among
+/// its slots.
+fn selectable<O: Operation>() -> impl Iterator<Item = (usize, &'static Field, Element, Selected)> {
+    let elements =
+        O::SPEC.fields.iter().filter(|field| matches!(field.kind, FieldKind::Elements { .. })).enumerate();
+    elements.filter_map(|(at, field)| match (field.kind, field.fill) {
+        (FieldKind::Elements { element, .. }, Fill::Selection(selected)) => {
+            Some((at, field, element, selected))
+        }
+        _ => None,
+    })
+}
+
+/// Whether an operation takes what it works on from the selection: none of its elements is given.
+pub(crate) fn is_open<O: Operation>(op: &O) -> bool {
+    let mut op = op.clone();
+    op.takes_selection() && selectable::<O>().next().is_some() && !op.elements().iter().any(Slot::is_given)
+}
+
+/// Checks that the selection can stand in for the elements of an operation, without listing them.
+/// Costs O(1).
+pub(crate) fn check_selection<O: Operation>(target: &Target<'_>) -> Result<(), Problem> {
+    let Some((_, field, element, selected)) = chosen::<O>(target) else { return Ok(()) };
+    let (kind, count) = (target.selection.kind(), target.selection.len());
+    let fits = field.takes_selected(kind) && count > 0;
+    match selected {
+        Selected::AllOrEvery => Ok(()),
+        _ if !fits => Err(nothing_selected(field, element, selected)),
+        Selected::Only if count != 1 => Err(wrong_number(field, element, count, "one")),
+        Selected::Two if count != 2 => Err(wrong_number(field, element, count, "two")),
+        _ => Ok(()),
+    }
+}
+
+/// The field that the selection fills in: the first one that takes the selected kind, or else the
+/// first one.
+fn chosen<O: Operation>(target: &Target<'_>) -> Option<(usize, &'static Field, Element, Selected)> {
+    let kind = target.selection.kind();
+    selectable::<O>().find(|(_, field, ..)| field.takes_selected(kind)).or_else(|| selectable::<O>().next())
+}
+
+/// Fills in from the selection what an operation leaves out. An operation on one element that several
+/// selected ones stand in for becomes several operations, made in one step.
+pub(crate) fn resolve<O: Operation>(mut op: O, target: &Target<'_>) -> Result<Vec<O>, Problem> {
+    let mut ops = Vec::new();
+    match chosen::<O>(target).filter(|_| is_open(&op)) {
+        None => ops.push(op),
+        Some((at, field, element, selected)) => {
+            check_selection::<O>(target)?;
+            let ids = target.ids(element, selected);
+            let mut fill = |mut op: O, ids: &[u32]| {
+                if let Some(slot) = op.elements().into_iter().nth(at) {
+                    slot.fill(ids);
+                }
+                ops.push(op);
+            };
+            match (selected, field.kind) {
+                (Selected::AllOrEvery, _) if ids.is_empty() => ops.push(op),
+                (_, FieldKind::Elements { arity: Arity::One, .. }) => match ids.split_last() {
+                    None => return Err(nothing_selected(field, element, selected)),
+                    Some((last, rest)) => {
+                        for id in rest {
+                            fill(op.clone(), &[*id]);
+                        }
+                        fill(op, &[*last]);
+                    }
+                },
+                (Selected::Two, _) if ids.len() != 2 => {
+                    return Err(wrong_number(field, element, ids.len(), "two"));
+                }
+                _ => {
+                    if let Some(slot) = op.elements().into_iter().nth(at) {
+                        slot.fill(&ids);
+                    }
+                    ops.push(op);
+                }
+            }
+        }
+    }
+    for op in &mut ops {
+        op.complete(target)?;
+    }
+    Ok(ops)
+}
+
+impl Target<'_> {
+    /// The ids of the elements of one kind that the selection stands for.
+    fn ids(&self, element: Element, selected: Selected) -> Vec<u32> {
+        let mut ids: Vec<u32> = match (element, selected) {
+            (_, Selected::Vertices) => self.vertices().into_iter().map(VertexId::raw).collect(),
+            (Element::Edge, _) => self.edges().into_iter().map(EdgeId::raw).collect(),
+            (Element::Halfedge, _) => self.boundary_sides().into_iter().map(HalfedgeId::raw).collect(),
+            _ if self.selection.kind() == element => self.selection.ids().collect(),
+            _ => Vec::new(),
+        };
+        if selected == Selected::Two
+            && let [a, b] = ids.as_mut_slice()
+            && self.selection.latest() == Some(*a)
+        {
+            std::mem::swap(a, b);
+        }
+        ids
+    }
+
+    /// The selected vertices; for edges and faces that are selected, theirs.
+    fn vertices(&self) -> Vec<VertexId> {
+        let mesh = self.mesh;
+        let ids = self.selection.ids();
+        let mut vertices: Vec<VertexId> = match self.selection.kind() {
+            Element::Vertex => ids.filter_map(|id| mesh.vertex(id)).collect(),
+            Element::Edge => ids.filter_map(|id| mesh.edge(id)).flat_map(|e| mesh.ends(e)).collect(),
+            Element::Halfedge => {
+                ids.filter_map(|id| mesh.halfedge(id)).flat_map(|h| mesh.ends(h.edge())).collect()
+            }
+            Element::Face => ids
+                .filter_map(|id| mesh.face(id))
+                .flat_map(|f| mesh.face_vertices(f).collect::<Vec<_>>())
+                .collect(),
+        };
+        vertices.sort_unstable();
+        vertices.dedup();
+        vertices
+    }
+
+    /// The selected edges, or those of the selected half-edges.
+    fn edges(&self) -> Vec<EdgeId> {
+        let ids = self.selection.ids();
+        let mut edges: Vec<EdgeId> = match self.selection.kind() {
+            Element::Edge => ids.filter_map(|id| self.mesh.edge(id)).collect(),
+            Element::Halfedge => ids.filter_map(|id| self.mesh.halfedge(id)).map(|h| h.edge()).collect(),
+            Element::Vertex | Element::Face => Vec::new(),
+        };
+        edges.dedup();
+        edges
+    }
+
+    /// The selected half-edges, or the boundary sides of selected edges.
+    fn boundary_sides(&self) -> Vec<HalfedgeId> {
+        if self.selection.kind() == Element::Halfedge {
+            return self.selection.ids().filter_map(|id| self.mesh.halfedge(id)).collect();
+        }
+        let side = |e: EdgeId| {
+            let sides = e.halfedges();
+            sides.into_iter().find(|&h| self.mesh.is_boundary_halfedge(h)).unwrap_or(e.halfedge())
+        };
+        self.edges().into_iter().map(side).collect()
+    }
+}
+
+fn nothing_selected(field: &Field, element: Element, selected: Selected) -> Problem {
+    let (what, advice) = match selected {
+        Selected::Vertices => ("nothing".to_owned(), "Select something first.".to_owned()),
+        Selected::Two => (format!("no {element}"), format!("Select two {} first.", plural(element))),
+        _ => {
+            let article = if element == Element::Edge { "an" } else { "a" };
+            (format!("no {element}"), format!("Select {article} {element} first."))
+        }
+    };
+    Problem::field(field.name, format!("is missing, and {what} is selected that could stand in for it"))
+        .advise(advice)
+}
+
+fn wrong_number(field: &Field, element: Element, selected: usize, needed: &str) -> Problem {
+    let are = if selected == 1 { "1 is".to_owned() } else { format!("{selected} are") };
+    let elements = if needed == "one" { element.to_string() } else { plural(element).to_owned() };
+    Problem::field(field.name, format!("is missing, and {are} selected where it takes {needed} {elements}"))
+        .advise(format!("Select {needed} {elements} first."))
+}

@@ -1,0 +1,91 @@
+//! The frame of operations that make one mesh of each.
+
+use crate::error::Problem;
+use crate::ops::{Estimate, Facts, Input, Output, WholeMesh, refuse_bezier};
+use halfedge::{Mesh, Progress};
+use std::ops::ControlFlow;
+
+/// An operation that makes one mesh of each: the frame around an algorithm.
+pub(super) trait EachMesh {
+    /// Checks the fields: what can be refused without looking at a mesh.
+    fn check(&self) -> Result<(), Problem> {
+        Ok(())
+    }
+
+    /// Checks a mesh, as far as it can be refused without running. Costs O(mesh) at most.
+    fn check_mesh(&self, mesh: &Mesh) -> Result<(), Problem> {
+        let _ = mesh;
+        Ok(())
+    }
+
+    /// Whether a mesh without faces stays as it is.
+    fn needs_faces(&self) -> bool {
+        true
+    }
+
+    /// Makes the new mesh. Warnings go to `notes`.
+    fn make(
+        &self,
+        mesh: &Mesh,
+        notes: &mut Vec<String>,
+        progress: &mut Progress<'_>,
+    ) -> Result<Mesh, Problem>;
+
+    /// How large the result is.
+    fn result(&self, facts: &Facts) -> Option<Estimate>;
+
+    /// The work in faces read or made, at least as many as the result has. Costs O(mesh) at most.
+    fn cost(&self, mesh: &Mesh) -> usize;
+}
+
+impl<T: EachMesh> WholeMesh for T {
+    fn check(&self) -> Result<(), Problem> {
+        EachMesh::check(self)
+    }
+
+    fn check_inputs(&self, inputs: &[Input]) -> Result<(), Problem> {
+        inputs.iter().try_for_each(|input| {
+            refuse_bezier(&input.name, input.bezier.as_deref())?;
+            self.check_mesh(&input.mesh)
+        })
+    }
+
+    fn changes_nothing(&self, inputs: &[Input]) -> Option<&'static str> {
+        let is_empty = inputs.iter().all(|input| input.mesh.face_count() == 0);
+        (self.needs_faces() && is_empty).then_some("The mesh has no face.")
+    }
+
+    fn compute(
+        &self,
+        inputs: &[Input],
+        notes: &mut Vec<String>,
+        progress: &mut Progress<'_>,
+    ) -> Result<Vec<Output>, Problem> {
+        let mut outputs = Vec::with_capacity(inputs.len());
+        for (at, input) in inputs.iter().enumerate() {
+            let mut part =
+                |fraction: f32| -> ControlFlow<()> { progress((at as f32 + fraction) / inputs.len() as f32) };
+            outputs.push(Output::new("", self.make(&input.mesh, notes, &mut part)?));
+        }
+        Ok(outputs)
+    }
+
+    fn result(&self, facts: &Facts) -> Option<Estimate> {
+        EachMesh::result(self, facts)
+    }
+
+    fn cost(&self, inputs: &[Input]) -> usize {
+        inputs.iter().map(|input| EachMesh::cost(self, &input.mesh)).fold(0, usize::saturating_add)
+    }
+}
+
+/// Refuses a number of rounds that does nothing, or takes longer than anybody waits.
+pub(super) fn rounds(count: u32, most: u32, field: &str) -> Result<(), Problem> {
+    match count {
+        0 => Err(Problem::field(field, format!("0 does nothing; it must be 1 to {most}"))),
+        _ if count > most => {
+            Err(Problem::field(field, format!("{count} is out of range; it must be 1 to {most}")))
+        }
+        _ => Ok(()),
+    }
+}

@@ -1,0 +1,123 @@
+//! `remesh`: make triangles with edges of one length.
+
+use super::each_mesh::{self, EachMesh};
+use super::simplify::triangles_at_most;
+use crate::error::Problem;
+use crate::json::{finite, finite_option, shortest};
+use crate::ops::{
+    Action, Amount, Counted, Default, Estimate, Facts, Field, FieldKind, Operation, Scope, Spec, Suggestion,
+    Unit,
+};
+use halfedge::{Mesh, Progress};
+use serde::{Deserialize, Serialize};
+use surface::{SurfaceError, measure};
+
+/// Remesh a surface into triangles with edges of one length (Botsch & Kobbelt 2004).
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Remesh {
+    /// The length of edges, in mesh units; the mean of the mesh's when left out.
+    #[serde(default, with = "finite_option")]
+    pub edge_length: Option<f32>,
+    /// How many rounds.
+    #[serde(with = "crate::json::whole")]
+    pub iterations: u32,
+    /// Edges whose faces' normals differ by more than this are kept, in degrees.
+    #[serde(with = "finite")]
+    pub feature_angle: f32,
+    /// Whether vertices are projected back onto the surface each round.
+    pub project: bool,
+}
+
+const ITERATIONS: u32 = 5;
+const MAX_ITERATIONS: u32 = 1000;
+const FEATURE_ANGLE_DEGREES: f32 = 45.0;
+const PROJECT: bool = true;
+
+/// Edges of up to this many times the mean length leave a number of triangles that follows from the
+/// area; how much coarser a mesh can become depends on its features.
+const MAX_COARSENING_ESTIMATED: f64 = 1.5;
+
+impl std::default::Default for Remesh {
+    fn default() -> Self {
+        Self {
+            edge_length: None,
+            iterations: ITERATIONS,
+            feature_angle: FEATURE_ANGLE_DEGREES,
+            project: PROJECT,
+        }
+    }
+}
+
+impl Operation for Remesh {
+    const SPEC: Spec = Spec::new(
+        Scope::Meshes,
+        "remesh",
+        "Remesh",
+        "Make triangles with edges of one length; polygons are triangulated first.",
+    )
+    .previewed()
+    .fields(&[
+        Field::number("edge_length", Unit::Length, [1e-6, 1e6], "The length of edges, in mesh units")
+            .unset("the mean of the edges")
+            .suggest(Suggestion::MeanEdge),
+        Field::count("iterations", [1, MAX_ITERATIONS], "How many rounds").or(Default::Integer(ITERATIONS)),
+        Field::number(
+            "feature_angle",
+            Unit::Degrees,
+            [0.0, 180.0],
+            "Keep edges that are sharper than this many degrees",
+        )
+        .or(Default::Number(FEATURE_ANGLE_DEGREES as f64)),
+        Field::required("project", FieldKind::Flag, "Project vertices back onto the surface")
+            .labelled("Stay on surface")
+            .or(Default::Flag(PROJECT)),
+    ]);
+
+    fn action(&self) -> Action<'_> {
+        Action::WholeMesh(self)
+    }
+}
+
+impl EachMesh for Remesh {
+    fn check(&self) -> Result<(), Problem> {
+        each_mesh::rounds(self.iterations, MAX_ITERATIONS, "iterations")
+    }
+
+    fn make(
+        &self,
+        mesh: &Mesh,
+        _notes: &mut Vec<String>,
+        progress: &mut Progress<'_>,
+    ) -> Result<Mesh, Problem> {
+        let options = surface::Remesh {
+            edge_length: self.edge_length.map(shortest),
+            iterations: self.iterations,
+            feature_angle: shortest(self.feature_angle),
+            project: self.project,
+        };
+        surface::remesh(mesh, &options, progress).map_err(|error| match error {
+            SurfaceError::TooManyFaces { .. } => {
+                Problem::field("edge_length", format!("{error}; use a larger length"))
+            }
+            other => other.into(),
+        })
+    }
+
+    fn result(&self, facts: &Facts) -> Option<Estimate> {
+        let (area, mean_edge) = (facts.area?, facts.mean_edge?);
+        let length = self.edge_length.map_or(mean_edge, shortest);
+        let expected = surface::Remesh::expected(area, length);
+        let is_known = length <= MAX_COARSENING_ESTIMATED * mean_edge && expected.is_finite();
+        let count = if is_known { Amount::About(expected.round() as usize) } else { Amount::Unknown };
+        Some(Estimate { count, counted: Counted::Triangles, of: None })
+    }
+
+    fn cost(&self, mesh: &Mesh) -> usize {
+        let length = self.edge_length.map_or_else(|| measure::mean_edge_length(mesh), shortest);
+        let made = surface::Remesh::expected(measure::surface_area(mesh), length);
+        // A number that is too large becomes the largest one.
+        let triangles = triangles_at_most(mesh).saturating_add(made as usize);
+        triangles.saturating_mul(4).saturating_mul(self.iterations as usize)
+    }
+}

@@ -1,0 +1,96 @@
+//! `smooth`: move vertices towards their neighbours.
+
+use super::each_mesh::{self, EachMesh};
+use crate::error::Problem;
+use crate::json::shortest;
+use crate::ops::field::choice;
+use crate::ops::{
+    Action, Amount, Counted, Default, Estimate, Facts, Field, Operation, Scope, Spec, Unit,
+};
+use halfedge::{Mesh, Progress};
+use serde::{Deserialize, Serialize};
+
+/// Move every vertex towards the centre of its neighbours.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Smooth {
+    /// How many rounds.
+    #[serde(with = "crate::json::whole")]
+    pub iterations: u32,
+    /// How far of the way each time, above 0 and up to 1.
+    #[serde(with = "crate::json::finite")]
+    pub strength: f32,
+    /// How.
+    pub method: SmoothMethod,
+}
+
+choice! {
+    /// How vertices are moved.
+    pub enum SmoothMethod {
+        /// Towards the centre of the neighbours; shrinks the mesh.
+        Laplacian = "laplacian" "Laplacian",
+        /// There and a little more back (Taubin 1995); keeps the volume.
+        Taubin = "taubin" "Taubin",
+    }
+}
+
+const ITERATIONS: u32 = 1;
+const MAX_ITERATIONS: u32 = 10_000;
+const STRENGTH: f32 = 0.5;
+
+impl std::default::Default for Smooth {
+    fn default() -> Self {
+        Self { iterations: ITERATIONS, strength: STRENGTH, method: SmoothMethod::default() }
+    }
+}
+
+impl Operation for Smooth {
+    const SPEC: Spec =
+        Spec::new(Scope::Meshes, "smooth", "Smooth", "Move every vertex towards the centre of its neighbours.")
+            .previewed()
+            .fields(&[
+                Field::count("iterations", [1, MAX_ITERATIONS], "How many rounds")
+                    .or(Default::Integer(ITERATIONS)),
+                Field::number("strength", Unit::Fraction, [0.0, 1.0], "How far of the way each time")
+                    .or(Default::Number(STRENGTH as f64)),
+                SmoothMethod::field(
+                    "method",
+                    "Towards the neighbours, or there and back, which keeps the volume",
+                ),
+            ]);
+
+    fn action(&self) -> Action<'_> {
+        Action::WholeMesh(self)
+    }
+}
+
+impl EachMesh for Smooth {
+    fn check(&self) -> Result<(), Problem> {
+        each_mesh::rounds(self.iterations, MAX_ITERATIONS, "iterations")
+    }
+
+    fn make(
+        &self,
+        mesh: &Mesh,
+        _notes: &mut Vec<String>,
+        progress: &mut Progress<'_>,
+    ) -> Result<Mesh, Problem> {
+        let options = surface::Smooth {
+            iterations: self.iterations,
+            strength: shortest(self.strength),
+            method: match self.method {
+                SmoothMethod::Laplacian => surface::SmoothMethod::Laplacian,
+                SmoothMethod::Taubin => surface::SmoothMethod::Taubin,
+            },
+        };
+        Ok(surface::smooth(mesh, &options, progress)?)
+    }
+
+    fn result(&self, facts: &Facts) -> Option<Estimate> {
+        Some(Estimate { count: Amount::Exactly(facts.vertices), counted: Counted::MovedVertices, of: None })
+    }
+
+    fn cost(&self, mesh: &Mesh) -> usize {
+        mesh.face_count().saturating_mul(self.iterations as usize)
+    }
+}

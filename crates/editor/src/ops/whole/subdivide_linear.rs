@@ -1,0 +1,63 @@
+//! `subdivide-linear`: subdivide any polygons into quads, without smoothing.
+
+use super::each_mesh::EachMesh;
+use super::subdivide;
+use crate::error::Problem;
+use crate::ops::facts::corners_at_most;
+use crate::ops::{Action, Estimate, Facts, Operation, Scope, Spec};
+use halfedge::{Mesh, Progress};
+use serde::{Deserialize, Serialize};
+
+/// Cut polygons into quads as Catmull-Clark does, leaving the surface where it is.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct SubdivideLinear {
+    /// How often.
+    #[serde(with = "crate::json::whole")]
+    pub levels: u32,
+}
+
+impl Default for SubdivideLinear {
+    fn default() -> Self {
+        Self { levels: subdivide::LEVELS }
+    }
+}
+
+impl Operation for SubdivideLinear {
+    const SPEC: Spec = Spec::new(
+        Scope::Meshes,
+        "subdivide-linear",
+        "Subdivide (linear)",
+        "Cut polygons into quads without smoothing.",
+    )
+    .previewed()
+    .fields(&[subdivide::levels()]);
+
+    fn action(&self) -> Action<'_> {
+        Action::WholeMesh(self)
+    }
+}
+
+impl EachMesh for SubdivideLinear {
+    fn check(&self) -> Result<(), Problem> {
+        subdivide::check_levels(self.levels)
+    }
+
+    fn make(
+        &self,
+        mesh: &Mesh,
+        _notes: &mut Vec<String>,
+        progress: &mut Progress<'_>,
+    ) -> Result<Mesh, Problem> {
+        let options = surface::Linear { levels: self.levels };
+        surface::subdivide_linear(mesh, &options, progress).map_err(subdivide::refused)
+    }
+
+    fn result(&self, facts: &Facts) -> Option<Estimate> {
+        subdivide::estimate(subdivide::quads_after(facts.corners?, self.levels))
+    }
+
+    fn cost(&self, mesh: &Mesh) -> usize {
+        subdivide::quads_after(corners_at_most(mesh), self.levels)
+    }
+}
