@@ -3,7 +3,7 @@
 //! An action on the mesh is an operation of the editor's command list; the others are about the
 //! page itself: what is shown and what is selected.
 
-use editor::{OPERATIONS, OperationKind, Spec};
+use editor::{OpId, Scope};
 use formats::Format;
 use halfedge::Element;
 
@@ -104,8 +104,8 @@ pub enum Action {
     ElevateDegree,
     /// Splits the Bezier curve where the construction is.
     SplitCurve,
-    /// An operation of the editor, by name, on the selection.
-    Operation(&'static str),
+    /// An operation of the editor, on the selection.
+    Operation(OpId),
 }
 
 /// How an action is presented.
@@ -153,8 +153,8 @@ pub static MENUS: &[Menu] = &[
     Menu {
         title: "Edit",
         entries: &[
-            Some(entry(A::Undo, "Undo", "Takes the last step back.")),
-            Some(entry(A::Redo, "Redo", "Makes the step again that was taken back.")),
+            Some(entry(A::Undo, "Undo", "Undo the last change.")),
+            Some(entry(A::Redo, "Redo", "Redo the last undone change.")),
             None,
             Some(entry(A::Cancel, "Cancel", "Stops a running job or a drag, or else clears the selection.")),
             Some(entry(A::Palette, "Find a command…", "Lists every command; type to search.")),
@@ -319,20 +319,18 @@ pub static MENUS: &[Menu] = &[
 
 /// The operations that menus and the palette list, in the order of the editor's table: those on
 /// meshes. The ones on objects are in the object list itself.
-pub fn mesh_operations() -> impl Iterator<Item = &'static Spec> {
-    let on_meshes = |spec: &&Spec| matches!(spec.kind, OperationKind::Local | OperationKind::WholeMesh);
-    OPERATIONS.iter().copied().filter(on_meshes)
-}
-
-/// The operation of this name.
-pub fn operation(name: &str) -> Option<&'static Spec> {
-    OPERATIONS.iter().copied().find(|spec| spec.name == name)
+pub fn mesh_operations() -> impl Iterator<Item = OpId> {
+    OpId::ALL.iter().copied().filter(|id| matches!(id.spec().scope, Scope::Elements | Scope::Meshes))
 }
 
 /// Every action with its name: the menus' entries, then the formats and the operations.
 pub fn all() -> impl Iterator<Item = Entry> {
-    let fixed = MENUS.iter().flat_map(|menu| menu.entries.iter().copied().flatten());
-    fixed.chain(formats()).chain(mesh_operations().map(of_operation))
+    menu_entries().chain(formats()).chain(mesh_operations().map(of_operation))
+}
+
+/// The entries of the menus, without formats and operations.
+fn menu_entries() -> impl Iterator<Item = Entry> {
+    MENUS.iter().flat_map(|menu| menu.entries.iter().copied().flatten())
 }
 
 /// Saving in each format that can be written.
@@ -362,13 +360,18 @@ pub fn of_format(format: Format) -> Entry {
 }
 
 /// An operation as a menu shows it.
-pub fn of_operation(spec: &'static Spec) -> Entry {
-    Entry { action: A::Operation(spec.name), label: spec.label, description: spec.description }
+pub fn of_operation(id: OpId) -> Entry {
+    Entry { action: A::Operation(id), label: id.spec().label, description: id.spec().description }
 }
 
 /// How an action is presented; every action is in a menu.
 pub fn describe(action: Action) -> Entry {
-    all().find(|entry| entry.action == action).unwrap_or(entry(action, "Command", ""))
+    match action {
+        A::Operation(id) => of_operation(id),
+        A::SaveAs(format) => of_format(format),
+        // A test holds that no other action is missing.
+        _ => menu_entries().find(|entry| entry.action == action).unwrap_or(entry(action, "", "")),
+    }
 }
 
 #[cfg(test)]

@@ -4,6 +4,7 @@ use editor::{Changes, Editor, ObjectChange, ObjectId};
 use egui::{CentralPanel, Context, Panel, ThemePreference, Ui};
 use halfedge::Element;
 
+use crate::availability::Availability;
 use crate::bezier::Player;
 use crate::frame_times::FrameTimes;
 use crate::jobs::Jobs;
@@ -110,6 +111,7 @@ pub struct App {
     pub(crate) adjusting: Adjusting,
     pub(crate) palette: PaletteState,
     pub(crate) saving: Saving,
+    pub(crate) availability: Availability,
     pub(crate) survey: Survey,
     pub(crate) measured: Measured,
     pub(crate) player: Player,
@@ -152,6 +154,7 @@ impl App {
             adjusting: Adjusting::default(),
             palette: PaletteState::default(),
             saving: Saving::new(&*platform),
+            availability: Availability::default(),
             survey: Survey::default(),
             measured: Measured::default(),
             player: Player::default(),
@@ -236,6 +239,7 @@ impl App {
             return;
         }
         self.ctx.request_repaint();
+        self.availability.forget();
         self.follow_lists(&changes);
         self.survey.follow(&self.editor, &changes);
         self.saving.follow(&changes);

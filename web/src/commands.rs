@@ -1,20 +1,27 @@
 //! From actions, keys and buttons to commands, and from their results back to the person.
 
-use editor::{Begun, Command, CommandError, Finished, JobId, JobRequest, JobResult, MessageKind, SelectMode};
+use editor::ops::{
+    BezierElevateDegree, BezierSplit, Remesh, Simplify, SubdivideCatmullClark, SubdivideLoop, four_digits,
+};
+use editor::{
+    Begun, Command, CommandError, Finished, JobId, JobRequest, JobResult, MessageKind, OpId, SelectMode,
+};
 use egui::{Context, Event, ThemePreference};
 use formats::Format;
 use halfedge::Element;
-use serde_json::json;
 
-use crate::actions::{self, Action};
+use crate::actions::Action;
 use crate::app::{App, ShownKind};
+use crate::availability::opens_form;
 use crate::bezier;
 use crate::keys;
-use crate::live;
-use crate::measures::rounded;
+use crate::panels::fields;
 use crate::platform::{Fetched, NamedBytes};
 use crate::scripting::{Answer, Reply};
 use crate::viewport_widget::Tool;
+
+/// The field of remeshing that the keys for longer and shorter edges change.
+const EDGE_LENGTH: &str = "edge_length";
 
 /// Yaw and pitch of a view on the plane that flat curves lie in.
 const FROM_ABOVE: (f64, f64) = (0.0, 0.0);
@@ -22,10 +29,9 @@ const FROM_ABOVE: (f64, f64) = (0.0, 0.0);
 impl App {
     /// The document that the page opens on.
     pub(crate) fn open_first(&mut self) {
-        if let Ok(command) = Command::from_value(json!({ "op": "new", "shape": "cube" })) {
-            // A cube can't be refused; were it, the page would open empty and say how to go on.
-            let _ = self.editor.start_with(command);
-        }
+        // The first shape can't be refused; were it, the page would open empty and say how to go on.
+        let shape = fields::initial(OpId::New.spec(), &editor::Facts::default());
+        let _ = fields::command(OpId::New, &shape).and_then(|command| self.editor.start_with(command));
         self.follow();
         self.view.frame_all();
     }
@@ -57,9 +63,7 @@ impl App {
     /// Starts an action, from wherever it was chosen. One that can't be done says why.
     pub(crate) fn act(&mut self, action: Action) {
         let action = match action {
-            Action::Operation(name) => {
-                Action::Operation(live::for_selection(name, self.editor.selection().kind()))
-            }
+            Action::Operation(id) => Action::Operation(id.for_selection(self.editor.selection().kind())),
             other => other,
         };
         if let Some(reason) = self.why_not(action) {
@@ -113,18 +117,20 @@ impl App {
             Action::Messages => self.shown.messages ^= true,
             Action::About => self.shown.about ^= true,
             Action::Upsample => {
-                let op = self.upsample_op();
-                self.send(json!({ "op": op }));
+                let command = self.upsampling();
+                self.begin(command, None);
             }
-            Action::Downsample => self.send(json!({ "op": "simplify", "ratio": 0.25 })),
+            Action::Downsample => self.begin(Simplify::to_ratio(0.25).into(), None),
             Action::Resample => {
-                let mut command = self.forms.filled("remesh").cloned().unwrap_or_default();
-                command.insert("op".into(), "remesh".into());
-                self.send(command.into());
+                let command = match self.forms.filled(OpId::Remesh) {
+                    Some(filled) => fields::command(OpId::Remesh, filled),
+                    None => Ok(Remesh::default().into()),
+                };
+                self.begin_or_refuse(command);
             }
             Action::LongerEdges => self.scale_target_edge(1.1),
             Action::ShorterEdges => self.scale_target_edge(1.0 / 1.1),
-            Action::SlideSplit => self.start_live("split-edge"),
+            Action::SlideSplit => self.start_live(OpId::SplitEdge),
             Action::NextLevel | Action::Play => {
                 if let Some((_, bezier)) = bezier::active(&self.editor) {
                     match action {
@@ -137,21 +143,18 @@ impl App {
             Action::ControlNets => self.player.nets ^= true,
             Action::AddPoint => self.add_control_point(),
             Action::DeletePoint => self.delete_control_point(),
-            Action::ElevateDegree => self.send(json!({ "op": "bezier-elevate-degree" })),
-            Action::SplitCurve => self.send(json!({ "op": "bezier-split", "t": self.player.t })),
-            Action::Operation(name) => match actions::operation(name) {
-                // What has an amount follows the pointer; its form stays in the operations panel.
-                Some(spec) if live::is_live(name) && !crate::availability::runs_bare(spec) => {
-                    self.start_live(name);
-                }
-                // What has to be filled in gets its form.
-                Some(spec) if !crate::availability::runs_bare(spec) => {
-                    self.forms.choose(name);
-                    self.shown.right = true;
-                    self.shown.sheet.show_operations();
-                }
-                _ => self.send(json!({ "op": name })),
-            },
+            Action::ElevateDegree => self.begin(BezierElevateDegree::default().into(), None),
+            Action::SplitCurve => self.begin(BezierSplit { t: self.player.t }.into(), None),
+            // What has an amount follows the pointer; its form stays in the operations panel.
+            Action::Operation(id) if opens_form(id) && id.spec().dragged_field().is_some() => {
+                self.start_live(id);
+            }
+            Action::Operation(id) if opens_form(id) => {
+                self.forms.choose(id);
+                self.shown.right = true;
+                self.shown.sheet.show_operations();
+            }
+            Action::Operation(id) => self.begin_or_refuse(Command::from_fields(id, Default::default())),
         }
         self.follow();
         self.ctx.request_repaint();
@@ -186,34 +189,33 @@ impl App {
         self.ctx.options(|options| options.theme_preference)
     }
 
-    /// Which subdivision the upsample key makes.
-    pub(crate) fn upsample_op(&self) -> &'static str {
+    /// The subdivision that the upsample key makes.
+    pub(crate) fn upsampling(&self) -> Command {
         let triangles = match (self.survey.found(), self.editor.mesh()) {
             (Some(found), _) => found.triangles_only,
             // Not counted yet: look.
             (None, Some(mesh)) => mesh.faces().all(|f| mesh.face_halfedges(f).take(4).count() == 3),
             (None, None) => false,
         };
-        if triangles { "subdivide-loop" } else { "subdivide-catmull-clark" }
+        if triangles { SubdivideLoop::default().into() } else { SubdivideCatmullClark::default().into() }
     }
 
     /// The edge length that resampling aims at, where it was set; else it is the mean of the edges.
     pub(crate) fn target_edge(&self) -> Option<f64> {
-        self.forms.filled("remesh")?.get("edge_length")?.as_f64()
+        self.forms.filled(OpId::Remesh)?.get(EDGE_LENGTH)?.as_f64()
     }
 
     fn scale_target_edge(&mut self, factor: f64) {
-        let Some(spec) = actions::operation("remesh") else { return };
-        let hints = self.hints("remesh");
-        let now = self.target_edge().or_else(|| Some(hints.measures?.mean_edge));
+        let facts = self.facts(OpId::Remesh);
+        let now = self.target_edge().or(facts.mean_edge);
         let Some(length) = now.filter(|length| *length > 0.0) else { return };
-        let length = rounded((length * factor).clamp(1e-6, 1e6));
-        self.forms.fill(spec, &hints, "edge_length", json!(length));
+        let length = four_digits((length * factor).clamp(1e-6, 1e6));
+        self.forms.fill(OpId::Remesh, &facts, EDGE_LENGTH, length.into());
     }
 
-    /// Sends a command as JSON: what menus, forms and buttons do.
-    pub(crate) fn send(&mut self, command: serde_json::Value) {
-        match Command::from_value(command) {
+    /// Carries out a command that a form made, or says why it made none.
+    pub(crate) fn begin_or_refuse(&mut self, command: Result<Command, CommandError>) {
+        match command {
             Ok(command) => self.begin(command, None),
             Err(error) => self.refused(&error, None),
         }
@@ -221,10 +223,10 @@ impl App {
 
     /// Carries out a command, or starts its job.
     pub(crate) fn begin(&mut self, command: Command, reply: Option<Reply>) {
-        let label = command.op.spec().label;
+        let (label, is_new) = (command.op.spec().label, command.op.id() == OpId::New);
         match self.editor.begin(command) {
             Ok(Begun::Done(outcome)) => {
-                if outcome.op == "new" {
+                if is_new {
                     self.look_at_new();
                 }
                 if !outcome.warnings.is_empty() {
@@ -309,7 +311,7 @@ impl App {
                     self.look_at_opened();
                     self.say_opened(&outcome);
                 } else {
-                    if outcome.op == "new" {
+                    if OpId::named(&outcome.op) == Some(OpId::New) {
                         self.look_at_new();
                     }
                     self.toast(MessageKind::Info, outcome.message.clone(), outcome.warnings.clone());
@@ -372,7 +374,7 @@ impl App {
         }
         self.toast(kind, text, outcome.warnings.clone());
         if self.editor.document().active().is_some_and(editor::Object::is_repairable) {
-            self.offer(Action::Operation("repair-import"));
+            self.offer(Action::Operation(OpId::RepairImport));
         }
     }
 
@@ -381,8 +383,8 @@ impl App {
             Some(reply) => reply(Err(error.to_string())),
             None if error.is_cancelled() => {}
             None => {
-                let label = match (actions::operation(&error.op), error.op.as_str()) {
-                    (Some(spec), _) => spec.label,
+                let label = match (OpId::named(&error.op), error.op.as_str()) {
+                    (Some(id), _) => id.spec().label,
                     (None, "open") => "Open",
                     (None, "export") => "Save",
                     (None, other) => other,
@@ -462,9 +464,8 @@ impl App {
     }
 
     /// Previews an edit while the person drags or spins.
-    pub(crate) fn preview(&mut self, command: serde_json::Value) {
-        let result = Command::from_value(command).and_then(|command| self.editor.update_edit(command));
-        if let Err(error) = result {
+    pub(crate) fn preview(&mut self, command: impl Into<Command>) {
+        if let Err(error) = self.editor.update_edit(command.into()) {
             self.refused(&error, None);
         }
         self.follow();

@@ -2,8 +2,10 @@
 
 use crate::actions::Action;
 use crate::lists::row_list;
+use editor::OpId;
 use egui::{Context, Key, KeyboardShortcut, Modifiers};
 use halfedge::Element;
+use std::sync::LazyLock;
 
 const CTRL_SHIFT: Modifiers = Modifiers::COMMAND.plus(Modifiers::SHIFT);
 
@@ -16,12 +18,12 @@ const fn with(modifiers: Modifiers, key: Key) -> KeyboardShortcut {
 }
 
 /// An action with the keys that start it; menus show the first.
-pub type Binding = (Action, &'static [KeyboardShortcut]);
+pub type Binding = (Action, Vec<KeyboardShortcut>);
 
 use Action as A;
 
-/// All keys. Those with more modifiers come before those with fewer on the same key.
-pub static BINDINGS: &[Binding] = &[
+/// The keys of the page's own actions; those of operations are in their descriptions.
+static PAGE_BINDINGS: &[(Action, &[KeyboardShortcut])] = &[
     (A::Open, &[with(Modifiers::COMMAND, Key::O)]),
     (A::Save, &[with(Modifiers::COMMAND, Key::S)]),
     (A::Redo, &[with(CTRL_SHIFT, Key::Z), with(Modifiers::COMMAND, Key::Y)]),
@@ -37,16 +39,9 @@ pub static BINDINGS: &[Binding] = &[
     (A::Show(Element::Edge), &[key(Key::Num2)]),
     (A::Show(Element::Halfedge), &[key(Key::Num3)]),
     (A::Show(Element::Face), &[key(Key::Num4)]),
-    (A::Operation("triangulate-faces"), &[with(Modifiers::SHIFT, Key::T)]),
     (A::Next, &[key(Key::N)]),
     (A::Twin, &[key(Key::T)]),
-    (A::Operation("split-edge"), &[key(Key::S)]),
-    (A::Operation("flip-edge"), &[key(Key::F)]),
-    (A::Operation("collapse-edge"), &[key(Key::C)]),
-    (A::Operation("extrude-faces"), &[key(Key::E)]),
-    (A::Operation("delete-faces"), &[key(Key::Delete), key(Key::X)]),
     (A::BoxSelect, &[with(Modifiers::SHIFT, Key::B)]),
-    (A::Operation("bevel-edges"), &[key(Key::B)]),
     (A::Upsample, &[key(Key::U)]),
     (A::Downsample, &[key(Key::D)]),
     (A::Resample, &[key(Key::R)]),
@@ -61,21 +56,47 @@ pub static BINDINGS: &[Binding] = &[
     (A::Smooth, &[key(Key::M)]),
     (A::Dots, &[key(Key::V)]),
     (A::Grid, &[with(Modifiers::SHIFT, Key::G)]),
-    (A::Operation("transform"), &[key(Key::G)]),
     (A::SlideSplit, &[with(Modifiers::SHIFT, Key::S)]),
-    (A::Operation("inset-faces"), &[with(Modifiers::SHIFT, Key::I)]),
     (A::Overlay, &[key(Key::I)]),
     (A::LeftPanel, &[key(Key::OpenBracket)]),
     (A::RightPanel, &[key(Key::CloseBracket)]),
 ];
 
 /// Keys that mean something else while a Bezier curve or surface is active.
-pub static BEZIER_BINDINGS: &[Binding] = &[
+static BEZIER_PAGE_BINDINGS: &[(Action, &[KeyboardShortcut])] = &[
     (A::NextLevel, &[key(Key::E)]),
     (A::WholeCurve, &[key(Key::C)]),
     (A::Play, &[key(Key::K)]),
     (A::DeletePoint, &[key(Key::Delete), key(Key::X)]),
 ];
+
+/// All keys, but those that mean something else on a Bezier object.
+pub static BINDINGS: LazyLock<Vec<Binding>> = LazyLock::new(|| {
+    let page = PAGE_BINDINGS.iter().map(|(action, keys)| (*action, keys.to_vec()));
+    let operations = OpId::ALL.iter().filter(|id| !id.spec().keys.is_empty());
+    let operations = operations.map(|id| (A::Operation(*id), shortcuts(id.spec().keys)));
+    page.chain(operations).collect()
+});
+
+/// Keys that mean something else while a Bezier curve or surface is active.
+pub static BEZIER_BINDINGS: LazyLock<Vec<Binding>> =
+    LazyLock::new(|| BEZIER_PAGE_BINDINGS.iter().map(|(action, keys)| (*action, keys.to_vec())).collect());
+
+/// Keys as the descriptions of operations write them: "Shift+T".
+fn shortcuts(keys: &[&str]) -> Vec<KeyboardShortcut> {
+    let shortcut = |text: &&str| {
+        let (modifiers, key) = text.rsplit_once('+').unwrap_or(("", text));
+        let modifiers = modifiers.split('+').fold(Modifiers::NONE, |all, name| match name {
+            "Shift" => all.plus(Modifiers::SHIFT),
+            "Ctrl" => all.plus(Modifiers::COMMAND),
+            "Alt" => all.plus(Modifiers::ALT),
+            _ => all,
+        });
+        Some(KeyboardShortcut::new(modifiers, Key::from_name(key)?))
+    };
+    // A test holds that every key is one.
+    keys.iter().filter_map(shortcut).collect()
+}
 
 /// What the mouse, the trackpad and fingers do, for the shortcuts window.
 pub static GESTURES: &[(&str, &str)] = &[
@@ -91,14 +112,13 @@ pub static GESTURES: &[(&str, &str)] = &[
     ("Add a control point", "Double-click, on a Bezier curve"),
 ];
 
-/// The keys of an action.
-pub fn of(action: Action) -> &'static [KeyboardShortcut] {
-    let action = match action {
-        A::Operation(name) => A::Operation(crate::live::key_holder(name)),
-        other => other,
-    };
-    let mut all = BINDINGS.iter().chain(BEZIER_BINDINGS);
-    all.find(|(bound, _)| *bound == action).map_or(&[], |(_, keys)| keys)
+/// The keys of an action; an operation has those of its family.
+pub fn of(action: Action) -> Vec<KeyboardShortcut> {
+    if let A::Operation(id) = action {
+        return shortcuts(id.keys());
+    }
+    let mut all = BINDINGS.iter().chain(BEZIER_BINDINGS.iter());
+    all.find(|(bound, _)| *bound == action).map_or_else(Vec::new, |(_, keys)| keys.clone())
 }
 
 /// The first key of an action as the platform writes it, or nothing.
@@ -119,7 +139,7 @@ pub fn written(ctx: &Context, shortcut: &KeyboardShortcut) -> String {
     ctx.format_shortcut(shortcut)
 }
 
-/// A sentence with the key behind it: "Takes the last step back. (Ctrl+Z)".
+/// A sentence followed by its key: "Undo the last change. (Ctrl+Z)".
 pub fn tooltip(ctx: &Context, description: &str, action: Action) -> String {
     let key = text(ctx, action);
     if key.is_empty() { description.to_owned() } else { format!("{description} ({key})") }
@@ -134,10 +154,10 @@ pub fn pressed(ctx: &Context, menu: bool, bezier: bool) -> Vec<Action> {
     let focused = ctx.memory(|memory| memory.focused());
     let on_list = focused.is_some() && focused == row_list::focused(ctx);
     ctx.input_mut(|input| {
-        let first = if bezier { BEZIER_BINDINGS } else { &[] };
+        let first: &[Binding] = if bezier { &BEZIER_BINDINGS } else { &[] };
         first
             .iter()
-            .chain(BINDINGS)
+            .chain(BINDINGS.iter())
             .filter(|(action, keys)| {
                 keys.iter().any(|shortcut| {
                     if typing && !works_while_typing(*action) {
@@ -193,10 +213,10 @@ mod tests {
 
     #[test]
     fn no_key_is_bound_twice() {
-        for table in [BINDINGS, BEZIER_BINDINGS] {
+        for table in [&*BINDINGS, &*BEZIER_BINDINGS] {
             let mut seen = Vec::new();
             for (action, keys) in table {
-                for key in *keys {
+                for key in keys {
                     assert!(!seen.contains(key), "{key:?} is bound to {action:?} and to another");
                     seen.push(*key);
                 }
@@ -206,21 +226,19 @@ mod tests {
 
     #[test]
     fn every_bound_action_is_in_a_menu() {
-        for (action, _) in BINDINGS.iter().chain(BEZIER_BINDINGS) {
+        for (action, _) in BINDINGS.iter().chain(BEZIER_BINDINGS.iter()) {
             assert!(actions::all().any(|entry| entry.action == *action), "{action:?}");
         }
     }
 
     #[test]
-    fn the_editor_s_table_names_the_same_keys() {
+    fn every_key_of_an_operation_is_one() {
         let ctx = Context::default();
-        for spec in actions::mesh_operations() {
-            let Some(key) = spec.key else { continue };
-            // Upsample picks one of two subdivisions, so its key is not that of either.
-            if key == "U" {
-                continue;
+        for id in OpId::ALL {
+            assert_eq!(shortcuts(id.spec().keys).len(), id.spec().keys.len(), "{:?}", id.spec().keys);
+            for (text, shortcut) in id.spec().keys.iter().zip(shortcuts(id.spec().keys)) {
+                assert_eq!(*text, written(&ctx, &shortcut));
             }
-            assert_eq!(text(&ctx, Action::Operation(spec.name)), key, "{}", spec.name);
         }
     }
 }

@@ -22,7 +22,6 @@ mod measures;
 pub mod page;
 mod panels;
 pub mod platform;
-mod refusals;
 pub mod scripting;
 mod survey;
 pub mod theme;

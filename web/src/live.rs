@@ -2,47 +2,23 @@
 //! or Enter makes one undo step of them, or Escape leaves no trace. A number typed, or set in the
 //! field over the viewport, does instead of the pointer: fingers have nothing to hover with.
 
-use editor::Spec;
+use editor::ops::{Drag, Field};
+use editor::{Command, CommandError, Facts, OpId};
 use egui::{Align2, Area, Context, DragValue, Event, Frame, Id, Key, Order, Pos2, RichText, Ui, pos2};
 use glam::{Vec3, vec2};
-use halfedge::Element;
 use serde_json::{Value, json};
 
-use crate::actions;
 use crate::app::App;
-
-/// What the pointer changes.
-#[derive(Clone, Copy, Debug, PartialEq)]
-enum Amount {
-    /// A length; right and up is more.
-    Length,
-    /// A length above zero.
-    Width,
-    /// A fraction of an edge, from the middle.
-    Fraction,
-    /// A vector in the plane of the view.
-    Offset,
-}
-
-/// The operations that can be done live, with the field that changes.
-const LIVE: &[(&str, &str, Amount)] = &[
-    ("extrude-faces", "distance", Amount::Length),
-    ("extrude-edges", "offset", Amount::Offset),
-    ("inset-faces", "amount", Amount::Width),
-    ("bevel-edges", "width", Amount::Width),
-    ("bevel-vertices", "width", Amount::Width),
-    ("split-edge", "t", Amount::Fraction),
-    ("transform", "translate", Amount::Offset),
-];
+use crate::panels::fields;
 
 /// How far the pointer goes to slide over a whole edge, in points.
 const EDGE_TRAVEL: f32 = 240.0;
 
 /// A live edit that is going on.
 pub(crate) struct Live {
-    spec: &'static Spec,
-    field: &'static str,
-    amount: Amount,
+    id: OpId,
+    field: &'static Field,
+    drag: Drag,
     /// The amount; only the first number counts but for an offset.
     value: Vec3,
     /// What was typed, digit by digit.
@@ -61,76 +37,44 @@ pub(crate) struct Live {
 }
 
 impl Live {
-    fn new(name: &str) -> Option<Self> {
-        let &(_, field, amount) = LIVE.iter().find(|(op, ..)| *op == name)?;
-        let value = if amount == Amount::Fraction { Vec3::splat(0.5) } else { Vec3::ZERO };
-        Some(Self {
-            spec: actions::operation(name)?,
-            field,
-            amount,
-            value,
-            typed: String::new(),
-            from: None,
-            at: None,
-            follows: true,
-            shown: false,
-            refused: None,
-        })
+    fn new(id: OpId) -> Option<Self> {
+        let field = id.spec().dragged_field()?;
+        let drag = field.drag?;
+        let value = if drag == Drag::Fraction { Vec3::splat(0.5) } else { Vec3::ZERO };
+        let (typed, from, at) = (String::new(), None, None);
+        Some(Self { id, field, drag, value, typed, from, at, follows: true, shown: false, refused: None })
     }
 
-    fn command(&self) -> Value {
-        let value = match self.amount {
-            Amount::Offset => json!(self.value.to_array()),
-            _ => json!(self.value.x),
+    fn command(&self) -> Result<Command, CommandError> {
+        let mut filled = fields::initial(self.id.spec(), &Facts::default());
+        let value: Value = match self.drag {
+            Drag::Offset => json!(self.value.to_array()),
+            Drag::Distance | Drag::Width | Drag::Fraction => json!(self.value.x),
         };
-        json!({ "op": self.spec.name, self.field: value })
+        filled.insert(self.field.name.to_owned(), value);
+        fields::command(self.id, &filled)
     }
 
     /// Whether the amount is one that changes something.
     fn does_something(&self) -> bool {
-        self.amount == Amount::Fraction || self.value != Vec3::ZERO
+        self.drag == Drag::Fraction || self.value != Vec3::ZERO
     }
 
     fn set(&mut self, x: f32) {
-        self.value.x = match self.amount {
-            Amount::Width => x.max(0.0),
-            Amount::Fraction => x.clamp(0.01, 0.99),
-            _ => x,
+        self.value.x = match self.drag {
+            Drag::Width => x.max(0.0),
+            Drag::Fraction => x.clamp(0.01, 0.99),
+            Drag::Distance | Drag::Offset => x,
         };
     }
 }
 
-/// Whether an operation has an amount that can be changed live.
-pub(crate) fn is_live(name: &str) -> bool {
-    LIVE.iter().any(|(op, ..)| *op == name)
-}
-
-/// Operations that exist for several kinds of elements and share a key: the one that has it, the kinds
-/// that are selected where another is meant, and that other.
-const FAMILIES: &[(&str, &[Element], &str)] = &[
-    ("extrude-faces", &[Element::Edge, Element::Halfedge], "extrude-edges"),
-    ("bevel-edges", &[Element::Vertex], "bevel-vertices"),
-    ("delete-faces", &[Element::Vertex], "delete-vertices"),
-    ("delete-faces", &[Element::Edge, Element::Halfedge], "dissolve-edge"),
-];
-
-/// The operation that a key means for what is selected.
-pub(crate) fn for_selection(name: &'static str, kind: Element) -> &'static str {
-    let meant = FAMILIES.iter().find(|(holder, kinds, _)| *holder == name && kinds.contains(&kind));
-    meant.map_or(name, |(.., other)| other)
-}
-
-/// The operation that has the key of another.
-pub(crate) fn key_holder(name: &'static str) -> &'static str {
-    FAMILIES.iter().find(|(.., other)| *other == name).map_or(name, |(holder, ..)| holder)
-}
-
 impl App {
     /// Starts a live edit of what is selected. Nothing changes before the pointer moves.
-    pub(crate) fn start_live(&mut self, name: &str) {
+    pub(crate) fn start_live(&mut self, id: OpId) {
         self.end_live(false);
         self.end_preview();
-        self.live = Live::new(name);
+        self.live = Live::new(id);
         if self.live.as_ref().is_some_and(Live::does_something) {
             self.show_live();
         }
@@ -159,12 +103,11 @@ impl App {
             }
             return;
         }
-        let result =
-            editor::Command::from_value(live.command()).and_then(|command| self.editor.update_edit(command));
+        let result = live.command().and_then(|command| self.editor.update_edit(command));
         self.follow();
         if let Some(live) = &mut self.live {
             live.shown = self.editor.is_editing();
-            live.refused = result.err().map(|error| error.problem.to_string());
+            live.refused = result.err().map(|error| error.reason());
         }
     }
 
@@ -193,7 +136,7 @@ impl App {
                     typed |= live.typed.pop().is_some();
                     false
                 }
-                Event::Text(text) if !typing && live.amount != Amount::Offset => {
+                Event::Text(text) if !typing && live.drag != Drag::Offset => {
                     live.typed.extend(text.chars().filter(|c| c.is_ascii_digit() || ".-".contains(*c)));
                     typed = true;
                     false
@@ -225,10 +168,10 @@ impl App {
         let by = at - from;
         let units = self.view.drag_speed() as f32;
         let before = live.value;
-        match live.amount {
-            Amount::Length | Amount::Width => live.set((by.x - by.y) * units),
-            Amount::Fraction => live.set(0.5 + (by.x - by.y) / EDGE_TRAVEL),
-            Amount::Offset => {
+        match live.drag {
+            Drag::Distance | Drag::Width => live.set((by.x - by.y) * units),
+            Drag::Fraction => live.set(0.5 + (by.x - by.y) / EDGE_TRAVEL),
+            Drag::Offset => {
                 let anchor = self.view.camera.target.as_vec3();
                 let to = self.view.camera.drag(anchor, vec2(by.x, by.y), self.view.size());
                 if to.is_finite() {
@@ -245,7 +188,7 @@ impl App {
     pub(crate) fn live_bar(&mut self, ctx: &Context) {
         let Some(live) = &self.live else { return };
         let top = self.view.rect().center_top();
-        let (label, amount, field, mut value) = (live.spec.label, live.amount, live.field, live.value);
+        let (label, drag, field, mut value) = (live.id.spec().label, live.drag, live.field, live.value);
         let refused = live.refused.clone();
         let speed = self.view.drag_speed();
         let mut done = None;
@@ -255,7 +198,7 @@ impl App {
             Frame::popup(ui.style()).show(ui, |ui| {
                 ui.horizontal(|ui| {
                     ui.label(RichText::new(label).strong());
-                    changed = amounts(ui, amount, field, speed, &mut value);
+                    changed = amounts(ui, drag, field, speed, &mut value);
                     if ui
                         .button("Apply")
                         .on_hover_text("Makes one undo step of it (Enter, or a click in the viewport)")
@@ -288,10 +231,10 @@ impl App {
 }
 
 /// The amount's number, or three of them; gives whether one was changed.
-fn amounts(ui: &mut Ui, amount: Amount, field: &str, speed: f64, value: &mut Vec3) -> bool {
-    let label = crate::panels::fields::label_of(field);
-    if amount != Amount::Offset {
-        let speed = if amount == Amount::Fraction { 0.005 } else { speed };
+fn amounts(ui: &mut Ui, drag: Drag, field: &Field, speed: f64, value: &mut Vec3) -> bool {
+    let label = field.label();
+    if drag != Drag::Offset {
+        let speed = if drag == Drag::Fraction { 0.005 } else { speed };
         return ui
             .add(DragValue::new(&mut value.x).speed(speed).max_decimals(5))
             .on_hover_text("Drag, click to type, or just type a number")

@@ -13,10 +13,10 @@ pub use jobs::{Begun, Finished, RunningJob};
 pub use select::SelectMode;
 
 use crate::changes::Changes;
-use crate::ops::Output;
 use crate::document::{Counts, Document, Object, ObjectId};
 use crate::error::CommandError;
 use crate::history::{Change, History, Step};
+use crate::ops::Output;
 use crate::selection::Selection;
 use halfedge::Mesh;
 use serde::Serialize;

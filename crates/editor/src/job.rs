@@ -5,8 +5,8 @@ mod bytes;
 pub use bytes::BadBytes;
 
 use crate::bezier::fill_previews;
-use crate::ops::{Action, Input, Op, Output, edit_all};
 use crate::error::{CommandError, Problem};
+use crate::ops::{Action, Input, Op, Output, edit_all};
 use crate::outcome::{Before, ElementIds};
 use formats::{Controls, Format, Import, Material, NamedBytes, ObjectRef, ReadError, Repairs};
 use glam::DVec3;

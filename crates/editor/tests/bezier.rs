@@ -201,7 +201,8 @@ fn a_drag_is_one_step_and_a_cancelled_one_none() {
         editor.undo().expect("free");
         assert_eq!(editor.document(), &before);
     }
-    let error = on_curve().update_edit(command(json!({"op": "rename-object", "name": "x"}))).expect_err("no drag");
+    let error =
+        on_curve().update_edit(command(json!({"op": "rename-object", "name": "x"}))).expect_err("no drag");
     assert!(error.to_string().contains("can't be dragged"), "{error}");
 }
 

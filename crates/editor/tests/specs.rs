@@ -19,7 +19,8 @@ fn specs() -> impl Iterator<Item = &'static Spec> {
 fn with_field(spec: &Spec, field: Option<(&str, Value)>) -> Value {
     let mut value = json!({"op": spec.name});
     if spec.name == "new" {
-        let has = |shape: &&str, name: &str| surface::Shape::named(shape).is_some_and(|s| s.get(name).is_some());
+        let has =
+            |shape: &&str, name: &str| surface::Shape::named(shape).is_some_and(|s| s.get(name).is_some());
         let shape = field.as_ref().and_then(|(name, _)| surface::Shape::names().find(|s| has(s, name)));
         value["shape"] = shape.unwrap_or("cube").into();
     }
@@ -88,9 +89,10 @@ fn defaults_are_valid_and_those_of_the_command() {
                 let with = Command::from_value(with_field(spec, Some((field.name, default))));
                 assert_eq!(with, without, "{}: {}", spec.name, field.name);
             }
-            let is_alternative = field.alternative.is_some() && initial.keys().any(|name| {
-                spec.field(name).is_some_and(|other| other.alternative == field.alternative)
-            });
+            let is_alternative = field.alternative.is_some()
+                && initial
+                    .keys()
+                    .any(|name| spec.field(name).is_some_and(|other| other.alternative == field.alternative));
             if matches!(field.fill, Fill::Required | Fill::Value(_)) && !is_alternative {
                 initial.insert(field.name.to_owned(), field.initial_value(&facts));
             }
@@ -134,7 +136,9 @@ fn from_menu(id: OpId, mesh: &Mesh) -> Command {
     let mut fields = Map::new();
     let mut alternatives = HashSet::new();
     for field in id.spec().fields {
-        if matches!(field.fill, Fill::Required) && field.alternative.is_none_or(|title| alternatives.insert(title)) {
+        if matches!(field.fill, Fill::Required)
+            && field.alternative.is_none_or(|title| alternatives.insert(title))
+        {
             fields.insert(field.name.to_owned(), field.initial_value(&facts));
         }
     }
@@ -200,7 +204,8 @@ fn a_large_selection_is_checked_for_its_kind() {
     run(&mut editor, json!({"op": "new", "shape": "grid", "columns": 60, "rows": 60}));
     editor.select_all(Element::Face);
     assert!(editor.selection().len() > Editor::MAX_CHECKED_SELECTION);
-    let reason = |editor: &Editor, id| editor.can(&from_menu(id, editor.mesh().expect("it"))).map_err(|e| e.reason());
+    let reason =
+        |editor: &Editor, id| editor.can(&from_menu(id, editor.mesh().expect("it"))).map_err(|e| e.reason());
     assert_eq!(reason(&editor, OpId::PokeFaces), Ok(()));
     assert_eq!(reason(&editor, OpId::FlipEdge), Err("Select an edge first.".into()));
     assert_eq!(reason(&editor, OpId::ConnectVertices), Err("Select two vertices first.".into()));

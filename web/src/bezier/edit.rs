@@ -2,22 +2,27 @@
 
 use super::{ControlPoint, active, is_flat, position};
 use crate::app::App;
+use editor::Command;
+use editor::ops::{BezierDeletePoint, BezierInsertPoint, BezierMovePoint};
 use egui::Pos2;
 use glam::{Vec3, vec2};
-use serde_json::{Value, json};
 
 /// How far from a control point the pointer may be to mean it, in points.
 const REACH: f32 = 11.0;
 
 /// The command that puts a control point somewhere.
-pub(crate) fn moved(point: ControlPoint, to: Vec3) -> Value {
-    let to = to.to_array();
-    match point {
-        ControlPoint::Curve(at) => json!({ "op": "bezier-move-point", "point": at, "position": to }),
-        ControlPoint::Patch { patch, row, column } => {
-            json!({ "op": "bezier-move-point", "patch": patch, "row": row, "column": column, "position": to })
-        }
+pub(crate) fn moved(point: ControlPoint, to: Vec3) -> Command {
+    let none = BezierMovePoint { point: None, patch: None, row: None, column: None, position: to.to_array() };
+    let [id, row_id, column_id] = match point {
+        ControlPoint::Curve(at) => [at, 0, 0],
+        ControlPoint::Patch { patch, row, column } => [patch, row, column],
     }
+    .map(|at| Some(at as u32));
+    match point {
+        ControlPoint::Curve(_) => BezierMovePoint { point: id, ..none },
+        ControlPoint::Patch { .. } => BezierMovePoint { patch: id, row: row_id, column: column_id, ..none },
+    }
+    .into()
 }
 
 impl App {
@@ -113,7 +118,8 @@ impl App {
     }
 
     fn insert_control_point(&mut self, index: usize, place: Vec3) {
-        self.send(json!({ "op": "bezier-insert-point", "index": index, "position": place.to_array() }));
+        let insert = BezierInsertPoint { index: Some(index as u32), position: place.to_array() };
+        self.begin(insert.into(), None);
         let exists = active(&self.editor)
             .is_some_and(|(_, bezier)| position(bezier, ControlPoint::Curve(index)) == Some(place));
         if exists {
@@ -124,7 +130,7 @@ impl App {
     /// Takes the chosen control point of the active curve away.
     pub(crate) fn delete_control_point(&mut self) {
         if let Some(ControlPoint::Curve(at)) = self.player.chosen {
-            self.send(json!({ "op": "bezier-delete-point", "index": at }));
+            self.begin(BezierDeletePoint { index: at as u32 }.into(), None);
             // The next one has its number now, and was not chosen.
             self.player.choose(None);
         }

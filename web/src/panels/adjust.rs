@@ -1,9 +1,9 @@
 //! "Adjust last operation": the fields of what was done last. Changing one does it again in place of
 //! itself, as one undo step.
 
-use editor::{Begun, Command, JobId, MessageKind, OperationKind};
+use editor::ops::{Field, Fill};
+use editor::{Begun, Command, JobId, MessageKind, OpId, Scope};
 use egui::{CollapsingHeader, Grid, RichText, Ui, vec2};
-use serde_json::Value;
 
 use crate::app::App;
 use crate::panels::{QUICK, fields};
@@ -12,7 +12,7 @@ use crate::panels::{QUICK, fields};
 #[derive(Default)]
 pub(crate) struct Adjusting {
     /// The command as it will be when the pointer lets go.
-    pending: Option<Value>,
+    pending: Option<Command>,
     /// The job of an adjustment: if it fails, the step it replaces comes back.
     job: Option<JobId>,
     /// The last adjustment took too long to be made at every step of a spin.
@@ -30,54 +30,51 @@ impl App {
             return;
         };
         let spec = command.op.spec();
-        let shown = || spec.fields.iter().filter(|field| !fields::is_elements(field.kind));
-        if spec.kind == OperationKind::Document || shown().next().is_none() || spec.name == "new" {
+        // An operation that made the document has nothing before it to be done again on.
+        let is_shown = |field: &Field| !field.is_elements() && !matches!(field.fill, Fill::Optional(_));
+        let makes_document = command.op.id() == OpId::New;
+        if spec.scope == Scope::Document || makes_document || !spec.fields.iter().any(is_shown) {
             return;
         }
-        let before = self.adjusting.pending.clone().unwrap_or_else(|| command.to_value());
-        let Some(mut filled) = before.as_object().cloned() else { return };
-        // A default that stands for elements would take the place of those of the command.
-        for field in shown() {
-            if let Some(value) = fields::default_value(field) {
-                filled.entry(field.name).or_insert(value);
-            }
-        }
-        let hints = self.hints(spec.name);
+        let before = self.adjusting.pending.clone().unwrap_or_else(|| command.clone());
+        let (id, object) = (before.op.id(), before.object);
+        let mut filled = before.fields();
+        let facts = self.facts(id);
         let start = filled.clone();
         // A header doesn't wrap: with the operation's name in it, it would widen the panel.
         CollapsingHeader::new("Adjust last operation").id_salt("adjust").default_open(true).show(ui, |ui| {
             ui.label(RichText::new(spec.label).strong());
             Grid::new(("adjust", spec.name)).num_columns(2).spacing(vec2(10.0, 6.0)).show(ui, |ui| {
-                fields::rows(ui, spec, &mut filled, &hints, |field| !fields::is_elements(field.kind));
+                fields::rows(ui, spec, &mut filled, &facts, is_shown);
             });
         });
         ui.separator();
         if filled != start {
-            self.adjusting.pending = Some(filled.into());
+            match fields::command(id, &filled) {
+                Ok(command) => self.adjusting.pending = Some(Command { object, ..command }),
+                Err(error) => self.refused(&error, None),
+            }
         }
         // What is quick follows every step of a spin; what takes a while waits for its end.
-        let quick = spec.kind != OperationKind::WholeMesh
+        let quick = spec.scope != Scope::Meshes
             || (!self.adjusting.slow && self.editor.mesh().is_some_and(|mesh| mesh.face_count() < SMALL));
         let waits = !quick && ui.input(|input| input.pointer.any_down());
-        if let Some(value) = self.adjusting.pending.take_if(|_| !waits) {
-            self.adjust(value);
+        if let Some(command) = self.adjusting.pending.take_if(|_| !waits) {
+            self.adjust(command);
         }
     }
 
-    fn adjust(&mut self, value: Value) {
+    fn adjust(&mut self, command: Command) {
         let started = self.platform.now();
-        let begun = Command::from_value(value).and_then(|command| {
-            let label = command.op.spec().label;
-            self.editor.adjust(command).map(|begun| (begun, label))
-        });
-        match begun {
-            Ok((Begun::Done(outcome), _)) => {
+        let label = command.op.spec().label;
+        match self.editor.adjust(command) {
+            Ok(Begun::Done(outcome)) => {
                 self.adjusting.slow = self.platform.now() - started > QUICK;
                 if !outcome.warnings.is_empty() {
                     self.toast(MessageKind::Warning, outcome.message, outcome.warnings);
                 }
             }
-            Ok((Begun::Job(request), label)) => {
+            Ok(Begun::Job(request)) => {
                 self.adjusting.slow = true;
                 self.adjusting.job = Some(request.id());
                 self.start(&request, label.to_owned(), None);

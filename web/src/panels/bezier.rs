@@ -1,9 +1,9 @@
 //! The panel of a Bezier curve or surface: where its construction is, and its control points.
 
-use editor::Bezier;
+use editor::ops::BezierTessellate;
+use editor::{Bezier, OpId};
 use egui::{Button, DragValue, Grid, Label, RichText, ScrollArea, Slider, Ui, vec2};
 use glam::Vec3;
-use serde_json::json;
 
 use crate::actions::{self, Action};
 use crate::app::App;
@@ -205,7 +205,7 @@ impl App {
             Action::NextLevel,
             Action::WholeCurve,
             Action::ControlNets,
-            Action::Operation("bezier-tessellate"),
+            Action::Operation(OpId::BezierTessellate),
             Action::FrameAll,
         ] {
             self.menu_item(ui, &actions::describe(action));
@@ -219,7 +219,8 @@ impl App {
                 self.bezier_button(ui, Action::SplitCurve, "Split at t");
             }
             Bezier::Surface(_) => {
-                let mut resolution = self.forms.tessellation.unwrap_or(8);
+                let mut resolution =
+                    self.forms.tessellation.unwrap_or_else(|| BezierTessellate::default().resolution);
                 let label = ui.label("Quads per side");
                 let spin =
                     DragValue::new(&mut resolution).speed(0.1).range(1..=surface::bezier::MAX_RESOLUTION);
@@ -227,7 +228,7 @@ impl App {
                     self.forms.tessellation = Some(resolution);
                 }
                 let faces = resolution as usize * resolution as usize * bezier.patches().len();
-                let why_not = self.why_not(Action::Operation("bezier-tessellate"));
+                let why_not = self.why_not(Action::Operation(OpId::BezierTessellate));
                 let button = ui.add_enabled(why_not.is_none(), Button::new("Tessellate"));
                 let hint = format!(
                     "Makes a mesh of {} that everything can edit; the control points are given up",
@@ -235,7 +236,7 @@ impl App {
                 );
                 let reason = why_not.unwrap_or_default();
                 if button.on_hover_text(hint).on_disabled_hover_text(reason).clicked() {
-                    self.send(json!({ "op": "bezier-tessellate", "resolution": resolution }));
+                    self.begin(BezierTessellate { resolution }.into(), None);
                 }
             }
         });

@@ -221,10 +221,8 @@ impl App {
     pub(crate) fn element_menu(&mut self, ui: &mut Ui) {
         ui.set_min_width(200.0);
         let kind = self.editor.selection().kind();
-        for spec in actions::mesh_operations() {
-            if crate::panels::inspector::applies_to(spec, kind) {
-                self.menu_item(ui, &actions::of_operation(spec));
-            }
+        for id in actions::mesh_operations().filter(|id| id.spec().applies_to(kind)) {
+            self.menu_item(ui, &actions::of_operation(id));
         }
         ui.separator();
         for action in [Action::Frame, Action::SelectAll, Action::SelectNone, Action::SelectInverse] {

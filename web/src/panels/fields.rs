@@ -1,173 +1,161 @@
-//! The form of an operation, generated from the fields of its description.
+//! The form of an operation, made from the fields of its description.
 
-use editor::{Field, FieldKind, Spec};
+use editor::ops::{Arity, Choice, Facts, Field, FieldKind, Fill, Unit, sentence_case};
+use editor::{Command, CommandError, OpId, Spec};
 use egui::{Checkbox, ComboBox, DragValue, RichText, TextEdit, Ui};
 use serde_json::{Map, Value, json};
+use surface::Shape;
 
 use crate::lists::columns::element_name;
-use crate::measures::{Measures, rounded};
 use crate::panels::color_button::color_button;
-use crate::panels::simplify;
 use halfedge::Element;
 
-/// What the person filled in, by the fields' names. What is not in it is left out of the command.
+/// The values that a person filled in, by the fields' names. A field that is not in it is left out of
+/// the command.
 pub type Filled = Map<String, Value>;
 
-/// What forms know of the mesh that they are filled in for.
-#[derive(Clone, Copy, Debug, Default)]
-pub struct Hints {
-    /// Its lengths and area, where a field of the form is about those.
-    pub measures: Option<Measures>,
-    /// How many vertices it has.
-    pub vertices: usize,
-    /// How many faces it has.
-    pub faces: usize,
-    /// How many corners its faces have in all; none while they are counted.
-    pub corners: Option<usize>,
-}
-
-impl Hints {
-    /// How many triangles the faces can be cut into, where that is known.
-    pub fn triangles(&self) -> Option<usize> {
-        self.corners?.checked_sub(2 * self.faces)
+/// The values that a form starts with. Fields that the selection gives, and those that are not set,
+/// stay out; of alternatives the first is in.
+pub fn initial(spec: &Spec, facts: &Facts) -> Filled {
+    let mut filled = Filled::new();
+    for field in spec.fields {
+        let is_shown = matches!(field.fill, Fill::Required | Fill::Value(_));
+        if is_shown && field.alternative.is_none_or(|title| chosen(spec, title, &filled).is_none()) {
+            filled.insert(field.name.to_owned(), field.initial_value(facts));
+        }
     }
+    filled
 }
 
-/// Whether an operation's form suggests lengths, which have to be measured.
-pub fn suggests_lengths(op: &str) -> bool {
-    matches!(op, "remesh" | "simplify" | "merge-by-distance")
+/// The command that a form makes.
+pub fn command(id: OpId, filled: &Filled) -> Result<Command, CommandError> {
+    Command::from_fields(id, filled.clone())
 }
 
-/// The values that a form starts with: the defaults that are values. Defaults in words, such as
-/// "the selected faces", stay out.
-pub fn initial(spec: &Spec, hints: &Hints) -> Filled {
-    spec.fields
-        .iter()
-        .filter_map(|field| {
-            let value = match default_value(field) {
-                Some(value) => value,
-                None if field.default.is_none() => suggested(spec, field, hints),
-                None => return None,
-            };
-            Some((field.name.to_owned(), value))
-        })
-        .collect()
+/// Whether any field of a form is about the size of the mesh, which has to be measured.
+pub fn needs_measures(spec: &Spec) -> bool {
+    use editor::ops::Suggestion::{MeanEdge, OfDiagonal};
+    spec.fields.iter().any(|field| matches!(field.suggestion, MeanEdge | OfDiagonal(_)))
 }
 
-/// The default as a value, where it is one.
-pub fn default_value(field: &Field) -> Option<Value> {
-    serde_json::from_str(field.default?).ok()
+/// The alternative of this title that is filled in.
+fn chosen(spec: &Spec, title: &str, filled: &Filled) -> Option<&'static Field> {
+    alternatives(spec, title).find(|field| filled.contains_key(field.name))
 }
 
-/// Whether a field stands for elements, which the selection gives.
-pub fn is_elements(kind: FieldKind) -> bool {
-    matches!(
-        kind,
-        FieldKind::Vertex
-            | FieldKind::Edge
-            | FieldKind::Halfedge
-            | FieldKind::Face
-            | FieldKind::Vertices
-            | FieldKind::Edges
-            | FieldKind::Halfedges
-            | FieldKind::Faces
-            | FieldKind::Objects
-    )
+fn alternatives<'a>(spec: &Spec, title: &'a str) -> impl Iterator<Item = &'static Field> + use<'a> {
+    spec.fields.iter().filter(move |field| field.alternative == Some(title))
 }
 
-/// What a field starts with that has no value for a default: what suits the mesh, where it depends on
-/// that.
-fn suggested(spec: &Spec, field: &Field, hints: &Hints) -> Value {
-    let fitting = hints.measures.and_then(|measures| match (spec.name, field.name) {
-        ("remesh", "edge_length") => Some(measures.mean_edge),
-        ("merge-by-distance", "distance") => Some(measures.diagonal * 1e-4),
-        ("simplify", "ratio") => Some(0.5),
-        _ => None,
-    });
-    match fitting.map(rounded).filter(|number| *number > 0.0) {
-        Some(number) => json!(number),
-        None => blank(field.kind),
-    }
-}
-
-/// What a field of a kind starts with.
-fn blank(kind: FieldKind) -> Value {
-    match kind {
-        FieldKind::Number { min, max } => json!(1.0_f32.clamp(min, max)),
-        FieldKind::Integer { min, max } => json!(1_u32.clamp(min, max)),
-        FieldKind::Vector => json!([0.0, 0.0, 0.0]),
-        FieldKind::VectorPair => json!([[0.0, 0.0, 0.0], [0.0, 0.0, 0.0]]),
-        FieldKind::Factors => json!([1.0, 1.0, 1.0]),
-        FieldKind::Rotation => json!({ "axis": [0.0, 1.0, 0.0], "degrees": 0.0 }),
-        FieldKind::Color => json!("#c8c8c8"),
-        FieldKind::Choice(words) => json!(words.first().copied().unwrap_or_default()),
-        FieldKind::Flag => json!(false),
-        FieldKind::Text => json!(""),
-        FieldKind::Vertex | FieldKind::Edge | FieldKind::Halfedge | FieldKind::Face => json!(0),
-        _ => json!([]),
+/// The rows of an operation's fields that `shown` picks.
+pub fn rows(ui: &mut Ui, spec: &Spec, filled: &mut Filled, facts: &Facts, shown: impl Fn(&Field) -> bool) {
+    let mut last_title = None;
+    for field in spec.fields.iter().filter(|field| shown(field)) {
+        match (field.kind, field.alternative) {
+            (_, Some(title)) if last_title == Some(title) => {}
+            (_, Some(title)) => {
+                last_title = Some(title);
+                alternative_rows(ui, spec, title, filled, facts);
+            }
+            (FieldKind::Shape, None) => shape_rows(ui, field, filled),
+            (FieldKind::ShapeSize, None) => {}
+            (_, None) => row(ui, spec, field, filled, facts),
+        }
     }
 }
 
 /// One row of a form: the field's name, its value, and a tooltip with what it means. Fields that the
 /// selection gives are one line that says so.
-fn show(ui: &mut Ui, spec: &Spec, field: &Field, filled: &mut Filled, hints: &Hints) {
-    let label = label_of(field.name);
-    if is_elements(field.kind) && field.default.is_some() {
+fn row(ui: &mut Ui, spec: &Spec, field: &'static Field, filled: &mut Filled, facts: &Facts) {
+    let label = field.label();
+    let words = field.default_words().unwrap_or_default();
+    if matches!(field.fill, Fill::Selection(_) | Fill::Optional(_)) {
         ui.label(RichText::new(&label).weak()).on_hover_text(field.description);
-        ui.label(RichText::new(field.default.unwrap_or_default()).weak());
+        ui.label(RichText::new(words).weak());
         ui.end_row();
         return;
     }
     let name = ui.label(&label).on_hover_text(field.description);
-    let optional = field.default.is_some() && default_value(field).is_none();
     ui.label_inputs_by(name.id, |ui| {
         ui.horizontal(|ui| {
-            if optional {
+            if let Fill::Unset(words) = field.fill {
                 let mut given = filled.contains_key(field.name);
-                let hint = format!("Set this instead of {}", field.default.unwrap_or_default());
                 let check = ui
                     .add(Checkbox::without_text(&mut given))
                     .accessible_name(format!("Set {label}"))
-                    .on_hover_text(hint);
+                    .on_hover_text(format!("Set this instead of {words}"));
                 if check.changed() {
                     if given {
-                        filled.insert(field.name.to_owned(), suggested(spec, field, hints));
+                        filled.insert(field.name.to_owned(), field.initial_value(facts));
                     } else {
                         filled.remove(field.name);
                     }
                 }
                 if !given {
-                    ui.label(RichText::new(field.default.unwrap_or_default()).weak());
+                    ui.label(RichText::new(words).weak());
                     return;
                 }
             }
-            let value = filled.entry(field.name).or_insert_with(|| suggested(spec, field, hints));
-            ui.push_id((spec.name, field.name), |ui| edit(ui, field, &label, value));
+            let value = filled.entry(field.name).or_insert_with(|| field.initial_value(facts));
+            ui.push_id((spec.name, field.name), |ui| edit(ui, field, &label, value, facts));
         });
     });
     ui.end_row();
 }
 
-/// The rows of an operation's fields that `shown` picks.
-pub fn rows(ui: &mut Ui, spec: &Spec, filled: &mut Filled, hints: &Hints, shown: impl Fn(&Field) -> bool) {
-    let simplifies = spec.name == "simplify";
-    if simplifies {
-        simplify::rows(ui, filled, hints);
-    }
-    for field in spec.fields.iter().filter(|field| shown(field)) {
-        if !(simplifies && simplify::is_target(field.name)) {
-            show(ui, spec, field, filled, hints);
+/// The rows of alternatives: which one, and its value.
+fn alternative_rows(ui: &mut Ui, spec: &Spec, title: &'static str, filled: &mut Filled, facts: &Facts) {
+    let Some(mut field) = chosen(spec, title, filled).or_else(|| alternatives(spec, title).next()) else {
+        return;
+    };
+    let label = ui.label(title);
+    let combo = ComboBox::from_id_salt(title).selected_text(field.label()).width(110.0).show_ui(ui, |ui| {
+        for other in alternatives(spec, title) {
+            let option = ui.selectable_label(other.name == field.name, other.label());
+            if option.on_hover_text(other.description).clicked() && other.name != field.name {
+                let before = filled.remove(field.name);
+                let value =
+                    converted(field, before, other, facts).unwrap_or_else(|| other.initial_value(facts));
+                filled.insert(other.name.to_owned(), value);
+                field = other;
+            }
         }
+    });
+    combo.response.labelled_by(label.id).on_hover_text(field.description);
+    ui.end_row();
+    row(ui, spec, field, filled, facts);
+}
+
+/// The value of one alternative that asks for the same as the value of another did.
+fn converted(from: &Field, value: Option<Value>, to: &Field, facts: &Facts) -> Option<Value> {
+    let (value, triangles) = (value?.as_f64()?, facts.triangles().filter(|count| *count > 0)? as f64);
+    match (unit(from)?, unit(to)?) {
+        (Unit::ShareOfTriangles, Unit::Triangles) => Some(json!(((value * triangles).round() as u32).max(1))),
+        (Unit::Triangles, Unit::ShareOfTriangles) => {
+            Some(json!(editor::ops::four_digits((value / triangles).min(1.0))))
+        }
+        _ => None,
     }
 }
 
-fn edit(ui: &mut Ui, field: &Field, label: &str, value: &mut Value) {
+fn unit(field: &Field) -> Option<Unit> {
     match field.kind {
-        FieldKind::Number { min, max } => number(ui, None, value, f64::from(min)..=f64::from(max)),
-        FieldKind::Integer { min, max } => integer(ui, value, min..=max),
-        FieldKind::Vertex | FieldKind::Edge | FieldKind::Halfedge | FieldKind::Face => {
-            integer(ui, value, 0..=u32::MAX - 1)
+        FieldKind::Number { unit, .. } | FieldKind::Integer { unit, .. } => Some(unit),
+        _ => None,
+    }
+}
+
+fn edit(ui: &mut Ui, field: &Field, label: &str, value: &mut Value, facts: &Facts) {
+    match field.kind {
+        FieldKind::Number { unit, min, max } => number(ui, None, value, min..=max, speed(unit, value, facts)),
+        FieldKind::Integer { unit: Unit::Triangles, min, max } => {
+            let most =
+                facts.triangles().and_then(|count| u32::try_from(count).ok()).unwrap_or(max).clamp(min, max);
+            integer(ui, value, min..=most, (f64::from(most) * 0.002).max(0.2));
         }
+        FieldKind::Integer { min, max, .. } => integer(ui, value, min..=max, 0.1),
+        FieldKind::Elements { arity: Arity::One, .. } => integer(ui, value, 0..=u32::MAX - 1, 0.1),
+        FieldKind::Elements { .. } | FieldKind::Objects => ids(ui, value),
         FieldKind::Vector | FieldKind::Factors => axes(ui, label, value),
         FieldKind::VectorPair => {
             for (at, vector) in value.as_array_mut().into_iter().flatten().enumerate() {
@@ -179,11 +167,12 @@ fn edit(ui: &mut Ui, field: &Field, label: &str, value: &mut Value) {
                 axes(ui, &format!("{label} axis"), axis);
             }
             if let Some(degrees) = value.get_mut("degrees") {
-                number(ui, Some("Degrees"), degrees, -360.0..=360.0);
+                let speed = speed(Unit::Degrees, degrees, facts);
+                number(ui, Some("Degrees"), degrees, -360.0..=360.0, speed);
             }
         }
         FieldKind::Color => color(ui, label, value),
-        FieldKind::Choice(words) => choice(ui, label, value, words),
+        FieldKind::Choice(choices) => choice(ui, label, value, choices),
         FieldKind::Flag => {
             let mut on = value.as_bool().unwrap_or_default();
             if ui.add(Checkbox::without_text(&mut on)).changed() {
@@ -196,21 +185,31 @@ fn edit(ui: &mut Ui, field: &Field, label: &str, value: &mut Value) {
                 *value = text.into();
             }
         }
-        FieldKind::Vertices
-        | FieldKind::Edges
-        | FieldKind::Halfedges
-        | FieldKind::Faces
-        | FieldKind::Objects => {
-            ids(ui, value);
-        }
+        // The form of a shape has rows of its own.
+        FieldKind::Shape | FieldKind::ShapeSize => {}
+    }
+}
+
+/// How much a number changes per point of a drag.
+fn speed(unit: Unit, value: &Value, facts: &Facts) -> f64 {
+    let by_value = (value.as_f64().unwrap_or_default().abs() * 0.01).clamp(0.001, 1e6);
+    match (unit, facts.diagonal) {
+        (Unit::ShareOfTriangles, _) => 0.002,
+        // Small and large models both can be hit.
+        (Unit::Length, Some(diagonal)) if diagonal > 0.0 => by_value.min(diagonal * 1e-3),
+        _ => by_value,
     }
 }
 
 /// A spin box; without a name of its own it is called what the row's label says.
-fn number(ui: &mut Ui, name: Option<&str>, value: &mut Value, range: std::ops::RangeInclusive<f64>) {
+fn number(
+    ui: &mut Ui,
+    name: Option<&str>,
+    value: &mut Value,
+    range: std::ops::RangeInclusive<f64>,
+    speed: f64,
+) {
     let mut number = value.as_f64().unwrap_or_default();
-    // A hundredth of the value a point, so that small and large models both can be hit.
-    let speed = (number.abs() * 0.01).clamp(0.001, 1e6);
     let mut spin = ui.add(DragValue::new(&mut number).speed(speed).range(range).max_decimals(6));
     if let Some(name) = name {
         spin = spin.accessible_name(name);
@@ -220,9 +219,9 @@ fn number(ui: &mut Ui, name: Option<&str>, value: &mut Value, range: std::ops::R
     }
 }
 
-fn integer(ui: &mut Ui, value: &mut Value, range: std::ops::RangeInclusive<u32>) {
+fn integer(ui: &mut Ui, value: &mut Value, range: std::ops::RangeInclusive<u32>, speed: f64) {
     let mut number = value.as_u64().and_then(|n| u32::try_from(n).ok()).unwrap_or_default();
-    if ui.add(DragValue::new(&mut number).speed(0.1).range(range)).changed() {
+    if ui.add(DragValue::new(&mut number).speed(speed).range(range)).changed() {
         *value = number.into();
     }
 }
@@ -252,16 +251,21 @@ fn color(ui: &mut Ui, label: &str, value: &mut Value) {
     }
 }
 
-fn choice(ui: &mut Ui, label: &str, value: &mut Value, words: &[&str]) {
+/// A choice as people read it.
+pub fn choice_label(choices: &'static [Choice], name: &str) -> &'static str {
+    choices.iter().find(|choice| choice.name == name).map_or("", |choice| choice.label)
+}
+
+fn choice(ui: &mut Ui, label: &str, value: &mut Value, choices: &'static [Choice]) {
     let chosen = value.as_str().unwrap_or_default().to_owned();
-    let combo =
-        ComboBox::from_id_salt("choice").selected_text(readable(&chosen)).width(140.0).show_ui(ui, |ui| {
-            for word in words {
-                if ui.selectable_label(chosen == *word, readable(word)).clicked() {
-                    *value = (*word).into();
-                }
+    let text = choice_label(choices, &chosen);
+    let combo = ComboBox::from_id_salt("choice").selected_text(text).width(140.0).show_ui(ui, |ui| {
+        for choice in choices {
+            if ui.selectable_label(chosen == choice.name, choice.label).clicked() {
+                *value = choice.name.into();
             }
-        });
+        }
+    });
     combo.response.accessible_name(label);
 }
 
@@ -276,32 +280,45 @@ fn ids(ui: &mut Ui, value: &mut Value) {
     }
 }
 
-/// Names that say too little when only their first letter is made large.
-const LABELS: [(&str, &str); 7] = [
-    ("by", "Separate by"),
-    ("color", "Colour"),
-    ("non_manifold", "Non-manifold edges"),
-    ("orient", "Re-orient faces"),
-    ("project", "Stay on surface"),
-    ("t", "Position (0 to 1)"),
-    ("uv-sphere", "UV sphere"),
-];
+/// The rows of a shape: which one, and the sizes that it has.
+fn shape_rows(ui: &mut Ui, field: &Field, filled: &mut Filled) {
+    let name = filled.get(field.name).and_then(Value::as_str).unwrap_or_default().to_owned();
+    let label = ui.label(field.label());
+    let combo = ComboBox::from_id_salt("shape")
+        .selected_text(sentence_case(&name))
+        .width(140.0)
+        .height(460.0)
+        .show_ui(ui, |ui| {
+            for other in Shape::names() {
+                if ui.selectable_label(other == name, sentence_case(other)).clicked() {
+                    // Sizes of one shape mean something else in another.
+                    let sizes = Shape::named(&name).map(|shape| shape.fields()).unwrap_or_default();
+                    filled.retain(|key, _| sizes.iter().all(|size| size.name != key));
+                    filled.insert(field.name.into(), other.into());
+                }
+            }
+        });
+    combo.response.labelled_by(label.id).on_hover_text(field.description);
+    ui.end_row();
 
-/// `boundary_rule` as people read it: "Boundary rule".
-pub fn label_of(name: &str) -> String {
-    if let Some((_, label)) = LABELS.iter().find(|(known, _)| *known == name) {
-        return (*label).to_owned();
+    let chosen = filled.get(field.name).and_then(Value::as_str).unwrap_or_default();
+    let Some(shape) = Shape::named(chosen) else { return };
+    for size in shape.fields() {
+        let label = ui.label(sentence_case(size.name));
+        let mut value = filled.get(size.name).and_then(Value::as_f64).unwrap_or(size.default);
+        let drag = DragValue::new(&mut value).range(size.min..=size.max);
+        let drag = if size.whole {
+            drag.speed(0.1).max_decimals(0)
+        } else {
+            let speed = (size.default * 0.01).max(1e-6);
+            drag.speed(speed).max_decimals(6)
+        };
+        if ui.add(drag).labelled_by(label.id).changed() {
+            let value = if size.whole { json!(value.round() as u64) } else { json!(value) };
+            filled.insert(size.name.into(), value);
+        }
+        ui.end_row();
     }
-    let mut text = name.replace(['_', '-'], " ");
-    if let Some(first) = text.get_mut(..1) {
-        first.make_ascii_uppercase();
-    }
-    text
-}
-
-/// A word of a choice as people read it: "edge-and-corner" is "Edge and corner".
-fn readable(word: &str) -> String {
-    label_of(word)
 }
 
 /// "3 edges", or the name of the one: what the selection gives a form.

@@ -1,11 +1,12 @@
 //! The bar at the top: menus, the toolbar, and the document's name.
 
-use editor::{FieldKind, OperationKind, Spec};
+use editor::{OpId, Scope};
 use egui::{Align, Button, Layout, MenuBar, Response, RichText, Ui};
 use halfedge::Element;
 
 use crate::actions::{self, Action, Entry, MENUS, Menu};
 use crate::app::App;
+use crate::availability::opens_form;
 use crate::icons::{Icon, icon_button};
 use crate::{keys, theme};
 
@@ -122,18 +123,19 @@ impl App {
 
     /// The editor's operations: those on whole meshes one by one, local ones by what they work on.
     fn operation_menus(&mut self, ui: &mut Ui) {
-        for spec in actions::mesh_operations().filter(|spec| spec.kind == OperationKind::WholeMesh) {
-            self.menu_item(ui, &actions::of_operation(spec));
+        let of_scope = |scope| actions::mesh_operations().filter(move |id| id.spec().scope == scope);
+        for id in of_scope(Scope::Meshes) {
+            self.menu_item(ui, &actions::of_operation(id));
         }
         ui.separator();
-        let local = || actions::mesh_operations().filter(|spec| spec.kind == OperationKind::Local);
         for (kind, title) in
             [(Element::Vertex, "Vertex edits"), (Element::Edge, "Edge edits"), (Element::Face, "Face edits")]
         {
             ui.menu_button(title, |ui| {
                 ui.set_min_width(220.0);
-                for spec in local().filter(|spec| belongs_to(spec, kind)) {
-                    self.menu_item(ui, &actions::of_operation(spec));
+                let is_listed = |id: &OpId| id.spec().element().unwrap_or(Element::Face) == kind;
+                for id in of_scope(Scope::Elements).filter(is_listed) {
+                    self.menu_item(ui, &actions::of_operation(id));
                 }
             });
         }
@@ -145,11 +147,7 @@ impl App {
         let keys = keys::text(ui.ctx(), entry.action);
         let label = match entry.action {
             // What opens a form instead of acting at once ends in an ellipsis.
-            Action::Operation(name)
-                if actions::operation(name).is_some_and(|spec| !crate::availability::runs_bare(spec)) =>
-            {
-                format!("{}…", entry.label)
-            }
+            Action::Operation(id) if opens_form(id) => format!("{}…", entry.label),
             _ => entry.label.to_owned(),
         };
         let response = match self.is_on(entry.action) {
@@ -167,19 +165,6 @@ impl App {
             ui.close();
         }
     }
-}
-
-/// Whether an operation is listed among those of a kind: by the first field that takes elements.
-fn belongs_to(spec: &Spec, kind: Element) -> bool {
-    let first = spec.fields.iter().find_map(|field| match field.kind {
-        FieldKind::Vertex | FieldKind::Vertices => Some(Element::Vertex),
-        FieldKind::Edge | FieldKind::Edges | FieldKind::Halfedge | FieldKind::Halfedges => {
-            Some(Element::Edge)
-        }
-        FieldKind::Face | FieldKind::Faces => Some(Element::Face),
-        _ => None,
-    });
-    first.unwrap_or(Element::Face) == kind
 }
 
 /// A switch's name with its key behind it: check boxes have no place of their own for keys.

@@ -11,14 +11,12 @@ pub(crate) mod fields;
 pub(crate) mod inspector;
 mod menu_bar;
 mod messages;
-mod new_shape;
 mod objects;
 pub(crate) mod operations;
 pub(crate) mod palette;
 pub(crate) mod save;
 pub(crate) mod sheet;
 mod shortcuts;
-mod simplify;
 mod status_bar;
 mod trial;
 

@@ -1,7 +1,8 @@
 //! The list of objects, shown when a document has more than one.
 
+use editor::Command;
+use editor::ops::{ActivateObject, DeleteObject, RenameObject, SetObjectVisible};
 use egui::{Button, RichText, ScrollArea, TextEdit, Ui, vec2};
-use serde_json::json;
 
 use crate::app::App;
 use crate::icons::{Icon, icon_button};
@@ -43,7 +44,7 @@ impl App {
             let eye = icon_button(ui, icon, &format!("{verb} {name}"), false)
                 .on_hover_text(format!("{verb} this object"));
             if eye.clicked() {
-                self.send(json!({ "op": "set-object-visible", "object": at, "visible": !visible }));
+                self.begin(Command::from(SetObjectVisible { visible: !visible }).on(at), None);
             }
             if let Some((row, text)) = &mut self.forms.renaming
                 && *row == at
@@ -60,7 +61,7 @@ impl App {
                     self.forms.renaming = None;
                     let kept = ui.input(|input| !input.key_pressed(egui::Key::Escape));
                     if kept && !text.trim().is_empty() && text != name {
-                        self.send(json!({ "op": "rename-object", "object": at, "name": text }));
+                        self.begin(Command::from(RenameObject { name: text }).on(at), None);
                     }
                 }
                 return;
@@ -80,13 +81,13 @@ impl App {
                 self.forms.renaming = Some((at, name.to_owned()));
                 self.forms.focus_renaming = true;
             } else if row.clicked() && !active {
-                self.send(json!({ "op": "activate-object", "object": at }));
+                self.begin(Command::from(ActivateObject::default()).on(at), None);
             }
             ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
                 let delete = icon_button(ui, Icon::Delete, &format!("Delete {name}"), false)
                     .on_hover_text("Delete this object");
                 if delete.clicked() {
-                    self.send(json!({ "op": "delete-object", "object": at }));
+                    self.begin(Command::from(DeleteObject::default()).on(at), None);
                 }
             });
         });

@@ -2,23 +2,23 @@
 
 use std::collections::HashMap;
 
-use editor::{OperationKind, Spec};
+use editor::ops::Connect;
+use editor::{Facts, OpId, Scope};
 use egui::{Button, ComboBox, Grid, RichText, Ui, vec2};
-use serde_json::{Map, Value};
+use serde_json::Value;
 
 use crate::actions::{self, Action};
 use crate::app::App;
 use crate::keys;
 use crate::panels::estimate::Tried;
-use crate::panels::fields::{self, Filled, Hints};
-use crate::panels::new_shape;
+use crate::panels::fields::{self, Filled};
 use crate::panels::trial::Previews;
 
 /// What is filled in, in all forms of the page.
 #[derive(Default)]
 pub(crate) struct Forms {
-    chosen: Option<&'static str>,
-    filled: HashMap<&'static str, Filled>,
+    chosen: Option<OpId>,
+    filled: HashMap<OpId, Filled>,
     /// The object whose name is being typed.
     pub renaming: Option<(usize, String)>,
     pub focus_renaming: bool,
@@ -26,7 +26,7 @@ pub(crate) struct Forms {
     pub painting: bool,
     /// Where along an edge the inspector's split button puts the vertex.
     pub split_t: Option<f32>,
-    pub split_connect: Option<&'static str>,
+    pub split_connect: Option<Connect>,
     /// How many quads lie along a side of each patch that the Bezier panel tessellates.
     pub tessellation: Option<u32>,
     /// What an operation that was tried out makes.
@@ -36,25 +36,25 @@ pub(crate) struct Forms {
 
 impl Forms {
     /// Shows an operation's form.
-    pub fn choose(&mut self, name: &'static str) {
-        self.chosen = Some(name);
+    pub fn choose(&mut self, id: OpId) {
+        self.chosen = Some(id);
         self.previews.ask();
     }
 
     /// What is filled in for an operation, once its form was shown or a key changed it.
-    pub fn filled(&self, name: &str) -> Option<&Filled> {
-        self.filled.get(name)
+    pub fn filled(&self, id: OpId) -> Option<&Filled> {
+        self.filled.get(&id)
     }
 
     /// Fills in one field.
-    pub fn fill(&mut self, spec: &'static Spec, hints: &Hints, field: &str, value: Value) {
-        let filled = self.filled.entry(spec.name).or_insert_with(|| fields::initial(spec, hints));
+    pub fn fill(&mut self, id: OpId, facts: &Facts, field: &str, value: Value) {
+        let filled = self.filled.entry(id).or_insert_with(|| fields::initial(id.spec(), facts));
         filled.insert(field.to_owned(), value);
     }
 
     /// Leaves out again what was filled in for one mesh and means nothing for another.
     pub fn forget_lengths(&mut self) {
-        self.filled.retain(|op, _| !fields::suggests_lengths(op));
+        self.filled.retain(|id, _| !fields::needs_measures(id.spec()));
     }
 }
 
@@ -73,50 +73,42 @@ impl App {
         self.adjust_panel(ui);
         ui.add_space(2.0);
         ui.label(RichText::new("Operations").strong());
-        let Some(chosen) = self.forms.chosen.and_then(actions::operation).or_else(first_operation) else {
-            return;
-        };
+        let id = self.forms.chosen.unwrap_or(OpId::New);
+        let chosen = id.spec();
         let combo = ComboBox::from_id_salt("operation")
             .selected_text(chosen.label)
             .width(ui.available_width() - 8.0)
             .height(420.0);
         let combo = combo.show_ui(ui, |ui| {
             // Whole-mesh operations first: they are what people fill in forms for.
-            let of_kind = |kind| actions::mesh_operations().filter(move |spec| spec.kind == kind);
-            for spec in of_kind(OperationKind::WholeMesh).chain(of_kind(OperationKind::Local)) {
-                if ui
-                    .selectable_label(spec.name == chosen.name, spec.label)
-                    .on_hover_text(spec.description)
-                    .clicked()
-                {
-                    self.forms.choose(spec.name);
+            let of_scope =
+                |scope| actions::mesh_operations().filter(move |other| other.spec().scope == scope);
+            for other in of_scope(Scope::Meshes).chain(of_scope(Scope::Elements)) {
+                let spec = other.spec();
+                if ui.selectable_label(other == id, spec.label).on_hover_text(spec.description).clicked() {
+                    self.forms.choose(other);
                 }
             }
         });
         combo.response.accessible_name("Operation").on_hover_text("Which operation to fill in and apply");
         ui.add(egui::Label::new(RichText::new(chosen.description).weak()).wrap());
 
-        let hints = self.hints(chosen.name);
-        let mut filled =
-            self.forms.filled.remove(chosen.name).unwrap_or_else(|| fields::initial(chosen, &hints));
+        let facts = self.facts(id);
+        let mut filled = self.forms.filled.remove(&id).unwrap_or_else(|| fields::initial(chosen, &facts));
         let before = filled.clone();
         Grid::new(("form", chosen.name)).num_columns(2).spacing(vec2(10.0, 6.0)).show(ui, |ui| {
-            if chosen.name == "new" {
-                new_shape::form(ui, &mut filled);
-                return;
-            }
-            fields::rows(ui, chosen, &mut filled, &hints, |_| true);
+            fields::rows(ui, chosen, &mut filled, &facts, |_| true);
         });
-        self.preview_row(ui, chosen, &filled, filled != before);
-        if let Some(estimate) = self.estimate(chosen.name, &filled, &hints) {
+        self.preview_row(ui, id, &filled, filled != before);
+        if let Some(estimate) = self.estimate(id, &filled, &facts) {
             ui.label(RichText::new(estimate).small().weak());
         }
-        self.apply_button(ui, chosen, &filled);
-        self.forms.filled.insert(chosen.name, filled);
+        self.apply_button(ui, id, &filled);
+        self.forms.filled.insert(id, filled);
     }
 
-    fn apply_button(&mut self, ui: &mut Ui, spec: &'static Spec, filled: &Filled) {
-        let action = Action::Operation(spec.name);
+    fn apply_button(&mut self, ui: &mut Ui, id: OpId, filled: &Filled) {
+        let (spec, action) = (id.spec(), Action::Operation(id));
         let why_not = self.why_not(action);
         let primary = ui.visuals().selection;
         let text = RichText::new(spec.label).color(primary.stroke.color);
@@ -125,35 +117,27 @@ impl App {
         let tooltip = keys::tooltip(ui.ctx(), spec.description, action);
         let reason = why_not.clone().unwrap_or_default();
         if response.on_hover_text(tooltip).on_disabled_hover_text(reason).clicked()
-            && !self.apply_preview(spec.name, filled)
+            && !self.apply_preview(id, filled)
         {
-            let mut command: Map<String, Value> = filled.clone();
-            command.insert("op".into(), spec.name.into());
-            self.send(command.into());
+            match fields::command(id, filled) {
+                Ok(command) => self.begin(command, None),
+                Err(error) => self.refused(&error, None),
+            }
         }
         if let Some(reason) = why_not {
             ui.add(egui::Label::new(RichText::new(reason).small().color(ui.visuals().warn_fg_color)).wrap());
         }
     }
 
-    /// What an operation's form should know of the mesh, as it is without what is only previewed.
-    pub(crate) fn hints(&mut self, op: &str) -> Hints {
-        if let Some(hints) = self.hints_before_preview() {
-            return hints;
-        }
-        let measures = if fields::suggests_lengths(op) { self.measured.get(&self.editor) } else { None };
-        let Some(mesh) = self.editor.mesh() else { return Hints::default() };
-        let boundary = self.survey.found().map(|found| found.boundary_halfedges);
-        Hints {
-            measures,
-            vertices: mesh.vertex_count(),
-            faces: mesh.face_count(),
-            corners: boundary.map(|boundary| mesh.halfedge_count() - boundary),
-        }
+    /// The facts that an operation's form needs, about the mesh without what is only previewed.
+    pub(crate) fn facts(&mut self, id: OpId) -> Facts {
+        let measures = fields::needs_measures(id.spec());
+        self.facts_before_preview()
+            .unwrap_or_else(|| self.measured.facts(&self.editor, &self.survey, measures))
     }
-}
 
-fn first_operation() -> Option<&'static Spec> {
-    let mut whole = actions::mesh_operations().filter(|spec| spec.kind == OperationKind::WholeMesh);
-    actions::operation("new").or_else(|| whole.next()).or_else(|| actions::mesh_operations().next())
+    /// All facts about the mesh without what is only previewed.
+    pub(crate) fn measured_facts(&mut self) -> Facts {
+        self.facts_before_preview().unwrap_or_else(|| self.measured.facts(&self.editor, &self.survey, true))
+    }
 }

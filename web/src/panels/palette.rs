@@ -103,7 +103,7 @@ fn find(typed: &str) -> Vec<Entry> {
         .filter_map(|entry| {
             let label = entry.label.to_lowercase();
             let name = match entry.action {
-                actions::Action::Operation(name) => name,
+                actions::Action::Operation(id) => id.spec().name,
                 _ => "",
             };
             if !typed.split_whitespace().all(|word| label.contains(word) || name.contains(word)) {
@@ -126,6 +126,7 @@ fn find(typed: &str) -> Vec<Entry> {
 mod tests {
     use super::*;
     use crate::actions::Action;
+    use editor::OpId;
 
     #[test]
     fn finds_by_label_word_and_op_name() {
@@ -133,10 +134,10 @@ mod tests {
         assert_eq!(find("grid").first().map(|entry| entry.action), Some(Action::Grid));
         assert_eq!(
             find("split-edge").first().map(|entry| entry.action),
-            Some(Action::Operation("split-edge"))
+            Some(Action::Operation(OpId::SplitEdge))
         );
         let smooth = find("smooth").first().map(|entry| entry.action);
-        assert_eq!(smooth, Some(Action::Operation("smooth")), "before smooth shading");
+        assert_eq!(smooth, Some(Action::Operation(OpId::Smooth)), "before smooth shading");
         assert_eq!(find("all select").first().map(|entry| entry.action), Some(Action::SelectAll));
         assert!(find("no such thing").is_empty());
         assert_eq!(find("").len(), actions::all().count());

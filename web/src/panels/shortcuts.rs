@@ -26,15 +26,15 @@ impl App {
                             ui.columns(2, |columns| {
                                 if let [left, right] = columns {
                                     let half = (BINDINGS.len().div_ceil(2) + 6).min(BINDINGS.len());
-                                    bindings(left, "keys", BINDINGS.get(..half));
-                                    bindings(right, "more keys", BINDINGS.get(half..));
+                                    bindings(left, "keys", &BINDINGS[..half]);
+                                    bindings(right, "more keys", &BINDINGS[half..]);
                                     bezier(right);
                                     right.add_space(12.0);
                                     gestures(right);
                                 }
                             });
                         } else {
-                            bindings(ui, "keys", Some(BINDINGS));
+                            bindings(ui, "keys", &BINDINGS);
                             bezier(ui);
                             ui.add_space(12.0);
                             gestures(ui);
@@ -49,12 +49,12 @@ impl App {
 fn bezier(ui: &mut Ui) {
     ui.add_space(12.0);
     ui.label(RichText::new("On a Bezier curve or surface").strong());
-    bindings(ui, "bezier keys", Some(BEZIER_BINDINGS));
+    bindings(ui, "bezier keys", &BEZIER_BINDINGS);
 }
 
-fn bindings(ui: &mut Ui, name: &str, table: Option<&[Binding]>) {
+fn bindings(ui: &mut Ui, name: &str, table: &[Binding]) {
     Grid::new(name).num_columns(2).spacing(vec2(12.0, 4.0)).min_col_width(96.0).show(ui, |ui| {
-        for (action, shortcuts) in table.unwrap_or_default() {
+        for (action, shortcuts) in table {
             let texts: Vec<String> = shortcuts.iter().map(|key| keys::written(ui.ctx(), key)).collect();
             ui.label(RichText::new(texts.join(", ")).monospace());
             let entry = actions::describe(*action);

@@ -1,26 +1,13 @@
 //! Live preview: what the form's operation makes is shown in the document while its fields are filled
 //! in, where that is cheap. Applying keeps it as one undo step; anything else takes it back.
 
-use editor::Command;
 use egui::{Checkbox, Label, RichText, Ui};
 use halfedge::{Element, Mesh};
-use serde_json::Value;
 
 use crate::app::App;
 use crate::panels::QUICK;
-use crate::panels::fields::{Filled, Hints};
-use editor::{MessageKind, Outcome, Spec};
-
-/// The operations whose forms have a preview. All make one mesh of one.
-const PREVIEWED: [&str; 7] = [
-    "smooth",
-    "simplify",
-    "remesh",
-    "merge-by-distance",
-    "subdivide-catmull-clark",
-    "subdivide-loop",
-    "subdivide-linear",
-];
+use crate::panels::fields::{self, Filled};
+use editor::{Facts, MessageKind, OpId, Outcome};
 
 /// The previews of forms.
 pub(crate) struct Previews {
@@ -45,11 +32,11 @@ impl Default for Previews {
 
 /// An operation that the document shows, and that is no step yet.
 struct Trial {
-    op: &'static str,
+    op: OpId,
     filled: Filled,
     outcome: Outcome,
     /// What the mesh is without it.
-    before: Hints,
+    before: Facts,
     /// The ids of elements mean the same with it and without.
     keeps_ids: bool,
 }
@@ -77,12 +64,12 @@ impl App {
     }
 
     /// What the mesh is without what is only previewed.
-    pub(crate) fn hints_before_preview(&self) -> Option<Hints> {
+    pub(crate) fn facts_before_preview(&self) -> Option<Facts> {
         self.trial().map(|trial| trial.before)
     }
 
     /// The mesh that an operation with these fields makes, where it is previewed.
-    pub(crate) fn previewed(&self, op: &str, filled: &Filled) -> Option<&Mesh> {
+    pub(crate) fn previewed(&self, op: OpId, filled: &Filled) -> Option<&Mesh> {
         self.trial().filter(|trial| trial.op == op && trial.filled == *filled)?;
         self.editor.mesh()
     }
@@ -108,7 +95,7 @@ impl App {
     }
 
     /// Makes the preview one undo step, if it shows just this.
-    pub(crate) fn apply_preview(&mut self, op: &str, filled: &Filled) -> bool {
+    pub(crate) fn apply_preview(&mut self, op: OpId, filled: &Filled) -> bool {
         if self.previewed(op, filled).is_none() {
             return false;
         }
@@ -122,13 +109,13 @@ impl App {
     }
 
     /// The switch of the preview below a form, and why there is none; makes it where it is due.
-    pub(crate) fn preview_row(&mut self, ui: &mut Ui, spec: &'static Spec, filled: &Filled, changed: bool) {
-        if !PREVIEWED.contains(&spec.name) || self.editor.mesh().is_none() {
+    pub(crate) fn preview_row(&mut self, ui: &mut Ui, id: OpId, filled: &Filled, changed: bool) {
+        if !id.spec().previewed || self.editor.mesh().is_none() {
             return;
         }
         self.forms.previews.seen = true;
         self.forms.previews.due |= changed;
-        if self.trial().is_some_and(|trial| trial.op != spec.name) {
+        if self.trial().is_some_and(|trial| trial.op != id) {
             self.end_preview();
             self.forms.previews.due = true;
         }
@@ -146,9 +133,9 @@ impl App {
         }
         let waits = self.forms.previews.slow && ui.input(|input| input.pointer.any_down());
         // How large the mesh is without the preview can't be counted once there is one.
-        let counted = self.hints(spec.name).corners.is_some();
+        let counted = self.facts(id).corners.is_some();
         if counted && self.forms.previews.due && !waits {
-            self.show_preview(spec, filled);
+            self.show_preview(id, filled);
         }
         let words = match (&self.forms.previews.why_not, self.trial()) {
             (_, Some(_)) => "Previewed, not done yet: apply it, or take it back with Escape.",
@@ -164,32 +151,28 @@ impl App {
         ui.add(Label::new(RichText::new(words).small().weak()).wrap());
     }
 
-    fn show_preview(&mut self, spec: &'static Spec, filled: &Filled) {
+    fn show_preview(&mut self, id: OpId, filled: &Filled) {
         let started = self.platform.now();
-        let measures = self.measured.get(&self.editor);
-        let now = Hints { measures, ..self.hints(spec.name) };
-        let before = self.hints_before_preview().unwrap_or(now);
+        let before = self.measured_facts();
         self.end_preview();
         self.end_live(true);
-        self.forms.previews.why_not = self.try_out(spec, filled, before).err();
+        self.forms.previews.why_not = self.try_out(id, filled, before).err();
         self.forms.previews.slow = self.platform.now() - started > QUICK;
         self.follow();
     }
 
-    fn try_out(&mut self, spec: &'static Spec, filled: &Filled, before: Hints) -> Result<(), WhyNot> {
-        let refused = |error: editor::CommandError| WhyNot::Refused(error.problem);
-        let mut value = filled.clone();
-        value.insert("op".into(), spec.name.into());
-        let command = Command::from_value(Value::Object(value)).map_err(refused)?;
-        self.editor.can(command.clone()).map_err(refused)?;
-        if !self.editor.is_quick(command.clone()) {
+    fn try_out(&mut self, id: OpId, filled: &Filled, before: Facts) -> Result<(), WhyNot> {
+        let refused = |error: editor::CommandError| WhyNot::Refused(error.reason());
+        let command = fields::command(id, filled).map_err(refused)?;
+        self.editor.can(&command).map_err(refused)?;
+        if !self.editor.is_quick(&command) {
             return Err(WhyNot::TooLarge);
         }
         let sizes_before = self.editor.mesh().map(sizes);
         let outcome = self.editor.update_edit(command).map_err(refused)?;
         let keeps_ids = self.editor.mesh().map(sizes) == sizes_before;
         self.forms.previews.shown =
-            Some(Trial { op: spec.name, filled: filled.clone(), outcome, before, keeps_ids });
+            Some(Trial { op: id, filled: filled.clone(), outcome, before, keeps_ids });
         Ok(())
     }
 }

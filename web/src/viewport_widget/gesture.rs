@@ -1,10 +1,10 @@
 //! What the pointer does in the viewport: turn, move, come closer, select, drag vertices.
 
 use editor::SelectMode;
+use editor::ops::{SetVertexPosition, Transform, VertexRef};
 use egui::{CursorIcon, PointerButton, Pos2, Rect, Response, Ui};
 use glam::{Vec3, vec2};
 use halfedge::Element;
-use serde_json::json;
 use viewport::{BoxSelection, ScreenRect};
 
 use super::View;
@@ -203,11 +203,12 @@ impl App {
         let selection = self.editor.selection();
         match (selection.len(), selection.latest()) {
             (1, Some(id)) => {
-                self.preview(json!({ "op": "set-vertex-position", "vertex": id, "position": to.to_array() }));
+                self.preview(SetVertexPosition { vertex: Some(VertexRef(id)), position: to.to_array() });
             }
             _ => {
-                let ids: Vec<u32> = selection.ids().collect();
-                self.preview(json!({ "op": "transform", "vertices": ids, "translate": by.to_array() }));
+                let vertices = selection.ids().map(VertexRef).collect();
+                let translate = by.to_array();
+                self.preview(Transform { vertices: Some(vertices), translate, ..Transform::default() });
             }
         }
     }

@@ -176,11 +176,13 @@ fn what_people_read_is_spelt_one_way() {
         let text = text.to_lowercase();
         ["color", "neighbor", "center", "gray"].into_iter().find(|word| text.contains(word))
     };
-    for spec in editor::OPERATIONS {
-        let fields =
-            spec.fields.iter().flat_map(|field| [field.description, field.default.unwrap_or_default()]);
-        for text in [spec.label, spec.description].into_iter().chain(fields) {
-            assert_eq!(american(text), None, "{}: {text}", spec.name);
+    for spec in editor::OpId::ALL.iter().map(|id| id.spec()) {
+        let words = |field: &editor::ops::Field| {
+            [field.label(), field.description.to_owned(), field.default_words().unwrap_or_default()]
+        };
+        let texts = [spec.label, spec.description].map(str::to_owned);
+        for text in texts.into_iter().chain(spec.fields.iter().flat_map(words)) {
+            assert_eq!(american(&text), None, "{}: {text}", spec.name);
         }
     }
     let mut page = Page::new();

@@ -79,7 +79,7 @@ fn simplify_is_told_how_far_in_one_of_three_ways() {
 
     // Another way starts where the last one was.
     page.click("Simplify to");
-    page.click("A count");
+    page.click("Faces");
     assert_eq!(promise(&page), "Result: 96 of 320 triangles");
     page.type_into("Faces", "1000");
     assert_eq!(promise(&page), "Result: 320 of 320 triangles", "there are no more");
@@ -89,7 +89,7 @@ fn simplify_is_told_how_far_in_one_of_three_ways() {
 
     page.press_with(Modifiers::COMMAND, Key::Z);
     page.click("Simplify to");
-    page.click("An error limit");
+    page.click("Max error");
     page.apply("Simplify");
     let left = page.mesh().face_count();
     assert!(left <= 320 && left > 64, "{left}: a thousandth of the size is little");

@@ -1,11 +1,11 @@
 //! What a whole-mesh operation made, put into the document as one step.
 
 use super::Editor;
-use crate::ops::{Action, Commit, Op, Output};
 use crate::document::{Object, ObjectId};
 use crate::error::Problem;
 use crate::history::Change;
 use crate::job::Made;
+use crate::ops::{Action, Commit, Op, Output};
 use crate::outcome::{self, Elements, Outcome};
 use crate::selection::Selection;
 use glam::DVec3;

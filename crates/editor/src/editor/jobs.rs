@@ -2,14 +2,16 @@
 
 use super::run::{Planned, broken};
 use super::{Editor, MessageKind};
-use crate::ops::{Action, Command, Input, Op};
 use crate::document::ObjectId;
 use crate::error::{CommandError, Problem};
 use crate::history::Change;
 use crate::job::{ExportHead, JobId, JobRequest, JobResult, Made, Work};
+use crate::ops::{Action, Command, Input, Op};
 use crate::outcome::Outcome;
 use formats::{Format, NamedBytes, Repairs};
+use halfedge::Mesh;
 use std::ops::ControlFlow;
+use std::sync::Arc;
 
 /// The work up to which operations run at once, in faces: that takes less time than a frame, and less
 /// than sending the mesh to a worker.
@@ -149,6 +151,15 @@ impl Editor {
     /// fields; one that would be refused is not quick. Costs O(mesh) at most.
     pub fn is_quick(&self, command: &Command) -> bool {
         self.cost(command).is_some_and(|cost| cost < MAX_FACES_AT_ONCE)
+    }
+
+    /// The mesh that an operation on whole meshes would make of the active object, without doing it; none
+    /// where it is refused. Costs what running it costs.
+    pub fn try_out(&self, command: &Command) -> Option<Mesh> {
+        let Planned::Whole { op, objects, .. } = self.plan(command.clone()).ok()? else { return None };
+        let made = self.compute(&op, &objects, &mut |_| ControlFlow::Continue(())).ok()?;
+        let Made::Meshes(outputs, ..) = made else { return None };
+        outputs.into_iter().next().map(|output| Arc::unwrap_or_clone(output.mesh))
     }
 
     /// Whether operations on these objects run at once.

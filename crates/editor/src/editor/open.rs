@@ -3,9 +3,9 @@
 use super::run::broken;
 use super::{Editor, MessageKind};
 use crate::bezier::fill_previews;
-use crate::ops::Output;
 use crate::error::CommandError;
 use crate::history::Change;
+use crate::ops::Output;
 use crate::outcome::{self, Elements, Outcome};
 use crate::selection::Selection;
 use formats::Import;

@@ -2,11 +2,11 @@
 
 use super::Editor;
 use super::MessageKind;
-use crate::ops::{Action, Command, Commit, Input, LocalEdit, Op, Place, Target, edit_all, refuse_bezier};
 use crate::document::{Object, ObjectId};
 use crate::error::{CommandError, Problem};
 use crate::history::{Change, is_reshaping};
 use crate::job;
+use crate::ops::{Action, Command, Commit, Input, LocalEdit, Op, Place, Target, edit_all, refuse_bezier};
 use crate::outcome::{Before, Elements, Outcome};
 use crate::selection::Selection;
 use halfedge::{Journal, Mesh, Touched};
@@ -208,11 +208,7 @@ impl Editor {
 
     /// Where a command acts.
     fn place(&self, command: &Command) -> Place<'_> {
-        Place {
-            document: &self.document,
-            object: command.object,
-            next_object: ObjectId(self.next_object),
-        }
+        Place { document: &self.document, object: command.object, next_object: ObjectId(self.next_object) }
     }
 
     /// What a command's elements are looked up in; `nobody` and `nothing` stand in for an object that

@@ -1,9 +1,9 @@
 //! What an editor opens on.
 
 use super::Editor;
-use crate::ops::Command;
 use crate::error::CommandError;
 use crate::history::History;
+use crate::ops::Command;
 use crate::outcome::Outcome;
 
 impl Editor {

@@ -102,9 +102,11 @@ pub(crate) fn refuse_bezier(name: &str, bezier: Option<&Bezier>) -> Result<(), P
         None => Ok(()),
         Some(Bezier::Surface(_)) => Err(Problem::new(format!(
             "{name} is a Bezier surface; tessellate it first (`bezier-tessellate`)"
-        ))),
+        ))
+        .advise(format!("{name} is a Bezier surface. Tessellate it first."))),
         Some(Bezier::Curve(_)) => {
-            Err(Problem::new(format!("{name} is a Bezier curve, which has no vertices, edges or faces")))
+            Err(Problem::new(format!("{name} is a Bezier curve, which has no vertices, edges or faces"))
+                .advise(format!("{name} is a Bezier curve, which has no faces.")))
         }
     }
 }
@@ -223,7 +225,8 @@ impl<'a> Place<'a> {
 }
 
 fn no_object() -> Problem {
-    Problem::new("the document has no object").advise("There is no object. Open a file or make a shape first.")
+    Problem::new("the document has no object")
+        .advise("There is no object. Open a file or make a shape first.")
 }
 
 /// Makes local edits one after the other. The first runs in any case, so that its refusal is told.

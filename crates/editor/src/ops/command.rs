@@ -124,10 +124,10 @@ impl Op {
 
 /// Says that an op is not known, with the name that looks like it.
 fn unknown(name: &str) -> String {
-    let near =
-        OpId::ALL.iter().map(|id| id.spec().name).find(|known| {
-            known.contains(name) || name.contains(known) || known.replace('-', "_") == name
-        });
+    let near = OpId::ALL
+        .iter()
+        .map(|id| id.spec().name)
+        .find(|known| known.contains(name) || name.contains(known) || known.replace('-', "_") == name);
     match near {
         Some(near) if !name.is_empty() => format!("there is no such op; did you mean `{near}`?"),
         _ => "there is no such op".to_owned(),

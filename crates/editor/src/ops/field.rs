@@ -420,6 +420,17 @@ macro_rules! choice {
                 $($crate::ops::Choice { name: $json, label: $label },)*
             ];
 
+            /// The choices in the order that forms list them.
+            pub const ALL: &'static [Self] = &[Self::$first, $(Self::$variant),*];
+
+            /// How forms write it.
+            pub fn label(self) -> &'static str {
+                match self {
+                    Self::$first => $first_label,
+                    $(Self::$variant => $label,)*
+                }
+            }
+
             /// A field that takes one of these words; the first one when left out.
             #[allow(dead_code, reason = "a choice may be a field with a default of its own")]
             pub(crate) const fn field(name: &'static str, description: &'static str) -> $crate::ops::Field {

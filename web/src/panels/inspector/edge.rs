@@ -4,13 +4,10 @@ use super::{facts, measured};
 use crate::actions::{self, Action};
 use crate::app::App;
 use crate::panels::menu_bar::explain;
+use editor::OpId;
+use editor::ops::{Connect, SplitEdge};
 use egui::{ComboBox, Slider, Ui};
 use halfedge::{Element, HalfedgeId, keys};
-use serde_json::json;
-
-/// The forms of a split, as the command names them and as people read them.
-const CONNECT: [(&str, &str); 3] =
-    [("none", "Add a vertex only"), ("triangles", "Cut triangles"), ("all", "Cut all faces")];
 
 impl App {
     pub(super) fn inspect_edge(&mut self, ui: &mut Ui, id: u32) {
@@ -66,11 +63,11 @@ impl App {
 
     /// The split, with where and how; for all selected edges.
     pub(super) fn split_form(&mut self, ui: &mut Ui) {
-        let action = Action::Operation("split-edge");
-        let Some(spec) = actions::operation("split-edge") else { return };
+        let id = OpId::SplitEdge;
+        let action = Action::Operation(id);
         ui.add_space(6.0);
         let mut t = self.forms.split_t.unwrap_or(0.5);
-        let mut connect = self.forms.split_connect.unwrap_or("triangles");
+        let mut connect = self.forms.split_connect.unwrap_or_default();
         ui.horizontal(|ui| {
             ui.spacing_mut().slider_width = (ui.available_width() - 124.0).max(60.0);
             let label = ui.label("Split at");
@@ -81,12 +78,13 @@ impl App {
         });
         let why_not = self.why_not(action);
         ui.horizontal(|ui| {
-            let shown = CONNECT.iter().find(|(name, _)| *name == connect).map_or(connect, |(_, text)| text);
-            let combo =
-                ComboBox::from_id_salt("connect").selected_text(shown).width(140.0).show_ui(ui, |ui| {
-                    for (name, text) in CONNECT {
-                        if ui.selectable_label(connect == name, text).clicked() {
-                            connect = name;
+            let combo = ComboBox::from_id_salt("connect")
+                .selected_text(connect.label())
+                .width(140.0)
+                .show_ui(ui, |ui| {
+                    for other in Connect::ALL {
+                        if ui.selectable_label(connect == *other, other.label()).clicked() {
+                            connect = *other;
                         }
                     }
                 });
@@ -94,9 +92,9 @@ impl App {
                 .response
                 .accessible_name("Cut")
                 .on_hover_text("Which faces beside the edge are cut from the new vertex");
-            let button = ui.add_enabled(why_not.is_none(), egui::Button::new(spec.label));
-            if explain(button, ui, &actions::of_operation(spec), why_not.as_deref()).clicked() {
-                self.send(json!({ "op": "split-edge", "t": t, "connect": connect }));
+            let button = ui.add_enabled(why_not.is_none(), egui::Button::new(id.spec().label));
+            if explain(button, ui, &actions::of_operation(id), why_not.as_deref()).clicked() {
+                self.begin(SplitEdge { edge: None, t, connect }.into(), None);
             }
         });
         self.forms.split_t = Some(t);

@@ -3,11 +3,11 @@
 use super::{facts, measured};
 use crate::app::App;
 use crate::panels::color_button::color_button;
+use editor::ops::SetFaceColor;
 use egui::{RichText, Ui};
 use glam::Vec3;
 use halfedge::geometry::face_area_vector;
 use halfedge::{Color, Element, HalfedgeId, keys};
-use serde_json::json;
 
 impl App {
     pub(super) fn inspect_face(&mut self, ui: &mut Ui, id: u32) {
@@ -57,7 +57,7 @@ impl App {
             let mut rgb = color.0;
             let (button, changed) = color_button(ui, "Face colour", &mut rgb);
             if changed {
-                self.preview(json!({ "op": "set-face-color", "color": Color(rgb).to_hex() }));
+                self.preview(SetFaceColor { faces: None, color: Color(rgb).to_hex() });
                 self.forms.painting = true;
             }
             let many = self.editor.selection().len() > 1;

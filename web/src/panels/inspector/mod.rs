@@ -6,26 +6,19 @@ mod halfedge;
 mod vertex;
 
 use ::halfedge::Element;
-use editor::{FieldKind, SelectMode, Spec};
+use editor::{OpId, SelectMode};
 use egui::{Button, Grid, Label, RichText, Ui, vec2};
 
 use crate::actions::{self, Action};
 use crate::app::App;
+use crate::availability::opens_form;
 use crate::lists::columns::element_name;
 use crate::panels::fields;
 use crate::panels::menu_bar::explain;
 use crate::theme::TOUCH_TARGET;
 
-/// Whether an operation works on selected elements of this kind.
-pub(crate) fn applies_to(spec: &Spec, kind: Element) -> bool {
-    spec.fields.iter().any(|field| match field.kind {
-        FieldKind::Vertex | FieldKind::Vertices => kind == Element::Vertex,
-        FieldKind::Edge | FieldKind::Edges => matches!(kind, Element::Edge | Element::Halfedge),
-        FieldKind::Halfedge | FieldKind::Halfedges => kind == Element::Halfedge,
-        FieldKind::Face | FieldKind::Faces => kind == Element::Face,
-        _ => false,
-    })
-}
+/// Operations that the inspector has controls of its own for, further up.
+const SHOWN_ALREADY: [OpId; 3] = [OpId::SetVertexPosition, OpId::SetFaceColor, OpId::SplitEdge];
 
 impl App {
     pub(crate) fn inspector(&mut self, ui: &mut Ui) {
@@ -72,22 +65,20 @@ impl App {
     /// One button for each operation that works on this kind, greyed with the reason where this
     /// element is none it works on.
     fn edit_buttons(&mut self, ui: &mut Ui, kind: Element) {
-        // Fields of their own further up.
-        const SHOWN_ALREADY: [&str; 3] = ["set-vertex-position", "set-face-color", "split-edge"];
-        let specs: Vec<&'static Spec> = actions::mesh_operations()
-            .filter(|spec| applies_to(spec, kind) && !SHOWN_ALREADY.contains(&spec.name))
+        let ids: Vec<OpId> = actions::mesh_operations()
+            .filter(|id| id.spec().applies_to(kind) && !SHOWN_ALREADY.contains(id))
             .collect();
-        if specs.is_empty() {
+        if ids.is_empty() {
             return;
         }
         ui.horizontal_wrapped(|ui| {
-            for spec in specs {
-                let action = Action::Operation(spec.name);
+            for id in ids {
+                let action = Action::Operation(id);
                 let why_not = self.why_not(action);
-                let bare = crate::availability::runs_bare(spec);
-                let label = if bare { spec.label.to_owned() } else { format!("{}…", spec.label) };
+                let label = id.spec().label;
+                let label = if opens_form(id) { format!("{label}…") } else { label.to_owned() };
                 let button = ui.add_enabled(why_not.is_none(), Button::new(label));
-                if explain(button, ui, &actions::of_operation(spec), why_not.as_deref()).clicked() {
+                if explain(button, ui, &actions::of_operation(id), why_not.as_deref()).clicked() {
                     self.act(action);
                 }
             }

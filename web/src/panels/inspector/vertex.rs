@@ -3,9 +3,9 @@
 use super::facts;
 use crate::app::App;
 use crate::theme;
+use editor::ops::{SetVertexPosition, VertexRef};
 use egui::{DragValue, RichText, Ui, vec2};
 use halfedge::{Element, HalfedgeId};
-use serde_json::json;
 
 impl App {
     pub(super) fn inspect_vertex(&mut self, ui: &mut Ui, id: u32) {
@@ -77,7 +77,7 @@ impl App {
             }
         });
         if changed && moved.iter().all(|value| value.is_finite()) {
-            self.preview(json!({ "op": "set-vertex-position", "vertex": id, "position": moved }));
+            self.preview(SetVertexPosition { vertex: Some(VertexRef(id)), position: moved });
         }
         if done {
             self.commit_preview();

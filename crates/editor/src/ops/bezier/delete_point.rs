@@ -16,9 +16,13 @@ pub struct BezierDeletePoint {
 }
 
 impl Operation for BezierDeletePoint {
-    const SPEC: Spec =
-        Spec::new(Scope::Bezier, "bezier-delete-point", "Delete control point", "Delete a control point of a Bezier curve.")
-            .fields(&[Field::count("index", [0, u32::MAX], "Which control point")]);
+    const SPEC: Spec = Spec::new(
+        Scope::Bezier,
+        "bezier-delete-point",
+        "Delete control point",
+        "Delete a control point of a Bezier curve.",
+    )
+    .fields(&[Field::count("index", [0, u32::MAX], "Which control point")]);
 
     fn action(&self) -> Action<'_> {
         Action::Document(self)

@@ -12,8 +12,12 @@ use serde::{Deserialize, Serialize};
 pub struct BezierElevateDegree {}
 
 impl Operation for BezierElevateDegree {
-    const SPEC: Spec =
-        Spec::new(Scope::Bezier, "bezier-elevate-degree", "Elevate degree", "Add a control point to a Bezier curve without changing its shape.");
+    const SPEC: Spec = Spec::new(
+        Scope::Bezier,
+        "bezier-elevate-degree",
+        "Elevate degree",
+        "Add a control point to a Bezier curve without changing its shape.",
+    );
 
     fn action(&self) -> Action<'_> {
         Action::Document(self)

@@ -19,12 +19,16 @@ pub struct BezierInsertPoint {
 }
 
 impl Operation for BezierInsertPoint {
-    const SPEC: Spec =
-        Spec::new(Scope::Bezier, "bezier-insert-point", "Add control point", "Add a control point to a Bezier curve.")
-            .fields(&[
-                Field::count("index", [0, u32::MAX], "The index that it gets").unset("after the last"),
-                Field::required("position", FieldKind::Vector, "Where it is"),
-            ]);
+    const SPEC: Spec = Spec::new(
+        Scope::Bezier,
+        "bezier-insert-point",
+        "Add control point",
+        "Add a control point to a Bezier curve.",
+    )
+    .fields(&[
+        Field::count("index", [0, u32::MAX], "The index that it gets").unset("after the last"),
+        Field::required("position", FieldKind::Vector, "Where it is"),
+    ]);
 
     fn action(&self) -> Action<'_> {
         Action::Document(self)

@@ -33,15 +33,20 @@ pub struct BezierMovePoint {
 }
 
 impl Operation for BezierMovePoint {
-    const SPEC: Spec =
-        Spec::new(Scope::Bezier, "bezier-move-point", "Move control point", "Move a control point of a curve or surface; points of patches at the same position move together.")
-            .fields(&[
-                Field::count("point", [0, u32::MAX], "Which control point of a curve").optional("none, for a surface"),
-                Field::count("patch", [0, u32::MAX], "Which patch of a surface").optional("none, for a curve"),
-                Field::count("row", [0, 3], "Which row of the patch").optional("none, for a curve"),
-                Field::count("column", [0, 3], "Which point of the row").optional("none, for a curve"),
-                Field::required("position", FieldKind::Vector, "Where it goes"),
-            ]);
+    const SPEC: Spec = Spec::new(
+        Scope::Bezier,
+        "bezier-move-point",
+        "Move control point",
+        "Move a control point of a curve or surface; points of patches at the same position move together.",
+    )
+    .fields(&[
+        Field::count("point", [0, u32::MAX], "Which control point of a curve")
+            .optional("none, for a surface"),
+        Field::count("patch", [0, u32::MAX], "Which patch of a surface").optional("none, for a curve"),
+        Field::count("row", [0, 3], "Which row of the patch").optional("none, for a curve"),
+        Field::count("column", [0, 3], "Which point of the row").optional("none, for a curve"),
+        Field::required("position", FieldKind::Vector, "Where it goes"),
+    ]);
 
     fn action(&self) -> Action<'_> {
         Action::Document(self)

@@ -24,9 +24,15 @@ pub struct BezierSplit {
 const MAX_SPLIT_POINTS: usize = 20_000;
 
 impl Operation for BezierSplit {
-    const SPEC: Spec =
-        Spec::new(Scope::Bezier, "bezier-split", "Split curve", "Split a Bezier curve into two of the same degree.")
-            .fields(&[Field::number("t", Unit::Fraction, [0.0, 1.0], "Where along the curve").labelled("Position (0 to 1)").or(Default::Number(0.5))]);
+    const SPEC: Spec = Spec::new(
+        Scope::Bezier,
+        "bezier-split",
+        "Split curve",
+        "Split a Bezier curve into two of the same degree.",
+    )
+    .fields(&[Field::number("t", Unit::Fraction, [0.0, 1.0], "Where along the curve")
+        .labelled("Position (0 to 1)")
+        .or(Default::Number(0.5))]);
 
     fn action(&self) -> Action<'_> {
         Action::Document(self)

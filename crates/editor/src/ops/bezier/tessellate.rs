@@ -20,10 +20,26 @@ pub struct BezierTessellate {
 /// The default number of quads along a patch's side.
 const RESOLUTION: u32 = 8;
 
+impl std::default::Default for BezierTessellate {
+    fn default() -> Self {
+        Self { resolution: RESOLUTION }
+    }
+}
+
 impl Operation for BezierTessellate {
-    const SPEC: Spec =
-        Spec::new(Scope::Meshes, "bezier-tessellate", "Tessellate Bezier surface", "Make a mesh of quads from a Bezier surface, welded where patches meet.")
-            .fields(&[Field::count("resolution", [1, MAX_RESOLUTION], "How many quads lie along a patch's side").labelled("Quads per side").or(Default::Integer(RESOLUTION))]);
+    const SPEC: Spec = Spec::new(
+        Scope::Meshes,
+        "bezier-tessellate",
+        "Tessellate Bezier surface",
+        "Make a mesh of quads from a Bezier surface, welded where patches meet.",
+    )
+    .fields(&[Field::count(
+        "resolution",
+        [1, MAX_RESOLUTION],
+        "How many quads lie along a patch's side",
+    )
+    .labelled("Quads per side")
+    .or(Default::Integer(RESOLUTION))]);
 
     fn action(&self) -> Action<'_> {
         Action::WholeMesh(self)
@@ -49,7 +65,10 @@ impl WholeMesh for BezierTessellate {
                         input.name
                     )));
                 }
-                None => return Err(Problem::new(format!("{} is a mesh already", input.name)).advise("This is a mesh already. Open a Bezier surface, a .bez file, first.")),
+                None => {
+                    return Err(Problem::new(format!("{} is a mesh already", input.name))
+                        .advise("This is a mesh already. Open a Bezier surface, a .bez file, first."));
+                }
             }
         }
         Ok(())

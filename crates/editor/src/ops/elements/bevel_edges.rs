@@ -3,7 +3,9 @@
 use super::sized::{not_negative, set_size};
 use crate::error::Problem;
 use crate::ops::refs::{all, count};
-use crate::ops::{Action, Default, Drag, Family, Field, LocalEdit, Operation, Scope, Selected, Slot, Spec, Unit, EdgeRef};
+use crate::ops::{
+    Action, Default, Drag, EdgeRef, Family, Field, LocalEdit, Operation, Scope, Selected, Slot, Spec, Unit,
+};
 use halfedge::{Element, Mesh, edit};
 use serde::{Deserialize, Serialize};
 
@@ -28,7 +30,13 @@ impl Operation for BevelEdges {
             .family(Family::Bevel)
             .fields(&[
                 Field::many("edges", Element::Edge, Selected::All, "The edges to bevel"),
-                Field::number("width", Unit::Length, [0.0, f32::MAX as f64], "How far it goes on each side, in mesh units").drag(Drag::Width),
+                Field::number(
+                    "width",
+                    Unit::Length,
+                    [0.0, f32::MAX as f64],
+                    "How far it goes on each side, in mesh units",
+                )
+                .drag(Drag::Width),
                 Field::count("segments", [1, 256], "How many faces there are across").or(Default::Integer(1)),
             ]);
 

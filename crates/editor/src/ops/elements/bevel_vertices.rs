@@ -3,7 +3,9 @@
 use super::sized::{not_negative, set_size};
 use crate::error::Problem;
 use crate::ops::refs::{all, count};
-use crate::ops::{Action, Drag, Family, Field, LocalEdit, Operation, Scope, Selected, Slot, Spec, Unit, VertexRef};
+use crate::ops::{
+    Action, Drag, Family, Field, LocalEdit, Operation, Scope, Selected, Slot, Spec, Unit, VertexRef,
+};
 use halfedge::{Element, Mesh, edit};
 use serde::{Deserialize, Serialize};
 
@@ -24,7 +26,13 @@ impl Operation for BevelVertices {
             .family(Family::Bevel)
             .fields(&[
                 Field::many("vertices", Element::Vertex, Selected::All, "The vertices to bevel"),
-                Field::number("width", Unit::Length, [0.0, f32::MAX as f64], "How far along each edge, in mesh units").drag(Drag::Width),
+                Field::number(
+                    "width",
+                    Unit::Length,
+                    [0.0, f32::MAX as f64],
+                    "How far along each edge, in mesh units",
+                )
+                .drag(Drag::Width),
             ]);
 
     fn elements(&mut self) -> Vec<Slot<'_>> {

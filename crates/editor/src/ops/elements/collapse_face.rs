@@ -2,7 +2,7 @@
 
 use crate::error::Problem;
 use crate::ops::refs::one;
-use crate::ops::{Action, Field, LocalEdit, Operation, Scope, Selected, Slot, Spec, FaceRef};
+use crate::ops::{Action, FaceRef, Field, LocalEdit, Operation, Scope, Selected, Slot, Spec};
 use halfedge::{Element, Mesh, edit};
 use serde::{Deserialize, Serialize};
 
@@ -15,9 +15,13 @@ pub struct CollapseFace {
 }
 
 impl Operation for CollapseFace {
-    const SPEC: Spec =
-        Spec::new(Scope::Elements, "collapse-face", "Collapse face", "Merge all corners of a face into one vertex at its centre.")
-            .fields(&[Field::one("face", Element::Face, Selected::Each, "The face to collapse")]);
+    const SPEC: Spec = Spec::new(
+        Scope::Elements,
+        "collapse-face",
+        "Collapse face",
+        "Merge all corners of a face into one vertex at its centre.",
+    )
+    .fields(&[Field::one("face", Element::Face, Selected::Each, "The face to collapse")]);
 
     fn elements(&mut self) -> Vec<Slot<'_>> {
         vec![Slot::Face(&mut self.face)]

@@ -15,9 +15,13 @@ pub struct ConnectVertices {
 }
 
 impl Operation for ConnectVertices {
-    const SPEC: Spec =
-        Spec::new(Scope::Elements, "connect-vertices", "Connect vertices", "Cut a face from one of its corners to another.")
-            .fields(&[Field::two("vertices", Element::Vertex, "Two corners of one face")]);
+    const SPEC: Spec = Spec::new(
+        Scope::Elements,
+        "connect-vertices",
+        "Connect vertices",
+        "Cut a face from one of its corners to another.",
+    )
+    .fields(&[Field::two("vertices", Element::Vertex, "Two corners of one face")]);
 
     fn elements(&mut self) -> Vec<Slot<'_>> {
         vec![Slot::TwoVertices(&mut self.vertices)]

@@ -2,7 +2,7 @@
 
 use crate::error::Problem;
 use crate::ops::refs::{all, count};
-use crate::ops::{Action, Family, Field, LocalEdit, Operation, Scope, Selected, Slot, Spec, FaceRef};
+use crate::ops::{Action, FaceRef, Family, Field, LocalEdit, Operation, Scope, Selected, Slot, Spec};
 use halfedge::{Element, Mesh, edit};
 use serde::{Deserialize, Serialize};
 
@@ -15,11 +15,15 @@ pub struct DeleteFaces {
 }
 
 impl Operation for DeleteFaces {
-    const SPEC: Spec =
-        Spec::new(Scope::Elements, "delete-faces", "Delete faces", "Delete faces, and vertices that are left with no face.")
-            .keys(&["Delete", "X"])
-            .family(Family::Delete)
-            .fields(&[Field::many("faces", Element::Face, Selected::All, "The faces to delete")]);
+    const SPEC: Spec = Spec::new(
+        Scope::Elements,
+        "delete-faces",
+        "Delete faces",
+        "Delete faces, and vertices that are left with no face.",
+    )
+    .keys(&["Delete", "X"])
+    .family(Family::Delete)
+    .fields(&[Field::many("faces", Element::Face, Selected::All, "The faces to delete")]);
 
     fn elements(&mut self) -> Vec<Slot<'_>> {
         vec![Slot::Faces(&mut self.faces)]

@@ -15,10 +15,14 @@ pub struct DeleteVertices {
 }
 
 impl Operation for DeleteVertices {
-    const SPEC: Spec =
-        Spec::new(Scope::Elements, "delete-vertices", "Delete vertices", "Delete vertices and the faces around them.")
-            .family(Family::Delete)
-            .fields(&[Field::many("vertices", Element::Vertex, Selected::All, "The vertices to delete")]);
+    const SPEC: Spec = Spec::new(
+        Scope::Elements,
+        "delete-vertices",
+        "Delete vertices",
+        "Delete vertices and the faces around them.",
+    )
+    .family(Family::Delete)
+    .fields(&[Field::many("vertices", Element::Vertex, Selected::All, "The vertices to delete")]);
 
     fn elements(&mut self) -> Vec<Slot<'_>> {
         vec![Slot::Vertices(&mut self.vertices)]

@@ -2,7 +2,7 @@
 
 use crate::error::Problem;
 use crate::ops::refs::one;
-use crate::ops::{Action, Family, Field, LocalEdit, Operation, Scope, Selected, Slot, Spec, EdgeRef};
+use crate::ops::{Action, EdgeRef, Family, Field, LocalEdit, Operation, Scope, Selected, Slot, Spec};
 use halfedge::{Element, Mesh, edit};
 use serde::{Deserialize, Serialize};
 
@@ -15,10 +15,14 @@ pub struct DissolveEdge {
 }
 
 impl Operation for DissolveEdge {
-    const SPEC: Spec =
-        Spec::new(Scope::Elements, "dissolve-edge", "Dissolve edge", "Remove an edge and merge its two faces into one polygon.")
-            .family(Family::Delete)
-            .fields(&[Field::one("edge", Element::Edge, Selected::Each, "The edge to dissolve")]);
+    const SPEC: Spec = Spec::new(
+        Scope::Elements,
+        "dissolve-edge",
+        "Dissolve edge",
+        "Remove an edge and merge its two faces into one polygon.",
+    )
+    .family(Family::Delete)
+    .fields(&[Field::one("edge", Element::Edge, Selected::Each, "The edge to dissolve")]);
 
     fn elements(&mut self) -> Vec<Slot<'_>> {
         vec![Slot::Edge(&mut self.edge)]

@@ -15,9 +15,13 @@ pub struct DissolveVertex {
 }
 
 impl Operation for DissolveVertex {
-    const SPEC: Spec =
-        Spec::new(Scope::Elements, "dissolve-vertex", "Dissolve vertex", "Remove a vertex and merge the faces around it into one polygon.")
-            .fields(&[Field::one("vertex", Element::Vertex, Selected::Each, "The vertex to dissolve")]);
+    const SPEC: Spec = Spec::new(
+        Scope::Elements,
+        "dissolve-vertex",
+        "Dissolve vertex",
+        "Remove a vertex and merge the faces around it into one polygon.",
+    )
+    .fields(&[Field::one("vertex", Element::Vertex, Selected::Each, "The vertex to dissolve")]);
 
     fn elements(&mut self) -> Vec<Slot<'_>> {
         vec![Slot::Vertex(&mut self.vertex)]

@@ -26,8 +26,12 @@ impl Operation for ExtrudeEdges {
             .family(Family::Extrude)
             .fields(&[
                 Field::many("edges", Element::Edge, Selected::All, "The boundary edges to extrude"),
-                Field::required("offset", FieldKind::Vector, "From the edges to the far sides, in mesh units")
-                    .drag(Drag::Offset),
+                Field::required(
+                    "offset",
+                    FieldKind::Vector,
+                    "From the edges to the far sides, in mesh units",
+                )
+                .drag(Drag::Offset),
             ]);
 
     fn elements(&mut self) -> Vec<Slot<'_>> {

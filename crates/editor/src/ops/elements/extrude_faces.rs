@@ -3,7 +3,9 @@
 use super::sized::{Mode, set_size};
 use crate::error::Problem;
 use crate::ops::refs::{all, corner_count};
-use crate::ops::{Action, Drag, Family, Field, LocalEdit, Operation, Scope, Selected, Slot, Spec, Unit, FaceRef};
+use crate::ops::{
+    Action, Drag, FaceRef, Family, Field, LocalEdit, Operation, Scope, Selected, Slot, Spec, Unit,
+};
 use halfedge::{Element, Mesh, edit};
 use serde::{Deserialize, Serialize};
 
@@ -21,15 +23,25 @@ pub struct ExtrudeFaces {
 }
 
 impl Operation for ExtrudeFaces {
-    const SPEC: Spec =
-        Spec::new(Scope::Elements, "extrude-faces", "Extrude faces", "Move faces outward and build walls behind them.")
-            .keys(&["E"])
-            .family(Family::Extrude)
-            .fields(&[
-                Field::many("faces", Element::Face, Selected::All, "The faces to extrude"),
-                Field::number("distance", Unit::Length, [f32::MIN as f64, f32::MAX as f64], "How far outward, in mesh units").drag(Drag::Distance),
-                Mode::field("mode", "Whether faces that share an edge stay together"),
-            ]);
+    const SPEC: Spec = Spec::new(
+        Scope::Elements,
+        "extrude-faces",
+        "Extrude faces",
+        "Move faces outward and build walls behind them.",
+    )
+    .keys(&["E"])
+    .family(Family::Extrude)
+    .fields(&[
+        Field::many("faces", Element::Face, Selected::All, "The faces to extrude"),
+        Field::number(
+            "distance",
+            Unit::Length,
+            [f32::MIN as f64, f32::MAX as f64],
+            "How far outward, in mesh units",
+        )
+        .drag(Drag::Distance),
+        Mode::field("mode", "Whether faces that share an edge stay together"),
+    ]);
 
     fn elements(&mut self) -> Vec<Slot<'_>> {
         vec![Slot::Faces(&mut self.faces)]

@@ -16,9 +16,13 @@ pub struct FillHole {
 
 impl Operation for FillHole {
     const SPEC: Spec =
-        Spec::new(Scope::Elements, "fill-hole", "Fill hole", "Close a boundary loop with one polygon.").fields(
-            &[Field::one("halfedge", Element::Halfedge, Selected::Each, "A half-edge of the boundary loop")],
-        );
+        Spec::new(Scope::Elements, "fill-hole", "Fill hole", "Close a boundary loop with one polygon.")
+            .fields(&[Field::one(
+                "halfedge",
+                Element::Halfedge,
+                Selected::Each,
+                "A half-edge of the boundary loop",
+            )]);
 
     fn elements(&mut self) -> Vec<Slot<'_>> {
         vec![Slot::Halfedge(&mut self.halfedge)]

@@ -2,7 +2,7 @@
 
 use crate::error::Problem;
 use crate::ops::refs::one;
-use crate::ops::{Action, Field, LocalEdit, Operation, Scope, Selected, Slot, Spec, EdgeRef};
+use crate::ops::{Action, EdgeRef, Field, LocalEdit, Operation, Scope, Selected, Slot, Spec};
 use halfedge::{Element, Mesh, edit};
 use serde::{Deserialize, Serialize};
 
@@ -15,10 +15,14 @@ pub struct FlipEdge {
 }
 
 impl Operation for FlipEdge {
-    const SPEC: Spec =
-        Spec::new(Scope::Elements, "flip-edge", "Flip edge", "Turn an edge one step counter-clockwise within its two faces.")
-            .keys(&["F"])
-            .fields(&[Field::one("edge", Element::Edge, Selected::Each, "The edge to flip")]);
+    const SPEC: Spec = Spec::new(
+        Scope::Elements,
+        "flip-edge",
+        "Flip edge",
+        "Turn an edge one step counter-clockwise within its two faces.",
+    )
+    .keys(&["F"])
+    .fields(&[Field::one("edge", Element::Edge, Selected::Each, "The edge to flip")]);
 
     fn elements(&mut self) -> Vec<Slot<'_>> {
         vec![Slot::Edge(&mut self.edge)]

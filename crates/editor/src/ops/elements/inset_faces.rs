@@ -3,7 +3,7 @@
 use super::sized::{Mode, not_negative, set_size};
 use crate::error::Problem;
 use crate::ops::refs::{all, corner_count};
-use crate::ops::{Action, Drag, Field, LocalEdit, Operation, Scope, Selected, Slot, Spec, Unit, FaceRef};
+use crate::ops::{Action, Drag, FaceRef, Field, LocalEdit, Operation, Scope, Selected, Slot, Spec, Unit};
 use halfedge::{Element, Mesh, edit};
 use serde::{Deserialize, Serialize};
 
@@ -21,14 +21,19 @@ pub struct InsetFaces {
 }
 
 impl Operation for InsetFaces {
-    const SPEC: Spec =
-        Spec::new(Scope::Elements, "inset-faces", "Inset faces", "Add a ring of quads inside the outline of faces.")
-            .keys(&["Shift+I"])
-            .fields(&[
-                Field::many("faces", Element::Face, Selected::All, "The faces to inset"),
-                Field::number("amount", Unit::Length, [0.0, f32::MAX as f64], "How wide the ring is, in mesh units").drag(Drag::Width),
-                Mode::field("mode", "Whether faces that share an edge stay together"),
-            ]);
+    const SPEC: Spec = Spec::new(
+        Scope::Elements,
+        "inset-faces",
+        "Inset faces",
+        "Add a ring of quads inside the outline of faces.",
+    )
+    .keys(&["Shift+I"])
+    .fields(&[
+        Field::many("faces", Element::Face, Selected::All, "The faces to inset"),
+        Field::number("amount", Unit::Length, [0.0, f32::MAX as f64], "How wide the ring is, in mesh units")
+            .drag(Drag::Width),
+        Mode::field("mode", "Whether faces that share an edge stay together"),
+    ]);
 
     fn elements(&mut self) -> Vec<Slot<'_>> {
         vec![Slot::Faces(&mut self.faces)]

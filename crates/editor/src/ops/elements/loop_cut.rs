@@ -22,8 +22,8 @@ pub struct LoopCut {
 
 impl Operation for LoopCut {
     const SPEC: Spec =
-        Spec::new(Scope::Elements, "loop-cut", "Loop cut", "Cut the ring of quads that crosses an edge.").fields(
-            &[
+        Spec::new(Scope::Elements, "loop-cut", "Loop cut", "Cut the ring of quads that crosses an edge.")
+            .fields(&[
                 Field::one("edge", Element::Edge, Selected::Only, "An edge that the ring crosses"),
                 Field::count("cuts", [1, 1000], "How many cuts").or(Default::Integer(1)),
                 Field::number(
@@ -34,8 +34,7 @@ impl Operation for LoopCut {
                 )
                 .labelled("Position (0 to 1)")
                 .or(Default::Number(0.5)),
-            ],
-        );
+            ]);
 
     fn elements(&mut self) -> Vec<Slot<'_>> {
         vec![Slot::Edge(&mut self.edge)]

@@ -19,13 +19,12 @@ pub struct MergeVertices {
 
 impl Operation for MergeVertices {
     const SPEC: Spec =
-        Spec::new(Scope::Elements, "merge-vertices", "Merge vertices", "Merge several vertices into one.").fields(
-            &[
+        Spec::new(Scope::Elements, "merge-vertices", "Merge vertices", "Merge several vertices into one.")
+            .fields(&[
                 Field::many("vertices", Element::Vertex, Selected::Vertices, "The vertices to merge"),
                 Field::required("position", FieldKind::Vector, "Where the vertex goes")
                     .unset("the centre of the vertices"),
-            ],
-        );
+            ]);
 
     fn elements(&mut self) -> Vec<Slot<'_>> {
         vec![Slot::Vertices(&mut self.vertices)]

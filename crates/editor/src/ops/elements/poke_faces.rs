@@ -2,7 +2,7 @@
 
 use crate::error::Problem;
 use crate::ops::refs::{all, corner_count};
-use crate::ops::{Action, Field, LocalEdit, Operation, Scope, Selected, Slot, Spec, FaceRef};
+use crate::ops::{Action, FaceRef, Field, LocalEdit, Operation, Scope, Selected, Slot, Spec};
 use halfedge::{Element, Mesh, edit};
 use serde::{Deserialize, Serialize};
 
@@ -15,9 +15,13 @@ pub struct PokeFaces {
 }
 
 impl Operation for PokeFaces {
-    const SPEC: Spec =
-        Spec::new(Scope::Elements, "poke-faces", "Poke faces", "Add a vertex at the centre of each face and join it to every corner.")
-            .fields(&[Field::many("faces", Element::Face, Selected::All, "The faces to poke")]);
+    const SPEC: Spec = Spec::new(
+        Scope::Elements,
+        "poke-faces",
+        "Poke faces",
+        "Add a vertex at the centre of each face and join it to every corner.",
+    )
+    .fields(&[Field::many("faces", Element::Face, Selected::All, "The faces to poke")]);
 
     fn elements(&mut self) -> Vec<Slot<'_>> {
         vec![Slot::Faces(&mut self.faces)]

@@ -2,7 +2,7 @@
 
 use crate::error::Problem;
 use crate::ops::refs::{all, count};
-use crate::ops::{Action, Field, LocalEdit, Operation, Scope, Selected, Slot, Spec, EdgeRef};
+use crate::ops::{Action, EdgeRef, Field, LocalEdit, Operation, Scope, Selected, Slot, Spec};
 use halfedge::{Element, Mesh, edit};
 use serde::{Deserialize, Serialize};
 
@@ -15,9 +15,13 @@ pub struct RipEdges {
 }
 
 impl Operation for RipEdges {
-    const SPEC: Spec =
-        Spec::new(Scope::Elements, "rip-edges", "Rip edges", "Make edges boundary: the faces on either side come apart.")
-            .fields(&[Field::many("edges", Element::Edge, Selected::All, "The edges to rip")]);
+    const SPEC: Spec = Spec::new(
+        Scope::Elements,
+        "rip-edges",
+        "Rip edges",
+        "Make edges boundary: the faces on either side come apart.",
+    )
+    .fields(&[Field::many("edges", Element::Edge, Selected::All, "The edges to rip")]);
 
     fn elements(&mut self) -> Vec<Slot<'_>> {
         vec![Slot::Edges(&mut self.edges)]

@@ -19,12 +19,11 @@ pub struct SetVertexPosition {
 
 impl Operation for SetVertexPosition {
     const SPEC: Spec =
-        Spec::new(Scope::Elements, "set-vertex-position", "Move vertex", "Move a vertex to a position.").fields(
-            &[
+        Spec::new(Scope::Elements, "set-vertex-position", "Move vertex", "Move a vertex to a position.")
+            .fields(&[
                 Field::one("vertex", Element::Vertex, Selected::Only, "The vertex to move"),
                 Field::required("position", FieldKind::Vector, "Where it goes, in mesh units"),
-            ],
-        );
+            ]);
 
     fn elements(&mut self) -> Vec<Slot<'_>> {
         vec![Slot::Vertex(&mut self.vertex)]

@@ -35,14 +35,18 @@ impl SplitVertex {
 const VERTEX: FieldKind = FieldKind::Elements { element: Element::Vertex, arity: Arity::One };
 
 impl Operation for SplitVertex {
-    const SPEC: Spec =
-        Spec::new(Scope::Elements, "split-vertex", "Split vertex", "Split a vertex into two, joined by an edge.")
-            .fields(&[
-                Field::required("vertex", VERTEX, "The vertex to split").optional("where the two edges meet"),
-                Field::two("edges", Element::Edge, "Two of its edges"),
-                Field::required("positions", FieldKind::VectorPair, "Where the two vertices go")
-                    .unset("a little apart"),
-            ]);
+    const SPEC: Spec = Spec::new(
+        Scope::Elements,
+        "split-vertex",
+        "Split vertex",
+        "Split a vertex into two, joined by an edge.",
+    )
+    .fields(&[
+        Field::required("vertex", VERTEX, "The vertex to split").optional("where the two edges meet"),
+        Field::two("edges", Element::Edge, "Two of its edges"),
+        Field::required("positions", FieldKind::VectorPair, "Where the two vertices go")
+            .unset("a little apart"),
+    ]);
 
     fn elements(&mut self) -> Vec<Slot<'_>> {
         vec![Slot::Vertex(&mut self.vertex), Slot::TwoEdges(&mut self.edges)]

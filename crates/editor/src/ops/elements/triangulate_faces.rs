@@ -4,6 +4,7 @@ use crate::error::Problem;
 use crate::ops::field::choice;
 use crate::ops::refs::{corner_count, faces_or_every};
 use crate::ops::{Action, FaceRef, Field, LocalEdit, Operation, Scope, Selected, Slot, Spec};
+use halfedge::edit::Triangulation;
 use halfedge::{Element, FaceId, Mesh, Refusal, edit};
 use serde::{Deserialize, Serialize};
 
@@ -20,10 +21,22 @@ pub struct TriangulateFaces {
 choice! {
     /// How a polygon is cut into triangles.
     pub enum Method {
+        /// A fan from the face's first corner where that is right, else ears.
+        Auto = "auto" "Automatic",
         /// A fan from the face's first corner.
         Fan = "fan" "Fan",
         /// By cutting off ears: right on concave faces too.
         Ear = "ear" "Ears",
+    }
+}
+
+impl From<Method> for Triangulation {
+    fn from(method: Method) -> Self {
+        match method {
+            Method::Auto => Self::Auto,
+            Method::Fan => Self::Fan,
+            Method::Ear => Self::Ears,
+        }
     }
 }
 
@@ -37,7 +50,10 @@ impl Operation for TriangulateFaces {
     .keys(&["Shift+T"])
     .fields(&[
         Field::many("faces", Element::Face, Selected::AllOrEvery, "The faces to cut"),
-        Method::field("method", "A fan from the first corner, or ears, which are right on concave faces too"),
+        Method::field(
+            "method",
+            "A fan from the first corner where that is right, else ears; or always one of them",
+        ),
     ]);
 
     fn elements(&mut self) -> Vec<Slot<'_>> {
@@ -52,21 +68,16 @@ impl Operation for TriangulateFaces {
 impl LocalEdit for TriangulateFaces {
     fn can(&self, mesh: &Mesh) -> Result<(), Problem> {
         faces_or_every(&self.faces, mesh)?.into_iter().try_for_each(|face| {
-            let result = match self.method {
-                Method::Fan => edit::can_triangulate_face(mesh, face),
-                Method::Ear => edit::can_triangulate_face_ears(mesh, face),
-            };
-            result.map_err(|refusal| refused(face, &refusal))
+            edit::can_triangulate_face(mesh, face, self.method.into())
+                .map_err(|refusal| refused(face, &refusal))
         })
     }
 
     fn edit(&self, mesh: &mut Mesh, _notes: &mut Vec<String>) -> Result<(), Problem> {
         faces_or_every(&self.faces, mesh)?.into_iter().try_for_each(|face| {
-            let result = match self.method {
-                Method::Fan => edit::triangulate_face(mesh, face),
-                Method::Ear => edit::triangulate_face_ears(mesh, face),
-            };
-            result.map(drop).map_err(|refusal| refused(face, &refusal))
+            edit::triangulate_face(mesh, face, self.method.into())
+                .map(drop)
+                .map_err(|refusal| refused(face, &refusal))
         })
     }
 

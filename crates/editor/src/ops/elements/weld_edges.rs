@@ -2,7 +2,7 @@
 
 use crate::error::Problem;
 use crate::ops::refs::two;
-use crate::ops::{Action, Field, LocalEdit, Operation, Scope, Slot, Spec, EdgeRef};
+use crate::ops::{Action, EdgeRef, Field, LocalEdit, Operation, Scope, Slot, Spec};
 use halfedge::{Element, Mesh, edit};
 use serde::{Deserialize, Serialize};
 

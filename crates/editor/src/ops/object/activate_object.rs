@@ -11,8 +11,12 @@ use serde::{Deserialize, Serialize};
 pub struct ActivateObject {}
 
 impl Operation for ActivateObject {
-    const SPEC: Spec =
-        Spec::new(Scope::Document, "activate-object", "Activate object", "Make an object the one that lists, selection and commands are about.");
+    const SPEC: Spec = Spec::new(
+        Scope::Document,
+        "activate-object",
+        "Activate object",
+        "Make an object the one that lists, selection and commands are about.",
+    );
 
     fn action(&self) -> Action<'_> {
         Action::Document(self)

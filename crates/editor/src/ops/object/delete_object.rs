@@ -11,8 +11,7 @@ use serde::{Deserialize, Serialize};
 pub struct DeleteObject {}
 
 impl Operation for DeleteObject {
-    const SPEC: Spec =
-        Spec::new(Scope::Document, "delete-object", "Delete object", "Delete an object.");
+    const SPEC: Spec = Spec::new(Scope::Document, "delete-object", "Delete object", "Delete an object.");
 
     fn action(&self) -> Action<'_> {
         Action::Document(self)

@@ -2,8 +2,8 @@
 
 use crate::document::{Object, ObjectId};
 use crate::error::Problem;
-use crate::pieces;
 use crate::ops::{Action, Commit, Field, FieldKind, Input, Operation, Output, Place, Scope, Spec, WholeMesh};
+use crate::pieces;
 use halfedge::Progress;
 use serde::{Deserialize, Serialize};
 
@@ -16,9 +16,13 @@ pub struct JoinObjects {
 }
 
 impl Operation for JoinObjects {
-    const SPEC: Spec =
-        Spec::new(Scope::Meshes, "join-objects", "Join objects", "Join several objects into one; no vertices are merged.")
-            .fields(&[Field::required("objects", FieldKind::Objects, "The objects to join").optional("all objects")]);
+    const SPEC: Spec = Spec::new(
+        Scope::Meshes,
+        "join-objects",
+        "Join objects",
+        "Join several objects into one; no vertices are merged.",
+    )
+    .fields(&[Field::required("objects", FieldKind::Objects, "The objects to join").optional("all objects")]);
 
     fn action(&self) -> Action<'_> {
         Action::WholeMesh(self)

@@ -21,24 +21,28 @@ pub struct New {
 }
 
 impl Operation for New {
-    const SPEC: Spec =
-        Spec::new(Scope::Meshes, "new", "New", "Start a new document with a shape, or add the shape to this one.")
-            .fields(&[
-                Field::required("shape", FieldKind::Shape, "Which shape"),
-                Field::required("add", FieldKind::Flag, "Add it to this document instead of starting a new one")
-                    .labelled("Add to this document")
-                    .or(Default::Flag(false)),
-                size("size", "The length of its sides"),
-                size("radius", "How far it goes from its centre or axis"),
-                size("tube_radius", "The radius of a torus's tube"),
-                size("height", "How high it is"),
-                size("segments", "How many faces there are around it"),
-                size("tube_segments", "How many faces there are around a tube"),
-                size("rings", "How many rows of faces there are"),
-                size("subdivisions", "How often an icosahedron is subdivided"),
-                size("columns", "How many faces there are in a row"),
-                size("rows", "How many rows of faces there are"),
-            ]);
+    const SPEC: Spec = Spec::new(
+        Scope::Meshes,
+        "new",
+        "New",
+        "Start a new document with a shape, or add the shape to this one.",
+    )
+    .fields(&[
+        Field::required("shape", FieldKind::Shape, "Which shape"),
+        Field::required("add", FieldKind::Flag, "Add it to this document instead of starting a new one")
+            .labelled("Add to this document")
+            .or(Default::Flag(false)),
+        size("size", "The length of its sides"),
+        size("radius", "How far it goes from its centre or axis"),
+        size("tube_radius", "The radius of a torus's tube"),
+        size("height", "How high it is"),
+        size("segments", "How many faces there are around it"),
+        size("tube_segments", "How many faces there are around a tube"),
+        size("rings", "How many rows of faces there are"),
+        size("subdivisions", "How often an icosahedron is subdivided"),
+        size("columns", "How many faces there are in a row"),
+        size("rows", "How many rows of faces there are"),
+    ]);
 
     fn action(&self) -> Action<'_> {
         Action::WholeMesh(self)
@@ -73,7 +77,8 @@ impl Fields for New {
             if shape.get(&field).is_none() {
                 let known: Vec<String> = shape.fields().iter().map(|f| format!("`{}`", f.name)).collect();
                 let known = known.join(", ");
-                let text = format!("is not a field of the shape `{}`; it has `shape`, `add`, {known}", shape.name());
+                let text =
+                    format!("is not a field of the shape `{}`; it has `shape`, `add`, {known}", shape.name());
                 return Err(Problem::field(field, text));
             }
             let number =

@@ -29,7 +29,10 @@ impl DocumentEdit for RenameObject {
         let name = self.name.trim();
         // Files name objects on a line of their own.
         if name.is_empty() || name.chars().any(char::is_control) {
-            return Err(Problem::field("name", "a name needs at least one character, and no control characters"));
+            return Err(Problem::field(
+                "name",
+                "a name needs at least one character, and no control characters",
+            ));
         }
         let renamed = (name != object.name()).then(|| Change::Name(object.id(), name.to_owned()));
         Ok(renamed.into_iter().collect())

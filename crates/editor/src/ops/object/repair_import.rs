@@ -1,7 +1,10 @@
 //! `repair-import`: build the mesh again from the faces of its file.
 
 use crate::error::Problem;
-use crate::ops::{Action, Choice, Default, Field, FieldKind, Input, Operation, Output, Scope, Spec, Unit, WholeMesh, refuse_bezier};
+use crate::ops::{
+    Action, Choice, Default, Field, FieldKind, Input, Operation, Output, Scope, Spec, Unit, WholeMesh,
+    refuse_bezier,
+};
 use formats::{NonManifold, Repairs};
 use halfedge::Progress;
 use serde::{Deserialize, Serialize};
@@ -24,13 +27,31 @@ const NON_MANIFOLD: &[Choice] =
     &[Choice { name: "separate", label: "Separate" }, Choice { name: "drop", label: "Drop" }];
 
 impl Operation for RepairImport {
-    const SPEC: Spec =
-        Spec::new(Scope::Meshes, "repair-import", "Repair import", "Build the mesh again from the faces of its file, with other repairs; edits made since are lost.")
-            .fields(&[
-                Field::required("non_manifold", FieldKind::Choice(NON_MANIFOLD), "Faces at edges where more than two meet: separate them all, or keep only the first two").labelled("Non-manifold edges").or(Default::Choice("separate")),
-                Field::number("merge_by_distance", Unit::Length, [0.0, f32::MAX as f64], "Merge vertices this near to each other, in mesh units").unset("none"),
-                Field::required("orient", FieldKind::Flag, "Orient faces consistently").labelled("Re-orient faces").or(Default::Flag(true)),
-            ]);
+    const SPEC: Spec = Spec::new(
+        Scope::Meshes,
+        "repair-import",
+        "Repair import",
+        "Build the mesh again from the faces of its file, with other repairs; edits made since are lost.",
+    )
+    .fields(&[
+        Field::required(
+            "non_manifold",
+            FieldKind::Choice(NON_MANIFOLD),
+            "Faces at edges where more than two meet: separate them all, or keep only the first two",
+        )
+        .labelled("Non-manifold edges")
+        .or(Default::Choice("separate")),
+        Field::number(
+            "merge_by_distance",
+            Unit::Length,
+            [0.0, f32::MAX as f64],
+            "Merge vertices this near to each other, in mesh units",
+        )
+        .unset("none"),
+        Field::required("orient", FieldKind::Flag, "Orient faces consistently")
+            .labelled("Re-orient faces")
+            .or(Default::Flag(true)),
+    ]);
 
     fn action(&self) -> Action<'_> {
         Action::WholeMesh(self)

@@ -3,8 +3,11 @@
 use crate::error::Problem;
 use crate::ops::field::choice;
 use crate::ops::refs::all;
+use crate::ops::{
+    Action, FaceRef, Field, FieldKind, Input, Operation, Output, Scope, Selected, Slot, Spec, Target,
+    WholeMesh,
+};
 use crate::pieces;
-use crate::ops::{Action, FaceRef, Field, FieldKind, Input, Operation, Output, Scope, Selected, Slot, Spec, Target, WholeMesh};
 use halfedge::{Element, FaceId, Mesh, NONE, Progress, keys};
 use serde::{Deserialize, Serialize};
 use std::collections::HashMap;
@@ -35,12 +38,18 @@ choice! {
 const MAX_PARTS: usize = 1000;
 
 impl Operation for Separate {
-    const SPEC: Spec =
-        Spec::new(Scope::Meshes, "separate", "Separate", "Split an object into several: its connected pieces, its face groups, or some faces and the rest.")
-            .fields(&[
-                Field::required("by", FieldKind::Choice(By::CHOICES), "What makes a part").labelled("Separate by").unset("the given faces, or connected pieces"),
-                Field::many("faces", Element::Face, Selected::All, "The faces that become an object"),
-            ]);
+    const SPEC: Spec = Spec::new(
+        Scope::Meshes,
+        "separate",
+        "Separate",
+        "Split an object into several: its connected pieces, its face groups, or some faces and the rest.",
+    )
+    .fields(&[
+        Field::required("by", FieldKind::Choice(By::CHOICES), "What makes a part")
+            .labelled("Separate by")
+            .unset("the given faces, or connected pieces"),
+        Field::many("faces", Element::Face, Selected::All, "The faces that become an object"),
+    ]);
 
     fn elements(&mut self) -> Vec<Slot<'_>> {
         vec![Slot::Faces(&mut self.faces)]

@@ -14,9 +14,13 @@ pub struct SetObjectVisible {
 }
 
 impl Operation for SetObjectVisible {
-    const SPEC: Spec =
-        Spec::new(Scope::Document, "set-object-visible", "Show or hide object", "Show an object in the viewport or hide it.")
-            .fields(&[Field::required("visible", FieldKind::Flag, "Whether it is shown")]);
+    const SPEC: Spec = Spec::new(
+        Scope::Document,
+        "set-object-visible",
+        "Show or hide object",
+        "Show an object in the viewport or hide it.",
+    )
+    .fields(&[Field::required("visible", FieldKind::Flag, "Whether it is shown")]);
 
     fn action(&self) -> Action<'_> {
         Action::Document(self)

@@ -3,9 +3,7 @@
 use super::each_mesh::EachMesh;
 use crate::error::Problem;
 use crate::json::shortest;
-use crate::ops::{
-    Action, Amount, Counted, Estimate, Facts, Field, Operation, Scope, Spec, Suggestion, Unit,
-};
+use crate::ops::{Action, Amount, Counted, Estimate, Facts, Field, Operation, Scope, Spec, Suggestion, Unit};
 use halfedge::{Mesh, Progress};
 use serde::{Deserialize, Serialize};
 

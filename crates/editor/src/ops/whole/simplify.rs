@@ -59,7 +59,6 @@ impl Operation for Simplify {
     .fields(&[
         Field::number("ratio", Unit::ShareOfTriangles, [0.0001, 1.0], "To this share of the triangles")
             .alternative(TITLE)
-            .labelled("Share")
             .suggest(Suggestion::Number(0.5)),
         Field::required(
             "faces",
@@ -67,7 +66,6 @@ impl Operation for Simplify {
             "To this many triangles",
         )
         .alternative(TITLE)
-        .labelled("Triangles")
         .suggest(Suggestion::OfTriangles(0.5)),
         // A thousandth of the mesh's size, which the eye can't see.
         Field::number(
@@ -77,7 +75,6 @@ impl Operation for Simplify {
             "As far as the surface stays this near to what it was, in mesh units",
         )
         .alternative(TITLE)
-        .labelled("Largest error")
         .suggest(Suggestion::OfDiagonal(1e-3)),
         Field::required("preserve_boundary", FieldKind::Flag, "Keep the shape of the boundary")
             .or(Default::Flag(PRESERVE)),

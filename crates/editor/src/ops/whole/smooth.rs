@@ -4,9 +4,7 @@ use super::each_mesh::{self, EachMesh};
 use crate::error::Problem;
 use crate::json::shortest;
 use crate::ops::field::choice;
-use crate::ops::{
-    Action, Amount, Counted, Default, Estimate, Facts, Field, Operation, Scope, Spec, Unit,
-};
+use crate::ops::{Action, Amount, Counted, Default, Estimate, Facts, Field, Operation, Scope, Spec, Unit};
 use halfedge::{Mesh, Progress};
 use serde::{Deserialize, Serialize};
 
@@ -45,19 +43,19 @@ impl std::default::Default for Smooth {
 }
 
 impl Operation for Smooth {
-    const SPEC: Spec =
-        Spec::new(Scope::Meshes, "smooth", "Smooth", "Move every vertex towards the centre of its neighbours.")
-            .previewed()
-            .fields(&[
-                Field::count("iterations", [1, MAX_ITERATIONS], "How many rounds")
-                    .or(Default::Integer(ITERATIONS)),
-                Field::number("strength", Unit::Fraction, [0.0, 1.0], "How far of the way each time")
-                    .or(Default::Number(STRENGTH as f64)),
-                SmoothMethod::field(
-                    "method",
-                    "Towards the neighbours, or there and back, which keeps the volume",
-                ),
-            ]);
+    const SPEC: Spec = Spec::new(
+        Scope::Meshes,
+        "smooth",
+        "Smooth",
+        "Move every vertex towards the centre of its neighbours.",
+    )
+    .previewed()
+    .fields(&[
+        Field::count("iterations", [1, MAX_ITERATIONS], "How many rounds").or(Default::Integer(ITERATIONS)),
+        Field::number("strength", Unit::Fraction, [0.0, 1.0], "How far of the way each time")
+            .or(Default::Number(STRENGTH as f64)),
+        SmoothMethod::field("method", "Towards the neighbours, or there and back, which keeps the volume"),
+    ]);
 
     fn action(&self) -> Action<'_> {
         Action::WholeMesh(self)

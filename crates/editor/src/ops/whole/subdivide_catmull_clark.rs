@@ -34,11 +34,7 @@ choice! {
 
 impl Default for SubdivideCatmullClark {
     fn default() -> Self {
-        Self {
-            levels: subdivide::LEVELS,
-            boundary: Boundary::default(),
-            vertex_rule: VertexRule::default(),
-        }
+        Self { levels: subdivide::LEVELS, boundary: Boundary::default(), vertex_rule: VertexRule::default() }
     }
 }
 
