@@ -329,7 +329,7 @@ fn repairs_are_chosen_on_the_command_line() {
     assert_eq!(answer["output"]["faces"], 2);
     let cube = write(&folder, "cube.obj", CUBE);
     assert!(
-        fails(&["apply", text(&cube), "--do", drop], 1).contains("nothing was repaired when cube came to be")
+        fails(&["apply", text(&cube), "--do", drop], 1).contains("nothing was repaired when cube was read")
     );
     assert!(
         fails(&["info", text(&fin), "--non-manifold", "keep"], 2).contains("keep is not separate or drop")

@@ -79,11 +79,11 @@ fn simplify_is_told_how_far_in_one_of_three_ways() {
 
     // Another way starts where the last one was.
     page.click("Simplify to");
-    page.click("Faces");
+    page.click("Triangles");
     assert_eq!(promise(&page), "Result: 96 of 320 triangles");
-    page.type_into("Faces", "1000");
+    page.type_into("Triangles", "1000");
     assert_eq!(promise(&page), "Result: 320 of 320 triangles", "there are no more");
-    page.type_into("Faces", "64");
+    page.type_into("Triangles", "64");
     page.apply("Simplify");
     assert_eq!(page.mesh().face_count(), 64);
 
@@ -202,7 +202,7 @@ fn adjusted_job() -> Page {
     page.command(json!({ "op": "simplify", "faces": 5000 }));
     assert_eq!(page.mesh().face_count(), 5000);
     page.outside.hold_jobs();
-    page.type_into("Faces", "4000");
+    page.type_into("Triangles", "4000");
     page
 }
 

@@ -66,6 +66,7 @@ impl Operation for Simplify {
             "To this many triangles",
         )
         .alternative(TITLE)
+        .labelled("Triangles")
         .suggest(Suggestion::OfTriangles(0.5)),
         // A thousandth of the mesh's size, which the eye can't see.
         Field::number(
