@@ -3,9 +3,8 @@
 use crate::bezier::Bezier;
 use formats::Material;
 use glam::DVec3;
-use halfedge::{EdgeId, HalfedgeId, Mesh, NONE, PolygonSoup};
+use halfedge::{Mesh, PolygonSoup};
 use serde::Serialize;
-use std::collections::HashSet;
 use std::fmt;
 use std::sync::Arc;
 
@@ -128,59 +127,6 @@ impl Document {
     }
 }
 
-/// How many boundary loops a mesh has: [`Mesh::boundary_loops`] without the list.
-fn boundary_loops(mesh: &Mesh) -> usize {
-    let mut met = HashSet::new();
-    let mut loops = 0;
-    let sides = mesh.connectivity().face.iter().enumerate().filter(|&(_, &face)| face == NONE);
-    for h in sides.map(|(h, _)| HalfedgeId::new(h)).filter(|&h| mesh.has_halfedge(h)) {
-        if !met.contains(&h) {
-            loops += 1;
-            met.extend(mesh.loop_of(h));
-        }
-    }
-    loops
-}
-
-/// How many connected pieces a mesh has: as many as vertices, less one for each edge that joins two
-/// pieces (R. Tarjan, "Efficiency of a good but not linear set union algorithm", 1975). Edges are
-/// taken in order of id: neighbours in the mesh are near to each other in memory, which a walk
-/// from vertex to vertex does not keep to.
-fn components(mesh: &Mesh) -> usize {
-    let mut parent: Vec<u32> = (0..mesh.vertex_capacity() as u32).collect();
-    let find = |parent: &mut [u32], mut v: u32| loop {
-        let Some(&above) = parent.get(v as usize) else { return v };
-        if above == v {
-            return v;
-        }
-        let top = parent.get(above as usize).copied().unwrap_or(above);
-        if let Some(slot) = parent.get_mut(v as usize) {
-            *slot = top;
-        }
-        v = top;
-    };
-    let mut pieces = mesh.vertex_count();
-    let all = mesh.is_compact();
-    for (e, ends) in mesh.connectivity().to.as_chunks::<2>().0.iter().enumerate() {
-        if !all && !mesh.has_edge(EdgeId::new(e)) {
-            continue;
-        }
-        // Most edges are inside a piece that is known, one step from its smallest vertex.
-        let [a, b] = ends.map(|v| parent.get(v as usize).copied().unwrap_or(v));
-        if a == b {
-            continue;
-        }
-        let [a, b] = [a, b].map(|v| find(&mut parent, v));
-        if a != b {
-            if let Some(slot) = parent.get_mut(a.max(b) as usize) {
-                *slot = a.min(b);
-            }
-            pieces -= 1;
-        }
-    }
-    pieces
-}
-
 /// The numbers of a mesh, or of several meshes together.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]
 pub struct Counts {
@@ -203,10 +149,8 @@ pub struct Counts {
 impl Counts {
     /// Counts a mesh. Costs O(mesh): one pass over its half-edges, in the order they are stored.
     pub fn of(mesh: &Mesh) -> Self {
-        let mut counts = Self::quick(mesh);
-        counts.boundary_loops = boundary_loops(mesh);
-        counts.components = components(mesh);
-        counts
+        let topology = mesh.topology();
+        Self { boundary_loops: topology.boundary_loops, components: topology.components, ..Self::quick(mesh) }
     }
 
     /// What a mesh knows without being walked over: all but the loops and the components, which

@@ -1,16 +1,13 @@
 //! Which elements of the active object are selected.
 
+use halfedge::geometry::BitSet;
 use halfedge::{Element, Mesh};
 
 /// A set of ids of one kind of element, with the one that was selected last.
-///
-/// A bit per id up to the largest one selected: 3 million half-edges take 375 kB, and asking
-/// whether one is in it is O(1).
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Selection {
     kind: Element,
-    words: Vec<u64>,
-    count: usize,
+    set: BitSet,
     latest: Option<u32>,
 }
 
@@ -20,20 +17,10 @@ impl Default for Selection {
     }
 }
 
-impl PartialEq for Selection {
-    fn eq(&self, other: &Self) -> bool {
-        self.kind == other.kind
-            && self.count == other.count
-            && self.latest == other.latest
-            // Words past the end are zeros: with as many ids, the common ones decide.
-            && self.words.iter().zip(&other.words).all(|(a, b)| a == b)
-    }
-}
-
 impl Selection {
     /// A selection of nothing.
     pub fn new(kind: Element) -> Self {
-        Self { kind, words: Vec::new(), count: 0, latest: None }
+        Self { kind, set: BitSet::new(), latest: None }
     }
 
     /// A selection of these ids, the last one the latest.
@@ -52,23 +39,18 @@ impl Selection {
 
     /// How many are selected.
     pub fn len(&self) -> usize {
-        self.count
+        self.set.len()
     }
 
     /// Whether none is selected.
     pub fn is_empty(&self) -> bool {
-        self.count == 0
+        self.set.is_empty()
     }
 
     /// Whether the element of this kind and id is selected.
     #[inline]
     pub fn contains(&self, kind: Element, id: u32) -> bool {
-        self.kind == kind && self.has(id)
-    }
-
-    #[inline]
-    fn has(&self, id: u32) -> bool {
-        self.words.get(id as usize / 64).is_some_and(|word| word >> (id % 64) & 1 == 1)
+        self.kind == kind && self.set.contains(id as usize)
     }
 
     /// The one that was selected last, if it still is.
@@ -78,77 +60,36 @@ impl Selection {
 
     /// The ids in ascending order.
     pub fn ids(&self) -> impl Iterator<Item = u32> + '_ {
-        self.words.iter().enumerate().flat_map(|(at, &word)| {
-            let mut left = word;
-            std::iter::from_fn(move || {
-                if left == 0 {
-                    return None;
-                }
-                let bit = left.trailing_zeros();
-                left &= left - 1;
-                Some(at as u32 * 64 + bit)
-            })
-        })
+        self.set.iter().map(|id| id as u32)
     }
 
     /// How many selected ids are smaller than this one: the row of an id in a list that shows the
     /// selection alone. Costs O(id / 64).
     pub fn rank(&self, id: u32) -> usize {
-        let whole = self.words.iter().take(id as usize / 64).map(|w| w.count_ones() as usize).sum::<usize>();
-        let part = self.words.get(id as usize / 64).map_or(0, |w| (w & ((1 << (id % 64)) - 1)).count_ones());
-        whole + part as usize
+        self.set.rank(id as usize)
     }
 
     /// The selected id at this place in ascending order: the inverse of [`Selection::rank`].
     /// Costs O(largest id / 64).
     pub fn nth(&self, row: usize) -> Option<u32> {
-        let mut left = row;
-        for (at, &word) in self.words.iter().enumerate() {
-            let here = word.count_ones() as usize;
-            if left < here {
-                let mut word = word;
-                for _ in 0..left {
-                    word &= word - 1;
-                }
-                return Some(at as u32 * 64 + word.trailing_zeros());
-            }
-            left -= here;
-        }
-        None
+        self.set.nth(row).map(|id| id as u32)
     }
 
     /// Heap bytes in use.
     pub fn bytes(&self) -> usize {
-        self.words.len() * 8
+        self.set.bytes()
     }
 
     pub(crate) fn insert(&mut self, id: u32) {
-        let at = id as usize / 64;
-        if self.words.len() <= at {
-            self.words.resize(at + 1, 0);
-        }
-        if !self.has(id) {
-            self.words[at] |= 1 << (id % 64);
-            self.count += 1;
-        }
+        self.set.insert(id as usize);
         self.latest = Some(id);
     }
 
     /// Takes an id out; the latest one is then the largest that is left.
     pub(crate) fn remove(&mut self, id: u32) {
-        if !self.has(id) {
-            return;
+        if self.set.remove(id as usize) && self.latest == Some(id) {
+            self.latest = self.set.largest().map(|id| id as u32);
         }
-        self.words[id as usize / 64] &= !(1 << (id % 64));
-        self.count -= 1;
-        if self.latest == Some(id) {
-            self.latest = self.largest();
-        }
-    }
-
-    fn largest(&self) -> Option<u32> {
-        let at = self.words.iter().rposition(|&word| word != 0)?;
-        Some(at as u32 * 64 + 63 - self.words.get(at)?.leading_zeros())
     }
 
     /// Whether any id is no longer there in the mesh.

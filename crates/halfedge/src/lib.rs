@@ -48,7 +48,8 @@ pub use edit::Refusal;
 pub use mesh::attribute::{self, Color, keys};
 pub use mesh::{
     AddFaceError, Built, Connectivity, Defect, EdgeId, Element, FaceId, Gaps, GivenIds, HalfedgeId, Journal,
-    Mesh, NONE, Note, NoteKind, PolygonSoup, RawMesh, Renumbering, Rule, TooLarge, Touched, VertexId,
+    Mesh, NONE, Note, NoteKind, PolygonSoup, RawMesh, Renumbering, Rule, TooLarge, Topology, TopologyCounter,
+    Touched, VertexId,
 };
 
 /// Told how much of a long operation is done (0 to 1), answers whether to go on. `Break` makes the

@@ -1,7 +1,11 @@
 //! Geometry that several parts share: each piece is written once.
 
 mod area_vector;
+mod bit_set;
 mod triangulate;
+mod union_find;
 
 pub use area_vector::{face_area_vector, linked_area_vector, polygon_area_vector};
+pub use bit_set::BitSet;
 pub use triangulate::PolygonTriangulator;
+pub use union_find::UnionFind;

@@ -5,9 +5,10 @@
 //! first sign of anything else (an edge used twice in one direction, a corner that repeats) the
 //! build starts over through [`repair`], which turns any soup into one that is.
 
+use crate::geometry::BitSet;
 use crate::mesh::repair::{self, Note, NoteKind};
 use crate::mesh::soup::PolygonSoup;
-use crate::mesh::{Marks, Mesh, RawMesh};
+use crate::mesh::{Mesh, RawMesh};
 use crate::{Element, NONE};
 use glam::Vec3;
 use std::fmt;
@@ -137,7 +138,7 @@ impl Assembly {
 
     /// For each vertex a half-edge that leaves it, a boundary one of its first fan if there is one;
     /// and the vertices with further fans.
-    fn first_fans(&self, vertices: usize) -> (Vec<u32>, Marks) {
+    fn first_fans(&self, vertices: usize) -> (Vec<u32>, BitSet) {
         let mut halfedge = vec![NONE; vertices];
         let mut leaving = vec![0u32; vertices];
         for (edge, ends) in self.to.as_chunks::<2>().0.iter().enumerate() {
@@ -148,7 +149,7 @@ impl Assembly {
                 }
             }
         }
-        let mut several = Marks::default();
+        let mut several = BitSet::default();
         for (v, first) in halfedge.iter_mut().enumerate() {
             let start = *first;
             if start == NONE {
@@ -167,7 +168,7 @@ impl Assembly {
                 }
             }
             if met < leaving[v] {
-                several.set(v, true);
+                several.insert(v);
             }
         }
         (halfedge, several)
@@ -177,25 +178,25 @@ impl Assembly {
     /// first half-edges; returns the vertex that each copy is of.
     fn separate_fans(
         &mut self,
-        several: &Marks,
+        several: &BitSet,
         positions: &mut Vec<Vec3>,
         vertex_halfedge: &mut Vec<u32>,
     ) -> Vec<u32> {
         let mut split = Vec::new();
-        if several.count() == 0 {
+        if several.is_empty() {
             return split;
         }
-        let mut seen = Marks::default();
-        let mut has_first = Marks::default();
+        let mut seen = BitSet::default();
+        let mut has_first = BitSet::default();
         for h in 0..self.to.len() as u32 {
             let v = self.to[h as usize ^ 1];
-            if seen.get(h as usize) || !several.get(v as usize) {
+            if seen.contains(h as usize) || !several.contains(v as usize) {
                 continue;
             }
             let mut first = h;
             let mut out = h;
             loop {
-                seen.set(out as usize, true);
+                seen.insert(out as usize);
                 if self.face[out as usize] == NONE {
                     first = out;
                 }
@@ -204,8 +205,8 @@ impl Assembly {
                     break;
                 }
             }
-            if !has_first.get(v as usize) {
-                has_first.set(v as usize, true);
+            if !has_first.contains(v as usize) {
+                has_first.insert(v as usize);
                 continue;
             }
             let copy = positions.len() as u32;

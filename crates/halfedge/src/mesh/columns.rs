@@ -1,6 +1,7 @@
 //! The mesh: flat columns of connectivity, positions and attributes.
 
 use crate::attribute::{AttributeType, Column, Columns, Key, Value};
+use crate::geometry::BitSet;
 use crate::mesh::journal::{Change, ColumnPlace, Journal};
 use crate::{EdgeId, Element, FaceId, HalfedgeId, NONE, VertexId};
 use glam::Vec3;
@@ -22,9 +23,9 @@ pub struct Mesh {
     pub(crate) to: Vec<u32>,
     pub(crate) face: Vec<u32>,
     pub(crate) face_halfedge: Vec<u32>,
-    pub(crate) removed_vertices: Marks,
-    pub(crate) removed_edges: Marks,
-    pub(crate) removed_faces: Marks,
+    pub(crate) removed_vertices: BitSet,
+    pub(crate) removed_edges: BitSet,
+    pub(crate) removed_faces: BitSet,
     pub(crate) columns: Columns,
     pub(crate) journal: Option<Journal>,
 }
@@ -132,14 +133,11 @@ impl Mesh {
 
     /// Which ids are of removed elements; none for a compact mesh.
     pub fn gaps(&self) -> Gaps {
-        let list = |marks: &Marks, len: usize| match marks.count() {
-            0 => Vec::new(),
-            _ => (0..len).filter(|&at| marks.get(at)).map(|at| at as u32).collect(),
-        };
+        let list = |removed: &BitSet| removed.iter().map(|at| at as u32).collect();
         Gaps {
-            vertices: list(&self.removed_vertices, self.vertex_capacity()),
-            edges: list(&self.removed_edges, self.edge_capacity()),
-            faces: list(&self.removed_faces, self.face_capacity()),
+            vertices: list(&self.removed_vertices),
+            edges: list(&self.removed_edges),
+            faces: list(&self.removed_faces),
         }
     }
 
@@ -154,7 +152,7 @@ impl Mesh {
         ];
         for (marks, list, len) in lists {
             for &id in list.iter().filter(|&&id| (id as usize) < len) {
-                marks.set(id as usize, true);
+                marks.insert(id as usize);
             }
         }
         mesh
@@ -164,12 +162,12 @@ impl Mesh {
 
     /// How many vertices there are, removed ones not counted.
     pub fn vertex_count(&self) -> usize {
-        self.positions.len() - self.removed_vertices.count()
+        self.positions.len() - self.removed_vertices.len()
     }
 
     /// How many edges there are, removed ones not counted.
     pub fn edge_count(&self) -> usize {
-        self.next.len() / 2 - self.removed_edges.count()
+        self.next.len() / 2 - self.removed_edges.len()
     }
 
     /// How many half-edges there are, boundary ones included: twice the edges.
@@ -179,7 +177,7 @@ impl Mesh {
 
     /// How many faces there are, removed ones not counted.
     pub fn face_count(&self) -> usize {
-        self.face_halfedge.len() - self.removed_faces.count()
+        self.face_halfedge.len() - self.removed_faces.len()
     }
 
     /// One more than the largest vertex id ever given: the length of vertex columns.
@@ -224,7 +222,7 @@ impl Mesh {
 
     /// Whether no id is marked as removed, so that ids are exactly `0..count`.
     pub fn is_compact(&self) -> bool {
-        self.removed_vertices.count() + self.removed_edges.count() + self.removed_faces.count() == 0
+        self.removed_vertices.len() + self.removed_edges.len() + self.removed_faces.len() == 0
     }
 
     /// Whether the element with this number exists.
@@ -232,10 +230,10 @@ impl Mesh {
         let index = raw as usize;
         index < self.capacity(element)
             && !match element {
-                Element::Vertex => self.removed_vertices.get(index),
-                Element::Halfedge => self.removed_edges.get(index / 2),
-                Element::Edge => self.removed_edges.get(index),
-                Element::Face => self.removed_faces.get(index),
+                Element::Vertex => self.removed_vertices.contains(index),
+                Element::Halfedge => self.removed_edges.contains(index / 2),
+                Element::Edge => self.removed_edges.contains(index),
+                Element::Face => self.removed_faces.contains(index),
             }
     }
 
@@ -261,12 +259,12 @@ impl Mesh {
 
     /// Whether the vertex exists.
     pub fn has_vertex(&self, v: VertexId) -> bool {
-        v.index() < self.positions.len() && !self.removed_vertices.get(v.index())
+        v.index() < self.positions.len() && !self.removed_vertices.contains(v.index())
     }
 
     /// Whether the edge exists.
     pub fn has_edge(&self, e: EdgeId) -> bool {
-        e.index() < self.next.len() / 2 && !self.removed_edges.get(e.index())
+        e.index() < self.next.len() / 2 && !self.removed_edges.contains(e.index())
     }
 
     /// Whether the half-edge exists.
@@ -276,17 +274,17 @@ impl Mesh {
 
     /// Whether the face exists.
     pub fn has_face(&self, f: FaceId) -> bool {
-        f.index() < self.face_halfedge.len() && !self.removed_faces.get(f.index())
+        f.index() < self.face_halfedge.len() && !self.removed_faces.contains(f.index())
     }
 
     /// All vertices in order of id.
     pub fn vertices(&self) -> impl Iterator<Item = VertexId> + '_ {
-        (0..self.positions.len()).filter(|&i| !self.removed_vertices.get(i)).map(VertexId::new)
+        (0..self.positions.len()).filter(|&i| !self.removed_vertices.contains(i)).map(VertexId::new)
     }
 
     /// All edges in order of id.
     pub fn edges(&self) -> impl Iterator<Item = EdgeId> + '_ {
-        (0..self.next.len() / 2).filter(|&i| !self.removed_edges.get(i)).map(EdgeId::new)
+        (0..self.next.len() / 2).filter(|&i| !self.removed_edges.contains(i)).map(EdgeId::new)
     }
 
     /// All half-edges in order of id, boundary ones included.
@@ -296,7 +294,7 @@ impl Mesh {
 
     /// All faces in order of id.
     pub fn faces(&self) -> impl Iterator<Item = FaceId> + '_ {
-        (0..self.face_halfedge.len()).filter(|&i| !self.removed_faces.get(i)).map(FaceId::new)
+        (0..self.face_halfedge.len()).filter(|&i| !self.removed_faces.contains(i)).map(FaceId::new)
     }
 
     // Connectivity. Ids must exist; another mesh's ids panic when out of range, as any index does.
@@ -496,49 +494,4 @@ impl Mesh {
 
 fn same_bits(a: &[Vec3], b: &[Vec3]) -> bool {
     bytemuck::cast_slice::<Vec3, u8>(a) == bytemuck::cast_slice::<Vec3, u8>(b)
-}
-
-/// A growable set of bits that knows how many are set.
-#[derive(Clone, Debug, Default)]
-pub(crate) struct Marks {
-    words: Vec<u64>,
-    count: usize,
-}
-
-impl PartialEq for Marks {
-    fn eq(&self, other: &Self) -> bool {
-        // Words past the end are all zeros.
-        let common = self.words.len().min(other.words.len());
-        self.count == other.count && self.words[..common] == other.words[..common]
-    }
-}
-
-impl Marks {
-    #[inline]
-    pub(crate) fn get(&self, index: usize) -> bool {
-        self.words.get(index / 64).is_some_and(|word| word >> (index % 64) & 1 == 1)
-    }
-
-    pub(crate) fn set(&mut self, index: usize, on: bool) {
-        if self.get(index) == on {
-            return;
-        }
-        if self.words.len() <= index / 64 {
-            self.words.resize(index / 64 + 1, 0);
-        }
-        self.words[index / 64] ^= 1 << (index % 64);
-        if on {
-            self.count += 1;
-        } else {
-            self.count -= 1;
-        }
-    }
-
-    pub(crate) fn count(&self) -> usize {
-        self.count
-    }
-
-    pub(crate) fn bytes(&self) -> usize {
-        self.words.len() * 8
-    }
 }

@@ -48,9 +48,9 @@ impl Mesh {
                 .collect::<Vec<u32>>()
         };
         let renumbering = Renumbering {
-            vertices: number(self.vertex_capacity(), &|i| self.removed_vertices.get(i)),
-            edges: number(self.edge_capacity(), &|i| self.removed_edges.get(i)),
-            faces: number(self.face_capacity(), &|i| self.removed_faces.get(i)),
+            vertices: number(self.vertex_capacity(), &|i| self.removed_vertices.contains(i)),
+            edges: number(self.edge_capacity(), &|i| self.removed_edges.contains(i)),
+            faces: number(self.face_capacity(), &|i| self.removed_faces.contains(i)),
         };
         let map = |element: Element, raw: u32| renumbering.of(element, raw).unwrap_or(NONE);
         let mut mesh = Self::new();

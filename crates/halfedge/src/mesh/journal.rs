@@ -299,11 +299,10 @@ impl Mesh {
             Element::Edge | Element::Halfedge => &mut self.removed_edges,
             Element::Face => &mut self.removed_faces,
         };
-        if marks.get(raw as usize) == on {
-            return;
+        let changes = if on { marks.insert(raw as usize) } else { marks.remove(raw as usize) };
+        if changes {
+            self.record(Change::Marked(element, raw, on));
         }
-        marks.set(raw as usize, on);
-        self.record(Change::Marked(element, raw, on));
     }
 
     /// Adds a vertex, edge or face with nothing linked and default attributes.

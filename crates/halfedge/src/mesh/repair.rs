@@ -15,6 +15,7 @@
 //!    copy. (This one happens in the build.)
 
 use crate::NONE;
+use crate::geometry::UnionFind;
 use crate::mesh::build::{Assembly, has_distinct_corners};
 use crate::mesh::soup::PolygonSoup;
 use std::collections::{HashMap, HashSet};
@@ -423,21 +424,12 @@ fn part_copies(soup: &PolygonSoup, faces: &[Kept], sides: &[Side], pairs: &mut V
         let starts_there = soup.corners[face.corners[slot] as usize] == v;
         if starts_there { slot } else { (slot + 1) % face.corners.len() }
     };
-    let corner_at = |side: &Side, v: u32| starts[side.face as usize] + slot_at(side, v);
+    let corner_at = |side: &Side, v: u32| (starts[side.face as usize] + slot_at(side, v)) as u32;
     // Which corners are in one fan: those that joined sides lead across.
-    let mut fan: Vec<usize> = (0..corners).collect();
-    let find = |fan: &mut Vec<usize>, mut at: usize| {
-        while fan[at] != at {
-            fan[at] = fan[fan[at]];
-            at = fan[at];
-        }
-        at
-    };
+    let mut fans = UnionFind::new(corners);
     for &(a, b) in pairs.iter() {
         for v in [sides[a].ends.0, sides[a].ends.1] {
-            let a = find(&mut fan, corner_at(&sides[a], v));
-            let b = find(&mut fan, corner_at(&sides[b], v));
-            fan[a.max(b)] = a.min(b);
+            fans.union(corner_at(&sides[a], v), corner_at(&sides[b], v));
         }
     }
     let mut cut = vec![false; corners];
@@ -445,8 +437,7 @@ fn part_copies(soup: &PolygonSoup, faces: &[Kept], sides: &[Side], pairs: &mut V
     for range in separated {
         met.clear();
         for side in &sides[range] {
-            let copy =
-                (find(&mut fan, corner_at(side, side.ends.0)), find(&mut fan, corner_at(side, side.ends.1)));
+            let copy = (fans.find(corner_at(side, side.ends.0)), fans.find(corner_at(side, side.ends.1)));
             if met.insert(copy) {
                 continue;
             }

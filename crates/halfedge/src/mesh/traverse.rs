@@ -1,9 +1,9 @@
-//! Walking over a mesh: loops, one-rings, boundary loops, components.
+//! Walking over a mesh: loops and one-rings.
 //!
 //! Every walk stops after as many steps as the mesh has half-edges, so that a damaged mesh (one
 //! that [`Mesh::validate`] refuses) can't hang its reader.
 
-use crate::mesh::{Marks, Mesh};
+use crate::mesh::Mesh;
 use crate::{EdgeId, FaceId, HalfedgeId, VertexId};
 
 impl Mesh {
@@ -77,47 +77,6 @@ impl Mesh {
     /// The edge between two vertices, if there is one. Costs O(valence).
     pub fn find_edge(&self, a: VertexId, b: VertexId) -> Option<EdgeId> {
         self.find_halfedge(a, b).map(HalfedgeId::edge)
-    }
-
-    /// One half-edge of each boundary loop, the one with the smallest id, in order. Costs O(half-edges).
-    pub fn boundary_loops(&self) -> Vec<HalfedgeId> {
-        let mut seen = Marks::default();
-        let mut loops = Vec::new();
-        for h in self.halfedges() {
-            if self.is_boundary_halfedge(h) && !seen.get(h.index()) {
-                loops.push(h);
-                for side in self.loop_of(h) {
-                    seen.set(side.index(), true);
-                }
-            }
-        }
-        loops
-    }
-
-    /// The connected pieces: for each vertex id the number of its piece, pieces numbered in order
-    /// of their smallest vertex, and how many there are. Isolated vertices are pieces of their own;
-    /// removed ids have [`NONE`](crate::NONE). Costs O(half-edges).
-    pub fn components(&self) -> (Vec<u32>, usize) {
-        let mut piece = vec![crate::NONE; self.vertex_capacity()];
-        let mut stack = Vec::new();
-        let mut count = 0;
-        for start in self.vertices() {
-            if piece[start.index()] != crate::NONE {
-                continue;
-            }
-            piece[start.index()] = count;
-            stack.push(start);
-            while let Some(v) = stack.pop() {
-                for w in self.neighbors(v) {
-                    if piece[w.index()] == crate::NONE {
-                        piece[w.index()] = count;
-                        stack.push(w);
-                    }
-                }
-            }
-            count += 1;
-        }
-        (piece, count as usize)
     }
 
     /// Vertices - edges + faces.

@@ -2,6 +2,7 @@
 
 use crate::trimesh::{TriMesh, area_vector};
 use glam::DVec3;
+use halfedge::geometry::UnionFind;
 use halfedge::{Mesh, NONE, keys};
 
 /// Sharp edges that hang together are kept if they are this many edges long in all.
@@ -115,56 +116,33 @@ fn turns(n: DVec3, m: DVec3, least_cos: f64) -> bool {
 fn drop_specks(tri: &TriMesh, kept: &mut [Kept], length: f64) {
     let sharp: Vec<u32> =
         (0..tri.v.len() as u32).filter(|&h| kept[h as usize] == Kept::Sharp && tri.edge(h) == h).collect();
-    let mut sets = Sets::new(tri.out.len());
+    let mut sets = UnionFind::new(tri.out.len());
     for &h in &sharp {
-        sets.join(tri.from(h), tri.to(h));
+        sets.union(tri.from(h), tri.to(h));
     }
     let mut lengths = vec![0.0; tri.out.len()];
     for &h in &sharp {
-        lengths[sets.of(tri.from(h)) as usize] += tri.at(tri.from(h)).distance(tri.at(tri.to(h)));
+        lengths[sets.find(tri.from(h)) as usize] += tri.at(tri.from(h)).distance(tri.at(tri.to(h)));
     }
     let short: Vec<u32> =
-        sharp.into_iter().filter(|&h| lengths[sets.of(tri.from(h)) as usize] < length).collect();
+        sharp.into_iter().filter(|&h| lengths[sets.find(tri.from(h)) as usize] < length).collect();
     if short.is_empty() {
         return;
     }
-    let mut pieces = Sets::new(tri.out.len());
+    let mut pieces = UnionFind::new(tri.out.len());
     let mut areas = vec![0.0; tri.out.len()];
     for h in 0..tri.v.len() as u32 {
-        pieces.join(tri.from(h), tri.to(h));
+        pieces.union(tri.from(h), tri.to(h));
     }
     for h in (0..tri.v.len() as u32).step_by(3) {
         let [a, b, c] = [h, h + 1, h + 2].map(|h| tri.at(tri.from(h)));
-        areas[pieces.of(tri.from(h)) as usize] += 0.5 * (b - a).cross(c - a).length();
+        areas[pieces.find(tri.from(h)) as usize] += 0.5 * (b - a).cross(c - a).length();
     }
     for h in short {
         let v = tri.from(h);
-        if lengths[sets.of(v) as usize] < areas[pieces.of(v) as usize].sqrt() {
+        if lengths[sets.find(v) as usize] < areas[pieces.find(v) as usize].sqrt() {
             kept[h as usize] = Kept::No;
             kept[tri.opp(h) as usize] = Kept::No;
         }
-    }
-}
-
-/// Sets of vertices that are joined: each points towards the smallest of its set.
-struct Sets(Vec<u32>);
-
-impl Sets {
-    fn new(count: usize) -> Self {
-        Self((0..count as u32).collect())
-    }
-
-    fn of(&mut self, mut v: u32) -> u32 {
-        let Self(towards) = self;
-        while towards[v as usize] != v {
-            towards[v as usize] = towards[towards[v as usize] as usize];
-            v = towards[v as usize];
-        }
-        v
-    }
-
-    fn join(&mut self, a: u32, b: u32) {
-        let (a, b) = (self.of(a), self.of(b));
-        self.0[a.max(b) as usize] = a.min(b);
     }
 }

@@ -2,7 +2,7 @@
 
 use super::stream::Stream;
 use glam::Vec3;
-use halfedge::geometry::PolygonTriangulator;
+use halfedge::geometry::{BitSet, PolygonTriangulator};
 use halfedge::{Element, FaceId, HalfedgeId, Mesh};
 use surface::normals;
 
@@ -49,8 +49,8 @@ struct Rest {
     origin: Vec3,
     ids: Vec<u32>,
     next: usize,
-    /// For faces, a bit for each id that is highlighted: edges between two are not drawn.
-    marked: Vec<u64>,
+    /// The faces that are highlighted: edges between two are not drawn.
+    marked: BitSet,
 }
 
 /// What goes into the buffers; positions relative to the object's origin.
@@ -89,7 +89,11 @@ impl Marked {
         self.fill.reset(device, room(Element::Face, 36));
         self.rest = highlight.map(|(h, origin)| {
             let Highlight { mesh, kind, ids, .. } = h;
-            let (ids, marked) = if kind == Element::Face { marks(mesh, ids) } else { (ids.to_vec(), vec![]) };
+            let mut marked = BitSet::new();
+            let mut ids = ids.to_vec();
+            if kind == Element::Face {
+                ids.retain(|&id| mesh.face(id).is_some() && marked.insert(id as usize));
+            }
             Rest { kind, origin, ids, next: 0, marked }
         });
     }
@@ -131,7 +135,7 @@ impl Rest {
     }
 }
 
-fn shapes(mesh: &Mesh, kind: Element, ids: &[u32], marked: &[u64], origin: Vec3) -> Shapes {
+fn shapes(mesh: &Mesh, kind: Element, ids: &[u32], marked: &BitSet, origin: Vec3) -> Shapes {
     let mut shapes = Shapes::default();
     let ids = ids.iter().copied();
     let at = |v| (mesh.position(v) - origin).to_array();
@@ -160,32 +164,16 @@ fn inward(mesh: &Mesh, h: HalfedgeId) -> Vec3 {
     normal.as_dvec3().cross(along.normalize_or_zero()).normalize_or_zero().as_vec3()
 }
 
-/// The faces, each once, and a bit for each.
-fn marks(mesh: &Mesh, faces: &[u32]) -> (Vec<u32>, Vec<u64>) {
-    let mut marked = vec![0_u64; mesh.face_capacity().div_ceil(64)];
-    let mut list = Vec::with_capacity(faces.len());
-    for &face in faces {
-        if let Some(word) = marked.get_mut(face as usize / 64) {
-            let bit = 1 << (face % 64);
-            if *word & bit == 0 {
-                *word |= bit;
-                list.push(face);
-            }
-        }
-    }
-    (list, marked)
-}
-
 /// Triangles of the faces, and the edges between those that are marked and the others: many faces are
 /// outlined as one region.
 fn faces(
     mesh: &Mesh,
     faces: impl Iterator<Item = FaceId>,
-    marked: &[u64],
+    marked: &BitSet,
     origin: Vec3,
     shapes: &mut Shapes,
 ) {
-    let is_marked = |f: FaceId| marked.get(f.index() / 64).is_some_and(|w| w >> (f.index() % 64) & 1 == 1);
+    let is_marked = |f: FaceId| marked.contains(f.index());
     let mut triangulator = PolygonTriangulator::new();
     let mut points = Vec::new();
     for face in faces {

@@ -1,0 +1,123 @@
+//! A set of ids as bits.
+
+/// A set of small numbers, a bit for each up to the largest: 3 million half-edges take 375 kB. It grows as
+/// needed and knows how many there are. Each operation costs O(1) where nothing else is said.
+#[derive(Clone, Debug, Default)]
+pub struct BitSet {
+    words: Vec<u64>,
+    count: usize,
+}
+
+impl PartialEq for BitSet {
+    fn eq(&self, other: &Self) -> bool {
+        // Words past the end of the shorter one are zeros: the counts tell.
+        self.count == other.count && self.words.iter().zip(&other.words).all(|(a, b)| a == b)
+    }
+}
+
+impl Eq for BitSet {}
+
+impl FromIterator<usize> for BitSet {
+    fn from_iter<I: IntoIterator<Item = usize>>(indices: I) -> Self {
+        let mut set = Self::new();
+        for index in indices {
+            set.insert(index);
+        }
+        set
+    }
+}
+
+impl BitSet {
+    /// An empty set.
+    pub const fn new() -> Self {
+        Self { words: Vec::new(), count: 0 }
+    }
+
+    /// Whether a number is in the set.
+    #[inline]
+    pub fn contains(&self, index: usize) -> bool {
+        self.words.get(index / 64).is_some_and(|word| word >> (index % 64) & 1 == 1)
+    }
+
+    /// Puts a number in; whether it wasn't in the set before.
+    #[inline]
+    pub fn insert(&mut self, index: usize) -> bool {
+        if self.contains(index) {
+            return false;
+        }
+        if self.words.len() <= index / 64 {
+            self.words.resize(index / 64 + 1, 0);
+        }
+        self.words[index / 64] |= 1 << (index % 64);
+        self.count += 1;
+        true
+    }
+
+    /// Takes a number out; whether it was in the set.
+    #[inline]
+    pub fn remove(&mut self, index: usize) -> bool {
+        let was_there = self.contains(index);
+        if was_there {
+            self.words[index / 64] &= !(1 << (index % 64));
+            self.count -= 1;
+        }
+        was_there
+    }
+
+    /// How many numbers are in the set.
+    #[inline]
+    pub fn len(&self) -> usize {
+        self.count
+    }
+
+    /// Whether the set is empty.
+    #[inline]
+    pub fn is_empty(&self) -> bool {
+        self.count == 0
+    }
+
+    /// The numbers in ascending order. Costs O(largest / 64 + count) in all.
+    pub fn iter(&self) -> impl Iterator<Item = usize> + '_ {
+        self.words.iter().enumerate().flat_map(|(at, &word)| {
+            let mut left = word;
+            std::iter::from_fn(move || {
+                let bit = (left != 0).then(|| left.trailing_zeros() as usize)?;
+                left &= left - 1;
+                Some(at * 64 + bit)
+            })
+        })
+    }
+
+    /// How many numbers in the set are smaller than this one. Costs O(index / 64).
+    pub fn rank(&self, index: usize) -> usize {
+        let whole = self.words.iter().take(index / 64).map(|word| word.count_ones() as usize).sum::<usize>();
+        let part =
+            self.words.get(index / 64).map_or(0, |word| (word & ((1 << (index % 64)) - 1)).count_ones());
+        whole + part as usize
+    }
+
+    /// The number at a place in ascending order: the inverse of [`BitSet::rank`]. Costs O(largest / 64).
+    pub fn nth(&self, rank: usize) -> Option<usize> {
+        let mut left = rank;
+        for (at, &word) in self.words.iter().enumerate() {
+            let here = word.count_ones() as usize;
+            if left < here {
+                let without_lower = (0..left).fold(word, |word, _| word & (word - 1));
+                return Some(at * 64 + without_lower.trailing_zeros() as usize);
+            }
+            left -= here;
+        }
+        None
+    }
+
+    /// The largest number. Costs O(largest ever / 64).
+    pub fn largest(&self) -> Option<usize> {
+        let at = self.words.iter().rposition(|&word| word != 0)?;
+        Some(at * 64 + 63 - self.words[at].leading_zeros() as usize)
+    }
+
+    /// Heap bytes in use.
+    pub fn bytes(&self) -> usize {
+        self.words.len() * 8
+    }
+}

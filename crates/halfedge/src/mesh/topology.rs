@@ -1,0 +1,163 @@
+//! Boundary loops and connected components, in one go or some elements at a time.
+
+use crate::geometry::{BitSet, UnionFind};
+use crate::mesh::Mesh;
+use crate::{EdgeId, HalfedgeId, NONE, VertexId};
+
+/// What takes a pass over a mesh to know.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Topology {
+    /// Closed loops of boundary half-edges.
+    pub boundary_loops: usize,
+    /// Half-edges without a face.
+    pub boundary_halfedges: usize,
+    /// Connected components; an isolated vertex is one.
+    pub components: usize,
+    /// Whether every face is a triangle; so it is where there are no faces.
+    pub triangles_only: bool,
+}
+
+/// Counts a [`Topology`] some elements at a time, for callers that mustn't be kept waiting.
+#[derive(Debug)]
+pub struct TopologyCounter {
+    boundary: BoundaryWalk,
+    components: ComponentWalk,
+}
+
+impl TopologyCounter {
+    /// Starts on a mesh. Costs O(vertices), little for each.
+    pub fn new(mesh: &Mesh) -> Self {
+        Self { boundary: BoundaryWalk::default(), components: ComponentWalk::new(mesh) }
+    }
+
+    /// Looks at about this many half-edges more of the mesh it was started on; gives what was counted once all
+    /// were looked at. A boundary loop is walked as a whole. A mesh that was changed in between is counted from
+    /// the start if its vertices are others in number, else wrongly: start anew after an edit.
+    pub fn advance(&mut self, mesh: &Mesh, halfedges: usize) -> Option<Topology> {
+        if self.components.joined.len() != mesh.vertex_capacity() {
+            *self = Self::new(mesh);
+        }
+        let left = self.boundary.advance(mesh, halfedges)?;
+        self.components.advance(mesh, left)?;
+        let boundary_halfedges = self.boundary.halfedges;
+        Some(Topology {
+            boundary_loops: self.boundary.loops.len(),
+            boundary_halfedges,
+            components: mesh.vertex_count().saturating_sub(self.components.unions),
+            // No face has fewer than three corners, and each corner has a half-edge.
+            triangles_only: mesh.halfedge_count() - boundary_halfedges == 3 * mesh.face_count(),
+        })
+    }
+}
+
+/// Boundary loops in order of their smallest half-edge.
+#[derive(Debug, Default)]
+struct BoundaryWalk {
+    next: usize,
+    seen: BitSet,
+    loops: Vec<HalfedgeId>,
+    halfedges: usize,
+}
+
+impl BoundaryWalk {
+    /// Gives how much of the budget is left once all half-edges were looked at.
+    fn advance(&mut self, mesh: &Mesh, budget: usize) -> Option<usize> {
+        let faces = mesh.connectivity().face;
+        let mut left = budget;
+        while self.next < faces.len() {
+            let slice = &faces[self.next..faces.len().min(self.next.saturating_add(left))];
+            let Some(skipped) = slice.iter().position(|&face| face == NONE) else {
+                self.next += slice.len();
+                left -= slice.len();
+                if left == 0 {
+                    return None;
+                }
+                continue;
+            };
+            let h = HalfedgeId::new(self.next + skipped);
+            self.next += skipped + 1;
+            left -= skipped + 1;
+            if !self.seen.contains(h.index()) && mesh.has_halfedge(h) {
+                self.loops.push(h);
+                for side in mesh.loop_of(h) {
+                    self.seen.insert(side.index());
+                    self.halfedges += 1;
+                    left = left.saturating_sub(1);
+                }
+            }
+            if left == 0 {
+                return None;
+            }
+        }
+        Some(left)
+    }
+}
+
+/// Vertices joined by edges. Edges are taken in order of id: neighbours in a mesh are mostly near to each other
+/// in memory, which a walk from vertex to vertex doesn't keep to.
+#[derive(Debug)]
+struct ComponentWalk {
+    next: usize,
+    joined: UnionFind,
+    unions: usize,
+}
+
+impl ComponentWalk {
+    fn new(mesh: &Mesh) -> Self {
+        Self { next: 0, joined: UnionFind::new(mesh.vertex_capacity()), unions: 0 }
+    }
+
+    /// Gives something once all edges were looked at.
+    fn advance(&mut self, mesh: &Mesh, halfedges: usize) -> Option<()> {
+        let ends = mesh.connectivity().to.as_chunks::<2>().0;
+        let end = ends.len().min(self.next.saturating_add(halfedges / 2 + 1));
+        let is_compact = mesh.is_compact();
+        for (e, &[a, b]) in (self.next..).zip(&ends[self.next..end]) {
+            if is_compact || mesh.has_edge(EdgeId::new(e)) {
+                self.unions += usize::from(self.joined.union(a, b));
+            }
+        }
+        self.next = end;
+        (end == ends.len()).then_some(())
+    }
+}
+
+impl Mesh {
+    /// Boundary loops, components and whether there are only triangles. Costs O(mesh): a pass over the
+    /// half-edges and one over the edges, in the order they are stored.
+    pub fn topology(&self) -> Topology {
+        let mut counter = TopologyCounter::new(self);
+        counter.advance(self, usize::MAX).unwrap_or_default()
+    }
+
+    /// One half-edge of each boundary loop, the one with the smallest id, in order. Costs O(half-edges).
+    pub fn boundary_loops(&self) -> Vec<HalfedgeId> {
+        let mut walk = BoundaryWalk::default();
+        walk.advance(self, usize::MAX);
+        walk.loops
+    }
+
+    /// The connected components: for each vertex id the number of its component, components numbered in order
+    /// of their smallest vertex, and how many there are. Isolated vertices are components of their own;
+    /// removed ids have [`NONE`]. Costs O(edges).
+    pub fn components(&self) -> (Vec<u32>, usize) {
+        let mut walk = ComponentWalk::new(self);
+        walk.advance(self, usize::MAX);
+        let mut numbers = vec![NONE; self.vertex_capacity()];
+        let mut count = 0;
+        for v in 0..numbers.len() {
+            if !self.has_vertex(VertexId::new(v)) {
+                continue;
+            }
+            // The smallest vertex of a component comes first.
+            let smallest = walk.joined.find(v as u32) as usize;
+            if smallest == v {
+                numbers[v] = count;
+                count += 1;
+            } else {
+                numbers[v] = numbers[smallest];
+            }
+        }
+        (numbers, count as usize)
+    }
+}
