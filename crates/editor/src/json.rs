@@ -1,13 +1,9 @@
 //! Numbers in JSON: finite in, shortest out.
 
+pub(crate) use formats::shortest;
 use serde::de::{Error, Unexpected, Visitor};
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
 use std::fmt;
-
-/// The 64-bit number that prints like the 32-bit one: 0.1, not 0.10000000149011612.
-pub(crate) fn shortest(value: f32) -> f64 {
-    value.to_string().parse().unwrap_or_else(|_| f64::from(value))
-}
 
 /// A number as JSON; one that is not finite, which JSON can't say, is null.
 pub(crate) fn number(value: f32) -> serde_json::Value {

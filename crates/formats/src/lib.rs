@@ -39,6 +39,7 @@ pub use export::{ObjectRef, WriteError, write};
 pub use format::Format;
 pub use import::{Import, ImportedObject, NamedBytes, ReadError, read, read_with};
 pub use losses::losses;
+pub use number::shortest;
 pub use obj::Material;
 pub use repairs::{NonManifold, Repairs, rebuild};
 pub use report::{ImportReport, ReportNote, Severity};

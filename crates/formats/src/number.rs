@@ -82,6 +82,11 @@ fn run(bytes: &[u8], mut value: u64) -> (u64, usize) {
     }
 }
 
+/// The 64-bit number that prints like the 32-bit one: 0.1, not 0.10000000149011612.
+pub fn shortest(value: f32) -> f64 {
+    value.to_string().parse().unwrap_or_else(|_| f64::from(value))
+}
+
 /// The whole number at `at` (a sign and digits), and where it ends. `None` where there is none or
 /// where it doesn't fit 18 digits.
 #[inline(always)]

@@ -3,9 +3,10 @@
 //! The build itself (`halfedge::Mesh::build`) separates faces where more than two meet at an edge
 //! and turns faces so that neighbours agree. What is chosen otherwise is done to the soup before.
 
+use crate::number::shortest;
 use crate::report::{Places, counted};
-use glam::Vec3;
 use halfedge::attribute::Column;
+use halfedge::geometry::{MergedPoints, UnionFind, merge_points};
 use halfedge::{Mesh, NONE, PolygonSoup, TooLarge};
 use serde::{Deserialize, Serialize};
 use std::collections::{HashMap, HashSet};
@@ -77,20 +78,9 @@ pub(crate) fn build(
     Ok(mesh)
 }
 
-/// Gives vertices near to each other the number of the first of them, and takes the others out.
+/// Merges vertices within the distance of each other, as the operation `merge-by-distance` does.
 fn merge(soup: &mut PolygonSoup, distance: f32, notes: &mut Vec<String>) {
-    let mut kept: Vec<u32> = Vec::new();
-    let mut number = vec![NONE; soup.positions.len()];
-    let mut near = Near::new(distance);
-    for (v, &position) in soup.positions.iter().enumerate() {
-        let first = near.first(position, kept.len() as u32);
-        if let Some(slot) = number.get_mut(v) {
-            *slot = first;
-        }
-        if first as usize == kept.len() {
-            kept.push(v as u32);
-        }
-    }
+    let MergedPoints { kept, number } = merge_points(&soup.positions, shortest(distance));
     let merged = soup.positions.len() - kept.len();
     if merged == 0 {
         return;
@@ -106,48 +96,6 @@ fn keep_vertices(soup: &mut PolygonSoup, kept: &[u32]) {
     let pick = |column: &mut Column| *column = column.gather(kept.iter().copied());
     soup.vertex_columns.iter_mut().for_each(pick);
     soup.positions = kept.iter().filter_map(|&v| soup.positions.get(v as usize).copied()).collect();
-}
-
-/// Places already met, in cells as wide as the distance.
-struct Near {
-    distance: f32,
-    cells: HashMap<[u64; 3], Vec<(Vec3, u32)>>,
-}
-
-impl Near {
-    fn new(distance: f32) -> Self {
-        Self { distance, cells: HashMap::new() }
-    }
-
-    /// The number of the first place within the distance; `next` where there is none, which this
-    /// place then has.
-    fn first(&mut self, position: Vec3, next: u32) -> u32 {
-        if !position.is_finite() {
-            return next;
-        }
-        // Cells are told by the bits of a whole number: they don't run out, however small they are.
-        let width = f64::from(self.distance);
-        let home = position.to_array().map(|c| match width {
-            0.0 => f64::from(c),
-            width => (f64::from(c) / width).floor(),
-        });
-        let key = |cell: [f64; 3]| cell.map(|c| (c + 0.0).to_bits());
-        let reach = if self.distance == 0.0 { 0..1 } else { 0..27 };
-        let mut best = None;
-        for i in reach.clone() {
-            let step = |by: i32| if reach.len() == 1 { 0.0 } else { f64::from(by % 3 - 1) };
-            let cell = [home[0] + step(i), home[1] + step(i / 3), home[2] + step(i / 9)];
-            for &(place, number) in self.cells.get(&key(cell)).map_or(&[][..], Vec::as_slice) {
-                if place.distance(position) <= self.distance {
-                    best = Some(best.map_or(number, |best: u32| best.min(number)));
-                }
-            }
-        }
-        best.unwrap_or_else(|| {
-            self.cells.entry(key(home)).or_default().push((position, next));
-            next
-        })
-    }
 }
 
 /// A face's vertices without repeats in a row, if the build would take it: three or more different
@@ -230,13 +178,13 @@ fn part_disagreeing(soup: &mut PolygonSoup, notes: &mut Vec<String>) {
         }
     }
     let mut disagree = 0;
-    let mut pieces = Pieces::new(soup.face_count());
+    let mut pieces = UnionFind::new(soup.face_count());
     for faces in edges.values() {
         if let &[(f, up), (g, other)] = faces.as_slice() {
             if up == other {
                 disagree += 1;
             } else {
-                pieces.join(f, g);
+                pieces.union(f, g);
             }
         }
     }
@@ -252,7 +200,7 @@ fn part_disagreeing(soup: &mut PolygonSoup, notes: &mut Vec<String>) {
     let mut copies: HashMap<(u32, u32), u32> = HashMap::new();
     let mut kept: Vec<u32> = (0..soup.positions.len() as u32).collect();
     for f in 0..soup.face_count() {
-        let piece = pieces.of(f as u32);
+        let piece = pieces.find(f as u32);
         for corner in soup.face_range(f) {
             let Some(v) = soup.corners.get_mut(corner).filter(|v| (**v as usize) < soup.positions.len())
             else {
@@ -269,42 +217,10 @@ fn part_disagreeing(soup: &mut PolygonSoup, notes: &mut Vec<String>) {
     keep_vertices(soup, &kept);
 }
 
-/// Faces joined to pieces (R. Tarjan, "Efficiency of a good but not linear set union algorithm",
-/// 1975).
-struct Pieces {
-    parent: Vec<u32>,
-}
-
-impl Pieces {
-    fn new(count: usize) -> Self {
-        Self { parent: (0..count as u32).collect() }
-    }
-
-    fn of(&mut self, mut f: u32) -> u32 {
-        loop {
-            let parent = self.parent.get(f as usize).copied().unwrap_or(f);
-            if parent == f {
-                return f;
-            }
-            let above = self.parent.get(parent as usize).copied().unwrap_or(parent);
-            if let Some(slot) = self.parent.get_mut(f as usize) {
-                *slot = above;
-            }
-            f = above;
-        }
-    }
-
-    fn join(&mut self, f: u32, g: u32) {
-        let (f, g) = (self.of(f), self.of(g));
-        if let Some(slot) = self.parent.get_mut(f.max(g) as usize) {
-            *slot = f.min(g);
-        }
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
+    use glam::Vec3;
     use proptest::prelude::*;
 
     fn with(soup: &PolygonSoup, repairs: Repairs) -> (Mesh, Vec<String>) {

@@ -2,8 +2,8 @@
 
 use crate::SurfaceError;
 use crate::pace::Pace;
-use glam::{DVec3, Vec3};
 use halfedge::attribute::Column;
+use halfedge::geometry::{MergedPoints, PointMerger};
 use halfedge::{Element, Mesh, NONE, Note, PolygonSoup, Progress};
 
 /// A mesh with close vertices merged.
@@ -39,18 +39,9 @@ pub fn merge_by_distance(
     let mut pace = Pace::new(progress);
     pace.at(0.0)?;
     let source = mesh.to_soup();
-    let mut number = keepers(&source.positions, distance, &mut pace.part(0.0, 0.6))?;
-    let mut kept = Vec::new();
-    for v in 0..number.len() {
-        // Whoever a vertex goes into comes before it, and has its number already.
-        let into = number[v] as usize;
-        if into == v {
-            number[v] = kept.len() as u32;
-            kept.push(v as u32);
-        } else {
-            number[v] = number[into];
-        }
-    }
+    let mut merger = PointMerger::new(&source.positions, distance);
+    pace.part(0.0, 0.6).chunks(source.positions.len(), |range| merger.add(range))?;
+    let MergedPoints { kept, number } = merger.finish();
     let renumber = |v: u32| number[v as usize];
     let mut soup = PolygonSoup {
         positions: kept.iter().map(|&v| source.positions[v as usize]).collect(),
@@ -97,63 +88,6 @@ pub fn merge_by_distance(
     carry_edges(mesh, &mut result, renumber);
     pace.at(1.0)?;
     Ok(Merged { mesh: result, merged, notes: built.notes })
-}
-
-/// For each vertex the one it goes into; itself if it stays.
-fn keepers(positions: &[Vec3], distance: f64, pace: &mut Pace<'_, '_>) -> Result<Vec<u32>, SurfaceError> {
-    // Cells at least as large as the distance: what is close is in the same or a neighbouring cell.
-    // Their size is also a share of the mesh's, so that cell numbers fit.
-    let bounds = crate::measure::Bounds::of(positions.iter().copied());
-    let (origin, diagonal) = bounds.map_or((DVec3::ZERO, 0.0), |b| (b.min.as_dvec3(), b.diagonal()));
-    let size = distance.max(diagonal / (1u64 << 40) as f64).max(f64::MIN_POSITIVE);
-    let cell = |p: Vec3| ((p.as_dvec3() - origin) / size).floor().as_i64vec3();
-    let key = |c: glam::I64Vec3| ((c.x + 2) as u128) << 84 | ((c.y + 2) as u128) << 42 | (c.z + 2) as u128;
-    let mut cells: Vec<u128> = positions.iter().map(|&p| key(cell(p))).collect();
-    cells.sort_unstable();
-    cells.dedup();
-    // Per cell the last of the vertices in it that stay, and per vertex the one before it. Those that stay
-    // are farther apart than the distance: few fit into a cell of its size.
-    let mut last = vec![NONE; cells.len()];
-    let mut before = vec![NONE; positions.len()];
-    let mut keeper: Vec<u32> = (0..positions.len() as u32).collect();
-    pace.chunks(positions.len(), |range| {
-        for v in range {
-            let p = positions[v];
-            let here = cell(p);
-            let mut own = 0;
-            let mut best = (distance * distance, NONE);
-            for dx in -1..=1 {
-                for dy in -1..=1 {
-                    // Three cells along z have neighbouring keys.
-                    let low = here + glam::I64Vec3::new(dx, dy, -1);
-                    if low.x < -1 || low.y < -1 {
-                        continue;
-                    }
-                    let first = key(low);
-                    let start = cells.partition_point(|&key| key < first);
-                    for (at, _) in (start..).zip(cells[start..].iter().take_while(|&&key| key <= first + 2)) {
-                        if cells[at] == key(here) {
-                            own = at;
-                        }
-                        let mut w = last[at];
-                        while w != NONE {
-                            let squared = p.as_dvec3().distance_squared(positions[w as usize].as_dvec3());
-                            if squared < best.0 || (squared == best.0 && w < best.1) {
-                                best = (squared, w);
-                            }
-                            w = before[w as usize];
-                        }
-                    }
-                }
-            }
-            if best.1 == NONE {
-                before[v] = std::mem::replace(&mut last[own], v as u32);
-            } else {
-                keeper[v] = best.1;
-            }
-        }
-    })?;
-    Ok(keeper)
 }
 
 /// Edge attributes follow their ends; where two edges became one, the first keeps its own.

@@ -9,6 +9,7 @@
 use super::patch::{Patch, cubic};
 use glam::Vec3;
 use halfedge::attribute::Column;
+use halfedge::geometry::{MergedPoints, merge_points};
 use halfedge::{Mesh, Note, PolygonSoup, TooLarge, keys};
 use std::collections::HashMap;
 
@@ -36,9 +37,12 @@ pub fn tessellate(patches: &[Patch], resolution: u32) -> Result<Tessellated, Too
     if patches.len().saturating_mul(4 * (n * n) as usize) > Mesh::MAX_EDGES {
         return Err(TooLarge { corners: patches.len().saturating_mul(4 * (n * n) as usize) });
     }
-    let mut surface = Surface { n, controls: Controls::new(patches), ..Surface::default() };
-    for patch in patches {
-        surface.add(patch);
+    let controls: Vec<Vec3> = patches.iter().flat_map(|patch| patch.rows.as_flattened()).copied().collect();
+    let MergedPoints { kept, number } = merge_points(&controls, f64::from(weld_distance(patches)));
+    let controls = kept.iter().map(|&i| controls[i as usize]).collect();
+    let mut surface = Surface { n, controls, ..Surface::default() };
+    for (patch, ids) in patches.iter().zip(number.as_chunks::<4>().0.as_chunks::<4>().0) {
+        surface.add(patch, ids);
     }
     let built = Mesh::build(surface.soup())?;
     Ok(Tessellated { mesh: built.mesh, notes: built.notes })
@@ -47,7 +51,8 @@ pub fn tessellate(patches: &[Patch], resolution: u32) -> Result<Tessellated, Too
 #[derive(Default)]
 struct Surface {
     n: u32,
-    controls: Controls,
+    /// The control points, those that are close to each other once.
+    controls: Vec<Vec3>,
     positions: Vec<Vec3>,
     /// Vertices made for a control point at a patch's corner or pole.
     corners: HashMap<u32, u32>,
@@ -58,9 +63,9 @@ struct Surface {
 }
 
 impl Surface {
-    fn add(&mut self, patch: &Patch) {
+    /// Adds a patch whose control points have these numbers.
+    fn add(&mut self, patch: &Patch, ids: &[[u32; 4]; 4]) {
         let n = self.n as usize;
-        let ids = patch.rows.map(|row| row.map(|p| self.controls.id(p)));
         let column = |i: usize| [ids[0][i], ids[1][i], ids[2][i], ids[3][i]];
         // Borders first, each n + 1 vertices along u or v.
         let bottom = self.border(ids[0]);
@@ -100,7 +105,7 @@ impl Surface {
         if let Some(&v) = self.corners.get(&control) {
             return v;
         }
-        let v = self.vertex(self.controls.points[control as usize]);
+        let v = self.vertex(self.controls[control as usize]);
         self.corners.insert(control, v);
         v
     }
@@ -117,7 +122,7 @@ impl Surface {
         let inner = match self.borders.get(&key) {
             Some(inner) => inner.clone(),
             None => {
-                let p = key.map(|id| self.controls.points[id as usize]);
+                let p = key.map(|id| self.controls[id as usize]);
                 let inner: Vec<u32> = (1..n).map(|i| self.vertex(cubic(p, i as f32 / n as f32).0)).collect();
                 self.borders.insert(key, inner.clone());
                 inner
@@ -149,14 +154,6 @@ impl Surface {
     }
 }
 
-/// Control points by number, those within a tolerance of each other sharing one.
-#[derive(Default)]
-struct Controls {
-    points: Vec<Vec3>,
-    cells: HashMap<[i64; 3], Vec<u32>>,
-    tolerance: f32,
-}
-
 /// How near to each other control points of these patches are one point when [`tessellate`] welds
 /// borders: a millionth of the longest side of their bounding box.
 pub fn weld_distance(patches: &[Patch]) -> f32 {
@@ -165,29 +162,4 @@ pub fn weld_distance(patches: &[Patch]) -> f32 {
     let high = points().copied().fold(Vec3::NEG_INFINITY, Vec3::max);
     let distance = (1e-6 * (high - low).max_element()).max(f32::MIN_POSITIVE);
     if distance.is_finite() { distance } else { 1.0 }
-}
-
-impl Controls {
-    fn new(patches: &[Patch]) -> Self {
-        Self { tolerance: weld_distance(patches), ..Self::default() }
-    }
-
-    fn id(&mut self, p: Vec3) -> u32 {
-        let cell = |x: f32| (f64::from(x) / f64::from(self.tolerance) / 2.0).floor() as i64;
-        let home = [cell(p.x), cell(p.y), cell(p.z)];
-        // A patch that is a single point has no size for a cell to be a part of.
-        let next = |place: i64, d: i64| place.saturating_add(d - 1);
-        let around = |d: i64| [next(home[0], d % 3), next(home[1], d / 3 % 3), next(home[2], d / 9)];
-        for near in (0..27).map(around) {
-            for &id in self.cells.get(&near).map_or(&[][..], Vec::as_slice) {
-                if self.points[id as usize].distance(p) <= self.tolerance {
-                    return id;
-                }
-            }
-        }
-        let id = self.points.len() as u32;
-        self.points.push(p);
-        self.cells.entry(home).or_default().push(id);
-        id
-    }
 }
