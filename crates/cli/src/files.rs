@@ -46,16 +46,30 @@ fn file_name(path: &Path) -> String {
     path.file_name().map_or_else(String::new, |name| name.to_string_lossy().into_owned())
 }
 
-/// The files that a model needs besides itself and that are there. Those that are not are for the
-/// reader's report to tell of.
+/// The companion files of a model that are there, and theirs: images that material libraries name. The
+/// reader's report names those that are not.
 fn companions(path: &Path, model: &NamedBytes) -> Vec<NamedBytes> {
     let folder = path.parent().unwrap_or(Path::new(""));
-    let there = |name: String| {
-        let place = folder.join(&name);
-        let bytes = place.is_file().then(|| std::fs::read(&place).ok())??;
-        Some(NamedBytes { name, bytes })
+    let of = |folder: &Path, file: &NamedBytes| -> Vec<NamedBytes> {
+        let there = |name: String| {
+            let place = folder.join(&name);
+            let bytes = place.is_file().then(|| std::fs::read(&place).ok())??;
+            Some(NamedBytes { name, bytes })
+        };
+        formats::companions(file).into_iter().filter_map(there).collect()
     };
-    formats::companions(model).into_iter().filter_map(there).collect()
+    let mut files = of(folder, model);
+    for at in 0..files.len() {
+        let Some(file) = files.get(at) else { continue };
+        let place = folder.join(&file.name);
+        let more = of(place.parent().unwrap_or(folder), file);
+        for file in more {
+            if files.iter().all(|known| known.name != file.name) {
+                files.push(file);
+            }
+        }
+    }
+    files
 }
 
 /// The format that an output name asks for.
@@ -100,8 +114,18 @@ pub fn write(path: &Path, format: Format, document: &Document) -> Result<(), Fai
         .map_err(|error| Failure::File(format!("{}: {error}", path.display())))?;
     for (at, file) in files.iter().enumerate() {
         let place = if at == 0 { path.to_owned() } else { path.with_file_name(&file.name) };
-        std::fs::write(&place, &file.bytes)
-            .map_err(|error| Failure::File(format!("{} can't be written: {error}", place.display())))?;
+        let failed =
+            |error: std::io::Error| Failure::File(format!("{} can't be written: {error}", place.display()));
+        // Files that are not named after the model, such as images, may be another model's.
+        let is_own = Path::new(&file.name).file_stem().is_some_and(|own| own.to_string_lossy() == stem);
+        if !is_own && std::fs::read(&place).is_ok_and(|bytes| bytes != file.bytes) {
+            eprintln!("{}: left as it is: a different file has this name already", place.display());
+            continue;
+        }
+        if let Some(folder) = place.parent().filter(|_| file.name.contains('/')) {
+            std::fs::create_dir_all(folder).map_err(failed)?;
+        }
+        std::fs::write(&place, &file.bytes).map_err(failed)?;
     }
     Ok(())
 }

@@ -140,6 +140,27 @@ fn convert_keeps_materials_and_writes_the_mesh_itself_as_json() {
 }
 
 #[test]
+fn convert_takes_images_along_and_overwrites_no_other_file() {
+    let folder = folder("images");
+    let out = folder.join("out");
+    std::fs::create_dir_all(folder.join("in/sub/tex")).expect("a folder");
+    std::fs::create_dir_all(&out).expect("a folder");
+    let _ = std::fs::remove_dir_all(out.join("tex"));
+    write(&folder, "in/sub/paint.mtl", "newmtl red\nKd 1 0 0\nmap_Kd tex/red.png\nbump bumps.png\n");
+    write(&folder, "in/sub/tex/red.png", "red");
+    write(&folder, "in/sub/bumps.png", "bumps");
+    let model = write(&folder, "in/cube.obj", &format!("mtllib sub/paint.mtl\nusemtl red\n{CUBE}"));
+    write(&folder, "out/bumps.png", "another model's");
+    let done = run(&["convert", text(&model), text(&out.join("copy.obj"))]);
+    assert_eq!(done.status.code(), Some(0));
+    let read = |name: &str| std::fs::read_to_string(out.join(name)).expect(name);
+    assert!(read("copy.mtl").contains("map_Kd tex/red.png\nbump bumps.png\n"));
+    assert_eq!([read("tex/red.png"), read("bumps.png")], ["red", "another model's"]);
+    let said = String::from_utf8_lossy(&done.stderr);
+    assert!(said.contains("bumps.png: left as it is"), "{said}");
+}
+
+#[test]
 fn refused_commands_exit_with_1_and_write_nothing() {
     let folder = folder("refused");
     let cube = write(&folder, "cube.obj", CUBE);

@@ -1,7 +1,7 @@
 //! What is being edited: named objects, each with a mesh.
 
 use crate::bezier::Bezier;
-use formats::Material;
+use formats::Materials;
 use glam::DVec3;
 use halfedge::{Mesh, PolygonSoup};
 use serde::Serialize;
@@ -80,7 +80,7 @@ pub struct Document {
     pub(crate) objects: Vec<Object>,
     pub(crate) active: usize,
     pub(crate) offset: DVec3,
-    pub(crate) materials: Vec<Material>,
+    pub(crate) materials: Materials,
 }
 
 impl Document {
@@ -95,9 +95,8 @@ impl Document {
         self.offset
     }
 
-    /// What a material library said of the materials that faces have or had: it is written again when
-    /// the document is saved as OBJ.
-    pub fn materials(&self) -> &[Material] {
+    /// The materials that faces have or had, with their images: formats that hold them write them.
+    pub fn materials(&self) -> &Materials {
         &self.materials
     }
 

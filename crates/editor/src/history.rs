@@ -8,7 +8,7 @@ use crate::bezier::Bezier;
 use crate::changes::Changes;
 use crate::document::{Document, Object, ObjectId};
 use crate::selection::Selection;
-use formats::Material;
+use formats::Materials;
 use glam::DVec3;
 use halfedge::{Journal, Mesh, PolygonSoup, Touched};
 use std::collections::VecDeque;
@@ -27,8 +27,8 @@ pub(crate) enum Change {
     Soup(ObjectId, Option<Arc<PolygonSoup>>),
     /// Sets what is added to every position on saving.
     Offset(DVec3),
-    /// Sets what is known of materials besides the colours of faces.
-    Materials(Vec<Material>),
+    /// Sets the document's materials.
+    Materials(Materials),
     /// Renames the object.
     Name(ObjectId, String),
     /// Shows or hides the object.
@@ -149,7 +149,7 @@ impl Change {
                 Self::Mesh(_, mesh) => mesh.bytes(),
                 Self::Bezier(_, bezier) => bezier.as_ref().map_or(0, |bezier| bezier.bytes()),
                 Self::Soup(_, soup) => soup.as_ref().map_or(0, |soup| soup_bytes(soup)),
-                Self::Materials(materials) => materials.iter().map(Material::bytes).sum(),
+                Self::Materials(materials) => materials.bytes(),
                 Self::Insert(_, object) => {
                     object.mesh.bytes()
                         + object.bezier.as_ref().map_or(0, |bezier| bezier.bytes())

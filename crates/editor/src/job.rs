@@ -8,7 +8,7 @@ use crate::bezier::fill_previews;
 use crate::error::{CommandError, Problem};
 use crate::ops::{Action, Input, Op, Output, edit_all};
 use crate::outcome::{Before, ElementIds};
-use formats::{Controls, Format, Import, Material, NamedBytes, ObjectRef, ReadError, Repairs};
+use formats::{Controls, Format, Import, Materials, NamedBytes, ObjectRef, ReadError, Repairs};
 use glam::DVec3;
 use halfedge::{Mesh, Progress};
 
@@ -40,7 +40,7 @@ pub(crate) struct ExportHead {
     /// The document's name, which files are called after.
     pub name: String,
     pub offset: DVec3,
-    pub materials: Vec<Material>,
+    pub materials: Materials,
 }
 
 /// What a job made.

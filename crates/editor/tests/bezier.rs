@@ -412,7 +412,7 @@ fn control_points_without_a_mesh_get_one_when_opened() {
         name: "line".into(),
         objects: vec![object],
         offset: glam::DVec3::ZERO,
-        materials: Vec::new(),
+        materials: Default::default(),
         report: ImportReport::default(),
     };
     let mut editor = Editor::new();

@@ -264,19 +264,22 @@ fn materials_go_along_from_a_file_to_a_file() {
     let library = "newmtl m\nKd 0.5 0.2 0.2\nmap_Kd wood.png\n";
     let mut editor = Editor::with_mesh("Cube", decorated());
     let before = editor.document().clone();
-    let files = vec![NamedBytes::new("a.obj", model), NamedBytes::new("a.mtl", library)];
+    let image = NamedBytes::new("wood.png", *b"\x89PNG\0\xff");
+    let files = vec![NamedBytes::new("a.obj", model), NamedBytes::new("a.mtl", library), image.clone()];
     let request = editor.begin_import(files);
     editor.finish(request.id(), Ok(through_bytes(&request))).expect("a model");
-    assert_eq!(editor.document().materials().len(), 1);
+    assert_eq!(editor.document().materials().list.len(), 1);
+    assert_eq!(editor.document().materials().images[0].bytes.as_deref(), Some(image.bytes.as_slice()));
     let request = editor.begin_export(Format::Obj);
     let Ok(Finished::Exported(files)) = editor.finish(request.id(), Ok(through_bytes(&request))) else {
         panic!("exported")
     };
     assert!(String::from_utf8_lossy(&files[1].bytes).ends_with(library), "{:?}", files[1]);
+    assert_eq!(files[2], image);
     editor.run(command(json!({"op": "new", "shape": "cube"}))).expect("a cube");
     assert!(editor.document().materials().is_empty(), "another document");
     editor.undo().expect("free");
-    assert_eq!(editor.document().materials().len(), 1);
+    assert_eq!(editor.document().materials().list.len(), 1);
     editor.undo().expect("free");
     assert_eq!(editor.document(), &before);
 }

@@ -3,7 +3,7 @@
 use crate::bezier::Controls;
 use crate::format::Format;
 use crate::import::NamedBytes;
-use crate::obj::Material;
+use crate::material::Materials;
 use crate::{bezier, collada, gltf, json, obj, off, ply, stl};
 use glam::DVec3;
 use halfedge::Mesh;
@@ -21,15 +21,16 @@ pub struct ObjectRef<'a> {
     pub controls: Option<&'a Controls>,
     /// What to add to every position, as [`Import::offset`](crate::Import::offset) said.
     pub offset: DVec3,
-    /// What libraries said of the materials that faces have, as [`Import::materials`](crate::Import::materials)
-    /// said.
-    pub materials: &'a [Material],
+    /// The document's materials, as [`Import::materials`](crate::Import::materials).
+    pub materials: &'a Materials,
 }
+
+static NO_MATERIALS: Materials = Materials { list: Vec::new(), images: Vec::new() };
 
 impl<'a> ObjectRef<'a> {
     /// A mesh to write.
     pub fn new(name: &'a str, mesh: &'a Mesh) -> Self {
-        Self { name, mesh, controls: None, offset: DVec3::ZERO, materials: &[] }
+        Self { name, mesh, controls: None, offset: DVec3::ZERO, materials: &NO_MATERIALS }
     }
 
     /// Whether it is a curve, of which formats for meshes can write nothing.

@@ -3,6 +3,8 @@
 use crate::detect::by_content;
 use crate::import::NamedBytes;
 use crate::losses::Part;
+use crate::material::Property;
+use crate::obj;
 
 /// A file format. Where one is written in two ways, reading tells them apart and calls both by the
 /// first.
@@ -123,6 +125,16 @@ impl Format {
             // They hold no meshes at all, which `losses` says once.
             Self::BezierCurve | Self::BezierSurface => true,
             Self::Json => matches!(part, Part::Polygons | Part::LooseVertices),
+        }
+    }
+
+    /// Whether files of the format hold this property of a material.
+    pub(crate) fn keeps_property(self, property: Property) -> bool {
+        match self {
+            Self::Obj => obj::mtl::keeps(property),
+            Self::Collada | Self::Glb | Self::Gltf => property == Property::BaseColor,
+            // Faces keep the colour; formats without material names are reported for those.
+            _ => property == Property::BaseColor,
         }
     }
 

@@ -2,14 +2,14 @@
 
 use crate::bezier::Controls;
 use crate::format::{Format, is_material_library};
-use crate::obj::Material;
+use crate::material::Materials;
 use crate::origin::{Bounds, Origin};
 use crate::repairs::{self, Repairs};
 use crate::report::{ImportReport, Places, counted};
 use crate::{bezier, collada, gltf, obj, off, ply, stl};
 use glam::DVec3;
 use halfedge::{Mesh, PolygonSoup, Progress};
-use std::collections::HashMap;
+use std::collections::HashSet;
 use std::fmt;
 use std::sync::Arc;
 
@@ -74,8 +74,8 @@ pub struct Import {
     /// What to add to every position for the coordinates of the files: not zero where models so far
     /// from the origin were read that 32 bits are too few for them.
     pub offset: DVec3,
-    /// What material libraries say of the materials that faces have, each name once.
-    pub materials: Vec<Material>,
+    /// The materials that faces have, with the images that these use.
+    pub materials: Materials,
     /// What to tell the user.
     pub report: ImportReport,
 }
@@ -203,7 +203,7 @@ fn read_all(
         name: first.stem().to_owned(),
         objects: Vec::new(),
         offset: DVec3::ZERO,
-        materials: Vec::new(),
+        materials: Materials::default(),
         report: ImportReport::default(),
     };
     let total: usize = models.iter().map(|(file, _)| file.bytes.len().max(1)).sum();
@@ -214,36 +214,30 @@ fn read_all(
             |fraction: f32| progress((done as f32 + size as f32 * fraction.clamp(0.0, 1.0)) / total as f32);
         let (objects, materials, mut report) =
             read_one(file, *format, &libraries, files, reading, &mut part)?;
-        add_materials(&mut import.materials, materials, &mut report);
+        for name in import.materials.add(materials) {
+            report.warn(format!(
+                "Material {name} is another one than that of an earlier file, whose settings are kept; faces keep \
+                 their colours"
+            ));
+        }
         import.report.append(if models.len() > 1 { report.prefixed(&file.name) } else { report });
         import.objects.extend(objects);
         done += size;
     }
     // The data beside a glTF is not a model of its own.
     let has_gltf = models.iter().any(|(_, format)| *format == Format::Gltf);
+    let base = |name: &str| name.rsplit(['/', '\\']).next().unwrap_or(name).to_lowercase();
+    let images: HashSet<String> = import.materials.images.iter().map(|image| base(&image.name)).collect();
     for file in others {
+        if images.contains(&base(&file.name)) {
+            continue;
+        }
         if has_gltf && file.name.to_ascii_lowercase().ends_with(".bin") {
             continue;
         }
         import.report.warn(format!("{} was left out: it is not a model that Meshwright can open", file.name));
     }
     Ok(import)
-}
-
-/// Adds materials of another file. A document has one of a name.
-fn add_materials(all: &mut Vec<Material>, more: Vec<Material>, report: &mut ImportReport) {
-    let known: HashMap<String, usize> = (0..).zip(all.iter()).map(|(i, m)| (m.name.clone(), i)).collect();
-    for material in more {
-        match known.get(&material.name).and_then(|&i| all.get(i)) {
-            None => all.push(material),
-            Some(first) if *first == material => {}
-            Some(_) => report.warn(format!(
-                "Material {} is another one than that of an earlier file, whose settings are kept; faces keep their \
-                 colours",
-                material.name
-            )),
-        }
-    }
 }
 
 fn read_one(
@@ -253,12 +247,12 @@ fn read_one(
     files: &[NamedBytes],
     reading: &mut Reading,
     progress: &mut Progress,
-) -> Result<(Vec<ImportedObject>, Vec<Material>, ImportReport), ReadError> {
+) -> Result<(Vec<ImportedObject>, Materials, ImportReport), ReadError> {
     let one = |(object, notes)| (vec![object], notes);
-    let mut materials = Vec::new();
+    let mut materials = Materials::default();
     let (objects, notes) = match format {
         Format::Obj => {
-            let (object, found, notes) = obj::read(file, libraries, reading, progress)?;
+            let (object, found, notes) = obj::read(file, libraries, files, reading, progress)?;
             materials = found;
             one((object, notes))
         }

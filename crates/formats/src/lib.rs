@@ -6,9 +6,9 @@
 #![cfg_attr(not(test), deny(clippy::unwrap_used, clippy::expect_used, clippy::panic, clippy::unreachable))]
 #![cfg_attr(not(test), deny(clippy::indexing_slicing))]
 
-mod beside;
 mod bezier;
 mod collada;
+mod companions;
 mod detect;
 mod export;
 mod format;
@@ -18,6 +18,7 @@ mod holes;
 mod import;
 mod json;
 mod losses;
+mod material;
 mod number;
 mod obj;
 mod off;
@@ -33,13 +34,15 @@ mod stl;
 mod text;
 mod weld;
 
-pub use beside::{alone, companions, missing};
 pub use bezier::Controls;
+pub use companions::{alone, companions, missing};
 pub use export::{ObjectRef, WriteError, write};
 pub use format::Format;
 pub use import::{Import, ImportedObject, NamedBytes, ReadError, read, read_with};
 pub use losses::losses;
+pub use material::{
+    AlphaMode, Image, Material, Materials, MtlStatements, Rgb, Texture, TextureRole, UvTransform, Wrap,
+};
 pub use number::shortest;
-pub use obj::Material;
 pub use repairs::{NonManifold, Repairs, rebuild};
 pub use report::{ImportReport, ReportNote, Severity};

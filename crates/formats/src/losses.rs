@@ -4,7 +4,7 @@ use crate::export::ObjectRef;
 use crate::format::Format;
 use crate::obj::mtl;
 use crate::pieces::uniform;
-use crate::report::counted;
+use crate::report::{counted, counted_words};
 use crate::weld::Weld;
 use glam::{Vec2, Vec3};
 use halfedge::attribute::{AttributeType, Key};
@@ -143,7 +143,7 @@ pub fn losses(format: Format, objects: &[ObjectRef]) -> Vec<String> {
         let enough = if part == Part::Objects { 2 } else { 1 };
         (count >= enough).then(|| part.loss(name, count))
     });
-    let materials = (format != Format::Obj).then(|| material_loss(name, &objects)).flatten();
+    let materials = material_loss(format, &objects);
     let split = split_losses(format, &objects);
     let merged =
         matches!(format, Format::Stl | Format::StlText).then(|| merged_loss(name, &objects)).flatten();
@@ -155,20 +155,29 @@ pub fn losses(format: Format, objects: &[ObjectRef]) -> Vec<String> {
     controls.chain(parts).chain(materials).chain(split).chain(merged).chain(rounded).collect()
 }
 
-/// What is lost of materials where a format holds no more of them than a colour.
-fn material_loss(format: &str, objects: &[ObjectRef]) -> Option<String> {
+/// What the format doesn't hold of the materials that faces have.
+fn material_loss(format: Format, objects: &[ObjectRef]) -> Option<String> {
     let mut met = HashSet::new();
-    let mut lost = Vec::new();
+    let mut words: Vec<&str> = Vec::new();
+    let mut count = 0;
     for object in objects.iter().filter(|object| !object.materials.is_empty()) {
         let names = mtl::names_in_use(object.mesh);
-        let own = object.materials.iter().filter(|m| !m.lines.is_empty() && names.contains(m.name.as_str()));
-        lost.extend(own.filter(|material| met.insert(material.name.as_str())));
+        for material in &object.materials.list {
+            if !names.contains(material.name.as_str()) || !met.insert(material.name.as_str()) {
+                continue;
+            }
+            let before = words.len();
+            let lost = material.properties().into_iter().filter(|&property| !format.keeps_property(property));
+            words.extend(lost.map(|property| property.name()));
+            if let Some(mtl) = material.mtl.as_ref().filter(|_| format != Format::Obj) {
+                words.extend(mtl::other_statements(mtl));
+            }
+            count += usize::from(words.len() > before);
+        }
     }
-    let parameters = mtl::parameters(lost.iter().copied())?;
-    let materials = counted(lost.len(), "material", "materials");
-    Some(format!(
-        "{format} holds no more of a material than its colour: of {materials} {parameters} are lost"
-    ))
+    let words = counted_words(words)?;
+    let materials = counted(count, "material", "materials");
+    Some(format!("{} holds less of materials: of {materials}, {words} are lost", format.name()))
 }
 
 /// What is lost where a format holds triangles by their positions alone: that vertices at one place

@@ -1,6 +1,7 @@
 //! What an import has to say: one kind of report for all formats.
 
 use serde::{Deserialize, Serialize};
+use std::collections::HashMap;
 use std::fmt;
 
 /// How much a note matters.
@@ -123,6 +124,23 @@ pub(crate) fn counted(count: usize, one: &str, many: &str) -> String {
 pub(crate) fn first_few(words: &[impl AsRef<str>], shown: usize) -> String {
     let few: Vec<&str> = words.iter().take(shown).map(AsRef::as_ref).collect();
     few.join(", ") + if words.len() > shown { ", …" } else { "" }
+}
+
+/// Words in order of first use, each with how often it comes, the first few of them: "a (3), b (1)"; none
+/// where there are no words.
+pub(crate) fn counted_words<'a>(words: impl IntoIterator<Item = &'a str>) -> Option<String> {
+    const SHOWN: usize = 8;
+    let mut counts: Vec<(&str, usize)> = Vec::new();
+    let mut places: HashMap<&str, usize> = HashMap::new();
+    for word in words {
+        let place = *places.entry(word).or_insert(counts.len());
+        match counts.get_mut(place) {
+            Some((_, count)) => *count += 1,
+            None => counts.push((word, 1)),
+        }
+    }
+    let words: Vec<String> = counts.iter().map(|(word, count)| format!("{word} ({count})")).collect();
+    (!words.is_empty()).then(|| first_few(&words, SHOWN))
 }
 
 #[cfg(test)]

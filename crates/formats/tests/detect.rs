@@ -60,7 +60,7 @@ fn an_obj_by_another_name_still_brings_its_materials() {
     assert_eq!(formats::companions(&obj), ["box.mtl"]);
     let import = read(&[NamedBytes::new("box.mtl", "newmtl red\nKd 1 0 0\n"), obj.clone()]).expect("an OBJ");
     assert_eq!((import.objects.len(), import.name.as_str()), (1, "box"));
-    assert_eq!(import.materials.len(), 1);
+    assert_eq!(import.materials.list.len(), 1);
     // A model by the name of a material library is a model.
     let import = read(&[NamedBytes { name: "box.mtl".to_owned(), ..obj }]).expect("an OBJ");
     assert_eq!(import.objects[0].mesh.face_count(), 1);

@@ -3,7 +3,7 @@
 mod common;
 
 use common::{mesh, objects, read, read_obj, text, write};
-use formats::{Format, NamedBytes, ObjectRef, ReadError};
+use formats::{Format, Materials, NamedBytes, ObjectRef, ReadError, TextureRole};
 use glam::{Vec2, Vec3};
 use halfedge::attribute::{Column, keys};
 use halfedge::{Color, Element, FaceId, Mesh, NONE, PolygonSoup, VertexId};
@@ -183,7 +183,7 @@ fn materials_come_back_as_they_were() {
     assert_eq!(text(&files[1]).matches("map_Kd wood.png\n").count(), 2, "{}", text(&files[1]));
     let back = read(&files).expect("its own");
     assert!(!back.report.to_string().contains("that no face has"), "{}", back.report);
-    assert_eq!(back.materials.len(), 1);
+    assert_eq!(back.materials.list.len(), 1);
     // Without colours too: a library is written for what it says besides.
     let plain = read(&[
         NamedBytes::new("a.mtl", "newmtl wood\nmap_Kd wood.png\n"),
@@ -202,10 +202,46 @@ fn materials_come_back_as_they_were() {
     assert_eq!(
         formats::losses(Format::Collada, &[object]),
         [
-            "COLLADA holds no more of a material than its colour: of 2 materials Ks (1), Ns (1), map_Kd (1), d (1) are lost"
+            "COLLADA holds less of materials: of 2 materials, specular colour (1), shininess (1), base colour texture \
+             (1), alpha (1) are lost"
         ]
     );
     assert_eq!(formats::losses(Format::Obj, &[object]), [""; 0]);
+}
+
+#[test]
+fn images_given_with_a_model_are_written_with_it() {
+    let png = [0x89, b'P', b'N', b'G', 1, 2, 3];
+    let files = [
+        NamedBytes::new("model.obj", format!("mtllib sub/a.mtl\n{SQUARE}usemtl wood\nf 1 2 3\n")),
+        NamedBytes::new(
+            "sub/a.mtl",
+            "newmtl wood\nmap_Kd tex\\Wood.png\nbump gone.png\nnewmtl x\nmap_Kd x.png\n",
+        ),
+        NamedBytes::new("sub/tex/wood.PNG", png),
+        NamedBytes::new("x.png", png),
+        NamedBytes::new("other.png", png),
+    ];
+    let import = read(&files).expect("readable");
+    let wood = import.materials.get("wood").expect("in use");
+    let image = import.materials.image(wood.texture(TextureRole::BaseColor).expect("a texture"));
+    let image = image.expect("an image");
+    assert_eq!((image.name.as_str(), image.media_type.as_deref()), ("tex/Wood.png", Some("image/png")));
+    assert_eq!(image.bytes.as_deref(), Some(&png[..]));
+    assert_eq!(import.materials.images.len(), 2, "{:?}", import.materials.images);
+    let report = import.report.to_string();
+    assert!(
+        report.contains("1 image that its materials use not given, so only referred to: gone.png"),
+        "{report}"
+    );
+    assert!(report.contains("other.png was left out") && !report.contains("ood.png was"), "{report}");
+    let object = ObjectRef { materials: &import.materials, ..ObjectRef::new("a", mesh(&import)) };
+    let written = formats::write(Format::Obj, "a", &[object]).expect("small");
+    let names: Vec<&str> = written.iter().map(|file| file.name.as_str()).collect();
+    assert_eq!(names, ["a.obj", "a.mtl", "tex/Wood.png"]);
+    assert_eq!(written[2].bytes, png);
+    assert!(text(&written[1]).contains("map_Kd tex\\Wood.png\nbump gone.png\n"));
+    assert_eq!(read(&written).expect("its own").materials, import.materials);
 }
 
 #[test]
@@ -219,6 +255,7 @@ fn a_painted_face_leaves_the_others_their_material() {
         faces.iter().for_each(|&f| painted.set(keys::FACE_COLOR, f, Color([255, 0, 0])));
         painted
     };
+    let none = Materials::default();
     let names = |format, mesh: &Mesh, materials| -> String {
         let object = ObjectRef { materials, ..ObjectRef::new("a", mesh) };
         let files = formats::write(format, "a", &[object]).expect("small");
@@ -241,9 +278,9 @@ fn a_painted_face_leaves_the_others_their_material() {
         }
     }
     // Where no library says what the material's own colour is, most faces do.
-    let text = names(Format::Obj, &paint(&[0]), &[]);
+    let text = names(Format::Obj, &paint(&[0]), &none);
     assert!(text.contains("newmtl white\nKd 1 1 1\n") && text.contains("white.color-ff0000"), "{text}");
-    let text = names(Format::Obj, &paint(&[0, 1, 2]), &[]);
+    let text = names(Format::Obj, &paint(&[0, 1, 2]), &none);
     assert!(text.contains("newmtl white\nKd 1 0 0\n") && text.contains("white.color-ffffff"), "{text}");
     // Painted all over, the material has that colour.
     let text = names(Format::Obj, &paint(&[0, 1, 2, 3]), &import.materials);
@@ -265,7 +302,7 @@ fn materials_of_one_name_in_two_files_are_told() {
     let import = read(&files("Kd 0 1 0\n")).expect("readable");
     let warnings: Vec<&str> = import.report.warnings().collect();
     assert!(warnings.len() == 1 && warnings[0].starts_with("b.obj: Material m is another"), "{warnings:?}");
-    assert_eq!(import.materials.len(), 1);
+    assert_eq!(import.materials.list.len(), 1);
     assert_eq!(import.objects[1].mesh.get(keys::FACE_COLOR, 0), Color([0, 255, 0]));
     assert!(read(&files("Kd 1 0 0\nd 1\n")).expect("readable").report.is_clean());
 }

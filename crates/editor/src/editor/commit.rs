@@ -150,7 +150,7 @@ impl Editor {
                 changes.extend((0..self.document.objects.len()).rev().map(Change::Remove));
                 changes.push(Change::DocumentName(first.name.clone()));
                 changes.push(Change::Offset(DVec3::ZERO));
-                changes.push(Change::Materials(Vec::new()));
+                changes.push(Change::Materials(formats::Materials::default()));
                 let object = self.object(first);
                 changes.push(Change::Insert(0, Box::new(object)));
                 changes.push(Change::Active(0));

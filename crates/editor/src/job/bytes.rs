@@ -12,7 +12,9 @@
 use super::{ExportHead, JobId, JobRequest, JobResult, Made, Work};
 use crate::ops::{Action, Command, Input, Op, Output};
 use crate::outcome::ElementIds;
-use formats::{Controls, Format, Import, ImportReport, ImportedObject, Material, NamedBytes, Repairs};
+use formats::{
+    Controls, Format, Image, Import, ImportReport, ImportedObject, Materials, NamedBytes, Repairs,
+};
 use halfedge::attribute::{Column, Columns, Value, Values};
 use halfedge::{Color, Element, Gaps, Mesh, PolygonSoup, RawMesh};
 use serde::{Deserialize, Serialize};
@@ -56,7 +58,7 @@ enum RequestHeader {
         extension: String,
         name: String,
         offset: [f64; 3],
-        materials: Vec<Material>,
+        materials: MaterialsHeader,
         meshes: Vec<MeshHeader>,
     },
 }
@@ -74,7 +76,7 @@ enum MadeHeader {
         name: String,
         report: ImportReport,
         offset: [f64; 3],
-        materials: Vec<Material>,
+        materials: MaterialsHeader,
         meshes: Vec<MeshHeader>,
     },
     Meshes {
@@ -91,6 +93,14 @@ enum MadeHeader {
 struct FileHeader {
     name: String,
     bytes: usize,
+}
+
+#[derive(Default, Serialize, Deserialize)]
+struct MaterialsHeader {
+    /// The materials, with images without their contents.
+    materials: Materials,
+    /// How many bytes the contents of each image take, where they are known.
+    images: Vec<Option<usize>>,
 }
 
 #[derive(Serialize, Deserialize)]
@@ -162,7 +172,7 @@ impl JobRequest {
                 extension: head.format.extension().to_owned(),
                 name: head.name.clone(),
                 offset: head.offset.to_array(),
-                materials: head.materials.clone(),
+                materials: out.materials(&head.materials),
                 meshes: inputs.iter().map(|input| out.input(input, false)).collect(),
             },
         };
@@ -197,6 +207,7 @@ impl JobRequest {
             }
             RequestHeader::Export { id, extension, name, offset, materials, meshes } => {
                 let format = Format::from_extension(&extension).ok_or_else(|| bad("an unknown format"))?;
+                let materials = rest.materials(materials)?;
                 let head = ExportHead { format, name, offset: offset.into(), materials };
                 (id, Work::Export(head, inputs(&mut rest, meshes)?))
             }
@@ -217,7 +228,7 @@ impl JobResult {
                 name: import.name.clone(),
                 report: import.report.clone(),
                 offset: import.offset.to_array(),
-                materials: import.materials.clone(),
+                materials: out.materials(&import.materials),
                 meshes: import
                     .objects
                     .iter()
@@ -250,6 +261,7 @@ impl JobResult {
         let (ResultHeader { validated, made }, mut rest) = Reader::open(RESULT, bytes)?;
         let made = match made {
             MadeHeader::Import { name, report, offset, materials, meshes } => {
+                let materials = rest.materials(materials)?;
                 let objects = meshes
                     .into_iter()
                     .map(|header| {
@@ -300,6 +312,20 @@ impl<'a> Writer<'a> {
                 FileHeader { name: file.name.clone(), bytes: file.bytes.len() }
             })
             .collect()
+    }
+
+    fn materials(&mut self, materials: &'a Materials) -> MaterialsHeader {
+        let mut header = MaterialsHeader::default();
+        header.materials.list = materials.list.clone();
+        for image in &materials.images {
+            let (name, media_type) = (image.name.clone(), image.media_type.clone());
+            header.materials.images.push(Image { name, media_type, bytes: None });
+            header.images.push(image.bytes.as_ref().map(|bytes| {
+                self.column(bytes);
+                bytes.len()
+            }));
+        }
+        header
     }
 
     fn ids(&mut self, ids: &'a ElementIds) -> [usize; 3] {
@@ -497,6 +523,16 @@ impl<'a> Reader<'a> {
             .collect()
     }
 
+    fn materials(&mut self, header: MaterialsHeader) -> Result<Materials, BadBytes> {
+        let mut materials = header.materials;
+        for (image, length) in materials.images.iter_mut().zip(header.images) {
+            if let Some(length) = length {
+                image.bytes = Some(self.take(length)?.into());
+            }
+        }
+        Ok(materials)
+    }
+
     fn ids(&mut self, [vertices, edges, faces]: [usize; 3]) -> Result<ElementIds, BadBytes> {
         Ok(ElementIds {
             vertices: self.column(vertices)?,
@@ -598,7 +634,8 @@ mod tests {
         let (name, controls, soup) = (String::new(), None, None);
         let mesh = MeshHeader { name, vertices, edges, faces, controls, soup, gaps: [0; 3], columns };
         let (extension, name, offset) = ("obj".into(), String::new(), [0.0; 3]);
-        RequestHeader::Export { id: 1, extension, name, offset, materials: Vec::new(), meshes: vec![mesh] }
+        let materials = MaterialsHeader::default();
+        RequestHeader::Export { id: 1, extension, name, offset, materials, meshes: vec![mesh] }
     }
 
     #[test]

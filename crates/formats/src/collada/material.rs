@@ -1,7 +1,7 @@
 //! Names and diffuse colours of materials.
 
 use super::xml::{Document, Node};
-use crate::obj::mtl::color;
+use crate::material::Rgb;
 use crate::obj::names::unpainted;
 use crate::scan::Scan;
 use halfedge::Color;
@@ -37,5 +37,5 @@ fn diffuse(document: &Document, material: &Node) -> Option<Color> {
     let shader =
         document.children(technique).find_map(|shader| document.path(shader, &["diffuse", "color"]))?;
     let mut scan = Scan::new(shader.text(), None);
-    Some(color([scan.float()?, scan.float()?, scan.float()?]))
+    Some(Rgb::from_srgb([scan.float()?, scan.float()?, scan.float()?]).to_color())
 }

@@ -13,8 +13,8 @@ pub(crate) mod names;
 mod read;
 pub(crate) mod runs;
 mod statements;
+mod texture;
 mod write;
 
-pub use mtl::Material;
 pub(crate) use read::read;
 pub(crate) use write::write;

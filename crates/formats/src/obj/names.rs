@@ -73,7 +73,7 @@ pub(crate) fn own_colors(objects: &[ObjectRef], name: impl Fn(&str) -> String) -
         }
     }
     let mut own: HashMap<String, Color> = HashMap::with_capacity(found.len());
-    for material in objects.iter().flat_map(|object| object.materials) {
+    for material in objects.iter().flat_map(|object| &object.materials.list) {
         let name = name(&material.name);
         let color = material.color().unwrap_or(Color::UNPAINTED);
         if found.get(&name).is_some_and(|colors| colors.iter().any(|&(has, _)| has == color)) {

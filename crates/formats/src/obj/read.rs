@@ -1,9 +1,10 @@
 //! Reading an OBJ: statements to polygon soup with attributes, to a mesh, with a report.
 
-use super::mtl::{self, Material};
+use super::mtl;
 use super::names::unpainted;
 use super::statements::{Statements, Troubles};
 use crate::import::{ImportedObject, NamedBytes, ReadError, Reading, build, not_a};
+use crate::material::{Material, Materials};
 use crate::report::{ImportReport, counted, first_few};
 use crate::scan::is_text;
 use crate::soup::{drop_faces, labelled};
@@ -22,13 +23,14 @@ fn mentions(statements: &Statements, library: &str) -> bool {
 }
 
 /// Reads one OBJ as one object, and the materials of its faces. `libraries` are the `.mtl` files that
-/// came with it.
+/// came with it, `files` all files.
 pub(crate) fn read(
     file: &NamedBytes,
     libraries: &[&NamedBytes],
+    files: &[NamedBytes],
     reading: &mut Reading,
     progress: &mut Progress,
-) -> Result<(ImportedObject, Vec<Material>, ImportReport), ReadError> {
+) -> Result<(ImportedObject, Materials, ImportReport), ReadError> {
     if let Some(kind) = not_text(&file.bytes) {
         return Err(ReadError::file(&file.name, kind));
     }
@@ -47,7 +49,7 @@ pub(crate) fn read(
     }
     let mut report = ImportReport::default();
     report_troubles(&statements.troubles, &mut report);
-    let (soup, materials) = soup(&mut statements, libraries, &mut report);
+    let (soup, materials) = soup(&mut statements, libraries, files, &mut report);
     let part = &mut |part| progress(0.5 + part * 0.5);
     let object = build(file.stem(), soup, &file.name, reading, &mut report, part)?;
     Ok((object, materials, report))
@@ -65,8 +67,9 @@ fn not_text(bytes: &[u8]) -> Option<String> {
 fn soup(
     statements: &mut Statements,
     libraries: &[&NamedBytes],
+    files: &[NamedBytes],
     report: &mut ImportReport,
-) -> (PolygonSoup, Vec<Material>) {
+) -> (PolygonSoup, Materials) {
     let mut soup = std::mem::take(&mut statements.soup);
     let faces = soup.face_count();
     if !statements.colors.is_empty() {
@@ -88,8 +91,8 @@ fn soup(
     if let Some(groups) = statements.groups.expand(faces, NONE) {
         soup.face_columns.push(statements.group_names.column(keys::FACE_GROUP, groups));
     }
-    let given = read_libraries(statements, libraries, report);
-    let names = materials(statements, faces, &given, &mut soup.face_columns);
+    let given = read_libraries(statements, libraries, files, report);
+    let names = materials(statements, faces, &given.list, &mut soup.face_columns);
     if let Some(smoothing) = statements.smoothing.expand(faces, 0) {
         soup.face_columns.push(Column::with_values(keys::FACE_SMOOTHING, smoothing));
     }
@@ -97,18 +100,29 @@ fn soup(
     (soup, in_use(given, &names, report))
 }
 
-/// Those of the libraries' materials that faces have, by name.
-fn in_use(given: Vec<Material>, names: &[String], report: &mut ImportReport) -> Vec<Material> {
+/// Those of the libraries' materials that faces have, by name, with the images that they use.
+fn in_use(given: Materials, names: &[String], report: &mut ImportReport) -> Materials {
     let names: HashSet<&str> = names.iter().map(String::as_str).collect();
     let is_used = |name: &str| !name.is_empty() && names.contains(name);
-    let (used, mut unused): (Vec<_>, Vec<_>) =
-        given.into_iter().partition(|material| is_used(&material.name));
+    let (list, mut unused): (Vec<_>, Vec<_>) =
+        given.list.into_iter().partition(|material| is_used(&material.name));
     // Those that stand for a colour of another one are in the colours of faces.
     unused.retain(|material| unpainted(&material.name).is_none());
-    if let Some(parameters) = mtl::parameters(used.iter()) {
+    let mut used = Materials::default();
+    used.add(Materials { list, images: given.images });
+    if let Some(parameters) = mtl::statement_counts(used.list.iter()) {
         report.info(format!(
             "What its materials have besides a colour is not shown, and is written again when it is saved as OBJ: \
              {parameters}"
+        ));
+    }
+    let absent = used.images.iter().filter(|image| image.bytes.is_none());
+    let absent: Vec<&str> = absent.map(|image| image.name.as_str()).collect();
+    if !absent.is_empty() {
+        report.info(format!(
+            "{} that its materials use not given, so only referred to: {}",
+            counted(absent.len(), "image", "images"),
+            first_few(&absent, 6)
         ));
     }
     if !unused.is_empty() {
@@ -192,20 +206,23 @@ fn materials(
 fn read_libraries(
     statements: &Statements,
     libraries: &[&NamedBytes],
+    files: &[NamedBytes],
     report: &mut ImportReport,
-) -> Vec<Material> {
+) -> Materials {
     let named: Vec<_> = libraries.iter().filter(|library| mentions(statements, &library.name)).collect();
     let used = if named.is_empty() { libraries.iter().collect() } else { named };
-    let mut materials: Vec<Material> = Vec::new();
-    let mut met = HashSet::new();
+    let mut materials = Materials::default();
     for library in &used {
-        let more = mtl::read(&library.bytes);
+        let mut notes = ImportReport::default();
+        let more = mtl::read(library, files, &mut notes);
         report.info(format!(
             "Colours of {} read from {}",
-            counted(more.len(), "material", "materials"),
+            counted(more.list.len(), "material", "materials"),
             library.name
         ));
-        materials.extend(more.into_iter().filter(|material| met.insert(material.name.clone())));
+        report.append(notes);
+        // Of several materials of one name, the first counts.
+        materials.add(more);
     }
     if used.is_empty() && !statements.libraries.is_empty() {
         report.info(format!(

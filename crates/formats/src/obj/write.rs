@@ -1,22 +1,24 @@
 //! Writing an OBJ, with its materials in an MTL beside it.
 
-use super::mtl::{self, Entry, Material};
+use super::mtl::{self, Entry};
 use super::names::{clean, group_lines, own_colors, painted, spaced};
+use crate::companions::image_files;
 use crate::export::ObjectRef;
 use crate::hash::Unique;
 use crate::import::NamedBytes;
+use crate::material::{Image, Material};
 use crate::text::{push_floats, push_integer, push_position};
 use glam::{DVec3, Vec2, Vec3};
 use halfedge::{Color, Element, Mesh, NONE, keys};
 use std::collections::HashMap;
 
-/// Writes the objects into one OBJ, several as `o` sections; a second file holds the materials if
-/// faces have colours or a library told of their materials. Read again, one object is the same mesh: numbering, positions to the bit,
-/// corners, attributes.
+/// Writes the objects into one OBJ, several as `o` sections. If faces have colours or known materials, a
+/// second file holds the materials, and more files the images that these use. Read again, one object is
+/// the same mesh: numbering, positions to the bit, corners, attributes.
 pub(crate) fn write(name: &str, objects: &[ObjectRef]) -> Vec<NamedBytes> {
     let has_colors = objects.iter().any(|object| shows_colors(object.mesh));
     let mut known: HashMap<String, &Material> = HashMap::new();
-    for material in objects.iter().flat_map(|object| object.materials) {
+    for material in objects.iter().flat_map(|object| &object.materials.list) {
         known.entry(clean(&material.name)).or_insert(material);
     }
     let is_known = |object: &ObjectRef| {
@@ -45,15 +47,30 @@ pub(crate) fn write(name: &str, objects: &[ObjectRef]) -> Vec<NamedBytes> {
     }
     let mut files = vec![NamedBytes { name: format!("{name}.obj"), bytes: writer.out }];
     if has_materials {
+        // One document has one list of materials.
+        let images = objects.first().map_or(&[][..], |object| &object.materials.images);
         let entry = |named: Named| Entry {
             name: named.name,
             color: has_colors.then_some(named.color),
             known: known.get(&named.label).copied(),
         };
         let entries: Vec<Entry> = writer.materials.list.into_iter().map(entry).collect();
-        files.push(NamedBytes { name: library, bytes: mtl::write(&entries) });
+        let image_names: Vec<String> = images.iter().map(|image| clean(&image.name)).collect();
+        files.push(NamedBytes { name: library, bytes: mtl::write(&entries, &image_names) });
+        files.extend(image_files(used_images(&entries, images)));
     }
     files
+}
+
+/// The images that written materials use.
+fn used_images<'a>(entries: &[Entry], images: &'a [Image]) -> impl Iterator<Item = &'a Image> {
+    let mut used = vec![false; images.len()];
+    for texture in entries.iter().filter_map(|entry| entry.known).flat_map(|known| &known.textures) {
+        if let Some(used) = used.get_mut(texture.image as usize) {
+            *used = true;
+        }
+    }
+    images.iter().zip(used).filter(|(_, used)| *used).map(|(image, _)| image)
 }
 
 /// Whether faces have colours that a file has to keep: painted ones, or materials' own.

@@ -90,54 +90,64 @@ async fn fetch_all(
         fetched.files.push(NamedBytes { name: name_of(&url), bytes });
     }
     let asked: Vec<String> = models.iter().map(Url::href).collect();
-    for (at, model) in models.iter().enumerate() {
-        let Some(file) = fetched.files.get(at) else { continue };
-        let (name, companions) = (file.name.clone(), formats::companions(file));
-        let mut failures: HashMap<&str, String> = HashMap::new();
-        for companion in &companions {
-            // Found under its whole name, a name with blanks is not several.
-            let is_part = |other: &&String| other.split_whitespace().any(|part| part == companion);
-            let mut wholes = companions.iter().filter(|other| *other != companion).filter(is_part);
-            if wholes.any(|whole| fetched.files.iter().any(|file| file.name == *whole)) {
-                continue;
-            }
-            match beside(window, model, companion, &asked, abort).await {
-                Ok(Some(bytes)) => fetched.files.push(NamedBytes { name: companion.clone(), bytes }),
-                Ok(None) => {}
-                Err(why) => {
-                    failures.insert(companion, why);
+    // Companions of models, then companions of those: images that material libraries name.
+    let mut owners: Vec<(usize, Url)> = models.into_iter().enumerate().collect();
+    for depth in 0..2 {
+        let mut found = Vec::new();
+        for (at, owner) in owners {
+            let Some(file) = fetched.files.get(at) else { continue };
+            let (name, companions) = (file.name.clone(), formats::companions(file));
+            let mut failures: HashMap<&str, String> = HashMap::new();
+            for companion in &companions {
+                // Found under its whole name, a name with blanks is not several.
+                let is_part = |other: &&String| other.split_whitespace().any(|part| part == companion);
+                let mut wholes = companions.iter().filter(|other| *other != companion).filter(is_part);
+                let is_fetched = |name: &String| fetched.files.iter().any(|file| file.name == *name);
+                if wholes.any(is_fetched) || (depth > 0 && is_fetched(companion)) {
+                    continue;
+                }
+                match fetch_companion(window, &owner, companion, &asked, abort).await {
+                    Ok(Some((bytes, url))) => {
+                        found.push((fetched.files.len(), url));
+                        fetched.files.push(NamedBytes { name: companion.clone(), bytes });
+                    }
+                    Ok(None) => {}
+                    Err(why) => {
+                        failures.insert(companion, why);
+                    }
                 }
             }
+            for missing in formats::missing(&companions, |name| !failures.contains_key(name)) {
+                let why = failures.get(missing).map_or("could not be fetched", String::as_str);
+                fetched.notes.push(format!("{missing}, which belongs to {name}, {why}."));
+            }
         }
-        for missing in formats::missing(&companions, |name| !failures.contains_key(name)) {
-            let why = failures.get(missing).map_or("could not be fetched", String::as_str);
-            fetched.notes.push(format!("{missing}, which belongs to {name}, {why}."));
-        }
+        owners = found;
     }
     Ok(fetched)
 }
 
-/// A file that a model names, from where the model is; none where it was asked for itself.
-async fn beside(
+/// Fetches a companion file from where its owner lies; gives none where it was asked for itself.
+async fn fetch_companion(
     window: &Window,
-    model: &Url,
+    owner: &Url,
     name: &str,
     asked: &[String],
     abort: &AbortController,
-) -> Result<Option<Vec<u8>>, String> {
+) -> Result<Option<(Vec<u8>, Url)>, String> {
     let path: Vec<String> =
         name.split('/').map(|part| String::from(js_sys::encode_uri_component(part))).collect();
     let elsewhere = "does not lie beside it, and is not looked for elsewhere";
-    let url = Url::new_with_base(&path.join("/"), &model.href()).map_err(|_| elsewhere.to_owned())?;
+    let url = Url::new_with_base(&path.join("/"), &owner.href()).map_err(|_| elsewhere.to_owned())?;
     // A model must not make the page ask other sites.
-    if url.origin() != model.origin() {
+    if url.origin() != owner.origin() {
         return Err(elsewhere.to_owned());
     }
     if asked.contains(&url.href()) {
         return Ok(None);
     }
     match fetch(window, &url, abort, |_| {}).await {
-        Ok((bytes, _)) => Ok(Some(bytes)),
+        Ok(fetched) => Ok(Some(fetched)),
         Err(Failure { why, .. }) => Err(format!("{why} ({})", url.href())),
     }
 }
