@@ -15,7 +15,6 @@ mod job;
 mod json;
 pub mod ops;
 mod outcome;
-mod pieces;
 mod selection;
 mod state;
 

@@ -8,7 +8,9 @@
 
 pub mod bezier;
 mod error;
+mod extract_faces;
 mod face_tree;
+mod join_meshes;
 pub mod measure;
 mod merge_by_distance;
 mod morton;
@@ -18,17 +20,21 @@ mod remesh;
 mod shapes;
 mod simplify;
 mod smooth;
+mod soft_selection;
 mod subdivide;
 mod trig;
 mod trimesh;
 
 pub use error::SurfaceError;
+pub use extract_faces::extract_faces;
 pub use face_tree::{FaceTree, FaceTreeBuilder, Hit, Ray};
+pub use join_meshes::join_meshes;
 pub use merge_by_distance::{Merged, merge_by_distance};
 pub use remesh::{Remesh, remesh};
 pub use shapes::{Shape, ShapeField};
 pub use simplify::{Simplified, Simplify, SimplifyTarget, simplify};
 pub use smooth::{Smooth, SmoothMethod, smooth};
+pub use soft_selection::soft_selection;
 pub use subdivide::{
     BoundaryRule, CatmullClark, Linear, Loop, LoopWeights, MAX_FACES, VertexRule, quad_split_faces,
     subdivide_catmull_clark, subdivide_linear, subdivide_loop,

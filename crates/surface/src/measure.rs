@@ -1,7 +1,7 @@
 //! Lengths, areas, volumes and angles, in mesh units and radians.
 
 use glam::{DVec3, Vec3};
-use halfedge::geometry::face_area_vector;
+use halfedge::geometry::{face_area_vector, mean_position};
 use halfedge::{EdgeId, FaceId, Mesh};
 
 /// An axis-aligned box.
@@ -76,10 +76,7 @@ pub fn surface_area(mesh: &Mesh) -> f64 {
 
 /// The mean of a face's corners: where Catmull-Clark puts the face point.
 pub fn face_center(mesh: &Mesh, face: FaceId) -> DVec3 {
-    let (sum, count) = mesh
-        .face_vertices(face)
-        .fold((DVec3::ZERO, 0u32), |(sum, count), v| (sum + mesh.position(v).as_dvec3(), count + 1));
-    sum / f64::from(count.max(1))
+    mean_position(mesh, mesh.face_vertices(face))
 }
 
 /// The centre of area of a face; the mean of its corners where it has no area.

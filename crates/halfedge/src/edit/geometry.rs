@@ -1,8 +1,8 @@
 //! Normals and directions that edits place new vertices by.
 
-use crate::geometry::face_area_vector;
+use crate::geometry::{face_area_vector, mean_position};
 use crate::mesh::Mesh;
-use crate::{FaceId, HalfedgeId, VertexId};
+use crate::{FaceId, HalfedgeId};
 use glam::Vec3;
 
 impl Mesh {
@@ -14,18 +14,7 @@ impl Mesh {
 
     /// The mean of a face's corners.
     pub(crate) fn corner_mean(&self, face: FaceId) -> Vec3 {
-        self.mean_position(self.face_vertices(face))
-    }
-
-    /// The mean of some vertices' positions; zero for none.
-    pub(crate) fn mean_position(&self, vertices: impl Iterator<Item = VertexId>) -> Vec3 {
-        // In f64: the mean of a great many vertices is exact enough to be told from its neighbours.
-        let (mut sum, mut count) = (glam::DVec3::ZERO, 0.0);
-        for v in vertices {
-            sum += self.position(v).as_dvec3();
-            count += 1.0;
-        }
-        if count == 0.0 { Vec3::ZERO } else { (sum / count).as_vec3() }
+        mean_position(self, self.face_vertices(face)).as_vec3()
     }
 
     /// The unit vector along a half-edge; zero for one without length.

@@ -9,6 +9,7 @@
 use crate::edit::patch::{Blend, Plan, plan};
 use crate::edit::region::substitute;
 use crate::edit::{Made, Refusal};
+use crate::geometry::mean_position;
 use crate::mesh::Mesh;
 use crate::{Element, VertexId};
 use glam::Vec3;
@@ -52,7 +53,7 @@ pub fn merge_vertices(
     let mut all = vertices.to_vec();
     all.sort_unstable();
     all.dedup();
-    let position = position.unwrap_or_else(|| mesh.mean_position(all.iter().copied()));
+    let position = position.unwrap_or_else(|| mean_position(mesh, all.iter().copied()).as_vec3());
     let mut made = plan.apply(mesh);
     let blend = Blend::Mean(all.iter().map(|v| v.raw()).collect());
     mesh.blend_attributes(Element::Vertex, &blend, target.raw());

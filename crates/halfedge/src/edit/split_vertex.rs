@@ -12,6 +12,7 @@
 
 use crate::edit::patch::{Corner, Patch, Plan, plan};
 use crate::edit::{Made, Refusal};
+use crate::geometry::mean_position;
 use crate::mesh::Mesh;
 use crate::{EdgeId, Element, HalfedgeId, VertexId};
 use glam::Vec3;
@@ -99,7 +100,7 @@ fn plan_split(
 fn position_for(mesh: &Mesh, vertex: VertexId, corners: impl Iterator<Item = HalfedgeId>) -> Vec3 {
     let mut far = corners.flat_map(|h| [mesh.to(h), mesh.from(mesh.prev(h))]).peekable();
     let here = mesh.position(vertex);
-    if far.peek().is_none() { here } else { here.lerp(mesh.mean_position(far), 0.25) }
+    if far.peek().is_none() { here } else { here.lerp(mean_position(mesh, far).as_vec3(), 0.25) }
 }
 
 /// Splits a vertex in two along two of its edges; see the module's text for which faces go to the

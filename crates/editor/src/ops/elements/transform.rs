@@ -9,11 +9,10 @@ use crate::ops::{
 };
 use glam::{Affine3A, Mat3A, Quat, Vec3};
 use halfedge::edit::Refusal;
+use halfedge::geometry::mean_position;
 use halfedge::{Element, Mesh, VertexId};
 use serde::de::{Deserializer, Error};
 use serde::{Deserialize, Serialize, Serializer};
-use std::cmp::Ordering;
-use std::collections::{BinaryHeap, HashMap};
 
 /// Scale and rotate elements about a pivot, then move them.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, std::default::Default)]
@@ -135,7 +134,7 @@ impl LocalEdit for Transform {
         let map = self.map(self.pivot(mesh, &vertices))?;
         let weights = match self.falloff {
             None => vertices.into_iter().map(|v| (v, 1.0)).collect(),
-            Some(radius) if radius > 0.0 => soft(mesh, &vertices, radius),
+            Some(radius) if radius > 0.0 => surface::soft_selection(mesh, &vertices, radius),
             Some(radius) => {
                 return Err(Problem::field(
                     "falloff",
@@ -176,7 +175,7 @@ impl Transform {
     }
 
     fn pivot(&self, mesh: &Mesh, vertices: &[VertexId]) -> Vec3 {
-        self.pivot.map_or_else(|| center(mesh, vertices), Vec3::from)
+        self.pivot.map_or_else(|| mean_position(mesh, vertices.iter().copied()).as_vec3(), Vec3::from)
     }
 
     /// Scale, then rotate, about the pivot; then move.
@@ -198,68 +197,4 @@ impl Transform {
         let matrix = Mat3A::from_quat(rotation) * Mat3A::from_diagonal(self.scale.0.into());
         Ok(Affine3A::from_mat3_translation(matrix.into(), translate + pivot - matrix * pivot))
     }
-}
-
-/// The mean of some vertices' positions.
-fn center(mesh: &Mesh, vertices: &[VertexId]) -> Vec3 {
-    let sum = vertices.iter().fold(glam::DVec3::ZERO, |sum, &v| sum + mesh.position(v).as_dvec3());
-    if vertices.is_empty() { Vec3::ZERO } else { (sum / vertices.len() as f64).as_vec3() }
-}
-
-/// A vertex on the way of the soft selection's front, nearest first.
-struct Front {
-    distance: f32,
-    vertex: VertexId,
-    source: VertexId,
-}
-
-impl Ord for Front {
-    fn cmp(&self, other: &Self) -> Ordering {
-        other.distance.total_cmp(&self.distance).then_with(|| other.vertex.cmp(&self.vertex))
-    }
-}
-
-impl PartialOrd for Front {
-    fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
-        Some(self.cmp(other))
-    }
-}
-
-impl PartialEq for Front {
-    fn eq(&self, other: &Self) -> bool {
-        self.cmp(other) == Ordering::Equal
-    }
-}
-
-impl Eq for Front {}
-
-/// The vertices of a soft selection with their weights, in order of id: 1 for the selected ones,
-/// falling smoothly to 0 at the radius. A front goes outward over edges, each vertex remembering
-/// the selected one it comes from; the distance is the straight one to that. So a surface that
-/// only passes near by is not pulled along. Costs O(k log k) for k vertices within the radius.
-fn soft(mesh: &Mesh, selected: &[VertexId], radius: f32) -> Vec<(VertexId, f32)> {
-    let mut nearest: HashMap<VertexId, f32> = selected.iter().map(|&v| (v, 0.0)).collect();
-    let mut front: BinaryHeap<Front> =
-        selected.iter().map(|&v| Front { distance: 0.0, vertex: v, source: v }).collect();
-    while let Some(Front { distance, vertex, source }) = front.pop() {
-        if nearest.get(&vertex).is_some_and(|&known| known < distance) {
-            continue;
-        }
-        for w in mesh.neighbors(vertex) {
-            let distance = mesh.position(w).distance(mesh.position(source));
-            if distance < radius && nearest.get(&w).is_none_or(|&known| distance < known) {
-                nearest.insert(w, distance);
-                front.push(Front { distance, vertex: w, source });
-            }
-        }
-    }
-    let mut weights: Vec<(VertexId, f32)> = nearest
-        .into_iter()
-        .map(|(v, distance)| {
-            let x = 1.0 - distance / radius;
-            (v, x * x * (3.0 - 2.0 * x))
-        })
-        .collect();
-    weights.sort_unstable_by_key(|&(v, _)| v);
-    weights
 }

@@ -3,7 +3,6 @@
 use crate::document::{Object, ObjectId};
 use crate::error::Problem;
 use crate::ops::{Action, Commit, Field, FieldKind, Input, Operation, Output, Place, Scope, Spec, WholeMesh};
-use crate::pieces;
 use halfedge::Progress;
 use serde::{Deserialize, Serialize};
 
@@ -39,8 +38,8 @@ impl WholeMesh for JoinObjects {
         if progress(0.0).is_break() {
             return Err(Problem::cancelled());
         }
-        let mesh =
-            pieces::join(inputs.iter().map(|input| &*input.mesh)).map_err(|e| Problem::new(e.to_string()))?;
+        let mesh = surface::join_meshes(inputs.iter().map(|input| &*input.mesh))
+            .map_err(|e| Problem::new(e.to_string()))?;
         Ok(vec![Output::new("", mesh)])
     }
 

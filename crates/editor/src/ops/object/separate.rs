@@ -7,7 +7,6 @@ use crate::ops::{
     Action, FaceRef, Field, FieldKind, Input, Operation, Output, Scope, Selected, Slot, Spec, Target,
     WholeMesh,
 };
-use crate::pieces;
 use halfedge::{Element, FaceId, Mesh, NONE, Progress, keys};
 use serde::{Deserialize, Serialize};
 use std::collections::HashMap;
@@ -114,8 +113,8 @@ impl WholeMesh for Separate {
             if progress(at as f32 / parts.len() as f32).is_break() {
                 return Err(Problem::cancelled());
             }
-            let mesh =
-                pieces::extract(mesh, &part.faces, at == 0).map_err(|e| Problem::new(e.to_string()))?;
+            let mesh = surface::extract_faces(mesh, &part.faces, at == 0)
+                .map_err(|e| Problem::new(e.to_string()))?;
             let name = match &part.name {
                 Some(own) => own.clone(),
                 None if at == 0 => String::new(),
