@@ -1,4 +1,4 @@
-//! `cargo xtask bench`: the workspace's criterion benchmarks.
+//! `cargo xtask bench`: runs the workspace's criterion benchmarks.
 
 use crate::project::Project;
 use crate::shell::{self, Result, read};
@@ -6,7 +6,7 @@ use crate::shell::{self, Result, read};
 pub fn run(project: &Project, args: &[String]) -> Result {
     let mut bench = shell::cargo();
     bench.arg("bench").current_dir(&project.root);
-    // Naming the targets keeps out the unit tests' binaries, which refuse criterion's arguments.
+    // Targets are named so that unit tests are not run, which refuse criterion's arguments.
     let chosen = args.iter().any(|arg| matches!(arg.as_str(), "-p" | "--package" | "--bench"));
     let all = benches(project)?;
     if !chosen {
@@ -37,7 +37,7 @@ fn packages_named(args: &[String]) -> Vec<&str> {
     pairs.filter_map(|pair| pair.get(1).map(String::as_str)).collect()
 }
 
-/// Each benchmark as its package and its own name.
+/// Each benchmark's package and name.
 fn benches(project: &Project) -> Result<Vec<(String, String)>> {
     let mut found = Vec::new();
     for folder in shell::entries(&project.root.join("crates")) {

@@ -1,4 +1,4 @@
-//! `cargo xtask bench --wasm`: the large jobs natively and in WebAssembly, one beside the other.
+//! `cargo xtask bench --wasm`: times the large jobs natively and in WebAssembly.
 
 use std::process::Command;
 
@@ -6,8 +6,8 @@ use crate::project::Project;
 use crate::setup::{self, npm};
 use crate::shell::{self, Result};
 
-/// How often each job is done; the best time counts.
-const RUNS: &str = "5";
+/// How often each job is run; its best time counts.
+const RUNS_PER_JOB: &str = "5";
 
 pub fn run(project: &Project) -> Result {
     let wasm = setup::for_building(project)?;
@@ -23,17 +23,28 @@ pub fn run(project: &Project) -> Result {
     let built = project.target.join(setup::TARGET).join("dist/timings.wasm");
     let mut bind = Command::new(project.tools_bin().join("wasm-bindgen"));
     shell::run(bind.args(["--target", "nodejs", "--out-dir"]).arg(&folder).arg(built))?;
-    // As the page is shipped.
+    // As for the page that is shipped.
     let module = folder.join("timings_bg.wasm");
     let mut opt = Command::new("wasm-opt");
     shell::run(opt.arg("-O3").arg(&module).arg("-o").arg(&module).env("PATH", project.path()?))?;
 
     let mut native = shell::cargo();
-    native.args(["run", "--quiet", "--profile", "dist", "-p", "timings", "--bin", "timings", "--", RUNS]);
+    native.args([
+        "run",
+        "--quiet",
+        "--profile",
+        "dist",
+        "-p",
+        "timings",
+        "--bin",
+        "timings",
+        "--",
+        RUNS_PER_JOB,
+    ]);
     native.current_dir(&project.root);
     let native = times(&mut native)?;
     let mut node = Command::new("node");
-    node.arg(project.root.join("crates/timings/node.mjs")).arg(folder.join("timings.js")).arg(RUNS);
+    node.arg(project.root.join("crates/timings/node.mjs")).arg(folder.join("timings.js")).arg(RUNS_PER_JOB);
     let node = times(&mut node)?;
 
     println!("\n{:<46} {:>11} {:>11} {:>7}", "job", "native", "wasm", "ratio");
@@ -43,7 +54,7 @@ pub fn run(project: &Project) -> Result {
     Ok(())
 }
 
-/// What a program prints: a name, a tab and milliseconds in each line.
+/// Runs a program that prints a name, a tab and milliseconds on each line, and gives those.
 fn times(command: &mut Command) -> Result<Vec<(String, f64)>> {
     let mut times = Vec::new();
     let done = shell::run_reading(command, |line| {
@@ -53,9 +64,5 @@ fn times(command: &mut Command) -> Result<Vec<(String, f64)>> {
             times.push((name.to_owned(), time));
         }
     })?;
-    if done {
-        Ok(times)
-    } else {
-        Err("the jobs did not get to their end; what they said is above.".to_owned())
-    }
+    if done { Ok(times) } else { Err("the timed jobs failed; their output is above.".to_owned()) }
 }

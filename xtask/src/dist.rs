@@ -1,4 +1,4 @@
-//! `cargo xtask dist`: the optimised static site.
+//! `cargo xtask dist`: builds the optimised static site.
 
 use std::fs;
 
@@ -27,7 +27,7 @@ pub fn run(project: &Project) -> Result {
     Ok(())
 }
 
-/// A URL from the host's root would break the site under a sub-path.
+/// Refuses URLs that start at the host's root: they break a site that lies under a sub-path.
 fn check_relative(html: &str) -> Result {
     let rooted = ["=\"/", "='/", "from '/", "from \"/", ": '/"].iter().find(|mark| html.contains(**mark));
     match rooted {

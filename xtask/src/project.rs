@@ -1,23 +1,23 @@
-//! Where things are: the project, its build output, its tools.
+//! The folders of the project, of its build output and of its tools.
 
 use std::env;
 use std::path::{Path, PathBuf};
 
 use crate::shell::{self, Result};
 
-/// The folders that tasks work in.
+/// The folders that tasks use.
 pub struct Project {
     /// The folder of the workspace's Cargo.toml.
     pub root: PathBuf,
     /// Cargo's target folder.
     pub target: PathBuf,
-    /// Pinned tools: `$MESHWRIGHT_TOOLS`, else `.tools` in the project.
+    /// The pinned tools: `$MESHWRIGHT_TOOLS`, or `.tools` in the project.
     pub tools: PathBuf,
 }
 
 impl Project {
     pub fn find() -> Result<Self> {
-        // Asked of the running Cargo, not of the compiler: checkouts that share a target folder share this program.
+        // From the running Cargo rather than the compiler: checkouts that share a target folder share this program.
         let xtask = env::var_os("CARGO_MANIFEST_DIR").unwrap_or_else(|| env!("CARGO_MANIFEST_DIR").into());
         let root = Path::new(&xtask)
             .parent()
@@ -34,7 +34,7 @@ impl Project {
         })
     }
 
-    /// The folder of the tools' programs.
+    /// The folder of the pinned programs.
     pub fn tools_bin(&self) -> PathBuf {
         self.tools.join("bin")
     }
@@ -44,7 +44,7 @@ impl Project {
         self.tools.join("node")
     }
 
-    /// Where a build of the page goes; each use has its own, so that none sees another's half-written files.
+    /// The folder of a build of the page. Each use has its own, so that none serves half-written files of another.
     pub fn site(&self, name: &str) -> PathBuf {
         self.target.join("site").join(name)
     }
@@ -54,7 +54,7 @@ impl Project {
         let own = [self.tools_bin(), self.node().join("node_modules").join(".bin")];
         let inherited = env::var_os("PATH").unwrap_or_default();
         env::join_paths(own.into_iter().chain(env::split_paths(&inherited)))
-            .map_err(|error| format!("a folder on the PATH has a name that cannot be there: {error}."))
+            .map_err(|error| format!("a folder on the PATH has a name that the PATH cannot hold: {error}."))
     }
 
     /// The version of a package in Cargo.lock.

@@ -1,4 +1,4 @@
-//! `cargo xtask serve`: the page on this machine, rebuilt when a source changes.
+//! `cargo xtask serve`: serves the page on this machine and rebuilds it when a source changes.
 
 use crate::project::Project;
 use crate::shell::{self, Result, step};
@@ -20,6 +20,6 @@ fn port(args: &[String]) -> Result<u16> {
         [flag, port] if flag == "--port" => {
             port.parse().map_err(|_| format!("`--port` takes a number from 0 to 65535, not `{port}`."))
         }
-        _ => Err(format!("`serve` takes `--port N` only, not `{}`.", args.join(" "))),
+        _ => Err(format!("`serve` takes `--port N`, not `{}`.", args.join(" "))),
     }
 }

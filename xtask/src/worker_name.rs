@@ -1,15 +1,15 @@
-//! Names the worker's files after what they hold, as Trunk does with the page's own: a browser that has kept those of an
-//! earlier build never runs them with a later page.
+//! Puts a hash of their content into the names of the worker's files, as Trunk does with those of the page: a browser
+//! never runs a cached worker of one build with the page of another.
 
 use std::fs;
 use std::path::Path;
 
 use crate::shell::{self, Result, read};
 
-/// What Trunk calls the files.
+/// How Trunk names the files.
 const WORKER: &str = "meshwright-worker";
 
-/// Renames the worker's files in a built site, and says the new name in its index.html.
+/// Renames the worker's files in a built site, and the references to them in its index.html.
 pub fn name_by_content(site: &Path) -> Result {
     let at = |name: &str| site.join(name);
     let cannot =
@@ -33,7 +33,7 @@ pub fn name_by_content(site: &Path) -> Result {
     shell::write(&at("index.html"), &replaced(&index, &loader, &named(&loader), "index.html")?)
 }
 
-/// A text with another name in it; that it had the old one is not taken for granted.
+/// Replaces a name in a text.
 fn replaced(text: &str, from: &str, to: &str, file: &str) -> Result<String> {
     match text.contains(from) {
         true => Ok(text.replace(from, to)),
@@ -45,7 +45,7 @@ fn replaced(text: &str, from: &str, to: &str, file: &str) -> Result<String> {
 
 const FNV_START: u64 = 0xcbf2_9ce4_8422_2325;
 
-/// The 64-bit FNV-1a hash, carried on.
+/// Continues a 64-bit FNV-1a hash.
 fn fnv(hash: u64, bytes: &[u8]) -> u64 {
     bytes.iter().fold(hash, |hash, byte| (hash ^ u64::from(*byte)).wrapping_mul(0x0100_0000_01b3))
 }
@@ -97,7 +97,7 @@ mod tests {
         assert_eq!(text(&format!("{base}.js")), format!("new URL('{base}_bg.wasm', import.meta.url)"));
 
         assert_eq!(build("one"), first, "the same content has the same name");
-        assert_ne!(build("two"), first, "and another has another");
+        assert_ne!(build("two"), first, "other content has another name");
         assert!(name_by_content(&site).is_err(), "there is nothing left to rename");
         fs::remove_dir_all(&site).expect("removed");
     }

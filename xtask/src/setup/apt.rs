@@ -1,15 +1,15 @@
-//! Debian's packages, where this is a Debian-like machine.
+//! Debian packages, on machines that have them.
 
 use std::process::Command;
 
 use crate::shell::{self, Result, find, step};
 
-/// Whether packages can be installed with no question asked.
+/// Whether packages can be installed without asking for a password.
 pub fn available() -> bool {
     find("apt-get").is_some() && prefix().is_some()
 }
 
-/// Installs those of the packages that are missing.
+/// Installs the packages that are missing.
 pub fn install(packages: &[&str]) -> Result {
     let missing: Vec<&str> = packages.iter().copied().filter(|package| !installed(package)).collect();
     if missing.is_empty() {
@@ -38,7 +38,7 @@ fn installed(package: &str) -> bool {
         .is_some_and(|status| status == "install ok installed")
 }
 
-/// What to put before a command that needs root; `None` where root is not to be had without a password.
+/// The words that run a command as root; `None` where that takes a password.
 pub fn prefix() -> Option<&'static [&'static str]> {
     if shell::capture(Command::new("id").arg("-u"))? == "0" {
         return Some(&[]);

@@ -1,4 +1,4 @@
-//! A Chromium and its driver, for the tests that run in a browser.
+//! A Chromium and its driver, for tests that run in a browser.
 
 use std::env;
 use std::path::{Path, PathBuf};
@@ -8,16 +8,16 @@ use super::apt;
 use crate::project::Project;
 use crate::shell::{self, Result, find, step};
 
-/// Fetches browsers where Debian's packages are not to be had.
+/// The npm package that fetches browsers where there are no Debian packages.
 const FETCHER: &str = "@puppeteer/browsers@2.10.0";
 
 const NAMES: [&str; 4] = ["chromium", "chromium-browser", "google-chrome", "google-chrome-stable"];
 const MACOS: &str = "/Applications/Google Chrome.app/Contents/MacOS/Google Chrome";
 
-/// A browser that can be driven.
+/// A browser that tests can drive.
 pub struct Browser {
     pub path: PathBuf,
-    /// The first number of its version.
+    /// Its major version.
     major: String,
 }
 
@@ -64,7 +64,7 @@ pub fn ensure_driver(project: &Project, browser: &Browser) -> Result<PathBuf> {
     })
 }
 
-/// Says so where tests that draw without a browser will find nothing to draw with.
+/// Installs a Vulkan driver where there is none, for tests that draw without a browser.
 pub fn ensure_native_graphics() {
     if env::consts::OS != "linux" || has_vulkan_driver() {
         return;
@@ -104,7 +104,7 @@ fn major_version(path: &Path) -> Option<String> {
     version.split('.').next().map(str::to_owned)
 }
 
-/// Tries to fetch a browser or driver into the tools folder; whoever looks for it says when it did not come.
+/// Tries to fetch a browser or driver into the tools folder. The caller checks whether it is there.
 fn fetch(project: &Project, what: &str) {
     step(format!("browser: fetching {what}"));
     let npx = if cfg!(windows) { "npx.cmd" } else { "npx" };
@@ -119,7 +119,7 @@ fn browsers(project: &Project) -> PathBuf {
     project.tools.join("browsers")
 }
 
-/// Programs of that name among those fetched: `browsers/chrome/linux-156.0.1/chrome-linux64/chrome`.
+/// The fetched programs of a name: `browsers/chrome/linux-156.0.1/chrome-linux64/chrome`.
 fn fetched(project: &Project, name: &str) -> Vec<PathBuf> {
     let file = format!("{name}{}", env::consts::EXE_SUFFIX);
     let builds = shell::entries(&browsers(project).join(name));

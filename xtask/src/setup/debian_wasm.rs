@@ -1,5 +1,5 @@
-//! The wasm standard library where rustup's server is out of reach: Debian packages a newer compiler with its sources,
-//! and the library is built from them once, into that compiler's own folder.
+//! The wasm standard library where rustup's server cannot be reached: Debian packages a compiler with its sources, from
+//! which the library is built once, into that compiler's own folder.
 
 use std::path::{Path, PathBuf};
 use std::process::Command;
@@ -9,16 +9,16 @@ use super::wasm::TARGET;
 use crate::project::Project;
 use crate::shell::{self, Result, step};
 
-/// The name under which rustup knows Debian's compiler.
+/// The name of the rustup toolchain that is Debian's compiler.
 pub const TOOLCHAIN: &str = "debian-web";
 
 const PACKAGES: [&str; 6] =
     ["rustc-web", "cargo-web", "rust-web-src", "rust-web-llvm", "rust-web-clippy", "lld-22"];
 
-/// Says which compiler the library was built by: another one cannot use it.
+/// The file that names the compiler that built the library: no other can use it.
 const STAMP: &str = "built-by.txt";
 
-/// Whether the toolchain is there with a library that its compiler built.
+/// Whether the toolchain is installed with a library that its own compiler built.
 pub fn ready() -> bool {
     let Some((version, folder)) = compiler() else {
         return false;
@@ -45,7 +45,7 @@ pub fn install(project: &Project) -> Result {
     build
         .args(["build", "--release", "--target", TARGET, "-Zbuild-std=std,panic_abort,test"])
         .current_dir(&source);
-    // Cargo keeps `-Z` flags to its nightly builds unless told so; the library itself is built the usual way.
+    // RUSTC_BOOTSTRAP lets a stable Cargo take `-Z` flags.
     build.env("RUSTUP_TOOLCHAIN", TOOLCHAIN).env("RUSTC_BOOTSTRAP", "1").env("CARGO_TARGET_DIR", &target);
     shell::run(&mut build)?;
 
@@ -57,7 +57,7 @@ pub fn install(project: &Project) -> Result {
     shell::remove_folder(&target)
 }
 
-/// The compiler's version in full and the folder that it looks for the library in.
+/// The compiler's full version, and the folder where it looks for the library.
 fn compiler() -> Option<(String, PathBuf)> {
     let rustc =
         |args: &[&str]| shell::capture(Command::new("rustc").args(args).env("RUSTUP_TOOLCHAIN", TOOLCHAIN));
@@ -70,7 +70,7 @@ fn is_library(path: &Path) -> bool {
     name.ends_with(".rlib") && !name.starts_with("libwasm_std-")
 }
 
-/// Puts the libraries into the compiler's folder, which takes root, and the stamp last.
+/// Copies the libraries into the compiler's folder, as root, and the stamp last.
 fn replace(folder: &Path, libraries: &[PathBuf], stamp: &Path) -> Result {
     let prefix =
         apt::prefix().ok_or("installing into Debian's compiler takes root: run set-up as root once.")?;

@@ -5,14 +5,14 @@ use std::process::Command;
 use crate::project::Project;
 use crate::shell::{self, Result, step};
 
-const OLDEST_NODE: u32 = 20;
+const MIN_NODE_MAJOR: u32 = 20;
 
-/// Installs the packages into the tools folder, exactly as the lock file has them.
+/// Installs the packages of the lock file into the tools folder.
 pub fn ensure(project: &Project) -> Result {
     check_node()?;
     let folder = project.node();
     let lock = shell::read(&project.root.join("tests/package-lock.json"))?;
-    // Written last, so it stands for a complete installation.
+    // Written last: it means that the installation is complete.
     let installed = folder.join("installed.json");
     if shell::read(&installed).is_ok_and(|text| text == lock) {
         step("npm packages: there");
@@ -37,7 +37,7 @@ fn check_node() -> Result {
     };
     let major = version.trim_start_matches('v').split('.').next().and_then(|major| major.parse::<u32>().ok());
     match major {
-        Some(major) if major >= OLDEST_NODE => Ok(()),
+        Some(major) if major >= MIN_NODE_MAJOR => Ok(()),
         _ => Err(format!("Node.js {version} is too old: {how}")),
     }
 }

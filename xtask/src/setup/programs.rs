@@ -1,4 +1,4 @@
-//! Programs written in Rust that building and testing the page take, at fixed versions.
+//! The Rust programs that building and testing the page take, at fixed versions.
 
 use std::env::consts::{ARCH, EXE_SUFFIX, OS};
 use std::path::Path;
@@ -10,7 +10,7 @@ use crate::shell::{self, Result, find, step};
 
 const TRUNK_VERSION: &str = "0.21.14";
 
-/// The page's builder.
+/// Trunk, which serves and packages the page.
 pub fn trunk(project: &Project) -> Result {
     let platform = match (OS, ARCH) {
         ("linux", arch) => Some(format!("{arch}-unknown-linux-gnu.tar.gz")),
@@ -31,7 +31,7 @@ pub fn trunk(project: &Project) -> Result {
     trunk.ensure(project)
 }
 
-/// The generator of the JavaScript around a wasm module. It must be of the version that the page is linked with.
+/// wasm-bindgen, which generates the JavaScript around a wasm module. Its version must be that of the crate in Cargo.lock.
 pub fn wasm_bindgen(project: &Project) -> Result {
     let version = project.locked_version("wasm-bindgen")?;
     let platform = match (OS, ARCH) {
@@ -51,14 +51,14 @@ pub fn wasm_bindgen(project: &Project) -> Result {
                 "https://github.com/wasm-bindgen/wasm-bindgen/releases/download/{version}/wasm-bindgen-{version}-{platform}.tar.gz"
             )
         }),
-        // Its lock file names a crate version that not every registry serves.
+        // Its lock file names a crate version that not every registry has.
         locked: false,
         minutes: 4,
     };
     wasm_bindgen.ensure(project)
 }
 
-/// The formatter and the linter of the toolchain in use.
+/// The formatter and linter of the toolchain in use.
 pub fn rust_components() -> Result {
     for (component, program) in [("rustfmt", "rustfmt"), ("clippy", "clippy-driver")] {
         if shell::capture(Command::new(program).arg("--version")).is_some() {
@@ -76,12 +76,12 @@ pub fn rust_components() -> Result {
 struct Program<'a> {
     package: &'a str,
     version: &'a str,
-    /// The first tells its version.
+    /// The first one prints the version.
     binaries: &'a [&'a str],
-    /// A ready-made archive, for this kind of machine.
+    /// The URL of an archive with ready-made programs for this platform.
     archive: Option<String>,
     locked: bool,
-    /// What building it takes on two cores.
+    /// How long building it takes on two cores.
     minutes: u32,
 }
 
@@ -117,7 +117,7 @@ impl Program<'_> {
             && self.binaries.iter().all(|name| path(name).is_file())
     }
 
-    /// Fetches the ready-made programs; a network that does not reach them is no error.
+    /// Fetches the ready-made programs. Failing to is no error: they can be built.
     fn download(&self, project: &Project) -> bool {
         let Some(url) = &self.archive else {
             return false;
@@ -135,12 +135,11 @@ impl Program<'_> {
         let fetched = shell::succeeds_within(&mut curl, Duration::from_secs(130))
             && shell::succeeds_within(&mut tar, Duration::from_secs(60))
             && self.take(&folder, &project.tools_bin());
-        // What is left there is only in the way.
         let _ = shell::remove_folder(&folder);
         fetched
     }
 
-    /// Moves the programs out of an unpacked archive, where they lie at the top or one folder below.
+    /// Copies the programs out of an unpacked archive, where they lie at the top or one folder below.
     fn take(&self, from: &Path, to: &Path) -> bool {
         let mut folders = vec![from.to_path_buf()];
         folders.extend(shell::entries(from).into_iter().filter(|path| path.is_dir()));
@@ -165,7 +164,7 @@ impl Program<'_> {
         if self.locked {
             install.arg("--locked");
         }
-        // The published profile spends most of its time on optimisation between crates.
+        // The published profile spends most of the time on link-time optimisation.
         install.env("CARGO_PROFILE_RELEASE_LTO", "off").env("CARGO_PROFILE_RELEASE_CODEGEN_UNITS", "16");
         shell::run(&mut install)?;
         shell::remove_folder(&build)

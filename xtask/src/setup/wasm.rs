@@ -13,12 +13,12 @@ pub const TARGET: &str = "wasm32-unknown-unknown";
 
 /// The toolchain that builds for the page.
 pub struct WasmToolchain {
-    /// A rustup toolchain's name, or the one in use.
+    /// The name of a rustup toolchain; `None` for the one in use.
     name: Option<&'static str>,
 }
 
 impl WasmToolchain {
-    /// Has a command use this toolchain.
+    /// Makes a command use this toolchain.
     pub fn choose<'a>(&self, command: &'a mut Command) -> &'a mut Command {
         if let Some(name) = self.name {
             command.env("RUSTUP_TOOLCHAIN", name);
@@ -26,9 +26,9 @@ impl WasmToolchain {
         command
     }
 
-    /// Has a command that builds what is shipped use this toolchain, with 128-bit SIMD, which every current browser
-    /// has. Link-time optimisation needs a standard library that can take part in it; the one made for Debian's
-    /// compiler holds machine code only, so there it is built along.
+    /// Makes a command that builds for release use this toolchain, with 128-bit SIMD, which every current browser has.
+    /// The library made for Debian's compiler holds machine code only, which link-time optimisation cannot use: there
+    /// the standard library is built along.
     pub fn choose_for_dist<'a>(&self, command: &'a mut Command) -> &'a mut Command {
         command.env("CARGO_TARGET_WASM32_UNKNOWN_UNKNOWN_RUSTFLAGS", "-C target-feature=+simd128");
         if self.name == Some(debian_wasm::TOOLCHAIN) {
@@ -38,7 +38,7 @@ impl WasmToolchain {
     }
 }
 
-/// Finds such a toolchain, or makes one.
+/// Finds such a toolchain, or installs one.
 pub fn ensure(project: &Project) -> Result<WasmToolchain> {
     if in_use_has_target() {
         step("wasm target: there");
