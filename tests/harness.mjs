@@ -8,10 +8,12 @@
 //     assert.equal((await editor.state()).document.vertices, 8);
 //   });
 //
-// It runs once per renderer, in a fresh profile, and fails when the console has errors. Tests run against the page
-// that `cargo xtask test --only e2e` builds; MESHWRIGHT_RENDERERS=webgl2 keeps to one renderer.
+// It runs once for each renderer, in a fresh profile, and fails when the console has errors. Tests run against the page
+// that `cargo xtask test --only e2e` builds; MESHWRIGHT_RENDERERS=webgl2 keeps to one renderer. A test file can also be
+// run by itself, with `node --test`.
 
-import { after, test } from "node:test";
+import { basename } from "node:path";
+import { after, describe, it } from "node:test";
 
 import { browserWith, closeBrowsers } from "./support/browsers.mjs";
 import { Editor } from "./support/editor.mjs";
@@ -29,15 +31,41 @@ export const PHONE = { name: "phone", width: 390, height: 844, touch: true };
 /** The renderers that the page can draw with. */
 export const RENDERERS = ["webgpu", "webgl2"];
 
+/** How long a test may take that doesn't say so itself, in milliseconds; a busy machine takes several times as long as an idle one. */
+const TEST_LIMIT = 300_000;
+
 /** The page lies under a sub-path, as on GitHub Pages, so that a URL from the host's root shows. */
 const BASE = "/some/where/";
 
 let server;
 
-after(async () => {
-  await closeBrowsers();
-  await (await server)?.stop();
-});
+/** The tests to run in each renderer's browser, in order. */
+const tests = new Map();
+
+/** Adds a test without a page of its own; `renderer` names the browser that it opens pages in, "none" being one too. */
+export function browserTest(renderer, name, options, body) {
+  if (!tests.has(renderer)) tests.set(renderer, []);
+  tests.get(renderer).push([name, { timeout: TEST_LIMIT, ...options }, body]);
+}
+
+/** Hands the tests to Node's test runner: those of one renderer after each other, the renderers side by side. */
+export function registerTests() {
+  if (tests.size === 0) return;
+  describe("browser tests", { concurrency: tests.size }, () => {
+    after(async () => {
+      await closeBrowsers();
+      await (await server)?.stop();
+    });
+    for (const [renderer, cases] of tests) {
+      describe(renderer, { concurrency: 1 }, () => {
+        for (const [name, options, body] of cases) it(name, options, body);
+      });
+    }
+  });
+}
+
+// A file that is run by itself has no run.mjs to register its tests once it has been read.
+if (basename(process.argv[1]) !== "run.mjs") setImmediate(registerTests);
 
 /** Opens the page without waiting for the editor; the caller closes it. */
 export async function openPage({ renderer = "webgpu", size = DESKTOP, query = "", label } = {}) {
@@ -56,7 +84,7 @@ export function editorTest(name, ...rest) {
   for (const renderer of renderers.filter((renderer) => !chosen || chosen.includes(renderer))) {
     for (const size of sizes) {
       const label = `${name} (${renderer}, ${size.name})`;
-      test(label, options, async (t) => {
+      browserTest(renderer, label, options, async (t) => {
         const editor = await openPage({ renderer, size, query, label });
         try {
           await editor.ready();

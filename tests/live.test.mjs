@@ -28,8 +28,9 @@ async function start(editor, { key, kind, ids, by: [x, y] }) {
   await editor.frames(2);
   for (let step = 1; step <= 4; step += 1) {
     await editor.page.mouse.move(left + (x * step) / 4, top + (y * step) / 4);
-    await editor.frames(2);
+    await editor.frames(1);
   }
+  await editor.frames(1);
 }
 
 editorTest("a form's operation is shown until it is applied or left", { sizes: [SMALL] }, async (editor) => {

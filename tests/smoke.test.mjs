@@ -1,9 +1,8 @@
 // The page starts and draws in every renderer, and says what is missing where there is none.
 
 import assert from "node:assert/strict";
-import { test } from "node:test";
 
-import { DESKTOP, PHONE, editorTest, openPage } from "./harness.mjs";
+import { DESKTOP, PHONE, browserTest, editorTest, openPage } from "./harness.mjs";
 
 editorTest("the page starts and draws", { sizes: [DESKTOP, PHONE] }, async (editor) => {
   const info = await editor.page.evaluate(() => window.meshwright.ready);
@@ -16,7 +15,7 @@ editorTest("the page starts and draws", { sizes: [DESKTOP, PHONE] }, async (edit
   assert.equal(await editor.page.locator("#notice").isVisible(), false);
 });
 
-test("without WebGPU and WebGL2 the page says in words what is missing", async () => {
+browserTest("none", "without WebGPU and WebGL2 the page says in words what is missing", {}, async () => {
   const editor = await openPage({ renderer: "none", label: "no renderer" });
   try {
     await assert.rejects(editor.ready(), /WebGPU nor WebGL2/);
