@@ -1,4 +1,4 @@
-//! `cargo xtask`: sets up, serves, tests, benchmarks and packages Meshwright.
+//! `cargo xtask`: the tasks of developing Meshwright.
 
 #![cfg_attr(not(test), deny(clippy::unwrap_used, clippy::expect_used, clippy::panic, clippy::unreachable))]
 #![cfg_attr(not(test), deny(clippy::indexing_slicing))]
@@ -13,6 +13,7 @@ mod serve;
 mod setup;
 mod shell;
 mod test;
+mod test_page;
 mod worker_name;
 
 use std::process::ExitCode;
@@ -29,6 +30,7 @@ cargo xtask TASK
                           run the stages fmt, measures, clippy, native, wasm, e2e, or those named
                           (`--only native,e2e`); ARGS go to the one stage named (`--only native -- -p halfedge`, `--only e2e -- smoke`)
   measures                print the measures of the code's structure, each with its limit
+  builds                  compile what the tests take and print what is compiled more than once
   bench [ARGS]            run the criterion benchmarks (`bench -p surface`, `bench subdivide`)
   bench --wasm            time the large jobs natively and in WebAssembly under Node, one beside the other
   dist                    build the optimised static site into dist/
@@ -59,6 +61,7 @@ fn run(args: &[String]) -> Result<ExitCode> {
         "test" => return test::run(&project, args),
         "bench" if matches!(args, [flag] if flag == "--wasm") => bench_wasm::run(&project)?,
         "bench" => bench::run(&project, args)?,
+        "builds" => no_args(args).and_then(|()| test::print_builds(&project))?,
         "measures" => no_args(args).and_then(|()| measures::run(&project))?,
         "dist" => no_args(args).and_then(|()| dist::run(&project))?,
         "help" | "--help" | "-h" => print!("{USAGE}"),

@@ -6,25 +6,34 @@ use std::fs;
 use std::io::{BufRead, BufReader};
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
+use std::sync::LazyLock;
 use std::thread::sleep;
 use std::time::{Duration, Instant};
 
-/// What a task ends with: nothing, or the one message that says what went wrong and what to do.
+/// The result of a task. An error is one message that says what went wrong and what to do.
 pub type Result<T = ()> = std::result::Result<T, String>;
 
-/// Says what is being done.
+/// When the program started, or rather printed its first step.
+static START: LazyLock<Instant> = LazyLock::new(Instant::now);
+
+/// Prints what the task is doing, with the time since it started.
 pub fn step(text: impl AsRef<str>) {
-    println!("[xtask] {}", text.as_ref());
+    println!("[xtask {}] {}", minutes(START.elapsed()), text.as_ref());
 }
 
-/// Cargo, with the user's toolchain. Cargo's notes to the running xtask are not passed on to it.
+/// A time as minutes and seconds, `3:07`.
+pub fn minutes(time: Duration) -> String {
+    format!("{}:{:02}", time.as_secs() / 60, time.as_secs() % 60)
+}
+
+/// Cargo with the user's toolchain. The variable by which the running Cargo names itself is not passed on.
 pub fn cargo() -> Command {
     let mut command = Command::new("cargo");
     command.env_remove("CARGO");
     command
 }
 
-/// Runs a program that prints for itself; says which, and fails if it does.
+/// Runs a program and shows its output.
 pub fn run(command: &mut Command) -> Result {
     step(format!("$ {}", line(command)));
     let status = command.status().map_err(|error| cannot_start(command, &error))?;
@@ -35,7 +44,7 @@ pub fn run(command: &mut Command) -> Result {
     }
 }
 
-/// Ends this program by becoming another one, so that what stops the one stops the other.
+/// Replaces this process with another program, so that stopping one stops the other.
 #[cfg(unix)]
 pub fn become_program(command: &mut Command) -> Result {
     step(format!("$ {}", line(command)));
@@ -43,37 +52,37 @@ pub fn become_program(command: &mut Command) -> Result {
     Err(cannot_start(command, &error))
 }
 
-/// Runs another program as the last thing.
+/// Runs another program as the last step.
 #[cfg(not(unix))]
 pub fn become_program(command: &mut Command) -> Result {
     run(command)
 }
 
-/// Runs a program and hands on each line that it prints on standard output as well as printing it.
-/// `Ok(false)` when the program fails.
+/// Runs a program, prints its standard output and passes each line to `on_line`. Gives `false` when the program fails.
 pub fn run_reading(command: &mut Command, mut on_line: impl FnMut(&str)) -> Result<bool> {
     step(format!("$ {}", line(command)));
     let mut child = command.stdout(Stdio::piped()).spawn().map_err(|error| cannot_start(command, &error))?;
     if let Some(output) = child.stdout.take() {
         for text in BufReader::new(output).split(b'\n') {
             let text =
-                text.map_err(|error| format!("the output of `{}` broke off: {error}.", line(command)))?;
+                text.map_err(|error| format!("the output of `{}` ended too early: {error}.", line(command)))?;
             let text = String::from_utf8_lossy(&text);
             println!("{text}");
             on_line(&text);
         }
     }
-    let status = child.wait().map_err(|error| format!("`{}` was lost: {error}.", line(command)))?;
+    let status =
+        child.wait().map_err(|error| format!("`{}` could not be waited for: {error}.", line(command)))?;
     Ok(status.success())
 }
 
-/// What a program prints on standard output; `None` when it is not there or fails.
+/// The standard output of a program; `None` when the program is missing or fails.
 pub fn capture(command: &mut Command) -> Option<String> {
     let output = command.stderr(Stdio::null()).stdin(Stdio::null()).output().ok()?;
     output.status.success().then(|| String::from_utf8_lossy(&output.stdout).trim().to_owned())
 }
 
-/// Whether a program that may well fail succeeds within the time; it prints nothing.
+/// Whether a program succeeds within the time limit. Its output is discarded.
 pub fn succeeds_within(command: &mut Command, limit: Duration) -> bool {
     let quiet = command.stdin(Stdio::null()).stdout(Stdio::null()).stderr(Stdio::null());
     let Ok(mut child) = quiet.spawn() else {
@@ -85,7 +94,7 @@ pub fn succeeds_within(command: &mut Command, limit: Duration) -> bool {
             Ok(Some(status)) => return status.success(),
             Ok(None) if start.elapsed() < limit => sleep(Duration::from_millis(50)),
             _ => {
-                // It may have ended by itself meanwhile: either way it no longer runs.
+                // An error means that it has just ended by itself.
                 let _ = child.kill();
                 let _ = child.wait();
                 return false;
@@ -94,18 +103,18 @@ pub fn succeeds_within(command: &mut Command, limit: Duration) -> bool {
     }
 }
 
-/// A program on the PATH.
+/// The path of a program on the PATH.
 pub fn find(program: &str) -> Option<PathBuf> {
     let name = format!("{program}{}", env::consts::EXE_SUFFIX);
     env::split_paths(&env::var_os("PATH")?).map(|folder| folder.join(&name)).find(|path| path.is_file())
 }
 
-/// A file's text.
+/// Reads a text file.
 pub fn read(path: &Path) -> Result<String> {
     fs::read_to_string(path).map_err(|error| format!("{} cannot be read: {error}.", path.display()))
 }
 
-/// Writes a file.
+/// Writes a text file.
 pub fn write(path: &Path, text: &str) -> Result {
     fs::write(path, text).map_err(|error| format!("{} cannot be written: {error}.", path.display()))
 }
@@ -117,13 +126,13 @@ pub fn copy(from: &Path, to: &Path) -> Result {
         .map_err(|error| format!("{} cannot be copied to {}: {error}.", from.display(), to.display()))
 }
 
-/// Makes a folder and those above it.
+/// Makes a folder and its parents.
 pub fn make_folder(path: &Path) -> Result {
     fs::create_dir_all(path)
         .map_err(|error| format!("the folder {} cannot be made: {error}.", path.display()))
 }
 
-/// Removes a folder with all that is in it; one that is not there is fine.
+/// Removes a folder and its contents. A missing folder is no error.
 pub fn remove_folder(path: &Path) -> Result {
     match fs::remove_dir_all(path) {
         Err(error) if error.kind() != std::io::ErrorKind::NotFound => {
@@ -133,7 +142,7 @@ pub fn remove_folder(path: &Path) -> Result {
     }
 }
 
-/// The files and folders in a folder, sorted; none where there is no folder.
+/// The files and folders in a folder, sorted. Empty when there is no such folder.
 pub fn entries(folder: &Path) -> Vec<PathBuf> {
     let mut paths: Vec<PathBuf> =
         fs::read_dir(folder).into_iter().flatten().filter_map(|entry| Some(entry.ok()?.path())).collect();
@@ -141,12 +150,12 @@ pub fn entries(folder: &Path) -> Vec<PathBuf> {
     paths
 }
 
-/// The command as one would type it, cut short where it names many files.
+/// The command as one would type it, shortened when it is long.
 fn line(command: &Command) -> String {
-    const LONGEST: usize = 240;
+    const MAX_CHARACTERS: usize = 240;
     let words = std::iter::once(command.get_program()).chain(command.get_args());
     let line = words.map(OsStr::to_string_lossy).collect::<Vec<_>>().join(" ");
-    match line.char_indices().nth(LONGEST) {
+    match line.char_indices().nth(MAX_CHARACTERS) {
         Some((end, _)) => format!("{}…", &line[..end]),
         None => line,
     }

@@ -1,4 +1,4 @@
-//! Set-up: each part looks first, says what it finds, and installs only what is missing.
+//! Set-up: each part checks what is there, says so, and installs only what is missing.
 
 mod apt;
 pub mod browser;
@@ -13,16 +13,27 @@ pub use wasm::{TARGET, WasmToolchain};
 use crate::project::Project;
 use crate::shell::{Result, make_folder};
 
-/// What building the page takes.
-pub fn for_building(project: &Project) -> Result<WasmToolchain> {
+/// What compiling for the page takes.
+pub fn for_compiling(project: &Project) -> Result<WasmToolchain> {
     make_folder(&project.tools_bin())?;
-    let wasm = wasm::ensure(project)?;
-    programs::trunk(project)?;
+    wasm::ensure(project)
+}
+
+/// What running the page's code in a browser takes: tests build the page without Trunk.
+pub fn for_testing(project: &Project) -> Result<WasmToolchain> {
+    let wasm = for_compiling(project)?;
     programs::wasm_bindgen(project)?;
     Ok(wasm)
 }
 
-/// What all tasks take together.
+/// What serving and packaging the page take.
+pub fn for_building(project: &Project) -> Result<WasmToolchain> {
+    let wasm = for_testing(project)?;
+    programs::trunk(project)?;
+    Ok(wasm)
+}
+
+/// What all tasks need together.
 pub fn everything(project: &Project) -> Result {
     programs::rust_components()?;
     for_building(project)?;
@@ -34,7 +45,7 @@ pub fn everything(project: &Project) -> Result {
     Ok(())
 }
 
-/// What the formatting and lint stages take besides the compiler.
+/// What formatting and linting take besides the compiler.
 pub fn for_linting() -> Result {
     programs::rust_components()
 }

@@ -1,4 +1,4 @@
-//! Counting tests from what the runners print.
+//! Counts tests from the output of their runners.
 
 use std::ops::AddAssign;
 
@@ -11,12 +11,12 @@ pub struct Count {
 }
 
 impl Count {
-    /// A check that is not made of tests counts as one.
+    /// The count of a check that has no tests of its own: one.
     pub fn check(passed: bool) -> Self {
         Self { passed: u32::from(passed), failed: u32::from(!passed), left_out: Vec::new() }
     }
 
-    /// Adds what a line says: `test result: ok. 3 passed; 0 failed; …` and `test name ... ignored` from Rust's test
+    /// Adds what a line of output reports: `test result: ok. 3 passed; 0 failed; …` and `test name ... ignored` from Rust's test
     /// runner, in a browser too, or `ℹ pass 3`, `ℹ fail 0` and `﹣ name (0.1ms) # SKIP` from Node's.
     pub fn read(&mut self, line: &str) {
         let words: Vec<&str> = line.split_whitespace().collect();

@@ -5,13 +5,13 @@ use std::process::Command;
 
 use super::count::Count;
 use crate::measures;
-use crate::page;
 use crate::project::Project;
 use crate::setup::{self, Browser, WasmToolchain, browser, npm};
 use crate::shell::{self, Result};
+use crate::test_page;
 
-/// The newest compiler whose lints this code is kept clean of. A newer one's warnings fail nothing.
-const LINTS_OF: u32 = 96;
+/// The minor version of the newest compiler whose lints this code passes. Warnings of newer ones don't fail a stage.
+const NEWEST_LINTED_RUSTC_MINOR: u32 = 96;
 
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub enum Stage {
@@ -23,7 +23,7 @@ pub enum Stage {
     E2e,
 }
 
-/// What the stages take.
+/// The tools that stages need.
 pub struct Tools {
     wasm: Option<WasmToolchain>,
     browser: Option<Browser>,
@@ -40,9 +40,12 @@ impl Tools {
         if any(&[Stage::Native]) {
             browser::ensure_native_graphics();
         }
-        let wasm = match any(&[Stage::Clippy, Stage::Wasm, Stage::E2e]) {
-            true => Some(setup::for_building(project)?),
-            false => None,
+        let wasm = if any(&[Stage::Wasm, Stage::E2e]) {
+            Some(setup::for_testing(project)?)
+        } else if any(&[Stage::Clippy]) {
+            Some(setup::for_compiling(project)?)
+        } else {
+            None
         };
         let browser = match any(&[Stage::Wasm, Stage::E2e]) {
             true => Some(browser::ensure(project)?),
@@ -99,17 +102,28 @@ impl Stage {
 
 fn fmt(project: &Project, rest: &[String]) -> Result {
     shell::run(cargo(project).args(["fmt", "--all", "--check"]).args(rest))
-        .map_err(|_| "the formatting differs; `cargo fmt --all` puts it right.".to_owned())
+        .map_err(|_| "the code is not formatted; run `cargo fmt --all`.".to_owned())
 }
 
 fn clippy(project: &Project, tools: &Tools, rest: &[String]) -> Result {
-    let mut native = cargo(project);
-    native.args(["clippy", "--workspace", "--all-targets"]).args(rest);
-    shell::run(deny_warnings(&mut native))?;
-    // The page's own code exists on the page's target only.
-    let mut page = cargo(project);
-    page.args(["clippy", "--all-targets", "--target", setup::TARGET]).args(PAGE_PACKAGES).args(rest);
-    shell::run(deny_warnings(tools.wasm()?.choose(&mut page)))
+    for mut command in [clippy_native(project), clippy_page(project, tools.wasm()?)] {
+        shell::run(deny_warnings(command.args(rest)))?;
+    }
+    Ok(())
+}
+
+fn clippy_native(project: &Project) -> Command {
+    let mut clippy = cargo(project);
+    clippy.args(["clippy", "--workspace", "--all-targets"]);
+    clippy
+}
+
+/// The page's own code exists on the page's target only.
+fn clippy_page(project: &Project, wasm: &WasmToolchain) -> Command {
+    let mut clippy = cargo(project);
+    clippy.args(["clippy", "--all-targets", "--target", setup::TARGET]).args(test_page::PACKAGES);
+    wasm.choose(&mut clippy);
+    clippy
 }
 
 fn native(project: &Project, rest: &[String], count: &mut Count) -> Result {
@@ -118,55 +132,53 @@ fn native(project: &Project, rest: &[String], count: &mut Count) -> Result {
     if !rest.iter().any(|arg| matches!(arg.as_str(), "-p" | "--package")) {
         test.arg("--workspace");
     }
-    counted(test.args(rest), count)?;
-    if rest.is_empty() { many_edits(project, count) } else { Ok(()) }
-}
-
-/// The random sequences of edits, as many as only optimised code gets through in a minute or two.
-fn many_edits(project: &Project, count: &mut Count) -> Result {
-    let mut test = cargo(project);
-    test.args([
-        "test",
-        "--release",
-        "-p",
-        "halfedge",
-        "--test",
-        "edits",
-        "random_sequences",
-        "--",
-        "--nocapture",
-    ]);
-    counted(test.env("MESHWRIGHT_EDITS", "1000000"), count)
+    if rest.is_empty() {
+        // The random sequences of edits, of which a test run by hand does fewer.
+        test.env("MESHWRIGHT_EDITS", "1000000");
+    }
+    counted(test.args(rest), count)
 }
 
 fn wasm(project: &Project, tools: &Tools, rest: &[String], count: &mut Count) -> Result {
     let driver = tools.driver.as_ref().ok_or("the browser's driver was not set up.")?;
     let capabilities = project.tools.join("webdriver.json");
     shell::write(&capabilities, &webdriver_json(tools.browser()?))?;
-    let mut test = cargo(project);
-    test.args([
-        "test",
-        "--no-fail-fast",
-        "--target",
-        setup::TARGET,
-        "-p",
-        "meshwright-web",
-        "--lib",
-        "--test",
-        "*",
-    ]);
+    let mut test = test_in_browser(project, tools.wasm()?);
     test.args(rest);
     test.env("PATH", project.path()?)
         .env("CARGO_TARGET_WASM32_UNKNOWN_UNKNOWN_RUNNER", "wasm-bindgen-test-runner")
         .env("CHROMEDRIVER", driver)
         .env("WASM_BINDGEN_TEST_WEBDRIVER_JSON", capabilities)
         .env("WASM_BINDGEN_TEST_TIMEOUT", "300");
-    counted(tools.wasm()?.choose(&mut test), count)
+    counted(&mut test, count)
+}
+
+fn test_in_browser(project: &Project, wasm: &WasmToolchain) -> Command {
+    let mut test = cargo(project);
+    test.args(["test", "--no-fail-fast", "--target", setup::TARGET]);
+    test.args(["-p", "meshwright-web", "--lib", "--test", "*"]);
+    wasm.choose(&mut test);
+    test
+}
+
+/// The Cargo runs of the stages, each with its name, so far as they compile.
+pub fn builds(project: &Project, wasm: &WasmToolchain) -> [(&'static str, Command); 5] {
+    let mut native = cargo(project);
+    native.args(["test", "--workspace", "--no-run"]);
+    let mut in_browser = test_in_browser(project, wasm);
+    in_browser.arg("--no-run");
+    [
+        ("clippy", clippy_native(project)),
+        ("clippy of the page", clippy_page(project, wasm)),
+        ("native", native),
+        ("wasm", in_browser),
+        ("e2e", test_page::cargo_build(project, wasm)),
+    ]
 }
 
 fn e2e(project: &Project, tools: &Tools, rest: &[String], count: &mut Count) -> Result {
     let site = project.site("test");
-    page::build(project, tools.wasm()?, &site)?;
+    test_page::build(project, tools.wasm()?, &site)?;
     let folder = project.root.join("tests");
     let files = shell::entries(&folder).into_iter().filter(|path| {
         let name = path.file_name().unwrap_or_default().to_string_lossy();
@@ -175,10 +187,10 @@ fn e2e(project: &Project, tools: &Tools, rest: &[String], count: &mut Count) -> 
     });
     let files: Vec<_> = files.collect();
     if files.is_empty() {
-        return Err(format!("no file of tests/*.test.mjs has `{}` in its name.", rest.join("` or `")));
+        return Err(format!("no file among tests/*.test.mjs has `{}` in its name.", rest.join("` or `")));
     }
     let mut node = Command::new("node");
-    node.args(["--test", "--test-reporter=spec", "--test-timeout=900000"]).args(files).current_dir(&folder);
+    node.arg("--test-reporter=spec").arg(folder.join("run.mjs")).args(files).current_dir(&folder);
     node.env("MESHWRIGHT_TOOLS", &project.tools)
         .env("MESHWRIGHT_SITE", site)
         .env("MESHWRIGHT_SHOTS", project.target.join("screenshots"))
@@ -188,32 +200,30 @@ fn e2e(project: &Project, tools: &Tools, rest: &[String], count: &mut Count) -> 
     counted(&mut node, count)
 }
 
-const PAGE_PACKAGES: [&str; 4] = ["-p", "meshwright-web", "-p", "meshwright-worker"];
-
 fn cargo(project: &Project) -> Command {
     let mut cargo = shell::cargo();
     cargo.current_dir(&project.root);
     cargo
 }
 
-/// Runs tests and adds up what they print.
+/// Runs tests and counts them.
 fn counted(command: &mut Command, count: &mut Count) -> Result {
     match shell::run_reading(command, |line| count.read(line))? {
         true => Ok(()),
-        false => Err("its output is above.".to_owned()),
+        false => Err("the output above says why.".to_owned()),
     }
 }
 
-/// Makes warnings errors, unless the command's compiler has lints that this code has never met.
+/// Makes warnings errors, unless the compiler is newer than this code has been checked with.
 fn deny_warnings(command: &mut Command) -> &mut Command {
     let mut rustc = Command::new("rustc");
     rustc.arg("--version").envs(command.get_envs().filter_map(|(name, value)| Some((name, value?))));
     let version = shell::capture(&mut rustc).unwrap_or_default();
     let minor = version.split('.').nth(1).and_then(|minor| minor.parse::<u32>().ok());
     match minor {
-        Some(minor) if minor > LINTS_OF => {
+        Some(minor) if minor > NEWEST_LINTED_RUSTC_MINOR => {
             shell::step(format!(
-                "{version} is newer than 1.{LINTS_OF}: its warnings are shown and fail nothing"
+                "{version} is newer than 1.{NEWEST_LINTED_RUSTC_MINOR}: its warnings are shown but do not fail the stage"
             ));
             command
         }

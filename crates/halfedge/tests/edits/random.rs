@@ -425,7 +425,7 @@ fn run(name: &str, start: &Mesh, seed: u64, edits: usize) -> Vec<usize> {
     done
 }
 
-/// MESHWRIGHT_EDITS says how many; `cargo xtask test` runs a million in release. Each sequence has its
+/// MESHWRIGHT_EDITS says how many; `cargo xtask test` runs a million. Each sequence has its
 /// own seed, so that as many threads as there are processors make the same edits.
 #[test]
 fn random_sequences_of_all_edits() {
