@@ -45,6 +45,15 @@ impl SurfaceError {
     }
 }
 
+/// Refuses more iterations than there is a use for.
+pub(crate) fn check_iterations(iterations: u32, limit: u32) -> Result<(), SurfaceError> {
+    if iterations <= limit {
+        Ok(())
+    } else {
+        Err(SurfaceError::field("iterations", format!("at most {limit}")))
+    }
+}
+
 impl fmt::Display for SurfaceError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {

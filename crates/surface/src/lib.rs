@@ -30,10 +30,10 @@ pub use extract_faces::extract_faces;
 pub use face_tree::{FaceTree, FaceTreeBuilder, Hit, Ray};
 pub use join_meshes::join_meshes;
 pub use merge_by_distance::{Merged, merge_by_distance};
-pub use remesh::{Remesh, remesh};
+pub use remesh::{MAX_REMESH_ITERATIONS, Remesh, remesh};
 pub use shapes::{Shape, ShapeField};
 pub use simplify::{Simplified, Simplify, SimplifyTarget, simplify};
-pub use smooth::{Smooth, SmoothMethod, smooth};
+pub use smooth::{MAX_SMOOTH_ITERATIONS, Smooth, SmoothMethod, smooth};
 pub use soft_selection::soft_selection;
 pub use subdivide::{
     BoundaryRule, CatmullClark, Linear, Loop, LoopWeights, MAX_FACES, VertexRule, quad_split_faces,

@@ -1,14 +1,17 @@
 //! Smoothing positions, the connectivity left as it is.
 
-use crate::SurfaceError;
+use crate::error::{SurfaceError, check_iterations};
 use crate::pace::Pace;
 use glam::DVec3;
 use halfedge::{Element, Mesh, Progress, VertexId, keys};
 
+/// The most iterations that [`smooth`] takes: more than that only wait.
+pub const MAX_SMOOTH_ITERATIONS: u32 = 10_000;
+
 /// How to smooth.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Smooth {
-    /// How often.
+    /// How often: up to [`MAX_SMOOTH_ITERATIONS`].
     pub iterations: u32,
     /// How far a vertex goes towards the mean of its neighbours each time: above 0, up to 1.
     pub strength: f64,
@@ -40,6 +43,7 @@ pub fn smooth(mesh: &Mesh, options: &Smooth, progress: &mut Progress<'_>) -> Res
     if !(options.strength > 0.0 && options.strength <= 1.0) {
         return Err(SurfaceError::field("strength", "above 0 and at most 1"));
     }
+    check_iterations(options.iterations, MAX_SMOOTH_ITERATIONS)?;
     let mut pace = Pace::new(progress);
     pace.at(0.0)?;
     let compact = if mesh.is_compact() { mesh.clone() } else { mesh.compacted().0 };

@@ -338,6 +338,20 @@ proptest! {
     }
 }
 
+#[test]
+fn more_iterations_than_the_limit_are_refused() {
+    let refused = |iterations| {
+        let options = Remesh { iterations, ..Remesh::default() };
+        remesh(&cube(), &options, &mut go_on).expect_err("too many").to_string()
+    };
+    assert_eq!(refused(MAX_REMESH_ITERATIONS + 1), "iterations must be at most 1000");
+    assert_eq!(refused(u32::MAX), "iterations must be at most 1000");
+    let options = Smooth { iterations: 10_001, strength: 0.5, method: SmoothMethod::Taubin };
+    let refused = smooth(&cube(), &options, &mut go_on).expect_err("too many");
+    assert_eq!(refused.to_string(), "iterations must be at most 10000");
+    assert!(smooth(&cube(), &Smooth { iterations: 10_000, ..options }, &mut go_on).is_ok());
+}
+
 proptest! {
     // Each case makes many triangles.
     #![proptest_config(ProptestConfig::with_cases(8))]

@@ -21,19 +21,22 @@ mod relax;
 mod sides;
 mod work;
 
-use crate::SurfaceError;
+use crate::error::{SurfaceError, check_iterations};
 use crate::pace::Pace;
 use crate::trimesh::TriMesh;
 use halfedge::{Mesh, NONE, Progress};
 use relax::relax;
 use work::Work;
 
+/// The most iterations that [`remesh`] takes: after a few dozen nothing gets better.
+pub const MAX_REMESH_ITERATIONS: u32 = 1000;
+
 /// How to remesh.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Remesh {
     /// The length of edges, in mesh units; none for the mean of the input's.
     pub edge_length: Option<f64>,
-    /// How many rounds.
+    /// How many rounds: up to [`MAX_REMESH_ITERATIONS`].
     pub iterations: u32,
     /// Edges whose faces' normals differ by more than this are kept, in degrees.
     pub feature_angle: f64,
@@ -74,6 +77,7 @@ pub fn remesh(mesh: &Mesh, options: &Remesh, progress: &mut Progress<'_>) -> Res
     if !(options.feature_angle > 0.0 && options.feature_angle <= 180.0) {
         return Err(SurfaceError::field("feature_angle", "above 0 and at most 180 degrees"));
     }
+    check_iterations(options.iterations, MAX_REMESH_ITERATIONS)?;
     let mut pace = Pace::new(progress);
     pace.at(0.0)?;
     if mesh.face_count() == 0 {

@@ -10,7 +10,7 @@ use crate::ops::{
 };
 use halfedge::{Mesh, Progress};
 use serde::{Deserialize, Serialize};
-use surface::{SurfaceError, measure};
+use surface::{MAX_REMESH_ITERATIONS, SurfaceError, measure};
 
 /// Remesh a surface into triangles with edges of one length (Botsch & Kobbelt 2004).
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -30,7 +30,6 @@ pub struct Remesh {
 }
 
 const ITERATIONS: u32 = 5;
-const MAX_ITERATIONS: u32 = 1000;
 const FEATURE_ANGLE_DEGREES: f32 = 45.0;
 const PROJECT: bool = true;
 
@@ -61,7 +60,8 @@ impl Operation for Remesh {
         Field::number("edge_length", Unit::Length, [1e-6, 1e6], "The length of edges, in mesh units")
             .unset("the mean of the edges")
             .suggest(Suggestion::MeanEdge),
-        Field::count("iterations", [1, MAX_ITERATIONS], "How many rounds").or(Default::Integer(ITERATIONS)),
+        Field::count("iterations", [1, MAX_REMESH_ITERATIONS], "How many rounds")
+            .or(Default::Integer(ITERATIONS)),
         Field::number(
             "feature_angle",
             Unit::Degrees,
@@ -81,7 +81,7 @@ impl Operation for Remesh {
 
 impl EachMesh for Remesh {
     fn check(&self) -> Result<(), Problem> {
-        each_mesh::rounds(self.iterations, MAX_ITERATIONS, "iterations")
+        each_mesh::rounds(self.iterations, MAX_REMESH_ITERATIONS, "iterations")
     }
 
     fn make(

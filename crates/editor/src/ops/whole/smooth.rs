@@ -7,6 +7,7 @@ use crate::ops::field::choice;
 use crate::ops::{Action, Amount, Counted, Default, Estimate, Facts, Field, Operation, Scope, Spec, Unit};
 use halfedge::{Mesh, Progress};
 use serde::{Deserialize, Serialize};
+use surface::MAX_SMOOTH_ITERATIONS;
 
 /// Move every vertex towards the centre of its neighbours.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -33,7 +34,6 @@ choice! {
 }
 
 const ITERATIONS: u32 = 1;
-const MAX_ITERATIONS: u32 = 10_000;
 const STRENGTH: f32 = 0.5;
 
 impl std::default::Default for Smooth {
@@ -51,7 +51,8 @@ impl Operation for Smooth {
     )
     .previewed()
     .fields(&[
-        Field::count("iterations", [1, MAX_ITERATIONS], "How many rounds").or(Default::Integer(ITERATIONS)),
+        Field::count("iterations", [1, MAX_SMOOTH_ITERATIONS], "How many rounds")
+            .or(Default::Integer(ITERATIONS)),
         Field::number("strength", Unit::Fraction, [0.0, 1.0], "How far of the way each time")
             .or(Default::Number(STRENGTH as f64)),
         SmoothMethod::field("method", "Towards the neighbours, or there and back, which keeps the volume"),
@@ -64,7 +65,7 @@ impl Operation for Smooth {
 
 impl EachMesh for Smooth {
     fn check(&self) -> Result<(), Problem> {
-        each_mesh::rounds(self.iterations, MAX_ITERATIONS, "iterations")
+        each_mesh::rounds(self.iterations, MAX_SMOOTH_ITERATIONS, "iterations")
     }
 
     fn make(
