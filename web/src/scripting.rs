@@ -67,7 +67,7 @@ impl App {
         let jobs: Vec<Value> = self
             .editor
             .jobs()
-            .map(|job| json!({ "op": job.op, "progress": self.jobs.fraction(job.id) }))
+            .map(|job| json!({ "progress": self.jobs.fraction(job.id), "op": job.op }))
             .collect();
         if let Value::Object(map) = &mut state {
             map.insert("jobs".into(), jobs.into());

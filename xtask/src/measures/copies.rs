@@ -6,16 +6,23 @@ use super::tokens::Token;
 /// A tool and how a function or type that does its work looks.
 pub struct Tool {
     pub name: &'static str,
+    /// Files in which the same shape is something else.
+    others: &'static [&'static str],
     is_shape: fn(&[Token]) -> bool,
     /// How many tokens the shape is looked for in.
     window: usize,
 }
 
+/// Marks its filled pages in an array of its own, to find the first by its leading zeros.
+const QUEUE: &str = "crates/surface/src/simplify/queue.rs";
+/// Adds up the normals of the triangles round a vertex.
+const POLISH: &str = "crates/surface/src/remesh/polish.rs";
+
 pub const TOOLS: [Tool; 4] = [
-    Tool { name: "bit sets", is_shape: shifts_by_index, window: 8 },
-    Tool { name: "union-finds", is_shape: joins_to_the_smaller, window: 24 },
-    Tool { name: "point grids", is_shape: keys_by_cell, window: 6 },
-    Tool { name: "area vectors of polygons", is_shape: sums_cross_products, window: 40 },
+    Tool { name: "bit sets", others: &[QUEUE], is_shape: shifts_by_index, window: 8 },
+    Tool { name: "union-finds", others: &[], is_shape: joins_to_the_smaller, window: 24 },
+    Tool { name: "point grids", others: &[], is_shape: keys_by_cell, window: 6 },
+    Tool { name: "area vectors of polygons", others: &[POLISH], is_shape: sums_cross_products, window: 40 },
 ];
 
 /// The files that hold the shape of a tool, each once, as `path:line`.
@@ -27,7 +34,8 @@ pub fn files_with(tool: &Tool, files: &[Product]) -> Vec<String> {
         })?;
         Some(format!("{}:{}", file.path.display(), file.tokens.get(at)?.line))
     };
-    files.iter().filter_map(first).collect()
+    let is_other = |file: &&Product| tool.others.iter().any(|other| file.path.ends_with(other));
+    files.iter().filter(|file| !is_other(file)).filter_map(first).collect()
 }
 
 /// `<< (index % 64)` or `<< (index & 63)`.

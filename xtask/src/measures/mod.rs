@@ -123,7 +123,7 @@ fn measure(project: &Project, crates: &[CrateLines]) -> Result<Vec<Measure>> {
             name: format!("files with {} of their own", tool.name),
             value: found.len(),
             limit: 1,
-            is_enforced: false,
+            is_enforced: true,
             details: if found.len() > 1 { found } else { Vec::new() },
         }
     }));
@@ -133,7 +133,7 @@ fn measure(project: &Project, crates: &[CrateLines]) -> Result<Vec<Measure>> {
         name: format!("commit subjects since {START} that are too long or not `area: imperative`"),
         value: subjects.len(),
         limit: 0,
-        is_enforced: false,
+        is_enforced: true,
         details: subjects,
     });
     Ok(measures)
@@ -219,17 +219,17 @@ fn page_measures(web: &[Product], editor: &[Product]) -> Result<[Measure; 3]> {
             names.len()
         ));
     }
-    let counted = |name: &str, limit: usize, found: Vec<String>| Measure {
+    let counted = |name: &str, limit: usize, is_enforced: bool, found: Vec<String>| Measure {
         name: name.to_owned(),
         value: found.len(),
         limit,
-        is_enforced: false,
+        is_enforced,
         details: if found.len() > limit { found } else { Vec::new() },
     };
     Ok([
-        counted("calls of `self.follow()` in web/src", MAX_FOLLOW_CALLS, follow_calls(web)),
-        counted("names of operations as text in web/src", 0, operations::mentions(web, &names)),
-        counted("commands put together as JSON in web/src", 0, operations::json_commands(web)),
+        counted("calls of `self.follow()` in web/src", MAX_FOLLOW_CALLS, false, follow_calls(web)),
+        counted("names of operations as text in web/src", 0, true, operations::mentions(web, &names)),
+        counted("commands put together as JSON in web/src", 0, true, operations::json_commands(web)),
     ])
 }
 

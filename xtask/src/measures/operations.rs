@@ -5,30 +5,34 @@ use std::collections::BTreeSet;
 use super::source::Product;
 use super::tokens::Kind;
 
-/// The names of the operations: the first `name:` behind each definition of a `SPEC`.
+/// The names of the operations: the first text in each definition of a `SPEC`.
 pub fn names<'a>(editor: &[Product<'a>]) -> BTreeSet<&'a str> {
     let mut names = BTreeSet::new();
     for file in editor {
-        let mut in_spec = false;
-        for three in file.tokens.windows(3) {
-            let [name, colon, value] = three else { continue };
-            if name.is("SPEC") && colon.is(":") {
-                in_spec = true;
-            } else if in_spec && name.is("name") && colon.is(":") && value.kind == Kind::Text {
-                names.insert(value.text);
-                in_spec = false;
+        for (at, two) in file.tokens.windows(2).enumerate() {
+            if let [name, colon] = two
+                && name.is("SPEC")
+                && colon.is(":")
+            {
+                let mut definition = file.tokens.iter().skip(at).take_while(|token| !token.is(";"));
+                names.extend(definition.find(|token| token.kind == Kind::Text).map(|name| name.text));
             }
         }
     }
     names
 }
 
-/// The places at which a file's code holds an operation's name as text, as `path:line: name`.
+/// The places at which a file's code holds an operation's name as text, as `path:line: name`. The key of a JSON object,
+/// `"smooth": …`, is no name of an operation.
 pub fn mentions(files: &[Product], names: &BTreeSet<&str>) -> Vec<String> {
     let mut found = Vec::new();
     for file in files {
-        let texts = file.tokens.iter().filter(|token| token.kind == Kind::Text && names.contains(token.text));
-        found.extend(texts.map(|token| format!("{}:{}: {}", file.path.display(), token.line, token.text)));
+        for (at, token) in file.tokens.iter().enumerate() {
+            let is_key = file.tokens.get(at + 1).is_some_and(|next| next.is(":"));
+            if token.kind == Kind::Text && names.contains(token.text) && !is_key {
+                found.push(format!("{}:{}: {}", file.path.display(), token.line, token.text));
+            }
+        }
     }
     found
 }
@@ -59,11 +63,12 @@ mod tests {
     fn names_come_from_specs_and_are_found_in_text_only() {
         let spec = Source::new(
             "a.rs",
-            "const SPEC: Spec = Spec { name: \"split-edge\", label: \"Split\", fields: &[Field { name: \"t\" }] };",
+            "const SPEC: Spec = Spec::new(Scope::Elements, \"split-edge\", \"Split edge\").fields(&[one(\"edge\")]);",
         );
+        let declared = Source::new("t.rs", "trait Operation { const SPEC: Spec; fn f() { \"smooth\" } }");
         let other =
             Source::new("b.rs", "struct X { name: &'static str } const A: X = X { name: \"smooth\" };");
-        let editor = [spec.product(), other.product()];
+        let editor = [spec.product(), declared.product(), other.product()];
         let names = names(&editor);
         assert_eq!(names, BTreeSet::from(["split-edge"]));
 
