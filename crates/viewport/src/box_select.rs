@@ -108,7 +108,7 @@ impl BoxSelection {
                 None
             }
             Stage::Drawing(drawing) => {
-                self.stage = match drawing.go_on(mesh, elements) {
+                self.stage = match drawing.draw_faces(mesh, elements) {
                     Drawn::Partly(drawing) => Stage::Drawing(drawing),
                     Drawn::Whole(occlusion) => Stage::Looking(occlusion, 0, Vec::new()),
                 };

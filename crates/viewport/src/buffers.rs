@@ -62,7 +62,7 @@ pub trait Sink {
 
 /// A mesh that is being written whole, some faces at a time.
 #[derive(Clone, Debug)]
-pub struct Rebuilding {
+pub struct Rebuild {
     next: usize,
     /// Of the vertices, packed, where shading is smooth.
     normals: Vec<[i16; 4]>,
@@ -105,12 +105,12 @@ impl Buffers {
 
     /// Writes the whole mesh, with this origin. Costs O(mesh).
     pub fn rebuild(&mut self, mesh: &Mesh, origin: Vec3, smooth: bool, sink: &mut dyn Sink) {
-        let mut rebuilding = self.begin(mesh, origin, smooth, sink);
-        self.go_on(mesh, &mut rebuilding, usize::MAX, sink);
+        let mut rebuilding = self.begin_rebuild(mesh, origin, smooth, sink);
+        self.rebuild_faces(mesh, &mut rebuilding, usize::MAX, sink);
     }
 
-    /// Begins to write the whole mesh, which [`Buffers::go_on`] does. Costs O(mesh), little for each face.
-    pub fn begin(&mut self, mesh: &Mesh, origin: Vec3, smooth: bool, sink: &mut dyn Sink) -> Rebuilding {
+    /// Begins to write the whole mesh, which [`Buffers::rebuild_faces`] does. Costs O(mesh), little for each face.
+    pub fn begin_rebuild(&mut self, mesh: &Mesh, origin: Vec3, smooth: bool, sink: &mut dyn Sink) -> Rebuild {
         self.origin = origin;
         self.smooth = smooth;
         self.slots.clear(mesh.face_capacity());
@@ -118,19 +118,19 @@ impl Buffers {
         sink.reset(u32::try_from(total).unwrap_or(u32::MAX));
         let normals: Vec<[i16; 4]> =
             if smooth { normals::vertex_normals(mesh).into_iter().map(pack).collect() } else { Vec::new() };
-        Rebuilding { next: 0, normals }
+        Rebuild { next: 0, normals }
     }
 
     /// Writes the faces of so many ids more; gives whether there are any left. An edit made since
-    /// [`Buffers::begin`] has to be told to [`Buffers::update`] once all are written.
-    pub fn go_on(
+    /// [`Buffers::begin_rebuild`] has to be told to [`Buffers::update`] once all are written.
+    pub fn rebuild_faces(
         &mut self,
         mesh: &Mesh,
-        rebuilding: &mut Rebuilding,
+        rebuilding: &mut Rebuild,
         faces: usize,
         sink: &mut dyn Sink,
     ) -> bool {
-        let Rebuilding { next, normals } = rebuilding;
+        let Rebuild { next, normals } = rebuilding;
         let end = next.saturating_add(faces).min(mesh.face_capacity());
         let mut writer = Writer::new(mesh, self.origin);
         for face in (*next..end).map(FaceId::new).filter(|f| mesh.has_face(*f)) {

@@ -52,7 +52,7 @@ pub enum Drawn {
 
 impl Drawing {
     /// Draws the faces of so many ids more. Costs O(faces + cells covered).
-    pub fn go_on(mut self, mesh: &Mesh, faces: usize) -> Drawn {
+    pub fn draw_faces(mut self, mesh: &Mesh, faces: usize) -> Drawn {
         let end = self.next.saturating_add(faces).min(mesh.face_capacity());
         let mut triangulator = PolygonTriangulator::new();
         for face in (self.next..end).map(FaceId::new).filter(|f| mesh.has_face(*f)) {
@@ -71,7 +71,7 @@ impl Drawing {
 }
 
 impl Occlusion {
-    /// Begins to draw the faces of a mesh, which [`Drawing::go_on`] does. Costs O(vertices + cells).
+    /// Begins to draw the faces of a mesh, which [`Drawing::draw_faces`] does. Costs O(vertices + cells).
     pub fn draw_into(mesh: &Mesh, view: &Projector, rect: ScreenRect) -> Drawing {
         // A cell more on each side, for points on the rectangle's edge.
         let margin = Vec2::splat(2.0);

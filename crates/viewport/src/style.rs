@@ -35,7 +35,7 @@ pub struct Theme {
     /// Vertex dots.
     pub vertex: Color,
     /// Dots of vertices that no face uses, which are seen against the background.
-    pub lone: Color,
+    pub isolated: Color,
     /// Lines of the ground grid.
     pub grid: Color,
     /// What the inside of a surface is tinted with, at half strength, after darkening.
@@ -53,7 +53,7 @@ impl Theme {
         background_bottom: Color([0x1d, 0x20, 0x25]),
         edge: Color([0x12, 0x14, 0x18]),
         vertex: Color([0x12, 0x14, 0x18]),
-        lone: Color([0xd5, 0xdb, 0xe3]),
+        isolated: Color([0xd5, 0xdb, 0xe3]),
         grid: Color([0x8a, 0x93, 0xa0]),
         back_face: Color([0x2a, 0x36, 0x55]),
         selected: Color([0xff, 0x8c, 0x1a]),
@@ -65,7 +65,7 @@ impl Theme {
         background_bottom: Color([0xc9, 0xd0, 0xd9]),
         edge: Color([0x1e, 0x22, 0x28]),
         vertex: Color([0x1e, 0x22, 0x28]),
-        lone: Color([0x1e, 0x22, 0x28]),
+        isolated: Color([0x1e, 0x22, 0x28]),
         grid: Color([0x5d, 0x66, 0x73]),
         back_face: Color([0x2a, 0x36, 0x55]),
         selected: Color([0xf0, 0x6a, 0x00]),

@@ -198,9 +198,9 @@ fn a_mesh_may_be_edited_while_it_is_written_a_part_at_a_time() {
     for smooth in [false, true] {
         let mut mesh = grid(20, 15, true);
         let (mut buffers, mut mirror) = (Buffers::default(), Mirror::default());
-        let mut rebuilding = buffers.begin(&mesh, Vec3::ZERO, smooth, &mut mirror);
+        let mut rebuilding = buffers.begin_rebuild(&mesh, Vec3::ZERO, smooth, &mut mirror);
         let mut parts = 1;
-        while parts < 5 && buffers.go_on(&mesh, &mut rebuilding, 80, &mut mirror) {
+        while parts < 5 && buffers.rebuild_faces(&mesh, &mut rebuilding, 80, &mut mirror) {
             parts += 1;
         }
         assert_eq!((parts, mirror.written), (5, 4 * 80 * TRIANGLE_BYTES));
@@ -214,7 +214,7 @@ fn a_mesh_may_be_edited_while_it_is_written_a_part_at_a_time() {
             }
             halfedge::edit::delete_faces(mesh, &[FaceId::new(40), FaceId::new(550)]).expect("faces");
         });
-        while buffers.go_on(&mesh, &mut rebuilding, 80, &mut mirror) {}
+        while buffers.rebuild_faces(&mesh, &mut rebuilding, 80, &mut mirror) {}
         buffers.update(&mesh, &edit, &mut mirror);
         assert_eq!(mirror.resets, 1, "no rebuild");
         assert_as_rebuilt(&mesh, &buffers, &mirror);

@@ -223,14 +223,14 @@ fn a_highlight_is_uploaded_a_part_at_a_time() {
         });
         let mut parts = 0;
         let in_parts = draw_with(&gpu, &ball, &camera, &style, |renderer| {
-            renderer.begin_highlight(&gpu.device, Layer::Selected, Some(highlight));
+            renderer.begin_highlight_upload(&gpu.device, Layer::Selected, Some(highlight));
             loop {
                 parts += 1;
-                if !renderer.go_on_with_highlight(&gpu.device, &gpu.queue, Layer::Selected, &ball, 10) {
+                if !renderer.upload_highlight_elements(&gpu.device, &gpu.queue, Layer::Selected, &ball, 10) {
                     break;
                 }
             }
-            renderer.begin_highlight(&gpu.device, Layer::Hovered, None);
+            renderer.begin_highlight_upload(&gpu.device, Layer::Hovered, None);
         });
         assert!(parts > 5, "{kind}: {parts}");
         assert!(whole.pixels == in_parts.pixels, "{kind}");
@@ -320,7 +320,7 @@ fn vertices_that_no_face_uses_are_drawn_whatever_else_is() {
     let gpu = gpu();
     let mut style = bare();
     style.theme.vertex = halfedge::Color([0, 0, 255]);
-    style.theme.lone = halfedge::Color([255, 0, 255]);
+    style.theme.isolated = halfedge::Color([255, 0, 255]);
     let (mesh, camera) = (square_with_strays(), front());
     let is_dot = |image: &Image, v: usize, color: [u8; 3]| {
         let at = camera.project(mesh.position(VertexId::new(v)), VIEW).expect("in front");
@@ -444,22 +444,22 @@ fn an_object_is_drawn_as_it_was_until_all_of_the_next_is_uploaded() {
     let mut renderer = gpu.renderer();
     renderer.sync_object(&gpu.device, &gpu.queue, 7, &before, ObjectChange::Everything, &style);
     let bytes = renderer.gpu_bytes();
-    renderer.begin_object(&gpu.device, &gpu.queue, 7, &after, &style);
-    assert!(renderer.is_behind(7) && renderer.gpu_bytes() > bytes);
+    renderer.begin_object_upload(&gpu.device, &gpu.queue, 7, &after, &style);
+    assert!(renderer.is_uploading(7) && renderer.gpu_bytes() > bytes);
     let mut steps = 0;
-    while renderer.is_behind(7) {
+    while renderer.is_uploading(7) {
         assert!(gpu.render(&mut renderer, &frame(&camera, &style), GAMMA).pixels == old.pixels, "{steps}");
-        let done = renderer.go_on(&gpu.device, &gpu.queue, 7, &after, 25);
-        assert_eq!(done, !renderer.is_behind(7));
+        let done = renderer.upload_faces(&gpu.device, &gpu.queue, 7, &after, 25);
+        assert_eq!(done, !renderer.is_uploading(7));
         steps += 1;
     }
     assert_eq!(steps, after.face_count().div_ceil(25));
     assert!(gpu.render(&mut renderer, &frame(&camera, &style), GAMMA).pixels == new.pixels);
-    assert!(!renderer.go_on(&gpu.device, &gpu.queue, 7, &after, 25), "there is no more to do");
+    assert!(!renderer.upload_faces(&gpu.device, &gpu.queue, 7, &after, 25), "there is no more to do");
 
     // An edit meanwhile is drawn with it.
-    renderer.begin_object(&gpu.device, &gpu.queue, 7, &after, &style);
-    renderer.go_on(&gpu.device, &gpu.queue, 7, &after, 25);
+    renderer.begin_object_upload(&gpu.device, &gpu.queue, 7, &after, &style);
+    renderer.upload_faces(&gpu.device, &gpu.queue, 7, &after, 25);
     after.start_recording();
     for face in [2, 80] {
         paint(&mut after, face, [255, 0, 0]);
@@ -467,7 +467,7 @@ fn an_object_is_drawn_as_it_was_until_all_of_the_next_is_uploaded() {
     let touched = after.finish_recording().touched();
     let change = ObjectChange::Touched(&touched);
     renderer.sync_object(&gpu.device, &gpu.queue, 7, &after, change, &style);
-    assert!(!renderer.is_behind(7));
+    assert!(!renderer.is_uploading(7));
     let painted = draw(&gpu, &after, &camera, &style);
     assert!(gpu.render(&mut renderer, &frame(&camera, &style), GAMMA).pixels == painted.pixels);
 }

@@ -61,8 +61,8 @@ impl Picture {
                 if object.visible() && !renderer.fits_style(id.0, style) {
                     upload(renderer, device, queue, id, mesh, style);
                 }
-                let done = renderer.go_on(device, queue, id.0, mesh, FACES_A_FRAME);
-                behind |= renderer.is_behind(id.0);
+                let done = renderer.upload_faces(device, queue, id.0, mesh, FACES_A_FRAME);
+                behind |= renderer.is_uploading(id.0);
                 done
             });
             self.selection_stale |= done == Some(true);
@@ -72,7 +72,7 @@ impl Picture {
             let highlight = active.filter(|_| !ids.is_empty());
             let highlight =
                 highlight.map(|object| Highlight { object: object.id().0, mesh: object.mesh(), kind, ids });
-            self.with(|renderer, device, _| renderer.begin_highlight(device, layer, highlight));
+            self.with(|renderer, device, _| renderer.begin_highlight_upload(device, layer, highlight));
         };
         if self.selection_stale {
             let selection = editor.selection();
@@ -88,7 +88,8 @@ impl Picture {
             for layer in [Layer::Selected, Layer::Hovered] {
                 self.with(|renderer, device, queue| {
                     let mesh = active.mesh();
-                    behind |= renderer.go_on_with_highlight(device, queue, layer, mesh, HIGHLIGHTED_A_FRAME);
+                    behind |=
+                        renderer.upload_highlight_elements(device, queue, layer, mesh, HIGHLIGHTED_A_FRAME);
                 });
             }
         }
@@ -108,7 +109,7 @@ fn upload(
     style: &Style,
 ) {
     if mesh.face_count() > FACES_A_FRAME {
-        renderer.begin_object(device, queue, id.0, mesh, style);
+        renderer.begin_object_upload(device, queue, id.0, mesh, style);
     } else {
         renderer.sync_object(device, queue, id.0, mesh, viewport::ObjectChange::Everything, style);
     }

@@ -74,9 +74,9 @@ impl Marked {
         }
     }
 
-    /// Begins with a highlight, or none, which [`Marked::go_on`] uploads. Costs O(elements), little for
+    /// Begins with a highlight, or none, which [`Marked::upload_elements`] uploads. Costs O(elements), little for
     /// each.
-    pub fn begin(&mut self, device: &wgpu::Device, highlight: Option<(Highlight<'_>, Vec3)>) {
+    pub fn begin_upload(&mut self, device: &wgpu::Device, highlight: Option<(Highlight<'_>, Vec3)>) {
         self.object = highlight.map(|(h, _)| h.object);
         // Room for all of it where every face is a triangle; for more they grow.
         let room = |kind, size| match highlight {
@@ -99,12 +99,12 @@ impl Marked {
     }
 
     /// Whether there is more to upload.
-    pub fn is_behind(&self) -> bool {
+    pub fn is_uploading(&self) -> bool {
         self.rest.is_some()
     }
 
     /// Uploads so many elements more, of the mesh that it began with; gives whether there are any left.
-    pub fn go_on(
+    pub fn upload_elements(
         &mut self,
         device: &wgpu::Device,
         queue: &wgpu::Queue,

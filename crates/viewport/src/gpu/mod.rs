@@ -1,7 +1,7 @@
 //! Everything that touches wgpu.
 
 mod highlight;
-mod lone;
+mod isolated;
 mod object;
 mod pipelines;
 mod renderer;

@@ -1,8 +1,8 @@
 //! One object on the GPU.
 
-use super::lone::Lone;
+use super::isolated::IsolatedVertices;
 use super::stream::Stream;
-use crate::buffers::{Buffers, Corners, Rebuilding, Sink};
+use crate::buffers::{Buffers, Corners, Rebuild, Sink};
 use glam::Vec3;
 use halfedge::{Mesh, Touched};
 
@@ -42,7 +42,7 @@ pub struct Object {
     pub points: Stream,
     pub has_points: bool,
     /// The dots of vertices that no face uses, which are always shown.
-    pub lone: Lone,
+    pub isolated: IsolatedVertices,
     /// What takes the place of these buffers once it is written.
     next: Option<Next>,
 }
@@ -51,7 +51,7 @@ pub struct Object {
 struct Next {
     buffers: Buffers,
     pages: Vec<Page>,
-    rebuilding: Rebuilding,
+    rebuilding: Rebuild,
     points: bool,
 }
 
@@ -66,7 +66,7 @@ impl Object {
             pages: Vec::new(),
             points: Stream::new("vertices"),
             has_points: false,
-            lone: Lone::new(),
+            isolated: IsolatedVertices::new(),
             next: None,
         }
     }
@@ -90,19 +90,19 @@ impl Object {
     fn set_points(&mut self, device: &wgpu::Device, queue: &wgpu::Queue, mesh: &Mesh, points: bool) -> u64 {
         self.has_points = points;
         let origin = self.buffers.origin();
-        let lone = self.lone.set(device, queue, mesh, origin);
+        let isolated = self.isolated.set(device, queue, mesh, origin);
         if !points {
             self.points.reset(device, 0);
-            return lone;
+            return isolated;
         }
         let positions: Vec<[f32; 3]> =
             (0..mesh.vertex_capacity() as u32).map(|v| point(mesh, v, origin)).collect();
         self.points.set(device, queue, &positions);
-        lone + self.points.len()
+        isolated + self.points.len()
     }
 
-    /// Begins to upload all of a mesh, which [`Object::go_on`] does.
-    pub fn begin(
+    /// Begins to upload all of a mesh, which [`Object::upload_faces`] does.
+    pub fn begin_upload(
         &mut self,
         device: &wgpu::Device,
         queue: &wgpu::Queue,
@@ -112,16 +112,22 @@ impl Object {
     ) {
         let (mut buffers, mut pages) = (Buffers::default(), Vec::new());
         let mut upload = Upload { device, queue, pages: &mut pages, bytes: 0 };
-        let rebuilding = buffers.begin(mesh, origin_of(mesh), smooth, &mut upload);
+        let rebuilding = buffers.begin_rebuild(mesh, origin_of(mesh), smooth, &mut upload);
         self.next = Some(Next { buffers, pages, rebuilding, points });
     }
 
     /// Uploads so many faces more of what was begun; gives whether that was the last of it, and it is
     /// what is drawn from now on.
-    pub fn go_on(&mut self, device: &wgpu::Device, queue: &wgpu::Queue, mesh: &Mesh, faces: usize) -> bool {
+    pub fn upload_faces(
+        &mut self,
+        device: &wgpu::Device,
+        queue: &wgpu::Queue,
+        mesh: &Mesh,
+        faces: usize,
+    ) -> bool {
         let Some(mut next) = self.next.take() else { return false };
         let mut upload = Upload { device, queue, pages: &mut next.pages, bytes: 0 };
-        if next.buffers.go_on(mesh, &mut next.rebuilding, faces, &mut upload) {
+        if next.buffers.rebuild_faces(mesh, &mut next.rebuilding, faces, &mut upload) {
             self.next = Some(next);
             return false;
         }
@@ -131,7 +137,7 @@ impl Object {
     }
 
     /// Whether an upload has begun and is not done.
-    pub fn is_behind(&self) -> bool {
+    pub fn is_uploading(&self) -> bool {
         self.next.is_some()
     }
 
@@ -152,11 +158,11 @@ impl Object {
         touched: &Touched,
     ) -> u64 {
         // Faces that are written already may be among those that were touched, and are written again.
-        self.go_on(device, queue, mesh, usize::MAX);
+        self.upload_faces(device, queue, mesh, usize::MAX);
         let mut upload = Upload { device, queue, pages: &mut self.pages, bytes: 0 };
         self.buffers.update(mesh, touched, &mut upload);
         let (mut bytes, origin) = (upload.bytes, self.buffers.origin());
-        bytes += self.lone.follow(device, queue, mesh, origin, &touched.vertices);
+        bytes += self.isolated.follow(device, queue, mesh, origin, &touched.vertices);
         if self.has_points {
             for v in &touched.vertices {
                 let position = point(mesh, v.raw(), origin);
@@ -177,7 +183,7 @@ impl Object {
     pub fn gpu_bytes(&self) -> u64 {
         let next = self.next.iter().flat_map(|next| &next.pages);
         let pages = self.pages.iter().chain(next).flat_map(|p| [&p.positions, &p.normals, &p.colors]);
-        pages.map(Stream::capacity).sum::<u64>() + self.points.capacity() + self.lone.points.capacity()
+        pages.map(Stream::capacity).sum::<u64>() + self.points.capacity() + self.isolated.points.capacity()
     }
 }
 

@@ -140,9 +140,9 @@ impl Renderer {
     }
 
     /// Begins to upload an object's mesh whole; what was uploaded before is drawn until
-    /// [`Renderer::go_on`] has uploaded all of it. For meshes that take longer than a frame: it takes
+    /// [`Renderer::upload_faces`] has uploaded all of it. For meshes that take longer than a frame: it takes
     /// the memory of both meanwhile.
-    pub fn begin_object(
+    pub fn begin_object_upload(
         &mut self,
         device: &wgpu::Device,
         queue: &wgpu::Queue,
@@ -151,17 +151,17 @@ impl Renderer {
         style: &Style,
     ) {
         let object = self.objects.entry(id).or_insert_with(Object::new);
-        object.begin(device, queue, mesh, style.smooth, style.vertices);
+        object.begin_upload(device, queue, mesh, style.smooth, style.vertices);
     }
 
     /// Whether an object's upload has begun and is not done.
-    pub fn is_behind(&self, id: u64) -> bool {
-        self.objects.get(&id).is_some_and(Object::is_behind)
+    pub fn is_uploading(&self, id: u64) -> bool {
+        self.objects.get(&id).is_some_and(Object::is_uploading)
     }
 
     /// Uploads so many faces more of an object that is behind, with its mesh as it is now; gives whether
     /// that was the last of it. Highlights are due then: positions count from elsewhere.
-    pub fn go_on(
+    pub fn upload_faces(
         &mut self,
         device: &wgpu::Device,
         queue: &wgpu::Queue,
@@ -169,8 +169,8 @@ impl Renderer {
         mesh: &Mesh,
         faces: usize,
     ) -> bool {
-        let object = self.objects.get_mut(&id).filter(|object| object.is_behind());
-        let done = object.is_some_and(|object| object.go_on(device, queue, mesh, faces));
+        let object = self.objects.get_mut(&id).filter(|object| object.is_uploading());
+        let done = object.is_some_and(|object| object.upload_faces(device, queue, mesh, faces));
         self.generation += u64::from(done);
         done
     }
@@ -205,27 +205,32 @@ impl Renderer {
         layer: Layer,
         highlight: Option<Highlight<'_>>,
     ) {
-        self.begin_highlight(device, layer, highlight);
+        self.begin_highlight_upload(device, layer, highlight);
         if let Some(highlight) = highlight {
-            self.go_on_with_highlight(device, queue, layer, highlight.mesh, usize::MAX);
+            self.upload_highlight_elements(device, queue, layer, highlight.mesh, usize::MAX);
         }
     }
 
-    /// Begins to replace a highlight, which [`Renderer::go_on_with_highlight`] does, for those of more
+    /// Begins to replace a highlight, which [`Renderer::upload_highlight_elements`] does, for those of more
     /// elements than there is time for in a frame. Otherwise as [`Renderer::set_highlight`].
-    pub fn begin_highlight(&mut self, device: &wgpu::Device, layer: Layer, highlight: Option<Highlight<'_>>) {
+    pub fn begin_highlight_upload(
+        &mut self,
+        device: &wgpu::Device,
+        layer: Layer,
+        highlight: Option<Highlight<'_>>,
+    ) {
         let highlight = highlight.and_then(|h| Some((h, self.objects.get(&h.object)?.buffers.origin())));
         let marked = self.marked(layer);
         if marked.object.is_none() && highlight.is_none() {
             return;
         }
-        marked.begin(device, highlight);
+        marked.begin_upload(device, highlight);
         self.generation += 1;
     }
 
     /// Uploads so many elements more of a highlight that has begun, with the same mesh; gives whether
     /// there are any left.
-    pub fn go_on_with_highlight(
+    pub fn upload_highlight_elements(
         &mut self,
         device: &wgpu::Device,
         queue: &wgpu::Queue,
@@ -234,10 +239,10 @@ impl Renderer {
         elements: usize,
     ) -> bool {
         let marked = self.marked(layer);
-        if !marked.is_behind() {
+        if !marked.is_uploading() {
             return false;
         }
-        let is_left = marked.go_on(device, queue, mesh, elements);
+        let is_left = marked.upload_elements(device, queue, mesh, elements);
         self.generation += 1;
         is_left
     }
@@ -343,8 +348,8 @@ impl Renderer {
             if draw.active && style.vertices && object.has_points {
                 push(&object.points, theme.vertex, 2.5, 0.0);
             }
-            if object.lone.points.len() > 0 {
-                push(&object.lone.points, theme.lone, 3.5, 1.0);
+            if object.isolated.points.len() > 0 {
+                push(&object.isolated.points, theme.isolated, 3.5, 1.0);
             }
         }
         for (marked, color) in [(&self.selected, theme.selected), (&self.hovered, theme.hovered)] {

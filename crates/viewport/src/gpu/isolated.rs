@@ -11,7 +11,7 @@ const ENTRY: u64 = 12;
 
 /// A position for each vertex without a face. An edit writes only those it touched, so that a few
 /// among a million vertices cost what a few do.
-pub struct Lone {
+pub struct IsolatedVertices {
     /// Each vertex's entry.
     places: HashMap<VertexId, u32>,
     /// Entries that no vertex has, whose position is nowhere.
@@ -19,11 +19,11 @@ pub struct Lone {
     pub points: Stream,
 }
 
-fn is_lone(mesh: &Mesh, v: VertexId) -> bool {
+fn is_isolated(mesh: &Mesh, v: VertexId) -> bool {
     mesh.has_vertex(v) && mesh.halfedge_from(v).is_none()
 }
 
-impl Lone {
+impl IsolatedVertices {
     pub fn new() -> Self {
         Self { places: HashMap::new(), free: Vec::new(), points: Stream::new("vertices without a face") }
     }
@@ -31,7 +31,7 @@ impl Lone {
     /// Uploads those of a whole mesh; gives the bytes. Costs O(vertices).
     pub fn set(&mut self, device: &wgpu::Device, queue: &wgpu::Queue, mesh: &Mesh, origin: Vec3) -> u64 {
         self.free.clear();
-        let vertices: Vec<VertexId> = mesh.vertices().filter(|&v| is_lone(mesh, v)).collect();
+        let vertices: Vec<VertexId> = mesh.vertices().filter(|&v| is_isolated(mesh, v)).collect();
         self.places = vertices.iter().copied().zip(0..).collect();
         let positions: Vec<[f32; 3]> = vertices.iter().map(|v| point(mesh, v.raw(), origin)).collect();
         self.points.set(device, queue, &positions);
@@ -49,7 +49,7 @@ impl Lone {
     ) -> u64 {
         let mut bytes = 0;
         for &v in touched {
-            let (place, position) = if is_lone(mesh, v) {
+            let (place, position) = if is_isolated(mesh, v) {
                 let entries = (self.points.len() / ENTRY) as u32;
                 let place = match self.places.get(&v) {
                     Some(&place) => place,
