@@ -10,6 +10,7 @@ mod bezier;
 mod collada;
 mod companions;
 mod detect;
+mod encoding;
 mod export;
 mod format;
 mod gltf;
