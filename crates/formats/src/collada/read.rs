@@ -1,196 +1,205 @@
 //! Reading a COLLADA document: the scene's instances, each as an object.
 
-use super::geometry::Geometry;
-use super::transform;
-use super::xml::{Document, Node, decode};
+use super::controller::{Morph, Shape};
+use super::geometry::{self, Shown};
+use super::notes::{Fault, Notes};
+use super::scene::{self, Instance, Scene, has_faces};
+use super::skin::{self, Joints, Placement};
+use super::xml::Document;
+use super::{left_out, transform};
+use crate::encoding::{Encoding, decode};
 use crate::import::{ImportedObject, NamedBytes, ReadError, Reading, build};
+use crate::origin::Origin;
 use crate::report::{ImportReport, counted};
-use glam::DMat4;
-use halfedge::Progress;
+use halfedge::{PolygonSoup, Progress};
 use std::collections::HashSet;
+
+/// The size of the head of a file that tells whether it is a COLLADA document.
+const HEAD_BYTES: usize = 4096;
+
+/// How many elements instances may have in all, however small the file.
+const MIN_ELEMENT_BUDGET: usize = 4_000_000;
+
+/// How many elements instances may have in all for each byte of the file.
+const ELEMENTS_PER_BYTE: usize = 8;
+
+/// What an object costs besides its elements, counted in elements.
+const ELEMENTS_PER_OBJECT: usize = 200;
 
 /// Whether the file starts like a COLLADA document.
 pub(crate) fn looks_like(bytes: &[u8]) -> bool {
-    let head = decode(bytes.get(..4096).unwrap_or(bytes));
+    let (head, _) = decode(bytes.get(..HEAD_BYTES).unwrap_or(bytes));
     head.trim_start().starts_with('<') && head.contains("<COLLADA")
 }
 
-/// An instance of a geometry, found in the scene.
-struct Instance<'d, 'a> {
-    name: String,
-    geometry: &'d Node<'a>,
-    /// What binds materials to it.
-    binding: Option<&'d Node<'a>>,
-    transform: DMat4,
-}
-
-/// Reads one document: an object for each instance, or for each geometry if no scene has any.
+/// Reads one document: an object for each instance, or for each geometry where no node shows one.
+///
+/// # Errors
+/// When nothing in the document can be shown; the message names the first thing that is in the way.
 pub(crate) fn read(
     file: &NamedBytes,
     reading: &mut Reading,
     progress: &mut Progress,
 ) -> Result<(Vec<ImportedObject>, ImportReport), ReadError> {
     let fail = |message: String| ReadError::file(&file.name, message);
-    let text = decode(&file.bytes);
-    let document = Document::read(&text).map_err(|why| match looks_like(&file.bytes) {
+    let (text, encoding) = decode(&file.bytes);
+    let document = Document::read(&text, &file.name).map_err(|why| match looks_like(&file.bytes) {
         true => fail(why),
         false => ReadError::not_a(file, "a COLLADA document", &why),
     })?;
     if progress(0.3).is_break() {
         return Err(ReadError::Cancelled);
     }
+    let mut notes = Notes::default();
+    note_encoding(&text, encoding, &mut notes);
+    for fault in &document.faults {
+        notes.fault(Fault::Scene, fault);
+    }
+    let axes = transform::of_document(&document, &mut notes);
+    let scene = Scene::read(&document, axes, &mut notes);
+    let joints = Joints::of(&scene);
+    let mut reader = Reader {
+        document: &document,
+        joints: &joints,
+        used: HashSet::new(),
+        elements: 0,
+        max_elements: file.bytes.len().saturating_mul(ELEMENTS_PER_BYTE).max(MIN_ELEMENT_BUDGET),
+        notes,
+    };
     let mut report = ImportReport::default();
-    let (axes, note) = transform::of_document(&document);
-    if let Some(note) = note {
-        report.info(note);
+    let mut objects = reader.objects(&scene.instances, file, reading, &mut report, progress)?;
+    let geometries;
+    if objects.is_empty() && scene.instances.iter().any(|instance| instance.binding.is_some()) {
+        geometries = scene::geometries(&document, axes);
+        objects = reader.objects(&geometries, file, reading, &mut report, progress)?;
     }
-    let mut scene = Scene { document: &document, instances: Vec::new(), visits: 0, skins: 0 };
-    scene.find(axes).map_err(fail)?;
-    if scene.skins > 0 {
-        report.info("Skeletons and shapes to blend to are not kept: meshes are as they were modelled");
+    if objects.is_empty() {
+        return Err(fail(nothing(&document, &reader.notes)));
     }
-    if scene.instances.is_empty() {
-        return Err(fail("the document holds no mesh".to_owned()));
-    }
-    let mut objects = Vec::new();
-    let mut troubles = Vec::new();
-    let mut corners = 0;
-    let (mut cut, mut filled, mut lines) = (0, 0, 0);
-    let total = scene.instances.len();
-    for (i, instance) in scene.instances.iter().enumerate() {
-        let (node, binding, transform) = (instance.geometry, instance.binding, instance.transform);
-        let geometry =
-            Geometry::read(&document, node, binding, transform, &mut reading.origin).map_err(fail)?;
-        // Instances may repeat a geometry; a small file must not fill the memory that way.
-        corners += geometry.soup.corners.len() + geometry.soup.positions.len();
-        if corners > file.bytes.len().saturating_mul(8).max(4_000_000) {
-            return Err(fail("its scene repeats its meshes too many times".to_owned()));
-        }
-        cut += geometry.cut;
-        filled += geometry.filled;
-        lines += geometry.lines;
-        let label = node.label();
-        troubles.extend(geometry.troubles.iter().map(|what| format!("geometry \"{label}\": {what}")));
-        let part = |fraction: f32| 0.3 + 0.7 * (i as f32 + fraction) / total as f32;
-        let mut notes = ImportReport::default();
-        let mut progress = |fraction| progress(part(fraction));
-        let object = build(&instance.name, geometry.soup, &file.name, reading, &mut notes, &mut progress)?;
-        report.append(if total > 1 { notes.prefixed(&instance.name) } else { notes });
-        objects.push(object);
-    }
-    report_troubles(troubles, &mut report);
-    if cut > 0 {
-        report.info(format!(
-            "{} with holes cut into triangles: faces have one outline here",
-            counted(cut, "polygon", "polygons")
-        ));
-    }
-    if filled > 0 {
-        report.warn(format!(
-            "The holes of {} were filled: they don't lie inside it, apart from each other",
-            counted(filled, "polygon", "polygons")
-        ));
-    }
-    if lines > 0 {
-        report
-            .warn(format!("{} of lines left out: only faces are edited here", counted(lines, "set", "sets")));
-    }
+    reader.note_unused();
+    left_out::note(&document, &mut reader.notes);
+    reader.notes.report(&mut report);
     Ok((objects, report))
 }
 
-/// Warns of the first few faces that are not there in full; instances of a geometry repeat them.
-fn report_troubles(troubles: Vec<String>, report: &mut ImportReport) {
-    const SHOWN: usize = 6;
-    let mut met = HashSet::new();
-    for trouble in troubles {
-        if !met.contains(&trouble) && met.len() < SHOWN {
-            report.warn(format!("Faces left out: {trouble}"));
-        }
-        met.insert(trouble);
+/// Why a document gives no object.
+fn nothing(document: &Document, notes: &Notes) -> String {
+    let version = document.root().attribute("version").unwrap_or_default();
+    if ["1.0", "1.1", "1.2", "1.3"].iter().any(|old| version.starts_with(old)) {
+        return format!(
+            "this is COLLADA {version}; versions 1.4 and 1.5 can be read, so export it as one of those"
+        );
     }
-    if met.len() > SHOWN {
-        let more = counted(met.len() - SHOWN, "primitive", "primitives");
-        report.warn(format!("Faces left out: {more} more of the same kind"));
+    match notes.first_fault() {
+        Some(fault) => format!("nothing in the document can be read: {fault}"),
+        None => "the document holds no mesh".to_owned(),
     }
 }
 
-struct Scene<'d, 'a> {
+/// Notes an encoding that some letters may be wrong in.
+fn note_encoding(text: &str, encoding: Encoding, notes: &mut Notes) {
+    if encoding != Encoding::Latin1 {
+        return;
+    }
+    let declaration = text.trim_start().strip_prefix("<?xml").and_then(|rest| rest.split_once("?>"));
+    let declared = declaration.and_then(|(inside, _)| {
+        let (_, value) = inside.split_once("encoding")?;
+        value.split(['"', '\'']).nth(1)
+    });
+    let is_own = |name: &str| {
+        let name = name.to_ascii_lowercase();
+        ["iso-8859-1", "iso8859-1", "latin1", "latin-1", "windows-1252", "cp1252", "us-ascii"]
+            .contains(&name.as_str())
+    };
+    match declared {
+        Some(name) if is_own(name) => {}
+        Some(name) => notes.info(format!(
+            "Its text is not {name} as it says, or that encoding can't be read: it was read as Latin-1, so letters of names may be wrong"
+        )),
+        None => notes.info("Its text is not UTF-8: it was read as Latin-1, so letters of names may be wrong"),
+    }
+}
+
+/// Reads instances one after the other.
+struct Reader<'r, 'd, 'a> {
     document: &'d Document<'a>,
-    instances: Vec<Instance<'d, 'a>>,
-    visits: usize,
-    skins: usize,
+    joints: &'r Joints<'r, 'd, 'a>,
+    /// The geometries that were shown or blended to.
+    used: HashSet<u32>,
+    /// How many corners and vertices instances have so far, and may have: they may repeat a geometry, and
+    /// a small file must not fill the memory that way.
+    elements: usize,
+    max_elements: usize,
+    notes: Notes,
 }
 
-impl<'d, 'a> Scene<'d, 'a> {
-    fn find(&mut self, axes: DMat4) -> Result<(), String> {
-        let document = self.document;
-        let root = document.root();
-        let scene = document
-            .path(root, &["scene", "instance_visual_scene"])
-            .and_then(|instance| document.target(instance.attribute("url")?))
-            .or_else(|| document.path(root, &["library_visual_scenes", "visual_scene"]));
-        if let Some(scene) = scene {
-            self.nodes(scene, axes, 0)?;
-        }
-        if self.instances.is_empty() {
-            let libraries = document.children(root).filter(|child| child.name == "library_geometries");
-            for geometry in libraries.flat_map(|library| document.children(library)) {
-                if document.child(geometry, "mesh").is_some() {
-                    let name = geometry.label().to_owned();
-                    self.instances.push(Instance { name, geometry, binding: None, transform: axes });
-                }
+impl<'r, 'd, 'a> Reader<'r, 'd, 'a> {
+    /// The objects of instances, as many as there is room for.
+    fn objects(
+        &mut self,
+        instances: &[Instance<'d, 'a>],
+        file: &NamedBytes,
+        reading: &mut Reading,
+        report: &mut ImportReport,
+        progress: &mut Progress,
+    ) -> Result<Vec<ImportedObject>, ReadError> {
+        let mut objects = Vec::new();
+        let total = instances.len();
+        for (i, instance) in instances.iter().enumerate() {
+            let Some(soup) = self.soup(instance, &mut reading.origin) else { continue };
+            self.elements += soup.corners.len() + soup.positions.len() + ELEMENTS_PER_OBJECT;
+            if self.elements > self.max_elements {
+                let rest = counted(total - i, "mesh", "meshes");
+                self.notes
+                    .fault(Fault::Scene, format!("{rest}: the scene repeats its geometries too many times"));
+                break;
             }
+            let part = |fraction: f32| 0.3 + 0.7 * (i as f32 + fraction) / total as f32;
+            let mut own = ImportReport::default();
+            let mut progress = |fraction| progress(part(fraction));
+            let object = build(&instance.name, soup, &file.name, reading, &mut own, &mut progress)?;
+            report.append(if total > 1 { own.prefixed(&instance.name) } else { own });
+            objects.push(object);
         }
-        Ok(())
+        Ok(objects)
     }
 
-    /// The instances in the nodes inside `parent`. Nodes may refer to nodes: the number of visits
-    /// is limited.
-    fn nodes(&mut self, parent: &'d Node<'a>, transform: DMat4, depth: usize) -> Result<(), String> {
-        self.visits += 1;
-        if depth > 64 || self.visits > 100_000 {
-            return Err("the nodes of its scene refer to each other without end".to_owned());
-        }
-        let document = self.document;
-        for child in document.children(parent) {
-            let target = || child.attribute("url").and_then(|url| document.target(url));
-            match child.name {
-                "node" => {
-                    let here = transform * transform::of_node(document, child)?;
-                    self.nodes(child, here, depth + 1)?;
-                }
-                "instance_node" => {
-                    if let Some(node) = target().filter(|node| node.name == "node") {
-                        let here = transform * transform::of_node(document, node)?;
-                        self.nodes(node, here, depth + 1)?;
-                    }
-                }
-                "instance_geometry" => {
-                    let url = child.attribute("url").unwrap_or_default();
-                    let geometry = target().filter(|node| node.name == "geometry").ok_or_else(|| {
-                        format!("node \"{}\" shows geometry \"{url}\", which doesn't exist", parent.label())
-                    })?;
-                    self.instance(parent, child, geometry, transform);
-                }
-                "instance_controller" => {
-                    self.skins += 1;
-                    let skin = target().and_then(|controller| document.child(controller, "skin"));
-                    let source = skin.and_then(|skin| document.target(skin.attribute("source")?));
-                    if let Some(geometry) = source.filter(|node| node.name == "geometry") {
-                        self.instance(parent, child, geometry, transform);
-                    }
-                }
-                _ => {}
+    /// The soup of an instance. None where it can't be read, which is noted.
+    fn soup(&mut self, instance: &Instance<'d, 'a>, origin: &mut Option<Origin>) -> Option<PolygonSoup> {
+        let Self { document, joints, used, notes, .. } = self;
+        let shape = match Shape::find(document, instance.content, notes) {
+            Ok(shape) => shape,
+            Err(why) => {
+                notes.fault(Fault::Scene, format!("what node \"{}\" shows: {why}", instance.name));
+                return None;
+            }
+        };
+        let geometry = shape.geometry;
+        used.insert(geometry.index);
+        let placement = match shape.skin {
+            Some(skin) => skin::place(document, skin, instance, joints, notes),
+            None => Placement::Rigid(instance.transform),
+        };
+        let morph = shape.morph.and_then(|morph| Morph::read(document, morph, geometry, used, notes));
+        let shown = Shown { geometry, instance, placement, morph };
+        match geometry::read(document, &shown, origin, notes) {
+            Ok(soup) => Some(soup),
+            Err(why) => {
+                notes.fault(Fault::Scene, format!("geometry \"{}\": {why}", geometry.label()));
+                None
             }
         }
-        Ok(())
     }
 
-    fn instance(&mut self, node: &Node, binding: &'d Node<'a>, geometry: &'d Node<'a>, transform: DMat4) {
-        // Splines and such are geometries too.
-        if self.document.child(geometry, "mesh").is_some() {
-            let name = if node.name == "node" { node.label() } else { geometry.label() }.to_owned();
-            self.instances.push(Instance { name, geometry, binding: Some(binding), transform });
+    /// Notes geometries that nothing shows.
+    fn note_unused(&mut self) {
+        for geometry in self.document.all("geometry") {
+            if !self.used.contains(&geometry.index) && has_faces(self.document, geometry) {
+                self.notes.fault(
+                    Fault::Scene,
+                    format!("geometry \"{}\", which the scene doesn't show", geometry.label()),
+                );
+            }
         }
     }
 }

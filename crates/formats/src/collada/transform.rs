@@ -1,70 +1,120 @@
-//! The transforms of nodes.
+//! The transforms of nodes and of the whole document.
 
+use super::notes::Notes;
+use super::numbers::numbers;
 use super::xml::{Document, Node};
-use crate::scan::Scan;
 use glam::{DMat4, DVec3};
 
-/// Numbers in the text of an element.
-fn numbers<const N: usize>(node: &Node) -> Option<[f64; N]> {
-    let mut scan = Scan::new(node.text(), None);
-    let mut values = [0.0; N];
-    for value in &mut values {
-        *value = f64::from(scan.float()?);
+/// The numbers in the text of an element, of which there should be `N`.
+fn values<const N: usize>(node: &Node, notes: &mut Notes) -> Result<[f64; N], String> {
+    let read = numbers::<f64>(node.text(), Some(N));
+    read.note_commas(notes).map_err(|why| format!("its <{}> has {why}", node.name))?;
+    // More numbers than needed do no harm.
+    let found = read.values.len();
+    let values = read
+        .values
+        .first_chunk::<N>()
+        .copied()
+        .ok_or_else(|| format!("its <{}> has {found} numbers instead of {N}", node.name))?;
+    match values.iter().all(|value| value.is_finite()) {
+        true => Ok(values),
+        false => Err(format!("its <{}> has a number that can't be read", node.name)),
     }
-    Some(values)
 }
 
-/// All transforms of a node, one after the other. Errors name an element that can't be read.
-pub(crate) fn of_node(document: &Document, node: &Node) -> Result<DMat4, String> {
+/// A matrix of 16 numbers, row by row.
+pub(super) fn matrix(node: &Node, notes: &mut Notes) -> Result<DMat4, String> {
+    Ok(DMat4::from_cols_array(&values::<16>(node, notes)?).transpose())
+}
+
+/// The product of all transforms of a node.
+///
+/// # Errors
+/// In words, where one of them can't be read.
+pub(super) fn of_node(document: &Document, node: &Node, notes: &mut Notes) -> Result<DMat4, String> {
     let mut whole = DMat4::IDENTITY;
     for child in document.children(node) {
-        let part = match child.name {
-            "matrix" => numbers::<16>(child).map(|m| DMat4::from_cols_array(&m).transpose()),
-            "translate" => numbers::<3>(child).map(|t| DMat4::from_translation(t.into())),
-            "scale" => numbers::<3>(child).map(|s| DMat4::from_scale(s.into())),
-            "rotate" => numbers::<4>(child).map(|[x, y, z, degrees]| {
-                let axis = DVec3::new(x, y, z).try_normalize();
-                axis.map_or(DMat4::IDENTITY, |axis| DMat4::from_axis_angle(axis, degrees.to_radians()))
-            }),
-            "lookat" => numbers::<9>(child).map(|[a, b, c, d, e, f, g, h, i]| {
-                // At the eye, looking along -Z, as cameras do.
-                let (eye, at, up) = (DVec3::new(a, b, c), DVec3::new(d, e, f), DVec3::new(g, h, i));
-                let back = (eye - at).normalize_or(DVec3::Z);
-                let right = up.cross(back).normalize_or(DVec3::X);
-                DMat4::from_cols(
-                    right.extend(0.0),
-                    back.cross(right).extend(0.0),
-                    back.extend(0.0),
-                    eye.extend(1.0),
-                )
-            }),
-            "skew" => return Err(format!("node \"{}\" is skewed, which can't be read", node.label())),
+        whole *= match child.name {
+            "matrix" => matrix(child, notes)?,
+            "translate" => DMat4::from_translation(values::<3>(child, notes)?.into()),
+            "scale" => DMat4::from_scale(values::<3>(child, notes)?.into()),
+            "rotate" => rotation(values(child, notes)?),
+            "lookat" => look_at(values(child, notes)?),
+            "skew" => {
+                skew(values(child, notes)?).ok_or("its <skew> has no direction, or too large an angle")?
+            }
             _ => continue,
         };
-        whole *=
-            part.ok_or_else(|| format!("the <{}> of node \"{}\" can't be read", child.name, node.label()))?;
     }
-    Ok(whole)
+    match whole.is_finite() {
+        true => Ok(whole),
+        false => Err("its transforms give no finite numbers".to_owned()),
+    }
 }
 
-/// From the file's axes and unit to metres with Y up, and what to tell about it.
-pub(crate) fn of_document(document: &Document) -> (DMat4, Option<String>) {
+fn rotation([x, y, z, degrees]: [f64; 4]) -> DMat4 {
+    let axis = DVec3::new(x, y, z).try_normalize();
+    axis.map_or(DMat4::IDENTITY, |axis| DMat4::from_axis_angle(axis, degrees.to_radians()))
+}
+
+/// At the eye, looking along -Z, as cameras do: eye, point of interest, up.
+fn look_at([a, b, c, d, e, f, g, h, i]: [f64; 9]) -> DMat4 {
+    let (eye, at, up) = (DVec3::new(a, b, c), DVec3::new(d, e, f), DVec3::new(g, h, i));
+    let back = (eye - at).normalize_or(DVec3::Z);
+    let right = up.cross(back).normalize_or(DVec3::X);
+    DMat4::from_cols(right.extend(0.0), back.cross(right).extend(0.0), back.extend(0.0), eye.extend(1.0))
+}
+
+/// A shear as RenderMan's `RiSkew` has it, which COLLADA refers to: points move along the second axis so
+/// that the first one turns towards the second by the angle. None where the axes have no two directions,
+/// or where the first would have to turn past the second.
+fn skew([degrees, a, b, c, d, e, f]: [f64; 7]) -> Option<DMat4> {
+    let turned = DVec3::new(a, b, c);
+    let along = DVec3::new(d, e, f).try_normalize()?;
+    // The turned axis in the plane of both: `across` is at right angles to `along`.
+    let height = turned.dot(along);
+    let across = (turned - height * along).try_normalize()?;
+    let width = turned.dot(across);
+    let (sin, cos) = degrees.to_radians().sin_cos();
+    let (new_width, new_height) = (width * cos - height * sin, width * sin + height * cos);
+    if new_width <= f64::EPSILON * turned.length() {
+        return None;
+    }
+    let shear = along * (new_height / new_width - height / width);
+    let column = |axis: DVec3| (axis + shear * across.dot(axis)).extend(0.0);
+    Some(DMat4::from_cols(column(DVec3::X), column(DVec3::Y), column(DVec3::Z), glam::DVec4::W))
+}
+
+/// From the document's axes and unit to metres with Y up.
+pub(super) fn of_document(document: &Document, notes: &mut Notes) -> DMat4 {
     let asset = document.child(document.root(), "asset");
-    let up = asset.and_then(|asset| document.child(asset, "up_axis")).map(|up| up.text().trim_ascii());
-    let meter = asset
-        .and_then(|asset| document.child(asset, "unit"))
-        .and_then(|unit| unit.attribute("meter")?.parse::<f64>().ok())
-        .filter(|meter| meter.is_finite() && *meter > 0.0)
-        .unwrap_or(1.0);
-    let (turn, axis) = match up {
-        Some(b"Z_UP") => {
+    let up = asset.and_then(|asset| document.child(asset, "up_axis")).map(Node::word);
+    let (turn, axis) = match up.as_deref() {
+        Some("Z_UP") => {
             (DMat4::from_cols_array(&[1., 0., 0., 0., 0., 0., -1., 0., 0., 1., 0., 0., 0., 0., 0., 1.]), "Z")
         }
-        Some(b"X_UP") => {
+        Some("X_UP") => {
             (DMat4::from_cols_array(&[0., 1., 0., 0., -1., 0., 0., 0., 0., 0., 1., 0., 0., 0., 0., 1.]), "X")
         }
-        _ => (DMat4::IDENTITY, "Y"),
+        Some("Y_UP") | None => (DMat4::IDENTITY, "Y"),
+        Some(other) => {
+            notes.info(format!("Its up axis \"{other}\" is unknown: Y was taken"));
+            (DMat4::IDENTITY, "Y")
+        }
     };
+    let unit = asset.and_then(|asset| document.child(asset, "unit")).and_then(|unit| unit.attribute("meter"));
+    let meter = unit.map_or(1.0, |text| {
+        let read = numbers::<f64>(text.as_bytes(), Some(1));
+        // Of one number, a comma is the decimal one.
+        let _ = read.note_commas(notes);
+        match read.values.as_slice() {
+            &[meter] if meter.is_finite() && meter > 0.0 => meter,
+            _ => {
+                notes.info(format!("Its unit of \"{text}\" metres can't be read: metres were taken"));
+                1.0
+            }
+        }
+    });
     let mut changes = Vec::new();
     if axis != "Y" {
         changes.push(format!("turned so that Y is up instead of {axis}"));
@@ -72,6 +122,34 @@ pub(crate) fn of_document(document: &Document) -> (DMat4, Option<String>) {
     if meter != 1.0 {
         changes.push(format!("scaled by {meter} to metres"));
     }
-    let note = (!changes.is_empty()).then(|| format!("The model was {}", changes.join(" and ")));
-    (DMat4::from_scale(DVec3::splat(meter)) * turn, note)
+    if !changes.is_empty() {
+        notes.info(format!("The model was {}", changes.join(" and ")));
+    }
+    DMat4::from_scale(DVec3::splat(meter)) * turn
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_skew_turns_one_axis_towards_another() {
+        let slanted = skew([45.0, 0.0, 1.0, 0.0, 1.0, 0.0, 0.0]).expect("two directions");
+        let point = |x, y, z| slanted.transform_point3(DVec3::new(x, y, z));
+        assert!(point(0.0, 2.0, 5.0).distance(DVec3::new(2.0, 2.0, 5.0)) < 1e-12);
+        assert_eq!(point(3.0, 0.0, 1.0), DVec3::new(3.0, 0.0, 1.0));
+        // Axes that are not at right angles: the first one turns by the angle towards the second.
+        let (first, second) = (DVec3::new(1.0, 1.0, 0.0), DVec3::new(0.0, 2.0, 0.0));
+        let slanted = skew([20.0, 1.0, 1.0, 0.0, 0.0, 2.0, 0.0]).expect("two directions");
+        let image = slanted.transform_vector3(first);
+        assert!((first.angle_between(image).to_degrees() - 20.0).abs() < 1e-9);
+        assert!(image.angle_between(second) < first.angle_between(second));
+        for none in [
+            [45.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0],
+            [45.0, 1.0, 0.0, 0.0, 2.0, 0.0, 0.0],
+            [90.0, 0.0, 1.0, 0.0, 1.0, 0.0, 0.0],
+        ] {
+            assert_eq!(skew(none), None);
+        }
+    }
 }

@@ -1,24 +1,57 @@
-//! The elements of a COLLADA document that matter here, as a tree.
+//! The elements of a COLLADA document that the reader looks at, as a tree.
 //!
-//! Elements of other names are left out with all they hold. Nothing is expanded, nesting and the
-//! number of elements are limited, so that time and memory stay linear in the size of the file.
+//! Elements with other names are left out together with their content. Nothing recurses and no entity is
+//! expanded, so time and memory are linear in the size of the file.
 
+use crate::report::counted;
 use quick_xml::events::{BytesStart, Event};
 use quick_xml::{Reader, XmlVersion};
 use std::borrow::Cow;
 use std::collections::HashMap;
 
-const ELEMENTS: [&str; 60] = [
+const ELEMENTS: [&str; 141] = [
+    // The most frequent ones come first: the list is searched in order.
+    "p",
+    "ph",
+    "h",
+    // The document and its scene.
     "COLLADA",
     "asset",
     "unit",
     "up_axis",
+    "scene",
+    "instance_visual_scene",
+    "library_visual_scenes",
+    "visual_scene",
+    "library_nodes",
+    "node",
+    "matrix",
+    "translate",
+    "rotate",
+    "scale",
+    "skew",
+    "lookat",
+    "instance_node",
+    "instance_geometry",
+    "instance_controller",
+    "instance_camera",
+    "instance_light",
+    "skeleton",
+    // Geometry.
     "library_geometries",
     "geometry",
     "mesh",
+    "convex_mesh",
+    "spline",
+    "brep",
     "source",
     "float_array",
+    "int_array",
+    "bool_array",
+    "Name_array",
+    "IDREF_array",
     "accessor",
+    "param",
     "technique_common",
     "vertices",
     "input",
@@ -27,61 +60,149 @@ const ELEMENTS: [&str; 60] = [
     "triangles",
     "tristrips",
     "trifans",
-    "p",
-    "ph",
-    "h",
+    "lines",
+    "linestrips",
     "vcount",
+    // Controllers.
+    "library_controllers",
+    "controller",
+    "skin",
+    "bind_shape_matrix",
+    "joints",
+    "vertex_weights",
+    "v",
+    "morph",
+    "targets",
+    // Materials.
+    "bind_material",
+    "instance_material",
+    "bind",
+    "bind_vertex_input",
+    "library_materials",
+    "material",
+    "instance_effect",
+    "setparam",
     "library_effects",
     "effect",
     "profile_COMMON",
+    "profile_CG",
+    "profile_GLSL",
+    "profile_GLSL2",
+    "profile_GLES",
+    "profile_GLES2",
+    "profile_BRIDGE",
     "technique",
+    "newparam",
+    "surface",
+    "sampler2D",
+    "instance_image",
+    "wrap_s",
+    "wrap_t",
     "phong",
     "lambert",
     "blinn",
     "constant",
+    "emission",
+    "ambient",
     "diffuse",
+    "specular",
+    "shininess",
+    "reflective",
+    "reflectivity",
+    "transparent",
+    "transparency",
+    "index_of_refraction",
     "color",
-    "library_materials",
+    "float",
+    "float2",
+    "float3",
+    "float4",
+    "texture",
+    "extra",
+    "bump",
+    "double_sided",
+    "repeatU",
+    "repeatV",
+    "offsetU",
+    "offsetV",
+    "rotateUV",
+    "wrapU",
+    "wrapV",
+    "mirrorU",
+    "mirrorV",
+    // Images.
+    "library_images",
+    "image",
+    "init_from",
+    "create_2d",
+    "ref",
+    "hex",
+    "data",
+    // What is named in the report and not kept.
+    "library_animations",
+    "animation",
+    "library_animation_clips",
+    "library_cameras",
+    "camera",
+    "library_lights",
+    "light",
+    "library_physics_models",
+    "library_physics_scenes",
+    "library_force_fields",
+    "library_kinematics_models",
+    "library_kinematics_scenes",
+    "library_articulated_systems",
+    "library_joints",
+    "library_formulas",
+    "ambient_color",
+    "instance_physics_scene",
+    "instance_kinematics_scene",
+    "evaluate_scene",
+];
+
+const ATTRIBUTES: [&str; 30] = [
+    "id",
+    "sid",
+    "name",
+    "url",
+    "source",
+    "semantic",
+    "offset",
+    "idx",
+    "set",
+    "count",
+    "stride",
     "material",
-    "instance_effect",
-    "library_visual_scenes",
-    "visual_scene",
-    "node",
-    "matrix",
-    "translate",
-    "rotate",
-    "scale",
-    "skew",
-    "lookat",
-    "instance_geometry",
-    "bind_material",
-    "instance_material",
-    "instance_node",
-    "library_nodes",
-    "instance_controller",
-    "library_controllers",
-    "controller",
-    "skin",
-    "scene",
-    "instance_visual_scene",
-    "lines",
-    "linestrips",
-    "spline",
-    "convex_mesh",
-    "morph",
+    "symbol",
+    "target",
+    "meter",
+    "version",
+    "type",
+    "method",
+    "texture",
+    "texcoord",
+    "opaque",
+    "ref",
+    "profile",
+    "input_semantic",
+    "input_set",
+    "convex_hull_of",
+    "format",
+    "bumptype",
+    "proxy",
+    "encoding",
 ];
 
-const ATTRIBUTES: [&str; 14] = [
-    "id", "name", "url", "source", "semantic", "offset", "set", "count", "stride", "material", "symbol",
-    "target", "meter", "version",
-];
-
-const MAX_DEPTH: usize = 200;
+/// The fewest bytes of text for each element: a document with more elements is cut off there, so that
+/// a file of nothing but tags can't fill the memory.
+const MIN_BYTES_PER_ELEMENT: usize = 8;
 
 /// One element.
-#[derive(Debug, Default)]
+#[derive(Debug)]
 pub(crate) struct Node<'a> {
     pub name: &'static str,
+    /// Its place in document order, which tells elements apart.
+    pub index: u32,
     attributes: Vec<(&'static str, String)>,
     text: Cow<'a, [u8]>,
     first_child: u32,
@@ -92,134 +213,150 @@ pub(crate) struct Node<'a> {
 pub(crate) struct Document<'a> {
     nodes: Vec<Node<'a>>,
     ids: HashMap<String, u32>,
+    /// The file's name without folders, by which references may lead back to the document itself.
+    file_name: &'a str,
+    /// What of the document is not read, and why.
+    pub faults: Vec<String>,
 }
 
-const NONE: u32 = u32::MAX;
+/// The index that stands for no node.
+const NO_NODE: u32 = u32::MAX;
+
+/// The elements that are open while a document is read, each with its latest child.
+struct Open {
+    elements: Vec<(u32, u32)>,
+    /// How many elements deep the reader is in one that is left out.
+    skipped: usize,
+}
 
 impl<'a> Document<'a> {
-    /// Reads a document.
+    /// Reads a document up to the first place where it is not well-formed, which `faults` names.
     ///
     /// # Errors
-    /// In words, with the place, where it is not well-formed or asks for too much.
-    pub(crate) fn read(text: &'a str) -> Result<Self, String> {
+    /// In words, where the root is not `<COLLADA>`.
+    pub(crate) fn read(text: &'a str, file_name: &'a str) -> Result<Self, String> {
+        let file_name = file_name.rsplit(['/', '\\']).next().unwrap_or(file_name);
+        let mut this = Self { nodes: Vec::new(), ids: HashMap::new(), file_name, faults: Vec::new() };
+        this.read_elements(text);
+        match this.nodes.first() {
+            Some(root) if root.name == "COLLADA" => Ok(this),
+            _ => Err(match this.faults.first() {
+                Some(fault) => format!("nothing of it is read, as this is left out: {fault}"),
+                None => "its root is not <COLLADA>".to_owned(),
+            }),
+        }
+    }
+
+    fn read_elements(&mut self, text: &'a str) {
         let mut reader = Reader::from_str(text);
+        // Programs write names with "&" as they are.
+        reader.config_mut().allow_dangling_amp = true;
         let line = |at: u64| {
             let before = text.as_bytes().get(..usize::try_from(at).unwrap_or(0)).unwrap_or_default();
             1 + before.iter().filter(|&&b| b == b'\n').count()
         };
-        let most = text.len() / 8 + 1024;
-        let mut this = Self { nodes: Vec::new(), ids: HashMap::new() };
-        // The open elements, each with its latest child.
-        let mut open: Vec<(u32, u32)> = Vec::new();
-        let mut skipped = 0usize;
+        let max_elements = text.len() / MIN_BYTES_PER_ELEMENT + 1024;
+        let mut open = Open { elements: Vec::new(), skipped: 0 };
+        let mut unknown_entities = 0;
         loop {
-            let event = reader.read_event().map_err(|error| {
-                format!("line {}: not well-formed XML: {error}", line(reader.error_position()))
-            })?;
+            let event = match reader.read_event() {
+                Ok(event) => event,
+                Err(error) => {
+                    let line = line(reader.error_position());
+                    self.faults.push(format!("everything from line {line} on: not well-formed XML: {error}"));
+                    break;
+                }
+            };
             match event {
                 Event::Start(start) => {
-                    if open.len() + skipped >= MAX_DEPTH {
-                        return Err(format!(
-                            "line {}: elements are nested more than {MAX_DEPTH} deep",
-                            line(reader.buffer_position())
-                        ));
-                    }
-                    if skipped > 0 || !this.push(&start, &mut open)? {
-                        skipped += 1;
+                    if open.skipped > 0 || !self.push(&start, &mut open) {
+                        open.skipped += 1;
                     } else {
-                        open.push((this.nodes.len() as u32 - 1, NONE));
+                        open.elements.push((self.nodes.len() as u32 - 1, NO_NODE));
                     }
                 }
                 Event::Empty(start) => {
-                    if skipped == 0 {
-                        this.push(&start, &mut open)?;
+                    if open.skipped == 0 {
+                        self.push(&start, &mut open);
                     }
                 }
-                Event::End(_) => {
-                    if skipped > 0 {
-                        skipped -= 1;
-                    } else {
-                        open.pop();
-                    }
-                }
-                Event::Text(part) => this.append(part.into_inner(), skipped, &open),
-                Event::CData(part) => this.append(part.into_inner(), skipped, &open),
+                Event::End(_) if open.skipped > 0 => open.skipped -= 1,
+                Event::End(_) => drop(open.elements.pop()),
+                Event::Text(part) => self.append(part.into_inner(), &open),
+                Event::CData(part) => self.append(part.into_inner(), &open),
                 Event::GeneralRef(entity) => {
-                    let character = match entity.resolve_char_ref() {
-                        Ok(Some(character)) => character,
-                        _ => match &*entity {
-                            b"amp" => '&',
-                            b"lt" => '<',
-                            b"gt" => '>',
-                            b"quot" => '"',
-                            b"apos" => '\'',
-                            _ => {
-                                return Err(format!(
-                                    "line {}: an unknown entity",
-                                    line(reader.buffer_position())
-                                ));
-                            }
-                        },
-                    };
-                    this.append(Cow::Owned(character.to_string().into_bytes()), skipped, &open);
-                }
-                Event::DocType(kind) => {
-                    if kind.windows(6).any(|word| word == b"ENTITY") {
-                        return Err(
-                            "the document defines entities of its own, which are not expanded".to_owned()
-                        );
+                    match character(entity.resolve_char_ref().ok().flatten(), &entity) {
+                        Some(character) => {
+                            self.append(Cow::Owned(character.to_string().into_bytes()), &open);
+                        }
+                        None => unknown_entities += 1,
                     }
                 }
-                Event::Eof => break,
-                Event::Comment(_) | Event::Decl(_) | Event::PI(_) => {}
+                Event::Eof => {
+                    if !open.elements.is_empty() || open.skipped > 0 {
+                        self.faults
+                            .push("the end of the file, which stops in the middle of an element".to_owned());
+                    }
+                    break;
+                }
+                Event::DocType(_) | Event::Comment(_) | Event::Decl(_) | Event::PI(_) => {}
             }
-            if this.nodes.len() > most {
-                return Err("the document has more elements than its size allows for".to_owned());
+            if self.nodes.len() > max_elements {
+                let line = line(reader.buffer_position());
+                self.faults.push(format!(
+                    "everything from line {line} on: there are too many elements for so small a file"
+                ));
+                break;
             }
         }
-        if !open.is_empty() || skipped > 0 {
-            return Err("the document ends in the middle of an element".to_owned());
+        if unknown_entities > 0 {
+            let entities = counted(unknown_entities, "entity", "entities");
+            self.faults.push(format!("{entities} other than XML's own"));
         }
-        if this.nodes.first().is_none_or(|node| node.name != "COLLADA") {
-            return Err("this is not a COLLADA document: its root is not <COLLADA>".to_owned());
-        }
-        Ok(this)
     }
 
-    /// Adds an element if its name matters; says whether it does.
-    fn push(&mut self, start: &BytesStart, open: &mut [(u32, u32)]) -> Result<bool, String> {
+    /// Adds an element if the reader looks at its name, and returns whether it does.
+    fn push(&mut self, start: &BytesStart, open: &mut Open) -> bool {
         let local = start.local_name();
         let Some(&name) = ELEMENTS.iter().find(|name| name.as_bytes() == local.as_ref()) else {
-            return Ok(false);
+            return false;
         };
-        let mut node = Node { name, first_child: NONE, next: NONE, ..Node::default() };
-        for attribute in start.attributes() {
-            let attribute = attribute.map_err(|error| format!("in <{name}>: {error}"))?;
+        let index = self.nodes.len() as u32;
+        let mut attributes = Vec::new();
+        for attribute in start.attributes().with_checks(false).flatten() {
             if let Some(&key) = ATTRIBUTES.iter().find(|key| key.as_bytes() == attribute.key.as_ref()) {
-                let value = attribute
-                    .normalized_value(XmlVersion::Implicit1_0)
-                    .map_err(|error| format!("in <{name}>: {error}"))?;
-                node.attributes.push((key, value.into_owned()));
+                let value = match attribute.normalized_value(XmlVersion::Implicit1_0) {
+                    Ok(value) => value.into_owned(),
+                    Err(_) => String::from_utf8_lossy(&attribute.value).into_owned(),
+                };
+                if key == "id" {
+                    self.ids.entry(value.clone()).or_insert(index);
+                }
+                attributes.push((key, value));
             }
         }
-        let index = self.nodes.len() as u32;
-        if let Some(id) = node.attribute("id") {
-            self.ids.entry(id.to_owned()).or_insert(index);
-        }
-        if let Some((parent, latest)) = open.last_mut() {
-            let before = if *latest == NONE { *parent } else { *latest };
+        if let Some((parent, latest)) = open.elements.last_mut() {
+            let before = if *latest == NO_NODE { *parent } else { *latest };
             if let Some(before_node) = self.nodes.get_mut(before as usize) {
-                let link = if *latest == NONE { &mut before_node.first_child } else { &mut before_node.next };
+                let link =
+                    if *latest == NO_NODE { &mut before_node.first_child } else { &mut before_node.next };
                 *link = index;
             }
             *latest = index;
         }
-        self.nodes.push(node);
-        Ok(true)
+        self.nodes.push(Node {
+            name,
+            index,
+            attributes,
+            text: Cow::Borrowed(&[]),
+            first_child: NO_NODE,
+            next: NO_NODE,
+        });
+        true
     }
 
-    fn append(&mut self, part: Cow<'a, [u8]>, skipped: usize, open: &[(u32, u32)]) {
-        let Some(&(index, _)) = open.last().filter(|_| skipped == 0) else { return };
+    fn append(&mut self, part: Cow<'a, [u8]>, open: &Open) {
+        let Some(&(index, _)) = open.elements.last().filter(|_| open.skipped == 0) else { return };
         let Some(node) = self.nodes.get_mut(index as usize) else { return };
         if node.text.is_empty() {
             node.text = part;
@@ -230,47 +367,94 @@ impl<'a> Document<'a> {
 
     /// The root element.
     pub(crate) fn root(&self) -> &Node<'a> {
-        // There is one: `read` checks.
-        self.nodes.first().unwrap_or(
-            const {
-                &Node {
-                    name: "",
-                    attributes: Vec::new(),
-                    text: Cow::Borrowed(&[]),
-                    first_child: NONE,
-                    next: NONE,
-                }
-            },
-        )
+        const EMPTY: &Node = &Node {
+            name: "",
+            index: NO_NODE,
+            attributes: Vec::new(),
+            text: Cow::Borrowed(&[]),
+            first_child: NO_NODE,
+            next: NO_NODE,
+        };
+        // `read` makes sure that there is one.
+        self.nodes.first().unwrap_or(EMPTY)
     }
 
-    /// The elements right inside one.
+    /// The first element directly inside a node.
+    pub(crate) fn first_child(&self, node: &Node) -> Option<&Node<'a>> {
+        self.nodes.get(node.first_child as usize)
+    }
+
+    /// The element after this one in their parent.
+    pub(crate) fn next_sibling(&self, node: &Node) -> Option<&Node<'a>> {
+        self.nodes.get(node.next as usize)
+    }
+
+    /// The elements directly inside a node.
     pub(crate) fn children<'d>(&'d self, node: &Node) -> impl Iterator<Item = &'d Node<'a>> + use<'d, 'a> {
-        let mut next = node.first_child;
-        std::iter::from_fn(move || {
-            let node = self.nodes.get(next as usize)?;
-            next = node.next;
-            Some(node)
-        })
+        std::iter::successors(self.first_child(node), |child| self.next_sibling(child))
     }
 
-    /// The first element of this name right inside one.
+    /// The elements of this name directly inside a node.
+    pub(crate) fn children_named<'d>(
+        &'d self,
+        node: &Node,
+        name: &'static str,
+    ) -> impl Iterator<Item = &'d Node<'a>> + use<'d, 'a> {
+        self.children(node).filter(move |child| child.name == name)
+    }
+
+    /// The first element of this name directly inside a node.
     pub(crate) fn child(&self, node: &Node, name: &str) -> Option<&Node<'a>> {
         self.children(node).find(|child| child.name == name)
     }
 
-    /// The first at the end of this path of names.
+    /// The first element at the end of this path of names.
     pub(crate) fn path(&self, node: &Node, path: &[&str]) -> Option<&Node<'a>> {
-        let (first, rest) = path.split_first()?;
-        let child = self.child(node, first)?;
-        if rest.is_empty() { Some(child) } else { self.path(child, rest) }
+        let (last, before) = path.split_last()?;
+        let mut found = None;
+        for name in before {
+            found = Some(self.child(found.unwrap_or(node), name)?);
+        }
+        self.child(found.unwrap_or(node), last)
     }
 
-    /// The element that a reference like `#id` is to.
+    /// All elements of this name, in document order.
+    pub(crate) fn all<'d>(&'d self, name: &'static str) -> impl Iterator<Item = &'d Node<'a>> + use<'d, 'a> {
+        self.nodes.iter().filter(move |node| node.name == name)
+    }
+
+    /// The element that a reference like `#id` leads to; none where it is missing or in another document.
     pub(crate) fn target(&self, reference: &str) -> Option<&Node<'a>> {
-        let id = reference.rsplit_once('#').map_or(reference, |(_, id)| id);
+        let reference = reference.trim();
+        let id = match reference.split_once('#') {
+            Some((file, id)) if file.is_empty() || self.is_own_file(file) => id,
+            Some(_) => return None,
+            None => reference,
+        };
         self.nodes.get(*self.ids.get(id)? as usize)
     }
+
+    /// Whether a reference leads to another document.
+    pub(crate) fn is_external(&self, reference: &str) -> bool {
+        let file = reference.trim().split_once('#').map_or("", |(file, _)| file);
+        !file.is_empty() && !self.is_own_file(file)
+    }
+
+    fn is_own_file(&self, file: &str) -> bool {
+        file.rsplit(['/', '\\']).next().is_some_and(|base| base == self.file_name)
+    }
+}
+
+/// The character that an entity stands for: a character reference, or one of XML's own names.
+fn character(reference: Option<char>, entity: &[u8]) -> Option<char> {
+    reference.or(match entity {
+        b"amp" => Some('&'),
+        b"lt" => Some('<'),
+        b"gt" => Some('>'),
+        b"quot" => Some('"'),
+        b"apos" => Some('\''),
+        _ => None,
+    })
 }
 
 impl Node<'_> {
@@ -279,36 +463,24 @@ impl Node<'_> {
         self.attributes.iter().find(|(key, _)| *key == name).map(|(_, value)| value.as_str())
     }
 
-    /// What to call the element in messages.
-    pub(crate) fn label(&self) -> &str {
-        self.attribute("name").or(self.attribute("id")).unwrap_or(self.name)
+    /// The value of an attribute that is a number; none where it is missing or something else.
+    pub(crate) fn number(&self, name: &str) -> Option<usize> {
+        self.attribute(name)?.trim().parse().ok()
     }
 
-    /// The text right inside.
+    /// What messages call the element.
+    pub(crate) fn label(&self) -> &str {
+        let given = |name: &str| self.attribute(name).filter(|value| !value.is_empty());
+        given("name").or(given("id")).or(given("sid")).unwrap_or(self.name)
+    }
+
+    /// The text directly inside.
     pub(crate) fn text(&self) -> &[u8] {
         &self.text
     }
-}
 
-/// The text of a file in whichever encoding: UTF-8 or UTF-16 by mark or by its first characters,
-/// else Latin-1.
-pub(crate) fn decode(bytes: &[u8]) -> Cow<'_, str> {
-    let utf16 = |bytes: &[u8], read: fn([u8; 2]) -> u16| {
-        let (units, _) = bytes.as_chunks::<2>();
-        char::decode_utf16(units.iter().map(|unit| read(*unit)))
-            .map(|c| c.unwrap_or(char::REPLACEMENT_CHARACTER))
-            .filter(|&c| c != '\u{feff}')
-            .collect::<String>()
-    };
-    match bytes {
-        [0xff, 0xfe, ..] | [b'<', 0, ..] => Cow::Owned(utf16(bytes, u16::from_le_bytes)),
-        [0xfe, 0xff, ..] | [0, b'<', ..] => Cow::Owned(utf16(bytes, u16::from_be_bytes)),
-        _ => {
-            let bytes = bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes);
-            match std::str::from_utf8(bytes) {
-                Ok(text) => Cow::Borrowed(text),
-                Err(_) => Cow::Owned(bytes.iter().map(|&b| char::from(b)).collect()),
-            }
-        }
+    /// The text directly inside, without blanks around it.
+    pub(crate) fn word(&self) -> Cow<'_, str> {
+        String::from_utf8_lossy(self.text.trim_ascii())
     }
 }

@@ -1,0 +1,90 @@
+//! What the reader has to say about a document, gathered while it reads.
+//!
+//! Many elements may have the same fault, and instances of a geometry repeat its faults: each is told once,
+//! and of each kind only the first few.
+
+use crate::report::{ImportReport, counted};
+use std::collections::HashSet;
+
+/// How many faults of a kind the report shows; the rest it counts.
+const FAULTS_SHOWN: usize = 6;
+
+/// What a fault costs.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub(super) enum Fault {
+    /// Something in the scene is left out.
+    Scene,
+    /// Faces are left out.
+    Faces,
+    /// An attribute of a mesh is left out, or is not what the file says.
+    Attribute,
+    /// A material lacks something.
+    Material,
+}
+
+impl Fault {
+    const ALL: [Self; 4] = [Self::Scene, Self::Faces, Self::Attribute, Self::Material];
+
+    /// What a sentence about it begins with.
+    fn head(self) -> &'static str {
+        match self {
+            Self::Scene => "Left out: ",
+            Self::Faces => "Faces left out: ",
+            Self::Attribute => "Mesh changed: ",
+            Self::Material => "Material changed: ",
+        }
+    }
+}
+
+/// Notes for the import report.
+#[derive(Default)]
+pub(super) struct Notes {
+    met: HashSet<(Fault, String)>,
+    faults: Vec<(Fault, String)>,
+    /// What changes nothing about the meshes, in sentences.
+    infos: Vec<String>,
+}
+
+impl Notes {
+    /// Adds a fault: a clause that begins with the element it is about.
+    pub(super) fn fault(&mut self, fault: Fault, text: impl Into<String>) {
+        let text = text.into();
+        if self.met.insert((fault, text.clone())) {
+            self.faults.push((fault, text));
+        }
+    }
+
+    /// Adds a sentence, once.
+    pub(super) fn info(&mut self, text: impl Into<String>) {
+        let text = text.into();
+        if !self.infos.contains(&text) {
+            self.infos.push(text);
+        }
+    }
+
+    /// How many faults there are.
+    pub(super) fn count(&self) -> usize {
+        self.faults.len()
+    }
+
+    /// The first fault, for where nothing else is left.
+    pub(super) fn first_fault(&self) -> Option<&str> {
+        self.faults.first().map(|(_, text)| text.as_str())
+    }
+
+    /// Adds everything to the report.
+    pub(super) fn report(&self, report: &mut ImportReport) {
+        self.infos.iter().for_each(|info| report.info(info));
+        for fault in Fault::ALL {
+            let texts: Vec<&String> =
+                self.faults.iter().filter(|(kind, _)| *kind == fault).map(|(_, text)| text).collect();
+            for text in texts.iter().take(FAULTS_SHOWN) {
+                report.warn(format!("{}{text}", fault.head()));
+            }
+            if texts.len() > FAULTS_SHOWN {
+                let more = counted(texts.len() - FAULTS_SHOWN, "fault", "faults");
+                report.warn(format!("{}{more} more of this kind", fault.head()));
+            }
+        }
+    }
+}

@@ -1,0 +1,259 @@
+//! Primitives: lists of polygons, triangles, strips and fans.
+
+use super::faces::{Faces, Input, Inputs};
+use super::notes::{Fault, Notes};
+use super::numbers::numbers;
+use super::source::Source;
+use super::xml::{Document, Node};
+use crate::report::counted;
+use std::collections::HashMap;
+use std::rc::Rc;
+
+/// The largest offset of an input.
+const MAX_OFFSET: usize = 255;
+
+/// Reads the primitives of one mesh.
+pub(super) struct Primitives<'r, 'd, 'a> {
+    document: &'d Document<'a>,
+    /// The `<vertices>` of the mesh.
+    vertices: &'d Node<'a>,
+    /// What notes call the geometry.
+    label: &'d str,
+    /// Sources read so far, by name and width: primitives share them. None for those that can't be read.
+    sources: HashMap<(&'d str, usize), Option<Rc<Source>>>,
+    notes: &'r mut Notes,
+}
+
+/// An attribute that corners have, before its source is read.
+struct Candidate<'d> {
+    set: usize,
+    offset: usize,
+    source: &'d str,
+}
+
+impl<'r, 'd, 'a> Primitives<'r, 'd, 'a> {
+    pub(super) fn new(
+        document: &'d Document<'a>,
+        vertices: &'d Node<'a>,
+        label: &'d str,
+        notes: &'r mut Notes,
+    ) -> Self {
+        Self { document, vertices, label, sources: HashMap::new(), notes }
+    }
+
+    /// Adds the faces of a primitive. `uv_set` is the set of texture coordinates that its material uses,
+    /// if that is known.
+    pub(super) fn read(&mut self, node: &Node<'a>, uv_set: Option<usize>, faces: &mut Faces) {
+        let inputs = match self.inputs(node, uv_set) {
+            Ok(inputs) => inputs,
+            Err(why) => return self.fault(node, &why),
+        };
+        let (before, first) = (self.notes.count(), faces.soup.face_count());
+        match node.name {
+            "polylist" => self.polylist(node, &inputs, faces),
+            "polygons" => self.polygons(node, &inputs, faces),
+            _ => self.triangles(node, &inputs, faces),
+        }
+        let count = node.number("count").unwrap_or(0);
+        if count > 0
+            && faces.soup.face_count() == first
+            && self.notes.count() == before
+            && !faces.has_faults()
+        {
+            self.fault(node, &format!("none of its {}", counted(count, "face", "faces")));
+        }
+    }
+
+    /// Notes what is wrong with a primitive: "it has …".
+    fn fault(&mut self, node: &Node, what: &str) {
+        let label = self.label;
+        self.notes.fault(Fault::Faces, format!("geometry \"{label}\": a <{}> has {what}", node.name));
+    }
+
+    /// Notes numbers behind the last whole face.
+    fn left_over(&mut self, node: &Node, count: usize) {
+        if count > 0 {
+            let numbers = counted(count, "number", "numbers");
+            self.fault(node, &format!("{numbers} in its <p> that make no whole face"));
+        }
+    }
+
+    /// The numbers in an element of a primitive. Unreadable ones stand for nothing that exists.
+    fn numbers(&mut self, node: &Node, list: &Node) -> Vec<u32> {
+        let read = numbers::<u32>(list.text(), None);
+        if let Err(why) = read.note_commas(self.notes) {
+            self.fault(node, &format!("a <{}> with {why}", list.name));
+        }
+        read.values
+    }
+
+    fn polylist(&mut self, node: &Node, inputs: &Inputs, faces: &mut Faces) {
+        let counts = self.document.child(node, "vcount");
+        let has_counts = counts.is_some();
+        let counts = counts.map_or(Vec::new(), |counts| self.numbers(node, counts));
+        let Some(list) = self.document.child(node, "p") else {
+            if !counts.is_empty() {
+                self.fault(node, "no <p>");
+            }
+            return;
+        };
+        let indices = self.numbers(node, list);
+        if !has_counts && !indices.is_empty() {
+            return self.fault(node, "no <vcount>, which says how many corners each face has");
+        }
+        let mut rest = indices.as_slice();
+        for (i, &count) in counts.iter().enumerate() {
+            let numbers = (count as usize).saturating_mul(inputs.stride);
+            let Some((face, after)) = rest.split_at_checked(numbers) else {
+                let missing = counted(counts.len() - i, "face", "faces");
+                return self.fault(
+                    node,
+                    &format!("fewer numbers in its <p> than its <vcount> says: {missing} missing"),
+                );
+            };
+            rest = after;
+            faces.add(face, inputs);
+        }
+        self.left_over(node, rest.len());
+    }
+
+    fn polygons(&mut self, node: &Node, inputs: &Inputs, faces: &mut Faces) {
+        let document = self.document;
+        for child in document.children(node) {
+            match child.name {
+                "p" => {
+                    let corners = self.numbers(node, child);
+                    self.left_over(node, corners.len() % inputs.stride);
+                    faces.add(&corners, inputs);
+                }
+                "ph" => {
+                    let Some(outline) = document.child(child, "p") else {
+                        self.fault(node, "a <ph> without <p>, its outline");
+                        continue;
+                    };
+                    let outline = self.numbers(node, outline);
+                    let holes = document.children_named(child, "h");
+                    let holes: Vec<Vec<u32>> = holes.map(|hole| self.numbers(node, hole)).collect();
+                    faces.add_with_holes(&outline, &holes, inputs);
+                }
+                _ => {}
+            }
+        }
+    }
+
+    /// Triangles, strips and fans.
+    fn triangles(&mut self, node: &Node, inputs: &Inputs, faces: &mut Faces) {
+        let mut corners: Vec<u32> = Vec::new();
+        for list in self.document.children_named(node, "p") {
+            let indices = self.numbers(node, list);
+            let groups: Vec<&[u32]> = indices.chunks_exact(inputs.stride).collect();
+            // Strips and fans use every corner, where there are enough for one triangle.
+            let unused = match node.name {
+                "triangles" => groups.len() % 3,
+                _ if groups.len() < 3 => groups.len(),
+                _ => 0,
+            };
+            self.left_over(node, unused * inputs.stride + indices.len() % inputs.stride);
+            let mut triangle = |parts: [&[u32]; 3]| {
+                corners.clear();
+                parts.iter().for_each(|part| corners.extend_from_slice(part));
+                faces.add(&corners, inputs);
+            };
+            match node.name {
+                "triangles" => groups.as_chunks::<3>().0.iter().for_each(|three| triangle(*three)),
+                "tristrips" => {
+                    for (i, three) in groups.windows(3).enumerate() {
+                        let &[a, b, c] = three else { continue };
+                        triangle(if i % 2 == 0 { [a, b, c] } else { [b, a, c] });
+                    }
+                }
+                _ => {
+                    let Some((hub, rim)) = groups.split_first() else { continue };
+                    for two in rim.windows(2) {
+                        let &[b, c] = two else { continue };
+                        triangle([hub, b, c]);
+                    }
+                }
+            }
+        }
+    }
+
+    /// What the corners of a primitive refer to.
+    ///
+    /// # Errors
+    /// What the primitive has that keeps it from being read.
+    fn inputs(&mut self, node: &Node<'a>, uv_set: Option<usize>) -> Result<Inputs, String> {
+        let document = self.document;
+        let mut stride = 1;
+        let mut vertex = None;
+        let (mut uvs, mut normals, mut colors) = (Vec::new(), Vec::new(), Vec::new());
+        let mut add = |notes: &mut Notes, input: &'d Node<'a>, offset: usize| {
+            let source = input.attribute("source").unwrap_or_default();
+            let candidate = Candidate { set: input.number("set").unwrap_or(0), offset, source };
+            match input.attribute("semantic").unwrap_or_default() {
+                "TEXCOORD" => uvs.push(candidate),
+                "NORMAL" => normals.push(candidate),
+                "COLOR" => colors.push(candidate),
+                "VERTEX" | "POSITION" => {}
+                other => notes.info(format!("What corners have as {other} is not kept")),
+            }
+        };
+        // Old files call the offset "idx".
+        let offset_of = |input: &Node| match input.attribute("offset").or(input.attribute("idx")) {
+            None => Some(0),
+            Some(text) => text.trim().parse::<usize>().ok().filter(|&offset| offset <= MAX_OFFSET),
+        };
+        for input in document.children_named(node, "input") {
+            let offset = offset_of(input).ok_or("an <input> without a readable offset")?;
+            stride = stride.max(offset + 1);
+            add(self.notes, input, offset);
+            if input.attribute("semantic") == Some("VERTEX") {
+                vertex = Some(offset);
+            }
+        }
+        let vertex = vertex.ok_or("no <input> for its vertices")?;
+        // Attributes may come with the vertices themselves.
+        for input in document.children_named(self.vertices, "input") {
+            add(self.notes, input, vertex);
+        }
+        let uv = self.pick(uvs, uv_set, 2, ["set of texture coordinates", "sets of texture coordinates"]);
+        let normal = self.pick(normals, None, 3, ["set of normals", "sets of normals"]);
+        let color = self.pick(colors, None, 4, ["set of colours", "sets of colours"]);
+        Ok(Inputs { stride, vertex, uv, normal, color })
+    }
+
+    /// The attribute of the wanted set, else that of the lowest one; the others are noted. `what` names one
+    /// set and several.
+    fn pick(
+        &mut self,
+        mut candidates: Vec<Candidate<'d>>,
+        wanted: Option<usize>,
+        width: usize,
+        what: [&str; 2],
+    ) -> Option<Input> {
+        candidates.sort_by_key(|candidate| (Some(candidate.set) != wanted, candidate.set));
+        let mut candidates = candidates.into_iter();
+        let first = candidates.next()?;
+        let others = candidates.filter(|other| other.source != first.source).count();
+        let label = self.label;
+        if others > 0 {
+            let others = counted(others, what[0], what[1]);
+            self.notes.fault(
+                Fault::Attribute,
+                format!("geometry \"{label}\": {others} left out: corners have one here"),
+            );
+        }
+        if let Some(known) = self.sources.get(&(first.source, width)) {
+            return known.clone().map(|source| (first.offset, source));
+        }
+        let source = match Source::read(self.document, first.source, width, label, self.notes) {
+            Ok(source) => Some(Rc::new(source)),
+            Err(why) => {
+                self.notes.fault(Fault::Attribute, format!("geometry \"{label}\" has no {}: {why}", what[1]));
+                None
+            }
+        };
+        self.sources.insert((first.source, width), source.clone());
+        source.map(|source| (first.offset, source))
+    }
+}
