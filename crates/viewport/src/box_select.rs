@@ -52,20 +52,19 @@ impl ScreenRect {
 struct Through<'a> {
     sight: Sight<'a>,
     rect: ScreenRect,
-    /// Whether elements have to be seen.
+    /// Whether elements have to be visible.
     visible_only: bool,
-    /// What tells for most points whether they are.
+    /// Decides about most points without a ray.
     occlusion: Option<Occlusion>,
 }
 
-/// A box selection that is found a part at a time, for callers that can't wait for all of it. The mesh
-/// must stay the same meanwhile.
+/// A box selection that tests some elements at a time, so that a frame stays short. The mesh must not change
+/// meanwhile.
 ///
-/// Found are vertices that are inside, edges and faces with any part inside, and half-edges whose edge
-/// is. With `visible_only` those are left out of which nothing can be seen where it was looked for:
-/// vertices hidden by a face, edges hidden at the middle of the part inside and a quarter of the
-/// part either side of it, faces hidden in the middle and at all corners, half-edges of such
-/// faces. Costs O(mesh) in all, and rays for what is near silhouettes.
+/// It finds vertices inside the rectangle, edges and faces with any part inside, and the half-edges of such
+/// edges. With `visible_only`, hidden elements are left out: vertices behind a face; edges hidden at the
+/// middle and the quarters of the part inside; faces hidden in the middle and at all corners; half-edges of
+/// such faces. Costs O(mesh) in all, and rays for elements near silhouettes.
 pub struct BoxSelection {
     camera: Camera,
     viewport: Vec2,
@@ -77,45 +76,44 @@ pub struct BoxSelection {
 
 enum Stage {
     Begun,
-    /// Finding out what hides what.
+    /// Drawing the depth buffer.
     Drawing(Drawing),
-    /// Looking at the elements from this id on.
-    Looking(Option<Occlusion>, usize, Vec<u32>),
+    /// Testing the elements from this id on.
+    Testing(Option<Occlusion>, usize, Vec<u32>),
 }
 
 impl BoxSelection {
-    /// What is in a rectangle of a viewport. Costs nothing yet.
+    /// A selection of the elements in a rectangle of a viewport. Costs O(1).
     pub fn new(camera: &Camera, viewport: Vec2, rect: ScreenRect, kind: Element, visible_only: bool) -> Self {
         Self { camera: *camera, viewport, rect, kind, visible_only, stage: Stage::Begun }
     }
 
-    /// What kind of elements it finds.
+    /// The kind of elements that it finds.
     pub fn kind(&self) -> Element {
         self.kind
     }
 
-    /// Looks at about so many elements more; gives the ids that were found, in order, once all have
-    /// been looked at.
+    /// Tests about this many more elements; returns the ids found, in ascending order, once all are tested.
     pub fn step(&mut self, mesh: &Mesh, tree: &FaceTree, elements: usize) -> Option<Vec<u32>> {
         let sight = Sight::new(mesh, tree, &self.camera, self.viewport);
         match std::mem::replace(&mut self.stage, Stage::Begun) {
             Stage::Begun if self.visible_only => {
-                self.stage = Stage::Drawing(Occlusion::draw_into(mesh, sight.view(), self.rect));
+                self.stage = Stage::Drawing(Occlusion::begin(mesh, sight.view(), self.rect));
                 None
             }
             Stage::Begun => {
-                self.stage = Stage::Looking(None, 0, Vec::new());
+                self.stage = Stage::Testing(None, 0, Vec::new());
                 None
             }
             Stage::Drawing(drawing) => {
                 self.stage = match drawing.draw_faces(mesh, elements) {
                     Drawn::Partly(drawing) => Stage::Drawing(drawing),
-                    Drawn::Whole(occlusion) => Stage::Looking(occlusion, 0, Vec::new()),
+                    Drawn::Whole(occlusion) => Stage::Testing(occlusion, 0, Vec::new()),
                 };
                 None
             }
-            Stage::Looking(occlusion, next, mut found) => {
-                // The sides of an edge are looked at together.
+            Stage::Testing(occlusion, next, mut found) => {
+                // Both half-edges of an edge are tested together.
                 let kind = if self.kind == Element::Halfedge { Element::Edge } else { self.kind };
                 let end = next.saturating_add(elements).min(mesh.capacity(kind));
                 let through = Through { sight, rect: self.rect, visible_only: self.visible_only, occlusion };
@@ -123,13 +121,13 @@ impl BoxSelection {
                 if end == mesh.capacity(kind) {
                     return Some(found);
                 }
-                self.stage = Stage::Looking(through.occlusion, end, found);
+                self.stage = Stage::Testing(through.occlusion, end, found);
                 None
             }
         }
     }
 
-    /// Looks at all that is left.
+    /// Tests all elements that are left.
     pub fn finish(&mut self, mesh: &Mesh, tree: &FaceTree) -> Vec<u32> {
         loop {
             if let Some(found) = self.step(mesh, tree, usize::MAX) {
@@ -140,7 +138,7 @@ impl BoxSelection {
 }
 
 impl Through<'_> {
-    /// Adds what is seen of the elements with these ids, or of half-edges with edges of these ids.
+    /// Adds those of the elements with these ids that are inside; for half-edges the ids are those of edges.
     fn find(&self, kind: Element, ids: Range<u32>, found: &mut Vec<u32>) {
         let mesh = self.sight.mesh;
         match kind {
@@ -167,7 +165,7 @@ impl Through<'_> {
         found.extend(vertices.filter(|&v| inside(mesh.position(v)) && seen(v)).map(VertexId::raw));
     }
 
-    /// Whether a point is to be taken as seen; `by_ray` finds out where the buffer can't tell.
+    /// Whether a point counts as visible; `by_ray` decides where the depth buffer can't.
     fn sees(&self, point: Vec3, by_ray: impl FnOnce() -> bool) -> bool {
         let told = self.occlusion.as_ref().and_then(|o| o.sees(self.sight.view(), point));
         !self.visible_only || told.unwrap_or_else(by_ray)
@@ -187,7 +185,7 @@ impl Through<'_> {
 
     fn faces(&self, ids: Range<u32>, found: &mut Vec<u32>) {
         let (sight, rect, mesh) = (&self.sight, self.rect, self.sight.mesh);
-        // Of a face larger than the rectangle, no edge may be inside.
+        // A face larger than the rectangle may have no edge inside.
         let middle = (rect.min + rect.max) * 0.5;
         let mut corners: Vec<Option<Vec2>> = Vec::new();
         let mut triangulator = PolygonTriangulator::new();
@@ -195,7 +193,7 @@ impl Through<'_> {
             corners.clear();
             corners.extend(mesh.face_vertices(face).map(|v| sight.project(mesh.position(v))));
             if corners.iter().any(Option::is_none) {
-                // Partly behind the eye: by the edges in front of it.
+                // Partly behind the eye: the edges in front of it decide.
                 return mesh.face_halfedges(face).any(|h| {
                     sight.segment(h.edge()).is_some_and(|segment| rect.clip(segment.pixels).is_some())
                 });
@@ -224,7 +222,7 @@ impl Through<'_> {
         );
     }
 
-    /// Whether the middle of a face, or a point just inside one of its corners, is seen.
+    /// Whether the middle of a face, or a point just inside one of its corners, is visible.
     fn sees_face(&self, face: FaceId) -> bool {
         let mesh = self.sight.mesh;
         let mut triangulator = PolygonTriangulator::new();

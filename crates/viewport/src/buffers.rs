@@ -1,9 +1,9 @@
 //! From a mesh to the vertex streams of its faces, whole or only what an edit changed.
 //!
-//! No GPU here: what is to be uploaded goes to a [`Sink`], which is the GPU in the page and a plain
-//! array in tests. Triangles are not indexed: each has three corners of its own, so that a face has
-//! its own colour and normal, and the wireframe knows a corner's place in its triangle from the
-//! vertex number alone. A corner takes 24 bytes: position 12, normal 8, colour and edge flags 4.
+//! This module knows no GPU: it writes to a [`Sink`], which uploads in the page and is a plain array in
+//! tests. Triangles are not indexed: each has three corners of its own, so that a face has its own colour
+//! and normal, and the wireframe shader finds a corner's place in its triangle from the vertex index
+//! alone. A corner takes 24 bytes: position 12, normal 8, colour and edge flags 4.
 
 use crate::slots::{Range, Slots};
 use glam::Vec3;
@@ -12,27 +12,27 @@ use halfedge::{FaceId, Mesh, Touched, VertexId, keys};
 use std::collections::{BTreeSet, HashMap};
 use surface::normals;
 
-/// Bytes of one triangle in all streams.
+/// Bytes of a triangle in all streams together.
 pub const TRIANGLE_BYTES: usize = 3 * (12 + 8 + 4);
-/// Triangles handed to the sink at once.
-const BATCH: usize = 1 << 14;
-/// With more separate places than this to write to, writing everything is quicker.
-const MAX_RUNS: usize = 4096;
+/// Triangles written to the sink at once.
+const TRIANGLES_PER_WRITE: usize = 1 << 14;
+/// With more separate ranges than this to write, a rebuild is faster than an update.
+const MAX_UPDATED_RANGES: usize = 4096;
 
-/// Vertex streams of some triangles, three entries a triangle in each.
+/// Vertex streams of some triangles, with three entries per triangle.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Corners {
     /// Positions relative to the object's origin.
     pub positions: Vec<[f32; 3]>,
     /// Unit normals as signed normalised integers; the last component is unused.
     pub normals: Vec<[i16; 4]>,
-    /// sRGB colour of the face, and in the last byte a bit for each side that is an edge of the
-    /// mesh, the same for all three corners: bit i is the side from corner i to the next.
+    /// The face's sRGB colour; the last byte says which sides are edges of the mesh, the same for all three
+    /// corners: bit i stands for the side from corner i to the next.
     pub colors: Vec<[u8; 4]>,
 }
 
 impl Corners {
-    /// How many triangles there are.
+    /// The number of triangles.
     pub fn triangles(&self) -> usize {
         self.positions.len() / 3
     }
@@ -43,7 +43,7 @@ impl Corners {
         self.colors.clear();
     }
 
-    /// Adds triangles of no size.
+    /// Adds triangles without area.
     fn blank(&mut self, triangles: u32) {
         let corners = self.positions.len() + triangles as usize * 3;
         self.positions.resize(corners, [0.0; 3]);
@@ -52,23 +52,23 @@ impl Corners {
     }
 }
 
-/// Takes what has to be uploaded.
+/// Receives the vertex streams.
 pub trait Sink {
-    /// All that was written before is void; this many triangles will follow.
+    /// Discards everything that was written; this many triangles will follow.
     fn reset(&mut self, triangles: u32);
-    /// Puts triangles at a place, which may be past the present end.
+    /// Writes triangles at an index, which may be past the current end.
     fn write(&mut self, first_triangle: u32, corners: &Corners);
 }
 
-/// A mesh that is being written whole, some faces at a time.
+/// The state of a rebuild that writes some faces at a time.
 #[derive(Clone, Debug)]
 pub struct Rebuild {
     next: usize,
-    /// Of the vertices, packed, where shading is smooth.
+    /// The packed normals of the vertices for smooth shading; empty for flat shading.
     normals: Vec<[i16; 4]>,
 }
 
-/// The layout of one object's buffers: which triangles each face has, and where zero is.
+/// The layout of an object's buffers: which triangles each face has, and the origin of positions.
 #[derive(Clone, Debug, Default)]
 pub struct Buffers {
     slots: Slots,
@@ -77,18 +77,18 @@ pub struct Buffers {
 }
 
 impl Buffers {
-    /// The world position that stream positions are relative to: the middle of the mesh when it was
-    /// last written as a whole.
+    /// The world position that the positions in the streams are relative to: the middle of the mesh at the
+    /// last rebuild.
     pub fn origin(&self) -> Vec3 {
         self.origin
     }
 
-    /// Whether normals are those of smooth shading.
+    /// Whether the normals are for smooth shading.
     pub fn smooth(&self) -> bool {
         self.smooth
     }
 
-    /// How many triangles to draw; the unused ones among them have no size.
+    /// The number of triangles to draw; unused ones among them have no area.
     pub fn triangles(&self) -> u32 {
         self.slots.end()
     }
@@ -98,18 +98,18 @@ impl Buffers {
         self.slots.of(face.index())
     }
 
-    /// Heap bytes in use: 8 per face id.
+    /// Heap bytes in use: 8 for each face id.
     pub fn bytes(&self) -> usize {
         self.slots.bytes()
     }
 
-    /// Writes the whole mesh, with this origin. Costs O(mesh).
+    /// Writes the whole mesh relative to this origin. Costs O(mesh).
     pub fn rebuild(&mut self, mesh: &Mesh, origin: Vec3, smooth: bool, sink: &mut dyn Sink) {
         let mut rebuilding = self.begin_rebuild(mesh, origin, smooth, sink);
         self.rebuild_faces(mesh, &mut rebuilding, usize::MAX, sink);
     }
 
-    /// Begins to write the whole mesh, which [`Buffers::rebuild_faces`] does. Costs O(mesh), little for each face.
+    /// Begins a rebuild that [`Buffers::rebuild_faces`] carries out. Costs O(mesh), little for each face.
     pub fn begin_rebuild(&mut self, mesh: &Mesh, origin: Vec3, smooth: bool, sink: &mut dyn Sink) -> Rebuild {
         self.origin = origin;
         self.smooth = smooth;
@@ -121,8 +121,8 @@ impl Buffers {
         Rebuild { next: 0, normals }
     }
 
-    /// Writes the faces of so many ids more; gives whether there are any left. An edit made since
-    /// [`Buffers::begin_rebuild`] has to be told to [`Buffers::update`] once all are written.
+    /// Writes the faces of the next `faces` ids; returns whether there are any left. Once all are written,
+    /// pass edits made since [`Buffers::begin_rebuild`] to [`Buffers::update`].
     pub fn rebuild_faces(
         &mut self,
         mesh: &Mesh,
@@ -143,9 +143,9 @@ impl Buffers {
         end < mesh.face_capacity()
     }
 
-    /// Writes what an edit touched: the faces that were relinked, recoloured or have a moved corner,
-    /// and with smooth shading the faces around their corners. Costs O(valence) for a local edit. An
-    /// edit of much of the mesh, or one that leaves more gaps than triangles, is a rebuild.
+    /// Writes the faces that an edit relinked, recoloured or moved a corner of, and for smooth shading the
+    /// faces around their corners. Costs O(valence) for a local edit. An edit of much of the mesh, or one
+    /// that leaves more gaps than triangles, causes a rebuild.
     pub fn update(&mut self, mesh: &Mesh, touched: &Touched, sink: &mut dyn Sink) {
         let faces = if touched.everything { None } else { self.affected(mesh, touched) };
         let Some(faces) = faces else {
@@ -165,7 +165,8 @@ impl Buffers {
         let abandoned = self.slots.take_abandoned();
         let ranges = placed.iter().map(|(range, _)| *range).chain(abandoned.iter().copied());
         let gaps = self.slots.end() - self.slots.live();
-        if count_runs(ranges) > MAX_RUNS || gaps > self.slots.live().max(BATCH as u32) {
+        if count_runs(ranges) > MAX_UPDATED_RANGES || gaps > self.slots.live().max(TRIANGLES_PER_WRITE as u32)
+        {
             return self.rebuild(mesh, self.origin, self.smooth, sink);
         }
 
@@ -184,8 +185,8 @@ impl Buffers {
         writer.flush(sink);
     }
 
-    /// The faces whose triangles an edit changed, and ids that no longer are faces; none if there
-    /// are so many that it isn't worth telling them apart.
+    /// The faces whose triangles an edit changed, and the ids of removed faces; none if there are so many
+    /// that a rebuild is faster.
     fn affected(&self, mesh: &Mesh, touched: &Touched) -> Option<BTreeSet<FaceId>> {
         let limit = mesh.face_count() / 2 + 64;
         if touched.vertices.len() + touched.halfedges.len() / 2 + touched.faces.len() > limit * 4 {
@@ -219,7 +220,7 @@ impl Buffers {
     }
 }
 
-/// How many separate places the ranges, sorted or nearly so, make up.
+/// The number of separate ranges after joining adjacent ones; the ranges are sorted or nearly so.
 fn count_runs(ranges: impl Iterator<Item = Range>) -> usize {
     let mut end = None;
     ranges
@@ -231,13 +232,13 @@ fn count_runs(ranges: impl Iterator<Item = Range>) -> usize {
         .count()
 }
 
-/// A unit vector in the format of the stream; zero stays zero, which shaders take for "no normal".
+/// A unit vector in the stream's format. Zero stays zero, which shaders take for "no normal".
 fn pack(normal: Vec3) -> [i16; 4] {
     let [x, y, z] = (normal * 32767.0).round().to_array().map(|c| c as i16);
     [x, y, z, 0]
 }
 
-/// Turns faces into triangles and gathers neighbouring ones into one write.
+/// Turns faces into triangles and combines adjacent ones into one write.
 struct Writer<'m> {
     mesh: &'m Mesh,
     colors: Option<&'m [halfedge::Color]>,
@@ -265,7 +266,7 @@ impl<'m> Writer<'m> {
         }
     }
 
-    /// Looks at a face.
+    /// Takes the next face.
     fn load(&mut self, face: FaceId) {
         self.face = Some(face);
         self.vertices.clear();
@@ -274,13 +275,13 @@ impl<'m> Writer<'m> {
         self.points.extend(self.vertices.iter().map(|&v| self.mesh.position(v)));
     }
 
-    /// How many triangles the face has.
+    /// The number of the face's triangles.
     fn triangles(&self) -> u32 {
         self.points.len().saturating_sub(2) as u32
     }
 
-    /// Writes the face, with the packed normals that `vertex_normal` gives or, where it gives none,
-    /// the face's own.
+    /// Writes the face with the packed normals that `vertex_normal` returns, or the face's own normal where
+    /// it returns none.
     fn emit(
         &mut self,
         range: Range,
@@ -317,16 +318,16 @@ impl<'m> Writer<'m> {
         self.staged.blank(range.count.saturating_sub(written));
     }
 
-    /// Writes triangles of no size.
+    /// Writes triangles without area.
     fn blank(&mut self, range: Range, sink: &mut dyn Sink) {
         self.seek(range.first, sink);
         self.staged.blank(range.count);
     }
 
-    /// Goes to a triangle, writing what was gathered if that isn't right behind it.
+    /// Continues at a triangle; flushes first unless that triangle is the next one.
     fn seek(&mut self, triangle: u32, sink: &mut dyn Sink) {
         let end = self.staged_first as usize + self.staged.triangles();
-        if triangle as usize != end || self.staged.triangles() >= BATCH {
+        if triangle as usize != end || self.staged.triangles() >= TRIANGLES_PER_WRITE {
             self.flush(sink);
             self.staged_first = triangle;
         }

@@ -1,39 +1,39 @@
-//! The orbit camera: what the pointer turns, and the maths between the mesh and the screen.
+//! The orbit camera, and the mapping between the mesh and the screen.
 //!
 //! Everything is computed in double precision and relative to the eye, so that a model of 1e-4
-//! units and one that lies at 1e6 units both keep the precision of their coordinates. The up axis
-//! is y, as in OBJ files of most programs; angles are radians, pixels have y pointing down.
+//! units and one 1e6 units from the origin both keep the precision of their coordinates. The up axis
+//! is y, as in the OBJ files of most programs; angles are in radians; in pixels, y points down.
 
 use glam::{DVec2, DVec3, Mat4, Vec2, Vec3, dvec3};
 use surface::{Ray, measure::Bounds};
 
 /// The steepest pitch: straight up or down.
-const MAX_PITCH: f64 = std::f64::consts::FRAC_PI_2;
-/// Nothing nearer to the eye than this fraction of the distance to the target is drawn.
+const MAX_PITCH_RADIANS: f64 = std::f64::consts::FRAC_PI_2;
+/// The near plane's distance from the eye, as a fraction of the distance to the target.
 const NEAR_FRACTION: f64 = 0.02;
-/// Where a camera looks from at first: a little from the right and above.
-const START_YAW: f64 = 0.6;
-const START_PITCH: f64 = 0.42;
-/// The vertical opening angle at first.
-const START_FOV: f64 = 0.7;
+/// The initial direction of view: a little from the right and above.
+const START_YAW_RADIANS: f64 = 0.6;
+const START_PITCH_RADIANS: f64 = 0.42;
+/// The initial vertical field of view.
+const START_FOV_RADIANS: f64 = 0.7;
 
 /// A camera that looks at a target from a direction and a distance.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Camera {
-    /// The point it turns around, in the middle of the picture.
+    /// The point that the camera turns around, in the middle of the picture.
     pub target: DVec3,
-    /// Turn around the up axis, radians; 0 looks along -z.
+    /// Rotation about the up axis, in radians; 0 looks along -z.
     pub yaw: f64,
-    /// Height above the horizon, radians in -pi/2..=pi/2.
+    /// Angle above the horizon, in radians from -pi/2 to pi/2.
     pub pitch: f64,
-    /// From the eye to the target, in mesh units.
+    /// The distance from the eye to the target, in mesh units.
     pub distance: f64,
-    /// Vertical opening angle, radians. The orthographic view shows as much as the perspective one
+    /// Vertical field of view, in radians. The orthographic view shows as much as the perspective one
     /// does at the target.
     pub fov_y: f64,
     /// Whether the projection is parallel.
     pub orthographic: bool,
-    /// The bounds of all there is to see, see [`Camera::set_scene`].
+    /// The bounds of all objects; see [`Camera::set_scene`].
     pub scene_bounds: Option<Bounds>,
 }
 
@@ -41,10 +41,10 @@ impl Default for Camera {
     fn default() -> Self {
         Self {
             target: DVec3::ZERO,
-            yaw: START_YAW,
-            pitch: START_PITCH,
+            yaw: START_YAW_RADIANS,
+            pitch: START_PITCH_RADIANS,
             distance: 5.0,
-            fov_y: START_FOV,
+            fov_y: START_FOV_RADIANS,
             orthographic: false,
             scene_bounds: None,
         }
@@ -52,18 +52,18 @@ impl Default for Camera {
 }
 
 impl Camera {
-    /// Tells the camera how large the scene is: the depth range, the limits of the zoom and
-    /// [`Camera::reset`] go by it. Call it when the scene's bounds change; the view stays.
+    /// Sets the scene's bounds, which determine the depth range, the limits of the zoom and
+    /// [`Camera::reset`]. Call it when they change; the view stays.
     pub fn set_scene(&mut self, scene: Option<Bounds>) {
         self.scene_bounds = scene.filter(is_box);
     }
 
-    /// The scene's bounds, if there is anything in it.
+    /// The scene's bounds, unless it is empty.
     pub fn scene(&self) -> Option<Bounds> {
         self.scene_bounds.filter(is_box)
     }
 
-    /// Unit vectors of the picture: right, up, and forward into it.
+    /// The unit vectors right, up and forward in the picture.
     pub fn axes(&self) -> [DVec3; 3] {
         let (sin_yaw, cos_yaw) = self.yaw.sin_cos();
         let (sin_pitch, cos_pitch) = self.pitch.sin_cos();
@@ -72,21 +72,22 @@ impl Camera {
         [right, back.cross(right), -back]
     }
 
-    /// Where the camera is.
+    /// The camera's position.
     pub fn eye(&self) -> DVec3 {
         let [_, _, forward] = self.axes();
         self.target - forward * self.distance
     }
 
-    /// Turns around the target by a drag of `delta` pixels: a drag across the viewport's height is
-    /// half a turn.
+    /// Turns around the target for a drag of `delta` pixels; a drag over the viewport's height is half a
+    /// turn.
     pub fn orbit(&mut self, delta: Vec2, viewport: Vec2) {
         let per_pixel = std::f64::consts::PI / f64::from(viewport.y.max(1.0));
         self.yaw = (self.yaw - f64::from(delta.x) * per_pixel).rem_euclid(std::f64::consts::TAU);
-        self.pitch = (self.pitch + f64::from(delta.y) * per_pixel).clamp(-MAX_PITCH, MAX_PITCH);
+        self.pitch =
+            (self.pitch + f64::from(delta.y) * per_pixel).clamp(-MAX_PITCH_RADIANS, MAX_PITCH_RADIANS);
     }
 
-    /// Moves sideways by a drag of `delta` pixels: the point at the target's depth under the
+    /// Moves sideways for a drag of `delta` pixels, so that the point at the target's depth under the
     /// pointer stays under it.
     pub fn pan(&mut self, delta: Vec2, viewport: Vec2) {
         let [right, up, _] = self.axes();
@@ -94,8 +95,8 @@ impl Camera {
         self.target += (up * f64::from(delta.y) - right * f64::from(delta.x)) * unit;
     }
 
-    /// Comes closer by `factor` (2 makes things look twice as large; below 1 goes away) with the
-    /// point at the target's depth under `pixel` staying where it is.
+    /// Zooms by `factor` (2 makes things look twice as large; below 1 they get smaller). The point at the
+    /// target's depth under `pixel` stays where it is.
     pub fn zoom(&mut self, factor: f64, pixel: Vec2, viewport: Vec2) {
         if !(factor.is_finite() && factor > 0.0) {
             return;
@@ -109,21 +110,20 @@ impl Camera {
         self.distance = distance;
     }
 
-    /// Looks at `bounds` from the present direction, as near as shows all of it in a viewport of
-    /// this width to height ratio.
+    /// Looks at `bounds` from the current direction, as near as shows all of it in a viewport with this
+    /// ratio of width to height.
     pub fn frame(&mut self, bounds: Bounds, aspect: f32) {
         if !is_box(&bounds) {
             return;
         }
-        // A line seen from its end needs some distance too. A single point has no size to go by: the
-        // scene's scale will do.
+        // A line seen from its end needs some distance too. A single point has no size: the scene's is used.
         let scene = self.scene().map_or(0.0, radius);
         let least = [1.2 * radius(bounds), 0.15 * scene].into_iter().find(|&d| d > 0.0).unwrap_or(5.0);
         let tan_y = (self.fov_y * 0.5).tan();
         let tan_x = tan_y * f64::from(aspect.clamp(1e-3, 1e3));
         let [right, up, forward] = self.axes();
         let size = (bounds.max.as_dvec3() - bounds.min.as_dvec3()) * 0.5;
-        // How far away each corner of the box has to be to be inside the picture.
+        // The distance at which each corner of the box is inside the picture.
         let needed = (0..8).map(|corner: u32| {
             let sign = |bit: u32| if corner & bit == 0 { -1.0 } else { 1.0 };
             let corner = size * dvec3(sign(1), sign(2), sign(4));
@@ -134,7 +134,7 @@ impl Camera {
         self.distance = 1.1 * needed.fold(least, f64::max);
     }
 
-    /// Back to the first view of the scene.
+    /// Restores the initial view of the scene.
     pub fn reset(&mut self, aspect: f32) {
         let start = Self::default();
         self.yaw = start.yaw;
@@ -146,8 +146,8 @@ impl Camera {
         }
     }
 
-    /// World to clip space, reversed depth: 1 at the near plane, 0 far away. Multiply positions of
-    /// large coordinates with [`Camera::project`] instead, which keeps their precision.
+    /// The matrix from world to clip space with reversed depth: 1 at the near plane, 0 far away. For large
+    /// coordinates use [`Camera::project`], which keeps their precision.
     pub fn view_proj(&self, aspect: f32) -> Mat4 {
         let scale = 1.0 / self.distance;
         let shift = -self.eye() * scale;
@@ -156,13 +156,13 @@ impl Camera {
             * Mat4::from_scale(Vec3::splat(scale as f32))
     }
 
-    /// Where a world point is on a viewport of this size, in the viewport's unit (pixels or
-    /// points), y down; none when it is behind the eye. It may lie outside the viewport.
+    /// The place of a world point on a viewport of this size, in the viewport's unit (pixels or points), y
+    /// down; none if it is behind the eye. It may lie outside the viewport.
     pub fn project(&self, point: Vec3, viewport: Vec2) -> Option<Vec2> {
         self.projector(viewport).project(point).map(|(pixel, _)| pixel)
     }
 
-    /// For projecting many points.
+    /// A projector, for many points.
     pub(crate) fn projector(&self, viewport: Vec2) -> Projector {
         Projector {
             axes: self.axes(),
@@ -174,14 +174,14 @@ impl Camera {
         }
     }
 
-    /// How far in front of the eye a point is, along the viewing direction.
+    /// The distance of a point in front of the eye, along the viewing direction.
     pub fn depth(&self, point: Vec3) -> f64 {
         let [_, _, forward] = self.axes();
         (point.as_dvec3() - self.eye()).dot(forward)
     }
 
-    /// The world points that are seen at a pixel, from the eye on or, with a parallel projection, from
-    /// in front of all there is. The direction has length one.
+    /// The ray of world points that are seen at a pixel: from the eye or, with a parallel projection, from
+    /// in front of the whole scene. The direction has length 1.
     pub fn ray(&self, pixel: Vec2, viewport: Vec2) -> Ray {
         let [right, up, forward] = self.axes();
         let across = (pixel - viewport * 0.5).as_dvec2() * self.units_per_pixel(viewport);
@@ -191,7 +191,7 @@ impl Camera {
         } else {
             self.eye()
         };
-        // The origin is rounded; what the direction points at, at the target's depth, is not.
+        // The direction corrects for the rounding of the origin.
         let origin = start.as_vec3();
         let direction = (under - origin.as_dvec3()).normalize_or(forward);
         Ray { origin, direction: direction.as_vec3() }
@@ -202,8 +202,7 @@ impl Camera {
         2.0 * self.distance * (self.fov_y * 0.5).tan() / f64::from(viewport.y.max(1.0))
     }
 
-    /// Where a point at the depth of `anchor` ends up when it is dragged by `delta` pixels: for
-    /// moving a vertex parallel to the screen.
+    /// The position of a point at `anchor` after a drag of `delta` pixels parallel to the screen.
     pub fn drag(&self, anchor: Vec3, delta: Vec2, viewport: Vec2) -> Vec3 {
         let [right, up, _] = self.axes();
         let depth = if self.orthographic { self.distance } else { self.depth(anchor).max(self.near()) };
@@ -212,11 +211,11 @@ impl Camera {
         (anchor.as_dvec3() + by).as_vec3()
     }
 
-    /// The nearest depth that is drawn in perspective.
+    /// The depth of the near plane in perspective.
     pub(crate) fn near(&self) -> f64 {
         let closest = NEAR_FRACTION * self.distance;
         match self.scene() {
-            // A tenth of the way leaves room for the ground grid before it.
+            // A tenth of the way leaves room for the ground grid in front of it.
             Some(scene) => {
                 let front = self.depth(scene.center()) - radius(scene);
                 closest.max(front.min(self.distance) * 0.1)
@@ -225,7 +224,7 @@ impl Camera {
         }
     }
 
-    /// The depths between which everything lies, for the parallel projection.
+    /// The depths between which everything lies, for a parallel projection.
     fn depth_range(&self) -> [f64; 2] {
         let around = 40.0 * self.distance;
         let (mut near, mut far) = (self.distance - around, self.distance + around);
@@ -242,8 +241,8 @@ impl Camera {
         [radius * 1e-5, radius * 1e4]
     }
 
-    /// To clip space from positions relative to the eye and divided by the distance: what shaders
-    /// multiply with. Depth is reversed, in perspective with the far plane at infinity.
+    /// The shaders' matrix: from positions relative to the eye, divided by the distance, to clip space. Depth
+    /// is reversed; in perspective the far plane is at infinity.
     pub(crate) fn relative_view_proj(&self, aspect: f64) -> Mat4 {
         let [right, up, forward] = self.axes();
         let focal = 1.0 / (self.fov_y * 0.5).tan();
@@ -261,21 +260,21 @@ impl Camera {
     }
 }
 
-/// A camera's view with all worked out that does not depend on the point.
+/// A camera's projection, with everything precomputed that doesn't depend on the point.
 pub(crate) struct Projector {
     axes: [DVec3; 3],
     eye: DVec3,
     middle: DVec2,
     /// Pixels per unit at depth 1.
     focal: f64,
-    /// What is nearer is behind the eye.
+    /// Points nearer than this depth count as behind the eye.
     pub near: f64,
-    /// With a parallel projection, the depth whose scale all depths have.
+    /// For a parallel projection, the depth whose scale is used for all depths.
     parallel: Option<f64>,
 }
 
 impl Projector {
-    /// Where a point is on the viewport, and its depth; none when it is behind the eye.
+    /// The place of a point on the viewport, and its depth; none if it is behind the eye.
     pub fn project(&self, point: Vec3) -> Option<(Vec2, f64)> {
         let [right, up, forward] = self.axes;
         let from_eye = point.as_dvec3() - self.eye;
@@ -300,7 +299,7 @@ impl Projector {
         (if self.parallel.is_some() { -depth } else { 1.0 / depth }) as f32
     }
 
-    /// The depth that has this nearness.
+    /// The depth for a nearness.
     pub fn depth_of(&self, nearness: f32) -> f64 {
         let nearness = f64::from(nearness);
         if self.parallel.is_some() { -nearness } else { 1.0 / nearness }
@@ -312,7 +311,7 @@ fn radius(bounds: Bounds) -> f64 {
     bounds.diagonal() * 0.5
 }
 
-/// Whether there is anything in a box, and it is finite.
+/// Whether a box is finite and not empty.
 fn is_box(bounds: &Bounds) -> bool {
     bounds.min.is_finite() && bounds.max.is_finite() && bounds.min.cmple(bounds.max).all()
 }

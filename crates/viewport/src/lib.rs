@@ -1,7 +1,7 @@
 //! The 3D viewport: a camera, GPU buffers that follow a mesh's edits, and picking.
 //!
-//! Knows wgpu but no window and no user interface: the page gives it a device, tells it what
-//! changed, and lends it a command encoder and a render pass each frame. Needs no more of the
+//! It uses wgpu, but no window and no user interface: the page gives it a device, tells it what
+//! changed, and lends it a command encoder and a render pass each frame. It asks no more of the
 //! device than WebGL2 offers.
 
 #![cfg_attr(not(test), deny(clippy::unwrap_used, clippy::expect_used, clippy::panic, clippy::unreachable))]

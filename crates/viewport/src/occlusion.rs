@@ -1,8 +1,8 @@
-//! What hides what in a rectangle of the screen, told for many points at once.
+//! Visibility of many points in a rectangle of the screen.
 //!
 //! A ray for each of a million points takes seconds. Here all faces are first drawn into a small
-//! depth buffer, which settles most points: far from any silhouette a point is either on the visible
-//! surface or well behind it. The others still get their rays.
+//! depth buffer, which decides about most points: far from any silhouette a point is either on the visible
+//! surface or well behind it. Only the others need a ray.
 
 use crate::box_select::ScreenRect;
 use crate::camera::Projector;
@@ -10,23 +10,22 @@ use glam::{Vec2, Vec3};
 use halfedge::geometry::PolygonTriangulator;
 use halfedge::{FaceId, Mesh};
 
-/// Cells along the longer side of the rectangle, at most.
-const MAX_CELLS: f32 = 1024.0;
-/// Cells that may be written to before it is no gain over rays: many large faces over each other.
-const BUDGET: usize = 60_000_000;
-/// Surfaces further apart than this many cells' width in depth, within a few cells on the screen, are
-/// taken for different ones.
-const GAP: f64 = 24.0;
-/// For cells where nothing is.
-const NOTHING: f32 = f32::NEG_INFINITY;
+/// The most cells along the longer side of the rectangle.
+const MAX_CELLS_PER_SIDE: f32 = 1024.0;
+/// The most cells that may be visited: with many large faces over each other rays are faster.
+const MAX_CELLS_VISITED: usize = 60_000_000;
+/// Neighbouring cells whose depths differ by more than this many cell widths show different surfaces.
+const MAX_DEPTH_STEP_CELLS: f64 = 24.0;
+/// The nearness of empty cells.
+const EMPTY_CELL: f32 = f32::NEG_INFINITY;
 
-/// A depth buffer that faces are still drawn into.
+/// A depth buffer that faces are being drawn into.
 pub struct Drawing {
     buffer: Occlusion,
-    /// Where the vertices are, in cells and nearness; none behind the eye.
+    /// The vertices' places in cells and nearness; none behind the eye.
     places: Vec<Option<Vec3>>,
     next: usize,
-    /// How many cells may still be written to.
+    /// How many more cells may be visited.
     left: usize,
 }
 
@@ -37,21 +36,21 @@ pub struct Occlusion {
     scale: f32,
     width: usize,
     height: usize,
-    /// The nearest surface in each cell's middle: [`Projector::nearness`].
+    /// The [`Projector::nearness`] of the nearest surface at each cell's centre.
     nearness: Vec<f32>,
 }
 
-/// How far a drawing is.
+/// The result of drawing some faces.
 pub enum Drawn {
-    /// There are more faces.
+    /// More faces are left.
     Partly(Drawing),
-    /// All of it; none where it would not tell, because a face reaches behind the eye or there is too
-    /// much to draw.
+    /// All faces are drawn; none where the buffer is of no use, because a face reaches behind the eye or
+    /// there is too much to draw.
     Whole(Option<Occlusion>),
 }
 
 impl Drawing {
-    /// Draws the faces of so many ids more. Costs O(faces + cells covered).
+    /// Draws the faces of the next `faces` ids. Costs O(faces + cells covered).
     pub fn draw_faces(mut self, mesh: &Mesh, faces: usize) -> Drawn {
         let end = self.next.saturating_add(faces).min(mesh.face_capacity());
         let mut triangulator = PolygonTriangulator::new();
@@ -71,30 +70,30 @@ impl Drawing {
 }
 
 impl Occlusion {
-    /// Begins to draw the faces of a mesh, which [`Drawing::draw_faces`] does. Costs O(vertices + cells).
-    pub fn draw_into(mesh: &Mesh, view: &Projector, rect: ScreenRect) -> Drawing {
-        // A cell more on each side, for points on the rectangle's edge.
+    /// Begins a depth buffer that [`Drawing::draw_faces`] fills. Costs O(vertices + cells).
+    pub fn begin(mesh: &Mesh, view: &Projector, rect: ScreenRect) -> Drawing {
+        // A margin for points on the rectangle's edge.
         let margin = Vec2::splat(2.0);
         let (origin, size) = (rect.min - margin, rect.max - rect.min + margin * 2.0);
-        let scale = (MAX_CELLS / size.max_element()).min(1.0);
+        let scale = (MAX_CELLS_PER_SIDE / size.max_element()).min(1.0);
         let (width, height) = ((size.x * scale).ceil() as usize, (size.y * scale).ceil() as usize);
-        let nearness = vec![NOTHING; width * height];
+        let nearness = vec![EMPTY_CELL; width * height];
         let buffer = Self { origin, scale, width, height, nearness };
 
         let place = |p: Vec3| {
             view.project(p).map(|(pixel, depth)| buffer.cell_of(pixel).extend(view.nearness(depth)))
         };
         let places = mesh.positions().iter().map(|&p| place(p)).collect();
-        Drawing { buffer, places, next: 0, left: BUDGET }
+        Drawing { buffer, places, next: 0, left: MAX_CELLS_VISITED }
     }
 
     fn cell_of(&self, pixel: Vec2) -> Vec2 {
         (pixel - self.origin) * self.scale
     }
 
-    /// Draws a triangle in cells and nearness; gives the number of cells looked at.
+    /// Draws a triangle given in cells and nearness; returns the number of cells visited.
     fn draw(&mut self, [a, b, c]: [Vec3; 3]) -> usize {
-        // Cells whose middle is in the triangle's box.
+        // Cells whose centre is in the triangle's bounding box.
         let low = (a.min(b).min(c).truncate() - 0.5).ceil().max(Vec2::ZERO);
         let most = Vec2::new(self.width as f32 - 1.0, self.height as f32 - 1.0);
         let high = (a.max(b).max(c).truncate() - 0.5).floor().min(most);
@@ -125,8 +124,7 @@ impl Occlusion {
         columns.count() * rows.count()
     }
 
-    /// Whether a point is seen, where the buffer can tell: not near a silhouette, nor where there is
-    /// nothing.
+    /// Whether a point is visible; none where the buffer can't tell, near silhouettes and empty cells.
     pub fn sees(&self, view: &Projector, point: Vec3) -> Option<bool> {
         let (pixel, depth) = view.project(point)?;
         let cell = self.cell_of(pixel);
@@ -141,13 +139,13 @@ impl Occlusion {
                 farthest = farthest.min(cell);
             }
         }
-        if farthest == NOTHING {
+        if farthest == EMPTY_CELL {
             return None;
         }
-        let gap = GAP * view.units_per_pixel(depth) / f64::from(self.scale);
+        let gap = MAX_DEPTH_STEP_CELLS * view.units_per_pixel(depth) / f64::from(self.scale);
         let [front, back] = [nearest, farthest].map(|n| view.depth_of(n));
         if depth - back > gap {
-            // Well behind all around it.
+            // Well behind everything around it.
             return Some(false);
         }
         (back - front < gap && depth <= back).then_some(true)

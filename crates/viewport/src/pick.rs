@@ -1,4 +1,4 @@
-//! Picking: which element the pointer means.
+//! Picking: the element under the pointer.
 
 use crate::Camera;
 use crate::sight::Sight;
@@ -7,10 +7,10 @@ use halfedge::{EdgeId, Element, FaceId, HalfedgeId, Mesh};
 use std::collections::BTreeSet;
 use surface::FaceTree;
 
-/// Around the pointer, rays are cast in this many directions, at half the radius and at all of it.
-const DIRECTIONS: u16 = 8;
-/// Faces whose elements are looked at, at most: vertices of very high valence are on many.
-const MAX_FACES: usize = 512;
+/// Rays are cast around the pointer in this many directions, at half the pick radius and at the whole radius.
+const PICK_DIRECTIONS: u16 = 8;
+/// The most faces whose elements are candidates: vertices of very high valence have many.
+const MAX_CANDIDATE_FACES: usize = 512;
 
 /// An element under the pointer.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -19,16 +19,16 @@ pub struct Picked {
     pub element: Element,
     /// Its id.
     pub id: u32,
-    /// How far from the eye it is, in mesh units; for comparing picks in several objects.
+    /// The distance from the eye in mesh units, for comparing picks in several objects.
     pub distance: f64,
 }
 
-/// The element of a kind that is meant by pointing at a pixel, if there is one.
+/// Picks the element of a kind at a pixel, if there is one.
 ///
-/// A face is the one at the very pixel. A vertex or edge is the nearest to the pixel on the screen,
-/// within `radius` pixels, that is on or beside the faces seen there and not hidden; the pointer
-/// may be just outside the silhouette. Of an edge's two half-edges, it is the one of the face at
-/// the pixel; beside the surface the boundary one, or that of the face that looks this way. Pixels
+/// A face is picked at the pixel itself. A vertex or edge is the one nearest to the pixel on the screen,
+/// within `radius` pixels, that belongs to the faces seen there or their neighbours and isn't hidden; the
+/// pointer may be just outside the silhouette. Of an edge's two half-edges, the one of the face at the
+/// pixel is picked; outside the surface the boundary one, or that of the face that faces the camera. Pixels
 /// are in the unit of `viewport`. Costs a few dozen rays.
 pub fn pick(
     mesh: &Mesh,
@@ -47,8 +47,8 @@ pub fn pick(
     }
     let mut faces: Vec<FaceId> = under.iter().map(|hit| hit.face).collect();
     for ring in [0.5, 1.0] {
-        for step in 0..DIRECTIONS {
-            let angle = f32::from(step) * std::f32::consts::TAU / f32::from(DIRECTIONS);
+        for step in 0..PICK_DIRECTIONS {
+            let angle = f32::from(step) * std::f32::consts::TAU / f32::from(PICK_DIRECTIONS);
             faces.extend(hit_at(pixel + Vec2::from_angle(angle) * radius * ring).map(|hit| hit.face));
         }
     }
@@ -67,9 +67,9 @@ pub fn pick(
     Some(Picked { element: kind, id, distance })
 }
 
-/// The face that comes nearest to a pixel's ray that meets none: a thin corner may lie between the
-/// rays around it. Goes back and forth between the closest point of the mesh and the closest of the
-/// ray, which ends where both stay.
+/// The face nearest to a pixel's ray that hits none: a thin corner may lie between the rays around it.
+/// Alternates between the point of the mesh closest to the ray's point and the point of the ray closest to
+/// that one, which converges.
 fn closest_to_ray(sight: &Sight<'_>, pixel: Vec2) -> Option<FaceId> {
     let ray = sight.camera.ray(pixel, sight.viewport);
     let (origin, direction) = (ray.origin.as_dvec3(), ray.direction.as_dvec3());
@@ -83,13 +83,13 @@ fn closest_to_ray(sight: &Sight<'_>, pixel: Vec2) -> Option<FaceId> {
     face
 }
 
-/// The faces and those that share a vertex with one.
+/// The faces and those that share a vertex with one of them.
 fn with_neighbors(mesh: &Mesh, faces: &[FaceId]) -> BTreeSet<FaceId> {
     let mut all: BTreeSet<FaceId> = faces.iter().copied().collect();
     for &face in faces {
         for v in mesh.face_vertices(face) {
             for neighbor in mesh.vertex_faces(v) {
-                if all.len() >= MAX_FACES {
+                if all.len() >= MAX_CANDIDATE_FACES {
                     return all;
                 }
                 all.insert(neighbor);
@@ -102,7 +102,7 @@ fn with_neighbors(mesh: &Mesh, faces: &[FaceId]) -> BTreeSet<FaceId> {
 fn pick_vertex(sight: &Sight<'_>, faces: &BTreeSet<FaceId>, pixel: Vec2, radius: f32) -> Option<Picked> {
     let mesh = sight.mesh;
     let vertices: BTreeSet<_> = faces.iter().flat_map(|&f| mesh.face_vertices(f)).collect();
-    // No ray meets a vertex without a face.
+    // No ray hits an isolated vertex.
     let first = mesh.connectivity().vertex_halfedge.iter().enumerate();
     let alone = first.filter(|(_, h)| **h == halfedge::NONE).filter_map(|(v, _)| mesh.vertex(v as u32));
     let near = vertices.into_iter().chain(alone).filter_map(|v| {
@@ -136,7 +136,7 @@ fn nearest_first<T>(candidates: impl Iterator<Item = (f32, T)>) -> Vec<(f32, T)>
     candidates
 }
 
-/// Which half-edge of an edge is meant when the pointer is over `under`.
+/// The half-edge of an edge to pick while the pointer is over the face `under`.
 fn side_of(sight: &Sight<'_>, edge: EdgeId, under: Option<FaceId>) -> HalfedgeId {
     let mesh = sight.mesh;
     let sides = edge.halfedges();

@@ -1,4 +1,4 @@
-//! What can be seen of a mesh from where: shared by picking and box selection.
+//! A mesh as seen through a camera: shared by picking and box selection.
 
 use crate::Camera;
 use crate::camera::Projector;
@@ -6,10 +6,10 @@ use glam::{Vec2, Vec3};
 use halfedge::{EdgeId, FaceId, Mesh};
 use surface::FaceTree;
 
-/// A point this fraction of its distance from the eye behind a surface still counts as on it.
-const ON_SURFACE: f64 = 3e-5;
+/// A point counts as on a surface up to this far behind it, as a fraction of its distance from the eye.
+const SURFACE_TOLERANCE: f64 = 3e-5;
 
-/// A mesh, and the camera and viewport it is seen through.
+/// A mesh with the camera and viewport that it is seen through.
 pub struct Sight<'a> {
     pub mesh: &'a Mesh,
     pub tree: &'a FaceTree,
@@ -20,9 +20,9 @@ pub struct Sight<'a> {
 
 /// The part of an edge in front of the eye.
 pub struct Segment {
-    /// Its ends in space.
+    /// The ends in space.
     ends: [Vec3; 2],
-    /// Where they are on the screen.
+    /// The ends on the screen.
     pub pixels: [Vec2; 2],
 }
 
@@ -39,13 +39,12 @@ impl<'a> Sight<'a> {
         &self.view
     }
 
-    /// Whether nothing is in front of a point, faces that `own` knows left aside; if so, how far
-    /// away it is.
+    /// The distance of a point from the eye, if nothing is in front of it but faces for which `own` is true.
     pub fn sees(&self, point: Vec3, own: impl Fn(FaceId) -> bool) -> Option<f64> {
         let ray = self.camera.ray(self.project(point)?, self.viewport);
         let away = (point.as_dvec3() - ray.origin.as_dvec3()).dot(ray.direction.as_dvec3());
-        // Rays of a parallel projection start far in front of everything: the view's size counts.
-        let slack = ON_SURFACE * if self.camera.orthographic { self.camera.distance } else { away };
+        // Rays of a parallel projection start far in front of everything, so the view's size is used.
+        let slack = SURFACE_TOLERANCE * if self.camera.orthographic { self.camera.distance } else { away };
         let hidden =
             self.tree.hit(self.mesh, ray).is_some_and(|hit| hit.distance < away - slack && !own(hit.face));
         (!hidden).then_some(away)
@@ -60,7 +59,7 @@ impl<'a> Sight<'a> {
     pub fn segment(&self, edge: EdgeId) -> Option<Segment> {
         let mut ends = self.mesh.ends(edge).map(|v| self.mesh.position(v));
         if !self.camera.orthographic {
-            // A little beyond the near plane, so that roundings don't lose the end again.
+            // A little beyond the near plane, so that rounding doesn't lose the end again.
             let near = self.view.near * 1.001;
             let [a, b] = ends.map(|p| self.view.depth(p));
             if a < near && b < near {
@@ -78,14 +77,14 @@ impl<'a> Sight<'a> {
         Some(Segment { ends, pixels: [a, b] })
     }
 
-    /// The point of space at a fraction of the way along a segment on the screen.
+    /// The point in space at a fraction of a segment's length on the screen.
     pub fn point_on(&self, segment: &Segment, t: f32) -> Vec3 {
         let [a, b] = segment.ends;
         let t = f64::from(t);
         let s = if self.camera.orthographic {
             t
         } else {
-            // Depth changes along the screen as its inverse does.
+            // The inverse of the depth is linear along the screen.
             let (near, far) = (self.view.depth(a), self.view.depth(b));
             t * near / (far + t * (near - far))
         };
@@ -94,7 +93,7 @@ impl<'a> Sight<'a> {
 }
 
 impl Segment {
-    /// How far along the point of the segment nearest to a pixel is, and how many pixels away.
+    /// The point of the segment nearest to a pixel, as a fraction of its length, and how many pixels away it is.
     pub fn nearest(&self, pixel: Vec2) -> (f32, f32) {
         let [a, b] = self.pixels;
         let along = b - a;

@@ -1,28 +1,28 @@
 //! Which triangles of an object's buffers belong to which face.
 //!
-//! Each face owns a contiguous range of triangles. A face that needs another number of triangles
-//! gets another range: a free one of exactly that size, else one at the end. So a local edit moves
-//! only the faces it touches, whatever the size of the mesh.
+//! Each face owns a contiguous range of triangles. A face that needs a different number of triangles
+//! gets another range: a free one of exactly that size, else one at the end. A local edit therefore
+//! moves only the faces it touches, whatever the size of the mesh.
 
 use std::collections::{HashMap, HashSet};
 
-/// The triangles of one face: where they start and how many there are.
+/// The triangles of one face.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub struct Range {
-    /// The number of the first triangle.
+    /// The index of the first triangle.
     pub first: u32,
-    /// How many there are; 0 for an id without a face.
+    /// The number of triangles; 0 for an id without a face.
     pub count: u32,
 }
 
-/// The ranges of all faces, by face id, and the ranges between them that are free.
+/// The ranges of all faces by face id, and the free ranges between them.
 #[derive(Clone, Debug, Default)]
 pub struct Slots {
     faces: Vec<Range>,
     end: u32,
     live: u32,
     free: HashMap<u32, Vec<u32>>,
-    /// Freed since the last [`Slots::take_abandoned`].
+    /// Ranges released since the last [`Slots::take_abandoned`].
     released: HashSet<Range>,
 }
 
@@ -32,12 +32,12 @@ impl Slots {
         *self = Self { faces: Vec::with_capacity(faces), ..Self::default() };
     }
 
-    /// One more than the last triangle in use.
+    /// One more than the index of the last triangle in use.
     pub fn end(&self) -> u32 {
         self.end
     }
 
-    /// How many triangles belong to faces.
+    /// The number of triangles that belong to faces.
     pub fn live(&self) -> u32 {
         self.live
     }
@@ -47,13 +47,13 @@ impl Slots {
         self.faces.get(face).copied().unwrap_or_default()
     }
 
-    /// Heap bytes in use, roughly.
+    /// Approximate heap bytes in use.
     pub fn bytes(&self) -> usize {
         self.faces.capacity() * size_of::<Range>()
             + self.free.values().map(|f| f.capacity() * 4).sum::<usize>()
     }
 
-    /// Gives the range of a face back if the face now needs another number of triangles.
+    /// Frees the range of a face that needs another number of triangles now.
     pub fn release(&mut self, face: usize, wanted: u32) {
         let Some(range) = self.faces.get_mut(face) else { return };
         if range.count == wanted || range.count == 0 {
@@ -65,8 +65,8 @@ impl Slots {
         self.released.insert(old);
     }
 
-    /// Sees to it that the face has a range of `wanted` triangles, and gives it. A range of another
-    /// size must have been released before.
+    /// Returns the face's range of `wanted` triangles, allocating it if needed. A range of another size
+    /// must have been released before.
     #[expect(clippy::indexing_slicing, reason = "the column is made long enough first")]
     pub fn acquire(&mut self, face: usize, wanted: u32) -> Range {
         if self.faces.len() <= face {
@@ -87,8 +87,8 @@ impl Slots {
         range
     }
 
-    /// The ranges that were released and not taken by another face since the last call: what has
-    /// to be blanked.
+    /// The ranges that were released and not allocated again since the last call: their triangles have to
+    /// be blanked.
     pub fn take_abandoned(&mut self) -> Vec<Range> {
         let mut ranges: Vec<Range> = self.released.drain().collect();
         ranges.sort_unstable();

@@ -1,17 +1,17 @@
-//! What the viewport looks like.
+//! The viewport's style and colours.
 
 use halfedge::Color;
 
-/// How objects are shaded and what is drawn around them. Colours are sRGB.
+/// How objects are shaded, and what else is drawn. Colours are sRGB.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Style {
-    /// Normals interpolated between area-weighted vertex normals, rather than one per face.
+    /// Whether shading interpolates area-weighted vertex normals, instead of using one normal per face.
     pub smooth: bool,
-    /// Edges of the active object drawn over its faces.
+    /// Whether the active object's edges are drawn over its faces.
     pub wireframe: bool,
-    /// Vertices of the active object drawn as dots.
+    /// Whether the active object's vertices are drawn as dots.
     pub vertices: bool,
-    /// The grid of the ground plane, y = 0.
+    /// Whether the grid of the ground plane, y = 0, is drawn.
     pub grid: bool,
     /// The colours.
     pub theme: Theme,
@@ -23,7 +23,7 @@ impl Default for Style {
     }
 }
 
-/// The colours of everything but the faces.
+/// The colours of everything except the faces.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Theme {
     /// The background at the top of the viewport.
@@ -34,11 +34,11 @@ pub struct Theme {
     pub edge: Color,
     /// Vertex dots.
     pub vertex: Color,
-    /// Dots of vertices that no face uses, which are seen against the background.
+    /// Dots of isolated vertices, which are seen against the background.
     pub isolated: Color,
     /// Lines of the ground grid.
     pub grid: Color,
-    /// What the inside of a surface is tinted with, at half strength, after darkening.
+    /// The tint of back faces, mixed in at half strength after darkening.
     pub back_face: Color,
     /// Selected elements.
     pub selected: Color,

@@ -1,4 +1,4 @@
-//! Selected and hovered elements: drawn over everything, whatever is in front of them.
+//! Highlights of selected and hovered elements, drawn over everything else.
 
 use super::stream::Stream;
 use glam::Vec3;
@@ -6,30 +6,30 @@ use halfedge::geometry::{BitSet, PolygonTriangulator};
 use halfedge::{Element, FaceId, HalfedgeId, Mesh};
 use surface::normals;
 
-/// Which highlight: they are drawn one over the other, in this order.
+/// The highlights, in the order in which they are drawn over each other.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Layer {
     /// The selection.
     Selected,
-    /// What the pointer is over.
+    /// The element under the pointer.
     Hovered,
 }
 
-/// Elements to be highlighted.
+/// Elements to highlight.
 #[derive(Clone, Copy, Debug)]
 pub struct Highlight<'a> {
-    /// The object they are of, as told to `sync_object`.
+    /// Their object's id, as given to `sync_object`.
     pub object: u64,
-    /// Its mesh.
+    /// The object's mesh.
     pub mesh: &'a Mesh,
-    /// Their kind.
+    /// The elements' kind.
     pub kind: Element,
-    /// Their ids; those that don't exist are left out.
+    /// The elements' ids; those that don't exist are left out.
     pub ids: &'a [u32],
 }
 
 /// A highlight's buffers.
-pub struct Marked {
+pub struct HighlightBuffers {
     pub object: Option<u64>,
     /// Vertices: a position each.
     pub points: Stream,
@@ -39,21 +39,21 @@ pub struct Marked {
     pub arrows: Stream,
     /// Triangles of the faces: three positions each.
     pub fill: Stream,
-    /// What is still to be uploaded.
-    rest: Option<Rest>,
+    /// The elements that are still to be uploaded.
+    pending: Option<Pending>,
 }
 
 /// Elements of a highlight that is uploaded some at a time.
-struct Rest {
+struct Pending {
     kind: Element,
     origin: Vec3,
     ids: Vec<u32>,
     next: usize,
-    /// The faces that are highlighted: edges between two are not drawn.
+    /// The highlighted faces: edges between two of them aren't drawn.
     marked: BitSet,
 }
 
-/// What goes into the buffers; positions relative to the object's origin.
+/// The contents of the buffers; positions are relative to the object's origin.
 #[derive(Default)]
 struct Shapes {
     points: Vec<[f32; 3]>,
@@ -62,7 +62,7 @@ struct Shapes {
     fill: Vec<[f32; 3]>,
 }
 
-impl Marked {
+impl HighlightBuffers {
     pub fn new() -> Self {
         Self {
             object: None,
@@ -70,15 +70,15 @@ impl Marked {
             lines: Stream::new("highlighted edges"),
             arrows: Stream::new("highlighted half-edges"),
             fill: Stream::new("highlighted faces"),
-            rest: None,
+            pending: None,
         }
     }
 
-    /// Begins with a highlight, or none, which [`Marked::upload_elements`] uploads. Costs O(elements), little for
-    /// each.
+    /// Begins a highlight, or none, that [`HighlightBuffers::upload_elements`] uploads. Costs O(elements),
+    /// little for each.
     pub fn begin_upload(&mut self, device: &wgpu::Device, highlight: Option<(Highlight<'_>, Vec3)>) {
         self.object = highlight.map(|(h, _)| h.object);
-        // Room for all of it where every face is a triangle; for more they grow.
+        // Room for all if every face is a triangle; buffers grow for more.
         let room = |kind, size| match highlight {
             Some((h, _)) if h.kind == kind => h.ids.len() as u64 * size,
             _ => 0,
@@ -87,23 +87,23 @@ impl Marked {
         self.lines.reset(device, room(Element::Edge, 24));
         self.arrows.reset(device, room(Element::Halfedge, 36));
         self.fill.reset(device, room(Element::Face, 36));
-        self.rest = highlight.map(|(h, origin)| {
+        self.pending = highlight.map(|(h, origin)| {
             let Highlight { mesh, kind, ids, .. } = h;
             let mut marked = BitSet::new();
             let mut ids = ids.to_vec();
             if kind == Element::Face {
                 ids.retain(|&id| mesh.face(id).is_some() && marked.insert(id as usize));
             }
-            Rest { kind, origin, ids, next: 0, marked }
+            Pending { kind, origin, ids, next: 0, marked }
         });
     }
 
-    /// Whether there is more to upload.
+    /// Whether there are elements left to upload.
     pub fn is_uploading(&self) -> bool {
-        self.rest.is_some()
+        self.pending.is_some()
     }
 
-    /// Uploads so many elements more, of the mesh that it began with; gives whether there are any left.
+    /// Uploads this many more elements of the mesh that it began with; returns whether there are any left.
     pub fn upload_elements(
         &mut self,
         device: &wgpu::Device,
@@ -111,22 +111,22 @@ impl Marked {
         mesh: &Mesh,
         elements: usize,
     ) -> bool {
-        let Some(rest) = &mut self.rest else { return false };
-        let shapes = rest.take(mesh, elements);
-        let is_left = rest.next < rest.ids.len();
+        let Some(pending) = &mut self.pending else { return false };
+        let shapes = pending.take(mesh, elements);
+        let is_left = pending.next < pending.ids.len();
         self.points.append(device, queue, &shapes.points);
         self.lines.append(device, queue, &shapes.lines);
         self.arrows.append(device, queue, &shapes.arrows);
         self.fill.append(device, queue, &shapes.fill);
         if !is_left {
-            self.rest = None;
+            self.pending = None;
         }
         is_left
     }
 }
 
-impl Rest {
-    /// The shapes of so many elements more.
+impl Pending {
+    /// The shapes of this many more elements.
     fn take(&mut self, mesh: &Mesh, elements: usize) -> Shapes {
         let end = self.next.saturating_add(elements).min(self.ids.len());
         let ids = self.ids.get(self.next..end).unwrap_or_default();
@@ -164,8 +164,8 @@ fn inward(mesh: &Mesh, h: HalfedgeId) -> Vec3 {
     normal.as_dvec3().cross(along.normalize_or_zero()).normalize_or_zero().as_vec3()
 }
 
-/// Triangles of the faces, and the edges between those that are marked and the others: many faces are
-/// outlined as one region.
+/// Adds the faces' triangles, and the edges between marked faces and others, so that many faces have one
+/// outline.
 fn faces(
     mesh: &Mesh,
     faces: impl Iterator<Item = FaceId>,

@@ -1,20 +1,20 @@
-//! The vertices that no face uses: drawn as dots always, as nothing else would show them.
+//! Isolated vertices: always drawn as dots, as nothing else would show them.
 
-use super::object::{NOWHERE, point};
+use super::object::{HIDDEN_POSITION, point};
 use super::stream::Stream;
 use glam::Vec3;
 use halfedge::{Mesh, VertexId};
 use std::collections::HashMap;
 
 /// Bytes of a position.
-const ENTRY: u64 = 12;
+const POSITION_BYTES: u64 = 12;
 
-/// A position for each vertex without a face. An edit writes only those it touched, so that a few
-/// among a million vertices cost what a few do.
+/// A position for each isolated vertex. An edit writes only those that it touched, whatever the size of the
+/// mesh.
 pub struct IsolatedVertices {
     /// Each vertex's entry.
     places: HashMap<VertexId, u32>,
-    /// Entries that no vertex has, whose position is nowhere.
+    /// Unused entries, whose position is hidden.
     free: Vec<u32>,
     pub points: Stream,
 }
@@ -28,7 +28,7 @@ impl IsolatedVertices {
         Self { places: HashMap::new(), free: Vec::new(), points: Stream::new("vertices without a face") }
     }
 
-    /// Uploads those of a whole mesh; gives the bytes. Costs O(vertices).
+    /// Uploads those of a whole mesh; returns the number of bytes. Costs O(vertices).
     pub fn set(&mut self, device: &wgpu::Device, queue: &wgpu::Queue, mesh: &Mesh, origin: Vec3) -> u64 {
         self.free.clear();
         let vertices: Vec<VertexId> = mesh.vertices().filter(|&v| is_isolated(mesh, v)).collect();
@@ -38,7 +38,7 @@ impl IsolatedVertices {
         self.points.len()
     }
 
-    /// Takes in vertices that an edit touched; gives the bytes uploaded.
+    /// Uploads those of the vertices that an edit touched; returns the number of bytes.
     pub fn follow(
         &mut self,
         device: &wgpu::Device,
@@ -50,7 +50,7 @@ impl IsolatedVertices {
         let mut bytes = 0;
         for &v in touched {
             let (place, position) = if is_isolated(mesh, v) {
-                let entries = (self.points.len() / ENTRY) as u32;
+                let entries = (self.points.len() / POSITION_BYTES) as u32;
                 let place = match self.places.get(&v) {
                     Some(&place) => place,
                     None => self.free.pop().unwrap_or(entries),
@@ -59,13 +59,13 @@ impl IsolatedVertices {
                 (place, point(mesh, v.raw(), origin))
             } else if let Some(place) = self.places.remove(&v) {
                 self.free.push(place);
-                (place, NOWHERE)
+                (place, HIDDEN_POSITION)
             } else {
                 continue;
             };
-            let offset = u64::from(place) * ENTRY;
+            let offset = u64::from(place) * POSITION_BYTES;
             self.points.write(device, queue, offset, bytemuck::bytes_of(&position), u64::MAX);
-            bytes += ENTRY;
+            bytes += POSITION_BYTES;
         }
         bytes
     }

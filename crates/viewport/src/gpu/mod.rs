@@ -1,5 +1,6 @@
-//! Everything that touches wgpu.
+//! The part of the viewport that uses wgpu.
 
+mod frame;
 mod highlight;
 mod isolated;
 mod object;
@@ -9,5 +10,6 @@ mod stream;
 mod targets;
 mod uniforms;
 
+pub use frame::{Frame, ObjectDraw};
 pub use highlight::{Highlight, Layer};
-pub use renderer::{Frame, ObjectChange, ObjectDraw, Renderer};
+pub use renderer::{ObjectChange, Renderer};

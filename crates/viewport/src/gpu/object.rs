@@ -1,4 +1,4 @@
-//! One object on the GPU.
+//! An object's buffers on the GPU.
 
 use super::isolated::IsolatedVertices;
 use super::stream::Stream;
@@ -6,13 +6,13 @@ use crate::buffers::{Buffers, Corners, Rebuild, Sink};
 use glam::Vec3;
 use halfedge::{Mesh, Touched};
 
-/// Triangles in a page. An object's triangles are spread over pages, so that growing copies at most
-/// one page and no buffer exceeds what any device allows (128 MiB in the most modest).
-pub const PAGE_TRIANGLES: u32 = 1 << 20;
-/// Where a vertex id without a vertex is: shaders skip it.
-pub const NOWHERE: [f32; 3] = [3.0e38; 3];
+/// Triangles per page. An object's triangles are spread over pages, so that growing copies at most one
+/// page and no buffer exceeds what every device allows (128 MiB).
+pub const TRIANGLES_PER_PAGE: u32 = 1 << 20;
+/// The position of an id without a vertex; shaders skip it.
+pub const HIDDEN_POSITION: [f32; 3] = [3.0e38; 3];
 
-/// Vertex streams of up to [`PAGE_TRIANGLES`].
+/// Vertex streams of up to [`TRIANGLES_PER_PAGE`].
 pub struct Page {
     pub positions: Stream,
     pub normals: Stream,
@@ -28,7 +28,7 @@ impl Page {
         }
     }
 
-    /// How many vertices to draw.
+    /// The number of vertices to draw.
     pub fn vertices(&self) -> u32 {
         (self.positions.len() / 12) as u32
     }
@@ -41,13 +41,13 @@ pub struct Object {
     /// A position per vertex id for the dots; empty unless dots are shown.
     pub points: Stream,
     pub has_points: bool,
-    /// The dots of vertices that no face uses, which are always shown.
+    /// The dots of isolated vertices, which are always drawn.
     pub isolated: IsolatedVertices,
-    /// What takes the place of these buffers once it is written.
+    /// Buffers that replace these once they are complete.
     next: Option<Next>,
 }
 
-/// Buffers of a mesh that is uploaded some faces at a time, while the ones before are drawn.
+/// Buffers that are filled some faces at a time while the old ones are drawn.
 struct Next {
     buffers: Buffers,
     pages: Vec<Page>,
@@ -71,7 +71,7 @@ impl Object {
         }
     }
 
-    /// Uploads all of a mesh; gives the bytes.
+    /// Uploads a whole mesh; returns the number of bytes.
     pub fn rebuild(
         &mut self,
         device: &wgpu::Device,
@@ -86,7 +86,7 @@ impl Object {
         upload.bytes + self.set_points(device, queue, mesh, points)
     }
 
-    /// Uploads the dots of all vertices, or gives them up, and those of vertices that no face uses.
+    /// Uploads the dots of isolated vertices, and those of all vertices if `points` says so.
     fn set_points(&mut self, device: &wgpu::Device, queue: &wgpu::Queue, mesh: &Mesh, points: bool) -> u64 {
         self.has_points = points;
         let origin = self.buffers.origin();
@@ -101,7 +101,7 @@ impl Object {
         isolated + self.points.len()
     }
 
-    /// Begins to upload all of a mesh, which [`Object::upload_faces`] does.
+    /// Begins an upload of a whole mesh that [`Object::upload_faces`] carries out.
     pub fn begin_upload(
         &mut self,
         device: &wgpu::Device,
@@ -116,8 +116,8 @@ impl Object {
         self.next = Some(Next { buffers, pages, rebuilding, points });
     }
 
-    /// Uploads so many faces more of what was begun; gives whether that was the last of it, and it is
-    /// what is drawn from now on.
+    /// Uploads this many more faces of an upload that has begun; returns whether that was the last of it. If
+    /// so, the new buffers are drawn from now on.
     pub fn upload_faces(
         &mut self,
         device: &wgpu::Device,
@@ -136,12 +136,12 @@ impl Object {
         true
     }
 
-    /// Whether an upload has begun and is not done.
+    /// Whether an upload has begun and isn't complete.
     pub fn is_uploading(&self) -> bool {
         self.next.is_some()
     }
 
-    /// Whether what is uploaded, or will be, is shaded smoothly, and has dots.
+    /// Whether the buffers, or those being filled, have smooth normals, and dots of vertices.
     pub fn looks(&self) -> (bool, bool) {
         match &self.next {
             Some(next) => (next.buffers.smooth(), next.points),
@@ -149,7 +149,7 @@ impl Object {
         }
     }
 
-    /// Uploads what an edit touched; gives the bytes.
+    /// Uploads what an edit touched; returns the number of bytes.
     pub fn update(
         &mut self,
         device: &wgpu::Device,
@@ -157,7 +157,7 @@ impl Object {
         mesh: &Mesh,
         touched: &Touched,
     ) -> u64 {
-        // Faces that are written already may be among those that were touched, and are written again.
+        // The edit may have touched faces that an upload has written already: it is completed first.
         self.upload_faces(device, queue, mesh, usize::MAX);
         let mut upload = Upload { device, queue, pages: &mut self.pages, bytes: 0 };
         self.buffers.update(mesh, touched, &mut upload);
@@ -187,12 +187,12 @@ impl Object {
     }
 }
 
-/// Where a vertex is, relative to the object's origin.
+/// A vertex's position relative to the object's origin.
 pub fn point(mesh: &Mesh, raw: u32, origin: Vec3) -> [f32; 3] {
-    mesh.vertex(raw).map_or(NOWHERE, |v| (mesh.position(v) - origin).to_array())
+    mesh.vertex(raw).map_or(HIDDEN_POSITION, |v| (mesh.position(v) - origin).to_array())
 }
 
-/// Writes streams to pages.
+/// Writes vertex streams to pages.
 struct Upload<'a> {
     device: &'a wgpu::Device,
     queue: &'a wgpu::Queue,
@@ -202,9 +202,9 @@ struct Upload<'a> {
 
 impl Sink for Upload<'_> {
     fn reset(&mut self, triangles: u32) {
-        self.pages.truncate(triangles.div_ceil(PAGE_TRIANGLES) as usize);
-        for at in 0..triangles.div_ceil(PAGE_TRIANGLES) {
-            let here = u64::from((triangles - at * PAGE_TRIANGLES).min(PAGE_TRIANGLES));
+        self.pages.truncate(triangles.div_ceil(TRIANGLES_PER_PAGE) as usize);
+        for at in 0..triangles.div_ceil(TRIANGLES_PER_PAGE) {
+            let here = u64::from((triangles - at * TRIANGLES_PER_PAGE).min(TRIANGLES_PER_PAGE));
             if self.pages.len() <= at as usize {
                 self.pages.push(Page::new());
             }
@@ -225,8 +225,8 @@ impl Sink for Upload<'_> {
         let (mut done, total) = (0, corners.triangles() as u32);
         while done < total {
             let at = first_triangle + done;
-            let (page, in_page) = ((at / PAGE_TRIANGLES) as usize, at % PAGE_TRIANGLES);
-            let count = (total - done).min(PAGE_TRIANGLES - in_page);
+            let (page, in_page) = ((at / TRIANGLES_PER_PAGE) as usize, at % TRIANGLES_PER_PAGE);
+            let count = (total - done).min(TRIANGLES_PER_PAGE - in_page);
             while self.pages.len() <= page {
                 self.pages.push(Page::new());
             }
@@ -238,7 +238,7 @@ impl Sink for Upload<'_> {
             ];
             for (stream, data, size) in streams {
                 let data = data.get(done as usize * size..(done + count) as usize * size).unwrap_or_default();
-                let limit = u64::from(PAGE_TRIANGLES) * size as u64;
+                let limit = u64::from(TRIANGLES_PER_PAGE) * size as u64;
                 stream.write(self.device, self.queue, u64::from(in_page) * size as u64, data, limit);
                 self.bytes += data.len() as u64;
             }

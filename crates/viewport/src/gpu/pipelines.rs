@@ -1,18 +1,18 @@
-//! Shaders and fixed state.
+//! Shaders and pipelines.
 
-use super::targets::{COLOR, DEPTH, SAMPLES};
+use super::targets::{COLOR_FORMAT, DEPTH_FORMAT, SAMPLES_PER_PIXEL};
 use super::uniforms::{DrawUniform, FrameUniform};
 use std::num::NonZeroU64;
 use wgpu::{VertexStepMode, vertex_attr_array};
 
-/// All pipelines and what binds to them.
+/// All pipelines and their bind group layouts.
 pub struct Pipelines {
     pub uniforms: wgpu::BindGroupLayout,
     pub picture: wgpu::BindGroupLayout,
     pub background: wgpu::RenderPipeline,
     pub mesh: wgpu::RenderPipeline,
     pub ground: wgpu::RenderPipeline,
-    /// Dots hidden by what is in front of them.
+    /// Dots that the surface hides.
     pub points: wgpu::RenderPipeline,
     pub marked_points: wgpu::RenderPipeline,
     pub marked_lines: wgpu::RenderPipeline,
@@ -59,19 +59,19 @@ impl Maker<'_> {
             },
             primitive: wgpu::PrimitiveState::default(),
             depth_stencil: Some(wgpu::DepthStencilState {
-                format: DEPTH,
+                format: DEPTH_FORMAT,
                 depth_write_enabled: Some(write),
                 depth_compare: Some(compare),
                 stencil: wgpu::StencilState::default(),
                 bias: wgpu::DepthBiasState::default(),
             }),
-            multisample: wgpu::MultisampleState { count: SAMPLES, ..Default::default() },
+            multisample: wgpu::MultisampleState { count: SAMPLES_PER_PIXEL, ..Default::default() },
             fragment: Some(wgpu::FragmentState {
                 module,
                 entry_point: Some(fragment),
                 compilation_options: wgpu::PipelineCompilationOptions::default(),
                 targets: &[Some(wgpu::ColorTargetState {
-                    format: COLOR,
+                    format: COLOR_FORMAT,
                     blend,
                     write_mask: wgpu::ColorWrites::ALL,
                 })],

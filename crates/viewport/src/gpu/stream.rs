@@ -1,6 +1,6 @@
-//! A vertex buffer that grows: twice the room whenever it runs out, its contents copied on the GPU.
+//! A vertex buffer that doubles when it is full; the GPU copies its contents.
 
-/// A growable vertex buffer of one kind of entry.
+/// A growable vertex buffer with entries of one type.
 pub struct Stream {
     label: &'static str,
     buffer: Option<wgpu::Buffer>,
@@ -26,7 +26,7 @@ impl Stream {
         self.buffer.as_ref().filter(|_| self.len > 0).map(|buffer| buffer.slice(..self.len))
     }
 
-    /// Forgets the contents and makes room for `bytes`, giving back memory that is far too much.
+    /// Empties the buffer and makes room for `bytes`; frees memory that is far too much.
     pub fn reset(&mut self, device: &wgpu::Device, bytes: u64) {
         self.len = 0;
         if self.capacity() < bytes || self.capacity() / 4 > bytes.max(1024) {
@@ -34,8 +34,8 @@ impl Stream {
         }
     }
 
-    /// Writes at `offset`, a multiple of four as is the length of `data`; grows to fit, never
-    /// beyond `limit` bytes unless the write itself needs it.
+    /// Writes at `offset`, growing the buffer as needed, beyond `limit` bytes only if the write itself needs
+    /// it. The offset and the length of `data` are multiples of four.
     pub fn write(
         &mut self,
         device: &wgpu::Device,
@@ -63,8 +63,7 @@ impl Stream {
         self.len = self.len.max(end);
     }
 
-    /// Adds entries of type `T` at the end; those beyond what the device can hold in a buffer are left
-    /// out.
+    /// Adds entries of type `T` at the end, as many as fit into the largest buffer of the device.
     pub fn append<T: bytemuck::Pod>(&mut self, device: &wgpu::Device, queue: &wgpu::Queue, entries: &[T]) {
         let most = device.limits().max_buffer_size;
         let room = most.saturating_sub(self.len) / size_of::<T>().max(1) as u64;
@@ -75,8 +74,7 @@ impl Stream {
         }
     }
 
-    /// Replaces the contents, with entries of type `T`; those beyond what the device can hold in a
-    /// buffer are left out.
+    /// Replaces the contents by entries of type `T`, as many as fit into the largest buffer of the device.
     pub fn set<T: bytemuck::Pod>(&mut self, device: &wgpu::Device, queue: &wgpu::Queue, entries: &[T]) {
         self.reset(device, (size_of_val(entries) as u64).min(device.limits().max_buffer_size));
         self.append(device, queue, entries);

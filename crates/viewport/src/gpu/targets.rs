@@ -1,24 +1,24 @@
-//! The textures the scene is drawn into before it goes to the page's own render pass.
+//! The textures that the scene is drawn into, before they are drawn in the page's render pass.
 
-/// Samples a pixel while drawing.
-pub const SAMPLES: u32 = 4;
-/// Colours are kept as they are shown (gamma-encoded), in a format every device can resolve.
-pub const COLOR: wgpu::TextureFormat = wgpu::TextureFormat::Rgba8Unorm;
+/// Samples per pixel.
+pub const SAMPLES_PER_PIXEL: u32 = 4;
+/// Colours are stored gamma-encoded, in a format that every device can resolve.
+pub const COLOR_FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Rgba8Unorm;
 /// Floating point suits the reversed depth range.
-pub const DEPTH: wgpu::TextureFormat = wgpu::TextureFormat::Depth32Float;
+pub const DEPTH_FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Depth32Float;
 
-/// Colour and depth with four samples, and the colour with one.
+/// Multisampled colour and depth, and the resolved colour.
 pub struct Targets {
     pub size: [u32; 2],
     pub samples: wgpu::TextureView,
     pub depth: wgpu::TextureView,
     pub resolved: wgpu::TextureView,
-    /// For the composite shader.
+    /// The resolved colour, for the composite shader.
     pub bind_group: wgpu::BindGroup,
 }
 
 impl Targets {
-    /// Textures of this size, at least one pixel and at most what the device allows.
+    /// Creates textures of this size.
     pub fn new(device: &wgpu::Device, layout: &wgpu::BindGroupLayout, size: [u32; 2]) -> Self {
         let attachment = wgpu::TextureUsages::RENDER_ATTACHMENT;
         let texture = |label, format, sample_count, usage| {
@@ -35,7 +35,8 @@ impl Targets {
                 })
                 .create_view(&wgpu::TextureViewDescriptor::default())
         };
-        let resolved = texture("viewport", COLOR, 1, attachment | wgpu::TextureUsages::TEXTURE_BINDING);
+        let resolved =
+            texture("viewport", COLOR_FORMAT, 1, attachment | wgpu::TextureUsages::TEXTURE_BINDING);
         let bind_group = device.create_bind_group(&wgpu::BindGroupDescriptor {
             label: Some("viewport composite"),
             layout,
@@ -46,14 +47,14 @@ impl Targets {
         });
         Self {
             size,
-            samples: texture("viewport samples", COLOR, SAMPLES, attachment),
-            depth: texture("viewport depth", DEPTH, SAMPLES, attachment),
+            samples: texture("viewport samples", COLOR_FORMAT, SAMPLES_PER_PIXEL, attachment),
+            depth: texture("viewport depth", DEPTH_FORMAT, SAMPLES_PER_PIXEL, attachment),
             resolved,
             bind_group,
         }
     }
 
-    /// The nearest size that a texture can have.
+    /// The nearest size that the device allows: at least one pixel.
     pub fn fit(device: &wgpu::Device, size: [u32; 2]) -> [u32; 2] {
         let most = device.limits().max_texture_dimension_2d;
         size.map(|s| s.clamp(1, most))

@@ -1,38 +1,39 @@
-//! What shaders are told once a frame, and once a draw.
+//! The uniforms of the shaders: one per frame, and one per draw.
 
 use crate::{Camera, Style};
 use glam::{DVec3, Vec2, Vec3};
 use halfedge::Color;
 
-/// Once a frame. Laid out as `Frame` in `scene.wgsl`.
+/// The uniform of a frame, with the layout of `Frame` in `common.wgsl`.
 #[derive(Clone, Copy, Debug, PartialEq, bytemuck::Pod, bytemuck::Zeroable)]
 #[repr(C)]
 pub struct FrameUniform {
-    /// To clip space, from positions relative to the eye in units of its distance to the target.
+    /// From positions relative to the eye, in units of its distance to the target, to clip space.
     matrix: [[f32; 4]; 4],
-    /// The direction towards the light with a parallel projection, and 1 there; 0 in perspective,
+    /// The direction to the light and 1 for a parallel projection; the last component is 0 in perspective,
     /// where the light is at the eye.
     light: [f32; 4],
-    /// Width and height in pixels, pixels per point, and the near plane's depth.
+    /// Width and height in pixels, pixels per point, and the depth of the near plane.
     viewport: [f32; 4],
     background_top: [f32; 4],
     background_bottom: [f32; 4],
-    /// Wireframe colour.
+    /// The wireframe's colour.
     edge: [f32; 4],
     back_face: [f32; 4],
-    /// Colour of grid lines.
+    /// The colour of grid lines.
     grid_color: [f32; 4],
     /// The middle of the grid relative to the eye in units of distance, and its spacing.
     grid: [f32; 4],
-    /// How far the grid reaches, and how faint its fine lines are by now (0 to 1).
+    /// How far the grid extends, how far its fine lines have faded (0 to 1), and the target relative to the
+    /// grid's middle.
     grid_fade: [f32; 4],
 }
 
-/// Once a draw. Laid out as `Draw` in `scene.wgsl`.
+/// The uniform of a draw, with the layout of `Draw` in `common.wgsl`.
 #[derive(Clone, Copy, Debug, PartialEq, bytemuck::Pod, bytemuck::Zeroable)]
 #[repr(C)]
 pub struct DrawUniform {
-    /// From the eye to the object's origin in mesh units, and 1 / the distance to the target.
+    /// The object's origin relative to the eye in mesh units, and 1 / the distance to the target.
     pub offset: [f32; 4],
     pub color: [f32; 4],
     /// Sizes in pixels, by shader.
@@ -66,7 +67,7 @@ impl FrameUniform {
     }
 }
 
-/// The ground grid: lines at powers of ten that suit the distance, around the target.
+/// The ground grid around the target: lines at powers of ten that suit the distance.
 fn grid(camera: &Camera) -> ([f32; 4], [f32; 4]) {
     let level = (camera.distance * 0.2).log10();
     let spacing = 10_f64.powf(level.floor());

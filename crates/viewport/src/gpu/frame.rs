@@ -1,0 +1,208 @@
+//! A frame's draws: listing and encoding them.
+
+use super::highlight::HighlightBuffers;
+use super::object::Object;
+use super::renderer::{DRAW_UNIFORM_STRIDE, Renderer};
+use super::stream::Stream;
+use super::targets::Targets;
+use super::uniforms::{DrawUniform, rgba};
+use crate::{Camera, Style};
+use glam::Vec3;
+
+/// One object in a frame.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct ObjectDraw {
+    /// Its id, as given to [`Renderer::sync_object`].
+    pub id: u64,
+    /// Whether it is drawn at all.
+    pub visible: bool,
+    /// Whether it is the one being edited, whose edges and vertices are drawn.
+    pub active: bool,
+}
+
+/// What to draw.
+#[derive(Clone, Copy, Debug)]
+pub struct Frame<'a> {
+    /// The viewport's size in physical pixels.
+    pub size: [u32; 2],
+    /// Physical pixels per point, for the sizes of dots and lines.
+    pub pixels_per_point: f32,
+    /// The camera.
+    pub camera: &'a Camera,
+    /// The objects; those that were never uploaded are left out.
+    pub objects: &'a [ObjectDraw],
+    /// The style.
+    pub style: &'a Style,
+}
+
+/// The last frame drawn, to find out whether the next is the same.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct FrameKey {
+    pub size: [u32; 2],
+    pub pixels_per_point: f32,
+    pub camera: Camera,
+    pub objects: Vec<ObjectDraw>,
+    pub style: Style,
+    /// Counts the changes of buffers.
+    pub generation: u64,
+}
+
+/// One draw of a frame.
+pub(super) enum Draw<'a> {
+    Background,
+    Mesh(&'a Object),
+    Points(&'a Stream),
+    Ground,
+    Highlight(&'a HighlightBuffers, Shape),
+}
+
+/// The kinds of primitive in a highlight.
+#[derive(Clone, Copy)]
+pub(super) enum Shape {
+    Fill,
+    Lines,
+    Arrows,
+    Points,
+}
+
+impl Renderer {
+    /// The draws of a frame, in order.
+    pub(super) fn list_draws(&self, frame: &Frame<'_>) -> Vec<(Draw<'_>, DrawUniform)> {
+        let Frame { camera, style, pixels_per_point: ppp, .. } = *frame;
+        let theme = &style.theme;
+        let plain = DrawUniform::new(camera, Vec3::ZERO, [0.0; 4], [0.0; 4]);
+        let mut draws = vec![(Draw::Background, plain)];
+        let visible = || {
+            let shown = frame.objects.iter().filter(|o| o.visible);
+            shown.filter_map(|o| Some((o, self.objects.get(&o.id)?)))
+        };
+        for (draw, object) in visible() {
+            let lines = if style.wireframe && draw.active { 1.0 } else { 0.0 };
+            let params = [0.6 * ppp, lines, 0.0, 0.0];
+            draws.push((
+                Draw::Mesh(object),
+                DrawUniform::new(camera, object.buffers.origin(), [0.0; 4], params),
+            ));
+        }
+        if style.grid {
+            draws.push((Draw::Ground, plain));
+        }
+        for (draw, object) in visible() {
+            let origin = object.buffers.origin();
+            let mut push = |points, color, radius, rim| {
+                let params = [radius * ppp, rim * ppp, 1e-3, 0.0];
+                draws
+                    .push((Draw::Points(points), DrawUniform::new(camera, origin, rgba(color, 1.0), params)));
+            };
+            if draw.active && style.vertices && object.has_points {
+                push(&object.points, theme.vertex, 2.5, 0.0);
+            }
+            if object.isolated.points.len() > 0 {
+                push(&object.isolated.points, theme.isolated, 3.5, 1.0);
+            }
+        }
+        for (marked, color) in [(&self.selected, theme.selected), (&self.hovered, theme.hovered)] {
+            let Some((_, object)) = visible().find(|(draw, _)| Some(draw.id) == marked.object) else {
+                continue;
+            };
+            let mut push = |shape, alpha, params| {
+                let uniform = DrawUniform::new(camera, object.buffers.origin(), rgba(color, alpha), params);
+                draws.push((Draw::Highlight(marked, shape), uniform));
+            };
+            push(Shape::Fill, 0.4, [0.0; 4]);
+            push(Shape::Lines, 1.0, [1.25 * ppp, 0.0, 0.0, 0.0]);
+            push(Shape::Arrows, 1.0, [1.1 * ppp, 4.0 * ppp, 9.0 * ppp, 0.0]);
+            push(Shape::Points, 1.0, [4.5 * ppp, 1.0 * ppp, 0.0, 0.0]);
+        }
+        draws
+    }
+
+    pub(super) fn encode_draws(
+        &self,
+        encoder: &mut wgpu::CommandEncoder,
+        targets: &Targets,
+        draws: &[(Draw<'_>, DrawUniform)],
+    ) {
+        let mut pass = encoder.begin_render_pass(&wgpu::RenderPassDescriptor {
+            label: Some("viewport"),
+            color_attachments: &[Some(wgpu::RenderPassColorAttachment {
+                view: &targets.samples,
+                depth_slice: None,
+                resolve_target: Some(&targets.resolved),
+                ops: wgpu::Operations {
+                    load: wgpu::LoadOp::Clear(wgpu::Color::BLACK),
+                    store: wgpu::StoreOp::Discard,
+                },
+            })],
+            depth_stencil_attachment: Some(wgpu::RenderPassDepthStencilAttachment {
+                view: &targets.depth,
+                depth_ops: Some(wgpu::Operations {
+                    load: wgpu::LoadOp::Clear(0.0),
+                    store: wgpu::StoreOp::Discard,
+                }),
+                stencil_ops: None,
+            }),
+            timestamp_writes: None,
+            occlusion_query_set: None,
+            multiview_mask: None,
+        });
+        let p = &self.pipelines;
+        for (at, (draw, _)) in draws.iter().enumerate() {
+            pass.set_bind_group(0, &self.bind_group, &[(at * DRAW_UNIFORM_STRIDE) as u32]);
+            match draw {
+                Draw::Background => {
+                    pass.set_pipeline(&p.background);
+                    pass.draw(0..3, 0..1);
+                }
+                Draw::Ground => {
+                    pass.set_pipeline(&p.ground);
+                    pass.draw(0..6, 0..1);
+                }
+                Draw::Mesh(object) => {
+                    pass.set_pipeline(&p.mesh);
+                    for page in &object.pages {
+                        let streams = (page.positions.slice(), page.normals.slice(), page.colors.slice());
+                        if let (Some(positions), Some(normals), Some(colors)) = streams {
+                            pass.set_vertex_buffer(0, positions);
+                            pass.set_vertex_buffer(1, normals);
+                            pass.set_vertex_buffer(2, colors);
+                            pass.draw(0..page.vertices(), 0..1);
+                        }
+                    }
+                }
+                Draw::Points(points) => instances(&mut pass, &p.points, points, 12, 6),
+                Draw::Highlight(marked, Shape::Fill) => {
+                    if let Some(fill) = marked.fill.slice() {
+                        pass.set_pipeline(&p.marked_fill);
+                        pass.set_vertex_buffer(0, fill);
+                        pass.draw(0..(marked.fill.len() / 12) as u32, 0..1);
+                    }
+                }
+                Draw::Highlight(marked, Shape::Lines) => {
+                    instances(&mut pass, &p.marked_lines, &marked.lines, 24, 6);
+                }
+                Draw::Highlight(marked, Shape::Arrows) => {
+                    instances(&mut pass, &p.marked_arrows, &marked.arrows, 36, 9);
+                }
+                Draw::Highlight(marked, Shape::Points) => {
+                    instances(&mut pass, &p.marked_points, &marked.points, 12, 6);
+                }
+            }
+        }
+    }
+}
+
+/// Draws an instance of this many vertices for each entry of a stream.
+fn instances(
+    pass: &mut wgpu::RenderPass<'_>,
+    pipeline: &wgpu::RenderPipeline,
+    stream: &Stream,
+    entry: u64,
+    vertices: u32,
+) {
+    if let Some(slice) = stream.slice() {
+        pass.set_pipeline(pipeline);
+        pass.set_vertex_buffer(0, slice);
+        pass.draw(0..vertices, 0..(stream.len() / entry) as u32);
+    }
+}
