@@ -4,6 +4,7 @@
 //! the command line and tests speak the same commands; [`OpId::ALL`] lists them.
 
 #![cfg_attr(not(test), deny(clippy::unwrap_used, clippy::expect_used, clippy::panic, clippy::unreachable))]
+#![cfg_attr(not(test), deny(clippy::indexing_slicing))]
 
 mod bezier;
 mod changes;

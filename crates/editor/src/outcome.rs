@@ -106,9 +106,11 @@ impl Elements {
     }
 }
 
-/// The numbers of vertices, edges and faces.
-pub(crate) fn sizes(mesh: &Mesh) -> [usize; 3] {
-    [mesh.vertex_count(), mesh.edge_count(), mesh.face_count()]
+/// The numbers of vertices, edges and faces of some meshes together.
+pub(crate) fn sizes<'a>(meshes: impl IntoIterator<Item = &'a Mesh>) -> [usize; 3] {
+    meshes.into_iter().fold([0; 3], |[vertices, edges, faces], mesh| {
+        [vertices + mesh.vertex_count(), edges + mesh.edge_count(), faces + mesh.face_count()]
+    })
 }
 
 /// "Split edge: 1 vertex, 3 edges and 2 faces created".

@@ -9,6 +9,14 @@ use glam::DVec3;
 use halfedge::{EdgeId, Element, FaceId, HalfedgeId, Mesh, VertexId, keys};
 use serde_json::{Value, json};
 
+/// A JSON object with one more field, if there is a value for it.
+fn with(mut object: Value, field: &str, value: Option<Value>) -> Value {
+    if let (Value::Object(fields), Some(value)) = (&mut object, value) {
+        fields.insert(field.to_owned(), value);
+    }
+    object
+}
+
 impl Editor {
     /// The document, selection, history and messages, as `window.meshwright.state()` gives them.
     /// The page adds `view` and the progress of `jobs`.
@@ -21,35 +29,33 @@ impl Editor {
             .objects()
             .iter()
             .map(|object| {
-                let mut value = json!({
+                let value = json!({
                     "name": object.name(),
                     "visible": object.visible(),
                     "faces": object.mesh().face_count(),
                 });
-                if let Some(bezier) = object.bezier() {
-                    value["bezier"] = bezier_state(bezier);
-                }
-                if object.is_repairable() {
-                    value["repairable"] = true.into();
-                }
-                value
+                let value = with(value, "bezier", object.bezier().map(bezier_state));
+                with(value, "repairable", object.is_repairable().then_some(Value::Bool(true)))
             })
             .collect();
         let selection = self.selection();
-        let mut state = json!({
-            "document": {
-                "name": document.name(),
-                "objects": objects,
-                "active": document.active_index(),
-                "vertices": total.vertices,
-                "edges": total.edges,
-                "halfedges": total.halfedges,
-                "faces": total.faces,
-                "boundary_loops": total.boundary_loops,
-                "components": total.components,
-                "euler": total.euler,
-                "dirty": self.is_dirty(),
-            },
+        let offset = document.offset();
+        let offset = (offset != DVec3::ZERO).then(|| offset.to_array().to_vec().into());
+        let document = json!({
+            "name": document.name(),
+            "objects": objects,
+            "active": document.active_index(),
+            "vertices": total.vertices,
+            "edges": total.edges,
+            "halfedges": total.halfedges,
+            "faces": total.faces,
+            "boundary_loops": total.boundary_loops,
+            "components": total.components,
+            "euler": total.euler,
+            "dirty": self.is_dirty(),
+        });
+        json!({
+            "document": with(document, "offset", offset),
             "selection": {
                 "kind": element_name(selection.kind()),
                 "ids": selection.ids().collect::<Vec<_>>(),
@@ -61,11 +67,7 @@ impl Editor {
             },
             "jobs": self.jobs().map(|job| json!({"op": job.op})).collect::<Vec<_>>(),
             "messages": self.messages().collect::<Vec<_>>(),
-        });
-        if document.offset() != DVec3::ZERO {
-            state["document"]["offset"] = document.offset().to_array().to_vec().into();
-        }
-        state
+        })
     }
 
     /// One element of the active object, as `window.meshwright.element(kind, id)` gives it.

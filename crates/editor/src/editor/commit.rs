@@ -9,7 +9,6 @@ use crate::ops::{Action, Commit, Op, Output};
 use crate::outcome::{self, Elements, Outcome};
 use crate::selection::Selection;
 use glam::DVec3;
-use halfedge::Mesh;
 use std::sync::Arc;
 
 impl Editor {
@@ -58,22 +57,10 @@ impl Editor {
             Action::WholeMesh(whole) => whole.commit(),
             Action::Local(_) | Action::Document(_) => Commit::Replace,
         };
-        let sizes = |meshes: &mut dyn Iterator<Item = &Mesh>| {
-            meshes.fold([0; 3], |sum, mesh| {
-                let size = outcome::sizes(mesh);
-                std::array::from_fn(|i| sum[i] + size[i])
-            })
-        };
-        let after = sizes(&mut outputs.iter().map(|output| &*output.mesh));
+        let after = outcome::sizes(outputs.iter().map(|output| &*output.mesh));
         let removed_all = commit == Commit::NewDocument;
-        let before = sizes(
-            &mut self
-                .document
-                .objects
-                .iter()
-                .filter(|object| removed_all || objects.contains(&object.id()))
-                .map(Object::mesh),
-        );
+        let replaced = |object: &&Object| removed_all || objects.contains(&object.id());
+        let before = outcome::sizes(self.document.objects.iter().filter(replaced).map(Object::mesh));
         let (created, removed) = match (ids, commit) {
             (Some((created, removed)), _) => (created.into(), removed.into()),
             (None, Commit::NewDocument) => {

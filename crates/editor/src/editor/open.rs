@@ -39,10 +39,8 @@ impl Editor {
         changes.push(Change::DocumentName(import.name.clone()));
         changes.push(Change::Offset(import.offset));
         changes.push(Change::Materials(import.materials));
-        let mut size = [0; 3];
+        let size = outcome::sizes(import.objects.iter().map(|imported| &imported.mesh));
         for (at, imported) in import.objects.into_iter().enumerate() {
-            let own = outcome::sizes(&imported.mesh);
-            size = std::array::from_fn(|i| size[i] + own[i]);
             let mut object = self.object(Output::new(imported.name, imported.mesh));
             object.soup = imported.soup;
             object.bezier = imported.controls.map(|controls| Arc::new(controls.into()));

@@ -6,7 +6,6 @@ use crate::error::Problem;
 use crate::history::Change;
 use crate::ops::refs::given;
 use crate::ops::{Action, DocumentEdit, Field, FieldKind, Operation, Place, Scope, Spec};
-use glam::Vec3;
 use serde::{Deserialize, Serialize};
 use surface::bezier::{Curve, Patch, weld_distance};
 
@@ -95,7 +94,8 @@ impl BezierMovePoint {
         };
         let patch = index(self.patch, "patch", patches.len())?;
         let (row, column) = (index(self.row, "row", 4)?, index(self.column, "column", 4)?);
-        let from = patches.get(patch).map_or(Vec3::ZERO, |patch| patch.rows[row][column]);
+        let moved = patches.get(patch).and_then(|patch| patch.rows.get(row)?.get(column));
+        let from = moved.copied().unwrap_or_default();
         let near = weld_distance(patches);
         let mut patches = patches.to_vec();
         for point in patches.iter_mut().flat_map(|patch| patch.rows.as_flattened_mut()) {
