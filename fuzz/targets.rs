@@ -1,13 +1,13 @@
-//! What fuzz targets do with their bytes: shared by `cargo fuzz` and by the native test
-//! `crates/formats/tests/fuzz.rs`, which includes this file.
+//! The fuzz targets: `cargo fuzz` and the native test `crates/formats/tests/fuzz.rs` both include this
+//! file.
 
 use formats::{Format, Image, Import, Material, Materials, NamedBytes, NonManifold, ObjectRef, Repairs};
 use halfedge::Mesh;
 use std::ops::ControlFlow;
 
-/// The targets, one per parser, each with the name that its bytes are read under. `any` has a name
-/// that says nothing, so that the content decides.
-#[allow(dead_code, reason = "libFuzzer's binaries name theirs themselves")]
+/// The targets, one for each parser, with the file name that their bytes get. The name of `any` has no
+/// extension, so that the content decides on the format.
+#[allow(dead_code, reason = "libFuzzer's binaries name their own target")]
 pub const TARGETS: [(&str, &str); 9] = [
     ("any", "any"),
     ("bezier", "a.bez"),
@@ -20,14 +20,14 @@ pub const TARGETS: [(&str, &str); 9] = [
     ("stl", "a.stl"),
 ];
 
-/// An OBJ for material libraries to belong to.
+/// An OBJ that material libraries belong to.
 const OWNER: &[u8] = b"mtllib a.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl red\nf 1 2 3\nusemtl blue\nf 3 2 1\n";
 
-/// Reads bytes as a file of this name. Whatever is read must be valid, and what a format that holds
-/// it writes must read back as the same faces.
+/// Reads bytes as a file of this name. What was read must be valid, and must come back with the same
+/// faces from every format that can hold them.
 ///
 /// # Panics
-/// When it doesn't: that is what fuzzing looks for.
+/// It is not or does not: that is what fuzzing looks for.
 pub fn run(name: &str, data: &[u8]) {
     let mut files = vec![NamedBytes::new(name, data)];
     if name.ends_with(".mtl") {
@@ -46,7 +46,7 @@ pub fn run(name: &str, data: &[u8]) {
         .collect();
     for object in &import.objects {
         check(&object.mesh);
-        // What was no mesh as it stands can be made one in other ways.
+        // Faces that don't form a mesh can be repaired in other ways too.
         for (non_manifold, orient, merge) in [
             (NonManifold::Drop, true, None),
             (NonManifold::Separate, false, None),
@@ -61,7 +61,7 @@ pub fn run(name: &str, data: &[u8]) {
     for format in Format::ALL.into_iter().filter(|format| format.can_read()) {
         let _ = formats::losses(format, &objects);
         let Ok(written) = formats::write(format, "back", &objects) else { continue };
-        // A document may hold nothing that the format has a place for.
+        // The document may hold nothing that the format can hold.
         let Some(back) = read(&written) else { continue };
         if matches!(format, Format::Obj | Format::Ply | Format::Off) {
             assert_eq!(sizes(&back), sizes(&import), "{format:?}");

@@ -1,5 +1,5 @@
 // Times each job in WebAssembly under Node, as src/main.rs does natively.
-// Arguments: the module that wasm-bindgen made for Node, and how many runs.
+// Arguments: the module that wasm-bindgen made for Node, and the number of runs.
 
 import { createRequire } from "node:module";
 import { performance } from "node:perf_hooks";

@@ -24,18 +24,18 @@ use shell::Result;
 const USAGE: &str = "\
 cargo xtask TASK
 
-  setup                   install what is missing for every task below
-  serve [--port N]        build the page, serve it on 127.0.0.1 (port 8080) and rebuild on change
+  setup             install the tools that the tasks need and that are missing
+  serve [--port N]  build the page, serve it on 127.0.0.1 (port 8080) and rebuild it on change
   test [--only STAGES] [-- ARGS]
-                          run the stages fmt, measures, clippy, native, wasm, e2e, or those named
-                          (`--only native,e2e`); ARGS go to the one stage named (`--only native -- -p halfedge`, `--only e2e -- smoke`)
-  measures                print the measures of the code's structure, each with its limit
-  builds                  compile what the tests take and print what is compiled more than once
-  bench [ARGS]            run the criterion benchmarks (`bench -p surface`, `bench subdivide`)
-  bench --wasm            time the large jobs natively and in WebAssembly under Node, one beside the other
-  dist                    build the optimised static site into dist/
+                    run the stages fmt, measures, clippy, native, wasm and e2e, or those named (`--only native,e2e`);
+                    ARGS go to the one stage named (`--only native -- -p halfedge`, `--only e2e -- smoke`)
+  measures          print the measures of the code's structure, each with its limit
+  builds            compile what the tests need and print what is compiled more than once
+  bench [ARGS]      run the criterion benchmarks (`bench -p surface`, `bench subdivide`)
+  bench --wasm      time the large jobs natively and in WebAssembly under Node, side by side
+  dist              build the optimised static site into dist/
 
-Every task first installs what it needs and finds missing, into .tools/ or $MESHWRIGHT_TOOLS.
+Every task first installs the tools that it needs and that are missing, into .tools/ or $MESHWRIGHT_TOOLS.
 ";
 
 fn main() -> ExitCode {

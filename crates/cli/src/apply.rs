@@ -1,4 +1,4 @@
-//! `meshwright apply`: commands run on a file.
+//! `meshwright apply`: run commands on a file.
 
 use crate::arguments::Apply;
 use crate::{Failure, files, report};
@@ -8,13 +8,13 @@ use serde_json::{Value, json};
 use std::ops::ControlFlow;
 use std::time::{Duration, Instant};
 
-/// One command that was run.
+/// The result of one command.
 struct Step {
     outcome: Outcome,
     time: Duration,
 }
 
-/// Runs commands on a file, saves the result and prints what was done.
+/// Runs commands on a file, saves the result and prints the outcomes.
 pub fn run(task: &Apply) -> Result<(), Failure> {
     let format = task.output.as_deref().map(files::output_format).transpose()?;
     let mut read = files::read(&task.input, &task.repairs)?;
@@ -26,9 +26,9 @@ pub fn run(task: &Apply) -> Result<(), Failure> {
     let counts = report::import_counts(&read.import);
     let mut times: Vec<Vec<Duration>> = vec![Vec::new(); task.commands.len()];
     let mut last = None;
-    for turn in 0..task.repeat {
-        // The last turn takes the input itself: one copy less in memory.
-        let input = if turn + 1 == task.repeat { take(&mut read.import) } else { read.import.clone() };
+    for round in 0..task.repeat {
+        // The last round takes the input itself, to keep one copy less in memory.
+        let input = if round + 1 == task.repeat { take(&mut read.import) } else { read.import.clone() };
         let (editor, steps) = run_once(input, &task.commands)?;
         for (times, step) in times.iter_mut().zip(&steps) {
             times.push(step.time);
@@ -66,7 +66,7 @@ pub fn run(task: &Apply) -> Result<(), Failure> {
     report::print(&text)
 }
 
-/// Takes the meshes out of an import and leaves the report.
+/// Moves the meshes out of an import, and copies the rest.
 fn take(import: &mut Import) -> Import {
     let objects = std::mem::take(&mut import.objects);
     Import { objects, ..import.clone() }
@@ -85,7 +85,7 @@ fn run_once(input: Import, commands: &[Command]) -> Result<(Editor, Vec<Step>), 
     Ok((editor, steps))
 }
 
-/// Runs one command, on every object where it is for whole meshes.
+/// Runs one command; one for whole meshes runs on every object.
 fn run_step(editor: &mut Editor, command: &Command) -> Result<Step, CommandError> {
     if !command.is_for_whole_meshes() {
         let start = Instant::now();
@@ -107,8 +107,7 @@ fn run_step(editor: &mut Editor, command: &Command) -> Result<Step, CommandError
     total.ok_or_else(|| CommandError::refused(command.name(), "the file has no object"))
 }
 
-/// Runs a command on a whole mesh; the time is that of the algorithm alone, without the validation
-/// of its result.
+/// Runs a command on a whole mesh. The time is that of the algorithm, without validating its result.
 fn run_whole(editor: &mut Editor, command: Command) -> Result<Step, CommandError> {
     let name = command.name();
     let start = Instant::now();
@@ -123,15 +122,15 @@ fn run_whole(editor: &mut Editor, command: Command) -> Result<Step, CommandError
             match editor.finish(id, result)? {
                 Finished::Done(outcome) => Ok(Step { outcome, time }),
                 Finished::Exported(_) => {
-                    Err(CommandError::refused(name, "it writes files, which -o does here"))
+                    Err(CommandError::refused(name, "this command saves files; use -o OUT instead"))
                 }
             }
         }
     }
 }
 
-/// The outcome of the same command on two objects: counts are added up, ids are left out because
-/// they are each object's own.
+/// The outcome of one command on two objects: the sums of their counts. Ids are left out, because each
+/// object numbers its own.
 fn add(a: Outcome, b: Outcome) -> Outcome {
     let sum = |a: Elements, b: Elements| Elements {
         vertices: a.vertices + b.vertices,
@@ -143,7 +142,7 @@ fn add(a: Outcome, b: Outcome) -> Outcome {
     Outcome { warnings: [a.warnings, b.warnings].concat(), ..outcome }
 }
 
-/// The middle one of some times; the mean of the two in the middle of an even number.
+/// The median of some times: the mean of the middle two when their number is even.
 fn median(mut times: Vec<Duration>) -> Duration {
     times.sort_unstable();
     let middle = times.len() / 2;

@@ -1,4 +1,4 @@
-//! The command line.
+//! The arguments of the command line.
 
 use crate::Failure;
 use editor::Command;
@@ -7,7 +7,7 @@ use lexopt::prelude::*;
 use std::ffi::OsString;
 use std::path::PathBuf;
 
-/// What `--help` prints.
+/// The text that `--help` prints.
 pub const HELP: &str = "\
 Meshwright: polygon meshes from the command line
 
@@ -17,36 +17,37 @@ Usage:
   meshwright apply IN --do COMMAND [--do COMMAND ...] [-o OUT] [--json] [--repeat N] [REPAIRS]
 
 A COMMAND is a JSON object such as '{\"op\": \"subdivide-catmull-clark\", \"levels\": 2}'.
-Operations on whole meshes run on every object of the file, others on the first one unless the
-command names another with \"object\": 1.
+Operations on whole meshes run on every object of the file; others run on the first object, unless
+the command names another one with \"object\": 1.
 
 Options:
-  --do COMMAND      what to do; may be given several times, done in order
-  -o, --output OUT  where to save the result; the format goes by the extension, and .json writes
-                    the half-edge mesh itself
+  --do COMMAND      run this command; several of them run in the order given
+  -o, --output OUT  save the result here; the extension chooses the format, and .json is the
+                    half-edge mesh itself
   --json            print one JSON object instead of text
-  --repeat N        do the steps N times from the same input and print the median seconds
+  --repeat N        run the commands N times on the same input and print their median times
   -h, --help        print this
   -V, --version     print the version
 
-Repairs, where the faces of a file are not a mesh as they stand:
+Repairs, for files whose faces don't form a mesh:
   --non-manifold separate|drop
-                    faces at edges where more than two meet each get an edge of their own, or only
-                    the first two stay (default: separate)
+                    at edges with more than two faces, separate the faces or keep only the first
+                    two (default: separate)
   --merge-by-distance D
-                    vertices this near to each other become one, in mesh units
-  --no-orient       faces are not turned so that neighbors face the same way; the mesh is cut there
+                    merge vertices that are at most this far apart, in mesh units
+  --no-orient       don't turn faces to match their neighbours; cut the mesh where they disagree
 
-Exit status: 0 on success, 1 where a command was refused, 2 for bad usage or an unreadable file.
+Exit status: 0 on success, 1 when a command is refused, 2 for wrong usage or a file that can't be
+read or written.
 ";
 
-/// What the program is asked to do.
+/// The task of the program.
 pub enum Task {
-    /// Print how to use it.
+    /// Print the help text.
     Help,
-    /// Print its version.
+    /// Print the version.
     Version,
-    /// Print what a file holds.
+    /// Print the contents of a file.
     Info(Info),
     /// Save a file in another format.
     Convert(Convert),
@@ -60,7 +61,7 @@ pub struct Info {
     pub file: PathBuf,
     /// Whether to print JSON.
     pub json: bool,
-    /// How the file is made a mesh.
+    /// How faces that don't form a mesh are repaired.
     pub repairs: Repairs,
 }
 
@@ -70,7 +71,7 @@ pub struct Convert {
     pub input: PathBuf,
     /// The file to write.
     pub output: PathBuf,
-    /// How the file is made a mesh.
+    /// How faces that don't form a mesh are repaired.
     pub repairs: Repairs,
 }
 
@@ -84,13 +85,13 @@ pub struct Apply {
     pub output: Option<PathBuf>,
     /// Whether to print JSON.
     pub json: bool,
-    /// How often to run the commands from the same input.
+    /// How many times to run the commands on the same input.
     pub repeat: usize,
-    /// How the file is made a mesh.
+    /// How faces that don't form a mesh are repaired.
     pub repairs: Repairs,
 }
 
-/// Options as they are met, before it is known whether they go with the task.
+/// The arguments read so far; which options are allowed depends on the task.
 #[derive(Default)]
 struct Given {
     words: Vec<OsString>,
@@ -101,7 +102,7 @@ struct Given {
     repairs: Repairs,
 }
 
-/// Reads the command line, the program's name first.
+/// Parses the arguments, of which the first is the program's name.
 pub fn parse(args: impl IntoIterator<Item = OsString>) -> Result<Task, Failure> {
     let mut parser = lexopt::Parser::from_iter(args);
     let mut given = Given::default();
@@ -118,7 +119,7 @@ pub fn parse(args: impl IntoIterator<Item = OsString>) -> Result<Task, Failure> 
             Long("repeat") => {
                 let times = parser.value().map_err(usage)?.parse::<usize>().map_err(usage)?;
                 if times == 0 {
-                    return Err(Failure::Usage("--repeat: 0 times is not at all; give 1 or more".into()));
+                    return Err(Failure::Usage("--repeat: 0 is too few; give 1 or more".into()));
                 }
                 given.repeat = Some(times);
             }
@@ -152,7 +153,7 @@ pub fn parse(args: impl IntoIterator<Item = OsString>) -> Result<Task, Failure> 
 
 impl Given {
     fn into_task(self) -> Result<Task, Failure> {
-        // Options that go with `apply` only.
+        // Options of `apply` only.
         let others = [
             (!self.commands.is_empty(), "--do"),
             (self.output.is_some(), "-o"),
@@ -160,13 +161,13 @@ impl Given {
         ];
         let mut words = self.words.into_iter();
         let Some(name) = words.next() else {
-            return Err(Failure::Usage("What to do is missing: info, convert or apply.".into()));
+            return Err(Failure::Usage("The task is missing: give info, convert or apply.".into()));
         };
         let mut file = |what: &str| {
             words.next().map(PathBuf::from).ok_or_else(|| Failure::Usage(format!("{what} is missing.")))
         };
         let refuse = |given: bool, option: &str, with: &str| match given {
-            true => Err(Failure::Usage(format!("{option} does not go with `{with}`."))),
+            true => Err(Failure::Usage(format!("{option} can't be used with `{with}`."))),
             false => Ok(()),
         };
         let name = name.to_string_lossy();
@@ -179,7 +180,9 @@ impl Given {
             "apply" => {
                 let input = file("IN")?;
                 if self.commands.is_empty() {
-                    return Err(Failure::Usage("What to do with the file is missing: --do COMMAND.".into()));
+                    return Err(Failure::Usage(
+                        "The commands are missing: give at least one with --do COMMAND.".into(),
+                    ));
                 }
                 Task::Apply(Apply {
                     input,
@@ -193,7 +196,7 @@ impl Given {
             other => return Err(Failure::Usage(format!("`{other}` is not info, convert or apply."))),
         };
         if let Some(extra) = words.next() {
-            return Err(Failure::Usage(format!("{} is one file too many.", extra.to_string_lossy())));
+            return Err(Failure::Usage(format!("Unexpected argument `{}`.", extra.to_string_lossy())));
         }
         if !matches!(task, Task::Apply(_)) {
             for (given, option) in others {
@@ -204,7 +207,7 @@ impl Given {
     }
 }
 
-/// Reads a command: text that is not JSON is bad usage, JSON that is no command is refused.
+/// Parses a command. Text that is not JSON is wrong usage; JSON that is not a command is refused.
 fn command(text: &str) -> Result<Command, Failure> {
     let value: serde_json::Value = serde_json::from_str(text)
         .map_err(|error| Failure::Usage(format!("--do: this is not JSON: {text}: {error}")))?;

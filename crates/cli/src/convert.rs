@@ -1,4 +1,4 @@
-//! `meshwright convert`: a file saved in another format.
+//! `meshwright convert`: save a file in another format.
 
 use crate::arguments::Convert;
 use crate::{Failure, files};

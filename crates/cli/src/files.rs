@@ -1,4 +1,4 @@
-//! Files in and out.
+//! Reading and writing files.
 
 use crate::Failure;
 use editor::Document;
@@ -7,23 +7,23 @@ use std::ops::ControlFlow;
 use std::path::Path;
 use std::time::{Duration, Instant};
 
-/// What was read, and how long it took.
+/// A file that was read, and the time it took.
 pub struct Read {
     /// The meshes and the report.
     pub import: Import,
-    /// Reading the file and understanding its text.
+    /// The time for reading and parsing the file.
     pub read: Duration,
-    /// Building the half-edge meshes.
+    /// The time for building the half-edge meshes.
     pub build: Duration,
 }
 
-/// Reads a model with the files it names, if they lie where it says.
+/// Reads a model with its companion files, as far as they exist.
 pub fn read(path: &Path, repairs: &Repairs) -> Result<Read, Failure> {
     let start = Instant::now();
     let model = read_bytes(path)?;
     let mut files = companions(path, &model);
     files.insert(0, model);
-    // Readers tell of half the work when the text is read and building begins.
+    // Readers report half the progress when parsing ends and building begins.
     let mut parsed = Instant::now();
     let mut import = formats::read_with(&files, repairs, &mut |fraction| {
         if fraction <= 0.5 {
@@ -46,8 +46,8 @@ fn file_name(path: &Path) -> String {
     path.file_name().map_or_else(String::new, |name| name.to_string_lossy().into_owned())
 }
 
-/// The companion files of a model that are there, and theirs: images that material libraries name. The
-/// reader's report names those that are not.
+/// The companion files of a model that exist, and theirs, such as the images that material libraries
+/// name. The import report names the missing ones.
 fn companions(path: &Path, model: &NamedBytes) -> Vec<NamedBytes> {
     let folder = path.parent().unwrap_or(Path::new(""));
     let of = |folder: &Path, file: &NamedBytes| -> Vec<NamedBytes> {
@@ -72,26 +72,26 @@ fn companions(path: &Path, model: &NamedBytes) -> Vec<NamedBytes> {
     files
 }
 
-/// The format that an output name asks for.
+/// The format that the extension of an output file chooses.
 pub fn output_format(path: &Path) -> Result<Format, Failure> {
     let known = || {
         let mut names: Vec<String> =
             Format::ALL.iter().filter(|f| f.can_write()).map(|f| format!(".{}", f.extension())).collect();
-        // Text and binary of a format follow each other and have one extension.
+        // The text and binary forms of a format follow each other and share an extension.
         names.dedup();
         names.join(", ")
     };
     match Format::from_name(&file_name(path)) {
         Some(format) if format.can_write() => Ok(format),
         _ => Err(Failure::Usage(format!(
-            "{}: the extension tells no format to write; use one of {}",
+            "{}: the extension names no format that can be written; use one of {}",
             path.display(),
             known()
         ))),
     }
 }
 
-/// Writes a document, and says on standard error what the format can't hold.
+/// Writes a document, and prints on standard error what the format can't hold.
 pub fn write(path: &Path, format: Format, document: &Document) -> Result<(), Failure> {
     let controls: Vec<Option<Controls>> =
         document.objects().iter().map(|object| object.bezier().map(Controls::from)).collect();
@@ -116,10 +116,10 @@ pub fn write(path: &Path, format: Format, document: &Document) -> Result<(), Fai
         let place = if at == 0 { path.to_owned() } else { path.with_file_name(&file.name) };
         let failed =
             |error: std::io::Error| Failure::File(format!("{} can't be written: {error}", place.display()));
-        // Files that are not named after the model, such as images, may be another model's.
+        // Files that don't have the model's name, such as images, may belong to another model.
         let is_own = Path::new(&file.name).file_stem().is_some_and(|own| own.to_string_lossy() == stem);
         if !is_own && std::fs::read(&place).is_ok_and(|bytes| bytes != file.bytes) {
-            eprintln!("{}: left as it is: a different file has this name already", place.display());
+            eprintln!("{}: not written: a different file with this name exists", place.display());
             continue;
         }
         if let Some(folder) = place.parent().filter(|_| file.name.contains('/')) {

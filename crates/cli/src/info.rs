@@ -1,10 +1,10 @@
-//! `meshwright info`: what a file holds.
+//! `meshwright info`: print the contents of a file.
 
 use crate::arguments::Info;
 use crate::{Failure, files, report};
 use formats::Controls;
 
-/// Prints what a file holds.
+/// Prints the counts, objects and import report of a file.
 pub fn run(task: &Info) -> Result<(), Failure> {
     let read = files::read(&task.file, &task.repairs)?;
     let counts = report::import_counts(&read.import);

@@ -1,7 +1,7 @@
 //! `meshwright`: the editor's commands from a terminal.
 //!
-//! Exit status 0 on success, 1 where a command was refused, 2 for bad usage or a file that can't be
-//! read or written.
+//! The exit status is 0 on success, 1 when a command is refused, and 2 for wrong usage or a file that
+//! can't be read or written.
 
 #![cfg_attr(not(test), deny(clippy::unwrap_used, clippy::expect_used, clippy::panic, clippy::unreachable))]
 #![cfg_attr(not(test), deny(clippy::indexing_slicing))]
@@ -16,11 +16,11 @@ mod report;
 use arguments::Task;
 use std::process::ExitCode;
 
-/// Why the program ends without having done what it was asked to.
+/// Why the program fails.
 enum Failure {
     /// A command was refused.
     Refused(String),
-    /// The arguments make no sense.
+    /// The arguments are wrong.
     Usage(String),
     /// A file can't be read or written.
     File(String),

@@ -1,4 +1,4 @@
-//! What is printed.
+//! Printed output.
 
 use crate::Failure;
 use crate::files::Read;
@@ -7,7 +7,7 @@ use formats::Import;
 use serde_json::{Map, Value, json};
 use std::io::Write;
 
-/// Prints text on standard output. A reader that has gone away is no failure.
+/// Prints text on standard output. A closed pipe is no failure.
 pub fn print(text: &str) -> Result<(), Failure> {
     match std::io::stdout().lock().write_all(text.as_bytes()) {
         Err(error) if error.kind() != std::io::ErrorKind::BrokenPipe => {
@@ -17,17 +17,17 @@ pub fn print(text: &str) -> Result<(), Failure> {
     }
 }
 
-/// The counts of all meshes of an import together.
+/// The total counts of the meshes of an import.
 pub fn import_counts(import: &Import) -> Counts {
     import.objects.iter().map(|object| Counts::of(&object.mesh)).sum()
 }
 
-/// The counts of all meshes of a document together.
+/// The total counts of the meshes of a document.
 pub fn document_counts(document: &Document) -> Counts {
     document.objects().iter().map(|object| Counts::of(object.mesh())).sum()
 }
 
-/// What every JSON answer begins with.
+/// The fields that every JSON answer starts with.
 pub fn json_start(counts: Counts, read: &Read) -> Map<String, Value> {
     let mut answer = Map::new();
     answer.insert("input".into(), json!(counts));
@@ -37,7 +37,7 @@ pub fn json_start(counts: Counts, read: &Read) -> Map<String, Value> {
     answer
 }
 
-/// Counts as lines of text.
+/// Counts as text, one to a line.
 pub fn counts_text(counts: Counts) -> String {
     let lines = [
         ("vertices", counts.vertices as i64),

@@ -1,5 +1,4 @@
-//! The large jobs, the same natively and in WebAssembly, to time one beside the other:
-//! `cargo xtask bench --wasm`.
+//! Large jobs that `cargo xtask bench --wasm` times natively and in WebAssembly.
 
 #![cfg_attr(not(test), deny(clippy::unwrap_used, clippy::expect_used, clippy::panic, clippy::unreachable))]
 #![cfg_attr(not(test), deny(clippy::indexing_slicing))]
@@ -16,13 +15,13 @@ use surface::{CatmullClark, Loop, Remesh, Simplify, SimplifyTarget};
 #[cfg(target_arch = "wasm32")]
 mod node;
 
-/// A job with its input.
+/// A job whose input has been made.
 pub type Prepared = Box<dyn FnMut()>;
 
-/// A job's name and what makes its input.
+/// A job's name, and the function that makes its input.
 pub type Job = (&'static str, fn() -> Prepared);
 
-/// The jobs, each on one thread.
+/// The jobs. Each runs on one thread.
 pub const JOBS: &[Job] = &[
     ("parse OBJ, 1 million triangles", parse),
     ("build half-edges, 1 million triangles", build),
@@ -45,7 +44,7 @@ fn parse() -> Prepared {
     }
     let files = [NamedBytes::new("torus.obj", text)];
     Box::new(move || {
-        // The first word of progress that building has begun ends the work: what is left is parsing.
+        // Stop as soon as the progress says that building begins, so that only parsing is timed.
         let _ = black_box(formats::read(&files, &mut |part| {
             if part >= 0.5 { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
         }));

@@ -1,4 +1,4 @@
-//! Times each job natively: its name, a tab, and the best of some runs in milliseconds, a line each.
+//! Times each job natively. Prints a line for each: its name, a tab, and the time of its best run in milliseconds.
 
 #![cfg_attr(not(test), deny(clippy::unwrap_used, clippy::expect_used, clippy::panic, clippy::unreachable))]
 #![cfg_attr(not(test), deny(clippy::indexing_slicing))]

@@ -1,4 +1,4 @@
-//! The jobs as JavaScript sees them.
+//! The jobs for JavaScript.
 
 use wasm_bindgen::prelude::wasm_bindgen;
 
@@ -8,7 +8,7 @@ pub fn names() -> Vec<String> {
     crate::JOBS.iter().map(|(name, _)| (*name).to_owned()).collect()
 }
 
-/// A job with its input.
+/// A job whose input has been made.
 #[wasm_bindgen]
 pub struct Job(crate::Prepared);
 
@@ -19,7 +19,7 @@ impl Job {
         crate::JOBS.get(number).map(|(_, prepare)| Self(prepare()))
     }
 
-    /// Does it once.
+    /// Runs the job once.
     pub fn run(&mut self) {
         (self.0)();
     }
