@@ -3,27 +3,19 @@
 
 #![cfg_attr(not(test), deny(clippy::unwrap_used, clippy::expect_used, clippy::panic, clippy::unreachable))]
 
-pub mod actions;
-pub mod api;
 pub mod app;
-mod availability;
 mod bezier;
-mod commands;
-mod frame_times;
-#[cfg(not(target_arch = "wasm32"))]
-pub mod headless;
-mod icons;
-mod jobs;
-pub mod keys;
+pub mod input;
 pub mod lists;
-mod live;
-mod measures;
 #[cfg(target_arch = "wasm32")]
 pub mod page;
+mod page_view;
 mod panels;
 pub mod platform;
-pub mod scripting;
-mod survey;
+mod request;
+pub mod script;
+mod session;
+mod shown;
 pub mod theme;
-mod toasts;
-mod viewport_widget;
+mod view;
+mod widgets;

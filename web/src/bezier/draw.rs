@@ -1,9 +1,9 @@
 //! Curves, control points and the construction, drawn over the picture.
 
-use super::{ControlPoint, Drawn, active};
-use crate::app::App;
+use super::{ControlPoint, Drawn, Player, active};
 use crate::theme;
-use editor::Bezier;
+use crate::view::View;
+use editor::{Bezier, Editor};
 use egui::epaint::Hsva;
 use egui::{Align2, Color32, FontId, Painter, Pos2, Rect, Shape, Stroke, Ui, vec2};
 use glam::Vec3;
@@ -20,14 +20,15 @@ const MOST_LARGE_OF_CURVE: usize = 500;
 
 /// What draws: the painter, and where things are on the page.
 struct Pen<'a> {
-    app: &'a App,
+    view: &'a View,
+    player: &'a Player,
     painter: Painter,
     dark: bool,
 }
 
 impl Pen<'_> {
     fn at(&self, point: Vec3) -> Option<Pos2> {
-        self.app.view.project(point)
+        self.view.project(point)
     }
 
     /// A line through points, with gaps where it passes behind the eye.
@@ -77,83 +78,86 @@ impl Pen<'_> {
     }
 }
 
-impl App {
-    /// Draws the curves of all visible objects, and the player of the active one.
-    pub(crate) fn paint_bezier(&mut self, ui: &Ui, rect: Rect) {
-        if self.player.advance(ui.input(|input| input.stable_dt.min(0.1))) {
-            ui.ctx().request_repaint();
-        }
-        let dark = ui.visuals().dark_mode;
-        let pen = Pen { app: self, painter: ui.painter().with_clip_rect(rect), dark };
-        let strong = ui.visuals().strong_text_color();
-        let weak = ui.visuals().weak_text_color();
-        let own = active(&self.editor).filter(|(object, _)| object.visible());
-        for object in self.editor.document().objects().iter().filter(|object| object.visible()) {
-            let is_own = own.is_some_and(|(own, _)| own.id() == object.id());
-            let Some(points) = self.player.lines.get(&object.id()) else { continue };
-            if !is_own {
-                pen.line(points, Stroke::new(1.5, weak));
-            } else if self.player.whole {
-                pen.line(points, Stroke::new(2.5, strong));
-            }
-        }
-        let Some((_, bezier)) = own else { return };
-        match bezier {
-            Bezier::Curve(curve) => self.paint_curve(&pen, curve, strong, weak),
-            Bezier::Surface(patches) => self.paint_surface(&pen, patches, weak),
-        }
-        self.paint_points(ui, &pen, bezier);
+/// Draws the curves of all visible objects, and the player of the active one.
+pub(crate) fn paint(ui: &Ui, rect: Rect, editor: &Editor, view: &View, player: &mut Player) {
+    if player.advance(ui.input(|input| input.stable_dt.min(0.1))) {
+        ui.ctx().request_repaint();
     }
+    let player = &*player;
+    let dark = ui.visuals().dark_mode;
+    let pen = Pen { view, player, painter: ui.painter().with_clip_rect(rect), dark };
+    let strong = ui.visuals().strong_text_color();
+    let weak = ui.visuals().weak_text_color();
+    let own = active(editor).filter(|(object, _)| object.visible());
+    for object in editor.document().objects().iter().filter(|object| object.visible()) {
+        let is_own = own.is_some_and(|(own, _)| own.id() == object.id());
+        let Some(points) = player.lines.get(&object.id()) else { continue };
+        if !is_own {
+            pen.line(points, Stroke::new(1.5, weak));
+        } else if player.controls.whole {
+            pen.line(points, Stroke::new(2.5, strong));
+        }
+    }
+    let Some((_, bezier)) = own else { return };
+    match bezier {
+        Bezier::Curve(curve) => pen.paint_curve(curve, strong, weak),
+        Bezier::Surface(patches) => pen.paint_surface(patches, weak),
+    }
+    pen.paint_points(ui, bezier);
+}
 
-    fn paint_curve(&self, pen: &Pen, curve: &Curve, strong: Color32, weak: Color32) {
-        let player = &self.player;
-        let drawn = Drawn::of(curve.points.len(), player.level);
-        pen.line(&curve.level(0, 0.0, drawn.stride), Stroke::new(1.0, weak));
+impl Pen<'_> {
+    fn paint_curve(&self, curve: &Curve, strong: Color32, weak: Color32) {
+        let player = self.player;
+        let drawn = Drawn::of(curve.points.len(), player.controls.level);
+        self.line(&curve.level(0, 0.0, drawn.stride), Stroke::new(1.0, weak));
         let last = curve.points.len().saturating_sub(1);
-        if player.level == 0 || last == 0 {
+        if player.controls.level == 0 || last == 0 {
             return;
         }
-        if player.level == last && !player.whole {
+        if player.controls.level == last && !player.controls.whole {
             // As far as the construction has come.
-            pen.line(&curve.polyline(player.t), Stroke::new(2.5, strong));
+            self.line(&curve.polyline(player.controls.t), Stroke::new(2.5, strong));
         }
-        let first = Curve { points: curve.level(drawn.level, player.t, drawn.level_stride) };
-        for (at, points) in (drawn.level..=player.level).zip(first.levels(player.t)) {
-            pen.level(&points, pen.level_color(at, last), at == player.level);
+        let first = Curve { points: curve.level(drawn.level, player.controls.t, drawn.level_stride) };
+        for (at, points) in (drawn.level..=player.controls.level).zip(first.levels(player.controls.t)) {
+            self.level(&points, self.level_color(at, last), at == player.controls.level);
         }
     }
 
-    fn paint_surface(&self, pen: &Pen, patches: &[Patch], weak: Color32) {
-        let player = &self.player;
+    fn paint_surface(&self, patches: &[Patch], weak: Color32) {
+        let player = self.player;
         for (at, patch) in player.nets(patches) {
-            let stroke = if at == player.patch {
+            let stroke = if at == player.controls.patch {
                 Stroke::new(1.5, weak)
             } else {
                 Stroke::new(0.75, weak.gamma_multiply(0.6))
             };
             for i in 0..4 {
-                pen.line(&patch.rows[i], stroke);
-                pen.line(&patch.rows.map(|row| row[i]), stroke);
+                self.line(&patch.rows[i], stroke);
+                self.line(&patch.rows.map(|row| row[i]), stroke);
             }
         }
-        let Some(patch) = patches.get(player.patch).filter(|_| player.level > 0) else { return };
-        let (rows, down) = (player.level.min(3), player.level.saturating_sub(3));
-        let construction = patch.construction(player.t, player.v);
+        let Some(patch) = patches.get(player.controls.patch).filter(|_| player.controls.level > 0) else {
+            return;
+        };
+        let (rows, down) = (player.controls.level.min(3), player.controls.level.saturating_sub(3));
+        let construction = patch.construction(player.controls.t, player.controls.v);
         for levels in &construction.rows {
-            pen.levels(levels, rows, 0, super::SURFACE_LEVELS);
+            self.levels(levels, rows, 0, super::SURFACE_LEVELS);
         }
         if rows == 3 {
             // The curve that the rows' results are the control points of: it runs over the surface.
             let column = Curve { points: construction.column.first().cloned().unwrap_or_default() };
-            let color = pen.level_color(3, super::SURFACE_LEVELS);
-            pen.line(&column.points, Stroke::new(1.25, color));
-            pen.line(&column.polyline(1.0), Stroke::new(2.5, color));
+            let color = self.level_color(3, super::SURFACE_LEVELS);
+            self.line(&column.points, Stroke::new(1.25, color));
+            self.line(&column.polyline(1.0), Stroke::new(2.5, color));
         }
-        pen.levels(&construction.column, down, 3, super::SURFACE_LEVELS);
+        self.levels(&construction.column, down, 3, super::SURFACE_LEVELS);
     }
 
-    fn paint_points(&self, ui: &Ui, pen: &Pen, bezier: &Bezier) {
-        let player = &self.player;
+    fn paint_points(&self, ui: &Ui, bezier: &Bezier) {
+        let player = self.player;
         let [r, g, b] = theme::viewport(ui.visuals()).selected.0;
         let selected = Color32::from_rgb(r, g, b);
         let points = player.points(bezier);
@@ -162,21 +166,21 @@ impl App {
         let numbered = points.len() <= MOST_NUMBERS && bezier.curve().is_some();
         let plain = ui.visuals().hyperlink_color;
         for (point, position) in points {
-            let Some(at) = pen.at(position) else { continue };
-            let chosen = player.chosen == Some(point);
+            let Some(at) = self.at(position) else { continue };
+            let chosen = player.controls.chosen == Some(point);
             let stands_out =
                 player.hovered == Some(point) || (player.is_on_patch(point) && (large || chosen));
             if crowded && !stands_out {
-                pen.painter.circle_filled(at, 2.0, plain.gamma_multiply(0.7));
+                self.painter.circle_filled(at, 2.0, plain.gamma_multiply(0.7));
                 continue;
             }
             let radius = if chosen || player.hovered == Some(point) { 6.0 } else { 4.5 };
             let color = if chosen { selected } else { plain };
-            pen.painter.circle(at, radius, color, Stroke::new(1.0, ui.visuals().panel_fill));
+            self.painter.circle(at, radius, color, Stroke::new(1.0, ui.visuals().panel_fill));
             if let (true, ControlPoint::Curve(number)) = (numbered, point) {
                 let font = FontId::proportional(12.0);
                 let color = ui.visuals().text_color();
-                pen.painter.text(at + vec2(8.0, -6.0), Align2::LEFT_BOTTOM, number.to_string(), font, color);
+                self.painter.text(at + vec2(8.0, -6.0), Align2::LEFT_BOTTOM, number.to_string(), font, color);
             }
         }
     }

@@ -1,14 +1,14 @@
 //! Control points under the pointer: dragged, added and taken away.
 
-use super::{ControlPoint, active, is_flat, position};
-use crate::app::App;
-use editor::Command;
-use editor::ops::{BezierDeletePoint, BezierInsertPoint, BezierMovePoint};
+use super::{ControlPoint, Player, active, is_flat};
+use crate::view::View;
+use editor::ops::{BezierInsertPoint, BezierMovePoint};
+use editor::{Command, Editor};
 use egui::Pos2;
 use glam::{Vec3, vec2};
 
 /// How far from a control point the pointer may be to mean it, in points.
-const REACH: f32 = 11.0;
+const PICK_RADIUS_POINTS: f32 = 11.0;
 
 /// The command that puts a control point somewhere.
 pub(crate) fn moved(point: ControlPoint, to: Vec3) -> Command {
@@ -25,114 +25,99 @@ pub(crate) fn moved(point: ControlPoint, to: Vec3) -> Command {
     .into()
 }
 
-impl App {
-    /// The control point at a place on the page, with where it is; the nearest to the eye of those
-    /// that lie as near.
-    pub(crate) fn control_point_at(&self, at: Pos2) -> Option<(ControlPoint, Vec3)> {
-        let (_, bezier) = active(&self.editor).filter(|(object, _)| object.visible())?;
-        let mut best: Option<(f32, f64, ControlPoint, Vec3)> = None;
-        for (point, position) in self.player.points(bezier) {
-            let Some(seen) = self.view.project(position) else { continue };
-            let distance = seen.distance(at);
-            if distance > REACH {
-                continue;
-            }
-            let depth = self.view.camera.depth(position);
-            let better = best.is_none_or(|(other, other_depth, ..)| {
-                distance < other - 1.0 || (distance < other + 1.0 && depth < other_depth)
-            });
-            if better {
-                best = Some((distance, depth, point, position));
-            }
+/// The control point at a place on the page, with where it is; the nearest to the eye of those
+/// that lie as near.
+pub(crate) fn control_point_at(
+    editor: &Editor,
+    view: &View,
+    player: &Player,
+    at: Pos2,
+) -> Option<(ControlPoint, Vec3)> {
+    let (_, bezier) = active(editor).filter(|(object, _)| object.visible())?;
+    let mut best: Option<(f32, f64, ControlPoint, Vec3)> = None;
+    for (point, position) in player.points(bezier) {
+        let Some(seen) = view.project(position) else { continue };
+        let distance = seen.distance(at);
+        if distance > PICK_RADIUS_POINTS {
+            continue;
         }
-        best.map(|(_, _, point, position)| (point, position))
-    }
-
-    /// Where a point goes that is dragged from one place on the page to another: in the plane that
-    /// faces the eye, or in its own where the curve is flat.
-    pub(crate) fn dragged_to(&self, anchor: Vec3, from: Pos2, to: Pos2) -> Vec3 {
-        let flat = active(&self.editor).and_then(|(_, bezier)| bezier.curve()).is_some_and(is_flat);
-        let seen = self.view.project(anchor).unwrap_or(from);
-        if flat && let Some(hit) = self.on_plane(seen + (to - from)) {
-            return hit;
+        let depth = view.camera.depth(position);
+        let better = best.is_none_or(|(other, other_depth, ..)| {
+            distance < other - 1.0 || (distance < other + 1.0 && depth < other_depth)
+        });
+        if better {
+            best = Some((distance, depth, point, position));
         }
-        let by = to - from;
-        self.view.camera.drag(anchor, vec2(by.x, by.y), self.view.size())
     }
+    best.map(|(_, _, point, position)| (point, position))
+}
 
-    /// Where the line of sight through a place on the page meets the plane z = 0; none where it runs
-    /// along it.
-    fn on_plane(&self, at: Pos2) -> Option<Vec3> {
-        let corner = self.view.rect().min;
-        let ray = self.view.camera.ray(vec2(at.x - corner.x, at.y - corner.y), self.view.size());
-        let along = -ray.origin.z / ray.direction.z;
-        let hit = ray.origin + ray.direction * along;
-        let seen = hit.is_finite() && along > 0.0 && ray.direction.z.abs() > 0.05 * ray.direction.length();
-        seen.then(|| Vec3::new(hit.x, hit.y, 0.0))
+/// Where a point goes that is dragged from one place on the page to another: in the plane that
+/// faces the eye, or in its own where the curve is flat.
+pub(crate) fn dragged_to(editor: &Editor, view: &View, anchor: Vec3, from: Pos2, to: Pos2) -> Vec3 {
+    let flat = active(editor).and_then(|(_, bezier)| bezier.curve()).is_some_and(is_flat);
+    let seen = view.project(anchor).unwrap_or(from);
+    if flat && let Some(hit) = on_plane(view, seen + (to - from)) {
+        return hit;
     }
+    let by = to - from;
+    view.camera.drag(anchor, vec2(by.x, by.y), view.size())
+}
 
-    /// Adds a control point to the active curve where the person points: between two others on the
-    /// line between them, or else after the last.
-    pub(crate) fn add_control_point_at(&mut self, at: Pos2) {
-        let Some(curve) = active(&self.editor).and_then(|(_, bezier)| bezier.curve()) else { return };
-        let mut nearest: Option<(f32, usize, Vec3)> = None;
-        for (after, pair) in curve.points.windows(2).enumerate() {
-            let (Some(a), Some(b)) = (self.view.project(pair[0]), self.view.project(pair[1])) else {
-                continue;
-            };
-            let along = ((at - a).dot(b - a) / (b - a).length_sq().max(1e-6)).clamp(0.0, 1.0);
-            let distance = (a + (b - a) * along).distance(at);
-            if distance <= REACH && nearest.is_none_or(|(other, ..)| distance < other) {
-                nearest = Some((distance, after + 1, pair[0].lerp(pair[1], along)));
-            }
-        }
-        let (index, place) = match nearest {
-            Some((_, index, place)) => (index, place),
-            None => {
-                let Some(&last) = curve.points.last() else { return };
-                let from = self.view.project(last).unwrap_or(at);
-                (curve.points.len(), self.dragged_to(last, from, at))
-            }
+/// Where the line of sight through a place on the page meets the plane z = 0; none where it runs
+/// along it.
+fn on_plane(view: &View, at: Pos2) -> Option<Vec3> {
+    let corner = view.rect().min;
+    let ray = view.camera.ray(vec2(at.x - corner.x, at.y - corner.y), view.size());
+    let along = -ray.origin.z / ray.direction.z;
+    let hit = ray.origin + ray.direction * along;
+    let seen = hit.is_finite() && along > 0.0 && ray.direction.z.abs() > 0.05 * ray.direction.length();
+    seen.then(|| Vec3::new(hit.x, hit.y, 0.0))
+}
+
+/// Adds a control point to the active curve where the person points: between two others on the
+/// line between them, or else after the last.
+pub(crate) fn add_control_point_at(editor: &Editor, view: &View, at: Pos2) -> Option<BezierInsertPoint> {
+    let curve = active(editor).and_then(|(_, bezier)| bezier.curve())?;
+    let mut nearest: Option<(f32, usize, Vec3)> = None;
+    for (after, pair) in curve.points.windows(2).enumerate() {
+        let (Some(a), Some(b)) = (view.project(pair[0]), view.project(pair[1])) else {
+            continue;
         };
-        if place.is_finite() {
-            self.insert_control_point(index, place);
+        let along = ((at - a).dot(b - a) / (b - a).length_sq().max(1e-6)).clamp(0.0, 1.0);
+        let distance = (a + (b - a) * along).distance(at);
+        if distance <= PICK_RADIUS_POINTS && nearest.is_none_or(|(other, ..)| distance < other) {
+            nearest = Some((distance, after + 1, pair[0].lerp(pair[1], along)));
         }
     }
-
-    /// Adds a control point after the chosen one, or after the last: for buttons.
-    pub(crate) fn add_control_point(&mut self) {
-        let Some(curve) = active(&self.editor).and_then(|(_, bezier)| bezier.curve()) else { return };
-        let after = match self.player.chosen {
-            Some(ControlPoint::Curve(at)) => at,
-            _ => curve.points.len().saturating_sub(1),
-        };
-        let Some(&point) = curve.points.get(after) else { return };
-        let place =
-            match (curve.points.get(after + 1), after.checked_sub(1).and_then(|i| curve.points.get(i))) {
-                (Some(&next), _) => point.midpoint(next),
-                // As far on as it is from the one before.
-                (None, Some(&before)) => point + (point - before),
-                (None, None) => point + Vec3::X,
-            };
-        self.insert_control_point(after + 1, place);
-    }
-
-    fn insert_control_point(&mut self, index: usize, place: Vec3) {
-        let insert = BezierInsertPoint { index: Some(index as u32), position: place.to_array() };
-        self.begin(insert.into(), None);
-        let exists = active(&self.editor)
-            .is_some_and(|(_, bezier)| position(bezier, ControlPoint::Curve(index)) == Some(place));
-        if exists {
-            self.player.choose(Some(ControlPoint::Curve(index)));
+    let (index, place) = match nearest {
+        Some((_, index, place)) => (index, place),
+        None => {
+            let &last = curve.points.last()?;
+            let from = view.project(last).unwrap_or(at);
+            (curve.points.len(), dragged_to(editor, view, last, from, at))
         }
-    }
+    };
+    place.is_finite().then(|| insert_at(index, place))
+}
 
-    /// Takes the chosen control point of the active curve away.
-    pub(crate) fn delete_control_point(&mut self) {
-        if let Some(ControlPoint::Curve(at)) = self.player.chosen {
-            self.begin(BezierDeletePoint { index: at as u32 }.into(), None);
-            // The next one has its number now, and was not chosen.
-            self.player.choose(None);
-        }
-    }
+/// Adds a control point after the chosen one, or after the last: for buttons.
+pub(crate) fn add_control_point(editor: &Editor, player: &Player) -> Option<BezierInsertPoint> {
+    let curve = active(editor).and_then(|(_, bezier)| bezier.curve())?;
+    let after = match player.controls.chosen {
+        Some(ControlPoint::Curve(at)) => at,
+        _ => curve.points.len().saturating_sub(1),
+    };
+    let &point = curve.points.get(after)?;
+    let place = match (curve.points.get(after + 1), after.checked_sub(1).and_then(|i| curve.points.get(i))) {
+        (Some(&next), _) => point.midpoint(next),
+        // As far on as it is from the one before.
+        (None, Some(&before)) => point + (point - before),
+        (None, None) => point + Vec3::X,
+    };
+    Some(insert_at(after + 1, place))
+}
+
+fn insert_at(index: usize, place: Vec3) -> BezierInsertPoint {
+    BezierInsertPoint { index: Some(index as u32), position: place.to_array() }
 }

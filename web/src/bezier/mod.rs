@@ -4,7 +4,8 @@
 mod draw;
 mod edit;
 
-pub(crate) use edit::moved;
+pub(crate) use draw::paint;
+pub(crate) use edit::{add_control_point, add_control_point_at, control_point_at, dragged_to, moved};
 
 use editor::{Bezier, Changes, Editor, Object, ObjectId};
 use glam::Vec3;
@@ -28,8 +29,18 @@ pub(crate) enum ControlPoint {
 }
 
 /// What the player shows of the active Bezier object.
+#[derive(Default)]
 pub(crate) struct Player {
     object: Option<ObjectId>,
+    pub controls: Controls,
+    pub hovered: Option<ControlPoint>,
+    /// The curves of all objects as lines.
+    lines: HashMap<ObjectId, Vec<Vec3>>,
+}
+
+/// What a person sets of the player.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Controls {
     /// Where on a curve: t. Where on a patch: u.
     pub t: f32,
     /// Where on a patch: v.
@@ -43,27 +54,22 @@ pub(crate) struct Player {
     pub playing: bool,
     /// The control point that spin boxes and Delete are about.
     pub chosen: Option<ControlPoint>,
-    pub hovered: Option<ControlPoint>,
     /// The patch that the construction is drawn on.
     pub patch: usize,
-    /// The curves of all objects as lines.
-    lines: HashMap<ObjectId, Vec<Vec3>>,
 }
 
-impl Default for Player {
+impl Default for Controls {
     fn default() -> Self {
-        Self {
-            object: None,
-            t: 0.5,
-            v: 0.5,
-            level: 0,
-            whole: true,
-            nets: true,
-            playing: false,
-            chosen: None,
-            hovered: None,
-            patch: 0,
-            lines: HashMap::new(),
+        Self { t: 0.5, v: 0.5, level: 0, whole: true, nets: true, playing: false, chosen: None, patch: 0 }
+    }
+}
+
+impl Controls {
+    /// Chooses a control point, and with it its patch.
+    pub fn choose(&mut self, point: Option<ControlPoint>) {
+        self.chosen = point;
+        if let Some(ControlPoint::Patch { patch, .. }) = point {
+            self.patch = patch;
         }
     }
 }
@@ -177,64 +183,58 @@ impl Player {
         let object = active(editor).map(|(object, _)| object.id());
         if object != self.object {
             let lines = std::mem::take(&mut self.lines);
-            *self = Self { object, lines, whole: self.whole, nets: self.nets, ..Self::default() };
+            let Controls { whole, nets, .. } = self.controls;
+            let controls = Controls { whole, nets, ..Controls::default() };
+            *self = Self { object, lines, controls, hovered: None };
         }
         let Some((_, bezier)) = active(editor) else { return };
-        self.level = self.level.min(levels(bezier));
-        self.patch = self.patch.min(bezier.patches().len().saturating_sub(1));
-        self.chosen = self.chosen.filter(|point| position(bezier, *point).is_some());
+        self.controls.level = self.controls.level.min(levels(bezier));
+        self.controls.patch = self.controls.patch.min(bezier.patches().len().saturating_sub(1));
+        self.controls.chosen = self.controls.chosen.filter(|point| position(bezier, *point).is_some());
         self.hovered = self.hovered.filter(|point| position(bezier, *point).is_some());
     }
 
     /// Draws one level more; after the last none.
     pub fn next_level(&mut self, bezier: &Bezier) {
         let last = levels(bezier);
-        self.level = if self.level < last { self.level + 1 } else { 0 };
+        self.controls.level = if self.controls.level < last { self.controls.level + 1 } else { 0 };
     }
 
     /// Starts or stops moving along the curve.
     pub fn play(&mut self, bezier: &Bezier) {
-        self.playing = !self.playing;
+        self.controls.playing = !self.controls.playing;
         // With nothing drawn of the construction, nothing would be seen to move.
-        if self.playing && self.level == 0 {
-            self.level = levels(bezier);
+        if self.controls.playing && self.controls.level == 0 {
+            self.controls.level = levels(bezier);
         }
     }
 
     /// Moves on while it plays; gives whether it does.
     pub fn advance(&mut self, seconds: f32) -> bool {
-        if self.playing {
-            let t = self.t + seconds / PLAY_TIME;
-            self.t = if t > 1.0 { 0.0 } else { t };
+        if self.controls.playing {
+            let t = self.controls.t + seconds / PLAY_TIME;
+            self.controls.t = if t > 1.0 { 0.0 } else { t };
         }
-        self.playing
-    }
-
-    /// Chooses a control point, and with it its patch.
-    pub fn choose(&mut self, point: Option<ControlPoint>) {
-        self.chosen = point;
-        if let Some(ControlPoint::Patch { patch, .. }) = point {
-            self.patch = patch;
-        }
+        self.controls.playing
     }
 
     /// Whether a control point is of the patch that the construction is drawn on, or of a curve.
     fn is_on_patch(&self, point: ControlPoint) -> bool {
         match point {
             ControlPoint::Curve(_) => true,
-            ControlPoint::Patch { patch, .. } => patch == self.patch,
+            ControlPoint::Patch { patch, .. } => patch == self.controls.patch,
         }
     }
 
     /// The patch whose net alone is drawn of a surface that has more; none where all are, or no net.
     pub fn only_net(&self, bezier: &Bezier) -> Option<usize> {
-        (self.nets && bezier.patches().len() > MOST_NETS).then_some(self.patch)
+        (self.controls.nets && bezier.patches().len() > MOST_NETS).then_some(self.controls.patch)
     }
 
     /// The patches whose nets are drawn, with their numbers.
     fn nets<'a>(&self, patches: &'a [Patch]) -> impl Iterator<Item = (usize, &'a Patch)> {
-        let all = self.nets && patches.len() <= MOST_NETS;
-        let one = self.nets.then_some(self.patch);
+        let all = self.controls.nets && patches.len() <= MOST_NETS;
+        let one = self.controls.nets.then_some(self.controls.patch);
         patches.iter().enumerate().filter(move |(at, _)| all || one == Some(*at))
     }
 
@@ -243,8 +243,9 @@ impl Player {
         match bezier {
             Bezier::Curve(curve) => {
                 let stride = Drawn::of(curve.points.len(), 0).stride;
-                let is_drawn =
-                    |at: usize| at.is_multiple_of(stride) || self.chosen == Some(ControlPoint::Curve(at));
+                let is_drawn = |at: usize| {
+                    at.is_multiple_of(stride) || self.controls.chosen == Some(ControlPoint::Curve(at))
+                };
                 let points = curve.points.iter().enumerate().filter(|(at, _)| is_drawn(*at));
                 points.map(|(at, &point)| (ControlPoint::Curve(at), point)).collect()
             }
@@ -264,20 +265,20 @@ impl Player {
 
     /// The player as `state().view.bezier` tells of it.
     pub fn state(&self) -> serde_json::Value {
-        let chosen = self.chosen.map(|point| match point {
+        let chosen = self.controls.chosen.map(|point| match point {
             ControlPoint::Curve(at) => serde_json::json!({ "point": at }),
             ControlPoint::Patch { patch, row, column } => {
                 serde_json::json!({ "patch": patch, "row": row, "column": column })
             }
         });
         serde_json::json!({
-            "t": self.t,
-            "v": self.v,
-            "level": self.level,
-            "whole": self.whole,
-            "nets": self.nets,
-            "playing": self.playing,
-            "patch": self.patch,
+            "t": self.controls.t,
+            "v": self.controls.v,
+            "level": self.controls.level,
+            "whole": self.controls.whole,
+            "nets": self.controls.nets,
+            "playing": self.controls.playing,
+            "patch": self.controls.patch,
             "chosen": chosen,
         })
     }

@@ -8,9 +8,9 @@ use wasm_bindgen::prelude::*;
 use web_sys::{BeforeUnloadEvent, HtmlCanvasElement};
 
 use super::{graphics, notice};
-use crate::api::ui_tree::UiTree;
 use crate::app::App;
 use crate::platform::browser::Browser;
+use crate::script::ui_tree::UiTree;
 
 /// The editor as eframe runs it.
 pub struct PageApp {

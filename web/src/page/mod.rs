@@ -8,7 +8,7 @@ use eframe::WebRunner;
 use wasm_bindgen::prelude::*;
 use web_sys::HtmlCanvasElement;
 
-use crate::api;
+use crate::script;
 pub(crate) use app::Handle;
 use app::PageApp;
 use graphics::Choice;
@@ -48,7 +48,7 @@ async fn start_on(canvas: HtmlCanvasElement, choice: Choice) -> Result<(), JsVal
         .await?;
     // So that keys work before the first click.
     canvas.focus()?;
-    api::install(&handle)?;
+    script::install(&handle)?;
     app::ask_before_leaving(handle)
 }
 

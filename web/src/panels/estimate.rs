@@ -1,7 +1,7 @@
 //! How large an operation's result will be, said before it runs.
 
-use crate::app::App;
 use crate::lists::columns::{counted, thousands};
+use crate::page_view::Page;
 use crate::panels::fields::{self, Filled};
 use editor::ops::{Amount, Counted, Estimate};
 use editor::{Command, Facts, OpId};
@@ -16,37 +16,46 @@ pub(crate) struct Tried {
     estimate: Option<Estimate>,
 }
 
-impl App {
-    /// How large the result of an operation with these fields is, as a sentence; none where that
-    /// can't be said beforehand.
-    pub(crate) fn estimate(&mut self, id: OpId, filled: &Filled, facts: &Facts) -> Option<String> {
-        let command = fields::command(id, filled).ok()?;
-        let estimate = command.op.result(facts)?;
-        if let Some(mesh) = self.previewed(id, filled) {
-            return words(&estimate.exactly(mesh));
-        }
-        if matches!(estimate.count, Amount::Exactly(_)) || self.editor.is_editing() {
-            return words(&estimate);
-        }
-        match self.tried(&command, estimate) {
-            Some(tried) => words(&tried),
-            None => words(&estimate),
-        }
+/// How large the result of an operation with these fields is, as a sentence; none where that
+/// can't be said beforehand.
+pub(crate) fn show(
+    page: &Page<'_>,
+    own: &mut Option<Tried>,
+    id: OpId,
+    filled: &Filled,
+    facts: &Facts,
+) -> Option<String> {
+    let command = fields::command(id, filled).ok()?;
+    let estimate = command.op.result(facts)?;
+    if let Some(mesh) = page.previewed(id, filled) {
+        return words(&estimate.exactly(mesh));
     }
+    if matches!(estimate.count, Amount::Exactly(_)) || page.editor.is_editing() {
+        return words(&estimate);
+    }
+    match try_out(page, own, &command, estimate) {
+        Some(tried) => words(&tried),
+        None => words(&estimate),
+    }
+}
 
-    /// The estimate with the count of the result itself, where making it is quick. Made once for a state
-    /// of the document and fields.
-    fn tried(&mut self, command: &Command, estimate: Estimate) -> Option<Estimate> {
-        let revision = self.editor.revision();
-        let known = self.forms.tried.as_ref();
-        if let Some(tried) = known.filter(|tried| tried.revision == revision && tried.command == *command) {
-            return tried.estimate;
-        }
-        let result = if self.editor.is_quick(command) { self.editor.try_out(command) } else { None };
-        let estimate = result.map(|mesh| estimate.exactly(&mesh));
-        self.forms.tried = Some(Tried { revision, command: command.clone(), estimate });
-        estimate
+/// The estimate with the count of the result itself, where making it is quick. Made once for a state
+/// of the document and fields.
+fn try_out(
+    page: &Page<'_>,
+    own: &mut Option<Tried>,
+    command: &Command,
+    estimate: Estimate,
+) -> Option<Estimate> {
+    let revision = page.editor.revision();
+    let known = own.as_ref();
+    if let Some(tried) = known.filter(|tried| tried.revision == revision && tried.command == *command) {
+        return tried.estimate;
     }
+    let result = if page.editor.is_quick(command) { page.editor.try_out(command) } else { None };
+    let estimate = result.map(|mesh| estimate.exactly(&mesh));
+    *own = Some(Tried { revision, command: command.clone(), estimate });
+    estimate
 }
 
 /// An estimate as a sentence; none where nothing is known.

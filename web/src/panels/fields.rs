@@ -7,7 +7,7 @@ use serde_json::{Map, Value, json};
 use surface::Shape;
 
 use crate::lists::columns::element_name;
-use crate::panels::color_button::color_button;
+use crate::widgets::color_button::color_button;
 use halfedge::Element;
 
 /// The values that a person filled in, by the fields' names. A field that is not in it is left out of

@@ -4,11 +4,13 @@ use editor::{OpId, Scope};
 use egui::{Align, Button, Layout, MenuBar, Response, RichText, Ui};
 use halfedge::Element;
 
-use crate::actions::{self, Action, Entry, MENUS, Menu};
-use crate::app::App;
-use crate::availability::opens_form;
-use crate::icons::{Icon, icon_button};
-use crate::{keys, theme};
+use crate::input::actions::{self, Action, Entry, MENUS, Menu};
+use crate::input::availability::opens_form;
+use crate::input::keys;
+use crate::page_view::Page;
+use crate::request::Requests;
+use crate::theme;
+use crate::widgets::icons::{Icon, icon_button};
 
 /// The toolbar's buttons; none is a gap.
 const TOOLS: &[Option<(Icon, Action)>] = &[
@@ -29,141 +31,140 @@ const TOOLS: &[Option<(Icon, Action)>] = &[
     Some((Icon::Search, Action::Palette)),
 ];
 
-impl App {
-    pub(crate) fn menu_bar(&mut self, ui: &mut Ui, narrow: bool) {
+pub(crate) fn show(ui: &mut Ui, page: &Page<'_>, narrow: bool, out: &mut Requests) {
+    if narrow {
+        theme::for_fingers(ui);
+    }
+    MenuBar::new().ui(ui, |ui| {
         if narrow {
-            theme::for_fingers(ui);
-        }
-        MenuBar::new().ui(ui, |ui| {
-            if narrow {
-                let button = icon_button(ui, Icon::Menu, "Menu", false).on_hover_text("All menus");
-                egui::Popup::menu(&button).show(|ui| {
-                    for menu in MENUS {
-                        ui.menu_button(menu.title, |ui| self.menu(ui, menu));
-                    }
-                });
-                self.toolbar(
-                    ui,
-                    &[
-                        Action::Open,
-                        Action::Save,
-                        Action::Undo,
-                        Action::Redo,
-                        Action::Frame,
-                        Action::BoxSelect,
-                        Action::Upsample,
-                    ],
-                );
-            } else {
+            let button = icon_button(ui, Icon::Menu, "Menu", false).on_hover_text("All menus");
+            egui::Popup::menu(&button).show(|ui| {
                 for menu in MENUS {
-                    ui.menu_button(menu.title, |ui| self.menu(ui, menu));
+                    ui.menu_button(menu.title, |ui| show_menu(ui, page, menu, out));
                 }
+            });
+            toolbar(
+                ui,
+                page,
+                &[
+                    Action::Open,
+                    Action::Save,
+                    Action::Undo,
+                    Action::Redo,
+                    Action::Frame,
+                    Action::BoxSelect,
+                    Action::Upsample,
+                ],
+                out,
+            );
+        } else {
+            for menu in MENUS {
+                ui.menu_button(menu.title, |ui| show_menu(ui, page, menu, out));
+            }
+            ui.separator();
+            toolbar(ui, page, &[], out);
+            ui.with_layout(Layout::right_to_left(Align::Center), |ui| title(ui, page));
+        }
+    });
+}
+
+/// The toolbar, or only some of its buttons.
+fn toolbar(ui: &mut Ui, page: &Page<'_>, only: &[Action], out: &mut Requests) {
+    ui.spacing_mut().item_spacing.x = 2.0;
+    for tool in TOOLS {
+        let Some((icon, action)) = *tool else {
+            if only.is_empty() {
+                ui.add_space(6.0);
+            }
+            continue;
+        };
+        if !only.is_empty() && !only.contains(&action) {
+            continue;
+        }
+        let entry = actions::describe(action);
+        let why_not = page.why_not(action);
+        let on = page.is_on(action).unwrap_or(false);
+        let button = ui.add_enabled_ui(why_not.is_none(), |ui| icon_button(ui, icon, entry.label, on)).inner;
+        if explain(button, ui, &entry, why_not.as_deref()).clicked() {
+            out.act(action);
+        }
+    }
+}
+
+fn title(ui: &mut Ui, page: &Page<'_>) {
+    let document = page.editor.document();
+    let changed = page.editor.is_dirty();
+    let name = if changed { format!("{} •", document.name()) } else { document.name().to_owned() };
+    let hint = if changed { "The document has changes that were not saved" } else { "The document" };
+    ui.add(egui::Label::new(RichText::new(name).strong()).truncate()).on_hover_text(hint);
+}
+
+fn show_menu(ui: &mut Ui, page: &Page<'_>, menu: &Menu, out: &mut Requests) {
+    ui.set_min_width(220.0);
+    for entry in menu.entries {
+        match entry {
+            None => {
                 ui.separator();
-                self.toolbar(ui, &[]);
-                ui.with_layout(Layout::right_to_left(Align::Center), |ui| self.title(ui));
             }
-        });
-    }
-
-    /// The toolbar, or only some of its buttons.
-    fn toolbar(&mut self, ui: &mut Ui, only: &[Action]) {
-        ui.spacing_mut().item_spacing.x = 2.0;
-        for tool in TOOLS {
-            let Some((icon, action)) = *tool else {
-                if only.is_empty() {
-                    ui.add_space(6.0);
-                }
-                continue;
-            };
-            if !only.is_empty() && !only.contains(&action) {
-                continue;
-            }
-            let entry = actions::describe(action);
-            let why_not = self.why_not(action);
-            let on = self.is_on(action).unwrap_or(false);
-            let button =
-                ui.add_enabled_ui(why_not.is_none(), |ui| icon_button(ui, icon, entry.label, on)).inner;
-            if explain(button, ui, &entry, why_not.as_deref()).clicked() {
-                self.act(action);
-            }
+            Some(entry) => menu_item(ui, page, entry, out),
         }
     }
-
-    fn title(&mut self, ui: &mut Ui) {
-        let document = self.editor.document();
-        let changed = self.editor.is_dirty();
-        let name = if changed { format!("{} •", document.name()) } else { document.name().to_owned() };
-        let hint = if changed { "The document has changes that were not saved" } else { "The document" };
-        ui.add(egui::Label::new(RichText::new(name).strong()).truncate()).on_hover_text(hint);
-    }
-
-    pub(crate) fn menu(&mut self, ui: &mut Ui, menu: &Menu) {
-        ui.set_min_width(220.0);
-        for entry in menu.entries {
-            match entry {
-                None => {
-                    ui.separator();
-                }
-                Some(entry) => self.menu_item(ui, entry),
-            }
-        }
-        match menu.title {
-            "File" => {
-                ui.menu_button("Save as", |ui| {
-                    ui.set_min_width(200.0);
-                    for entry in actions::formats() {
-                        self.menu_item(ui, &entry);
-                    }
-                });
-            }
-            "Mesh" => self.operation_menus(ui),
-            _ => {}
-        }
-    }
-
-    /// The editor's operations: those on whole meshes one by one, local ones by what they work on.
-    fn operation_menus(&mut self, ui: &mut Ui) {
-        let of_scope = |scope| actions::mesh_operations().filter(move |id| id.spec().scope == scope);
-        for id in of_scope(Scope::Meshes) {
-            self.menu_item(ui, &actions::of_operation(id));
-        }
-        ui.separator();
-        for (kind, title) in
-            [(Element::Vertex, "Vertex edits"), (Element::Edge, "Edge edits"), (Element::Face, "Face edits")]
-        {
-            ui.menu_button(title, |ui| {
-                ui.set_min_width(220.0);
-                let is_listed = |id: &OpId| id.spec().element().unwrap_or(Element::Face) == kind;
-                for id in of_scope(Scope::Elements).filter(is_listed) {
-                    self.menu_item(ui, &actions::of_operation(id));
+    match menu.title {
+        "File" => {
+            ui.menu_button("Save as", |ui| {
+                ui.set_min_width(200.0);
+                for entry in actions::formats() {
+                    menu_item(ui, page, &entry, out);
                 }
             });
         }
+        "Mesh" => operation_menus(ui, page, out),
+        _ => {}
     }
+}
 
-    /// One entry of a menu, greyed with its reason where it can't be done.
-    pub(crate) fn menu_item(&mut self, ui: &mut Ui, entry: &Entry) {
-        let why_not = self.why_not(entry.action);
-        let keys = keys::text(ui.ctx(), entry.action);
-        let label = match entry.action {
-            // What opens a form instead of acting at once ends in an ellipsis.
-            Action::Operation(id) if opens_form(id) => format!("{}…", entry.label),
-            _ => entry.label.to_owned(),
-        };
-        let response = match self.is_on(entry.action) {
-            Some(mut on) => {
-                ui.add_enabled(why_not.is_none(), egui::Checkbox::new(&mut on, menu_text(ui, &label, &keys)))
+/// The editor's operations: those on whole meshes one by one, local ones by what they work on.
+fn operation_menus(ui: &mut Ui, page: &Page<'_>, out: &mut Requests) {
+    let of_scope = |scope| actions::mesh_operations().filter(move |id| id.spec().scope == scope);
+    for id in of_scope(Scope::Meshes) {
+        menu_item(ui, page, &actions::of_operation(id), out);
+    }
+    ui.separator();
+    for (kind, title) in
+        [(Element::Vertex, "Vertex edits"), (Element::Edge, "Edge edits"), (Element::Face, "Face edits")]
+    {
+        ui.menu_button(title, |ui| {
+            ui.set_min_width(220.0);
+            let is_listed = |id: &OpId| id.spec().element().unwrap_or(Element::Face) == kind;
+            for id in of_scope(Scope::Elements).filter(is_listed) {
+                menu_item(ui, page, &actions::of_operation(id), out);
             }
-            None => {
-                let button = Button::new(label);
-                let button = if keys.is_empty() { button } else { button.shortcut_text(keys) };
-                ui.add_enabled(why_not.is_none(), button)
-            }
-        };
-        if explain(response, ui, entry, why_not.as_deref()).clicked() {
-            self.act(entry.action);
-            ui.close();
+        });
+    }
+}
+
+/// One entry of a menu, greyed with its reason where it can't be done.
+pub(crate) fn menu_item(ui: &mut Ui, page: &Page<'_>, entry: &Entry, out: &mut Requests) {
+    let why_not = page.why_not(entry.action);
+    let keys = keys::text(ui.ctx(), entry.action);
+    let label = match entry.action {
+        // What opens a form instead of acting at once ends in an ellipsis.
+        Action::Operation(id) if opens_form(id) => format!("{}…", entry.label),
+        _ => entry.label.to_owned(),
+    };
+    let response = match page.is_on(entry.action) {
+        Some(mut on) => {
+            ui.add_enabled(why_not.is_none(), egui::Checkbox::new(&mut on, menu_text(ui, &label, &keys)))
         }
+        None => {
+            let button = Button::new(label);
+            let button = if keys.is_empty() { button } else { button.shortcut_text(keys) };
+            ui.add_enabled(why_not.is_none(), button)
+        }
+    };
+    if explain(response, ui, entry, why_not.as_deref()).clicked() {
+        out.act(entry.action);
+        ui.close();
     }
 }
 

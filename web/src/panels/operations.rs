@@ -2,36 +2,31 @@
 
 use std::collections::HashMap;
 
-use editor::ops::Connect;
 use editor::{Facts, OpId, Scope};
 use egui::{Button, ComboBox, Grid, RichText, Ui, vec2};
 use serde_json::Value;
 
-use crate::actions::{self, Action};
-use crate::app::App;
-use crate::keys;
-use crate::panels::estimate::Tried;
+use crate::input::actions::{self, Action};
+use crate::input::keys;
+use crate::page_view::Page;
+use crate::panels::adjust::{self, Adjusting};
+use crate::panels::estimate::{self, Tried};
 use crate::panels::fields::{self, Filled};
-use crate::panels::trial::Previews;
+use crate::panels::preview::{self, Previews};
+use crate::request::{Request, Requests};
+
+/// The field of remeshing that the keys for longer and shorter edges change.
+pub(crate) const EDGE_LENGTH: &str = "edge_length";
 
 /// What is filled in, in all forms of the page.
 #[derive(Default)]
 pub(crate) struct Forms {
     chosen: Option<OpId>,
     filled: HashMap<OpId, Filled>,
-    /// The object whose name is being typed.
-    pub renaming: Option<(usize, String)>,
-    pub focus_renaming: bool,
-    /// A face colour is being picked, as a preview.
-    pub painting: bool,
-    /// Where along an edge the inspector's split button puts the vertex.
-    pub split_t: Option<f32>,
-    pub split_connect: Option<Connect>,
-    /// How many quads lie along a side of each patch that the Bezier panel tessellates.
-    pub tessellation: Option<u32>,
     /// What an operation that was tried out makes.
     pub tried: Option<Tried>,
     pub previews: Previews,
+    adjusting: Adjusting,
 }
 
 impl Forms {
@@ -52,92 +47,67 @@ impl Forms {
         filled.insert(field.to_owned(), value);
     }
 
+    /// The edge length that resampling aims at, where it was set.
+    pub fn target_edge(&self) -> Option<f64> {
+        self.filled(OpId::Remesh)?.get(EDGE_LENGTH)?.as_f64()
+    }
+
     /// Leaves out again what was filled in for one mesh and means nothing for another.
     pub fn forget_lengths(&mut self) {
         self.filled.retain(|id, _| !fields::needs_measures(id.spec()));
     }
 }
 
-impl App {
-    /// The panel on the right: the inspector, and the operations below it.
-    pub(crate) fn right_panel(&mut self, ui: &mut Ui) {
-        egui::ScrollArea::vertical().auto_shrink([false, false]).show(ui, |ui| {
-            self.inspector(ui);
-            ui.add_space(6.0);
-            ui.separator();
-            self.operations(ui);
-        });
-    }
-
-    pub(crate) fn operations(&mut self, ui: &mut Ui) {
-        self.adjust_panel(ui);
-        ui.add_space(2.0);
-        ui.label(RichText::new("Operations").strong());
-        let id = self.forms.chosen.unwrap_or(OpId::New);
-        let chosen = id.spec();
-        let combo = ComboBox::from_id_salt("operation")
-            .selected_text(chosen.label)
-            .width(ui.available_width() - 8.0)
-            .height(420.0);
-        let combo = combo.show_ui(ui, |ui| {
-            // Whole-mesh operations first: they are what people fill in forms for.
-            let of_scope =
-                |scope| actions::mesh_operations().filter(move |other| other.spec().scope == scope);
-            for other in of_scope(Scope::Meshes).chain(of_scope(Scope::Elements)) {
-                let spec = other.spec();
-                if ui.selectable_label(other == id, spec.label).on_hover_text(spec.description).clicked() {
-                    self.forms.choose(other);
-                }
-            }
-        });
-        combo.response.accessible_name("Operation").on_hover_text("Which operation to fill in and apply");
-        ui.add(egui::Label::new(RichText::new(chosen.description).weak()).wrap());
-
-        let facts = self.facts(id);
-        let mut filled = self.forms.filled.remove(&id).unwrap_or_else(|| fields::initial(chosen, &facts));
-        let before = filled.clone();
-        Grid::new(("form", chosen.name)).num_columns(2).spacing(vec2(10.0, 6.0)).show(ui, |ui| {
-            fields::rows(ui, chosen, &mut filled, &facts, |_| true);
-        });
-        self.preview_row(ui, id, &filled, filled != before);
-        if let Some(estimate) = self.estimate(id, &filled, &facts) {
-            ui.label(RichText::new(estimate).small().weak());
-        }
-        self.apply_button(ui, id, &filled);
-        self.forms.filled.insert(id, filled);
-    }
-
-    fn apply_button(&mut self, ui: &mut Ui, id: OpId, filled: &Filled) {
-        let (spec, action) = (id.spec(), Action::Operation(id));
-        let why_not = self.why_not(action);
-        let primary = ui.visuals().selection;
-        let text = RichText::new(spec.label).color(primary.stroke.color);
-        let button = Button::new(text).fill(primary.bg_fill).min_size(vec2(ui.available_width(), 28.0));
-        let response = ui.vertical_centered_justified(|ui| ui.add_enabled(why_not.is_none(), button)).inner;
-        let tooltip = keys::tooltip(ui.ctx(), spec.description, action);
-        let reason = why_not.clone().unwrap_or_default();
-        if response.on_hover_text(tooltip).on_disabled_hover_text(reason).clicked()
-            && !self.apply_preview(id, filled)
-        {
-            match fields::command(id, filled) {
-                Ok(command) => self.begin(command, None),
-                Err(error) => self.refused(&error, None),
+pub(crate) fn show(ui: &mut Ui, page: &Page<'_>, own: &mut Forms, out: &mut Requests) {
+    adjust::show(ui, page, &mut own.adjusting, out);
+    ui.add_space(2.0);
+    ui.label(RichText::new("Operations").strong());
+    let id = own.chosen.unwrap_or(OpId::New);
+    let chosen = id.spec();
+    let combo = ComboBox::from_id_salt("operation")
+        .selected_text(chosen.label)
+        .width(ui.available_width() - 8.0)
+        .height(420.0);
+    let combo = combo.show_ui(ui, |ui| {
+        // Whole-mesh operations first: they are what people fill in forms for.
+        let of_scope = |scope| actions::mesh_operations().filter(move |other| other.spec().scope == scope);
+        for other in of_scope(Scope::Meshes).chain(of_scope(Scope::Elements)) {
+            let spec = other.spec();
+            if ui.selectable_label(other == id, spec.label).on_hover_text(spec.description).clicked() {
+                own.choose(other);
             }
         }
-        if let Some(reason) = why_not {
-            ui.add(egui::Label::new(RichText::new(reason).small().color(ui.visuals().warn_fg_color)).wrap());
-        }
-    }
+    });
+    combo.response.accessible_name("Operation").on_hover_text("Which operation to fill in and apply");
+    ui.add(egui::Label::new(RichText::new(chosen.description).weak()).wrap());
 
-    /// The facts that an operation's form needs, about the mesh without what is only previewed.
-    pub(crate) fn facts(&mut self, id: OpId) -> Facts {
-        let measures = fields::needs_measures(id.spec());
-        self.facts_before_preview()
-            .unwrap_or_else(|| self.measured.facts(&self.editor, &self.survey, measures))
+    let facts = page.facts(id);
+    let mut filled = own.filled.remove(&id).unwrap_or_else(|| fields::initial(chosen, &facts));
+    let before = filled.clone();
+    Grid::new(("form", chosen.name)).num_columns(2).spacing(vec2(10.0, 6.0)).show(ui, |ui| {
+        fields::rows(ui, chosen, &mut filled, &facts, |_| true);
+    });
+    preview::row(ui, page, &mut own.previews, id, &filled, filled != before, out);
+    if let Some(estimate) = estimate::show(page, &mut own.tried, id, &filled, &facts) {
+        ui.label(RichText::new(estimate).small().weak());
     }
+    apply_button(ui, page, id, &filled, out);
+    own.filled.insert(id, filled);
+}
 
-    /// All facts about the mesh without what is only previewed.
-    pub(crate) fn measured_facts(&mut self) -> Facts {
-        self.facts_before_preview().unwrap_or_else(|| self.measured.facts(&self.editor, &self.survey, true))
+fn apply_button(ui: &mut Ui, page: &Page<'_>, id: OpId, filled: &Filled, out: &mut Requests) {
+    let (spec, action) = (id.spec(), Action::Operation(id));
+    let why_not = page.why_not(action);
+    let primary = ui.visuals().selection;
+    let text = RichText::new(spec.label).color(primary.stroke.color);
+    let button = Button::new(text).fill(primary.bg_fill).min_size(vec2(ui.available_width(), 28.0));
+    let response = ui.vertical_centered_justified(|ui| ui.add_enabled(why_not.is_none(), button)).inner;
+    let tooltip = keys::tooltip(ui.ctx(), spec.description, action);
+    let reason = why_not.clone().unwrap_or_default();
+    if response.on_hover_text(tooltip).on_disabled_hover_text(reason).clicked() {
+        out.push(Request::Apply(id, filled.clone()));
+    }
+    if let Some(reason) = why_not {
+        ui.add(egui::Label::new(RichText::new(reason).small().color(ui.visuals().warn_fg_color)).wrap());
     }
 }

@@ -2,10 +2,11 @@
 
 use egui::{Align2, Button, Context, Id, Key, Modal, Modifiers, RichText, ScrollArea, TextEdit, vec2};
 
-use crate::actions::{self, Entry};
-use crate::app::App;
-use crate::keys;
+use crate::input::actions::{self, Action, Entry};
+use crate::input::keys;
+use crate::page_view::Page;
 use crate::panels::menu_bar::explain;
+use crate::request::Requests;
 
 /// What the palette remembers while it is open.
 #[derive(Default)]
@@ -23,75 +24,69 @@ impl PaletteState {
     }
 }
 
-impl App {
-    pub(crate) fn palette_window(&mut self, ctx: &Context) {
-        if !self.palette.open {
-            return;
-        }
-        let screen = ctx.content_rect();
-        let width = 480.0_f32.min(screen.width() - 32.0);
-        let id = Id::unique("palette");
-        let area = Modal::default_area(id).anchor(Align2::CENTER_TOP, vec2(0.0, screen.height() * 0.12));
-        let mut chosen = None;
-        let shown = Modal::new(id).area(area).show(ctx, |ui| {
-            ui.set_width(width);
-            // Before the text field sees them: the arrows move in the list.
-            let (up, down, enter) = ui.input_mut(|input| {
-                (
-                    input.consume_key(Modifiers::NONE, Key::ArrowUp),
-                    input.consume_key(Modifiers::NONE, Key::ArrowDown),
-                    input.key_pressed(Key::Enter),
-                )
-            });
-            let field =
-                TextEdit::singleline(&mut self.palette.text).hint_text("Find a command").desired_width(width);
-            let field = ui.add(field).accessible_name("Find a command");
-            if std::mem::take(&mut self.palette.fresh) || !field.has_focus() {
-                field.request_focus();
-            }
-            if field.changed() {
-                self.palette.at = 0;
-            }
-            let found = find(&self.palette.text);
-            let last = found.len().saturating_sub(1);
-            let moved = up || down;
-            if down {
-                self.palette.at = (self.palette.at + 1).min(last);
-            }
-            if up {
-                self.palette.at = self.palette.at.saturating_sub(1);
-            }
-            if found.is_empty() {
-                ui.label(RichText::new("No command is called that.").weak());
-            }
-            ScrollArea::vertical().max_height(screen.height() * 0.5).auto_shrink([false, true]).show(
-                ui,
-                |ui| {
-                    ui.spacing_mut().item_spacing.y = 1.0;
-                    for (row, entry) in found.iter().enumerate() {
-                        let why_not = self.why_not(entry.action);
-                        let on = row == self.palette.at;
-                        let button = Button::selectable(on, entry.label)
-                            .shortcut_text(keys::text(ui.ctx(), entry.action))
-                            .min_size(vec2(ui.available_width(), 26.0));
-                        let response = ui.add_enabled(why_not.is_none(), button);
-                        if on && moved {
-                            response.scroll_to_me(None);
-                        }
-                        let clicked = explain(response, ui, entry, why_not.as_deref()).clicked();
-                        if clicked || (on && enter && why_not.is_none()) {
-                            chosen = Some(entry.action);
-                        }
-                    }
-                },
-            );
+pub(crate) fn show(ctx: &Context, page: &Page<'_>, own: &mut PaletteState, out: &mut Requests) {
+    if !own.open {
+        return;
+    }
+    let screen = ctx.content_rect();
+    let width = 480.0_f32.min(screen.width() - 32.0);
+    let id = Id::unique("palette");
+    let area = Modal::default_area(id).anchor(Align2::CENTER_TOP, vec2(0.0, screen.height() * 0.12));
+    let mut chosen = None;
+    let shown = Modal::new(id).area(area).show(ctx, |ui| {
+        ui.set_width(width);
+        // Before the text field sees them: the arrows move in the list.
+        let (up, down, enter) = ui.input_mut(|input| {
+            (
+                input.consume_key(Modifiers::NONE, Key::ArrowUp),
+                input.consume_key(Modifiers::NONE, Key::ArrowDown),
+                input.key_pressed(Key::Enter),
+            )
         });
-        if let Some(action) = chosen {
-            self.palette.open = false;
-            self.act(action);
-        } else if shown.should_close() {
-            self.palette.open = false;
+        let field = TextEdit::singleline(&mut own.text).hint_text("Find a command").desired_width(width);
+        let field = ui.add(field).accessible_name("Find a command");
+        if std::mem::take(&mut own.fresh) || !field.has_focus() {
+            field.request_focus();
         }
+        if field.changed() {
+            own.at = 0;
+        }
+        let found = find(&own.text);
+        let last = found.len().saturating_sub(1);
+        let moved = up || down;
+        if down {
+            own.at = (own.at + 1).min(last);
+        }
+        if up {
+            own.at = own.at.saturating_sub(1);
+        }
+        if found.is_empty() {
+            ui.label(RichText::new("No command is called that.").weak());
+        }
+        ScrollArea::vertical().max_height(screen.height() * 0.5).auto_shrink([false, true]).show(ui, |ui| {
+            ui.spacing_mut().item_spacing.y = 1.0;
+            for (row, entry) in found.iter().enumerate() {
+                let why_not = page.why_not(entry.action);
+                let on = row == own.at;
+                let button = Button::selectable(on, entry.label)
+                    .shortcut_text(keys::text(ui.ctx(), entry.action))
+                    .min_size(vec2(ui.available_width(), 26.0));
+                let response = ui.add_enabled(why_not.is_none(), button);
+                if on && moved {
+                    response.scroll_to_me(None);
+                }
+                let clicked = explain(response, ui, entry, why_not.as_deref()).clicked();
+                if clicked || (on && enter && why_not.is_none()) {
+                    chosen = Some(entry.action);
+                }
+            }
+        });
+    });
+    if let Some(action) = chosen {
+        own.open = false;
+        out.act(action);
+    } else if shown.should_close() {
+        own.open = false;
     }
 }
 
@@ -103,7 +98,7 @@ fn find(typed: &str) -> Vec<Entry> {
         .filter_map(|entry| {
             let label = entry.label.to_lowercase();
             let name = match entry.action {
-                actions::Action::Operation(id) => id.spec().name,
+                Action::Operation(id) => id.spec().name,
                 _ => "",
             };
             if !typed.split_whitespace().all(|word| label.contains(word) || name.contains(word)) {
@@ -125,7 +120,6 @@ fn find(typed: &str) -> Vec<Entry> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::actions::Action;
     use editor::OpId;
 
     #[test]

@@ -1,19 +1,20 @@
 //! The dialog that saves: a file name, a format, and what the format can't hold of the document.
 
-use editor::{Changes, Document, MessageKind};
+use editor::{Changes, Document};
 use egui::text_selection::CCursorRange;
 use egui::{
     Align2, Button, ComboBox, Context, Grid, Id, Key, Label, Modal, RichText, ScrollArea, TextEdit, Ui, vec2,
 };
-use formats::{Controls, Format, NamedBytes, ObjectRef};
+use formats::{Controls, Format, ObjectRef};
 
-use crate::actions;
-use crate::app::App;
+use crate::input::actions;
+use crate::page_view::Page;
 use crate::platform::Platform;
+use crate::request::{Request, Requests};
 use crate::theme;
 
 /// The setting that keeps the format that was saved in last, by its [`code`].
-const FORMAT_SETTING: &str = "format";
+pub(crate) const FORMAT_SETTING: &str = "format";
 
 /// The dialog's state.
 pub(crate) struct Saving {
@@ -113,197 +114,164 @@ fn stem(typed: &str, format: Format) -> Option<String> {
     (!stem.is_empty()).then(|| stem.to_owned())
 }
 
-impl App {
-    /// Opens the dialog, in a format or in the one that suits the document.
-    pub(crate) fn show_saving(&mut self, format: Option<Format>) {
-        // What is only previewed is not saved, and so not counted.
-        self.end_preview();
-        self.saving.show(self.editor.document(), format);
+pub(crate) fn show(ctx: &Context, page: &Page<'_>, own: &mut Saving, narrow: bool, out: &mut Requests) {
+    if !own.is_open() {
+        return;
     }
-
-    pub(crate) fn save_window(&mut self, ctx: &Context, narrow: bool) {
-        if !self.saving.is_open() {
-            return;
+    let screen = ctx.content_rect();
+    let width = 400.0_f32.min(screen.width() - 48.0);
+    let id = Id::unique("save");
+    let area = Modal::default_area(id).anchor(Align2::CENTER_TOP, vec2(0.0, screen.height() * 0.12));
+    let shown = Modal::new(id).area(area).show(ctx, |ui| {
+        ui.set_width(width);
+        if narrow {
+            theme::for_fingers(ui);
         }
-        let screen = ctx.content_rect();
-        let width = 400.0_f32.min(screen.width() - 48.0);
-        let id = Id::unique("save");
-        let area = Modal::default_area(id).anchor(Align2::CENTER_TOP, vec2(0.0, screen.height() * 0.12));
-        let shown = Modal::new(id).area(area).show(ctx, |ui| {
-            ui.set_width(width);
-            if narrow {
-                theme::for_fingers(ui);
-            }
-            self.save_form(ui, narrow)
-        });
-        if shown.inner {
-            self.save();
-        } else if shown.should_close() {
-            self.saving.stage = Stage::Closed;
+        form(ui, page, own, narrow)
+    });
+    if shown.inner {
+        save(page, own, out);
+    } else if shown.should_close() {
+        own.stage = Stage::Closed;
+    }
+}
+
+/// The dialog's contents; gives whether to save now.
+fn form(ui: &mut Ui, page: &Page<'_>, own: &mut Saving, narrow: bool) -> bool {
+    ui.label(RichText::new("Save document").heading());
+    ui.add_space(4.0);
+    let mut save = false;
+    Grid::new("save").num_columns(2).spacing(vec2(12.0, 8.0)).show(ui, |ui| {
+        let label = ui.label("File name").id;
+        save = name_field(ui, own, narrow, label);
+        ui.end_row();
+        let label = ui.label("Format").id;
+        format_choice(ui, own, label);
+        ui.end_row();
+    });
+    ui.add(Label::new(RichText::new(actions::of_format(own.format).description).weak()).wrap());
+    ui.add_space(4.0);
+    show_losses(ui, page, own);
+    ui.add_space(8.0);
+    let ready = stem(&own.name, own.format).is_some();
+    ui.horizontal(|ui| {
+        let primary = ui.visuals().selection;
+        let text = RichText::new("Save").color(primary.stroke.color);
+        let button = Button::new(text).fill(primary.bg_fill).min_size(vec2(96.0, 28.0));
+        let button = ui.add_enabled(ready, button);
+        let hint = "Saves where this browser keeps its downloads (Enter)";
+        save |= button.on_hover_text(hint).on_disabled_hover_text("Give the file a name.").clicked();
+        let cancel = Button::new("Cancel").min_size(vec2(80.0, 28.0));
+        if ui.add(cancel).on_hover_text("Saves nothing (Escape)").clicked() {
+            own.stage = Stage::Closed;
         }
-    }
+    });
+    save && ready
+}
 
-    /// The dialog's contents; gives whether to save now.
-    fn save_form(&mut self, ui: &mut Ui, narrow: bool) -> bool {
-        ui.label(RichText::new("Save document").heading());
-        ui.add_space(4.0);
-        let mut save = false;
-        Grid::new("save").num_columns(2).spacing(vec2(12.0, 8.0)).show(ui, |ui| {
-            let label = ui.label("File name").id;
-            save = self.name_field(ui, narrow, label);
-            ui.end_row();
-            let label = ui.label("Format").id;
-            self.format_choice(ui, label);
-            ui.end_row();
-        });
-        ui.add(Label::new(RichText::new(actions::of_format(self.saving.format).description).weak()).wrap());
-        ui.add_space(4.0);
-        self.say_losses(ui);
-        ui.add_space(8.0);
-        let ready = stem(&self.saving.name, self.saving.format).is_some();
-        ui.horizontal(|ui| {
-            let primary = ui.visuals().selection;
-            let text = RichText::new("Save").color(primary.stroke.color);
-            let button = Button::new(text).fill(primary.bg_fill).min_size(vec2(96.0, 28.0));
-            let button = ui.add_enabled(ready, button);
-            let hint = "Saves where this browser keeps its downloads (Enter)";
-            save |= button.on_hover_text(hint).on_disabled_hover_text("Give the file a name.").clicked();
-            let cancel = Button::new("Cancel").min_size(vec2(80.0, 28.0));
-            if ui.add(cancel).on_hover_text("Saves nothing (Escape)").clicked() {
-                self.saving.stage = Stage::Closed;
+/// The name with its extension behind it; gives whether Enter was pressed in it.
+fn name_field(ui: &mut Ui, own: &mut Saving, narrow: bool, label: Id) -> bool {
+    let extension = own.format.extension();
+    ui.horizontal(|ui| {
+        let width = ui.available_width() - 48.0;
+        let field = TextEdit::singleline(&mut own.name).desired_width(width.max(80.0));
+        let field = ui.add(field).labelled_by(label);
+        if field.changed() {
+            own.follow_extension();
+        }
+        match own.stage {
+            // A telephone's keyboard would cover the dialog.
+            Stage::Opening if narrow => own.stage = Stage::Open,
+            Stage::Opening => {
+                field.request_focus();
+                own.stage = Stage::Focusing;
+                ui.ctx().request_repaint();
             }
-        });
-        save && ready
-    }
+            Stage::Focusing => {
+                let mut state = TextEdit::load_state(ui.ctx(), field.id).unwrap_or_default();
+                state.cursor.set_char_range(Some(CCursorRange::select_all_str(&own.name)));
+                state.store(ui.ctx(), field.id);
+                own.stage = Stage::Open;
+            }
+            Stage::Closed | Stage::Open => {}
+        }
+        if Format::from_name(&own.name) != Format::from_extension(extension) {
+            ui.label(RichText::new(format!(".{extension}")).weak());
+        }
+        field.lost_focus() && ui.input(|input| input.key_pressed(Key::Enter))
+    })
+    .inner
+}
 
-    /// The name with its extension behind it; gives whether Enter was pressed in it.
-    fn name_field(&mut self, ui: &mut Ui, narrow: bool, label: Id) -> bool {
-        let extension = self.saving.format.extension();
-        ui.horizontal(|ui| {
-            let width = ui.available_width() - 48.0;
-            let field = TextEdit::singleline(&mut self.saving.name).desired_width(width.max(80.0));
-            let field = ui.add(field).labelled_by(label);
-            if field.changed() {
-                self.saving.follow_extension();
-            }
-            match self.saving.stage {
-                // A telephone's keyboard would cover the dialog.
-                Stage::Opening if narrow => self.saving.stage = Stage::Open,
-                Stage::Opening => {
-                    field.request_focus();
-                    self.saving.stage = Stage::Focusing;
-                    ui.ctx().request_repaint();
+fn format_choice(ui: &mut Ui, own: &mut Saving, label: Id) {
+    let combo = ComboBox::from_id_salt("format")
+        .selected_text(own.format.name())
+        .width(ui.available_width() - 8.0)
+        .height(420.0);
+    let combo = combo.show_ui(ui, |ui| {
+        for entry in actions::formats() {
+            let actions::Action::SaveAs(format) = entry.action else { continue };
+            let on = format == own.format;
+            if ui.selectable_label(on, format.name()).on_hover_text(entry.description).clicked() {
+                // An extension in the name would pick its own format again.
+                if let Some(stem) = stem(&own.name, own.format) {
+                    own.name = stem;
                 }
-                Stage::Focusing => {
-                    let mut state = TextEdit::load_state(ui.ctx(), field.id).unwrap_or_default();
-                    state.cursor.set_char_range(Some(CCursorRange::select_all_str(&self.saving.name)));
-                    state.store(ui.ctx(), field.id);
-                    self.saving.stage = Stage::Open;
-                }
-                Stage::Closed | Stage::Open => {}
+                own.format = format;
             }
-            if Format::from_name(&self.saving.name) != Format::from_extension(extension) {
-                ui.label(RichText::new(format!(".{extension}")).weak());
-            }
-            field.lost_focus() && ui.input(|input| input.key_pressed(Key::Enter))
-        })
-        .inner
-    }
-
-    fn format_choice(&mut self, ui: &mut Ui, label: Id) {
-        let combo = ComboBox::from_id_salt("format")
-            .selected_text(self.saving.format.name())
-            .width(ui.available_width() - 8.0)
-            .height(420.0);
-        let combo = combo.show_ui(ui, |ui| {
-            for entry in actions::formats() {
-                let actions::Action::SaveAs(format) = entry.action else { continue };
-                let on = format == self.saving.format;
-                if ui.selectable_label(on, format.name()).on_hover_text(entry.description).clicked() {
-                    // An extension in the name would pick its own format again.
-                    if let Some(stem) = stem(&self.saving.name, self.saving.format) {
-                        self.saving.name = stem;
-                    }
-                    self.saving.format = format;
-                }
-            }
-        });
-        combo.response.labelled_by(label).on_hover_text("What kind of file to write");
-    }
-
-    /// What the format can't hold, one line each.
-    fn say_losses(&mut self, ui: &mut Ui) {
-        let format = self.saving.format;
-        let losses = self.losses_of(format);
-        if losses.is_empty() {
-            let text = format!("{} holds everything in this document.", format.name());
-            ui.label(RichText::new(text).color(theme::palette(ui.visuals()).good));
-            return;
         }
-        ScrollArea::vertical().max_height(160.0).auto_shrink([false, true]).show(ui, |ui| {
-            for loss in losses {
-                let text = RichText::new(format!("{loss}.")).color(ui.visuals().warn_fg_color);
-                ui.add(Label::new(text).wrap());
-            }
-        });
-    }
+    });
+    combo.response.labelled_by(label).on_hover_text("What kind of file to write");
+}
 
-    /// Looks once after each change: at a million faces that takes longer than a frame.
-    fn losses_of(&mut self, format: Format) -> &[String] {
-        let editor = &self.editor;
-        let known = self.saving.losses.take().filter(|(looked, _)| *looked == format);
-        let losses = known.unwrap_or_else(|| {
-            let document = editor.document();
-            let objects = document.objects();
-            let controls: Vec<Option<Controls>> =
-                objects.iter().map(|object| object.bezier().map(Controls::from)).collect();
-            let objects: Vec<ObjectRef> = objects
-                .iter()
-                .zip(&controls)
-                .map(|(object, controls)| ObjectRef {
-                    controls: controls.as_ref(),
-                    offset: document.offset(),
-                    materials: document.materials(),
-                    ..ObjectRef::new(object.name(), object.mesh())
-                })
-                .collect();
-            (format, formats::losses(format, &objects))
-        });
-        &self.saving.losses.insert(losses).1
+/// What the format can't hold, one line each.
+fn show_losses(ui: &mut Ui, page: &Page<'_>, own: &mut Saving) {
+    let format = own.format;
+    let losses = losses_of(page, own, format);
+    if losses.is_empty() {
+        let text = format!("{} holds everything in this document.", format.name());
+        ui.label(RichText::new(text).color(theme::palette(ui.visuals()).good));
+        return;
     }
-
-    /// Starts the job that writes the files.
-    fn save(&mut self) {
-        let format = self.saving.format;
-        let Some(name) = stem(&self.saving.name, format) else { return };
-        self.saving.stage = Stage::Closed;
-        self.platform.store_setting(FORMAT_SETTING, &code(format));
-        let revision = self.editor.revision();
-        let whole = self.losses_of(format).is_empty();
-        let request = self.editor.begin_export_as(format, name);
-        self.start(&request, format!("Save as {}", format.name()), None);
-        if whole {
-            self.jobs.saves(request.id(), revision);
+    ScrollArea::vertical().max_height(160.0).auto_shrink([false, true]).show(ui, |ui| {
+        for loss in losses {
+            let text = RichText::new(format!("{loss}.")).color(ui.visuals().warn_fg_color);
+            ui.add(Label::new(text).wrap());
         }
-        self.follow();
-    }
+    });
+}
 
-    /// Hands written files to the person. The document is saved where they hold all of it.
-    pub(crate) fn saved(&mut self, files: Vec<NamedBytes>, revision: Option<u64>) {
-        let names: Vec<&str> = files.iter().map(|file| file.name.as_str()).collect();
-        let text = format!("Saved {}", names.join(" and "));
-        let mut details = Vec::new();
-        match revision {
-            Some(revision) => self.editor.mark_saved(revision),
-            None => details.push(
-                "The format holds less than the document does, so the document still counts as changed."
-                    .to_owned(),
-            ),
-        }
-        self.editor.say(MessageKind::Info, text.clone());
-        self.toast(MessageKind::Info, text, details);
-        self.platform.download(files);
-    }
+/// Looks once after each change: at a million faces that takes longer than a frame.
+fn losses_of<'a>(page: &Page<'_>, own: &'a mut Saving, format: Format) -> &'a [String] {
+    let editor = &page.editor;
+    let known = own.losses.take().filter(|(looked, _)| *looked == format);
+    let losses = known.unwrap_or_else(|| {
+        let document = editor.document();
+        let objects = document.objects();
+        let controls: Vec<Option<Controls>> =
+            objects.iter().map(|object| object.bezier().map(Controls::from)).collect();
+        let objects: Vec<ObjectRef> = objects
+            .iter()
+            .zip(&controls)
+            .map(|(object, controls)| ObjectRef {
+                controls: controls.as_ref(),
+                offset: document.offset(),
+                materials: document.materials(),
+                ..ObjectRef::new(object.name(), object.mesh())
+            })
+            .collect();
+        (format, formats::losses(format, &objects))
+    });
+    &own.losses.insert(losses).1
+}
+
+/// Asks for the files to be written.
+fn save(page: &Page<'_>, own: &mut Saving, out: &mut Requests) {
+    let format = own.format;
+    let Some(name) = stem(&own.name, format) else { return };
+    own.stage = Stage::Closed;
+    let holds_all = losses_of(page, own, format).is_empty();
+    out.push(Request::Save { format, name, holds_all });
 }
 
 #[cfg(test)]

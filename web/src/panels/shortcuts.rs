@@ -2,47 +2,48 @@
 
 use egui::{Context, Grid, RichText, ScrollArea, Ui, Window, vec2};
 
-use crate::actions;
-use crate::app::App;
-use crate::keys::{self, BEZIER_BINDINGS, BINDINGS, Binding, GESTURES};
+use crate::input::actions;
+use crate::input::keys::{self, BEZIER_BINDINGS, BINDINGS, Binding, GESTURES};
+use crate::page_view::Page;
+use crate::request::{Request, Requests};
 
-impl App {
-    pub(crate) fn shortcuts_window(&mut self, ctx: &Context) {
-        let mut open = self.shown.shortcuts;
-        let screen = ctx.content_rect();
-        Window::new("Keyboard shortcuts")
-            .open(&mut open)
-            .collapsible(false)
-            .resizable(false)
-            .pivot(egui::Align2::CENTER_CENTER)
-            .fixed_pos(screen.center())
-            .show(ctx, |ui| {
-                let wide = screen.width() > 700.0;
-                ui.set_width(if wide { 640.0 } else { screen.width() - 48.0 });
-                ScrollArea::vertical().max_height(screen.height() * 0.7).auto_shrink([false, true]).show(
-                    ui,
-                    |ui| {
-                        if wide {
-                            ui.columns(2, |columns| {
-                                if let [left, right] = columns {
-                                    let half = (BINDINGS.len().div_ceil(2) + 6).min(BINDINGS.len());
-                                    bindings(left, "keys", &BINDINGS[..half]);
-                                    bindings(right, "more keys", &BINDINGS[half..]);
-                                    bezier(right);
-                                    right.add_space(12.0);
-                                    gestures(right);
-                                }
-                            });
-                        } else {
-                            bindings(ui, "keys", &BINDINGS);
-                            bezier(ui);
-                            ui.add_space(12.0);
-                            gestures(ui);
-                        }
-                    },
-                );
-            });
-        self.shown.shortcuts = open;
+pub(crate) fn show(ctx: &Context, page: &Page<'_>, out: &mut Requests) {
+    let mut open = page.shown.shortcuts;
+    let screen = ctx.content_rect();
+    Window::new("Keyboard shortcuts")
+        .open(&mut open)
+        .collapsible(false)
+        .resizable(false)
+        .pivot(egui::Align2::CENTER_CENTER)
+        .fixed_pos(screen.center())
+        .show(ctx, |ui| {
+            let wide = screen.width() > 700.0;
+            ui.set_width(if wide { 640.0 } else { screen.width() - 48.0 });
+            ScrollArea::vertical().max_height(screen.height() * 0.7).auto_shrink([false, true]).show(
+                ui,
+                |ui| {
+                    if wide {
+                        ui.columns(2, |columns| {
+                            if let [left, right] = columns {
+                                let half = (BINDINGS.len().div_ceil(2) + 6).min(BINDINGS.len());
+                                bindings(left, "keys", &BINDINGS[..half]);
+                                bindings(right, "more keys", &BINDINGS[half..]);
+                                bezier(right);
+                                right.add_space(12.0);
+                                gestures(right);
+                            }
+                        });
+                    } else {
+                        bindings(ui, "keys", &BINDINGS);
+                        bezier(ui);
+                        ui.add_space(12.0);
+                        gestures(ui);
+                    }
+                },
+            );
+        });
+    if !open && page.shown.shortcuts {
+        out.push(Request::Close(crate::shown::Window::Shortcuts));
     }
 }
 

@@ -3,117 +3,111 @@
 use egui::{Align, Layout, ProgressBar, Rect, RichText, Sense, Ui, Vec2, WidgetInfo, vec2};
 use halfedge::Element;
 
-use crate::app::App;
-use crate::icons::{Icon, icon_button};
 use crate::lists::columns::thousands;
+use crate::page_view::Page;
+use crate::request::{Request, Requests};
+use crate::widgets::icons::{Icon, icon_button};
 
-/// A job that is done within so many seconds is not shown: a bar that flashes says nothing.
-const PATIENCE: f64 = 0.3;
+/// A job that ends sooner shows no progress bar: one that flashes says nothing.
+const SECONDS_BEFORE_PROGRESS_SHOWS: f64 = 0.3;
 
-impl App {
-    pub(crate) fn status_bar(&mut self, ui: &mut Ui, narrow: bool) {
-        if self.survey.step(self.editor.mesh()) {
-            ui.ctx().request_repaint();
+pub(crate) fn show(ui: &mut Ui, page: &Page<'_>, narrow: bool, out: &mut Requests) {
+    ui.horizontal(|ui| {
+        ui.spacing_mut().item_spacing.x = if narrow { 8.0 } else { 14.0 };
+        match page.jobs.waited(ui.input(|input| input.time)) {
+            Some(waited) if waited >= SECONDS_BEFORE_PROGRESS_SHOWS => job_progress(ui, page, narrow, out),
+            Some(waited) => {
+                ui.ctx().request_repaint_after_secs((SECONDS_BEFORE_PROGRESS_SHOWS - waited) as f32)
+            }
+            None => {}
         }
-        ui.horizontal(|ui| {
-            ui.spacing_mut().item_spacing.x = if narrow { 8.0 } else { 14.0 };
-            match self.jobs.waited(ui.input(|input| input.time)) {
-                Some(waited) if waited >= PATIENCE => self.job_progress(ui, narrow),
-                Some(waited) => ui.ctx().request_repaint_after_secs((PATIENCE - waited) as f32),
-                None => {}
-            }
-            self.counts(ui, narrow);
-            if !narrow {
-                ui.with_layout(Layout::right_to_left(Align::Center), |ui| self.machine(ui));
-            }
-        });
-    }
-
-    fn counts(&self, ui: &mut Ui, narrow: bool) {
-        let Some(mesh) = self.editor.mesh() else {
-            ui.label(RichText::new("No mesh").weak());
-            return;
-        };
-        let figure = |ui: &mut Ui, short: &str, value: String, meaning: &str| {
-            ui.horizontal(|ui| {
-                ui.spacing_mut().item_spacing.x = 4.0;
-                ui.label(RichText::new(short).small().weak());
-                let number = ui.label(RichText::new(&value).small());
-                number.clone().accessible_name(format!("{meaning}: {value}"));
-                number.on_hover_text(meaning);
-            });
-        };
-        let count = |kind| thousands(mesh.count(kind));
-        figure(ui, "V", count(Element::Vertex), "Vertices");
-        figure(ui, "E", count(Element::Edge), "Edges");
-        figure(ui, "F", count(Element::Face), "Faces");
-        figure(ui, "H", count(Element::Halfedge), "Half-edges");
-        let found = self.survey.found();
-        let number = |value: Option<usize>| value.map_or_else(|| "…".to_owned(), thousands);
-        figure(
-            ui,
-            "Euler",
-            mesh.euler_characteristic().to_string(),
-            "Euler characteristic: vertices − edges + faces",
-        );
+        counts(ui, page, narrow);
         if !narrow {
-            figure(ui, "Boundary loops", number(found.map(|f| f.boundary_loops)), "Boundary loops");
-            figure(ui, "Components", number(found.map(|f| f.components)), "Connected components");
-            if let Some(length) = self.target_edge() {
-                figure(ui, "Target edge", length.to_string(), "Target edge length of resampling");
-            }
+            ui.with_layout(Layout::right_to_left(Align::Center), |ui| machine(ui, page));
         }
-    }
+    });
+}
 
-    fn machine(&self, ui: &mut Ui) {
-        let device = self.device();
-        let renderer = match device.renderer.as_str() {
-            "webgpu" => "WebGPU",
-            "webgl2" => "WebGL2",
-            other => other,
-        };
-        let time = format!("{:.1} ms", self.frames.median());
-        ui.label(RichText::new(time).small().weak()).on_hover_text(format!(
-            "Processor time of a frame: median; the worst was {:.1} ms",
-            self.frames.worst()
-        ));
-        if !renderer.is_empty() {
-            ui.label(RichText::new(renderer).small().weak())
-                .on_hover_text(format!("Drawn with {renderer}. {}", device.adapter));
-        }
-    }
-
-    fn job_progress(&mut self, ui: &mut Ui, narrow: bool) {
-        let mut cancelled = None;
-        let waiting = self.jobs.iter().count().saturating_sub(1);
-        if let Some(job) = self.jobs.iter().next() {
-            let text = if waiting > 0 { format!("{} (+{waiting})", job.label) } else { job.label.clone() };
-            let width = if narrow { 120.0 } else { 200.0 };
-            let size = vec2(width, 16.0);
-            if job.fraction > 0.0 {
-                let bar = ProgressBar::new(job.fraction)
-                    .desired_width(size.x)
-                    .desired_height(size.y)
-                    .text(RichText::new(&text).small());
-                ui.add_sized(size, bar).accessible_name(text);
-            } else {
-                going_on(ui, size, &text);
-            }
-            if icon_button(ui, Icon::Close, &format!("Cancel {}", job.label), false)
-                .on_hover_text("Cancel (Escape)")
-                .clicked()
-            {
-                cancelled = Some(job.id);
-            }
-        }
-        if let Some(id) = cancelled {
-            self.cancel_job(id);
+fn counts(ui: &mut Ui, page: &Page<'_>, narrow: bool) {
+    let Some(mesh) = page.editor.mesh() else {
+        ui.label(RichText::new("No mesh").weak());
+        return;
+    };
+    let figure = |ui: &mut Ui, short: &str, value: String, meaning: &str| {
+        ui.horizontal(|ui| {
+            ui.spacing_mut().item_spacing.x = 4.0;
+            ui.label(RichText::new(short).small().weak());
+            let number = ui.label(RichText::new(&value).small());
+            number.clone().accessible_name(format!("{meaning}: {value}"));
+            number.on_hover_text(meaning);
+        });
+    };
+    let count = |kind| thousands(mesh.count(kind));
+    figure(ui, "V", count(Element::Vertex), "Vertices");
+    figure(ui, "E", count(Element::Edge), "Edges");
+    figure(ui, "F", count(Element::Face), "Faces");
+    figure(ui, "H", count(Element::Halfedge), "Half-edges");
+    let found = page.survey.found();
+    let number = |value: Option<usize>| value.map_or_else(|| "…".to_owned(), thousands);
+    figure(
+        ui,
+        "Euler",
+        mesh.euler_characteristic().to_string(),
+        "Euler characteristic: vertices − edges + faces",
+    );
+    if !narrow {
+        figure(ui, "Boundary loops", number(found.map(|f| f.boundary_loops)), "Boundary loops");
+        figure(ui, "Components", number(found.map(|f| f.components)), "Connected components");
+        if let Some(length) = page.target_edge {
+            figure(ui, "Target edge", length.to_string(), "Target edge length of resampling");
         }
     }
 }
 
-/// A bar for what has not said how far it is: something in it goes to and fro.
-fn going_on(ui: &mut Ui, size: Vec2, text: &str) {
+fn machine(ui: &mut Ui, page: &Page<'_>) {
+    let device = page.platform.device();
+    let renderer = match device.renderer.as_str() {
+        "webgpu" => "WebGPU",
+        "webgl2" => "WebGL2",
+        other => other,
+    };
+    let time = format!("{:.1} ms", page.frames.median());
+    ui.label(RichText::new(time).small().weak()).on_hover_text(format!(
+        "Processor time of a frame: median; the worst was {:.1} ms",
+        page.frames.worst()
+    ));
+    if !renderer.is_empty() {
+        ui.label(RichText::new(renderer).small().weak())
+            .on_hover_text(format!("Drawn with {renderer}. {}", device.adapter));
+    }
+}
+
+fn job_progress(ui: &mut Ui, page: &Page<'_>, narrow: bool, out: &mut Requests) {
+    let waiting = page.jobs.iter().count().saturating_sub(1);
+    if let Some(job) = page.jobs.iter().next() {
+        let text = if waiting > 0 { format!("{} (+{waiting})", job.label) } else { job.label.clone() };
+        let width = if narrow { 120.0 } else { 200.0 };
+        let size = vec2(width, 16.0);
+        if job.fraction > 0.0 {
+            let bar = ProgressBar::new(job.fraction)
+                .desired_width(size.x)
+                .desired_height(size.y)
+                .text(RichText::new(&text).small());
+            ui.add_sized(size, bar).accessible_name(text);
+        } else {
+            indeterminate_bar(ui, size, &text);
+        }
+        if icon_button(ui, Icon::Close, &format!("Cancel {}", job.label), false)
+            .on_hover_text("Cancel (Escape)")
+            .clicked()
+        {
+            out.push(Request::CancelJob(job.id));
+        }
+    }
+}
+
+/// A bar for a job that has not told its progress: a part of it moves to and fro.
+fn indeterminate_bar(ui: &mut Ui, size: Vec2, text: &str) {
     const SECONDS: f64 = 1.6;
     const LENGTH: f32 = 0.3;
     let (rect, response) = ui.allocate_exact_size(size, Sense::hover());

@@ -1,5 +1,5 @@
 //! What the editor needs from where it runs: jobs, files, settings. The page implements it with a
-//! browser, the tests with [`crate::headless::Headless`].
+//! browser, the tests with [`headless::Headless`].
 //!
 //! Requests go down through [`Platform`]'s methods; everything that happens meanwhile comes back as
 //! [`Event`]s, polled once a frame. Whoever queues an event outside a frame (a worker's message, a
@@ -7,6 +7,8 @@
 
 #[cfg(target_arch = "wasm32")]
 pub mod browser;
+#[cfg(not(target_arch = "wasm32"))]
+pub mod headless;
 
 use editor::CommandError;
 pub use formats::NamedBytes;

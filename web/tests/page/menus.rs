@@ -5,7 +5,7 @@ use egui::accesskit::Role;
 use egui::{Key, Modifiers};
 use egui_kittest::kittest::{NodeT, Queryable};
 use halfedge::Element;
-use meshwright_web::actions;
+use meshwright_web::input::actions;
 use serde_json::json;
 
 const CTRL: Modifiers = Modifiers::COMMAND;

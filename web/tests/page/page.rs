@@ -6,7 +6,7 @@ use egui_kittest::wgpu::{WgpuTestRenderer, create_render_state, default_wgpu_set
 use egui_kittest::{Harness, Node, kittest::Queryable};
 use halfedge::{Element, Mesh};
 use meshwright_web::app::App;
-use meshwright_web::headless::{Headless, Outside};
+use meshwright_web::platform::headless::{Headless, Outside};
 use meshwright_web::platform::{Event, NamedBytes};
 use serde_json::Value;
 

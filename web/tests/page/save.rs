@@ -4,7 +4,7 @@ use crate::page::Page;
 use egui::{Event, Key, Modifiers};
 use egui_kittest::kittest::{NodeT, Queryable};
 use formats::Format;
-use meshwright_web::actions;
+use meshwright_web::input::actions;
 use serde_json::json;
 
 /// Opens the dialog and types a name over the one that is there.

@@ -1,103 +1,92 @@
 //! An edge: its ends, length, sides, and where to split it.
 
-use super::{facts, measured};
-use crate::actions::{self, Action};
-use crate::app::App;
+use super::InspectorState;
+use super::{fact, facts, measured, pointer};
+use crate::input::actions::{self, Action};
+use crate::page_view::Page;
 use crate::panels::menu_bar::explain;
+use crate::request::Requests;
 use editor::OpId;
 use editor::ops::{Connect, SplitEdge};
 use egui::{ComboBox, Slider, Ui};
 use halfedge::{Element, HalfedgeId, keys};
 
-impl App {
-    pub(super) fn inspect_edge(&mut self, ui: &mut Ui, id: u32) {
-        let Some((mesh, e)) = self.editor.mesh().and_then(|mesh| Some((mesh, mesh.edge(id)?))) else {
-            return;
-        };
-        let [a, b] = mesh.ends(e);
-        let length = mesh.position(a).distance(mesh.position(b));
-        let sides = e.halfedges().map(HalfedgeId::raw);
-        let faces = e.halfedges().map(|h| mesh.face_of(h).map(|f| (Element::Face, f.raw())));
-        let boundary = mesh.is_boundary_edge(e);
-        let crease = mesh.get(keys::EDGE_CREASE, e.index());
-        facts(ui, "edge facts", |ui| {
-            self.pointer(
+pub(super) fn show(ui: &mut Ui, page: &Page<'_>, id: u32, own: &mut InspectorState, out: &mut Requests) {
+    let Some((mesh, e)) = page.editor.mesh().and_then(|mesh| Some((mesh, mesh.edge(id)?))) else {
+        return;
+    };
+    let [a, b] = mesh.ends(e);
+    let length = mesh.position(a).distance(mesh.position(b));
+    let sides = e.halfedges().map(HalfedgeId::raw);
+    let faces = e.halfedges().map(|h| mesh.face_of(h).map(|f| (Element::Face, f.raw())));
+    let boundary = mesh.is_boundary_edge(e);
+    let crease = mesh.get(keys::EDGE_CREASE, e.index());
+    facts(ui, "edge facts", |ui| {
+        pointer(
+            ui,
+            out,
+            "From",
+            Some((Element::Vertex, a.raw())),
+            "",
+            "Where the edge's first half-edge starts",
+        );
+        pointer(ui, out, "To", Some((Element::Vertex, b.raw())), "", "Where the edge's first half-edge ends");
+        fact(ui, "Length", measured(length), "The distance between its ends");
+        for (name, side) in ["Half-edge", "Twin"].into_iter().zip(sides) {
+            pointer(
                 ui,
-                "From",
-                Some((Element::Vertex, a.raw())),
+                out,
+                name,
+                Some((Element::Halfedge, side)),
                 "",
-                "Where the edge's first half-edge starts",
+                "One of the edge's two directed sides",
             );
-            self.pointer(
-                ui,
-                "To",
-                Some((Element::Vertex, b.raw())),
-                "",
-                "Where the edge's first half-edge ends",
-            );
-            self.fact(ui, "Length", measured(length), "The distance between its ends");
-            for (name, side) in ["Half-edge", "Twin"].into_iter().zip(sides) {
-                self.pointer(
-                    ui,
-                    name,
-                    Some((Element::Halfedge, side)),
-                    "",
-                    "One of the edge's two directed sides",
-                );
-            }
-            for (name, face) in ["Left face", "Right face"].into_iter().zip(faces) {
-                self.pointer(ui, name, face, "boundary", "The face on this side of the edge");
-            }
-            self.fact(ui, "Boundary", if boundary { "yes" } else { "no" }, "Whether one side has no face");
-            if crease > 0.0 {
-                self.fact(
-                    ui,
-                    "Crease",
-                    measured(crease),
-                    "How sharp subdivision keeps the edge; 10 is fully sharp",
-                );
-            }
-        });
-        self.split_form(ui);
-    }
+        }
+        for (name, face) in ["Left face", "Right face"].into_iter().zip(faces) {
+            pointer(ui, out, name, face, "boundary", "The face on this side of the edge");
+        }
+        fact(ui, "Boundary", if boundary { "yes" } else { "no" }, "Whether one side has no face");
+        if crease > 0.0 {
+            fact(ui, "Crease", measured(crease), "How sharp subdivision keeps the edge; 10 is fully sharp");
+        }
+    });
+    split_form(ui, page, own, out);
+}
 
-    /// The split, with where and how; for all selected edges.
-    pub(super) fn split_form(&mut self, ui: &mut Ui) {
-        let id = OpId::SplitEdge;
-        let action = Action::Operation(id);
-        ui.add_space(6.0);
-        let mut t = self.forms.split_t.unwrap_or(0.5);
-        let mut connect = self.forms.split_connect.unwrap_or_default();
-        ui.horizontal(|ui| {
-            ui.spacing_mut().slider_width = (ui.available_width() - 124.0).max(60.0);
-            let label = ui.label("Split at");
-            let slider = Slider::new(&mut t, 0.01..=0.99).max_decimals(3);
-            ui.add(slider)
-                .labelled_by(label.id)
-                .on_hover_text("How far along the edge the new vertex is, between its ends");
-        });
-        let why_not = self.why_not(action);
-        ui.horizontal(|ui| {
-            let combo = ComboBox::from_id_salt("connect")
-                .selected_text(connect.label())
-                .width(140.0)
-                .show_ui(ui, |ui| {
-                    for other in Connect::ALL {
-                        if ui.selectable_label(connect == *other, other.label()).clicked() {
-                            connect = *other;
-                        }
+/// The split, with where and how; for all selected edges.
+pub(super) fn split_form(ui: &mut Ui, page: &Page<'_>, own: &mut InspectorState, out: &mut Requests) {
+    let id = OpId::SplitEdge;
+    let action = Action::Operation(id);
+    ui.add_space(6.0);
+    let mut t = own.t.unwrap_or(0.5);
+    let mut connect = own.connect.unwrap_or_default();
+    ui.horizontal(|ui| {
+        ui.spacing_mut().slider_width = (ui.available_width() - 124.0).max(60.0);
+        let label = ui.label("Split at");
+        let slider = Slider::new(&mut t, 0.01..=0.99).max_decimals(3);
+        ui.add(slider)
+            .labelled_by(label.id)
+            .on_hover_text("How far along the edge the new vertex is, between its ends");
+    });
+    let why_not = page.why_not(action);
+    ui.horizontal(|ui| {
+        let combo =
+            ComboBox::from_id_salt("connect").selected_text(connect.label()).width(140.0).show_ui(ui, |ui| {
+                for other in Connect::ALL {
+                    if ui.selectable_label(connect == *other, other.label()).clicked() {
+                        connect = *other;
                     }
-                });
-            combo
-                .response
-                .accessible_name("Cut")
-                .on_hover_text("Which faces beside the edge are cut from the new vertex");
-            let button = ui.add_enabled(why_not.is_none(), egui::Button::new(id.spec().label));
-            if explain(button, ui, &actions::of_operation(id), why_not.as_deref()).clicked() {
-                self.begin(SplitEdge { edge: None, t, connect }.into(), None);
-            }
-        });
-        self.forms.split_t = Some(t);
-        self.forms.split_connect = Some(connect);
-    }
+                }
+            });
+        combo
+            .response
+            .accessible_name("Cut")
+            .on_hover_text("Which faces beside the edge are cut from the new vertex");
+        let button = ui.add_enabled(why_not.is_none(), egui::Button::new(id.spec().label));
+        if explain(button, ui, &actions::of_operation(id), why_not.as_deref()).clicked() {
+            out.run(SplitEdge { edge: None, t, connect });
+        }
+    });
+    own.t = Some(t);
+    own.connect = Some(connect);
 }

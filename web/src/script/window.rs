@@ -17,7 +17,7 @@ use super::ui_tree::UiTree;
 use crate::app::App;
 use crate::page::Handle;
 use crate::platform::NamedBytes;
-use crate::scripting::{self, Reply};
+use crate::session::jobs::{Answer as Answered, Reply};
 
 /// Adds the methods to the `window.meshwright` of index.html.
 pub(crate) fn install(handle: &Handle) -> Result<(), JsValue> {
@@ -101,13 +101,13 @@ pub(crate) fn install(handle: &Handle) -> Result<(), JsValue> {
         let Some([x, y]) = app.script_project([*x as f32, *y as f32, *z as f32]) else {
             return Ok(JsValue::NULL);
         };
-        let (corner, zoom) = (at.corner(), app.ctx.zoom_factor());
+        let (corner, zoom) = (at.corner(), app.ctx().zoom_factor());
         to_js(&[corner[0] + x * zoom, corner[1] + y * zoom])
     })?;
 
     let at = handle.clone();
     method(api, "ui", move |_, _| {
-        let tree = app(&at)?.ctx.plugin::<UiTree>();
+        let tree = app(&at)?.ctx().plugin::<UiTree>();
         let nodes = tree.lock().nodes(at.corner());
         to_js(&nodes)
     })
@@ -131,8 +131,8 @@ fn reply(settle: &Settle, wanted: Wanted) -> Reply {
     let settle = settle.clone();
     Box::new(move |result| {
         settle.with(match result {
-            Ok(scripting::Answer::Outcome(outcome)) => to_js(&outcome),
-            Ok(scripting::Answer::Files(files)) => match wanted {
+            Ok(Answered::Outcome(outcome)) => to_js(&outcome),
+            Ok(Answered::Files(files)) => match wanted {
                 Wanted::Model => Ok(formats::alone(files).as_ref().map_or(JsValue::UNDEFINED, bytes_to_js)),
                 Wanted::AllFiles => {
                     files.iter().map(file_to_js).collect::<Result<Array, _>>().map(Into::into)

@@ -4,23 +4,24 @@
 
 use editor::ops::{Drag, Field};
 use editor::{Command, CommandError, Facts, OpId};
-use egui::{Align2, Area, Context, DragValue, Event, Frame, Id, Key, Order, Pos2, RichText, Ui, pos2};
-use glam::{Vec3, vec2};
+use egui::{Context, Event, Key, Pos2};
+use glam::Vec3;
 use serde_json::{Value, json};
 
-use crate::app::App;
 use crate::panels::fields;
+use crate::session::Session;
+use crate::view::View;
 
 /// How far the pointer goes to slide over a whole edge, in points.
 const EDGE_TRAVEL: f32 = 240.0;
 
 /// A live edit that is going on.
 pub(crate) struct Live {
-    id: OpId,
-    field: &'static Field,
-    drag: Drag,
+    pub id: OpId,
+    pub field: &'static Field,
+    pub drag: Drag,
     /// The amount; only the first number counts but for an offset.
-    value: Vec3,
+    pub value: Vec3,
     /// What was typed, digit by digit.
     typed: String,
     /// Where the pointer was when it began to count; none until it is over the viewport, and again
@@ -33,7 +34,7 @@ pub(crate) struct Live {
     /// Whether the document has the edit in it.
     shown: bool,
     /// Why it has not.
-    refused: Option<String>,
+    pub refused: Option<String>,
 }
 
 impl Live {
@@ -69,9 +70,9 @@ impl Live {
     }
 }
 
-impl App {
+impl Session {
     /// Starts a live edit of what is selected. Nothing changes before the pointer moves.
-    pub(crate) fn start_live(&mut self, id: OpId) {
+    pub fn start_live(&mut self, id: OpId) {
         self.end_live(false);
         self.end_preview();
         self.live = Live::new(id);
@@ -81,13 +82,12 @@ impl App {
     }
 
     /// Makes the live edit one undo step, or takes it back without a trace.
-    pub(crate) fn end_live(&mut self, apply: bool) {
+    pub fn end_live(&mut self, apply: bool) {
         let Some(live) = self.live.take() else { return };
         if apply && live.refused.is_none() {
-            self.commit_preview();
+            self.editor.commit_edit();
         } else {
             self.editor.cancel_edit();
-            self.follow();
         }
     }
 
@@ -97,14 +97,12 @@ impl App {
         if !live.does_something() {
             // Back at nothing: as it was, and still going on.
             self.editor.cancel_edit();
-            self.follow();
             if let Some(live) = &mut self.live {
                 (live.shown, live.refused) = (false, None);
             }
             return;
         }
         let result = live.command().and_then(|command| self.editor.update_edit(command));
-        self.follow();
         if let Some(live) = &mut self.live {
             live.shown = self.editor.is_editing();
             live.refused = result.err().map(|error| error.reason());
@@ -113,7 +111,7 @@ impl App {
 
     /// The keys of a live edit, which come before all others: digits, Enter and Escape. Gives whether
     /// one is going on.
-    pub(crate) fn live_keys(&mut self, ctx: &Context) -> bool {
+    pub fn live_keys(&mut self, ctx: &Context) -> bool {
         let Some(live) = &mut self.live else { return false };
         if live.shown && !self.editor.is_editing() {
             // An undo or a script ended it.
@@ -156,7 +154,7 @@ impl App {
     }
 
     /// Lets the amount follow the pointer over the viewport.
-    pub(crate) fn live_pointer(&mut self, pointer: Option<Pos2>) {
+    pub fn live_pointer(&mut self, pointer: Option<Pos2>, view: &View) {
         let (Some(live), Some(at)) = (&mut self.live, pointer) else { return };
         if !live.follows || live.at.replace(at) == Some(at) {
             return;
@@ -166,14 +164,14 @@ impl App {
             return;
         };
         let by = at - from;
-        let units = self.view.drag_speed() as f32;
+        let units = view.drag_speed() as f32;
         let before = live.value;
         match live.drag {
             Drag::Distance | Drag::Width => live.set((by.x - by.y) * units),
             Drag::Fraction => live.set(0.5 + (by.x - by.y) / EDGE_TRAVEL),
             Drag::Offset => {
-                let anchor = self.view.camera.target.as_vec3();
-                let to = self.view.camera.drag(anchor, vec2(by.x, by.y), self.view.size());
+                let anchor = view.camera.target.as_vec3();
+                let to = view.camera.drag(anchor, glam::vec2(by.x, by.y), view.size());
                 if to.is_finite() {
                     live.value = to - anchor;
                 }
@@ -184,69 +182,13 @@ impl App {
         }
     }
 
-    /// The field over the viewport: what is going on, its amount, and how it ends.
-    pub(crate) fn live_bar(&mut self, ctx: &Context) {
-        let Some(live) = &self.live else { return };
-        let top = self.view.rect().center_top();
-        let (label, drag, field, mut value) = (live.id.spec().label, live.drag, live.field, live.value);
-        let refused = live.refused.clone();
-        let speed = self.view.drag_speed();
-        let mut done = None;
-        let mut changed = false;
-        let area = Area::new(Id::unique("live edit")).order(Order::Foreground).pivot(Align2::CENTER_TOP);
-        area.fixed_pos(pos2(top.x, top.y + 8.0)).show(ctx, |ui| {
-            Frame::popup(ui.style()).show(ui, |ui| {
-                ui.horizontal(|ui| {
-                    ui.label(RichText::new(label).strong());
-                    changed = amounts(ui, drag, field, speed, &mut value);
-                    if ui
-                        .button("Apply")
-                        .on_hover_text("Makes one undo step of it (Enter, or a click in the viewport)")
-                        .clicked()
-                    {
-                        done = Some(true);
-                    }
-                    if ui.button("Cancel edit").on_hover_text("Leaves no trace (Escape)").clicked() {
-                        done = Some(false);
-                    }
-                });
-                let hint = "Move the pointer, or type a number; Enter applies, Escape cancels.";
-                match refused {
-                    Some(reason) => ui.colored_label(ui.visuals().warn_fg_color, reason),
-                    None => ui.label(RichText::new(hint).small().weak()),
-                };
-            });
-        });
-        if changed && let Some(live) = &mut self.live {
-            live.follows = false;
-            live.typed.clear();
-            live.value = value;
-            live.set(value.x);
-            self.show_live();
-        }
-        if let Some(apply) = done {
-            self.end_live(apply);
-        }
+    /// Sets the amount of the edit: it no longer follows the pointer.
+    pub fn set_live_amount(&mut self, value: Vec3) {
+        let Some(live) = &mut self.live else { return };
+        live.follows = false;
+        live.typed.clear();
+        live.value = value;
+        live.set(value.x);
+        self.show_live();
     }
-}
-
-/// The amount's number, or three of them; gives whether one was changed.
-fn amounts(ui: &mut Ui, drag: Drag, field: &Field, speed: f64, value: &mut Vec3) -> bool {
-    let label = field.label();
-    if drag != Drag::Offset {
-        let speed = if drag == Drag::Fraction { 0.005 } else { speed };
-        return ui
-            .add(DragValue::new(&mut value.x).speed(speed).max_decimals(5))
-            .on_hover_text("Drag, click to type, or just type a number")
-            .accessible_name(label)
-            .changed();
-    }
-    let mut changed = false;
-    for (axis, number) in ["x", "y", "z"].iter().zip([&mut value.x, &mut value.y, &mut value.z]) {
-        changed |= ui
-            .add(DragValue::new(number).speed(speed).max_decimals(5))
-            .accessible_name(format!("{label} {axis}"))
-            .changed();
-    }
-    changed
 }

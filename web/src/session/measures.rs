@@ -2,7 +2,7 @@
 
 use editor::{Changes, Editor, Facts};
 
-use crate::survey::Survey;
+use crate::session::survey::Survey;
 
 /// The lengths and areas of the active mesh, measured when they are first asked for after a change.
 #[derive(Debug, Default)]

@@ -1,6 +1,6 @@
 //! The keys, in one table: menus, tooltips, the shortcuts window and the input handling read it.
 
-use crate::actions::Action;
+use crate::input::actions::Action;
 use crate::lists::row_list;
 use editor::OpId;
 use egui::{Context, Key, KeyboardShortcut, Modifiers};
@@ -209,7 +209,7 @@ fn matches(pressed: Modifiers, shortcut: &KeyboardShortcut) -> bool {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::actions;
+    use crate::input::actions;
 
     #[test]
     fn no_key_is_bound_twice() {

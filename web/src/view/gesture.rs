@@ -8,12 +8,13 @@ use halfedge::Element;
 use viewport::{BoxSelection, ScreenRect};
 
 use super::View;
+use super::Viewport;
 use super::picture::FACES_A_FRAME;
-use crate::app::App;
 use crate::bezier::{self, ControlPoint};
+use crate::request::{Request, Requests};
 
 /// How far from a vertex or an edge the pointer may be to mean it, in points.
-const REACH: f32 = 8.0;
+const PICK_RADIUS_POINTS: f32 = 8.0;
 
 /// What a drag with the first button does beside the mesh.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -71,13 +72,13 @@ impl View {
     }
 }
 
-impl App {
-    pub(super) fn gestures(&mut self, ui: &Ui, response: &Response) {
+impl Viewport<'_> {
+    pub(super) fn gestures(&mut self, ui: &Ui, response: &Response, out: &mut Requests) {
         let touches = ui.input(|input| input.multi_touch());
         let pointer = response.interact_pointer_pos();
         if let Some(touch) = touches.filter(|_| response.dragged() || response.contains_pointer()) {
             // Two fingers: whatever one finger had begun is over.
-            self.end_gesture(None);
+            self.end_gesture(None, out);
             self.view.gesture = Gesture::Ended;
             let size = self.view.size();
             let by = touch.translation_delta;
@@ -93,36 +94,37 @@ impl App {
             }
         }
         if response.dragged() {
-            self.go_on(ui, response, pointer);
+            self.continue_gesture(ui, response, pointer, out);
         }
         if response.drag_stopped() {
-            self.end_gesture(pointer.map(|at| (at, ui.input(|input| input.modifiers.shift))));
+            self.end_gesture(pointer.map(|at| (at, ui.input(|input| input.modifiers.shift))), out);
         }
-        self.go_on_with_box(ui);
+        self.continue_box(ui, out);
         self.wheel(ui, response);
         self.hover(ui, response);
-        if !response.is_pointer_button_down_on() {
-            self.live_pointer(response.hover_pos());
+        if self.session.live.is_some() && !response.is_pointer_button_down_on() {
+            out.push(Request::LivePointer(response.hover_pos()));
         }
-        if response.clicked() && self.live.is_some() {
-            self.end_live(true);
+        if response.clicked() && self.session.live.is_some() {
+            out.push(Request::EndLive { commit: true });
         } else if response.clicked()
             && let Some(at) = pointer
         {
-            self.click(ui, at);
+            self.click(ui, at, out);
         }
         if response.double_clicked()
             && let Some(at) = pointer
             && self.control_point_at(at).is_none()
+            && let Some(insert) = bezier::add_control_point_at(&self.session.editor, self.view, at)
         {
-            self.add_control_point_at(at);
+            out.push(Request::InsertControlPoint(insert));
         }
         if response.secondary_clicked()
             && let Some(at) = pointer
             && let Some(id) = self.pick(at)
-            && !self.editor.selection().contains(self.lists.kind.0, id)
+            && !self.session.editor.selection().contains(self.shown.kind, id)
         {
-            self.select(self.lists.kind.0, [id], SelectMode::Replace);
+            out.select(self.shown.kind, [id], SelectMode::Replace);
         }
     }
 
@@ -138,7 +140,7 @@ impl App {
         } else if modifiers.command || self.view.tool == Tool::Box {
             Gesture::Box { from }
         } else if let Some((point, anchor)) = self.control_point_at(from) {
-            self.player.choose(Some(point));
+            self.player.controls.choose(Some(point));
             Gesture::Control { point, from, anchor }
         } else {
             match self.movable(from) {
@@ -150,23 +152,24 @@ impl App {
 
     /// Where the selected vertex under the pointer is: dragging it moves what is selected.
     fn movable(&mut self, at: Pos2) -> Option<Vec3> {
-        let selection = self.editor.selection();
-        if self.live.is_some()
-            || self.lists.kind.0 != Element::Vertex
+        let selection = self.session.editor.selection();
+        if self.session.live.is_some()
+            || self.shown.kind != Element::Vertex
             || selection.kind() != Element::Vertex
             || selection.is_empty()
         {
             return None;
         }
         let id = self.pick(at)?;
-        let mesh = self.editor.mesh()?;
-        self.editor
+        let mesh = self.session.editor.mesh()?;
+        self.session
+            .editor
             .selection()
             .contains(Element::Vertex, id)
             .then(|| mesh.vertex(id).map(|v| mesh.position(v)))?
     }
 
-    fn go_on(&mut self, ui: &Ui, response: &Response, pointer: Option<Pos2>) {
+    fn continue_gesture(&mut self, ui: &Ui, response: &Response, pointer: Option<Pos2>, out: &mut Requests) {
         let size = self.view.size();
         let by = vec2(response.drag_delta().x, response.drag_delta().y);
         match (&self.view.gesture, pointer) {
@@ -181,9 +184,9 @@ impl App {
             (&Gesture::Control { point, from, anchor }, Some(at))
                 if response.drag_delta() != egui::Vec2::ZERO =>
             {
-                let to = self.dragged_to(anchor, from, at);
+                let to = bezier::dragged_to(&self.session.editor, self.view, anchor, from, at);
                 if to.is_finite() {
-                    self.preview(bezier::moved(point, to));
+                    out.update_edit(bezier::moved(point, to));
                 }
             }
             // A hand that holds still changes nothing.
@@ -191,7 +194,7 @@ impl App {
                 let delta = vec2(at.x - from.x, at.y - from.y);
                 let to = self.view.camera.drag(anchor, delta, size);
                 if to.is_finite() {
-                    self.move_selected(to, to - anchor);
+                    self.move_selected(to, to - anchor, out);
                 }
             }
             _ => {}
@@ -199,28 +202,25 @@ impl App {
     }
 
     /// Previews the selected vertices moved along with the one under the pointer.
-    fn move_selected(&mut self, to: Vec3, by: Vec3) {
-        let selection = self.editor.selection();
+    fn move_selected(&self, to: Vec3, by: Vec3, out: &mut Requests) {
+        let selection = self.session.editor.selection();
         match (selection.len(), selection.latest()) {
             (1, Some(id)) => {
-                self.preview(SetVertexPosition { vertex: Some(VertexRef(id)), position: to.to_array() });
+                out.update_edit(SetVertexPosition { vertex: Some(VertexRef(id)), position: to.to_array() });
             }
             _ => {
                 let vertices = selection.ids().map(VertexRef).collect();
                 let translate = by.to_array();
-                self.preview(Transform { vertices: Some(vertices), translate, ..Transform::default() });
+                out.update_edit(Transform { vertices: Some(vertices), translate, ..Transform::default() });
             }
         }
     }
 
     /// Ends the drag, at a place with or without shift, or without a trace.
-    fn end_gesture(&mut self, at: Option<(Pos2, bool)>) {
+    fn end_gesture(&mut self, at: Option<(Pos2, bool)>, out: &mut Requests) {
         match (std::mem::replace(&mut self.view.gesture, Gesture::None), at) {
-            (Gesture::Move { .. } | Gesture::Control { .. }, Some(_)) => self.commit_preview(),
-            (Gesture::Move { .. } | Gesture::Control { .. }, None) => {
-                self.editor.cancel_edit();
-                self.follow();
-            }
+            (Gesture::Move { .. } | Gesture::Control { .. }, Some(_)) => out.push(Request::CommitEdit),
+            (Gesture::Move { .. } | Gesture::Control { .. }, None) => out.push(Request::CancelEdit),
             (Gesture::Box { from }, Some((to, extend))) => {
                 self.start_box(Rect::from_two_pos(from, to), extend);
             }
@@ -245,22 +245,22 @@ impl App {
     /// Looks what is under the pointer, when the pointer or the view moved.
     fn hover(&mut self, ui: &Ui, response: &Response) {
         // A live edit's pointer gives an amount and points at nothing.
-        let going = self.view.gesture != Gesture::None || self.live.is_some();
+        let going = self.view.gesture != Gesture::None || self.session.live.is_some();
         let at = response.hover_pos().filter(|_| !going && !response.is_pointer_button_down_on());
         let Some(at) = at else {
-            if !going || self.live.is_some() {
+            if !going || self.session.live.is_some() {
                 self.view.hovered = None;
                 self.player.hovered = None;
                 self.view.looked = None;
             }
             return;
         };
-        let look = (at, self.view.camera, self.lists.kind.0);
+        let look = (at, self.view.camera, self.shown.kind);
         if self.view.looked == Some(look) {
             return;
         }
-        let active = self.editor.document().active().filter(|object| object.visible());
-        if active.is_some_and(|object| !self.view.plant(object)) {
+        let active = self.session.editor.document().active().filter(|object| object.visible());
+        if active.is_some_and(|object| !self.view.build_tree_step(object)) {
             // Looked at again in the next frame, with more of the tree.
             ui.ctx().request_repaint();
             return;
@@ -269,38 +269,47 @@ impl App {
         self.player.hovered = self.control_point_at(at).map(|(point, _)| point);
         self.view.hovered = match self.player.hovered {
             Some(_) => None,
-            None => self.pick(at).map(|id| (self.lists.kind.0, id)),
+            None => self.pick(at).map(|id| (self.shown.kind, id)),
         };
         if (self.view.hovered.is_some() || self.player.hovered.is_some()) && self.view.tool == Tool::Orbit {
             ui.ctx().set_cursor_icon(CursorIcon::PointingHand);
         }
     }
 
+    fn control_point_at(&self, at: Pos2) -> Option<(ControlPoint, Vec3)> {
+        bezier::control_point_at(&self.session.editor, self.view, self.player, at)
+    }
+
     /// The element of the listed kind at a place on the page.
     fn pick(&mut self, at: Pos2) -> Option<u32> {
-        let object = self.editor.document().active().filter(|object| object.visible())?;
+        let object = self.session.editor.document().active().filter(|object| object.visible())?;
         let (camera, local, size) = (self.view.camera, self.view.local(at), self.view.size());
         let mesh = object.mesh();
         let tree = self.view.tree(object);
-        viewport::pick(mesh, tree, &camera, size, local, self.lists.kind.0, REACH).map(|picked| picked.id)
+        viewport::pick(mesh, tree, &camera, size, local, self.shown.kind, PICK_RADIUS_POINTS)
+            .map(|picked| picked.id)
     }
 
     /// Begins to select the visible elements of the listed kind in a box of the page.
     fn start_box(&mut self, area: Rect, extend: bool) {
-        let Some(object) = self.editor.document().active().filter(|object| object.visible()) else { return };
+        let Some(object) = self.session.editor.document().active().filter(|object| object.visible()) else {
+            return;
+        };
         let rect = ScreenRect::between(self.view.local(area.min), self.view.local(area.max));
         let (camera, size) = (self.view.camera, self.view.size());
-        let found = BoxSelection::new(&camera, size, rect, self.lists.kind.0, true);
+        let found = BoxSelection::new(&camera, size, rect, self.shown.kind, true);
         self.view.boxed = Some((object.id(), found, extend));
     }
 
     /// Looks what else is in the box: of a small mesh all of it, else some elements in each frame.
-    fn go_on_with_box(&mut self, ui: &Ui) {
+    fn continue_box(&mut self, ui: &Ui, out: &mut Requests) {
         let Some((id, mut boxed, extend)) = self.view.boxed.take() else { return };
-        let Some(object) = self.editor.document().active().filter(|object| object.id() == id) else { return };
+        let Some(object) = self.session.editor.document().active().filter(|object| object.id() == id) else {
+            return;
+        };
         let mesh = object.mesh();
         let small = mesh.face_count().max(mesh.vertex_count()) <= FACES_A_FRAME;
-        let found = match self.view.plant(object) {
+        let found = match self.view.build_tree_step(object) {
             true if small => Some(boxed.finish(mesh, self.view.tree(object))),
             true => boxed.step(mesh, self.view.tree(object), FACES_A_FRAME),
             false => None,
@@ -308,7 +317,7 @@ impl App {
         match found {
             Some(ids) => {
                 let mode = if extend { SelectMode::Extend } else { SelectMode::Replace };
-                self.select(boxed.kind(), ids, mode);
+                out.select(boxed.kind(), ids, mode);
             }
             None => {
                 self.view.boxed = Some((id, boxed, extend));
@@ -318,11 +327,11 @@ impl App {
         }
     }
 
-    fn click(&mut self, ui: &Ui, at: Pos2) {
+    fn click(&mut self, ui: &Ui, at: Pos2, out: &mut Requests) {
         let modifiers = ui.input(|input| input.modifiers);
-        let kind = self.lists.kind.0;
+        let kind = self.shown.kind;
         let point = self.control_point_at(at).map(|(point, _)| point);
-        self.player.choose(point);
+        self.player.controls.choose(point);
         if point.is_some() {
             return;
         }
@@ -335,13 +344,10 @@ impl App {
                 } else {
                     SelectMode::Replace
                 };
-                self.select(kind, [id], mode);
+                out.select(kind, [id], mode);
             }
             // With a modifier held, a near miss should not throw the selection away.
-            None if !modifiers.command && !modifiers.shift => {
-                self.editor.deselect();
-                self.follow();
-            }
+            None if !modifiers.command && !modifiers.shift => out.push(Request::Deselect),
             None => {}
         }
     }

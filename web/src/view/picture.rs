@@ -6,7 +6,7 @@ use egui_wgpu::{Callback, CallbackResources, CallbackTrait, RenderState, ScreenD
 use halfedge::{Element, Mesh};
 use viewport::{Camera, Frame, Highlight, Layer, ObjectDraw, Renderer, Style};
 
-use crate::app::App;
+use super::View;
 
 /// Of a mesh with more faces, so many are uploaded in a frame: all at once would be a long one.
 pub(super) const FACES_A_FRAME: usize = 150_000;
@@ -158,39 +158,37 @@ impl CallbackTrait for Drawing {
     }
 }
 
-impl App {
-    pub(super) fn paint_picture(&mut self, ui: &Ui, rect: Rect) {
-        let view = &mut self.view;
-        let from_list = view.from_list.take();
-        if from_list.is_some() {
-            view.hovered = from_list;
-        }
-        let Some(picture) = &mut view.picture else {
-            ui.painter().rect_filled(rect, 0.0, ui.visuals().extreme_bg_color);
-            return;
-        };
-        let document = self.editor.document();
-        if picture.prepare(&self.editor, &view.style, view.hovered) {
-            ui.ctx().request_repaint();
-        }
-        let pixels_per_point = ui.pixels_per_point();
-        let pixels = |points: f32| (points * pixels_per_point).round().max(1.0) as u32;
-        let active = document.active().map(editor::Object::id);
-        let drawing = Drawing {
-            size: [pixels(rect.width()), pixels(rect.height())],
-            pixels_per_point,
-            camera: view.camera,
-            style: view.style,
-            objects: document
-                .objects()
-                .iter()
-                .map(|object| ObjectDraw {
-                    id: object.id().0,
-                    visible: object.visible(),
-                    active: Some(object.id()) == active,
-                })
-                .collect(),
-        };
-        ui.painter().add(Callback::new_paint_callback(rect, drawing));
+/// Draws the picture of the document.
+pub(super) fn paint(ui: &Ui, rect: Rect, editor: &Editor, view: &mut View) {
+    let from_list = view.from_list.take();
+    if from_list.is_some() {
+        view.hovered = from_list;
     }
+    let Some(picture) = &mut view.picture else {
+        ui.painter().rect_filled(rect, 0.0, ui.visuals().extreme_bg_color);
+        return;
+    };
+    let document = editor.document();
+    if picture.prepare(editor, &view.style, view.hovered) {
+        ui.ctx().request_repaint();
+    }
+    let pixels_per_point = ui.pixels_per_point();
+    let pixels = |points: f32| (points * pixels_per_point).round().max(1.0) as u32;
+    let active = document.active().map(editor::Object::id);
+    let drawing = Drawing {
+        size: [pixels(rect.width()), pixels(rect.height())],
+        pixels_per_point,
+        camera: view.camera,
+        style: view.style,
+        objects: document
+            .objects()
+            .iter()
+            .map(|object| ObjectDraw {
+                id: object.id().0,
+                visible: object.visible(),
+                active: Some(object.id()) == active,
+            })
+            .collect(),
+    };
+    ui.painter().add(Callback::new_paint_callback(rect, drawing));
 }

@@ -1,35 +1,20 @@
 //! The editor as scripts on the page see it: what `window.meshwright` is made of, without the
 //! JavaScript.
 
-use editor::{Command, JobId, Outcome, SelectMode};
+use editor::{Command, JobId, SelectMode};
 use formats::Format;
 use halfedge::Element;
 use serde_json::{Value, json};
 
-use crate::app::App;
+use super::App;
 use crate::panels::save;
 use crate::platform::{DeviceInfo, NamedBytes};
-
-/// What a call that takes a while came to.
-#[derive(Clone, Debug, PartialEq)]
-#[allow(clippy::large_enum_variant, reason = "there is one at a time, and it is moved once")]
-pub enum Answer {
-    /// A command was carried out, or a file was opened.
-    Outcome(Outcome),
-    /// Files were written, the one that was asked for first.
-    Files(Vec<NamedBytes>),
-}
-
-/// Is told once what a call came to, or in a sentence why it came to nothing.
-pub type Reply = Box<dyn FnOnce(Result<Answer, String>)>;
-
-/// What `meshwright.cancel()` stopped.
-const CANCELLED: &str = "cancelled";
+use crate::session::jobs::Reply;
 
 impl App {
     /// The graphics device.
     pub fn device(&self) -> DeviceInfo {
-        self.platform.device()
+        self.session.platform.device()
     }
 
     /// Opens files as if they were dropped on the page; answers the outcome, with what an import
@@ -63,11 +48,12 @@ impl App {
 
     /// The document, selection, history, view, jobs and messages.
     pub fn script_state(&self) -> Value {
-        let mut state = self.editor.state();
+        let mut state = self.session.editor.state();
         let jobs: Vec<Value> = self
+            .session
             .editor
             .jobs()
-            .map(|job| json!({ "progress": self.jobs.fraction(job.id), "op": job.op }))
+            .map(|job| json!({ "progress": self.session.jobs.fraction(job.id), "op": job.op }))
             .collect();
         if let Value::Object(map) = &mut state {
             map.insert("jobs".into(), jobs.into());
@@ -77,7 +63,7 @@ impl App {
     }
 
     fn view_state(&self) -> Value {
-        let bezier = crate::bezier::active(&self.editor).map(|_| self.player.state());
+        let bezier = crate::bezier::active(&self.session.editor).map(|_| self.player.state());
         let (camera, style) = (&self.view.camera, &self.view.style);
         let rect = self.view.rect();
         json!({
@@ -92,10 +78,10 @@ impl App {
             "smooth": style.smooth,
             "vertices": style.vertices,
             "grid": style.grid,
-            "list": self.lists.kind.0.to_string(),
-            "theme": if self.ctx.global_style().visuals.dark_mode { "dark" } else { "light" },
+            "list": self.shown.kind.to_string(),
+            "theme": if self.session.ctx.global_style().visuals.dark_mode { "dark" } else { "light" },
             "bezier": bezier,
-            "frame_ms": { "median": self.frames.median(), "worst": self.frames.worst() },
+            "frame_ms": { "median": self.session.frames.median(), "worst": self.session.frames.worst() },
         })
     }
 
@@ -104,7 +90,7 @@ impl App {
     /// # Errors
     /// There is no such element, or no such kind.
     pub fn script_element(&self, kind: &str, id: u32) -> Result<Value, String> {
-        self.editor.element(parse_kind(kind)?, id).map_err(|error| error.to_string())
+        self.session.editor.element(parse_kind(kind)?, id).map_err(|error| error.to_string())
     }
 
     /// Selects elements of the active object in place of what is selected.
@@ -114,36 +100,37 @@ impl App {
     pub fn script_select(&mut self, kind: &str, ids: &[u32]) -> Result<(), String> {
         let kind = parse_kind(kind)?;
         self.end_preview();
-        self.editor
+        self.session
+            .editor
             .select(kind, ids.iter().copied(), SelectMode::Replace)
             .map_err(|error| error.to_string())?;
         self.follow();
         Ok(())
     }
 
-    /// Takes the last step back; gives its label, or none where there is none.
+    /// Undo the last step; returns its label, or none where there is none.
     ///
     /// # Errors
     /// A job runs on what the step would change.
     pub fn script_undo(&mut self) -> Result<Option<String>, String> {
-        let label = self.editor.undo().map_err(|error| error.to_string());
+        let label = self.session.editor.undo().map_err(|error| error.to_string());
         self.follow();
         label
     }
 
-    /// Makes the step again that was taken back last; otherwise like [`App::script_undo`].
+    /// Redo the last undone step; otherwise like [`App::script_undo`].
     ///
     /// # Errors
     /// A job runs on what the step would change.
     pub fn script_redo(&mut self) -> Result<Option<String>, String> {
-        let label = self.editor.redo().map_err(|error| error.to_string());
+        let label = self.session.editor.redo().map_err(|error| error.to_string());
         self.follow();
         label
     }
 
     /// Cancels all jobs; gives how many there were.
     pub fn script_cancel(&mut self) -> usize {
-        let ids: Vec<JobId> = self.jobs.iter().map(|job| job.id).collect();
+        let ids: Vec<JobId> = self.session.jobs.iter().map(|job| job.id).collect();
         for &id in &ids {
             self.cancel_job(id);
         }
@@ -154,17 +141,6 @@ impl App {
     /// the eye.
     pub fn script_project(&self, point: [f32; 3]) -> Option<[f32; 2]> {
         self.view.project(point.into()).map(|at| [at.x, at.y])
-    }
-
-    /// Forgets a job and tells who waits for it.
-    pub(crate) fn cancel_job(&mut self, id: JobId) {
-        self.editor.cancel_job(id);
-        self.platform.cancel_job(id.0);
-        self.adjustment_ended(id, false);
-        if let Some(reply) = self.jobs.take(id.0).and_then(|job| job.reply) {
-            reply(Err(CANCELLED.to_owned()));
-        }
-        self.follow();
     }
 }
 

@@ -1,7 +1,20 @@
 //! The jobs that run in the worker, as the status bar shows them.
 
-use crate::scripting::Reply;
-use editor::JobId;
+use editor::{JobId, Outcome};
+use formats::NamedBytes;
+
+/// What a call that takes a while came to.
+#[derive(Clone, Debug, PartialEq)]
+#[allow(clippy::large_enum_variant, reason = "there is one at a time, and it is moved once")]
+pub enum Answer {
+    /// A command was carried out, or a file was opened.
+    Outcome(Outcome),
+    /// Files were written, the one that was asked for first.
+    Files(Vec<NamedBytes>),
+}
+
+/// Is told once what a call came to, or in a sentence why it came to nothing.
+pub type Reply = Box<dyn FnOnce(Result<Answer, String>)>;
 
 /// A job that was started.
 pub struct Running {
@@ -79,11 +92,16 @@ impl Jobs {
         self.running.iter()
     }
 
-    /// How many seconds the one that runs has been waited for, as far as was seen. There must be one
-    /// asking in each frame, from the first one on.
-    pub fn waited(&mut self, now: f64) -> Option<f64> {
-        let first = self.running.first_mut()?;
-        Some(now - *first.seen.get_or_insert(now))
+    /// Notes that a frame was drawn while a job waits: from the first one on its time counts.
+    pub fn note_frame(&mut self, now: f64) {
+        if let Some(first) = self.running.first_mut() {
+            first.seen.get_or_insert(now);
+        }
+    }
+
+    /// For how many seconds the job that runs has been waited for.
+    pub fn waited(&self, now: f64) -> Option<f64> {
+        self.running.first().map(|first| now - first.seen.unwrap_or(now))
     }
 
     /// The latest job: the one that Escape cancels.

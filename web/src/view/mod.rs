@@ -12,9 +12,13 @@ use std::collections::HashMap;
 use surface::{FaceTree, FaceTreeBuilder};
 use viewport::{Bounds, BoxSelection, Camera, Style};
 
-use crate::app::App;
-use crate::bezier;
+use crate::bezier::{self, Player};
 use crate::lists::columns::element_name;
+use crate::page_view::Page;
+use crate::panels;
+use crate::request::Requests;
+use crate::session::Session;
+use crate::shown::Shown;
 use crate::theme;
 use gesture::Gesture;
 pub(crate) use gesture::Tool;
@@ -42,7 +46,7 @@ pub(crate) struct View {
     /// Made when somebody first points at the object.
     trees: HashMap<ObjectId, FaceTree>,
     /// The tree of a large mesh, made some faces a frame.
-    planting: Option<(ObjectId, FaceTreeBuilder)>,
+    building: Option<(ObjectId, FaceTreeBuilder)>,
     /// What a box selects, found some elements a frame; and whether it extends what is selected.
     boxed: Option<(ObjectId, BoxSelection, bool)>,
     /// In how many frames to come everything is looked at: in the first the viewport has no size yet,
@@ -64,7 +68,7 @@ impl View {
             looked: None,
             bounds: HashMap::new(),
             trees: HashMap::new(),
-            planting: None,
+            building: None,
             boxed: None,
             frame_due: FRAMES_TO_SETTLE,
         }
@@ -121,7 +125,7 @@ impl View {
         }
         for (id, change) in &changes.objects {
             self.looked = None;
-            self.planting.take_if(|(planted, _)| planted == id);
+            self.building.take_if(|(built, _)| built == id);
             self.boxed.take_if(|(boxed, ..)| boxed == id);
             let Some(object) = editor.document().object(*id) else {
                 self.bounds.remove(id);
@@ -179,20 +183,20 @@ impl View {
     }
 
     /// Makes some of the tree that picking on an object needs; gives whether it is whole.
-    fn plant(&mut self, object: &Object) -> bool {
+    fn build_tree_step(&mut self, object: &Object) -> bool {
         let (id, mesh) = (object.id(), object.mesh());
         if self.trees.contains_key(&id) || mesh.face_count() <= FACES_A_FRAME {
             return true;
         }
-        let planting = self.planting.take().filter(|(planted, _)| *planted == id);
-        let (_, mut builder) = planting.unwrap_or_else(|| (id, FaceTreeBuilder::new(mesh)));
+        let building = self.building.take().filter(|(built, _)| *built == id);
+        let (_, mut builder) = building.unwrap_or_else(|| (id, FaceTreeBuilder::new(mesh)));
         match builder.step(mesh, FACES_A_FRAME) {
             Some(tree) => {
                 self.trees.insert(id, tree);
                 true
             }
             None => {
-                self.planting = Some((id, builder));
+                self.building = Some((id, builder));
                 false
             }
         }
@@ -201,8 +205,8 @@ impl View {
     /// The tree of an object, made or made whole now if need be.
     fn tree(&mut self, object: &Object) -> &FaceTree {
         let (id, mesh) = (object.id(), object.mesh());
-        let planting = self.planting.take_if(|(planted, _)| *planted == id);
-        self.trees.entry(id).or_insert_with(|| match planting {
+        let building = self.building.take_if(|(built, _)| *built == id);
+        self.trees.entry(id).or_insert_with(|| match building {
             Some((_, builder)) => builder.finish(mesh),
             None => FaceTree::new(mesh),
         })
@@ -270,8 +274,28 @@ fn corners(mesh: &Mesh, kind: Element, id: u32) -> Vec<Vec3> {
     }
 }
 
-impl App {
-    pub(crate) fn viewport(&mut self, ui: &mut Ui) {
+/// What the viewport reads and changes.
+pub(crate) struct Viewport<'a> {
+    pub session: &'a Session,
+    pub shown: &'a Shown,
+    pub view: &'a mut View,
+    pub player: &'a mut Player,
+}
+
+impl Viewport<'_> {
+    /// What panels would read.
+    fn page(&self) -> Page<'_> {
+        Page {
+            session: self.session,
+            shown: self.shown,
+            view: self.view,
+            player: self.player,
+            target_edge: None,
+        }
+    }
+
+    /// Draws the viewport and turns what the pointer does into requests.
+    pub fn show(mut self, ui: &mut Ui, out: &mut Requests) {
         let rect = ui.available_rect_before_wrap();
         self.view.rect = rect;
         self.view.style.theme = theme::viewport(ui.visuals());
@@ -288,13 +312,13 @@ impl App {
         response.widget_info(|| WidgetInfo::labeled(egui::Role::Canvas, true, "Viewport"));
         ui.ctx().accesskit_node_builder(id, |node| node.set_value(under.unwrap_or_default()));
 
-        self.gestures(ui, &response);
-        response.context_menu(|ui| match bezier::active(&self.editor) {
-            Some(_) => self.bezier_menu(ui),
-            None => self.element_menu(ui),
+        self.gestures(ui, &response, out);
+        response.context_menu(|ui| match bezier::active(&self.session.editor) {
+            Some(_) => panels::bezier::menu(ui, &self.page(), out),
+            None => panels::elements::menu(ui, &self.page(), out),
         });
-        self.paint_picture(ui, rect);
-        self.paint_bezier(ui, rect);
-        self.paint_overlay(ui, rect);
+        picture::paint(ui, rect, &self.session.editor, self.view);
+        bezier::paint(ui, rect, &self.session.editor, self.view, self.player);
+        overlay::paint(ui, rect, &self.page());
     }
 }

@@ -1,0 +1,246 @@
+//! What actions do: those that menus, keys, buttons and the palette start.
+
+use editor::ops::{
+    BezierDeletePoint, BezierElevateDegree, BezierInsertPoint, BezierSplit, Remesh, Simplify,
+    SubdivideCatmullClark, SubdivideLoop, four_digits,
+};
+use editor::{Command, MessageKind, OpId, SelectMode};
+use egui::ThemePreference;
+use formats::Format;
+use halfedge::Element;
+
+use super::{App, THEME_SETTING};
+use crate::bezier::{self, ControlPoint};
+use crate::input::actions::Action;
+use crate::input::availability::opens_form;
+use crate::page_view::Page;
+use crate::panels::fields;
+use crate::panels::operations::EDGE_LENGTH;
+use crate::view::Tool;
+
+impl App {
+    /// What panels read.
+    fn page(&self) -> Page<'_> {
+        Page {
+            session: &self.session,
+            shown: &self.shown,
+            view: &self.view,
+            player: &self.player,
+            target_edge: None,
+        }
+    }
+
+    /// Starts an action, from wherever it was chosen. One that can't be done says why.
+    pub(super) fn act(&mut self, action: Action) {
+        let action = match action {
+            Action::Operation(id) => {
+                Action::Operation(id.for_selection(self.session.editor.selection().kind()))
+            }
+            other => other,
+        };
+        if let Some(reason) = self.page().why_not(action) {
+            // Keys reach actions that menus show greyed.
+            if !matches!(action, Action::Cancel) {
+                self.session.toast(MessageKind::Warning, reason, Vec::new());
+            }
+            return;
+        }
+        match action {
+            Action::Open => self.session.platform.open_file_dialog(),
+            Action::Save => self.show_saving(None),
+            Action::SaveAs(format) => self.show_saving(Some(format)),
+            Action::Undo => self.undo(),
+            Action::Redo => self.redo(),
+            Action::Cancel => self.cancel(),
+            Action::SelectAll => {
+                self.end_preview();
+                self.session.editor.select_all(self.shown.kind);
+            }
+            Action::SelectNone => self.session.editor.deselect(),
+            Action::SelectInverse => self.select_inverse(),
+            Action::Show(kind) => {
+                self.shown.kind = kind;
+                self.shown.sheet.show_lists();
+            }
+            Action::Next => self.walk(|mesh, h| mesh.next(h)),
+            Action::Twin => self.walk(|_, h| h.twin()),
+            Action::GoToId => {
+                self.shown.left = true;
+                self.shown.sheet.show_lists();
+                self.panels.lists.focus_go_to = true;
+            }
+            Action::OnlySelected => self.shown.only_selected ^= true,
+            Action::BoxSelect => {
+                self.view.tool = if self.view.tool == Tool::Box { Tool::Orbit } else { Tool::Box };
+            }
+            Action::Frame => self.view.frame_selection(&self.session.editor),
+            Action::FrameAll => self.view.frame_all(),
+            Action::ResetView => self.view.reset(),
+            Action::Orthographic => self.view.camera.orthographic ^= true,
+            Action::Wireframe => self.view.style.wireframe ^= true,
+            Action::Smooth => self.view.style.smooth ^= true,
+            Action::Dots => self.view.style.vertices ^= true,
+            Action::Grid => self.view.style.grid ^= true,
+            Action::Overlay => self.shown.overlay ^= true,
+            Action::LeftPanel => self.shown.left ^= true,
+            Action::RightPanel => self.shown.right ^= true,
+            Action::SystemTheme => self.set_theme(ThemePreference::System),
+            Action::LightTheme => self.set_theme(ThemePreference::Light),
+            Action::DarkTheme => self.set_theme(ThemePreference::Dark),
+            Action::Shortcuts => self.shown.shortcuts ^= true,
+            Action::Palette => self.panels.palette.show(),
+            Action::Messages => self.shown.messages ^= true,
+            Action::About => self.shown.about ^= true,
+            Action::Upsample => {
+                let command = self.upsampling();
+                self.begin(command, None);
+            }
+            Action::Downsample => self.begin(Simplify::to_ratio(0.25).into(), None),
+            Action::Resample => {
+                let command = match self.panels.forms.filled(OpId::Remesh) {
+                    Some(filled) => fields::command(OpId::Remesh, filled),
+                    None => Ok(Remesh::default().into()),
+                };
+                self.begin_or_refuse(command);
+            }
+            Action::LongerEdges => self.scale_target_edge(1.1),
+            Action::ShorterEdges => self.scale_target_edge(1.0 / 1.1),
+            Action::SlideSplit => self.session.start_live(OpId::SplitEdge),
+            Action::NextLevel | Action::Play => {
+                if let Some((_, bezier)) = bezier::active(&self.session.editor) {
+                    match action {
+                        Action::Play => self.player.play(bezier),
+                        _ => self.player.next_level(bezier),
+                    }
+                }
+            }
+            Action::WholeCurve => self.player.controls.whole ^= true,
+            Action::ControlNets => self.player.controls.nets ^= true,
+            Action::AddPoint => {
+                if let Some(insert) = bezier::add_control_point(&self.session.editor, &self.player) {
+                    self.insert_control_point(insert);
+                }
+            }
+            Action::DeletePoint => self.delete_control_point(),
+            Action::ElevateDegree => self.begin(BezierElevateDegree::default().into(), None),
+            Action::SplitCurve => self.begin(BezierSplit { t: self.player.controls.t }.into(), None),
+            // What has an amount follows the pointer; its form stays in the operations panel.
+            Action::Operation(id) if opens_form(id) && id.spec().dragged_field().is_some() => {
+                self.session.start_live(id);
+            }
+            Action::Operation(id) if opens_form(id) => {
+                self.panels.forms.choose(id);
+                self.shown.right = true;
+                self.shown.sheet.show_operations();
+            }
+            Action::Operation(id) => self.begin_or_refuse(Command::from_fields(id, Default::default())),
+        }
+        self.session.ctx.request_repaint();
+    }
+
+    /// The subdivision that the upsample key makes.
+    pub(super) fn upsampling(&self) -> Command {
+        let triangles = match (self.session.survey.found(), self.session.editor.mesh()) {
+            (Some(found), _) => found.triangles_only,
+            // Not counted yet: look.
+            (None, Some(mesh)) => mesh.faces().all(|f| mesh.face_halfedges(f).take(4).count() == 3),
+            (None, None) => false,
+        };
+        if triangles { SubdivideLoop::default().into() } else { SubdivideCatmullClark::default().into() }
+    }
+
+    fn scale_target_edge(&mut self, factor: f64) {
+        let facts = self.session.facts(OpId::Remesh);
+        let now = self.panels.forms.target_edge().or(facts.mean_edge);
+        let Some(length) = now.filter(|length| *length > 0.0) else { return };
+        let length = four_digits((length * factor).clamp(1e-6, 1e6));
+        self.panels.forms.fill(OpId::Remesh, &facts, EDGE_LENGTH, length.into());
+    }
+
+    /// The theme, kept for later visits.
+    fn set_theme(&mut self, theme: ThemePreference) {
+        self.session.ctx.set_theme(theme);
+        let name = match theme {
+            ThemePreference::Light => "light",
+            ThemePreference::Dark => "dark",
+            ThemePreference::System => "system",
+        };
+        self.session.platform.store_setting(THEME_SETTING, name);
+    }
+
+    /// Opens the save dialog, in a format or in the one that suits the document.
+    fn show_saving(&mut self, format: Option<Format>) {
+        // What is only previewed is not saved, and so not counted.
+        self.end_preview();
+        self.panels.saving.show(self.session.editor.document(), format);
+    }
+
+    fn undo(&mut self) {
+        if let Err(error) = self.session.editor.undo() {
+            self.session.refuse(&error);
+        }
+    }
+
+    fn redo(&mut self) {
+        if let Err(error) = self.session.editor.redo() {
+            self.session.refuse(&error);
+        }
+    }
+
+    /// Adds a control point to the active curve and chooses it.
+    pub(super) fn insert_control_point(&mut self, insert: BezierInsertPoint) {
+        let index = insert.index.unwrap_or_default() as usize;
+        let place = insert.position.into();
+        self.begin(insert.into(), None);
+        let point = ControlPoint::Curve(index);
+        let exists = bezier::active(&self.session.editor)
+            .is_some_and(|(_, bezier)| bezier::position(bezier, point) == Some(place));
+        if exists {
+            self.player.controls.choose(Some(point));
+        }
+    }
+
+    /// Deletes the chosen control point of the active curve.
+    fn delete_control_point(&mut self) {
+        if let Some(ControlPoint::Curve(at)) = self.player.controls.chosen {
+            self.begin(BezierDeletePoint { index: at as u32 }.into(), None);
+            // The next one has its number now, and was not chosen.
+            self.player.controls.choose(None);
+        }
+    }
+
+    /// Escape: the innermost thing that is going on.
+    fn cancel(&mut self) {
+        if self.view.cancel_gesture() | self.session.editor.cancel_edit().is_some() {
+            return;
+        }
+        if self.shown.close_windows() {
+            return;
+        }
+        if let Some(id) = self.session.jobs.latest() {
+            self.cancel_job(id);
+        } else if self.view.tool == Tool::Box {
+            self.view.tool = Tool::Orbit;
+        } else if self.player.controls.chosen.take().is_none() {
+            self.session.editor.deselect();
+        }
+    }
+
+    fn select_inverse(&mut self) {
+        self.end_preview();
+        let kind = self.shown.kind;
+        let Some(mesh) = self.session.editor.mesh() else { return };
+        let selection = self.session.editor.selection();
+        let ids: Vec<u32> = (0..mesh.capacity(kind) as u32)
+            .filter(|&id| mesh.exists(kind, id) && !selection.contains(kind, id))
+            .collect();
+        self.select(kind, ids, SelectMode::Replace);
+    }
+
+    fn walk(&mut self, step: impl Fn(&halfedge::Mesh, halfedge::HalfedgeId) -> halfedge::HalfedgeId) {
+        let to = self.session.selected_halfedge().and_then(|h| Some(step(self.session.editor.mesh()?, h)));
+        if let Some(to) = to {
+            self.select(Element::Halfedge, [to.raw()], SelectMode::Replace);
+        }
+    }
+}

@@ -1,0 +1,80 @@
+//! Requests carried out, all in one place.
+
+use editor::SelectMode;
+use halfedge::Element;
+
+use super::App;
+use crate::request::Request;
+
+impl App {
+    pub(super) fn carry_out(&mut self, request: Request) {
+        match request {
+            Request::Act(action) => self.act(action),
+            Request::Run(command) => self.begin(command, None),
+            Request::Refuse(error) => self.session.refuse(&error),
+            Request::Select { kind, ids, mode } => self.select(kind, ids, mode),
+            Request::SelectRange { kind, to } => {
+                // An id that was removed meanwhile is no error to a person.
+                let _ = self.session.editor.select_range(kind, to);
+            }
+            Request::Deselect => self.session.editor.deselect(),
+            Request::Hover(kind, id) => self.view.hover_from_list(Some((kind, id))),
+            Request::UpdateEdit(command) => {
+                if let Err(error) = self.session.editor.update_edit(command) {
+                    self.session.refuse(&error);
+                }
+            }
+            Request::CommitEdit => {
+                self.session.editor.commit_edit();
+            }
+            Request::CancelEdit => {
+                self.session.editor.cancel_edit();
+            }
+            Request::CommitEditOnRelease => self.session.commit_on_release = true,
+            Request::LivePointer(at) => self.session.live_pointer(at, &self.view),
+            Request::SetLiveAmount(value) => self.session.set_live_amount(value),
+            Request::EndLive { commit } => self.session.end_live(commit),
+            Request::Preview(id, filled) => self.session.show_preview(id, filled),
+            Request::EndPreview => {
+                self.session.forget_refused_preview();
+                self.session.end_preview();
+            }
+            Request::Apply(id, filled) => {
+                if !self.session.apply_preview(id, &filled) {
+                    self.begin_or_refuse(crate::panels::fields::command(id, &filled));
+                }
+            }
+            Request::Adjust(command) => self.adjust(command),
+            Request::SetControls(controls) => self.player.controls = controls,
+            Request::InsertControlPoint(insert) => self.insert_control_point(insert),
+            Request::ShowSheet(sheet) => self.shown.sheet = sheet,
+            Request::Close(window) => self.shown.close(window),
+            Request::Save { format, name, holds_all } => self.save(format, name, holds_all),
+            Request::CancelJob(id) => self.cancel_job(id),
+            Request::Say { kind, text } => self.session.toast(kind, text, Vec::new()),
+            Request::ToggleToast(at) => self.session.toasts.toggle(at),
+            Request::DismissToast(at) => self.session.toasts.dismiss(at),
+        }
+        self.session.ctx.request_repaint();
+    }
+
+    /// Selects; an id that went away meanwhile is no error to a person.
+    pub(super) fn select(&mut self, kind: Element, ids: impl IntoIterator<Item = u32>, mode: SelectMode) {
+        // An edit that follows the pointer is of what was selected when it began.
+        self.session.end_live(true);
+        // Ids of what is only previewed mean nothing once it is removed.
+        if self.end_preview() == Some(false) {
+            return;
+        }
+        if let Err(error) = self.session.editor.select(kind, ids, mode) {
+            self.session.refuse(&error);
+        }
+    }
+
+    /// Removes the preview, and shows none until a field changes; returns whether there was one and
+    /// ids of elements mean what they meant.
+    pub(super) fn end_preview(&mut self) -> Option<bool> {
+        self.panels.forms.previews.end();
+        self.session.end_preview()
+    }
+}

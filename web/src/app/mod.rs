@@ -1,0 +1,215 @@
+//! The page: how a frame goes. Panels draw and ask; the app carries their requests out; then everything
+//! follows what changed.
+
+mod actions;
+mod carry_out;
+mod jobs;
+mod scripting;
+
+use editor::Editor;
+use egui::{CentralPanel, Context, Event as Input, Panel, ThemePreference, Ui};
+
+use crate::bezier::{self, Player};
+use crate::input::keys;
+use crate::page_view::Page;
+use crate::panels::{Panels, live_bar, menu_bar, sheet, status_bar};
+use crate::platform::{Event, NamedBytes, Platform};
+use crate::request::Requests;
+use crate::session::Session;
+use crate::shown::Shown;
+use crate::theme;
+use crate::view::{View, Viewport};
+
+/// The editor with its screen. [`App::logic`] and [`App::ui`] are called once a frame each.
+pub struct App {
+    session: Session,
+    shown: Shown,
+    view: View,
+    player: Player,
+    panels: Panels,
+    requests: Requests,
+}
+
+/// The setting that keeps the theme.
+const THEME_SETTING: &str = "theme";
+
+impl App {
+    /// An editor with a cube in it. Without `gpu` the viewport says that it can't draw.
+    pub fn new(ctx: &Context, platform: Box<dyn Platform>, gpu: Option<egui_wgpu::RenderState>) -> Self {
+        theme::install(ctx);
+        ctx.options_mut(|options| options.zoom_with_keyboard = false);
+        ctx.set_theme(match platform.load_setting(THEME_SETTING).as_deref() {
+            Some("light") => ThemePreference::Light,
+            Some("dark") => ThemePreference::Dark,
+            _ => ThemePreference::System,
+        });
+        let panels = Panels::new(&*platform);
+        let mut app = Self {
+            session: Session::new(ctx, platform),
+            shown: Shown::default(),
+            view: View::new(gpu),
+            player: Player::default(),
+            panels,
+            requests: Requests::default(),
+        };
+        app.open_first();
+        app.fetch_wanted();
+        app
+    }
+
+    /// The document and its history, for reading.
+    pub fn editor(&self) -> &Editor {
+        &self.session.editor
+    }
+
+    /// egui's context.
+    pub fn ctx(&self) -> &Context {
+        &self.session.ctx
+    }
+
+    /// Takes in what happened since the last frame. Draws nothing.
+    pub fn logic(&mut self, ctx: &Context) {
+        for event in self.session.platform.poll(ctx) {
+            match event {
+                Event::JobProgress { job, fraction } => self.session.jobs.progress(job, fraction),
+                Event::JobDone { job, result } => self.job_done(job, result),
+                Event::Fetched { job, files } => self.fetched(job, files),
+                Event::Files(files) => self.open_files(files, None),
+                Event::Failed(text) => self.session.fail(text),
+            }
+        }
+        let now = ctx.input(|input| input.time);
+        self.session.jobs.note_frame(now);
+        if let Some(next) = self.session.toasts.expire(now) {
+            ctx.request_repaint_after_secs(next.max(0.05) as f32);
+        }
+        self.follow();
+        if self.session.survey.step(self.session.editor.mesh()) {
+            ctx.request_repaint();
+        }
+    }
+
+    /// Draws a frame and acts on its input.
+    pub fn ui(&mut self, ui: &mut Ui) {
+        let started = self.session.platform.now();
+        let ctx = ui.ctx().clone();
+        if !self.session.live_keys(&ctx) {
+            self.keyboard(&ctx);
+        }
+        let mut out = std::mem::take(&mut self.requests);
+        self.draw(ui, &ctx, &mut out);
+        for request in out.take() {
+            self.carry_out(request);
+        }
+        self.requests = out;
+        self.finish_edits(&ctx);
+        self.follow();
+        self.session.frames.record(self.session.platform.now() - started);
+    }
+
+    fn draw(&mut self, ui: &mut Ui, ctx: &Context, out: &mut Requests) {
+        let page = Page {
+            session: &self.session,
+            shown: &self.shown,
+            view: &self.view,
+            player: &self.player,
+            target_edge: self.panels.forms.target_edge(),
+        };
+        let narrow = ui.available_width() < theme::NARROW;
+        Panel::top("menu bar").frame(bar_frame(ui)).show(ui, |ui| menu_bar::show(ui, &page, narrow, out));
+        Panel::bottom("status").frame(bar_frame(ui)).show(ui, |ui| status_bar::show(ui, &page, narrow, out));
+        if narrow {
+            sheet::show(ui, &page, &mut self.panels, out);
+        } else {
+            if self.shown.left {
+                Panel::left("elements").default_size(332.0).size_range(240.0..=560.0).show(ui, |ui| {
+                    self.panels.left(ui, &page, out);
+                });
+            }
+            if self.shown.right {
+                Panel::right("inspector").default_size(300.0).size_range(220.0..=460.0).show(ui, |ui| {
+                    self.panels.right(ui, &page, out);
+                });
+            }
+        }
+        let viewport = Viewport {
+            session: &self.session,
+            shown: &self.shown,
+            view: &mut self.view,
+            player: &mut self.player,
+        };
+        CentralPanel::no_frame().show(ui, |ui| viewport.show(ui, out));
+        let page = Page {
+            session: &self.session,
+            shown: &self.shown,
+            view: &self.view,
+            player: &self.player,
+            target_edge: None,
+        };
+        live_bar::show(ctx, &page, out);
+        self.panels.windows(ctx, &page, narrow, out);
+    }
+
+    /// Pasted text, and the actions of the keys that were pressed.
+    fn keyboard(&mut self, ctx: &Context) {
+        if !ctx.text_edit_focused() {
+            let pasted = ctx.input_mut(|input| {
+                let at = input.events.iter().position(|event| matches!(event, Input::Paste(_)))?;
+                match input.events.remove(at) {
+                    Input::Paste(text) => Some(text),
+                    _ => None,
+                }
+            });
+            if let Some(text) = pasted.filter(|text| !text.trim().is_empty()) {
+                self.open_files(vec![NamedBytes::new("Pasted.obj", text.into_bytes())], None);
+            }
+        }
+        if self.panels.palette.open || self.panels.saving.is_open() {
+            return;
+        }
+        // Escape closes an open menu, which egui does by itself.
+        let menu = egui::Popup::is_any_open(ctx);
+        for action in keys::pressed(ctx, menu, bezier::active(&self.session.editor).is_some()) {
+            self.act(action);
+        }
+    }
+
+    /// Ends the edits that end by themselves: painting when the button is let go, a preview when its
+    /// form is no longer on the screen.
+    fn finish_edits(&mut self, ctx: &Context) {
+        if self.session.commit_on_release && !ctx.input(|input| input.pointer.any_down()) {
+            self.session.commit_on_release = false;
+            self.session.editor.commit_edit();
+        }
+        if !self.panels.forms.previews.take_seen() {
+            self.session.end_preview();
+        }
+    }
+
+    /// Makes lists, viewport and everything else follow what changed in the editor.
+    fn follow(&mut self) {
+        let changes = self.session.editor.take_changes();
+        if changes.is_empty() {
+            return;
+        }
+        self.session.ctx.request_repaint();
+        let selection = self.session.editor.selection();
+        if changes.selection && !selection.is_empty() {
+            // Whoever selected, a click, an undo or a script: the list shows that kind.
+            self.shown.kind = selection.kind();
+        }
+        if self.panels.lists.follow(&self.session.editor, &changes) {
+            self.panels.forms.forget_lengths();
+        }
+        self.session.follow(&changes);
+        self.panels.saving.follow(&changes);
+        self.player.follow(&self.session.editor, &changes);
+        self.view.follow(&self.session.editor, changes);
+    }
+}
+
+fn bar_frame(ui: &Ui) -> egui::Frame {
+    egui::Frame::side_top_panel(ui.style())
+        .fill(theme::palette(ui.visuals()).bar)
+        .inner_margin(egui::Margin::symmetric(8, 4))
+}

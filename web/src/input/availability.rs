@@ -1,0 +1,78 @@
+//! Whether an action can be done now, and if not, why: what greys menu items and buttons.
+
+use editor::OpId;
+use halfedge::Element;
+
+use crate::bezier::{self, Player};
+use crate::input::actions::Action;
+use crate::lists::columns::plural;
+use crate::session::Session;
+
+/// Why an action can't be done now, as a sentence that says what to do first; none if it can. `kind` is
+/// the kind of element that the list shows.
+pub(crate) fn why_not(action: Action, session: &Session, kind: Element, player: &Player) -> Option<String> {
+    let editor = &session.editor;
+    let document = editor.document();
+    let operation = |id| session.why_not_operation(id);
+    match action {
+        Action::Undo if editor.undo_labels().next().is_none() && !editor.is_editing() => {
+            Some("There is nothing to undo.".into())
+        }
+        Action::Redo if editor.redo_labels().next().is_none() => {
+            Some("There is nothing to redo: nothing was undone since the last edit.".into())
+        }
+        Action::Save | Action::SaveAs(_) if document.objects().is_empty() => {
+            Some("There is nothing to save. Open a file or make a shape first.".into())
+        }
+        Action::SelectAll | Action::SelectInverse | Action::GoToId => {
+            let count = editor.mesh().map_or(0, |mesh| mesh.count(kind));
+            (count == 0).then(|| format!("The mesh has no {}.", plural(kind).to_lowercase()))
+        }
+        Action::SelectNone if editor.selection().is_empty() => Some("Nothing is selected.".into()),
+        Action::Next | Action::Twin if session.selected_halfedge().is_none() => {
+            Some("Select a half-edge first.".into())
+        }
+        Action::Frame | Action::FrameAll if document.objects().is_empty() => {
+            Some("There is nothing to look at. Open a file or make a shape first.".into())
+        }
+        Action::NextLevel | Action::Play | Action::ControlNets => why_not_bezier(action, session, player),
+        Action::WholeCurve
+        | Action::AddPoint
+        | Action::DeletePoint
+        | Action::ElevateDegree
+        | Action::SplitCurve => why_not_bezier(action, session, player),
+        // Which of the two it is may take a look at every face, and both say the same of a mesh with none.
+        Action::Upsample => operation(OpId::SubdivideCatmullClark),
+        Action::Downsample => operation(OpId::Simplify),
+        Action::Resample | Action::LongerEdges | Action::ShorterEdges => operation(OpId::Remesh),
+        Action::SlideSplit => operation(OpId::SplitEdge),
+        Action::Operation(id) => operation(id),
+        _ => None,
+    }
+}
+
+/// Why something can't be done with the Bezier curve or surface that is active.
+fn why_not_bezier(action: Action, session: &Session, player: &Player) -> Option<String> {
+    let Some((_, shape)) = bezier::active(&session.editor) else {
+        return Some("Open a Bezier curve or surface, a .bzc or .bez file, first.".into());
+    };
+    match (action, shape.curve()) {
+        (Action::NextLevel | Action::Play, _) => None,
+        (Action::ControlNets, None) => None,
+        (Action::ControlNets, Some(_)) => Some("A curve's control points are always drawn.".into()),
+        (_, None) => Some("This is for Bezier curves, and the active object is a surface.".into()),
+        (Action::DeletePoint, Some(_)) if player.controls.chosen.is_none() => {
+            Some("Choose a control point first.".into())
+        }
+        (Action::SplitCurve, Some(_)) if player.controls.t <= 0.0 || player.controls.t >= 1.0 => {
+            Some("Move t away from the ends of the curve first.".into())
+        }
+        (_, Some(_)) => None,
+    }
+}
+
+/// Whether an operation's button opens a form or starts an edit that follows the pointer instead of
+/// acting at once.
+pub(crate) fn opens_form(id: OpId) -> bool {
+    !id.spec().runs_without_form()
+}

@@ -1,0 +1,65 @@
+//! What panels read: the session and the states of the other parts of the page, none of which they
+//! change.
+
+use std::ops::Deref;
+
+use egui::ThemePreference;
+
+use crate::bezier::Player;
+use crate::input::actions::Action;
+use crate::input::availability;
+use crate::session::Session;
+use crate::shown::Shown;
+use crate::view::{Tool, View};
+
+/// Everything a panel may read.
+#[derive(Clone, Copy)]
+pub(crate) struct Page<'a> {
+    pub session: &'a Session,
+    pub shown: &'a Shown,
+    pub view: &'a View,
+    pub player: &'a Player,
+    /// The edge length that resampling aims at, where it was set; else it is the mean of the edges.
+    pub target_edge: Option<f64>,
+}
+
+impl Deref for Page<'_> {
+    type Target = Session;
+
+    fn deref(&self) -> &Session {
+        self.session
+    }
+}
+
+impl Page<'_> {
+    /// Why an action can't be done now, as a sentence that says what to do first; none if it can.
+    pub fn why_not(&self, action: Action) -> Option<String> {
+        availability::why_not(action, self.session, self.shown.kind, self.player)
+    }
+
+    /// Whether a switch among the actions is on; none for those that are not switches.
+    pub fn is_on(&self, action: Action) -> Option<bool> {
+        let style = &self.view.style;
+        let theme = self.ctx.options(|options| options.theme_preference);
+        Some(match action {
+            Action::Show(kind) => self.shown.kind == kind,
+            Action::OnlySelected => self.shown.only_selected,
+            Action::BoxSelect => self.view.tool == Tool::Box,
+            Action::Orthographic => self.view.camera.orthographic,
+            Action::Wireframe => style.wireframe,
+            Action::Smooth => style.smooth,
+            Action::Dots => style.vertices,
+            Action::Grid => style.grid,
+            Action::Overlay => self.shown.overlay,
+            Action::LeftPanel => self.shown.left,
+            Action::RightPanel => self.shown.right,
+            Action::WholeCurve => self.player.controls.whole,
+            Action::ControlNets => self.player.controls.nets,
+            Action::Play => self.player.controls.playing,
+            Action::SystemTheme => theme == ThemePreference::System,
+            Action::LightTheme => theme == ThemePreference::Light,
+            Action::DarkTheme => theme == ThemePreference::Dark,
+            _ => return None,
+        })
+    }
+}

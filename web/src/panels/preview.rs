@@ -1,0 +1,94 @@
+//! Live preview: the document shows what the form's operation makes while its fields are filled in,
+//! where that is quick. Applying keeps it as one undo step; anything else removes it.
+
+use editor::OpId;
+use egui::{Checkbox, Label, RichText, Ui};
+
+use crate::page_view::Page;
+use crate::panels::fields::Filled;
+use crate::request::{Request, Requests};
+use crate::session::preview::WhyNot;
+
+/// The previews of forms.
+pub(crate) struct Previews {
+    /// Whether the person wants any.
+    on: bool,
+    /// The form was opened or a field was changed, and the result is yet to be shown.
+    due: bool,
+    /// The form was on the screen in this frame.
+    seen: bool,
+}
+
+impl Default for Previews {
+    fn default() -> Self {
+        Self { on: true, due: false, seen: false }
+    }
+}
+
+impl Previews {
+    /// Shows a preview as soon as there can be one.
+    pub fn ask(&mut self) {
+        self.due = true;
+    }
+
+    /// Shows none until a field changes.
+    pub fn end(&mut self) {
+        self.due = false;
+    }
+
+    /// Whether the form was on the screen since this was last asked.
+    pub fn take_seen(&mut self) -> bool {
+        std::mem::take(&mut self.seen)
+    }
+}
+
+/// The switch of the preview below a form, and why there is none; makes it where it is due.
+pub(crate) fn row(
+    ui: &mut Ui,
+    page: &Page<'_>,
+    own: &mut Previews,
+    id: OpId,
+    filled: &Filled,
+    changed: bool,
+    out: &mut Requests,
+) {
+    if !id.spec().previewed || page.editor.mesh().is_none() {
+        return;
+    }
+    own.seen = true;
+    own.due |= changed;
+    if page.preview().is_some_and(|preview| preview.id != id) {
+        out.push(Request::EndPreview);
+        own.due = true;
+    }
+    let hint = "Show what the operation makes while its fields change; only Apply does it (Escape \
+                    cancels it)";
+    let on = Checkbox::new(&mut own.on, "Live preview");
+    if ui.add(on).on_hover_text(hint).changed() {
+        out.push(Request::EndPreview);
+        own.due = own.on;
+    }
+    if !own.on {
+        own.due = false;
+        return;
+    }
+    let waits = page.previewing.is_slow && ui.input(|input| input.pointer.any_down());
+    // How large the mesh is without the preview can't be counted once there is one.
+    let counted = page.facts(id).corners.is_some();
+    if counted && own.due && !waits {
+        own.due = false;
+        out.push(Request::Preview(id, filled.clone()));
+    }
+    let words = match (page.why_no_preview(), page.preview()) {
+        (_, Some(_)) => "Previewed, not done yet: apply it, or cancel it with Escape.",
+        (Some(WhyNot::TooLarge), _) => {
+            "No preview: with these fields this mesh takes too long to be shown at every change."
+        }
+        (Some(WhyNot::Refused(reason)), _) => {
+            ui.add(Label::new(RichText::new(reason).small().color(ui.visuals().warn_fg_color)).wrap());
+            return;
+        }
+        (None, None) => "Change a field to preview it.",
+    };
+    ui.add(Label::new(RichText::new(words).small().weak()).wrap());
+}

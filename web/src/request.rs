@@ -1,0 +1,104 @@
+//! What panels ask for. They change nothing themselves: the app carries their requests out after the
+//! frame is drawn.
+
+use editor::ops::BezierInsertPoint;
+use editor::{Command, CommandError, JobId, MessageKind, OpId, SelectMode};
+use egui::Pos2;
+use formats::Format;
+use glam::Vec3;
+use halfedge::Element;
+
+use crate::bezier::Controls;
+use crate::input::actions::Action;
+use crate::panels::fields::Filled;
+use crate::shown::{Sheet, Window};
+
+/// Something a panel asks for.
+pub(crate) enum Request {
+    /// Start an action, as a menu does.
+    Act(Action),
+    /// Carry out a command, or start its job.
+    Run(Command),
+    /// Say why there is no command to carry out.
+    Refuse(CommandError),
+    /// Select elements.
+    Select { kind: Element, ids: Vec<u32>, mode: SelectMode },
+    /// Extend the selection up to this element of a list.
+    SelectRange { kind: Element, to: u32 },
+    /// Select nothing.
+    Deselect,
+    /// Highlight an element that a list or a link has under the pointer.
+    Hover(Element, u32),
+    /// Show what a command would do, in place of what the ongoing edit showed.
+    UpdateEdit(Command),
+    /// Make the ongoing edit one undo step.
+    CommitEdit,
+    /// Remove the ongoing edit without a trace.
+    CancelEdit,
+    /// Commit the ongoing edit when the pointer's button is let go.
+    CommitEditOnRelease,
+    /// Let the edit that follows the pointer follow it to here.
+    LivePointer(Option<Pos2>),
+    /// Set the amount of the edit that follows the pointer.
+    SetLiveAmount(Vec3),
+    /// Commit or cancel the edit that follows the pointer.
+    EndLive { commit: bool },
+    /// Preview an operation with these fields.
+    Preview(OpId, Filled),
+    /// Remove the preview.
+    EndPreview,
+    /// Make the preview of an operation with these fields one undo step, or carry the operation out.
+    Apply(OpId, Filled),
+    /// Run the last operation again with other fields.
+    Adjust(Command),
+    /// Change what the Bezier player shows.
+    SetControls(Controls),
+    /// Add a control point to the active curve, and choose it.
+    InsertControlPoint(BezierInsertPoint),
+    /// Show another sheet of the narrow layout.
+    ShowSheet(Sheet),
+    /// Close a window.
+    Close(Window),
+    /// Save the document in a format, under a name without extension; whether the format holds all of it.
+    Save { format: Format, name: String, holds_all: bool },
+    /// Cancel a job.
+    CancelJob(JobId),
+    /// Say something in passing.
+    Say { kind: MessageKind, text: String },
+    /// Show what more there is to a message, or hide it again.
+    ToggleToast(usize),
+    /// Dismiss a message.
+    DismissToast(usize),
+}
+
+/// The requests of a frame, in order.
+#[derive(Default)]
+pub(crate) struct Requests {
+    list: Vec<Request>,
+}
+
+impl Requests {
+    pub fn push(&mut self, request: Request) {
+        self.list.push(request);
+    }
+
+    pub fn act(&mut self, action: Action) {
+        self.push(Request::Act(action));
+    }
+
+    pub fn run(&mut self, command: impl Into<Command>) {
+        self.push(Request::Run(command.into()));
+    }
+
+    pub fn select(&mut self, kind: Element, ids: impl IntoIterator<Item = u32>, mode: SelectMode) {
+        self.push(Request::Select { kind, ids: ids.into_iter().collect(), mode });
+    }
+
+    pub fn update_edit(&mut self, command: impl Into<Command>) {
+        self.push(Request::UpdateEdit(command.into()));
+    }
+
+    pub fn take(&mut self) -> Vec<Request> {
+        std::mem::take(&mut self.list)
+    }
+}

@@ -1,0 +1,146 @@
+//! The session: the editor, the jobs it waits for, and what is known and said about them. Panels read
+//! it; the app changes it.
+
+pub(crate) mod frame_times;
+pub(crate) mod jobs;
+pub(crate) mod live;
+pub(crate) mod measures;
+pub(crate) mod preview;
+pub(crate) mod survey;
+pub(crate) mod toasts;
+
+use std::cell::RefCell;
+use std::collections::HashMap;
+
+use editor::{Changes, CommandError, Editor, Facts, JobId, MessageKind, OpId};
+use egui::Context;
+use halfedge::{Element, HalfedgeId};
+
+use crate::panels::fields;
+use crate::platform::Platform;
+use frame_times::FrameTimes;
+use jobs::Jobs;
+use live::Live;
+use measures::Measured;
+use preview::Previewing;
+use survey::Survey;
+use toasts::Toasts;
+
+/// The editor with what is going on in it.
+pub(crate) struct Session {
+    pub editor: Editor,
+    pub platform: Box<dyn Platform>,
+    pub ctx: Context,
+    pub jobs: Jobs,
+    pub toasts: Toasts,
+    pub survey: Survey,
+    pub frames: FrameTimes,
+    /// The edit that follows the pointer.
+    pub live: Option<Live>,
+    /// The operation that the document shows while its form is filled in.
+    pub previewing: Previewing,
+    /// The job of an adjustment: if it fails, the step it replaces comes back.
+    pub adjusting: Option<JobId>,
+    /// The last adjustment took too long to be made at every step of a spin.
+    pub adjusting_is_slow: bool,
+    /// The ongoing edit is committed when the pointer's button is let go.
+    pub commit_on_release: bool,
+    measured: RefCell<Measured>,
+    /// What the editor said of operations since the document or the selection last changed.
+    refusals: RefCell<HashMap<OpId, Option<String>>>,
+}
+
+impl Session {
+    pub fn new(ctx: &Context, platform: Box<dyn Platform>) -> Self {
+        Self {
+            editor: Editor::new(),
+            platform,
+            ctx: ctx.clone(),
+            jobs: Jobs::default(),
+            toasts: Toasts::default(),
+            survey: Survey::default(),
+            frames: FrameTimes::default(),
+            live: None,
+            previewing: Previewing::default(),
+            adjusting: None,
+            adjusting_is_slow: false,
+            commit_on_release: false,
+            measured: RefCell::default(),
+            refusals: RefCell::default(),
+        }
+    }
+
+    /// Forgets what no longer holds after a change.
+    pub fn follow(&mut self, changes: &Changes) {
+        self.refusals.get_mut().clear();
+        self.survey.follow(&self.editor, changes);
+        self.measured.get_mut().follow(&self.editor, changes);
+    }
+
+    /// Why an operation on the selection can't be done now, as a sentence; none if it can.
+    pub fn why_not_operation(&self, id: OpId) -> Option<String> {
+        let ask = || {
+            // The amounts that a form would fill in don't matter here.
+            let filled = fields::initial(id.spec(), &Facts::default());
+            let can = fields::command(id, &filled).and_then(|command| self.editor.can(&command));
+            can.err().map(|error| error.reason())
+        };
+        self.refusals.borrow_mut().entry(id).or_insert_with(ask).clone()
+    }
+
+    /// The facts that an operation's form needs, about the mesh without what is only previewed.
+    pub fn facts(&self, id: OpId) -> Facts {
+        self.facts_with(fields::needs_measures(id.spec()))
+    }
+
+    /// All facts about the mesh without what is only previewed.
+    pub fn measured_facts(&self) -> Facts {
+        self.facts_with(true)
+    }
+
+    fn facts_with(&self, measures: bool) -> Facts {
+        match self.preview() {
+            Some(preview) => preview.before,
+            None => self.measured.borrow_mut().facts(&self.editor, &self.survey, measures),
+        }
+    }
+
+    /// The half-edge that was selected last.
+    pub fn selected_halfedge(&self) -> Option<HalfedgeId> {
+        let selection = self.editor.selection();
+        let id = selection.latest().filter(|_| selection.kind() == Element::Halfedge)?;
+        self.editor.mesh()?.halfedge(id)
+    }
+
+    /// Says something in passing.
+    pub fn toast(&mut self, kind: MessageKind, text: String, details: Vec<String>) {
+        let now = self.ctx.input(|input| input.time);
+        self.toasts.add(now, kind, text, details);
+        self.ctx.request_repaint();
+    }
+
+    /// Says that something could not be done, in a toast and in the messages.
+    pub fn fail(&mut self, text: String) {
+        self.editor.say(MessageKind::Error, text.clone());
+        self.toast(MessageKind::Error, text, Vec::new());
+    }
+
+    /// Says why a command was refused.
+    pub fn refuse(&mut self, error: &CommandError) {
+        if error.is_cancelled() {
+            return;
+        }
+        let label = match (OpId::named(&error.op), error.op.as_str()) {
+            (Some(id), _) => id.spec().label,
+            (None, "open") => "Open",
+            (None, "export") => "Save",
+            (None, other) => other,
+        };
+        self.toast(MessageKind::Error, sentence(&format!("{label}: {}", error.problem)), Vec::new());
+    }
+}
+
+/// A text with a full stop at its end, unless it ends like a sentence.
+pub(crate) fn sentence(text: &str) -> String {
+    if text.ends_with(['.', '!', '?']) { text.to_owned() } else { format!("{text}.") }
+}

@@ -1,0 +1,112 @@
+//! The operation that the document shows while its form is filled in, and that is no step yet.
+
+use editor::{CommandError, Facts, MessageKind, OpId, Outcome};
+use halfedge::{Element, Mesh};
+
+use crate::panels::fields::{self, Filled};
+use crate::session::Session;
+
+/// Seconds that the result of a changed field may take to be made at every step of a spin.
+pub(crate) const MAX_SECONDS_PER_STEP: f64 = 0.03;
+
+/// What became of the last request for a preview.
+#[derive(Default)]
+pub(crate) struct Previewing {
+    shown: Option<Preview>,
+    /// Why nothing is shown.
+    why_not: Option<WhyNot>,
+    /// The last preview took too long to be made at every step of a spin.
+    pub is_slow: bool,
+}
+
+/// An operation that the document shows.
+pub(crate) struct Preview {
+    pub id: OpId,
+    filled: Filled,
+    outcome: Outcome,
+    /// The facts about the mesh without it.
+    pub before: Facts,
+    /// The ids of elements mean the same with it and without.
+    keeps_ids: bool,
+}
+
+/// Why there is no preview.
+#[derive(Clone)]
+pub(crate) enum WhyNot {
+    TooLarge,
+    Refused(String),
+}
+
+impl Session {
+    /// The preview that the document shows.
+    pub fn preview(&self) -> Option<&Preview> {
+        // Whatever else was done has removed it.
+        self.previewing.shown.as_ref().filter(|_| self.editor.is_previewing_mesh())
+    }
+
+    /// Why there is no preview.
+    pub fn why_no_preview(&self) -> Option<&WhyNot> {
+        self.previewing.why_not.as_ref()
+    }
+
+    /// Forgets why there is no preview.
+    pub fn forget_refused_preview(&mut self) {
+        self.previewing.why_not = None;
+    }
+
+    /// The mesh that an operation with these fields makes, where it is previewed.
+    pub fn previewed(&self, id: OpId, filled: &Filled) -> Option<&Mesh> {
+        self.preview().filter(|preview| preview.id == id && preview.filled == *filled)?;
+        self.editor.mesh()
+    }
+
+    /// Removes the preview, if there is one; returns whether ids of elements mean what they meant.
+    pub fn end_preview(&mut self) -> Option<bool> {
+        let keeps_ids = self.preview()?.keeps_ids;
+        self.previewing.shown = None;
+        self.editor.cancel_edit();
+        Some(keeps_ids)
+    }
+
+    /// Makes the preview one undo step, if it shows just this.
+    pub fn apply_preview(&mut self, id: OpId, filled: &Filled) -> bool {
+        if self.previewed(id, filled).is_none() {
+            return false;
+        }
+        self.editor.commit_edit();
+        if let Some(Preview { outcome, .. }) = self.previewing.shown.take()
+            && !outcome.warnings.is_empty()
+        {
+            self.toast(MessageKind::Warning, outcome.message, outcome.warnings);
+        }
+        true
+    }
+
+    /// Previews an operation in place of what was previewed.
+    pub fn show_preview(&mut self, id: OpId, filled: Filled) {
+        let started = self.platform.now();
+        let before = self.measured_facts();
+        self.end_preview();
+        self.end_live(true);
+        self.previewing.why_not = self.try_preview(id, filled, before).err();
+        self.previewing.is_slow = self.platform.now() - started > MAX_SECONDS_PER_STEP;
+    }
+
+    fn try_preview(&mut self, id: OpId, filled: Filled, before: Facts) -> Result<(), WhyNot> {
+        let refused = |error: CommandError| WhyNot::Refused(error.reason());
+        let command = fields::command(id, &filled).map_err(refused)?;
+        self.editor.can(&command).map_err(refused)?;
+        if !self.editor.is_quick(&command) {
+            return Err(WhyNot::TooLarge);
+        }
+        let sizes_before = self.editor.mesh().map(sizes);
+        let outcome = self.editor.update_edit(command).map_err(refused)?;
+        let keeps_ids = self.editor.mesh().map(sizes) == sizes_before;
+        self.previewing.shown = Some(Preview { id, filled, outcome, before, keeps_ids });
+        Ok(())
+    }
+}
+
+fn sizes(mesh: &Mesh) -> [usize; 4] {
+    Element::ALL.map(|kind| mesh.capacity(kind))
+}

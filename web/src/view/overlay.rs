@@ -1,0 +1,125 @@
+//! What is written and drawn over the picture: the axes, the box being drawn, the info overlay, and
+//! what to do where there is nothing to see.
+
+use egui::{Align2, Color32, FontId, Pos2, Rect, RichText, Stroke, StrokeKind, Ui, vec2};
+use glam::DVec3;
+use halfedge::Element;
+
+use super::gesture::Tool;
+use crate::lists::columns::{counted, element_name, row, thousands};
+use crate::page_view::Page;
+use crate::panels::fields::selection_words;
+use crate::theme;
+
+/// Draws what lies over the picture.
+pub(super) fn paint(ui: &mut Ui, rect: Rect, page: &Page<'_>) {
+    let pointer = ui.input(|input| input.pointer.latest_pos());
+    if let Some(area) = page.view.selection_box(pointer) {
+        let accent = ui.visuals().hyperlink_color;
+        ui.painter().rect(
+            area,
+            0.0,
+            accent.gamma_multiply(0.15),
+            Stroke::new(1.0, accent),
+            StrokeKind::Inside,
+        );
+    }
+    if page.view.tool == Tool::Box {
+        label(
+            ui,
+            rect.center_top() + vec2(0.0, 12.0),
+            Align2::CENTER_TOP,
+            "Box select: drag over elements; Escape ends it",
+        );
+    }
+    if page.view.picture.is_none() {
+        say_in_middle(ui, rect, "No graphics", "This viewport can't draw here; lists and inspector work.");
+    } else if page.editor.document().objects().is_empty() {
+        say_in_middle(
+            ui,
+            rect,
+            "Nothing to see yet",
+            "Drop an OBJ file here, press Ctrl+O, paste OBJ text, or make a shape.",
+        );
+    }
+    axes(ui, rect, page);
+    if page.shown.overlay {
+        info(ui, rect, page);
+    }
+}
+
+fn say_in_middle(ui: &mut Ui, rect: Rect, title: &str, hint: &str) {
+    let area = Rect::from_center_size(rect.center(), vec2(rect.width().min(360.0), 90.0));
+    ui.scope_builder(egui::UiBuilder::new().max_rect(area), |ui| {
+        ui.vertical_centered(|ui| {
+            ui.label(RichText::new(title).heading());
+            ui.add(egui::Label::new(RichText::new(hint).weak()).wrap());
+        });
+    });
+}
+
+/// The directions of x, y and z, as the camera sees them.
+fn axes(ui: &Ui, rect: Rect, page: &Page<'_>) {
+    if rect.width() < 160.0 || rect.height() < 120.0 {
+        return;
+    }
+    const LENGTH: f32 = 24.0;
+    let center = rect.right_bottom() - vec2(LENGTH + 20.0, LENGTH + 20.0);
+    let [right, up, forward] = page.view.camera.axes();
+    let colors = theme::palette(ui.visuals()).axes;
+    let mut arms: Vec<(f64, Pos2, &str, Color32)> = [("x", DVec3::X), ("y", DVec3::Y), ("z", DVec3::Z)]
+        .into_iter()
+        .zip(colors)
+        .map(|((name, axis), color)| {
+            let tip = center + vec2(axis.dot(right) as f32, -axis.dot(up) as f32) * LENGTH;
+            (axis.dot(forward), tip, name, color)
+        })
+        .collect();
+    // Farther ones first, so that nearer ones cover them.
+    arms.sort_by(|a, b| b.0.total_cmp(&a.0));
+    for (_, tip, name, color) in arms {
+        ui.painter().line_segment([center, tip], Stroke::new(2.0, color));
+        let out = (tip - center).normalized() * 9.0;
+        ui.painter().text(tip + out, Align2::CENTER_CENTER, name, FontId::proportional(12.0), color);
+    }
+}
+
+/// What is under the pointer, what is selected, and how one looks at it.
+fn info(ui: &Ui, rect: Rect, page: &Page<'_>) {
+    let mut lines = Vec::new();
+    let mesh = page.editor.mesh();
+    if let Some((kind, id)) = page.view.hovered
+        && let Some(row) = mesh.and_then(|mesh| row(mesh, kind, id))
+    {
+        lines.push(format!("{}: {}", element_name(kind, id), row.value(kind)));
+    }
+    let selection = page.editor.selection();
+    lines.push(selection_words(selection.kind(), selection.len(), selection.latest()));
+    if let Some(mesh) = mesh {
+        let loops =
+            page.survey.found().map_or_else(|| "…".to_owned(), |found| thousands(found.boundary_loops));
+        lines.push(format!(
+            "{}, Euler characteristic {}, boundary loops {loops}",
+            counted(Element::Face, mesh.face_count()),
+            mesh.euler_characteristic()
+        ));
+    }
+    let camera = &page.view.camera;
+    let projection = if camera.orthographic { "parallel" } else { "perspective" };
+    lines.push(format!(
+        "View: {projection}, turn {:.0}°, height {:.0}°, distance {:.3}",
+        camera.yaw.to_degrees(),
+        camera.pitch.to_degrees(),
+        camera.distance
+    ));
+    label(ui, rect.left_top() + vec2(12.0, 12.0), Align2::LEFT_TOP, &lines.join("\n"));
+}
+
+/// Text on a plate, readable over any picture.
+fn label(ui: &Ui, at: Pos2, anchor: Align2, text: &str) {
+    let font = FontId::proportional(12.0);
+    let galley = ui.painter().layout_no_wrap(text.to_owned(), font, ui.visuals().text_color());
+    let area = anchor.anchor_size(at, galley.size() + vec2(16.0, 10.0));
+    ui.painter().rect_filled(area, 6.0, theme::palette(ui.visuals()).overlay);
+    ui.painter().galley(area.min + vec2(8.0, 5.0), galley, ui.visuals().text_color());
+}
