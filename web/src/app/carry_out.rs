@@ -9,6 +9,9 @@ use crate::request::Request;
 impl App {
     pub(super) fn carry_out(&mut self, request: Request) {
         match request {
+            // Asked for in every frame; what changes by it asks for a repaint.
+            Request::Hover(kind, id) => return self.hover(kind, id),
+            Request::LivePointer(at) => return self.session.live_pointer(at, &self.view),
             Request::Act(action) => self.act(action),
             Request::Run(command) => self.begin(command, None),
             Request::Refuse(error) => self.session.refuse(&error),
@@ -18,7 +21,6 @@ impl App {
                 let _ = self.session.editor.select_range(kind, to);
             }
             Request::Deselect => self.session.editor.deselect(),
-            Request::Hover(kind, id) => self.view.hover_from_list(Some((kind, id))),
             Request::UpdateEdit(command) => {
                 if let Err(error) = self.session.editor.update_edit(command) {
                     self.session.refuse(&error);
@@ -31,7 +33,6 @@ impl App {
                 self.session.editor.cancel_edit();
             }
             Request::CommitEditOnRelease => self.session.commit_on_release = true,
-            Request::LivePointer(at) => self.session.live_pointer(at, &self.view),
             Request::SetLiveAmount(value) => self.session.set_live_amount(value),
             Request::EndLive { commit } => self.session.end_live(commit),
             Request::Preview(id, filled) => self.session.show_preview(id, filled),
@@ -56,6 +57,14 @@ impl App {
             Request::DismissToast(at) => self.session.toasts.dismiss(at),
         }
         self.session.ctx.request_repaint();
+    }
+
+    /// Highlights an element that a list or a link has under the pointer.
+    fn hover(&mut self, kind: Element, id: u32) {
+        if self.view.hovered() != Some((kind, id)) {
+            self.session.ctx.request_repaint();
+        }
+        self.view.hover_from_list(Some((kind, id)));
     }
 
     /// Selects; an id that went away meanwhile is no error to a person.
