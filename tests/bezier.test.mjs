@@ -1,4 +1,4 @@
-// The Bezier players: files dropped, control points dragged, the construction watched, surfaces made meshes.
+// Bezier curves and surfaces: opening files, dragging control points, playing the construction, tessellating.
 
 import assert from "node:assert/strict";
 
@@ -25,22 +25,22 @@ async function open(editor, file) {
   await editor.frames(3);
 }
 
-/** The point of a cubic at t, in closed form. */
+/** The point at t of a cubic Bezier curve, in closed form. */
 const cubic = (p, t) => [0, 1, 2].map((axis) =>
   (1 - t) ** 3 * p[0][axis] + 3 * (1 - t) ** 2 * t * p[1][axis] + 3 * (1 - t) * t ** 2 * p[2][axis] +
   t ** 3 * p[3][axis]);
 
-/** A square of the page around a point. */
+/** A square around a point of the page. */
 const around = ([x, y], size) => [x - size / 2, y - size / 2, size, size];
 
-editorTest("a curve is dropped, dragged, added to and played", { sizes: [SMALL] }, async (editor) => {
+editorTest("a curve is opened, edited and played", { sizes: [SMALL] }, async (editor) => {
   await open(editor, CURVE);
   assert.deepEqual((await object(editor)).bezier, {
     kind: "curve", points: [[0, 0, 0], [1, 2, 0], [3, 2, 0], [4, 0, 0]],
   });
   await editor.screenshot("curve");
 
-  // Dragged: one step, in the plane.
+  // Drag a control point: one undo step, within the plane.
   const from = await editor.project([1, 2, 0]);
   await editor.drag(from, [from[0] - 30, from[1] + 40]);
   const { points } = (await object(editor)).bezier;
@@ -49,7 +49,7 @@ editorTest("a curve is dropped, dragged, added to and played", { sizes: [SMALL] 
   assert.ok(Math.hypot(now[0] - from[0] + 30, now[1] - from[1] - 40) < 4, `dragged to ${now}`);
   assert.equal((await editor.state()).history.undo.length, 2);
 
-  // The construction, level by level; each is drawn.
+  // Show the construction level by level.
   const pictures = [];
   await editor.page.mouse.move(5, 5);
   for (const level of [1, 2, 3]) {
@@ -59,7 +59,7 @@ editorTest("a curve is dropped, dragged, added to and played", { sizes: [SMALL] 
   }
   const { rect } = (await editor.state()).view;
   assert.ok(pictures[1].difference(pictures[0], rect) > 50 && pictures[2].difference(pictures[1], rect) > 20);
-  // Its point is where the closed form has it.
+  // The last level is the point of the closed form.
   const at = await editor.project(cubic(points, 0.5));
   assert.ok(pictures[2].difference(pictures[1], around(at, 16)) > 20, "the last level is the point on the curve");
   await editor.press("c");
@@ -70,7 +70,7 @@ editorTest("a curve is dropped, dragged, added to and played", { sizes: [SMALL] 
   assert.ok(half.difference(pictures[2], around(far, 24)) > 10, "beyond t the curve is not drawn");
   await editor.press("c");
 
-  // Played, and paused.
+  // Play and pause.
   await editor.click("Play", "button");
   await editor.until("t moves", async () => (await player(editor)).t > 0.55);
   await editor.click("Pause", "button");
@@ -78,7 +78,7 @@ editorTest("a curve is dropped, dragged, added to and played", { sizes: [SMALL] 
   await editor.frames(5);
   assert.equal((await player(editor)).t, t);
 
-  // Added by a double click, taken away with a key; elevated, split, and all taken back.
+  // Insert a point by double click, delete it with a key, elevate the degree, split, and undo everything.
   const middle = [0, 1, 2].map((axis) => (points[1][axis] + points[2][axis]) / 2);
   const [x, y] = await editor.project(middle);
   await editor.page.mouse.move(x, y);
@@ -100,13 +100,13 @@ editorTest("a curve is dropped, dragged, added to and played", { sizes: [SMALL] 
   assert.equal((await object(editor)).bezier, undefined);
 });
 
-editorTest("a surface is dropped, dragged, constructed and made a mesh", { sizes: [SMALL] }, async (editor) => {
+editorTest("a surface is opened, edited, played and tessellated", { sizes: [SMALL] }, async (editor) => {
   await open(editor, arches());
   assert.deepEqual((await object(editor)).bezier, { kind: "surface", patches: 2 });
   await editor.screenshot("surface");
   const area = (await editor.state()).view.rect;
 
-  // The construction at (u, v): three levels along the rows, three down the column.
+  // The construction at (u, v): three levels along the rows, then three along the column.
   await editor.page.mouse.move(5, 5);
   const before = await editor.screenshot();
   for (let level = 1; level <= 6; level += 1) {
@@ -123,7 +123,7 @@ editorTest("a surface is dropped, dragged, constructed and made a mesh", { sizes
   await editor.frames(2);
   assert.ok((await editor.screenshot("another v")).difference(constructed, area) > 100);
 
-  // A point inside the first patch, dragged: the mesh that shows the surface follows.
+  // Drag a point inside the first patch: the displayed mesh follows.
   const inside = await editor.page.evaluate(() => {
     for (let id = 0; ; id += 1) {
       const { position: [x, y] } = window.meshwright.element("vertex", id);
@@ -140,7 +140,7 @@ editorTest("a surface is dropped, dragged, constructed and made a mesh", { sizes
   await editor.undo();
   assert.deepEqual((await editor.element("vertex", inside)).position, corner.position);
 
-  // Mesh edits wait until it is one.
+  // Mesh edits are refused until the surface is tessellated.
   await assert.rejects(editor.run({ op: "delete-faces", faces: [0] }), /Bezier/);
   await editor.click("Tessellate", "button");
   await editor.until("it is a mesh", async () => (await object(editor)).bezier === undefined);
@@ -151,7 +151,7 @@ editorTest("a surface is dropped, dragged, constructed and made a mesh", { sizes
 });
 
 const both = { sizes: [DESKTOP, PHONE] };
-editorTest("the players fit the screen", both, async (editor) => {
+editorTest("the Bezier controls fit the screen", both, async (editor) => {
   const { width, height } = editor.size;
   for (const file of [CURVE, arches()]) {
     await open(editor, file);

@@ -1,4 +1,4 @@
-// Edits by hand and by script, and back again.
+// Edits by hand and by script, undo and redo.
 
 import assert from "node:assert/strict";
 
@@ -14,14 +14,14 @@ async function labels(editor) {
   return (await editor.state()).history.undo;
 }
 
-editorTest("edits by hand are steps, and undo goes back to exactly what was", { sizes: [SMALL] }, async (editor) => {
+editorTest("each edit by hand is one undo step, and undo restores the exact state", { sizes: [SMALL] }, async (editor) => {
   const steps = [await whole(editor)];
   const stepped = async (label) => {
     assert.equal((await labels(editor)).length, steps.length, `one step for ${label}`);
     steps.push(await whole(editor));
   };
 
-  // A spin box, dragged and typed into.
+  // Drag a spin box, then type into it.
   await editor.click("Vertex 7", "listBoxOption");
   const spin = async () => {
     const { rect: [x, y, width, height], value } = await editor.find("Position x", "spinButton");
@@ -41,7 +41,7 @@ editorTest("edits by hand are steps, and undo goes back to exactly what was", { 
   assert.equal((await spin()).value, 1.75);
   await stepped("typing into the spin box");
 
-  // The vertex, dragged in the viewport.
+  // Drag the vertex in the viewport.
   const at = await editor.project([1.75, 1, 1]);
   const picture = await editor.screenshot();
   await editor.drag(at, [at[0] + 30, at[1] - 40]);
@@ -54,7 +54,7 @@ editorTest("edits by hand are steps, and undo goes back to exactly what was", { 
   const draggedPicture = await editor.screenshot("vertex dragged");
   assert.ok(draggedPicture.difference(picture, [now[0] - 20, now[1] - 20, 40, 40]) > 20, "it is drawn where it is");
 
-  // Keys: split, then upsample.
+  // By keys: split, then upsample.
   await editor.press("2");
   await editor.click("Edge 0", "listBoxOption");
   await editor.press("s");
@@ -74,7 +74,7 @@ editorTest("edits by hand are steps, and undo goes back to exactly what was", { 
   await stepped("an upsampling of triangles");
   await editor.screenshot("subdivided");
 
-  // All the way back, and forth again.
+  // Undo everything, then redo everything.
   for (let step = steps.length - 2; step >= 0; step -= 1) {
     await editor.press("Control+z");
     assert.deepEqual(await whole(editor), steps[step], `after undo to step ${step}`);
@@ -89,7 +89,7 @@ editorTest("edits by hand are steps, and undo goes back to exactly what was", { 
 });
 
 const once = { renderers: ["webgl2"], sizes: [SMALL] };
-editorTest("scripts get outcomes, and errors that say what is wrong", once, async (editor) => {
+editorTest("scripts get outcomes and clear error messages", once, async (editor) => {
   const before = await whole(editor);
   const split = await editor.run({ op: "split-edge", edge: 3 });
   assert.equal(split.op, "split-edge");
@@ -97,12 +97,12 @@ editorTest("scripts get outcomes, and errors that say what is wrong", once, asyn
   await editor.run({ op: "set-face-color", faces: [0], color: "#00ff80" });
   assert.equal((await editor.element("face", 0)).color, "#00ff80");
 
-  // Where the command leaves out its elements, the selection is meant.
+  // A command without elements applies to the selection.
   await editor.select("vertex", [8]);
   await editor.run({ op: "set-vertex-position", position: [0, 0, 3] });
   assert.deepEqual((await editor.element("vertex", 8)).position, [0, 0, 3]);
 
-  // The page follows, and what it lists is what the document holds.
+  // The lists on the page show the new state.
   await editor.frames(3);
   assert.match((await editor.find("Vertex 8", "listBoxOption")).value, /z 3\.0/);
 
@@ -131,7 +131,7 @@ editorTest("scripts get outcomes, and errors that say what is wrong", once, asyn
   await refused(() => window.meshwright.select("face", "all"), /array of ids/);
   await refused(() => window.meshwright.project([0, 1]), /point \[x, y, z\]/);
 
-  // Typed arrays are lists.
+  // Typed arrays work as lists.
   const moved = await editor.page.evaluate(async () => {
     const { meshwright } = window;
     const position = new Float32Array([0.25, 0.5, 3]);
@@ -143,7 +143,7 @@ editorTest("scripts get outcomes, and errors that say what is wrong", once, asyn
   });
   assert.deepEqual(moved, [[0.25, 0.5, 3], { kind: "face", ids: [1, 3] }]);
 
-  // The kinds of content that `open` takes.
+  // `open` takes several kinds of content.
   for (const kind of ["text", "bytes", "buffer", "part"]) {
     const opened = await editor.page.evaluate((kind) => {
       const text = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";

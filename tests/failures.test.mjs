@@ -1,4 +1,4 @@
-// What the page does when a part of it fails: the document stays, and words say what happened.
+// Failures of parts of the page: the document is kept, and a message says what happened.
 
 import assert from "node:assert/strict";
 
@@ -8,14 +8,14 @@ import { grid } from "./support/meshes.mjs";
 const LOADER = "**/meshwright-worker*_loader.js";
 const once = { renderers: ["webgl2"], sizes: [SMALL] };
 
-/** Loads the page again with something else in place of its worker, until that is taken away. */
+/** Reloads the page with another script in place of its worker, until the route is removed. */
 async function withWorker(editor, handler) {
   await editor.page.route(LOADER, handler);
   await editor.page.reload();
   await editor.ready();
 }
 
-editorTest("a worker that fails takes its job along and nothing else", once, async (editor) => {
+editorTest("a failing worker ends its job and changes nothing else", once, async (editor) => {
   const cube = JSON.stringify((await editor.state()).document);
   const fails = async (pattern) => {
     await assert.rejects(editor.open("grid.obj", grid(2, 2)), pattern);
@@ -23,7 +23,7 @@ editorTest("a worker that fails takes its job along and nothing else", once, asy
     const { document, jobs } = await editor.state();
     assert.equal(JSON.stringify(document), cube);
     assert.deepEqual(jobs, []);
-    // A later job has a worker again; one may already have been started that fails like the first.
+    // A later job gets a new worker, unless one that also fails was started before the route was removed.
     await editor.open("grid.obj", grid(3, 3)).catch(() => editor.open("grid.obj", grid(3, 3)));
     assert.equal((await editor.state()).document.vertices, 16);
   };
@@ -54,15 +54,15 @@ editorTest("a worker that fails takes its job along and nothing else", once, asy
   assert.equal(JSON.stringify((await editor.state()).document), cube);
 });
 
-editorTest("a crash says so, and that it is nobody's fault but ours", once, async (editor) => {
+editorTest("a crash shows a message that asks to reload", once, async (editor) => {
   const notice = editor.page.locator("#notice");
   assert.equal(await notice.isVisible(), false);
-  // An error of another script on the page is no crash of the editor.
+  // An error in another script is not a crash of the editor.
   editor.expectErrors(/somebody else/);
   await editor.page.evaluate(() => setTimeout(() => { throw new Error("somebody else's"); }));
   await editor.frames(3);
   assert.equal(await notice.isVisible(), false);
-  // A trap in WebAssembly is, with or without a panic that tells of it.
+  // A trap in WebAssembly is one, even without a panic message.
   editor.expectErrors(/unreachable/);
   await editor.page.evaluate(() => setTimeout(() => { throw new WebAssembly.RuntimeError("unreachable"); }));
   await notice.waitFor();
@@ -71,7 +71,7 @@ editorTest("a crash says so, and that it is nobody's fault but ours", once, asyn
   await editor.screenshot("crash");
 });
 
-editorTest("settings last from visit to visit", once, async (editor) => {
+editorTest("settings are kept across visits", once, async (editor) => {
   const theme = async () => (await editor.state()).view.theme;
   const first = await theme();
   const other = first === "dark" ? "Light theme" : "Dark theme";

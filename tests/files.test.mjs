@@ -1,4 +1,4 @@
-// Files in and out: dropped, picked, pasted, opened by scripts, saved.
+// Opening files by drop, file picker, paste and script, and saving them.
 
 import assert from "node:assert/strict";
 import { readFile } from "node:fs/promises";
@@ -7,12 +7,12 @@ import { SMALL, editorTest } from "./harness.mjs";
 import { ODD_TRIANGLE, TWO_COLORS_MTL, TWO_COLORS_OBJ, grid } from "./support/meshes.mjs";
 import { readsShared, shared } from "./support/shared.mjs";
 
-/** The lines of an OBJ that say what its mesh is. */
+/** The lines of an OBJ that define its mesh. */
 function meshLines(obj) {
   return obj.toString().split("\n").filter((line) => /^[vf] /.test(line));
 }
 
-/** Everything a script can tell of the document, to compare before and after. */
+/** The state of the document as scripts see it, to compare before and after. */
 async function snapshot(editor) {
   const { document, selection, history } = await editor.state();
   return { document, selection, history, obj: (await editor.export("obj")).toString() };
@@ -22,8 +22,8 @@ async function alerts(editor) {
   return (await editor.ui()).filter((node) => node.role === "alert").map((node) => node.name);
 }
 
-editorTest("files are dropped, picked and pasted; broken ones change nothing", { sizes: [SMALL] }, async (editor) => {
-  // Dropped.
+editorTest("files are dropped, picked and pasted, and broken ones change nothing", { sizes: [SMALL] }, async (editor) => {
+  // Drop a file.
   await editor.drop({ name: "sheet.obj", content: grid(4, 3) });
   await editor.until("the file is open", async () => (await editor.state()).document.name === "sheet");
   const { document } = await editor.state();
@@ -39,7 +39,7 @@ editorTest("files are dropped, picked and pasted; broken ones change nothing", {
   const obj = await editor.export("obj");
   assert.deepEqual(meshLines(obj), meshLines(grid(4, 3)), "saved as it was read");
 
-  // Broken: the document stays, and a message says why.
+  // A broken file: the document is kept, and a message gives the reason.
   const before = await snapshot(editor);
   await editor.drop({ name: "poem.obj", content: "roses are red\nviolets are blue\n" });
   await editor.until("a message names the file", async () =>
@@ -50,13 +50,13 @@ editorTest("files are dropped, picked and pasted; broken ones change nothing", {
   await assert.rejects(editor.open("empty.obj", ""), /empty\.obj/);
   assert.deepEqual(await snapshot(editor), before);
 
-  // Broken in parts: the rest loads, and the report says which lines.
+  // A partly broken file: the rest loads, and the report names the lines.
   const report = await editor.open("half.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\nf 1 2 9\n");
   assert.equal(report.created.faces, 1);
   assert.equal(report.warnings.length, 1);
   assert.match(report.warnings[0], /line 5/);
 
-  // Picked.
+  // Pick files.
   const choosing = editor.page.waitForEvent("filechooser");
   await editor.click("Open…", "button");
   const chooser = await choosing;
@@ -67,7 +67,7 @@ editorTest("files are dropped, picked and pasted; broken ones change nothing", {
   assert.equal((await editor.element("face", 0)).color, "#ff0000");
   assert.equal((await editor.element("face", 1)).color, "#0000ff");
 
-  // Pasted; into a text field it is text.
+  // Paste a model; in a text field, text stays text.
   const paste = (text) => editor.page.evaluate((text) => {
     const clipboardData = new DataTransfer();
     clipboardData.setData("text", text);
@@ -82,7 +82,7 @@ editorTest("files are dropped, picked and pasted; broken ones change nothing", {
   await editor.until("the text is open", async () => (await editor.state()).document.vertices === 3);
 });
 
-editorTest("what is saved reads back to the bit, colours and all", { sizes: [SMALL] }, async (editor) => {
+editorTest("a saved file opens again with the same bits and colours", { sizes: [SMALL] }, async (editor) => {
   const saved = async () => {
     const downloads = [];
     const listen = (download) => downloads.push(download);
@@ -127,7 +127,7 @@ editorTest("what is saved reads back to the bit, colours and all", { sizes: [SMA
 });
 
 const models = { ...readsShared, renderers: ["webgpu"], sizes: [SMALL] };
-editorTest("real models open, draw and are saved", models, async (editor) => {
+editorTest("real models are opened, drawn and saved", models, async (editor) => {
   const path = shared("models/common/cow.obj");
   const cow = await readFile(path);
   await editor.drop(path);

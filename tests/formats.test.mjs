@@ -1,4 +1,4 @@
-// Every format comes in by a drop, whatever it is called, and files come from other addresses.
+// Opening files of every format whatever their names, and from other sites.
 
 import assert from "node:assert/strict";
 import { createServer } from "node:http";
@@ -9,7 +9,7 @@ import { TWO_COLORS_OBJ, TWO_COLORS_MTL, grid } from "./support/meshes.mjs";
 const once = { renderers: ["webgl2"], sizes: [SMALL] };
 const CURVE = "4\n0 0\n1 2\n3 2\n4 0\n";
 
-/** The formats and what is left of a cube with a red face in them: faces, and whether the colour stays. */
+/** The formats, with the number of faces of a red cube saved in each, and whether its colour is kept. */
 const FORMATS = [
   { format: "ply", faces: 6, color: true },
   { format: "stl", faces: 12, color: false },
@@ -21,13 +21,13 @@ const FORMATS = [
 
 const name = async (editor) => (await editor.state()).document.name;
 
-editorTest("every format is opened by a drop, by its content", once, async (editor) => {
+editorTest("a dropped file of every format is recognised by its content", once, async (editor) => {
   await editor.run({ op: "set-face-color", faces: [0, 1, 2, 3, 4, 5], color: "#ff0000" });
   const cube = (await editor.state()).document;
   const files = [];
   for (const { format, ...rest } of FORMATS) files.push({ format, content: await editor.export(format), ...rest });
   for (const { format, content, faces, color } of files) {
-    // The second time under a name that says nothing.
+    // The second time under a name without an extension.
     for (const file of [`from-${format}.${format}`, `nameless-${format}`]) {
       await editor.drop({ name: file, content });
       await editor.until(`${file} is open`, async () => (await name(editor)) === file.replace(/\.\w+$/, ""));
@@ -40,7 +40,7 @@ editorTest("every format is opened by a drop, by its content", once, async (edit
     }
   }
 
-  // Several at once: a mesh with its materials, and none of two that are broken.
+  // Several files at once: a mesh, and one with its materials. Then broken files, which change nothing.
   await editor.drop(
     { name: "colors.mtl", content: TWO_COLORS_MTL },
     { name: "two.obj", content: TWO_COLORS_OBJ },
@@ -65,7 +65,7 @@ editorTest("every format is opened by a drop, by its content", once, async (edit
   }
 });
 
-/** A server of another site, which lets other sites read its files, or not. */
+/** A server of another site, which may let this site read its files or not. */
 async function otherSite(answer) {
   const server = createServer(answer);
   await new Promise((done) => server.listen(0, "127.0.0.1", done));
@@ -78,7 +78,7 @@ async function otherSite(answer) {
   };
 }
 
-/** A triangle as a glTF whose data is in a file beside it. */
+/** A triangle as a glTF whose data is in a companion file. */
 function triangleGltf(uri) {
   const json = JSON.stringify({
     asset: { version: "2.0" },
@@ -95,7 +95,7 @@ function triangleGltf(uri) {
 
 const open = { "access-control-allow-origin": "*" };
 
-/** The editor on a page whose address asks for a model of another site, with what it says of it. */
+/** Opens the page with a `?model=` of another site, and checks it. */
 async function asking(t, answer, path, check) {
   const other = await otherSite(answer);
   const query = `?model=${encodeURIComponent(other.url + path)}`;
@@ -121,7 +121,7 @@ editorTest("?model= opens a file of another site", once, async (_, t) => {
     editor.assertNoErrors();
   });
 
-  // A server that allows no other sites, one that has no such file, and an address that is none.
+  // A server that doesn't allow other sites, and one without the file.
   const closed = (request, response) => response.writeHead(200).end(grid(4, 3));
   await asking(t, closed, "a.obj", async (editor) => {
     editor.expectErrors(/CORS|Failed to load resource/);
@@ -139,7 +139,7 @@ editorTest("?model= opens a file of another site", once, async (_, t) => {
     assert.equal((await editor.state()).document.faces, 6);
   });
 
-  // What belongs to it lies beside it, and is asked for there.
+  // Companion files are fetched from the address that they are relative to.
   const OBJ = TWO_COLORS_OBJ.replace(/mtllib .*/, "mtllib ../materials/my%23 colors.mtl");
   const asked = [];
   const shelf = (files) => (request, response) => {
@@ -158,7 +158,7 @@ editorTest("?model= opens a file of another site", once, async (_, t) => {
     assert.ok(asked.every((path) => !path.endsWith("/my%2523")), `a name with blanks is one: ${asked}`);
     assert.deepEqual((await editor.state()).jobs, []);
   });
-  // A file beside it that is not there, or may not be read, is a note.
+  // A companion file that is missing or may not be read gives a note.
   await asking(t, shelf({ "/two.obj": TWO_COLORS_OBJ }), "two.obj", async (editor) => {
     editor.expectErrors(/404/);
     await opened(editor, "two");
@@ -173,14 +173,14 @@ editorTest("?model= opens a file of another site", once, async (_, t) => {
     await alert(editor, /colors\.mtl, which belongs to two\.obj, .*Access-Control-Allow-Origin/);
     editor.assertNoErrors();
   });
-  // A model has the page ask no other site.
+  // A model can't make the page fetch from a third site.
   const elsewhere = TWO_COLORS_OBJ.replace(/mtllib .*/, "mtllib //other.example/colors.mtl");
   await asking(t, shelf({ "/two.obj": elsewhere }), "two.obj", async (editor) => {
     await opened(editor, "two");
     await alert(editor, /other\.example\/colors\.mtl, which belongs to two\.obj, does not lie beside it/);
     editor.assertNoErrors();
   });
-  // A glTF with its data, and one without.
+  // A glTF with its data, and one whose data is missing.
   const gltf = triangleGltf("my data.bin");
   await asking(t, shelf({ "/one.gltf": gltf.json, "/my%20data.bin": gltf.data }), "one.gltf", async (editor) => {
     await opened(editor, "one");
@@ -194,7 +194,7 @@ editorTest("?model= opens a file of another site", once, async (_, t) => {
     editor.assertNoErrors();
   });
 
-  // What takes long can be called off.
+  // A slow download can be cancelled.
   const slow = (request, response) => response.writeHead(200, { ...open, "content-length": 1e6 }).write("v 0 0 0\n");
   await asking(t, slow, "slow.obj", async (editor) => {
     await editor.find("Fetch slow.obj", "progressIndicator");
@@ -204,7 +204,7 @@ editorTest("?model= opens a file of another site", once, async (_, t) => {
     editor.assertNoErrors();
   });
 
-  // And files beside the page.
+  // Addresses that can't be fetched.
   for (const [query, why] of [
     ["?model=http://", /"http:\/\/" after `\?model=` is no address/],
     ["?model=file:///c:/a.obj", /can't be fetched: a page reads addresses that begin with http/],

@@ -1,9 +1,9 @@
-// How long the page's thread is busy at a stretch with a million triangles: the longest tasks of each thing a person
-// does, in milliseconds, with the processor time of the thread beside it (the machine may have other things to do).
+// Measures how long the page's thread is busy at a stretch with a million triangles: prints the longest tasks of each
+// action, in milliseconds of processor time, with the wall time in brackets.
 //
 //   cargo xtask dist && MESHWRIGHT_SITE=dist node tests/frames.mjs
 //
-// Software draws, so the times of the graphics process are not in it. MESHWRIGHT_TRIANGLES is another size.
+// The graphics process draws in software; its time is not included. MESHWRIGHT_TRIANGLES sets the number of triangles.
 
 import { SMALL, browserWith, openPage } from "./harness.mjs";
 import { closeBrowsers } from "./support/browsers.mjs";
@@ -16,14 +16,14 @@ const browser = await browserWith(RENDERER);
 const editor = await openPage({ renderer: RENDERER, size: SMALL });
 await editor.ready();
 
-/** Runs a command; what comes of it stays on the page: a million ids on their way out of it would be measured too. */
+/** Runs a command without returning its outcome: transferring a million ids out of the page would be measured too. */
 const run = (command) => editor.page.evaluate(async (command) => { await window.meshwright.run(command); }, command);
 
-/** Does something and says what the longest tasks of the page's thread were. */
+/** Runs an action and prints the longest tasks of the page's thread. */
 async function watch(what, act) {
   await browser.startTracing(editor.page, { categories: ["toplevel", "devtools.timeline", "__metadata"] });
   await act();
-  // Not asked for its state, which lists what is selected: that takes longer than what is measured.
+  // Without asking for the state: listing the selection takes longer than what is measured.
   await editor.frames(40);
   const { traceEvents } = JSON.parse((await browser.stopTracing()).toString());
   const main = new Set(traceEvents

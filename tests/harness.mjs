@@ -2,15 +2,15 @@
 //
 //   import { editorTest } from "./harness.mjs";
 //
-//   editorTest("undo takes back a split", async (editor) => {
+//   editorTest("undo reverts a split", async (editor) => {
 //     await editor.run({ op: "split-edge", edge: 3 });
 //     await editor.press("Control+z");
 //     assert.equal((await editor.state()).document.vertices, 8);
 //   });
 //
-// It runs once for each renderer, in a fresh profile, and fails when the console has errors. Tests run against the page
-// that `cargo xtask test --only e2e` builds; MESHWRIGHT_RENDERERS=webgl2 keeps to one renderer. A test file can also be
-// run by itself, with `node --test`.
+// The test runs once for each renderer, each time in a fresh profile, and fails when the console has errors. Tests run
+// on the page that `cargo xtask test --only e2e` builds; MESHWRIGHT_RENDERERS=webgl2 limits them to one renderer. A
+// single test file also runs with `node --test`.
 
 import { basename } from "node:path";
 import { after, describe, it } from "node:test";
@@ -24,31 +24,31 @@ export { Picture } from "./support/picture.mjs";
 export { Editor, browserWith, serve, site };
 
 export const DESKTOP = { name: "desktop", width: 1280, height: 800 };
-/** The wide layout in few pixels, for tests that need many frames: software draws slowly. */
+/** The wide layout in few pixels, because drawing in software is slow. */
 export const SMALL = { name: "small", width: 880, height: 540 };
 export const PHONE = { name: "phone", width: 390, height: 844, touch: true };
 
 /** The renderers that the page can draw with. */
 export const RENDERERS = ["webgpu", "webgl2"];
 
-/** How long a test may take that doesn't say so itself, in milliseconds; a busy machine takes several times as long as an idle one. */
-const TEST_LIMIT = 300_000;
+/** The default time limit of a test: a busy machine takes several times as long as an idle one. */
+const TEST_LIMIT_MS = 300_000;
 
-/** The page lies under a sub-path, as on GitHub Pages, so that a URL from the host's root shows. */
+/** The page lies under a sub-path, as on GitHub Pages, so that URLs from the host's root fail. */
 const BASE = "/some/where/";
 
 let server;
 
-/** The tests to run in each renderer's browser, in order. */
+/** The tests of each renderer, in order. */
 const tests = new Map();
 
-/** Adds a test without a page of its own; `renderer` names the browser that it opens pages in, "none" being one too. */
+/** Adds a test that opens its pages itself, in the browser of a renderer or of "none". */
 export function browserTest(renderer, name, options, body) {
   if (!tests.has(renderer)) tests.set(renderer, []);
-  tests.get(renderer).push([name, { timeout: TEST_LIMIT, ...options }, body]);
+  tests.get(renderer).push([name, { timeout: TEST_LIMIT_MS, ...options }, body]);
 }
 
-/** Hands the tests to Node's test runner: those of one renderer after each other, the renderers side by side. */
+/** Registers the tests with Node's test runner: one after another for each renderer, both renderers in parallel. */
 export function registerTests() {
   if (tests.size === 0) return;
   describe("browser tests", { concurrency: tests.size }, () => {
@@ -64,7 +64,7 @@ export function registerTests() {
   });
 }
 
-// A file that is run by itself has no run.mjs to register its tests once it has been read.
+// A test file that runs by itself has no run.mjs that registers its tests.
 if (basename(process.argv[1]) !== "run.mjs") setImmediate(registerTests);
 
 /** Opens the page without waiting for the editor; the caller closes it. */
@@ -74,8 +74,8 @@ export async function openPage({ renderer = "webgpu", size = DESKTOP, query = ""
 }
 
 /**
- * Registers a test for every renderer and size: `body(editor, t)` gets an editor that is ready.
- * Options: `renderers`, `sizes`, `query` (appended to the URL), and node:test's own, such as `skip`.
+ * Adds a test for each renderer and size: `body(editor, t)` gets an editor that is ready.
+ * Options: `renderers`, `sizes`, `query` (appended to the URL), and those of node:test, such as `skip`.
  */
 export function editorTest(name, ...rest) {
   const body = rest.pop();
@@ -101,9 +101,9 @@ export function editorTest(name, ...rest) {
   }
 }
 
-/** Leaves behind what a failed test's page showed and said. */
+/** Saves a screenshot and the console of a failed test. */
 async function explain(editor, t) {
   for (const line of editor.log.slice(-40)) t.diagnostic(line);
-  // A tab that has crashed has nothing to show.
+  // A crashed tab has no picture.
   await editor.screenshot("failed").catch(() => {});
 }

@@ -1,4 +1,4 @@
-// What takes long runs beside the page, says how far it is, and can be cancelled.
+// Jobs run in a worker, report progress and can be cancelled.
 
 import assert from "node:assert/strict";
 
@@ -8,7 +8,7 @@ import { grid } from "./support/meshes.mjs";
 const SIDE = 708;
 const TRIANGLES = 2 * SIDE * SIDE;
 
-/** Puts `dropLarge` into the page, which drops a million triangles: made there, because they are 35 MB of text. */
+/** Adds a function `dropLarge` to the page, which drops a file of a million triangles. The text, of 35 MB, is made there. */
 function prepare(editor) {
   return editor.page.evaluate(([grid, side]) => {
     const text = Function(`return (${grid})`)()(side, side, { triangles: true });
@@ -22,7 +22,7 @@ function prepare(editor) {
   }, [grid.toString(), SIDE]);
 }
 
-/** Drops the large file and cancels in the middle of reading it. */
+/** Drops the large file and cancels while it is being read. */
 function dropAndCancel(editor) {
   return editor.page.evaluate(async () => {
     const { meshwright } = window;
@@ -38,7 +38,7 @@ function dropAndCancel(editor) {
   });
 }
 
-/** Drops the large file and notes when the page draws and how far the job is, until it is done. */
+/** Drops the large file, and records frames and progress until it is open. */
 function watch(editor) {
   return editor.page.evaluate(() => new Promise((resolve) => {
     window.dropLarge("huge.obj");
@@ -62,7 +62,7 @@ function watch(editor) {
 }
 
 const options = { timeout: 240_000, sizes: [SMALL] };
-editorTest("a million triangles open beside the page, and can be called off", options, async (editor, t) => {
+editorTest("a million triangles open in the worker, and opening can be cancelled", options, async (editor, t) => {
   await editor.run({ op: "split-edge", edge: 0 });
   const snapshot = async () => {
     const { document, history, selection } = await editor.state();
@@ -70,7 +70,7 @@ editorTest("a million triangles open beside the page, and can be called off", op
   };
   const before = await snapshot();
 
-  // Cancelled in the middle.
+  // Cancel while the file is being read.
   const bytes = await prepare(editor);
   const { job, stopped, left, took } = await dropAndCancel(editor);
   t.diagnostic(`cancelled at ${(100 * job.progress).toFixed(0)} % in ${took.toFixed(0)} ms`);
@@ -81,7 +81,7 @@ editorTest("a million triangles open beside the page, and can be called off", op
   await editor.frames(10);
   assert.deepEqual(await snapshot(), before, "the document is as it was");
 
-  // Who waits for a job that is cancelled is told.
+  // The promise of a cancelled job is rejected.
   const told = await editor.page.evaluate(async () => {
     const answer = window.meshwright.open("x.obj", "v 0 0 0\n").catch(String);
     return { stopped: window.meshwright.cancel(), answer: await answer };
@@ -90,11 +90,11 @@ editorTest("a million triangles open beside the page, and can be called off", op
   assert.match(told.answer, /cancelled/);
   assert.deepEqual(await snapshot(), before);
 
-  // The next job finds a worker again.
+  // The next job gets a new worker.
   await editor.open("small.obj", grid(2, 2));
   assert.equal((await editor.state()).document.vertices, 9);
 
-  // To the end: the page draws and answers meanwhile.
+  // Open the file: the page goes on drawing and answering.
   const seen = await watch(editor);
   await editor.until("the file is open", async () => (await editor.state()).document.name === "huge", 120_000);
   t.diagnostic(`${(bytes / 1e6).toFixed(0)} MB, ${seen.frames} frames while the job ran, the longest ` +
@@ -110,8 +110,8 @@ editorTest("a million triangles open beside the page, and can be called off", op
 });
 
 const once = { renderers: ["webgl2"], sizes: [SMALL] };
-editorTest("the bar shows a job, and its button and Escape cancel it", once, async (editor) => {
-  // A worker that gets to 30 % and stays there.
+editorTest("the status bar shows a job, which its button and Escape cancel", once, async (editor) => {
+  // A worker that stops at 30 %.
   await editor.page.route("**/meshwright-worker*_loader.js", (route) => route.fulfill({
     contentType: "text/javascript",
     body: `self.onmessage = ({ data: [job] }) => self.postMessage(["progress", job, 0.3]);
@@ -133,7 +133,7 @@ editorTest("the bar shows a job, and its button and Escape cancel it", once, asy
   }
 });
 
-editorTest("numbers out of all proportion neither stop the page nor keep it busy", once, async (editor) => {
+editorTest("excessive parameters neither block the page nor run on", once, async (editor) => {
   const most = 2 ** 32 - 1;
   for (const command of [
     { op: "remesh", iterations: most },

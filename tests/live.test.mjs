@@ -1,10 +1,10 @@
-// Edits that follow the pointer, the last one done again with other fields, and the context menu.
+// Previews, edits that follow the pointer, adjusting the last operation, and the context menu.
 
 import assert from "node:assert/strict";
 
 import { SMALL, editorTest } from "./harness.mjs";
 
-/** The document and its history, whole. */
+/** The whole document, with history and selection. */
 async function whole(editor) {
   const { document, history, selection } = await editor.state();
   return { document, undo: history.undo, redo: history.redo, selection, mesh: (await editor.export("json")).toString() };
@@ -12,7 +12,7 @@ async function whole(editor) {
 
 const undoable = async (editor) => (await editor.state()).history.undo;
 
-/** A free place in the viewport, from where the pointer's way is counted. */
+/** A free place in the viewport, where pointer movements start. */
 async function corner(editor) {
   const [x, y] = (await editor.state()).view.rect;
   return [x + 60, y + 160];
@@ -33,7 +33,7 @@ async function start(editor, { key, kind, ids, by: [x, y] }) {
   await editor.frames(1);
 }
 
-editorTest("a form's operation is shown until it is applied or left", { sizes: [SMALL] }, async (editor) => {
+editorTest("an operation in a form is previewed until it is applied or dismissed", { sizes: [SMALL] }, async (editor) => {
   await editor.run({ op: "new", shape: "ico-sphere", subdivisions: 2 });
   await editor.page.mouse.move(5, 5);
   const before = await whole(editor);
@@ -66,7 +66,7 @@ editorTest("a form's operation is shown until it is applied or left", { sizes: [
   assert.equal((await whole(editor)).mesh, before.mesh);
 });
 
-/** What is tried: the cube's faces and vertices after each, and the label of the step. */
+/** Edits of the cube: the numbers of faces and vertices after each, and the label of the undo step. */
 const CUBE = [
   { key: "e", kind: "face", ids: [0], by: [40, 0], faces: 10, vertices: 12, label: "Extrude faces" },
   { key: "Shift+I", kind: "face", ids: [0, 1], by: [16, 0], faces: 14, label: "Inset faces" },
@@ -76,12 +76,12 @@ const CUBE = [
   { key: "Shift+S", kind: "edge", ids: [0], by: [30, 0], vertices: 9, label: "Split edge" },
 ];
 
-editorTest("live edits follow the pointer and are one step, or leave no trace", { sizes: [SMALL] }, async (editor) => {
+editorTest("live edits follow the pointer, and are one undo step or leave no trace", { sizes: [SMALL] }, async (editor) => {
   for (const edit of CUBE) {
     const before = await whole(editor);
     const says = `${edit.key} on ${edit.kind}`;
 
-    // Escape.
+    // Cancel with Escape.
     await start(editor, edit);
     const during = (await editor.state()).document;
     if (edit.vertices) assert.equal(during.vertices, edit.vertices, says);
@@ -92,7 +92,7 @@ editorTest("live edits follow the pointer and are one step, or leave no trace", 
     assert.deepEqual(selected, { kind: edit.kind, ids: edit.ids }, `${says}: the selection stays`);
     assert.deepEqual({ ...(await whole(editor)), selection: before.selection }, before, `${says}: no trace`);
 
-    // Enter, with a longer way first so that the preview has to replace itself.
+    // Commit with Enter, after a longer movement whose preview has to be replaced.
     await start(editor, edit);
     const preview = (await editor.export("json")).toString();
     assert.notEqual(preview, before.mesh, `${says}: a preview`);
@@ -109,7 +109,7 @@ editorTest("live edits follow the pointer and are one step, or leave no trace", 
     assert.equal((await whole(editor)).mesh, before.mesh, `${says}: undone`);
   }
 
-  // A click in the viewport commits too, and selects nothing else.
+  // A click in the viewport commits too, and keeps the selection.
   await start(editor, CUBE[0]);
   await editor.screenshot("extruding");
   const [left, top] = await corner(editor);
@@ -118,7 +118,7 @@ editorTest("live edits follow the pointer and are one step, or leave no trace", 
   assert.equal((await editor.state()).document.faces, 10);
   await editor.undo();
 
-  // A number that is typed is the amount, whatever the pointer does.
+  // A typed number is the amount, wherever the pointer is.
   await start(editor, CUBE[0]);
   await editor.page.keyboard.type("0.75");
   await editor.frames(2);
@@ -130,7 +130,7 @@ editorTest("live edits follow the pointer and are one step, or leave no trace", 
 });
 
 const once = { renderers: ["webgl2"], sizes: [SMALL] };
-editorTest("the last operation is adjusted in place of itself", once, async (editor) => {
+editorTest("adjusting the last operation replaces its undo step", once, async (editor) => {
   const before = (await editor.export("json")).toString();
   await editor.run({ op: "bevel-edges", edges: [0], width: 0.2 });
   const far = async () => JSON.parse(await editor.export("json"));
@@ -165,8 +165,8 @@ editorTest("the last operation is adjusted in place of itself", once, async (edi
   assert.equal((await editor.export("json")).toString(), before);
 });
 
-editorTest("the context menu has what applies, and says why the rest does not", once, async (editor) => {
-  // The open list says what a click picks. Whichever edge is in front:
+editorTest("the context menu offers what applies, and says why the rest does not", once, async (editor) => {
+  // The open list decides what a click picks. Try edges until one is in front.
   await editor.press("2");
   let at;
   for (let id = 0; id < 12 && !(await editor.state()).selection.ids.length; id += 1) {

@@ -1,4 +1,4 @@
-// Files of every format as other programs write them, dropped on the page; and refusals in words.
+// Opening files of every format as other programs write them, and messages about files that can't be opened.
 
 import assert from "node:assert/strict";
 
@@ -18,7 +18,7 @@ async function drop(editor, ...files) {
   await editor.until(`${files[0].name} is open`, async () => (await editor.state()).history.undo.length > steps);
 }
 
-/** A square of two triangles, as each format has it: what it opens with is vertices, edges, faces and loops. */
+/** The counts of a square of two triangles, which each file below holds. */
 const CORNERS = [[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0]];
 const TRIANGLES = [[0, 1, 2], [0, 2, 3]];
 const SQUARE = [4, 5, 2, 1];
@@ -45,7 +45,7 @@ function binaryPly() {
   return Buffer.concat([Buffer.from(header), body]);
 }
 
-/** Positions and indices, and the glTF that describes them; `uri` is where they lie. */
+/** Positions and indices, and a glTF that describes them; `uri` is the address of the data. */
 const DATA = Buffer.concat([
   Buffer.from(new Float32Array(CORNERS.flat()).buffer), Buffer.from(new Uint16Array(TRIANGLES.flat()).buffer),
 ]);
@@ -111,7 +111,7 @@ const FILES = {
 };
 
 const once = { renderers: ["webgl2"], sizes: [SMALL] };
-editorTest("a file of every format is dropped and opens", once, async (editor) => {
+editorTest("a dropped file of every format opens", once, async (editor) => {
   for (const [what, files] of Object.entries(FILES)) {
     await drop(editor, ...files);
     assert.deepEqual(await counts(editor), SQUARE, what);
@@ -123,7 +123,7 @@ editorTest("a file of every format is dropped and opens", once, async (editor) =
   }
 });
 
-editorTest("what can't be opened is said in words, and nothing changes", once, async (editor) => {
+editorTest("a file that can't be opened gives a message and changes nothing", once, async (editor) => {
   await editor.run({ op: "split-edge", edge: 0 });
   const told = async () => {
     const { document, history, selection } = await editor.state();
@@ -147,7 +147,7 @@ editorTest("what can't be opened is said in words, and nothing changes", once, a
   }
 });
 
-editorTest("points without faces are seen, and can be clicked", { sizes: [DESKTOP, PHONE] }, async (editor) => {
+editorTest("points without faces are drawn and can be clicked", { sizes: [DESKTOP, PHONE] }, async (editor) => {
   const points = [[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]];
   await drop(editor, { name: "points.obj", content: points.map((point) => `v ${point.join(" ")}\n`).join("") });
   await editor.frames(6);

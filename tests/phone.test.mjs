@@ -1,4 +1,4 @@
-// A narrow touch screen: everything is there, under a finger, and within the screen.
+// A narrow touch screen: everything can be reached, is large enough for a finger, and fits.
 
 import assert from "node:assert/strict";
 
@@ -19,7 +19,7 @@ editorTest("the editor is usable on a phone", { sizes: [PHONE] }, async (editor)
   }
   await inside("at the start");
 
-  // Select by the list, edit in the inspector.
+  // Select in the list, edit in the inspector.
   await editor.click("Vertex 3", "listBoxOption");
   assert.deepEqual((await editor.state()).selection, { kind: "vertex", ids: [3] });
   await editor.click("Inspector", "tab");
@@ -27,7 +27,7 @@ editorTest("the editor is usable on a phone", { sizes: [PHONE] }, async (editor)
   await inside("the inspector");
   await editor.screenshot("inspector");
 
-  // Run an operation, and take it back.
+  // Run an operation and undo it.
   await editor.click("Operations", "tab");
   await inside("the operations");
   await editor.click("Upsample", "button");
@@ -36,7 +36,7 @@ editorTest("the editor is usable on a phone", { sizes: [PHONE] }, async (editor)
   await editor.click("Undo", "button");
   assert.equal((await editor.state()).document.faces, 6);
 
-  // With the sheet put away the viewport has the room, and a tap in it selects.
+  // With the sheet closed, the viewport fills the screen, and a tap in it selects.
   const [, , , before] = (await editor.state()).view.rect;
   await editor.click("Operations", "tab");
   const [, , wide, tall] = (await editor.state()).view.rect;
@@ -52,7 +52,7 @@ editorTest("the editor is usable on a phone", { sizes: [PHONE] }, async (editor)
   assert.equal(selection.ids.length, 1);
   await editor.screenshot("viewport");
 
-  // A file comes in, and the menu is reachable.
+  // Open a file and the menu.
   await editor.drop({ name: "sheet.obj", content: grid(10, 10) });
   await editor.until("the file is open", async () => (await editor.state()).document.faces === 100);
   await editor.click("Menu", "button");

@@ -1,4 +1,4 @@
-// Runs test files together: one process, one browser for each renderer, the renderers side by side.
+// Runs test files together: in one process, with one browser for each renderer, both renderers in parallel.
 //
 //   node tests/run.mjs tests/smoke.test.mjs tests/files.test.mjs
 

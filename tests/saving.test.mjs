@@ -1,4 +1,4 @@
-// The dialog that saves: every format, what it can't hold, and the same mesh when it is opened again.
+// Saving in every format: what the dialog says is lost, and what comes back.
 
 import assert from "node:assert/strict";
 import { readFile } from "node:fs/promises";
@@ -6,7 +6,7 @@ import { readFile } from "node:fs/promises";
 import { DESKTOP, PHONE, SMALL, editorTest } from "./harness.mjs";
 import { TWO_COLORS_MTL, TWO_COLORS_OBJ } from "./support/meshes.mjs";
 
-/** Does something that saves `count` files, and gives them. */
+/** Runs `act`, which saves `count` files, and gives those. */
 async function downloads(editor, count, act) {
   const seen = [];
   const listen = (download) => seen.push(download);
@@ -25,7 +25,7 @@ const counts = async (editor) => {
   return { vertices, edges, faces, loops, components, euler };
 };
 
-// What scripts call the format, what the dialog does, and the files it makes.
+// The code of each format, its name in the dialog, and the files that it saves.
 const FORMATS = [
   ["obj", "OBJ", ["Torus.obj", "Torus.mtl"]],
   ["ply", "PLY", ["Torus.ply"]],
@@ -57,7 +57,7 @@ editorTest("every format is saved from the dialog and opens again", once, async 
       await editor.click("Save", "button");
     });
     assert.deepEqual(files.map((file) => file.name), expected, name);
-    // Scripts get the same bytes, and where there are two files, one that opens by itself.
+    // Scripts get the same bytes, or a single self-contained file where the dialog saves two.
     const scripted = await editor.export(code);
     if (code === "gltf") {
       await editor.drop({ name: "Torus.gltf", content: scripted });
@@ -84,7 +84,7 @@ editorTest("every format is saved from the dialog and opens again", once, async 
   }
 });
 
-editorTest("scripts get and give all the files of a model", once, async (editor) => {
+editorTest("scripts open and export all files of a model", once, async (editor) => {
   const api = (name, ...args) => editor.page.evaluate(async ([name, args]) => {
     const answer = await window.meshwright[name](...args);
     return Array.isArray(answer) ? answer.map(({ name, content }) => [name, content.length]) : answer;
@@ -104,7 +104,7 @@ editorTest("scripts get and give all the files of a model", once, async (editor)
 });
 
 const both = { sizes: [DESKTOP, PHONE] };
-editorTest("the dialog says what a format cannot hold, before saving", both, async (editor) => {
+editorTest("the dialog lists what a format cannot hold before saving", both, async (editor) => {
   await editor.run({ op: "set-face-color", faces: [0], color: "#ff0000" });
   await editor.run({ op: "set-crease", edges: [0], sharpness: 2 });
   if (editor.size.touch) {

@@ -1,11 +1,11 @@
-// The lists and the viewport show the same selection, whichever of them made it.
+// The lists and the viewport share one selection.
 
 import assert from "node:assert/strict";
 
 import { SMALL, editorTest } from "./harness.mjs";
 import { grid } from "./support/meshes.mjs";
 
-/** A square of the page around a point. */
+/** A square around a point of the page. */
 const around = ([x, y], size = 24) => [x - size / 2, y - size / 2, size, size];
 
 const middle = (points) => [0, 1, 2].map((axis) => points.reduce((sum, p) => sum + p[axis], 0) / points.length);
@@ -14,7 +14,7 @@ async function positions(editor, ids) {
   return Promise.all(ids.map(async (id) => (await editor.element("vertex", id)).position));
 }
 
-/** Where the middle of each of the cube's faces is on the page. */
+/** The place on the page of the middle of each face of the cube. */
 async function middles(editor) {
   const hits = [];
   for (let id = 0; id < 6; id += 1) {
@@ -24,8 +24,8 @@ async function middles(editor) {
   return hits;
 }
 
-editorTest("a click in a list shows in the viewport, and the other way round", { sizes: [SMALL] }, async (editor) => {
-  // The list to the viewport.
+editorTest("a selection in a list shows in the viewport, and the other way round", { sizes: [SMALL] }, async (editor) => {
+  // From the list to the viewport.
   const vertex = 7;
   const at = await editor.project((await editor.element("vertex", vertex)).position);
   await editor.page.mouse.move(5, 5);
@@ -39,7 +39,7 @@ editorTest("a click in a list shows in the viewport, and the other way round", {
   const after = await editor.screenshot("vertex selected");
   assert.ok(after.difference(before, around(at)) > 20, "the vertex is marked where it projects to");
 
-  // Extending: shift takes the rows between, control one more or less.
+  // Shift selects the rows between, Ctrl adds or removes one.
   const row = async (id) => {
     const { rect: [x, y, width, height] } = await editor.find(`Vertex ${id}`, "listBoxOption");
     return [x + width / 2, y + height / 2];
@@ -57,7 +57,7 @@ editorTest("a click in a list shows in the viewport, and the other way round", {
   await clickWith("Control", 0);
   assert.deepEqual((await editor.state()).selection.ids.toSorted(), [0, 4, 5, 7]);
 
-  // The viewport to the list: whichever face is in front, the one clicked is the one selected.
+  // From the viewport to the list: a click selects the face in front.
   await editor.click("Faces", "tab");
   const hits = await middles(editor);
   const picked = new Set();
@@ -76,7 +76,7 @@ editorTest("a click in a list shows in the viewport, and the other way round", {
     assert.deepEqual((await editor.state()).selection.ids, [id], "the middle of a face in front is on that face");
   }
 
-  // The inspector's links select, and keys walk.
+  // Links in the inspector select, and keys move the selection.
   const [face] = (await editor.state()).selection.ids;
   const { halfedge } = await editor.element("face", face);
   await editor.click(`Half-edge: Half-edge ${halfedge}`, "link");
@@ -88,13 +88,13 @@ editorTest("a click in a list shows in the viewport, and the other way round", {
   await editor.press("t");
   assert.deepEqual((await editor.state()).selection.ids, [twin]);
 
-  // A click beside the mesh selects nothing.
+  // A click beside the mesh clears the selection.
   const [x, y, width, height] = (await editor.state()).view.rect;
   await editor.clickAt([x + width - 20, y + height - 120]);
   assert.deepEqual((await editor.state()).selection.ids, []);
 });
 
-editorTest("a long list finds any row", { renderers: ["webgl2"], sizes: [SMALL] }, async (editor) => {
+editorTest("a long list can show any row", { renderers: ["webgl2"], sizes: [SMALL] }, async (editor) => {
   await editor.open("large.obj", grid(300, 300));
   await editor.click("Half-edges", "tab");
   const last = (await editor.state()).document.halfedges - 1;
@@ -105,7 +105,7 @@ editorTest("a long list finds any row", { renderers: ["webgl2"], sizes: [SMALL] 
     await editor.press("Enter");
     assert.deepEqual((await editor.state()).selection, { kind: "halfedge", ids: [id] });
     assert.equal((await editor.find(`Half-edge ${id}`, "listBoxOption")).selected, true);
-    // Every row shown is what a script says of that half-edge.
+    // The rows show what scripts get.
     const rows = (await editor.ui()).filter((node) => node.role === "listBoxOption");
     assert.ok(rows.length > 10);
     for (const row of rows.slice(0, 3)) {

@@ -1,4 +1,4 @@
-// The page starts and draws in every renderer, and says what is missing where there is none.
+// The page starts and draws with every renderer, and shows a message when there is none.
 
 import assert from "node:assert/strict";
 
@@ -15,7 +15,7 @@ editorTest("the page starts and draws", { sizes: [DESKTOP, PHONE] }, async (edit
   assert.equal(await editor.page.locator("#notice").isVisible(), false);
 });
 
-browserTest("none", "without WebGPU and WebGL2 the page says in words what is missing", {}, async () => {
+browserTest("none", "without WebGPU and WebGL2 a message says what is missing", {}, async () => {
   const editor = await openPage({ renderer: "none", label: "no renderer" });
   try {
     await assert.rejects(editor.ready(), /WebGPU nor WebGL2/);

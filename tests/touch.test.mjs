@@ -1,4 +1,4 @@
-// One finger turns the view, two move and pinch it; the mouse and the trackpad do likewise.
+// Navigating the view with fingers, mouse and trackpad.
 
 import assert from "node:assert/strict";
 
@@ -6,13 +6,13 @@ import { PHONE, SMALL, editorTest } from "./harness.mjs";
 
 const view = async (editor) => (await editor.state()).view;
 
-/** A place in the viewport beside the mesh. */
+/** A place in the viewport where there is no mesh. */
 async function beside(editor) {
   const { rect: [x, y, width, height] } = await view(editor);
   return [x + width / 2, y + height - 60];
 }
 
-/** Moves fingers, each given as the way it goes: [from, to]. */
+/** Moves fingers, each along [from, to]. */
 async function fingers(editor, ...ways) {
   const session = await editor.context.newCDPSession(editor.page);
   const at = (part) => ways.map(([from, to], id) => ({
@@ -21,7 +21,7 @@ async function fingers(editor, ...ways) {
     y: from[1] + (to[1] - from[1]) * part,
   }));
   const send = (type, touchPoints) => session.send("Input.dispatchTouchEvent", { type, touchPoints });
-  // A finger that rests for more than half a second asks for the menu, so the first move comes at once.
+  // A finger that rests for half a second opens the context menu, so the first move comes at once.
   await send("touchStart", at(0));
   for (let step = 1; step <= 6; step += 1) {
     await send("touchMove", at(step / 6));
@@ -34,7 +34,7 @@ async function fingers(editor, ...ways) {
 
 const near = (a, b, by = 1e-6) => Math.abs(a - b) <= by;
 
-editorTest("fingers turn, move and pinch the view", { renderers: ["webgl2"], sizes: [PHONE] }, async (editor) => {
+editorTest("fingers orbit, pan and zoom the view", { renderers: ["webgl2"], sizes: [PHONE] }, async (editor) => {
   const [x, y] = await beside(editor);
   const document = JSON.stringify((await editor.state()).document);
 
@@ -63,7 +63,7 @@ editorTest("fingers turn, move and pinch the view", { renderers: ["webgl2"], siz
 });
 
 const small = { renderers: ["webgl2"], sizes: [SMALL] };
-editorTest("the mouse and the trackpad turn, move, zoom and frame", small, async (editor) => {
+editorTest("the mouse and the trackpad orbit, pan, zoom and frame", small, async (editor) => {
   const [x, y, width, height] = (await view(editor)).rect;
   const free = [x + 40, y + height - 40];
   const to = [free[0] + 90, free[1] - 40];
@@ -85,7 +85,7 @@ editorTest("the mouse and the trackpad turn, move, zoom and frame", small, async
   assert.equal(moved.yaw, before.yaw);
   assert.deepEqual((await editor.ui()).filter((node) => node.name === "Select all"), [], "and opens no menu");
 
-  // What is under the pointer stays there when the wheel turns.
+  // Zooming with the wheel keeps the point under the pointer in place.
   const seen = async (id) => {
     const corner = (await editor.element("vertex", id)).position;
     const at = await editor.project(corner);
@@ -100,14 +100,14 @@ editorTest("the mouse and the trackpad turn, move, zoom and frame", small, async
   const zoomed = await editor.project(corner);
   assert.ok(Math.hypot(zoomed[0] - at[0], zoomed[1] - at[1]) < 12, `${at} went to ${zoomed}`);
 
-  // A trackpad's pinch comes as a wheel with Ctrl.
+  // A pinch on a trackpad arrives as a wheel event with Ctrl.
   const { distance } = await view(editor);
   await editor.page.keyboard.down("Control");
   await editor.page.mouse.wheel(0, 120);
   await editor.page.keyboard.up("Control");
   await editor.until("a pinch goes away", async () => (await view(editor)).distance > distance * 1.05);
 
-  // Home frames the whole mesh: all of it is on screen again, and large.
+  // Home frames the mesh: it is fully visible and fills the viewport.
   await editor.page.mouse.move(5, 5);
   await editor.press("Home");
   await editor.frames(20);

@@ -1,4 +1,4 @@
-// Operations on whole meshes: their progress moves, a click cancels them and leaves no trace, undo takes them back.
+// Operations on whole meshes: they report progress, a click cancels them without a trace, and undo restores the mesh.
 
 import assert from "node:assert/strict";
 import { readFile } from "node:fs/promises";
@@ -8,7 +8,7 @@ import { readsShared, shared } from "./support/shared.mjs";
 
 const once = { renderers: ["webgl2"], sizes: [SMALL], timeout: 280_000 };
 
-/** Keeps the whole mesh in the page under a name, or compares it with what was kept. */
+/** Keeps a copy of the mesh in the page, to compare with later. */
 const keep = (editor) => editor.page.evaluate(async () => { window.kept = await window.meshwright.export("ply"); });
 const isAsKept = (editor) => editor.page.evaluate(async () => {
   const now = await window.meshwright.export("ply");
@@ -21,8 +21,8 @@ const told = async (editor) => {
 };
 
 /**
- * Starts a command, clicks its cancel button once it is on its way, and says how that went. What would be over
- * before a click is cancelled `atOnce`, by the page's own script.
+ * Starts a command, clicks its cancel button once it reports progress, and gives the time that cancelling took.
+ * With `atOnce`, a script cancels it instead: a click would come too late for a quick command.
  */
 async function startAndCancel(editor, command, label, atOnce) {
   const before = await told(editor);
@@ -73,7 +73,7 @@ async function startAndCancel(editor, command, label, atOnce) {
   return { took, at: job.progress };
 }
 
-/** Runs a command to its end; gives its outcome and the progress that was seen. */
+/** Runs a command and gives its outcome and the progress reported meanwhile. */
 async function runAndWatch(editor, command) {
   return editor.page.evaluate(async (command) => {
     const seen = [];
@@ -91,13 +91,13 @@ async function runAndWatch(editor, command) {
   }, command);
 }
 
-/** Software takes a second to draw half a million faces, in which no click would be seen. */
+/** Hides the mesh: drawing half a million faces in software takes a second, in which clicks wait. */
 const hide = (editor) => editor.run({ op: "set-object-visible", object: 0, visible: false });
 
 async function check(editor, t, { label, endless, command, faces, topology = false, quick = false, atOnce = false }) {
   const before = await told(editor);
   await keep(editor);
-  // What is quick may be over before the click, or before it has told how far it is.
+  // A quick command may end before the click, or before it reports progress.
   if (!quick) {
     const { took, at } = await startAndCancel(editor, endless ?? command, label, atOnce);
     t.diagnostic(`${command.op}: cancelled at ${(100 * at).toFixed(0)} %, ${took.toFixed(0)} ms after the click`);
@@ -120,7 +120,7 @@ async function check(editor, t, { label, endless, command, faces, topology = fal
 }
 
 const torus = (segments) => ({ op: "new", shape: "torus", segments, tube_segments: segments / 2 });
-/** Enough for what takes longest, and for what is quickest. */
+/** Segments of the torus for slow operations and for quick ones. */
 const SMALLER = 320;
 const LARGER = 640;
 const quads = (segments) => (segments * segments) / 2;
@@ -129,7 +129,7 @@ const lessThan = (count) => (faces) => faces > 0 && faces < count;
 const SUITES = {
   "a large triangle mesh": [[torus(LARGER), { op: "triangulate-faces" }], [
     {
-      // Simplifying alone is over before a click on a quick machine; measuring takes ten times as long.
+      // With a largest error, simplifying takes ten times as long: long enough for a click.
       label: "Simplify",
       endless: { op: "simplify", max_error: 0.05 },
       command: { op: "simplify", ratio: 0.1 },
@@ -180,7 +180,7 @@ const SUITES = {
 };
 
 for (const [name, [prepare, cases]] of Object.entries(SUITES)) {
-  editorTest(`operations on ${name} are watched, cancelled and undone`, once, async (editor, t) => {
+  editorTest(`operations on ${name} report progress, are cancelled and undone`, once, async (editor, t) => {
     for (const command of prepare) await editor.run(command);
     await hide(editor);
     assert.equal((await editor.state()).document.euler, 0);
@@ -194,7 +194,7 @@ editorTest("a scanned model is simplified and remeshed", { ...once, ...readsShar
   await hide(editor);
   const { document } = await editor.state();
   const quarter = Math.round(document.faces / 4);
-  // Vertices that no face uses go, and each counts in the Euler characteristic.
+  // Isolated vertices are removed, which changes the Euler characteristic.
   const topology = true;
   const simplify = { label: "Simplify", command: { op: "simplify", ratio: 0.25 }, faces: quarter };
   await check(editor, t, { ...simplify, topology, quick: true });
@@ -202,7 +202,7 @@ editorTest("a scanned model is simplified and remeshed", { ...once, ...readsShar
   const remesh = { label: "Remesh", command: { op: "remesh" }, endless, faces: lessThan(2 * document.faces) };
   await check(editor, t, { ...remesh, topology });
 
-  // The keys of the course editors do the same.
+  // The keys of the course editors run the same operations.
   await editor.press("d");
   await editor.idle(120_000);
   assert.equal((await editor.state()).document.faces, quarter);

@@ -1,4 +1,4 @@
-// One browser per renderer and test file, started when first wanted.
+// One browser for each renderer, started when first needed.
 
 import { chromium } from "./packages.mjs";
 
@@ -11,7 +11,7 @@ const ALWAYS = [
   "--disable-quic",
 ];
 
-// These draw in software: they work on a machine with no GPU and draw the same on every other.
+// Flags for drawing in software, which works without a GPU and gives the same picture everywhere.
 const RENDERER = {
   webgpu: [
     "--enable-unsafe-webgpu",
@@ -28,7 +28,7 @@ const RENDERER = {
 
 const running = new Map();
 
-/** The browser whose pages find this renderer: "webgpu", "webgl2" or "none". */
+/** The browser in which pages can use only this renderer: "webgpu", "webgl2" or "none". */
 export function browserWith(renderer) {
   if (!running.has(renderer)) {
     running.set(renderer, chromium.launch({

@@ -1,4 +1,4 @@
-// The editor in a browser tab: what a person does with it, and what window.meshwright says of it.
+// The editor in a browser tab: actions of a user, and what window.meshwright offers.
 
 import assert from "node:assert/strict";
 import { mkdir, readFile } from "node:fs/promises";
@@ -8,8 +8,8 @@ import { browserWith } from "./browsers.mjs";
 import { shots } from "./packages.mjs";
 import { Picture } from "./picture.mjs";
 
-const START_LIMIT = 120_000;
-const WAIT_LIMIT = 30_000;
+const START_LIMIT_MS = 120_000;
+const WAIT_LIMIT_MS = 30_000;
 
 export class Editor {
   #expected = [];
@@ -24,7 +24,7 @@ export class Editor {
     });
     const editor = new Editor();
     const page = await context.newPage();
-    page.setDefaultTimeout(WAIT_LIMIT);
+    page.setDefaultTimeout(WAIT_LIMIT_MS);
     Object.assign(editor, { url, renderer, size, label, context, page, errors: [], log: [] });
     const note = (type, text) => {
       editor.log.push(`${type}: ${text}`);
@@ -37,14 +37,14 @@ export class Editor {
     return editor;
   }
 
-  /** Resolves with {version, renderer} once the editor runs; rejects with its reason when it cannot. */
+  /** Resolves with {version, renderer} once the editor runs; rejects with the reason if it cannot start. */
   async ready() {
     const info = await this.page.evaluate(
       (limit) => Promise.race([
         window.meshwright.ready,
         new Promise((_, reject) => setTimeout(() => reject(new Error(`not ready after ${limit} ms`)), limit)),
       ]),
-      START_LIMIT,
+      START_LIMIT_MS,
     );
     await this.frames();
     return info;
@@ -62,7 +62,7 @@ export class Editor {
   project(point) { return this.page.evaluate((point) => window.meshwright.project(point), point); }
   ui() { return this.page.evaluate(() => window.meshwright.ui()); }
 
-  /** Opens a file by its content: text, or bytes. */
+  /** Opens a file with this content: text or bytes. */
   open(name, content) {
     return this.page.evaluate(
       ([name, base64]) => {
@@ -73,7 +73,7 @@ export class Editor {
     );
   }
 
-  /** The document in a format, as a Buffer. */
+  /** The document in the format of this code, as a Buffer. */
   async export(format) {
     const base64 = await this.page.evaluate(async (format) => {
       const bytes = await window.meshwright.export(format);
@@ -97,8 +97,8 @@ export class Editor {
     }, count);
   }
 
-  /** Calls `attempt` until it returns something true, and returns that. */
-  async until(what, attempt, limit = WAIT_LIMIT) {
+  /** Calls `attempt` once a frame until it returns a truthy value, and returns that. */
+  async until(what, attempt, limit = WAIT_LIMIT_MS) {
     const end = Date.now() + limit;
     for (;;) {
       const value = await attempt();
@@ -109,12 +109,12 @@ export class Editor {
   }
 
   /** Waits until no job runs. */
-  async idle(limit = WAIT_LIMIT) {
+  async idle(limit = WAIT_LIMIT_MS) {
     await this.until("no job runs", async () => (await this.state()).jobs.length === 0, limit);
     await this.frames();
   }
 
-  // What a person does.
+  // Actions of a user.
 
   /** The control with this accessible name (a string or a regular expression) and, if given, role. */
   find(name, role) {
@@ -129,13 +129,13 @@ export class Editor {
     await this.clickAt([x + width / 2, y + height / 2]);
   }
 
-  /** Clicks, or taps where the screen is a touch screen, at a point of the page. */
+  /** Clicks at a point of the page, or taps on a touch screen. */
   async clickAt([x, y]) {
     if (this.size.touch) {
       await this.page.touchscreen.tap(x, y);
     } else {
       await this.page.mouse.move(x, y);
-      // egui takes the hovered widget from the frame before.
+      // egui finds the hovered widget in the frame before.
       await this.frames(2);
       await this.page.mouse.click(x, y);
     }
@@ -147,7 +147,7 @@ export class Editor {
     await this.frames();
   }
 
-  /** Drags from one point of the page to another with the left button. */
+  /** Drags from one point of the page to another. */
   async drag([fromX, fromY], [toX, toY], { steps = 8, button = "left" } = {}) {
     const { mouse } = this.page;
     await mouse.move(fromX, fromY);
@@ -161,7 +161,7 @@ export class Editor {
     await this.frames();
   }
 
-  /** Drops files on the page: paths, or {name, content}. */
+  /** Drops files on the page, given as paths or {name, content}. */
   async drop(...files) {
     const contents = await Promise.all(files.map(async (file) => {
       const { name, content } = typeof file === "string"
@@ -185,9 +185,9 @@ export class Editor {
     await this.frames();
   }
 
-  // What it looks like.
+  // Pictures.
 
-  /** What is on screen; kept as a file when it has a name. */
+  /** A screenshot; saved to a file when it has a name. */
   async screenshot(name) {
     const path = name && join(shots, `${fileName(`${this.label} ${name}`)}.png`);
     if (path) await mkdir(shots, { recursive: true });
@@ -196,12 +196,12 @@ export class Editor {
 
   // Errors.
 
-  /** From here on, errors on the console that match are part of the test. */
+  /** Allows errors on the console that match, from here on. */
   expectErrors(pattern) {
     this.#expected.push(pattern);
   }
 
-  /** Fails when the console has errors that no test expected. */
+  /** Fails when the console has errors that are not allowed. */
   assertNoErrors() {
     const unexpected = this.errors.filter((text) => !this.#expected.some((pattern) => pattern.test(text)));
     assert.deepEqual(unexpected, [], "errors on the console");

@@ -1,6 +1,6 @@
-// Meshes for tests, as OBJ text. The functions stand alone, so that a page can run them too.
+// Meshes for tests, as OBJ text. The functions are self-contained, so that a page can run them too.
 
-/** A flat grid of columns × rows quads in the plane z = 0, each side 1 long, or of twice as many triangles. */
+/** A flat grid of columns × rows unit squares in the plane z = 0, or of twice as many triangles. */
 export function grid(columns, rows, { triangles = false } = {}) {
   const lines = [];
   for (let y = 0; y <= rows; y += 1) {
@@ -17,7 +17,7 @@ export function grid(columns, rows, { triangles = false } = {}) {
   return lines.join("\n") + "\n";
 }
 
-/** Numbers that have no short decimal form, so that a byte lost anywhere in them shows. */
+/** A triangle whose coordinates have no short decimal form, so that a lost digit shows. */
 export const ODD_TRIANGLE = [
   "v 0.1 -0.30000001192092896 1e-7",
   "v 1.0000001 0.333333343 123456.79",
@@ -26,7 +26,7 @@ export const ODD_TRIANGLE = [
   "",
 ].join("\n");
 
-/** A quad beside a triangle with a material each; the colours are in `TWO_COLORS_MTL`. */
+/** A quad and a triangle with a material each, whose colours are in `TWO_COLORS_MTL`. */
 export const TWO_COLORS_OBJ = [
   "mtllib colors.mtl",
   "v 0 0 0", "v 1 0 0", "v 1 1 0", "v 0 1 0", "v 2 0.5 0",

@@ -1,4 +1,4 @@
-// The npm packages that set-up puts into the tools folder; an `import` would look for them beside this file.
+// The npm packages that set-up installs into the tools folder, where an `import` would not find them.
 
 import { createRequire } from "node:module";
 import { dirname, join, resolve } from "node:path";
@@ -19,8 +19,8 @@ function load(name) {
 export const { chromium } = load("playwright-core");
 export const { PNG } = load("pngjs");
 
-/** The built page: `cargo xtask test --only e2e` names it. */
+/** The folder of the built page, which `cargo xtask test --only e2e` sets. */
 export const site = resolve(project, process.env.MESHWRIGHT_SITE ?? "dist");
 
-/** Where screenshots go. */
+/** The folder of the screenshots. */
 export const shots = resolve(project, process.env.MESHWRIGHT_SHOTS ?? "target/screenshots");

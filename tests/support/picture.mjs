@@ -1,4 +1,4 @@
-// A screenshot's pixels.
+// The pixels of a screenshot.
 
 import { PNG } from "./packages.mjs";
 
@@ -14,21 +14,21 @@ export class Picture {
     return [...this.data.subarray(start, start + 3)];
   }
 
-  /** How many pixels of a rectangle [x, y, w, h] satisfy `test([r, g, b])`. */
+  /** The number of pixels in a rectangle [x, y, w, h] for which `test([r, g, b])` is true. */
   count(test, rect = [0, 0, this.width, this.height]) {
     let count = 0;
     for (const [x, y] of this.points(rect)) count += test(this.at(x, y)) ? 1 : 0;
     return count;
   }
 
-  /** How many different colours a rectangle has. */
+  /** The number of different colours in a rectangle. */
   colors(rect = [0, 0, this.width, this.height]) {
     const colors = new Set();
     for (const [x, y] of this.points(rect)) colors.add(this.at(x, y).join());
     return colors.size;
   }
 
-  /** How many pixels of a rectangle differ from another picture's by more than `tolerance` in a channel. */
+  /** The number of pixels in a rectangle that differ from another picture by more than `tolerance` in a channel. */
   difference(other, rect = [0, 0, this.width, this.height], tolerance = 8) {
     let count = 0;
     for (const [x, y] of this.points(rect)) {

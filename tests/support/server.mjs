@@ -1,4 +1,4 @@
-// A static file server that puts a site under a sub-path, as many hosts do.
+// A static file server that serves a site under a sub-path, as many hosts do.
 
 import { createReadStream } from "node:fs";
 import { stat } from "node:fs/promises";
@@ -17,7 +17,7 @@ const TYPES = {
   ".wasm": "application/wasm",
 };
 
-/** The file that a request's path means, or null where it means none inside the folder. */
+/** The file at a request's path, or null if that is outside the folder. */
 function fileFor(root, base, url) {
   let path;
   try {
@@ -31,7 +31,7 @@ function fileFor(root, base, url) {
 }
 
 /**
- * Serves `folder` under `base` ("/" or "/some/path/") on a free port of 127.0.0.1; everything else is not found.
+ * Serves `folder` under `base` ("/" or "/some/path/") on a free port of 127.0.0.1. Other paths are not found.
  * Returns its URL and a function that stops it.
  */
 export async function serve(folder, base = "/") {
@@ -48,7 +48,7 @@ export async function serve(folder, base = "/") {
       "content-length": found.size,
       "cache-control": "no-store",
     });
-    // A page that closes meanwhile is no error of ours.
+    // A page may close while it loads: no error.
     pipeline(createReadStream(file), response, () => {});
   });
   await new Promise((done, fail) => server.once("error", fail).listen(0, "127.0.0.1", done));
