@@ -10,7 +10,7 @@ use halfedge::Element;
 
 use crate::bezier::Controls;
 use crate::input::actions::Action;
-use crate::panels::fields::Filled;
+use crate::session::form::Filled;
 use crate::shown::{Sheet, Window};
 
 /// Something a panel asks for.

@@ -14,8 +14,9 @@ use crate::bezier::{self, ControlPoint};
 use crate::input::actions::Action;
 use crate::input::availability::opens_form;
 use crate::page_view::Page;
-use crate::panels::fields;
 use crate::panels::operations::EDGE_LENGTH;
+use crate::panels::viewport::control_points::add_control_point;
+use crate::session::form;
 use crate::view::Tool;
 
 impl App {
@@ -49,8 +50,8 @@ impl App {
             Action::Open => self.session.platform.open_file_dialog(),
             Action::Save => self.show_saving(None),
             Action::SaveAs(format) => self.show_saving(Some(format)),
-            Action::Undo => self.undo(),
-            Action::Redo => self.redo(),
+            Action::Undo => self.session.undo(),
+            Action::Redo => self.session.redo(),
             Action::Cancel => self.cancel(),
             Action::SelectAll => {
                 self.end_preview();
@@ -93,15 +94,15 @@ impl App {
             Action::About => self.shown.about ^= true,
             Action::Upsample => {
                 let command = self.upsampling();
-                self.begin(command, None);
+                self.session.begin(command, None);
             }
-            Action::Downsample => self.begin(Simplify::to_ratio(0.25).into(), None),
+            Action::Downsample => self.session.begin(Simplify::to_ratio(0.25).into(), None),
             Action::Resample => {
                 let command = match self.panels.forms.filled(OpId::Remesh) {
-                    Some(filled) => fields::command(OpId::Remesh, filled),
+                    Some(filled) => form::command(OpId::Remesh, filled),
                     None => Ok(Remesh::default().into()),
                 };
-                self.begin_or_refuse(command);
+                self.session.begin_or_refuse(command);
             }
             Action::LongerEdges => self.scale_target_edge(1.1),
             Action::ShorterEdges => self.scale_target_edge(1.0 / 1.1),
@@ -117,13 +118,13 @@ impl App {
             Action::WholeCurve => self.player.controls.whole ^= true,
             Action::ControlNets => self.player.controls.nets ^= true,
             Action::AddPoint => {
-                if let Some(insert) = bezier::add_control_point(&self.session.editor, &self.player) {
+                if let Some(insert) = add_control_point(&self.session.editor, &self.player) {
                     self.insert_control_point(insert);
                 }
             }
             Action::DeletePoint => self.delete_control_point(),
-            Action::ElevateDegree => self.begin(BezierElevateDegree::default().into(), None),
-            Action::SplitCurve => self.begin(BezierSplit { t: self.player.controls.t }.into(), None),
+            Action::ElevateDegree => self.session.begin(BezierElevateDegree::default().into(), None),
+            Action::SplitCurve => self.session.begin(BezierSplit { t: self.player.controls.t }.into(), None),
             // What has an amount follows the pointer; its form stays in the operations panel.
             Action::Operation(id) if opens_form(id) && id.spec().dragged_field().is_some() => {
                 self.session.start_live(id);
@@ -133,7 +134,9 @@ impl App {
                 self.shown.right = true;
                 self.shown.sheet.show_operations();
             }
-            Action::Operation(id) => self.begin_or_refuse(Command::from_fields(id, Default::default())),
+            Action::Operation(id) => {
+                self.session.begin_or_refuse(Command::from_fields(id, Default::default()))
+            }
         }
         self.session.ctx.request_repaint();
     }
@@ -175,23 +178,11 @@ impl App {
         self.panels.saving.show(self.session.editor.document(), format);
     }
 
-    fn undo(&mut self) {
-        if let Err(error) = self.session.editor.undo() {
-            self.session.refuse(&error);
-        }
-    }
-
-    fn redo(&mut self) {
-        if let Err(error) = self.session.editor.redo() {
-            self.session.refuse(&error);
-        }
-    }
-
     /// Adds a control point to the active curve and chooses it.
     pub(super) fn insert_control_point(&mut self, insert: BezierInsertPoint) {
         let index = insert.index.unwrap_or_default() as usize;
         let place = insert.position.into();
-        self.begin(insert.into(), None);
+        self.session.begin(insert.into(), None);
         let point = ControlPoint::Curve(index);
         let exists = bezier::active(&self.session.editor)
             .is_some_and(|(_, bezier)| bezier::position(bezier, point) == Some(place));
@@ -203,7 +194,7 @@ impl App {
     /// Deletes the chosen control point of the active curve.
     fn delete_control_point(&mut self) {
         if let Some(ControlPoint::Curve(at)) = self.player.controls.chosen {
-            self.begin(BezierDeletePoint { index: at as u32 }.into(), None);
+            self.session.begin(BezierDeletePoint { index: at as u32 }.into(), None);
             // The next one has its number now, and was not chosen.
             self.player.controls.choose(None);
         }
@@ -218,7 +209,7 @@ impl App {
             return;
         }
         if let Some(id) = self.session.jobs.latest() {
-            self.cancel_job(id);
+            self.session.cancel_job(id);
         } else if self.view.tool == Tool::Box {
             self.view.tool = Tool::Orbit;
         } else if self.player.controls.chosen.take().is_none() {

@@ -4,6 +4,7 @@ use editor::SelectMode;
 use halfedge::Element;
 
 use super::App;
+use crate::panels::save::{FORMAT_SETTING, code};
 use crate::request::Request;
 
 impl App {
@@ -13,7 +14,7 @@ impl App {
             Request::Hover(kind, id) => return self.hover(kind, id),
             Request::LivePointer(at) => return self.session.live_pointer(at, &self.view),
             Request::Act(action) => self.act(action),
-            Request::Run(command) => self.begin(command, None),
+            Request::Run(command) => self.session.begin(command, None),
             Request::Refuse(error) => self.session.refuse(&error),
             Request::Select { kind, ids, mode } => self.select(kind, ids, mode),
             Request::SelectRange { kind, to } => {
@@ -42,16 +43,19 @@ impl App {
             }
             Request::Apply(id, filled) => {
                 if !self.session.apply_preview(id, &filled) {
-                    self.begin_or_refuse(crate::panels::fields::command(id, &filled));
+                    self.session.begin_or_refuse(crate::session::form::command(id, &filled));
                 }
             }
-            Request::Adjust(command) => self.adjust(command),
+            Request::Adjust(command) => self.session.adjust(command),
             Request::SetControls(controls) => self.player.controls = controls,
             Request::InsertControlPoint(insert) => self.insert_control_point(insert),
             Request::ShowSheet(sheet) => self.shown.sheet = sheet,
             Request::Close(window) => self.shown.close(window),
-            Request::Save { format, name, holds_all } => self.save(format, name, holds_all),
-            Request::CancelJob(id) => self.cancel_job(id),
+            Request::Save { format, name, holds_all } => {
+                self.session.platform.store_setting(FORMAT_SETTING, &code(format));
+                self.session.save(format, name, holds_all);
+            }
+            Request::CancelJob(id) => self.session.cancel_job(id),
             Request::Say { kind, text } => self.session.toast(kind, text, Vec::new()),
             Request::ToggleToast(at) => self.session.toasts.toggle(at),
             Request::DismissToast(at) => self.session.toasts.dismiss(at),

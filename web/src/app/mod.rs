@@ -3,22 +3,27 @@
 
 mod actions;
 mod carry_out;
-mod jobs;
-mod scripting;
+mod panels;
+mod script;
+mod sheet;
 
 use editor::Editor;
 use egui::{CentralPanel, Context, Event as Input, Panel, ThemePreference, Ui};
+use halfedge::Element;
 
 use crate::bezier::{self, Player};
 use crate::input::keys;
 use crate::page_view::Page;
-use crate::panels::{Panels, live_bar, menu_bar, sheet, status_bar};
+use crate::panels::viewport::Viewport;
+use crate::panels::{live_bar, menu_bar, status_bar};
 use crate::platform::{Event, NamedBytes, Platform};
 use crate::request::Requests;
 use crate::session::Session;
+use crate::session::run::Look;
 use crate::shown::Shown;
 use crate::theme;
-use crate::view::{View, Viewport};
+use crate::view::View;
+use panels::Panels;
 
 /// The editor with its screen. [`App::logic`] and [`App::ui`] are called once a frame each.
 pub struct App {
@@ -29,6 +34,9 @@ pub struct App {
     panels: Panels,
     requests: Requests,
 }
+
+/// Yaw and pitch of a view on the plane that flat curves lie in.
+const FROM_ABOVE: (f64, f64) = (0.0, 0.0);
 
 /// The setting that keeps the theme.
 const THEME_SETTING: &str = "theme";
@@ -52,8 +60,8 @@ impl App {
             panels,
             requests: Requests::default(),
         };
-        app.open_first();
-        app.fetch_wanted();
+        app.session.open_first();
+        app.session.fetch_wanted();
         app
     }
 
@@ -72,9 +80,9 @@ impl App {
         for event in self.session.platform.poll(ctx) {
             match event {
                 Event::JobProgress { job, fraction } => self.session.jobs.progress(job, fraction),
-                Event::JobDone { job, result } => self.job_done(job, result),
-                Event::Fetched { job, files } => self.fetched(job, files),
-                Event::Files(files) => self.open_files(files, None),
+                Event::JobDone { job, result } => self.session.job_done(job, result),
+                Event::Fetched { job, files } => self.session.fetched(job, files),
+                Event::Files(files) => self.session.open_files(files, None),
                 Event::Failed(text) => self.session.fail(text),
             }
         }
@@ -82,6 +90,9 @@ impl App {
         self.session.jobs.note_frame(now);
         if let Some(next) = self.session.toasts.expire(now) {
             ctx.request_repaint_after_secs(next.max(0.05) as f32);
+        }
+        if !self.session.live_keys(ctx) {
+            self.keyboard(ctx);
         }
         self.follow();
         if self.session.survey.step(self.session.editor.mesh()) {
@@ -93,9 +104,6 @@ impl App {
     pub fn ui(&mut self, ui: &mut Ui) {
         let started = self.session.platform.now();
         let ctx = ui.ctx().clone();
-        if !self.session.live_keys(&ctx) {
-            self.keyboard(&ctx);
-        }
         let mut out = std::mem::take(&mut self.requests);
         self.draw(ui, &ctx, &mut out);
         for request in out.take() {
@@ -103,7 +111,6 @@ impl App {
         }
         self.requests = out;
         self.finish_edits(&ctx);
-        self.follow();
         self.session.frames.record(self.session.platform.now() - started);
     }
 
@@ -161,7 +168,7 @@ impl App {
                 }
             });
             if let Some(text) = pasted.filter(|text| !text.trim().is_empty()) {
-                self.open_files(vec![NamedBytes::new("Pasted.obj", text.into_bytes())], None);
+                self.session.open_files(vec![NamedBytes::new("Pasted.obj", text.into_bytes())], None);
             }
         }
         if self.panels.palette.open || self.panels.saving.is_open() {
@@ -180,16 +187,19 @@ impl App {
         if self.session.commit_on_release && !ctx.input(|input| input.pointer.any_down()) {
             self.session.commit_on_release = false;
             self.session.editor.commit_edit();
+            ctx.request_repaint();
         }
-        if !self.panels.forms.previews.take_seen() {
-            self.session.end_preview();
+        if !self.panels.forms.previews.take_seen() && self.session.end_preview().is_some() {
+            ctx.request_repaint();
         }
     }
 
-    /// Makes lists, viewport and everything else follow what changed in the editor.
+    /// Makes lists, viewport and everything else follow what changed in the editor: once a frame, before
+    /// it is drawn, and after each call of a script.
     fn follow(&mut self) {
         let changes = self.session.editor.take_changes();
-        if changes.is_empty() {
+        let look = self.session.look.take();
+        if changes.is_empty() && look.is_none() {
             return;
         }
         self.session.ctx.request_repaint();
@@ -205,6 +215,25 @@ impl App {
         self.panels.saving.follow(&changes);
         self.player.follow(&self.session.editor, &changes);
         self.view.follow(&self.session.editor, changes);
+        if let Some(look) = look {
+            self.look(look);
+        }
+    }
+
+    /// Looks at a document that was opened or made.
+    fn look(&mut self, look: Look) {
+        let was_from_above = (self.view.camera.yaw, self.view.camera.pitch) == FROM_ABOVE;
+        if look == Look::FlatCurves {
+            (self.view.camera.yaw, self.view.camera.pitch) = FROM_ABOVE;
+        } else if was_from_above {
+            // What is not flat hides its depth there.
+            self.view.reset();
+        }
+        self.view.frame_when_seen();
+        if self.session.editor.mesh().is_some_and(|mesh| mesh.count(self.shown.kind) == 0) {
+            // Points without faces can be pointed at as vertices.
+            self.shown.kind = Element::Vertex;
+        }
     }
 }
 

@@ -8,6 +8,7 @@ use egui::{CollapsingHeader, Grid, RichText, Ui, vec2};
 use crate::page_view::Page;
 use crate::panels::fields;
 use crate::request::{Request, Requests};
+use crate::session::form;
 
 /// Fields that were changed and are not done yet.
 #[derive(Default)]
@@ -46,7 +47,7 @@ pub(crate) fn show(ui: &mut Ui, page: &Page<'_>, own: &mut Adjusting, out: &mut 
     });
     ui.separator();
     if filled != start {
-        match fields::command(id, &filled) {
+        match form::command(id, &filled) {
             Ok(command) => own.pending = Some(Command { object, ..command }),
             Err(error) => out.push(Request::Refuse(error)),
         }

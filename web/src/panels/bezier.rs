@@ -5,10 +5,11 @@ use editor::{Bezier, OpId};
 use egui::{Button, DragValue, Grid, Label, RichText, ScrollArea, Slider, Ui, vec2};
 use glam::Vec3;
 
-use crate::bezier::{ControlPoint, Controls, Drawn, active, levels, moved, position};
+use crate::bezier::{ControlPoint, Controls, Drawn, active, levels, position};
 use crate::input::actions::{self, Action};
 use crate::page_view::Page;
 use crate::panels::menu_bar::{explain, menu_item};
+use crate::panels::viewport::control_points::moved;
 use crate::request::{Request, Requests};
 
 /// The panel; nothing where the active object is a mesh.

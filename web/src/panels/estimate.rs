@@ -2,7 +2,7 @@
 
 use crate::lists::columns::{counted, thousands};
 use crate::page_view::Page;
-use crate::panels::fields::{self, Filled};
+use crate::session::form::{self, Filled};
 use editor::ops::{Amount, Counted, Estimate};
 use editor::{Command, Facts, OpId};
 use halfedge::Element;
@@ -25,7 +25,7 @@ pub(crate) fn show(
     filled: &Filled,
     facts: &Facts,
 ) -> Option<String> {
-    let command = fields::command(id, filled).ok()?;
+    let command = form::command(id, filled).ok()?;
     let estimate = command.op.result(facts)?;
     if let Some(mesh) = page.previewed(id, filled) {
         return words(&estimate.exactly(mesh));

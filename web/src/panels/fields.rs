@@ -1,51 +1,15 @@
 //! The form of an operation, made from the fields of its description.
 
+use editor::Spec;
 use editor::ops::{Arity, Choice, Facts, Field, FieldKind, Fill, Unit, sentence_case};
-use editor::{Command, CommandError, OpId, Spec};
 use egui::{Checkbox, ComboBox, DragValue, RichText, TextEdit, Ui};
-use serde_json::{Map, Value, json};
+use serde_json::{Value, json};
 use surface::Shape;
 
 use crate::lists::columns::element_name;
+use crate::session::form::{Filled, alternatives, chosen};
 use crate::widgets::color_button::color_button;
 use halfedge::Element;
-
-/// The values that a person filled in, by the fields' names. A field that is not in it is left out of
-/// the command.
-pub type Filled = Map<String, Value>;
-
-/// The values that a form starts with. Fields that the selection gives, and those that are not set,
-/// stay out; of alternatives the first is in.
-pub fn initial(spec: &Spec, facts: &Facts) -> Filled {
-    let mut filled = Filled::new();
-    for field in spec.fields {
-        let is_shown = matches!(field.fill, Fill::Required | Fill::Value(_));
-        if is_shown && field.alternative.is_none_or(|title| chosen(spec, title, &filled).is_none()) {
-            filled.insert(field.name.to_owned(), field.initial_value(facts));
-        }
-    }
-    filled
-}
-
-/// The command that a form makes.
-pub fn command(id: OpId, filled: &Filled) -> Result<Command, CommandError> {
-    Command::from_fields(id, filled.clone())
-}
-
-/// Whether any field of a form is about the size of the mesh, which has to be measured.
-pub fn needs_measures(spec: &Spec) -> bool {
-    use editor::ops::Suggestion::{MeanEdge, OfDiagonal};
-    spec.fields.iter().any(|field| matches!(field.suggestion, MeanEdge | OfDiagonal(_)))
-}
-
-/// The alternative of this title that is filled in.
-fn chosen(spec: &Spec, title: &str, filled: &Filled) -> Option<&'static Field> {
-    alternatives(spec, title).find(|field| filled.contains_key(field.name))
-}
-
-fn alternatives<'a>(spec: &Spec, title: &'a str) -> impl Iterator<Item = &'static Field> + use<'a> {
-    spec.fields.iter().filter(move |field| field.alternative == Some(title))
-}
 
 /// The rows of an operation's fields that `shown` picks.
 pub fn rows(ui: &mut Ui, spec: &Spec, filled: &mut Filled, facts: &Facts, shown: impl Fn(&Field) -> bool) {

@@ -2,11 +2,11 @@
 //! state, and asks for what is to be done.
 
 pub(crate) mod about;
-mod adjust;
+pub(crate) mod adjust;
 pub(crate) mod bezier;
 pub(crate) mod drop_overlay;
 pub(crate) mod elements;
-mod estimate;
+pub(crate) mod estimate;
 pub(crate) mod fields;
 pub(crate) mod inspector;
 pub(crate) mod live_bar;
@@ -15,65 +15,9 @@ pub(crate) mod messages;
 pub(crate) mod objects;
 pub(crate) mod operations;
 pub(crate) mod palette;
-mod preview;
+pub(crate) mod preview;
 pub(crate) mod save;
-pub(crate) mod sheet;
 pub(crate) mod shortcuts;
 pub(crate) mod status_bar;
 pub(crate) mod toasts;
-
-use egui::{Context, ScrollArea, Ui};
-
-use crate::page_view::Page;
-use crate::platform::Platform;
-use crate::request::Requests;
-
-/// The panels' own states.
-pub(crate) struct Panels {
-    pub lists: elements::Lists,
-    pub renaming: objects::Renaming,
-    pub inspector: inspector::InspectorState,
-    pub forms: operations::Forms,
-    pub palette: palette::PaletteState,
-    pub saving: save::Saving,
-}
-
-impl Panels {
-    pub fn new(platform: &dyn Platform) -> Self {
-        Self {
-            lists: Default::default(),
-            renaming: Default::default(),
-            inspector: Default::default(),
-            forms: Default::default(),
-            palette: Default::default(),
-            saving: save::Saving::new(platform),
-        }
-    }
-
-    /// The panel on the left: the objects, and the elements of the active one.
-    pub fn left(&mut self, ui: &mut Ui, page: &Page<'_>, out: &mut Requests) {
-        objects::show(ui, page, &mut self.renaming, out);
-        elements::show(ui, page, &mut self.lists, out);
-    }
-
-    /// The panel on the right: the inspector, and the operations below it.
-    pub fn right(&mut self, ui: &mut Ui, page: &Page<'_>, out: &mut Requests) {
-        ScrollArea::vertical().auto_shrink([false, false]).show(ui, |ui| {
-            inspector::show(ui, page, &mut self.inspector, out);
-            ui.add_space(6.0);
-            ui.separator();
-            operations::show(ui, page, &mut self.forms, out);
-        });
-    }
-
-    /// The windows over the page.
-    pub fn windows(&mut self, ctx: &Context, page: &Page<'_>, narrow: bool, out: &mut Requests) {
-        palette::show(ctx, page, &mut self.palette, out);
-        save::show(ctx, page, &mut self.saving, narrow, out);
-        shortcuts::show(ctx, page, out);
-        messages::show(ctx, page, out);
-        about::show(ctx, page, out);
-        toasts::show(ctx, page, narrow, out);
-        drop_overlay::show(ctx);
-    }
-}
+pub(crate) mod viewport;

@@ -11,9 +11,10 @@ use crate::input::keys;
 use crate::page_view::Page;
 use crate::panels::adjust::{self, Adjusting};
 use crate::panels::estimate::{self, Tried};
-use crate::panels::fields::{self, Filled};
+use crate::panels::fields;
 use crate::panels::preview::{self, Previews};
 use crate::request::{Request, Requests};
+use crate::session::form::{self, Filled};
 
 /// The field of remeshing that the keys for longer and shorter edges change.
 pub(crate) const EDGE_LENGTH: &str = "edge_length";
@@ -43,7 +44,7 @@ impl Forms {
 
     /// Fills in one field.
     pub fn fill(&mut self, id: OpId, facts: &Facts, field: &str, value: Value) {
-        let filled = self.filled.entry(id).or_insert_with(|| fields::initial(id.spec(), facts));
+        let filled = self.filled.entry(id).or_insert_with(|| form::initial(id.spec(), facts));
         filled.insert(field.to_owned(), value);
     }
 
@@ -54,7 +55,7 @@ impl Forms {
 
     /// Leaves out again what was filled in for one mesh and means nothing for another.
     pub fn forget_lengths(&mut self) {
-        self.filled.retain(|id, _| !fields::needs_measures(id.spec()));
+        self.filled.retain(|id, _| !form::needs_measures(id.spec()));
     }
 }
 
@@ -82,7 +83,7 @@ pub(crate) fn show(ui: &mut Ui, page: &Page<'_>, own: &mut Forms, out: &mut Requ
     ui.add(egui::Label::new(RichText::new(chosen.description).weak()).wrap());
 
     let facts = page.facts(id);
-    let mut filled = own.filled.remove(&id).unwrap_or_else(|| fields::initial(chosen, &facts));
+    let mut filled = own.filled.remove(&id).unwrap_or_else(|| form::initial(chosen, &facts));
     let before = filled.clone();
     Grid::new(("form", chosen.name)).num_columns(2).spacing(vec2(10.0, 6.0)).show(ui, |ui| {
         fields::rows(ui, chosen, &mut filled, &facts, |_| true);

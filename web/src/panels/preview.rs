@@ -5,8 +5,8 @@ use editor::OpId;
 use egui::{Checkbox, Label, RichText, Ui};
 
 use crate::page_view::Page;
-use crate::panels::fields::Filled;
 use crate::request::{Request, Requests};
+use crate::session::form::Filled;
 use crate::session::preview::WhyNot;
 
 /// The previews of forms.

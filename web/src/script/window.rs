@@ -29,7 +29,7 @@ pub(crate) fn install(handle: &Handle) -> Result<(), JsValue> {
         Ok(promise(|settle| {
             let name = name.as_string().ok_or_else(|| error("open: expected the file's name as a string"))?;
             let file = NamedBytes { name, bytes: content_of(&content)? };
-            app(&at)?.script_open(vec![file], reply(settle, Wanted::Model));
+            app(&at)?.script().open(vec![file], reply(settle, Wanted::Model));
             Ok(())
         }))
     })?;
@@ -37,7 +37,7 @@ pub(crate) fn install(handle: &Handle) -> Result<(), JsValue> {
     let at = handle.clone();
     method(api, "openFiles", move |files, _| {
         Ok(promise(|settle| {
-            app(&at)?.script_open(files_of(&files)?, reply(settle, Wanted::Model));
+            app(&at)?.script().open(files_of(&files)?, reply(settle, Wanted::Model));
             Ok(())
         }))
     })?;
@@ -46,7 +46,7 @@ pub(crate) fn install(handle: &Handle) -> Result<(), JsValue> {
     method(api, "run", move |command, _| {
         Ok(promise(|settle| {
             let command = to_json(&command, "run: expected a command such as {op: \"split-edge\", edge: 3}")?;
-            app(&at)?.script_run(command, reply(settle, Wanted::Model));
+            app(&at)?.script().run(command, reply(settle, Wanted::Model));
             Ok(())
         }))
     })?;
@@ -54,7 +54,7 @@ pub(crate) fn install(handle: &Handle) -> Result<(), JsValue> {
     let at = handle.clone();
     method(api, "export", move |format, _| {
         Ok(promise(|settle| {
-            app(&at)?.script_export(&format_of(&format)?, reply(settle, Wanted::Model));
+            app(&at)?.script().export(&format_of(&format)?, reply(settle, Wanted::Model));
             Ok(())
         }))
     })?;
@@ -62,34 +62,34 @@ pub(crate) fn install(handle: &Handle) -> Result<(), JsValue> {
     let at = handle.clone();
     method(api, "exportFiles", move |format, _| {
         Ok(promise(|settle| {
-            app(&at)?.script_export(&format_of(&format)?, reply(settle, Wanted::AllFiles));
+            app(&at)?.script().export(&format_of(&format)?, reply(settle, Wanted::AllFiles));
             Ok(())
         }))
     })?;
 
     let at = handle.clone();
-    method(api, "state", move |_, _| to_js(&app(&at)?.script_state()))?;
+    method(api, "state", move |_, _| to_js(&app(&at)?.script().state()))?;
 
     let at = handle.clone();
     method(api, "element", move |kind, id| {
         let id =
             id_of(&id).ok_or_else(|| error("element: expected a kind and an id, a whole number from 0"))?;
-        to_js(&app(&at)?.script_element(&kind_of(&kind)?, id).map_err(|reason| error(&reason))?)
+        to_js(&app(&at)?.script().element(&kind_of(&kind)?, id).map_err(|reason| error(&reason))?)
     })?;
 
     let at = handle.clone();
     method(api, "select", move |kind, ids| {
         let ids = ids_of(&ids).ok_or_else(|| error("select: expected a kind and an array of ids"))?;
-        app(&at)?.script_select(&kind_of(&kind)?, &ids).map_err(|reason| error(&reason))?;
+        app(&at)?.script().select(&kind_of(&kind)?, &ids).map_err(|reason| error(&reason))?;
         Ok(JsValue::UNDEFINED)
     })?;
 
     let at = handle.clone();
-    method(api, "undo", move |_, _| label(app(&at)?.script_undo()))?;
+    method(api, "undo", move |_, _| label(app(&at)?.script().undo()))?;
     let at = handle.clone();
-    method(api, "redo", move |_, _| label(app(&at)?.script_redo()))?;
+    method(api, "redo", move |_, _| label(app(&at)?.script().redo()))?;
     let at = handle.clone();
-    method(api, "cancel", move |_, _| Ok(JsValue::from(app(&at)?.script_cancel() as f64)))?;
+    method(api, "cancel", move |_, _| Ok(JsValue::from(app(&at)?.script().cancel() as f64)))?;
 
     let at = handle.clone();
     method(api, "project", move |point, _| {
@@ -97,8 +97,8 @@ pub(crate) fn install(handle: &Handle) -> Result<(), JsValue> {
         let refused = || error(expected);
         let point: Vec<f64> = serde_json::from_value(to_json(&point, expected)?).map_err(|_| refused())?;
         let [x, y, z] = point.as_slice() else { return Err(refused()) };
-        let app = app(&at)?;
-        let Some([x, y]) = app.script_project([*x as f32, *y as f32, *z as f32]) else {
+        let mut app = app(&at)?;
+        let Some([x, y]) = app.script().project([*x as f32, *y as f32, *z as f32]) else {
             return Ok(JsValue::NULL);
         };
         let (corner, zoom) = (at.corner(), app.ctx().zoom_factor());

@@ -8,7 +8,7 @@ use egui::{Context, Event, Key, Pos2};
 use glam::Vec3;
 use serde_json::{Value, json};
 
-use crate::panels::fields;
+use super::form;
 use crate::session::Session;
 use crate::view::View;
 
@@ -47,13 +47,13 @@ impl Live {
     }
 
     fn command(&self) -> Result<Command, CommandError> {
-        let mut filled = fields::initial(self.id.spec(), &Facts::default());
+        let mut filled = form::initial(self.id.spec(), &Facts::default());
         let value: Value = match self.drag {
             Drag::Offset => json!(self.value.to_array()),
             Drag::Distance | Drag::Width | Drag::Fraction => json!(self.value.x),
         };
         filled.insert(self.field.name.to_owned(), value);
-        fields::command(self.id, &filled)
+        form::command(self.id, &filled)
     }
 
     /// Whether the amount is one that changes something.

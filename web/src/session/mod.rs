@@ -1,11 +1,13 @@
 //! The session: the editor, the jobs it waits for, and what is known and said about them. Panels read
 //! it; the app changes it.
 
+pub(crate) mod form;
 pub(crate) mod frame_times;
 pub(crate) mod jobs;
 pub(crate) mod live;
 pub(crate) mod measures;
 pub(crate) mod preview;
+pub(crate) mod run;
 pub(crate) mod survey;
 pub(crate) mod toasts;
 
@@ -16,7 +18,6 @@ use editor::{Changes, CommandError, Editor, Facts, JobId, MessageKind, OpId};
 use egui::Context;
 use halfedge::{Element, HalfedgeId};
 
-use crate::panels::fields;
 use crate::platform::Platform;
 use frame_times::FrameTimes;
 use jobs::Jobs;
@@ -43,6 +44,8 @@ pub(crate) struct Session {
     pub adjusting: Option<JobId>,
     /// The last adjustment took too long to be made at every step of a spin.
     pub adjusting_is_slow: bool,
+    /// What the view is to look at.
+    pub look: Option<run::Look>,
     /// The ongoing edit is committed when the pointer's button is let go.
     pub commit_on_release: bool,
     measured: RefCell<Measured>,
@@ -64,6 +67,7 @@ impl Session {
             previewing: Previewing::default(),
             adjusting: None,
             adjusting_is_slow: false,
+            look: None,
             commit_on_release: false,
             measured: RefCell::default(),
             refusals: RefCell::default(),
@@ -81,8 +85,8 @@ impl Session {
     pub fn why_not_operation(&self, id: OpId) -> Option<String> {
         let ask = || {
             // The amounts that a form would fill in don't matter here.
-            let filled = fields::initial(id.spec(), &Facts::default());
-            let can = fields::command(id, &filled).and_then(|command| self.editor.can(&command));
+            let filled = form::initial(id.spec(), &Facts::default());
+            let can = form::command(id, &filled).and_then(|command| self.editor.can(&command));
             can.err().map(|error| error.reason())
         };
         self.refusals.borrow_mut().entry(id).or_insert_with(ask).clone()
@@ -90,7 +94,7 @@ impl Session {
 
     /// The facts that an operation's form needs, about the mesh without what is only previewed.
     pub fn facts(&self, id: OpId) -> Facts {
-        self.facts_with(fields::needs_measures(id.spec()))
+        self.facts_with(form::needs_measures(id.spec()))
     }
 
     /// All facts about the mesh without what is only previewed.
@@ -110,6 +114,20 @@ impl Session {
         let selection = self.editor.selection();
         let id = selection.latest().filter(|_| selection.kind() == Element::Halfedge)?;
         self.editor.mesh()?.halfedge(id)
+    }
+
+    /// Undoes the last step.
+    pub fn undo(&mut self) {
+        if let Err(error) = self.editor.undo() {
+            self.refuse(&error);
+        }
+    }
+
+    /// Redoes the last undone step.
+    pub fn redo(&mut self) {
+        if let Err(error) = self.editor.redo() {
+            self.refuse(&error);
+        }
     }
 
     /// Says something in passing.

@@ -3,7 +3,7 @@
 use editor::{CommandError, Facts, MessageKind, OpId, Outcome};
 use halfedge::{Element, Mesh};
 
-use crate::panels::fields::{self, Filled};
+use super::form::{self, Filled};
 use crate::session::Session;
 
 /// Seconds that the result of a changed field may take to be made at every step of a spin.
@@ -94,7 +94,7 @@ impl Session {
 
     fn try_preview(&mut self, id: OpId, filled: Filled, before: Facts) -> Result<(), WhyNot> {
         let refused = |error: CommandError| WhyNot::Refused(error.reason());
-        let command = fields::command(id, &filled).map_err(refused)?;
+        let command = form::command(id, &filled).map_err(refused)?;
         self.editor.can(&command).map_err(refused)?;
         if !self.editor.is_quick(&command) {
             return Err(WhyNot::TooLarge);

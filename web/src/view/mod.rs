@@ -1,46 +1,41 @@
-//! The viewport: the picture, and what the pointer does in it.
+//! The viewport's state: the camera, the picture, and what the pointer is doing.
 
 mod gesture;
-mod overlay;
-mod picture;
+pub(crate) mod picture;
 
 use editor::{Changes, Editor, Object, ObjectChange, ObjectId};
-use egui::{Rect, Sense, Ui, Vec2, WidgetInfo};
+use egui::{Rect, Vec2};
 use glam::Vec3;
 use halfedge::{Element, FaceId, Mesh, Touched};
 use std::collections::HashMap;
 use surface::{FaceTree, FaceTreeBuilder};
 use viewport::{Bounds, BoxSelection, Camera, Style};
 
-use crate::bezier::{self, Player};
-use crate::lists::columns::element_name;
-use crate::page_view::Page;
-use crate::panels;
-use crate::request::Requests;
-use crate::session::Session;
-use crate::shown::Shown;
-use crate::theme;
-use gesture::Gesture;
-pub(crate) use gesture::Tool;
-use picture::{FACES_A_FRAME, Picture};
+use crate::bezier;
+pub(crate) use gesture::{Gesture, Tool};
+use picture::Picture;
+
+/// Faces that are uploaded, or sorted into a picking tree, per frame: larger meshes are split over
+/// several frames to keep each short.
+pub(crate) const FACES_PER_FRAME: usize = 150_000;
 
 /// How many frames the panels take to find their sizes.
-const FRAMES_TO_SETTLE: u8 = 3;
+const FRAMES_UNTIL_PANELS_SETTLE: u8 = 3;
 
 /// The viewport's state.
 pub(crate) struct View {
     pub camera: Camera,
     pub style: Style,
     pub tool: Tool,
-    rect: Rect,
-    picture: Option<Picture>,
-    gesture: Gesture,
+    pub rect: Rect,
+    pub picture: Option<Picture>,
+    pub gesture: Gesture,
     /// Under the pointer, in the viewport or in a list.
-    hovered: Option<(Element, u32)>,
+    pub hovered: Option<(Element, u32)>,
     /// What a list or a link says is under the pointer this frame.
     from_list: Option<(Element, u32)>,
     /// Where the pointer was and what was seen there, so that a still pointer costs nothing.
-    looked: Option<(egui::Pos2, Camera, Element)>,
+    pub looked: Option<(egui::Pos2, Camera, Element)>,
     /// Boxes around the objects, and which of them are drawn.
     bounds: HashMap<ObjectId, Option<Bounds>>,
     /// Made when somebody first points at the object.
@@ -48,10 +43,10 @@ pub(crate) struct View {
     /// The tree of a large mesh, made some faces a frame.
     building: Option<(ObjectId, FaceTreeBuilder)>,
     /// What a box selects, found some elements a frame; and whether it extends what is selected.
-    boxed: Option<(ObjectId, BoxSelection, bool)>,
+    pub boxed: Option<(ObjectId, BoxSelection, bool)>,
     /// In how many frames to come everything is looked at: in the first the viewport has no size yet,
     /// and panels find theirs in the second.
-    frame_due: u8,
+    pub frame_due: u8,
 }
 
 impl View {
@@ -70,7 +65,7 @@ impl View {
             trees: HashMap::new(),
             building: None,
             boxed: None,
-            frame_due: FRAMES_TO_SETTLE,
+            frame_due: FRAMES_UNTIL_PANELS_SETTLE,
         }
     }
 
@@ -183,14 +178,14 @@ impl View {
     }
 
     /// Makes some of the tree that picking on an object needs; gives whether it is whole.
-    fn build_tree_step(&mut self, object: &Object) -> bool {
+    pub fn build_tree_step(&mut self, object: &Object) -> bool {
         let (id, mesh) = (object.id(), object.mesh());
-        if self.trees.contains_key(&id) || mesh.face_count() <= FACES_A_FRAME {
+        if self.trees.contains_key(&id) || mesh.face_count() <= FACES_PER_FRAME {
             return true;
         }
         let building = self.building.take().filter(|(built, _)| *built == id);
         let (_, mut builder) = building.unwrap_or_else(|| (id, FaceTreeBuilder::new(mesh)));
-        match builder.step(mesh, FACES_A_FRAME) {
+        match builder.step(mesh, FACES_PER_FRAME) {
             Some(tree) => {
                 self.trees.insert(id, tree);
                 true
@@ -203,7 +198,7 @@ impl View {
     }
 
     /// The tree of an object, made or made whole now if need be.
-    fn tree(&mut self, object: &Object) -> &FaceTree {
+    pub fn tree(&mut self, object: &Object) -> &FaceTree {
         let (id, mesh) = (object.id(), object.mesh());
         let building = self.building.take_if(|(built, _)| *built == id);
         self.trees.entry(id).or_insert_with(|| match building {
@@ -214,14 +209,14 @@ impl View {
 
     /// Looks at everything once the viewport has a size.
     pub fn frame_when_seen(&mut self) {
-        self.frame_due = FRAMES_TO_SETTLE;
+        self.frame_due = FRAMES_UNTIL_PANELS_SETTLE;
     }
 
     /// Looks at everything from the same direction.
     pub fn frame_all(&mut self) {
         match self.camera.scene() {
             Some(scene) if self.rect.is_positive() => self.camera.frame(scene, self.aspect()),
-            _ => self.frame_due = FRAMES_TO_SETTLE,
+            _ => self.frame_due = FRAMES_UNTIL_PANELS_SETTLE,
         }
     }
 
@@ -271,54 +266,5 @@ fn corners(mesh: &Mesh, kind: Element, id: u32) -> Vec<Vec3> {
             .face(id)
             .map(|f| mesh.face_vertices(f).map(|v| mesh.position(v)).collect())
             .unwrap_or_default(),
-    }
-}
-
-/// What the viewport reads and changes.
-pub(crate) struct Viewport<'a> {
-    pub session: &'a Session,
-    pub shown: &'a Shown,
-    pub view: &'a mut View,
-    pub player: &'a mut Player,
-}
-
-impl Viewport<'_> {
-    /// What panels would read.
-    fn page(&self) -> Page<'_> {
-        Page {
-            session: self.session,
-            shown: self.shown,
-            view: self.view,
-            player: self.player,
-            target_edge: None,
-        }
-    }
-
-    /// Draws the viewport and turns what the pointer does into requests.
-    pub fn show(mut self, ui: &mut Ui, out: &mut Requests) {
-        let rect = ui.available_rect_before_wrap();
-        self.view.rect = rect;
-        self.view.style.theme = theme::viewport(ui.visuals());
-        if self.view.frame_due > 0 {
-            self.view.frame_due -= 1;
-            self.view.frame_all();
-            ui.ctx().request_repaint();
-        }
-        // Not focusable: its keys are the page's keys.
-        let id = ui.scope_id().with("viewport");
-        let response = ui.interact(rect, id, Sense::CLICK | Sense::DRAG);
-        ui.advance_cursor_after_rect(rect);
-        let under = self.view.hovered.map(|(kind, id)| element_name(kind, id));
-        response.widget_info(|| WidgetInfo::labeled(egui::Role::Canvas, true, "Viewport"));
-        ui.ctx().accesskit_node_builder(id, |node| node.set_value(under.unwrap_or_default()));
-
-        self.gestures(ui, &response, out);
-        response.context_menu(|ui| match bezier::active(&self.session.editor) {
-            Some(_) => panels::bezier::menu(ui, &self.page(), out),
-            None => panels::elements::menu(ui, &self.page(), out),
-        });
-        picture::paint(ui, rect, &self.session.editor, self.view);
-        bezier::paint(ui, rect, &self.session.editor, self.view, self.player);
-        overlay::paint(ui, rect, &self.page());
     }
 }

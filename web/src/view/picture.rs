@@ -6,16 +6,13 @@ use egui_wgpu::{Callback, CallbackResources, CallbackTrait, RenderState, ScreenD
 use halfedge::{Element, Mesh};
 use viewport::{Camera, Frame, Highlight, Layer, ObjectDraw, Renderer, Style};
 
-use super::View;
+use super::{FACES_PER_FRAME, View};
 
-/// Of a mesh with more faces, so many are uploaded in a frame: all at once would be a long one.
-pub(super) const FACES_A_FRAME: usize = 150_000;
-
-/// Of more selected elements, so many are uploaded in a frame.
-const HIGHLIGHTED_A_FRAME: usize = 200_000;
+/// Highlighted elements uploaded per frame; larger selections are split over several frames.
+const HIGHLIGHTS_PER_FRAME: usize = 200_000;
 
 /// The renderer, which lives among egui's resources so that paint callbacks reach it.
-pub(super) struct Picture {
+pub(crate) struct Picture {
     gpu: RenderState,
     pub selection_stale: bool,
     hovered: Option<(Element, u32)>,
@@ -61,7 +58,7 @@ impl Picture {
                 if object.visible() && !renderer.fits_style(id.0, style) {
                     upload(renderer, device, queue, id, mesh, style);
                 }
-                let done = renderer.upload_faces(device, queue, id.0, mesh, FACES_A_FRAME);
+                let done = renderer.upload_faces(device, queue, id.0, mesh, FACES_PER_FRAME);
                 behind |= renderer.is_uploading(id.0);
                 done
             });
@@ -89,7 +86,7 @@ impl Picture {
                 self.with(|renderer, device, queue| {
                     let mesh = active.mesh();
                     behind |=
-                        renderer.upload_highlight_elements(device, queue, layer, mesh, HIGHLIGHTED_A_FRAME);
+                        renderer.upload_highlight_elements(device, queue, layer, mesh, HIGHLIGHTS_PER_FRAME);
                 });
             }
         }
@@ -108,7 +105,7 @@ fn upload(
     mesh: &Mesh,
     style: &Style,
 ) {
-    if mesh.face_count() > FACES_A_FRAME {
+    if mesh.face_count() > FACES_PER_FRAME {
         renderer.begin_object_upload(device, queue, id.0, mesh, style);
     } else {
         renderer.sync_object(device, queue, id.0, mesh, viewport::ObjectChange::Everything, style);
@@ -159,7 +156,7 @@ impl CallbackTrait for Drawing {
 }
 
 /// Draws the picture of the document.
-pub(super) fn paint(ui: &Ui, rect: Rect, editor: &Editor, view: &mut View) {
+pub(crate) fn paint(ui: &Ui, rect: Rect, editor: &Editor, view: &mut View) {
     let from_list = view.from_list.take();
     if from_list.is_some() {
         view.hovered = from_list;

@@ -45,7 +45,7 @@ fn points(page: &mut Page) -> Vec<Vec3> {
 }
 
 fn player(page: &mut Page, field: &str) -> Value {
-    page.app().script_state()["view"]["bezier"][field].clone()
+    page.app().script().state()["view"]["bezier"][field].clone()
 }
 
 fn click_at(page: &mut Page, at: Pos2, times: usize) {

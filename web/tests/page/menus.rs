@@ -91,7 +91,7 @@ fn keys_of_the_course_editors() {
 #[test]
 fn keys_of_the_page() {
     let mut page = Page::new();
-    let view = |page: &mut Page, name: &str| page.app().script_state()["view"][name].clone();
+    let view = |page: &mut Page, name: &str| page.app().script().state()["view"][name].clone();
     for (key, name) in
         [(Key::W, "wireframe"), (Key::M, "smooth"), (Key::V, "vertices"), (Key::P, "orthographic")]
     {
@@ -138,7 +138,7 @@ fn delete_removes_what_is_selected() {
 #[test]
 fn a_new_document_is_looked_at_whole() {
     let mut page = Page::new();
-    let view = |page: &mut Page, name: &str| page.app().script_state()["view"][name].clone();
+    let view = |page: &mut Page, name: &str| page.app().script().state()["view"][name].clone();
     let start = view(&mut page, "pitch");
     page.open("flat.bzc", "3\n0 0 5 5 10 0\n");
     assert_eq!(view(&mut page, "pitch"), 0.0);
@@ -175,7 +175,7 @@ fn the_palette_finds_and_runs() {
     page.find("Find a command").type_text("vertex dots");
     page.run();
     page.press(Key::Enter);
-    assert_eq!(page.app().script_state()["view"]["vertices"], true);
+    assert_eq!(page.app().script().state()["view"]["vertices"], true);
     page.press(Key::F3);
     page.press(Key::Escape);
     assert!(!page.has("Find a command"));
@@ -214,7 +214,7 @@ fn a_broken_file_changes_nothing_and_says_why() {
     page.open("broken.obj", "f 1 2 3\n");
     assert!(page.undo_labels().is_empty());
     assert_eq!(page.mesh(), &before);
-    let messages = page.app().script_state()["messages"].to_string();
+    let messages = page.app().script().state()["messages"].to_string();
     assert!(messages.contains("line 1"), "{messages}");
     assert!(page.has_part("Open: ") && !page.has_part("open: "), "a sentence");
     assert!(page.has("Dismiss message"), "and it is in view");
@@ -355,7 +355,7 @@ fn the_theme_is_kept() {
     page.click("View");
     page.click("Light theme");
     assert_eq!(page.outside.setting("theme").as_deref(), Some("light"));
-    assert_eq!(page.app().script_state()["view"]["theme"], "light");
+    assert_eq!(page.app().script().state()["view"]["theme"], "light");
 }
 
 #[test]

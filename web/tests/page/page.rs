@@ -98,7 +98,7 @@ impl Page {
     pub fn command(&mut self, command: Value) {
         let told = std::rc::Rc::new(std::cell::RefCell::new(None));
         let tell = told.clone();
-        self.app().script_run(command.clone(), Box::new(move |answer| *tell.borrow_mut() = Some(answer)));
+        self.app().script().run(command.clone(), Box::new(move |answer| *tell.borrow_mut() = Some(answer)));
         self.run();
         let answer = told.borrow_mut().take();
         match answer {
@@ -114,7 +114,7 @@ impl Page {
     }
 
     pub fn select(&mut self, kind: &str, ids: &[u32]) {
-        self.app().script_select(kind, ids).expect("elements that exist");
+        self.app().script().select(kind, ids).expect("elements that exist");
         self.run();
     }
 
@@ -192,7 +192,7 @@ impl Page {
 
     /// Where a point of the scene is in the window.
     pub fn at(&mut self, point: [f32; 3]) -> egui::Pos2 {
-        let [x, y] = self.app().script_project(point).expect("in front of the eye");
+        let [x, y] = self.app().script().project(point).expect("in front of the eye");
         egui::pos2(x, y)
     }
 

@@ -7,7 +7,7 @@ use halfedge::{Element, VertexId};
 
 /// The vertex of the cube that is nearest to the eye, and where it is in the window.
 fn nearest_vertex(page: &mut Page) -> (u32, Pos2) {
-    let view = page.app().script_state()["view"].clone();
+    let view = page.app().script().state()["view"].clone();
     let number = |name: &str| view[name].as_f64().expect("a number");
     let (yaw, pitch) = (number("yaw"), number("pitch"));
     let back =
@@ -112,7 +112,7 @@ fn points_without_faces_are_in_view_and_can_be_pointed_at() {
 fn dragging_beside_the_mesh_turns_the_view_and_space_resets_it() {
     let mut page = Page::new();
     let view = |page: &mut Page| {
-        let view = page.app().script_state()["view"].clone();
+        let view = page.app().script().state()["view"].clone();
         (view["yaw"].as_f64(), view["distance"].as_f64(), view["target"].to_string())
     };
     let start = view(&mut page);

@@ -1,6 +1,6 @@
 //! A face: its corners, area, normal and colour.
 
-use super::{fact, facts, links, measured, pointer};
+use super::table::{fact, facts, links, measured, pointer};
 use crate::page_view::Page;
 use crate::request::{Request, Requests};
 use crate::widgets::color_button::color_button;

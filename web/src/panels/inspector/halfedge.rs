@@ -1,7 +1,7 @@
 //! A half-edge: all its pointers as links.
 
-use super::InspectorState;
-use super::{fact, facts, measured, pointer};
+use super::table::InspectorState;
+use super::table::{fact, facts, measured, pointer};
 use crate::input::actions::{self, Action};
 use crate::page_view::Page;
 use crate::panels::menu_bar::explain;

@@ -3,12 +3,14 @@
 mod edge;
 mod face;
 mod halfedge;
+mod table;
 mod vertex;
 
+pub(crate) use table::InspectorState;
+
 use ::halfedge::Element;
-use editor::ops::Connect;
-use editor::{OpId, SelectMode};
-use egui::{Button, Grid, Label, RichText, Ui, vec2};
+use editor::OpId;
+use egui::{Button, Label, RichText, Ui};
 
 use crate::input::actions::{self, Action};
 use crate::input::availability::opens_form;
@@ -17,21 +19,10 @@ use crate::page_view::Page;
 use crate::panels::bezier as bezier_panel;
 use crate::panels::fields;
 use crate::panels::menu_bar::explain;
-use crate::request::{Request, Requests};
-use crate::theme::TOUCH_TARGET;
+use crate::request::Requests;
 
 /// Operations that the inspector has controls of its own for, further up.
 const SHOWN_ALREADY: [OpId; 3] = [OpId::SetVertexPosition, OpId::SetFaceColor, OpId::SplitEdge];
-
-/// What is filled in in the inspector.
-#[derive(Default)]
-pub(crate) struct InspectorState {
-    /// Where along an edge the split button puts the vertex.
-    t: Option<f32>,
-    connect: Option<Connect>,
-    /// How many quads lie along a side of each patch that the Bezier panel tessellates.
-    tessellation: Option<u32>,
-}
 
 pub(crate) fn show(ui: &mut Ui, page: &Page<'_>, own: &mut InspectorState, out: &mut Requests) {
     ui.add_space(4.0);
@@ -94,83 +85,4 @@ fn edit_buttons(ui: &mut Ui, page: &Page<'_>, kind: Element, out: &mut Requests)
             }
         }
     });
-}
-
-/// A name and a value in the inspector's table.
-fn fact(ui: &mut Ui, name: &str, value: impl Into<String>, meaning: &str) {
-    ui.label(RichText::new(name).weak()).on_hover_text(meaning);
-    ui.add(Label::new(RichText::new(value).monospace()).selectable(true));
-    ui.end_row();
-}
-
-/// A name and a link that selects what it points to.
-fn pointer(
-    ui: &mut Ui,
-    out: &mut Requests,
-    name: &str,
-    to: Option<(Element, u32)>,
-    none: &str,
-    meaning: &str,
-) {
-    ui.label(RichText::new(name).weak()).on_hover_text(meaning);
-    match to {
-        Some((kind, id)) => link(ui, out, name, kind, id),
-        None => {
-            ui.label(RichText::new(none).weak());
-        }
-    }
-    ui.end_row();
-}
-
-/// A link that selects an element; the viewport shows it while the pointer is over the link.
-fn link(ui: &mut Ui, out: &mut Requests, name: &str, kind: Element, id: u32) {
-    let text = element_name(kind, id);
-    let link = ui.link(&text).on_hover_text(format!("Select {}", text.to_lowercase()));
-    link.clone().accessible_name(format!("{name}: {text}"));
-    if link.hovered() {
-        out.push(Request::Hover(kind, id));
-    }
-    if link.clicked() {
-        out.select(kind, [id], SelectMode::Replace);
-    }
-}
-
-/// Links to several elements, in lines as wide as the panel.
-fn links(ui: &mut Ui, out: &mut Requests, name: &str, kind: Element, ids: &[u32]) {
-    /// More would push everything else off the panel.
-    const MOST: usize = 24;
-    ui.label(RichText::new(format!("{name} ({})", ids.len())).weak());
-    ui.horizontal_wrapped(|ui| {
-        ui.spacing_mut().item_spacing = vec2(6.0, 2.0);
-        for &id in ids.iter().take(MOST) {
-            let link = ui.link(RichText::new(id.to_string()).monospace());
-            link.clone().accessible_name(element_name(kind, id));
-            if link.hovered() {
-                out.push(Request::Hover(kind, id));
-            }
-            if link.on_hover_text(format!("Select {kind} {id}")).clicked() {
-                out.select(kind, [id], SelectMode::Replace);
-            }
-        }
-        if ids.len() > MOST {
-            ui.label(RichText::new("…").weak());
-        }
-    });
-}
-
-/// The table of the inspector.
-fn facts(ui: &mut Ui, name: &str, add: impl FnOnce(&mut Ui)) {
-    let row = if ui.spacing().interact_size.y < TOUCH_TARGET { 18.0 } else { 28.0 };
-    Grid::new(name)
-        .num_columns(2)
-        .spacing(vec2(14.0, 4.0))
-        .min_col_width(76.0)
-        .min_row_height(row)
-        .show(ui, add);
-}
-
-/// A measured number with as many digits as are worth reading.
-fn measured(value: f32) -> String {
-    let size = value.abs();
-    if size != 0.0 && !(1e-4..1e7).contains(&size) { format!("{value:.5e}") } else { format!("{value:.6}") }
 }

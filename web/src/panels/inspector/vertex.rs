@@ -1,6 +1,6 @@
 //! A vertex: its position in spin boxes, its half-edge, its neighbours.
 
-use super::{fact, facts, links, pointer};
+use super::table::{fact, facts, links, pointer};
 use crate::page_view::Page;
 use crate::request::{Request, Requests};
 use crate::theme;

@@ -11,7 +11,7 @@ use web_sys::{
     AbortController, ReadableStreamDefaultReader, RequestInit, Response, Url, UrlSearchParams, Window,
 };
 
-use super::{Inbox, describe};
+use super::inbox::{Inbox, describe};
 use crate::platform::{Event, Fetched, NamedBytes};
 
 /// The program's memory ends at 4 GiB, and a larger copy would be a crash.

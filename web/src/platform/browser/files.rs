@@ -5,7 +5,7 @@ use wasm_bindgen::prelude::*;
 use wasm_bindgen_futures::spawn_local;
 use web_sys::{File, HtmlInputElement};
 
-use super::{Inbox, describe};
+use super::inbox::{Inbox, describe};
 use crate::platform::{Event, NamedBytes};
 
 /// Reads what was dropped together and delivers it together, so that an OBJ finds its MTL.

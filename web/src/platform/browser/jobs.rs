@@ -13,7 +13,7 @@ use meshwright_worker::{Message, request};
 use wasm_bindgen::prelude::*;
 use web_sys::{MessageEvent, Worker, WorkerOptions, WorkerType};
 
-use super::{Inbox, describe};
+use super::inbox::{Inbox, describe};
 use crate::platform::Event;
 
 /// Where index.html says what the worker's script is called: a built site names it after what it holds.

@@ -4,39 +4,15 @@
 mod download;
 mod fetch;
 mod files;
+mod inbox;
 mod jobs;
-
-use std::cell::RefCell;
-use std::rc::Rc;
-
-use wasm_bindgen::JsValue;
 
 use super::{DeviceInfo, Event, NamedBytes, Platform};
 use fetch::Fetches;
 use files::FilePicker;
+use inbox::Inbox;
+pub(crate) use inbox::describe;
 use jobs::Jobs;
-
-/// Events that have not been polled yet. Whoever adds one wakes the page.
-#[derive(Clone)]
-pub(crate) struct Inbox {
-    events: Rc<RefCell<Vec<Event>>>,
-    ctx: egui::Context,
-}
-
-impl Inbox {
-    fn new(ctx: &egui::Context) -> Self {
-        Self { events: Rc::default(), ctx: ctx.clone() }
-    }
-
-    pub(crate) fn push(&self, event: Event) {
-        self.events.borrow_mut().push(event);
-        self.ctx.request_repaint();
-    }
-
-    fn take(&self) -> Vec<Event> {
-        std::mem::take(&mut *self.events.borrow_mut())
-    }
-}
 
 /// The browser, as the editor sees it.
 pub struct Browser {
@@ -127,13 +103,4 @@ fn storage() -> Option<web_sys::Storage> {
 
 fn setting_key(key: &str) -> String {
     format!("meshwright.{key}")
-}
-
-/// An exception's message, or whatever was thrown in its place.
-pub(crate) fn describe(error: &JsValue) -> String {
-    use wasm_bindgen::JsCast;
-    if let Some(error) = error.dyn_ref::<js_sys::Error>() {
-        return error.message().into();
-    }
-    error.as_string().unwrap_or_else(|| format!("{error:?}"))
 }

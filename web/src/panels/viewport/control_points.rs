@@ -1,6 +1,6 @@
 //! Control points under the pointer: dragged, added and taken away.
 
-use super::{ControlPoint, Player, active, is_flat};
+use crate::bezier::{ControlPoint, Player, active, is_flat};
 use crate::view::View;
 use editor::ops::{BezierInsertPoint, BezierMovePoint};
 use editor::{Command, Editor};

@@ -1,12 +1,6 @@
 //! The Bezier players: which control points there are to drag, how far de Casteljau's construction is
 //! drawn, and where on the curve or surface.
 
-mod draw;
-mod edit;
-
-pub(crate) use draw::paint;
-pub(crate) use edit::{add_control_point, add_control_point_at, control_point_at, dragged_to, moved};
-
 use editor::{Bezier, Changes, Editor, Object, ObjectId};
 use glam::Vec3;
 use std::collections::HashMap;
@@ -35,7 +29,7 @@ pub(crate) struct Player {
     pub controls: Controls,
     pub hovered: Option<ControlPoint>,
     /// The curves of all objects as lines.
-    lines: HashMap<ObjectId, Vec<Vec3>>,
+    pub lines: HashMap<ObjectId, Vec<Vec3>>,
 }
 
 /// What a person sets of the player.
@@ -78,7 +72,7 @@ impl Controls {
 const MOST_NETS: usize = 64;
 
 /// A surface's construction has three levels along the rows and three down the column.
-const SURFACE_LEVELS: usize = 6;
+pub(crate) const SURFACE_LEVELS: usize = 6;
 
 /// Seconds from one end of a curve to the other.
 const PLAY_TIME: f32 = 4.0;
@@ -219,7 +213,7 @@ impl Player {
     }
 
     /// Whether a control point is of the patch that the construction is drawn on, or of a curve.
-    fn is_on_patch(&self, point: ControlPoint) -> bool {
+    pub fn is_on_patch(&self, point: ControlPoint) -> bool {
         match point {
             ControlPoint::Curve(_) => true,
             ControlPoint::Patch { patch, .. } => patch == self.controls.patch,
@@ -232,14 +226,14 @@ impl Player {
     }
 
     /// The patches whose nets are drawn, with their numbers.
-    fn nets<'a>(&self, patches: &'a [Patch]) -> impl Iterator<Item = (usize, &'a Patch)> {
+    pub fn nets<'a>(&self, patches: &'a [Patch]) -> impl Iterator<Item = (usize, &'a Patch)> {
         let all = self.controls.nets && patches.len() <= MOST_NETS;
         let one = self.controls.nets.then_some(self.controls.patch);
         patches.iter().enumerate().filter(move |(at, _)| all || one == Some(*at))
     }
 
     /// The control points that are drawn, and can be hit.
-    fn points(&self, bezier: &Bezier) -> Vec<(ControlPoint, Vec3)> {
+    pub fn points(&self, bezier: &Bezier) -> Vec<(ControlPoint, Vec3)> {
         match bezier {
             Bezier::Curve(curve) => {
                 let stride = Drawn::of(curve.points.len(), 0).stride;

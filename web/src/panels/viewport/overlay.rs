@@ -5,11 +5,11 @@ use egui::{Align2, Color32, FontId, Pos2, Rect, RichText, Stroke, StrokeKind, Ui
 use glam::DVec3;
 use halfedge::Element;
 
-use super::gesture::Tool;
 use crate::lists::columns::{counted, element_name, row, thousands};
 use crate::page_view::Page;
 use crate::panels::fields::selection_words;
 use crate::theme;
+use crate::view::Tool;
 
 /// Draws what lies over the picture.
 pub(super) fn paint(ui: &mut Ui, rect: Rect, page: &Page<'_>) {

@@ -2,8 +2,9 @@
 
 use egui::{Button, Panel, Ui, vec2};
 
+use super::panels::Panels;
 use crate::page_view::Page;
-use crate::panels::{Panels, inspector, operations};
+use crate::panels::{inspector, operations};
 use crate::request::{Request, Requests};
 use crate::shown::{Sheet, Tab};
 use crate::theme;

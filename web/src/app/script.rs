@@ -12,29 +12,47 @@ use crate::platform::{DeviceInfo, NamedBytes};
 use crate::session::jobs::Reply;
 
 impl App {
+    /// The editor as scripts call it.
+    pub fn script(&mut self) -> Script<'_> {
+        Script { app: self }
+    }
+
     /// The graphics device.
     pub fn device(&self) -> DeviceInfo {
         self.session.platform.device()
     }
+}
 
+/// Calls of scripts, between two frames. Everything follows what they changed when they are done.
+pub struct Script<'a> {
+    app: &'a mut App,
+}
+
+impl Drop for Script<'_> {
+    fn drop(&mut self) {
+        self.app.follow();
+    }
+}
+
+impl Script<'_> {
     /// Opens files as if they were dropped on the page; answers the outcome, with what an import
     /// had to repair in its warnings.
-    pub fn script_open(&mut self, files: Vec<NamedBytes>, reply: Reply) {
-        self.open_files(files, Some(reply));
+    pub fn open(&mut self, files: Vec<NamedBytes>, reply: Reply) {
+        self.app.session.open_files(files, Some(reply));
     }
 
     /// Carries out a command, in the worker where it takes long.
-    pub fn script_run(&mut self, command: Value, reply: Reply) {
+    pub fn run(&mut self, command: Value, reply: Reply) {
         match Command::from_value(command) {
-            Ok(command) => self.begin(command, Some(reply)),
+            Ok(command) => self.app.session.begin(command, Some(reply)),
             Err(error) => reply(Err(error.to_string())),
         }
     }
 
     /// Writes the document in a format: its extension, or `ply-text` and `stl-text`.
-    pub fn script_export(&mut self, format: &str, reply: Reply) {
+    pub fn export(&mut self, format: &str, reply: Reply) {
         match save::coded(format) {
-            Some(format) => self.begin_export(format, reply),
+            Some(format) => self.app.session.begin_export(format, reply),
             None => {
                 let known: Vec<String> =
                     Format::ALL.into_iter().filter(|f| f.can_write()).map(save::code).collect();
@@ -47,13 +65,14 @@ impl App {
     }
 
     /// The document, selection, history, view, jobs and messages.
-    pub fn script_state(&self) -> Value {
-        let mut state = self.session.editor.state();
+    pub fn state(&self) -> Value {
+        let mut state = self.app.session.editor.state();
         let jobs: Vec<Value> = self
+            .app
             .session
             .editor
             .jobs()
-            .map(|job| json!({ "progress": self.session.jobs.fraction(job.id), "op": job.op }))
+            .map(|job| json!({ "progress": self.app.session.jobs.fraction(job.id), "op": job.op }))
             .collect();
         if let Value::Object(map) = &mut state {
             map.insert("jobs".into(), jobs.into());
@@ -63,11 +82,11 @@ impl App {
     }
 
     fn view_state(&self) -> Value {
-        let bezier = crate::bezier::active(&self.session.editor).map(|_| self.player.state());
-        let (camera, style) = (&self.view.camera, &self.view.style);
-        let rect = self.view.rect();
+        let bezier = crate::bezier::active(&self.app.session.editor).map(|_| self.app.player.state());
+        let (camera, style) = (&self.app.view.camera, &self.app.view.style);
+        let rect = self.app.view.rect();
         json!({
-            "renderer": self.device().renderer,
+            "renderer": self.app.device().renderer,
             "rect": [rect.min.x, rect.min.y, rect.width(), rect.height()],
             "target": camera.target.to_array(),
             "yaw": camera.yaw,
@@ -78,10 +97,10 @@ impl App {
             "smooth": style.smooth,
             "vertices": style.vertices,
             "grid": style.grid,
-            "list": self.shown.kind.to_string(),
-            "theme": if self.session.ctx.global_style().visuals.dark_mode { "dark" } else { "light" },
+            "list": self.app.shown.kind.to_string(),
+            "theme": if self.app.session.ctx.global_style().visuals.dark_mode { "dark" } else { "light" },
             "bezier": bezier,
-            "frame_ms": { "median": self.session.frames.median(), "worst": self.session.frames.worst() },
+            "frame_ms": { "median": self.app.session.frames.median(), "worst": self.app.session.frames.worst() },
         })
     }
 
@@ -89,22 +108,22 @@ impl App {
     ///
     /// # Errors
     /// There is no such element, or no such kind.
-    pub fn script_element(&self, kind: &str, id: u32) -> Result<Value, String> {
-        self.session.editor.element(parse_kind(kind)?, id).map_err(|error| error.to_string())
+    pub fn element(&self, kind: &str, id: u32) -> Result<Value, String> {
+        self.app.session.editor.element(parse_kind(kind)?, id).map_err(|error| error.to_string())
     }
 
     /// Selects elements of the active object in place of what is selected.
     ///
     /// # Errors
     /// An id that doesn't exist, or no such kind.
-    pub fn script_select(&mut self, kind: &str, ids: &[u32]) -> Result<(), String> {
+    pub fn select(&mut self, kind: &str, ids: &[u32]) -> Result<(), String> {
         let kind = parse_kind(kind)?;
-        self.end_preview();
-        self.session
+        self.app.end_preview();
+        self.app
+            .session
             .editor
             .select(kind, ids.iter().copied(), SelectMode::Replace)
             .map_err(|error| error.to_string())?;
-        self.follow();
         Ok(())
     }
 
@@ -112,35 +131,33 @@ impl App {
     ///
     /// # Errors
     /// A job runs on what the step would change.
-    pub fn script_undo(&mut self) -> Result<Option<String>, String> {
-        let label = self.session.editor.undo().map_err(|error| error.to_string());
-        self.follow();
+    pub fn undo(&mut self) -> Result<Option<String>, String> {
+        let label = self.app.session.editor.undo().map_err(|error| error.to_string());
         label
     }
 
-    /// Redo the last undone step; otherwise like [`App::script_undo`].
+    /// Redo the last undone step; otherwise like [`Script::undo`].
     ///
     /// # Errors
     /// A job runs on what the step would change.
-    pub fn script_redo(&mut self) -> Result<Option<String>, String> {
-        let label = self.session.editor.redo().map_err(|error| error.to_string());
-        self.follow();
+    pub fn redo(&mut self) -> Result<Option<String>, String> {
+        let label = self.app.session.editor.redo().map_err(|error| error.to_string());
         label
     }
 
     /// Cancels all jobs; gives how many there were.
-    pub fn script_cancel(&mut self) -> usize {
-        let ids: Vec<JobId> = self.session.jobs.iter().map(|job| job.id).collect();
+    pub fn cancel(&mut self) -> usize {
+        let ids: Vec<JobId> = self.app.session.jobs.iter().map(|job| job.id).collect();
         for &id in &ids {
-            self.cancel_job(id);
+            self.app.session.cancel_job(id);
         }
         ids.len()
     }
 
     /// Where a point of the scene is on the canvas, in points from its top left corner; none behind
     /// the eye.
-    pub fn script_project(&self, point: [f32; 3]) -> Option<[f32; 2]> {
-        self.view.project(point.into()).map(|at| [at.x, at.y])
+    pub fn project(&self, point: [f32; 3]) -> Option<[f32; 2]> {
+        self.app.view.project(point.into()).map(|at| [at.x, at.y])
     }
 }
 

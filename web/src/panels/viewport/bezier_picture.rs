@@ -1,6 +1,6 @@
 //! Curves, control points and the construction, drawn over the picture.
 
-use super::{ControlPoint, Drawn, Player, active};
+use crate::bezier::{self, ControlPoint, Drawn, Player, active};
 use crate::theme;
 use crate::view::View;
 use editor::{Bezier, Editor};
@@ -79,7 +79,7 @@ impl Pen<'_> {
 }
 
 /// Draws the curves of all visible objects, and the player of the active one.
-pub(crate) fn paint(ui: &Ui, rect: Rect, editor: &Editor, view: &View, player: &mut Player) {
+pub(super) fn paint(ui: &Ui, rect: Rect, editor: &Editor, view: &View, player: &mut Player) {
     if player.advance(ui.input(|input| input.stable_dt.min(0.1))) {
         ui.ctx().request_repaint();
     }
@@ -144,16 +144,16 @@ impl Pen<'_> {
         let (rows, down) = (player.controls.level.min(3), player.controls.level.saturating_sub(3));
         let construction = patch.construction(player.controls.t, player.controls.v);
         for levels in &construction.rows {
-            self.levels(levels, rows, 0, super::SURFACE_LEVELS);
+            self.levels(levels, rows, 0, bezier::SURFACE_LEVELS);
         }
         if rows == 3 {
             // The curve that the rows' results are the control points of: it runs over the surface.
             let column = Curve { points: construction.column.first().cloned().unwrap_or_default() };
-            let color = self.level_color(3, super::SURFACE_LEVELS);
+            let color = self.level_color(3, bezier::SURFACE_LEVELS);
             self.line(&column.points, Stroke::new(1.25, color));
             self.line(&column.polyline(1.0), Stroke::new(2.5, color));
         }
-        self.levels(&construction.column, down, 3, super::SURFACE_LEVELS);
+        self.levels(&construction.column, down, 3, bezier::SURFACE_LEVELS);
     }
 
     fn paint_points(&self, ui: &Ui, bezier: &Bezier) {

@@ -2,57 +2,55 @@
 
 use editor::{Begun, Command, CommandError, Finished, JobId, JobRequest, JobResult, MessageKind, OpId};
 use formats::Format;
-use halfedge::Element;
 
-use super::App;
+use super::Session;
+use super::form;
+use super::jobs::{Answer, Reply};
+use super::preview::MAX_SECONDS_PER_STEP;
+use super::sentence;
 use crate::bezier;
 use crate::input::actions::Action;
-use crate::panels::fields;
-use crate::panels::save::{FORMAT_SETTING, code};
 use crate::platform::{Fetched, NamedBytes};
-use crate::session::jobs::{Answer, Reply};
-use crate::session::preview::MAX_SECONDS_PER_STEP;
-use crate::session::sentence;
 
-/// Yaw and pitch of a view on the plane that flat curves lie in.
-const FROM_ABOVE: (f64, f64) = (0.0, 0.0);
+/// What the view is to look at, because the document is another.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Look {
+    /// Everything.
+    Document,
+    /// Flat curves, from straight above their plane, so that they are seen as they were drawn.
+    FlatCurves,
+}
 
 /// What `meshwright.cancel()` stopped.
 const CANCELLED: &str = "cancelled";
 
-impl App {
+impl Session {
     /// The document that the page opens on.
-    pub(super) fn open_first(&mut self) {
+    pub fn open_first(&mut self) {
         // The first shape can't be refused; were it, the page would open empty and say how to go on.
-        let shape = fields::initial(OpId::New.spec(), &editor::Facts::default());
-        let _ =
-            fields::command(OpId::New, &shape).and_then(|command| self.session.editor.start_with(command));
-        self.follow();
-        self.view.frame_all();
+        let shape = form::initial(OpId::New.spec(), &editor::Facts::default());
+        let _ = form::command(OpId::New, &shape).and_then(|command| self.editor.start_with(command));
+        self.look = Some(Look::Document);
     }
 
     /// Carries out a command, or says why there is none.
-    pub(super) fn begin_or_refuse(&mut self, command: Result<Command, CommandError>) {
+    pub fn begin_or_refuse(&mut self, command: Result<Command, CommandError>) {
         match command {
             Ok(command) => self.begin(command, None),
-            Err(error) => self.session.refuse(&error),
+            Err(error) => self.refuse(&error),
         }
     }
 
     /// Carries out a command, or starts its job.
-    pub(super) fn begin(&mut self, command: Command, reply: Option<Reply>) {
+    pub fn begin(&mut self, command: Command, reply: Option<Reply>) {
         let (label, is_new) = (command.op.spec().label, command.op.id() == OpId::New);
-        match self.session.editor.begin(command) {
+        match self.editor.begin(command) {
             Ok(Begun::Done(outcome)) => {
                 if is_new {
                     self.look_at_new();
                 }
                 if !outcome.warnings.is_empty() {
-                    self.session.toast(
-                        MessageKind::Warning,
-                        outcome.message.clone(),
-                        outcome.warnings.clone(),
-                    );
+                    self.toast(MessageKind::Warning, outcome.message.clone(), outcome.warnings.clone());
                 }
                 if let Some(reply) = reply {
                     reply(Ok(Answer::Outcome(outcome)));
@@ -64,65 +62,64 @@ impl App {
     }
 
     /// Opens files in place of the document, through the worker.
-    pub(super) fn open_files(&mut self, files: Vec<NamedBytes>, reply: Option<Reply>) {
+    pub fn open_files(&mut self, files: Vec<NamedBytes>, reply: Option<Reply>) {
         let label = match files.as_slice() {
             [] => return,
             [file] => format!("Open {}", file.name),
             [file, ..] => format!("Open {} and {} more", file.name, files.len() - 1),
         };
-        let request = self.session.editor.begin_import(files);
+        let request = self.editor.begin_import(files);
         self.start(&request, label, reply);
     }
 
     /// Fetches the files that the page's address asks for, and opens them together.
-    pub(super) fn fetch_wanted(&mut self) {
-        let wanted = self.session.platform.wanted();
+    pub fn fetch_wanted(&mut self) {
+        let wanted = self.platform.wanted();
         let Some(first) = wanted.first() else { return };
         let name = first.split(['?', '#']).next().and_then(|path| path.rsplit('/').next()).unwrap_or(first);
-        let id = self.session.editor.expect_import();
-        self.session.jobs.add(id, format!("Fetch {name}"), None);
-        self.session.platform.fetch(id.0, wanted);
+        let id = self.editor.expect_import();
+        self.jobs.add(id, format!("Fetch {name}"), None);
+        self.platform.fetch(id.0, wanted);
     }
 
     /// Opens what was fetched, as the rest of the same job; or says why it can't.
-    pub(super) fn fetched(&mut self, job: u64, fetched: Result<Fetched, String>) {
+    pub fn fetched(&mut self, job: u64, fetched: Result<Fetched, String>) {
         let id = JobId(job);
         match fetched {
-            Ok(Fetched { files, notes }) if self.session.jobs.iter().any(|running| running.id == id) => {
-                self.session.jobs.note(id, notes);
-                self.session.platform.start_job(job, JobRequest::import_expected(id, files).to_bytes());
+            Ok(Fetched { files, notes }) if self.jobs.iter().any(|running| running.id == id) => {
+                self.jobs.note(id, notes);
+                self.platform.start_job(job, JobRequest::import_expected(id, files).to_bytes());
             }
             Ok(_) => {}
             Err(text) => {
-                self.session.editor.cancel_job(id);
-                self.session.jobs.take(job);
-                self.session.fail(text);
+                self.editor.cancel_job(id);
+                self.jobs.take(job);
+                self.fail(text);
             }
         }
     }
 
     /// Writes the document for a script.
-    pub(super) fn begin_export(&mut self, format: Format, reply: Reply) {
-        let request = self.session.editor.begin_export(format);
+    pub fn begin_export(&mut self, format: Format, reply: Reply) {
+        let request = self.editor.begin_export(format);
         self.start(&request, format!("Write {}", format.name()), Some(reply));
     }
 
-    pub(super) fn start(&mut self, request: &JobRequest, label: String, reply: Option<Reply>) {
+    pub fn start(&mut self, request: &JobRequest, label: String, reply: Option<Reply>) {
         let id = request.id();
-        self.session.jobs.add(id, label, reply);
-        self.session.platform.start_job(id.0, request.to_bytes());
+        self.jobs.add(id, label, reply);
+        self.platform.start_job(id.0, request.to_bytes());
     }
 
     /// Takes in what came of a job.
-    pub(super) fn job_done(&mut self, job: u64, result: Result<Vec<u8>, CommandError>) {
-        let Some(running) = self.session.jobs.take(job) else { return };
+    pub fn job_done(&mut self, job: u64, result: Result<Vec<u8>, CommandError>) {
+        let Some(running) = self.jobs.take(job) else { return };
         let id = JobId(job);
         let result = result.and_then(|bytes| {
             JobResult::from_bytes(&bytes)
                 .map_err(|error| CommandError::refused(&*running.label, error.to_string()))
         });
-        let finished =
-            self.session.editor.finish(id, result.map_err(|error| with_notes(error, &running.notes)));
+        let finished = self.editor.finish(id, result.map_err(|error| with_notes(error, &running.notes)));
         self.adjustment_ended(id, finished.is_ok());
         match finished {
             Ok(Finished::Done(mut outcome)) => {
@@ -133,11 +130,11 @@ impl App {
                     if OpId::named(&outcome.op) == Some(OpId::New) {
                         self.look_at_new();
                     }
-                    self.session.toast(MessageKind::Info, outcome.message.clone(), outcome.warnings.clone());
+                    self.toast(MessageKind::Info, outcome.message.clone(), outcome.warnings.clone());
                 }
                 for note in running.notes {
-                    self.session.editor.say(MessageKind::Warning, note.clone());
-                    self.session.toast(MessageKind::Warning, note.clone(), Vec::new());
+                    self.editor.say(MessageKind::Warning, note.clone());
+                    self.toast(MessageKind::Warning, note.clone(), Vec::new());
                     outcome.warnings.push(note);
                 }
                 if let Some(reply) = running.reply {
@@ -152,34 +149,22 @@ impl App {
         }
     }
 
-    /// Looks at what was opened: flat curves from straight above their plane, so that they are seen as
-    /// they were drawn.
+    /// Looks at a shape that is the whole document; one that was added may be meant for where one looks.
+    fn look_at_new(&mut self) {
+        if self.editor.document().objects().len() == 1 {
+            self.look_at_opened();
+        }
+    }
+
     fn look_at_opened(&mut self) {
         let flat = |object: &editor::Object| {
             object.bezier().and_then(editor::Bezier::curve).is_some_and(bezier::is_flat)
         };
-        let objects = self.session.editor.document().objects();
-        let was_from_above = (self.view.camera.yaw, self.view.camera.pitch) == FROM_ABOVE;
-        if !objects.is_empty() && objects.iter().all(flat) {
-            (self.view.camera.yaw, self.view.camera.pitch) = FROM_ABOVE;
-        } else if was_from_above {
-            // What is not flat hides its depth there.
-            self.view.reset();
-        }
-        self.view.frame_when_seen();
-        if self.session.editor.mesh().is_some_and(|mesh| mesh.count(self.shown.kind) == 0) {
-            // Points without faces: what there is to point at.
-            self.shown.kind = Element::Vertex;
-        }
+        let objects = self.editor.document().objects();
+        let is_flat = !objects.is_empty() && objects.iter().all(flat);
+        self.look = Some(if is_flat { Look::FlatCurves } else { Look::Document });
         // What was offered for another document has nothing to work on here.
-        self.session.toasts.withdraw();
-    }
-
-    /// Looks at a shape that is the whole document; one that was added may be meant for where one looks.
-    fn look_at_new(&mut self) {
-        if self.session.editor.document().objects().len() == 1 {
-            self.look_at_opened();
-        }
+        self.toasts.withdraw();
     }
 
     fn say_opened(&mut self, outcome: &editor::Outcome) {
@@ -190,68 +175,67 @@ impl App {
             1 => text.push_str("; one thing was changed on the way in"),
             many => text.push_str(&format!("; {many} things were changed on the way in")),
         }
-        self.session.toast(kind, text, outcome.warnings.clone());
-        if self.session.editor.document().active().is_some_and(editor::Object::is_repairable) {
-            self.session.toasts.offer(Action::Operation(OpId::RepairImport));
+        self.toast(kind, text, outcome.warnings.clone());
+        if self.editor.document().active().is_some_and(editor::Object::is_repairable) {
+            self.toasts.offer(Action::Operation(OpId::RepairImport));
         }
     }
 
     /// Tells of a refusal, and who waits for the command.
-    pub(super) fn refused(&mut self, error: &CommandError, reply: Option<Reply>) {
+    pub fn refused(&mut self, error: &CommandError, reply: Option<Reply>) {
         match reply {
             Some(reply) => reply(Err(error.to_string())),
-            None => self.session.refuse(error),
+            None => self.refuse(error),
         }
     }
 
     /// Runs the last operation again with other fields.
-    pub(super) fn adjust(&mut self, command: Command) {
-        let started = self.session.platform.now();
+    pub fn adjust(&mut self, command: Command) {
+        let started = self.platform.now();
         let label = command.op.spec().label;
-        match self.session.editor.adjust(command) {
+        match self.editor.adjust(command) {
             Ok(Begun::Done(outcome)) => {
-                self.session.adjusting_is_slow = self.session.platform.now() - started > MAX_SECONDS_PER_STEP;
+                self.adjusting_is_slow = self.platform.now() - started > MAX_SECONDS_PER_STEP;
                 if !outcome.warnings.is_empty() {
-                    self.session.toast(MessageKind::Warning, outcome.message, outcome.warnings);
+                    self.toast(MessageKind::Warning, outcome.message, outcome.warnings);
                 }
             }
             Ok(Begun::Job(request)) => {
-                self.session.adjusting_is_slow = true;
-                self.session.adjusting = Some(request.id());
+                self.adjusting_is_slow = true;
+                self.adjusting = Some(request.id());
                 self.start(&request, label.to_owned(), None);
             }
-            Err(error) => self.session.refuse(&error),
+            Err(error) => self.refuse(&error),
         }
     }
 
     /// Brings the step back that an adjustment was to replace, where the adjustment came to nothing.
     fn adjustment_ended(&mut self, job: JobId, done: bool) {
-        if self.session.adjusting.take_if(|adjusting| *adjusting == job).is_some()
+        if self.adjusting.take_if(|adjusting| *adjusting == job).is_some()
             && !done
-            && let Err(error) = self.session.editor.redo()
+            && let Err(error) = self.editor.redo()
         {
-            self.session.refuse(&error);
+            self.refuse(&error);
         }
     }
 
     /// Forgets a job and tells who waits for it.
-    pub(super) fn cancel_job(&mut self, id: JobId) {
-        self.session.editor.cancel_job(id);
-        self.session.platform.cancel_job(id.0);
+    pub fn cancel_job(&mut self, id: JobId) {
+        self.editor.cancel_job(id);
+        self.platform.cancel_job(id.0);
         self.adjustment_ended(id, false);
-        if let Some(reply) = self.session.jobs.take(id.0).and_then(|job| job.reply) {
+        if let Some(reply) = self.jobs.take(id.0).and_then(|job| job.reply) {
             reply(Err(CANCELLED.to_owned()));
         }
     }
 
     /// Starts the job that writes the document's files.
-    pub(super) fn save(&mut self, format: Format, name: String, holds_all: bool) {
-        self.session.platform.store_setting(FORMAT_SETTING, &code(format));
-        let revision = self.session.editor.revision();
-        let request = self.session.editor.begin_export_as(format, name);
+    pub fn save(&mut self, format: Format, name: String, holds_all: bool) {
+        let revision = self.editor.revision();
+        let request = self.editor.begin_export_as(format, name);
         self.start(&request, format!("Save as {}", format.name()), None);
         if holds_all {
-            self.session.jobs.saves(request.id(), revision);
+            self.jobs.saves(request.id(), revision);
         }
     }
 
@@ -261,15 +245,15 @@ impl App {
         let text = format!("Saved {}", names.join(" and "));
         let mut details = Vec::new();
         match revision {
-            Some(revision) => self.session.editor.mark_saved(revision),
+            Some(revision) => self.editor.mark_saved(revision),
             None => details.push(
                 "The format holds less than the document does, so the document still counts as changed."
                     .to_owned(),
             ),
         }
-        self.session.editor.say(MessageKind::Info, text.clone());
-        self.session.toast(MessageKind::Info, text, details);
-        self.session.platform.download(files);
+        self.editor.say(MessageKind::Info, text.clone());
+        self.toast(MessageKind::Info, text, details);
+        self.platform.download(files);
     }
 }
 

@@ -1,0 +1,298 @@
+//! What the pointer does in the viewport: turn, move, come closer, select, drag vertices.
+
+use editor::SelectMode;
+use editor::ops::{SetVertexPosition, Transform, VertexRef};
+use egui::{CursorIcon, PointerButton, Pos2, Rect, Response, Ui};
+use glam::{Vec3, vec2};
+use halfedge::Element;
+use viewport::{BoxSelection, ScreenRect};
+
+use super::Viewport;
+use super::control_points;
+use crate::bezier::ControlPoint;
+use crate::request::{Request, Requests};
+use crate::view::{FACES_PER_FRAME, Gesture, Tool};
+
+/// How far from a vertex or an edge the pointer may be to mean it, in points.
+const PICK_RADIUS_POINTS: f32 = 8.0;
+
+impl Viewport<'_> {
+    pub(super) fn gestures(&mut self, ui: &Ui, response: &Response, out: &mut Requests) {
+        let touches = ui.input(|input| input.multi_touch());
+        let pointer = response.interact_pointer_pos();
+        if let Some(touch) = touches.filter(|_| response.dragged() || response.contains_pointer()) {
+            // Two fingers: whatever one finger had begun is over.
+            self.end_gesture(None, out);
+            self.view.gesture = Gesture::Ended;
+            let size = self.view.size();
+            let by = touch.translation_delta;
+            self.view.camera.pan(vec2(by.x, by.y), size);
+            let center = self.view.local(touch.center_pos);
+            self.view.camera.zoom(f64::from(touch.zoom_delta), center, size);
+            return;
+        }
+        if response.drag_started() {
+            let from = ui.input(|input| input.pointer.press_origin()).or(pointer);
+            if let Some(from) = from {
+                self.start_gesture(ui, response, from);
+            }
+        }
+        if response.dragged() {
+            self.continue_gesture(ui, response, pointer, out);
+        }
+        if response.drag_stopped() {
+            self.end_gesture(pointer.map(|at| (at, ui.input(|input| input.modifiers.shift))), out);
+        }
+        self.continue_box(ui, out);
+        self.wheel(ui, response);
+        self.hover(ui, response);
+        if self.session.live.is_some() && !response.is_pointer_button_down_on() {
+            out.push(Request::LivePointer(response.hover_pos()));
+        }
+        if response.clicked() && self.session.live.is_some() {
+            out.push(Request::EndLive { commit: true });
+        } else if response.clicked()
+            && let Some(at) = pointer
+        {
+            self.click(ui, at, out);
+        }
+        if response.double_clicked()
+            && let Some(at) = pointer
+            && self.control_point_at(at).is_none()
+            && let Some(insert) = control_points::add_control_point_at(&self.session.editor, self.view, at)
+        {
+            out.push(Request::InsertControlPoint(insert));
+        }
+        if response.secondary_clicked()
+            && let Some(at) = pointer
+            && let Some(id) = self.pick(at)
+            && !self.session.editor.selection().contains(self.shown.kind, id)
+        {
+            out.select(self.shown.kind, [id], SelectMode::Replace);
+        }
+    }
+
+    fn start_gesture(&mut self, ui: &Ui, response: &Response, from: Pos2) {
+        let modifiers = ui.input(|input| input.modifiers);
+        let primary = response.dragged_by(PointerButton::Primary);
+        self.view.gesture = if response.dragged_by(PointerButton::Secondary)
+            || (primary && modifiers.shift && self.view.tool == Tool::Orbit)
+        {
+            Gesture::Pan
+        } else if !primary || modifiers.alt {
+            Gesture::Orbit
+        } else if modifiers.command || self.view.tool == Tool::Box {
+            Gesture::Box { from }
+        } else if let Some((point, anchor)) = self.control_point_at(from) {
+            self.player.controls.choose(Some(point));
+            Gesture::Control { point, from, anchor }
+        } else {
+            match self.movable(from) {
+                Some(anchor) => Gesture::Move { from, anchor },
+                None => Gesture::Orbit,
+            }
+        };
+    }
+
+    /// Where the selected vertex under the pointer is: dragging it moves what is selected.
+    fn movable(&mut self, at: Pos2) -> Option<Vec3> {
+        let selection = self.session.editor.selection();
+        if self.session.live.is_some()
+            || self.shown.kind != Element::Vertex
+            || selection.kind() != Element::Vertex
+            || selection.is_empty()
+        {
+            return None;
+        }
+        let id = self.pick(at)?;
+        let mesh = self.session.editor.mesh()?;
+        self.session
+            .editor
+            .selection()
+            .contains(Element::Vertex, id)
+            .then(|| mesh.vertex(id).map(|v| mesh.position(v)))?
+    }
+
+    fn continue_gesture(&mut self, ui: &Ui, response: &Response, pointer: Option<Pos2>, out: &mut Requests) {
+        let size = self.view.size();
+        let by = vec2(response.drag_delta().x, response.drag_delta().y);
+        match (&self.view.gesture, pointer) {
+            (Gesture::Orbit, _) => {
+                self.view.camera.orbit(by, size);
+                ui.ctx().set_cursor_icon(CursorIcon::Grabbing);
+            }
+            (Gesture::Pan, _) => {
+                self.view.camera.pan(by, size);
+                ui.ctx().set_cursor_icon(CursorIcon::Move);
+            }
+            (&Gesture::Control { point, from, anchor }, Some(at))
+                if response.drag_delta() != egui::Vec2::ZERO =>
+            {
+                let to = control_points::dragged_to(&self.session.editor, self.view, anchor, from, at);
+                if to.is_finite() {
+                    out.update_edit(control_points::moved(point, to));
+                }
+            }
+            // A hand that holds still changes nothing.
+            (&Gesture::Move { from, anchor }, Some(at)) if response.drag_delta() != egui::Vec2::ZERO => {
+                let delta = vec2(at.x - from.x, at.y - from.y);
+                let to = self.view.camera.drag(anchor, delta, size);
+                if to.is_finite() {
+                    self.move_selected(to, to - anchor, out);
+                }
+            }
+            _ => {}
+        }
+    }
+
+    /// Previews the selected vertices moved along with the one under the pointer.
+    fn move_selected(&self, to: Vec3, by: Vec3, out: &mut Requests) {
+        let selection = self.session.editor.selection();
+        match (selection.len(), selection.latest()) {
+            (1, Some(id)) => {
+                out.update_edit(SetVertexPosition { vertex: Some(VertexRef(id)), position: to.to_array() });
+            }
+            _ => {
+                let vertices = selection.ids().map(VertexRef).collect();
+                let translate = by.to_array();
+                out.update_edit(Transform { vertices: Some(vertices), translate, ..Transform::default() });
+            }
+        }
+    }
+
+    /// Ends the drag, at a place with or without shift, or without a trace.
+    fn end_gesture(&mut self, at: Option<(Pos2, bool)>, out: &mut Requests) {
+        match (std::mem::replace(&mut self.view.gesture, Gesture::None), at) {
+            (Gesture::Move { .. } | Gesture::Control { .. }, Some(_)) => out.push(Request::CommitEdit),
+            (Gesture::Move { .. } | Gesture::Control { .. }, None) => out.push(Request::CancelEdit),
+            (Gesture::Box { from }, Some((to, extend))) => {
+                self.start_box(Rect::from_two_pos(from, to), extend);
+            }
+            _ => {}
+        }
+    }
+
+    fn wheel(&mut self, ui: &Ui, response: &Response) {
+        if !response.contains_pointer() {
+            return;
+        }
+        let Some(at) = ui.input(|input| input.pointer.hover_pos()) else { return };
+        let (scroll, zoom) =
+            ui.input_mut(|input| (std::mem::take(&mut input.smooth_scroll_delta), input.zoom_delta()));
+        let factor = f64::from(zoom) * (f64::from(scroll.y) / 240.0).exp();
+        if factor != 1.0 {
+            let (local, size) = (self.view.local(at), self.view.size());
+            self.view.camera.zoom(factor, local, size);
+        }
+    }
+
+    /// Looks what is under the pointer, when the pointer or the view moved.
+    fn hover(&mut self, ui: &Ui, response: &Response) {
+        // A live edit's pointer gives an amount and points at nothing.
+        let going = self.view.gesture != Gesture::None || self.session.live.is_some();
+        let at = response.hover_pos().filter(|_| !going && !response.is_pointer_button_down_on());
+        let Some(at) = at else {
+            if !going || self.session.live.is_some() {
+                self.view.hovered = None;
+                self.player.hovered = None;
+                self.view.looked = None;
+            }
+            return;
+        };
+        let look = (at, self.view.camera, self.shown.kind);
+        if self.view.looked == Some(look) {
+            return;
+        }
+        let active = self.session.editor.document().active().filter(|object| object.visible());
+        if active.is_some_and(|object| !self.view.build_tree_step(object)) {
+            // Looked at again in the next frame, with more of the tree.
+            ui.ctx().request_repaint();
+            return;
+        }
+        self.view.looked = Some(look);
+        self.player.hovered = self.control_point_at(at).map(|(point, _)| point);
+        self.view.hovered = match self.player.hovered {
+            Some(_) => None,
+            None => self.pick(at).map(|id| (self.shown.kind, id)),
+        };
+        if (self.view.hovered.is_some() || self.player.hovered.is_some()) && self.view.tool == Tool::Orbit {
+            ui.ctx().set_cursor_icon(CursorIcon::PointingHand);
+        }
+    }
+
+    fn control_point_at(&self, at: Pos2) -> Option<(ControlPoint, Vec3)> {
+        control_points::control_point_at(&self.session.editor, self.view, self.player, at)
+    }
+
+    /// The element of the listed kind at a place on the page.
+    fn pick(&mut self, at: Pos2) -> Option<u32> {
+        let object = self.session.editor.document().active().filter(|object| object.visible())?;
+        let (camera, local, size) = (self.view.camera, self.view.local(at), self.view.size());
+        let mesh = object.mesh();
+        let tree = self.view.tree(object);
+        viewport::pick(mesh, tree, &camera, size, local, self.shown.kind, PICK_RADIUS_POINTS)
+            .map(|picked| picked.id)
+    }
+
+    /// Begins to select the visible elements of the listed kind in a box of the page.
+    fn start_box(&mut self, area: Rect, extend: bool) {
+        let Some(object) = self.session.editor.document().active().filter(|object| object.visible()) else {
+            return;
+        };
+        let rect = ScreenRect::between(self.view.local(area.min), self.view.local(area.max));
+        let (camera, size) = (self.view.camera, self.view.size());
+        let found = BoxSelection::new(&camera, size, rect, self.shown.kind, true);
+        self.view.boxed = Some((object.id(), found, extend));
+    }
+
+    /// Looks what else is in the box: of a small mesh all of it, else some elements in each frame.
+    fn continue_box(&mut self, ui: &Ui, out: &mut Requests) {
+        let Some((id, mut boxed, extend)) = self.view.boxed.take() else { return };
+        let Some(object) = self.session.editor.document().active().filter(|object| object.id() == id) else {
+            return;
+        };
+        let mesh = object.mesh();
+        let small = mesh.face_count().max(mesh.vertex_count()) <= FACES_PER_FRAME;
+        let found = match self.view.build_tree_step(object) {
+            true if small => Some(boxed.finish(mesh, self.view.tree(object))),
+            true => boxed.step(mesh, self.view.tree(object), FACES_PER_FRAME),
+            false => None,
+        };
+        match found {
+            Some(ids) => {
+                let mode = if extend { SelectMode::Extend } else { SelectMode::Replace };
+                out.select(boxed.kind(), ids, mode);
+            }
+            None => {
+                self.view.boxed = Some((id, boxed, extend));
+                ui.ctx().set_cursor_icon(CursorIcon::Progress);
+                ui.ctx().request_repaint();
+            }
+        }
+    }
+
+    fn click(&mut self, ui: &Ui, at: Pos2, out: &mut Requests) {
+        let modifiers = ui.input(|input| input.modifiers);
+        let kind = self.shown.kind;
+        let point = self.control_point_at(at).map(|(point, _)| point);
+        self.player.controls.choose(point);
+        if point.is_some() {
+            return;
+        }
+        match self.pick(at) {
+            Some(id) => {
+                let mode = if modifiers.command {
+                    SelectMode::Toggle
+                } else if modifiers.shift {
+                    SelectMode::Extend
+                } else {
+                    SelectMode::Replace
+                };
+                out.select(kind, [id], mode);
+            }
+            // With a modifier held, a near miss should not throw the selection away.
+            None if !modifiers.command && !modifiers.shift => out.push(Request::Deselect),
+            None => {}
+        }
+    }
+}

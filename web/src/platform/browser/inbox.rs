@@ -1,0 +1,39 @@
+//! What happens outside frames, kept until the page polls it.
+
+use std::cell::RefCell;
+use std::rc::Rc;
+
+use wasm_bindgen::JsValue;
+
+use crate::platform::Event;
+
+/// Events that have not been polled yet. Whoever adds one wakes the page.
+#[derive(Clone)]
+pub(crate) struct Inbox {
+    events: Rc<RefCell<Vec<Event>>>,
+    ctx: egui::Context,
+}
+
+impl Inbox {
+    pub(super) fn new(ctx: &egui::Context) -> Self {
+        Self { events: Rc::default(), ctx: ctx.clone() }
+    }
+
+    pub(crate) fn push(&self, event: Event) {
+        self.events.borrow_mut().push(event);
+        self.ctx.request_repaint();
+    }
+
+    pub(super) fn take(&self) -> Vec<Event> {
+        std::mem::take(&mut *self.events.borrow_mut())
+    }
+}
+
+/// An exception's message, or whatever was thrown in its place.
+pub(crate) fn describe(error: &JsValue) -> String {
+    use wasm_bindgen::JsCast;
+    if let Some(error) = error.dyn_ref::<js_sys::Error>() {
+        return error.message().into();
+    }
+    error.as_string().unwrap_or_else(|| format!("{error:?}"))
+}

@@ -1,0 +1,42 @@
+//! What is filled in in the form of an operation, and the command it makes.
+
+use editor::ops::{Facts, Field, Fill};
+use editor::{Command, CommandError, OpId, Spec};
+use serde_json::{Map, Value};
+
+/// The values that a person filled in, by the fields' names. A field that is not in it is left out of
+/// the command.
+pub type Filled = Map<String, Value>;
+
+/// The values that a form starts with. Fields that the selection gives, and those that are not set,
+/// stay out; of alternatives the first is in.
+pub fn initial(spec: &Spec, facts: &Facts) -> Filled {
+    let mut filled = Filled::new();
+    for field in spec.fields {
+        let is_shown = matches!(field.fill, Fill::Required | Fill::Value(_));
+        if is_shown && field.alternative.is_none_or(|title| chosen(spec, title, &filled).is_none()) {
+            filled.insert(field.name.to_owned(), field.initial_value(facts));
+        }
+    }
+    filled
+}
+
+/// The command that a form makes.
+pub fn command(id: OpId, filled: &Filled) -> Result<Command, CommandError> {
+    Command::from_fields(id, filled.clone())
+}
+
+/// Whether any field of a form is about the size of the mesh, which has to be measured.
+pub fn needs_measures(spec: &Spec) -> bool {
+    use editor::ops::Suggestion::{MeanEdge, OfDiagonal};
+    spec.fields.iter().any(|field| matches!(field.suggestion, MeanEdge | OfDiagonal(_)))
+}
+
+/// The alternative of this title that is filled in.
+pub fn chosen(spec: &Spec, title: &str, filled: &Filled) -> Option<&'static Field> {
+    alternatives(spec, title).find(|field| filled.contains_key(field.name))
+}
+
+pub fn alternatives<'a>(spec: &Spec, title: &'a str) -> impl Iterator<Item = &'static Field> + use<'a> {
+    spec.fields.iter().filter(move |field| field.alternative == Some(title))
+}
