@@ -1,12 +1,12 @@
-//! The half-edge mesh: ids, connectivity, attributes, traversal, building, validation, undo and
-//! local edits.
+//! The half-edge mesh: ids, connectivity, attributes, traversal, building, validation, undo, local edits and
+//! shared geometry.
 //!
-//! # The half-edge interface that courses teach, under our names
+//! # The half-edge interface that courses teach, and its names here
 //!
-//! Boundary half-edges are stored and form loops of their own, so a vertex has as many half-edges
-//! leaving it as it has edges, on the boundary too.
+//! Boundary half-edges are stored and form loops of their own, so that a vertex on the boundary too has as
+//! many half-edges leaving it as it has edges.
 //!
-//! | asked for | ours |
+//! | taught | here |
 //! |---|---|
 //! | vertex: dimension | 3, always |
 //! | vertex: k-th coordinate | [`Mesh::position`]`(v)[k]` |
@@ -52,6 +52,6 @@ pub use mesh::{
     Touched, VertexId,
 };
 
-/// Told how much of a long operation is done (0 to 1), answers whether to go on. `Break` makes the
-/// operation stop with its input untouched.
+/// Receives the progress of a long operation, from 0 to 1, and returns whether to continue. After `Break` the
+/// operation stops and leaves its input unchanged.
 pub type Progress<'a> = dyn FnMut(f32) -> std::ops::ControlFlow<()> + 'a;

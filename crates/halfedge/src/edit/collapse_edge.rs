@@ -179,8 +179,7 @@ fn blend_corners(mesh: &mut Mesh, edge: EdgeId, t: f32) {
         for (end, v) in [a, b].into_iter().enumerate() {
             for corner in mesh.outgoing(v).filter(|&h| mesh.face_of(h).is_some()) {
                 let Some(own) = values.get(corner.index()) else { continue };
-                let agrees =
-                    |pair: &&[HalfedgeId; 2]| values.get(pair[end].index()).is_some_and(|x| x.same(own));
+                let agrees = |pair: &&[HalfedgeId; 2]| values.get(pair[end].index()) == Some(own);
                 let Some(&[at_a, at_b]) = beside.iter().find(agrees) else { continue };
                 if let (Some(x), Some(y)) = (values.get(at_a.index()), values.get(at_b.index())) {
                     writes.push((corner, mix(x, y, t)));

@@ -30,7 +30,7 @@ pub struct PointMerger<'a> {
     into: Vec<u32>,
 }
 
-/// What [`PointMerger`] decided.
+/// The result of a [`PointMerger`].
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct MergedPoints {
     /// The points that stay, in ascending order.

@@ -1,4 +1,4 @@
-//! Geometry that several parts share: each piece is written once.
+//! Geometry and sets that several parts share.
 
 mod area_vector;
 mod bit_set;

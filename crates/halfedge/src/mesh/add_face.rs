@@ -1,30 +1,30 @@
-//! Growing a mesh face by face, under ids of our own or of the caller's.
+//! Adding faces one by one, with the mesh's own ids or with the caller's.
 //!
-//! While faces are added in any order, a vertex may for a time be where several fans of faces
-//! touch (each fan's boundary leads to the next one's, so that turning round the vertex still
-//! meets all of them). [`GivenIds::finish`] separates those that stayed so.
+//! While faces are added in any order, several fans of faces may meet at a vertex for a time. Each fan's
+//! boundary then leads to the next one's, so that a walk around the vertex still reaches all of them.
+//! [`GivenIds::finish`] separates the fans that are left.
 
 use crate::mesh::Mesh;
-use crate::mesh::repair::Note;
+use crate::mesh::note::Note;
 use crate::{FaceId, HalfedgeId, VertexId};
 use glam::Vec3;
 use std::collections::HashMap;
 use std::fmt;
 
-/// Why a face can't be added. The mesh is as it was.
+/// Why a face can't be added. The mesh is unchanged.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum AddFaceError {
-    /// Fewer than three corners.
+    /// It has fewer than three corners.
     TooFewCorners(usize),
-    /// A vertex is at two corners.
+    /// A vertex is at two of its corners.
     RepeatedVertex(u32),
     /// There is no such vertex.
     NoSuchVertex(u32),
-    /// The face would run along a half-edge that has a face already.
+    /// One of its half-edges has a face already.
     SideTaken(u32, u32),
-    /// All faces round this vertex are there already.
+    /// There are faces all around this vertex already.
     VertexClosed(u32),
-    /// The faces at this vertex can't be brought into an order that has room for the new one.
+    /// The faces at this vertex leave no room for the new one, in whatever order.
     NoRoom(u32),
     /// The id is in use.
     IdTaken(u32),
@@ -37,7 +37,7 @@ impl fmt::Display for AddFaceError {
             Self::RepeatedVertex(v) => write!(f, "vertex {v} is at two corners of the face"),
             Self::NoSuchVertex(v) => write!(f, "there is no vertex {v}"),
             Self::SideTaken(a, b) => write!(f, "a face already runs from vertex {a} to vertex {b}"),
-            Self::VertexClosed(v) => write!(f, "vertex {v} has faces all round already"),
+            Self::VertexClosed(v) => write!(f, "vertex {v} has faces all around it already"),
             Self::NoRoom(v) => write!(f, "the faces at vertex {v} leave no room for another there"),
             Self::IdTaken(id) => write!(f, "the id {id} is in use"),
         }
@@ -47,11 +47,11 @@ impl fmt::Display for AddFaceError {
 impl std::error::Error for AddFaceError {}
 
 impl Mesh {
-    /// Adds a face with these corners, counter-clockwise seen from outside, and the edges it needs.
-    /// The boundary-first rule is kept. Costs O(corners * valence).
+    /// Adds a face with these corners, counter-clockwise as seen from outside, and the edges it needs. Costs
+    /// O(corners * valence).
     ///
     /// # Errors
-    /// [`AddFaceError`], with vertices by their number; the mesh is as it was.
+    /// [`AddFaceError`], which names vertices by their number; the mesh is unchanged.
     pub fn add_polygon(&mut self, corners: &[VertexId]) -> Result<FaceId, AddFaceError> {
         let n = corners.len();
         if n < 3 {
@@ -78,16 +78,15 @@ impl Mesh {
                 return Err(AddFaceError::SideTaken(side(i).0.raw(), side(i).1.raw()));
             }
         }
-        // All links are read from the mesh as it is and written at the end.
+        // All links are read first and written at the end.
         let mut links = Vec::with_capacity(3 * n);
         for i in 0..n {
             let (Some(into), Some(out)) = (found[i], found[(i + 1) % n]) else { continue };
             if self.next(into) == out {
                 continue;
             }
-            // Other fans of faces stand between `into` and `out`: move them to the gap behind
-            // `out`'s own fan. Where that fan leads back to `into`, filling the gap between them
-            // would close the vertex and leave the others no place.
+            // Other fans of faces lie between `into` and `out`: they move to the gap behind `out`'s own fan. If
+            // that fan leads back to `into`, the face would close the vertex and leave no room for the others.
             let v = self.to(into);
             let gap = self
                 .turn_from(out)
@@ -133,7 +132,7 @@ impl Mesh {
     }
 }
 
-/// A mesh whose vertices and cells (faces) have the caller's integer ids, with gaps if they like.
+/// A mesh whose vertices and cells (faces) have ids given by the caller, which may have gaps.
 #[derive(Clone, Debug, Default)]
 pub struct GivenIds {
     mesh: Mesh,
@@ -149,7 +148,7 @@ impl GivenIds {
         Self::default()
     }
 
-    /// The mesh so far, in our ids.
+    /// The mesh so far, with its own ids.
     pub fn mesh(&self) -> &Mesh {
         &self.mesh
     }
@@ -176,8 +175,7 @@ impl GivenIds {
         Ok(v)
     }
 
-    /// Adds a cell with this id and these corners, and the vertices and edges it needs that are
-    /// not there yet.
+    /// Adds a cell with this id and these corners, and the missing vertices and edges it needs.
     pub fn add_cell(&mut self, id: u32, corners: &[u32]) -> Result<FaceId, AddFaceError> {
         if self.cells.contains_key(&id) {
             return Err(AddFaceError::IdTaken(id));
@@ -220,22 +218,22 @@ impl GivenIds {
         Ok(())
     }
 
-    /// Our vertex for a given id.
+    /// The mesh's vertex for a given id.
     pub fn vertex(&self, id: u32) -> Option<VertexId> {
         self.vertices.get(&id).copied()
     }
 
-    /// Our face for a given cell id.
+    /// The mesh's face for a given cell id.
     pub fn cell(&self, id: u32) -> Option<FaceId> {
         self.cells.get(&id).copied()
     }
 
-    /// The given ids of all vertices, in the order they were added.
+    /// The given ids of all vertices, in the order in which they were added.
     pub fn vertex_ids(&self) -> &[u32] {
         &self.vertex_ids
     }
 
-    /// The given ids of all cells, in the order they were added.
+    /// The given ids of all cells, in the order in which they were added.
     pub fn cell_ids(&self) -> &[u32] {
         &self.cell_ids
     }
@@ -250,15 +248,15 @@ impl GivenIds {
         self.cell_ids.iter().copied().max()
     }
 
-    /// The finished mesh. Where fans of faces touch at a vertex without sharing an edge, each but
-    /// the first gets a vertex of its own at the end, and a note says so.
+    /// The finished mesh. Where fans of faces meet at a vertex without sharing an edge, each but the first gets a
+    /// copy of the vertex at the end, which a note says.
     pub fn finish(self) -> (Mesh, Vec<Note>) {
         if self.mesh.validate().is_ok() {
             return (self.mesh, Vec::new());
         }
         match Mesh::build(self.mesh.to_soup()) {
             Ok(built) => (built.mesh, built.notes),
-            // Only a mesh larger than ids can number, which this one would have hit while growing.
+            // Impossible: ids would have run out while faces were added.
             Err(_) => (self.mesh, Vec::new()),
         }
     }

@@ -1,33 +1,31 @@
-//! Polygon soup to mesh, in time linear in the number of corners.
+//! Building a mesh from a polygon soup, in time linear in the number of corners.
 //!
-//! Input that is an oriented manifold takes one pass: the edges met so far are kept in a list per
-//! smaller end vertex, so finding a face's neighbour looks at the few edges of one vertex. At the
-//! first sign of anything else (an edge used twice in one direction, a corner that repeats) the
-//! build starts over through [`repair`], which turns any soup into one that is.
+//! Input that is an oriented manifold takes one pass: the edges found so far are kept in a list for each
+//! smaller end vertex, so that finding a face's neighbour tests the few edges of one vertex. At the first
+//! sign of anything else (an edge used twice in one direction, a repeated corner) the build starts over
+//! with [`repair`], which turns any soup into an oriented manifold.
 
-use crate::geometry::BitSet;
-use crate::mesh::repair::{self, Note, NoteKind};
-use crate::mesh::soup::PolygonSoup;
-use crate::mesh::{Mesh, RawMesh};
+use crate::mesh::assembly::Assembly;
+use crate::mesh::{Mesh, Note, NoteKind, PolygonSoup, repair};
 use crate::{Element, NONE};
 use glam::Vec3;
 use std::fmt;
 
-/// A mesh made from a soup, and what had to be changed to make it one.
+/// A mesh built from a soup, with notes of what had to be changed.
 #[derive(Debug)]
 pub struct Built {
-    /// The mesh: compact, valid, faces in the soup's order, first corners first.
+    /// The mesh: compact and valid, with the faces and their first corners in the soup's order.
     pub mesh: Mesh,
-    /// What was changed, one note for each kind of change; empty for an oriented manifold.
+    /// One note for each kind of change; none for an oriented manifold.
     pub notes: Vec<Note>,
-    /// The soup's face that each face of the mesh comes from.
+    /// Per face of the mesh, the soup's face that it comes from.
     pub face_source: Vec<u32>,
 }
 
 /// The soup has more corners than ids can number.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct TooLarge {
-    /// How many corners the soup has.
+    /// The number of the soup's corners.
     pub corners: usize,
 }
 
@@ -39,198 +37,13 @@ impl fmt::Display for TooLarge {
 
 impl std::error::Error for TooLarge {}
 
-/// Faces whose sides are known to match: what both the quick way and the repair end in.
-pub(crate) struct Assembly {
-    /// `prev` and, for faces' half-edges, `next`.
-    pub next: Vec<u32>,
-    pub prev: Vec<u32>,
-    pub to: Vec<u32>,
-    pub face: Vec<u32>,
-    pub face_halfedge: Vec<u32>,
-    /// The half-edge made for each corner.
-    pub corner_halfedge: Vec<u32>,
-}
-
-impl Assembly {
-    pub(crate) fn with_capacity(faces: usize, corners: usize) -> Self {
-        // A closed mesh has half as many edges as corners; boundaries add a few.
-        let halfedges = corners + corners / 16 + 16;
-        Self {
-            next: Vec::with_capacity(halfedges),
-            prev: Vec::with_capacity(halfedges),
-            to: Vec::with_capacity(halfedges),
-            face: Vec::with_capacity(halfedges),
-            face_halfedge: Vec::with_capacity(faces),
-            corner_halfedge: Vec::with_capacity(corners),
-        }
-    }
-
-    /// A new edge whose even side goes `from` -> `to`; gives that side.
-    #[inline]
-    pub(crate) fn push_edge(&mut self, from: u32, to: u32) -> u32 {
-        let h = self.to.len() as u32;
-        self.to.push(to);
-        self.to.push(from);
-        self.face.push(NONE);
-        self.face.push(NONE);
-        self.next.push(NONE);
-        self.next.push(NONE);
-        self.prev.push(NONE);
-        self.prev.push(NONE);
-        h
-    }
-
-    #[inline]
-    pub(crate) fn link(&mut self, h: u32, next: u32) {
-        self.next[h as usize] = next;
-        self.prev[next as usize] = h;
-    }
-
-    /// Links the sides pushed to `corner_halfedge` since the last face into a face.
-    #[inline]
-    pub(crate) fn close_face(&mut self, first_corner: usize) {
-        let f = self.face_halfedge.len() as u32;
-        let first = self.corner_halfedge[first_corner];
-        let mut before = self.corner_halfedge[self.corner_halfedge.len() - 1];
-        for corner in first_corner..self.corner_halfedge.len() {
-            let h = self.corner_halfedge[corner];
-            self.face[h as usize] = f;
-            self.link(before, h);
-            before = h;
-        }
-        self.face_halfedge.push(first);
-    }
-
-    /// Links boundary loops, gives each vertex its half-edge, and gives each further fan of faces
-    /// at a vertex a vertex of its own at the end, whose sources are returned.
-    fn finish(mut self, positions: Vec<Vec3>) -> (RawMesh, Vec<u32>, Vec<u32>) {
-        let halfedges = self.to.len();
-        for h in 0..halfedges as u32 {
-            if self.face[h as usize] != NONE {
-                continue;
-            }
-            // Turn round the vertex `h` points to, over its faces, to the next side without one.
-            let mut out = h ^ 1;
-            loop {
-                out = self.prev[out as usize] ^ 1;
-                if self.face[out as usize] == NONE {
-                    break;
-                }
-            }
-            self.link(h, out);
-        }
-        let (vertex_halfedge, several_fans) = self.first_fans(positions.len());
-        let mut positions = positions;
-        let mut vertex_halfedge = vertex_halfedge;
-        let split = self.separate_fans(&several_fans, &mut positions, &mut vertex_halfedge);
-        let raw = RawMesh {
-            positions,
-            vertex_halfedge,
-            next: self.next,
-            prev: self.prev,
-            to: self.to,
-            face: self.face,
-            face_halfedge: self.face_halfedge,
-            columns: Default::default(),
-        };
-        (raw, split, self.corner_halfedge)
-    }
-
-    /// For each vertex a half-edge that leaves it, a boundary one of its first fan if there is one;
-    /// and the vertices with further fans.
-    fn first_fans(&self, vertices: usize) -> (Vec<u32>, BitSet) {
-        let mut halfedge = vec![NONE; vertices];
-        let mut leaving = vec![0u32; vertices];
-        for (edge, ends) in self.to.as_chunks::<2>().0.iter().enumerate() {
-            for (side, from) in [(0, ends[1] as usize), (1, ends[0] as usize)] {
-                leaving[from] += 1;
-                if halfedge[from] == NONE {
-                    halfedge[from] = (edge * 2 + side) as u32;
-                }
-            }
-        }
-        let mut several = BitSet::default();
-        for (v, first) in halfedge.iter_mut().enumerate() {
-            let start = *first;
-            if start == NONE {
-                continue;
-            }
-            let mut out = start;
-            let mut met = 0;
-            loop {
-                met += 1;
-                if self.face[out as usize] == NONE {
-                    *first = out;
-                }
-                out = self.next[out as usize ^ 1];
-                if out == start {
-                    break;
-                }
-            }
-            if met < leaving[v] {
-                several.insert(v);
-            }
-        }
-        (halfedge, several)
-    }
-
-    /// Gives every fan but the first of these vertices a copy of its own, in order of the fans'
-    /// first half-edges; returns the vertex that each copy is of.
-    fn separate_fans(
-        &mut self,
-        several: &BitSet,
-        positions: &mut Vec<Vec3>,
-        vertex_halfedge: &mut Vec<u32>,
-    ) -> Vec<u32> {
-        let mut split = Vec::new();
-        if several.is_empty() {
-            return split;
-        }
-        let mut seen = BitSet::default();
-        let mut has_first = BitSet::default();
-        for h in 0..self.to.len() as u32 {
-            let v = self.to[h as usize ^ 1];
-            if seen.contains(h as usize) || !several.contains(v as usize) {
-                continue;
-            }
-            let mut first = h;
-            let mut out = h;
-            loop {
-                seen.insert(out as usize);
-                if self.face[out as usize] == NONE {
-                    first = out;
-                }
-                out = self.next[out as usize ^ 1];
-                if out == h {
-                    break;
-                }
-            }
-            if !has_first.contains(v as usize) {
-                has_first.insert(v as usize);
-                continue;
-            }
-            let copy = positions.len() as u32;
-            positions.push(positions[v as usize]);
-            vertex_halfedge.push(first);
-            split.push(v);
-            loop {
-                self.to[out as usize ^ 1] = copy;
-                out = self.next[out as usize ^ 1];
-                if out == h {
-                    break;
-                }
-            }
-        }
-        split
-    }
-}
-
 impl Mesh {
-    /// Builds a mesh from a soup. Vertex numbers are kept; vertices that had to be separated are
-    /// at the end. Never fails on bad geometry: what doesn't fit a manifold is repaired and noted.
+    /// Builds a mesh from a soup. Vertices keep their numbers; copies of vertices that had to be separated are
+    /// at the end. Bad geometry is no error: what doesn't form a manifold is repaired and noted. Costs
+    /// O(corners).
     ///
     /// # Errors
-    /// [`TooLarge`] when ids would run out.
+    /// [`TooLarge`] if ids run out.
     pub fn build(soup: PolygonSoup) -> Result<Built, TooLarge> {
         if soup.corners.len() > Self::MAX_EDGES || soup.positions.len() >= NONE as usize {
             return Err(TooLarge { corners: soup.corners.len() });
@@ -245,7 +58,7 @@ impl Mesh {
             }
             notes.push(Note::new(NoteKind::PositionNotFinite, bad));
         }
-        let (assembly, corner_source, face_source) = match quick(&soup) {
+        let (assembly, corner_source, face_source) = match assemble_manifold(&soup) {
             Some(assembly) => (assembly, None, (0..soup.face_count() as u32).collect()),
             None => {
                 let repaired = repair::assemble(&soup);
@@ -283,8 +96,8 @@ impl Mesh {
         Ok(Built { mesh, notes, face_source })
     }
 
-    /// The soup of a mesh: its positions and faces with their attributes, vertices in order of id.
-    /// Ids must have no gaps; a mesh that has some is compacted first.
+    /// The soup of a mesh: its positions and faces with their attributes, vertices in order of id, without gaps
+    /// in the ids.
     pub fn to_soup(&self) -> PolygonSoup {
         if !self.is_compact() {
             return self.compacted().0.to_soup();
@@ -312,11 +125,10 @@ impl Mesh {
     }
 }
 
-/// The build for input that is an oriented manifold but for vertices with several fans; none for
-/// any other.
-fn quick(soup: &PolygonSoup) -> Option<Assembly> {
+/// Assembles input that is an oriented manifold, except for vertices with several fans; none for any other.
+fn assemble_manifold(soup: &PolygonSoup) -> Option<Assembly> {
     let vertices = soup.positions.len();
-    // A vertex number and one bit share a word below.
+    // Below, a vertex number and one bit share a word.
     if vertices > (NONE >> 1) as usize {
         return None;
     }
@@ -325,13 +137,13 @@ fn quick(soup: &PolygonSoup) -> Option<Assembly> {
     let mut to: Vec<u32> = Vec::with_capacity(edges * 2);
     let mut face_of: Vec<u32> = Vec::with_capacity(edges * 2);
     let mut corner_halfedge: Vec<u32> = Vec::with_capacity(corners);
-    // Edges by smaller end: the latest of each vertex; and for each edge its larger end, which way
-    // its even side runs, and the edge before it in the list of the same vertex.
+    // Edges listed by their smaller end: the last of each vertex; and for each edge its larger end, the
+    // direction of its even side, and the edge before it in the same list.
     let mut latest = vec![NONE; vertices];
     let mut list: Vec<[u32; 2]> = Vec::with_capacity(edges);
-    // Lists are a few edges long but at the hub of a wheel; walking a list of thousands for each of
-    // its edges would not be linear. The repair sorts instead and gives the same mesh.
-    let mut patience = corners.saturating_mul(16);
+    // Lists are short, except at the hub of a wheel, where searching a list of thousands for each of its edges
+    // wouldn't be linear. The repair sorts instead and gives the same mesh.
+    let mut steps_left = corners.saturating_mul(16);
     for face in 0..soup.face_count() {
         let corners = soup.face(face);
         if !has_distinct_corners(corners) {
@@ -368,9 +180,9 @@ fn quick(soup: &PolygonSoup) -> Option<Assembly> {
                     return None;
                 }
                 edge = before;
-                patience = patience.checked_sub(1)?;
+                steps_left = steps_left.checked_sub(1)?;
             };
-            // Claimed at once, so that a face that comes back along its own edge is noticed.
+            // Taken at once, so that a face that comes back along its own edge is noticed.
             face_of[h as usize] = face as u32;
             corner_halfedge.push(h);
             u = v;
@@ -394,7 +206,7 @@ fn quick(soup: &PolygonSoup) -> Option<Assembly> {
     Some(Assembly { next, prev, to, face: face_of, face_halfedge, corner_halfedge })
 }
 
-/// Whether a face has three corners or more, all different.
+/// Whether a face has at least three corners, all different.
 pub(crate) fn has_distinct_corners(corners: &[u32]) -> bool {
     match corners {
         [] | [_] | [_, _] => false,

@@ -1,7 +1,8 @@
-//! Closing the gaps that removed elements leave in the ids.
+//! Compaction: closing the gaps that removed elements leave in the ids.
 
 use crate::mesh::Mesh;
 use crate::{Element, NONE};
+use std::borrow::Cow;
 
 /// The new number of each old id; [`NONE`] for those that were removed.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -15,7 +16,7 @@ pub struct Renumbering {
 }
 
 impl Renumbering {
-    /// The new number of an old id of this kind, if it still exists.
+    /// The new number of an old id, unless the element was removed.
     pub fn of(&self, element: Element, old: u32) -> Option<u32> {
         let new = match element {
             Element::Vertex => *self.vertices.get(old as usize)?,
@@ -31,8 +32,12 @@ impl Renumbering {
 }
 
 impl Mesh {
-    /// A copy of the mesh without gaps in its ids, elements in the same order, and the renumbering.
-    /// Costs O(mesh).
+    /// The mesh itself if its ids have no gaps, else a copy without gaps.
+    pub fn to_compact(&self) -> Cow<'_, Self> {
+        if self.is_compact() { Cow::Borrowed(self) } else { Cow::Owned(self.compacted().0) }
+    }
+
+    /// A copy of the mesh without gaps in its ids, in the same order, and the renumbering. Costs O(mesh).
     pub fn compacted(&self) -> (Self, Renumbering) {
         let number = |len: usize, removed: &dyn Fn(usize) -> bool| {
             let mut count = 0;
@@ -75,8 +80,7 @@ impl Mesh {
         (mesh, renumbering)
     }
 
-    /// Closes the gaps in the ids and reports the renumbering. Recorded journals no longer fit the
-    /// mesh afterwards.
+    /// Closes the gaps in the ids; returns the renumbering. Journals recorded before no longer fit the mesh.
     pub fn compact(&mut self) -> Renumbering {
         let (mesh, renumbering) = self.compacted();
         *self = mesh;

@@ -1,9 +1,9 @@
-//! A mesh's links as plain slices, for algorithms that read all of it.
+//! The links of a mesh as slices, for algorithms that read the whole mesh.
 
 use crate::{Mesh, RawMesh};
 
-/// The links of a mesh as raw columns, to read. [`NONE`](crate::NONE) stands for "no face" and "no
-/// half-edge". Removed elements have their place too: where that matters, compact first.
+/// The links of a mesh as slices. [`NONE`](crate::NONE) stands for "no face" and "no half-edge". Removed
+/// elements have entries too: compact the mesh first where that matters.
 #[derive(Clone, Copy, Debug)]
 pub struct Connectivity<'a> {
     /// Per vertex: a half-edge leaving it, a boundary one if there is one.

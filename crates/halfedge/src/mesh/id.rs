@@ -3,21 +3,21 @@
 use std::fmt;
 use std::num::NonZeroU32;
 
-/// How "none" is written in a raw `u32` column: no element has this id.
+/// Stands for "none" in a `u32` column: no element has this id.
 pub const NONE: u32 = u32::MAX;
 
 macro_rules! id {
     ($(#[$doc:meta])* $name:ident, $word:literal) => {
         $(#[$doc])*
         ///
-        /// A `u32` with a niche: `Option` of it is four bytes too. The stored number is the
-        /// complement of the id, so that id 0 exists and [`NONE`](crate::NONE) does not.
+        /// A `u32` with a niche, so that `Option` of it takes four bytes too. It stores the complement of the
+        /// id, so that id 0 exists and [`NONE`](crate::NONE) doesn't.
         #[derive(Clone, Copy, PartialEq, Eq, Hash)]
         #[repr(transparent)]
         pub struct $name(NonZeroU32);
 
         impl $name {
-            /// The id with this number, or none for [`NONE`](crate::NONE).
+            /// The id with this number; none for [`NONE`](crate::NONE).
             #[inline]
             pub const fn from_raw(raw: u32) -> Option<Self> {
                 match NonZeroU32::new(!raw) {
@@ -26,8 +26,8 @@ macro_rules! id {
                 }
             }
 
-            /// The id with this number. Numbers of `u32::MAX` and above, which no mesh has, give
-            /// the largest id there is: looking it up finds nothing.
+            /// The id with this number. Numbers from `u32::MAX` up, which no mesh has, give the largest
+            /// id, which no mesh has either.
             #[inline]
             pub const fn new(index: usize) -> Self {
                 let raw = if index >= NONE as usize { NONE - 1 } else { index as u32 };
@@ -37,13 +37,13 @@ macro_rules! id {
                 }
             }
 
-            /// The number, as lists show it and as raw columns hold it.
+            /// The number, as shown in lists and stored in raw columns.
             #[inline]
             pub const fn raw(self) -> u32 {
                 !self.0.get()
             }
 
-            /// The number as a position in a column.
+            /// The number as an index into columns.
             #[inline]
             pub const fn index(self) -> usize {
                 self.raw() as usize
@@ -89,7 +89,7 @@ id!(
     EdgeId, "edge"
 );
 id!(
-    /// A face: a polygon of three corners or more.
+    /// A face: a polygon with three corners or more.
     FaceId, "face"
 );
 
@@ -106,7 +106,7 @@ impl HalfedgeId {
         }
     }
 
-    /// The edge this is a side of.
+    /// The edge of this half-edge.
     #[inline]
     pub const fn edge(self) -> EdgeId {
         EdgeId::new(self.index() >> 1)
@@ -114,34 +114,34 @@ impl HalfedgeId {
 }
 
 impl EdgeId {
-    /// The two sides, the even half-edge first.
+    /// The two half-edges, the even one first.
     #[inline]
     pub const fn halfedges(self) -> [HalfedgeId; 2] {
         [HalfedgeId::new(self.index() * 2), HalfedgeId::new(self.index() * 2 + 1)]
     }
 
-    /// The even one of the two sides.
+    /// The even half-edge.
     #[inline]
     pub const fn halfedge(self) -> HalfedgeId {
         HalfedgeId::new(self.index() * 2)
     }
 }
 
-/// One of the four kinds of element.
+/// The kinds of element.
 #[derive(Clone, Copy, PartialEq, Eq, Hash, Debug, PartialOrd, Ord)]
 pub enum Element {
-    /// Points with a position.
+    /// Vertices: points with a position.
     Vertex,
-    /// Directed sides of edges; an attribute of a half-edge belongs to the corner it leaves from.
+    /// Half-edges: directed sides of edges. An attribute of a half-edge belongs to the corner that it leaves.
     Halfedge,
-    /// Undirected edges.
+    /// Edges.
     Edge,
-    /// Polygons.
+    /// Faces: polygons.
     Face,
 }
 
 impl Element {
-    /// All four, in the order lists show them.
+    /// All kinds, in the order of lists.
     pub const ALL: [Self; 4] = [Self::Vertex, Self::Edge, Self::Halfedge, Self::Face];
 }
 

@@ -1,15 +1,15 @@
-//! Undo: every write to a mesh can be recorded with what was there before.
+//! Undo: writes to a mesh can be recorded together with the values before.
 //!
-//! A [`Journal`] costs memory in proportion to what was written, so undoing a local edit is as
-//! cheap as doing it, on any size of mesh. Undoing is itself a sequence of recorded writes: its
-//! journal is the redo. Nothing else in the editor knows how a mesh goes back.
+//! A [`Journal`] takes memory in proportion to what was written, so undoing a local edit costs as little
+//! as doing it, whatever the size of the mesh. Undoing is itself a sequence of recorded writes, whose
+//! journal is the redo. Nothing else in the editor undoes changes of a mesh.
 
 use crate::attribute::{Column, Value};
 use crate::mesh::Mesh;
 use crate::{EdgeId, Element, FaceId, HalfedgeId, NONE, VertexId};
 use glam::Vec3;
 
-/// One write, with what was there before it.
+/// A write, with the value before.
 #[derive(Clone, Debug)]
 pub(crate) enum Change {
     Next(u32, u32),
@@ -21,23 +21,23 @@ pub(crate) enum Change {
     Position(u32, Vec3),
     Positions(Box<[Vec3]>),
     Attribute(ColumnPlace, u32, Value),
-    /// A column was put in place of this one.
+    /// This column was replaced.
     Column(ColumnPlace, Box<Column>),
-    /// A column was added behind the others. Whether it was blank, with the default everywhere: then no
-    /// element has another value than before.
+    /// A column was added at the end. The flag says whether it was blank: with the default everywhere, so that
+    /// no element has another value than before.
     ColumnAdded(Element, bool),
-    /// The column that was last is gone. Whether it was blank.
+    /// The last column was dropped. The flag says whether it was blank.
     ColumnGone(Element, Box<Column>, bool),
     /// A vertex, edge or face was added at the end.
     Added(Element),
-    /// The vertex, edge or face at the end, all its values reset beforehand, is gone.
+    /// The vertex, edge or face at the end was dropped, after its values were reset.
     Dropped(Element),
-    /// A vertex, edge or face was marked as removed, or the mark was taken off.
+    /// A vertex, edge or face was marked as removed, or as not removed.
     Marked(Element, u32, bool),
 }
 
-/// A kind of element and the number of one of its columns, in four bytes: a journal holds one for each
-/// value written. The number has 30 bits; the columns themselves would fill 64 GiB first.
+/// A kind of element and the index of one of its columns, in four bytes: a journal holds one for each
+/// value written. The index has 30 bits; that many columns would take 64 GiB.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct ColumnPlace(u32);
 
@@ -61,37 +61,37 @@ impl ColumnPlace {
     }
 }
 
-/// What was written to a mesh between [`Mesh::start_recording`] and [`Mesh::finish_recording`].
+/// The writes to a mesh between [`Mesh::start_recording`] and [`Mesh::finish_recording`].
 #[derive(Clone, Debug, Default)]
 pub struct Journal {
     changes: Vec<Change>,
 }
 
-/// The elements that a journal's writes touched, each once, in order of id. Ids past the end of
-/// the mesh (elements that the undo will bring back or the edit took away) are among them.
+/// The elements that a journal's writes touched, each once, in order of id. They include elements that don't
+/// exist: those that the edit removed, or that undoing it restores.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Touched {
-    /// Vertices moved, relinked, added or removed, or with another attribute.
+    /// Vertices that were moved, relinked, added or removed, or got another attribute.
     pub vertices: Vec<VertexId>,
-    /// Half-edges relinked, added or removed, or with another attribute.
+    /// Half-edges that were relinked, added or removed, or got another attribute.
     pub halfedges: Vec<HalfedgeId>,
-    /// Edges added or removed, or with another attribute.
+    /// Edges that were added or removed, or got another attribute.
     pub edges: Vec<EdgeId>,
-    /// Faces relinked, added or removed, or with another attribute.
+    /// Faces that were relinked, added or removed, or got another attribute.
     pub faces: Vec<FaceId>,
-    /// Whether a whole column was put in, replaced or taken away, so that every element may have
-    /// changed. A column that is blank, as the first value of an attribute makes it, doesn't count.
+    /// Whether a whole column was added, replaced or dropped, so that every element may have changed. Blank
+    /// columns, which the first value of an attribute adds, don't count.
     pub everything: bool,
 }
 
 impl Journal {
-    /// Whether nothing was changed: writes of what was there already are not recorded. A journal that
-    /// isn't empty may still end where it began, by a change and its opposite.
+    /// Whether nothing changed: writes of equal values aren't recorded. A journal that isn't empty may still
+    /// hold a change and its opposite.
     pub fn is_empty(&self) -> bool {
         self.changes.is_empty()
     }
 
-    /// Heap bytes in use; what a bounded history counts.
+    /// Heap bytes in use, for the limit of the history.
     pub fn bytes(&self) -> usize {
         let heap: usize = self
             .changes
@@ -105,8 +105,8 @@ impl Journal {
         self.changes.len() * size_of::<Change>() + heap
     }
 
-    /// Forgets all but the first write to each vertex's position: a drag of a thousand steps costs
-    /// the memory of one. Only for journals with nothing but position writes; others stay as they are.
+    /// Keeps only the first write to each vertex's position, so that a drag of a thousand steps takes the memory
+    /// of one. Journals with other writes stay as they are.
     pub fn fold_moves(&mut self) {
         if !self.changes.iter().all(|c| matches!(c, Change::Position(..))) {
             return;
@@ -118,7 +118,7 @@ impl Journal {
         });
     }
 
-    /// The elements that were touched.
+    /// The elements that the writes touched.
     pub fn touched(&self) -> Touched {
         let (mut vertices, mut halfedges, mut edges, mut faces) = (vec![], vec![], vec![], vec![]);
         let mut everything = false;
@@ -159,18 +159,18 @@ impl Journal {
 }
 
 impl Mesh {
-    /// Starts recording writes. What an unfinished recording holds is dropped.
+    /// Starts recording writes; discards an unfinished recording.
     pub fn start_recording(&mut self) {
         self.journal = Some(Journal::default());
     }
 
-    /// Stops recording and gives what was written since [`Mesh::start_recording`].
+    /// Stops recording; returns the writes since [`Mesh::start_recording`].
     pub fn finish_recording(&mut self) -> Journal {
         self.journal.take().unwrap_or_default()
     }
 
-    /// Takes back what a journal recorded, the latest write first, and gives the journal that does
-    /// it again. The mesh must be as the journal left it.
+    /// Undoes the writes of a journal, the latest first; returns the journal that redoes them. The mesh must be
+    /// as it was when the journal ended.
     pub fn undo(&mut self, journal: Journal) -> Journal {
         self.start_recording();
         for change in journal.changes.into_iter().rev() {
@@ -179,9 +179,9 @@ impl Mesh {
         self.finish_recording()
     }
 
-    /// Runs an edit: an error leaves the mesh as it was, success gives the journal too.
+    /// Runs an edit and returns its result with the journal; an error leaves the mesh as it was.
     ///
-    /// Edits check before they write, so the way back is for those that can't know beforehand.
+    /// Edits check before they write; the undo is for those that can't know beforehand.
     pub fn transaction<T, E>(
         &mut self,
         edit: impl FnOnce(&mut Self) -> Result<T, E>,
@@ -225,7 +225,7 @@ impl Mesh {
                 let now = std::mem::replace(&mut self.columns.of_mut(place.element())[place.column()], *old);
                 self.record(Change::Column(place, Box::new(now)));
             }
-            // Every write since has been taken back, so the column is as it was when it was added.
+            // All later writes are undone, so the column is as it was when it was added.
             Change::ColumnAdded(element, blank) => {
                 if let Some(column) = self.columns.of_mut(element).pop() {
                     self.record(Change::ColumnGone(element, Box::new(column), blank));
@@ -238,142 +238,6 @@ impl Mesh {
             Change::Added(element) => self.drop_last(element),
             Change::Dropped(element) => self.push_blank(element),
             Change::Marked(element, raw, on) => self.mark(element, raw, !on),
-        }
-    }
-
-    // The writes that everything else is made of. Writing what is there already records nothing, so the
-    // journal of an edit that changes nothing is empty.
-
-    #[inline]
-    pub(crate) fn write_next(&mut self, h: u32, value: u32) {
-        let old = std::mem::replace(&mut self.next[h as usize], value);
-        if old != value {
-            self.record(Change::Next(h, old));
-        }
-    }
-
-    #[inline]
-    pub(crate) fn write_prev(&mut self, h: u32, value: u32) {
-        let old = std::mem::replace(&mut self.prev[h as usize], value);
-        if old != value {
-            self.record(Change::Prev(h, old));
-        }
-    }
-
-    #[inline]
-    pub(crate) fn write_to(&mut self, h: u32, value: u32) {
-        let old = std::mem::replace(&mut self.to[h as usize], value);
-        if old != value {
-            self.record(Change::To(h, old));
-        }
-    }
-
-    #[inline]
-    pub(crate) fn write_face(&mut self, h: u32, value: u32) {
-        let old = std::mem::replace(&mut self.face[h as usize], value);
-        if old != value {
-            self.record(Change::Face(h, old));
-        }
-    }
-
-    #[inline]
-    pub(crate) fn write_vertex_halfedge(&mut self, v: u32, value: u32) {
-        let old = std::mem::replace(&mut self.vertex_halfedge[v as usize], value);
-        if old != value {
-            self.record(Change::VertexHalfedge(v, old));
-        }
-    }
-
-    #[inline]
-    pub(crate) fn write_face_halfedge(&mut self, f: u32, value: u32) {
-        let old = std::mem::replace(&mut self.face_halfedge[f as usize], value);
-        if old != value {
-            self.record(Change::FaceHalfedge(f, old));
-        }
-    }
-
-    /// Marks a vertex, edge or face as removed, or takes the mark off.
-    pub(crate) fn mark(&mut self, element: Element, raw: u32, on: bool) {
-        let marks = match element {
-            Element::Vertex => &mut self.removed_vertices,
-            Element::Edge | Element::Halfedge => &mut self.removed_edges,
-            Element::Face => &mut self.removed_faces,
-        };
-        let changes = if on { marks.insert(raw as usize) } else { marks.remove(raw as usize) };
-        if changes {
-            self.record(Change::Marked(element, raw, on));
-        }
-    }
-
-    /// Adds a vertex, edge or face with nothing linked and default attributes.
-    pub(crate) fn push_blank(&mut self, element: Element) {
-        match element {
-            Element::Vertex => {
-                self.positions.push(Vec3::ZERO);
-                self.vertex_halfedge.push(NONE);
-            }
-            Element::Edge | Element::Halfedge => {
-                for column in [&mut self.next, &mut self.prev, &mut self.to, &mut self.face] {
-                    column.extend([NONE, NONE]);
-                }
-            }
-            Element::Face => self.face_halfedge.push(NONE),
-        }
-        self.fit_columns(element);
-        self.record(Change::Added(element));
-    }
-
-    /// Drops the last vertex, edge or face, recording its values first so that redo has them.
-    fn drop_last(&mut self, element: Element) {
-        let last = self.capacity(element).wrapping_sub(1) as u32;
-        self.reset_columns(element, last);
-        match element {
-            Element::Vertex => {
-                self.set_position(VertexId::new(last as usize), Vec3::ZERO);
-                self.write_vertex_halfedge(last, NONE);
-                self.positions.pop();
-                self.vertex_halfedge.pop();
-            }
-            Element::Edge | Element::Halfedge => {
-                for h in [last * 2, last * 2 + 1] {
-                    self.reset_columns(Element::Halfedge, h);
-                    self.write_next(h, NONE);
-                    self.write_prev(h, NONE);
-                    self.write_to(h, NONE);
-                    self.write_face(h, NONE);
-                }
-                for column in [&mut self.next, &mut self.prev, &mut self.to, &mut self.face] {
-                    column.truncate(last as usize * 2);
-                }
-            }
-            Element::Face => {
-                self.write_face_halfedge(last, NONE);
-                self.face_halfedge.pop();
-            }
-        }
-        self.fit_columns(element);
-        self.record(Change::Dropped(element));
-    }
-
-    fn reset_columns(&mut self, element: Element, raw: u32) {
-        for at in 0..self.columns.of(element).len() {
-            let default = self.columns.of(element)[at].default;
-            self.set_value(element, at, raw as usize, default);
-        }
-    }
-
-    /// Makes columns as long as their element's ids; an edge's half-edges come along.
-    fn fit_columns(&mut self, element: Element) {
-        let kinds: &[Element] = match element {
-            Element::Edge | Element::Halfedge => &[Element::Edge, Element::Halfedge],
-            Element::Vertex => &[Element::Vertex],
-            Element::Face => &[Element::Face],
-        };
-        for &kind in kinds {
-            let len = self.capacity(kind);
-            for column in self.columns.of_mut(kind) {
-                column.values.resize(len, column.default);
-            }
         }
     }
 }

@@ -1,137 +1,41 @@
-//! Any polygon soup made into an oriented manifold, with an account of what was changed.
+//! Turning any polygon soup into an oriented manifold, with notes of what was changed.
 //!
 //! Rules, in this order:
-//! 1. A face that refers to a vertex that doesn't exist, or that has fewer than three different
-//!    corners once repeats in a row are merged, or that comes back to a vertex, is dropped.
-//! 2. A face with the same vertices in the same cyclic order (either way round) as an earlier one
-//!    is dropped. A pair of opposite faces that touch nothing else is a closed surface, and stays.
-//! 3. An edge with more than two faces is separated: each face there gets its own.
-//! 4. Within each piece connected over edges, faces are turned so that neighbours agree; the
-//!    smaller part of a piece is the one that turns. Where no orientation exists (a Möbius strip)
-//!    the edges that disagree are separated.
-//! 5. Where two sides separated by rules 3 and 4 would still join the same two vertices, because the
-//!    faces go on round a vertex, the fan of faces there is cut too.
-//! 6. A vertex whose faces form several fans keeps its number for the first; each other fan gets a
-//!    copy. (This one happens in the build.)
+//! 1. A face is dropped if it refers to a vertex that doesn't exist, if it has fewer than three different
+//!    corners after repeats in a row are merged, or if it has a vertex at two corners.
+//! 2. A face with the same vertices in the same cyclic order (in either direction) as an earlier one is
+//!    dropped. A pair of opposite faces that touch nothing else is a closed surface, and stays.
+//! 3. An edge with more than two faces is separated: each face gets an edge of its own there.
+//! 4. In each part connected over edges, faces are flipped so that neighbours agree, the smaller share of
+//!    them. Where no orientation exists (a Möbius strip), the edges that disagree are separated.
+//! 5. Where two sides separated by rules 3 and 4 would still join the same two vertices, because the faces
+//!    around a vertex connect them, the fan of faces there is cut too.
+//! 6. A vertex whose faces form several fans keeps its number for the first; each other fan gets a copy.
+//!    (The build does this.)
 
 use crate::NONE;
 use crate::geometry::UnionFind;
-use crate::mesh::build::{Assembly, has_distinct_corners};
-use crate::mesh::soup::PolygonSoup;
+use crate::mesh::assembly::Assembly;
+use crate::mesh::build::has_distinct_corners;
+use crate::mesh::{Note, NoteKind, PolygonSoup};
 use std::collections::{HashMap, HashSet};
-use std::fmt;
-
-/// One kind of change made to input, with the elements it was made to.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Note {
-    /// What was changed.
-    pub kind: NoteKind,
-    /// How many elements.
-    pub count: usize,
-    /// The first few, numbered from 0 in the input's order: faces or vertices, and for edges the
-    /// vertices at their ends, two at a time.
-    pub first: Vec<u32>,
-}
-
-/// The kinds of change.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum NoteKind {
-    /// Faces that refer to vertices that don't exist were dropped.
-    MissingVertex,
-    /// Faces with fewer than three different corners, or that pass a vertex twice, were dropped.
-    DegenerateFace,
-    /// Corners that repeat the one before them were merged with it.
-    RepeatedCorner,
-    /// Faces that repeat an earlier one were dropped.
-    DuplicateFace,
-    /// Edges with more than two faces were separated.
-    NonManifoldEdge,
-    /// Faces were turned round.
-    FaceTurned,
-    /// Edges were separated because no orientation suits both their faces.
-    NotOrientable,
-    /// Vertices where faces meet without sharing edges were separated.
-    VertexSeparated,
-    /// Positions that are not finite were replaced by the origin.
-    PositionNotFinite,
-}
-
-impl Note {
-    const FIRST: usize = 6;
-
-    pub(crate) fn new(kind: NoteKind, elements: Vec<u32>) -> Self {
-        let per_item = if kind.is_about_edges() { 2 } else { 1 };
-        let count = elements.len() / per_item;
-        let mut first = elements;
-        first.truncate(Self::FIRST * per_item);
-        Self { kind, count, first }
-    }
-}
-
-impl NoteKind {
-    fn is_about_edges(self) -> bool {
-        matches!(self, Self::NonManifoldEdge | Self::NotOrientable)
-    }
-}
-
-impl fmt::Display for Note {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let (thing, things, done) = match self.kind {
-            NoteKind::MissingVertex => {
-                ("face", "faces", "left out: a corner refers to a vertex that doesn't exist")
-            }
-            NoteKind::DegenerateFace => {
-                ("face", "faces", "left out: fewer than three different corners, or the same corner twice")
-            }
-            NoteKind::RepeatedCorner => ("face", "faces", "simplified: the same corner came twice in a row"),
-            NoteKind::DuplicateFace => ("face", "faces", "left out: the same corners as an earlier face"),
-            NoteKind::NonManifoldEdge => ("edge", "edges", "separated: more than two faces met there"),
-            NoteKind::FaceTurned => {
-                ("face", "faces", "turned round so that neighbouring faces face the same way")
-            }
-            NoteKind::NotOrientable => {
-                ("edge", "edges", "separated: its two faces can't be made to face the same way")
-            }
-            NoteKind::VertexSeparated => {
-                ("vertex", "vertices", "separated: groups of faces touched there without sharing an edge")
-            }
-            NoteKind::PositionNotFinite => {
-                ("vertex", "vertices", "moved to the origin: the position is not a finite number")
-            }
-        };
-        write!(f, "{} {} {done} (", self.count, if self.count == 1 { thing } else { things })?;
-        if self.kind.is_about_edges() {
-            f.write_str("between vertices ")?;
-            for (i, ends) in self.first.chunks_exact(2).enumerate() {
-                write!(f, "{}{} and {}", if i > 0 { ", " } else { "" }, ends[0], ends[1])?;
-            }
-        } else {
-            write!(f, "{} ", if self.first.len() == 1 { thing } else { things })?;
-            for (i, id) in self.first.iter().enumerate() {
-                write!(f, "{}{id}", if i > 0 { ", " } else { "" })?;
-            }
-        }
-        let shown = self.first.len() / if self.kind.is_about_edges() { 2 } else { 1 };
-        f.write_str(if shown < self.count { ", …)" } else { ")" })
-    }
-}
 
 pub(crate) struct Repaired {
     pub assembly: Assembly,
-    /// The soup's corner of each corner kept.
+    /// Per corner that is kept, the soup's corner.
     pub corner_source: Vec<u32>,
-    /// The soup's face of each face kept.
+    /// Per face that is kept, the soup's face.
     pub face_source: Vec<u32>,
     pub notes: Vec<Note>,
 }
 
-/// A face that is kept: where it comes from and which of the soup's corners it has, in order.
+/// A face that is kept: its number in the soup, and its corners' numbers in the soup.
 struct Kept {
     source: u32,
     corners: Vec<u32>,
 }
 
-/// One side of a face: the corner it starts at, and the side's vertices, smaller first.
+/// A side of a face: its vertices, the smaller one first, its face and the index of its first corner there.
 struct Side {
     ends: (u32, u32),
     face: u32,
@@ -144,7 +48,7 @@ pub(crate) fn assemble(soup: &PolygonSoup) -> Repaired {
     drop_duplicates(soup, &mut faces, &mut notes);
 
     let sides = sorted_sides(soup, &faces);
-    // The sides that stay joined, two by two.
+    // Pairs of sides that stay joined.
     let mut pairs: Vec<(usize, usize)> = Vec::new();
     let mut crowded = Vec::new();
     for_each_edge(&sides, |range| match range.len() {
@@ -161,9 +65,9 @@ pub(crate) fn assemble(soup: &PolygonSoup) -> Repaired {
         (0..faces.len()).filter(|&f| turned[f]).map(|f| faces[f].source).collect(),
     );
 
-    part_copies(soup, &faces, &sides, &mut pairs);
+    separate_copies(soup, &faces, &sides, &mut pairs);
 
-    // Turn faces, first corner kept, and see where each side starts afterwards.
+    // Flip faces but keep their first corners, and find where each side starts afterwards.
     let mut corner_start = Vec::with_capacity(faces.len());
     let mut corner_count = 0;
     for (face, &turn) in faces.iter_mut().zip(&turned) {
@@ -247,7 +151,7 @@ fn clean_faces(soup: &PolygonSoup, notes: &mut Vec<Note>) -> Vec<Kept> {
 
 /// Rule 2.
 fn drop_duplicates(soup: &PolygonSoup, faces: &mut Vec<Kept>, notes: &mut Vec<Note>) {
-    // The same for every rotation and both directions; says which direction it was.
+    // Equal for all rotations and both directions; tells which direction it was.
     let canonical = |face: &Kept| {
         let vertices: Vec<u32> = face.corners.iter().map(|&c| soup.corners[c as usize]).collect();
         let n = vertices.len();
@@ -296,7 +200,7 @@ fn ends(a: u32, b: u32) -> (u32, u32) {
     (a.min(b), a.max(b))
 }
 
-/// All sides of all faces, those of one edge next to each other, in order of face there.
+/// All sides of all faces, grouped by edge and in order of face there.
 fn sorted_sides(soup: &PolygonSoup, faces: &[Kept]) -> Vec<Side> {
     let mut sides = Vec::with_capacity(soup.corners.len());
     for (f, face) in faces.iter().enumerate() {
@@ -320,7 +224,7 @@ fn for_each_edge(sides: &[Side], mut visit: impl FnMut(std::ops::Range<usize>)) 
     }
 }
 
-/// Rule 4: which faces to turn. Pairs that can't agree are taken out.
+/// Rule 4: which faces to flip. Pairs that can't agree are removed.
 fn orient(
     soup: &PolygonSoup,
     faces: &[Kept],
@@ -333,7 +237,7 @@ fn orient(
         soup.corners[faces[side.face as usize].corners[side.slot as usize] as usize] == side.ends.0
     };
     let disagrees = |&(a, b): &(usize, usize)| upward(&sides[a]) == upward(&sides[b]);
-    // Neighbours over joined edges, as one flat list with a start per face.
+    // Neighbours over joined edges, in a flat list with a start for each face.
     let mut starts = vec![0usize; faces.len() + 1];
     for &(a, b) in pairs.iter() {
         starts[sides[a].face as usize + 1] += 1;
@@ -392,11 +296,10 @@ fn orient(
     turned
 }
 
-/// Rule 5. An edge that was separated has a copy for each face there. Two copies whose ends are
-/// both in the same fans of faces would join the same two vertices, so the later one's face is cut
-/// from the fan at one end: its other side there is separated, which makes that corner a fan of
-/// its own and both edges there unlike any other.
-fn part_copies(soup: &PolygonSoup, faces: &[Kept], sides: &[Side], pairs: &mut Vec<(usize, usize)>) {
+/// Rule 5. A separated edge has a copy for each face there. Two copies whose ends are both in the same fans
+/// of faces would join the same two vertices. Then the later one's face is cut from the fan at one end: its
+/// other side there is separated, so that this corner is a fan of its own.
+fn separate_copies(soup: &PolygonSoup, faces: &[Kept], sides: &[Side], pairs: &mut Vec<(usize, usize)>) {
     let mut joined = vec![false; sides.len()];
     for &(a, b) in pairs.iter() {
         joined[a] = true;
@@ -417,7 +320,7 @@ fn part_copies(soup: &PolygonSoup, faces: &[Kept], sides: &[Side], pairs: &mut V
         starts.push(corners);
         corners += face.corners.len();
     }
-    // The slot of the corner that a side has at one of its ends.
+    // The index in its face of the corner at one end of a side.
     let slot_at = |side: &Side, v: u32| {
         let face = &faces[side.face as usize];
         let slot = side.slot as usize;
@@ -425,7 +328,7 @@ fn part_copies(soup: &PolygonSoup, faces: &[Kept], sides: &[Side], pairs: &mut V
         if starts_there { slot } else { (slot + 1) % face.corners.len() }
     };
     let corner_at = |side: &Side, v: u32| (starts[side.face as usize] + slot_at(side, v)) as u32;
-    // Which corners are in one fan: those that joined sides lead across.
+    // Joined sides connect corners to fans.
     let mut fans = UnionFind::new(corners);
     for &(a, b) in pairs.iter() {
         for v in [sides[a].ends.0, sides[a].ends.1] {
@@ -441,7 +344,7 @@ fn part_copies(soup: &PolygonSoup, faces: &[Kept], sides: &[Side], pairs: &mut V
             if met.insert(copy) {
                 continue;
             }
-            // A corner lies between the side before it and the one that starts there.
+            // A corner lies between the side before it and the one that starts at it.
             let n = faces[side.face as usize].corners.len();
             let corner = slot_at(side, side.ends.0);
             let other = if corner == side.slot as usize { (corner + n - 1) % n } else { corner };

@@ -1,24 +1,24 @@
-//! Polygon soup: what files hold, before it is known to be a mesh.
+//! Polygon soup: polygons as files hold them, which need not form a mesh.
 
 use crate::attribute::Column;
 use glam::Vec3;
 
-/// Positions and polygons that refer to them by number, with attribute columns in the same
-/// numbering. Nothing about it need be a manifold.
+/// Positions, polygons that refer to them by number, and attribute columns with the same numbering. The
+/// polygons need not form a manifold.
 #[derive(Clone, Debug, PartialEq)]
 pub struct PolygonSoup {
     /// The positions, in the file's order.
     pub positions: Vec<Vec3>,
-    /// Where each face's corners start in `corners`; one entry more than there are faces, the
-    /// first 0 and the last the number of corners.
+    /// Per face the index of its first corner in `corners`, and at the end the number of corners. The first
+    /// entry is 0.
     pub face_starts: Vec<u32>,
-    /// The vertex of each corner of each face, faces one after the other.
+    /// The vertices of all corners, face by face.
     pub corners: Vec<u32>,
-    /// Columns with a value for each position.
+    /// Columns with a value per position.
     pub vertex_columns: Vec<Column>,
-    /// Columns with a value for each corner.
+    /// Columns with a value per corner.
     pub corner_columns: Vec<Column>,
-    /// Columns with a value for each face.
+    /// Columns with a value per face.
     pub face_columns: Vec<Column>,
 }
 
@@ -36,7 +36,7 @@ impl Default for PolygonSoup {
 }
 
 impl PolygonSoup {
-    /// A soup of these polygons with no attributes.
+    /// A soup of these polygons without attributes.
     pub fn new<F: AsRef<[u32]>>(positions: Vec<Vec3>, faces: &[F]) -> Self {
         let mut soup = Self { positions, ..Self::default() };
         for face in faces {
@@ -51,12 +51,12 @@ impl PolygonSoup {
         self.face_starts.push(self.corners.len() as u32);
     }
 
-    /// How many faces there are.
+    /// The number of faces.
     pub fn face_count(&self) -> usize {
         self.face_starts.len().saturating_sub(1)
     }
 
-    /// The range of a face's corners.
+    /// The range of a face's corners in `corners`.
     pub fn face_range(&self, face: usize) -> std::ops::Range<usize> {
         let end = |i: usize| self.face_starts.get(i).map_or(self.corners.len(), |&s| s as usize);
         let stop = end(face + 1).min(self.corners.len());

@@ -1,10 +1,10 @@
-//! Boundary loops and connected components, in one go or some elements at a time.
+//! Boundary loops and connected components, counted at once or some elements at a time.
 
 use crate::geometry::{BitSet, UnionFind};
 use crate::mesh::Mesh;
 use crate::{EdgeId, HalfedgeId, NONE, VertexId};
 
-/// What takes a pass over a mesh to know.
+/// Counts that take a pass over the mesh.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Topology {
     /// Closed loops of boundary half-edges.
@@ -17,7 +17,7 @@ pub struct Topology {
     pub triangles_only: bool,
 }
 
-/// Counts a [`Topology`] some elements at a time, for callers that mustn't be kept waiting.
+/// Counts a [`Topology`] some elements at a time, so that no call takes long.
 #[derive(Debug)]
 pub struct TopologyCounter {
     boundary: BoundaryWalk,
@@ -30,9 +30,9 @@ impl TopologyCounter {
         Self { boundary: BoundaryWalk::default(), components: ComponentWalk::new(mesh) }
     }
 
-    /// Looks at about this many half-edges more of the mesh it was started on; gives what was counted once all
-    /// were looked at. A boundary loop is walked as a whole. A mesh that was changed in between is counted from
-    /// the start if its vertices are others in number, else wrongly: start anew after an edit.
+    /// Counts about this many more half-edges of the mesh that it was started on; returns the result once all
+    /// are counted. A boundary loop is walked as a whole. Start anew after an edit: the counts of a mesh that
+    /// changed meanwhile are wrong.
     pub fn advance(&mut self, mesh: &Mesh, halfedges: usize) -> Option<Topology> {
         if self.components.joined.len() != mesh.vertex_capacity() {
             *self = Self::new(mesh);
@@ -60,7 +60,7 @@ struct BoundaryWalk {
 }
 
 impl BoundaryWalk {
-    /// Gives how much of the budget is left once all half-edges were looked at.
+    /// Returns how much of the budget is left, once all half-edges are visited.
     fn advance(&mut self, mesh: &Mesh, budget: usize) -> Option<usize> {
         let faces = mesh.connectivity().face;
         let mut left = budget;
@@ -93,8 +93,8 @@ impl BoundaryWalk {
     }
 }
 
-/// Vertices joined by edges. Edges are taken in order of id: neighbours in a mesh are mostly near to each other
-/// in memory, which a walk from vertex to vertex doesn't keep to.
+/// Vertices joined by edges, in order of edge id: that visits memory mostly in order, which a walk from vertex
+/// to vertex doesn't.
 #[derive(Debug)]
 struct ComponentWalk {
     next: usize,
@@ -107,7 +107,7 @@ impl ComponentWalk {
         Self { next: 0, joined: UnionFind::new(mesh.vertex_capacity()), unions: 0 }
     }
 
-    /// Gives something once all edges were looked at.
+    /// Returns something once all edges are visited.
     fn advance(&mut self, mesh: &Mesh, halfedges: usize) -> Option<()> {
         let ends = mesh.connectivity().to.as_chunks::<2>().0;
         let end = ends.len().min(self.next.saturating_add(halfedges / 2 + 1));

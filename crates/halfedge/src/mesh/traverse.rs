@@ -1,39 +1,39 @@
-//! Walking over a mesh: loops and one-rings.
+//! Traversal: loops and one-rings.
 //!
-//! Every walk stops after as many steps as the mesh has half-edges, so that a damaged mesh (one
-//! that [`Mesh::validate`] refuses) can't hang its reader.
+//! Every traversal ends after as many steps as the mesh has half-edges, so that an invalid mesh (see
+//! [`Mesh::validate`]) can't cause an endless loop.
 
 use crate::mesh::Mesh;
 use crate::{EdgeId, FaceId, HalfedgeId, VertexId};
 
 impl Mesh {
-    /// The half-edges of the loop through `h`, `h` first: a face's, or a boundary loop's.
+    /// The half-edges of the loop through `h`, starting with `h`: a face's loop or a boundary loop.
     pub fn loop_of(&self, h: HalfedgeId) -> impl Iterator<Item = HalfedgeId> + '_ {
         self.walk(Some(h), |h| self.next(h))
     }
 
-    /// The half-edges of a face, its first corner's first; each leaves one corner.
+    /// The half-edges of a face; each leaves one corner, the first one the first corner.
     pub fn face_halfedges(&self, f: FaceId) -> impl Iterator<Item = HalfedgeId> + '_ {
         self.loop_of(self.halfedge_of(f))
     }
 
-    /// The corners of a face in order, its first corner first.
+    /// The corners of a face in order.
     pub fn face_vertices(&self, f: FaceId) -> impl Iterator<Item = VertexId> + '_ {
         self.face_halfedges(f).map(|h| self.from(h))
     }
 
-    /// How many corners a face has.
+    /// The number of a face's corners.
     pub fn face_degree(&self, f: FaceId) -> usize {
         self.face_halfedges(f).count()
     }
 
-    /// The half-edges leaving a vertex, clockwise seen from outside; a boundary one first if there
-    /// is one. Boundary half-edges are stored, so there are as many as edges at the vertex.
+    /// The half-edges leaving a vertex, clockwise as seen from outside, starting with a boundary one if there
+    /// is one. There are as many as edges at the vertex, since boundary half-edges are stored.
     pub fn outgoing(&self, v: VertexId) -> impl Iterator<Item = HalfedgeId> + '_ {
         self.walk(self.halfedge_from(v), |h| self.next(h.twin()))
     }
 
-    /// The half-edges leaving `h`'s from-vertex in the order of [`Mesh::outgoing`], `h` first.
+    /// The half-edges leaving `h`'s from-vertex in the order of [`Mesh::outgoing`], starting with `h`.
     pub fn turn_from(&self, h: HalfedgeId) -> impl Iterator<Item = HalfedgeId> + '_ {
         self.walk(Some(h), |h| self.next(h.twin()))
     }
@@ -64,7 +64,7 @@ impl Mesh {
         self.outgoing(v).filter_map(|h| self.face_of(h))
     }
 
-    /// How many edges a vertex has.
+    /// The number of a vertex's edges.
     pub fn valence(&self, v: VertexId) -> usize {
         self.outgoing(v).count()
     }

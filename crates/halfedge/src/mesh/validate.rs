@@ -1,24 +1,24 @@
-//! The one validator: every rule that a mesh keeps.
+//! The validator: all rules that a mesh keeps.
 
 use crate::mesh::Mesh;
 use crate::{Element, FaceId, HalfedgeId, NONE, VertexId};
 use std::fmt;
 
-/// A broken rule, and where.
+/// A broken rule and the element that breaks it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Defect {
-    /// The kind of the element at fault.
+    /// The element's kind.
     pub element: Element,
-    /// Its number.
+    /// The element's number.
     pub id: u32,
-    /// The rule it breaks.
+    /// The rule.
     pub rule: Rule,
 }
 
 /// The rules of a mesh.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Rule {
-    /// Columns of one kind of element are all as long as each other.
+    /// All columns of a kind of element have the same length.
     ColumnLength,
     /// Links lead to elements that exist.
     DanglingLink,
@@ -30,21 +30,21 @@ pub enum Rule {
     FaceOfLoop,
     /// A face's half-edge lies in that face.
     HalfedgeOfFace,
-    /// A face has three corners or more.
+    /// A face has at least three corners.
     TooFewCorners,
-    /// A face has a vertex once.
+    /// A face has each vertex only once.
     RepeatedCorner,
-    /// The two sides of an edge don't point to the same vertex.
+    /// The ends of an edge are different vertices.
     LoopEdge,
-    /// An edge has a face on one side at least.
+    /// An edge has a face on at least one side.
     EdgeWithoutFace,
     /// A vertex's half-edge leaves it.
     HalfedgeOfVertex,
     /// The half-edge of a vertex on the boundary is a boundary one.
     BoundaryFirst,
-    /// All half-edges that leave a vertex are reached by turning round it.
+    /// A walk around a vertex reaches all half-edges that leave it.
     NonManifoldVertex,
-    /// Two vertices are joined by one edge at most.
+    /// At most one edge joins two vertices.
     DuplicateEdge,
     /// Positions are finite.
     PositionNotFinite,
@@ -84,7 +84,7 @@ fn defect(element: Element, id: u32, rule: Rule) -> Result<(), Defect> {
     Err(Defect { element, id, rule })
 }
 
-/// Scratch that remembers, per vertex, the last walk it was met in: "twice in one walk" in O(1).
+/// Per vertex the last walk that reached it, which tells in O(1) whether a walk reaches it twice.
 struct Stamps(Vec<u32>);
 
 impl Stamps {
@@ -94,7 +94,7 @@ impl Stamps {
 }
 
 impl Mesh {
-    /// Checks every rule; the first broken one is named. Costs O(mesh) time and memory.
+    /// Checks all rules; the error names the first broken one. Costs O(mesh) time and memory.
     pub fn validate(&self) -> Result<(), Defect> {
         self.check_columns()?;
         for h in self.halfedges() {
@@ -126,7 +126,7 @@ impl Mesh {
                 return defect(Element::Vertex, v.raw(), Rule::NonManifoldVertex);
             }
         }
-        // Every half-edge is in the face it names, and is met turning round the vertex it leaves.
+        // A walk around its from-vertex reaches each half-edge, and so does its face's loop.
         if around != self.halfedge_count() {
             return self.find_unreached();
         }
@@ -140,9 +140,8 @@ impl Mesh {
         Ok(())
     }
 
-    /// Checks the rules at and around these vertices and faces, at a cost that depends on their
-    /// valence alone: what an edit's commit calls, with the elements its journal touched. Elements
-    /// that don't exist are passed over.
+    /// Checks the rules at and around these vertices and faces: those that an edit's journal touched. Elements that
+    /// don't exist are ignored. The cost depends only on valences and face degrees.
     pub fn validate_near(
         &self,
         vertices: impl IntoIterator<Item = VertexId>,
@@ -256,7 +255,7 @@ impl Mesh {
         Ok(())
     }
 
-    /// Gives the number of corners.
+    /// Checks a face's corners; returns their number.
     fn check_corners(
         &self,
         f: FaceId,
