@@ -18,11 +18,7 @@ pub(crate) fn write(name: &str, objects: &[ObjectRef]) -> Vec<NamedBytes> {
     let meshes: Vec<(Cow<Mesh>, Offsets)> = objects
         .iter()
         .map(|object| {
-            let mesh = if object.mesh.is_compact() {
-                Cow::Borrowed(object.mesh)
-            } else {
-                Cow::Owned(object.mesh.compacted().0)
-            };
+            let mesh = object.mesh.to_compact();
             let offsets = start;
             start.vertex += mesh.vertex_count() as u64;
             start.edge += mesh.edge_count() as u64;

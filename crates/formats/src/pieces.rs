@@ -27,7 +27,7 @@ impl<'a> Pieces<'a> {
             faces: 0,
         };
         for object in objects {
-            let mesh = compact(object.mesh);
+            let mesh = object.mesh.to_compact();
             let first = pieces.vertices;
             pieces.vertices += mesh.vertex_count() as u64;
             pieces.faces += mesh.face_count() as u64;
@@ -128,9 +128,4 @@ pub(crate) fn uniform<T: AttributeType + PartialEq>(
         (*slot, *met) = (value, true);
     }
     Some(values)
-}
-
-/// The mesh without gaps in its ids.
-pub(crate) fn compact(mesh: &Mesh) -> Cow<'_, Mesh> {
-    if mesh.is_compact() { Cow::Borrowed(mesh) } else { Cow::Owned(mesh.compacted().0) }
 }

@@ -264,7 +264,7 @@ mod tests {
         let soup = PolygonSoup::new(points(5), &[[0, 1, 2], [0, 1, 3], [1, 3, 4]]);
         let (mesh, notes) = with(&soup, Repairs::default());
         assert_eq!((mesh.vertex_count(), mesh.components().1), (5, 1));
-        assert!(notes[0].contains("turned round"), "{notes:?}");
+        assert!(notes[0].contains("flipped"), "{notes:?}");
         let (mesh, notes) = with(&soup, Repairs { orient: false, ..Repairs::default() });
         assert_eq!(notes[0], "2 edges separated: the faces there don't face the same way");
         assert_eq!(mesh.components().1, 3);

@@ -11,10 +11,8 @@ use std::collections::HashMap;
 /// # Errors
 /// [`TooLarge`] where ids run out.
 pub fn join_meshes<'a>(meshes: impl IntoIterator<Item = &'a Mesh>) -> Result<Mesh, TooLarge> {
-    let parts: Vec<RawMesh> = meshes
-        .into_iter()
-        .map(|mesh| if mesh.is_compact() { mesh.clone() } else { mesh.compacted().0 }.into_raw())
-        .collect();
+    let parts: Vec<RawMesh> =
+        meshes.into_iter().map(|mesh| mesh.to_compact().into_owned().into_raw()).collect();
     let halfedges: usize = parts.iter().map(|part| part.next.len()).sum();
     let vertices: usize = parts.iter().map(|part| part.positions.len()).sum();
     if halfedges / 2 > Mesh::MAX_EDGES || vertices >= NONE as usize {

@@ -96,13 +96,7 @@ fn carry_edges(mesh: &Mesh, result: &mut Mesh, renumber: impl Fn(u32) -> u32) {
     if columns.is_empty() {
         return;
     }
-    let compact;
-    let mesh = if mesh.is_compact() {
-        mesh
-    } else {
-        compact = mesh.compacted().0;
-        &compact
-    };
+    let mesh = mesh.to_compact();
     let mut source = vec![NONE; result.edge_capacity()];
     for e in mesh.edges() {
         let ends = mesh.ends(e).map(|v| result.vertex(renumber(v.raw())));

@@ -4,7 +4,6 @@ use crate::export::ObjectRef;
 use crate::hash::Unique;
 use crate::import::NamedBytes;
 use crate::obj::names::{own_colors, painted};
-use crate::pieces::compact;
 use crate::text::{push_float, push_integer};
 use glam::DVec3;
 use halfedge::attribute::{AttributeType, Key};
@@ -18,7 +17,7 @@ pub(crate) fn write(name: &str, objects: &[ObjectRef]) -> Vec<NamedBytes> {
     let mut geometries = Vec::new();
     let mut nodes = String::new();
     for (number, object) in objects.iter().enumerate() {
-        let mesh = compact(object.mesh);
+        let mesh = object.mesh.to_compact();
         let used = geometry(&mut geometries, number, object.name, &mesh, object.offset, &mut materials);
         let label = escape(object.name);
         nodes +=

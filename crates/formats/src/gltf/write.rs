@@ -7,7 +7,6 @@ use crate::export::{ObjectRef, WriteError};
 use crate::hash::Unique;
 use crate::import::NamedBytes;
 use crate::obj::names::{own_colors, painted};
-use crate::pieces::compact;
 use crate::srgb::to_linear;
 use crate::weld::Weld;
 use base64::Engine;
@@ -58,7 +57,7 @@ fn document(objects: &[ObjectRef], uri: Option<&str>) -> (Value, Vec<u8>) {
     let mut writer = Writer { own_colors: own_colors(objects, str::to_owned), ..Writer::default() };
     let (mut meshes, mut nodes) = (Vec::new(), Vec::new());
     for object in objects {
-        let mesh = compact(object.mesh);
+        let mesh = object.mesh.to_compact();
         let primitives = writer.primitives(&mesh);
         let mut node = json!({ "name": object.name });
         if object.offset != DVec3::ZERO {

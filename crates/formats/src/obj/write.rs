@@ -39,11 +39,7 @@ pub(crate) fn write(name: &str, objects: &[ObjectRef]) -> Vec<NamedBytes> {
         if section.is_none() && object.mesh.vertex_count() == 0 {
             writer.name_line("o", &clean(object.name));
         }
-        if object.mesh.is_compact() {
-            writer.object(object.mesh, object.offset, section);
-        } else {
-            writer.object(&object.mesh.compacted().0, object.offset, section);
-        }
+        writer.object(&object.mesh.to_compact(), object.offset, section);
     }
     let mut files = vec![NamedBytes { name: format!("{name}.obj"), bytes: writer.out }];
     if has_materials {

@@ -107,17 +107,11 @@ fn refine(
 ) -> Result<Mesh, SurfaceError> {
     let mut pace = Pace::new(progress);
     pace.at(0.0)?;
-    let compact;
-    let mesh = if mesh.is_compact() {
-        mesh
-    } else {
-        compact = mesh.compacted().0;
-        &compact
-    };
+    let mesh = mesh.to_compact();
     if levels == 0 {
-        return Ok(mesh.clone());
+        return Ok(mesh.into_owned());
     }
-    let mut sharpness = Sharpness::of(mesh);
+    let mut sharpness = Sharpness::of(&mesh);
     // Each level costs four times the one before.
     let share = |level: u32| (4f32.powi(level as i32) - 1.0) / (4f32.powi(levels as i32) - 1.0);
     let mut made: Option<RawMesh> = None;

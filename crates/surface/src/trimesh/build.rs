@@ -5,7 +5,7 @@ use super::values::push_copy;
 use super::{Frame, Renumbering, TriMesh};
 use crate::morton;
 use glam::Vec3;
-use halfedge::attribute::{Column, Value};
+use halfedge::attribute::Column;
 use halfedge::geometry::PolygonTriangulator;
 use halfedge::{Element, FaceId, HalfedgeId, Mesh, NONE, VertexId};
 
@@ -153,7 +153,7 @@ impl TriMesh {
         }
         let same_values = |a: u32, b: u32| {
             let same = |column: &Column| match [a, b].map(|at| column.values.get(at as usize)) {
-                [Some(a), Some(b)] => same_bits(a, b),
+                [Some(a), Some(b)] => a.is_identical(b),
                 _ => true,
             };
             a == b || columns.iter().all(same)
@@ -240,15 +240,4 @@ fn clashing_polygons(mesh: &Mesh) -> Vec<u32> {
     clashing.sort_unstable();
     clashing.dedup();
     clashing
-}
-
-fn same_bits(a: Value, b: Value) -> bool {
-    match (a, b) {
-        (Value::F32(a), Value::F32(b)) => a.to_bits() == b.to_bits(),
-        (Value::Vec2(a), Value::Vec2(b)) => a.to_array().map(f32::to_bits) == b.to_array().map(f32::to_bits),
-        (Value::Vec3(a), Value::Vec3(b)) => a.to_array().map(f32::to_bits) == b.to_array().map(f32::to_bits),
-        (Value::Color(a), Value::Color(b)) => a == b,
-        (Value::U32(a), Value::U32(b)) => a == b,
-        _ => false,
-    }
 }

@@ -1,18 +1,7 @@
 //! Attribute values: copied and mixed in place.
 
 use super::make_room;
-use halfedge::attribute::{Column, Value, Values, mix};
-
-fn set(column: &mut Column, index: usize, value: Value) {
-    match (&mut column.values, value) {
-        (Values::F32(values), Value::F32(v)) => values[index] = v,
-        (Values::Vec2(values), Value::Vec2(v)) => values[index] = v,
-        (Values::Vec3(values), Value::Vec3(v)) => values[index] = v,
-        (Values::Color(values), Value::Color(v)) => values[index] = v,
-        (Values::U32(values), Value::U32(v)) => values[index] = v,
-        _ => debug_assert!(false, "a value of another type"),
-    }
-}
+use halfedge::attribute::{Column, Values, mix};
 
 pub(super) fn push_copy(column: &mut Column, index: usize) {
     fn push<T: Copy>(values: &mut Vec<T>, index: usize) {
@@ -30,6 +19,6 @@ pub(super) fn push_copy(column: &mut Column, index: usize) {
 
 pub(super) fn mix_into(column: &mut Column, to: usize, from: usize, t: f32) {
     if let (Some(a), Some(b)) = (column.values.get(to), column.values.get(from)) {
-        set(column, to, mix(a, b, t));
+        column.values.set(to, mix(a, b, t));
     }
 }
