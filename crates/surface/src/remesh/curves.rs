@@ -4,8 +4,8 @@
 //! kept edge of the mesh being worked on knows the places of its two ends, so that a vertex slides along
 //! its curve exactly, whatever the curve does in space, and never past its neighbours.
 
-use super::kept::{Kept, kept_edges};
-use super::sides::Sides;
+use super::kept_edges::{Kept, kept_edges};
+use super::side_numbers::Sides;
 use crate::trimesh::TriMesh;
 use glam::DVec3;
 use halfedge::{Mesh, NONE};

@@ -15,10 +15,10 @@
 //! angles too.
 
 mod curves;
-mod kept;
+mod kept_edges;
 mod polish;
 mod relax;
-mod sides;
+mod side_numbers;
 mod work;
 
 use crate::error::{SurfaceError, check_iterations};

@@ -1,7 +1,7 @@
 //! The mesh being worked on, and its three changes: split, collapse and flip, with the curves kept.
 
 use super::curves::{Arc, Curves, Role};
-use super::sides::Sides;
+use super::side_numbers::Sides;
 use crate::trimesh::{Order, TriMesh, make_room, next, prev, with_room};
 use glam::DVec3;
 use halfedge::{Element, Mesh, NONE};

@@ -2,12 +2,12 @@
 //!
 //! Two ways to know that a collapse does: adding what it moves the surface by ([`super::deviation`]) to
 //! what came before, which holds for every point but adds up; and, where that is past the limit,
-//! measuring ([`super::measured`]). Measuring takes memory and time that adding does not, so everything
+//! measuring ([`super::measurement`]). Measuring takes memory and time that adding does not, so everything
 //! that adding allows is done first.
 
 use super::Work;
 use super::deviation::{Outline, Patches};
-use super::measured::Measured;
+use super::measurement::Measured;
 use halfedge::NONE;
 
 /// The bookkeeping of a bound on the distance.

@@ -6,12 +6,12 @@
 //! a direction open, and every collapse checked: the link condition (the result stays a manifold of the same
 //! topology), no triangle turned over or flattened.
 
+mod collapse_order;
 mod deviation;
 mod limit;
-mod measured;
+mod measurement;
 mod quadric;
 mod queue;
-mod run;
 
 use crate::SurfaceError;
 use crate::face_tree::along_segment;
@@ -20,7 +20,7 @@ use crate::trimesh::{Order, Renumbering, TriMesh, area_vector, next, prev};
 use glam::DVec3;
 use halfedge::{Element, Mesh, NONE, Progress, keys};
 use limit::Limit;
-use measured::Measured;
+use measurement::Measured;
 use quadric::Quadric;
 use queue::Queue;
 
@@ -142,7 +142,7 @@ pub fn simplify(
     };
     let mut work = Work::new(mesh, tri, options);
     pace.at(0.05)?;
-    run::to(&mut work, wanted.unwrap_or(0), &mut pace.part(0.1, 0.95))?;
+    collapse_order::to(&mut work, wanted.unwrap_or(0), &mut pace.part(0.1, 0.95))?;
     let tri = work.finish();
     let has_seams = options.preserve_seams
         && wanted.is_some_and(|wanted| tri.faces > wanted)
