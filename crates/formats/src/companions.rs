@@ -1,6 +1,7 @@
 //! Companion files: files that a model needs besides itself, such as an OBJ's material libraries, their
 //! images, and a glTF's buffers.
 
+use crate::collada;
 use crate::format::{Format, is_material_library};
 use crate::gltf;
 use crate::import::NamedBytes;
@@ -32,6 +33,7 @@ pub fn companions(file: &NamedBytes) -> Vec<String> {
                 rest.split_whitespace().for_each(&mut add);
             }
         }
+        Some(Format::Collada) => collada::companions(file).iter().for_each(|name| add(name)),
         Some(Format::Gltf | Format::Glb) => gltf::buffer_names(file).iter().for_each(|name| add(name)),
         _ => {}
     }

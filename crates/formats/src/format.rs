@@ -1,5 +1,6 @@
 //! The formats, and how a file's is told.
 
+use crate::collada;
 use crate::detect::by_content;
 use crate::import::NamedBytes;
 use crate::losses::Part;
@@ -116,9 +117,7 @@ impl Format {
                 )
             }
             Self::Stl | Self::StlText => false,
-            Self::Collada => {
-                !matches!(part, Part::VertexColors | Part::Groups | Part::Smoothing | Part::Creases)
-            }
+            Self::Collada => !matches!(part, Part::Groups | Part::Smoothing | Part::Creases),
             Self::Glb | Self::Gltf => {
                 !matches!(part, Part::Polygons | Part::Groups | Part::Smoothing | Part::Creases)
             }
@@ -132,7 +131,8 @@ impl Format {
     pub(crate) fn keeps_property(self, property: Property) -> bool {
         match self {
             Self::Obj => obj::mtl::keeps(property),
-            Self::Collada | Self::Glb | Self::Gltf => property == Property::BaseColor,
+            Self::Collada => collada::keeps(property),
+            Self::Glb | Self::Gltf => property == Property::BaseColor,
             // Faces keep the colour; formats without material names are reported for those.
             _ => property == Property::BaseColor,
         }

@@ -259,7 +259,11 @@ fn read_one(
         Format::Ply | Format::PlyText => one(ply::read(file, reading, progress)?),
         Format::Stl | Format::StlText => one(stl::read(file, reading, progress)?),
         Format::Off => one(off::read(file, reading, progress)?),
-        Format::Collada => collada::read(file, reading, progress)?,
+        Format::Collada => {
+            let (objects, found, notes) = collada::read(file, files, reading, progress)?;
+            materials = found;
+            (objects, notes)
+        }
         Format::Glb | Format::Gltf => gltf::read(file, files, reading, progress)?,
         Format::BezierCurve | Format::BezierSurface => one(bezier::read(file, format, progress)?),
         Format::Json => {

@@ -1,4 +1,4 @@
-//! Numbers into text.
+//! Numbers into text, and text into addresses.
 
 use glam::{DVec3, Vec3};
 
@@ -32,6 +32,32 @@ pub(crate) fn push_position(out: &mut Vec<u8>, position: Vec3, offset: DVec3) {
 /// Appends a whole number.
 pub(crate) fn push_integer(out: &mut Vec<u8>, value: u64) {
     out.extend_from_slice(itoa::Buffer::new().format(value).as_bytes());
+}
+
+/// The text that an address stands for: `%20` is a blank (RFC 3986, 2.1).
+pub(crate) fn percent_decoded(uri: &str) -> String {
+    let mut out = Vec::with_capacity(uri.len());
+    let mut rest = uri.as_bytes();
+    while let Some((&byte, after)) = rest.split_first() {
+        let digit = |at: usize| char::from(*after.get(at)?).to_digit(16);
+        match (byte, digit(0), digit(1)) {
+            (b'%', Some(high), Some(low)) => {
+                out.push((high * 16 + low) as u8);
+                rest = after.get(2..).unwrap_or_default();
+            }
+            _ => {
+                out.push(byte);
+                rest = after;
+            }
+        }
+    }
+    String::from_utf8_lossy(&out).into_owned()
+}
+
+/// A path as an address: every byte that is neither plain nor between folders as `%20` (RFC 3986, 2.1).
+pub(crate) fn percent_encoded(path: &str) -> String {
+    let plain = |b: u8| b.is_ascii_alphanumeric() || b"-._~/".contains(&b);
+    path.bytes().map(|b| if plain(b) { char::from(b).to_string() } else { format!("%{b:02X}") }).collect()
 }
 
 #[cfg(test)]

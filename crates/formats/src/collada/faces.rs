@@ -142,16 +142,25 @@ impl<'p> Faces<'p> {
         self.without_vertex > 0
     }
 
-    /// The soup with columns for the attributes that corners have. `can_color_faces` says that nothing
-    /// else gives faces their colours. `label` names the geometry in notes.
-    pub(super) fn finish(mut self, label: &str, can_color_faces: bool, notes: &mut Notes) -> PolygonSoup {
+    /// The soup with columns for the attributes that corners have. `vertex_colors` are those of vertices,
+    /// for vertices in no face; `can_color_faces` says that nothing else gives faces their colours. `label`
+    /// names the geometry in notes.
+    pub(super) fn finish(
+        mut self,
+        label: &str,
+        vertex_colors: Option<&Source>,
+        can_color_faces: bool,
+        notes: &mut Notes,
+    ) -> PolygonSoup {
         self.note_faults(label, notes);
         let corners = self.soup.corners.len();
         let mut add = |column: Option<Column>| self.soup.corner_columns.extend(column);
         add(column(keys::CORNER_UV, self.uvs, corners));
         add(column(keys::CORNER_NORMAL, self.normals, corners));
-        self.colors.resize(if self.colors.is_empty() { 0 } else { corners }, [f32::NAN; 4]);
-        add_colors(&mut self.soup, &self.colors, label, can_color_faces, notes);
+        if !self.colors.is_empty() || vertex_colors.is_some() {
+            self.colors.resize(corners, [f32::NAN; 4]);
+            add_colors(&mut self.soup, &self.colors, vertex_colors, label, can_color_faces, notes);
+        }
         self.soup
     }
 
@@ -224,13 +233,11 @@ fn direction(normal: Vec3, placement: &Placement, vertex: usize) -> Vec3 {
 fn add_colors(
     soup: &mut PolygonSoup,
     corner_colors: &[[f32; 4]],
+    vertex_colors: Option<&Source>,
     label: &str,
     can_color_faces: bool,
     notes: &mut Notes,
 ) {
-    if corner_colors.is_empty() {
-        return;
-    }
     if corner_colors.iter().any(|[.., alpha]| *alpha < 1.0) {
         notes.fault(Fault::Attribute, format!("geometry \"{label}\": colours without their alpha"));
     }
@@ -251,6 +258,11 @@ fn add_colors(
         }
         differing += usize::from(*known != color);
         *sum = (sum.0 + color, sum.1 + 1.0);
+    }
+    if let Some(source) = vertex_colors {
+        for (v, color) in colors.iter_mut().enumerate().filter(|(_, color)| color.is_nan()) {
+            *color = source.get::<3>(v).map_or(Vec3::NAN, Vec3::from_array);
+        }
     }
     if differing == 0 {
         soup.vertex_columns.push(Column::with_values(keys::VERTEX_COLOR, colors));

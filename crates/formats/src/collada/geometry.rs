@@ -2,7 +2,7 @@
 
 use super::controller::{Morph, position_input};
 use super::faces::Faces;
-use super::material::Palette;
+use super::material::{Library, Palette};
 use super::notes::{Fault, Notes};
 use super::numbers::Number;
 use super::primitive::Primitives;
@@ -27,10 +27,11 @@ pub(super) struct Shown<'r, 'd, 'a> {
 ///
 /// # Errors
 /// In words, where it has no mesh or its positions can't be read.
-pub(super) fn read(
-    document: &Document,
-    shown: &Shown,
+pub(super) fn read<'d, 'a>(
+    document: &'d Document<'a>,
+    shown: &Shown<'_, 'd, 'a>,
     origin: &mut Option<Origin>,
+    library: &mut Library<'d, 'a>,
     notes: &mut Notes,
 ) -> Result<PolygonSoup, String> {
     let Shown { geometry, instance, placement, morph } = shown;
@@ -53,33 +54,36 @@ pub(super) fn read(
             origin.place(place(i, position.into(), shown))
         }),
     }?;
-    let mut faces = Faces::new(positions, placement);
-    let mut primitives = Primitives::new(document, vertices, label, notes);
     let mut palette = Palette::of(document, instance.binding);
-    // The number in the palette of each face's material.
-    let mut numbers: Vec<u32> = Vec::new();
     let mut lines = 0;
+    // Primitives with the numbers of their materials in the palette.
+    let mut parts: Vec<(&Node, u32)> = Vec::new();
     for primitive in document.children(mesh) {
         match primitive.name {
             "polylist" | "polygons" | "triangles" | "tristrips" | "trifans" => {
-                let first = faces.soup.face_count();
-                let material = primitive.attribute("material").map(|symbol| palette.number(symbol));
-                primitives.read(primitive, None, &mut faces);
-                numbers.resize(first, NONE);
-                numbers.resize(faces.soup.face_count(), material.unwrap_or(NONE));
+                let symbol = primitive.attribute("material");
+                parts.push((primitive, symbol.map_or(NONE, |symbol| palette.number(symbol, library, notes))));
             }
             "lines" | "linestrips" => lines += 1,
             _ => {}
         }
     }
+    let mut faces = Faces::new(positions, placement);
+    let mut primitives = Primitives::new(document, vertices, label, notes);
+    // The material of each face.
+    let mut numbers: Vec<u32> = Vec::new();
+    for (primitive, material) in parts {
+        primitives.read(primitive, palette.set_of(material), &mut faces);
+        numbers.resize(faces.soup.face_count(), material);
+    }
+    let vertex_colors = primitives.vertex_colors();
     if lines > 0 {
         let lines = counted(lines, "set of lines", "sets of lines");
         notes.fault(Fault::Scene, format!("geometry \"{label}\": {lines}; only faces are edited here"));
     }
-    numbers.resize(faces.soup.face_count(), NONE);
     let columns = palette.columns(&numbers);
     let has_colors = columns.iter().any(|column| column.name == halfedge::keys::FACE_COLOR.name);
-    let mut soup = faces.finish(label, !has_colors, notes);
+    let mut soup = faces.finish(label, vertex_colors.as_deref(), !has_colors, notes);
     soup.face_columns.extend(columns);
     Ok(soup)
 }

@@ -1,5 +1,6 @@
 //! Kinds of content that a mesh editor doesn't keep: counted and named.
 
+use super::effect::OWN_PROFILE;
 use super::notes::Notes;
 use super::xml::Document;
 use crate::report::{counted, first_few};
@@ -34,10 +35,14 @@ pub(super) fn note(document: &Document, notes: &mut Notes) {
         .all("extra")
         .flat_map(|extra| document.children_named(extra, "technique"))
         .filter_map(|technique| technique.attribute("profile"))
+        .filter(|&profile| profile != OWN_PROFILE)
         .collect();
     profiles.sort_unstable();
     profiles.dedup();
     if !profiles.is_empty() {
-        notes.info(format!("Extra data of other programs is not kept: {}", first_few(&profiles, 8)));
+        notes.info(format!(
+            "Extra data of other programs is kept only as far as it is about textures and double-sided faces: {}",
+            first_few(&profiles, 8)
+        ));
     }
 }

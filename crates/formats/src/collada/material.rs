@@ -1,29 +1,138 @@
-//! Materials: what faces of a primitive have.
+//! Materials: what the faces of primitives have, and how a document's materials get there.
 
+use super::effect::{self, Look};
+use super::notes::{Fault, Notes};
 use super::xml::{Document, Node};
-use crate::material::Rgb;
+use crate::import::NamedBytes;
+use crate::material::{Material, Materials, TextureRole};
 use crate::obj::names::unpainted;
 use crate::obj::runs::Names;
-use crate::scan::Scan;
+use crate::report::first_few;
 use halfedge::attribute::Column;
 use halfedge::{Color, NONE, keys};
 use std::collections::HashMap;
+use std::rc::Rc;
 
 /// What the faces of one material have.
-#[derive(Clone, Debug, PartialEq, Eq, Hash)]
+#[derive(Debug, PartialEq)]
 struct Paint {
     /// The material's name; empty for one that only stands for a colour.
     name: String,
     /// The diffuse colour, if there is one.
     color: Option<Color>,
+    /// For each texture its role and the name under which its texture coordinates are bound.
+    texcoords: Vec<(TextureRole, String)>,
+}
+
+/// The materials of a document that faces have so far.
+pub(super) struct Library<'d, 'a> {
+    document: &'d Document<'a>,
+    files: &'d [NamedBytes],
+    materials: Materials,
+    /// The places of materials in the list by name.
+    numbers: HashMap<String, usize>,
+    /// How often a name is taken, with numbers behind it.
+    copies: HashMap<String, usize>,
+    /// What `<material>` elements stand for, by their index in the document.
+    paints: HashMap<u32, Rc<Paint>>,
+}
+
+impl<'d, 'a> Library<'d, 'a> {
+    pub(super) fn new(document: &'d Document<'a>, files: &'d [NamedBytes]) -> Self {
+        Self {
+            document,
+            files,
+            materials: Materials::default(),
+            numbers: HashMap::new(),
+            copies: HashMap::new(),
+            paints: HashMap::new(),
+        }
+    }
+
+    /// The materials that faces have. Names the images and materials that the document doesn't get.
+    pub(super) fn finish(self, notes: &mut Notes) -> Materials {
+        let absent = self.materials.images.iter().filter(|image| image.bytes.is_none());
+        let absent: Vec<&str> = absent.map(|image| image.name.as_str()).collect();
+        if !absent.is_empty() {
+            notes.info(format!(
+                "Images that its materials use were not given, so only referred to: {}",
+                first_few(&absent, 6)
+            ));
+        }
+        let unused = self.document.all("material").filter(|node| !self.paints.contains_key(&node.index));
+        let unused: Vec<&str> = unused.map(Node::label).collect();
+        if !unused.is_empty() {
+            notes.info(format!("Materials that no face has left out: {}", first_few(&unused, 6)));
+        }
+        self.materials
+    }
+
+    /// What a `<material>` element stands for.
+    fn paint(&mut self, node: &'d Node<'a>, notes: &mut Notes) -> Rc<Paint> {
+        if let Some(known) = self.paints.get(&node.index) {
+            return Rc::clone(known);
+        }
+        let label = node.label();
+        let look = match self.document.child(node, "instance_effect") {
+            Some(instance) => {
+                effect::read(self.document, instance, label, self.files, &mut self.materials, notes)
+            }
+            None => Look::default(),
+        };
+        let color = look.material.color();
+        let roles: Vec<TextureRole> = look.material.textures.iter().map(|texture| texture.role).collect();
+        let texcoords = roles.into_iter().zip(look.texcoords).collect();
+        let name = match unpainted(label) {
+            // A material made for painted faces: theirs is the one that it was made from.
+            Some((plain, paint)) if color == Some(paint) => {
+                if !plain.is_empty() && !self.numbers.contains_key(plain) {
+                    self.add(plain, look.material);
+                }
+                plain.to_owned()
+            }
+            _ => self.add(label, look.material),
+        };
+        let paint = Rc::new(Paint { name, color, texcoords });
+        self.paints.insert(node.index, Rc::clone(&paint));
+        paint
+    }
+
+    /// Adds a material, and returns the name that it has: its own unless a different material has that one.
+    /// Materials that are no more than a colour share a name.
+    fn add(&mut self, label: &str, mut material: Material) -> String {
+        material.name = label.to_owned();
+        if let Some(known) = self.numbers.get(label).and_then(|&number| self.materials.list.get(number)) {
+            if *known == material || (is_color(known) && is_color(&material)) {
+                return material.name;
+            }
+            let mut number = self.copies.get(label).copied().unwrap_or(1);
+            while self.numbers.contains_key(&material.name) {
+                number += 1;
+                material.name = format!("{label}.{number}");
+            }
+            self.copies.insert(label.to_owned(), number);
+        }
+        let name = material.name.clone();
+        self.numbers.insert(name.clone(), self.materials.list.len());
+        self.materials.list.push(material);
+        name
+    }
+}
+
+/// Whether a material says no more than a colour.
+fn is_color(material: &Material) -> bool {
+    let name = material.name.clone();
+    *material == Material { name, base_color: material.base_color, ..Material::default() }
 }
 
 /// The materials of one instance, by the symbols that primitives have for them.
 pub(super) struct Palette<'d, 'a> {
     document: &'d Document<'a>,
-    bound: HashMap<&'d str, &'d str>,
-    list: Vec<Paint>,
-    numbers: HashMap<Paint, u32>,
+    /// The elements that bind materials, by symbol.
+    bound: HashMap<&'d str, &'d Node<'a>>,
+    /// The materials so far, with the sets of texture coordinates that they use.
+    list: Vec<(Rc<Paint>, Option<usize>)>,
+    numbers: HashMap<String, u32>,
 }
 
 impl<'d, 'a> Palette<'d, 'a> {
@@ -33,33 +142,81 @@ impl<'d, 'a> Palette<'d, 'a> {
         let bound = binds
             .into_iter()
             .flat_map(|binds| document.children_named(binds, "instance_material"))
-            .filter_map(|bind| Some((bind.attribute("symbol")?, bind.attribute("target")?)))
+            .filter_map(|bind| Some((bind.attribute("symbol")?, bind)))
             .collect();
         Self { document, bound, list: Vec::new(), numbers: HashMap::new() }
     }
 
-    /// The number of the material that a symbol stands for.
-    pub(super) fn number(&mut self, symbol: &str) -> u32 {
-        let paint = find(self.document, self.bound.get(symbol).copied(), symbol);
-        let next = self.list.len() as u32;
-        let number = *self.numbers.entry(paint.clone()).or_insert(next);
-        if number == next {
-            self.list.push(paint);
+    /// The number of the material that a symbol stands for: the one bound to it, or the one of that id.
+    pub(super) fn number(&mut self, symbol: &str, library: &mut Library<'d, 'a>, notes: &mut Notes) -> u32 {
+        if let Some(&number) = self.numbers.get(symbol) {
+            return number;
         }
+        let bind = self.bound.get(symbol).copied();
+        let target = bind.and_then(|bind| bind.attribute("target")).unwrap_or(symbol);
+        let (paint, set) = match self.document.target(target).filter(|node| node.name == "material") {
+            Some(node) => {
+                let paint = library.paint(node, notes);
+                let set = self.uv_set(&paint, bind, notes);
+                (paint, set)
+            }
+            None => {
+                if bind.is_some() {
+                    notes
+                        .fault(Fault::Material, format!("\"{symbol}\": material \"{target}\" doesn't exist"));
+                }
+                let paint = Paint { name: symbol.to_owned(), color: None, texcoords: Vec::new() };
+                (Rc::new(paint), None)
+            }
+        };
+        let number = self.list.len() as u32;
+        self.list.push((paint, set));
+        self.numbers.insert(symbol.to_owned(), number);
         number
+    }
+
+    /// The set of texture coordinates that a material's textures use: corners have one, so that of the base
+    /// colour counts.
+    fn uv_set(&self, paint: &Paint, bind: Option<&Node<'a>>, notes: &mut Notes) -> Option<usize> {
+        let set = |texcoord: &str| {
+            let mut inputs = self.document.children_named(bind?, "bind_vertex_input");
+            let input = inputs.find(|input| input.attribute("semantic") == Some(texcoord))?;
+            Some(input.number("input_set").unwrap_or(0))
+        };
+        let is_base = |role: TextureRole| role == TextureRole::BaseColor;
+        let main = paint.texcoords.iter().find(|(role, _)| is_base(*role)).or(paint.texcoords.first())?;
+        let main = set(&main.1);
+        for (role, texcoord) in &paint.texcoords {
+            if set(texcoord).unwrap_or(0) != main.unwrap_or(0) {
+                notes.fault(
+                    Fault::Material,
+                    format!(
+                        "\"{}\": its {} has other texture coordinates in the file than corners have here",
+                        paint.name,
+                        role.name()
+                    ),
+                );
+            }
+        }
+        main
+    }
+
+    /// The set of texture coordinates that a material uses, if it says so.
+    pub(super) fn set_of(&self, number: u32) -> Option<usize> {
+        self.list.get(number as usize)?.1
     }
 
     /// Columns of faces with these materials.
     pub(super) fn columns(&self, numbers: &[u32]) -> Vec<Column> {
         let mut columns = Vec::new();
-        let paint = |number: &u32| self.list.get(*number as usize);
+        let paint = |number: &u32| self.list.get(*number as usize).map(|(paint, _)| paint);
         // Several materials here may be one by name: different colours of it.
         let mut names = Names::default();
-        let of_paint: Vec<u32> = self
-            .list
-            .iter()
-            .map(|paint| if paint.name.is_empty() { NONE } else { names.number(&paint.name) })
-            .collect();
+        let name = |(paint, _): &(Rc<Paint>, _)| match paint.name.as_str() {
+            "" => NONE,
+            name => names.number(name),
+        };
+        let of_paint: Vec<u32> = self.list.iter().map(name).collect();
         let named: Vec<u32> =
             numbers.iter().map(|&n| of_paint.get(n as usize).copied().unwrap_or(NONE)).collect();
         if named.iter().any(|&name| name != NONE) {
@@ -71,27 +228,4 @@ impl<'d, 'a> Palette<'d, 'a> {
         }
         columns
     }
-}
-
-/// The material that a symbol stands for: the one bound to it, or the one of that id.
-fn find(document: &Document, bound: Option<&str>, symbol: &str) -> Paint {
-    let Some(material) = document.target(bound.unwrap_or(symbol)).filter(|node| node.name == "material")
-    else {
-        return Paint { name: symbol.to_owned(), color: None };
-    };
-    let color = diffuse(document, material);
-    let name = material.label();
-    match unpainted(name) {
-        Some((plain, paint)) if color == Some(paint) => Paint { name: plain.to_owned(), color },
-        _ => Paint { name: name.to_owned(), color },
-    }
-}
-
-fn diffuse(document: &Document, material: &Node) -> Option<Color> {
-    let effect = document.target(document.child(material, "instance_effect")?.attribute("url")?)?;
-    let technique = document.path(effect, &["profile_COMMON", "technique"])?;
-    let shader =
-        document.children(technique).find_map(|shader| document.path(shader, &["diffuse", "color"]))?;
-    let mut scan = Scan::new(shader.text(), None);
-    Some(Rgb::from_srgb([scan.float()?, scan.float()?, scan.float()?]).to_color())
 }

@@ -5,8 +5,10 @@
 //! metres with Y up. A fault costs what has it and no more: what is left out is named in the report.
 
 mod controller;
+mod effect;
 mod faces;
 mod geometry;
+mod image;
 mod left_out;
 mod material;
 mod notes;
@@ -17,8 +19,9 @@ mod scene;
 mod skin;
 mod source;
 mod transform;
+mod vocabulary;
 mod write;
 mod xml;
 
-pub(crate) use read::{looks_like, read};
-pub(crate) use write::write;
+pub(crate) use read::{companions, looks_like, read};
+pub(crate) use write::{keeps, write};

@@ -9,6 +9,9 @@ use std::collections::HashSet;
 /// How many faults of a kind the report shows; the rest it counts.
 const FAULTS_SHOWN: usize = 6;
 
+/// How many notes about nothing lost the report shows.
+const INFOS_SHOWN: usize = 24;
+
 /// What a fault costs.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub(super) enum Fault {
@@ -39,7 +42,7 @@ impl Fault {
 /// Notes for the import report.
 #[derive(Default)]
 pub(super) struct Notes {
-    met: HashSet<(Fault, String)>,
+    met: HashSet<(Option<Fault>, String)>,
     faults: Vec<(Fault, String)>,
     /// What changes nothing about the meshes, in sentences.
     infos: Vec<String>,
@@ -49,7 +52,7 @@ impl Notes {
     /// Adds a fault: a clause that begins with the element it is about.
     pub(super) fn fault(&mut self, fault: Fault, text: impl Into<String>) {
         let text = text.into();
-        if self.met.insert((fault, text.clone())) {
+        if self.met.insert((Some(fault), text.clone())) {
             self.faults.push((fault, text));
         }
     }
@@ -57,7 +60,7 @@ impl Notes {
     /// Adds a sentence, once.
     pub(super) fn info(&mut self, text: impl Into<String>) {
         let text = text.into();
-        if !self.infos.contains(&text) {
+        if self.met.insert((None, text.clone())) {
             self.infos.push(text);
         }
     }
@@ -74,7 +77,10 @@ impl Notes {
 
     /// Adds everything to the report.
     pub(super) fn report(&self, report: &mut ImportReport) {
-        self.infos.iter().for_each(|info| report.info(info));
+        self.infos.iter().take(INFOS_SHOWN).for_each(|info| report.info(info));
+        if self.infos.len() > INFOS_SHOWN {
+            report.info(format!("{} more", counted(self.infos.len() - INFOS_SHOWN, "note", "notes")));
+        }
         for fault in Fault::ALL {
             let texts: Vec<&String> =
                 self.faults.iter().filter(|(kind, _)| *kind == fault).map(|(_, text)| text).collect();

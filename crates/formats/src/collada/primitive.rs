@@ -243,17 +243,30 @@ impl<'r, 'd, 'a> Primitives<'r, 'd, 'a> {
                 format!("geometry \"{label}\": {others} left out: corners have one here"),
             );
         }
-        if let Some(known) = self.sources.get(&(first.source, width)) {
-            return known.clone().map(|source| (first.offset, source));
+        self.source(first.source, width, what[1]).map(|source| (first.offset, source))
+    }
+
+    /// The source of this name, read once. `what` its values are is for the note where it can't be read.
+    fn source(&mut self, name: &'d str, width: usize, what: &str) -> Option<Rc<Source>> {
+        if let Some(known) = self.sources.get(&(name, width)) {
+            return known.clone();
         }
-        let source = match Source::read(self.document, first.source, width, label, self.notes) {
+        let label = self.label;
+        let source = match Source::read(self.document, name, width, label, self.notes) {
             Ok(source) => Some(Rc::new(source)),
             Err(why) => {
-                self.notes.fault(Fault::Attribute, format!("geometry \"{label}\" has no {}: {why}", what[1]));
+                self.notes.fault(Fault::Attribute, format!("geometry \"{label}\" has no {what}: {why}"));
                 None
             }
         };
-        self.sources.insert((first.source, width), source.clone());
-        source.map(|source| (first.offset, source))
+        self.sources.insert((name, width), source.clone());
+        source
+    }
+
+    /// The colours that come with the vertices themselves.
+    pub(super) fn vertex_colors(&mut self) -> Option<Rc<Source>> {
+        let mut inputs = self.document.children_named(self.vertices, "input");
+        let input = inputs.find(|input| input.attribute("semantic") == Some("COLOR"))?;
+        self.source(input.attribute("source").unwrap_or_default(), 4, "sets of colours")
     }
 }

@@ -2,13 +2,15 @@
 
 use super::controller::{Morph, Shape};
 use super::geometry::{self, Shown};
+use super::material::Library;
 use super::notes::{Fault, Notes};
 use super::scene::{self, Instance, Scene, has_faces};
 use super::skin::{self, Joints, Placement};
 use super::xml::Document;
-use super::{left_out, transform};
+use super::{image, left_out, transform};
 use crate::encoding::{Encoding, decode};
 use crate::import::{ImportedObject, NamedBytes, ReadError, Reading, build};
+use crate::material::Materials;
 use crate::origin::Origin;
 use crate::report::{ImportReport, counted};
 use halfedge::{PolygonSoup, Progress};
@@ -26,21 +28,29 @@ const ELEMENTS_PER_BYTE: usize = 8;
 /// What an object costs besides its elements, counted in elements.
 const ELEMENTS_PER_OBJECT: usize = 200;
 
+/// The names of the files that a document refers to: the images of its textures.
+pub(crate) fn companions(file: &NamedBytes) -> Vec<String> {
+    let (text, _) = decode(&file.bytes);
+    Document::read(&text, &file.name).map_or(Vec::new(), |document| image::names(&document))
+}
+
 /// Whether the file starts like a COLLADA document.
 pub(crate) fn looks_like(bytes: &[u8]) -> bool {
     let (head, _) = decode(bytes.get(..HEAD_BYTES).unwrap_or(bytes));
     head.trim_start().starts_with('<') && head.contains("<COLLADA")
 }
 
-/// Reads one document: an object for each instance, or for each geometry where no node shows one.
+/// Reads one document: an object for each instance, or for each geometry where no node shows one. `files`
+/// are those given with it, for the images of textures.
 ///
 /// # Errors
 /// When nothing in the document can be shown; the message names the first thing that is in the way.
 pub(crate) fn read(
     file: &NamedBytes,
+    files: &[NamedBytes],
     reading: &mut Reading,
     progress: &mut Progress,
-) -> Result<(Vec<ImportedObject>, ImportReport), ReadError> {
+) -> Result<(Vec<ImportedObject>, Materials, ImportReport), ReadError> {
     let fail = |message: String| ReadError::file(&file.name, message);
     let (text, encoding) = decode(&file.bytes);
     let document = Document::read(&text, &file.name).map_err(|why| match looks_like(&file.bytes) {
@@ -61,6 +71,7 @@ pub(crate) fn read(
     let mut reader = Reader {
         document: &document,
         joints: &joints,
+        library: Library::new(&document, files),
         used: HashSet::new(),
         elements: 0,
         max_elements: file.bytes.len().saturating_mul(ELEMENTS_PER_BYTE).max(MIN_ELEMENT_BUDGET),
@@ -78,8 +89,10 @@ pub(crate) fn read(
     }
     reader.note_unused();
     left_out::note(&document, &mut reader.notes);
-    reader.notes.report(&mut report);
-    Ok((objects, report))
+    let Reader { library, mut notes, .. } = reader;
+    let materials = library.finish(&mut notes);
+    notes.report(&mut report);
+    Ok((objects, materials, report))
 }
 
 /// Why a document gives no object.
@@ -124,6 +137,7 @@ fn note_encoding(text: &str, encoding: Encoding, notes: &mut Notes) {
 struct Reader<'r, 'd, 'a> {
     document: &'d Document<'a>,
     joints: &'r Joints<'r, 'd, 'a>,
+    library: Library<'d, 'a>,
     /// The geometries that were shown or blended to.
     used: HashSet<u32>,
     /// How many corners and vertices instances have so far, and may have: they may repeat a geometry, and
@@ -166,7 +180,7 @@ impl<'r, 'd, 'a> Reader<'r, 'd, 'a> {
 
     /// The soup of an instance. None where it can't be read, which is noted.
     fn soup(&mut self, instance: &Instance<'d, 'a>, origin: &mut Option<Origin>) -> Option<PolygonSoup> {
-        let Self { document, joints, used, notes, .. } = self;
+        let Self { document, joints, library, used, notes, .. } = self;
         let shape = match Shape::find(document, instance.content, notes) {
             Ok(shape) => shape,
             Err(why) => {
@@ -182,7 +196,7 @@ impl<'r, 'd, 'a> Reader<'r, 'd, 'a> {
         };
         let morph = shape.morph.and_then(|morph| Morph::read(document, morph, geometry, used, notes));
         let shown = Shown { geometry, instance, placement, morph };
-        match geometry::read(document, &shown, origin, notes) {
+        match geometry::read(document, &shown, origin, library, notes) {
             Ok(soup) => Some(soup),
             Err(why) => {
                 notes.fault(Fault::Scene, format!("geometry \"{}\": {why}", geometry.label()));

@@ -2,6 +2,7 @@
 
 use super::{BIN_CHUNK, JSON_CHUNK, MAGIC};
 use crate::import::{NamedBytes, not_a};
+use crate::text::percent_decoded;
 use base64::Engine;
 use serde::Deserialize;
 use std::borrow::Cow;
@@ -182,26 +183,6 @@ pub(crate) fn buffer_names(file: &NamedBytes) -> Vec<String> {
     let Ok(document) = serde_json::from_slice::<Document>(json) else { return Vec::new() };
     let uris = document.buffers.iter().filter_map(|buffer| buffer.uri.as_deref());
     uris.filter(|uri| !uri.starts_with("data:")).map(percent_decoded).collect()
-}
-
-/// The text that an address stands for: `%20` is a blank (RFC 3986, 2.1).
-fn percent_decoded(uri: &str) -> String {
-    let mut out = Vec::with_capacity(uri.len());
-    let mut rest = uri.as_bytes();
-    while let Some((&byte, after)) = rest.split_first() {
-        let digit = |at: usize| char::from(*after.get(at)?).to_digit(16);
-        match (byte, digit(0), digit(1)) {
-            (b'%', Some(high), Some(low)) => {
-                out.push((high * 16 + low) as u8);
-                rest = after.get(2..).unwrap_or_default();
-            }
-            _ => {
-                out.push(byte);
-                rest = after;
-            }
-        }
-    }
-    String::from_utf8_lossy(&out).into_owned()
 }
 
 /// A buffer from its address: in the address itself, or a file given along.

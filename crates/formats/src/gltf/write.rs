@@ -8,6 +8,7 @@ use crate::hash::Unique;
 use crate::import::NamedBytes;
 use crate::obj::names::{own_colors, painted};
 use crate::srgb::to_linear;
+use crate::text::percent_encoded;
 use crate::weld::Weld;
 use base64::Engine;
 use glam::{DVec3, Vec2, Vec3};
@@ -93,12 +94,6 @@ fn document(objects: &[ObjectRef], uri: Option<&str>) -> (Value, Vec<u8>) {
         }
     }
     (document, writer.bin)
-}
-
-/// A file name as an address: all but letters, digits and `-._~` by their numbers (RFC 3986, 2.1).
-fn percent_encoded(name: &str) -> String {
-    let plain = |b: u8| b.is_ascii_alphanumeric() || b"-._~".contains(&b);
-    name.bytes().map(|b| if plain(b) { char::from(b).to_string() } else { format!("%{b:02X}") }).collect()
 }
 
 #[derive(Default)]

@@ -1,14 +1,12 @@
 //! Files made after faults that users reported of other programs.
 
-use super::common::{load, mesh, read};
+use super::common::{case_file, mesh, read};
 use formats::Import;
 use glam::{Mat3, Vec3};
 use halfedge::keys;
-use std::path::Path;
 
 fn case(name: &str) -> Import {
-    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/cases").join(name);
-    let import = read(&[load(&path)]).expect(name);
+    let import = read(&[case_file(name)]).expect(name);
     for object in &import.objects {
         object.mesh.validate().expect("a valid mesh");
     }

@@ -5,8 +5,10 @@
 mod common;
 
 mod cases;
+mod content;
 mod controllers;
 mod faults;
+mod materials;
 
 use common::{load, mesh, objects, read};
 use formats::{Format, Import, NamedBytes, ObjectRef};
@@ -202,8 +204,23 @@ fn encodings_are_told() {
         "Körper & α"
     );
     assert_eq!(name(text.encode_utf16().flat_map(u16::to_be_bytes).collect()), "Körper & α");
-    let latin = text.chars().map(|c| if (c as u32) < 256 { c as u8 } else { b'?' }).collect();
-    assert_eq!(name(latin), "Körper & α");
+    let latin = |text: &str| -> Vec<u8> {
+        text.chars().map(|c| if (c as u32) < 256 { c as u8 } else { b'?' }).collect()
+    };
+    assert_eq!(name(latin(&text)), "Körper & α");
+    // Declared, there is nothing to note; otherwise letters may be wrong.
+    for (declared, noted) in
+        [("", true), (" encoding=\"ISO-8859-1\"", false), (" encoding='Shift_JIS'", true)]
+    {
+        let text = text.replace("version=\"1.0\"", &format!("version=\"1.0\"{declared}"));
+        let import = read_dae(latin(&text)).expect("readable");
+        assert_eq!(
+            import.report.to_string().contains("letters of names may be wrong"),
+            noted,
+            "{}",
+            import.report
+        );
+    }
 }
 
 /// Quads and triangles with uvs and normals on some faces, colours, materials, a loose vertex.

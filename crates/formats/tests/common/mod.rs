@@ -75,7 +75,11 @@ pub fn objects(import: &Import) -> Vec<ObjectRef<'_>> {
     import
         .objects
         .iter()
-        .map(|object| ObjectRef { offset: import.offset, ..ObjectRef::new(&object.name, &object.mesh) })
+        .map(|object| ObjectRef {
+            offset: import.offset,
+            materials: &import.materials,
+            ..ObjectRef::new(&object.name, &object.mesh)
+        })
         .collect()
 }
 
@@ -93,4 +97,9 @@ pub fn text(file: &NamedBytes) -> &str {
 pub fn load(path: &Path) -> NamedBytes {
     let name = path.file_name().expect("a file").to_string_lossy();
     NamedBytes::new(name, std::fs::read(path).expect("readable"))
+}
+
+/// A file of `tests/cases`, which holds files made after faults of other programs.
+pub fn case_file(name: &str) -> NamedBytes {
+    load(&Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/cases").join(name))
 }
