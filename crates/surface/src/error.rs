@@ -1,39 +1,39 @@
-//! Why a whole-mesh operation was refused or stopped.
+//! Errors of whole-mesh operations.
 
 use halfedge::{FaceId, VertexId};
 use std::fmt;
 
-/// Why a whole-mesh operation gave no mesh. The input is untouched in every case.
+/// Why a whole-mesh operation returned no mesh. The input is always unchanged.
 #[derive(Clone, Debug, PartialEq)]
 pub enum SurfaceError {
-    /// Progress answered that the operation is not to go on.
+    /// The progress callback cancelled the operation.
     Cancelled,
-    /// The result would not fit in memory.
+    /// The result wouldn't fit in memory.
     TooManyFaces {
-        /// How many faces it would have.
+        /// The number of faces that it would have.
         faces: u64,
-        /// How many it may have.
+        /// The number that it may have.
         limit: u64,
     },
     /// The operation works on triangles only.
     NotTriangles {
-        /// The first face that is not one.
+        /// The first face that isn't one.
         face: FaceId,
-        /// How many corners it has.
+        /// The number of its corners.
         corners: usize,
     },
-    /// Two triangles meet along two edges: cut in four, their cuts would join the same two midpoints.
+    /// Two triangles share two edges: after both are split in four, two edges would join the same midpoints.
     MeetTwice {
-        /// The vertex between the edges, which has no others.
+        /// The vertex between the edges, which has no other edges.
         vertex: VertexId,
         /// The triangles.
         faces: [FaceId; 2],
     },
-    /// A field has a value that the operation can't work with.
+    /// A field has a value that the operation doesn't take.
     BadField {
         /// The field's name in the command.
         field: &'static str,
-        /// What it has to be, to follow "must be".
+        /// What it must be, to follow "must be".
         must_be: String,
     },
 }
@@ -79,7 +79,7 @@ impl fmt::Display for SurfaceError {
 
 impl std::error::Error for SurfaceError {}
 
-/// A number in words where its digits say nothing, as where counting it ran out of them.
+/// The number as digits, or in words if it is too large to matter.
 fn count(number: u64) -> String {
     if number < 1_000_000_000_000 { number.to_string() } else { "more than a million million".to_owned() }
 }

@@ -1,4 +1,4 @@
-//! Some faces of a mesh as a mesh of their own.
+//! Copying some faces of a mesh into a mesh of their own.
 
 use halfedge::attribute::Column;
 use halfedge::geometry::BitSet;

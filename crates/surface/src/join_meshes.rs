@@ -1,4 +1,4 @@
-//! Several meshes as one.
+//! Joining several meshes into one.
 
 use glam::{Vec2, Vec3};
 use halfedge::attribute::{AttributeType, Column, Columns, Value, Values};
@@ -82,7 +82,7 @@ fn join_column<T: AttributeType>(parts: &[RawMesh], element: Element, like: &Col
     Column { name: like.name.clone(), values: T::values(values), default: like.default, labels }
 }
 
-/// The values of a labelled column as indices into the joined labels; none for one without labels.
+/// The values of a labelled column as indices into the joined labels; none for a column without labels.
 fn relabel(column: &Column, labels: &mut Vec<String>, places: &mut HashMap<String, u32>) -> Option<Values> {
     let Values::U32(values) = &column.values else { return None };
     if column.labels.is_empty() {

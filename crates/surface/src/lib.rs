@@ -1,8 +1,8 @@
 //! Algorithms over a whole half-edge mesh, as free functions in files named after them.
 //!
-//! Operations that change the mesh give a new one, take a [`Progress`](halfedge::Progress) to report to
-//! and be cancelled by, and are the same to the bit on every machine: basic IEEE operations in a fixed
-//! order, nothing from the system's mathematics library.
+//! Operations that change the mesh return a new one, report to a [`Progress`](halfedge::Progress), which can
+//! cancel them, and give the same bits on every machine: they use basic IEEE operations in a fixed order, and
+//! nothing of the system's mathematics library.
 
 #![cfg_attr(not(test), deny(clippy::unwrap_used, clippy::expect_used, clippy::panic, clippy::unreachable))]
 
@@ -36,13 +36,13 @@ pub use simplify::{Simplified, Simplify, SimplifyTarget, simplify};
 pub use smooth::{MAX_SMOOTH_ITERATIONS, Smooth, SmoothMethod, smooth};
 pub use soft_selection::soft_selection;
 pub use subdivide::{
-    BoundaryRule, CatmullClark, Linear, Loop, LoopWeights, MAX_FACES, VertexRule, quad_split_faces,
-    subdivide_catmull_clark, subdivide_linear, subdivide_loop,
+    BoundaryRule, CatmullClark, Linear, Loop, LoopWeights, MAX_SUBDIVIDED_FACES, VertexRule,
+    quad_split_faces, subdivide_catmull_clark, subdivide_linear, subdivide_loop,
 };
 
 use halfedge::Mesh;
 
-/// Refuses a mesh that has a face with more than three corners, naming the first.
+/// Refuses a mesh with a face of more than three corners; the error names the first.
 fn require_triangles(mesh: &Mesh) -> Result<(), SurfaceError> {
     for face in mesh.faces() {
         let h = mesh.halfedge_of(face);

@@ -14,10 +14,10 @@ pub struct Bounds {
 }
 
 impl Bounds {
-    /// A box with nothing in it, which any point extends.
+    /// An empty box.
     pub const EMPTY: Self = Self { min: Vec3::INFINITY, max: Vec3::NEG_INFINITY };
 
-    /// The smallest box around the points, if there are any.
+    /// The smallest box around the points; none if there are no points.
     pub fn of(points: impl IntoIterator<Item = Vec3>) -> Option<Self> {
         points.into_iter().fold(None, |bounds: Option<Self>, p| {
             Some(bounds.map_or(Self { min: p, max: p }, |bounds| bounds.with(p)))
@@ -36,7 +36,7 @@ impl Bounds {
         Self { min: self.min.min(other.min), max: self.max.max(other.max) }
     }
 
-    /// The middle.
+    /// The centre.
     pub fn center(self) -> Vec3 {
         self.min * 0.5 + self.max * 0.5
     }
@@ -47,7 +47,7 @@ impl Bounds {
     }
 }
 
-/// The box around all vertices, isolated ones included; none for an empty mesh. Costs O(vertices).
+/// The box around all vertices, with isolated ones; none for an empty mesh. Costs O(vertices).
 pub fn bounding_box(mesh: &Mesh) -> Option<Bounds> {
     Bounds::of(mesh.vertices().map(|v| mesh.position(v)))
 }
@@ -58,13 +58,13 @@ pub fn edge_length(mesh: &Mesh, edge: EdgeId) -> f64 {
     a.distance(b)
 }
 
-/// The mean length of all edges; 0 where there are none. Costs O(edges).
+/// The mean length of all edges; 0 if there are none. Costs O(edges).
 pub fn mean_edge_length(mesh: &Mesh) -> f64 {
     let sum: f64 = mesh.edges().map(|e| edge_length(mesh, e)).sum();
     sum / mesh.edge_count().max(1) as f64
 }
 
-/// The area of a face; of a polygon that isn't flat, that of its shadow along its normal.
+/// The area of a face; for a non-planar polygon that of its projection along its normal.
 pub fn face_area(mesh: &Mesh, face: FaceId) -> f64 {
     face_area_vector(mesh, face).length()
 }
@@ -74,12 +74,12 @@ pub fn surface_area(mesh: &Mesh) -> f64 {
     mesh.faces().map(|f| face_area(mesh, f)).sum()
 }
 
-/// The mean of a face's corners: where Catmull-Clark puts the face point.
+/// The mean of a face's corners, which is the face point of Catmull-Clark.
 pub fn face_center(mesh: &Mesh, face: FaceId) -> DVec3 {
     mean_position(mesh, mesh.face_vertices(face))
 }
 
-/// The centre of area of a face; the mean of its corners where it has no area.
+/// The centroid of a face; the mean of its corners if it has no area.
 pub fn face_centroid(mesh: &Mesh, face: FaceId) -> DVec3 {
     let normal = face_area_vector(mesh, face).normalize_or_zero();
     let mut corners = mesh.face_vertices(face).map(|v| mesh.position(v).as_dvec3());
@@ -95,10 +95,10 @@ pub fn face_centroid(mesh: &Mesh, face: FaceId) -> DVec3 {
     if area == 0.0 { face_center(mesh, face) } else { base + moment / (3.0 * area) }
 }
 
-/// The volume that a closed, outward oriented mesh encloses (negative where it is inside out). Of an
-/// open mesh it has no meaning. Costs O(mesh).
+/// The volume that a closed mesh encloses; negative if its faces point inward. It has no meaning for an open mesh.
+/// Costs O(mesh).
 pub fn volume(mesh: &Mesh) -> f64 {
-    // From a point nearby, so that a mesh far from the origin loses no digits.
+    // Relative to the centre, so that a mesh far from the origin keeps its precision.
     let origin = bounding_box(mesh).map_or(DVec3::ZERO, |bounds| bounds.center().as_dvec3());
     let mut six_times = 0.0;
     for face in mesh.faces() {
@@ -112,8 +112,8 @@ pub fn volume(mesh: &Mesh) -> f64 {
     six_times / 6.0
 }
 
-/// The angle between the normals of an edge's two faces: 0 where they are in one plane, positive at a
-/// ridge, negative in a valley, up to pi. None on the boundary or beside a face without area.
+/// The angle between the normals of an edge's faces, in radians: 0 if they are coplanar, positive at a ridge,
+/// negative in a valley. None on the boundary or if a face has no area.
 pub fn dihedral_angle(mesh: &Mesh, edge: EdgeId) -> Option<f64> {
     let h = edge.halfedge();
     let (left, right) = (mesh.face_of(h)?, mesh.face_of(h.twin())?);

@@ -11,20 +11,18 @@ use halfedge::{Element, Mesh, NONE, Note, PolygonSoup, Progress};
 pub struct Merged {
     /// The mesh.
     pub mesh: Mesh,
-    /// How many vertices went into others.
+    /// The number of vertices that were merged into others.
     pub merged: usize,
-    /// What had to be separated again or dropped to keep a manifold.
+    /// What was repaired because the result was no manifold.
     pub notes: Vec<Note>,
 }
 
-/// Merges vertices closer than `distance` (mesh units, 0 for those at the same place); the input is
-/// untouched.
+/// Merges vertices within `distance` of each other (mesh units; 0 for those at the same place).
 ///
-/// In order of id, each vertex goes into the nearest of those before it that stay, if one is within the
-/// distance: where that one is, with that one's attributes. So nothing moves farther than the distance,
-/// and the result depends on nothing but the mesh. Faces lose the corners that fall together; those left
-/// with fewer than three go. The rest is built anew as a file is, and what doesn't fit a manifold is
-/// repaired and noted. Costs O(n log n), whatever the distance.
+/// In order of id, each vertex is merged into the nearest earlier one that stays, if one is within the
+/// distance (see [`PointMerger`]), and takes its position and attributes. Faces lose corners that coincide;
+/// those left with fewer than three are dropped. The rest is built as a file's faces are: what doesn't form a
+/// manifold is repaired and noted. Costs O(n log n), whatever the distance.
 ///
 /// # Errors
 /// [`SurfaceError::BadField`] for a distance that is negative or not finite; [`SurfaceError::Cancelled`].
@@ -78,7 +76,7 @@ pub fn merge_by_distance(
     soup.corner_columns = pick(source.corner_columns, &corners);
     soup.face_columns = pick(source.face_columns, &faces);
     let merged = number.len() - kept.len();
-    // Building takes as much again: keep nothing along that it doesn't need.
+    // Building takes as much memory again: free what it doesn't need.
     drop((source.positions, source.corners, source.face_starts, kept, corners, faces));
     let built = Mesh::build(soup).map_err(|e| SurfaceError::TooManyFaces {
         faces: e.corners as u64 / 3,
@@ -90,7 +88,7 @@ pub fn merge_by_distance(
     Ok(Merged { mesh: result, merged, notes: built.notes })
 }
 
-/// Edge attributes follow their ends; where two edges became one, the first keeps its own.
+/// Copies edge attributes to the edges with the same ends; where two edges became one, the first counts.
 fn carry_edges(mesh: &Mesh, result: &mut Mesh, renumber: impl Fn(u32) -> u32) {
     let columns = mesh.columns().of(Element::Edge);
     if columns.is_empty() {

@@ -1,10 +1,10 @@
-//! Sorting points along a curve through space, so that neighbours in the order are neighbours in space.
+//! Sorting points along a space-filling curve, so that neighbours in the order are close in space.
 
 use crate::measure::Bounds;
 use glam::Vec3;
 
-/// The numbers of points in order of their Morton codes (10 bits an axis), equal codes as they come. Costs
-/// O(points): three passes of a radix sort.
+/// The points' numbers in order of their Morton codes (10 bits per axis), stably. Costs O(points): three passes
+/// of a radix sort.
 pub(crate) fn order(points: impl Iterator<Item = (u32, Vec3)> + Clone) -> Vec<u32> {
     let all = points.clone().map(|(_, point)| point).fold(Bounds::EMPTY, Bounds::with);
     let size = (all.max.as_dvec3() - all.min.as_dvec3()).max_element();

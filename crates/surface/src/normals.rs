@@ -1,7 +1,7 @@
-//! Normals: of faces by Newell's method, of vertices as area-weighted means.
+//! Normals of faces, by Newell's method, and of vertices, as area-weighted means.
 //!
-//! Worked out in 64 bits from the same sums in the same order, whether for the whole mesh or for a few
-//! elements after an edit, so that both give the same bits.
+//! Updates after an edit use the same sums in the same order as the whole mesh does, so that both give the same
+//! bits.
 
 use glam::{DVec3, Vec3};
 use halfedge::geometry::{face_area_vector, linked_area_vector};
@@ -12,8 +12,8 @@ pub fn face_normal(mesh: &Mesh, face: FaceId) -> Vec3 {
     face_area_vector(mesh, face).normalize_or_zero().as_vec3()
 }
 
-/// The unit normal of a vertex: the area-weighted mean over its faces; zero where it has none. Costs
-/// O(corners of those faces).
+/// The unit normal of a vertex: the area-weighted mean over its faces; zero if it has none. Costs O(corners of
+/// those faces).
 pub fn vertex_normal(mesh: &Mesh, vertex: VertexId) -> Vec3 {
     let sum: DVec3 = mesh.vertex_faces(vertex).map(|f| face_area_vector(mesh, f)).sum();
     sum.normalize_or_zero().as_vec3()
@@ -43,8 +43,8 @@ pub fn vertex_normals(mesh: &Mesh) -> Vec<Vec3> {
     normals
 }
 
-/// Brings the entries of `normals`, from [`face_normals`], up to date for these faces; the column grows
-/// with the mesh. Faces that no longer exist get zero. Costs O(corners of the faces).
+/// Updates the entries of these faces in `normals`, which came from [`face_normals`]. The list grows with the
+/// mesh; removed faces get zero. Costs O(corners of the faces).
 pub fn update_face_normals(mesh: &Mesh, faces: impl IntoIterator<Item = FaceId>, normals: &mut Vec<Vec3>) {
     normals.resize(mesh.face_capacity(), Vec3::ZERO);
     for face in faces {
@@ -54,8 +54,8 @@ pub fn update_face_normals(mesh: &Mesh, faces: impl IntoIterator<Item = FaceId>,
     }
 }
 
-/// Brings the entries of `normals`, from [`vertex_normals`], up to date for these vertices: those of
-/// the faces that changed, not only those that moved. Costs O(corners of the faces around them).
+/// Updates the entries of these vertices in `normals`, which came from [`vertex_normals`]. Pass all vertices of
+/// the faces that changed. Costs O(corners of the faces around them).
 pub fn update_vertex_normals(
     mesh: &Mesh,
     vertices: impl IntoIterator<Item = VertexId>,

@@ -1,12 +1,12 @@
-//! Reporting progress of a part of an operation as a part of the whole.
+//! Progress of the parts of an operation.
 
 use crate::SurfaceError;
 use halfedge::Progress;
 
-/// How many elements a loop handles between two questions whether to go on: a few milliseconds.
-pub(crate) const CHUNK: usize = 1 << 16;
+/// Elements processed between two progress reports, which takes a few milliseconds.
+const ELEMENTS_PER_REPORT: usize = 1 << 16;
 
-/// The range of the whole that the present part fills.
+/// Reports the progress of a part of an operation as a range of the whole.
 pub(crate) struct Pace<'a, 'p> {
     progress: &'a mut Progress<'p>,
     from: f32,
@@ -24,10 +24,10 @@ impl<'a, 'p> Pace<'a, 'p> {
         Pace { from: self.from + length * from, to: self.from + length * to, progress: &mut *self.progress }
     }
 
-    /// Tells that this fraction of the range is done.
+    /// Reports that this fraction of the range is done.
     ///
     /// # Errors
-    /// [`SurfaceError::Cancelled`] when the answer is not to go on.
+    /// [`SurfaceError::Cancelled`] if the callback cancels the operation.
     pub(crate) fn at(&mut self, fraction: f32) -> Result<(), SurfaceError> {
         match (self.progress)(self.from + (self.to - self.from) * fraction) {
             std::ops::ControlFlow::Continue(()) => Ok(()),
@@ -35,7 +35,7 @@ impl<'a, 'p> Pace<'a, 'p> {
         }
     }
 
-    /// Runs `body` on `0..count` in chunks, telling progress before each.
+    /// Runs `body` on `0..count` in chunks, and reports before each.
     pub(crate) fn chunks(
         &mut self,
         count: usize,
@@ -44,7 +44,7 @@ impl<'a, 'p> Pace<'a, 'p> {
         let mut start = 0;
         while start < count {
             self.at(start as f32 / count as f32)?;
-            let end = count.min(start + CHUNK);
+            let end = count.min(start + ELEMENTS_PER_REPORT);
             body(start..end);
             start = end;
         }

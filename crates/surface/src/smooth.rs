@@ -1,41 +1,41 @@
-//! Smoothing positions, the connectivity left as it is.
+//! Smoothing the positions of vertices.
 
 use crate::error::{SurfaceError, check_iterations};
 use crate::pace::Pace;
 use glam::DVec3;
 use halfedge::{Element, Mesh, Progress, VertexId, keys};
 
-/// The most iterations that [`smooth`] takes: more than that only wait.
+/// The most iterations that [`smooth`] accepts.
 pub const MAX_SMOOTH_ITERATIONS: u32 = 10_000;
 
 /// How to smooth.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Smooth {
-    /// How often: up to [`MAX_SMOOTH_ITERATIONS`].
+    /// The number of iterations, up to [`MAX_SMOOTH_ITERATIONS`].
     pub iterations: u32,
-    /// How far a vertex goes towards the mean of its neighbours each time: above 0, up to 1.
+    /// How far a vertex moves towards the mean of its neighbours in an iteration: above 0, up to 1.
     pub strength: f64,
-    /// What is done each time.
+    /// The method of an iteration.
     pub method: SmoothMethod,
 }
 
-/// What one smoothing step is.
+/// Smoothing methods.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum SmoothMethod {
-    /// Towards the mean of the neighbours; the mesh shrinks.
+    /// Move vertices towards the mean of their neighbours. The mesh shrinks.
     #[default]
     Laplacian,
-    /// The same, followed by a slightly longer step back (Taubin 1995, pass band 0.1), which keeps the
-    /// volume nearly.
+    /// Likewise, followed by a slightly longer step back (Taubin 1995, pass band 0.1), which nearly keeps the
+    /// volume.
     Taubin,
 }
 
-/// The frequency below which Taubin's steps leave a shape as it is.
-const PASS_BAND: f64 = 0.1;
+/// The frequency below which Taubin's steps keep a shape.
+const TAUBIN_PASS_BAND: f64 = 0.1;
 
-/// Smooths a mesh; the input is untouched. Boundary vertices go towards their two neighbours on the
-/// boundary, so that boundaries are smoothed as curves; isolated vertices stay. Ids (after closing gaps)
-/// and attributes are kept, but for corner normals, which no longer fit. Costs O(iterations x mesh).
+/// Smooths a mesh. Boundary vertices move towards their two neighbours on the boundary, so that boundaries are
+/// smoothed as curves; isolated vertices stay. Ids (after closing gaps) and attributes are kept, except for
+/// corner normals, which no longer fit. Costs O(iterations x mesh).
 ///
 /// # Errors
 /// [`SurfaceError::BadField`]; [`SurfaceError::Cancelled`].
@@ -49,7 +49,7 @@ pub fn smooth(mesh: &Mesh, options: &Smooth, progress: &mut Progress<'_>) -> Res
     let compact = mesh.to_compact();
     let mut now: Vec<DVec3> = compact.positions().iter().map(|p| p.as_dvec3()).collect();
     let mut later = now.clone();
-    let back = 1.0 / (PASS_BAND - 1.0 / options.strength);
+    let back = 1.0 / (TAUBIN_PASS_BAND - 1.0 / options.strength);
     let steps: &[f64] = match options.method {
         SmoothMethod::Laplacian => &[options.strength],
         SmoothMethod::Taubin => &[options.strength, back],

@@ -1,5 +1,5 @@
-//! Sine and cosine from additions and multiplications alone, so that every machine and WebAssembly
-//! give the same bits; the standard library's differ between systems.
+//! Sine and cosine from additions and multiplications only, which give the same bits on every machine and in
+//! WebAssembly. The standard library's differ between systems.
 
 use std::f64::consts::{FRAC_PI_2, TAU};
 

@@ -265,7 +265,7 @@ fn refuses_what_does_not_fit_and_stops_when_told() {
     let input = cube();
     let refused =
         subdivide_catmull_clark(&input, &CatmullClark { levels: 12, ..CatmullClark::default() }, &mut go_on);
-    assert_eq!(refused, Err(SurfaceError::TooManyFaces { faces: 24 << 22, limit: MAX_FACES }));
+    assert_eq!(refused, Err(SurfaceError::TooManyFaces { faces: 24 << 22, limit: MAX_SUBDIVIDED_FACES }));
     let refused = subdivide_linear(&input, &Linear { levels: u32::MAX }, &mut go_on);
     assert!(matches!(refused, Err(SurfaceError::TooManyFaces { .. })));
     let refused = subdivide_loop(&input, &Loop::default(), &mut go_on).expect_err("quads");

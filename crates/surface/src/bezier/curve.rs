@@ -2,30 +2,30 @@
 
 use glam::{DVec3, Vec3};
 
-/// A Bezier curve: one control point or more; a plane curve has z = 0.
+/// A Bezier curve with one or more control points; a plane curve has z = 0.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Curve {
-    /// The control points in order; the degree is one less than their number.
+    /// The control points; the degree is one less than their number.
     pub points: Vec<Vec3>,
 }
 
-/// One de Casteljau step: the points at `t` between each two that follow each other.
+/// One de Casteljau step: the points at `t` between consecutive points.
 fn step(points: &[Vec3], t: f32) -> Vec<Vec3> {
     points.windows(2).map(|pair| mix(pair[0], pair[1], t)).collect()
 }
 
-/// `a` at 0 and `b` at 1, both to the bit.
+/// Interpolates from `a` at 0 to `b` at 1, both to the bit.
 pub(super) fn mix(a: Vec3, b: Vec3, t: f32) -> Vec3 {
     a * (1.0 - t) + b * t
 }
 
-/// Of more control points than this, a point on the curve is a weighted sum instead of the end of de
-/// Casteljau's construction, which takes time that grows with the square of their number.
-const MOST_BY_STEPS: usize = 33;
+/// Points of curves with more control points are weighted sums: de Casteljau's construction takes time that grows
+/// with the square of their number.
+const MAX_DE_CASTELJAU_POINTS: usize = 33;
 
-/// The point at `t` of the curve of these control points; the origin where there are none.
+/// The point at `t` of the curve with these control points; the origin if there are none.
 fn point_of(points: &[Vec3], t: f32) -> Vec3 {
-    if points.len() > MOST_BY_STEPS {
+    if points.len() > MAX_DE_CASTELJAU_POINTS {
         return weighted(points, t);
     }
     let mut points = points.to_vec();
@@ -37,11 +37,10 @@ fn point_of(points: &[Vec3], t: f32) -> Vec3 {
 
 /// The sum of the control points times the Bernstein polynomials at `t`, in double precision.
 ///
-/// Of many polynomials only the few near t count: from the largest, each follows from the one beside
-/// it, until they are too small to matter even for points 10^20 times as far away. Costs
-/// O(sqrt(n)) for n points.
+/// Only the few polynomials near t count. Starting from the largest, each follows from its neighbour, until they
+/// are too small to matter even for points 10^20 times as far away. Costs O(sqrt(n)) for n points.
 fn weighted(points: &[Vec3], t: f32) -> Vec3 {
-    const SMALL: f64 = 1e-30;
+    const MIN_WEIGHT: f64 = 1e-30;
     let (Some(&first), Some(&last)) = (points.first(), points.last()) else { return Vec3::ZERO };
     if t <= 0.0 || t >= 1.0 {
         return if t <= 0.0 { first } else { last };
@@ -56,14 +55,14 @@ fn weighted(points: &[Vec3], t: f32) -> Vec3 {
         sum += point.as_dvec3() * weight;
         total += weight;
         weight *= (n - i as f64) / (i as f64 + 1.0) * odds;
-        if weight < SMALL {
+        if weight < MIN_WEIGHT {
             break;
         }
     }
     weight = 1.0;
     for (i, point) in points.iter().enumerate().take(largest).rev() {
         weight *= (i as f64 + 1.0) / (n - i as f64) / odds;
-        if weight < SMALL {
+        if weight < MIN_WEIGHT {
             break;
         }
         sum += point.as_dvec3() * weight;
@@ -73,30 +72,30 @@ fn weighted(points: &[Vec3], t: f32) -> Vec3 {
 }
 
 impl Curve {
-    /// The levels of de Casteljau's construction at `t`: the control points first, then one point
-    /// fewer each time, down to the one on the curve. Costs O(n^2) for n points.
+    /// The levels of de Casteljau's construction at `t`: the control points, then one point fewer in each level,
+    /// down to the point on the curve. Costs O(n^2) for n points.
     pub fn construction(&self, t: f32) -> Vec<Vec<Vec3>> {
         self.levels(t).collect()
     }
 
-    /// The levels of [`Curve::construction`] one by one, as far as they are asked for.
+    /// The levels of [`Curve::construction`], made one by one.
     pub fn levels(&self, t: f32) -> impl Iterator<Item = Vec<Vec3>> {
         let first = Some(self.points.clone());
         std::iter::successors(first, move |level| (level.len() > 1).then(|| step(level, t)))
     }
 
-    /// Every `stride`th point of one level of the construction at `t`: level 0 is the control points,
-    /// the last one the point on the curve; none beyond. Costs O(sqrt(level)) for each.
+    /// Every `stride`th point of a level of the construction at `t`: level 0 is the control points, the last
+    /// level the point on the curve; empty beyond. Costs O(sqrt(level)) for each.
     pub fn level(&self, level: usize, t: f32, stride: usize) -> Vec<Vec3> {
         self.points.windows(level + 1).step_by(stride.max(1)).map(|points| point_of(points, t)).collect()
     }
 
-    /// The point at `t` in 0..=1; the origin for a curve without points. Costs O(sqrt(n)).
+    /// The point at `t` from 0 to 1; the origin for a curve without points. Costs O(sqrt(n)).
     pub fn point(&self, t: f32) -> Vec3 {
         point_of(&self.points, t)
     }
 
-    /// The derivative at `t`, of length n times the last difference for degree n.
+    /// The derivative at `t`.
     pub fn derivative(&self, t: f32) -> Vec3 {
         let degree = self.points.len().saturating_sub(1) as f32;
         let hodograph =
@@ -104,19 +103,19 @@ impl Curve {
         hodograph.point(t)
     }
 
-    /// The curve from 0 to `end` as a line, evenly spaced in t and fine enough to look smooth: what
-    /// bends a curve of many control points is as short as one through the square root of their number.
+    /// The curve from 0 to `end` as a polyline, evenly spaced in t and fine enough to look smooth: the bends of a
+    /// curve with n control points are as short as 1 / sqrt(n) of it.
     pub fn polyline(&self, end: f32) -> Vec<Vec3> {
         let segments = (4 * self.points.len().isqrt()).clamp(256, 512);
         (0..=segments).map(|i| self.point(end * i as f32 / segments as f32)).collect()
     }
 
-    /// The two curves of the same degree that the part up to `t` and the rest are: the first and
-    /// the last points of the construction's levels. Costs O(n^2) time and O(n) memory.
+    /// Splits the curve at `t` into two of the same degree: the first and the last points of the construction's
+    /// levels. Costs O(n^2) time and O(n) memory.
     pub fn split(&self, t: f32) -> (Self, Self) {
         let mut points = self.points.clone();
         let mut first = Vec::with_capacity(points.len());
-        // Each level is one shorter: what it leaves behind are the last points, the second curve.
+        // Each level is one shorter; the last points that it leaves behind are the second curve.
         for level in (0..points.len()).rev() {
             first.push(points[0]);
             for i in 0..level {
@@ -126,7 +125,7 @@ impl Curve {
         (Self { points: first }, Self { points })
     }
 
-    /// The same curve with one control point more (Farin 5.1).
+    /// The same curve with one more control point (Farin 5.1).
     #[must_use]
     pub fn elevated(&self) -> Self {
         let n = self.points.len();

@@ -1,5 +1,4 @@
-//! Bezier curves and patches: de Casteljau's construction step by step, and tessellation into a
-//! mesh.
+//! Bezier curves and patches: de Casteljau's construction step by step, and tessellation into a mesh.
 //!
 //! Source: G. Farin, *Curves and Surfaces for CAGD*, 5th ed., chapters 4 (curves) and 14 (patches).
 

@@ -3,7 +3,7 @@
 use super::curve::mix;
 use glam::Vec3;
 
-/// A bicubic patch: rows of control points, u running along a row and v from row to row.
+/// A bicubic patch: rows of control points; u runs along a row and v from row to row.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Patch {
     /// `rows[j][i]`: row j, point i.
@@ -19,22 +19,21 @@ pub struct PatchPoint {
     pub du: Vec3,
     /// The derivative along v.
     pub dv: Vec3,
-    /// The unit normal, `du` x `dv` where those span a plane, and its limit where a side of the
-    /// patch is a single point; zero where even that is undefined.
+    /// The unit normal: along `du` x `dv` where those span a plane, else its limit where a side of the patch is a
+    /// single point; zero where that is undefined too.
     pub normal: Vec3,
 }
 
-/// The separable construction of a point: de Casteljau along each row, then down the column of
-/// results.
+/// The construction of a point: de Casteljau along each row, then along the column of results.
 #[derive(Clone, Debug, PartialEq)]
 pub struct PatchConstruction {
-    /// Per row: the levels at u, four points down to one.
+    /// Per row, the levels at u, from four points to one.
     pub rows: [Vec<Vec<Vec3>>; 4],
-    /// The levels at v over the rows' results, four points down to one: the point of the patch.
+    /// The levels at v over the rows' results, from four points to the point of the patch.
     pub column: Vec<Vec<Vec3>>,
 }
 
-/// The point and the derivative of a cubic.
+/// A point of a cubic and its derivative.
 pub(super) fn cubic(p: [Vec3; 4], t: f32) -> (Vec3, Vec3) {
     let a = [mix(p[0], p[1], t), mix(p[1], p[2], t), mix(p[2], p[3], t)];
     let b = [mix(a[0], a[1], t), mix(a[1], a[2], t)];
@@ -42,17 +41,16 @@ pub(super) fn cubic(p: [Vec3; 4], t: f32) -> (Vec3, Vec3) {
 }
 
 impl Patch {
-    /// The point at (u, v) in 0..=1 each, by separable de Casteljau.
+    /// The point at (u, v), each from 0 to 1, by de Casteljau's construction.
     pub fn point(&self, u: f32, v: f32) -> PatchPoint {
         let rows = self.rows.map(|row| cubic(row, u));
         let (position, dv) = cubic(rows.map(|row| row.0), v);
-        // The derivative along u is a cubic in v of the rows' derivatives; its own derivative is
-        // the mixed one.
+        // The derivative along u is a cubic in v of the rows' derivatives; its derivative is the mixed one.
         let (du, mixed) = cubic(rows.map(|row| row.1), v);
         let size = self.size();
         let unit = |n: Vec3| (n.length() > 1e-6 * size * size).then(|| n.normalize());
-        // Where one derivative vanishes (a side drawn together into a point), the direction it
-        // has nearby is the mixed derivative's, counted into the patch.
+        // Where a derivative vanishes (a side is a single point), its direction nearby is that of the mixed
+        // derivative, inward.
         let inward = |t: f32| if t > 0.5 { -1.0 } else { 1.0 };
         let normal = unit(du.cross(dv))
             .or_else(|| unit((mixed * inward(v)).cross(dv)))
@@ -61,7 +59,7 @@ impl Patch {
         PatchPoint { position, du, dv, normal }
     }
 
-    /// The steps that lead to the point at (u, v).
+    /// The construction of the point at (u, v).
     pub fn construction(&self, u: f32, v: f32) -> PatchConstruction {
         let curve = |points: &[Vec3]| super::Curve { points: points.to_vec() };
         let rows = self.rows.map(|row| curve(&row).construction(u));

@@ -1,14 +1,13 @@
 //! The teapot that M. Newell modelled at the University of Utah in 1975, as bicubic patches.
 //!
-//! The body, rim, lid and bottom are given for a quarter turn, handle and spout for one half; the
-//! rest are their mirror images. Control points as published in F. Crow, "The Origins of the
-//! Teapot", IEEE CG&A 7(1), 1987, with the bottom that was added later.
+//! The body, rim, lid and bottom are given for a quarter turn, the handle and spout for one half; the rest are
+//! rotated and mirrored. The control points are those of F. Crow, "The Origins of the Teapot", IEEE CG&A 7(1),
+//! 1987, with the bottom that was added later.
 
 use super::patch::Patch;
 use glam::Vec3;
 
-/// A row along a quarter turn: radius and height; the middle points are off the arc by the factor
-/// that Newell used for it.
+/// A row along a quarter turn: radius, the offset of the middle points that Newell used, and height.
 struct Ring(f32, f32, f32);
 
 impl Ring {
@@ -18,9 +17,9 @@ impl Ring {
     }
 }
 
-/// The parts of revolution, from the inside of the rim down to the bottom, and the lid from its
-/// knob to its edge. Each is a quarter of a ring of patches.
-const TURNED: [[Ring; 4]; 6] = [
+/// Quarters of the surfaces of revolution: from the inside of the rim to the bottom, with the lid from its knob
+/// to its edge.
+const QUARTER_TURNS: [[Ring; 4]; 6] = [
     // Rim.
     [Ring(1.4, 0.784, 2.4), Ring(1.3375, 0.749, 2.53125), Ring(1.4375, 0.805, 2.53125), Ring(1.5, 0.84, 2.4)],
     // Body.
@@ -67,17 +66,17 @@ impl Patch {
         Self { rows: self.rows.map(|row| row.map(|p| f(p) + 0.0)) }
     }
 
-    /// The mirror image in the plane y = 0, turned to face the same side.
+    /// The mirror image in the plane y = 0, with the same side outward.
     fn mirrored(&self) -> Self {
         let image = self.mapped(|p| Vec3::new(p.x, -p.y, p.z));
         Self { rows: image.rows.map(|[a, b, c, d]| [d, c, b, a]) }
     }
 }
 
-/// The 32 patches, z up, about 6.4 wide and 3.15 high, u x v outside.
+/// The 32 patches: z up, about 6.4 wide and 3.15 high; u x v points outward.
 pub fn teapot_patches() -> Vec<Patch> {
     let mut patches = Vec::with_capacity(32);
-    for rings in &TURNED {
+    for rings in &QUARTER_TURNS {
         let quarter = Patch { rows: [0, 1, 2, 3].map(|j| rings[j].row()) };
         patches.push(quarter);
         patches.push(quarter.mapped(|p| Vec3::new(p.y, -p.x, p.z)));

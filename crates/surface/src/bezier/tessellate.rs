@@ -1,10 +1,9 @@
-//! Patches to a half-edge mesh whose shared borders are welded.
+//! Tessellating patches into a mesh with welded borders.
 //!
-//! A border's points are evaluated from the border's own four control points, always in the same
-//! direction, so that two patches with the same border get the same vertices without comparing
-//! distances. Control points closer than a millionth of the surface's size are taken as one first,
-//! since files print them rounded. A border whose control points are all the same is one vertex: a
-//! pole.
+//! A border's points are evaluated from the border's own four control points, always in the same direction, so
+//! that two patches with the same border get the same vertices without comparing distances. Control points
+//! within a millionth of the surface's size of each other are merged first, since files round them. A border
+//! whose control points are all the same is a single vertex: a pole.
 
 use super::patch::{Patch, cubic};
 use glam::Vec3;
@@ -13,7 +12,7 @@ use halfedge::geometry::{MergedPoints, merge_points};
 use halfedge::{Mesh, Note, PolygonSoup, TooLarge, keys};
 use std::collections::HashMap;
 
-/// The finest resolution that [`tessellate`] takes, in quads along a patch's side.
+/// The finest resolution of [`tessellate`], in quads along a patch's side.
 pub const MAX_RESOLUTION: u32 = 256;
 
 /// A tessellated surface.
@@ -22,16 +21,16 @@ pub struct Tessellated {
     /// Quads, and triangles at poles, with the exact normal at each corner in
     /// [`keys::CORNER_NORMAL`].
     pub mesh: Mesh,
-    /// What the build had to change, as where surfaces touch at a point.
+    /// What the build had to change, for example where surfaces touch at a point.
     pub notes: Vec<Note>,
 }
 
-/// Tessellates patches into `resolution` x `resolution` quads each (1 to [`MAX_RESOLUTION`];
-/// others are taken as the nearer end), welding the borders that patches share. Faces are turned
-/// to agree with their neighbours; u x v is outside. Costs O(patches * resolution^2).
+/// Tessellates each patch into `resolution` x `resolution` quads and welds the borders that patches share. The
+/// resolution is clamped to 1..=[`MAX_RESOLUTION`]. Faces are oriented consistently; u x v points outward. Costs
+/// O(patches * resolution^2).
 ///
 /// # Errors
-/// [`TooLarge`] when ids would run out.
+/// [`TooLarge`] if ids run out.
 pub fn tessellate(patches: &[Patch], resolution: u32) -> Result<Tessellated, TooLarge> {
     let n = resolution.clamp(1, MAX_RESOLUTION);
     if patches.len().saturating_mul(4 * (n * n) as usize) > Mesh::MAX_EDGES {
@@ -54,9 +53,9 @@ struct Surface {
     /// The control points, those that are close to each other once.
     controls: Vec<Vec3>,
     positions: Vec<Vec3>,
-    /// Vertices made for a control point at a patch's corner or pole.
+    /// The vertices of control points at corners and poles of patches.
     corners: HashMap<u32, u32>,
-    /// Inner vertices made for a border, by its control points in their canonical direction.
+    /// The inner vertices of borders, by their control points in the canonical direction.
     borders: HashMap<[u32; 4], Vec<u32>>,
     faces: Vec<[u32; 4]>,
     normals: Vec<[Vec3; 4]>,
@@ -67,7 +66,7 @@ impl Surface {
     fn add(&mut self, patch: &Patch, ids: &[[u32; 4]; 4]) {
         let n = self.n as usize;
         let column = |i: usize| [ids[0][i], ids[1][i], ids[2][i], ids[3][i]];
-        // Borders first, each n + 1 vertices along u or v.
+        // The borders, each with n + 1 vertices along u or v.
         let bottom = self.border(ids[0]);
         let top = self.border(ids[3]);
         let left = self.border(column(0));
@@ -142,7 +141,7 @@ impl Surface {
         let mut soup = PolygonSoup { positions: self.positions, ..PolygonSoup::default() };
         let mut normals = Vec::new();
         for (face, face_normals) in self.faces.iter().zip(&self.normals) {
-            // Quads with a side at a pole are triangles; with two they are nothing.
+            // Quads with a side at a pole become triangles; with two such sides they vanish.
             let kept: Vec<usize> = (0..4).filter(|&i| face[i] != face[(i + 1) % 4]).collect();
             if kept.len() >= 3 {
                 soup.push_face(kept.iter().map(|&i| face[i]));
@@ -154,8 +153,8 @@ impl Surface {
     }
 }
 
-/// How near to each other control points of these patches are one point when [`tessellate`] welds
-/// borders: a millionth of the longest side of their bounding box.
+/// The distance within which [`tessellate`] merges control points: a millionth of the longest side of their
+/// bounding box.
 pub fn weld_distance(patches: &[Patch]) -> f32 {
     let points = || patches.iter().flat_map(|patch| patch.rows.as_flattened());
     let low = points().copied().fold(Vec3::INFINITY, Vec3::min);

@@ -1,49 +1,48 @@
-//! Making a tree, all at once or a slice at a time.
+//! Building a tree, at once or some faces at a time.
 
-use super::{FaceTree, LEAF, face_bounds};
+use super::{FACES_PER_LEAF, FaceTree, face_bounds};
 use crate::measure::Bounds;
 use crate::morton;
 use glam::Vec3;
 use halfedge::{FaceId, Mesh, NONE};
 
-/// Faces in order of id are taken as they come when those that share a box are within this many face
-/// sizes of each other on average; else they are sorted along a curve through space.
-const COHERENT: f64 = 12.0;
-/// How many boxes are looked at to find that out.
-const SAMPLES: usize = 1024;
+/// The order of face ids is kept where leaves in that order are on average smaller than this many faces; otherwise
+/// faces are sorted along a space-filling curve.
+const MAX_LEAF_EXTENT_FACES: f64 = 12.0;
+/// Leaves that are sampled to decide that.
+const SAMPLED_LEAVES: usize = 1024;
 
-/// A tree that is being made, for callers that can't wait for all of it. The mesh must stay the same
-/// meanwhile.
+/// Builds a tree some faces at a time, so that no call takes long. The mesh must not change meanwhile.
 #[derive(Clone, Debug)]
 pub struct FaceTreeBuilder {
     order: Vec<u32>,
-    /// How many faces of `order` the present stage has looked at.
+    /// The number of faces in `order` that the current stage has processed.
     done: usize,
     stage: Stage,
 }
 
 #[derive(Clone, Debug)]
 enum Stage {
-    /// Boxes of leaves as they come, which are then sorted.
+    /// Computing the boxes of leaves in order of id; the leaves are sorted then.
     LeavesInTurn(Vec<Bounds>),
-    /// The middles of the faces, which are then sorted.
+    /// Computing the centres of faces; the faces are sorted then.
     Centers(Vec<Vec3>),
-    /// Boxes of leaves of sorted faces.
+    /// Computing the boxes of leaves of sorted faces.
     Leaves(Vec<Bounds>),
 }
 
 impl FaceTreeBuilder {
-    /// Starts a tree of all faces. Costs O(face ids), little for each.
+    /// Begins a tree of all faces. Costs O(face ids), little for each.
     pub fn new(mesh: &Mesh) -> Self {
         let order: Vec<u32> = mesh.faces().map(FaceId::raw).collect();
         let stage = match is_coherent(mesh, &order) {
-            true => Stage::LeavesInTurn(Vec::with_capacity(order.len().div_ceil(LEAF))),
+            true => Stage::LeavesInTurn(Vec::with_capacity(order.len().div_ceil(FACES_PER_LEAF))),
             false => Stage::Centers(Vec::with_capacity(order.len())),
         };
         Self { order, done: 0, stage }
     }
 
-    /// Makes the rest of the tree. Costs O(mesh).
+    /// Builds the rest of the tree. Costs O(mesh).
     pub fn finish(mut self, mesh: &Mesh) -> FaceTree {
         loop {
             if let Some(tree) = self.step(mesh, usize::MAX) {
@@ -52,17 +51,18 @@ impl FaceTreeBuilder {
         }
     }
 
-    /// Looks at about so many faces more, each of which is looked at once or twice; gives the tree when
-    /// it is done. Costs that, and at the ends of stages O(mesh), little for each face.
+    /// Processes about this many more faces; returns the tree once it is complete. Each face is processed once or
+    /// twice. At the end of a stage it costs O(mesh) besides, little for each face.
     pub fn step(&mut self, mesh: &Mesh, faces: usize) -> Option<FaceTree> {
         let count = self.order.len();
-        let end = self.done.saturating_add(faces.max(1)).min(count).next_multiple_of(LEAF).min(count);
+        let end =
+            self.done.saturating_add(faces.max(1)).min(count).next_multiple_of(FACES_PER_LEAF).min(count);
         let slice = &self.order[self.done..end];
         let bounds = |&face: &u32| face_bounds(mesh, FaceId::new(face as usize));
         let leaf_of = |chunk: &[u32]| chunk.iter().map(bounds).fold(Bounds::EMPTY, Bounds::union);
         match &mut self.stage {
             Stage::LeavesInTurn(leaves) | Stage::Leaves(leaves) => {
-                leaves.extend(slice.chunks(LEAF).map(leaf_of));
+                leaves.extend(slice.chunks(FACES_PER_LEAF).map(leaf_of));
             }
             Stage::Centers(centers) => centers.extend(slice.iter().map(|face| bounds(face).center())),
         }
@@ -76,7 +76,7 @@ impl FaceTreeBuilder {
             Stage::Centers(centers) => {
                 self.order = morton::order(self.order.iter().copied().zip(centers.iter().copied()));
                 self.done = 0;
-                self.stage = Stage::Leaves(Vec::with_capacity(self.order.len().div_ceil(LEAF)));
+                self.stage = Stage::Leaves(Vec::with_capacity(self.order.len().div_ceil(FACES_PER_LEAF)));
                 return None;
             }
         };
@@ -92,16 +92,16 @@ impl FaceTreeBuilder {
     }
 }
 
-/// Sorts leaves along the curve, and with them their faces; gives the boxes in that order.
+/// Sorts leaves with their faces along the curve; returns the boxes in that order.
 fn sort_leaves(order: &mut Vec<u32>, in_turn: &[Bounds]) -> Vec<Bounds> {
-    // Only whole leaves change places; the last, which may be short, stays last.
-    let whole = order.len() / LEAF;
+    // Only full leaves are sorted; the last one, which may not be full, stays last.
+    let whole = order.len() / FACES_PER_LEAF;
     let mut sorted = morton::order((0u32..).zip(in_turn[..whole].iter().map(|b| b.center())));
     sorted.extend(whole as u32..in_turn.len() as u32);
     *order = (sorted.iter())
         .flat_map(|&leaf| {
-            let start = leaf as usize * LEAF;
-            &order[start..order.len().min(start + LEAF)]
+            let start = leaf as usize * FACES_PER_LEAF;
+            &order[start..order.len().min(start + FACES_PER_LEAF)]
         })
         .copied()
         .collect();
@@ -113,11 +113,11 @@ fn extent(bounds: Bounds) -> f64 {
     size.x + size.y + size.z
 }
 
-/// Whether faces that follow each other are near each other, as far as some of them tell.
+/// Whether consecutive faces are close to each other, estimated from samples.
 fn is_coherent(mesh: &Mesh, order: &[u32]) -> bool {
-    let chunks = order.len().div_ceil(LEAF);
+    let chunks = order.len().div_ceil(FACES_PER_LEAF);
     let (mut faces_extent, mut leaves_extent, mut faces, mut leaves) = (0.0, 0.0, 0usize, 0usize);
-    for chunk in order.chunks(LEAF).step_by(chunks.div_ceil(SAMPLES).max(1)) {
+    for chunk in order.chunks(FACES_PER_LEAF).step_by(chunks.div_ceil(SAMPLED_LEAVES).max(1)) {
         let mut leaf = Bounds::EMPTY;
         for &face in chunk {
             let bounds = face_bounds(mesh, FaceId::new(face as usize));
@@ -128,5 +128,5 @@ fn is_coherent(mesh: &Mesh, order: &[u32]) -> bool {
         faces += chunk.len();
         leaves += 1;
     }
-    leaves_extent * faces as f64 <= COHERENT * faces_extent * leaves as f64
+    leaves_extent * faces as f64 <= MAX_LEAF_EXTENT_FACES * faces_extent * leaves as f64
 }

@@ -1,62 +1,62 @@
-//! The curves of the input that are kept: boundaries, sharp edges, seams, creases and borders.
+//! The kept curves of the input: boundaries, sharp edges, seams, creases and borders.
 //!
-//! Between two corners, or once round, a curve is a polyline, and a place on it a length along it. Each
-//! kept edge of the mesh being worked on knows the places of its two ends, so that a vertex slides along
-//! its curve exactly, whatever the curve does in space, and never past its neighbours.
+//! A curve is a polyline between two corners, or closed; a place on it is a length along it. Each kept edge of the
+//! mesh has the places of its two ends, so that a vertex slides exactly along its curve, whatever the curve's
+//! shape, and never past its neighbours.
 
 use super::kept_edges::{Kept, kept_edges};
-use super::side_numbers::Sides;
+use super::side_numbers::SideNumbers;
 use crate::trimesh::TriMesh;
 use glam::DVec3;
 use halfedge::{Mesh, NONE};
 
-/// What a vertex is part of.
+/// How a vertex may move.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub(super) enum Role {
-    /// Nothing but the surface.
+    /// Anywhere on the surface.
     Free,
-    /// A curve that passes through it: it slides along that.
+    /// Along the curve that passes through it.
     Curve,
-    /// Where curves end, meet or turn: it stays where it is.
+    /// Not at all: curves end, meet or turn there.
     Fixed,
 }
 
 /// A kept edge: a piece of a curve.
 #[derive(Clone, Copy)]
 pub(super) struct Arc {
-    /// Which curve.
+    /// The curve.
     pub curve: u32,
-    /// The places of its two ends, as lengths along the curve. Past the end of a closed curve it goes
-    /// on from the start.
+    /// The places of the two ends, as lengths along the curve. A place past the end of a closed curve continues from
+    /// its start.
     pub ends: [f64; 2],
 }
 
 /// One polyline.
 struct Curve {
-    /// Where its points start in [`Curves::points`], and how many there are.
+    /// The first of its points in [`Curves::points`], and their number.
     first: usize,
     count: usize,
     closed: bool,
 }
 
-/// All of them.
+/// All curves.
 #[derive(Default)]
 pub(super) struct Curves {
     curves: Vec<Curve>,
-    /// Points of all curves; a closed one ends with its first point again.
+    /// The points of all curves; a closed curve repeats its first point at the end.
     points: Vec<DVec3>,
-    /// Per point: the length of its curve up to it.
+    /// Per point: the length of its curve up to there.
     along: Vec<f64>,
 }
 
-/// The curves of a mesh and how its edges and vertices lie on them.
+/// The curves of a mesh, with its edges and vertices on them.
 pub(super) struct Found {
     pub curves: Curves,
-    /// Per half-edge: twice its edge's place in `arcs`, plus 1 if it goes from the second end to the
-    /// first; or [`NONE`].
-    pub arc: Sides,
+    /// Per half-edge: twice its edge's index in `arcs`, plus 1 if it leads from the second end to the first; or
+    /// [`NONE`].
+    pub arc: SideNumbers,
     pub arcs: Vec<Arc>,
-    /// Per vertex.
+    /// Per vertex: how it may move.
     pub roles: Vec<Role>,
 }
 
@@ -67,7 +67,7 @@ impl Curves {
         let (points, along) = (&self.points[first..first + count], &self.along[first..first + count]);
         let length = along[count - 1];
         let place = if closed && length > 0.0 { place - length * (place / length).floor() } else { place };
-        // The first point past the place, so that the piece before it has it.
+        // The first point past the place: the segment before it contains the place.
         let end = along.partition_point(|&at| at <= place).clamp(1, count - 1);
         let piece = along[end] - along[end - 1];
         let t = if piece > 0.0 { ((place - along[end - 1]) / piece).clamp(0.0, 1.0) } else { 0.0 };
@@ -79,8 +79,8 @@ impl Curves {
         self.along[first + count - 1]
     }
 
-    /// Finds the curves of `tri`, the triangles of `mesh`. Sharp edges are those whose faces' normals
-    /// have a smaller cosine than `least_cos`; `length` is how long edges are going to be.
+    /// Finds the curves of `tri`, the triangles of `mesh`. Edges are sharp if the cosine of the angle between the
+    /// normals of their faces is less than `least_cos`; `length` is the new edge length.
     pub fn find(mesh: &Mesh, tri: &TriMesh, least_cos: f64, length: f64) -> Found {
         let mut kept = kept_edges(mesh, tri, least_cos, length);
         loop {
@@ -92,8 +92,8 @@ impl Curves {
     }
 }
 
-/// No longer keeps sharp edges that end in the middle of the surface before they are `length` long:
-/// noise, which edges of that length can't follow. Says whether there were any.
+/// Drops sharp curves with a loose end that are shorter than `length`: they are noise, which edges of that length
+/// can't follow. Returns whether there were any.
 fn drop_short(tri: &TriMesh, found: &Found, kept: &mut [Kept], length: f64) -> bool {
     let mut sharp = vec![true; found.curves.curves.len()];
     let mut loose = vec![false; found.curves.curves.len()];
@@ -124,7 +124,7 @@ fn drop_short(tri: &TriMesh, found: &Found, kept: &mut [Kept], length: f64) -> b
     true
 }
 
-/// The kept edges at a vertex, up to two.
+/// Up to two kept edges at a vertex.
 type Pair = [u32; 2];
 
 fn find_all(tri: &TriMesh, kept: &[Kept], least_cos: f64, length: f64) -> Found {
@@ -139,7 +139,7 @@ fn find_all(tri: &TriMesh, kept: &[Kept], least_cos: f64, length: f64) -> Found 
 
 impl Found {
     fn nothing(tri: &TriMesh, roles: Vec<Role>) -> Self {
-        Self { curves: Curves::default(), arc: Sides::new(tri.v.len() / 3), arcs: Vec::new(), roles }
+        Self { curves: Curves::default(), arc: SideNumbers::new(tri.v.len() / 3), arcs: Vec::new(), roles }
     }
 }
 
@@ -184,15 +184,15 @@ impl<'a> Search<'a> {
         if v == from { to } else { from }
     }
 
-    /// A curve that turns by more than the feature angle within the length of an edge, or an eighth of its
-    /// own, has a corner where it turns most. What is finer than that is no corner.
+    /// Fixes corners of curves: where a curve turns by more than the feature angle within an edge length, or an
+    /// eighth of its own length, its sharpest point there is a corner.
     fn fix_corners(&mut self, least_cos: f64, length: f64) {
         let on_curve: Vec<u32> =
             (0..self.tri.out.len() as u32).filter(|&v| self.found.roles[v as usize] == Role::Curve).collect();
         let mut turns: Vec<(f64, u32)> = Vec::new();
         for &v in &on_curve {
             let here = self.tri.at(v);
-            let length = self.reach(v, length);
+            let length = self.corner_range(v, length);
             let [a, b] = self.pairs[v as usize].map(|edge| {
                 let (there, _) = self.walk(v, edge, length);
                 (self.tri.at(there) - here).normalize_or_zero()
@@ -203,13 +203,13 @@ impl<'a> Search<'a> {
             }
         }
         turns.sort_unstable_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
-        // The sharpest first; those within half an edge of a sharper one are the same corner.
+        // Sharpest first; points within half an edge length of a sharper one belong to the same corner.
         let mut near = vec![false; self.tri.out.len()];
         for (_, v) in turns {
             if near[v as usize] {
                 continue;
             }
-            let length = self.reach(v, length);
+            let length = self.corner_range(v, length);
             for edge in self.pairs[v as usize] {
                 let (mut at, mut edge, mut gone) = (v, edge, 0.0);
                 loop {
@@ -227,20 +227,20 @@ impl<'a> Search<'a> {
         }
     }
 
-    /// How far along its curve a vertex looks to see whether it is a corner.
-    fn reach(&self, v: u32, length: f64) -> f64 {
+    /// The length of the curve on either side of a vertex that decides whether it is a corner.
+    fn corner_range(&self, v: u32, length: f64) -> f64 {
         let arc = self.found.arcs[self.found.arc.get(self.pairs[v as usize][0]) as usize / 2];
         length.min(0.125 * self.found.curves.length(arc.curve))
     }
 
-    /// The edge of a curve after `edge` at `v`.
+    /// The edge of a curve that follows `edge` at `v`.
     fn after(&self, edge: u32, v: u32) -> u32 {
         let [a, b] = self.pairs[v as usize];
         if a == edge { b } else { a }
     }
 
-    /// Goes from a vertex along an edge and its curve for a length, at least over that edge and at most
-    /// to the curve's end; gives the vertex and edge reached.
+    /// Walks from a vertex along an edge and its curve for a length, at least over that edge and at most to the
+    /// curve's end; returns the vertex and edge reached.
     fn walk(&self, v: u32, edge: u32, length: f64) -> (u32, u32) {
         let (mut at, mut edge) = (self.other(edge, v), edge);
         let mut gone = self.tri.at(v).distance(self.tri.at(at));
@@ -268,7 +268,7 @@ impl<'a> Search<'a> {
                 });
             }
         }
-        // What is left goes round without corners.
+        // The rest are closed curves without corners.
         for h in 0..self.tri.v.len() as u32 {
             if self.tri.edge(h) == h {
                 self.trace(self.tri.from(h), h);
@@ -276,7 +276,7 @@ impl<'a> Search<'a> {
         }
     }
 
-    /// Notes the curve that starts at a vertex with an edge, if that is kept and new.
+    /// Records the curve that starts at a vertex with an edge, if the edge is kept and new.
     fn trace(&mut self, start: u32, edge: u32) {
         if self.kept[edge as usize] == Kept::No || self.found.arc.get(edge) != NONE {
             return;

@@ -1,58 +1,47 @@
 //! Which edges of the input are kept, and which sharp ones are only noise.
 
-use crate::trimesh::{TriMesh, area_vector};
+use crate::trimesh::{Borders, TriMesh, area_vector};
 use glam::DVec3;
 use halfedge::geometry::UnionFind;
-use halfedge::{Mesh, NONE, keys};
+use halfedge::{Mesh, NONE};
 
-/// Sharp edges that hang together are kept if they are this many edges long in all.
-const SPECK: f64 = 5.0;
+/// Connected sharp edges are kept if they are at least this many edge lengths long in all.
+const MIN_SHARP_LENGTH_EDGES: f64 = 5.0;
 
-/// A triangle is a sliver when it is lower than this, as a share of its longest side.
-const SLIVER: f64 = 0.1;
+/// A triangle is a sliver if its height is less than this share of its longest side.
+const MAX_SLIVER_HEIGHT: f64 = 0.1;
 
-/// Why an edge is kept.
+/// Whether and why an edge is kept.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub(super) enum Kept {
     No,
-    /// For the angle of its faces only.
+    /// Only for the angle between its faces.
     Sharp,
-    /// For what it separates or carries.
+    /// For what it separates, or for its crease.
     Border,
 }
 
-/// Per half-edge of `tri`, the triangles of `mesh`: whether its edge is kept. Sharp edges are those whose
-/// faces' normals have a smaller cosine than `least_cos`; `length` is how long edges are going to be.
+/// Per half-edge of `tri`, the triangles of `mesh`, whether its edge is kept. Edges are sharp if the cosine of the
+/// angle between the normals of their faces is less than `least_cos`; `length` is the new edge length.
 pub(super) fn kept_edges(mesh: &Mesh, tri: &TriMesh, least_cos: f64, length: f64) -> Vec<Kept> {
     let mut kept = marked_edges(mesh, tri, least_cos);
     drop_sliver_sides(tri, &mut kept, least_cos);
-    drop_specks(tri, &mut kept, SPECK * length);
+    drop_specks(tri, &mut kept, MIN_SHARP_LENGTH_EDGES * length);
     kept
 }
 
 fn marked_edges(mesh: &Mesh, tri: &TriMesh, least_cos: f64) -> Vec<Kept> {
-    let material = mesh.attribute(keys::FACE_MATERIAL);
-    let group = mesh.attribute(keys::FACE_GROUP);
-    let color = mesh.attribute(keys::FACE_COLOR);
-    let crease = mesh.attribute(keys::EDGE_CREASE);
+    let borders = Borders::new(mesh);
     let kept = |h: u32| {
         let across = tri.opp(h);
         if across == NONE || tri.is_seam(h) {
             return Kept::Border;
         }
         if across < h {
-            // Filled in from the other side.
+            // Copied from the other side below.
             return Kept::No;
         }
-        let [a, b] = [h, across].map(|h| tri.face_source[h as usize / 3] as usize);
-        let creased = crease
-            .zip(tri.edge_source.get(h as usize))
-            .is_some_and(|(crease, &e)| crease.get(e as usize).is_some_and(|&sharpness| sharpness > 0.0));
-        if creased
-            || material.is_some_and(|m| m[a] != m[b])
-            || group.is_some_and(|g| g[a] != g[b])
-            || color.is_some_and(|c| c[a] != c[b])
-        {
+        if borders.has(tri, h) {
             return Kept::Border;
         }
         if turns(area(tri, h), area(tri, across), least_cos) {
@@ -70,9 +59,9 @@ fn marked_edges(mesh: &Mesh, tri: &TriMesh, least_cos: f64) -> Vec<Kept> {
     all
 }
 
-/// No longer keeps the longest side of slivers all of whose sides are sharp: which way such a triangle
-/// faces says nothing, and the two other sides keep the same curve. Those are only kept where they are
-/// sharp towards what is across the longest side.
+/// Drops the longest side of slivers whose sides are all sharp: the normal of such a triangle means nothing, and
+/// the two other sides keep the same curve. These are only kept if they are sharp relative to the triangle across
+/// the longest side.
 fn drop_sliver_sides(tri: &TriMesh, kept: &mut [Kept], least_cos: f64) {
     for h in (0..tri.v.len() as u32).step_by(3) {
         let sides = [h, h + 1, h + 2];
@@ -87,7 +76,7 @@ fn drop_sliver_sides(tri: &TriMesh, kept: &mut [Kept], least_cos: f64) {
         } else {
             2
         };
-        if area(tri, h).length() / squared[longest] >= SLIVER {
+        if area(tri, h).length() / squared[longest] >= MAX_SLIVER_HEIGHT {
             continue;
         }
         let behind = area(tri, tri.opp(sides[longest]));
@@ -111,8 +100,8 @@ fn turns(n: DVec3, m: DVec3, least_cos: f64) -> bool {
     n.dot(m) < least_cos * (n.length_squared() * m.length_squared()).sqrt()
 }
 
-/// No longer keeps sharp edges where those that hang together are shorter in all than `length` and than
-/// the piece of the mesh that they are on is wide: noise, too.
+/// Drops connected sharp edges that are shorter in all than `length` and than the width of their component of the
+/// mesh: they are noise too.
 fn drop_specks(tri: &TriMesh, kept: &mut [Kept], length: f64) {
     let sharp: Vec<u32> =
         (0..tri.v.len() as u32).filter(|&h| kept[h as usize] == Kept::Sharp && tri.edge(h) == h).collect();

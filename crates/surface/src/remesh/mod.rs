@@ -1,19 +1,19 @@
-//! Isotropic remeshing: triangles with sides of one length.
+//! Isotropic remeshing: triangles with edges of one length.
 //!
-//! Botsch and Kobbelt: A remeshing approach to multiresolution modeling (2004). Each iteration splits
-//! edges longer than 4/3 of the length, collapses those shorter than 4/5, flips edges towards valence 6
-//! (4 on the boundary), moves vertices along the surface to the middle of their triangles, and puts them
-//! back on the input. In the end the worst triangles are made better one by one.
+//! Botsch and Kobbelt: A remeshing approach to multiresolution modeling (2004). Each iteration splits edges
+//! longer than 4/3 of the length, collapses those shorter than 4/5, flips edges towards valence 6 (4 on the
+//! boundary), moves vertices along the surface to the middle of their triangles, and projects them onto the
+//! input. At the end the worst triangles are improved one by one.
 //!
-//! Boundaries, edges sharper than the feature angle (folds of polygons that are not flat among them), seams
-//! of corner attributes, creases and borders between materials, groups and colours are kept: their vertices
-//! slide along them, and where such curves end, meet or turn they stay. Sharp edges that are nothing but
-//! noise at the new length are not kept: those that hang together over less than five edge lengths on a piece
-//! wider than that, and ends that lie loose in the surface and are shorter than one, and sides of slivers,
-//! folded ones among them, beyond which the surface does not turn. All others are kept as they are: where
-//! they run closer together than an edge is long, or meet at a small angle, triangles between them have small
-//! angles too.
+//! Boundaries, edges sharper than the feature angle (including folds of non-planar polygons), seams of corner
+//! attributes, creases, and borders between materials, groups and colours are kept: their vertices slide along
+//! them, and stay where such curves end, meet or turn. Sharp edges that are only noise at the new length aren't
+//! kept: connected ones shorter in all than five edge lengths on a wider component; loose ends shorter than an
+//! edge length; and sides of slivers, folded or not, beyond which the surface doesn't turn. All others are kept:
+//! where they are closer together than an edge length, or meet at a small angle, triangles between them have
+//! small angles too.
 
+mod changes;
 mod curves;
 mod kept_edges;
 mod polish;
@@ -28,19 +28,19 @@ use halfedge::{Mesh, NONE, Progress};
 use relax::relax;
 use work::Work;
 
-/// The most iterations that [`remesh`] takes: after a few dozen nothing gets better.
+/// The most iterations that [`remesh`] accepts: after a few dozen nothing improves.
 pub const MAX_REMESH_ITERATIONS: u32 = 1000;
 
-/// How to remesh.
+/// Options of remeshing.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Remesh {
-    /// The length of edges, in mesh units; none for the mean of the input's.
+    /// The length of edges in mesh units; the mean length of the input's edges if none.
     pub edge_length: Option<f64>,
-    /// How many rounds: up to [`MAX_REMESH_ITERATIONS`].
+    /// The number of iterations, up to [`MAX_REMESH_ITERATIONS`].
     pub iterations: u32,
-    /// Edges whose faces' normals differ by more than this are kept, in degrees.
+    /// Edges are kept if the normals of their faces differ by more than this, in degrees.
     pub feature_angle: f64,
-    /// Whether vertices are put back on the input each round.
+    /// Whether vertices are projected onto the input in each iteration.
     pub project: bool,
 }
 
@@ -51,26 +51,26 @@ impl Default for Remesh {
 }
 
 impl Remesh {
-    /// About how many triangles with sides of this length a surface of this area takes: equilateral ones.
+    /// The approximate number of equilateral triangles with this edge length on a surface of this area.
     pub fn expected(area: f64, edge_length: f64) -> f64 {
-        // An equilateral triangle has sqrt(3)/4 of its side's square.
+        // The area of an equilateral triangle is sqrt(3) / 4 times its side's square.
         area / (edge_length * edge_length * 0.433)
     }
 }
 
 /// The most triangles that remeshing may make.
-const MAX_TRIANGLES: u64 = 8_000_000;
+const MAX_REMESHED_TRIANGLES: u64 = 8_000_000;
 
-/// Remeshes a surface; the input is untouched. Polygons are cut into triangles first, isolated vertices
-/// left out. Triangles have the face attributes of the one they were cut from; corner, vertex and edge
-/// attributes are mixed where edges are split and merged. Costs O(iterations x (mesh + result)).
+/// Remeshes a surface. Polygons are cut into triangles first; isolated vertices are dropped. Triangles have the
+/// face attributes of the one that they were split from; corner, vertex and edge attributes are interpolated where
+/// edges are split and merged. Costs O(iterations x (mesh + result)).
 ///
-/// A vertex is put on the point of the input that is closest among those it can reach by getting ever
-/// closer from where it was: never on the far side of a thin wall. A vertex on a kept curve is on that
-/// curve of the input exactly, unless a triangle would turn over.
+/// A vertex is projected onto the closest point of the input that it reaches by moving ever closer, which is never
+/// on the far side of a thin wall. A vertex on a kept curve lies exactly on that curve of the input, unless a
+/// triangle would turn over.
 ///
 /// # Errors
-/// [`SurfaceError::BadField`]; [`SurfaceError::TooManyFaces`] beforehand, for an edge length so short;
+/// [`SurfaceError::BadField`]; [`SurfaceError::TooManyFaces`] for an edge length that is too short;
 /// [`SurfaceError::Cancelled`].
 pub fn remesh(mesh: &Mesh, options: &Remesh, progress: &mut Progress<'_>) -> Result<Mesh, SurfaceError> {
     let length = options.edge_length.unwrap_or_else(|| crate::measure::mean_edge_length(mesh));
@@ -87,8 +87,8 @@ pub fn remesh(mesh: &Mesh, options: &Remesh, progress: &mut Progress<'_>) -> Res
         return Err(SurfaceError::field("edge_length", "a finite number above 0"));
     }
     let expected = Remesh::expected(crate::measure::surface_area(mesh), length);
-    if expected > MAX_TRIANGLES as f64 {
-        return Err(SurfaceError::TooManyFaces { faces: expected as u64, limit: MAX_TRIANGLES });
+    if expected > MAX_REMESHED_TRIANGLES as f64 {
+        return Err(SurfaceError::TooManyFaces { faces: expected as u64, limit: MAX_REMESHED_TRIANGLES });
     }
     let tri = TriMesh::new(mesh);
     let (_, least_cos) = crate::trig::sin_cos_turns(options.feature_angle / 360.0);
@@ -113,7 +113,7 @@ pub fn remesh(mesh: &Mesh, options: &Remesh, progress: &mut Progress<'_>) -> Res
     Ok(result)
 }
 
-/// Calls `edit` with each edge that exists when its turn comes, those made meanwhile included.
+/// Calls `edit` with each edge that exists by then, including those made meanwhile.
 fn each_edge(
     work: &mut Work,
     pace: &mut Pace<'_, '_>,
@@ -124,7 +124,7 @@ fn each_edge(
         if h % 65_536 == 0 {
             pace.at(h as f32 / work.tri.v.len() as f32)?;
         }
-        // The smaller of an edge's half-edges stands for it; NONE is larger than all.
+        // The smaller of an edge's half-edges stands for it; NONE is larger than all ids.
         if work.tri.is_alive(h) && h < work.tri.opp(h) {
             edit(work, h);
         }
@@ -133,8 +133,8 @@ fn each_edge(
     Ok(())
 }
 
-/// The square of how much longer than others an edge may become by a merge along a curve.
-const ALONG: f64 = 1.6;
+/// How much longer an edge may become by a merge along a curve, squared.
+const CURVE_STRETCH_SQUARED: f64 = 1.6;
 
 fn split_long(work: &mut Work, pace: &mut Pace<'_, '_>) -> Result<(), SurfaceError> {
     each_edge(work, pace, |work, h| {
@@ -148,8 +148,8 @@ fn split_long(work: &mut Work, pace: &mut Pace<'_, '_>) -> Result<(), SurfaceErr
 fn collapse_short(work: &mut Work, pace: &mut Pace<'_, '_>) -> Result<(), SurfaceError> {
     each_edge(work, pace, |work, h| {
         if work.length_squared(h) < work.shortest {
-            // Along a curve the next edge takes up all of what goes, until they are evened out.
-            let longest = if work.is_kept(h) { work.longest * ALONG } else { work.longest };
+            // Along a curve the next edge takes all of the removed length, until places are evened out.
+            let longest = if work.is_kept(h) { work.longest * CURVE_STRETCH_SQUARED } else { work.longest };
             if let Some(merge) = work.merges_of(h).find(|&merge| work.can_merge(merge, longest)) {
                 work.merge(merge);
             }
@@ -157,11 +157,11 @@ fn collapse_short(work: &mut Work, pace: &mut Pace<'_, '_>) -> Result<(), Surfac
     })
 }
 
-/// Flips edges where that brings valences closer to six, or to four on the boundary, where half a disc
-/// of triangles is; and, as long as there are many, where a poor triangle gets better: chains of slivers
-/// along a finely cut curve would refuse all merges there.
+/// Flips edges where that brings valences closer to six, or on the boundary to four. As long as there are many
+/// slivers, also flips edges where that improves a poor triangle: chains of slivers along a finely divided curve
+/// would prevent all merges there.
 fn flip_to_valence(work: &mut Work, pace: &mut Pace<'_, '_>) -> Result<(), SurfaceError> {
-    // How far each vertex is above its best.
+    // Per vertex how far its valence is above the best one.
     let mut excess: Vec<i32> = (0..work.tri.out.len() as u32)
         .map(|v| if work.tri.is_boundary_vertex(v) { -4 } else { -6 })
         .collect();
@@ -173,7 +173,7 @@ fn flip_to_valence(work: &mut Work, pace: &mut Pace<'_, '_>) -> Result<(), Surfa
             }
         }
     }
-    // Looking at shapes takes as long as all the rest.
+    // Testing shapes takes as long as everything else.
     let many_slivers = work.slivers > work.tri.faces / 1000;
     work.slivers = 0;
     each_edge(work, pace, |work, h| {
@@ -206,7 +206,7 @@ mod tests {
     use crate::Shape;
     use std::ops::ControlFlow;
 
-    /// Every kept edge's ends are at their places on its curve.
+    /// The ends of all kept edges are at their places on the curves.
     fn check(work: &Work, step: &str) {
         for h in 0..work.tri.v.len() as u32 {
             if !work.tri.is_alive(h) || !work.is_kept(h) {
@@ -215,7 +215,7 @@ mod tests {
             let arc = work.arcs[work.arc.get(h) as usize / 2];
             for (v, place) in [work.tri.from(h), work.tri.to(h)].into_iter().zip(work.places(h)) {
                 let off = work.curves.at(arc.curve, place).distance(work.tri.at(v));
-                // Vertices are where rounding to floats leaves them.
+                // Positions are rounded to floats.
                 assert!(off < 1e-7, "after {step}: {off}");
             }
         }

@@ -1,41 +1,42 @@
-//! The worst triangles, made better one by one.
+//! Improving the worst triangles one by one.
 //!
-//! Rounds of splitting, merging, flipping and relaxing make nearly all triangles good; the few that are
-//! left have no reason to go. So each of those is given the one change (a flip, a merge or a move of a
-//! corner) that makes the worst triangle it touches best (as in Freitag and Ollivier-Gooch: Tetrahedral
-//! mesh improvement using swapping and smoothing, 1997). Nothing ever gets worse than the worst before.
+//! Iterations of splitting, merging, flipping and relaxing make nearly all triangles good, but leave a few bad
+//! ones. For each of these, the change (a flip, a merge or a move of a corner) is made that improves the worst
+//! triangle it affects most (as in Freitag and Ollivier-Gooch: Tetrahedral mesh improvement using swapping and
+//! smoothing, 1997). No triangle becomes worse than the worst one before.
 
+use super::changes::Merge;
 use super::curves::Role;
-use super::work::{Merge, Work, quality};
+use super::work::{Work, quality};
 use crate::SurfaceError;
 use crate::pace::Pace;
 use glam::DVec3;
 use halfedge::NONE;
 
-/// Triangles are good when their smallest angle is 36 degrees: this is its sine's square.
-const GOOD: f64 = 0.345;
-/// Triangles below 30 degrees are mended by cutting curves unevenly, too: this is its sine's square.
-const MENDED: f64 = 0.25;
-/// A change has to make the worst better by this factor, so that none is made for rounding's sake.
-const GAIN: f64 = 1.001;
-/// How many rounds at most. Each looks at what the last one left or made.
-const ROUNDS: u32 = 16;
-/// Shares of the way to a better place that are tried.
-const STEPS: [f64; 4] = [1.0, 0.5, 0.25, 0.125];
-/// No edge becomes longer than the square root of this, in longest edges.
-const STRETCH: f64 = 1.2;
+/// The quality of good triangles, whose smallest angle is 36 degrees: its squared sine.
+const GOOD_QUALITY: f64 = 0.345;
+/// Below this quality (30 degrees) curves may be divided unevenly to improve a triangle.
+const UNEVEN_CURVE_QUALITY: f64 = 0.25;
+/// A change must improve the worst triangle by this factor, so that rounding causes no changes.
+const MIN_IMPROVEMENT: f64 = 1.001;
+/// The most rounds; each works on triangles that the last one left or changed.
+const MAX_ROUNDS: u32 = 16;
+/// The fractions of the way to a better position that are tried.
+const STEP_FRACTIONS: [f64; 4] = [1.0, 0.5, 0.25, 0.125];
+/// How much longer than the longest edge an edge may become, squared.
+const MAX_STRETCH_SQUARED: f64 = 1.2;
 
-/// What can be done for a triangle.
+/// A change that improves a triangle.
 enum Change {
     Flip(u32),
     Merge(Merge),
-    /// A free vertex to a place in a triangle of the input.
+    /// Move a free vertex to a position on a triangle of the input.
     Move {
         v: u32,
         to: DVec3,
         near: u32,
     },
-    /// A vertex by a length along its curve.
+    /// Move a vertex by a length along its curve.
     Slide {
         v: u32,
         by: f64,
@@ -45,12 +46,12 @@ enum Change {
 pub(super) fn polish(work: &mut Work, pace: &mut Pace<'_, '_>) -> Result<(), SurfaceError> {
     let mut bad: Vec<u32> = (0..work.tri.v.len() as u32 / 3).filter(|&f| is_bad(work, f)).collect();
     let mut following = Vec::new();
-    for round in 0..ROUNDS {
-        let mut part = pace.part(round as f32 / ROUNDS as f32, (round + 1) as f32 / ROUNDS as f32);
+    for round in 0..MAX_ROUNDS {
+        let mut part = pace.part(round as f32 / MAX_ROUNDS as f32, (round + 1) as f32 / MAX_ROUNDS as f32);
         let mut asked = 0;
         let mut changed = false;
         for (i, &f) in bad.iter().enumerate() {
-            // Looking for a change takes a few microseconds.
+            // Searching for a change takes a few microseconds.
             if i >= asked {
                 part.at(i as f32 / bad.len() as f32)?;
                 asked = i + 4096;
@@ -79,10 +80,10 @@ pub(super) fn polish(work: &mut Work, pace: &mut Pace<'_, '_>) -> Result<(), Sur
 }
 
 fn is_bad(work: &Work, f: u32) -> bool {
-    work.tri.is_alive(3 * f) && of_triangle(work, 3 * f) < GOOD
+    work.tri.is_alive(3 * f) && triangle_quality(work, 3 * f) < GOOD_QUALITY
 }
 
-fn of_triangle(work: &Work, h: u32) -> f64 {
+fn triangle_quality(work: &Work, h: u32) -> f64 {
     let tri = &work.tri;
     quality(tri.at(tri.from(h)), tri.at(tri.to(h)), tri.at(tri.apex(h)))
 }
@@ -91,30 +92,30 @@ fn best_change(work: &mut Work, f: u32) -> Option<Change> {
     let mut best = None;
     let mut worst = 0.0;
     let mut offer = |before: f64, after: f64, change: Change| {
-        if after > before * GAIN && after > worst {
+        if after > before * MIN_IMPROVEMENT && after > worst {
             worst = after;
             best = Some(change);
         }
     };
     for h in 3 * f..3 * f + 3 {
         if work.can_flip(h) {
-            let (before, after) = of_flip(work, h);
+            let (before, after) = flip_quality(work, h);
             offer(before, after, Change::Flip(h));
         }
         let v = work.tri.from(h);
         match work.roles[v as usize] {
             Role::Free => {
-                let before = of_star(work, v, work.tri.at(v));
+                let before = star_quality(work, v, work.tri.at(v));
                 for to in better_places(work, v) {
                     let to = to - work.tri.at(v);
-                    for step in STEPS {
-                        let (to, near) = work.put_on(v, work.tri.at(v) + to * step);
-                        offer(before, of_star(work, v, to), Change::Move { v, to, near });
+                    for step in STEP_FRACTIONS {
+                        let (to, near) = work.project(v, work.tri.at(v) + to * step);
+                        offer(before, star_quality(work, v, to), Change::Move { v, to, near });
                     }
                 }
             }
             Role::Curve => {
-                let before = of_star(work, v, work.tri.at(v));
+                let before = star_quality(work, v, work.tri.at(v));
                 let [a, b] = work.kept_at(v);
                 if a == NONE || b == NONE {
                     continue;
@@ -122,11 +123,11 @@ fn best_change(work: &mut Work, f: u32) -> Option<Change> {
                 let from = work.places_from(v, a)[0];
                 for edge in [a, b] {
                     let [start, end] = work.places_from(v, edge);
-                    for step in &STEPS[1..] {
+                    for step in &STEP_FRACTIONS[1..] {
                         let by = (end - start) * step;
                         let to = work.curve_point(a, from + by);
-                        if before < MENDED || stays_even(work, [a, b], v, to) {
-                            offer(before, of_star(work, v, to), Change::Slide { v, by });
+                        if before < UNEVEN_CURVE_QUALITY || stays_even(work, [a, b], v, to) {
+                            offer(before, star_quality(work, v, to), Change::Slide { v, by });
                         }
                     }
                 }
@@ -134,9 +135,9 @@ fn best_change(work: &mut Work, f: u32) -> Option<Change> {
             Role::Fixed => {}
         }
         for merge in work.merges_of(h) {
-            let stretch = if work.is_kept(h) { 1.0 } else { STRETCH };
+            let stretch = if work.is_kept(h) { 1.0 } else { MAX_STRETCH_SQUARED };
             if work.can_merge(merge, work.longest * stretch) {
-                let (before, after) = of_merge(work, merge);
+                let (before, after) = merge_quality(work, merge);
                 offer(before, after, Change::Merge(merge));
             }
         }
@@ -144,7 +145,7 @@ fn best_change(work: &mut Work, f: u32) -> Option<Change> {
     best
 }
 
-/// Makes a change; gives a vertex whose triangles are all those that it touched, or nearly.
+/// Makes a change; returns a vertex whose triangles are nearly all those that changed.
 fn apply(work: &mut Work, change: Change) -> u32 {
     match change {
         Change::Flip(h) => {
@@ -171,8 +172,8 @@ fn apply(work: &mut Work, change: Change) -> u32 {
     }
 }
 
-/// Where a vertex would do better: the mean of the tips of equilateral triangles on the sides across
-/// from it, once evenly and once with more weight to those that are bad now.
+/// Better positions of a vertex: the means of the tips of equilateral triangles on the opposite sides, once with
+/// equal weights and once with larger weights for triangles that are bad now.
 fn better_places(work: &Work, v: u32) -> [DVec3; 2] {
     let tri = &work.tri;
     let here = tri.at(v);
@@ -195,8 +196,8 @@ fn better_places(work: &Work, v: u32) -> [DVec3; 2] {
     })
 }
 
-/// Whether neither of the two edges that a vertex has on its curve becomes too short or too long if it slides
-/// to `at`, but for one that is and gets better: curves stay cut evenly.
+/// Whether curves stay divided evenly if a vertex slides to `at`: neither of its two edges on the curve becomes too
+/// short or too long, unless it is already and improves.
 fn stays_even(work: &Work, edges: [u32; 2], v: u32, at: DVec3) -> bool {
     edges.into_iter().all(|h| {
         let length = work.tri.at(work.other_end(v, h)).distance_squared(at);
@@ -205,12 +206,12 @@ fn stays_even(work: &Work, edges: [u32; 2], v: u32, at: DVec3) -> bool {
     })
 }
 
-/// The worst triangle of a vertex if it were at `at`; less than none if one turned over or became too
+/// The quality of the worst triangle of a vertex if it were at `at`; negative if one turns over or becomes too
 /// long.
-fn of_star(work: &Work, v: u32, at: DVec3) -> f64 {
+fn star_quality(work: &Work, v: u32, at: DVec3) -> f64 {
     let tri = &work.tri;
     let here = tri.at(v);
-    let limit = work.longest * STRETCH;
+    let limit = work.longest * MAX_STRETCH_SQUARED;
     let mut worst = f64::MAX;
     tri.around(v, |out| {
         let (x, y) = (tri.at(tri.to(out)), tri.at(tri.apex(out)));
@@ -225,22 +226,22 @@ fn of_star(work: &Work, v: u32, at: DVec3) -> f64 {
     worst
 }
 
-/// The worse of an edge's two triangles now and flipped.
-fn of_flip(work: &Work, h: u32) -> (f64, f64) {
+/// The quality of the worse of an edge's triangles before and after a flip.
+fn flip_quality(work: &Work, h: u32) -> (f64, f64) {
     let tri = &work.tri;
     let across = tri.opp(h);
     let [a, b, c, d] = [tri.from(h), tri.to(h), tri.apex(h), tri.apex(across)].map(|v| tri.at(v));
     (quality(a, b, c).min(quality(b, a, d)), quality(a, d, c).min(quality(d, b, c)))
 }
 
-/// The worst triangle around an edge now and with its ends merged.
-fn of_merge(work: &Work, merge: Merge) -> (f64, f64) {
+/// The quality of the worst triangle around an edge before and after a merge.
+fn merge_quality(work: &Work, merge: Merge) -> (f64, f64) {
     let tri = &work.tri;
     let (a, b) = (tri.from(merge.edge), tri.to(merge.edge));
     let (mut before, mut after) = (f64::MAX, f64::MAX);
     for (v, other) in [(a, b), (b, a)] {
         tri.around(v, |out| {
-            before = before.min(of_triangle(work, out));
+            before = before.min(triangle_quality(work, out));
             let (x, y) = (tri.to(out), tri.apex(out));
             if x != other && y != other {
                 after = after.min(quality(merge.at, tri.at(x), tri.at(y)));

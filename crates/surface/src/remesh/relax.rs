@@ -1,5 +1,5 @@
-//! Moving vertices along the surface to the middle of their triangles, and along their curves to the
-//! middle between their neighbours.
+//! Moving free vertices along the surface to the middle of their triangles, and vertices on curves to the middle
+//! between their neighbours.
 
 use super::curves::Role;
 use super::work::Work;
@@ -8,37 +8,37 @@ use crate::pace::Pace;
 use glam::DVec3;
 use halfedge::NONE;
 
-/// How often the vertices of a curve are put in the middle between their neighbours in one round.
-const SWEEPS: u32 = 8;
-/// How much of the way to a neighbour a vertex may go in one round: less than half, so that they stay in
-/// order even where one of them may not move.
-const REACH: f64 = 0.45;
+/// How often the vertices of a curve are moved to the middle between their neighbours in an iteration.
+const CURVE_SWEEPS: u32 = 8;
+/// The share of the way to a neighbour on the curve that a vertex may move in an iteration: less than half, so that
+/// vertices stay in order even where one of them may not move.
+const MAX_SLIDE_SHARE: f64 = 0.45;
 
-/// What part of its area a triangle keeps at least when its vertex moves.
-const LEAST_AREA: f64 = 0.05;
+/// The least share of its area that a triangle keeps when a vertex moves.
+const MIN_AREA_SHARE: f64 = 0.05;
 
 /// A vertex on a curve.
 struct Sliding {
     v: u32,
     /// One of its two edges there.
     edge: u32,
-    /// How far its neighbours are along the curve, one of them backwards.
+    /// The lengths along the curve to its neighbours; one of them is negative.
     gaps: [f64; 2],
-    /// Their places in the list of such vertices, or [`NONE`] for those that stay.
+    /// The neighbours' indices in the list of such vertices, or [`NONE`] if they stay.
     ends: [u32; 2],
-    /// How far it goes along the curve.
+    /// How far it moves along the curve.
     shift: f64,
 }
 
-/// One round: first vertices on curves, then the others, each where it does best between its neighbours as
-/// they are by then. Vertices whose move would turn a triangle over stay this time.
+/// Moves vertices on curves first, then free ones, each according to the current positions of its neighbours.
+/// Vertices whose move would turn a triangle over stay.
 pub(super) fn relax(work: &mut Work, pace: &mut Pace<'_, '_>) -> Result<(), SurfaceError> {
     slide(work);
     let mut star = Vec::new();
     pace.chunks(work.tri.out.len(), |range| {
         for v in range.start as u32..range.end as u32 {
             if work.roles[v as usize] == Role::Free && work.tri.out[v as usize] != NONE {
-                to_middle(work, v, &mut star);
+                move_to_middle(work, v, &mut star);
             }
         }
     })
@@ -47,16 +47,19 @@ pub(super) fn relax(work: &mut Work, pace: &mut Pace<'_, '_>) -> Result<(), Surf
 /// Evens out the places of vertices on curves.
 fn slide(work: &mut Work) {
     let mut sliding = sliding(work);
-    for _ in 0..SWEEPS {
+    for _ in 0..CURVE_SWEEPS {
         for i in 0..sliding.len() {
             let Sliding { gaps, ends, .. } = sliding[i];
-            // One gap is positive and one negative: towards the start of the curve.
+            // One gap is positive, the other one negative.
             let [p, q] = ends.map(|end| sliding.get(end as usize).map_or(0.0, |end| end.shift));
             sliding[i].shift = 0.5 * ((gaps[0] + p) + (gaps[1] + q));
         }
     }
     for Sliding { v, edge, gaps, shift, .. } in sliding {
-        let (low, high) = (REACH * gaps[0].min(gaps[1]).min(0.0), REACH * gaps[0].max(gaps[1]).max(0.0));
+        let (low, high) = (
+            MAX_SLIDE_SHARE * gaps[0].min(gaps[1]).min(0.0),
+            MAX_SLIDE_SHARE * gaps[0].max(gaps[1]).max(0.0),
+        );
         let shift = shift.clamp(low, high);
         let [here, _] = work.places_from(v, edge);
         let to = work.curve_point(edge, here + shift);
@@ -67,7 +70,7 @@ fn slide(work: &mut Work) {
     }
 }
 
-/// The vertices that a curve passes through, in order of number.
+/// The vertices on curves, in order of number.
 fn sliding(work: &Work) -> Vec<Sliding> {
     let mut list = Vec::new();
     for v in 0..work.tri.out.len() as u32 {
@@ -93,9 +96,9 @@ fn sliding(work: &Work) -> Vec<Sliding> {
     list
 }
 
-/// Moves a free vertex to the middle of its triangles, on its tangent plane and then on the input. `star`
-/// is scratch space.
-fn to_middle(work: &mut Work, v: u32, star: &mut Vec<DVec3>) {
+/// Moves a free vertex to the middle of its triangles on its tangent plane, and projects it onto the input. `star`
+/// is scratch memory.
+fn move_to_middle(work: &mut Work, v: u32, star: &mut Vec<DVec3>) {
     let tri = &work.tri;
     let here = tri.at(v);
     star.clear();
@@ -116,13 +119,13 @@ fn to_middle(work: &mut Work, v: u32, star: &mut Vec<DVec3>) {
         return;
     }
     let by = middles / (3.0 * weights) - here;
-    let (to, near) = work.put_on(v, here + by - all * (by.dot(all) / squared));
+    let (to, near) = work.project(v, here + by - all * (by.dot(all) / squared));
     let mut before = last;
     for &after in &*star {
         let old = (before - here).cross(after - here);
         let turned = (before - to).cross(after - to).dot(old);
-        // What comes close to nothing on a fold of the input would come to be nothing in floats.
-        if turned <= LEAST_AREA * old.length_squared() && old != DVec3::ZERO {
+        // A triangle with hardly any area at a fold of the input would lose it by rounding to floats.
+        if turned <= MIN_AREA_SHARE * old.length_squared() && old != DVec3::ZERO {
             return;
         }
         before = after;

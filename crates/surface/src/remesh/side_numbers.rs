@@ -1,19 +1,19 @@
-//! Numbers on a few of the sides of triangles.
+//! Numbers for a few sides of triangles.
 
 use crate::trimesh::{Renumbering, make_room};
 use halfedge::NONE;
 
-/// A number, or [`NONE`], per half-edge: kept edges have them, and those are few. Takes 4 bytes per
-/// triangle and 12 more for those with a number.
+/// A number or [`NONE`] per half-edge. Only kept edges have numbers, and they are few: this takes 4 bytes per
+/// triangle, and 12 more for triangles with a number.
 #[derive(Default)]
-pub(super) struct Sides {
-    /// Per triangle: its place in `rows`, or [`NONE`].
+pub(super) struct SideNumbers {
+    /// Per triangle: its index in `rows`, or [`NONE`].
     row: Vec<u32>,
     rows: Vec<[u32; 3]>,
 }
 
-impl Sides {
-    /// No numbers, for so many triangles.
+impl SideNumbers {
+    /// No numbers for this many triangles.
     pub fn new(triangles: usize) -> Self {
         Self { row: vec![NONE; triangles], rows: Vec::new() }
     }
@@ -38,14 +38,14 @@ impl Sides {
         self.rows[*row as usize][h as usize % 3] = number;
     }
 
-    /// Adds triangles without numbers, up to so many in all.
+    /// Adds triangles without numbers, up to this many in all.
     pub fn extend_to(&mut self, triangles: usize) {
         let more = triangles.saturating_sub(self.row.len());
         make_room(&mut self.row, more);
         self.row.resize(triangles, NONE);
     }
 
-    /// Puts triangles in another order, and leaves out rows that no longer have numbers.
+    /// Reorders the triangles, and drops rows without numbers.
     pub fn reorder(&mut self, triangles: &Renumbering) {
         triangles.apply(&mut self.row);
         let mut rows = Vec::new();
@@ -67,14 +67,14 @@ mod tests {
 
     #[test]
     fn sides_have_the_numbers_they_were_given_in_any_order() {
-        let mut sides = Sides::new(3);
+        let mut sides = SideNumbers::new(3);
         sides.set(1, NONE);
         sides.set(4, 7);
         sides.set(8, 9);
         sides.extend_to(4);
         sides.set(9, 3);
         sides.set(8, NONE);
-        let all = |sides: &Sides, count: u32| (0..count).map(|h| sides.get(h)).collect::<Vec<_>>();
+        let all = |sides: &SideNumbers, count: u32| (0..count).map(|h| sides.get(h)).collect::<Vec<_>>();
         let none = NONE;
         assert_eq!(all(&sides, 12), [none, none, none, none, 7, none, none, none, none, 3, none, none]);
         sides.reorder(&Renumbering(vec![3, 2, 1]));

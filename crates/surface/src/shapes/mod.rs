@@ -1,4 +1,4 @@
-//! The meshes that `new` makes: y up, centred on the origin, faces outward.
+//! The shapes of the operation `new`: y up, centred on the origin, faces outward.
 
 mod platonic;
 mod round;
@@ -8,26 +8,26 @@ use crate::bezier;
 use glam::Vec3;
 use halfedge::{Mesh, PolygonSoup, TooLarge};
 
-/// The most faces a new shape may have.
+/// The most faces of a new shape.
 const MAX_SHAPE_FACES: u64 = 4_000_000;
 
-/// One size of a shape.
+/// A size of a shape.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ShapeField {
     /// The field's name in the command.
     pub name: &'static str,
-    /// What it is when not given.
+    /// The default.
     pub default: f64,
-    /// The smallest value it takes.
+    /// The smallest value.
     pub min: f64,
-    /// The largest value it takes.
+    /// The largest value.
     pub max: f64,
-    /// Whether it is a count.
+    /// Whether it is a whole number.
     pub whole: bool,
 }
 
-/// The kind of a shape: its name in the command, its sizes, how many faces it will have and how it is
-/// made, both from the values of the sizes in order.
+/// A kind of shape: its name in the command, its sizes, and functions of their values in order that give the
+/// number of faces and build the mesh.
 struct Kind {
     name: &'static str,
     fields: &'static [ShapeField],
@@ -126,7 +126,7 @@ impl PartialEq for Shape {
 }
 
 impl Shape {
-    /// The names of all shapes, in the order that menus show.
+    /// The names of all shapes, in the order of menus.
     pub fn names() -> impl Iterator<Item = &'static str> {
         KINDS.iter().map(|kind| kind.name)
     }
@@ -137,12 +137,12 @@ impl Shape {
         Some(Self { kind, values: kind.fields.iter().map(|field| field.default).collect() })
     }
 
-    /// Its name in the command.
+    /// The shape's name in the command.
     pub fn name(&self) -> &'static str {
         self.kind.name
     }
 
-    /// Its sizes, in the order that panels show.
+    /// The shape's sizes, in the order of panels.
     pub fn fields(&self) -> &'static [ShapeField] {
         self.kind.fields
     }
@@ -156,8 +156,8 @@ impl Shape {
     /// Sets a size.
     ///
     /// # Errors
-    /// [`SurfaceError::BadField`] for a value out of its range or a count that is not whole. A field
-    /// that the shape doesn't have is left to the caller, who knows it from [`Shape::fields`].
+    /// [`SurfaceError::BadField`] for a value out of range or a count that isn't whole. A field that the shape
+    /// doesn't have is ignored: see [`Shape::fields`].
     pub fn set(&mut self, field: &str, value: f64) -> Result<(), SurfaceError> {
         for (spec, slot) in self.kind.fields.iter().zip(&mut self.values) {
             if spec.name != field {
@@ -178,10 +178,10 @@ impl Shape {
         (self.kind.faces)(&self.values) as u64
     }
 
-    /// Makes the mesh: closed, but for planes and the teapot, and with no other attributes.
+    /// Builds the mesh, which is closed except for planes and the teapot, and has no attributes.
     ///
     /// # Errors
-    /// [`SurfaceError::TooManyFaces`]; [`SurfaceError::BadField`] where sizes don't go together.
+    /// [`SurfaceError::TooManyFaces`]; [`SurfaceError::BadField`] if sizes don't fit together.
     pub fn build(&self) -> Result<Mesh, SurfaceError> {
         let faces = self.face_count();
         if faces > MAX_SHAPE_FACES {
@@ -191,14 +191,12 @@ impl Shape {
     }
 }
 
-/// The mesh of a soup that is known to fit.
-fn mesh_of(soup: PolygonSoup) -> Result<Mesh, SurfaceError> {
-    match Mesh::build(soup) {
-        Ok(built) => Ok(built.mesh),
-        Err(TooLarge { corners }) => {
-            Err(SurfaceError::TooManyFaces { faces: corners as u64 / 4, limit: MAX_SHAPE_FACES })
-        }
-    }
+fn build_mesh(soup: PolygonSoup) -> Result<Mesh, SurfaceError> {
+    Mesh::build(soup).map(|built| built.mesh).map_err(too_many_faces)
+}
+
+fn too_many_faces(TooLarge { corners }: TooLarge) -> SurfaceError {
+    SurfaceError::TooManyFaces { faces: corners as u64 / 4, limit: MAX_SHAPE_FACES }
 }
 
 fn grid(size: f64, columns: u32, rows: u32) -> Result<Mesh, SurfaceError> {
@@ -216,20 +214,15 @@ fn grid(size: f64, columns: u32, rows: u32) -> Result<Mesh, SurfaceError> {
             soup.push_face([at(i, j), at(i, j + 1), at(i + 1, j + 1), at(i + 1, j)]);
         }
     }
-    mesh_of(soup)
+    build_mesh(soup)
 }
 
-/// The Utah teapot, standing on y = 0 before it is centred, `size` high.
+/// The Utah teapot, `size` high.
 fn teapot(values: &[f64]) -> Result<Mesh, SurfaceError> {
     let mut patches = bezier::teapot_patches();
     let scale = (values[0] / 3.15) as f32;
     for point in patches.iter_mut().flat_map(|patch| patch.rows.iter_mut().flatten()) {
         *point = Vec3::new(point.x * scale, (point.z - 1.575) * scale, -point.y * scale);
     }
-    match bezier::tessellate(&patches, values[1] as u32) {
-        Ok(tessellated) => Ok(tessellated.mesh),
-        Err(TooLarge { corners }) => {
-            Err(SurfaceError::TooManyFaces { faces: corners as u64 / 4, limit: MAX_SHAPE_FACES })
-        }
-    }
+    bezier::tessellate(&patches, values[1] as u32).map(|tessellated| tessellated.mesh).map_err(too_many_faces)
 }

@@ -1,6 +1,6 @@
-//! The five regular solids, and the sphere made from one.
+//! The five regular solids, and the icosphere.
 
-use super::mesh_of;
+use super::build_mesh;
 use crate::{Loop, SurfaceError, subdivide_loop};
 use glam::{DVec3, Vec3};
 use halfedge::{Mesh, PolygonSoup};
@@ -11,14 +11,14 @@ fn golden() -> f64 {
     (1.0 + 5f64.sqrt()) / 2.0
 }
 
-/// Corners moved onto the sphere of that radius.
+/// A solid with its corners moved onto the sphere of this radius.
 fn solid<const N: usize>(
     corners: impl IntoIterator<Item = DVec3>,
     radius: f64,
     faces: &[[u32; N]],
 ) -> Result<Mesh, SurfaceError> {
     let positions = corners.into_iter().map(|p| (p.normalize_or_zero() * radius).as_vec3()).collect();
-    mesh_of(PolygonSoup::new(positions, faces))
+    build_mesh(PolygonSoup::new(positions, faces))
 }
 
 pub(super) fn cube(values: &[f64]) -> Result<Mesh, SurfaceError> {
@@ -30,7 +30,7 @@ pub(super) fn cube(values: &[f64]) -> Result<Mesh, SurfaceError> {
         })
         .collect();
     let faces = [[0, 2, 3, 1], [4, 5, 7, 6], [0, 1, 5, 4], [2, 6, 7, 3], [0, 4, 6, 2], [1, 3, 7, 5]];
-    mesh_of(PolygonSoup::new(positions, &faces))
+    build_mesh(PolygonSoup::new(positions, &faces))
 }
 
 pub(super) fn tetrahedron(values: &[f64]) -> Result<Mesh, SurfaceError> {
@@ -86,7 +86,7 @@ pub(super) fn icosahedron(values: &[f64]) -> Result<Mesh, SurfaceError> {
     solid(corners.map(DVec3::from_array), values[0], &faces)
 }
 
-/// The dual of the icosahedron: a corner for each of its faces, a face for each of its corners.
+/// The dual of the icosahedron, with a corner for each of its faces and a face for each of its corners.
 pub(super) fn dodecahedron(values: &[f64]) -> Result<Mesh, SurfaceError> {
     let dual = icosahedron(&[1.0])?;
     let mut soup = PolygonSoup::default();
@@ -95,16 +95,16 @@ pub(super) fn dodecahedron(values: &[f64]) -> Result<Mesh, SurfaceError> {
         soup.positions.push((sum.normalize_or_zero() * values[0]).as_vec3());
     }
     for v in dual.vertices() {
-        // Faces come clockwise round a vertex.
+        // Faces around a vertex come clockwise.
         let mut corners: Vec<u32> = dual.vertex_faces(v).map(|f| f.raw()).collect();
         corners.reverse();
         soup.push_face(corners);
     }
-    mesh_of(soup)
+    build_mesh(soup)
 }
 
-/// The icosahedron with its triangles cut in four and the new corners moved onto the sphere, as often as
-/// asked.
+/// The icosahedron after splitting its triangles in four and moving the new corners onto the sphere, as often as
+/// `subdivisions` says.
 pub(super) fn ico_sphere(values: &[f64]) -> Result<Mesh, SurfaceError> {
     let radius = values[0];
     let mut mesh = icosahedron(&[radius])?;
@@ -116,7 +116,7 @@ pub(super) fn ico_sphere(values: &[f64]) -> Result<Mesh, SurfaceError> {
             ((a + b).normalize_or_zero() * radius).as_vec3()
         }));
         mesh = child;
-        // As long as the child's by the ids of edge points.
+        // The child has a vertex for each old one and each edge, in that order.
         if mesh.set_positions(positions).is_err() {
             debug_assert!(false, "an edge point for each edge");
         }

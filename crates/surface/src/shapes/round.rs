@@ -1,32 +1,31 @@
 //! Shapes of revolution about the y axis.
 
-use super::mesh_of;
+use super::build_mesh;
 use crate::SurfaceError;
 use crate::trig::sin_cos_turns;
 use glam::Vec3;
 use halfedge::{Mesh, PolygonSoup};
 
-/// The point of a circle of that radius and height at `i` of `n` segments. Seen from above (from +y)
-/// segments run counter-clockwise.
+/// Point `i` of `n` on a circle of this radius at this height. Points run counter-clockwise as seen from +y.
 fn on_circle(radius: f64, y: f64, i: u32, n: u32) -> Vec3 {
     let (sin, cos) = sin_cos_turns(f64::from(i) / f64::from(n));
     Vec3::new((radius * cos) as f32, y as f32, (-radius * sin) as f32)
 }
 
-/// Rings of a turned profile, from the bottom up.
-struct Turned {
+/// A surface of revolution, made ring by ring from the bottom up.
+struct Revolution {
     soup: PolygonSoup,
     segments: u32,
-    /// The first vertex of the latest ring.
+    /// The first vertex of the last ring.
     latest: Option<u32>,
 }
 
-impl Turned {
+impl Revolution {
     fn new(segments: u32) -> Self {
         Self { soup: PolygonSoup::default(), segments, latest: None }
     }
 
-    /// A ring above the latest, joined to it by quads.
+    /// Adds a ring above the last one, joined to it by quads.
     fn ring(&mut self, radius: f64, y: f64) {
         let (n, first) = (self.segments, self.soup.positions.len() as u32);
         self.soup.positions.extend((0..n).map(|i| on_circle(radius, y, i, n)));
@@ -39,7 +38,7 @@ impl Turned {
         self.latest = Some(first);
     }
 
-    /// A point above the latest ring, joined to it by triangles.
+    /// Adds a point above the last ring, joined to it by triangles.
     fn top(&mut self, y: f64) {
         let tip = self.soup.positions.len() as u32;
         self.soup.positions.push(Vec3::new(0.0, y as f32, 0.0));
@@ -50,7 +49,7 @@ impl Turned {
         }
     }
 
-    /// One polygon that closes the latest ring from below, or from above.
+    /// Closes the last ring with a polygon that faces up or down.
     fn cap(&mut self, facing_up: bool) {
         if let Some(first) = self.latest {
             let ring = first..first + self.segments;
@@ -65,25 +64,25 @@ impl Turned {
 
 pub(super) fn uv_sphere(values: &[f64]) -> Result<Mesh, SurfaceError> {
     let (radius, segments, rings) = (values[0], values[1] as u32, values[2] as u32);
-    let mut turned = Turned::new(segments);
+    let mut turned = Revolution::new(segments);
     let y = |ring: u32| sin_cos_turns(f64::from(ring) / f64::from(2 * rings));
     for ring in 1..rings {
         let (sin, cos) = y(ring);
         turned.ring(radius * sin, -radius * cos);
     }
     turned.top(radius);
-    // The pole below: its triangles go round the first ring the other way.
+    // The triangles at the lower pole run around the first ring the other way.
     let pole = turned.soup.positions.len() as u32;
     turned.soup.positions.push(Vec3::new(0.0, -radius as f32, 0.0));
     for i in 0..segments {
         turned.soup.push_face([(i + 1) % segments, i, pole]);
     }
-    mesh_of(turned.soup)
+    build_mesh(turned.soup)
 }
 
 pub(super) fn cylinder(values: &[f64]) -> Result<Mesh, SurfaceError> {
     let (radius, height, segments, rings) = (values[0], values[1], values[2] as u32, values[3] as u32);
-    let mut turned = Turned::new(segments);
+    let mut turned = Revolution::new(segments);
     for ring in 0..=rings {
         turned.ring(radius, height * (f64::from(ring) / f64::from(rings) - 0.5));
         if ring == 0 {
@@ -91,16 +90,16 @@ pub(super) fn cylinder(values: &[f64]) -> Result<Mesh, SurfaceError> {
         }
     }
     turned.cap(true);
-    mesh_of(turned.soup)
+    build_mesh(turned.soup)
 }
 
 pub(super) fn cone(values: &[f64]) -> Result<Mesh, SurfaceError> {
     let (radius, height) = (values[0], values[1]);
-    let mut turned = Turned::new(values[2] as u32);
+    let mut turned = Revolution::new(values[2] as u32);
     turned.ring(radius, -height / 2.0);
     turned.cap(false);
     turned.top(height / 2.0);
-    mesh_of(turned.soup)
+    build_mesh(turned.soup)
 }
 
 pub(super) fn torus(values: &[f64]) -> Result<Mesh, SurfaceError> {
@@ -108,7 +107,7 @@ pub(super) fn torus(values: &[f64]) -> Result<Mesh, SurfaceError> {
     if tube >= radius {
         return Err(SurfaceError::field("tube_radius", "smaller than radius"));
     }
-    let mut turned = Turned::new(segments);
+    let mut turned = Revolution::new(segments);
     // From the inside over the bottom, so that quads joined upwards along the profile face outward.
     for k in 0..around {
         let (sin, cos) = sin_cos_turns(f64::from(k) / f64::from(around));
@@ -119,5 +118,5 @@ pub(super) fn torus(values: &[f64]) -> Result<Mesh, SurfaceError> {
         let j = (i + 1) % segments;
         turned.soup.push_face([last + i, last + j, j, i]);
     }
-    mesh_of(turned.soup)
+    build_mesh(turned.soup)
 }

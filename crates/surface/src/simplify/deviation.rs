@@ -1,37 +1,36 @@
-//! How far the surface around a collapsed edge moves: an upper bound, from the two patches alone.
+//! An upper bound on how far a collapse moves the surface, from the patches before and after.
 //!
-//! Both patches fill the same ring. Seen along their common normal each is a graph over the same polygon,
-//! and the height between two piecewise linear graphs is largest at a corner of their overlay: a vertex
-//! of either, or a crossing of their edges. Every point of one patch has a point of the other straight
-//! above or below it, so that height bounds the distance both ways. Where a patch folds over and is no
-//! graph, the distance that the merged vertices travel bounds it too.
+//! Both patches fill the same ring. Seen along their common normal, each is a graph over the same polygon, and
+//! the height between two piecewise linear graphs is largest at a corner of their overlay: a vertex of either,
+//! or a crossing of their edges. Each point of one patch has a point of the other straight above or below it,
+//! so that this height bounds the distance in both directions. If a patch folds over and is no graph, the
+//! distance that the merged vertices travel is a bound too.
 
 use crate::face_tree::along_segment;
 use crate::trimesh::area_vector;
 use glam::{DVec2, DVec3};
 
-/// The triangles around an edge before and after, with what is needed to compare them. Reused from one
-/// collapse to the next.
+/// The triangles around an edge before and after a collapse. Its memory is reused from one collapse to the next.
 #[derive(Default)]
 pub(super) struct Patches {
-    /// The triangles with either end of the edge, the end first.
+    /// The triangles with either end of the edge, starting with that end.
     pub old: Vec<[DVec3; 3]>,
-    /// Those that stay, with the new vertex first.
+    /// The triangles after the collapse, starting with the new vertex.
     pub new: Vec<[DVec3; 3]>,
     old_flat: Vec<[Flat; 3]>,
     new_flat: Vec<[Flat; 3]>,
 }
 
-/// A point seen along the normal.
+/// A point projected along the normal.
 #[derive(Clone, Copy)]
 struct Flat {
     at: DVec2,
     height: f64,
 }
 
-/// How the edge lies to the boundary.
+/// The boundary at the edge.
 pub(super) struct Outline {
-    /// Before: the boundary from the neighbour before the edge to the one after it.
+    /// The boundary before the collapse, from the neighbour before the edge to the one after it.
     pub old: [DVec3; 4],
     /// Whether the edge's start and end are on the boundary.
     pub ends: [bool; 2],
@@ -43,8 +42,8 @@ impl Patches {
         self.new.clear();
     }
 
-    /// A bound of the distance between the patches when the ends `a` and `b` both move to `p`. On the
-    /// boundary the patches' outlines differ too.
+    /// A bound on the distance between the patches if the ends `a` and `b` both move to `p`. On the boundary the
+    /// patches' outlines differ too.
     pub fn bound(&mut self, a: DVec3, b: DVec3, p: DVec3, outline: Option<&Outline>) -> f64 {
         let travel = p.distance(a).max(p.distance(b));
         let Some(height) = self.height(a, b, p, outline) else { return travel };
@@ -77,7 +76,7 @@ impl Patches {
         ] {
             match height_over(patch, point.at) {
                 Some(height) => worst = worst.max((height - point.height).abs()),
-                // Outside the other patch: within the rim's bound, which the caller adds.
+                // Outside the other patch, within the bound for the outline, which the caller adds.
                 None if on_rim => {}
                 None => return None,
             }
@@ -85,7 +84,7 @@ impl Patches {
         for old in &self.old_flat {
             for (i, j) in [(0, 1), (1, 2), (2, 0)] {
                 for new in &self.new_flat {
-                    // In a closed fan each inner edge is the first side of one triangle.
+                    // In a closed fan, each inner edge is the first side of one triangle.
                     if let Some(height) = crossing(old[i], old[j], new[0], new[1]) {
                         worst = worst.max(height);
                     }
@@ -113,7 +112,7 @@ fn distance(q: DVec3, from: DVec3, to: DVec3) -> f64 {
     q.distance(from + (to - from) * along_segment(from, to, q))
 }
 
-/// The height of a patch over a point, if the patch covers it.
+/// The height of a patch at a point, if the patch covers it.
 fn height_over(patch: &[[Flat; 3]], point: DVec2) -> Option<f64> {
     for [a, b, c] in patch {
         let weights = [
@@ -129,7 +128,7 @@ fn height_over(patch: &[[Flat; 3]], point: DVec2) -> Option<f64> {
     None
 }
 
-/// The height between two edges where they cross, if they do.
+/// The height between two edges at their crossing, if they cross.
 fn crossing(a: Flat, b: Flat, c: Flat, d: Flat) -> Option<f64> {
     let (r, s) = (b.at - a.at, d.at - c.at);
     let det = r.perp_dot(s);

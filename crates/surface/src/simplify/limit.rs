@@ -1,30 +1,30 @@
-//! Keeping within a distance of the input.
+//! The limit on the distance from the input.
 //!
-//! Two ways to know that a collapse does: adding what it moves the surface by ([`super::deviation`]) to
-//! what came before, which holds for every point but adds up; and, where that is past the limit,
-//! measuring ([`super::measurement`]). Measuring takes memory and time that adding does not, so everything
-//! that adding allows is done first.
+//! There are two ways to prove that a collapse keeps the limit: adding a bound on how far it moves the surface
+//! ([`super::deviation`]) to the bounds of earlier collapses, which holds for every point but adds up; and
+//! measuring ([`super::measurement`]) once the sum exceeds the limit. Measuring takes memory and time, so all
+//! collapses that the sum allows are done first.
 
-use super::Work;
 use super::deviation::{Outline, Patches};
-use super::measurement::Measured;
+use super::measurement::InputDistance;
+use super::work::Work;
 use halfedge::NONE;
 
-/// The bookkeeping of a bound on the distance.
+/// The limit, and the bounds so far.
 pub(super) struct Limit {
-    /// In the frame of the triangles.
+    /// The limit in the frame of the triangles.
     pub distance: f64,
-    /// Per triangle: how far at most it is from the input, and the input from it.
+    /// Per triangle: a bound on its distance from the input, and the input's from it.
     pub error: Vec<f32>,
     /// Per vertex of the input: the one that it was merged into, or itself.
     pub into: Vec<u32>,
     pub patches: Patches,
-    /// What to measure with, once there is no way on without.
-    pub measured: Option<Measured>,
+    /// Measures distances, once the bounds are used up.
+    pub measured: Option<InputDistance>,
 }
 
 impl Limit {
-    /// Nothing moved yet; `distance` in the frame.
+    /// A limit in the frame, before any collapse.
     pub fn new(triangles: usize, vertices: usize, distance: f64) -> Self {
         Self {
             distance,
@@ -37,8 +37,8 @@ impl Limit {
 }
 
 impl Work<'_> {
-    /// The bound on the distance of the triangles that would be made; none if it is above the limit.
-    pub(super) fn new_error(&mut self, h: u32, at: glam::DVec3) -> Option<f32> {
+    /// A bound on the distance of the triangles after a collapse; none if it exceeds the limit.
+    pub(super) fn bound_error(&mut self, h: u32, at: glam::DVec3) -> Option<f32> {
         let Some(limit) = &mut self.limit else { return Some(0.0) };
         let tri = &self.tri;
         let (a, b) = (tri.from(h), tri.to(h));
@@ -58,24 +58,16 @@ impl Work<'_> {
         }
         let mut outline = None;
         if tri.opp(h) == NONE {
-            // The boundary comes in to `a` and goes on from `b`.
-            let mut last = h;
-            while tri.turn(last) != NONE {
-                last = tri.turn(last);
-            }
-            let (before, after) = (tri.apex(last), tri.to(tri.out[b as usize]));
+            // The boundary leads to `a` and continues from `b`.
+            let (before, after) = (tri.apex(tri.last_around(h)), tri.to(tri.out[b as usize]));
             outline = Some(Outline { old: [before, a, b, after].map(|v| tri.at(v)), ends: [true; 2] });
         } else if tri.is_boundary_vertex(a) || tri.is_boundary_vertex(b) {
-            // The boundary vertex stays when it is preserved; else its outline moves with it.
+            // A preserved boundary vertex stays; otherwise the outline moves with it.
             let v = if tri.is_boundary_vertex(a) { a } else { b };
             let out = tri.out[v as usize];
-            let mut last = out;
-            while tri.turn(last) != NONE {
-                last = tri.turn(last);
-            }
             let here = tri.at(v);
             outline = Some(Outline {
-                old: [tri.at(tri.apex(last)), here, here, tri.at(tri.to(out))],
+                old: [tri.at(tri.apex(tri.last_around(out))), here, here, tri.at(tri.to(out))],
                 ends: [v == a, v == b],
             });
         }
@@ -86,7 +78,7 @@ impl Work<'_> {
             None => return None,
             Some(measured) => {
                 measured.collect(tri, h);
-                // What is handed out to the new triangles is known then, measured or not.
+                // This collects the points for the new triangles, even if nothing is measured.
                 if total <= limit.distance { total } else { measured.distance(&limit.patches.new)? }
             }
         };
@@ -94,11 +86,11 @@ impl Work<'_> {
         Some((total * (1.0 + 1e-6)) as f32 + f32::MIN_POSITIVE)
     }
 
-    /// Notes that a vertex was merged into another, whose triangles are so far from the input at most.
+    /// Records that a vertex was merged into another, and the bound for that one's triangles.
     pub(super) fn note_merge(&mut self, gone: u32, kept: u32, error: f32) {
         let Some(limit) = &mut self.limit else { return };
         match &mut limit.measured {
-            Some(measured) => measured.hand_out(&self.tri, kept),
+            Some(measured) => measured.assign_points(&self.tri, kept),
             None => limit.into[gone as usize] = kept,
         }
         self.tri.around(kept, |out| limit.error[out as usize / 3] = error);

@@ -1,4 +1,4 @@
-//! Error quadrics: the sum of squared distances to planes, as a function of the point.
+//! Error quadrics: sums of squared distances to planes, as functions of a point.
 
 use glam::DVec3;
 
@@ -60,8 +60,8 @@ impl Quadric {
         (p.dot(ap + 2.0 * self.b) + self.c).max(0.0)
     }
 
-    /// The point of least error, where it is one: by LDL' factoring, none where a pivot says that the
-    /// planes leave a direction open.
+    /// The point of least error, by LDL' factorisation; none if a pivot shows that the planes leave a direction
+    /// open.
     #[inline]
     pub fn minimum(&self) -> Option<DVec3> {
         let [xx, xy, xz, yy, yz, zz] = self.a;

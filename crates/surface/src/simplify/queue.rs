@@ -1,36 +1,36 @@
-//! A priority queue of edges in buckets of nearly equal cost: every step costs O(1).
+//! A priority queue of edges in buckets of nearly equal cost: each operation costs O(1).
 //!
-//! Costs within 0.4 percent of each other share a bucket and come out first in, first out. Their order
-//! doesn't matter to the result's quality, and a heap's log n cache misses each would. An edge whose cost
-//! changes is put in again, and passed over where it was.
+//! Costs within 0.4 percent of each other share a bucket and come out first in, first out. Their order doesn't
+//! matter for the quality of the result, but the log n cache misses of a heap would matter for the time. An
+//! edge whose cost changes is queued again, and skipped where it was.
 
 use crate::trimesh::make_room;
 
-/// How many buckets there are: a float's exponent and eight more bits.
-const BUCKETS: usize = 1 << 16;
-/// How many of them take memory together, once one has edges.
-const PAGE: usize = 64;
-/// From how many edges on a bucket no longer grows by doubling.
-const LARGE: usize = 256;
-/// Where edges are that are not in the queue. No cost goes there but what is not a number.
-const NOWHERE: u16 = u16::MAX;
+/// The number of buckets: a float's exponent and eight more bits select one.
+const BUCKET_COUNT: usize = 1 << 16;
+/// Buckets whose memory is allocated together.
+const BUCKETS_PER_PAGE: usize = 64;
+/// Buckets with this many edges no longer grow by doubling.
+const LARGE_BUCKET_EDGES: usize = 256;
+/// The rank of edges that aren't queued. No cost has it except NaN.
+const NOT_QUEUED: u16 = u16::MAX;
 
 #[derive(Clone, Default)]
 struct Bucket {
     edges: Vec<u32>,
-    /// How many of them have come out.
+    /// The number of edges that came out.
     gone: usize,
 }
 
 pub(super) struct Queue {
-    /// The buckets, so many at a time; none where all are empty.
+    /// The buckets of each page; none if all are empty.
     pages: Vec<Vec<Bucket>>,
     /// Per edge: its bucket.
     place: Vec<u16>,
-    /// Per page: which of its buckets have edges; and which words of that have bits.
+    /// Per page a bit for each bucket with edges, and a bit for each page with such buckets.
     filled: Vec<u64>,
-    filled_words: [u64; BUCKETS / PAGE / 64],
-    /// Edges of a rank above stay out.
+    filled_words: [u64; BUCKET_COUNT / BUCKETS_PER_PAGE / 64],
+    /// Edges of a higher rank aren't queued.
     pub ceiling: u16,
 }
 
@@ -38,55 +38,55 @@ impl Queue {
     /// An empty queue for edges below `edges`.
     pub fn new(edges: usize) -> Self {
         let mut queue = Self {
-            pages: vec![Vec::new(); BUCKETS / PAGE],
+            pages: vec![Vec::new(); BUCKET_COUNT / BUCKETS_PER_PAGE],
             place: Vec::new(),
-            filled: vec![0; BUCKETS / PAGE],
-            filled_words: [0; BUCKETS / PAGE / 64],
+            filled: vec![0; BUCKET_COUNT / BUCKETS_PER_PAGE],
+            filled_words: [0; BUCKET_COUNT / BUCKETS_PER_PAGE / 64],
             ceiling: 0,
         };
         queue.restart(edges);
         queue
     }
 
-    /// Forgets all edges, and is ready for those below `edges`.
+    /// Empties the queue, for edges below `edges`.
     pub fn restart(&mut self, edges: usize) {
         self.pages.fill(Vec::new());
         self.filled.fill(0);
         self.filled_words.fill(0);
-        self.place = vec![NOWHERE; edges];
+        self.place = vec![NOT_QUEUED; edges];
         self.ceiling = u16::MAX;
     }
 
-    /// The rank of a cost, which is not negative: costs in order have ranks in order.
+    /// The rank of a cost, which isn't negative. Ranks have the order of costs.
     #[inline]
     pub fn rank(cost: f64) -> u16 {
         // The bits of positive floats sort as the floats do.
-        (((cost as f32).to_bits() >> 15) as u16).min(NOWHERE - 1)
+        (((cost as f32).to_bits() >> 15) as u16).min(NOT_QUEUED - 1)
     }
 
-    /// The rank that an edge is in with.
+    /// The rank of an edge, if it is queued.
     #[inline]
     pub fn rank_of(&self, edge: u32) -> Option<u16> {
-        Some(self.place[edge as usize]).filter(|&rank| rank != NOWHERE)
+        Some(self.place[edge as usize]).filter(|&rank| rank != NOT_QUEUED)
     }
 
-    /// Puts an edge in, or moves it to its new rank.
+    /// Queues an edge, or moves it to a new rank.
     pub fn put(&mut self, edge: u32, bucket: u16) {
         if self.place[edge as usize] == bucket {
             return;
         }
         if bucket > self.ceiling {
-            self.place[edge as usize] = NOWHERE;
+            self.place[edge as usize] = NOT_QUEUED;
             return;
         }
         self.place[edge as usize] = bucket;
-        let (page, bucket) = (bucket as usize / PAGE, bucket as usize % PAGE);
+        let (page, bucket) = (bucket as usize / BUCKETS_PER_PAGE, bucket as usize % BUCKETS_PER_PAGE);
         let buckets = &mut self.pages[page];
         if buckets.is_empty() {
-            *buckets = vec![Bucket::default(); PAGE];
+            *buckets = vec![Bucket::default(); BUCKETS_PER_PAGE];
         }
         let edges = &mut buckets[bucket].edges;
-        if edges.len() >= LARGE {
+        if edges.len() >= LARGE_BUCKET_EDGES {
             make_room(edges, 1);
         }
         edges.push(edge);
@@ -94,22 +94,22 @@ impl Queue {
         self.filled_words[page / 64] |= 1 << (page % 64);
     }
 
-    /// Takes an edge out, if it is in.
+    /// Removes an edge, if it is queued.
     pub fn remove(&mut self, edge: u32) {
-        self.place[edge as usize] = NOWHERE;
+        self.place[edge as usize] = NOT_QUEUED;
     }
 
-    /// Takes out an edge of the least rank, and gives both.
+    /// Removes an edge of the least rank; returns both.
     pub fn pop(&mut self) -> Option<(u32, u16)> {
         loop {
             let high = self.filled_words.iter().position(|&word| word != 0)?;
             let page = high * 64 + self.filled_words[high].trailing_zeros() as usize;
             let place = self.filled[page].trailing_zeros() as usize;
-            let (at, bucket) = (page * PAGE + place, &mut self.pages[page][place]);
+            let (at, bucket) = (page * BUCKETS_PER_PAGE + place, &mut self.pages[page][place]);
             while let Some(&edge) = bucket.edges.get(bucket.gone) {
                 bucket.gone += 1;
                 if self.place[edge as usize] == at as u16 {
-                    self.place[edge as usize] = NOWHERE;
+                    self.place[edge as usize] = NOT_QUEUED;
                     return Some((edge, at as u16));
                 }
             }

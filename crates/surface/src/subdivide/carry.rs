@@ -1,4 +1,4 @@
-//! Attributes of the children: linear between the parent's, creases aside.
+//! Attributes of the children, interpolated linearly; creases are treated elsewhere.
 
 use super::Level;
 use super::triangles;
@@ -6,9 +6,9 @@ use glam::{Vec2, Vec3};
 use halfedge::attribute::{AttributeType, Column, Columns, Values, keys};
 use halfedge::{Color, Element};
 
-/// A value that children can have the mean of.
+/// Values with a mean.
 trait Blend: AttributeType {
-    /// The mean of those values that are there; the first for what is no quantity.
+    /// The mean of the values that aren't missing; the first of values that are no quantities.
     fn mean(values: &[Self]) -> Self;
 }
 
@@ -47,23 +47,23 @@ impl Blend for u32 {
     }
 }
 
-/// What children's ids follow from.
+/// How faces are split, which determines the children's ids.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub(super) enum Split {
     Quads,
     Triangles,
 }
 
-/// Whether the new positions leave the columns that describe the old shape standing.
+/// Whether columns that describe the shape still fit.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub(super) enum Shape {
-    /// New vertices lie on the old faces.
+    /// New vertices lie on the old faces: normals still fit.
     Kept,
-    /// Vertices move: normals given by the file no longer fit and are left out.
+    /// Vertices move: corner normals no longer fit and are dropped.
     Smoothed,
 }
 
-/// The columns of the level that `split` makes, creases left out.
+/// The columns of the level that `split` makes, without creases.
 pub(super) fn columns(level: &Level<'_>, split: Split, shape: Shape) -> Columns {
     let mut out = Columns::default();
     for element in Element::ALL {
@@ -104,7 +104,7 @@ fn carry<T: Blend>(
     values: &[T],
     column: &Column,
 ) -> Values {
-    // An empty column of the default's type, resized, would do; a gather of nothing gives the value.
+    // Gathering nothing gives the default with its type.
     let default = Values::empty_like(column.default).gather(std::iter::once(halfedge::NONE), column.default);
     let Some(&default) = T::slice(&default).and_then(<[T]>::first) else { return column.values.clone() };
     let carried = match (element, split) {

@@ -1,7 +1,7 @@
 //! Catmull-Clark subdivision.
 //!
-//! Catmull and Clark: Recursively generated B-spline surfaces on arbitrary topological meshes (1978),
-//! with boundaries, creases and corners as OpenSubdiv's uniform refinement has them.
+//! Catmull and Clark: Recursively generated B-spline surfaces on arbitrary topological meshes (1978), with
+//! boundaries, creases and corners as in OpenSubdiv's uniform refinement.
 
 use super::carry::{self, Shape, Split};
 use super::sharpness::{self, Sharpness, position};
@@ -11,14 +11,14 @@ use crate::pace::Pace;
 use glam::{DVec3, Vec3};
 use halfedge::{Mesh, Progress, RawMesh};
 
-/// How many levels, and by which rules.
+/// Options of Catmull-Clark subdivision.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct CatmullClark {
-    /// How often to subdivide; 0 gives the input, compacted.
+    /// The number of levels; 0 gives the compacted input.
     pub levels: u32,
-    /// What happens at the boundary.
+    /// The rule at the boundary.
     pub boundary: BoundaryRule,
-    /// Where old vertices go.
+    /// The rule for old vertices.
     pub vertex_rule: VertexRule,
 }
 
@@ -28,7 +28,7 @@ impl Default for CatmullClark {
     }
 }
 
-/// Where a smooth vertex P of valence n goes.
+/// The new position of a smooth vertex P of valence n.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum VertexRule {
     /// ((n - 2) P + mean of neighbours + mean of face centroids) / n.
@@ -39,15 +39,16 @@ pub enum VertexRule {
     SmoothedMidpoints,
 }
 
-/// Subdivides any polygons into quads; the input is untouched.
+/// Subdivides polygons into quads.
 ///
-/// Old vertices keep their ids, edge `e`'s point is vertex `V + e` and face `f`'s is `V + E + f` (after
-/// closing gaps in the ids). Faces hand their attributes to their children, corner and vertex
-/// attributes are interpolated linearly, creases soften by one a level; corner normals, which would no
-/// longer fit, are left out. Costs O(result).
+/// Old vertices keep their ids, the point of edge `e` is vertex `V + e` and that of face `f` is `V + E + f`
+/// (after closing gaps in the ids). Children get the attributes of their face; corner and vertex attributes are
+/// interpolated linearly; creases soften by 1 per level. Corner normals no longer fit and are dropped. Costs
+/// O(result).
 ///
 /// # Errors
-/// [`SurfaceError::TooManyFaces`] beforehand, above [`super::MAX_FACES`]; [`SurfaceError::Cancelled`].
+/// [`SurfaceError::TooManyFaces`] if there would be more than [`super::MAX_SUBDIVIDED_FACES`];
+/// [`SurfaceError::Cancelled`].
 pub fn subdivide_catmull_clark(
     mesh: &Mesh,
     options: &CatmullClark,
@@ -68,7 +69,7 @@ pub fn subdivide_catmull_clark(
     )
 }
 
-/// Puts edge points and old vertices where they go; face points are there already.
+/// Places edge points and old vertices; face points are placed already.
 fn place(
     level: &Level<'_>,
     sharpness: &Sharpness,
@@ -114,7 +115,7 @@ fn place(
     })
 }
 
-/// ((n - 2) / n) P plus 1 / n^2 of what every half-edge leaving the vertex adds.
+/// ((n - 2) / n) P plus 1 / n^2 of the sum of `adds` over the half-edges leaving the vertex.
 #[inline]
 fn smooth_vertex(level: &Level<'_>, v: usize, first: u32, adds: impl Fn(u32) -> DVec3) -> DVec3 {
     let mut sum = DVec3::ZERO;

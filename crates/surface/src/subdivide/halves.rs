@@ -1,11 +1,11 @@
-//! What both splits do to edges: each becomes two halves, with a point in the middle.
+//! The halves of edges, which both splits have in common.
 
 use super::Level;
 use crate::SurfaceError;
 use crate::pace::Pace;
 use halfedge::{NONE, RawMesh};
 
-/// Fills in the half-edges on the boundary and those that leave old vertices and edge points.
+/// Fills in boundary half-edges, and the half-edges of old vertices and edge points.
 pub(super) fn finish(
     raw: &mut RawMesh,
     level: &Level<'_>,

@@ -1,4 +1,4 @@
-//! Linear subdivision: the quads of Catmull-Clark on the faces as they are.
+//! Linear subdivision: the topology of Catmull-Clark without smoothing.
 
 use super::carry::{self, Shape, Split};
 use super::sharpness::{Sharpness, position};
@@ -6,19 +6,20 @@ use super::{check_size, quad_split_faces, quads, refine};
 use crate::SurfaceError;
 use halfedge::{Mesh, Progress};
 
-/// How many levels.
+/// Options of linear subdivision.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Linear {
-    /// How often to subdivide; 0 gives the input, compacted.
+    /// The number of levels; 0 gives the compacted input.
     pub levels: u32,
 }
 
-/// Subdivides any polygons into quads by edge midpoints and face centroids (the means of the corners)
-/// without smoothing: old vertices stay where they are. Ids and attributes as in
-/// [`super::subdivide_catmull_clark`], but corner normals are interpolated too. Costs O(result).
+/// Subdivides polygons into quads with edge midpoints and face points (the means of the corners); old vertices
+/// stay where they are. Ids and attributes are as for [`super::subdivide_catmull_clark`], but corner normals are
+/// interpolated too. Costs O(result).
 ///
 /// # Errors
-/// [`SurfaceError::TooManyFaces`] beforehand, above [`super::MAX_FACES`]; [`SurfaceError::Cancelled`].
+/// [`SurfaceError::TooManyFaces`] if there would be more than [`super::MAX_SUBDIVIDED_FACES`];
+/// [`SurfaceError::Cancelled`].
 pub fn subdivide_linear(
     mesh: &Mesh,
     options: &Linear,

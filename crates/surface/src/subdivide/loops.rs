@@ -1,7 +1,7 @@
 //! Loop subdivision of triangle meshes.
 //!
-//! Loop: Smooth subdivision surfaces based on triangles (1987), with boundaries, creases and corners as
-//! OpenSubdiv's uniform refinement has them; or with the vertex weights of Warren (1995).
+//! Loop: Smooth subdivision surfaces based on triangles (1987), with boundaries, creases and corners as in
+//! OpenSubdiv's uniform refinement; or with the vertex weights of Warren (1995).
 
 use super::carry::{self, Shape, Split};
 use super::sharpness::{self, Sharpness, position};
@@ -12,12 +12,12 @@ use crate::trig::sin_cos_turns;
 use glam::DVec3;
 use halfedge::{Mesh, Progress, RawMesh};
 
-/// How many levels, and by which rules.
+/// Options of Loop subdivision.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Loop {
-    /// How often to subdivide; 0 gives the input, compacted.
+    /// The number of levels; 0 gives the compacted input.
     pub levels: u32,
-    /// What happens at the boundary.
+    /// The rule at the boundary.
     pub boundary: BoundaryRule,
     /// The weights of a vertex's neighbours.
     pub weights: LoopWeights,
@@ -29,7 +29,7 @@ impl Default for Loop {
     }
 }
 
-/// How much each neighbour of a smooth vertex of valence n counts; the vertex itself has the rest.
+/// The weight of each neighbour of a smooth vertex of valence n; the vertex itself gets the rest.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum LoopWeights {
     /// (5/8 - (3/8 + cos(2 pi / n) / 4)^2) / n: Loop 1987, as OpenSubdiv, OpenMesh and CGAL.
@@ -43,7 +43,7 @@ impl LoopWeights {
     fn of_neighbor(self, valence: u32) -> f64 {
         let n = f64::from(valence);
         match self {
-            // What the formula gives, without rounding the cosine of 60 degrees.
+            // The formula's value without rounding the cosine of 60 degrees.
             Self::Loop if valence == 6 => 1.0 / 16.0,
             Self::Loop => {
                 let beta = 0.375 + 0.25 * sin_cos_turns(1.0 / n).1;
@@ -55,26 +55,26 @@ impl LoopWeights {
     }
 }
 
-/// Valences whose weights are looked up rather than worked out each time.
-const TABLE: usize = 32;
+/// Weights of smaller valences are in a table.
+const TABULATED_VALENCES: usize = 32;
 
-/// Subdivides triangles into four each; the input is untouched.
+/// Subdivides each triangle into four.
 ///
-/// Old vertices keep their ids and edge `e`'s point is vertex `V + e` (after closing gaps in the ids).
-/// Attributes as in [`super::subdivide_catmull_clark`]. Costs O(result).
+/// Old vertices keep their ids and the point of edge `e` is vertex `V + e` (after closing gaps in the ids).
+/// Attributes are as for [`super::subdivide_catmull_clark`]. Costs O(result).
 ///
 /// # Errors
-/// [`SurfaceError::NotTriangles`]; [`SurfaceError::MeetTwice`]; [`SurfaceError::TooManyFaces`] beforehand, above
-/// [`super::MAX_FACES`]; [`SurfaceError::Cancelled`].
+/// [`SurfaceError::NotTriangles`]; [`SurfaceError::MeetTwice`]; [`SurfaceError::TooManyFaces`] if there would be
+/// more than [`super::MAX_SUBDIVIDED_FACES`]; [`SurfaceError::Cancelled`].
 pub fn subdivide_loop(
     mesh: &Mesh,
     options: &Loop,
     progress: &mut Progress<'_>,
 ) -> Result<Mesh, SurfaceError> {
     crate::require_triangles(mesh)?;
-    no_two_meet_twice(mesh)?;
+    refuse_double_neighbors(mesh)?;
     check_size((mesh.face_count() as u64).saturating_mul(4), options.levels)?;
-    let mut table = [0.0; TABLE];
+    let mut table = [0.0; TABULATED_VALENCES];
     for (valence, weight) in (0u32..).zip(&mut table).skip(1) {
         *weight = options.weights.of_neighbor(valence);
     }
@@ -92,8 +92,8 @@ pub fn subdivide_loop(
     )
 }
 
-/// Two triangles that share two edges share the vertex between, which has no other edges.
-fn no_two_meet_twice(mesh: &Mesh) -> Result<(), SurfaceError> {
+/// Refuses triangles that share two edges: the vertex between has no other edges.
+fn refuse_double_neighbors(mesh: &Mesh) -> Result<(), SurfaceError> {
     for h in mesh.halfedges() {
         // The half-edge after `h` from the same vertex, and the one after that.
         let other = mesh.next(h.twin());
@@ -110,7 +110,7 @@ fn place(
     level: &Level<'_>,
     sharpness: &Sharpness,
     options: &Loop,
-    table: &[f64; TABLE],
+    table: &[f64; TABULATED_VALENCES],
     child: &mut RawMesh,
     pace: &mut Pace<'_, '_>,
 ) -> Result<(), SurfaceError> {

@@ -1,8 +1,8 @@
-//! Subdivision: Catmull-Clark, Loop and linear, as whole new meshes.
+//! Catmull-Clark, Loop and linear subdivision, each giving a new mesh.
 //!
-//! The sizes of a level are known before it is made and every child's id follows from its parent's
-//! by a formula (see [`quads`] and [`triangles`]), so a level is a few passes that fill flat arrays:
-//! no edge map, no allocation per element.
+//! The size of a level is known beforehand, and each child's id follows from its parent's by a formula (see
+//! [`quads`] and [`triangles`]). A level therefore takes a few passes that fill flat arrays, without an edge
+//! map or an allocation per element.
 
 mod carry;
 mod catmull_clark;
@@ -24,21 +24,21 @@ use halfedge::attribute::Columns;
 use halfedge::{Connectivity, Mesh, NONE, Progress, RawMesh};
 use sharpness::Sharpness;
 
-/// The most faces a subdivision may make. A mesh of as many quads takes 1.4 GB, which with what it
-/// is made from is what fits in a browser tab.
-pub const MAX_FACES: u64 = 16_000_000;
+/// The most faces that a subdivision may make. A mesh of that many quads takes 1.4 GB, which together with its
+/// input fits in a browser tab.
+pub const MAX_SUBDIVIDED_FACES: u64 = 16_000_000;
 
-/// What subdivision does at the boundary of an open mesh.
+/// The subdivision rule at the boundary of an open mesh.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum BoundaryRule {
-    /// The boundary becomes a smooth cubic curve, also where a vertex has only one face.
+    /// The boundary becomes a smooth cubic curve, even where a vertex has only one face.
     #[default]
     EdgeOnly,
-    /// As `EdgeOnly`, but a boundary vertex that has only one face stays where it is.
+    /// Like `EdgeOnly`, but a boundary vertex with only one face stays where it is.
     EdgeAndCorner,
 }
 
-/// One level's input.
+/// The input of a level.
 #[derive(Clone, Copy)]
 pub(crate) struct Level<'a> {
     pub links: Connectivity<'a>,
@@ -63,26 +63,25 @@ impl<'a> Level<'a> {
         self.links.face_halfedge.len()
     }
 
-    /// How many corners the faces have: half-edges that are not on the boundary.
+    /// The number of the faces' corners: half-edges that aren't on the boundary.
     pub fn corners(&self) -> usize {
         self.links.face.len() - self.links.face.iter().filter(|&&f| f == NONE).count()
     }
 }
 
-/// Refuses levels that would make more than [`MAX_FACES`] faces; `first` is how many the first makes.
+/// Refuses levels that would make more than [`MAX_SUBDIVIDED_FACES`] faces; `first` is the number that the first level makes.
 fn check_size(first: u64, levels: u32) -> Result<(), SurfaceError> {
     let faces = match levels {
         0 => return Ok(()),
         levels => first.saturating_mul(4u64.saturating_pow(levels - 1)),
     };
-    if faces > MAX_FACES {
-        return Err(SurfaceError::TooManyFaces { faces, limit: MAX_FACES });
+    if faces > MAX_SUBDIVIDED_FACES {
+        return Err(SurfaceError::TooManyFaces { faces, limit: MAX_SUBDIVIDED_FACES });
     }
     Ok(())
 }
 
-/// How many faces a quad split gives: [`subdivide_catmull_clark`] and [`subdivide_linear`] after
-/// `levels`. Saturates.
+/// The number of faces after `levels` of [`subdivide_catmull_clark`] or [`subdivide_linear`]; saturates.
 pub fn quad_split_faces(mesh: &Mesh, levels: u32) -> u64 {
     if levels == 0 {
         return mesh.face_count() as u64;
@@ -97,7 +96,7 @@ pub fn quad_split_faces(mesh: &Mesh, levels: u32) -> u64 {
     corners.saturating_mul(4u64.saturating_pow(levels - 1))
 }
 
-/// Runs `step` for each level from a compacted input, with creases kept apart from the other columns.
+/// Runs `step` for each level on the compacted input. Creases are passed separately from the other columns.
 fn refine(
     mesh: &Mesh,
     levels: u32,
@@ -112,7 +111,7 @@ fn refine(
         return Ok(mesh.into_owned());
     }
     let mut sharpness = Sharpness::of(&mesh);
-    // Each level costs four times the one before.
+    // Each level costs four times as much as the one before.
     let share = |level: u32| (4f32.powi(level as i32) - 1.0) / (4f32.powi(levels as i32) - 1.0);
     let mut made: Option<RawMesh> = None;
     for level in 0..levels {

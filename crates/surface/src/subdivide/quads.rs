@@ -1,7 +1,6 @@
-//! The quad split: every corner of every face becomes a quad.
+//! The quad split: each corner of each face becomes a quad.
 //!
-//! With V vertices, E edges, F faces and C corners before, and faces' corners counted through in
-//! order of face:
+//! With V vertices, E edges, F faces and C corners before, and corners numbered in order of face:
 //!
 //! | child | id |
 //! |---|---|
@@ -10,19 +9,17 @@
 //! | the edge from the point of corner `c`'s half-edge to the face's | edge `2E + c` |
 //! | the quad at corner `c` | face `c` |
 //!
-//! So half-edge `h` becomes `2h` (from its vertex to the middle) and `2 (h ^ 1) + 1` (from the
-//! middle on), and a quad's first half-edge leaves the old vertex.
+//! Half-edge `h` becomes `2h` (from its vertex to the middle) and `2 (h ^ 1) + 1` (from the middle to its
+//! end). A quad's first half-edge leaves the old vertex.
 
 use super::{Level, halves};
 use crate::SurfaceError;
 use crate::pace::Pace;
-use glam::DVec3;
-use glam::Vec3;
+use glam::{DVec3, Vec3};
 use halfedge::RawMesh;
 use halfedge::attribute::Columns;
 
-/// The children's links, and positions with the face points (means of the corners) filled in and
-/// the others zero.
+/// The children's links, with the positions of face points (means of the corners); other positions are zero.
 pub(super) fn split(level: &Level<'_>, pace: &mut Pace<'_, '_>) -> Result<RawMesh, SurfaceError> {
     let links = level.links;
     let (vertices, edges, faces) = (level.vertices(), level.edges(), level.faces());

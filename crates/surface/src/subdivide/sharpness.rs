@@ -1,20 +1,20 @@
 //! Semi-sharp creases and corners by OpenSubdiv's uniform rule.
 //!
-//! DeRose, Kass, Truong: Subdivision surfaces in character animation (1998). An edge of sharpness s
-//! follows the crease rule for as many levels; each level takes one off. Where the rule changes in
-//! the midst of a level (a fraction is left), the old and the new rule's points are mixed by it.
+//! DeRose, Kass, Truong: Subdivision surfaces in character animation (1998). An edge of sharpness s follows
+//! the crease rule for s levels; each level subtracts 1. Where a fraction is left, the points of the crease
+//! rule and of the smooth rule are mixed by it.
 
 use super::{BoundaryRule, Level};
 use glam::DVec3;
 use halfedge::attribute::{Column, keys};
 use halfedge::{Element, Mesh, NONE, RawMesh};
 
-/// From here on a crease is infinitely sharp: it never softens.
-const INFINITE: f32 = 10.0;
+/// Creases of this sharpness and more never soften.
+const INFINITE_SHARPNESS: f32 = 10.0;
 
-/// The sharpness that the children of an edge or vertex have.
+/// The sharpness of the children of an edge or vertex.
 fn soften(sharpness: f32) -> f32 {
-    if sharpness >= INFINITE {
+    if sharpness >= INFINITE_SHARPNESS {
         sharpness
     } else if sharpness > 1.0 {
         sharpness - 1.0
@@ -23,7 +23,7 @@ fn soften(sharpness: f32) -> f32 {
     }
 }
 
-/// The sharpness per edge and per vertex; a column that is all smooth is empty.
+/// The sharpness per edge and per vertex; an empty list if all are smooth.
 #[derive(Default)]
 pub(super) struct Sharpness {
     edges: Vec<f32>,
@@ -52,8 +52,8 @@ impl Sharpness {
         self.edges.is_empty() && self.vertices.is_empty()
     }
 
-    /// The children's: the halves of edge `e` are edges `2e` and `2e + 1`, vertices keep their ids,
-    /// and everything after is smooth. Holds for both splits.
+    /// The children's sharpness: the halves of edge `e` are edges `2e` and `2e + 1`, vertices keep their ids, and
+    /// everything after is smooth. This holds for both splits.
     pub(super) fn of_children(level: &Level<'_>, parent: &Self, child: &RawMesh) -> Self {
         let column = |values: Vec<f32>, len: usize| {
             let mut values = values;
@@ -80,7 +80,7 @@ impl Sharpness {
     }
 }
 
-/// Where an edge's point goes; `smooth` gives what the smooth rule says for an edge with two faces.
+/// The position of an edge point; `smooth` gives that of the smooth rule for an edge with two faces.
 #[inline]
 pub(super) fn edge_point(
     level: &Level<'_>,
@@ -109,7 +109,7 @@ pub(super) fn position(level: &Level<'_>, v: u32) -> DVec3 {
     level.positions[v as usize].as_dvec3()
 }
 
-/// Where a vertex goes; `smooth` gives what the smooth rule says, told a half-edge leaving it. Both
+/// The new position of a vertex; `smooth` gives that of the smooth rule from a half-edge leaving it. Both
 /// schemes have the same crease rule (3/4, 1/8, 1/8) and corner rule (the vertex stays).
 #[inline]
 pub(super) fn vertex_point(
@@ -139,7 +139,7 @@ pub(super) fn vertex_point(
     crease(level, here, [first, before])
 }
 
-/// Whether the boundary vertex that the boundary half-edge leaves has one face only.
+/// Whether the vertex that a boundary half-edge leaves has only one face.
 fn has_one_face(level: &Level<'_>, boundary: u32) -> bool {
     level.links.next[boundary as usize ^ 1] == level.links.prev[boundary as usize] ^ 1
 }
@@ -149,14 +149,14 @@ fn crease(level: &Level<'_>, here: DVec3, along: [u32; 2]) -> DVec3 {
     here * 0.75 + (a + b) * 0.125
 }
 
-/// What a vertex's position follows.
+/// The rules for a vertex's position.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Rule {
-    /// No sharp edge, or one (a dart).
+    /// At most one sharp edge (one is a dart).
     Smooth,
-    /// Two sharp edges: the half-edges that leave along them.
+    /// Two sharp edges: the half-edges leaving along them.
     Crease([u32; 2]),
-    /// Sharp itself, or at the end of three creases or more.
+    /// A sharp vertex, or three or more sharp edges.
     Corner,
 }
 
@@ -197,9 +197,9 @@ fn creased_vertex_point(
     let stays = boundary == BoundaryRule::EdgeAndCorner
         && links.face[first as usize] == NONE
         && has_one_face(level, first);
-    let vertex = if stays { INFINITE } else { sharpness.vertices.get(v).copied().unwrap_or(0.0) };
+    let vertex = if stays { INFINITE_SHARPNESS } else { sharpness.vertices.get(v).copied().unwrap_or(0.0) };
     let (mut now, mut later) = (Sharps::default(), Sharps::default());
-    // Sharpnesses that end in this level: their mean is how much of the old rule is left.
+    // The mean of the sharpnesses that end in this level is the share of the old rule.
     let (mut ending, mut ending_sum) = (0u32, 0.0f64);
     if vertex > 0.0 && soften(vertex) <= 0.0 {
         ending = 1;
@@ -208,7 +208,7 @@ fn creased_vertex_point(
     let mut h = first;
     loop {
         let open = links.face[h as usize] == NONE || links.face[h as usize ^ 1] == NONE;
-        let sharp = if open { INFINITE } else { sharpness.edge(h as usize / 2) };
+        let sharp = if open { INFINITE_SHARPNESS } else { sharpness.edge(h as usize / 2) };
         if sharp > 0.0 {
             now.add(h);
             if sharp <= 1.0 {

@@ -1,4 +1,4 @@
-//! The triangle split: every triangle becomes four.
+//! The triangle split: each triangle becomes four.
 //!
 //! With V vertices, E edges and F triangles before, corner `3f + k` being the `k`-th of face `f`:
 //!
@@ -16,13 +16,13 @@ use glam::Vec3;
 use halfedge::RawMesh;
 use halfedge::attribute::Columns;
 
-/// The half-edges of a triangle, its first corner's first.
+/// The half-edges of a triangle in order.
 pub(super) fn sides(level: &Level<'_>, face: usize) -> [u32; 3] {
     let a = level.links.face_halfedge[face];
     [a, level.links.next[a as usize], level.links.prev[a as usize]]
 }
 
-/// The children's links; positions are all zero.
+/// The children's links; all positions are zero.
 pub(super) fn split(level: &Level<'_>, pace: &mut Pace<'_, '_>) -> Result<RawMesh, SurfaceError> {
     let links = level.links;
     let (vertices, edges, faces) = (level.vertices(), level.edges(), level.faces());

@@ -1,6 +1,6 @@
-//! Making the triangles of a mesh.
+//! Making the triangles of a half-edge mesh.
 
-use super::order::counted;
+use super::order::counting_sort;
 use super::values::push_copy;
 use super::{Frame, Renumbering, TriMesh};
 use crate::morton;
@@ -10,13 +10,13 @@ use halfedge::geometry::PolygonTriangulator;
 use halfedge::{Element, FaceId, HalfedgeId, Mesh, NONE, VertexId};
 
 impl TriMesh {
-    /// The triangles of a mesh, its polygons cut, in the order of [`Self::put_in_order`]. Isolated vertices
-    /// are not taken over.
+    /// The triangles of a mesh after cutting its polygons, in the order of [`Self::put_in_order`]. Isolated
+    /// vertices are dropped.
     pub fn new(mesh: &Mesh) -> Self {
         Self::of(mesh, true)
     }
 
-    /// The same triangles as [`Self::new`] makes, without where they come from and their attributes.
+    /// The same triangles as [`Self::new`] makes, without sources and attributes.
     pub fn bare(mesh: &Mesh) -> Self {
         Self::of(mesh, false)
     }
@@ -36,10 +36,10 @@ impl TriMesh {
         let number = |v: VertexId| number[v.index()];
 
         let (faces, sides) = (mesh.face_count(), mesh.halfedge_count());
-        // A polygon has two triangles less than sides, unless it gets a vertex in the middle.
+        // A polygon has two triangles fewer than sides, unless it gets a vertex in the middle.
         let triangles = sides.saturating_sub(2 * faces);
         let mut v = Vec::with_capacity(3 * triangles);
-        // Per half-edge of the mesh: the side that it is.
+        // Per half-edge of the mesh: its side here.
         let mut of_side = vec![NONE; mesh.halfedge_capacity()];
         // The mesh's half-edge that leaves the corner of a side, where corners have attributes.
         let corner_columns = columns(Element::Halfedge);
@@ -54,7 +54,7 @@ impl TriMesh {
         let mut cut = PolygonTriangulator::new();
         let mut diagonals: Vec<(u64, u32)> = Vec::new();
         let mut pairs: Vec<(u32, u32)> = Vec::with_capacity(triangles.saturating_sub(faces));
-        let in_order = counted(position.len(), || {
+        let in_order = counting_sort(position.len(), || {
             mesh.faces().map(|f| (f.raw(), mesh.face_vertices(f).map(number).min().unwrap_or(0)))
         });
         for f in in_order.into_iter().filter_map(FaceId::from_raw) {
@@ -145,8 +145,8 @@ impl TriMesh {
         tri
     }
 
-    /// Gives corners around a vertex that have the same values the same wedge, and takes over the values of
-    /// each wedge once. Wedges are places in the columns before, and in its own after.
+    /// Lets corners around a vertex with the same values share a wedge, and copies the values of each wedge once.
+    /// Wedges are indices into `columns` before, and into `corner_columns` after.
     fn share_wedges(&mut self, columns: &[Column]) {
         if self.wedge.is_empty() {
             return;
@@ -173,7 +173,7 @@ impl TriMesh {
                 before = at;
                 at = self.turn(at);
             }
-            // All the way round, the last may match the first.
+            // Around an inner vertex, the last may equal the first.
             if at == first && same_values(self.wedge[before as usize], self.wedge[first as usize]) {
                 let (from, to) = (self.wedge[before as usize], self.wedge[first as usize]);
                 let mut h = first;
@@ -203,8 +203,8 @@ impl TriMesh {
     }
 }
 
-/// The faces, in order, one of whose diagonals would join vertices that another edge or diagonal
-/// already joins: those get a vertex in the middle instead.
+/// The faces, in order of id, with a diagonal between vertices that another edge or diagonal joins: those get a
+/// vertex in the middle instead.
 fn clashing_polygons(mesh: &Mesh) -> Vec<u32> {
     let mut cut = PolygonTriangulator::new();
     let mut diagonals: Vec<(u32, u32, u32)> = Vec::new();
@@ -221,7 +221,7 @@ fn clashing_polygons(mesh: &Mesh) -> Vec<u32> {
                     continue;
                 }
                 let (a, b) = (mesh.from(h), mesh.from(after));
-                // Each diagonal is met from both its triangles; once is enough.
+                // Both triangles of a diagonal have it; one of them counts.
                 if a < b {
                     diagonals.push((a.raw(), b.raw(), f.raw()));
                     if mesh.find_edge(a, b).is_some() {

@@ -5,10 +5,10 @@ use super::{TriMesh, make_room, next, prev};
 use halfedge::NONE;
 
 impl TriMesh {
-    /// Whether merging an edge's ends keeps a manifold with as many pieces, handles and holes: their
-    /// common neighbours are the apexes of the edge's triangles (the link condition; Dey, Edelsbrunner
-    /// et al. 1999), no apex loses its last face, and no two triangles end up back to back. `stamps` has
-    /// a number per vertex, `stamp` is one that was never used.
+    /// Whether collapsing an edge keeps a manifold of the same topology: the common neighbours of its ends are the
+    /// apexes of its triangles (the link condition; Dey, Edelsbrunner et al. 1999), no apex loses its last
+    /// triangle, and no two triangles end up back to back. `stamps` has a number per vertex; `stamp` is one that
+    /// wasn't used before.
     pub fn can_collapse(&self, h: u32, stamps: &mut [u32], stamp: u32) -> bool {
         let (a, b, across) = (self.from(h), self.to(h), self.opp(h));
         let open = across == NONE;
@@ -34,8 +34,8 @@ impl TriMesh {
         common == if open { 1 } else { 2 }
     }
 
-    /// Moves the end of an edge into its start, which stays where it is, and removes the triangles of
-    /// the edge. `t` is where between the two the merged attributes are taken.
+    /// Merges the end of an edge into its start, which keeps its position, and removes the triangles of the edge.
+    /// Attributes are interpolated at `t` between the two.
     pub fn collapse(&mut self, h: u32, t: f64) {
         let (a, b, across) = (self.from(h), self.to(h), self.opp(h));
         self.merge_attributes(h, t);
@@ -71,17 +71,17 @@ impl TriMesh {
                 self.v[k as usize] = NONE;
             }
             self.faces -= 1;
-            // Of the two outer sides one at least exists: the left one leaves the apex, the right one
-            // the merged vertex.
-            self.aim(apex, if left != NONE { left } else { next(right) });
+            // At least one of the two outer sides exists: the left one leaves the apex, the right one the merged
+            // vertex.
+            self.set_out(apex, if left != NONE { left } else { next(right) });
             leaving = if right != NONE { right } else { next(left) };
         }
-        self.aim(a, leaving);
+        self.set_out(a, leaving);
     }
 
-    /// Cuts an edge and its triangles at the middle. On each side the edge's half-edge becomes the half
-    /// before the middle, the side after it the cut; a new triangle has the half after the middle, the
-    /// old side after it, and the cut, in this order. Gives the new vertex, the last.
+    /// Splits an edge and its triangles in the middle. On each side the edge's half-edge becomes the half before
+    /// the middle, and the side after it the cut; the new triangle has the half after the middle, the old side
+    /// after it, and the cut, in this order. Returns the new vertex, which is the last one.
     pub fn split(&mut self, h: u32) -> u32 {
         let (a, b, across) = (self.from(h), self.to(h), self.opp(h));
         let m = self.position.len() as u32;
@@ -123,7 +123,7 @@ impl TriMesh {
             }
             if !self.wedge.is_empty() {
                 let (from, to) = (self.wedge[side as usize], self.wedge[n as usize]);
-                // The other side's middle has the same values where its ends do.
+                // The middle has the same values on the other side where the ends do.
                 if (wedges.0, wedges.1) != (to, from) {
                     wedges = (from, to, self.new_wedge(from, to));
                 }
@@ -147,7 +147,7 @@ impl TriMesh {
         m
     }
 
-    /// A new place for corner values, halfway between two.
+    /// A new wedge with the values halfway between two.
     fn new_wedge(&mut self, from: u32, to: u32) -> u32 {
         let mut place = 0;
         for column in &mut self.corner_columns {
@@ -158,8 +158,8 @@ impl TriMesh {
         place as u32
     }
 
-    /// Turns an edge with two triangles to their apexes. The half-edge comes to be from the apex across
-    /// to its own; after it come its triangle's last side and the first one after the edge across.
+    /// Flips an edge with two triangles, so that it joins their apexes. The half-edge then goes from the apex across
+    /// to its own; its triangle's last side and the first one after the twin follow it.
     pub fn flip(&mut self, h: u32) {
         let t = self.opp(h);
         let (n, p, m, q) = (next(h), prev(h), next(t), prev(t));
@@ -194,13 +194,13 @@ impl TriMesh {
         }
         for (v, k) in [(a, p), (b, q), (c, n), (d, m)] {
             if [h, n, p, t, m, q].contains(&self.out[v as usize]) {
-                self.aim(v, k);
+                self.set_out(v, k);
             }
         }
     }
 
-    /// Makes a half-edge leaving `v` the one that is found first: turned clockwise to the boundary.
-    fn aim(&mut self, v: u32, h: u32) {
+    /// Sets `v`'s half-edge: the last clockwise from `h`, which is on the boundary if there is one.
+    fn set_out(&mut self, v: u32, h: u32) {
         let mut at = h;
         loop {
             let across = self.opp(at);

@@ -1,9 +1,9 @@
-//! The compact triangle structure that simplifying and remeshing work on.
+//! The compact triangle mesh that simplification and remeshing work on.
 //!
-//! Half-edge `3f + k` is the `k`-th side of triangle `f` and leaves its `k`-th corner, so a triangle is
-//! three vertices and three half-edges across, 24 bytes, and nothing else needs storing. The mesh is
-//! written back at the end in one pass.
+//! Half-edge `3f + k` is side `k` of triangle `f` and leaves its corner `k`. A triangle therefore takes three
+//! vertices and the three half-edges across, 24 bytes. The result is written to a half-edge mesh in one pass.
 
+mod borders;
 mod build;
 mod edit;
 mod order;
@@ -11,6 +11,7 @@ mod output;
 mod values;
 mod walk;
 
+pub(crate) use borders::Borders;
 pub(crate) use order::{Order, Renumbering};
 pub(crate) use walk::{Foot, area_vector};
 
@@ -30,8 +31,8 @@ pub(crate) fn prev(h: u32) -> u32 {
     if h.is_multiple_of(3) { h + 2 } else { h - 1 }
 }
 
-/// Makes room for so many more values. Vectors that grow by doubling take up to twice what they hold; this
-/// grows by an eighth, which copies each value eight times on average.
+/// Reserves memory for this many more values. A vector that doubles takes up to twice the memory of its values;
+/// this one grows by an eighth, which copies each value eight times on average.
 #[inline]
 pub(crate) fn make_room<T>(values: &mut Vec<T>, more: usize) {
     if values.capacity() - values.len() < more {
@@ -39,48 +40,48 @@ pub(crate) fn make_room<T>(values: &mut Vec<T>, more: usize) {
     }
 }
 
-/// Collects values, with room for so many more.
+/// Collects values, with memory reserved for this many more.
 pub(crate) fn with_room<T>(values: impl ExactSizeIterator<Item = T>, more: usize) -> Vec<T> {
     let mut list = Vec::with_capacity(values.len() + more);
     list.extend(values);
     list
 }
 
-/// Triangles with what lies across their sides, and where their attributes come from.
+/// Triangles, their adjacency, and the sources of their attributes.
 pub(crate) struct TriMesh {
-    /// Per half-edge: the vertex it leaves; [`NONE`] for removed triangles.
+    /// Per half-edge: the vertex that it leaves; [`NONE`] for removed triangles.
     pub v: Vec<u32>,
-    /// Per half-edge: the one across the edge, or [`NONE`] on the boundary.
+    /// Per half-edge: its twin across the edge; [`NONE`] on the boundary.
     pub opp: Vec<u32>,
-    /// Per vertex: a half-edge leaving it, the boundary one if there is one; [`NONE`] if it has no face.
+    /// Per vertex: a half-edge leaving it, a boundary one if there is one; [`NONE`] if it has no triangle.
     pub out: Vec<u32>,
-    /// Per vertex: its position, in mesh units and rounded as the result's will be, so that what is checked
-    /// here holds there, and what doesn't move comes back as it was.
+    /// Per vertex: its position in mesh units, rounded as in the result, so that checks here hold there, and
+    /// vertices that don't move keep their bits.
     pub position: Vec<Vec3>,
-    /// Per triangle: the face it comes from. May be emptied by those who don't need it.
+    /// Per triangle: the face that it comes from. Users who don't need it may empty it.
     pub face_source: Vec<u32>,
-    /// Per half-edge: the place of its corner's values in `corner_columns`; equal values around a
-    /// vertex share one. Empty where the mesh has no corner attributes.
+    /// Per half-edge: the index of its corner's values in `corner_columns`. Corners with equal values around a
+    /// vertex share one. Empty if the mesh has no corner attributes.
     pub wedge: Vec<u32>,
-    /// Per half-edge: the edge it comes from, or [`NONE`]. Empty where edges have no attributes.
+    /// Per half-edge: the edge that it comes from, or [`NONE`]. Empty if edges have no attributes.
     pub edge_source: Vec<u32>,
-    /// Values by `wedge`.
+    /// Corner values, indexed by `wedge`.
     pub corner_columns: Vec<Column>,
-    /// Values by vertex.
+    /// Vertex values.
     pub vertex_columns: Vec<Column>,
-    /// How many triangles there are.
+    /// The number of triangles, without removed ones.
     pub faces: usize,
     pub frame: Frame,
 }
 
-/// Coordinates around zero and about one in size, so that sums of squares keep their digits: shifted by
-/// a float and scaled by a power of two.
+/// Coordinates shifted by a float and scaled by a power of two, so that the mesh is centred and about 1 in size,
+/// and sums of squares keep their precision.
 #[derive(Clone, Copy)]
 pub(crate) struct Frame {
     center: DVec3,
     /// Mesh units per unit of the frame.
     pub scale: f64,
-    /// The other way round: exact, too.
+    /// The inverse of the scale, which is exact too.
     inverse: f64,
 }
 
@@ -98,11 +99,13 @@ impl Frame {
         Self { center, scale, inverse: 1.0 / scale }
     }
 
+    /// A position in the frame.
     #[inline]
     pub fn inward(&self, p: Vec3) -> DVec3 {
         (p.as_dvec3() - self.center) * self.inverse
     }
 
+    /// A position in mesh units.
     #[inline]
     pub fn outward(&self, p: DVec3) -> Vec3 {
         (p * self.scale + self.center).as_vec3()
@@ -110,7 +113,7 @@ impl Frame {
 }
 
 impl TriMesh {
-    /// A copy of its triangles alone, as [`Self::bare`] makes them.
+    /// A copy of the triangles without attributes and sources, as [`Self::bare`] makes them.
     pub fn bare_copy(&self) -> Self {
         Self {
             v: self.v.clone(),
@@ -127,8 +130,8 @@ impl TriMesh {
         }
     }
 
-    /// Makes room for so many [`Self::split`]s, and no more than that.
-    pub fn make_room(&mut self, splits: usize) {
+    /// Reserves memory for exactly this many [`Self::split`]s.
+    pub fn reserve_splits(&mut self, splits: usize) {
         self.position.reserve_exact(splits);
         self.out.reserve_exact(splits);
         self.face_source.reserve_exact(2 * splits);
@@ -151,7 +154,7 @@ impl TriMesh {
         self.v[next(h) as usize]
     }
 
-    /// The vertex across from a side in its triangle.
+    /// The vertex opposite a side in its triangle.
     #[inline]
     pub fn apex(&self, h: u32) -> u32 {
         self.v[prev(h) as usize]
@@ -167,14 +170,14 @@ impl TriMesh {
         self.frame.inward(self.position[v as usize])
     }
 
-    /// Moves a vertex, to where rounding to floats leaves it.
+    /// Moves a vertex; its position is rounded to floats.
     #[inline]
     pub fn put(&mut self, v: u32, at: DVec3) {
         self.position[v as usize] = self.frame.outward(at);
     }
 
-    /// The next half-edge leaving the same vertex, counter-clockwise; [`NONE`] past the last of a
-    /// boundary vertex.
+    /// The next half-edge leaving the same vertex, counter-clockwise; [`NONE`] after the last one of a boundary
+    /// vertex.
     #[inline]
     pub fn turn(&self, h: u32) -> u32 {
         self.opp(prev(h))
@@ -192,14 +195,14 @@ impl TriMesh {
         out != NONE && self.opp(out) == NONE
     }
 
-    /// The name of an edge: the smaller of its half-edges.
+    /// The half-edge that stands for its edge: the smaller one.
     #[inline]
     pub fn edge(&self, h: u32) -> u32 {
         h.min(self.opp(h))
     }
 
-    /// Calls `visit` with each half-edge leaving a vertex, counter-clockwise. An edge on the boundary
-    /// whose half-edge comes in has none that leaves: it is `prev` of the last.
+    /// Calls `visit` with each half-edge leaving a vertex, counter-clockwise. The incoming boundary edge has no
+    /// half-edge that leaves: its half-edge is `prev` of the last one.
     #[inline]
     pub fn around(&self, v: u32, mut visit: impl FnMut(u32)) {
         let first = self.out[v as usize];
@@ -213,6 +216,16 @@ impl TriMesh {
         }
     }
 
+    /// The last half-edge leaving the same vertex counter-clockwise, for a vertex on the boundary.
+    #[inline]
+    pub fn last_around(&self, h: u32) -> u32 {
+        let mut last = h;
+        while self.turn(last) != NONE {
+            last = self.turn(last);
+        }
+        last
+    }
+
     /// Calls `visit` with each neighbour of a vertex.
     #[inline]
     pub fn neighbors(&self, v: u32, mut visit: impl FnMut(u32)) {
@@ -224,7 +237,7 @@ impl TriMesh {
         });
     }
 
-    /// Whether an edge's corner values differ across it, at either end.
+    /// Whether the corner values on the two sides of an edge differ at either end.
     pub fn is_seam(&self, h: u32) -> bool {
         let across = self.opp(h);
         !self.wedge.is_empty()

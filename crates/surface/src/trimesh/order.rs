@@ -1,25 +1,25 @@
-//! Putting elements that are near in space near in memory.
+//! Ordering elements so that neighbours in space are close in memory.
 
 use super::TriMesh;
 use crate::morton;
 use halfedge::NONE;
 
-/// What [`TriMesh::put_in_order`] did.
+/// The renumbering by [`TriMesh::put_in_order`].
 pub(crate) struct Order {
     pub vertices: Renumbering,
     pub triangles: Renumbering,
 }
 
-/// New numbers for what is kept of a list: the old number of each.
+/// The old numbers of the elements that are kept, in their new order.
 pub(crate) struct Renumbering(pub Vec<u32>);
 
 impl Renumbering {
-    /// How many are kept.
+    /// The number of elements that are kept.
     pub fn len(&self) -> usize {
         self.0.len()
     }
 
-    /// Per old number, of which there were so many: the new one, or [`NONE`] for what is left out.
+    /// Per old number, of which there are `count`, the new one, or [`NONE`] if it is dropped.
     pub fn new_numbers(&self, count: usize) -> Vec<u32> {
         let mut new = vec![NONE; count];
         for (at, &old) in (0u32..).zip(&self.0) {
@@ -28,8 +28,8 @@ impl Renumbering {
         new
     }
 
-    /// Puts a list in its new order where it is: a second one beside it is memory that large meshes don't
-    /// have. An empty one stays empty. Costs O(list).
+    /// Permutes a list in place, since large meshes have no memory for a second list. An empty list stays empty.
+    /// Costs O(list).
     pub fn apply<T: Copy>(&self, values: &mut Vec<T>) {
         if !values.is_empty() {
             self.permute(values);
@@ -38,7 +38,7 @@ impl Renumbering {
         }
     }
 
-    /// As [`Self::apply`], for a list of three values for each number.
+    /// Like [`Self::apply`], for a list with three values per number.
     fn apply_to_corners(&self, values: &mut Vec<u32>) {
         if !values.is_empty() {
             self.permute(values.as_chunks_mut::<3>().0);
@@ -56,8 +56,8 @@ impl Renumbering {
             }
         }
         let mut done = vec![false; old.len()];
-        // A place whose own value is left out takes another's, whose place is free then and takes the
-        // next, until one comes from past the end.
+        // An entry whose value is dropped takes another's value; that entry is free then and takes the next, until
+        // a value comes from past the end.
         for start in (0..old.len()).filter(|&at| !wanted[at]) {
             let mut at = start;
             while let Some(&from) = old.get(at) {
@@ -66,7 +66,7 @@ impl Renumbering {
                 at = from as usize;
             }
         }
-        // What is left goes round in cycles.
+        // The rest are cycles.
         for start in 0..old.len() {
             let first = values[start];
             let mut at = start;
@@ -81,14 +81,13 @@ impl Renumbering {
 }
 
 impl TriMesh {
-    /// Puts vertices in order along a curve through space, triangles in order of their first vertex, and
-    /// leaves out what was removed: neighbours come to be near each other in memory. Says where each
-    /// vertex and triangle was. Costs O(mesh).
+    /// Sorts vertices along a space-filling curve and triangles by their first vertex, and drops removed ones, so
+    /// that neighbours are close in memory. Returns the renumbering. Costs O(mesh).
     pub fn put_in_order(&mut self) -> Order {
         let live = (0u32..).zip(&self.out).filter(|(_, out)| **out != NONE);
         let vertices = Renumbering(morton::order(live.map(|(v, _)| (v, self.at(v).as_vec3()))));
         let vertex = vertices.new_numbers(self.out.len());
-        let triangles = Renumbering(counted(vertices.len(), || {
+        let triangles = Renumbering(counting_sort(vertices.len(), || {
             let live = (0u32..).zip(self.v.chunks_exact(3)).filter(|(_, corners)| corners[0] != NONE);
             let first = |corners: &[u32]| corners.iter().map(|&v| vertex[v as usize]).min().unwrap_or(0);
             live.map(move |(f, corners)| (f, first(corners)))
@@ -114,9 +113,11 @@ impl TriMesh {
     }
 }
 
-/// Numbers in order of what comes with each, a number below `most`; as they come where that is the same.
-/// Counted first: costs O(numbers + most).
-pub(super) fn counted<I: Iterator<Item = (u32, u32)>>(most: usize, numbers: impl Fn() -> I) -> Vec<u32> {
+/// Sorts numbers stably by their keys, which are below `most`, by counting. Costs O(numbers + most).
+pub(super) fn counting_sort<I: Iterator<Item = (u32, u32)>>(
+    most: usize,
+    numbers: impl Fn() -> I,
+) -> Vec<u32> {
     let mut starts = vec![0u32; most + 1];
     for (_, at) in numbers() {
         starts[at as usize + 1] += 1;

@@ -1,12 +1,12 @@
-//! Writing a half-edge mesh.
+//! Writing the result as a half-edge mesh.
 
 use super::{TriMesh, next, prev};
 use halfedge::attribute::{Column, Columns, keys};
 use halfedge::{Element, Mesh, NONE, RawMesh};
 
 impl TriMesh {
-    /// The mesh: vertices and faces in their order here, without gaps, with the attributes of `source`.
-    /// What is written goes at once: both together are large.
+    /// The half-edge mesh: vertices and faces in their order here, without gaps, with the attributes of `source`.
+    /// Columns are freed as soon as they are written, since both meshes together are large.
     pub fn into_mesh(mut self, source: &Mesh) -> Mesh {
         let mut number = vec![NONE; self.out.len()];
         let mut kept = Vec::new();
@@ -69,12 +69,8 @@ impl TriMesh {
                 }
                 if self.opp(h) == NONE {
                     raw.to[at ^ 1] = number[self.from(h) as usize];
-                    // Round the vertex it comes from to the side that comes in on the boundary.
-                    let mut last = h;
-                    while self.turn(last) != NONE {
-                        last = self.turn(last);
-                    }
-                    let after = half[prev(last) as usize] ^ 1;
+                    // The boundary continues at the other end of the fan around the vertex that `h` leaves.
+                    let after = half[prev(self.last_around(h)) as usize] ^ 1;
                     raw.next[at ^ 1] = after;
                     raw.prev[after as usize] = at as u32 ^ 1;
                 }
@@ -83,19 +79,15 @@ impl TriMesh {
         drop(number);
         for (v, &old) in kept.iter().enumerate() {
             let out = self.out[old as usize];
-            // The boundary half-edge that leaves is the twin of the side that comes in.
-            let mut last = out;
-            if self.opp(out) == NONE {
-                while self.turn(last) != NONE {
-                    last = self.turn(last);
-                }
-                raw.vertex_halfedge[v] = half[prev(last) as usize] ^ 1;
+            raw.vertex_halfedge[v] = if self.opp(out) == NONE {
+                // The boundary half-edge that leaves is the twin of the side that comes in.
+                half[prev(self.last_around(out)) as usize] ^ 1
             } else {
-                raw.vertex_halfedge[v] = half[out as usize];
-            }
+                half[out as usize]
+            };
         }
         let put = |columns: &mut Columns, element: Element, from: &[Column], indices: &[u32]| {
-            // Positions have moved: normals given by the file no longer fit.
+            // Positions have moved: corner normals no longer fit.
             let fits =
                 |column: &&Column| element != Element::Halfedge || column.name != keys::CORNER_NORMAL.name;
             columns

@@ -1,4 +1,4 @@
-//! Attribute values: copied and mixed in place.
+//! Copying and mixing attribute values in place.
 
 use super::make_room;
 use halfedge::attribute::{Column, Values, mix};

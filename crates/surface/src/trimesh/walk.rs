@@ -1,31 +1,31 @@
-//! The point of a surface closest to a point, by walking over its triangles.
+//! Closest points by walking over triangles.
 
 use super::TriMesh;
 use crate::face_tree::closest_in_triangle;
 use glam::DVec3;
 use halfedge::NONE;
 
-/// How many triangles one walk may cross: far more than any vertex moves over.
-const STEPS: usize = 1024;
+/// The most triangles that a walk may cross: far more than a vertex moves over.
+const MAX_WALK_STEPS: usize = 1024;
 
-/// Twice the area of a triangle, along its normal.
+/// Twice the area vector of a triangle.
 #[inline]
 pub(crate) fn area_vector([a, b, c]: &[DVec3; 3]) -> DVec3 {
     (*b - *a).cross(*c - *a)
 }
 
 impl TriMesh {
-    /// Where a triangle's corners are.
+    /// The positions of a triangle's corners.
     #[inline]
     pub fn places(&self, face: u32) -> [DVec3; 3] {
         [0, 1, 2].map(|k| self.at(self.from(3 * face + k)))
     }
 
-    /// The point closest to `p`, walking down from a triangle to neighbours that are closer. What lies
-    /// on the other side of a thin wall is never taken for the surface, as a search through space would.
+    /// The point closest to `p` that a walk from a triangle to ever closer neighbours reaches. Unlike a search
+    /// through space, it never jumps to the other side of a thin wall.
     pub fn closest(&self, start: u32, p: DVec3) -> Foot {
         let mut best = self.on(start, p);
-        for _ in 0..STEPS {
+        for _ in 0..MAX_WALK_STEPS {
             let first = 3 * best.face;
             let zero = best.weights.to_array().map(|w| w == 0.0);
             let mut closer = best;
@@ -95,7 +95,7 @@ impl TriMesh {
 pub(crate) struct Foot {
     pub face: u32,
     pub at: DVec3,
-    /// How far it is from the point asked for, squared.
+    /// The squared distance from the query point.
     pub squared: f64,
     weights: DVec3,
 }
