@@ -1,7 +1,7 @@
 //! The fuzz targets: `cargo fuzz` and the native test `crates/formats/tests/fuzz.rs` both include this
 //! file.
 
-use formats::{Format, Image, Import, Material, Materials, NamedBytes, NonManifold, ObjectRef, Repairs};
+use formats::{Format, Image, Import, Material, Materials, NamedBytes, NonManifold, Repairs};
 use halfedge::Mesh;
 use std::ops::ControlFlow;
 
@@ -34,17 +34,7 @@ pub fn run(name: &str, data: &[u8]) {
         files.insert(0, NamedBytes::new("a.obj", OWNER));
     }
     let Some(import) = read(&files) else { return };
-    let objects: Vec<ObjectRef> = import
-        .objects
-        .iter()
-        .map(|object| ObjectRef {
-            controls: object.controls.as_ref(),
-            offset: import.offset,
-            materials: &import.materials,
-            ..ObjectRef::new(&object.name, &object.mesh)
-        })
-        .collect();
-    for object in &import.objects {
+    for object in &import.model.objects {
         check(&object.mesh);
         // Faces that don't form a mesh can be repaired in other ways too.
         for (non_manifold, orient, merge) in [
@@ -58,18 +48,21 @@ pub fn run(name: &str, data: &[u8]) {
             }
         }
     }
-    for format in Format::ALL.into_iter().filter(|format| format.can_read()) {
-        let _ = formats::losses(format, &objects);
-        let Ok(written) = formats::write(format, "back", &objects) else { continue };
+    for format in Format::all().filter(|format| format.can_read()) {
+        let _ = formats::losses(format, &import.model);
+        let Ok(written) = formats::write(format, &import.model) else { continue };
         // The document may hold nothing that the format can hold.
         let Some(back) = read(&written) else { continue };
-        if matches!(format, Format::Obj | Format::Ply | Format::Off) {
+        if matches!(format.code(), "obj" | "ply" | "off") {
             assert_eq!(sizes(&back), sizes(&import), "{format:?}");
-            for material in &back.materials.list {
+            for material in &back.model.materials.list {
                 // Those of other formats come back with the statements that were made for them.
-                let known = import.materials.get(&material.name).filter(|known| known.mtl.is_some());
+                let known = import.model.materials.get(&material.name).filter(|known| known.mtl.is_some());
                 if let Some(known) = known {
-                    assert_eq!(described(&back.materials, material), described(&import.materials, known));
+                    assert_eq!(
+                        described(&back.model.materials, material),
+                        described(&import.model.materials, known)
+                    );
                 }
             }
         }
@@ -94,6 +87,6 @@ fn check(mesh: &Mesh) {
 }
 
 fn sizes(import: &Import) -> [usize; 2] {
-    let sum = |count: fn(&Mesh) -> usize| import.objects.iter().map(|object| count(&object.mesh)).sum();
+    let sum = |count: fn(&Mesh) -> usize| import.model.objects.iter().map(|object| count(&object.mesh)).sum();
     [sum(Mesh::vertex_count), sum(Mesh::face_count)]
 }

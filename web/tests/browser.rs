@@ -148,7 +148,7 @@ fn a_large_obj_goes_through_a_job() {
     console_log!("read and built {} triangles, {size:.1} MB: {:.0} MB/s", 2 * side * side, size / seconds);
     assert!(told.len() > 2 && told.is_sorted(), "{told:?}");
     let import = JobResult::from_bytes(&result.to_bytes()).unwrap().into_import().unwrap();
-    let [object] = import.objects.as_slice() else { panic!("{} objects", import.objects.len()) };
+    let [object] = import.model.objects.as_slice() else { panic!("{} objects", import.model.objects.len()) };
     assert_eq!(object.mesh.vertex_count(), (side + 1) * (side + 1));
     assert_eq!(object.mesh.face_count(), 2 * side * side);
 }

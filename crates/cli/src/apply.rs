@@ -6,6 +6,7 @@ use editor::{Begun, Command, CommandError, Editor, Elements, Finished, Outcome};
 use formats::Import;
 use serde_json::{Value, json};
 use std::ops::ControlFlow;
+use std::sync::Arc;
 use std::time::{Duration, Instant};
 
 /// The result of one command.
@@ -28,7 +29,7 @@ pub fn run(task: &Apply) -> Result<(), Failure> {
     let mut last = None;
     for round in 0..task.repeat {
         // The last round takes the input itself, to keep one copy less in memory.
-        let input = if round + 1 == task.repeat { take(&mut read.import) } else { read.import.clone() };
+        let input = if round + 1 == task.repeat { take(&mut read.import) } else { copy(&read.import) };
         let (editor, steps) = run_once(input, &task.commands)?;
         for (times, step) in times.iter_mut().zip(&steps) {
             times.push(step.time);
@@ -68,8 +69,16 @@ pub fn run(task: &Apply) -> Result<(), Failure> {
 
 /// Moves the meshes out of an import, and copies the rest.
 fn take(import: &mut Import) -> Import {
-    let objects = std::mem::take(&mut import.objects);
-    Import { objects, ..import.clone() }
+    Import { model: std::mem::take(&mut import.model), report: import.report.clone() }
+}
+
+/// An import whose meshes are its own, so that the first edit needn't copy them.
+fn copy(import: &Import) -> Import {
+    let mut copy = import.clone();
+    for object in &mut copy.model.objects {
+        Arc::make_mut(&mut object.mesh);
+    }
+    copy
 }
 
 /// Runs the commands on a fresh document.

@@ -2,7 +2,7 @@
 
 use crate::Failure;
 use editor::Document;
-use formats::{Controls, Format, Import, NamedBytes, ObjectRef, Repairs};
+use formats::{Format, Import, NamedBytes, Repairs};
 use std::ops::ControlFlow;
 use std::path::Path;
 use std::time::{Duration, Instant};
@@ -75,8 +75,8 @@ fn companions(path: &Path, model: &NamedBytes) -> Vec<NamedBytes> {
 /// The format that the extension of an output file chooses.
 pub fn output_format(path: &Path) -> Result<Format, Failure> {
     let known = || {
-        let mut names: Vec<String> =
-            Format::ALL.iter().filter(|f| f.can_write()).map(|f| format!(".{}", f.extension())).collect();
+        let formats = Format::all().filter(|format| format.can_write());
+        let mut names: Vec<String> = formats.map(|format| format!(".{}", format.extension())).collect();
         // The text and binary forms of a format follow each other and share an extension.
         names.dedup();
         names.join(", ")
@@ -93,24 +93,12 @@ pub fn output_format(path: &Path) -> Result<Format, Failure> {
 
 /// Writes a document, and prints on standard error what the format can't hold.
 pub fn write(path: &Path, format: Format, document: &Document) -> Result<(), Failure> {
-    let controls: Vec<Option<Controls>> =
-        document.objects().iter().map(|object| object.bezier().map(Controls::from)).collect();
-    let objects: Vec<ObjectRef<'_>> = document
-        .objects()
-        .iter()
-        .zip(&controls)
-        .map(|(object, controls)| ObjectRef {
-            controls: controls.as_ref(),
-            offset: document.offset(),
-            materials: document.materials(),
-            ..ObjectRef::new(object.name(), object.mesh())
-        })
-        .collect();
-    for loss in formats::losses(format, &objects) {
+    let stem = path.file_stem().map_or_else(String::new, |stem| stem.to_string_lossy().into_owned());
+    let model = document.to_model(&stem);
+    for loss in formats::losses(format, &model) {
         eprintln!("{}: {loss}", path.display());
     }
-    let stem = path.file_stem().map_or_else(String::new, |stem| stem.to_string_lossy().into_owned());
-    let files = formats::write(format, &stem, &objects)
+    let files = formats::write(format, &model)
         .map_err(|error| Failure::File(format!("{}: {error}", path.display())))?;
     for (at, file) in files.iter().enumerate() {
         let place = if at == 0 { path.to_owned() } else { path.with_file_name(&file.name) };

@@ -2,7 +2,7 @@
 
 use crate::arguments::Info;
 use crate::{Failure, files, report};
-use formats::Controls;
+use formats::Bezier;
 
 /// Prints the counts, objects and import report of a file.
 pub fn run(task: &Info) -> Result<(), Failure> {
@@ -16,13 +16,15 @@ pub fn run(task: &Info) -> Result<(), Failure> {
     text += &report::counts_text(counts);
     text +=
         &format!("read in {:.3} s, built in {:.3} s\n", read.read.as_secs_f64(), read.build.as_secs_f64());
-    if read.import.objects.len() > 1 {
+    if read.import.model.objects.len() > 1 {
         text += "objects:\n";
-        for object in &read.import.objects {
-            let what = match &object.controls {
+        for object in &read.import.model.objects {
+            let what = match object.bezier.as_deref() {
                 None => format!("{} faces", object.mesh.face_count()),
-                Some(Controls::Curve(points)) => format!("Bezier curve of {} control points", points.len()),
-                Some(Controls::Surface(patches)) => format!("Bezier surface of {} patches", patches.len()),
+                Some(Bezier::Curve(curve)) => {
+                    format!("Bezier curve of {} control points", curve.points.len())
+                }
+                Some(Bezier::Surface(patches)) => format!("Bezier surface of {} patches", patches.len()),
             };
             text += &format!("  {}: {what}\n", object.name);
         }

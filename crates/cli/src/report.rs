@@ -19,7 +19,7 @@ pub fn print(text: &str) -> Result<(), Failure> {
 
 /// The total counts of the meshes of an import.
 pub fn import_counts(import: &Import) -> Counts {
-    import.objects.iter().map(|object| Counts::of(&object.mesh)).sum()
+    import.model.objects.iter().map(|object| Counts::of(&object.mesh)).sum()
 }
 
 /// The total counts of the meshes of a document.

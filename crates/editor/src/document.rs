@@ -1,7 +1,7 @@
 //! What is being edited: named objects, each with a mesh.
 
 use crate::bezier::Bezier;
-use formats::Materials;
+use formats::{Materials, Model, NamedMesh};
 use glam::DVec3;
 use halfedge::{Mesh, PolygonSoup};
 use serde::Serialize;
@@ -98,6 +98,20 @@ impl Document {
     /// The materials that faces have or had, with their images: formats that hold them write them.
     pub fn materials(&self) -> &Materials {
         &self.materials
+    }
+
+    /// The document as files of this name hold it. Shares the meshes.
+    pub fn to_model(&self, name: &str) -> Model {
+        let object = |object: &Object| NamedMesh {
+            bezier: object.bezier.clone(),
+            ..NamedMesh::new(&object.name, Arc::clone(&object.mesh))
+        };
+        Model {
+            name: name.to_owned(),
+            objects: self.objects.iter().map(object).collect(),
+            offset: self.offset,
+            materials: self.materials.clone(),
+        }
     }
 
     /// The objects in the order lists show them.

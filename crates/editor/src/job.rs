@@ -8,9 +8,10 @@ use crate::bezier::fill_previews;
 use crate::error::{CommandError, Problem};
 use crate::ops::{Action, Input, Op, Output, edit_all};
 use crate::outcome::{Before, ElementIds};
-use formats::{Controls, Format, Import, Materials, NamedBytes, ObjectRef, ReadError, Repairs};
+use formats::{Format, Import, Materials, Model, NamedBytes, NamedMesh, ReadError, Repairs};
 use glam::DVec3;
 use halfedge::{Mesh, Progress};
+use std::sync::Arc;
 
 /// Which job of an editor.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
@@ -69,7 +70,7 @@ impl Made {
             })
         };
         match self {
-            Self::Import(import) => import.objects.iter().try_for_each(|o| check(&o.name, &o.mesh)),
+            Self::Import(import) => import.model.objects.iter().try_for_each(|o| check(&o.name, &o.mesh)),
             Self::Meshes(outputs, ..) => outputs.iter().try_for_each(|o| check(&o.name, &o.mesh)),
             Self::Files(_) => Ok(()),
         }
@@ -132,30 +133,32 @@ impl Work {
                 fill_previews(&mut import)?;
                 // Nothing but trouble is no reason to take the open document away.
                 if import
+                    .model
                     .objects
                     .iter()
-                    .all(|object| object.mesh.vertex_count() == 0 && object.controls.is_none())
+                    .all(|object| object.mesh.vertex_count() == 0 && object.bezier.is_none())
                     && let Some(first) = import.report.warnings().next()
                 {
-                    return Err(Problem::new(format!("nothing in {} could be used. {first}", import.name)));
+                    return Err(Problem::new(format!(
+                        "nothing in {} could be used. {first}",
+                        import.model.name
+                    )));
                 }
                 Made::Import(import)
             }
             Self::Run(ops, inputs) => run(ops, inputs, progress)?,
             Self::Export(head, inputs) => {
-                let controls: Vec<Option<Controls>> =
-                    inputs.iter().map(|input| input.bezier.as_deref().map(Controls::from)).collect();
-                let objects: Vec<_> = inputs
-                    .iter()
-                    .zip(&controls)
-                    .map(|(input, controls)| ObjectRef {
-                        controls: controls.as_ref(),
-                        offset: head.offset,
-                        materials: &head.materials,
-                        ..ObjectRef::new(&input.name, &input.mesh)
-                    })
-                    .collect();
-                let files = formats::write(head.format, &head.name, &objects);
+                let object = |input: &Input| NamedMesh {
+                    bezier: input.bezier.clone(),
+                    ..NamedMesh::new(&input.name, Arc::clone(&input.mesh))
+                };
+                let model = Model {
+                    name: head.name.clone(),
+                    objects: inputs.iter().map(object).collect(),
+                    offset: head.offset,
+                    materials: head.materials.clone(),
+                };
+                let files = formats::write(head.format, &model);
                 Made::Files(files.map_err(|error| Problem::new(error.to_string()))?)
             }
         };

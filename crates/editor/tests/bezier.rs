@@ -2,7 +2,7 @@
 
 mod support;
 
-use editor::formats::{Controls, Format, Import, ImportReport, ImportedObject, NamedBytes};
+use editor::formats::{Format, Import, ImportReport, Model, NamedBytes, NamedMesh};
 use editor::halfedge::{Element, Mesh};
 use editor::surface::bezier::Curve;
 use editor::{Begun, Bezier, Editor, Finished, JobRequest, JobResult, ObjectChange, SelectMode};
@@ -263,15 +263,17 @@ fn opening_and_saving_go_through_a_worker() {
     assert!(matches!(editor.finish(request.id(), Ok(back)), Ok(Finished::Done(_))));
     assert_eq!((points(&editor, 0).len(), points(&editor, 1).len()), (2, 32));
     assert_eq!(editor.document().objects()[1].mesh().face_count(), 128);
-    for (format, object) in [(Format::BezierCurve, 0), (Format::BezierSurface, 1)] {
+    for (format, object) in
+        [(Format::from_code("bzc").expect("a format"), 0), (Format::from_code("bez").expect("a format"), 1)]
+    {
         let request = editor.begin_export(format);
         let there = JobRequest::from_bytes(&request.to_bytes()).expect("its own bytes");
         let result = there.run(&mut |_| ControlFlow::Continue(())).expect("what the format holds");
         let Ok(Finished::Exported(files)) = editor.finish(request.id(), Ok(result)) else { panic!("files") };
         let import = editor::formats::read(&files, &mut |_| ControlFlow::Continue(())).expect("its own");
         assert_eq!(
-            import.objects[0].controls.as_ref().map(Controls::points),
-            Some(&*points(&editor, object))
+            import.model.objects[0].bezier.as_ref().map(|bezier| bezier.points()),
+            Some(points(&editor, object).to_vec())
         );
     }
 }
@@ -354,10 +356,8 @@ fn a_curve_of_thirty_thousand_points_is_edited_like_any_other() {
 
 #[test]
 fn many_patches_are_shown_coarsely() {
-    let surface = |patches: usize| {
-        let controls = Controls::Surface(vec![[[Vec3::ZERO; 4]; 4]; patches]);
-        Bezier::from(controls).preview_resolution()
-    };
+    let surface =
+        |patches: usize| Bezier::from_points(false, vec![Vec3::ZERO; patches * 16]).preview_resolution();
     assert_eq!([1, 312, 313, 5_000, 20_000, 1_000_000].map(surface), [8, 8, 7, 2, 1, 1]);
 }
 
@@ -406,18 +406,14 @@ proptest! {
 
 #[test]
 fn control_points_without_a_mesh_get_one_when_opened() {
-    let controls = Controls::Surface(vec![[[0.0, 1.0, 2.0, 3.0].map(|x| Vec3::new(x, 0.0, 0.0)); 4]; 1]);
-    let object = ImportedObject { controls: Some(controls), ..ImportedObject::new("line", Mesh::new()) };
-    let mut import = Import {
-        name: "line".into(),
-        objects: vec![object],
-        offset: glam::DVec3::ZERO,
-        materials: Default::default(),
-        report: ImportReport::default(),
-    };
+    let row = [0.0, 1.0, 2.0, 3.0].map(|x| Vec3::new(x, 0.0, 0.0));
+    let bezier = Some(std::sync::Arc::new(Bezier::from_points(false, row.repeat(4))));
+    let object = NamedMesh { bezier, ..NamedMesh::new("line", Mesh::new()) };
+    let model = Model { name: "line".into(), objects: vec![object], ..Model::default() };
+    let mut import = Import { model, report: ImportReport::default() };
     let mut editor = Editor::new();
     editor.open(import.clone()).expect("valid");
     validate(&editor);
     editor::show_controls(&mut import).expect("small");
-    assert_eq!(editor.mesh(), Some(&import.objects[0].mesh));
+    assert_eq!(editor.mesh(), Some(import.model.objects[0].mesh.as_ref()));
 }

@@ -196,7 +196,7 @@ fn a_file_written_during_a_drag_does_not_end_it() {
     editor
         .update_edit(command(json!({"op": "transform", "vertices": [7], "translate": [1, 0, 0]})))
         .expect("a move");
-    let request = editor.begin_export(Format::Obj);
+    let request = editor.begin_export(Format::default());
     let written = request.run(&mut |_| ControlFlow::Continue(()));
     assert!(matches!(editor.finish(request.id(), written), Ok(Finished::Exported(_))));
     assert!(editor.is_editing());
@@ -255,7 +255,7 @@ fn an_operation_on_the_whole_mesh_is_tried_and_kept_only_by_a_commit() {
     assert_eq!(editor.undo().expect("free").as_deref(), Some("Smooth"));
     assert_eq!((editor.document(), steps(&editor)), (&before, 2));
     tried(&mut editor);
-    let request = editor.begin_export(Format::Obj);
+    let request = editor.begin_export(Format::default());
     let written = request.run(&mut |_| ControlFlow::Continue(()));
     assert!(matches!(editor.finish(request.id(), written), Ok(Finished::Exported(_))));
     assert_eq!((editor.document(), steps(&editor)), (&before, 2), "what is saved is what was done");

@@ -133,7 +133,7 @@ fn an_offset_comes_with_the_document_and_goes_with_it() {
     let offset = editor.document().offset();
     assert!(offset.x > 4e6 && offset.y > 5e6, "{offset}");
     assert_eq!(editor.state()["document"]["offset"], json!(offset.to_array()));
-    let request = editor.begin_export(Format::Obj);
+    let request = editor.begin_export(Format::default());
     let there = JobRequest::from_bytes(&request.to_bytes()).expect("its own bytes");
     let result = there.run(&mut |_| ControlFlow::Continue(())).expect("writes");
     let Ok(Finished::Exported(files)) = editor.finish(request.id(), Ok(result)) else { panic!("files") };

@@ -2,7 +2,7 @@
 
 mod support;
 
-use editor::formats::{Format, NamedBytes};
+use editor::formats::{self, Format, NamedBytes};
 use editor::halfedge::{Element, Mesh, keys};
 use editor::{Begun, Command, Editor, ErrorKind, Finished, JobRequest, JobResult, SelectMode};
 use proptest::prelude::*;
@@ -221,14 +221,14 @@ fn files_open_and_are_written_through_jobs() {
     assert_eq!(sizes(&editor), [5, 8, 5]);
     assert!(!editor.is_dirty());
 
-    let request = editor.begin_export(Format::Obj);
+    let request = editor.begin_export(Format::default());
     let Ok(Finished::Exported(files)) = editor.finish(request.id(), Ok(through_bytes(&request))) else {
         panic!("exported")
     };
     assert_eq!(files[0].name, "pyramid.obj");
     let again =
         JobRequest::import(files).run(&mut on).expect("its own file").into_import().expect("an import");
-    assert_eq!(&again.objects[0].mesh.to_soup(), &editor.mesh().expect("it").to_soup());
+    assert_eq!(&again.model.objects[0].mesh.to_soup(), &editor.mesh().expect("it").to_soup());
 
     editor.undo().expect("free");
     assert_eq!(editor.document(), &before);
@@ -270,7 +270,7 @@ fn materials_go_along_from_a_file_to_a_file() {
     editor.finish(request.id(), Ok(through_bytes(&request))).expect("a model");
     assert_eq!(editor.document().materials().list.len(), 1);
     assert_eq!(editor.document().materials().images[0].bytes.as_deref(), Some(image.bytes.as_slice()));
-    let request = editor.begin_export(Format::Obj);
+    let request = editor.begin_export(Format::default());
     let Ok(Finished::Exported(files)) = editor.finish(request.id(), Ok(through_bytes(&request))) else {
         panic!("exported")
     };
@@ -284,11 +284,34 @@ fn materials_go_along_from_a_file_to_a_file() {
     assert_eq!(editor.document(), &before);
 }
 
+#[test]
+fn every_format_survives_the_way_to_the_worker() {
+    let mut editor = Editor::with_mesh("Cube", decorated());
+    for format in Format::all() {
+        let wanted = formats::write(format, &editor.document().to_model("Cube"));
+        let request = editor.begin_export_as(format, "Cube".into());
+        let there = JobRequest::from_bytes(&request.to_bytes()).expect("its own bytes");
+        match (there.run(&mut on), wanted) {
+            (Ok(result), Ok(wanted)) => {
+                let Ok(Finished::Exported(files)) = editor.finish(request.id(), Ok(result)) else {
+                    panic!("{format:?}: exported")
+                };
+                assert!(files == wanted, "{format:?}");
+            }
+            (Err(error), Err(wanted)) => {
+                assert!(format.is_bezier() && error.to_string().contains(&wanted.message), "{error}");
+                editor.finish(request.id(), Err(error)).expect_err("no control points");
+            }
+            (made, wanted) => panic!("{format:?}: {made:?}, not {wanted:?}"),
+        }
+    }
+}
+
 fn requests() -> Vec<Vec<u8>> {
     let mut editor = Editor::with_mesh("Cube", decorated());
     let run = job(editor.begin(command(json!({"op": "subdivide-linear", "levels": 6}))).expect("a cube"));
     let import = editor.begin_import(vec![NamedBytes::new("a.obj", OBJ)]);
-    let export = editor.begin_export(Format::Obj);
+    let export = editor.begin_export(Format::default());
     [run, import, export].map(|request| request.to_bytes()).into()
 }
 

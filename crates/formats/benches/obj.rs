@@ -1,7 +1,7 @@
 //! OBJ in and out at 10 thousand, 100 thousand and a million triangles, beside `tobj`.
 
 use criterion::{BenchmarkId, Criterion, Throughput, criterion_group, criterion_main};
-use formats::{Format, NamedBytes, ObjectRef};
+use formats::{Format, NamedBytes};
 use std::fmt::Write;
 use std::ops::ControlFlow;
 
@@ -49,10 +49,8 @@ fn obj(c: &mut Criterion) {
             b.iter(|| tobj::load_obj_buf(&mut text.as_bytes(), &options, |_| Ok(Default::default())));
         });
         if let Ok(import) = formats::read(&files, &mut |_| ControlFlow::Continue(())) {
-            let objects: Vec<ObjectRef> =
-                import.objects.iter().map(|object| ObjectRef::new(&object.name, &object.mesh)).collect();
             group.bench_function(BenchmarkId::new("write", &size), |b| {
-                b.iter(|| formats::write(Format::Obj, "torus", &objects));
+                b.iter(|| formats::write(Format::default(), &import.model));
             });
         }
     }

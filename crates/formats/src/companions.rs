@@ -1,86 +1,29 @@
 //! Companion files: files that a model needs besides itself, such as an OBJ's material libraries, their
 //! images, and a glTF's buffers.
 
-use crate::collada;
-use crate::format::{Format, is_material_library};
-use crate::gltf;
-use crate::import::NamedBytes;
-use crate::material::Image;
-use crate::obj;
+use crate::file::{NamedBytes, with_slashes};
+use crate::formats::Format;
 
-/// The names of the files that a model or a material library says it needs, as it has them, with folders:
+/// The names of the files that a model or a companion file says it needs, as it has them, with folders:
 /// relative to its own. A line of an OBJ that may mean one name with blanks or several gives all of
 /// them, so not every name need be there. A companion may have companions of its own. Costs a pass over
 /// the file.
 pub fn companions(file: &NamedBytes) -> Vec<String> {
+    let owner = || Format::all().find(|&format| is_companion(file, format));
+    let Some(format) = Format::detect(file).or_else(owner) else { return Vec::new() };
     let mut names: Vec<String> = Vec::new();
-    let mut add = |name: &str| {
-        let name = slashed(name.trim());
+    for name in (format.info().companions)(file) {
+        let name = with_slashes(name.trim());
         if !name.is_empty() && !names.contains(&name) {
             names.push(name);
         }
-    };
-    if is_material_library(file) {
-        obj::mtl::image_names(file).iter().for_each(|name| add(name));
-        return names;
-    }
-    match Format::detect(file) {
-        Some(Format::Obj) => {
-            let lines = file.bytes.split(|&b| b == b'\n').map(<[u8]>::trim_ascii_start);
-            for rest in lines.filter_map(|line| line.strip_prefix(b"mtllib")) {
-                let rest = String::from_utf8_lossy(rest);
-                add(&rest);
-                rest.split_whitespace().for_each(&mut add);
-            }
-        }
-        Some(Format::Collada) => collada::companions(file).iter().for_each(|name| add(name)),
-        Some(Format::Gltf | Format::Glb) => gltf::buffer_names(file).iter().for_each(|name| add(name)),
-        _ => {}
     }
     names
 }
 
-/// A path with `/` between folders.
-fn slashed(path: &str) -> String {
-    path.replace('\\', "/")
-}
-
-/// The given file that a model refers to by this name: the one at that path, or else the one of that
-/// name in any folder, in upper or lower case.
-pub(crate) fn find<'a>(name: &str, files: &'a [NamedBytes]) -> Option<&'a NamedBytes> {
-    let name = slashed(name);
-    let base = |path: &str| path.rsplit(['/', '\\']).next().unwrap_or(path).to_lowercase();
-    let exact = files.iter().find(|file| slashed(&file.name) == name);
-    exact.or_else(|| files.iter().find(|file| base(&file.name) == base(&name)))
-}
-
-/// The image that a model refers to by this name, with its contents where the file was given.
-pub(crate) fn image(name: &str, files: &[NamedBytes]) -> Image {
-    let bytes = find(name, files).map(|file| file.bytes.as_slice());
-    Image {
-        name: slashed(name),
-        media_type: Image::media_type_of(name, bytes.unwrap_or_default()),
-        bytes: bytes.map(Into::into),
-    }
-}
-
-/// The images whose contents are known as files beside a model, under the names by which it refers to
-/// them. An image outside the model's folder is left out.
-pub(crate) fn image_files<'a>(images: impl Iterator<Item = &'a Image>) -> Vec<NamedBytes> {
-    let is_inside = |name: &str| {
-        !name.is_empty()
-            && !name.contains(':')
-            && name.split('/').all(|part| !part.is_empty() && part != "." && part != "..")
-    };
-    let mut files: Vec<NamedBytes> = Vec::new();
-    for image in images.filter(|image| is_inside(&image.name)) {
-        if let Some(bytes) = &image.bytes
-            && !files.iter().any(|file| file.name == image.name)
-        {
-            files.push(NamedBytes::new(image.name.as_str(), bytes.to_vec()));
-        }
-    }
-    files
+/// Whether a file is by its name a companion file of models of this format.
+pub(crate) fn is_companion(file: &NamedBytes, format: Format) -> bool {
+    format.info().companion_extensions.iter().any(|(extension, _)| file.has_extension(extension))
 }
 
 /// Of the names that [`companions`] gives, those to report as missing when only the files that
@@ -96,14 +39,12 @@ pub fn missing<'a>(names: &'a [String], is_there: impl Fn(&str) -> bool) -> Vec<
     names.iter().map(String::as_str).filter(is_reported).collect()
 }
 
-/// Of the files that [`crate::write`] gave, the model as one that opens by itself: a `.gltf` has its data
-/// inside, an OBJ does without its materials. None where there are no files.
-pub fn alone(files: Vec<NamedBytes>) -> Option<NamedBytes> {
-    let mut files = files.into_iter();
-    let model = files.next()?;
-    match files.next() {
-        Some(data) if model.name.ends_with(".gltf") => Some(gltf::with_data(model, &data)),
-        _ => Some(model),
+/// Of the files that [`crate::write`] gave, the model as one file that opens by itself: a `.gltf` with its
+/// data inside, an OBJ without its materials. None where there are no files.
+pub fn single_file(files: Vec<NamedBytes>) -> Option<NamedBytes> {
+    match files.first().and_then(|model| Format::from_name(&model.name)) {
+        Some(format) => (format.info().single_file)(files),
+        None => files.into_iter().next(),
     }
 }
 
@@ -136,19 +77,5 @@ mod tests {
         assert_eq!(of("a.gltf", gltf), ["a b/cé.bin"]);
         assert_eq!(of("a.gltf", "{\"asset\": broken"), [""; 0]);
         assert_eq!(of("a.ply", "ply\n"), [""; 0]);
-    }
-
-    #[test]
-    fn images_are_written_only_inside_the_models_folder() {
-        let image = |name: &str| Image {
-            name: name.to_owned(),
-            bytes: Some([1].as_slice().into()),
-            ..Image::default()
-        };
-        let images = ["a.png", "x/b.png", "../c.png", "/d.png", "C:/e.png", "", "a.png"].map(image);
-        let without = Image { name: "f.png".to_owned(), ..Image::default() };
-        let names: Vec<String> =
-            image_files(images.iter().chain([&without])).into_iter().map(|file| file.name).collect();
-        assert_eq!(names, ["a.png", "x/b.png"]);
     }
 }

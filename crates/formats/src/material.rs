@@ -193,6 +193,8 @@ pub(crate) enum Property {
     AlphaMode,
     DoubleSided,
     Texture(TextureRole),
+    /// Statements of an MTL library that fill no field.
+    MtlStatements,
 }
 
 impl Property {
@@ -211,6 +213,7 @@ impl Property {
             Self::AlphaMode => "alpha mode",
             Self::DoubleSided => "double sided",
             Self::Texture(role) => role.name(),
+            Self::MtlStatements => "other MTL statements",
         }
     }
 }
@@ -405,31 +408,6 @@ impl Image {
     /// The image's name without folders.
     pub fn file_name(&self) -> &str {
         self.name.rsplit(['/', '\\']).next().unwrap_or_default()
-    }
-
-    /// The media type of an image file: by its content, else by its name.
-    pub(crate) fn media_type_of(name: &str, bytes: &[u8]) -> Option<String> {
-        let kind = match bytes {
-            [0x89, b'P', b'N', b'G', ..] => "png",
-            [0xff, 0xd8, 0xff, ..] => "jpeg",
-            [b'R', b'I', b'F', b'F', _, _, _, _, b'W', b'E', b'B', b'P', ..] => "webp",
-            [b'G', b'I', b'F', b'8', ..] => "gif",
-            [0xab, b'K', b'T', b'X', b' ', b'2', b'0', ..] => "ktx2",
-            [b'D', b'D', b'S', b' ', ..] => "vnd-ms.dds",
-            _ => match name.rsplit_once('.')?.1.to_ascii_lowercase().as_str() {
-                "png" => "png",
-                "jpg" | "jpeg" => "jpeg",
-                "webp" => "webp",
-                "gif" => "gif",
-                "bmp" => "bmp",
-                "tga" => "x-tga",
-                "tif" | "tiff" => "tiff",
-                "ktx2" => "ktx2",
-                "dds" => "vnd-ms.dds",
-                _ => return None,
-            },
-        };
-        Some(format!("image/{kind}"))
     }
 }
 

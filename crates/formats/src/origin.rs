@@ -5,7 +5,7 @@
 //! read a second time with coordinates in `f64`, from which an offset is taken before they are
 //! rounded. Writers add it again.
 
-use crate::import::ImportedObject;
+use crate::model::NamedMesh;
 use glam::{DVec3, Vec3};
 use halfedge::Mesh;
 
@@ -47,7 +47,7 @@ impl Bounds {
     /// What of a model's size coordinates may be off by without anyone minding.
     const TOLERANCE: f64 = 1e-6;
 
-    pub(crate) fn of(objects: &[ImportedObject]) -> Self {
+    pub(crate) fn of(objects: &[NamedMesh]) -> Self {
         let mut bounds = Self { low: DVec3::INFINITY, high: DVec3::NEG_INFINITY };
         let used = |mesh: &Mesh, v: halfedge::VertexId| mesh.halfedge_from(v).is_some();
         for mesh in objects.iter().map(|object| &object.mesh) {

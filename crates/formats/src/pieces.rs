@@ -1,6 +1,6 @@
 //! Several objects written as one mesh, for formats that hold one.
 
-use crate::export::ObjectRef;
+use crate::model::Model;
 use glam::{DVec3, Vec2, Vec3};
 use halfedge::attribute::{AttributeType, Key};
 use halfedge::{Color, FaceId, Mesh, keys};
@@ -10,8 +10,8 @@ use std::borrow::Cow;
 pub(crate) struct Pieces<'a> {
     /// The meshes, each with the number of its first vertex.
     pub meshes: Vec<(Cow<'a, Mesh>, u64)>,
-    /// What to add to the positions of each mesh.
-    offsets: Vec<DVec3>,
+    /// What to add to positions.
+    offset: DVec3,
     /// How many vertices all have.
     pub vertices: u64,
     /// How many faces all have.
@@ -19,14 +19,14 @@ pub(crate) struct Pieces<'a> {
 }
 
 impl<'a> Pieces<'a> {
-    pub(crate) fn new(objects: &[ObjectRef<'a>]) -> Self {
+    pub(crate) fn new(model: &'a Model) -> Self {
         let mut pieces = Self {
-            meshes: Vec::with_capacity(objects.len()),
-            offsets: objects.iter().map(|object| object.offset).collect(),
+            meshes: Vec::with_capacity(model.objects.len()),
+            offset: model.offset,
             vertices: 0,
             faces: 0,
         };
-        for object in objects {
+        for object in &model.objects {
             let mesh = object.mesh.to_compact();
             let first = pieces.vertices;
             pieces.vertices += mesh.vertex_count() as u64;
@@ -38,14 +38,13 @@ impl<'a> Pieces<'a> {
 
     /// All positions in order, each with what is to be added to it.
     pub(crate) fn positions(&self) -> impl Iterator<Item = (Vec3, DVec3)> + '_ {
-        let meshes = self.meshes.iter().zip(&self.offsets);
-        meshes
-            .flat_map(|((mesh, _), &offset)| mesh.positions().iter().map(move |&position| (position, offset)))
+        let positions = self.meshes.iter().flat_map(|(mesh, _)| mesh.positions());
+        positions.map(|&position| (position, self.offset))
     }
 
     /// Whether something is to be added to positions, which takes numbers in double precision.
     pub(crate) fn is_far(&self) -> bool {
-        self.offsets.iter().any(|&offset| offset != DVec3::ZERO)
+        self.offset != DVec3::ZERO && !self.meshes.is_empty()
     }
 
     /// All faces in order, each with its mesh and the number of that mesh's first vertex.

@@ -3,11 +3,12 @@
 //! The build itself (`halfedge::Mesh::build`) separates faces where more than two meet at an edge
 //! and turns faces so that neighbours agree. What is chosen otherwise is done to the soup before.
 
+use crate::labels::tidy_labels;
 use crate::number::shortest;
 use crate::report::{Places, counted};
 use halfedge::attribute::Column;
 use halfedge::geometry::{MergedPoints, UnionFind, merge_points};
-use halfedge::{Mesh, NONE, PolygonSoup, TooLarge};
+use halfedge::{Built, Mesh, NONE, PolygonSoup, TooLarge};
 use serde::{Deserialize, Serialize};
 use std::collections::{HashMap, HashSet};
 
@@ -50,32 +51,47 @@ pub enum NonManifold {
 /// # Errors
 /// [`TooLarge`] when ids would run out.
 pub fn rebuild(soup: &PolygonSoup, repairs: &Repairs) -> Result<(Mesh, Vec<String>), TooLarge> {
-    let mut notes = Vec::new();
-    let mesh = build(soup.clone(), repairs, &mut notes)?;
-    Ok((mesh, notes))
+    let mut soup = soup.clone();
+    let mut notes = repair(&mut soup, repairs);
+    let built = finish(soup, &mut notes)?;
+    Ok((built.mesh, notes))
 }
 
+/// [`rebuild`] of a soup that is not needed otherwise: gives it back where something was changed.
 pub(crate) fn build(
     mut soup: PolygonSoup,
     repairs: &Repairs,
-    notes: &mut Vec<String>,
-) -> Result<Mesh, TooLarge> {
+) -> Result<(Mesh, Vec<String>, Option<PolygonSoup>), TooLarge> {
+    // The build itself gives back what it changes.
+    let given = (*repairs != Repairs::default()).then(|| soup.clone());
+    let mut notes = repair(&mut soup, repairs);
+    let built = finish(soup, &mut notes)?;
+    let original = if notes.is_empty() { None } else { given.or(built.original) };
+    Ok((built.mesh, notes, original))
+}
+
+/// What is chosen otherwise than the build does it; gives what was changed.
+fn repair(soup: &mut PolygonSoup, repairs: &Repairs) -> Vec<String> {
+    let mut notes = Vec::new();
     if let Some(distance) = repairs.merge_by_distance {
-        merge(&mut soup, distance.max(0.0), notes);
+        merge(soup, distance.max(0.0), &mut notes);
     }
     if repairs.non_manifold == NonManifold::Drop {
-        drop_non_manifold(&mut soup, notes);
+        drop_non_manifold(soup, &mut notes);
     }
     if !repairs.orient {
-        part_disagreeing(&mut soup, notes);
+        part_disagreeing(soup, &mut notes);
     }
-    let built = Mesh::build(soup)?;
-    let mut mesh = built.mesh;
+    notes
+}
+
+fn finish(soup: PolygonSoup, notes: &mut Vec<String>) -> Result<Built, TooLarge> {
+    let mut built = Mesh::build(soup)?;
     if !built.notes.is_empty() || !notes.is_empty() {
-        crate::soup::tidy_labels(&mut mesh);
+        tidy_labels(&mut built.mesh);
     }
     notes.extend(built.notes.iter().map(ToString::to_string));
-    Ok(mesh)
+    Ok(built)
 }
 
 /// Merges vertices within the distance of each other, as the operation `merge-by-distance` does.

@@ -1,6 +1,6 @@
 //! Words and numbers of a text file, one after the other.
 
-use crate::import::ReadError;
+use crate::error::ReadError;
 use crate::number;
 use crate::origin::Origin;
 use glam::{DVec3, Vec3};

@@ -1,8 +1,8 @@
 //! Changes to polygon soups that several formats need.
 
 use glam::{DMat3, DMat4};
+use halfedge::PolygonSoup;
 use halfedge::attribute::{AttributeType, Column, Key};
-use halfedge::{Element, Mesh, NONE, PolygonSoup, keys};
 
 /// Whether a transform mirrors: shapes come out inside out, unless their faces go the other way round
 /// (glTF 2.0, 3.7.4).
@@ -37,46 +37,17 @@ pub(crate) fn drop_faces(soup: &mut PolygonSoup, dropped: &[u32]) {
     soup.face_starts = face_starts;
 }
 
-/// Leaves out labels that no face has and numbers the rest in order of first use: after faces were
-/// dropped, so that the mesh written and read again is the same.
-pub(crate) fn tidy_labels(mesh: &mut Mesh) {
-    for key in [keys::FACE_GROUP, keys::FACE_MATERIAL] {
-        let Some(column) = mesh.column(Element::Face, key.name) else { continue };
-        let Some(values) = mesh.attribute(key) else { continue };
-        let tidy = labelled(key, values.to_vec(), &column.labels);
-        mesh.insert_column(Element::Face, tidy);
-    }
-}
-
 /// A column of corners from values of vertices, as far as those are there.
 pub(crate) fn of_vertices<T: AttributeType>(soup: &PolygonSoup, key: Key<T>, values: &[T]) -> Column {
     let corner = |&v: &u32| values.get(v as usize).copied().unwrap_or(key.default);
     Column::with_values(key, soup.corners.iter().map(corner).collect())
 }
 
-/// A labelled column: `values` are numbers of `names` or [`NONE`]; labels no value uses are left
-/// out and the rest numbered in order of first use.
-pub(crate) fn labelled(key: Key<u32>, mut values: Vec<u32>, names: &[String]) -> Column {
-    let mut labels = Vec::new();
-    let mut renumbered = vec![NONE; names.len()];
-    for value in &mut values {
-        let Some((number, name)) = renumbered.get_mut(*value as usize).zip(names.get(*value as usize)) else {
-            *value = NONE;
-            continue;
-        };
-        if *number == NONE {
-            *number = labels.len() as u32;
-            labels.push(name.clone());
-        }
-        *value = *number;
-    }
-    Column { labels, ..Column::with_values(key, values) }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
     use glam::Vec3;
+    use halfedge::keys;
 
     #[test]
     fn dropped_faces_take_their_attributes_along() {

@@ -3,18 +3,18 @@
 
 mod common;
 
-use common::{load, read};
-use formats::{Controls, Format, Import, NamedBytes, ObjectRef};
+use common::{bezier, by_code, load, read};
+use formats::{Bezier, Format, Import, Model, NamedBytes, NamedMesh};
 use glam::Vec3;
 use halfedge::{Mesh, PolygonSoup};
 use proptest::prelude::*;
 
 fixtures::shared_tests!(course_files_read_and_round_trip);
 
-fn controls(import: &Import) -> &Controls {
-    assert_eq!(import.objects.len(), 1);
-    assert_eq!(import.objects[0].mesh, Mesh::new());
-    import.objects[0].controls.as_ref().expect("control points")
+fn controls(import: &Import) -> &Bezier {
+    assert_eq!(import.model.objects.len(), 1);
+    assert_eq!(*import.model.objects[0].mesh, Mesh::new());
+    import.model.objects[0].bezier.as_deref().expect("control points")
 }
 
 fn read_text(name: &str, text: &str) -> Import {
@@ -25,20 +25,24 @@ fn error(name: &str, text: &str) -> String {
     read(&[NamedBytes::new(name, text)]).expect_err("not a Bezier file").to_string()
 }
 
-fn write(format: Format, controls: &Controls) -> Vec<NamedBytes> {
-    let empty = Mesh::new();
-    let object = ObjectRef { controls: Some(controls), ..ObjectRef::new("x", &empty) };
-    formats::write(format, "test", &[object]).expect("what the format holds")
+fn write(format: Format, controls: &Bezier) -> Vec<NamedBytes> {
+    let objects = vec![bezier("x", controls)];
+    let model = Model { name: "test".to_owned(), objects, ..Model::default() };
+    formats::write(format, &model).expect("what the format holds")
 }
 
-/// `count` patches with points that are all different.
-fn patches(count: usize) -> Vec<[[Vec3; 4]; 4]> {
+fn curve(points: Vec<Vec3>) -> Bezier {
+    Bezier::from_points(true, points)
+}
+
+/// A surface of `count` patches with points that are all different.
+fn surface(count: usize) -> Bezier {
     let mut next = 0.0f32;
     let mut point = || {
         next += 0.1;
         Vec3::new(next, -next / 3.0, next * 1e-20)
     };
-    (0..count).map(|_| [(); 4].map(|()| [(); 4].map(|()| point()))).collect()
+    Bezier::from_points(false, (0..count * 16).map(|_| point()).collect())
 }
 
 #[test]
@@ -46,23 +50,21 @@ fn a_curve_is_a_count_and_pairs_or_triples() {
     let plane = read_text("a.bzc", "3\n0 1  2 3\r\n\n4.5e0 -5");
     assert_eq!(
         controls(&plane),
-        &Controls::Curve(vec![Vec3::new(0.0, 1.0, 0.0), Vec3::new(2.0, 3.0, 0.0), Vec3::new(4.5, -5.0, 0.0)])
+        &curve(vec![Vec3::new(0.0, 1.0, 0.0), Vec3::new(2.0, 3.0, 0.0), Vec3::new(4.5, -5.0, 0.0)])
     );
     assert_eq!(plane.report.to_string(), "Read a Bezier curve of 3 control points as BZC\n");
     let space = read_text("a.bzc", "2 1 2 3 4 5 6");
-    assert_eq!(controls(&space), &Controls::Curve(vec![Vec3::new(1.0, 2.0, 3.0), Vec3::new(4.0, 5.0, 6.0)]));
-    assert_eq!(controls(&read_text("a.bzc", "1 7 8")), &Controls::Curve(vec![Vec3::new(7.0, 8.0, 0.0)]));
+    assert_eq!(controls(&space), &curve(vec![Vec3::new(1.0, 2.0, 3.0), Vec3::new(4.0, 5.0, 6.0)]));
+    assert_eq!(controls(&read_text("a.bzc", "1 7 8")), &curve(vec![Vec3::new(7.0, 8.0, 0.0)]));
 }
 
 #[test]
 fn content_tells_curves_and_surfaces_apart_whatever_the_name() {
     let curve = "4\n0 0 1 1 2 1 3 0";
-    let surface =
-        String::from_utf8(write(Format::BezierSurface, &Controls::Surface(patches(2)))[0].bytes.clone())
-            .expect("ASCII");
+    let surface = String::from_utf8(write(by_code("bez"), &surface(2))[0].bytes.clone()).expect("ASCII");
     for name in ["pasted", "a.bez", "a.bzc", "a.txt"] {
-        assert!(controls(&read_text(name, curve)).is_curve(), "{name}");
-        assert!(!controls(&read_text(name, &surface)).is_curve(), "{name}");
+        assert!(controls(&read_text(name, curve)).curve().is_some(), "{name}");
+        assert!(controls(&read_text(name, &surface)).curve().is_none(), "{name}");
     }
     // Numbers alone are not enough.
     assert!(error("pasted", "4\n0 0 1 1 2 1 3").contains("is not a model"));
@@ -97,14 +99,14 @@ fn a_curve_may_have_any_number_of_control_points() {
     assert_eq!(controls(&import).points().len(), 30_000);
     assert_eq!(controls(&import).points()[29_999], Vec3::new(29_999.0, 4.0, 0.0));
     assert_eq!(
-        controls(&read(&write(Format::BezierCurve, controls(&import))).expect("its own")),
+        controls(&read(&write(by_code("bzc"), controls(&import))).expect("its own")),
         controls(&import)
     );
 }
 
 #[test]
 fn numbers_left_over_are_told() {
-    let plane = Controls::Curve(vec![Vec3::ZERO, Vec3::new(1.0, 1.0, 0.0)]);
+    let plane = curve(vec![Vec3::ZERO, Vec3::new(1.0, 1.0, 0.0)]);
     for (text, said) in
         [("2\n0 0\n1 1\n2 2\n", "2 numbers"), ("2\n0 0\n1 1 # x\n\n2 2\n3 3\n4 4", "6 numbers")]
     {
@@ -114,11 +116,11 @@ fn numbers_left_over_are_told() {
         assert_eq!(warnings, [format!("{said} after the last of the 2 control points left out")]);
     }
     let import = read_text("a.bzc", "1\n0 0 1\n2 2 2");
-    assert_eq!(controls(&import), &Controls::Curve(vec![Vec3::Z]));
+    assert_eq!(controls(&import), &curve(vec![Vec3::Z]));
     assert!(import.report.to_string().contains("3 numbers after the last of the 1 control point left out"));
     // As many as the count says in space, and no lines that say otherwise: nothing is left out.
     let import = read_text("a.bzc", "2\n0 0 1 1 2 2");
-    assert_eq!(controls(&import), &Controls::Curve(vec![Vec3::Z, Vec3::new(1.0, 2.0, 2.0)]));
+    assert_eq!(controls(&import), &curve(vec![Vec3::Z, Vec3::new(1.0, 2.0, 2.0)]));
     assert!(import.report.is_clean());
     assert!(import.report.to_string().contains("in space: there are three numbers"), "{}", import.report);
     // Neither: nothing tells which are meant.
@@ -128,7 +130,7 @@ fn numbers_left_over_are_told() {
 #[test]
 fn a_surface_by_name_that_is_read_as_a_curve_says_so() {
     let import = read_text("s.bez", "1\n0 0 0\n");
-    assert!(controls(&import).is_curve());
+    assert!(controls(&import).curve().is_some());
     let warnings: Vec<&str> = import.report.warnings().collect();
     assert!(warnings.len() == 1 && warnings[0].contains("it ends early: 3 numbers follow"), "{warnings:?}");
     assert!(read_text("s.bzc", "1\n0 0 0\n").report.is_clean());
@@ -136,16 +138,16 @@ fn a_surface_by_name_that_is_read_as_a_curve_says_so() {
 
 #[test]
 fn early_ends_keep_whole_patches() {
-    let whole = write(Format::BezierSurface, &Controls::Surface(patches(3))).remove(0).bytes;
+    let whole = write(by_code("bez"), &surface(3)).remove(0).bytes;
     let mut text = String::from_utf8(whole).expect("ASCII");
     text.push_str("7 8");
     let import = read_text("a.bez", &text);
     assert!(import.report.to_string().contains("2 numbers after the last of the 3 patches left out"));
-    assert_eq!(controls(&import), &Controls::Surface(patches(3)));
+    assert_eq!(controls(&import), &surface(3));
     let half = text.trim_end().rsplitn(4, '\n').last().expect("lines");
     let import = read_text("a.bez", half);
     assert!(import.report.to_string().contains("The file ends early: 2 of 3 patches are there"));
-    assert_eq!(controls(&import), &Controls::Surface(patches(2)));
+    assert_eq!(controls(&import), &surface(2));
 }
 
 fn course_files_read_and_round_trip() {
@@ -155,7 +157,7 @@ fn course_files_read_and_round_trip() {
         assert!(import.report.is_clean());
         let points = controls(&import).points().len();
         assert_eq!(points, if file.name == "curve1.bzc" { 4 } else { 5 });
-        let written = write(Format::BezierCurve, controls(&import));
+        let written = write(by_code("bzc"), controls(&import));
         assert_eq!(controls(&read(&written).expect("its own")), controls(&import));
         let numbers = |bytes: &[u8]| -> Vec<f32> {
             String::from_utf8_lossy(bytes).split_whitespace().map(|w| w.parse().expect("a number")).collect()
@@ -165,10 +167,10 @@ fn course_files_read_and_round_trip() {
     for path in fixtures::shared_files("models/cs184", "bez") {
         let import = read(&[load(&path)]).expect("a surface");
         assert!(import.report.is_clean());
-        let Controls::Surface(patches) = controls(&import) else { panic!("a surface") };
+        let Bezier::Surface(patches) = controls(&import) else { panic!("a surface") };
         assert_eq!(patches.len(), 32);
-        assert_eq!(patches[0][0][1], Vec3::new(1.4, -0.784, 2.4));
-        let written = write(Format::BezierSurface, controls(&import));
+        assert_eq!(patches[0].rows[0][1], Vec3::new(1.4, -0.784, 2.4));
+        let written = write(by_code("bez"), controls(&import));
         assert_eq!(controls(&read(&written).expect("its own")), controls(&import));
     }
 }
@@ -177,44 +179,38 @@ fn course_files_read_and_round_trip() {
 fn formats_hold_what_they_hold_and_say_the_rest() {
     let triangle =
         Mesh::build(PolygonSoup::new(vec![Vec3::ZERO, Vec3::X, Vec3::Y], &[[0, 1, 2]])).expect("small").mesh;
-    let empty = Mesh::new();
-    let (curve, surface) = (Controls::Curve(vec![Vec3::X]), Controls::Surface(patches(1)));
-    let objects = [
-        ObjectRef::new("mesh", &triangle),
-        ObjectRef { controls: Some(&curve), ..ObjectRef::new("curve", &empty) },
-        ObjectRef { controls: Some(&surface), ..ObjectRef::new("surface", &triangle) },
-    ];
+    let shown = NamedMesh { mesh: triangle.clone().into(), ..bezier("surface", &surface(1)) };
+    let objects = [NamedMesh::new("mesh", triangle), bezier("curve", &curve(vec![Vec3::X])), shown];
+    let model =
+        |objects: &[NamedMesh]| Model { name: "x".to_owned(), objects: objects.to_vec(), ..Model::default() };
     assert_eq!(
-        formats::losses(Format::BezierSurface, &objects),
+        formats::losses(by_code("bez"), &model(&objects)),
         [
             "BEZ holds only Bezier surfaces: mesh is left out",
             "BEZ holds only Bezier surfaces: curve is left out"
         ]
     );
     assert_eq!(
-        formats::losses(Format::Obj, &objects),
+        formats::losses(by_code("obj"), &model(&objects)),
         [
             "OBJ holds no Bezier curves: curve is left out",
             "OBJ holds no control points: of surface the mesh of 1 face is written that shows it"
         ]
     );
-    let refused = |format, objects: &[ObjectRef]| {
-        formats::write(format, "x", objects).expect_err("nothing to write").message
+    let refused = |format, objects: &[NamedMesh]| {
+        formats::write(format, &model(objects)).expect_err("nothing to write").message
     };
-    assert!(refused(Format::Obj, &objects[1..2]).contains("save it as BZC"));
-    assert!(refused(Format::BezierCurve, &objects[..1]).contains("no Bezier curve"));
-    assert!(refused(Format::BezierSurface, &objects[..2]).contains("no Bezier surface"));
+    assert!(refused(by_code("obj"), &objects[1..2]).contains("save it as BZC"));
+    assert!(refused(by_code("bzc"), &objects[..1]).contains("no Bezier curve"));
+    assert!(refused(by_code("bez"), &objects[..2]).contains("no Bezier surface"));
     // Two curves are two files, each of which reads.
-    let both = [objects[1], objects[1]];
-    let names: Vec<String> = formats::write(Format::BezierCurve, "x", &both)
-        .expect("curves")
-        .into_iter()
-        .map(|f| f.name)
-        .collect();
+    let both = model(&[objects[1].clone(), objects[1].clone()]);
+    let names: Vec<String> =
+        formats::write(by_code("bzc"), &both).expect("curves").into_iter().map(|f| f.name).collect();
     assert_eq!(names, ["x.bzc", "x-2.bzc"]);
-    assert_eq!(formats::losses(Format::BezierCurve, &both), ["BZC holds one curve: 2 curves go to 2 files"]);
-    let import = read(&formats::write(Format::Obj, "x", &objects).expect("meshes")).expect("its own");
-    assert_eq!(import.objects[0].mesh.face_count(), 2);
+    assert_eq!(formats::losses(by_code("bzc"), &both), ["BZC holds one curve: 2 curves go to 2 files"]);
+    let import = read(&formats::write(by_code("obj"), &model(&objects)).expect("meshes")).expect("its own");
+    assert_eq!(import.model.objects[0].mesh.face_count(), 2);
 }
 
 fn coordinates() -> impl Strategy<Value = Vec3> {
@@ -222,7 +218,7 @@ fn coordinates() -> impl Strategy<Value = Vec3> {
     (number(), number(), number()).prop_map(Vec3::from)
 }
 
-fn bits(controls: &Controls) -> Vec<[u32; 3]> {
+fn bits(controls: &Bezier) -> Vec<[u32; 3]> {
     controls.points().iter().map(|p| p.to_array().map(f32::to_bits)).collect()
 }
 
@@ -230,25 +226,25 @@ proptest! {
     #[test]
     fn written_curves_and_surfaces_read_back(points in prop::collection::vec(coordinates(), 1..70), plane: bool) {
         let flat = |p: &Vec3| if plane { Vec3::new(p.x, p.y, 0.0) } else { *p };
-        let curve = Controls::Curve(points.iter().map(flat).collect());
-        let back = read(&write(Format::BezierCurve, &curve)).expect("its own");
+        let curve = curve(points.iter().map(flat).collect());
+        let back = read(&write(by_code("bzc"), &curve)).expect("its own");
         prop_assert_eq!(bits(controls(&back)), bits(&curve));
-        let surface = Controls::from_points(false, points);
+        let surface = Bezier::from_points(false, points);
         if !surface.points().is_empty() {
-            let back = read(&write(Format::BezierSurface, &surface)).expect("its own");
+            let back = read(&write(by_code("bez"), &surface)).expect("its own");
             prop_assert_eq!(bits(controls(&back)), bits(&surface));
         }
     }
 
     #[test]
     fn damaged_files_never_panic(
-        surface: bool,
+        of_surface: bool,
         edits in prop::collection::vec((any::<prop::sample::Index>(), any::<u8>(), 0u8..4), 1..8),
     ) {
-        let (format, sample) = if surface {
-            (Format::BezierSurface, Controls::Surface(patches(2)))
+        let (format, sample) = if of_surface {
+            (by_code("bez"), surface(2))
         } else {
-            (Format::BezierCurve, Controls::Curve(patches(1)[0].concat()))
+            (by_code("bzc"), curve(surface(1).points()))
         };
         let mut bytes = write(format, &sample).remove(0).bytes;
         for (at, value, kind) in edits {
@@ -265,7 +261,7 @@ proptest! {
         }
         for name in ["a", "a.bez", "a.bzc"] {
             if let Ok(import) = read(&[NamedBytes::new(name, bytes.clone())])
-                && let Some(controls) = &import.objects[0].controls
+                && let Some(controls) = &import.model.objects[0].bezier
             {
                 prop_assert!(controls.points().iter().all(|p| p.is_finite()));
             }

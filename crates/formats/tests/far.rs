@@ -2,8 +2,8 @@
 
 mod common;
 
-use common::{mesh, objects, read};
-use formats::{Format, Import, NamedBytes};
+use common::{by_code, mesh, read, renamed};
+use formats::{Import, NamedBytes};
 use glam::DVec3;
 
 /// A roof in map coordinates, some two meters wide, with millimeters.
@@ -31,7 +31,9 @@ fn corners(import: &Import) -> Vec<DVec3> {
     let mesh = mesh(import);
     mesh.faces()
         .flat_map(|f| {
-            mesh.face_vertices(f).map(|v| mesh.position(v).as_dvec3() + import.offset).collect::<Vec<_>>()
+            mesh.face_vertices(f)
+                .map(|v| mesh.position(v).as_dvec3() + import.model.offset)
+                .collect::<Vec<_>>()
         })
         .collect()
 }
@@ -54,21 +56,21 @@ fn check(import: &Import, what: &str) {
 #[test]
 fn digits_survive_reading_and_writing_in_every_format() {
     let import = read_text("roof.obj", obj());
-    assert_eq!(import.offset.fract(), DVec3::ZERO);
-    assert_eq!(import.offset.z, 0.0, "12 is not far for two meters");
+    assert_eq!(import.model.offset.fract(), DVec3::ZERO);
+    assert_eq!(import.model.offset.z, 0.0, "12 is not far for two meters");
     check(&import, "OBJ");
-    for format in [Format::Obj, Format::Ply, Format::PlyText, Format::Off, Format::Collada] {
-        let files = formats::write(format, "roof", &objects(&import)).expect("small");
+    for format in [by_code("obj"), by_code("ply"), by_code("ply-text"), by_code("off"), by_code("dae")] {
+        let files = formats::write(format, &renamed(&import, "roof")).expect("small");
         let back = read(&files).expect("its own");
         check(&back, format.name());
-        assert_eq!(back.offset, import.offset, "{format:?}");
+        assert_eq!(back.model.offset, import.model.offset, "{format:?}");
         assert!(mesh(&back) == mesh(&import), "{format:?}: to the bit");
     }
     // Formats of triangles.
-    for format in [Format::Glb, Format::Gltf, Format::StlText] {
-        let files = formats::write(format, "roof", &objects(&import)).expect("small");
+    for format in [by_code("glb"), by_code("gltf"), by_code("stl-text")] {
+        let files = formats::write(format, &renamed(&import, "roof")).expect("small");
         let back = read(&files).expect("its own");
-        assert_eq!((back.offset, mesh(&back).vertex_count()), (import.offset, 5), "{format:?}");
+        assert_eq!((back.model.offset, mesh(&back).vertex_count()), (import.model.offset, 5), "{format:?}");
         let places = |import: &Import| {
             let mut places: Vec<[u32; 3]> =
                 mesh(import).positions().iter().map(|p| p.to_array().map(f32::to_bits)).collect();
@@ -77,12 +79,12 @@ fn digits_survive_reading_and_writing_in_every_format() {
         };
         assert_eq!(places(&back), places(&import), "{format:?}");
     }
-    let lost = formats::losses(Format::Stl, &objects(&import)).join("\n");
+    let lost = formats::losses(by_code("stl"), &import.model).join("\n");
     assert!(lost.contains("positions so far from the origin are rounded"), "{lost}");
-    let files = formats::write(Format::Stl, "roof", &objects(&import)).expect("small");
+    let files = formats::write(by_code("stl"), &renamed(&import, "roof")).expect("small");
     let back = read(&files).expect("its own");
-    assert_eq!(back.offset, DVec3::ZERO, "32 bits have no more digits to keep");
-    let json = formats::write(Format::Json, "roof", &objects(&import)).expect("small").remove(0);
+    assert_eq!(back.model.offset, DVec3::ZERO, "32 bits have no more digits to keep");
+    let json = formats::write(by_code("json"), &renamed(&import, "roof")).expect("small").remove(0);
     let value: serde_json::Value = serde_json::from_slice(&json.bytes).expect("JSON");
     let x = value["positions"][0][0].as_f64().expect("a number");
     assert!((x - ROOF[0][0]).abs() < 3e-7, "{x}");
@@ -92,14 +94,14 @@ fn digits_survive_reading_and_writing_in_every_format() {
 fn what_32_bits_hold_stays_where_it_is() {
     // Far away, but whole numbers.
     let import = read_text("a.obj", "v 5000000 0 0\nv 5000001 0 0\nv 5000000 1 0\nf 1 2 3\n");
-    assert_eq!(import.offset, DVec3::ZERO);
+    assert_eq!(import.model.offset, DVec3::ZERO);
     assert_eq!(mesh(&import).positions()[1].x, 5_000_001.0);
     // Near, whatever the digits.
     let import = read_text("a.obj", "v 0.1 0 0\nv 1.1 0 0\nv 0.1 1 0\nf 1 2 3\n");
-    assert_eq!(import.offset, DVec3::ZERO);
+    assert_eq!(import.model.offset, DVec3::ZERO);
     // A vertex that no face uses does not count.
     let import = read_text("a.obj", format!("{}v 0 0 0\n", obj()));
-    assert_ne!(import.offset, DVec3::ZERO);
+    assert_ne!(import.model.offset, DVec3::ZERO);
 }
 
 #[test]
@@ -117,8 +119,8 @@ fn a_node_far_away_keeps_the_digits_of_its_mesh() {
     };
     let near = read_text("a.dae", dae(""));
     let far = read_text("a.dae", dae("<translate>4000000.5 0 0</translate>"));
-    assert_eq!(near.offset, DVec3::ZERO);
-    assert_ne!(far.offset, DVec3::ZERO);
+    assert_eq!(near.model.offset, DVec3::ZERO);
+    assert_ne!(far.model.offset, DVec3::ZERO);
     for (a, b) in corners(&near).iter().zip(corners(&far)) {
         assert!((*a + DVec3::new(4_000_000.5, 0.0, 0.0)).distance(b) < 1e-9, "{a} {b}");
     }
@@ -128,8 +130,9 @@ fn a_node_far_away_keeps_the_digits_of_its_mesh() {
 fn files_opened_together_share_an_offset() {
     let moved = obj().replace("4458", "4459");
     let import = read(&[NamedBytes::new("a.obj", obj()), NamedBytes::new("b.obj", moved)]).expect("readable");
-    assert_eq!(import.objects.len(), 2);
+    assert_eq!(import.model.objects.len(), 2);
     // A kilometer apart, but kept with more digits than they would have there.
-    let x = |object: usize| f64::from(import.objects[object].mesh.positions()[0].x) + import.offset.x;
+    let x =
+        |object: usize| f64::from(import.model.objects[object].mesh.positions()[0].x) + import.model.offset.x;
     assert!((x(1) - x(0) - 1000.0).abs() < 1e-4, "{} {}", x(0), x(1));
 }

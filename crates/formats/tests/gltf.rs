@@ -2,8 +2,8 @@
 
 mod common;
 
-use common::{load, mesh, read};
-use formats::{Format, NamedBytes, ObjectRef};
+use common::{by_code, load, mesh, model, read};
+use formats::{Format, NamedBytes};
 use glam::{Vec2, Vec3};
 use halfedge::attribute::{Column, keys};
 use halfedge::{Color, Element, Mesh, PolygonSoup, VertexId};
@@ -11,7 +11,9 @@ use proptest::prelude::*;
 
 fixtures::shared_tests!(shared_triangle_models_round_trip);
 
-const BOTH: [Format; 2] = [Format::Glb, Format::Gltf];
+fn both() -> [Format; 2] {
+    ["glb", "gltf"].map(by_code)
+}
 
 /// An octahedron with a uv and a normal at each corner, so that files split its vertices.
 fn octahedron() -> Mesh {
@@ -28,13 +30,13 @@ fn octahedron() -> Mesh {
 #[test]
 fn split_vertices_become_one_again() {
     let mesh_in = octahedron();
-    for format in BOTH {
-        let objects = [ObjectRef::new("a", &mesh_in), ObjectRef::new("b", &mesh_in)];
-        let files = formats::write(format, "two", &objects).expect("small");
+    for format in both() {
+        let files =
+            formats::write(format, &model("two", &[("a", &mesh_in), ("b", &mesh_in)])).expect("small");
         let import = read(&files).expect("readable");
         assert!(import.report.is_clean(), "{}", import.report);
-        assert_eq!(import.objects.iter().map(|o| o.name.as_str()).collect::<Vec<_>>(), ["a", "b"]);
-        for object in &import.objects {
+        assert_eq!(import.model.objects.iter().map(|o| o.name.as_str()).collect::<Vec<_>>(), ["a", "b"]);
+        for object in &import.model.objects {
             object.mesh.validate().expect("valid");
             let (back, given) = (object.mesh.to_soup(), mesh_in.to_soup());
             assert!(back.positions == given.positions && back.corners == given.corners, "{format:?}");
@@ -50,14 +52,14 @@ fn split_vertices_become_one_again() {
 #[test]
 fn a_model_alone_opens_by_itself() {
     let mesh_in = octahedron();
-    for format in BOTH.into_iter().chain([Format::Obj]) {
-        let files = formats::write(format, "two", &[ObjectRef::new("a", &mesh_in)]).expect("small");
-        let alone = formats::alone(files).expect("there is one");
+    for format in both().into_iter().chain([by_code("obj")]) {
+        let files = formats::write(format, &model("two", &[("a", &mesh_in)])).expect("small");
+        let alone = formats::single_file(files).expect("there is one");
         let import = read(&[alone]).expect("readable");
-        assert_eq!(import.objects[0].mesh.face_count(), 8, "{format:?}");
+        assert_eq!(import.model.objects[0].mesh.face_count(), 8, "{format:?}");
     }
-    let empty = formats::write(Format::Gltf, "none", &[]).expect("small");
-    assert!(formats::alone(empty).is_some() && formats::alone(Vec::new()).is_none());
+    let empty = formats::write(by_code("gltf"), &model("none", &[])).expect("small");
+    assert!(formats::single_file(empty).is_some() && formats::single_file(Vec::new()).is_none());
 }
 
 /// Two squares side by side whose border vertices are at the same places but not the same, and a vertex
@@ -73,21 +75,21 @@ fn seam() -> Mesh {
 
 #[test]
 fn vertices_at_one_place_and_in_no_face_stay_as_they_are() {
-    for format in BOTH {
-        assert_eq!(formats::losses(format, &[ObjectRef::new("a", &seam())]), [""; 0]);
+    for format in both() {
+        assert_eq!(formats::losses(format, &model("", &[("a", &seam())])), [""; 0]);
         let import = read(&common::write(format, &seam())).expect("readable");
         assert!(import.report.is_clean(), "{}", import.report);
         assert!(mesh(&import) == &seam(), "{format:?}");
     }
     // Only files that need it have the attribute, and in ways that the format allows.
-    let json = |mesh: &Mesh| common::text(&common::write(Format::Gltf, mesh)[0]).to_owned();
+    let json = |mesh: &Mesh| common::text(&common::write(by_code("gltf"), mesh)[0]).to_owned();
     assert!(!json(&octahedron()).contains("_VERTEX_ID"));
     assert!(
         json(&seam()).contains("{\"bufferView\":1,\"componentType\":5121,\"count\":8,\"type\":\"VEC4\"}")
     );
     // Of another kind it is somebody else's and tells nothing.
     let other = json(&seam()).replace("\"_VERTEX_ID\":1", "\"_VERTEX_ID\":0");
-    let mut files = common::write(Format::Gltf, &seam());
+    let mut files = common::write(by_code("gltf"), &seam());
     files[0].bytes = other.into_bytes();
     assert_eq!(mesh(&read(&files).expect("readable")).vertex_count(), 5);
 }
@@ -95,20 +97,17 @@ fn vertices_at_one_place_and_in_no_face_stay_as_they_are() {
 #[test]
 fn empty_meshes_and_points_alone_come_back() {
     let points = Mesh::build(PolygonSoup::new(vec![Vec3::X, Vec3::Y], &[[0u32; 0]; 0])).expect("small").mesh;
-    for format in BOTH {
+    for format in both() {
         for one in [&Mesh::new(), &points] {
             let import = read(&common::write(format, one)).expect("readable");
             assert!(import.report.is_clean(), "{}", import.report);
             assert!(mesh(&import) == one, "{format:?}");
         }
         let (full, empty) = (octahedron(), Mesh::new());
-        let objects = [
-            ObjectRef::new("full", &full),
-            ObjectRef::new("empty", &empty),
-            ObjectRef::new("points", &points),
-        ];
-        let import = read(&formats::write(format, "x", &objects).expect("small")).expect("readable");
-        let found: Vec<_> = import.objects.iter().map(|o| (o.name.as_str(), o.mesh.vertex_count())).collect();
+        let objects = [("full", &full), ("empty", &empty), ("points", &points)];
+        let import = read(&formats::write(format, &model("x", &objects)).expect("small")).expect("readable");
+        let found: Vec<_> =
+            import.model.objects.iter().map(|o| (o.name.as_str(), o.mesh.vertex_count())).collect();
         assert_eq!(found, [("full", 6), ("empty", 0), ("points", 2)]);
     }
     // Points of other writers are vertices too; a scene of nothing but cameras is no model.
@@ -129,8 +128,8 @@ fn colours_and_materials_come_back_by_face() {
     mesh_in
         .insert_column(Element::Face, Column { labels: vec!["wood".into(), "tin \"x\"".into()], ..material });
     mesh_in.insert_column(Element::Face, Column::with_values(keys::FACE_COLOR, colors));
-    for format in BOTH {
-        let files = formats::write(format, "x", &[ObjectRef::new("a", &mesh_in)]).expect("small");
+    for format in both() {
+        let files = formats::write(format, &model("x", &[("a", &mesh_in)])).expect("small");
         let import = read(&files).expect("readable");
         let back = mesh(&import);
         // Faces are grouped by material: compare by the places of their corners.
@@ -162,7 +161,7 @@ fn every_colour_survives_linear_light() {
     let mut mesh_in = Mesh::build(PolygonSoup::new(positions, &faces)).expect("small").mesh;
     let colors: Vec<Color> = (0..=255u8).map(|i| Color([i, 255 - i, i / 2])).collect();
     mesh_in.insert_column(Element::Face, Column::with_values(keys::FACE_COLOR, colors.clone()));
-    let files = formats::write(Format::Glb, "x", &[ObjectRef::new("a", &mesh_in)]).expect("small");
+    let files = formats::write(by_code("glb"), &model("x", &[("a", &mesh_in)])).expect("small");
     let import = read(&files).expect("readable");
     assert_eq!(mesh(&import).attribute(keys::FACE_COLOR), Some(&colors[..]));
     assert_eq!(mesh(&import).attribute(keys::FACE_MATERIAL), None);
@@ -189,8 +188,8 @@ fn document(scene: &str, mode: &str) -> String {
 fn nodes_place_meshes_and_modes_are_read() {
     let scene = ",\"scene\":0,\"scenes\":[{\"nodes\":[0]}],\"nodes\":[{\"name\":\"up\",\"translation\":[0,0,5],\"rotation\":[0,0,0.7071067811865476,0.7071067811865476],\"children\":[1,2]},{\"mesh\":0,\"scale\":[2,2,2]},{\"mesh\":0,\"name\":\"m\",\"matrix\":[1,0,0,0,0,1,0,0,0,0,1,0,1,2,3,1]}]";
     let import = read(&[NamedBytes::new("a", document(scene, ",\"indices\":1"))]).expect("readable");
-    assert_eq!(import.objects.iter().map(|o| o.name.as_str()).collect::<Vec<_>>(), ["mesh 0", "m"]);
-    let at = |object: usize| import.objects[object].mesh.position(VertexId::new(1));
+    assert_eq!(import.model.objects.iter().map(|o| o.name.as_str()).collect::<Vec<_>>(), ["mesh 0", "m"]);
+    let at = |object: usize| import.model.objects[object].mesh.position(VertexId::new(1));
     assert!(at(0).distance(Vec3::new(0.0, 2.0, 5.0)) < 1e-6, "{}", at(0));
     assert!(at(1).distance(Vec3::new(-2.0, 2.0, 8.0)) < 1e-6, "{}", at(1));
     for (mode, faces) in
@@ -205,12 +204,12 @@ fn nodes_place_meshes_and_modes_are_read() {
 #[test]
 fn nodes_that_mirror_turn_faces_round() {
     let text = |nodes: &str| {
-        let mut files = common::write(Format::Gltf, &common::tetrahedron());
+        let mut files = common::write(by_code("gltf"), &common::tetrahedron());
         let mut json: serde_json::Value = serde_json::from_slice(&files[0].bytes).expect("JSON");
         json["asset"] = serde_json::json!({ "version": "2.0" });
         json["nodes"] = serde_json::from_str(nodes).expect("JSON");
         files[0].bytes = json.to_string().into_bytes();
-        read(&files).expect("readable").objects.remove(0).mesh
+        read(&files).expect("readable").model.objects.remove(0).mesh
     };
     for (nodes, sign) in [
         (r#"[{"mesh":0,"scale":[-1,1,1]}]"#, Vec3::new(-1.0, 1.0, 1.0)),
@@ -232,7 +231,7 @@ fn colours_of_vertices_come_back_to_the_bit() {
     let colors: Vec<Vec3> =
         (0..=255u8).map(|i| Vec3::new(f32::from(i), f32::from(255 - i), f32::from(i / 2)) / 255.0).collect();
     mesh_in.insert_column(Element::Vertex, Column::with_values(keys::VERTEX_COLOR, colors.clone()));
-    for format in BOTH {
+    for format in both() {
         let import = read(&common::write(format, &mesh_in)).expect("readable");
         assert_eq!(mesh(&import).attribute(keys::VERTEX_COLOR), Some(&colors[..]), "{format:?}");
     }
@@ -278,15 +277,15 @@ fn what_cannot_be_read_says_why() {
 fn shared_triangle_models_round_trip() {
     for path in fixtures::shared_files("models/common", "obj") {
         let original = read(&[load(&path)]).expect("readable");
-        let original = &original.objects[0].mesh;
-        let lost = formats::losses(Format::Glb, &[ObjectRef::new("", original)]).join("");
+        let original = &original.model.objects[0].mesh;
+        let lost = formats::losses(by_code("glb"), &model("", &[("", original)])).join("");
         if lost.contains("polygon")
             || lost.contains("vertices without faces")
             || original.attribute(keys::FACE_MATERIAL).is_some()
         {
             continue;
         }
-        let files = formats::write(Format::Glb, "x", &[ObjectRef::new("m", original)]).expect("small");
+        let files = formats::write(by_code("glb"), &model("x", &[("m", original)])).expect("small");
         let import = read(&files).expect("readable");
         let places = |mesh: &Mesh| -> Vec<Vec<[u32; 3]>> {
             let place = |v| (mesh.position(v) + Vec3::ZERO).to_array().map(f32::to_bits);
@@ -308,7 +307,7 @@ proptest! {
     ) {
         let mesh_in = octahedron();
         let mut bytes = if binary {
-            formats::write(Format::Glb, "x", &[ObjectRef::new("a", &mesh_in)]).expect("small").remove(0).bytes
+            formats::write(by_code("glb"), &model("x", &[("a", &mesh_in)])).expect("small").remove(0).bytes
         } else {
             document(",\"scenes\":[{\"nodes\":[0]}],\"nodes\":[{\"mesh\":0}]", ",\"indices\":1").into_bytes()
         };
@@ -326,7 +325,7 @@ proptest! {
         }
         for name in ["a.gltf", "a.glb"] {
             if let Ok(import) = read(&[NamedBytes::new(name, bytes.clone())]) {
-                for object in &import.objects {
+                for object in &import.model.objects {
                     object.mesh.validate().expect("valid");
                 }
             }

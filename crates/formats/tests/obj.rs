@@ -2,12 +2,13 @@
 
 mod common;
 
-use common::{mesh, objects, read, read_obj, text, write};
-use formats::{Format, Materials, NamedBytes, ObjectRef, ReadError, TextureRole};
+use common::{by_code, mesh, model, read, read_obj, renamed, text, write};
+use formats::{Materials, Model, NamedBytes, ReadError, TextureRole};
 use glam::{Vec2, Vec3};
 use halfedge::attribute::{Column, keys};
 use halfedge::{Color, Element, FaceId, Mesh, NONE, PolygonSoup, VertexId};
 use std::ops::ControlFlow;
+use std::sync::Arc;
 
 fn corners(mesh: &Mesh, face: usize) -> Vec<u32> {
     mesh.face_vertices(FaceId::new(face)).map(|v| v.raw()).collect()
@@ -29,7 +30,7 @@ fn some(names: &[&str]) -> Vec<Option<String>> {
 
 /// Written and read again, the same mesh to the bit.
 fn assert_round_trip(mesh: &Mesh) {
-    let files = write(Format::Obj, mesh);
+    let files = write(by_code("obj"), mesh);
     let back = read(&files).expect("what was written reads");
     assert_eq!(back.report.warnings().collect::<Vec<_>>(), [""; 0]);
     assert!(common::mesh(&back) == mesh, "{}", text(&files[0]));
@@ -128,7 +129,7 @@ fn groups_objects_materials_and_smoothing_are_kept() {
     assert_eq!(mesh.attribute(keys::FACE_SMOOTHING), Some(&[0, 0, 3, 3, 0][..]));
     assert_eq!(mesh.attribute(keys::FACE_COLOR), None);
     assert!(import.report.to_string().contains("a.mtl, which was not given"), "{}", import.report);
-    let files = write(Format::Obj, mesh);
+    let files = write(by_code("obj"), mesh);
     assert_eq!(files.len(), 1, "no colours, so no file that could replace the real materials");
     assert_round_trip(mesh);
 }
@@ -139,7 +140,7 @@ fn materials_bring_their_colours() {
     let model = format!("mtllib Some Dir/A.MTL\n{SQUARE}usemtl red\nf 1 2 3\nusemtl plain\nf 1 3 4\n");
     let files = [NamedBytes::new("x/a.mtl", library), NamedBytes::new("x/model.obj", model)];
     let import = read(&files).expect("readable");
-    assert_eq!(import.name, "model");
+    assert_eq!(import.model.name, "model");
     let mesh = mesh(&import);
     assert_eq!(mesh.attribute(keys::FACE_COLOR), Some(&[Color([255, 0, 0]), Color::UNPAINTED][..]));
     assert_eq!(labels(mesh, keys::FACE_MATERIAL), some(&["red", "plain"]));
@@ -156,19 +157,21 @@ fn materials_come_back_as_they_were() {
     let report = import.report.to_string();
     assert!(report.contains("saved as OBJ: Ks (1), Ns (1), map_Kd (1), d (1)"), "{report}");
     assert!(report.contains("1 material that no face has left out: x"), "{report}");
-    let written = |mesh: &Mesh, format| {
-        let object = ObjectRef { materials: &import.materials, ..ObjectRef::new("a", mesh) };
-        formats::write(format, "a", &[object]).expect("small")
+    let with = |mesh: &Mesh, materials: &Materials| Model {
+        materials: materials.clone(),
+        ..Model::of_mesh("a", mesh.clone())
     };
+    let written =
+        |mesh: &Mesh, format| formats::write(format, &with(mesh, &import.model.materials)).expect("small");
     let kept = library.split("\nnewmtl x").next().expect("a start");
-    let files = written(mesh(&import), Format::Obj);
+    let files = written(mesh(&import), by_code("obj"));
     assert_eq!(text(&files[1]), format!("# Materials written by Meshwright\n\n{kept}"));
     let back = read(&files).expect("its own");
-    assert!(back.materials == import.materials && common::mesh(&back) == mesh(&import));
+    assert!(back.model.materials == import.model.materials && common::mesh(&back) == mesh(&import));
     // Faces of another colour have it, and all the rest.
     let mut painted = mesh(&import).clone();
     painted.set(keys::FACE_COLOR, 0, Color([0, 0, 255]));
-    let files = written(&painted, Format::Obj);
+    let files = written(&painted, by_code("obj"));
     assert_eq!(
         text(&files[1]),
         format!("# Materials written by Meshwright\n\n{}", kept.replace("0.5 0.2 0.2", "0 0 1"))
@@ -179,32 +182,30 @@ fn materials_come_back_as_they_were() {
         one.values = halfedge::attribute::Values::U32(vec![0, 0]);
         one
     });
-    let files = written(&painted, Format::Obj);
+    let files = written(&painted, by_code("obj"));
     assert_eq!(text(&files[1]).matches("map_Kd wood.png\n").count(), 2, "{}", text(&files[1]));
     let back = read(&files).expect("its own");
     assert!(!back.report.to_string().contains("that no face has"), "{}", back.report);
-    assert_eq!(back.materials.list.len(), 1);
+    assert_eq!(back.model.materials.list.len(), 1);
     // Without colours too: a library is written for what it says besides.
     let plain = read(&[
         NamedBytes::new("a.mtl", "newmtl wood\nmap_Kd wood.png\n"),
         NamedBytes::new("a.obj", format!("mtllib a.mtl\n{SQUARE}usemtl wood\nf 1 2 3\nf 1 3 4\n")),
     ])
     .expect("readable");
-    let object = ObjectRef { materials: &plain.materials, ..ObjectRef::new("a", mesh(&plain)) };
-    let files = formats::write(Format::Obj, "a", &[object]).expect("small");
+    let files = formats::write(by_code("obj"), &renamed(&plain, "a")).expect("small");
     assert!(text(&files[1]).ends_with("newmtl wood\nmap_Kd wood.png\n"));
     assert!(common::mesh(&read(&files).expect("its own")) == mesh(&plain));
     // Where no face has the material any more it goes.
     let bare = read_obj(&format!("{SQUARE}f 1 2 3\n"));
-    assert_eq!(written(mesh(&bare), Format::Obj).len(), 1);
+    assert_eq!(written(mesh(&bare), by_code("obj")).len(), 1);
     // Other formats say what they lose.
-    let object = ObjectRef { materials: &import.materials, ..ObjectRef::new("a", mesh(&import)) };
-    let lost = formats::losses(Format::Ply, &[object]).join("\n");
+    let lost = formats::losses(by_code("ply"), &import.model).join("\n");
     let expected = "PLY holds less of materials: of 2 materials, specular colour (1), shininess (1), base colour \
                     texture (1), alpha (1) are lost";
     assert!(lost.contains(expected), "{lost}");
-    assert_eq!(formats::losses(Format::Collada, &[object]), [""; 0]);
-    assert_eq!(formats::losses(Format::Obj, &[object]), [""; 0]);
+    assert_eq!(formats::losses(by_code("dae"), &import.model), [""; 0]);
+    assert_eq!(formats::losses(by_code("obj"), &import.model), [""; 0]);
 }
 
 #[test]
@@ -221,25 +222,24 @@ fn images_given_with_a_model_are_written_with_it() {
         NamedBytes::new("other.png", png),
     ];
     let import = read(&files).expect("readable");
-    let wood = import.materials.get("wood").expect("in use");
-    let image = import.materials.image(wood.texture(TextureRole::BaseColor).expect("a texture"));
+    let wood = import.model.materials.get("wood").expect("in use");
+    let image = import.model.materials.image(wood.texture(TextureRole::BaseColor).expect("a texture"));
     let image = image.expect("an image");
     assert_eq!((image.name.as_str(), image.media_type.as_deref()), ("tex/Wood.png", Some("image/png")));
     assert_eq!(image.bytes.as_deref(), Some(&png[..]));
-    assert_eq!(import.materials.images.len(), 2, "{:?}", import.materials.images);
+    assert_eq!(import.model.materials.images.len(), 2, "{:?}", import.model.materials.images);
     let report = import.report.to_string();
     assert!(
         report.contains("1 image that its materials use not given, so only referred to: gone.png"),
         "{report}"
     );
     assert!(report.contains("other.png was left out") && !report.contains("ood.png was"), "{report}");
-    let object = ObjectRef { materials: &import.materials, ..ObjectRef::new("a", mesh(&import)) };
-    let written = formats::write(Format::Obj, "a", &[object]).expect("small");
+    let written = formats::write(by_code("obj"), &renamed(&import, "a")).expect("small");
     let names: Vec<&str> = written.iter().map(|file| file.name.as_str()).collect();
     assert_eq!(names, ["a.obj", "a.mtl", "tex/Wood.png"]);
     assert_eq!(written[2].bytes, png);
     assert!(text(&written[1]).contains("map_Kd tex\\Wood.png\nbump gone.png\n"));
-    assert_eq!(read(&written).expect("its own").materials, import.materials);
+    assert_eq!(read(&written).expect("its own").model.materials, import.model.materials);
 }
 
 #[test]
@@ -254,9 +254,9 @@ fn a_painted_face_leaves_the_others_their_material() {
         painted
     };
     let none = Materials::default();
-    let names = |format, mesh: &Mesh, materials| -> String {
-        let object = ObjectRef { materials, ..ObjectRef::new("a", mesh) };
-        let files = formats::write(format, "a", &[object]).expect("small");
+    let names = |format, mesh: &Mesh, materials: &Materials| -> String {
+        let model = Model { materials: materials.clone(), ..Model::of_mesh("a", mesh.clone()) };
+        let files = formats::write(format, &model).expect("small");
         let back = read(&files).expect("its own");
         let colors = |mesh: &Mesh| -> Vec<Color> {
             let mut all: Vec<Color> = mesh.faces().map(|f| mesh.get(keys::FACE_COLOR, f.index())).collect();
@@ -267,21 +267,21 @@ fn a_painted_face_leaves_the_others_their_material() {
         files.iter().map(|file| String::from_utf8_lossy(&file.bytes).into_owned()).collect()
     };
     for faces in [&[0][..], &[3], &[0, 1, 2]] {
-        let text = names(Format::Obj, &paint(faces), &import.materials);
+        let text = names(by_code("obj"), &paint(faces), &import.model.materials);
         assert!(text.contains("newmtl white\nKd 1 1 1\n"), "{text}");
         assert!(text.contains("newmtl white.color-ff0000\nKd 1 0 0\n"), "{text}");
-        for format in [Format::Gltf, Format::Collada] {
-            let text = names(format, &paint(faces), &import.materials);
+        for format in [by_code("gltf"), by_code("dae")] {
+            let text = names(format, &paint(faces), &import.model.materials);
             assert!(text.contains("white.color-ff0000") && !text.contains("white.color-ffffff"), "{text}");
         }
     }
     // Where no library says what the material's own colour is, most faces do.
-    let text = names(Format::Obj, &paint(&[0]), &none);
+    let text = names(by_code("obj"), &paint(&[0]), &none);
     assert!(text.contains("newmtl white\nKd 1 1 1\n") && text.contains("white.color-ff0000"), "{text}");
-    let text = names(Format::Obj, &paint(&[0, 1, 2]), &none);
+    let text = names(by_code("obj"), &paint(&[0, 1, 2]), &none);
     assert!(text.contains("newmtl white\nKd 1 0 0\n") && text.contains("white.color-ffffff"), "{text}");
     // Painted all over, the material has that colour.
-    let text = names(Format::Obj, &paint(&[0, 1, 2, 3]), &import.materials);
+    let text = names(by_code("obj"), &paint(&[0, 1, 2, 3]), &import.model.materials);
     assert!(text.contains("newmtl white\nKd 1 0 0\n") && !text.contains("color-"), "{text}");
 }
 
@@ -300,8 +300,8 @@ fn materials_of_one_name_in_two_files_are_told() {
     let import = read(&files("Kd 0 1 0\n")).expect("readable");
     let warnings: Vec<&str> = import.report.warnings().collect();
     assert!(warnings.len() == 1 && warnings[0].starts_with("b.obj: Material m is another"), "{warnings:?}");
-    assert_eq!(import.materials.list.len(), 1);
-    assert_eq!(import.objects[1].mesh.get(keys::FACE_COLOR, 0), Color([0, 255, 0]));
+    assert_eq!(import.model.materials.list.len(), 1);
+    assert_eq!(import.model.objects[1].mesh.get(keys::FACE_COLOR, 0), Color([0, 255, 0]));
     assert!(read(&files("Kd 1 0 0\nd 1\n")).expect("readable").report.is_clean());
 }
 
@@ -309,10 +309,10 @@ fn materials_of_one_name_in_two_files_are_told() {
 fn painted_faces_come_back_with_or_without_material() {
     let mut import =
         read_obj(&format!("{SQUARE}v 2 0 0\nv 2 1 0\nf 1 2 3\nusemtl wood\nf 1 3 4\nf 2 5 6\nf 2 6 3\n"));
-    let mesh = &mut import.objects[0].mesh;
+    let mesh = Arc::make_mut(&mut import.model.objects[0].mesh);
     let colors = [Color([1, 2, 3]), Color([250, 128, 7]), Color::UNPAINTED, Color([1, 2, 3])];
     mesh.insert_column(Element::Face, Column::with_values(keys::FACE_COLOR, colors.to_vec()));
-    let files = write(Format::Obj, mesh);
+    let files = write(by_code("obj"), mesh);
     assert_eq!(files[1].name, "test.mtl");
     assert!(text(&files[0]).contains("mtllib test.mtl\n"));
     assert_eq!(text(&files[1]).matches("newmtl").count(), 4);
@@ -320,16 +320,16 @@ fn painted_faces_come_back_with_or_without_material() {
 
     // Without the library the painted faces' names still tell their colour.
     let alone = read(&files[..1]).expect("readable");
-    let alone = &alone.objects[0].mesh;
+    let alone = &alone.model.objects[0].mesh;
     assert_eq!(alone.get(keys::FACE_COLOR, 0), colors[0]);
     assert_eq!(alone.get(keys::FACE_COLOR, 3), colors[3]);
     assert_eq!(labels(alone, keys::FACE_MATERIAL), some(&["", "wood", "wood", "wood"]));
 
     // A face that goes back to no colour after painted ones.
     mesh.insert_column(Element::Face, Column::with_values(keys::FACE_MATERIAL, vec![NONE; 4]));
-    let back = read(&write(Format::Obj, mesh)).expect("readable");
-    assert_eq!(back.objects[0].mesh.attribute(keys::FACE_COLOR), Some(&colors[..]));
-    assert_eq!(back.objects[0].mesh.attribute(keys::FACE_MATERIAL), None);
+    let back = read(&write(by_code("obj"), mesh)).expect("readable");
+    assert_eq!(back.model.objects[0].mesh.attribute(keys::FACE_COLOR), Some(&colors[..]));
+    assert_eq!(back.model.objects[0].mesh.attribute(keys::FACE_MATERIAL), None);
 }
 
 #[test]
@@ -337,8 +337,7 @@ fn several_objects_are_sections() {
     let first = read_obj(&format!("{SQUARE}vt 1 1\nusemtl m\ns 2\ng front\nf 1/1 2/1 3/1\no tail\nf 1 3 4"));
     let second = read_obj("v 5 5 5\nv 6 5 5\nv 5 6 5\nvt .5 .5\nf 1/1 2/1 3/1");
     let (a, b) = (mesh(&first), mesh(&second));
-    let files = formats::write(Format::Obj, "both", &[ObjectRef::new("a", a), ObjectRef::new("b\n", b)])
-        .expect("small");
+    let files = formats::write(by_code("obj"), &model("both", &[("a", a), ("b\n", b)])).expect("small");
     let back = read(&files).expect("readable");
     let both = mesh(&back);
     assert_eq!((both.vertex_count(), both.face_count()), (7, 3));
@@ -453,13 +452,13 @@ fn several_files_make_one_document() {
         NamedBytes::new("two", model(2.0)),
     ];
     let import = read(&files).expect("readable");
-    assert_eq!(import.objects.iter().map(|o| o.name.as_str()).collect::<Vec<_>>(), ["one", "two"]);
-    assert_eq!(import.objects[1].mesh.position(VertexId::new(0)).x, 2.0);
+    assert_eq!(import.model.objects.iter().map(|o| o.name.as_str()).collect::<Vec<_>>(), ["one", "two"]);
+    assert_eq!(import.model.objects[1].mesh.position(VertexId::new(0)).x, 2.0);
     let warnings: Vec<_> = import.report.warnings().collect();
     assert_eq!(warnings.len(), 3);
     assert!(warnings[0].starts_with("one.obj: 1 face left out") && warnings[1].starts_with("two: "));
     assert!(warnings[2].starts_with("notes.doc was left out"));
-    assert_eq!(objects(&import).len(), 2);
+    assert_eq!(import.model.objects.len(), 2);
 }
 
 #[test]
@@ -469,6 +468,6 @@ fn ids_with_gaps_are_written_without() {
         Mesh::build(PolygonSoup::new(positions, &[[0, 1, 2], [0, 2, 3], [3, 4, 5]])).expect("small").mesh;
     let removed = halfedge::edit::delete_faces(&mut mesh, &[FaceId::new(1)]);
     assert!(removed.is_ok() && !mesh.is_compact());
-    let back = read(&write(Format::Obj, &mesh)).expect("readable");
-    assert!(back.objects[0].mesh.to_soup() == mesh.to_soup());
+    let back = read(&write(by_code("obj"), &mesh)).expect("readable");
+    assert!(back.model.objects[0].mesh.to_soup() == mesh.to_soup());
 }

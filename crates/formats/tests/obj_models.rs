@@ -3,9 +3,9 @@
 
 mod common;
 
-use common::{load, mesh, read, write};
+use common::{by_code, load, mesh, read, write};
 use fixtures::{fixtures, shared_files};
-use formats::{Format, NamedBytes};
+use formats::NamedBytes;
 use halfedge::{Mesh, NONE};
 use proptest::prelude::*;
 
@@ -32,7 +32,7 @@ fn boundary_edges(mesh: &Mesh) -> usize {
 
 /// What is written reads back as the same mesh, bit for bit and label for label.
 fn assert_round_trip(name: &str, mesh: &Mesh) {
-    let files = write(Format::Obj, mesh);
+    let files = write(by_code("obj"), mesh);
     let back = read(&files).unwrap_or_else(|error| panic!("{name}: {error}"));
     assert!(back.report.is_clean(), "{name}: {}", back.report);
     assert!(common::mesh(&back) == mesh, "{name} comes back different");
@@ -80,7 +80,7 @@ fn small_cases_read_with_their_materials_and_round_trip() {
         let import = read(&files).unwrap_or_else(|error| panic!("{error}"));
         let mesh = mesh(&import);
         assert_round_trip(&files[0].name, mesh);
-        assert!(mesh.positions() == alone.objects[0].mesh.positions());
+        assert!(mesh.positions() == alone.model.objects[0].mesh.positions());
         match files[0].stem() {
             "cube" => {
                 let color = |f: usize| mesh.get(halfedge::keys::FACE_COLOR, f).0;
@@ -249,10 +249,10 @@ proptest! {
             let labels = mesh.column(halfedge::Element::Face, "group").map_or(0, |column| column.labels.len());
             let groups = mesh.attribute(halfedge::keys::FACE_GROUP).unwrap_or_default();
             prop_assert!(groups.iter().all(|&group| group == NONE || (group as usize) < labels));
-            let again = read(&write(Format::Obj, mesh)).expect("what was written reads");
+            let again = read(&write(by_code("obj"), mesh)).expect("what was written reads");
             prop_assert!(again.report.is_clean(), "{}", again.report);
-            prop_assert!(again.objects[0].mesh.to_soup().positions == mesh.to_soup().positions);
-            prop_assert!(again.objects[0].mesh.to_soup().corners == mesh.to_soup().corners);
+            prop_assert!(again.model.objects[0].mesh.to_soup().positions == mesh.to_soup().positions);
+            prop_assert!(again.model.objects[0].mesh.to_soup().corners == mesh.to_soup().corners);
         }
     }
 

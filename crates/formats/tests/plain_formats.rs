@@ -2,8 +2,8 @@
 
 mod common;
 
-use common::{load, mesh, read, write};
-use formats::{Format, NamedBytes, ObjectRef};
+use common::{by_code, load, mesh, model, read, write};
+use formats::{Format, NamedBytes};
 use glam::{Vec2, Vec3};
 use halfedge::attribute::{Column, keys};
 use halfedge::{Color, Element, Mesh, PolygonSoup, VertexId};
@@ -11,8 +11,8 @@ use proptest::prelude::*;
 
 fixtures::shared_tests!(shared_models_round_trip);
 
-const POLYGONS: [Format; 3] = [Format::Ply, Format::PlyText, Format::Off];
-const ALL: [Format; 5] = [Format::Ply, Format::PlyText, Format::Off, Format::Stl, Format::StlText];
+const POLYGONS: [&str; 3] = ["ply", "ply-text", "off"];
+const ALL: [&str; 5] = ["ply", "ply-text", "off", "stl", "stl-text"];
 
 /// Two quads and a triangle, a vertex in no face, and positions hard to print.
 fn sample() -> Mesh {
@@ -55,7 +55,7 @@ fn back(format: Format, mesh: &Mesh) -> Mesh {
 
 #[test]
 fn polygons_and_colours_round_trip() {
-    for format in POLYGONS {
+    for format in POLYGONS.map(by_code) {
         assert!(back(format, &sample()) == sample(), "{format:?}");
         assert!(back(format, &painted()) == painted(), "{format:?}");
         assert!(back(format, &Mesh::new()) == Mesh::new(), "{format:?}");
@@ -81,15 +81,15 @@ fn dressed(normals: Option<bool>, uvs: Option<bool>) -> Mesh {
 
 #[test]
 fn normals_and_texture_coordinates_round_trip_where_there_is_a_place_for_them() {
-    for format in POLYGONS {
+    for format in POLYGONS.map(by_code) {
         let same = dressed(Some(true), Some(true));
         assert!(back(format, &same) == same, "{format:?}");
-        assert_eq!(formats::losses(format, &[ObjectRef::new("a", &same)]), [""; 0], "{format:?}");
+        assert_eq!(formats::losses(format, &model("", &[("a", &same)])), [""; 0], "{format:?}");
         let split = dressed(Some(false), Some(false));
-        let lost = formats::losses(format, &[ObjectRef::new("a", &split)]).join("\n");
+        let lost = formats::losses(format, &model("", &[("a", &split)])).join("\n");
         assert!(lost.contains("holds one normal for each vertex: those of 11 corners are lost"), "{lost}");
-        assert_eq!(lost.contains("one texture coordinate"), format == Format::Off, "{lost}");
-        let kept = dressed(None, (format != Format::Off).then_some(false));
+        assert_eq!(lost.contains("one texture coordinate"), format == by_code("off"), "{lost}");
+        let kept = dressed(None, (format != by_code("off")).then_some(false));
         assert!(back(format, &split) == kept, "{format:?}");
     }
     // Faces without texture coordinates among others.
@@ -97,7 +97,7 @@ fn normals_and_texture_coordinates_round_trip_where_there_is_a_place_for_them() 
     for h in some.face_halfedges(halfedge::FaceId::new(1)).collect::<Vec<_>>() {
         some.set(keys::CORNER_UV, h.index(), Vec2::NAN);
     }
-    for format in [Format::Ply, Format::PlyText] {
+    for format in [by_code("ply"), by_code("ply-text")] {
         assert!(back(format, &some) == some, "{format:?}");
     }
     // More corners than a byte counts numbers for.
@@ -108,7 +108,7 @@ fn normals_and_texture_coordinates_round_trip_where_there_is_a_place_for_them() 
     for h in large.face_halfedges(halfedge::FaceId::new(0)).collect::<Vec<_>>() {
         large.set(keys::CORNER_UV, h.index(), Vec2::splat(h.index() as f32));
     }
-    for format in [Format::Ply, Format::PlyText] {
+    for format in [by_code("ply"), by_code("ply-text")] {
         assert!(back(format, &large) == large, "{format:?}");
     }
 }
@@ -120,14 +120,14 @@ fn triangles_round_trip_through_stl_with_vertices_merged() {
         &[[0, 2, 3, 1], [4, 5, 7, 6], [0, 1, 5, 4], [2, 6, 7, 3], [0, 4, 6, 2], [1, 3, 7, 5]],
     );
     let cube = Mesh::build(cube).expect("small").mesh;
-    for format in [Format::Stl, Format::StlText] {
+    for format in [by_code("stl"), by_code("stl-text")] {
         let back = back(format, &cube);
         assert_eq!((back.vertex_count(), back.face_count()), (8, 12));
         assert!(back.boundary_loops().is_empty());
         let again = self::back(format, &back);
         assert!(again == back, "{format:?}: triangles keep their order and so do vertices");
     }
-    assert_eq!(formats::losses(Format::Stl, &[ObjectRef::new("a", &cube)]).len(), 1);
+    assert_eq!(formats::losses(by_code("stl"), &model("", &[("a", &cube)])).len(), 1);
 }
 
 #[test]
@@ -135,12 +135,12 @@ fn an_stl_that_does_not_say_how_many_triangles_it_has_is_read_whole() {
     let positions = [Vec3::ZERO, Vec3::X, Vec3::Y, Vec3::Z].to_vec();
     let faces = [[0u32, 2, 1], [0, 1, 3], [1, 2, 3], [2, 0, 3]];
     let mesh = Mesh::build(PolygonSoup::new(positions, &faces)).expect("small").mesh;
-    let mut files = formats::write(Format::Stl, "a", &[ObjectRef::new("a", &mesh)]).expect("small");
-    let whole = read(&files).expect("readable").objects.remove(0).mesh;
+    let mut files = formats::write(by_code("stl"), &model("a", &[("a", &mesh)])).expect("small");
+    let whole = read(&files).expect("readable").model.objects.remove(0).mesh;
     for count in [0, u32::MAX] {
         files[0].bytes[80..84].copy_from_slice(&count.to_le_bytes());
         let import = read(&files).expect("readable");
-        assert!(import.objects[0].mesh == whole, "{count}");
+        assert!(import.model.objects[0].mesh == whole, "{count}");
         assert!(import.report.to_string().contains("does not say how many triangles"), "{}", import.report);
     }
 }
@@ -149,13 +149,12 @@ fn an_stl_that_does_not_say_how_many_triangles_it_has_is_read_whole() {
 fn stl_says_that_vertices_at_one_place_become_one() {
     let positions = [Vec3::ZERO, Vec3::X, Vec3::Y, Vec3::X, Vec3::ONE, Vec3::Y].to_vec();
     let seam = Mesh::build(PolygonSoup::new(positions, &[[0u32, 1, 2], [3, 4, 5]])).expect("small").mesh;
-    for format in [Format::Stl, Format::StlText] {
-        let losses = formats::losses(format, &[ObjectRef::new("a", &seam)]).join("\n");
+    for format in [by_code("stl"), by_code("stl-text")] {
+        let losses = formats::losses(format, &model("", &[("a", &seam)])).join("\n");
         assert!(losses.contains("2 vertices at the same place as another will be one with it"), "{losses}");
         assert_eq!(back(format, &seam).vertex_count(), 4);
         // Of two objects all.
-        let both =
-            formats::losses(format, &[ObjectRef::new("a", &seam), ObjectRef::new("b", &seam)]).join("\n");
+        let both = formats::losses(format, &model("", &[("a", &seam), ("b", &seam)])).join("\n");
         assert!(both.contains("8 vertices at the same place"), "{both}");
     }
 }
@@ -163,9 +162,8 @@ fn stl_says_that_vertices_at_one_place_become_one() {
 #[test]
 fn several_objects_are_written_as_one_mesh() {
     let (a, b) = (sample(), painted());
-    for format in POLYGONS {
-        let files =
-            formats::write(format, "x", &[ObjectRef::new("a", &a), ObjectRef::new("b", &b)]).expect("small");
+    for format in POLYGONS.map(by_code) {
+        let files = formats::write(format, &model("x", &[("a", &a), ("b", &b)])).expect("small");
         let import = read(&files).expect("readable");
         let both = mesh(&import);
         assert_eq!((both.vertex_count(), both.face_count()), (16, 6));
@@ -304,12 +302,12 @@ fn vertices_in_no_face_are_counted_in_the_report() {
         assert!(import.report.is_clean(), "kept as they were: nothing to warn of");
         assert_eq!(mesh(&import).vertex_count(), 9);
         // Written in a format that keeps them, they are counted again.
-        let again = read(&write(Format::Ply, mesh(&import))).expect("its own").report.to_string();
+        let again = read(&write(by_code("ply"), mesh(&import))).expect("its own").report.to_string();
         assert!(again.contains(loose), "{again}");
     }
     let one = read(&[NamedBytes::new("a.obj", "v 0 0 0\n")]).expect("readable").report.to_string();
     assert!(one.contains("1 vertex in no face, kept as single points (number 0)"), "{one}");
-    let none = read(&write(Format::Ply, &Mesh::new())).expect("its own").report.to_string();
+    let none = read(&write(by_code("ply"), &Mesh::new())).expect("its own").report.to_string();
     assert!(!none.contains("in no face"), "{none}");
 }
 
@@ -334,7 +332,7 @@ fn early_ends_and_nonsense_are_told() {
         }
         Err(error) => error.to_string(),
     };
-    let ply = write(Format::Ply, &sample()).remove(0).bytes;
+    let ply = write(by_code("ply"), &sample()).remove(0).bytes;
     assert!(report("a.ply", &ply[..ply.len() - 20]).contains("The file ends early: 2 of 3 rows"));
     assert!(
         report("a.ply", b"ply\nformat ascii 1.0\nelement vertex 4000000000\nend_header\n")
@@ -368,21 +366,23 @@ fn early_ends_and_nonsense_are_told() {
 fn shared_models_round_trip() {
     for path in fixtures::shared_files("models/common", "obj") {
         let original = read(&[load(&path)]).expect("readable");
-        let original = &original.objects[0].mesh;
-        for format in POLYGONS {
+        let original = original.model.objects[0].mesh.as_ref();
+        for format in POLYGONS.map(by_code) {
             let back = back(format, original);
             // Identical, where the format has a place for all there is.
-            if formats::losses(format, &[ObjectRef::new("", original)]).is_empty() {
+            if formats::losses(format, &model("", &[("", original)])).is_empty() {
                 assert!(back == *original, "{format:?} {}", path.display());
             }
             assert!(back.positions() == original.positions(), "{format:?} {}", path.display());
             assert_eq!(faces(&back), faces(original), "{format:?} {}", path.display());
         }
-        if formats::losses(Format::Stl, &[ObjectRef::new("", original)]).iter().any(|l| l.contains("polygon"))
+        if formats::losses(by_code("stl"), &model("", &[("", original)]))
+            .iter()
+            .any(|l| l.contains("polygon"))
         {
             continue;
         }
-        for format in [Format::Stl, Format::StlText] {
+        for format in [by_code("stl"), by_code("stl-text")] {
             // Vertices that repairs made from one are one again, and a triangle may have had corners
             // at one place: what is compared then is which places the triangles join.
             let import = read(&write(format, original)).expect("readable");
@@ -412,7 +412,7 @@ proptest! {
 
     #[test]
     fn damaged_files_never_panic(
-        format in prop::sample::select(ALL.to_vec()),
+        format in prop::sample::select(ALL.map(by_code).to_vec()),
         edits in prop::collection::vec((any::<prop::sample::Index>(), any::<u8>(), 0u8..4), 1..8),
     ) {
         let mut bytes = write(format, &painted()).remove(0).bytes;

@@ -1,7 +1,8 @@
 //! Building from soups that are no oriented manifolds: every one gives a valid mesh.
 
-use glam::Vec3;
-use halfedge::{Built, Mesh, PolygonSoup};
+use glam::{Vec2, Vec3};
+use halfedge::attribute::Column;
+use halfedge::{Built, Mesh, PolygonSoup, keys};
 use proptest::prelude::*;
 
 fn build(vertices: usize, faces: &[Vec<u32>]) -> Built {
@@ -50,6 +51,35 @@ fn a_fan_of_pages_comes_apart() {
     assert_eq!((built.mesh.face_count(), built.mesh.components().1), (5000, 5000));
 }
 
+/// A soup with one column for each kind of element that it has.
+fn with_columns(mut soup: PolygonSoup) -> PolygonSoup {
+    let numbers = |count: usize| (0..count).map(|i| i as f32).collect::<Vec<_>>();
+    let colors = numbers(soup.positions.len()).into_iter().map(Vec3::splat).collect();
+    soup.vertex_columns.push(Column::with_values(keys::VERTEX_COLOR, colors));
+    let uvs = numbers(soup.corners.len()).into_iter().map(Vec2::splat).collect();
+    soup.corner_columns.push(Column::with_values(keys::CORNER_UV, uvs));
+    let groups = (0..soup.face_count() as u32).collect();
+    soup.face_columns.push(Column::with_values(keys::FACE_SMOOTHING, groups));
+    soup
+}
+
+proptest! {
+    #[test]
+    fn a_soup_that_is_changed_is_given_back(
+        faces in prop::collection::vec(prop::collection::vec(0u32..9, 0..6), 0..8),
+        not_finite in prop::option::of(0usize..8),
+    ) {
+        let positions = (0..8).map(|i| Vec3::new(i as f32, (i * i % 7) as f32, (i % 3) as f32)).collect();
+        let mut soup = with_columns(PolygonSoup::new(positions, &faces));
+        if let Some(v) = not_finite {
+            soup.positions[v] = Vec3::splat(f32::INFINITY);
+        }
+        let built = Mesh::build(soup.clone()).expect("small");
+        prop_assert!(not_finite.is_none() || !built.notes.is_empty());
+        prop_assert_eq!(built.original, (!built.notes.is_empty()).then_some(soup));
+    }
+}
+
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(3000))]
 
@@ -59,6 +89,7 @@ proptest! {
         faces in prop::collection::vec(prop::collection::vec(0u32..9, 0..6), 0..24),
     ) {
         let built = assert_valid(8, &faces);
+        prop_assert_eq!(built.original.is_some(), !built.notes.is_empty());
         prop_assert!(built.mesh.vertex_count() >= 8);
         prop_assert_eq!(built.face_source.len(), built.mesh.face_count());
         prop_assert!(built.face_source.is_sorted());

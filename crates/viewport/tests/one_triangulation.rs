@@ -2,7 +2,7 @@
 
 mod support;
 
-use formats::{Format, ObjectRef};
+use formats::{Format, Model};
 use glam::Vec3;
 use halfedge::edit::{Triangulation, triangulate_face};
 use halfedge::geometry::PolygonTriangulator;
@@ -52,7 +52,8 @@ fn drawn(mesh: &Mesh) -> Vec<Triangle> {
 }
 
 fn saved(mesh: &Mesh) -> Vec<Triangle> {
-    let files = formats::write(Format::Stl, "polygon", &[ObjectRef::new("polygon", mesh)]).expect("small");
+    let stl = Format::from_code("stl").expect("a format");
+    let files = formats::write(stl, &Model::of_mesh("polygon", mesh.clone())).expect("small");
     sorted(files[0].bytes[84..].as_chunks::<50>().0.iter().map(|facet| {
         let float = |at: usize| f32::from_le_bytes(std::array::from_fn(|i| facet[at + i]));
         [12, 24, 36].map(|at| Vec3::new(float(at), float(at + 4), float(at + 8)))

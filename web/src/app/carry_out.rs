@@ -4,7 +4,7 @@ use editor::SelectMode;
 use halfedge::Element;
 
 use super::App;
-use crate::panels::save::{FORMAT_SETTING, code};
+use crate::panels::save::FORMAT_SETTING;
 use crate::request::Request;
 
 impl App {
@@ -52,7 +52,7 @@ impl App {
             Request::ShowSheet(sheet) => self.shown.sheet = sheet,
             Request::Close(window) => self.shown.close(window),
             Request::Save { format, name, holds_all } => {
-                self.session.platform.store_setting(FORMAT_SETTING, &code(format));
+                self.session.platform.store_setting(FORMAT_SETTING, format.code());
                 self.session.save(format, name, holds_all);
             }
             Request::CancelJob(id) => self.session.cancel_job(id),

@@ -7,7 +7,6 @@ use halfedge::Element;
 use serde_json::{Value, json};
 
 use super::App;
-use crate::panels::save;
 use crate::platform::{DeviceInfo, NamedBytes};
 use crate::session::jobs::Reply;
 
@@ -49,13 +48,13 @@ impl Script<'_> {
         }
     }
 
-    /// Writes the document in a format: its extension, or `ply-text` and `stl-text`.
+    /// Writes the document in the format of this code or extension.
     pub fn export(&mut self, format: &str, reply: Reply) {
-        match save::coded(format) {
+        match Format::from_code(format).filter(|format| format.can_write()) {
             Some(format) => self.app.session.begin_export(format, reply),
             None => {
-                let known: Vec<String> =
-                    Format::ALL.into_iter().filter(|f| f.can_write()).map(save::code).collect();
+                let known: Vec<&str> =
+                    Format::all().filter(|format| format.can_write()).map(Format::code).collect();
                 reply(Err(format!(
                     "export: {format:?} is no format to write; there are {}",
                     known.join(", ")

@@ -335,28 +335,12 @@ fn menu_entries() -> impl Iterator<Item = Entry> {
 
 /// Saving in each format that can be written.
 pub fn formats() -> impl Iterator<Item = Entry> {
-    Format::ALL.into_iter().filter(|format| format.can_write()).map(of_format)
+    Format::all().filter(|format| format.can_write()).map(of_format)
 }
 
-/// Saving in a format: what the menu calls it, and what the format is.
+/// Saving in a format.
 pub fn of_format(format: Format) -> Entry {
-    let (label, description) = match format {
-        Format::Obj => ("Save as OBJ…", "Text that every program reads, with a material file for colours."),
-        Format::Ply => ("Save as PLY…", "Binary, with face and vertex colours."),
-        Format::PlyText => ("Save as PLY (text)…", "PLY that can be read in a text editor, with colours."),
-        Format::Stl => ("Save as STL…", "Binary triangles, for 3D printing."),
-        Format::StlText => ("Save as STL (text)…", "Triangles that can be read in a text editor."),
-        Format::Off => ("Save as OFF…", "Plain text of geometry programs, with colours."),
-        Format::Collada => ("Save as COLLADA…", "XML with several objects, for other modellers."),
-        Format::Glb => ("Save as GLB…", "glTF in one binary file, for the web and game engines."),
-        Format::Gltf => ("Save as glTF…", "glTF as text, with its data in a file beside it."),
-        Format::BezierCurve => ("Save as BZC…", "The control points of a Bezier curve."),
-        Format::BezierSurface => ("Save as BEZ…", "The control points of a Bezier surface's patches."),
-        Format::Json => {
-            ("Save as half-edge JSON…", "The half-edges themselves with all their links, for scripts.")
-        }
-    };
-    entry(A::SaveAs(format), label, description)
+    entry(A::SaveAs(format), format.save_label(), format.description())
 }
 
 /// An operation as a menu shows it.

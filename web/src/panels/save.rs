@@ -5,7 +5,7 @@ use egui::text_selection::CCursorRange;
 use egui::{
     Align2, Button, ComboBox, Context, Grid, Id, Key, Label, Modal, RichText, ScrollArea, TextEdit, Ui, vec2,
 };
-use formats::{Controls, Format, ObjectRef};
+use formats::Format;
 
 use crate::input::actions;
 use crate::page_view::Page;
@@ -13,7 +13,7 @@ use crate::platform::Platform;
 use crate::request::{Request, Requests};
 use crate::theme;
 
-/// The setting that keeps the format that was saved in last, by its [`code`].
+/// The setting that keeps the format that was saved in last, by its code.
 pub(crate) const FORMAT_SETTING: &str = "format";
 
 /// The dialog's state.
@@ -38,8 +38,8 @@ enum Stage {
 
 impl Saving {
     pub fn new(platform: &dyn Platform) -> Self {
-        let format = platform.load_setting(FORMAT_SETTING).and_then(|kept| coded(&kept));
-        let format = format.unwrap_or(Format::Obj);
+        let format = platform.load_setting(FORMAT_SETTING).and_then(|kept| Format::from_code(&kept));
+        let format = format.filter(|format| format.can_write()).unwrap_or_default();
         Self { stage: Stage::Closed, name: String::new(), format, losses: None }
     }
 
@@ -52,9 +52,9 @@ impl Saving {
         let all = |wanted| !document.objects().is_empty() && kinds().all(|is_curve| is_curve == wanted);
         self.format = match (format, self.format) {
             (Some(format), _) => format,
-            (None, _) if all(Some(true)) => Format::BezierCurve,
-            (None, _) if all(Some(false)) => Format::BezierSurface,
-            (None, last) if last.is_bezier() && all(None) => Format::Obj,
+            (None, last) if all(Some(true)) => Format::for_bezier(true).unwrap_or(last),
+            (None, last) if all(Some(false)) => Format::for_bezier(false).unwrap_or(last),
+            (None, last) if last.is_bezier() && all(None) => Format::default(),
             (None, last) => last,
         };
     }
@@ -78,22 +78,6 @@ impl Saving {
             self.format = format;
         }
     }
-}
-
-/// What scripts and settings call a format: its extension, with `-text` where the extension alone
-/// means the binary way of writing.
-pub(crate) fn code(format: Format) -> String {
-    match format {
-        Format::PlyText | Format::StlText => format!("{}-text", format.extension()),
-        _ => format.extension().to_owned(),
-    }
-}
-
-/// The format with this [`code`], or with this extension.
-pub(crate) fn coded(text: &str) -> Option<Format> {
-    let text = text.to_ascii_lowercase();
-    let mut formats = Format::ALL.into_iter().filter(|format| format.can_write());
-    formats.find(|&format| code(format) == text).or_else(|| Format::from_extension(&text))
 }
 
 /// A typed name as a file's: without the format's extension and without what no system, or not every
@@ -247,20 +231,7 @@ fn losses_of<'a>(page: &Page<'_>, own: &'a mut Saving, format: Format) -> &'a [S
     let known = own.losses.take().filter(|(looked, _)| *looked == format);
     let losses = known.unwrap_or_else(|| {
         let document = editor.document();
-        let objects = document.objects();
-        let controls: Vec<Option<Controls>> =
-            objects.iter().map(|object| object.bezier().map(Controls::from)).collect();
-        let objects: Vec<ObjectRef> = objects
-            .iter()
-            .zip(&controls)
-            .map(|(object, controls)| ObjectRef {
-                controls: controls.as_ref(),
-                offset: document.offset(),
-                materials: document.materials(),
-                ..ObjectRef::new(object.name(), object.mesh())
-            })
-            .collect();
-        (format, formats::losses(format, &objects))
+        (format, formats::losses(format, &document.to_model(document.name())))
     });
     &own.losses.insert(losses).1
 }
@@ -279,15 +250,6 @@ mod tests {
     use super::*;
 
     #[test]
-    fn every_format_has_its_own_code() {
-        for format in Format::ALL {
-            assert_eq!(coded(&code(format)), Some(format));
-        }
-        assert_eq!(coded("COFF"), Some(Format::Off), "other extensions work too");
-        assert_eq!(coded("doc"), None);
-    }
-
-    #[test]
     fn names_become_file_names() {
         let cases = [
             ("bunny", Some("bunny")),
@@ -303,7 +265,7 @@ mod tests {
             ("", None),
         ];
         for (typed, wanted) in cases {
-            assert_eq!(stem(typed, Format::Obj).as_deref(), wanted, "{typed:?}");
+            assert_eq!(stem(typed, Format::default()).as_deref(), wanted, "{typed:?}");
         }
     }
 }

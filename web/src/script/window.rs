@@ -133,7 +133,9 @@ fn reply(settle: &Settle, wanted: Wanted) -> Reply {
         settle.with(match result {
             Ok(Answered::Outcome(outcome)) => to_js(&outcome),
             Ok(Answered::Files(files)) => match wanted {
-                Wanted::Model => Ok(formats::alone(files).as_ref().map_or(JsValue::UNDEFINED, bytes_to_js)),
+                Wanted::Model => {
+                    Ok(formats::single_file(files).as_ref().map_or(JsValue::UNDEFINED, bytes_to_js))
+                }
                 Wanted::AllFiles => {
                     files.iter().map(file_to_js).collect::<Result<Array, _>>().map(Into::into)
                 }

@@ -32,7 +32,7 @@ fn is_dirty(page: &mut Page) -> bool {
 fn every_format_is_saved_and_reads_back() {
     let mut page = Page::new();
     page.command(json!({ "op": "triangulate-faces" }));
-    for format in Format::ALL.into_iter().filter(|format| !format.is_bezier()) {
+    for format in Format::all().filter(|format| !format.is_bezier()) {
         let before = page.outside.downloads().len();
         let label = actions::of_format(format).label;
         page.click("File");
@@ -42,7 +42,7 @@ fn every_format_is_saved_and_reads_back() {
         page.click("Save");
         let files = page.outside.downloads().split_off(before);
         assert_eq!(files[0].name, format!("Cube.{}", format.extension()));
-        if format.can_read() || matches!(format, Format::PlyText | Format::StlText) {
+        if format.code() != "json" {
             page.outside.push(meshwright_web::platform::Event::Files(files));
             page.run();
             let mesh = page.mesh();

@@ -18,7 +18,7 @@ impl Editor {
     /// A mesh that is not valid, which a reader never makes, or a Bezier surface of too many patches.
     pub fn open(&mut self, mut import: Import) -> Result<Outcome, CommandError> {
         fill_previews(&mut import).map_err(|problem| self.report(CommandError::of("open", problem)))?;
-        for object in &import.objects {
+        for object in &import.model.objects {
             object.mesh.validate().map_err(|defect| {
                 let problem = broken(&format!("{}: {defect}", object.name));
                 self.report(CommandError::of("open", problem))
@@ -36,14 +36,15 @@ impl Editor {
             self.changes.jobs = true;
         }
         let mut changes: Vec<Change> = (0..self.document.objects.len()).rev().map(Change::Remove).collect();
-        changes.push(Change::DocumentName(import.name.clone()));
-        changes.push(Change::Offset(import.offset));
-        changes.push(Change::Materials(import.materials));
-        let size = outcome::sizes(import.objects.iter().map(|imported| &imported.mesh));
-        for (at, imported) in import.objects.into_iter().enumerate() {
-            let mut object = self.object(Output::new(imported.name, imported.mesh));
+        let Import { model, report } = import;
+        changes.push(Change::DocumentName(model.name.clone()));
+        changes.push(Change::Offset(model.offset));
+        changes.push(Change::Materials(model.materials));
+        let size = outcome::sizes(model.objects.iter().map(|imported| imported.mesh.as_ref()));
+        for (at, imported) in model.objects.into_iter().enumerate() {
+            let mut object = self.object(Output { name: imported.name, mesh: imported.mesh });
             object.soup = imported.soup;
-            object.bezier = imported.controls.map(|controls| Arc::new(controls.into()));
+            object.bezier = imported.bezier;
             changes.push(Change::Insert(at, Box::new(object)));
         }
         changes.push(Change::Active(0));
@@ -54,17 +55,17 @@ impl Editor {
         self.push_step("Open".into(), back, before);
         self.saved = self.revision;
         let created = Elements::gained([0; 3], size);
-        let message = outcome::message(&format!("Open {}", import.name), &created, &Elements::default());
-        let warnings: Vec<String> = import.report.warnings().map(str::to_owned).collect();
+        let message = outcome::message(&format!("Open {}", model.name), &created, &Elements::default());
+        let warnings: Vec<String> = report.warnings().map(str::to_owned).collect();
         self.say(MessageKind::Info, message.clone());
-        for note in import.report.notes() {
+        for note in report.notes() {
             let kind = match note.severity {
                 formats::Severity::Info => MessageKind::Info,
                 formats::Severity::Warning => MessageKind::Warning,
             };
             self.say(kind, note.text.clone());
         }
-        let report = import.report.notes().to_vec();
+        let report = report.notes().to_vec();
         Outcome { op: "open".into(), created, removed: Elements::default(), message, warnings, report }
     }
 }

@@ -13,7 +13,7 @@ use super::{ExportHead, JobId, JobRequest, JobResult, Made, Work};
 use crate::ops::{Action, Command, Input, Op, Output};
 use crate::outcome::ElementIds;
 use formats::{
-    Controls, Format, Image, Import, ImportReport, ImportedObject, Materials, NamedBytes, Repairs,
+    Bezier, Format, Image, Import, ImportReport, Materials, Model, NamedBytes, NamedMesh, Repairs,
 };
 use halfedge::attribute::{Column, Columns, Value, Values};
 use halfedge::{Color, Element, Gaps, Mesh, PolygonSoup, RawMesh};
@@ -55,7 +55,7 @@ enum RequestHeader {
     },
     Export {
         id: u64,
-        extension: String,
+        format: Format,
         name: String,
         offset: [f64; 3],
         materials: MaterialsHeader,
@@ -169,7 +169,7 @@ impl JobRequest {
             },
             Work::Export(head, inputs) => RequestHeader::Export {
                 id: self.id.0,
-                extension: head.format.extension().to_owned(),
+                format: head.format,
                 name: head.name.clone(),
                 offset: head.offset.to_array(),
                 materials: out.materials(&head.materials),
@@ -191,7 +191,7 @@ impl JobRequest {
                 .map(|header| {
                     let name = header.name.clone();
                     let (mesh, controls, soup) = rest.mesh(header)?;
-                    let bezier = controls.map(|controls| Arc::new(controls.into()));
+                    let bezier = controls.map(Arc::new);
                     Ok(Input { name, mesh: Arc::new(mesh), bezier, soup })
                 })
                 .collect::<Result<Vec<_>, BadBytes>>()
@@ -205,8 +205,7 @@ impl JobRequest {
                     .collect::<Result<Vec<Op>, BadBytes>>()?;
                 (id, Work::Run(ops, inputs(&mut rest, meshes)?))
             }
-            RequestHeader::Export { id, extension, name, offset, materials, meshes } => {
-                let format = Format::from_extension(&extension).ok_or_else(|| bad("an unknown format"))?;
+            RequestHeader::Export { id, format, name, offset, materials, meshes } => {
                 let materials = rest.materials(materials)?;
                 let head = ExportHead { format, name, offset: offset.into(), materials };
                 (id, Work::Export(head, inputs(&mut rest, meshes)?))
@@ -225,16 +224,17 @@ impl JobResult {
         let validated = self.validated || self.made.validate().is_ok();
         let made = match &self.made {
             Made::Import(import) => MadeHeader::Import {
-                name: import.name.clone(),
+                name: import.model.name.clone(),
                 report: import.report.clone(),
-                offset: import.offset.to_array(),
-                materials: out.materials(&import.materials),
+                offset: import.model.offset.to_array(),
+                materials: out.materials(&import.model.materials),
                 meshes: import
+                    .model
                     .objects
                     .iter()
                     .map(|object| {
                         let header = out.mesh(&object.name, &object.mesh);
-                        let controls = out.controls(object.controls.clone());
+                        let controls = out.controls(object.bezier.as_deref());
                         MeshHeader { controls, soup: out.soup(object.soup.as_deref()), ..header }
                     })
                     .collect(),
@@ -267,10 +267,11 @@ impl JobResult {
                     .map(|header| {
                         let name = header.name.clone();
                         let (mesh, controls, soup) = rest.mesh(header)?;
-                        Ok(ImportedObject { controls, soup, ..ImportedObject::new(name, mesh) })
+                        Ok(NamedMesh { bezier: controls.map(Arc::new), soup, ..NamedMesh::new(name, mesh) })
                     })
                     .collect::<Result<_, BadBytes>>()?;
-                Made::Import(Import { name, objects, offset: offset.into(), materials, report })
+                let model = Model { name, objects, offset: offset.into(), materials };
+                Made::Import(Import { model, report })
             }
             MadeHeader::Meshes { meshes, ids, notes } => {
                 let outputs = meshes
@@ -337,7 +338,7 @@ impl<'a> Writer<'a> {
 
     fn input(&mut self, input: &'a Input, with_soup: bool) -> MeshHeader {
         let header = self.mesh(&input.name, &input.mesh);
-        let controls = self.controls(input.bezier.as_deref().map(Controls::from));
+        let controls = self.controls(input.bezier.as_deref());
         let soup = self.soup(input.soup.as_deref().filter(|_| with_soup));
         MeshHeader { controls, soup, ..header }
     }
@@ -357,11 +358,11 @@ impl<'a> Writer<'a> {
     }
 
     /// Control points, which come after their mesh.
-    fn controls(&mut self, controls: Option<Controls>) -> Option<ControlsHeader> {
+    fn controls(&mut self, controls: Option<&Bezier>) -> Option<ControlsHeader> {
         let controls = controls?;
         let points = controls.points();
-        self.body.push(Cow::Owned(bytemuck::cast_slice(points).to_vec()));
-        Some(ControlsHeader { curve: controls.is_curve(), points: points.len() })
+        self.body.push(Cow::Owned(bytemuck::cast_slice(&points).to_vec()));
+        Some(ControlsHeader { curve: controls.curve().is_some(), points: points.len() })
     }
 
     fn mesh(&mut self, name: &str, mesh: &'a Mesh) -> MeshHeader {
@@ -463,7 +464,7 @@ fn checksum(bytes: &[u8]) -> u64 {
 }
 
 /// A mesh, and what it was made from.
-type Parts = (Mesh, Option<Controls>, Option<Arc<PolygonSoup>>);
+type Parts = (Mesh, Option<Bezier>, Option<Arc<PolygonSoup>>);
 
 /// Whether an operation reads what files held: nothing else needs it sent.
 fn reads_soup(ops: &[Op]) -> bool {
@@ -571,7 +572,7 @@ impl<'a> Reader<'a> {
             }
         }
         let controls = match header.controls {
-            Some(header) => Some(Controls::from_points(header.curve, self.column(header.points)?)),
+            Some(header) => Some(Bezier::from_points(header.curve, self.column(header.points)?)),
             None => None,
         };
         let soup = match header.soup {
@@ -633,9 +634,9 @@ mod tests {
         let columns = [const { Vec::new() }; 4];
         let (name, controls, soup) = (String::new(), None, None);
         let mesh = MeshHeader { name, vertices, edges, faces, controls, soup, gaps: [0; 3], columns };
-        let (extension, name, offset) = ("obj".into(), String::new(), [0.0; 3]);
+        let (format, name, offset) = (Format::default(), String::new(), [0.0; 3]);
         let materials = MaterialsHeader::default();
-        RequestHeader::Export { id: 1, extension, name, offset, materials, meshes: vec![mesh] }
+        RequestHeader::Export { id: 1, format, name, offset, materials, meshes: vec![mesh] }
     }
 
     #[test]

@@ -8,42 +8,33 @@
 mod read;
 mod write;
 
-pub(crate) use read::{kind, read};
-pub(crate) use write::{write_curves, write_surface};
+use crate::format_info::{Certainty, FormatInfo, Holds};
+use read::Kind;
 
-use glam::Vec3;
+/// Bezier curves.
+pub(crate) static CURVES: FormatInfo = FormatInfo {
+    code: "bzc",
+    name: "BZC",
+    save_label: "Save as BZC…",
+    description: "The control points of a Bezier curve.",
+    extensions: &["bzc"],
+    holds: Holds::Curves,
+    detect: Some((Certainty::Numbers, |bytes| read::kind(bytes) == Some(Kind::Curve))),
+    read: Some(|source, _, progress| read::read(source.file, Kind::Curve, progress).map(Into::into)),
+    write: Some(|model| Ok(write::write_curves(model))),
+    ..FormatInfo::DEFAULT
+};
 
-/// Control points that a file holds in place of a mesh.
-#[derive(Clone, Debug, PartialEq)]
-pub enum Controls {
-    /// A curve: its control points in order, at least one. A plane curve has z = 0.
-    Curve(Vec<Vec3>),
-    /// Bicubic patches: four rows of four control points each.
-    Surface(Vec<[[Vec3; 4]; 4]>),
-}
-
-impl Controls {
-    /// All control points, patch by patch and row by row.
-    pub fn points(&self) -> &[Vec3] {
-        match self {
-            Self::Curve(points) => points,
-            Self::Surface(patches) => patches.as_flattened().as_flattened(),
-        }
-    }
-
-    /// What [`Controls::points`] gave, as a curve or as patches; points that are too few for
-    /// another patch are left out.
-    pub fn from_points(is_curve: bool, points: Vec<Vec3>) -> Self {
-        if is_curve {
-            return Self::Curve(points);
-        }
-        let (rows, _) = points.as_chunks::<4>();
-        let (patches, _) = rows.as_chunks::<4>();
-        Self::Surface(patches.to_vec())
-    }
-
-    /// Whether it is a curve.
-    pub fn is_curve(&self) -> bool {
-        matches!(self, Self::Curve(_))
-    }
-}
+/// Bezier surfaces.
+pub(crate) static SURFACES: FormatInfo = FormatInfo {
+    code: "bez",
+    name: "BEZ",
+    save_label: "Save as BEZ…",
+    description: "The control points of a Bezier surface's patches.",
+    extensions: &["bez"],
+    holds: Holds::Surfaces,
+    detect: Some((Certainty::Numbers, |bytes| read::kind(bytes) == Some(Kind::Surface))),
+    read: Some(|source, _, progress| read::read(source.file, Kind::Surface, progress).map(Into::into)),
+    write: Some(|model| Ok(write::write_surface(model))),
+    ..FormatInfo::DEFAULT
+};

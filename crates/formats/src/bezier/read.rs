@@ -1,19 +1,28 @@
 //! Reading Bezier curves and surfaces.
 
-use super::Controls;
-use crate::format::Format;
-use crate::import::{ImportedObject, NamedBytes, ReadError};
+use crate::error::ReadError;
+use crate::file::NamedBytes;
+use crate::model::NamedMesh;
 use crate::number;
 use crate::report::{ImportReport, counted};
 use crate::scan::{Scan, Ticker};
 use glam::Vec3;
-use halfedge::Progress;
+use halfedge::{Mesh, Progress};
+use std::sync::Arc;
+use surface::bezier::{Bezier, Curve, Patch};
 
-/// How many numbers a patch takes: 16 points of three coordinates.
-const PATCH: usize = 48;
+/// Numbers that a patch takes: 16 points of three coordinates.
+const NUMBERS_PER_PATCH: usize = 48;
+
+/// Which of the two a file is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Kind {
+    Curve,
+    Surface,
+}
 
 /// Which of the two a file is, where it holds nothing but as many numbers as its first one says.
-pub(crate) fn kind(bytes: &[u8]) -> Option<Format> {
+pub(crate) fn kind(bytes: &[u8]) -> Option<Kind> {
     let mut scan = Scan::new(bytes, Some(b'#'));
     let count = usize::try_from(whole(scan.word()?)?).ok().filter(|&count| count > 0)?;
     let mut numbers = 0usize;
@@ -22,25 +31,25 @@ pub(crate) fn kind(bytes: &[u8]) -> Option<Format> {
         numbers += 1;
     }
     let takes = |each: usize| count.checked_mul(each) == Some(numbers);
-    if takes(PATCH) {
-        return Some(Format::BezierSurface);
+    if takes(NUMBERS_PER_PATCH) {
+        return Some(Kind::Surface);
     }
-    (takes(2) || takes(3)).then_some(Format::BezierCurve)
+    (takes(2) || takes(3)).then_some(Kind::Curve)
 }
 
 fn whole(word: &[u8]) -> Option<i64> {
     number::integer(word, 0).filter(|&(_, end)| end == word.len()).map(|(value, _)| value)
 }
 
-/// Reads one curve or surface, as `format` says, as one object with an empty mesh.
+/// Reads one curve or surface as one object with an empty mesh.
 pub(crate) fn read(
     file: &NamedBytes,
-    format: Format,
+    kind: Kind,
     progress: &mut Progress,
-) -> Result<(ImportedObject, ImportReport), ReadError> {
-    let (things, what) = match format {
-        Format::BezierCurve => ("control points", "a Bezier curve"),
-        _ => ("patches", "a Bezier surface"),
+) -> Result<(NamedMesh, ImportReport), ReadError> {
+    let (things, what) = match kind {
+        Kind::Curve => ("control points", "a Bezier curve"),
+        Kind::Surface => ("patches", "a Bezier surface"),
     };
     let fail = |message: String| ReadError::file(&file.name, message);
     let mut scan = Scan::new(&file.bytes, Some(b'#'));
@@ -75,29 +84,29 @@ pub(crate) fn read(
         ticker.tick(scan.at, progress)?;
     }
     let mut report = ImportReport::default();
-    let controls = if format == Format::BezierCurve {
+    let bezier = if kind == Kind::Curve {
         let width = if even { per_line } else { 0 };
         curve(count, &numbers, width, &mut report).inspect(|_| {
-            if Format::from_name(&file.name) == Some(Format::BezierSurface) {
+            if file.has_extension("bez") {
                 let numbers = counted(numbers.len(), "number", "numbers");
                 report.warn(format!(
                     "Read as a curve, for which there are as many numbers as its first one says; if it is a surface, \
-                     as its name has it, it ends early: {numbers} follow, and each patch takes {PATCH}"
+                     as its name has it, it ends early: {numbers} follow, and each patch takes {NUMBERS_PER_PATCH}"
                 ));
             }
         })
     } else {
         surface(count, &numbers, &mut report)
     };
-    let controls = controls.map_err(|message| fail(format!("line {first_line}: {message}")))?;
+    let bezier = bezier.map_err(|message| fail(format!("line {first_line}: {message}")))?;
     if progress(1.0).is_break() {
         return Err(ReadError::Cancelled);
     }
-    Ok((ImportedObject { controls: Some(controls), ..ImportedObject::empty(file.stem()) }, report))
+    Ok((NamedMesh { bezier: Some(Arc::new(bezier)), ..NamedMesh::new(file.stem(), Mesh::new()) }, report))
 }
 
 /// The control points of a curve; `width` is how many numbers are on each line, 0 where that differs.
-fn curve(count: usize, numbers: &[f32], width: usize, report: &mut ImportReport) -> Result<Controls, String> {
+fn curve(count: usize, numbers: &[f32], width: usize, report: &mut ImportReport) -> Result<Bezier, String> {
     let needs = |each: usize| count.saturating_mul(each);
     // Lines of two or three numbers tell points that are too many from another kind of points.
     let is_laid_out = |each: usize| width == each && numbers.len() > needs(each);
@@ -122,7 +131,7 @@ fn curve(count: usize, numbers: &[f32], width: usize, report: &mut ImportReport)
         used.as_chunks().0.iter().map(|&xyz| Vec3::from_array(xyz)).collect()
     };
     left_over(numbers.len() - used.len(), &counted(count, "control point", "control points"), report);
-    Ok(Controls::Curve(points))
+    Ok(Bezier::Curve(Curve { points }))
 }
 
 /// Warns of numbers after the last of `things`.
@@ -133,24 +142,24 @@ fn left_over(count: usize, things: &str, report: &mut ImportReport) {
     }
 }
 
-fn surface(count: usize, numbers: &[f32], report: &mut ImportReport) -> Result<Controls, String> {
+fn surface(count: usize, numbers: &[f32], report: &mut ImportReport) -> Result<Bezier, String> {
     let (points, _) = numbers.as_chunks::<3>();
     let (rows, _) = points.as_chunks::<4>();
     let (patches, _) = rows.as_chunks::<4>();
-    let patches: Vec<[[Vec3; 4]; 4]> =
-        patches.iter().take(count).map(|rows| rows.map(|row| row.map(Vec3::from_array))).collect();
+    let patch = |rows: &[[[f32; 3]; 4]; 4]| Patch { rows: rows.map(|row| row.map(Vec3::from_array)) };
+    let patches: Vec<Patch> = patches.iter().take(count).map(patch).collect();
     if patches.is_empty() {
         return Err(format!(
-            "a patch takes {PATCH} numbers, 16 points of x, y and z, but only {} follow",
+            "a patch takes {NUMBERS_PER_PATCH} numbers, 16 points of x, y and z, but only {} follow",
             numbers.len()
         ));
     }
     if patches.len() < count {
         report.warn(format!("The file ends early: {} of {count} patches are there", patches.len()));
     }
-    let rest = numbers.len().saturating_sub(count.saturating_mul(PATCH));
+    let rest = numbers.len().saturating_sub(count.saturating_mul(NUMBERS_PER_PATCH));
     left_over(rest, &counted(count, "patch", "patches"), report);
-    Ok(Controls::Surface(patches))
+    Ok(Bezier::Surface(patches))
 }
 
 /// The start of a word, for a message.

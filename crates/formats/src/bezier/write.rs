@@ -1,21 +1,14 @@
 //! Writing Bezier curves and surfaces; points read back bit for bit.
 
-use super::Controls;
-use crate::export::ObjectRef;
-use crate::import::NamedBytes;
+use crate::file::NamedBytes;
+use crate::model::Model;
 use crate::text::{push_floats, push_integer};
 use glam::Vec3;
 
-/// Writes the patches of all objects that have some as one surface; nothing where none has.
-pub(crate) fn write_surface(name: &str, objects: &[ObjectRef]) -> Vec<NamedBytes> {
-    let patches: Vec<&[[Vec3; 4]; 4]> = objects
-        .iter()
-        .filter_map(|object| match object.controls {
-            Some(Controls::Surface(patches)) => Some(patches),
-            _ => None,
-        })
-        .flatten()
-        .collect();
+/// Writes the patches of all surfaces as one surface; nothing where there is none.
+pub(crate) fn write_surface(model: &Model) -> Vec<NamedBytes> {
+    let beziers = model.objects.iter().filter_map(|object| object.bezier.as_ref());
+    let patches: Vec<_> = beziers.flat_map(|bezier| bezier.patches()).collect();
     if patches.is_empty() {
         return Vec::new();
     }
@@ -23,25 +16,23 @@ pub(crate) fn write_surface(name: &str, objects: &[ObjectRef]) -> Vec<NamedBytes
     push_integer(&mut out, patches.len() as u64);
     out.push(b'\n');
     for patch in patches {
-        for row in patch {
+        for row in patch.rows {
             line(&mut out, row.map(|point| point.to_array()).as_flattened());
         }
         out.push(b'\n');
     }
-    vec![NamedBytes { name: format!("{name}.bez"), bytes: out }]
+    vec![NamedBytes { name: format!("{}.bez", model.name), bytes: out }]
 }
 
 /// Writes each curve to a file of its own: the format holds one.
-pub(crate) fn write_curves(name: &str, objects: &[ObjectRef]) -> Vec<NamedBytes> {
-    let curves = objects.iter().filter_map(|object| match object.controls {
-        Some(Controls::Curve(points)) => Some(points),
-        _ => None,
-    });
-    let file = |(at, points): (usize, &Vec<Vec3>)| {
+pub(crate) fn write_curves(model: &Model) -> Vec<NamedBytes> {
+    let name = &model.name;
+    let curves = model.objects.iter().filter_map(|object| object.bezier.as_ref()?.curve());
+    let file = |(at, points): (usize, &[Vec3])| {
         let name = if at == 0 { format!("{name}.bzc") } else { format!("{name}-{}.bzc", at + 1) };
         NamedBytes { name, bytes: curve(points) }
     };
-    curves.enumerate().map(file).collect()
+    curves.map(|curve| curve.points.as_slice()).enumerate().map(file).collect()
 }
 
 fn curve(points: &[Vec3]) -> Vec<u8> {

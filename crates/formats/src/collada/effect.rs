@@ -4,7 +4,7 @@ use super::image;
 use super::notes::{Fault, Notes};
 use super::numbers::numbers;
 use super::xml::{Document, Node};
-use crate::import::NamedBytes;
+use crate::file::NamedBytes;
 use crate::material::{Material, Materials, Rgb, Texture, TextureRole, UvTransform, Wrap};
 use std::collections::HashMap;
 

@@ -1,8 +1,8 @@
 //! Images: files that effects refer to, or bytes in the document.
 
 use super::xml::{Document, Node};
-use crate::companions;
-use crate::import::NamedBytes;
+use crate::file::NamedBytes;
+use crate::images;
 use crate::material::Image;
 use crate::text::percent_decoded;
 
@@ -14,7 +14,7 @@ pub(super) fn read(document: &Document, image: &Node, files: &[NamedBytes]) -> R
     let init = document.child(image, "init_from");
     let hex = document.child(image, "data").or_else(|| document.child(init?, "hex"));
     if let Some(bytes) = hex.and_then(|hex| from_hex(hex.text())) {
-        let media_type = Image::media_type_of("", &bytes);
+        let media_type = images::media_type("", &bytes);
         let extension = media_type.as_deref().and_then(|kind| kind.strip_prefix("image/"));
         let extension = extension.map_or(String::new(), |kind| format!(".{}", kind.replace("jpeg", "jpg")));
         return Ok(Image {
@@ -24,7 +24,7 @@ pub(super) fn read(document: &Document, image: &Node, files: &[NamedBytes]) -> R
         });
     }
     let name = name(document, image).ok_or("it names no file")?;
-    Ok(companions::image(&name, files))
+    Ok(images::image(&name, files))
 }
 
 /// The names of the files that a document's images are in.

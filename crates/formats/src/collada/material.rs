@@ -3,10 +3,10 @@
 use super::effect::{self, Look};
 use super::notes::{Fault, Notes};
 use super::xml::{Document, Node};
-use crate::import::NamedBytes;
+use crate::file::NamedBytes;
+use crate::labels::Names;
 use crate::material::{Material, Materials, TextureRole};
-use crate::obj::names::unpainted;
-use crate::obj::runs::Names;
+use crate::paint::unpainted;
 use crate::report::first_few;
 use halfedge::attribute::Column;
 use halfedge::{Color, NONE, keys};

@@ -23,5 +23,20 @@ mod vocabulary;
 mod write;
 mod xml;
 
-pub(crate) use read::{companions, looks_like, read};
-pub(crate) use write::{keeps, write};
+use crate::format_info::{Certainty, FormatInfo};
+use crate::loss::Part;
+
+pub(crate) static FORMAT: FormatInfo = FormatInfo {
+    code: "dae",
+    name: "COLLADA",
+    save_label: "Save as COLLADA…",
+    description: "XML with several objects, for other modellers.",
+    extensions: &["dae"],
+    detect: Some((Certainty::Signature, read::looks_like)),
+    read: Some(read::read),
+    write: Some(|model| Ok(write::write(model))),
+    companions: read::companions,
+    lacks: &[Part::Groups, Part::Smoothing, Part::Creases],
+    keeps_property: write::keeps,
+    ..FormatInfo::DEFAULT
+};

@@ -9,9 +9,11 @@ use super::skin::{self, Joints, Placement};
 use super::xml::Document;
 use super::{image, left_out, transform};
 use crate::encoding::{Encoding, decode};
-use crate::import::{ImportedObject, NamedBytes, ReadError, Reading, build};
-use crate::material::Materials;
+use crate::error::ReadError;
+use crate::file::NamedBytes;
+use crate::model::NamedMesh;
 use crate::origin::Origin;
+use crate::reading::{Contents, Reading, Source, build};
 use crate::report::{ImportReport, counted};
 use halfedge::{PolygonSoup, Progress};
 use std::collections::HashSet;
@@ -40,17 +42,16 @@ pub(crate) fn looks_like(bytes: &[u8]) -> bool {
     head.trim_start().starts_with('<') && head.contains("<COLLADA")
 }
 
-/// Reads one document: an object for each instance, or for each geometry where no node shows one. `files`
-/// are those given with it, for the images of textures.
+/// Reads one document: an object for each instance, or for each geometry where no node shows one.
 ///
 /// # Errors
 /// When nothing in the document can be shown; the message names the first thing that is in the way.
 pub(crate) fn read(
-    file: &NamedBytes,
-    files: &[NamedBytes],
+    source: &Source,
     reading: &mut Reading,
     progress: &mut Progress,
-) -> Result<(Vec<ImportedObject>, Materials, ImportReport), ReadError> {
+) -> Result<Contents, ReadError> {
+    let file = source.file;
     let fail = |message: String| ReadError::file(&file.name, message);
     let (text, encoding) = decode(&file.bytes);
     let document = Document::read(&text, &file.name).map_err(|why| match looks_like(&file.bytes) {
@@ -71,7 +72,7 @@ pub(crate) fn read(
     let mut reader = Reader {
         document: &document,
         joints: &joints,
-        library: Library::new(&document, files),
+        library: Library::new(&document, source.files),
         used: HashSet::new(),
         elements: 0,
         max_elements: file.bytes.len().saturating_mul(ELEMENTS_PER_BYTE).max(MIN_ELEMENT_BUDGET),
@@ -92,7 +93,7 @@ pub(crate) fn read(
     let Reader { library, mut notes, .. } = reader;
     let materials = library.finish(&mut notes);
     notes.report(&mut report);
-    Ok((objects, materials, report))
+    Ok(Contents { objects, materials, report })
 }
 
 /// Why a document gives no object.
@@ -156,7 +157,7 @@ impl<'r, 'd, 'a> Reader<'r, 'd, 'a> {
         reading: &mut Reading,
         report: &mut ImportReport,
         progress: &mut Progress,
-    ) -> Result<Vec<ImportedObject>, ReadError> {
+    ) -> Result<Vec<NamedMesh>, ReadError> {
         let mut objects = Vec::new();
         let total = instances.len();
         for (i, instance) in instances.iter().enumerate() {

@@ -1,7 +1,8 @@
 //! The JSON of a glTF, as far as it matters here, and its buffers.
 
-use super::{BIN_CHUNK, JSON_CHUNK, MAGIC};
-use crate::import::{NamedBytes, not_a};
+use super::names::{BIN_CHUNK, JSON_CHUNK, MAGIC};
+use crate::error::not_a;
+use crate::file::NamedBytes;
 use crate::text::percent_decoded;
 use base64::Engine;
 use serde::Deserialize;
@@ -105,8 +106,18 @@ pub(crate) struct Surface {
     pub base_color_texture: Option<serde::de::IgnoredAny>,
 }
 
+/// Whether the file starts like a binary glTF.
+pub(crate) fn is_binary(bytes: &[u8]) -> bool {
+    bytes.starts_with(MAGIC)
+}
+
+/// Whether the file starts like a glTF in JSON.
+pub(crate) fn is_json(bytes: &[u8]) -> bool {
+    !is_binary(bytes) && looks_like(bytes)
+}
+
 /// Whether the file starts like a glTF.
-pub(crate) fn looks_like(bytes: &[u8]) -> bool {
+fn looks_like(bytes: &[u8]) -> bool {
     if bytes.starts_with(MAGIC) {
         return true;
     }

@@ -3,26 +3,46 @@
 //!
 //! Each node that shows a mesh is one object. Vertices that files split for the sake of their
 //! normals and texture coordinates become one again; those values are kept at the corners. Different
-//! vertices at one place are told apart in files of ours by an attribute, [`VERTEX_ID`].
+//! vertices at one place are told apart in files of ours by an attribute, `_VERTEX_ID`.
 
 mod accessor;
 mod document;
+mod names;
 mod read;
 mod write;
 
-pub(crate) use document::{buffer_names, looks_like};
-pub(crate) use read::read;
-pub(crate) use write::{with_data, write_binary, write_text};
+use crate::format_info::{Certainty, FormatInfo};
+use crate::loss::Part;
 
-/// What our files say made them. In these a node without a mesh is an empty one: the format has no
-/// meshes with nothing to draw.
-const GENERATOR: &str = "Meshwright";
+/// glTF as one binary file.
+pub(crate) static BINARY: FormatInfo = FormatInfo {
+    code: "glb",
+    name: "GLB",
+    save_label: "Save as GLB…",
+    description: "glTF in one binary file, for the web and game engines.",
+    extensions: &["glb"],
+    detect: Some((Certainty::Signature, document::is_binary)),
+    write: Some(write::write_binary),
+    ..COMMON
+};
 
-/// The number of the vertex that a row is one of, as four bytes, low ones first: the format has no
-/// 32-bit numbers for such attributes. Written where vertices lie at one place, which would become one.
-const VERTEX_ID: &str = "_VERTEX_ID";
+/// glTF as JSON, with its data in a file beside it.
+pub(crate) static TEXT: FormatInfo = FormatInfo {
+    code: "gltf",
+    name: "glTF",
+    save_label: "Save as glTF…",
+    description: "glTF as text, with its data in a file beside it.",
+    extensions: &["gltf"],
+    detect: Some((Certainty::Signature, document::is_json)),
+    write: Some(|model| Ok(write::write_text(model))),
+    single_file: write::single_file,
+    ..COMMON
+};
 
-/// The first bytes of a binary file.
-const MAGIC: &[u8; 4] = b"glTF";
-const JSON_CHUNK: u32 = 0x4e4f_534a;
-const BIN_CHUNK: u32 = 0x004e_4942;
+const COMMON: FormatInfo = FormatInfo {
+    read: Some(read::read),
+    companion_extensions: &[("bin", "holds only data: open it together with the glTF model it belongs to")],
+    companions: document::buffer_names,
+    lacks: &[Part::Polygons, Part::Groups, Part::Smoothing, Part::Creases],
+    ..FormatInfo::DEFAULT
+};

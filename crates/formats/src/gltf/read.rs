@@ -2,12 +2,14 @@
 
 use super::accessor::Rows;
 use super::document::{Document, Material, Mesh, Node, Primitive, open};
-use super::{GENERATOR, VERTEX_ID};
+use super::names::{GENERATOR, VERTEX_ID};
+use crate::error::ReadError;
 use crate::hash::Unique;
-use crate::import::{ImportedObject, NamedBytes, ReadError, Reading, build};
-use crate::obj::names::unpainted;
-use crate::obj::runs::Names;
+use crate::labels::Names;
+use crate::material::Materials;
 use crate::origin::Origin;
+use crate::paint::unpainted;
+use crate::reading::{Contents, Reading, Source, build};
 use crate::report::{ImportReport, counted};
 use crate::soup::is_mirrored;
 use crate::srgb::to_srgb;
@@ -18,15 +20,15 @@ use std::borrow::Cow;
 use std::collections::HashMap;
 use std::rc::Rc;
 
-/// Reads one glTF; `files` are all that were given, for buffers in files of their own.
+/// Reads one glTF.
 pub(crate) fn read(
-    file: &NamedBytes,
-    files: &[NamedBytes],
+    source: &Source,
     reading: &mut Reading,
     progress: &mut Progress,
-) -> Result<(Vec<ImportedObject>, ImportReport), ReadError> {
+) -> Result<Contents, ReadError> {
+    let file = source.file;
     let fail = |message: String| ReadError::file(&file.name, message);
-    let (document, buffers) = open(file, files).map_err(fail)?;
+    let (document, buffers) = open(file, source.files).map_err(fail)?;
     let mut instances = Vec::new();
     find(&document, &mut instances).map_err(fail)?;
     if instances.is_empty() {
@@ -59,7 +61,7 @@ pub(crate) fn read(
             counted(left_out, "set", "sets")
         ));
     }
-    Ok((objects, report))
+    Ok(Contents { objects, materials: Materials::default(), report })
 }
 
 /// The meshes that the scene's nodes show, with their names and transforms, none for an empty one; if

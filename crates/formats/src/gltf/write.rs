@@ -2,11 +2,12 @@
 
 #![expect(clippy::indexing_slicing, reason = "the keys of JSON objects that are made here")]
 
-use super::{BIN_CHUNK, GENERATOR, JSON_CHUNK, MAGIC, VERTEX_ID};
-use crate::export::{ObjectRef, WriteError};
+use super::names::{BIN_CHUNK, GENERATOR, JSON_CHUNK, MAGIC, VERTEX_ID};
+use crate::error::WriteError;
+use crate::file::NamedBytes;
 use crate::hash::Unique;
-use crate::import::NamedBytes;
-use crate::obj::names::{own_colors, painted};
+use crate::model::Model;
+use crate::paint::{own_colors, painted};
 use crate::srgb::to_linear;
 use crate::text::percent_encoded;
 use crate::weld::Weld;
@@ -18,8 +19,8 @@ use serde_json::{Value, json};
 use std::collections::HashMap;
 
 /// Writes a `.glb`.
-pub(crate) fn write_binary(name: &str, objects: &[ObjectRef]) -> Result<Vec<NamedBytes>, WriteError> {
-    let (document, mut bin) = document(objects, None);
+pub(crate) fn write_binary(model: &Model) -> Result<Vec<NamedBytes>, WriteError> {
+    let (document, mut bin) = document(model, None);
     let mut json = document.to_string().into_bytes();
     json.resize(json.len().next_multiple_of(4), b' ');
     bin.resize(bin.len().next_multiple_of(4), 0);
@@ -33,19 +34,28 @@ pub(crate) fn write_binary(name: &str, objects: &[ObjectRef]) -> Result<Vec<Name
         bytes.extend_from_slice(&kind.to_le_bytes());
         bytes.extend_from_slice(chunk);
     }
-    Ok(vec![NamedBytes { name: format!("{name}.glb"), bytes }])
+    Ok(vec![NamedBytes { name: format!("{}.glb", model.name), bytes }])
 }
 
 /// Writes a `.gltf` and a `.bin` beside it.
-pub(crate) fn write_text(name: &str, objects: &[ObjectRef]) -> Vec<NamedBytes> {
-    let data = format!("{name}.bin");
-    let (document, bin) = document(objects, Some(&data));
-    let json = NamedBytes { name: format!("{name}.gltf"), bytes: document.to_string().into_bytes() };
+pub(crate) fn write_text(model: &Model) -> Vec<NamedBytes> {
+    let data = format!("{}.bin", model.name);
+    let (document, bin) = document(model, Some(&data));
+    let json = NamedBytes { name: format!("{}.gltf", model.name), bytes: document.to_string().into_bytes() };
     vec![json, NamedBytes { name: data, bytes: bin }]
 }
 
-/// What [`write_text`] wrote as one file, with the data in it as base64.
-pub(crate) fn with_data(json: NamedBytes, data: &NamedBytes) -> NamedBytes {
+/// What [`write_text`] wrote as one file, with its data inside.
+pub(crate) fn single_file(files: Vec<NamedBytes>) -> Option<NamedBytes> {
+    let mut files = files.into_iter();
+    let model = files.next()?;
+    Some(match files.next() {
+        Some(data) => with_data(model, &data),
+        None => model,
+    })
+}
+
+fn with_data(json: NamedBytes, data: &NamedBytes) -> NamedBytes {
     let Ok(mut document) = serde_json::from_slice::<Value>(&json.bytes) else { return json };
     if let Some(buffer) = document.pointer_mut("/buffers/0") {
         let text = base64::engine::general_purpose::STANDARD.encode(&data.bytes);
@@ -54,15 +64,15 @@ pub(crate) fn with_data(json: NamedBytes, data: &NamedBytes) -> NamedBytes {
     NamedBytes { name: json.name, bytes: document.to_string().into_bytes() }
 }
 
-fn document(objects: &[ObjectRef], uri: Option<&str>) -> (Value, Vec<u8>) {
-    let mut writer = Writer { own_colors: own_colors(objects, str::to_owned), ..Writer::default() };
+fn document(model: &Model, uri: Option<&str>) -> (Value, Vec<u8>) {
+    let mut writer = Writer { own_colors: own_colors(model, str::to_owned), ..Writer::default() };
     let (mut meshes, mut nodes) = (Vec::new(), Vec::new());
-    for object in objects {
+    for object in &model.objects {
         let mesh = object.mesh.to_compact();
         let primitives = writer.primitives(&mesh);
         let mut node = json!({ "name": object.name });
-        if object.offset != DVec3::ZERO {
-            node["translation"] = json!(object.offset.to_array());
+        if model.offset != DVec3::ZERO {
+            node["translation"] = json!(model.offset.to_array());
         }
         // A mesh needs something to draw; an empty one stays a node by name.
         if !primitives.is_empty() {

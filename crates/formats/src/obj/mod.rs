@@ -8,13 +8,36 @@
 //! a label gives the same lines again.
 
 mod cursor;
+mod detect;
+mod libraries;
 pub(crate) mod mtl;
-pub(crate) mod names;
+mod names;
 mod read;
-pub(crate) mod runs;
+mod runs;
 mod statements;
 mod texture;
 mod write;
 
-pub(crate) use read::read;
-pub(crate) use write::write;
+use crate::format_info::{Certainty, FormatInfo};
+use crate::loss::Part;
+
+/// Wavefront OBJ, with materials in an MTL beside it. Names of objects become groups, which keep objects
+/// apart.
+pub(crate) static FORMAT: FormatInfo = FormatInfo {
+    code: "obj",
+    name: "OBJ",
+    save_label: "Save as OBJ…",
+    description: "Text that every program reads, with a material file for colours.",
+    extensions: &["obj"],
+    detect: Some((Certainty::Statement, detect::is_obj)),
+    read: Some(read::read),
+    write: Some(|model| Ok(write::write(model))),
+    companion_extensions: &[(
+        "mtl",
+        "holds only materials: open it together with the OBJ model it belongs to",
+    )],
+    companions: libraries::companions,
+    lacks: &[Part::Creases],
+    keeps_property: mtl::keeps,
+    ..FormatInfo::DEFAULT
+};

@@ -6,12 +6,12 @@
 
 use super::cursor::Cursor;
 use super::texture::{self, TEXTURES};
-use crate::companions::image;
-use crate::import::NamedBytes;
+use crate::file::NamedBytes;
+use crate::images::image;
 use crate::material::{Material, Materials, MtlStatements, Property, Rgb, Texture};
 use crate::report::{ImportReport, Places, counted_words};
-use halfedge::{Color, Element, Mesh, keys};
-use std::collections::{HashMap, HashSet};
+use halfedge::Color;
+use std::collections::HashMap;
 use std::io::Write;
 
 /// A material's statements while its library is read.
@@ -263,18 +263,6 @@ pub(crate) fn keeps(property: Property) -> bool {
         Property::Texture(role) => TEXTURES.iter().any(|(_, known)| *known == role),
         _ => true,
     }
-}
-
-/// The names of the materials that faces of a mesh have.
-pub(crate) fn names_in_use(mesh: &Mesh) -> HashSet<&str> {
-    let labels = mesh.column(Element::Face, keys::FACE_MATERIAL.name).map_or(&[][..], |c| &c.labels);
-    let mut used = vec![false; labels.len()];
-    for f in mesh.faces() {
-        if let Some(used) = used.get_mut(mesh.get(keys::FACE_MATERIAL, f.index()) as usize) {
-            *used = true;
-        }
-    }
-    labels.iter().zip(used).filter(|(_, used)| *used).map(|(label, _)| label.as_str()).collect()
 }
 
 #[cfg(test)]

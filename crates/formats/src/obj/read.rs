@@ -1,36 +1,26 @@
 //! Reading an OBJ: statements to polygon soup with attributes, to a mesh, with a report.
 
-use super::mtl;
-use super::names::unpainted;
+use super::libraries;
 use super::statements::{Statements, Troubles};
-use crate::import::{ImportedObject, NamedBytes, ReadError, Reading, build, not_a};
+use crate::error::{ReadError, not_a};
+use crate::labels::labelled;
 use crate::material::{Material, Materials};
-use crate::report::{ImportReport, counted, first_few};
+use crate::paint::unpainted;
+use crate::reading::{Contents, Reading, Source, build};
+use crate::report::{ImportReport, counted};
 use crate::scan::is_text;
-use crate::soup::{drop_faces, labelled};
+use crate::soup::drop_faces;
 use halfedge::attribute::{AttributeType, Column, Key};
 use halfedge::{Color, NONE, PolygonSoup, Progress, keys};
-use std::collections::{HashMap, HashSet};
+use std::collections::HashMap;
 
-/// Whether a `mtllib` line names this file. A line may name several files, or one with blanks.
-fn mentions(statements: &Statements, library: &str) -> bool {
-    let base = |path: &str| path.rsplit(['/', '\\']).next().unwrap_or(path).to_lowercase();
-    let library = base(library);
-    statements
-        .libraries
-        .iter()
-        .any(|line| base(line) == library || line.split_whitespace().any(|name| base(name) == library))
-}
-
-/// Reads one OBJ as one object, and the materials of its faces. `libraries` are the `.mtl` files that
-/// came with it, `files` all files.
+/// Reads one OBJ as one object, and the materials of its faces.
 pub(crate) fn read(
-    file: &NamedBytes,
-    libraries: &[&NamedBytes],
-    files: &[NamedBytes],
+    source: &Source,
     reading: &mut Reading,
     progress: &mut Progress,
-) -> Result<(ImportedObject, Materials, ImportReport), ReadError> {
+) -> Result<Contents, ReadError> {
+    let file = source.file;
     if let Some(kind) = not_text(&file.bytes) {
         return Err(ReadError::file(&file.name, kind));
     }
@@ -49,10 +39,10 @@ pub(crate) fn read(
     }
     let mut report = ImportReport::default();
     report_troubles(&statements.troubles, &mut report);
-    let (soup, materials) = soup(&mut statements, libraries, files, &mut report);
+    let (soup, materials) = soup(&mut statements, source, &mut report);
     let part = &mut |part| progress(0.5 + part * 0.5);
     let object = build(file.stem(), soup, &file.name, reading, &mut report, part)?;
-    Ok((object, materials, report))
+    Ok(Contents { objects: vec![object], materials, report })
 }
 
 /// What a file is that can't be text in UTF-8.
@@ -64,12 +54,7 @@ fn not_text(bytes: &[u8]) -> Option<String> {
 }
 
 /// The soup with all attributes that the file gives, and the materials that its faces have.
-fn soup(
-    statements: &mut Statements,
-    libraries: &[&NamedBytes],
-    files: &[NamedBytes],
-    report: &mut ImportReport,
-) -> (PolygonSoup, Materials) {
+fn soup(statements: &mut Statements, source: &Source, report: &mut ImportReport) -> (PolygonSoup, Materials) {
     let mut soup = std::mem::take(&mut statements.soup);
     let faces = soup.face_count();
     if !statements.colors.is_empty() {
@@ -91,49 +76,13 @@ fn soup(
     if let Some(groups) = statements.groups.expand(faces, NONE) {
         soup.face_columns.push(statements.group_names.column(keys::FACE_GROUP, groups));
     }
-    let given = read_libraries(statements, libraries, files, report);
+    let given = libraries::read(&statements.libraries, source, report);
     let names = materials(statements, faces, &given.list, &mut soup.face_columns);
     if let Some(smoothing) = statements.smoothing.expand(faces, 0) {
         soup.face_columns.push(Column::with_values(keys::FACE_SMOOTHING, smoothing));
     }
     drop_faces(&mut soup, &statements.faces_without_vertices);
-    (soup, in_use(given, &names, report))
-}
-
-/// Those of the libraries' materials that faces have, by name, with the images that they use.
-fn in_use(given: Materials, names: &[String], report: &mut ImportReport) -> Materials {
-    let names: HashSet<&str> = names.iter().map(String::as_str).collect();
-    let is_used = |name: &str| !name.is_empty() && names.contains(name);
-    let (list, mut unused): (Vec<_>, Vec<_>) =
-        given.list.into_iter().partition(|material| is_used(&material.name));
-    // Those that stand for a colour of another one are in the colours of faces.
-    unused.retain(|material| unpainted(&material.name).is_none());
-    let mut used = Materials::default();
-    used.add(Materials { list, images: given.images });
-    if let Some(parameters) = mtl::statement_counts(used.list.iter()) {
-        report.info(format!(
-            "What its materials have besides a colour is not shown, and is written again when it is saved as OBJ: \
-             {parameters}"
-        ));
-    }
-    let absent = used.images.iter().filter(|image| image.bytes.is_none());
-    let absent: Vec<&str> = absent.map(|image| image.name.as_str()).collect();
-    if !absent.is_empty() {
-        report.info(format!(
-            "{} that its materials use not given, so only referred to: {}",
-            counted(absent.len(), "image", "images"),
-            first_few(&absent, 6)
-        ));
-    }
-    if !unused.is_empty() {
-        let names: Vec<&str> = unused.iter().map(|material| material.name.as_str()).collect();
-        report.info(format!(
-            "{} that no face has left out: {}",
-            counted(unused.len(), "material", "materials"),
-            first_few(&names, 6)
-        ));
-    }
-    used
+    (soup, libraries::in_use(given, &names, report))
 }
 
 /// The values that corners refer to by number; nothing where no corner has one.
@@ -199,38 +148,6 @@ fn materials(
         columns.push(Column::with_values(keys::FACE_COLOR, numbers.iter().map(color).collect()));
     }
     names
-}
-
-/// All materials in the libraries that belong to the file: those it names, or, if it names none of
-/// those that came with it, all that did.
-fn read_libraries(
-    statements: &Statements,
-    libraries: &[&NamedBytes],
-    files: &[NamedBytes],
-    report: &mut ImportReport,
-) -> Materials {
-    let named: Vec<_> = libraries.iter().filter(|library| mentions(statements, &library.name)).collect();
-    let used = if named.is_empty() { libraries.iter().collect() } else { named };
-    let mut materials = Materials::default();
-    for library in &used {
-        let mut notes = ImportReport::default();
-        let more = mtl::read(library, files, &mut notes);
-        report.info(format!(
-            "Colours of {} read from {}",
-            counted(more.list.len(), "material", "materials"),
-            library.name
-        ));
-        report.append(notes);
-        // Of several materials of one name, the first counts.
-        materials.add(more);
-    }
-    if used.is_empty() && !statements.libraries.is_empty() {
-        report.info(format!(
-            "The colours of its materials are in {}, which was not given: open both files together to see them",
-            statements.libraries.join(", ")
-        ));
-    }
-    materials
 }
 
 fn report_troubles(troubles: &Troubles, report: &mut ImportReport) {

@@ -6,7 +6,8 @@
 
 use super::cursor::Cursor;
 use super::names::{group_label, spaced};
-use super::runs::{Names, Runs};
+use super::runs::Runs;
+use crate::labels::Names;
 use crate::origin::Origin;
 use crate::report::Places;
 use glam::{DVec3, Vec2, Vec3};

@@ -1,12 +1,13 @@
 //! Writing an OBJ, with its materials in an MTL beside it.
 
 use super::mtl::{self, Entry};
-use super::names::{clean, group_lines, own_colors, painted, spaced};
-use crate::companions::image_files;
-use crate::export::ObjectRef;
+use super::names::{clean, group_lines, spaced};
+use crate::file::NamedBytes;
 use crate::hash::Unique;
-use crate::import::NamedBytes;
+use crate::images::image_files;
 use crate::material::{Image, Material};
+use crate::model::{Model, NamedMesh};
+use crate::paint::{names_in_use, own_colors, painted};
 use crate::text::{push_floats, push_integer, push_position};
 use glam::{DVec3, Vec2, Vec3};
 use halfedge::{Color, Element, Mesh, NONE, keys};
@@ -15,36 +16,36 @@ use std::collections::HashMap;
 /// Writes the objects into one OBJ, several as `o` sections. If faces have colours or known materials, a
 /// second file holds the materials, and more files the images that these use. Read again, one object is
 /// the same mesh: numbering, positions to the bit, corners, attributes.
-pub(crate) fn write(name: &str, objects: &[ObjectRef]) -> Vec<NamedBytes> {
-    let has_colors = objects.iter().any(|object| shows_colors(object.mesh));
+pub(crate) fn write(model: &Model) -> Vec<NamedBytes> {
+    let (name, objects) = (&model.name, &model.objects);
+    let has_colors = objects.iter().any(|object| shows_colors(&object.mesh));
     let mut known: HashMap<String, &Material> = HashMap::new();
-    for material in objects.iter().flat_map(|object| &object.materials.list) {
+    for material in &model.materials.list {
         known.entry(clean(&material.name)).or_insert(material);
     }
-    let is_known = |object: &ObjectRef| {
+    let is_known = |object: &NamedMesh| {
         !known.is_empty()
-            && mtl::names_in_use(object.mesh).into_iter().any(|name| known.contains_key(&clean(name)))
+            && names_in_use(&object.mesh).into_iter().any(|name| known.contains_key(&clean(name)))
     };
     let has_materials = has_colors || objects.iter().any(is_known);
     let library = format!("{name}.mtl");
     let mut writer =
-        Writer { materials: Materials::new(has_colors, own_colors(objects, clean)), ..Writer::default() };
+        Writer { materials: Materials::new(has_colors, own_colors(model, clean)), ..Writer::default() };
     writer.out.extend_from_slice(b"# Written by Meshwright\n");
     if has_materials {
         writer.name_line("mtllib", &clean(&library));
     }
     for object in objects {
-        let section = (objects.len() > 1).then(|| clean(object.name));
+        let section = (objects.len() > 1).then(|| clean(&object.name));
         // An empty mesh would leave a file with nothing in it.
         if section.is_none() && object.mesh.vertex_count() == 0 {
-            writer.name_line("o", &clean(object.name));
+            writer.name_line("o", &clean(&object.name));
         }
-        writer.object(&object.mesh.to_compact(), object.offset, section);
+        writer.object(&object.mesh.to_compact(), model.offset, section);
     }
     let mut files = vec![NamedBytes { name: format!("{name}.obj"), bytes: writer.out }];
     if has_materials {
-        // One document has one list of materials.
-        let images = objects.first().map_or(&[][..], |object| &object.materials.images);
+        let images = &model.materials.images;
         let entry = |named: Named| Entry {
             name: named.name,
             color: has_colors.then_some(named.color),

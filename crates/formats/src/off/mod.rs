@@ -4,5 +4,20 @@
 mod read;
 mod write;
 
-pub(crate) use read::{is_off, read};
-pub(crate) use write::write;
+use crate::format_info::{Certainty, FormatInfo};
+use crate::loss::{self, Part};
+
+pub(crate) static FORMAT: FormatInfo = FormatInfo {
+    code: "off",
+    name: "OFF",
+    save_label: "Save as OFF…",
+    description: "Plain text of geometry programs, with colours.",
+    extensions: &["off", "coff"],
+    detect: Some((Certainty::Signature, read::is_off)),
+    read: Some(|source, reading, progress| read::read(source.file, reading, progress).map(Into::into)),
+    write: Some(|model| Ok(write::write(model))),
+    // Normals and texture coordinates as far as the corners of a vertex agree.
+    lacks: &[Part::Objects, Part::Groups, Part::Materials, Part::Smoothing, Part::Creases],
+    losses: |model| loss::values_of_corners("OFF", model, true),
+    ..FormatInfo::DEFAULT
+};

@@ -1,7 +1,10 @@
 //! Reading an OFF.
 
-use crate::import::{ImportedObject, NamedBytes, ReadError, Reading, build};
+use crate::error::ReadError;
+use crate::file::NamedBytes;
+use crate::model::NamedMesh;
 use crate::origin::Origin;
+use crate::reading::{Reading, build};
 use crate::report::{ImportReport, Places};
 use crate::scan::{Scan, Ticker};
 use crate::soup::of_vertices;
@@ -54,7 +57,7 @@ pub(crate) fn read(
     file: &NamedBytes,
     reading: &mut Reading,
     progress: &mut Progress,
-) -> Result<(ImportedObject, ImportReport), ReadError> {
+) -> Result<(NamedMesh, ImportReport), ReadError> {
     let fail = |message: &str| ReadError::file(&file.name, message);
     let mut scan = Scan::new(&file.bytes, Some(b'#'));
     let mut probe = Scan::new(&file.bytes, Some(b'#'));

@@ -1,14 +1,14 @@
 //! Writing an OFF; positions read back bit for bit.
 
-use crate::export::ObjectRef;
-use crate::import::NamedBytes;
+use crate::file::NamedBytes;
+use crate::model::Model;
 use crate::pieces::Pieces;
 use crate::text::{push_floats, push_integer, push_position};
 
 /// Writes the objects as one OFF, with what vertices have besides: texture coordinates (`ST`),
 /// colours (`C`) and normals (`N`).
-pub(crate) fn write(name: &str, objects: &[ObjectRef]) -> Vec<NamedBytes> {
-    let pieces = Pieces::new(objects);
+pub(crate) fn write(model: &Model) -> Vec<NamedBytes> {
+    let pieces = Pieces::new(model);
     let vertex_colors = pieces.vertex_colors();
     let face_colors = pieces.face_colors();
     let (normals, uvs) = (pieces.vertex_normals(), pieces.vertex_uvs());
@@ -49,5 +49,5 @@ pub(crate) fn write(name: &str, objects: &[ObjectRef]) -> Vec<NamedBytes> {
         }
         out.push(b'\n');
     }
-    vec![NamedBytes { name: format!("{name}.off"), bytes: out }]
+    vec![NamedBytes { name: format!("{}.off", model.name), bytes: out }]
 }

@@ -1,6 +1,6 @@
 //! The head of a PLY: which elements with which properties come, and how they are written.
 
-use crate::import::not_a;
+use crate::error::not_a;
 use crate::scan::Scan;
 
 /// How a number is stored.
@@ -162,4 +162,9 @@ impl Header {
         let scalar = Scalar::parse(word)?;
         Some(Property { name: String::from_utf8_lossy(scan.word()?).into_owned(), scalar, count })
     }
+}
+/// Whether the first line is that of a PLY.
+pub(crate) fn is_ply(bytes: &[u8]) -> bool {
+    let mut scan = Scan::new(bytes.get(..64 * 1024).unwrap_or(bytes), None);
+    scan.word() == Some(b"ply") && !scan.more_on_line()
 }

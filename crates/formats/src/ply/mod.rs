@@ -8,5 +8,36 @@ mod read;
 mod source;
 mod write;
 
-pub(crate) use read::read;
-pub(crate) use write::{write, write_text};
+use crate::format_info::{Certainty, FormatInfo};
+use crate::loss::{self, Part};
+
+/// PLY, written binary (little-endian); reads both.
+pub(crate) static BINARY: FormatInfo = FormatInfo {
+    code: "ply",
+    name: "PLY",
+    save_label: "Save as PLY…",
+    description: "Binary, with face and vertex colours.",
+    detect: Some((Certainty::Signature, header::is_ply)),
+    read: Some(|source, reading, progress| read::read(source.file, reading, progress).map(Into::into)),
+    write: Some(write::write),
+    losses: |model| loss::values_of_corners("PLY", model, false),
+    ..COMMON
+};
+
+/// PLY written as text.
+pub(crate) static TEXT: FormatInfo = FormatInfo {
+    code: "ply-text",
+    name: "PLY (text)",
+    save_label: "Save as PLY (text)…",
+    description: "PLY that can be read in a text editor, with colours.",
+    write: Some(|model| Ok(write::write_text(model))),
+    losses: |model| loss::values_of_corners("PLY (text)", model, false),
+    ..COMMON
+};
+
+const COMMON: FormatInfo = FormatInfo {
+    extensions: &["ply"],
+    // Normals as far as the corners of a vertex agree.
+    lacks: &[Part::Objects, Part::Groups, Part::Materials, Part::Smoothing, Part::Creases],
+    ..FormatInfo::DEFAULT
+};

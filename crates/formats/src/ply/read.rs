@@ -2,7 +2,10 @@
 
 use super::header::{Header, Property, Table};
 use super::source::Source;
-use crate::import::{ImportedObject, NamedBytes, ReadError, Reading, build};
+use crate::error::ReadError;
+use crate::file::NamedBytes;
+use crate::model::NamedMesh;
+use crate::reading::{Reading, build};
 use crate::report::{ImportReport, Places, counted};
 use crate::scan::Ticker;
 use crate::soup::of_vertices;
@@ -15,7 +18,7 @@ pub(crate) fn read(
     file: &NamedBytes,
     reading: &mut Reading,
     progress: &mut Progress,
-) -> Result<(ImportedObject, ImportReport), ReadError> {
+) -> Result<(NamedMesh, ImportReport), ReadError> {
     let header = Header::read(&file.bytes).map_err(|message| ReadError::file(&file.name, message))?;
     if !header.tables.iter().any(|table| table.name == "vertex") {
         return Err(ReadError::file(&file.name, "the PLY has no element \"vertex\""));
@@ -272,7 +275,7 @@ impl Reader<'_> {
         file: &NamedBytes,
         mut report: ImportReport,
         progress: &mut Progress,
-    ) -> Result<(ImportedObject, ImportReport), ReadError> {
+    ) -> Result<(NamedMesh, ImportReport), ReadError> {
         if !self.left_out.is_empty() {
             report.info(format!("Properties that are not used were left out: {}", self.left_out.join(", ")));
         }

@@ -1,7 +1,8 @@
 //! Writing a PLY, binary or text; positions read back bit for bit.
 
-use crate::export::{ObjectRef, WriteError};
-use crate::import::NamedBytes;
+use crate::error::WriteError;
+use crate::file::NamedBytes;
+use crate::model::Model;
 use crate::pieces::Pieces;
 use crate::text::{push_floats, push_integer, push_position};
 use glam::Vec3;
@@ -20,8 +21,8 @@ struct Parts<'a> {
 }
 
 impl<'a> Parts<'a> {
-    fn new(objects: &[ObjectRef<'a>]) -> Self {
-        let pieces = Pieces::new(objects);
+    fn new(model: &'a Model) -> Self {
+        let pieces = Pieces::new(model);
         Self {
             vertex_colors: pieces.vertex_colors(),
             normals: pieces.vertex_normals(),
@@ -82,8 +83,8 @@ impl<'a> Parts<'a> {
 }
 
 /// Writes a binary PLY, little-endian.
-pub(crate) fn write(name: &str, objects: &[ObjectRef]) -> Result<Vec<NamedBytes>, WriteError> {
-    let parts = Parts::new(objects);
+pub(crate) fn write(model: &Model) -> Result<Vec<NamedBytes>, WriteError> {
+    let parts = Parts::new(model);
     // Vertex numbers are signed in practice.
     if parts.pieces.vertices > i32::MAX as u64 {
         return Err(WriteError::new("PLY numbers at most 2147483647 vertices: save as OBJ instead"));
@@ -116,12 +117,12 @@ pub(crate) fn write(name: &str, objects: &[ObjectRef]) -> Result<Vec<NamedBytes>
         }
         out.extend(parts.face_color(f).into_iter().flatten());
     }
-    Ok(vec![NamedBytes { name: format!("{name}.ply"), bytes: out }])
+    Ok(vec![NamedBytes { name: format!("{}.ply", model.name), bytes: out }])
 }
 
 /// Writes a PLY as text.
-pub(crate) fn write_text(name: &str, objects: &[ObjectRef]) -> Vec<NamedBytes> {
-    let parts = Parts::new(objects);
+pub(crate) fn write_text(model: &Model) -> Vec<NamedBytes> {
+    let parts = Parts::new(model);
     let mut out = parts.head("ascii");
     for (v, (position, offset)) in parts.pieces.positions().enumerate() {
         push_position(&mut out, position, offset);
@@ -145,7 +146,7 @@ pub(crate) fn write_text(name: &str, objects: &[ObjectRef]) -> Vec<NamedBytes> {
         push_channels(&mut out, parts.face_color(f));
         out.push(b'\n');
     }
-    vec![NamedBytes { name: format!("{name}.ply"), bytes: out }]
+    vec![NamedBytes { name: format!("{}.ply", model.name), bytes: out }]
 }
 
 fn push_channels(out: &mut Vec<u8>, channels: Option<[u8; 3]>) {

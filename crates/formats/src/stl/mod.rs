@@ -6,5 +6,40 @@
 mod read;
 mod write;
 
-pub(crate) use read::{is_binary, is_text_stl, read};
-pub(crate) use write::{write, write_text};
+use crate::format_info::{Certainty, FormatInfo};
+use crate::loss::{self, Part};
+use crate::model::Model;
+use glam::DVec3;
+
+/// STL, written binary; reads both.
+pub(crate) static BINARY: FormatInfo = FormatInfo {
+    code: "stl",
+    name: "STL",
+    save_label: "Save as STL…",
+    description: "Binary triangles, for 3D printing.",
+    detect: Some((Certainty::Layout, |bytes| read::is_text_stl(bytes) || read::is_binary(bytes))),
+    read: Some(|source, reading, progress| read::read(source.file, reading, progress).map(Into::into)),
+    write: Some(write::write),
+    losses: |model| loss::merged_vertices("STL", model).into_iter().chain(rounding_loss(model)).collect(),
+    ..COMMON
+};
+
+/// STL written as text.
+pub(crate) static TEXT: FormatInfo = FormatInfo {
+    code: "stl-text",
+    name: "STL (text)",
+    save_label: "Save as STL (text)…",
+    description: "Triangles that can be read in a text editor.",
+    write: Some(|model| Ok(write::write_text(model))),
+    losses: |model| loss::merged_vertices("STL (text)", model).into_iter().collect(),
+    ..COMMON
+};
+
+const COMMON: FormatInfo = FormatInfo { extensions: &["stl"], lacks: &Part::ALL, ..FormatInfo::DEFAULT };
+
+fn rounding_loss(model: &Model) -> Option<String> {
+    (model.offset != DVec3::ZERO && !model.objects.is_empty()).then(|| {
+        "STL holds 32 bits for a coordinate: positions so far from the origin are rounded; STL (text) keeps them"
+            .to_owned()
+    })
+}

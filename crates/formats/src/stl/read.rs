@@ -1,7 +1,10 @@
 //! Reading an STL.
 
-use crate::import::{ImportedObject, NamedBytes, ReadError, Reading, build};
+use crate::error::ReadError;
+use crate::file::NamedBytes;
+use crate::model::NamedMesh;
 use crate::origin::Origin;
+use crate::reading::{Reading, build};
 use crate::report::{ImportReport, Places, counted};
 use crate::scan::{Scan, Ticker, is_text};
 use crate::weld::Weld;
@@ -79,7 +82,7 @@ pub(crate) fn read(
     file: &NamedBytes,
     reading: &mut Reading,
     progress: &mut Progress,
-) -> Result<(ImportedObject, ImportReport), ReadError> {
+) -> Result<(NamedMesh, ImportReport), ReadError> {
     let mut report = ImportReport::default();
     let mut triangles = Triangles { weld: Weld::new(), soup: PolygonSoup::default() };
     if is_text_stl(&file.bytes) {

@@ -7,7 +7,7 @@ use halfedge::keys;
 
 fn case(name: &str) -> Import {
     let import = read(&[case_file(name)]).expect(name);
-    for object in &import.objects {
+    for object in &import.model.objects {
         object.mesh.validate().expect("a valid mesh");
     }
     import
@@ -36,8 +36,8 @@ fn a_skin_has_its_bind_shape_and_pose() {
 #[test]
 fn a_morphed_geometry_is_shown_where_its_node_is() {
     let import = case("dae-morph-controller.dae");
-    let first = |object: usize| import.objects[object].mesh.positions()[0];
-    assert_eq!((import.objects.len(), first(0), first(1)), (2, Vec3::X * 3.0, Vec3::Z * 5.0));
+    let first = |object: usize| import.model.objects[object].mesh.positions()[0];
+    assert_eq!((import.model.objects.len(), first(0), first(1)), (2, Vec3::X * 3.0, Vec3::Z * 5.0));
     assert!(
         import.report.to_string().contains("the shapes to blend to are not kept: thing"),
         "{}",
@@ -93,7 +93,7 @@ fn a_fault_in_one_node_costs_the_other_nothing() {
         import.report
     );
     let import = case("dae-geometry-elsewhere.dae");
-    assert_eq!((positions(&import), import.objects[0].name.as_str()), (TRIANGLE.to_vec(), "m"));
+    assert_eq!((positions(&import), import.model.objects[0].name.as_str()), (TRIANGLE.to_vec(), "m"));
     assert!(
         import.report.to_string().contains("what node \"n\" shows: \"other.dae#h\" is in another file"),
         "{}",

@@ -1,8 +1,8 @@
 //! Every kind of content either comes back or is named in the report.
 
-use super::common::{self, mesh, read};
+use super::common::{self, by_code, mesh, model, read};
 use super::{INPUT, document, read_dae};
-use formats::{Format, Import, ObjectRef};
+use formats::Import;
 use glam::Vec3;
 use halfedge::attribute::Column;
 use halfedge::{Color, Mesh, PolygonSoup, keys};
@@ -204,8 +204,8 @@ fn colours_of_vertices_come_back() {
         }
         soup.vertex_columns.push(Column::with_values(keys::VERTEX_COLOR, colors));
         let mesh = Mesh::build(soup).expect("small").mesh;
-        let back = read(&common::write(Format::Collada, &mesh)).expect("readable");
+        let back = read(&common::write(by_code("dae"), &mesh)).expect("readable");
         assert!(common::mesh(&back) == &mesh, "{without:?}");
-        assert_eq!(formats::losses(Format::Collada, &[ObjectRef::new("a", &mesh)]), [""; 0]);
+        assert_eq!(formats::losses(by_code("dae"), &model("", &[("a", &mesh)])), [""; 0]);
     }
 }

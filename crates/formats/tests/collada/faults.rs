@@ -180,7 +180,7 @@ fn a_fault_in_one_node_costs_no_other() {
         ),
     ] {
         let import = read_dae(document("", &triangle(), &scene(&format!("{faulty}{good}")))).expect(faulty);
-        assert_eq!(import.objects.len(), 1, "{}\n{faulty}", import.report);
+        assert_eq!(import.model.objects.len(), 1, "{}\n{faulty}", import.report);
         assert_eq!(mesh(&import).positions()[0].z, 5.0, "{faulty}");
         assert!(
             warnings(&import).contains(&format!("Left out: {expected}"))
@@ -219,7 +219,7 @@ fn nesting_and_repetition_have_limits_only_in_what_they_show() {
         .collect();
     let nodes = format!("{bomb}<node id=\"n30\"><instance_geometry url=\"#g\"/></node>");
     let import = read_dae(document("", &triangle(), &scene(&nodes))).expect("readable");
-    assert!(import.objects.len() < 50_000, "{}", import.objects.len());
+    assert!(import.model.objects.len() < 50_000, "{}", import.model.objects.len());
     let warnings = warnings(&import);
     assert!(
         warnings.contains("all nodes of the scene after the first") || warnings.contains("too many times"),
@@ -240,5 +240,5 @@ fn a_file_that_breaks_off_keeps_what_came_before() {
     }
     // Programs write names with "&" as they are.
     let import = read_dae(whole.replace("\"n\"", "\"a & b\"")).expect("readable");
-    assert_eq!(import.objects[0].name, "a & b");
+    assert_eq!(import.model.objects[0].name, "a & b");
 }

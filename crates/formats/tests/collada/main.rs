@@ -10,8 +10,8 @@ mod controllers;
 mod faults;
 mod materials;
 
-use common::{load, mesh, objects, read};
-use formats::{Format, Import, NamedBytes, ObjectRef};
+use common::{by_code, load, mesh, model, read, renamed};
+use formats::{Import, NamedBytes};
 use glam::{Vec2, Vec3};
 use halfedge::attribute::{Column, keys};
 use halfedge::{Color, Element, Mesh, PolygonSoup, VertexId};
@@ -43,7 +43,7 @@ const INPUT: &str = "<input semantic=\"VERTEX\" source=\"#v\" offset=\"0\"/>";
 
 #[test]
 fn nodes_that_mirror_turn_faces_round() {
-    let files = common::write(Format::Collada, &common::tetrahedron());
+    let files = common::write(by_code("dae"), &common::tetrahedron());
     let text = common::text(&files[0]);
     let place = text.find("<instance_geometry").expect("an instance");
     for (transform, outer, sign) in [
@@ -66,7 +66,7 @@ fn nodes_that_mirror_turn_faces_round() {
         let scene = format!(
             "<library_visual_scenes><visual_scene><node><scale>{scale}</scale><instance_geometry url=\"#g\"/></node></visual_scene></library_visual_scenes>"
         );
-        read_dae(document("", &polygons, &scene)).expect("readable").objects.remove(0).mesh
+        read_dae(document("", &polygons, &scene)).expect("readable").model.objects.remove(0).mesh
     };
     let corners = |mesh: &Mesh| -> Vec<Vec<u32>> {
         mesh.faces().map(|f| mesh.face_vertices(f).map(|v| v.raw()).collect()).collect()
@@ -88,7 +88,7 @@ fn the_courses_files_have_their_counts() {
             let mesh = mesh(&import);
             assert_eq!((mesh.vertex_count(), mesh.face_count()), (vertices, faces), "{folder}/{}", file.name);
             assert!(import.report.is_clean(), "{}", import.report);
-            let back = read(&formats::write(Format::Collada, "x", &objects(&import)).expect("small"))
+            let back = read(&formats::write(by_code("dae"), &renamed(&import, "x")).expect("small"))
                 .expect("readable");
             assert!(common::mesh(&back) == mesh, "{folder}/{}", file.name);
         }
@@ -135,8 +135,11 @@ fn transforms_apply_in_metres_with_y_up() {
         scene,
     );
     let import = read_dae(text).expect("readable");
-    assert_eq!(import.objects.iter().map(|o| o.name.as_str()).collect::<Vec<_>>(), ["outer", "lib", "in"]);
-    let at = |object: usize| import.objects[object].mesh.position(VertexId::new(1));
+    assert_eq!(
+        import.model.objects.iter().map(|o| o.name.as_str()).collect::<Vec<_>>(),
+        ["outer", "lib", "in"]
+    );
+    let at = |object: usize| import.model.objects[object].mesh.position(VertexId::new(1));
     // Vertex 1 is (1, 0, 0): turned to (0, 1, 0), moved to (0, 1, 3); X up gives (-1, 0, 3), halved.
     assert!(at(0).distance(Vec3::new(-0.5, 0.0, 1.5)) < 1e-6, "{}", at(0));
     assert!(at(1).distance(Vec3::new(-1.0, 0.0, 1.5)) < 1e-6, "{}", at(1));
@@ -162,7 +165,7 @@ fn every_primitive_is_read() {
         assert_eq!((mesh.vertex_count(), mesh.face_count()), (6, faces), "{primitive}");
         assert!(import.report.to_string().contains(expected), "{}", import.report);
         assert_eq!(import.report.is_clean(), expected.is_empty(), "{}", import.report);
-        assert_eq!(import.objects[0].name, "shape");
+        assert_eq!(import.model.objects[0].name, "shape");
     }
 }
 
@@ -195,8 +198,9 @@ fn polygons_with_holes_are_cut_round_them() {
 fn encodings_are_told() {
     let text = document("", &format!("<triangles>{INPUT}<p>0 1 2</p></triangles>"), "")
         .replace("\"shape\"", "\"Körper &amp; &#x3b1;\"");
-    let name =
-        |bytes: Vec<u8>| read(&[NamedBytes::new("a", bytes)]).expect("readable").objects[0].name.clone();
+    let name = |bytes: Vec<u8>| {
+        read(&[NamedBytes::new("a", bytes)]).expect("readable").model.objects[0].name.clone()
+    };
     assert_eq!(name(text.clone().into_bytes()), "Körper & α");
     assert_eq!(name([b"\xef\xbb\xbf", text.as_bytes()].concat()), "Körper & α");
     assert_eq!(
@@ -247,31 +251,28 @@ fn attributes_and_objects_round_trip() {
     let mut plain = Mesh::build(sample.to_soup()).expect("small").mesh;
     plain.insert_column(Element::Face, Column::with_values(keys::FACE_COLOR, vec![Color::UNPAINTED; 4]));
     let empty = Mesh::new();
-    let given = [
-        ObjectRef::new("one & only", &sample),
-        ObjectRef::new("two", &plain),
-        ObjectRef::new("empty", &empty),
-    ];
-    let import = read(&formats::write(Format::Collada, "x", &given).expect("small")).expect("readable");
+    let given = [("one & only", &sample), ("two", &plain), ("empty", &empty)];
+    let import =
+        read(&formats::write(by_code("dae"), &model("x", &given)).expect("small")).expect("readable");
     assert!(import.report.is_clean(), "{}", import.report);
-    assert_eq!(import.objects.len(), 3);
-    for (back, given) in import.objects.iter().zip(&given) {
-        assert_eq!(back.name, given.name);
+    assert_eq!(import.model.objects.len(), 3);
+    for (back, (name, mesh)) in import.model.objects.iter().zip(given) {
+        assert_eq!(back.name, name);
         back.mesh.validate().expect("valid");
-        assert!(back.mesh == *given.mesh, "{}", given.name);
+        assert!(*back.mesh == *mesh, "{name}");
     }
 }
 
 fn shared_models_round_trip() {
     for path in fixtures::shared_files("models/common", "obj") {
         let original = read(&[load(&path)]).expect("readable");
-        let original = &original.objects[0].mesh;
-        let files = formats::write(Format::Collada, "x", &[ObjectRef::new("m", original)]).expect("small");
+        let original = original.model.objects[0].mesh.as_ref();
+        let files = formats::write(by_code("dae"), &model("x", &[("m", original)])).expect("small");
         let import = read(&files).expect("readable");
         let back = mesh(&import);
         assert!(import.report.is_clean(), "{}", import.report);
         // Identical, where the format has a place for all there is.
-        if formats::losses(Format::Collada, &[ObjectRef::new("m", original)]).is_empty() {
+        if formats::losses(by_code("dae"), &model("", &[("m", original)])).is_empty() {
             assert!(back == original, "{}", path.display());
         }
         assert!(back.positions() == original.positions());
@@ -289,7 +290,7 @@ proptest! {
         wide in any::<bool>(),
     ) {
         let sample = sample();
-        let files = formats::write(Format::Collada, "x", &[ObjectRef::new("a", &sample)]).expect("small");
+        let files = formats::write(by_code("dae"), &model("x", &[("a", &sample)])).expect("small");
         let mut bytes = files[0].bytes.clone();
         for (at, other, value, kind) in edits {
             if bytes.is_empty() {
@@ -311,7 +312,7 @@ proptest! {
             bytes = String::from_utf8_lossy(&bytes).encode_utf16().flat_map(u16::to_le_bytes).collect();
         }
         if let Ok(import) = read(&[NamedBytes::new("a.dae", bytes)]) {
-            for object in &import.objects {
+            for object in &import.model.objects {
                 object.mesh.validate().expect("valid");
             }
         }

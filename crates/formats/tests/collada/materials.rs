@@ -1,8 +1,8 @@
 //! Materials: textures and what else effects say of surfaces.
 
-use super::common::{self, case_file, mesh, objects, read};
-use formats::{Format, Import, NamedBytes, ObjectRef};
+use super::common::{self, by_code, case_file, mesh, read, renamed};
 use formats::{Image, Material, Materials, Rgb, Texture, TextureRole, UvTransform, Wrap};
+use formats::{Import, Model, NamedBytes};
 use glam::{Vec2, Vec3};
 use halfedge::attribute::Column;
 use halfedge::{Color, Mesh, PolygonSoup, keys};
@@ -23,9 +23,9 @@ fn textured(edits: &[(&str, &str)], files: &[NamedBytes]) -> Import {
 
 /// The texture of this role in the only material.
 fn texture(import: &Import, role: TextureRole) -> (&Texture, &Image) {
-    let [material] = import.materials.list.as_slice() else { panic!("{:?}", import.materials) };
+    let [material] = import.model.materials.list.as_slice() else { panic!("{:?}", import.model.materials) };
     let texture = material.texture(role).expect("a texture");
-    (texture, import.materials.image(texture).expect("an image"))
+    (texture, import.model.materials.image(texture).expect("an image"))
 }
 
 #[test]
@@ -36,20 +36,20 @@ fn a_texture_is_kept_with_its_image() {
         (image.name.as_str(), image.bytes.is_some(), texture.wrap),
         ("wood.png", false, [Wrap::Repeat; 2])
     );
-    assert_eq!(import.materials.list[0].name, "wood");
+    assert_eq!(import.model.materials.list[0].name, "wood");
     assert!(import.report.to_string().contains("only referred to: wood.png"), "{}", import.report);
     assert_eq!(formats::companions(&case_file("dae-textured.dae")), ["wood.png"]);
     // In an OBJ its library names the image.
-    let written = formats::write(Format::Obj, "x", &objects(&import)).expect("small");
+    let written = formats::write(by_code("obj"), &renamed(&import, "x")).expect("small");
     assert!(common::text(&written[1]).contains("map_Kd wood.png"), "{}", common::text(&written[1]));
     // An image given along travels with the model.
     let import = textured(&[], &[NamedBytes::new("folder/wood.png", b"\x89PNG".to_vec())]);
-    for format in [Format::Collada, Format::Obj] {
-        let written = formats::write(format, "x", &objects(&import)).expect("small");
+    for format in [by_code("dae"), by_code("obj")] {
+        let written = formats::write(format, &renamed(&import, "x")).expect("small");
         let image = written.iter().find(|file| file.name == "wood.png").expect("beside the model");
         assert_eq!(image.bytes, b"\x89PNG");
         let back = read(&written).expect("readable");
-        assert_eq!(back.materials.images, import.materials.images, "{format:?}");
+        assert_eq!(back.model.materials.images, import.model.materials.images, "{format:?}");
     }
 }
 
@@ -121,7 +121,7 @@ fn what_of_a_material_is_not_kept_is_named() {
 fn transparency_has_four_meanings() {
     let alpha = |transparent: &str| {
         let edit = ("</lambert>", &*format!("{transparent}</lambert>"));
-        textured(&[edit], &[]).materials.list[0].alpha
+        textured(&[edit], &[]).model.materials.list[0].alpha
     };
     let both = |opaque: &str| {
         alpha(&format!(
@@ -210,21 +210,21 @@ fn materials_come_back() {
     let own = rich.color().expect("a colour");
     for colors in [[own, Color::UNPAINTED], [own, Color([1, 2, 3])]] {
         let mesh = with_materials(["rich & <fine>", "plain"], colors);
-        let object = ObjectRef { materials: &materials, ..ObjectRef::new("a", &mesh) };
-        assert_eq!(formats::losses(Format::Collada, &[object]), [""; 0]);
-        let back = read(&formats::write(Format::Collada, "x", &[object]).expect("small")).expect("readable");
+        let model = Model { materials: materials.clone(), ..Model::of_mesh("a", mesh.clone()) };
+        assert_eq!(formats::losses(by_code("dae"), &model), [""; 0]);
+        let back = read(&formats::write(by_code("dae"), &model).expect("small")).expect("readable");
         assert!(back.report.is_clean(), "{}", back.report);
-        assert!(back.objects[0].mesh == mesh);
+        assert!(*back.model.objects[0].mesh == mesh);
         let mut expected = materials.clone();
         expected.list[1].base_color = (colors[1] != Color::UNPAINTED).then(|| Rgb::from_color(colors[1]));
-        assert_eq!(back.materials, expected);
+        assert_eq!(back.model.materials, expected);
     }
     // Painted faces have materials of their own in the file, and one here.
     let mesh = with_materials(["rich & <fine>", "rich & <fine>"], [own, Color([9, 8, 7])]);
-    let object = ObjectRef { materials: &materials, ..ObjectRef::new("a", &mesh) };
-    let back = read(&formats::write(Format::Collada, "x", &[object]).expect("small")).expect("readable");
-    assert!(back.objects[0].mesh == mesh);
-    assert_eq!(back.materials.list, [rich]);
+    let model = Model { materials: materials.clone(), ..Model::of_mesh("a", mesh.clone()) };
+    let back = read(&formats::write(by_code("dae"), &model).expect("small")).expect("readable");
+    assert!(*back.model.objects[0].mesh == mesh);
+    assert_eq!(back.model.materials.list, [rich]);
 }
 
 #[test]
@@ -240,6 +240,7 @@ fn different_materials_of_one_name_get_two() {
         ],
         &[],
     );
-    let names: Vec<&str> = import.materials.list.iter().map(|material| material.name.as_str()).collect();
+    let names: Vec<&str> =
+        import.model.materials.list.iter().map(|material| material.name.as_str()).collect();
     assert_eq!(names, ["wood", "wood.2"]);
 }

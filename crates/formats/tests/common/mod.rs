@@ -1,11 +1,12 @@
 //! What the tests of all formats share.
 #![allow(dead_code, reason = "each test binary uses a part")]
 
-use formats::{Format, Import, NamedBytes, ObjectRef};
+use formats::{Bezier, Format, Import, Model, NamedBytes, NamedMesh};
 use glam::{Vec2, Vec3};
 use halfedge::{Mesh, PolygonSoup, keys};
 use std::ops::ControlFlow;
 use std::path::Path;
+use std::sync::Arc;
 
 /// Reads with nobody watching the progress.
 pub fn read(files: &[NamedBytes]) -> Result<Import, formats::ReadError> {
@@ -19,9 +20,9 @@ pub fn read_obj(text: &str) -> Import {
 
 /// The one mesh of an import, checked.
 pub fn mesh(import: &Import) -> &Mesh {
-    assert_eq!(import.objects.len(), 1);
-    import.objects[0].mesh.validate().expect("a valid mesh");
-    &import.objects[0].mesh
+    assert_eq!(import.model.objects.len(), 1);
+    import.model.objects[0].mesh.validate().expect("a valid mesh");
+    &import.model.objects[0].mesh
 }
 
 /// Six times the volume of a closed mesh of triangles, more than zero where its faces look outward.
@@ -70,22 +71,30 @@ pub fn check_tetrahedron(mesh: &Mesh, back: impl Fn(Vec3) -> Vec3) {
     }
 }
 
-/// All objects of an import, to write them again.
-pub fn objects(import: &Import) -> Vec<ObjectRef<'_>> {
-    import
-        .objects
-        .iter()
-        .map(|object| ObjectRef {
-            offset: import.offset,
-            materials: &import.materials,
-            ..ObjectRef::new(&object.name, &object.mesh)
-        })
-        .collect()
+/// The format of this code.
+pub fn by_code(code: &str) -> Format {
+    Format::from_code(code).unwrap_or_else(|| panic!("{code} is no format"))
+}
+
+/// What was read, under another name.
+pub fn renamed(import: &Import, name: &str) -> Model {
+    Model { name: name.to_owned(), ..import.model.clone() }
+}
+
+/// A model of meshes with these names.
+pub fn model(name: &str, meshes: &[(&str, &Mesh)]) -> Model {
+    let object = |&(name, mesh): &(&str, &Mesh)| NamedMesh::new(name, mesh.clone());
+    Model { name: name.to_owned(), objects: meshes.iter().map(object).collect(), ..Model::default() }
+}
+
+/// A Bezier object without the mesh that shows it.
+pub fn bezier(name: &str, bezier: &Bezier) -> NamedMesh {
+    NamedMesh { bezier: Some(Arc::new(bezier.clone())), ..NamedMesh::new(name, Mesh::new()) }
 }
 
 /// Writes one mesh.
 pub fn write(format: Format, mesh: &Mesh) -> Vec<NamedBytes> {
-    formats::write(format, "test", &[ObjectRef::new("test", mesh)]).expect("small enough")
+    formats::write(format, &Model::of_mesh("test", mesh.clone())).expect("small enough")
 }
 
 /// The text of a written file.

@@ -6,6 +6,7 @@
 //! with [`repair`], which turns any soup into an oriented manifold.
 
 use crate::mesh::assembly::Assembly;
+use crate::mesh::attribute::Column;
 use crate::mesh::{Mesh, Note, NoteKind, PolygonSoup, repair};
 use crate::{Element, NONE};
 use glam::Vec3;
@@ -20,6 +21,8 @@ pub struct Built {
     pub notes: Vec<Note>,
     /// Per face of the mesh, the soup's face that it comes from.
     pub face_source: Vec<u32>,
+    /// The soup as it was given, where something was changed.
+    pub original: Option<PolygonSoup>,
 }
 
 /// The soup has more corners than ids can number.
@@ -52,9 +55,10 @@ impl Mesh {
         let mut notes = Vec::new();
         let bad: Vec<u32> =
             (0..soup.positions.len() as u32).filter(|&v| !soup.positions[v as usize].is_finite()).collect();
+        let mut not_finite: Vec<(usize, Vec3)> = Vec::new();
         if !bad.is_empty() {
-            for &v in &bad {
-                soup.positions[v as usize] = Vec3::ZERO;
+            for v in bad.iter().map(|&v| v as usize) {
+                not_finite.push((v, std::mem::take(&mut soup.positions[v])));
             }
             notes.push(Note::new(NoteKind::PositionNotFinite, bad));
         }
@@ -66,10 +70,10 @@ impl Mesh {
                 (repaired.assembly, Some(repaired.corner_source), repaired.face_source)
             }
         };
-        let PolygonSoup { positions, vertex_columns, corner_columns, face_columns, .. } = soup;
-        let given = positions.len() as u32;
-        let (raw, split, corner_halfedge) = assembly.finish(positions);
+        let given = soup.positions.len() as u32;
+        let (raw, split, corner_halfedge) = assembly.finish(std::mem::take(&mut soup.positions));
         let mut mesh = Self::from_raw(raw);
+        let halfedges = mesh.halfedge_capacity();
         if !split.is_empty() {
             // A vertex with three fans or more has several copies.
             let mut separated = split.clone();
@@ -77,23 +81,36 @@ impl Mesh {
             separated.dedup();
             notes.push(Note::new(NoteKind::VertexSeparated, separated));
         }
-        let vertices = || (0..given).chain(split.iter().copied());
-        for column in vertex_columns {
-            mesh.insert_column(Element::Vertex, column.gather(vertices()));
+        let is_changed = !notes.is_empty();
+        // The columns of a soup that is not needed again go one by one, to need less memory.
+        let mut carry = |columns: &mut Vec<Column>, element: Element, source: &[u32]| {
+            for column in std::mem::take(columns) {
+                mesh.insert_column(element, column.gather(source.iter().copied()));
+                if is_changed {
+                    columns.push(column);
+                }
+            }
+        };
+        if !soup.vertex_columns.is_empty() {
+            let source: Vec<u32> = (0..given).chain(split).collect();
+            carry(&mut soup.vertex_columns, Element::Vertex, &source);
         }
-        if !corner_columns.is_empty() {
-            let mut source = vec![NONE; mesh.halfedge_capacity()];
+        if !soup.corner_columns.is_empty() {
+            let mut source = vec![NONE; halfedges];
             for (corner, &h) in corner_halfedge.iter().enumerate() {
                 source[h as usize] = corner_source.as_ref().map_or(corner as u32, |from| from[corner]);
             }
-            for column in corner_columns {
-                mesh.insert_column(Element::Halfedge, column.gather(source.iter().copied()));
+            carry(&mut soup.corner_columns, Element::Halfedge, &source);
+        }
+        carry(&mut soup.face_columns, Element::Face, &face_source);
+        let original = is_changed.then(|| {
+            soup.positions = mesh.positions()[..given as usize].to_vec();
+            for (v, position) in not_finite {
+                soup.positions[v] = position;
             }
-        }
-        for column in face_columns {
-            mesh.insert_column(Element::Face, column.gather(face_source.iter().copied()));
-        }
-        Ok(Built { mesh, notes, face_source })
+            soup
+        });
+        Ok(Built { mesh, notes, face_source, original })
     }
 
     /// The soup of a mesh: its positions and faces with their attributes, vertices in order of id, without gaps

@@ -3,11 +3,13 @@
 //! Source: G. Farin, *Curves and Surfaces for CAGD*, 5th ed., chapters 4 (curves) and 14 (patches).
 
 mod curve;
+mod object;
 mod patch;
 mod teapot;
 mod tessellate;
 
 pub use curve::Curve;
+pub use object::Bezier;
 pub use patch::{Patch, PatchConstruction, PatchPoint};
 pub use teapot::teapot_patches;
 pub use tessellate::{MAX_RESOLUTION, Tessellated, tessellate, weld_distance};

@@ -53,7 +53,10 @@ pub(super) fn put(object: &Object, bezier: Bezier) -> Result<Vec<Change>, Proble
         return Ok(changes);
     }
     if let Bezier::Surface(_) = bezier {
-        changes.push(Change::Mesh(object.id(), Arc::new(bezier.preview()?)));
+        changes.push(Change::Mesh(
+            object.id(),
+            Arc::new(bezier.preview().map_err(|error| Problem::new(error.to_string()))?),
+        ));
     }
     changes.push(Change::Bezier(object.id(), Some(Arc::new(bezier))));
     Ok(changes)

@@ -6,9 +6,9 @@
 
 use super::escape::escape;
 use crate::collada::effect::OWN_PROFILE;
-use crate::export::ObjectRef;
 use crate::material::{Image, Material, Property, Rgb, Texture, TextureRole, UvTransform, Wrap};
-use crate::obj::names::{own_colors, painted};
+use crate::model::Model;
+use crate::paint::{own_colors, painted};
 use crate::text::percent_encoded;
 use halfedge::Color;
 use std::collections::{BTreeSet, HashMap};
@@ -25,7 +25,7 @@ pub(crate) fn keeps(property: Property) -> bool {
         | Property::IndexOfRefraction
         | Property::DoubleSided => true,
         Property::Texture(role) => channel(role).is_some(),
-        Property::Metallic | Property::Roughness | Property::AlphaMode => false,
+        Property::Metallic | Property::Roughness | Property::AlphaMode | Property::MtlStatements => false,
     }
 }
 
@@ -64,18 +64,17 @@ pub(super) struct Materials<'a> {
 }
 
 impl<'a> Materials<'a> {
-    pub(super) fn of(objects: &[ObjectRef<'a>]) -> Self {
+    pub(super) fn of(model: &'a Model) -> Self {
         let mut known = HashMap::new();
-        for material in objects.iter().flat_map(|object| &object.materials.list) {
+        for material in &model.materials.list {
             known.entry(material.name.as_str()).or_insert(material);
         }
         Self {
             list: Vec::new(),
             numbers: HashMap::new(),
-            own: own_colors(objects, str::to_owned),
+            own: own_colors(model, str::to_owned),
             known,
-            // One document has one list of images.
-            images: objects.first().map_or(&[], |object| &object.materials.images),
+            images: &model.materials.images,
         }
     }
 

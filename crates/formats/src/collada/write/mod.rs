@@ -4,24 +4,24 @@ mod escape;
 mod geometry;
 mod material;
 
-use crate::companions::image_files;
-use crate::export::ObjectRef;
-use crate::import::NamedBytes;
+use crate::file::NamedBytes;
+use crate::images::image_files;
+use crate::model::Model;
 use escape::escape;
 use material::Materials;
 pub(crate) use material::keeps;
 
 /// Writes the objects into one document, and the images that their materials use beside it. Read again,
 /// they are the same meshes.
-pub(crate) fn write(name: &str, objects: &[ObjectRef]) -> Vec<NamedBytes> {
-    let mut materials = Materials::of(objects);
+pub(crate) fn write(model: &Model) -> Vec<NamedBytes> {
+    let mut materials = Materials::of(model);
     let mut geometries = Vec::new();
     let mut nodes = String::new();
-    for (number, object) in objects.iter().enumerate() {
+    for (number, object) in model.objects.iter().enumerate() {
         let mesh = object.mesh.to_compact();
         let used =
-            geometry::write(&mut geometries, number, object.name, &mesh, object.offset, &mut materials);
-        let label = escape(object.name);
+            geometry::write(&mut geometries, number, &object.name, &mesh, model.offset, &mut materials);
+        let label = escape(&object.name);
         nodes +=
             &format!("<node id=\"node{number}\" name=\"{label}\"><instance_geometry url=\"#mesh{number}\">");
         if !used.is_empty() {
@@ -45,7 +45,7 @@ pub(crate) fn write(name: &str, objects: &[ObjectRef]) -> Vec<NamedBytes> {
     out.extend_from_slice(
         b"</visual_scene></library_visual_scenes>\n<scene><instance_visual_scene url=\"#scene\"/></scene>\n</COLLADA>\n",
     );
-    let mut files = vec![NamedBytes { name: format!("{name}.dae"), bytes: out }];
+    let mut files = vec![NamedBytes { name: format!("{}.dae", model.name), bytes: out }];
     files.extend(image_files(materials.used_images()));
     files
 }

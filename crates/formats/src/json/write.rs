@@ -1,21 +1,22 @@
-//! The half-edge mesh itself as JSON: what other programs check our connectivity against.
+//! Writing the half-edge mesh itself as JSON:
 //!
 //! `{"positions": [[x,y,z]], "vertices": [halfedge or null], "halfedges": [[next, prev, twin,
 //! vertex, edge, face or null]], "edges": [halfedge], "faces": [halfedge]}`. A half-edge's vertex
 //! is the one it points to. Ids are places in these lists, after gaps were closed; several objects
 //! follow each other as the separate pieces of one mesh.
 
-use crate::export::ObjectRef;
-use crate::import::NamedBytes;
+use crate::file::NamedBytes;
+use crate::model::Model;
 use crate::text::{push_float, push_integer};
 use glam::DVec3;
 use halfedge::Mesh;
 use std::borrow::Cow;
 
 /// Writes the objects as one half-edge mesh.
-pub(crate) fn write(name: &str, objects: &[ObjectRef]) -> Vec<NamedBytes> {
+pub(crate) fn write(model: &Model) -> Vec<NamedBytes> {
     let mut start = Offsets::default();
-    let meshes: Vec<(Cow<Mesh>, Offsets)> = objects
+    let meshes: Vec<(Cow<Mesh>, Offsets)> = model
+        .objects
         .iter()
         .map(|object| {
             let mesh = object.mesh.to_compact();
@@ -28,14 +29,10 @@ pub(crate) fn write(name: &str, objects: &[ObjectRef]) -> Vec<NamedBytes> {
         .collect();
     let mut out = Vec::new();
     out.extend_from_slice(b"{\"positions\":");
-    let offsets = objects.iter().map(|object| object.offset);
-    let positions = meshes
-        .iter()
-        .zip(offsets)
-        .flat_map(|((mesh, _), offset)| mesh.positions().iter().map(move |&position| (position, offset)));
-    list(&mut out, positions, |out, (position, offset)| match offset {
+    let positions = meshes.iter().flat_map(|(mesh, _)| mesh.positions());
+    list(&mut out, positions, |out, position| match model.offset {
         DVec3::ZERO => list(out, position.to_array(), push_float),
-        _ => list(out, (position.as_dvec3() + offset).to_array(), push_float),
+        offset => list(out, (position.as_dvec3() + offset).to_array(), push_float),
     });
     out.extend_from_slice(b",\"vertices\":");
     let vertices = meshes.iter().flat_map(|(mesh, at)| mesh.vertices().map(move |v| (mesh, at, v)));
@@ -65,7 +62,7 @@ pub(crate) fn write(name: &str, objects: &[ObjectRef]) -> Vec<NamedBytes> {
         .flat_map(|(mesh, at)| mesh.faces().map(move |f| at.halfedge(mesh.halfedge_of(f).raw())));
     list(&mut out, faces, push_integer);
     out.extend_from_slice(b"}\n");
-    vec![NamedBytes { name: format!("{name}.json"), bytes: out }]
+    vec![NamedBytes { name: format!("{}.json", model.name), bytes: out }]
 }
 
 /// How many elements earlier objects have.
@@ -103,6 +100,7 @@ fn nullable(out: &mut Vec<u8>, value: Option<u64>) {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::model::NamedMesh;
     use glam::Vec3;
     use halfedge::PolygonSoup;
 
@@ -110,8 +108,8 @@ mod tests {
     fn two_objects_make_one_mesh_in_pieces() {
         let corners = vec![Vec3::ZERO, Vec3::X, Vec3::new(0.0, 0.5, -0.0), Vec3::Z];
         let mesh = Mesh::build(PolygonSoup::new(corners, &[[0, 1, 2]])).expect("small").mesh;
-        let object = ObjectRef::new("a", &mesh);
-        let files = write("two", &[object, object]);
+        let object = NamedMesh::new("a", mesh);
+        let files = write(&Model { name: "two".to_owned(), objects: vec![object; 2], ..Model::default() });
         let text = String::from_utf8(files[0].bytes.clone()).expect("ASCII");
         assert_eq!(files[0].name, "two.json");
         let value: serde_json::Value = serde_json::from_str(&text).expect("JSON");

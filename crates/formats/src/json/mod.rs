@@ -1,0 +1,27 @@
+//! The half-edge mesh itself as JSON: what other programs check our connectivity against; written only.
+
+mod write;
+
+use crate::format_info::FormatInfo;
+use crate::loss::Part;
+
+pub(crate) static FORMAT: FormatInfo = FormatInfo {
+    code: "json",
+    name: "Half-edge JSON",
+    save_label: "Save as half-edge JSON…",
+    description: "The half-edges themselves with all their links, for scripts.",
+    extensions: &["json"],
+    write: Some(|model| Ok(write::write(model))),
+    lacks: &[
+        Part::Objects,
+        Part::FaceColors,
+        Part::VertexColors,
+        Part::TextureCoordinates,
+        Part::Normals,
+        Part::Groups,
+        Part::Materials,
+        Part::Smoothing,
+        Part::Creases,
+    ],
+    ..FormatInfo::DEFAULT
+};

@@ -1,0 +1,99 @@
+//! The material libraries of an OBJ.
+
+use super::detect::is_obj;
+use super::mtl;
+use crate::file::{NamedBytes, base_name};
+use crate::material::Materials;
+use crate::paint::unpainted;
+use crate::reading::Source;
+use crate::report::{ImportReport, counted, first_few};
+use std::collections::HashSet;
+
+/// The names of the files that an OBJ or a material library refers to: its libraries or its images.
+pub(crate) fn companions(file: &NamedBytes) -> Vec<String> {
+    if file.has_extension("mtl") && !is_obj(&file.bytes) {
+        return mtl::image_names(file);
+    }
+    let lines = file.bytes.split(|&b| b == b'\n').map(<[u8]>::trim_ascii_start);
+    let mut names = Vec::new();
+    for rest in lines.filter_map(|line| line.strip_prefix(b"mtllib")) {
+        // One name with blanks, or several.
+        let rest = String::from_utf8_lossy(rest);
+        names.push(rest.clone().into_owned());
+        names.extend(rest.split_whitespace().map(str::to_owned));
+    }
+    names
+}
+
+/// Whether a `mtllib` line names this file. A line may name several files, or one with blanks.
+fn mentions(named: &[String], library: &str) -> bool {
+    let base = |path: &str| base_name(path).to_lowercase();
+    let library = base(library);
+    named
+        .iter()
+        .any(|line| base(line) == library || line.split_whitespace().any(|name| base(name) == library))
+}
+
+/// The materials of the libraries that belong to an OBJ: those that it names, or all that came with it if
+/// it names none of them.
+pub(crate) fn read(named: &[String], source: &Source, report: &mut ImportReport) -> Materials {
+    let libraries = || source.companions.iter().filter(|file| file.has_extension("mtl"));
+    let mentioned: Vec<_> = libraries().filter(|library| mentions(named, &library.name)).collect();
+    let used = if mentioned.is_empty() { libraries().collect() } else { mentioned };
+    let mut materials = Materials::default();
+    for library in &used {
+        let mut notes = ImportReport::default();
+        let more = mtl::read(library, source.files, &mut notes);
+        report.info(format!(
+            "Colours of {} read from {}",
+            counted(more.list.len(), "material", "materials"),
+            library.name
+        ));
+        report.append(notes);
+        // Of several materials of one name, the first counts.
+        materials.add(more);
+    }
+    if used.is_empty() && !named.is_empty() {
+        report.info(format!(
+            "The colours of its materials are in {}, which was not given: open both files together to see them",
+            named.join(", ")
+        ));
+    }
+    materials
+}
+
+/// Those of the libraries' materials that faces have, by name, with the images that they use.
+pub(crate) fn in_use(given: Materials, names: &[String], report: &mut ImportReport) -> Materials {
+    let names: HashSet<&str> = names.iter().map(String::as_str).collect();
+    let is_used = |name: &str| !name.is_empty() && names.contains(name);
+    let (list, mut unused): (Vec<_>, Vec<_>) =
+        given.list.into_iter().partition(|material| is_used(&material.name));
+    // Those that stand for a colour of another one are in the colours of faces.
+    unused.retain(|material| unpainted(&material.name).is_none());
+    let mut used = Materials::default();
+    used.add(Materials { list, images: given.images });
+    if let Some(parameters) = mtl::statement_counts(used.list.iter()) {
+        report.info(format!(
+            "What its materials have besides a colour is not shown, and is written again when it is saved as OBJ: \
+             {parameters}"
+        ));
+    }
+    let absent = used.images.iter().filter(|image| image.bytes.is_none());
+    let absent: Vec<&str> = absent.map(|image| image.name.as_str()).collect();
+    if !absent.is_empty() {
+        report.info(format!(
+            "{} that its materials use not given, so only referred to: {}",
+            counted(absent.len(), "image", "images"),
+            first_few(&absent, 6)
+        ));
+    }
+    if !unused.is_empty() {
+        let names: Vec<&str> = unused.iter().map(|material| material.name.as_str()).collect();
+        report.info(format!(
+            "{} that no face has left out: {}",
+            counted(unused.len(), "material", "materials"),
+            first_few(&names, 6)
+        ));
+    }
+    used
+}
