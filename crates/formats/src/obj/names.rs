@@ -26,10 +26,11 @@ pub(crate) fn clean(name: &str) -> String {
     while name.contains("# ") {
         name = name.replace("# ", "#");
     }
+    let mut name = name.trim_start().trim_end_matches(|c: char| c == '\\' || c.is_whitespace()).to_owned();
     if name.ends_with('#') {
         name.push('_');
     }
-    name.trim_end_matches('\\').trim().to_owned()
+    name
 }
 
 /// The words of a group line with one blank between.
@@ -55,6 +56,9 @@ mod tests {
         assert_eq!(clean(" a\nb\t"), "a b");
         assert_eq!(clean("Material #25"), "Material #25");
         assert_eq!(clean("a # b"), "a #b");
-        assert_eq!(clean("a\\"), "a");
+        for name in ["a\\", "a\\ \\", "a \\\n"] {
+            assert_eq!(clean(name), "a");
+        }
+        assert_eq!(clean("a#\\"), "a#_");
     }
 }
