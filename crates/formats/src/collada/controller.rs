@@ -49,10 +49,8 @@ impl<'d, 'a> Shape<'d, 'a> {
                 );
             }
             let reference = deformer.attribute("source").unwrap_or_default();
-            at = document.target(reference).ok_or_else(|| match document.is_external(reference) {
-                true => format!("its geometry \"{reference}\" is in another file"),
-                false => format!("its geometry \"{reference}\" doesn't exist"),
-            })?;
+            let missing = || format!("its geometry {}", document.why_missing(reference));
+            at = document.target(reference).ok_or_else(missing)?;
         }
         match at.name {
             "geometry" => Ok(Self { geometry: at, morph, skin }),

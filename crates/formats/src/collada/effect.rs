@@ -6,6 +6,7 @@ use super::numbers::numbers;
 use super::xml::{Document, Node};
 use crate::file::NamedBytes;
 use crate::material::{Material, Materials, Rgb, Texture, TextureRole, UvTransform, Wrap};
+use std::borrow::Cow;
 use std::collections::HashMap;
 
 /// The profile of Meshwright's own extra data: colours under textures, and what textures have besides.
@@ -45,7 +46,7 @@ pub(super) fn read(
     let mut look = Look::default();
     let url = instance.attribute("url").unwrap_or_default();
     let Some(effect) = document.target(url).filter(|node| node.name == "effect") else {
-        notes.fault(Fault::Material, format!("\"{label}\": its effect \"{url}\" doesn't exist"));
+        notes.fault(Fault::Material, format!("\"{label}\": its effect {}", document.why_missing(url)));
         return look;
     };
     let profile = document.child(effect, "profile_COMMON");
@@ -147,10 +148,18 @@ impl<'d, 'a> Reader<'_, 'd, 'a> {
         if transparent.is_none() && transparency.is_none() {
             return None;
         }
+        let opaque = transparent.and_then(|node| node.attribute("opaque")).unwrap_or("A_ONE");
+        if transparent.is_some_and(|node| document.child(node, "texture").is_some()) {
+            if opaque.ends_with("ZERO") {
+                self.fault("its alpha texture has transparency in the file in place of opacity");
+                return None;
+            }
+            return transparency.filter(|&amount| amount > 0.0).map(|amount| amount.min(1.0));
+        }
         let [r, g, b, a] = transparent.and_then(|node| self.color(node)).unwrap_or([1.0; 4]);
         let amount = transparency.unwrap_or(1.0);
         let luminance = 0.212_671 * r + 0.715_16 * g + 0.072_169 * b;
-        let alpha = match transparent.and_then(|node| node.attribute("opaque")).unwrap_or("A_ONE") {
+        let alpha = match opaque {
             "A_ZERO" => 1.0 - a * amount,
             "RGB_ZERO" => 1.0 - luminance * amount,
             "RGB_ONE" => luminance * amount,
@@ -222,7 +231,7 @@ impl<'d, 'a> Reader<'_, 'd, 'a> {
     /// The image of a sampler, or the one of that id, and how it repeats.
     fn image(&self, name: &'d str) -> (Option<&'d Node<'a>>, [Wrap; 2]) {
         let document = self.document;
-        let mut name = std::borrow::Cow::Borrowed(name);
+        let mut name = Cow::Borrowed(name);
         let mut wrap = [Wrap::Repeat; 2];
         for _ in 0..MAX_PARAMETER_STEPS {
             let Some(parameter) = self.parameters.0.get(name.as_ref()) else { break };
@@ -235,9 +244,10 @@ impl<'d, 'a> Reader<'_, 'd, 'a> {
                     return (document.target(url).filter(|node| node.name == "image"), wrap);
                 }
             }
-            let path: [&[&str]; 2] = [&["sampler2D", "source"], &["surface", "init_from"]];
+            let path: [&[&str]; 3] =
+                [&["sampler2D", "source"], &["surface", "init_from"], &["surface", "init_planar", "all"]];
             let Some(next) = path.iter().find_map(|path| document.path(parameter, path)) else { break };
-            name = next.word();
+            name = next.attribute("ref").map_or_else(|| next.word(), Cow::Borrowed);
         }
         (document.target(&name).filter(|node| node.name == "image"), wrap)
     }

@@ -73,7 +73,7 @@ pub(super) fn read<'d, 'a>(
     // The material of each face.
     let mut numbers: Vec<u32> = Vec::new();
     for (primitive, material) in parts {
-        primitives.read(primitive, palette.set_of(material), &mut faces);
+        primitives.read(primitive, palette.sets_of(material), &mut faces);
         numbers.resize(faces.soup.face_count(), material);
     }
     let vertex_colors = primitives.vertex_colors();

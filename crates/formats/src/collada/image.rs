@@ -39,8 +39,9 @@ fn name(document: &Document, image: &Node) -> Option<String> {
     let address = document.child(init, "ref").unwrap_or(init).word();
     let path = ["file:///", "file://", "./"].iter().find_map(|start| address.strip_prefix(start));
     let path = path.unwrap_or(&address);
-    // "/C:/a.png" is on a drive.
-    let path = path.strip_prefix('/').filter(|rest| rest.get(1..2) == Some(":")).unwrap_or(path);
+    // "/C:/a.png" is on a drive, and nothing is above the root.
+    let is_relative = |rest: &&str| rest.get(1..2) == Some(":") || rest.starts_with("../");
+    let path = path.strip_prefix('/').filter(is_relative).unwrap_or(path);
     (!path.is_empty()).then(|| percent_decoded(path).replace('\\', "/"))
 }
 

@@ -2,6 +2,7 @@
 
 use super::effect::{self, Look};
 use super::notes::{Fault, Notes};
+use super::primitive::UvSets;
 use super::xml::{Document, Node};
 use crate::file::NamedBytes;
 use crate::labels::Names;
@@ -131,7 +132,7 @@ pub(super) struct Palette<'d, 'a> {
     /// The elements that bind materials, by symbol.
     bound: HashMap<&'d str, &'d Node<'a>>,
     /// The materials so far, with the sets of texture coordinates that they use.
-    list: Vec<(Rc<Paint>, Option<usize>)>,
+    list: Vec<(Rc<Paint>, UvSets)>,
     numbers: HashMap<String, u32>,
 }
 
@@ -154,56 +155,50 @@ impl<'d, 'a> Palette<'d, 'a> {
         }
         let bind = self.bound.get(symbol).copied();
         let target = bind.and_then(|bind| bind.attribute("target")).unwrap_or(symbol);
-        let (paint, set) = match self.document.target(target).filter(|node| node.name == "material") {
+        let (paint, sets) = match self.document.target(target).filter(|node| node.name == "material") {
             Some(node) => {
                 let paint = library.paint(node, notes);
-                let set = self.uv_set(&paint, bind, notes);
-                (paint, set)
+                let sets = self.uv_sets(&paint, bind);
+                (paint, sets)
             }
             None => {
                 if bind.is_some() {
-                    notes
-                        .fault(Fault::Material, format!("\"{symbol}\": material \"{target}\" doesn't exist"));
+                    notes.fault(
+                        Fault::Material,
+                        format!("\"{symbol}\": material {}", self.document.why_missing(target)),
+                    );
                 }
                 let paint = Paint { name: symbol.to_owned(), color: None, texcoords: Vec::new() };
-                (Rc::new(paint), None)
+                (Rc::new(paint), UvSets::default())
             }
         };
         let number = self.list.len() as u32;
-        self.list.push((paint, set));
+        self.list.push((paint, sets));
         self.numbers.insert(symbol.to_owned(), number);
         number
     }
 
-    /// The set of texture coordinates that a material's textures use: corners have one, so that of the base
-    /// colour counts.
-    fn uv_set(&self, paint: &Paint, bind: Option<&Node<'a>>, notes: &mut Notes) -> Option<usize> {
+    /// The sets of texture coordinates that a material's textures use, as far as they are bound: corners have
+    /// one, so that of the base colour counts.
+    fn uv_sets(&self, paint: &Paint, bind: Option<&Node<'a>>) -> UvSets {
         let set = |texcoord: &str| {
             let mut inputs = self.document.children_named(bind?, "bind_vertex_input");
             let input = inputs.find(|input| input.attribute("semantic") == Some(texcoord))?;
             Some(input.number("input_set").unwrap_or(0))
         };
         let is_base = |role: TextureRole| role == TextureRole::BaseColor;
-        let main = paint.texcoords.iter().find(|(role, _)| is_base(*role)).or(paint.texcoords.first())?;
-        let main = set(&main.1);
-        for (role, texcoord) in &paint.texcoords {
-            if set(texcoord).unwrap_or(0) != main.unwrap_or(0) {
-                notes.fault(
-                    Fault::Material,
-                    format!(
-                        "\"{}\": its {} has other texture coordinates in the file than corners have here",
-                        paint.name,
-                        role.name()
-                    ),
-                );
-            }
-        }
-        main
+        let main = paint.texcoords.iter().find(|(role, _)| is_base(*role)).or(paint.texcoords.first());
+        let main = main.and_then(|(_, texcoord)| set(texcoord));
+        let others = paint.texcoords.iter().filter_map(|(role, texcoord)| {
+            let other = set(texcoord).filter(|&other| Some(other) != main)?;
+            Some((other, format!("\"{}\": its {}", paint.name, role.name())))
+        });
+        UvSets { main, others: others.collect() }
     }
 
-    /// The set of texture coordinates that a material uses, if it says so.
-    pub(super) fn set_of(&self, number: u32) -> Option<usize> {
-        self.list.get(number as usize)?.1
+    /// The sets of texture coordinates that a material uses.
+    pub(super) fn sets_of(&self, number: u32) -> Option<&UvSets> {
+        self.list.get(number as usize).map(|(_, sets)| sets)
     }
 
     /// Columns of faces with these materials.

@@ -12,6 +12,15 @@ use std::rc::Rc;
 /// The largest offset of an input.
 const MAX_OFFSET: usize = 255;
 
+/// The sets of texture coordinates that a material uses.
+#[derive(Debug, Default)]
+pub(super) struct UvSets {
+    /// The one that corners should have, if that is known.
+    pub main: Option<usize>,
+    /// Further ones, each with what uses it: "\"wood\": its emissive texture".
+    pub others: Vec<(usize, String)>,
+}
+
 /// Reads the primitives of one mesh.
 pub(super) struct Primitives<'r, 'd, 'a> {
     document: &'d Document<'a>,
@@ -41,10 +50,9 @@ impl<'r, 'd, 'a> Primitives<'r, 'd, 'a> {
         Self { document, vertices, label, sources: HashMap::new(), notes }
     }
 
-    /// Adds the faces of a primitive. `uv_set` is the set of texture coordinates that its material uses,
-    /// if that is known.
-    pub(super) fn read(&mut self, node: &Node<'a>, uv_set: Option<usize>, faces: &mut Faces) {
-        let inputs = match self.inputs(node, uv_set) {
+    /// Adds the faces of a primitive. `uv_sets` are the sets of texture coordinates that its material uses.
+    pub(super) fn read(&mut self, node: &Node<'a>, uv_sets: Option<&UvSets>, faces: &mut Faces) {
+        let inputs = match self.inputs(node, uv_sets) {
             Ok(inputs) => inputs,
             Err(why) => return self.fault(node, &why),
         };
@@ -182,7 +190,7 @@ impl<'r, 'd, 'a> Primitives<'r, 'd, 'a> {
     ///
     /// # Errors
     /// What the primitive has that keeps it from being read.
-    fn inputs(&mut self, node: &Node<'a>, uv_set: Option<usize>) -> Result<Inputs, String> {
+    fn inputs(&mut self, node: &Node<'a>, uv_sets: Option<&UvSets>) -> Result<Inputs, String> {
         let document = self.document;
         let mut stride = 1;
         let mut vertex = None;
@@ -216,7 +224,7 @@ impl<'r, 'd, 'a> Primitives<'r, 'd, 'a> {
         for input in document.children_named(self.vertices, "input") {
             add(self.notes, input, vertex);
         }
-        let uv = self.pick(uvs, uv_set, 2, ["set of texture coordinates", "sets of texture coordinates"]);
+        let uv = self.pick(uvs, uv_sets, 2, ["set of texture coordinates", "sets of texture coordinates"]);
         let normal = self.pick(normals, None, 3, ["set of normals", "sets of normals"]);
         let color = self.pick(colors, None, 4, ["set of colours", "sets of colours"]);
         Ok(Inputs { stride, vertex, uv, normal, color })
@@ -227,14 +235,21 @@ impl<'r, 'd, 'a> Primitives<'r, 'd, 'a> {
     fn pick(
         &mut self,
         mut candidates: Vec<Candidate<'d>>,
-        wanted: Option<usize>,
+        uv_sets: Option<&UvSets>,
         width: usize,
         what: [&str; 2],
     ) -> Option<Input> {
+        let wanted = uv_sets.and_then(|sets| sets.main);
         candidates.sort_by_key(|candidate| (Some(candidate.set) != wanted, candidate.set));
-        let mut candidates = candidates.into_iter();
-        let first = candidates.next()?;
-        let others = candidates.filter(|other| other.source != first.source).count();
+        let (first, others) = candidates.split_first()?;
+        let differs = |other: &&Candidate| (other.source, other.offset) != (first.source, first.offset);
+        for (set, user) in uv_sets.map_or(&[][..], |sets| &sets.others) {
+            if others.iter().filter(differs).any(|other| other.set == *set) {
+                let what = "has other texture coordinates in the file than corners have here";
+                self.notes.fault(Fault::Material, format!("{user} {what}"));
+            }
+        }
+        let others = others.iter().filter(differs).count();
         let label = self.label;
         if others > 0 {
             let others = counted(others, what[0], what[1]);

@@ -78,7 +78,20 @@ impl<'d, 'a> Scene<'d, 'a> {
         } else {
             this.note_empty_nodes(document, notes);
         }
+        this.visit_libraries(document, axes);
         this
+    }
+
+    /// Visits nodes outside the scene as well where there are skins: some files have skeletons there.
+    fn visit_libraries(&mut self, document: &'d Document<'a>, axes: DMat4) {
+        if document.all("skin").next().is_none() {
+            return;
+        }
+        let mut outside = Self { instances: Vec::new(), visits: std::mem::take(&mut self.visits) };
+        for library in document.all("library_nodes") {
+            outside.walk(document, library, axes, &mut Notes::default());
+        }
+        self.visits = outside.visits;
     }
 
     /// Walks through everything below `scene`, without recursion: files may nest nodes deeply.
@@ -208,8 +221,5 @@ fn target<'d, 'a>(
     let url = instance.attribute("url").unwrap_or_default();
     // A proxy stands in for something in another file.
     let found = find(url).or_else(|| find(instance.attribute("proxy")?));
-    found.ok_or_else(|| match document.is_external(url) {
-        true => format!("\"{url}\" is in another file"),
-        false => format!("\"{url}\" doesn't exist"),
-    })
+    found.ok_or_else(|| document.why_missing(url))
 }

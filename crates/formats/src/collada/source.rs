@@ -30,10 +30,7 @@ impl<T: Number> Source<T> {
         owner: &str,
         notes: &mut Notes,
     ) -> Result<Self, String> {
-        let missing = || match document.is_external(reference) {
-            true => format!("source \"{reference}\" is in another file"),
-            false => format!("there is no source \"{reference}\""),
-        };
+        let missing = || format!("source {}", document.why_missing(reference));
         let source = document.target(reference).filter(|node| node.name == "source").ok_or_else(missing)?;
         let accessor = document.path(source, &["technique_common", "accessor"]);
         let array = accessor

@@ -86,6 +86,8 @@ pub(super) const ELEMENTS: &[&str] = &[
     "technique",
     "newparam",
     "surface",
+    "init_planar",
+    "all",
     "sampler2D",
     "instance_image",
     "wrap_s",

@@ -251,10 +251,13 @@ impl<'a> Document<'a> {
         self.nodes.get(*self.ids.get(id)? as usize)
     }
 
-    /// Whether a reference leads to another document.
-    pub(crate) fn is_external(&self, reference: &str) -> bool {
+    /// Why a reference leads to nothing: `"b.dae#x" is in another file`.
+    pub(crate) fn why_missing(&self, reference: &str) -> String {
         let file = reference.trim().split_once('#').map_or("", |(file, _)| file);
-        !file.is_empty() && !self.is_own_file(file)
+        match file.is_empty() || self.is_own_file(file) {
+            true => format!("\"{reference}\" doesn't exist"),
+            false => format!("\"{reference}\" is in another file"),
+        }
     }
 
     fn is_own_file(&self, file: &str) -> bool {

@@ -105,6 +105,16 @@ fn joints_place_the_vertices_of_a_skin() {
 }
 
 #[test]
+fn joints_may_be_outside_the_scene() {
+    let triangle = geometry("g", "0 0 0 4 1 0 0 2 0");
+    let node = "<node name=\"n\"><instance_controller url=\"#k\"><skeleton>#b1</skeleton></instance_controller></node>";
+    let joints = format!("</library_controllers><library_nodes>{BONES}</library_nodes><library_controllers>");
+    let import = read(&triangle, &(skin(sids(), "g") + &joints), node);
+    assert_eq!(mesh(&import).positions()[0], Vec3::Z * 7.0);
+    assert!(import.report.is_clean(), "{}", import.report);
+}
+
+#[test]
 fn a_skin_without_its_joints_is_as_it_was_bound() {
     let triangle = geometry("g", "0 0 0 4 1 0 0 2 0");
     let node = "<node name=\"n\"><translate>1 0 0</translate><instance_controller url=\"#k\"/></node>";

@@ -131,7 +131,7 @@ fn a_fault_in_one_attribute_costs_no_faces() {
     for (input, expected) in [
         (
             "<input semantic=\"NORMAL\" source=\"#q\" offset=\"0\"/>",
-            "has no sets of normals: there is no source \"#q\"",
+            "has no sets of normals: source \"#q\" doesn't exist",
         ),
         ("<input semantic=\"TEXCOORD\" source=\"a.dae#q\" offset=\"0\"/>", "source \"a.dae#q\""),
         ("<input semantic=\"TEXCOORD\" source=\"b.dae#q\" offset=\"0\"/>", "is in another file"),

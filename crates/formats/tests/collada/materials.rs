@@ -69,6 +69,8 @@ fn images_are_found_however_they_are_named() {
     // The image itself, a sampler of COLLADA 1.5, and a parameter that the material sets.
     assert_eq!(name(&[("texture=\"sm\"", "texture=\"im\"")]), "wood.png");
     assert_eq!(name(&[("<source>s</source>", "<instance_image url=\"#im\"/>")]), "wood.png");
+    let planar = "<init_planar><all ref=\"im\"/></init_planar>";
+    assert_eq!(name(&[("<init_from>im</init_from>", planar)]), "wood.png");
     let other = "<image id=\"other\"><init_from>other.png</init_from></image></library_images>";
     let set = "<instance_effect url=\"#e\"><setparam ref=\"s\"><surface><init_from>other</init_from></surface></setparam></instance_effect>";
     assert_eq!(name(&[("</library_images>", other), ("<instance_effect url=\"#e\"/>", set)]), "other.png");
@@ -91,6 +93,13 @@ fn what_of_a_material_is_not_kept_is_named() {
             "its effect \"#f\" doesn't exist",
         ),
         (vec![("target=\"#m\"", "target=\"#n\"")], "material \"#n\" doesn't exist"),
+        (
+            vec![(
+                "</lambert>",
+                "<transparent opaque=\"RGB_ZERO\"><texture texture=\"sm\" texcoord=\"UV\"/></transparent></lambert>",
+            )],
+            "its alpha texture has transparency in the file in place of opacity",
+        ),
         (vec![("</profile_COMMON>", "</profile_COMMON><profile_GLSL/>")], "its shader programs are left out"),
         (
             vec![(
