@@ -21,8 +21,10 @@
 //! [`Slide::limit`].
 
 use crate::edit::bevel_vertices::counter_clockwise;
+use crate::edit::blend::Blend;
+use crate::edit::follow::Followers;
 use crate::edit::geometry::miter;
-use crate::edit::patch::{Blend, Corner, Patch, Plan, plan};
+use crate::edit::patch::{Corner, Patch, Plan, plan};
 use crate::edit::{Live, Refusal, Slide, SlideVertex};
 use crate::mesh::Mesh;
 use crate::{EdgeId, FaceId, HalfedgeId, VertexId};
@@ -43,12 +45,14 @@ pub fn can_bevel_edges(mesh: &Mesh, edges: &[EdgeId], segments: u32) -> Result<(
 ///
 /// Faces that shrink keep their ids, and so do their other edges. Costs O(segments * edges +
 /// valences + degrees of the faces round them). Attributes: new vertices copy the bevelled ones,
-/// corners those they are cut from; each half of a strip copies the face on its side, a face at a
+/// corners those they are cut from, and follow the slide over the faces; each half of a strip copies the face on its side, a face at a
 /// vertex one of those round it; the strip's edges have default values.
 pub fn bevel_edges(mesh: &mut Mesh, edges: &[EdgeId], segments: u32) -> Result<Live, Refusal> {
     let (plan, moves) = plan_bevel(mesh, edges, segments)?;
+    let followers = plan.followers(mesh, moves.iter().map(|slide| slide.vertex));
+    let followers = Followers::new(mesh, followers, |_, _| true);
     let made = plan.apply(mesh);
-    Ok(Live { made, slide: Slide::limited(mesh, moves) })
+    Ok(Live { made, slide: Slide::limited(mesh, moves, followers) })
 }
 
 fn plan_bevel(mesh: &Mesh, edges: &[EdgeId], segments: u32) -> Result<(Plan, Vec<SlideVertex>), Refusal> {

@@ -9,7 +9,8 @@
 //! A bevel wider than an edge is *clamped* to the edge's length, or half of it where both ends are
 //! bevelled: [`Slide::limit`].
 
-use crate::edit::patch::{Blend, Corner, Patch, Plan, plan};
+use crate::edit::follow::Followers;
+use crate::edit::patch::{Corner, Patch, Plan, plan};
 use crate::edit::{Live, Refusal, Slide, SlideVertex};
 use crate::mesh::Mesh;
 use crate::{FaceId, HalfedgeId, VertexId};
@@ -47,16 +48,18 @@ fn plan_bevel(mesh: &Mesh, vertices: &[VertexId]) -> Result<(Plan, Vec<SlideVert
         if around.len() == 2 && !boundary {
             return Err(Refusal::ValenceTooLow(v, 2));
         }
+        // The new face is like this one, so its corners follow this one's.
+        let like =
+            around.iter().copied().filter(|&h| mesh.face_of(h).is_some()).min_by_key(|&h| mesh.face_of(h));
         let mut cap = Vec::new();
         for &h in &around {
             let point = patch.copy_vertex(mesh, v);
             points.insert(h, point);
             moves.push(SlideVertex { vertex: point, from: mesh.position(v), by: mesh.direction(h) });
-            let corner = if mesh.face_of(h).is_some() { h } else { mesh.next(h.twin()) };
-            cap.push(Corner { vertex: point, value: Blend::Copy(corner.raw()), like: None });
+            cap.extend(like.map(|corner| Corner::new(point, corner)));
         }
         if cap.len() > 2 {
-            patch.add_face(mesh.vertex_faces(v).min(), cap);
+            patch.add_face(like.and_then(|h| mesh.face_of(h)), cap);
         }
         faces.extend(mesh.vertex_faces(v));
     }
@@ -82,10 +85,13 @@ fn plan_bevel(mesh: &Mesh, vertices: &[VertexId]) -> Result<(Plan, Vec<SlideVert
 /// edge the cut is, in mesh units.
 ///
 /// Faces and edges keep their ids. Costs O(valences + degrees of the faces round the vertices).
-/// Attributes: new vertices copy the bevelled one, corners the one they are cut from, each new face
+/// Attributes: new vertices copy the bevelled one, corners the one they are cut from, and follow the slide
+/// over the faces; each new face
 /// copies the face with the smallest id round its vertex; its edges have default values.
 pub fn bevel_vertices(mesh: &mut Mesh, vertices: &[VertexId]) -> Result<Live, Refusal> {
     let (plan, moves) = plan_bevel(mesh, vertices)?;
+    let followers = plan.followers(mesh, moves.iter().map(|slide| slide.vertex));
+    let followers = Followers::new(mesh, followers, |_, _| true);
     let made = plan.apply(mesh);
-    Ok(Live { made, slide: Slide::limited(mesh, moves) })
+    Ok(Live { made, slide: Slide::limited(mesh, moves, followers) })
 }

@@ -32,8 +32,11 @@
 //! and the number of boundary loops never change; a boundary loop of three never shrinks, by (2)
 //! or (4).
 
-use crate::attribute::{keys, mix};
+use crate::attribute::{Value, keys};
 use crate::edit::Refusal;
+use crate::edit::blend::{Blend, between};
+use crate::edit::face_sample::numbers;
+use crate::edit::follow::{Follower, Followers};
 use crate::mesh::Mesh;
 use crate::{EdgeId, Element, FaceId, HalfedgeId, VertexId};
 use rustc_hash::FxHashSet;
@@ -100,16 +103,24 @@ fn triangle_tip(mesh: &Mesh, h: HalfedgeId) -> Option<VertexId> {
 /// The end that the even half-edge leaves stays, as does the edge from it of each vanished
 /// triangle. Costs O(valences of the ends + degrees of the faces beside the edge). Attributes: the
 /// vertex gets the values at `t`; so do the corners at the ends that have the same value as the
-/// corner beside the edge, so that texture coordinates stay in one piece on either side of a seam;
-/// of two edges that become one, the sharper crease stays.
+/// corner beside the edge, so that texture coordinates stay in one piece on either side of a seam; the
+/// others get those that their own faces have at the vertex's new place. Of two edges that become one, the
+/// sharper crease stays.
 pub fn collapse_edge(mesh: &mut Mesh, edge: EdgeId, t: f32) -> Result<EdgeCollapse, Refusal> {
     can_collapse_edge(mesh, edge, t)?;
     let [h, twin] = edge.halfedges();
     let [a, b] = mesh.ends(edge);
     let at_b: Vec<HalfedgeId> = mesh.incoming(b).collect();
-    blend_corners(mesh, edge, t);
+    let (blends, apart) = corner_values(mesh, edge, t);
+    let followers =
+        apart.into_iter().map(|corner| Follower { corner, vertex: a, side: Some(corner), rank: 1 }).collect();
+    let followers = Followers::new(mesh, followers, |element, _| element == Element::Halfedge);
     mesh.set_position(a, mesh.position(a).lerp(mesh.position(b), t));
-    mesh.mix_attributes(Element::Vertex, a.raw(), b.raw(), t, a.raw());
+    followers.update(mesh);
+    for (column, corner, value) in blends {
+        mesh.set_value(Element::Halfedge, column, corner.index(), value);
+    }
+    mesh.blend_attributes(Element::Vertex, &Blend::Mix(a.raw(), b.raw(), t), a.raw());
     for h in at_b {
         mesh.set_to(h, a);
     }
@@ -164,30 +175,35 @@ pub fn collapse_edge(mesh: &mut Mesh, edge: EdgeId, t: f32) -> Result<EdgeCollap
     Ok(made)
 }
 
-/// Gives the corners at both ends of an edge the values at `t` of the corners beside the edge that
-/// they agree with. Corners that agree with neither, or have no value, stay as they are.
-fn blend_corners(mesh: &mut Mesh, edge: EdgeId, t: f32) {
+/// New values of corners: the number of the column, the corner and the value.
+type CornerValues = Vec<(usize, HalfedgeId, Value)>;
+
+/// The values at `t` for the corners at both ends of an edge that agree with a corner beside it, and the
+/// corners that agree with none.
+fn corner_values(mesh: &Mesh, edge: EdgeId, t: f32) -> (CornerValues, Vec<HalfedgeId>) {
     let [h, twin] = edge.halfedges();
     let beside: Vec<[HalfedgeId; 2]> = [[h, mesh.next(h)], [mesh.next(twin), twin]]
         .into_iter()
         .filter(|&[at_a, _]| mesh.face_of(at_a).is_some())
         .collect();
     let [a, b] = mesh.ends(edge);
-    for column in 0..mesh.columns.of(Element::Halfedge).len() {
-        let values = &mesh.columns.of(Element::Halfedge)[column].values;
-        let mut writes = Vec::new();
+    let (mut blends, mut apart) = (Vec::new(), Vec::new());
+    for (at, column) in mesh.columns.of(Element::Halfedge).iter().enumerate() {
+        let value = |corner: HalfedgeId| column.values.get(corner.index());
         for (end, v) in [a, b].into_iter().enumerate() {
             for corner in mesh.outgoing(v).filter(|&h| mesh.face_of(h).is_some()) {
-                let Some(own) = values.get(corner.index()) else { continue };
-                let agrees = |pair: &&[HalfedgeId; 2]| values.get(pair[end].index()) == Some(own);
-                let Some(&[at_a, at_b]) = beside.iter().find(agrees) else { continue };
-                if let (Some(x), Some(y)) = (values.get(at_a.index()), values.get(at_b.index())) {
-                    writes.push((corner, mix(x, y, t)));
+                let Some(own) = value(corner) else { continue };
+                match beside.iter().find(|pair| value(pair[end]) == Some(own)) {
+                    Some(&[at_a, at_b]) => {
+                        if let (Some(x), Some(y)) = (value(at_a), value(at_b)) {
+                            blends.push((at, corner, between(column, x, y, t)));
+                        }
+                    }
+                    None if numbers(own).is_some() => apart.push(corner),
+                    None => {}
                 }
             }
         }
-        for (corner, value) in writes {
-            mesh.set_value(Element::Halfedge, column, corner.index(), value);
-        }
     }
+    (blends, apart)
 }

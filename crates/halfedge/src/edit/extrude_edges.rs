@@ -3,7 +3,9 @@
 //! Always possible for boundary edges: the quads lie where there was no face, on new vertices, one
 //! for each vertex of the edges; quads of edges in a row share the edge between.
 
-use crate::edit::patch::{Blend, Corner, Patch, Plan, plan};
+use crate::edit::blend::Blend;
+use crate::edit::follow::Followers;
+use crate::edit::patch::{Corner, Patch, Plan, plan};
 use crate::edit::{Live, Refusal, Slide, SlideVertex};
 use crate::mesh::Mesh;
 use crate::{EdgeId, VertexId};
@@ -51,12 +53,15 @@ fn plan_extrude(mesh: &Mesh, edges: &[EdgeId]) -> Result<(Plan, Vec<(VertexId, V
 /// by `offset` at amount 1.
 ///
 /// All ids survive. Costs O(n log n) in the number of edges and the valences of their vertices.
-/// Attributes: new vertices, corners and far edges copy the old, quads the face beside the edge.
+/// Attributes: new vertices, corners and far edges copy the old, quads the face beside the edge. Moved by the
+/// slide, vertex and corner values continue those of that face, as seen along its normal.
 pub fn extrude_edges(mesh: &mut Mesh, edges: &[EdgeId], offset: Vec3) -> Result<Live, Refusal> {
     let (plan, moved) = plan_extrude(mesh, edges)?;
-    let moves = moved
+    let moves: Vec<SlideVertex> = moved
         .into_iter()
         .map(|(vertex, old)| SlideVertex { vertex, from: mesh.position(old), by: offset })
         .collect();
-    Ok(Live { made: plan.apply(mesh), slide: Slide::unlimited(moves) })
+    let followers = plan.followers(mesh, moves.iter().map(|slide| slide.vertex));
+    let followers = Followers::new(mesh, followers, |_, _| true);
+    Ok(Live { made: plan.apply(mesh), slide: Slide::unlimited(moves, followers) })
 }

@@ -5,6 +5,7 @@
 //! no outline: it moves, and no walls are made.
 
 use crate::FaceId;
+use crate::edit::follow::Followers;
 use crate::edit::patch::plan;
 use crate::edit::walls::walls;
 use crate::edit::{Grouping, Live, Refusal, Slide, SlideVertex};
@@ -32,5 +33,5 @@ pub fn extrude_faces(mesh: &mut Mesh, faces: &[FaceId], grouping: Grouping) -> R
         .map(|(vertex, old, by)| SlideVertex { vertex, from: mesh.position(old), by })
         .collect();
     let made = plan(mesh, walls.patch)?.apply(mesh);
-    Ok(Live { made, slide: Slide::unlimited(moves) })
+    Ok(Live { made, slide: Slide::unlimited(moves, Followers::default()) })
 }

@@ -24,8 +24,9 @@
 //! each other, which is (4). Such a flip would leave it with valence two.
 
 use crate::edit::Refusal;
+use crate::edit::follow::{Follower, Followers};
 use crate::mesh::Mesh;
-use crate::{EdgeId, Element};
+use crate::{EdgeId, Element, HalfedgeId};
 
 /// Whether [`flip_edge`] would succeed.
 pub fn can_flip_edge(mesh: &Mesh, edge: EdgeId) -> Result<(), Refusal> {
@@ -61,7 +62,8 @@ pub fn can_flip_edge(mesh: &Mesh, edge: EdgeId) -> Result<(), Refusal> {
 ///
 /// All ids survive; nothing is made or removed. Costs O(degrees of the two faces + valences of the
 /// four vertices). Attributes: the edge keeps its own; corners keep theirs, and the corner each
-/// face gains copies the one the other face has at that vertex.
+/// face gains copies the one the other face has at that vertex. Where values differ between the sides of
+/// the edge, each face continues its own to the corner it gains.
 pub fn flip_edge(mesh: &mut Mesh, edge: EdgeId) -> Result<(), Refusal> {
     can_flip_edge(mesh, edge)?;
     let [h, twin] = edge.halfedges();
@@ -73,7 +75,9 @@ pub fn flip_edge(mesh: &mut Mesh, edge: EdgeId) -> Result<(), Refusal> {
     let (after_c, after_d) = (mesh.next(bc), mesh.next(ad));
     let (before_a, before_b) = (mesh.prev(h), mesh.prev(twin));
 
+    let followers = follow_across_seams(mesh, edge);
     mesh.copy_corners(&[(h, ad), (twin, bc), (after_d, h), (after_c, twin)]);
+    followers.update(mesh);
     if let (Some(left), Some(right)) = (left, right) {
         for (face, lost, kept, gained, own) in [(left, bc, h, ad, h), (right, ad, twin, bc, twin)] {
             let first = mesh.halfedge_of(face);
@@ -104,9 +108,24 @@ pub fn flip_edge(mesh: &mut Mesh, edge: EdgeId) -> Result<(), Refusal> {
     Ok(())
 }
 
+/// The corners that the two faces gain, in columns where the values at the edge differ between its sides:
+/// there each face continues its own values.
+fn follow_across_seams(mesh: &Mesh, edge: EdgeId) -> Followers {
+    let [h, twin] = edge.halfedges();
+    let (c, d) = (mesh.to(mesh.next(h)), mesh.to(mesh.next(twin)));
+    let gained = [(h, d), (twin, c)]
+        .map(|(corner, vertex)| Follower { corner, vertex, side: Some(corner), rank: 1 })
+        .to_vec();
+    Followers::new(mesh, gained, |element, column| {
+        let values = &mesh.columns.of(element)[column].values;
+        let differ = |a: HalfedgeId, b: HalfedgeId| values.get(a.index()) != values.get(b.index());
+        element == Element::Halfedge && (differ(h, mesh.next(twin)) || differ(twin, mesh.next(h)))
+    })
+}
+
 impl Mesh {
     /// Gives corners the values that other corners have before any of these is written.
-    pub(crate) fn copy_corners(&mut self, from_to: &[(crate::HalfedgeId, crate::HalfedgeId)]) {
+    pub(crate) fn copy_corners(&mut self, from_to: &[(HalfedgeId, HalfedgeId)]) {
         for at in 0..self.columns.of(Element::Halfedge).len() {
             let values = &self.columns.of(Element::Halfedge)[at].values;
             let read: Vec<_> =

@@ -4,6 +4,7 @@
 //! piece, inset as one region, has none and is refused. An inset wider than the face is *clamped*
 //! to where the first edge of the inner outline would lose its length: [`Slide::limit`].
 
+use crate::edit::follow::Followers;
 use crate::edit::geometry::miter;
 use crate::edit::patch::plan;
 use crate::edit::walls::{Walls, walls};
@@ -30,14 +31,15 @@ fn inset_walls(mesh: &Mesh, faces: &[FaceId], grouping: Grouping) -> Result<Wall
 /// at corners they meet in a mitre, which is cut off at four times the width where they nearly
 /// double back. Vertices inside a region stay where they are.
 ///
-/// Ids, costs and attributes are as for [`extrude_faces`](super::extrude_faces).
+/// Ids, costs and attributes are as for [`extrude_faces`](super::extrude_faces), but for what the slide
+/// moves: vertex and corner values follow it over the faces, as by [`Slide::apply`].
 pub fn inset_faces(mesh: &mut Mesh, faces: &[FaceId], grouping: Grouping) -> Result<Live, Refusal> {
     let walls = inset_walls(mesh, faces, grouping)?;
     let inward = |h: HalfedgeId| {
         let normal = mesh.face_of(h).and_then(|face| walls.normals.get(&face)).copied().unwrap_or(Vec3::ZERO);
         normal.cross(mesh.direction(h)).normalize_or_zero()
     };
-    let moves = walls
+    let moves: Vec<SlideVertex> = walls
         .vertices
         .iter()
         .map(|wall| SlideVertex {
@@ -46,6 +48,9 @@ pub fn inset_faces(mesh: &mut Mesh, faces: &[FaceId], grouping: Grouping) -> Res
             by: miter(inward(wall.arrives), inward(wall.leaves)),
         })
         .collect();
-    let made = plan(mesh, walls.patch)?.apply(mesh);
-    Ok(Live { made, slide: Slide::limited(mesh, moves) })
+    let plan = plan(mesh, walls.patch)?;
+    let followers = plan.followers(mesh, moves.iter().map(|slide| slide.vertex));
+    let followers = Followers::new(mesh, followers, |_, _| true);
+    let made = plan.apply(mesh);
+    Ok(Live { made, slide: Slide::limited(mesh, moves, followers) })
 }

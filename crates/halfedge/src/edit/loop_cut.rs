@@ -9,14 +9,12 @@
 //! Always possible if the edge is beside a quad: new vertices lie on the ring's edges, which both
 //! faces beside them share, and new edges join new vertices within one quad.
 
-use crate::edit::patch::{Blend, Corner, Patch, Plan, plan};
+use crate::edit::blend::Blend;
+use crate::edit::patch::{Corner, Patch, Plan, plan};
 use crate::edit::{Made, Refusal};
 use crate::mesh::Mesh;
 use crate::{EdgeId, FaceId, HalfedgeId, VertexId};
 use rustc_hash::FxHashMap;
-
-/// The most cuts at once.
-const MOST: u32 = 1000;
 
 /// Whether [`loop_cut`] would succeed.
 pub fn can_loop_cut(mesh: &Mesh, edge: EdgeId, cuts: u32, t: f32) -> Result<(), Refusal> {
@@ -53,12 +51,39 @@ pub fn edge_ring(mesh: &Mesh, edge: EdgeId) -> (Vec<HalfedgeId>, bool) {
     (behind, false)
 }
 
-/// The new vertices on a half-edge in its direction, each with how far along it is.
-type Points = FxHashMap<HalfedgeId, Vec<(VertexId, f32)>>;
+/// The most cuts at once.
+const MAX_CUTS: u32 = 1000;
+
+/// A new vertex on an edge of the ring.
+#[derive(Clone, Copy)]
+struct Point {
+    vertex: VertexId,
+    /// The fraction of the way along the edge, in the ring's direction.
+    at: f32,
+    /// Whether the half-edge that the point is listed at runs against the ring's direction.
+    is_reversed: bool,
+}
+
+impl Point {
+    /// The fraction of the way along the half-edge that the point is listed at.
+    fn along(self) -> f32 {
+        if self.is_reversed { 1.0 - self.at } else { self.at }
+    }
+
+    /// The values of the corner in the face of the half-edge `h`: computed in the ring's direction on both
+    /// sides of the edge, so that they are equal to the bit where the sides are.
+    fn value(self, mesh: &Mesh, h: HalfedgeId) -> Blend {
+        let (start, end) = (h.raw(), mesh.next(h).raw());
+        if self.is_reversed { Blend::Mix(end, start, self.at) } else { Blend::Mix(start, end, self.at) }
+    }
+}
+
+/// The new vertices on a half-edge in its direction.
+type Points = FxHashMap<HalfedgeId, Vec<Point>>;
 
 fn plan_cut(mesh: &Mesh, edge: EdgeId, cuts: u32, t: f32) -> Result<Plan, Refusal> {
     mesh.need_edge(edge)?;
-    if !(1..=MOST).contains(&cuts) {
+    if !(1..=MAX_CUTS).contains(&cuts) {
         return Err(Refusal::OutOfRange { field: "cuts", value: cuts as f32, range: "from 1 to 1000" });
     }
     if !(t > 0.0 && t < 1.0) {
@@ -73,14 +98,15 @@ fn plan_cut(mesh: &Mesh, edge: EdgeId, cuts: u32, t: f32) -> Result<Plan, Refusa
     let mut faces: Vec<FaceId> = Vec::new();
     for &h in &ring {
         let (a, b) = (mesh.from(h), mesh.to(h));
-        let on: Vec<(VertexId, f32)> = (1..=cuts)
+        let on: Vec<Point> = (1..=cuts)
             .map(|i| {
                 let at = place(i as f32 / (cuts + 1) as f32, t);
                 let position = mesh.position(a).lerp(mesh.position(b), at);
-                (patch.add_vertex(position, Blend::Mix(a.raw(), b.raw(), at)), at)
+                let vertex = patch.add_vertex(position, Blend::Mix(a.raw(), b.raw(), at));
+                Point { vertex, at, is_reversed: false }
             })
             .collect();
-        points.insert(h.twin(), on.iter().rev().map(|&(v, at)| (v, 1.0 - at)).collect());
+        points.insert(h.twin(), on.iter().rev().map(|&p| Point { is_reversed: true, ..p }).collect());
         points.insert(h, on);
         faces.extend([h, h.twin()].into_iter().filter_map(|h| mesh.face_of(h)));
     }
@@ -107,49 +133,41 @@ fn place(even: f32, t: f32) -> f32 {
 /// Cuts a quad along its first and third side, and its second and fourth if they are cut too.
 fn cut_quad(mesh: &Mesh, patch: &mut Patch, points: &Points, face: FaceId, sides: [HalfedgeId; 4]) {
     let [a, b, c, d] = sides;
-    let line = |from: VertexId, h: HalfedgeId, reversed: bool, to: VertexId| {
-        let on = points.get(&h).map(Vec::as_slice).unwrap_or_default();
-        let mut line = vec![(from, 0.0)];
-        if reversed {
-            line.extend(on.iter().rev().map(|&(v, at)| (v, 1.0 - at)));
-        } else {
-            line.extend(on);
-        }
-        line.push((to, 1.0));
-        line
-    };
-    let [va, vb, vc, vd] = sides.map(|h| mesh.from(h));
     // Columns go along the first side, rows from it to the third.
-    let near = line(va, a, false, vb);
-    let far = line(vd, c, true, vc);
-    let left = line(va, d, true, vd);
-    let right = line(vb, b, false, vc);
+    let near = line(mesh, points, a);
+    let right = line(mesh, points, b);
+    let mut far = line(mesh, points, c);
+    far.reverse();
+    let mut left = line(mesh, points, d);
+    left.reverse();
     let (columns, rows) = (near.len(), left.len());
-    let corner_weights = |s: f32, t: f32| {
-        let weights = [(1.0 - s) * (1.0 - t), s * (1.0 - t), s * t, (1.0 - s) * t];
-        move |ids: [u32; 4]| {
-            Blend::Weighted(ids.into_iter().zip(weights).filter(|&(_, weight)| weight > 0.0).collect())
-        }
-    };
-    let mut grid = Vec::with_capacity(columns * rows);
+    let [va, vb, vc, vd] = sides.map(|h| mesh.from(h));
+    let mut grid: Vec<Corner> = Vec::with_capacity(columns * rows);
     for row in 0..rows {
         for column in 0..columns {
-            let (s, t) = (near[column].1, left[row].1);
-            let vertex = if row == 0 {
-                near[column].0
+            let on_rim = if row == 0 {
+                Some(&near[column])
             } else if row == rows - 1 {
-                far[column].0
+                Some(&far[column])
             } else if column == 0 {
-                left[row].0
+                Some(&left[row])
             } else if column == columns - 1 {
-                right[row].0
+                Some(&right[row])
             } else {
-                let [pa, pb, pc, pd] = [va, vb, vc, vd].map(|v| mesh.position(v));
-                let position = pa.lerp(pb, s).lerp(pd.lerp(pc, s), t);
-                patch.add_vertex(position, corner_weights(s, t)([va, vb, vc, vd].map(VertexId::raw)))
+                None
             };
-            let value = corner_weights(s, t)(sides.map(HalfedgeId::raw));
-            grid.push(Corner { vertex, value, like: None });
+            grid.push(match on_rim {
+                Some((_, corner)) => corner.clone(),
+                None => {
+                    let (s, t) = (near[column].0, left[row].0);
+                    let weights = [(1.0 - s) * (1.0 - t), s * (1.0 - t), s * t, (1.0 - s) * t];
+                    let blend = |ids: [u32; 4]| Blend::Weighted(ids.into_iter().zip(weights).collect());
+                    let [pa, pb, pc, pd] = [va, vb, vc, vd].map(|v| mesh.position(v));
+                    let position = pa.lerp(pb, s).lerp(pd.lerp(pc, s), t);
+                    let vertex = patch.add_vertex(position, blend([va, vb, vc, vd].map(VertexId::raw)));
+                    Corner { vertex, value: blend(sides.map(HalfedgeId::raw)), like: None }
+                }
+            });
         }
     }
     for row in 0..rows - 1 {
@@ -174,14 +192,24 @@ fn cut_quad(mesh: &Mesh, patch: &mut Patch, points: &Points, face: FaceId, sides
     }
 }
 
+/// The corners along a side of a face with those at its ends, each with the fraction of the way along.
+fn line(mesh: &Mesh, points: &Points, h: HalfedgeId) -> Vec<(f32, Corner)> {
+    let next = mesh.next(h);
+    let mut line = vec![(0.0, Corner::new(mesh.from(h), h))];
+    line.extend(points.get(&h).into_iter().flatten().map(|point| {
+        (point.along(), Corner { vertex: point.vertex, value: point.value(mesh, h), like: None })
+    }));
+    line.push((1.0, Corner::new(mesh.from(next), next)));
+    line
+}
+
 /// Gives a face that is no quad the corners where the ring ends.
 fn end_of_ring(patch: &mut Patch, mesh: &Mesh, points: &Points, face: FaceId, sides: &[HalfedgeId]) {
     let mut corners = Vec::new();
     for &h in sides {
         corners.push(Corner::keep(mesh, h));
-        for &(vertex, at) in points.get(&h).map(Vec::as_slice).unwrap_or_default() {
-            let value = Blend::Mix(h.raw(), mesh.next(h).raw(), at);
-            corners.push(Corner { vertex, value, like: Some(h) });
+        for point in points.get(&h).into_iter().flatten() {
+            corners.push(Corner { vertex: point.vertex, value: point.value(mesh, h), like: Some(h) });
         }
     }
     patch.replace_face(face, corners, false);

@@ -6,8 +6,9 @@
 //! one fan. Vertices joined by edges always shrink a piece of the surface to a point; vertices
 //! apart may sew boundaries together, and are refused where that would pinch the surface.
 
-use crate::edit::patch::{Blend, Plan, plan};
-use crate::edit::region::substitute;
+use crate::edit::blend::Blend;
+use crate::edit::patch::{Plan, plan};
+use crate::edit::region::{follow_merged, substitute};
 use crate::edit::{Made, Refusal};
 use crate::geometry::mean_position;
 use crate::mesh::Mesh;
@@ -20,7 +21,12 @@ pub fn can_merge_vertices(mesh: &Mesh, vertices: &[VertexId], position: Option<V
     plan_merge(mesh, vertices, position).map(drop)
 }
 
-fn plan_merge(mesh: &Mesh, vertices: &[VertexId], position: Option<Vec3>) -> Result<Plan, Refusal> {
+/// Also the vertices that become the first.
+fn plan_merge(
+    mesh: &Mesh,
+    vertices: &[VertexId],
+    position: Option<Vec3>,
+) -> Result<(Plan, FxHashMap<VertexId, VertexId>), Refusal> {
     mesh.need_vertices(vertices)?;
     let target = vertices[0];
     if let Some(position) = position
@@ -34,21 +40,23 @@ fn plan_merge(mesh: &Mesh, vertices: &[VertexId], position: Option<Vec3>) -> Res
         let why = if vertices.len() == 1 { Refusal::OnlyOne } else { Refusal::GivenTwice };
         return Err(why(Element::Vertex, target.raw()));
     }
-    plan(mesh, substitute(mesh, &becomes))?.keeping_vertices(|v| becomes.contains_key(&v))
+    let plan = plan(mesh, substitute(mesh, &becomes))?.keeping_vertices(|v| becomes.contains_key(&v))?;
+    Ok((plan, becomes))
 }
 
 /// Makes several vertices one: the first given, at `position` or at their centre (the mean).
 ///
 /// Isolated vertices among them go too. Edges and faces keep their ids where they keep two
 /// different ends and three corners. Costs O(valences + degrees of the faces round them).
-/// Attributes: the vertex gets the mean of all; corners that become one in a face the mean of
-/// those; of edges that become one the sharper crease stays.
+/// Attributes: the vertex gets the mean of all; the corners at it get the values that their faces have at
+/// its place, one value where they had one before; of edges that become one the sharper crease stays.
 pub fn merge_vertices(
     mesh: &mut Mesh,
     vertices: &[VertexId],
     position: Option<Vec3>,
 ) -> Result<Made, Refusal> {
-    let plan = plan_merge(mesh, vertices, position)?;
+    let (plan, becomes) = plan_merge(mesh, vertices, position)?;
+    let followers = follow_merged(mesh, &plan, &becomes);
     let target = vertices[0];
     let mut all = vertices.to_vec();
     all.sort_unstable();
@@ -58,6 +66,7 @@ pub fn merge_vertices(
     let blend = Blend::Mean(all.iter().map(|v| v.raw()).collect());
     mesh.blend_attributes(Element::Vertex, &blend, target.raw());
     mesh.set_position(target, position);
+    followers.update(mesh);
     // Isolated ones are in no patch.
     for v in all {
         if v != target && mesh.has_vertex(v) {

@@ -9,6 +9,7 @@
 
 mod bevel_edges;
 mod bevel_vertices;
+mod blend;
 mod bridge;
 mod collapse_edge;
 mod collapse_face;
@@ -18,9 +19,11 @@ mod dissolve_edge;
 mod dissolve_vertex;
 mod extrude_edges;
 mod extrude_faces;
+mod face_sample;
 mod fill_hole;
 mod flip_edge;
 mod flip_orientation;
+mod follow;
 mod geometry;
 mod inset_faces;
 mod loop_cut;

@@ -1,9 +1,7 @@
 //! The few steps that edits are made of. Between two of them a mesh may be invalid; an edit
 //! leaves it valid.
 
-use crate::attribute::{Value, mix};
 use crate::edit::Refusal;
-use crate::edit::patch::Blend;
 use crate::mesh::Mesh;
 use crate::{EdgeId, Element, FaceId, HalfedgeId, NONE, VertexId};
 use glam::Vec3;
@@ -150,31 +148,5 @@ impl Mesh {
         self.copy_attributes(Element::Halfedge, a.raw(), across.raw());
         self.copy_attributes(Element::Halfedge, b.raw(), across.twin().raw());
         (across, made)
-    }
-
-    /// Gives one element all attribute values of another of its kind.
-    pub(crate) fn copy_attributes(&mut self, element: Element, from: u32, to: u32) {
-        self.mix_attributes(element, from, from, 0.0, to);
-    }
-
-    /// Gives an element the attribute values between two others of its kind.
-    pub(crate) fn mix_attributes(&mut self, element: Element, a: u32, b: u32, t: f32, to: u32) {
-        for at in 0..self.columns.of(element).len() {
-            let values = &self.columns.of(element)[at].values;
-            let pair = (values.get(a as usize), values.get(b as usize));
-            if let (Some(x), Some(y)) = pair {
-                let value: Value = if a == b { x } else { mix(x, y, t) };
-                self.set_value(element, at, to as usize, value);
-            }
-        }
-    }
-
-    /// Gives an element the blend of the values of others of its kind.
-    pub(crate) fn blend_attributes(&mut self, element: Element, blend: &Blend, to: u32) {
-        for at in 0..self.columns.of(element).len() {
-            if let Some(value) = blend.of(&self.columns.of(element)[at].values) {
-                self.set_value(element, at, to as usize, value);
-            }
-        }
     }
 }

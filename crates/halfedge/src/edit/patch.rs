@@ -15,48 +15,14 @@
 //! Costs O(corners of the faces that go and come + valences of their vertices), times a logarithm
 //! for sorting; hash tables are as large as the patch, never as the mesh.
 
-use crate::attribute::{Value, Values, keys, mix};
+use crate::attribute::{Value, keys};
+use crate::edit::blend::Blend;
+use crate::edit::follow::{Follower, Followers};
 use crate::edit::{Made, Refusal};
 use crate::mesh::Mesh;
 use crate::{EdgeId, Element, FaceId, HalfedgeId, VertexId};
 use glam::Vec3;
 use rustc_hash::{FxHashMap, FxHashSet};
-
-/// Where an element gets its attribute values from: others of its kind, as they were before.
-#[derive(Clone, Debug)]
-pub(crate) enum Blend {
-    /// All of one.
-    Copy(u32),
-    /// Between two.
-    Mix(u32, u32, f32),
-    /// The mean of several.
-    Mean(Vec<u32>),
-    /// The mean of several by weights above zero.
-    Weighted(Vec<(u32, f32)>),
-}
-
-impl Blend {
-    pub(crate) fn of(&self, values: &Values) -> Option<Value> {
-        match self {
-            Self::Copy(a) => values.get(*a as usize),
-            Self::Mix(a, b, t) => Some(mix(values.get(*a as usize)?, values.get(*b as usize)?, *t)),
-            Self::Mean(all) => mean(values, all.iter().map(|&id| (id, 1.0))),
-            Self::Weighted(all) => mean(values, all.iter().copied()),
-        }
-    }
-}
-
-fn mean(values: &Values, all: impl Iterator<Item = (u32, f32)>) -> Option<Value> {
-    let mut sum: Option<(Value, f32)> = None;
-    for (id, weight) in all {
-        let value = values.get(id as usize)?;
-        sum = Some(match sum {
-            None => (value, weight),
-            Some((so_far, before)) => (mix(so_far, value, weight / (before + weight)), before + weight),
-        });
-    }
-    sum.map(|(value, _)| value)
-}
 
 /// A corner of a new face, and the side that leaves it.
 #[derive(Clone, Debug)]
@@ -168,6 +134,51 @@ pub(crate) struct Plan {
 }
 
 impl Plan {
+    /// The corners at these vertices after the patch, each with those that it has its value from. None where
+    /// the mesh has nothing that follows.
+    pub(crate) fn followers(&self, mesh: &Mesh, vertices: impl Iterator<Item = VertexId>) -> Vec<Follower> {
+        let mut followers = Vec::new();
+        if !Followers::has_columns(mesh) {
+            return followers;
+        }
+        let vertices: FxHashSet<VertexId> = vertices.collect();
+        let mut sides = self.sides.iter();
+        for face in &self.patch.faces {
+            for (corner, &side) in face.corners.iter().zip(&mut sides) {
+                let sources = match &corner.value {
+                    Blend::Copy(h) => std::slice::from_ref(h),
+                    Blend::Mean(all) => all.as_slice(),
+                    Blend::Mix(..) | Blend::Weighted(_) => &[],
+                };
+                if !vertices.contains(&corner.vertex) {
+                    continue;
+                }
+                for &h in sources {
+                    let source = HalfedgeId::new(h as usize);
+                    // A face that stays knows more than what is put beside it; one that shrinks to fewer
+                    // corners knows most.
+                    let stays = face.id.is_some() && mesh.face_of(source) == face.id;
+                    let rank = if stays { sources.len() } else { 0 };
+                    followers.push(Follower {
+                        corner: source,
+                        vertex: corner.vertex,
+                        side: Some(side),
+                        rank,
+                    });
+                }
+            }
+        }
+        let gone: FxHashSet<FaceId> = self.patch.remove.iter().copied().collect();
+        for &v in vertices.iter().filter(|&&v| mesh.has_vertex(v)) {
+            for h in mesh.outgoing(v) {
+                if mesh.face_of(h).is_some_and(|face| !gone.contains(&face)) {
+                    followers.push(Follower { corner: h, vertex: v, side: Some(h), rank: 1 });
+                }
+            }
+        }
+        followers
+    }
+
     /// Refuses a plan that leaves a vertex without a face, but for these.
     pub(crate) fn keeping_vertices(self, but: impl Fn(VertexId) -> bool) -> Result<Self, Refusal> {
         match self.made.removed_vertices.iter().find(|&&v| !but(v)) {
@@ -449,7 +460,7 @@ impl Plan {
             .columns
             .of(Element::Halfedge)
             .iter()
-            .map(|column| corners().map(|corner| corner.value.of(&column.values)).collect())
+            .map(|column| corners().map(|corner| corner.value.of(column)).collect())
             .collect();
         let creases: Vec<(usize, f32)> = corners()
             .zip(&self.sides)

@@ -3,7 +3,8 @@
 //! Always possible: the new edges join the new vertex, and a face of n corners becomes n triangles
 //! that take its sides. The Euler characteristic stays, as does the boundary.
 
-use crate::edit::patch::{Blend, Corner, Patch, Plan, plan};
+use crate::edit::blend::Blend;
+use crate::edit::patch::{Corner, Patch, Plan, plan};
 use crate::edit::{Made, Refusal};
 use crate::mesh::Mesh;
 use crate::{FaceId, HalfedgeId};

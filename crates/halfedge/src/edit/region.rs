@@ -2,9 +2,11 @@
 //! the faces round vertices that become one.
 
 use crate::edit::Refusal;
-use crate::edit::patch::{Blend, Corner, Patch};
+use crate::edit::blend::Blend;
+use crate::edit::follow::{Follower, Followers};
+use crate::edit::patch::{Corner, Patch, Plan};
 use crate::mesh::Mesh;
-use crate::{FaceId, HalfedgeId, VertexId};
+use crate::{Element, FaceId, HalfedgeId, VertexId};
 use rustc_hash::{FxHashMap, FxHashSet};
 
 /// The half-edges of the outline of some faces, counter-clockwise. Refused unless the faces make a
@@ -55,7 +57,7 @@ pub(crate) fn outline(mesh: &Mesh, faces: &FxHashSet<FaceId>) -> Result<Vec<Half
 fn some_face_refusal(faces: &FxHashSet<FaceId>) -> Refusal {
     match faces.iter().min() {
         Some(&face) => Refusal::NotADisc(face),
-        None => Refusal::NothingGiven(crate::Element::Face),
+        None => Refusal::NothingGiven(Element::Face),
     }
 }
 
@@ -70,7 +72,7 @@ pub(crate) fn substitute(mesh: &Mesh, becomes: &FxHashMap<VertexId, VertexId>) -
     let now = |v: VertexId| becomes.get(&v).copied().unwrap_or(v);
     for face in faces {
         let mut corners: Vec<Corner> = Vec::new();
-        // Corners that become one have the mean of their values, and the side of the last.
+        // Corners that become one follow all of theirs, and have the side of the last.
         let mut run: Vec<u32> = Vec::new();
         let sides: Vec<HalfedgeId> = mesh.face_halfedges(face).collect();
         // Start after an edge that stays, so that no run goes round the end.
@@ -102,4 +104,25 @@ pub(crate) fn substitute(mesh: &Mesh, becomes: &FxHashMap<VertexId, VertexId>) -
         patch.replace_face(face, corners, true);
     }
     patch
+}
+
+/// What corners follow at the vertices that others become, by a plan of [`substitute`]. The faces that lose
+/// most corners lie nearest to where those go, so they say what values are there; faces that vanish, too.
+pub(crate) fn follow_merged(mesh: &Mesh, plan: &Plan, becomes: &FxHashMap<VertexId, VertexId>) -> Followers {
+    let targets: FxHashSet<VertexId> = becomes.values().copied().collect();
+    let mut followers = plan.followers(mesh, targets.iter().copied());
+    let now = |h: HalfedgeId| becomes.get(&mesh.from(h)).copied().unwrap_or(mesh.from(h));
+    for &face in &plan.made.removed_faces {
+        let mut ranks: FxHashMap<VertexId, usize> = FxHashMap::default();
+        for h in mesh.face_halfedges(face) {
+            *ranks.entry(now(h)).or_default() += 1;
+        }
+        for corner in mesh.face_halfedges(face) {
+            let vertex = now(corner);
+            if let Some(&rank) = ranks.get(&vertex).filter(|_| targets.contains(&vertex)) {
+                followers.push(Follower { corner, vertex, side: None, rank });
+            }
+        }
+    }
+    Followers::new(mesh, followers, |element, _| element == Element::Halfedge)
 }

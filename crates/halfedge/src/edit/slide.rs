@@ -2,6 +2,7 @@
 //! are; the slide moves them by an amount, as often as a drag likes.
 
 use crate::VertexId;
+use crate::edit::follow::Followers;
 use crate::edit::{Made, Refusal};
 use crate::mesh::Mesh;
 use glam::Vec3;
@@ -18,7 +19,8 @@ pub struct SlideVertex {
     pub by: Vec3,
 }
 
-/// The moves of an interactive edit: a pure function of one amount.
+/// The moves of an interactive edit: a pure function of one amount. Corner values of the faces that are cut
+/// and the attributes of the vertices follow.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Slide {
     /// The vertices that move.
@@ -26,17 +28,19 @@ pub struct Slide {
     /// The largest amount that turns no edge round; larger ones are clamped to it. Infinite where
     /// there is no such limit.
     pub limit: f32,
+    /// The corner values that follow the vertices.
+    followers: Followers,
 }
 
 impl Slide {
     /// A slide with no limit.
-    pub(crate) fn unlimited(vertices: Vec<SlideVertex>) -> Self {
-        Self { vertices, limit: f32::INFINITY }
+    pub(crate) fn unlimited(vertices: Vec<SlideVertex>, followers: Followers) -> Self {
+        Self { vertices, limit: f32::INFINITY, followers }
     }
 
     /// A slide limited to where the first edge of the mesh would lose its length and turn round.
     /// Edges that have no length at amount 0, where the edit has just cut a corner, do not limit.
-    pub(crate) fn limited(mesh: &Mesh, vertices: Vec<SlideVertex>) -> Self {
+    pub(crate) fn limited(mesh: &Mesh, vertices: Vec<SlideVertex>, followers: Followers) -> Self {
         let by: FxHashMap<VertexId, Vec3> = vertices.iter().map(|slide| (slide.vertex, slide.by)).collect();
         let mut limit = f32::INFINITY;
         for slide in &vertices {
@@ -50,7 +54,7 @@ impl Slide {
                 }
             }
         }
-        Self { vertices, limit }
+        Self { vertices, limit, followers }
     }
 
     /// The amount that [`Slide::apply`] uses for this one.
@@ -65,7 +69,10 @@ impl Slide {
     }
 
     /// Moves the vertices to where they are at this amount, clamped to the limit, and gives the
-    /// amount used. Costs O(vertices that move), and depends on no earlier call.
+    /// amount used. Corner values (texture coordinates, normals, colours) and vertex colours follow: they
+    /// become those that the faces had at the new places before the edit, but for extruded faces, which
+    /// take theirs along. Costs O(vertices that move + corners of the faces there), and depends on no
+    /// earlier call.
     ///
     /// # Errors
     /// [`Refusal::TooFarAway`] where a position would not be finite; nothing moves.
@@ -76,6 +83,7 @@ impl Slide {
         for (v, position) in self.positions(amount) {
             mesh.set_position(v, position);
         }
+        self.followers.update(mesh);
         Ok(self.clamp(amount))
     }
 }

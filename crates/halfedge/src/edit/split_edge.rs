@@ -6,6 +6,7 @@
 //! vertex, when both faces have it as their opposite corner. That one is refused.
 
 use crate::edit::Refusal;
+use crate::edit::blend::Blend;
 use crate::mesh::Mesh;
 use crate::{EdgeId, Element, FaceId, HalfedgeId, VertexId};
 
@@ -73,16 +74,16 @@ pub fn split_edge(mesh: &mut Mesh, edge: EdgeId, t: f32, connect: Connect) -> Re
 
     // Before: a --h--> b. After: a --h--> m --g--> b, `twin` being m -> a and `g`'s twin b -> m.
     let m = mesh.add_vertex(mesh.position(a).lerp(mesh.position(b), t));
-    mesh.mix_attributes(Element::Vertex, a.raw(), b.raw(), t, m.raw());
+    mesh.blend_attributes(Element::Vertex, &Blend::Mix(a.raw(), b.raw(), t), m.raw());
     let g = mesh.add_edge(m, b);
     let (after_h, before_twin) = (mesh.next(h), mesh.prev(twin));
     mesh.copy_attributes(Element::Edge, edge.raw(), g.edge().raw());
     // Corners: g's is the new one on h's side; b's corner on the other side moves from `twin` to
     // `g`'s twin, and `twin` gets the new corner there.
-    mesh.mix_attributes(Element::Halfedge, h.raw(), after_h.raw(), t, g.raw());
+    mesh.blend_attributes(Element::Halfedge, &Blend::Mix(h.raw(), after_h.raw(), t), g.raw());
     mesh.copy_attributes(Element::Halfedge, twin.raw(), g.twin().raw());
     let a_corner = mesh.next(twin);
-    mesh.mix_attributes(Element::Halfedge, a_corner.raw(), g.twin().raw(), t, twin.raw());
+    mesh.blend_attributes(Element::Halfedge, &Blend::Mix(a_corner.raw(), g.twin().raw(), t), twin.raw());
 
     mesh.link(g, after_h);
     mesh.link(h, g);

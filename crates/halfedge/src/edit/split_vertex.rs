@@ -10,6 +10,7 @@
 //! of the two edges and of those between, each once, and at v, v' and the far ends a triangle is
 //! put between two corners, or between a corner and the boundary, of one fan.
 
+use crate::edit::follow::Followers;
 use crate::edit::patch::{Corner, Patch, Plan, plan};
 use crate::edit::{Made, Refusal};
 use crate::geometry::mean_position;
@@ -110,7 +111,8 @@ fn position_for(mesh: &Mesh, vertex: VertexId, corners: impl Iterator<Item = Hal
 /// All ids survive. Costs O(degrees of the faces round the vertex + valences of their corners).
 /// Attributes: the new vertex copies the vertex; the edges of a face that moves keep theirs, the
 /// edge beside the triangle that is made with a new id copies the one it is split from; triangles
-/// copy the face on their edge, and their corners its corners.
+/// copy the face on their edge, and their corners its corners. Where the vertices move, vertex and corner
+/// values follow over the faces.
 pub fn split_vertex(
     mesh: &mut Mesh,
     vertex: VertexId,
@@ -118,7 +120,10 @@ pub fn split_vertex(
     positions: Option<[Vec3; 2]>,
 ) -> Result<Made, Refusal> {
     let (plan, [at_old, _]) = plan_split(mesh, vertex, edges, positions)?;
+    let followers = plan.followers(mesh, plan.made.vertices.iter().copied().chain([vertex]));
+    let followers = Followers::new(mesh, followers, |_, _| true);
     let made = plan.apply(mesh);
     mesh.set_position(vertex, at_old);
+    followers.update(mesh);
     Ok(made)
 }

@@ -4,8 +4,10 @@
 //! are zipped. Possible exactly where merging those vertices is: see
 //! [`merge_vertices`](super::merge_vertices).
 
-use crate::edit::patch::{Blend, Plan, plan};
-use crate::edit::region::substitute;
+use crate::edit::blend::Blend;
+use crate::edit::follow::Followers;
+use crate::edit::patch::{Plan, plan};
+use crate::edit::region::{follow_merged, substitute};
 use crate::edit::{Made, Refusal};
 use crate::mesh::Mesh;
 use crate::{EdgeId, Element, VertexId};
@@ -16,8 +18,10 @@ pub fn can_weld_edges(mesh: &Mesh, edges: [EdgeId; 2]) -> Result<(), Refusal> {
     plan_weld(mesh, edges).map(drop)
 }
 
-/// Also the pairs that merge, the vertex that stays first.
-fn plan_weld(mesh: &Mesh, edges: [EdgeId; 2]) -> Result<(Plan, [(VertexId, VertexId); 2]), Refusal> {
+/// Two vertices that merge; the first stays.
+type Pair = (VertexId, VertexId);
+
+fn plan_weld(mesh: &Mesh, edges: [EdgeId; 2]) -> Result<(Plan, Followers, [Pair; 2]), Refusal> {
     mesh.need_edges(&edges)?;
     if edges[0] == edges[1] {
         return Err(Refusal::GivenTwice(Element::Edge, edges[0].raw()));
@@ -35,16 +39,17 @@ fn plan_weld(mesh: &Mesh, edges: [EdgeId; 2]) -> Result<(Plan, [(VertexId, Verte
     let becomes: FxHashMap<VertexId, VertexId> =
         pairs.iter().filter(|(stays, goes)| stays != goes).map(|&(stays, goes)| (goes, stays)).collect();
     let plan = plan(mesh, substitute(mesh, &becomes))?.keeping_vertices(|v| becomes.contains_key(&v))?;
-    Ok((plan, pairs))
+    let followers = follow_merged(mesh, &plan, &becomes);
+    Ok((plan, followers, pairs))
 }
 
 /// Makes two boundary edges one: the first, each of its ends halfway to the end it merges with.
 ///
 /// The first edge and its ends keep their ids. Costs O(valences of the ends of the second edge +
-/// degrees of the faces there). Attributes: vertices get the mean of the two, the edge the sharper
-/// crease.
+/// degrees of the faces there). Attributes: vertices get the mean of the two, corners the values that their
+/// faces have at the new places, the edge the sharper crease.
 pub fn weld_edges(mesh: &mut Mesh, edges: [EdgeId; 2]) -> Result<Made, Refusal> {
-    let (plan, pairs) = plan_weld(mesh, edges)?;
+    let (plan, followers, pairs) = plan_weld(mesh, edges)?;
     let middles = pairs.map(|(a, b)| mesh.position(a).midpoint(mesh.position(b)));
     let made = plan.apply(mesh);
     for ((stays, goes), middle) in pairs.into_iter().zip(middles) {
@@ -53,5 +58,6 @@ pub fn weld_edges(mesh: &mut Mesh, edges: [EdgeId; 2]) -> Result<Made, Refusal> 
             mesh.set_position(stays, middle);
         }
     }
+    followers.update(mesh);
     Ok(made)
 }

@@ -12,6 +12,10 @@ use halfedge::{EdgeId, FaceId, Mesh, VertexId};
 pub struct Random(u64);
 
 impl Random {
+    pub fn new(seed: u64) -> Self {
+        Self(seed | 1)
+    }
+
     fn next(&mut self) -> u64 {
         self.0 ^= self.0 >> 12;
         self.0 ^= self.0 << 25;
@@ -19,15 +23,15 @@ impl Random {
         self.0.wrapping_mul(0x2545_F491_4F6C_DD1D)
     }
 
-    fn below(&mut self, n: usize) -> usize {
+    pub fn below(&mut self, n: usize) -> usize {
         if n == 0 { 0 } else { (self.next() >> 33) as usize % n }
     }
 
-    fn unit(&mut self) -> f32 {
+    pub fn unit(&mut self) -> f32 {
         (self.next() >> 40) as f32 / (1 << 24) as f32
     }
 
-    fn pick<T: Copy>(&mut self, from: &[T]) -> Option<T> {
+    pub fn pick<T: Copy>(&mut self, from: &[T]) -> Option<T> {
         from.get(self.below(from.len())).copied()
     }
 }
@@ -51,7 +55,7 @@ impl Elements {
 
 /// What an edit says about itself.
 #[derive(Default)]
-struct Said {
+pub struct Said {
     /// The change of the Euler characteristic, from what was made and removed or from the kind of edit.
     euler: Option<i64>,
     /// The change of the number of boundary loops.
@@ -81,7 +85,7 @@ impl Said {
     }
 }
 
-type Tried = Result<Said, Refusal>;
+pub type Tried = Result<Said, Refusal>;
 
 /// Runs a check and its edit, which must agree.
 fn both<T>(
@@ -103,9 +107,9 @@ fn both<T>(
     }
 }
 
-const EDITS: usize = 25;
+pub const EDITS: usize = 25;
 
-fn one_edit(mesh: &mut Mesh, random: &mut Random, kind: usize) -> Tried {
+pub fn one_edit(mesh: &mut Mesh, random: &mut Random, kind: usize) -> Tried {
     let all = Elements::of(mesh);
     let nothing = Refusal::NothingGiven(halfedge::Element::Face);
     let edge = random.pick(&all.edges).ok_or(nothing.clone())?;
@@ -364,7 +368,7 @@ const SEQUENCE: usize = 150;
 /// Runs `edits` edits from a mesh; gives how many of each kind were made.
 fn run(name: &str, start: &Mesh, seed: u64, edits: usize) -> Vec<usize> {
     let mut mesh = start.clone();
-    let mut random = Random(seed | 1);
+    let mut random = Random::new(seed);
     let mut journals = Vec::new();
     let mut done = vec![0; EDITS];
     let mut euler = mesh.euler_characteristic();
