@@ -3,11 +3,11 @@
 
 use std::ops::ControlFlow;
 
-use editor::{CommandError, ErrorKind, JobRequest, JobResult};
+use editor::{CommandError, ErrorKind, JobRequest, JobResult, Wire};
 use formats::NamedBytes;
 use meshwright_web::platform::browser::Browser;
 use meshwright_web::platform::{DeviceInfo, Event, Platform};
-use meshwright_worker::{Message, request, transferable};
+use meshwright_worker::{Message, Request};
 use wasm_bindgen::JsValue;
 use wasm_bindgen_test::{console_log, wasm_bindgen_test, wasm_bindgen_test_configure};
 
@@ -28,23 +28,28 @@ fn messages_of_the_worker_read_back() {
             field: field.map(str::to_owned),
             problem: "face 7 has 4 corners".to_owned(),
             kind,
-            advice: None,
+            advice: field.map(|field| format!("Look at {field}.")),
         },
     };
     let messages = [
         Message::Ready,
         Message::Progress { job: 0, fraction: 0.625 },
-        Message::Done { job: 1 << 40, result: vec![0, 1, 255], memory: 1048576.0 },
-        Message::Done { job: 2, result: Vec::new(), memory: 0.0 },
+        Message::Done {
+            job: 1 << 40,
+            result: imported("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"),
+            memory: 1048576.0,
+        },
         refusal(None, ErrorKind::Refused),
         refusal(Some("levels"), ErrorKind::Internal),
         refusal(Some(""), ErrorKind::Cancelled),
+        refusal(Some("edges"), ErrorKind::NothingToDo),
         Message::Misunderstood { job: 4, reason: "no".to_owned() },
         Message::Crashed { reason: "over".to_owned() },
     ];
     for message in messages {
         let (value, _) = message.to_js();
-        assert_eq!(Message::from_js(&value), Some(message));
+        let read = Message::from_js(&value).expect("its own value");
+        assert_eq!(format!("{read:?}"), format!("{message:?}"));
     }
 }
 
@@ -59,18 +64,39 @@ fn other_values_are_no_message() {
         js_sys::Array::of3(&"progress".into(), &(-1.0).into(), &0.5.into()).into(),
     ];
     for value in values {
-        assert_eq!(Message::from_js(&value), None, "{value:?}");
+        assert!(Message::from_js(&value).is_none(), "{value:?}");
     }
 }
 
 #[wasm_bindgen_test]
-fn bytes_to_transfer_are_a_copy_of_their_own() {
-    let (array, buffer) = transferable(&[1, 2, 3]);
-    assert_eq!(array.to_vec(), [1, 2, 3]);
-    let buffer = js_sys::ArrayBuffer::from(buffer);
-    assert_eq!(buffer.byte_length(), 3, "not the whole memory of the program");
-    let (_, transfer) = request(5, &[7; 10]);
-    assert_eq!(js_sys::Array::from(&transfer).length(), 1);
+fn a_request_travels_in_one_buffer_of_its_own_size() {
+    let sent = import_of("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+    let request = Request::new(5, &sent);
+    let transfer = js_sys::Array::from(&request.transfer);
+    assert_eq!(transfer.length(), 1);
+    let buffer = js_sys::ArrayBuffer::from(transfer.get(0));
+    assert_eq!(buffer.byte_length() as usize, sent.byte_len(), "not the whole memory of the program");
+    let (job, read) = Request::read(&request.value).expect("its own value");
+    assert_eq!(job, 5);
+    assert_eq!(read.expect("its own bytes").to_bytes(), sent.to_bytes());
+}
+
+#[wasm_bindgen_test]
+fn bytes_that_are_no_job_are_misunderstood() {
+    let bytes = js_sys::Uint8Array::new_from_slice(&[1, 2, 3]);
+    let value = js_sys::Array::of2(&7.0.into(), &bytes).into();
+    let (job, read) = Request::read(&value).expect("a number and bytes");
+    assert!(job == 7 && read.is_err());
+    let value = js_sys::Array::of4(&"done".into(), &7.0.into(), &bytes, &0.0.into()).into();
+    assert!(matches!(Message::from_js(&value), Some(Message::Misunderstood { job: 7, .. })));
+}
+
+fn import_of(obj: &str) -> JobRequest {
+    JobRequest::import(vec![NamedBytes { name: "a.obj".to_owned(), bytes: obj.as_bytes().to_vec() }])
+}
+
+fn imported(obj: &str) -> JobResult {
+    import_of(obj).run(&mut |_| ControlFlow::Continue(())).expect("an OBJ file")
 }
 
 /// A worker whose script is not there: every job that waits for it fails, saying so.
@@ -78,9 +104,10 @@ fn bytes_to_transfer_are_a_copy_of_their_own() {
 async fn a_worker_that_cannot_start_fails_its_jobs() {
     let ctx = egui::Context::default();
     let mut browser = Browser::new(&ctx, DeviceInfo::default());
-    browser.start_job(1, vec![1]);
-    browser.start_job(2, vec![2]);
-    browser.start_job(3, vec![3]);
+    let request = import_of("v 0 0 0\n");
+    browser.start_job(1, &request);
+    browser.start_job(2, &request);
+    browser.start_job(3, &request);
     browser.cancel_job(2);
     let mut failed = Vec::new();
     for _ in 0..100 {

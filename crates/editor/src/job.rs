@@ -1,8 +1,10 @@
-//! Jobs: what takes long, as plain data that can be sent to a worker and back.
+//! Jobs: work that takes long, as plain data that can be sent to a worker and back.
 
-mod bytes;
+mod columns;
+mod messages;
+mod wire;
 
-pub use bytes::BadBytes;
+pub use wire::{BadBytes, Wire};
 
 use crate::bezier::fill_previews;
 use crate::error::{CommandError, Problem};
@@ -13,11 +15,11 @@ use glam::DVec3;
 use halfedge::{Mesh, Progress};
 use std::sync::Arc;
 
-/// Which job of an editor.
+/// The number of a job of an editor.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub struct JobId(pub u64);
 
-/// What a job has to do, with all it needs: it can be run on any thread or sent to a worker.
+/// The work of a job and everything it needs: it can run on any thread, or be sent to a worker.
 #[derive(Clone, Debug)]
 pub struct JobRequest {
     pub(crate) id: JobId,
@@ -26,7 +28,7 @@ pub struct JobRequest {
 
 #[derive(Clone, Debug)]
 pub(crate) enum Work {
-    /// Reads files, making meshes of what is not one by these choices.
+    /// Reads files, and repairs faces that are not a mesh as they stand.
     Import(Vec<NamedBytes>, Repairs),
     /// Runs operations on meshes; several only where they are local edits.
     Run(Vec<Op>, Vec<Input>),
@@ -34,34 +36,37 @@ pub(crate) enum Work {
     Export(ExportHead, Vec<Input>),
 }
 
-/// What there is to a document that is written besides its objects.
+/// The parts of a document that are written besides its objects.
 #[derive(Clone, Debug)]
 pub(crate) struct ExportHead {
     pub format: Format,
-    /// The document's name, which files are called after.
+    /// The document's name, which the files are named after.
     pub name: String,
     pub offset: DVec3,
     pub materials: Materials,
 }
 
-/// What a job made.
+/// The result of a job.
 #[derive(Debug)]
 pub struct JobResult {
     pub(crate) made: Made,
-    /// Whether the meshes have been validated: reading a result from bytes does that.
+    /// Whether every mesh was found valid: see [`JobResult::validate`].
     pub(crate) validated: bool,
 }
 
 #[derive(Debug)]
 pub(crate) enum Made {
     Import(Import),
-    /// The meshes; for local edits what they created and removed; what to tell the user besides.
+    /// The meshes; for local edits the elements they created and removed; warnings.
     Meshes(Vec<Output>, Option<(ElementIds, ElementIds)>, Vec<String>),
     Files(Vec<NamedBytes>),
 }
 
 impl Made {
-    /// Validates every mesh; gives what is wrong with the first that is not valid.
+    /// Validates every mesh.
+    ///
+    /// # Errors
+    /// What is wrong with the first invalid one.
     pub fn validate(&self) -> Result<(), String> {
         let check = |name: &str, mesh: &Mesh| {
             mesh.validate().map_err(|defect| match name {
@@ -78,12 +83,12 @@ impl Made {
 }
 
 impl JobRequest {
-    /// Reading files, for whoever has no editor yet; its result goes to [`JobResult::into_import`].
+    /// The job of reading files without an editor; [`JobResult::into_import`] gives what was read.
     pub fn import(files: Vec<NamedBytes>) -> Self {
         Self { id: JobId(0), work: Work::Import(files, Repairs::default()) }
     }
 
-    /// Reading the files of an import that was announced with [`crate::Editor::expect_import`].
+    /// The job of reading the files of an import that [`crate::Editor::expect_import`] announced.
     pub fn import_expected(id: JobId, files: Vec<NamedBytes>) -> Self {
         Self { id, work: Work::Import(files, Repairs::default()) }
     }
@@ -102,16 +107,23 @@ impl JobRequest {
         }
     }
 
-    /// Does the work, telling `progress`, which may stop it.
+    /// Does the work and reports to `progress`, which may stop it.
     ///
     /// # Errors
-    /// What the command would be refused for, or that it was cancelled.
+    /// Why the command is refused, or that it was cancelled.
     pub fn run(&self, progress: &mut Progress<'_>) -> Result<JobResult, CommandError> {
         self.work.run(progress).map_err(|problem| CommandError::of(self.op(), problem))
     }
 }
 
 impl JobResult {
+    /// Validates the meshes where the job ran, which takes longer than a frame of the page, so that
+    /// [`crate::Editor::finish`] need not. A result with an invalid mesh stays unvalidated, and
+    /// `finish` refuses it, saying why.
+    pub fn validate(&mut self) {
+        self.validated = self.validated || self.made.validate().is_ok();
+    }
+
     /// What was read, if this is the result of an import.
     pub fn into_import(self) -> Option<Import> {
         match self.made {
@@ -131,7 +143,7 @@ impl Work {
                         other => Problem::new(other.to_string()),
                     })?;
                 fill_previews(&mut import)?;
-                // Nothing but trouble is no reason to take the open document away.
+                // A file with nothing usable in it must not replace the open document.
                 if import
                     .model
                     .objects
@@ -184,4 +196,24 @@ pub(crate) fn run(ops: &[Op], inputs: &[Input], progress: &mut Progress<'_>) -> 
     let touched = mesh.finish_recording().touched();
     let ids = before.compare(&mesh, &touched);
     Ok(Made::Meshes(vec![Output::new("", mesh)], Some(ids), notes))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use halfedge::PolygonSoup;
+
+    #[test]
+    fn an_invalid_mesh_stays_unvalidated() {
+        let soup = PolygonSoup::new(vec![glam::Vec3::ZERO; 3], &[[0, 1, 2]]);
+        let mut raw = Mesh::build(soup).expect("small").mesh.into_raw();
+        raw.next.swap(0, 1);
+        let output = Output::new("", Mesh::from_raw(raw));
+        let made = Made::Meshes(vec![output], None, Vec::new());
+        let mut result = JobResult { made, validated: false };
+        result.validate();
+        let read = JobResult::from_bytes(&result.to_bytes()).expect("its own bytes");
+        assert!(!read.validated);
+        assert!(read.made.validate().is_err());
+    }
 }

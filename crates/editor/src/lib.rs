@@ -24,7 +24,7 @@ pub use changes::{Changes, ObjectChange};
 pub use document::{Counts, Document, Object, ObjectId};
 pub use editor::{Begun, Editor, Finished, Message, MessageKind, RunningJob, SelectMode};
 pub use error::{CommandError, ErrorKind};
-pub use job::{BadBytes, JobId, JobRequest, JobResult};
+pub use job::{BadBytes, JobId, JobRequest, JobResult, Wire};
 pub use ops::{Command, Facts, Op, OpId, Scope, Spec};
 pub use outcome::{ElementIds, Elements, Outcome};
 pub use selection::Selection;

@@ -5,7 +5,7 @@ mod support;
 use editor::formats::{Format, Import, ImportReport, Model, NamedBytes, NamedMesh};
 use editor::halfedge::{Element, Mesh};
 use editor::surface::bezier::Curve;
-use editor::{Begun, Bezier, Editor, Finished, JobRequest, JobResult, ObjectChange, SelectMode};
+use editor::{Begun, Bezier, Editor, Finished, JobRequest, JobResult, ObjectChange, SelectMode, Wire};
 use glam::Vec3;
 use proptest::prelude::*;
 use serde_json::{Value, json};

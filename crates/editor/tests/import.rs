@@ -3,7 +3,7 @@
 mod support;
 
 use editor::formats::{Format, NamedBytes, NonManifold, Repairs};
-use editor::{Begun, Editor, Finished, JobRequest, JobResult, Outcome};
+use editor::{Begun, Editor, Finished, JobRequest, JobResult, Outcome, Wire};
 use glam::DVec3;
 use serde_json::json;
 use std::ops::ControlFlow;

@@ -4,7 +4,7 @@ mod support;
 
 use editor::formats::{self, Format, NamedBytes};
 use editor::halfedge::{Element, Mesh, keys};
-use editor::{Begun, Command, Editor, ErrorKind, Finished, JobRequest, JobResult, SelectMode};
+use editor::{Begun, Command, Editor, ErrorKind, Finished, JobRequest, JobResult, SelectMode, Wire};
 use proptest::prelude::*;
 use serde_json::json;
 use std::ops::ControlFlow;
@@ -327,25 +327,120 @@ fn every_shortened_request_is_refused() {
     }
 }
 
+/// Notes where the large blocks lie that pass through it.
+#[derive(Default)]
+struct Noted<'a> {
+    bytes: &'a [u8],
+    places: Vec<(*const u8, usize)>,
+}
+
+impl Noted<'_> {
+    fn note(&mut self, block: &[u8]) {
+        if block.len() > 1 << 16 {
+            self.places.push((block.as_ptr(), block.len()));
+        }
+    }
+}
+
+impl std::io::Write for Noted<'_> {
+    fn write(&mut self, block: &[u8]) -> std::io::Result<usize> {
+        self.note(block);
+        Ok(block.len())
+    }
+
+    fn flush(&mut self) -> std::io::Result<()> {
+        Ok(())
+    }
+}
+
+impl std::io::Read for Noted<'_> {
+    fn read(&mut self, block: &mut [u8]) -> std::io::Result<usize> {
+        self.note(block);
+        self.bytes.read(block)
+    }
+}
+
+/// Where the columns of a mesh lie that hold its positions and links.
+fn columns(mesh: &Mesh) -> Vec<(*const u8, usize)> {
+    let links = mesh.connectivity();
+    let lists = [links.vertex_halfedge, links.next, links.prev, links.to, links.face, links.face_halfedge];
+    let positions = mesh.positions();
+    std::iter::once((positions.as_ptr().cast(), size_of_val(positions)))
+        .chain(lists.map(|list| (list.as_ptr().cast(), size_of_val(list))))
+        .collect()
+}
+
+/// Between the worker and the page a mesh is copied twice: from its columns into the buffer, and from
+/// the buffer into its columns. So the columns are written as they lie and read to where they stay.
+#[test]
+fn a_million_triangles_are_written_from_and_read_into_their_columns() {
+    let side = 708;
+    let mut text = String::new();
+    for (row, column) in (0..=side).flat_map(|row| (0..=side).map(move |column| (row, column))) {
+        text += &format!("v {column} {row} 0\n");
+    }
+    for (row, column) in (0..side).flat_map(|row| (0..side).map(move |column| (row, column))) {
+        let a = row * (side + 1) + column + 1;
+        let (b, c, d) = (a + 1, a + side + 2, a + side + 1);
+        text += &format!("f {a} {b} {c}\nf {a} {c} {d}\n");
+    }
+    let request = JobRequest::import(vec![NamedBytes::new("grid.obj", text)]);
+    let mut result = request.run(&mut on).expect("a file");
+    result.validate();
+    let mut written = Noted::default();
+    result.write_to(&mut written).expect("it takes everything");
+    let bytes = result.to_bytes();
+    assert_eq!(bytes.len(), result.byte_len());
+    let mut read = Noted { bytes: &bytes, places: Vec::new() };
+    let received = JobResult::read_from(&mut read, bytes.len()).expect("its own bytes");
+    let [sent, received] = [result, received].map(|result| result.into_import().expect("an import"));
+    let [sent, received] = [&sent, &received].map(|import| &*import.model.objects[0].mesh);
+    assert_eq!(sent.face_count(), 1_002_528);
+    assert_eq!(sent, received);
+    assert_eq!(written.places, columns(sent));
+    assert_eq!(read.places, columns(received));
+    assert!(bytes.len() < sent.bytes() + 4096, "{} for {}", bytes.len(), sent.bytes());
+}
+
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(512))]
 
+    /// Damage to a length or to a name is refused. A flipped bit of a number gives another job, which
+    /// is read as such: sending it on and reading it again gives the same.
     #[test]
     fn damaged_bytes_are_refused(which in 0usize..3, at in any::<prop::sample::Index>(), bits in 1u8..) {
         let mut bytes = requests().swap_remove(which);
         let at = at.index(bytes.len());
         bytes[at] ^= bits;
-        prop_assert!(JobRequest::from_bytes(&bytes).is_err());
+        match JobRequest::from_bytes(&bytes) {
+            Ok(request) => {
+                prop_assert!(at >= 16, "the mark or the first length was damaged");
+                let again = request.to_bytes();
+                let read = JobRequest::from_bytes(&again).expect("its own bytes");
+                prop_assert_eq!(read.to_bytes(), again);
+            }
+            Err(error) => prop_assert!(error.to_string().starts_with("these bytes are not a job: ")),
+        }
     }
 
+    /// Whatever is damaged of a result that was not validated: the document keeps valid meshes only.
     #[test]
     fn damaged_results_are_refused(at in any::<prop::sample::Index>(), bits in 1u8..) {
         let mut editor = Editor::with_mesh("Cube", decorated());
+        let before = editor.document().clone();
         let request = editor.begin_import(vec![NamedBytes::new("a.obj", OBJ)]);
         let mut bytes = request.run(&mut on).expect("a file").to_bytes();
         let at = at.index(bytes.len());
         bytes[at] ^= bits;
-        prop_assert!(JobResult::from_bytes(&bytes).is_err());
+        if let Ok(result) = JobResult::from_bytes(&bytes) {
+            match editor.finish(request.id(), Ok(result)) {
+                Ok(_) => validate(&editor),
+                Err(error) => {
+                    prop_assert_eq!(error.kind, ErrorKind::Internal);
+                    prop_assert_eq!(editor.document(), &before);
+                }
+            }
+        }
     }
 
     #[test]

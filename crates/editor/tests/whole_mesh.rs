@@ -4,7 +4,7 @@ mod support;
 
 use editor::formats::NamedBytes;
 use editor::halfedge::Mesh;
-use editor::{Begun, Editor, Finished, JobRequest, JobResult};
+use editor::{Begun, Editor, Finished, JobRequest, JobResult, Wire};
 use serde_json::{Value, json};
 use std::ops::ControlFlow;
 use support::*;

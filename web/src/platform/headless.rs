@@ -6,7 +6,7 @@ use std::ops::ControlFlow;
 use std::rc::Rc;
 use std::time::Instant;
 
-use editor::{CommandError, JobRequest};
+use editor::{CommandError, JobRequest, JobResult, Wire};
 
 use crate::platform::{DeviceInfo, Event, NamedBytes, Platform};
 
@@ -88,7 +88,10 @@ fn run(job: u64, request: &[u8]) -> Event {
     let result = JobRequest::from_bytes(request)
         .map_err(|error| CommandError::refused("job", error.to_string()))
         .and_then(|request| request.run(&mut |_| ControlFlow::Continue(())))
-        .map(|result| result.to_bytes());
+        .and_then(|result| {
+            JobResult::from_bytes(&result.to_bytes())
+                .map_err(|error| CommandError::refused("job", error.to_string()))
+        });
     Event::JobDone { job, result }
 }
 
@@ -110,7 +113,9 @@ impl Platform for Headless {
         std::mem::take(&mut self.outside.inner.borrow_mut().events)
     }
 
-    fn start_job(&mut self, job: u64, request: Vec<u8>) {
+    fn start_job(&mut self, job: u64, request: &JobRequest) {
+        // Through bytes, as to a worker.
+        let request = request.to_bytes();
         if let Some(held) = &mut self.outside.inner.borrow_mut().held {
             held.push((job, request));
             return;

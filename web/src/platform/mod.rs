@@ -10,7 +10,7 @@ pub mod browser;
 #[cfg(not(target_arch = "wasm32"))]
 pub mod headless;
 
-use editor::CommandError;
+use editor::{CommandError, JobRequest, JobResult};
 pub use formats::NamedBytes;
 
 /// The graphics device, as the status bar and the "About this device" window show it.
@@ -45,9 +45,9 @@ pub enum Event {
     JobDone {
         /// The number given to [`Platform::start_job`].
         job: u64,
-        /// The bytes of an `editor::JobResult`; or why there are none: the operation's refusal, or
-        /// that the worker itself failed (it could not start, ran out of memory, crashed).
-        result: Result<Vec<u8>, CommandError>,
+        /// The result; or why there is none: the operation's refusal, or that the worker itself failed
+        /// (it could not start, ran out of memory, crashed).
+        result: Result<JobResult, CommandError>,
     },
     /// What [`Platform::fetch`] was to fetch is here, or can't be had: a sentence. Fetching that was
     /// cancelled sends nothing more.
@@ -69,9 +69,8 @@ pub trait Platform {
     /// the page are in `ctx`'s raw input, reading them is up to the platform.
     fn poll(&mut self, ctx: &egui::Context) -> Vec<Event>;
 
-    /// Runs a job away from this thread: `request` is an `editor::JobRequest` as bytes. Several may
-    /// be waiting; they run in order.
-    fn start_job(&mut self, job: u64, request: Vec<u8>);
+    /// Runs a job away from this thread. Several may be waiting; they run in order.
+    fn start_job(&mut self, job: u64, request: &JobRequest);
 
     /// The addresses of the files that the page was asked to open with, as they were written: each
     /// `model` of the page's own address.

@@ -88,7 +88,7 @@ impl Session {
         match fetched {
             Ok(Fetched { files, notes }) if self.jobs.iter().any(|running| running.id == id) => {
                 self.jobs.note(id, notes);
-                self.platform.start_job(job, JobRequest::import_expected(id, files).to_bytes());
+                self.platform.start_job(job, &JobRequest::import_expected(id, files));
             }
             Ok(_) => {}
             Err(text) => {
@@ -108,17 +108,13 @@ impl Session {
     pub fn start(&mut self, request: &JobRequest, label: String, reply: Option<Reply>) {
         let id = request.id();
         self.jobs.add(id, label, reply);
-        self.platform.start_job(id.0, request.to_bytes());
+        self.platform.start_job(id.0, request);
     }
 
     /// Takes in what came of a job.
-    pub fn job_done(&mut self, job: u64, result: Result<Vec<u8>, CommandError>) {
+    pub fn job_done(&mut self, job: u64, result: Result<JobResult, CommandError>) {
         let Some(running) = self.jobs.take(job) else { return };
         let id = JobId(job);
-        let result = result.and_then(|bytes| {
-            JobResult::from_bytes(&bytes)
-                .map_err(|error| CommandError::refused(&*running.label, error.to_string()))
-        });
         let finished = self.editor.finish(id, result.map_err(|error| with_notes(error, &running.notes)));
         self.adjustment_ended(id, finished.is_ok());
         match finished {

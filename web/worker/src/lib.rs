@@ -1,7 +1,7 @@
-//! The web worker's side of a job, and the words in which it and the page talk.
+//! The web worker's side of a job, and the messages between it and the page.
 //!
-//! The page sends a job's number and an [`editor::JobRequest`] as bytes; the worker answers with a
-//! [`Message`] each time there is something to say. Bytes change hands without being copied.
+//! The page posts a job's number and an [`editor::JobRequest`] (`Request`); the worker answers with
+//! `Message`s: progress, and at the end a result or a refusal.
 
 #![cfg_attr(not(test), deny(clippy::unwrap_used, clippy::expect_used, clippy::panic, clippy::unreachable))]
 #![cfg_attr(not(test), deny(clippy::indexing_slicing))]
@@ -13,7 +13,7 @@ mod serve;
 mod throttle;
 
 #[cfg(target_arch = "wasm32")]
-pub use message::{Message, request, transferable};
+pub use message::{Message, Request};
 #[cfg(target_arch = "wasm32")]
 pub use serve::serve;
 pub use throttle::Throttle;

@@ -1,11 +1,15 @@
-//! What the worker and the page send each other, as JavaScript values.
+//! The messages between the worker and the page, as JavaScript values.
+//!
+//! A job and its result travel in a buffer that is transferred, so nobody copies it: the sender copies
+//! its mesh into the buffer, and the receiver copies the mesh out of it. See [`editor::Wire`].
 
-use editor::{CommandError, ErrorKind};
+use editor::{BadBytes, CommandError, ErrorKind, JobRequest, JobResult, Wire};
 use js_sys::{Array, Uint8Array};
+use std::io::{self, BufReader, BufWriter, Read, Write};
 use wasm_bindgen::{JsCast, JsValue};
 
-/// What a worker tells the page.
-#[derive(Clone, Debug, PartialEq)]
+/// A message from the worker to the page.
+#[derive(Debug)]
 pub enum Message {
     /// The worker listens: requests sent before this are lost.
     Ready,
@@ -20,8 +24,8 @@ pub enum Message {
     Done {
         /// The number that came with the request.
         job: u64,
-        /// An `editor::JobResult` as bytes.
-        result: Vec<u8>,
+        /// Its result.
+        result: JobResult,
         /// How large the worker's memory has become in bytes.
         memory: f64,
     },
@@ -32,11 +36,11 @@ pub enum Message {
         /// The reason.
         refusal: CommandError,
     },
-    /// The request made no sense to the worker, which can only be a fault of the program.
+    /// One side could not read what the other sent, which can only be a fault of the program.
     Misunderstood {
         /// The number that came with the request.
         job: u64,
-        /// What was wrong with it.
+        /// Why.
         reason: String,
     },
     /// The worker's program failed and runs no more.
@@ -62,14 +66,14 @@ impl Message {
                 push(&["progress".into(), job_to_js(*job), (*fraction).into()]);
             }
             Self::Done { job, result, memory } => {
-                let (bytes, buffer) = transferable(result);
-                push(&["done".into(), job_to_js(*job), bytes.into(), (*memory).into()]);
-                transfer.push(&buffer);
+                let bytes = to_array(result);
+                push(&["done".into(), job_to_js(*job), (&bytes).into(), (*memory).into()]);
+                transfer.push(&bytes.buffer());
             }
             Self::Refused { job, refusal } => {
-                let CommandError { op, field, problem, kind, .. } = refusal;
+                let CommandError { op, field, problem, kind, advice } = refusal;
                 push(&["refused".into(), job_to_js(*job), op.into(), field.clone().into(), problem.into()]);
-                push(&[kind_to_js(*kind)]);
+                push(&[kind_to_js(*kind), advice.clone().into()]);
             }
             Self::Misunderstood { job, reason } => {
                 push(&["misunderstood".into(), job_to_js(*job), reason.into()]);
@@ -79,7 +83,8 @@ impl Message {
         (message.into(), transfer.into())
     }
 
-    /// Reads what [`to_js`](Self::to_js) wrote; `None` for anything else.
+    /// Reads what [`to_js`](Self::to_js) wrote; `None` for anything else. A result that can't be read
+    /// is [`Message::Misunderstood`].
     pub fn from_js(value: &JsValue) -> Option<Self> {
         let parts: &Array = value.dyn_ref()?;
         match parts.get(0).as_string()?.as_str() {
@@ -91,7 +96,11 @@ impl Message {
             "done" => {
                 let bytes: Uint8Array = parts.get(2).dyn_into().ok()?;
                 let memory = parts.get(3).as_f64()?;
-                Some(Self::Done { job: job_from_js(&parts.get(1))?, result: bytes.to_vec(), memory })
+                let job = job_from_js(&parts.get(1))?;
+                Some(match from_array(&bytes) {
+                    Ok(result) => Self::Done { job, result, memory },
+                    Err(error) => Self::Misunderstood { job, reason: error.to_string() },
+                })
             }
             "refused" => {
                 let refusal = CommandError {
@@ -99,7 +108,7 @@ impl Message {
                     field: parts.get(3).as_string(),
                     problem: parts.get(4).as_string()?,
                     kind: kind_from_js(&parts.get(5))?,
-                    advice: None,
+                    advice: parts.get(6).as_string(),
                 };
                 Some(Self::Refused { job: job_from_js(&parts.get(1))?, refusal })
             }
@@ -113,27 +122,92 @@ impl Message {
     }
 }
 
-/// What the page posts for a job: the value, and the list of what to transfer with it.
-pub fn request(job: u64, bytes: &[u8]) -> (JsValue, JsValue) {
-    let (bytes, buffer) = transferable(bytes);
-    (Array::of2(&job_to_js(job), &bytes).into(), Array::of1(&buffer).into())
+/// A job, ready to be posted to the worker; it lies outside the program's memory.
+pub struct Request {
+    /// The value to post.
+    pub value: JsValue,
+    /// The list of what to transfer with it.
+    pub transfer: JsValue,
 }
 
-/// Reads what [`request`] wrote.
-pub(crate) fn read_request(value: &JsValue) -> Option<(u64, Vec<u8>)> {
-    let parts: &Array = value.dyn_ref()?;
-    let bytes: Uint8Array = parts.get(1).dyn_into().ok()?;
-    Some((job_from_js(&parts.get(0))?, bytes.to_vec()))
+impl Request {
+    /// Copies a job into a buffer.
+    pub fn new(job: u64, request: &JobRequest) -> Self {
+        let bytes = to_array(request);
+        let transfer = Array::of1(&bytes.buffer()).into();
+        Self { value: Array::of2(&job_to_js(job), &bytes).into(), transfer }
+    }
+
+    /// Reads the value that was posted: the job's number, and the job or why it can't be read. `None`
+    /// for anything that is not a request.
+    pub fn read(value: &JsValue) -> Option<(u64, Result<JobRequest, BadBytes>)> {
+        let parts: &Array = value.dyn_ref()?;
+        let bytes: Uint8Array = parts.get(1).dyn_into().ok()?;
+        Some((job_from_js(&parts.get(0))?, from_array(&bytes)))
+    }
 }
 
-/// A copy of bytes outside the program's memory, and its buffer, which can be given away.
-pub fn transferable(bytes: &[u8]) -> (Uint8Array, JsValue) {
-    let array = Uint8Array::new_from_slice(bytes);
-    let buffer = array.buffer().into();
-    (array, buffer)
+/// Copies a value into a JavaScript buffer of its own, which can be transferred.
+fn to_array(value: &impl Wire) -> Uint8Array {
+    // A page has 32-bit addresses.
+    let array = Uint8Array::new_with_length(u32::try_from(value.byte_len()).unwrap_or(u32::MAX));
+    // The array has room for all of it.
+    let mut out = BufWriter::new(Cursor { array: &array, at: 0 });
+    let _ = value.write_to(&mut out).and_then(|()| out.flush());
+    drop(out);
+    array
 }
 
-/// Numbers of jobs count up from 0 and stay far below 2^53.
+fn from_array<T: Wire>(array: &Uint8Array) -> Result<T, BadBytes> {
+    let mut from = BufReader::new(Cursor { array, at: 0 });
+    T::read_from(&mut from, array.length() as usize)
+}
+
+/// A place in a JavaScript array. The buffered writer and reader around it collect small blocks, so
+/// that JavaScript isn't called for each, and pass large ones on.
+struct Cursor<'a> {
+    array: &'a Uint8Array,
+    at: u32,
+}
+
+impl Cursor<'_> {
+    /// The next part of the array, at most `len` bytes long.
+    fn advance(&mut self, len: usize) -> Uint8Array {
+        let left = self.array.length() - self.at;
+        let end = self.at + u32::try_from(len).map_or(left, |len| len.min(left));
+        let part = self.array.subarray(self.at, end);
+        self.at = end;
+        part
+    }
+}
+
+impl Write for Cursor<'_> {
+    fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
+        let part = self.advance(bytes.len());
+        let len = part.length() as usize;
+        if let Some(bytes) = bytes.get(..len) {
+            part.copy_from(bytes);
+        }
+        Ok(len)
+    }
+
+    fn flush(&mut self) -> io::Result<()> {
+        Ok(())
+    }
+}
+
+impl Read for Cursor<'_> {
+    fn read(&mut self, bytes: &mut [u8]) -> io::Result<usize> {
+        let part = self.advance(bytes.len());
+        let len = part.length() as usize;
+        if let Some(bytes) = bytes.get_mut(..len) {
+            part.copy_to(bytes);
+        }
+        Ok(len)
+    }
+}
+
+/// Job numbers count up from 0 and stay far below 2^53.
 fn job_to_js(job: u64) -> JsValue {
     (job as f64).into()
 }

@@ -2,12 +2,12 @@
 
 use std::ops::ControlFlow;
 
-use editor::JobRequest;
+use editor::{BadBytes, JobRequest};
 use js_sys::Date;
 use wasm_bindgen::prelude::*;
 use web_sys::{DedicatedWorkerGlobalScope, MessageEvent};
 
-use crate::message::{Message, read_request};
+use crate::message::{Message, Request};
 use crate::throttle::Throttle;
 
 /// Answers the page's requests for as long as the worker lives. Does nothing outside a worker.
@@ -23,7 +23,7 @@ pub fn serve() {
     let on_message = Closure::<dyn FnMut(MessageEvent)>::new({
         let scope = scope.clone();
         move |event: MessageEvent| {
-            if let Some((job, request)) = read_request(&event.data()) {
+            if let Some((job, request)) = Request::read(&event.data()) {
                 let answer = run(job, request, |message| post(&scope, message));
                 post(&scope, &answer);
             }
@@ -35,12 +35,9 @@ pub fn serve() {
     post(&scope, &Message::Ready);
 }
 
-/// Runs a job, telling its progress, and gives what to answer.
-fn run(job: u64, request: Vec<u8>, mut tell: impl FnMut(&Message)) -> Message {
-    let parsed = JobRequest::from_bytes(&request);
-    // The mesh is not needed twice while the job runs.
-    drop(request);
-    let request = match parsed {
+/// Runs a job, reports its progress and returns the answer.
+fn run(job: u64, request: Result<JobRequest, BadBytes>, mut tell: impl FnMut(&Message)) -> Message {
+    let request = match request {
         Ok(request) => request,
         Err(reason) => return Message::Misunderstood { job, reason: reason.to_string() },
     };
@@ -53,7 +50,11 @@ fn run(job: u64, request: Vec<u8>, mut tell: impl FnMut(&Message)) -> Message {
         ControlFlow::Continue(())
     });
     match result {
-        Ok(result) => Message::Done { job, result: result.to_bytes(), memory: memory() },
+        Ok(mut result) => {
+            // Here, because it would hold up the page.
+            result.validate();
+            Message::Done { job, result, memory: memory() }
+        }
         Err(refusal) => Message::Refused { job, refusal },
     }
 }

@@ -8,8 +8,8 @@ use std::cell::RefCell;
 use std::collections::VecDeque;
 use std::rc::{Rc, Weak};
 
-use editor::{CommandError, ErrorKind};
-use meshwright_worker::{Message, request};
+use editor::{CommandError, ErrorKind, JobRequest};
+use meshwright_worker::{Message, Request};
 use wasm_bindgen::prelude::*;
 use web_sys::{MessageEvent, Worker, WorkerOptions, WorkerType};
 
@@ -39,7 +39,7 @@ pub struct Jobs {
 
 struct Pool {
     inbox: Inbox,
-    waiting: VecDeque<(u64, Vec<u8>)>,
+    waiting: VecDeque<(u64, Request)>,
     running: Option<u64>,
     worker: Option<Link>,
     /// For the handlers of workers to come.
@@ -79,9 +79,9 @@ impl Jobs {
         Self { pool }
     }
 
-    pub fn start(&self, job: u64, request: Vec<u8>) {
+    pub fn start(&self, job: u64, request: &JobRequest) {
         let mut pool = self.pool.borrow_mut();
-        pool.waiting.push_back((job, request));
+        pool.waiting.push_back((job, Request::new(job, request)));
         pool.go_on();
     }
 
@@ -116,11 +116,10 @@ impl Pool {
         let Some(link) = self.worker.as_ref().filter(|link| link.ready) else {
             return;
         };
-        let Some((job, bytes)) = self.waiting.pop_front() else {
+        let Some((job, request)) = self.waiting.pop_front() else {
             return;
         };
-        let (value, transfer) = request(job, &bytes);
-        match link.worker.post_message_with_transfer(&value, &transfer) {
+        match link.worker.post_message_with_transfer(&request.value, &request.transfer) {
             Ok(()) => self.running = Some(job),
             Err(error) => {
                 self.fail(job, format!("The job could not be sent to the worker: {}.", describe(&error)));
@@ -152,7 +151,12 @@ impl Pool {
             }
             Message::Misunderstood { job, reason } => {
                 self.running = None;
-                self.fail(job, format!("The worker did not understand the job: {reason}. Reload the page."));
+                self.fail(
+                    job,
+                    format!(
+                        "The page and its worker did not understand each other: {reason}. Reload the page."
+                    ),
+                );
                 self.go_on();
             }
             Message::Crashed { reason } => {

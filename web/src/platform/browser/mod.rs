@@ -8,6 +8,7 @@ mod inbox;
 mod jobs;
 
 use super::{DeviceInfo, Event, NamedBytes, Platform};
+use editor::JobRequest;
 use fetch::Fetches;
 use files::FilePicker;
 use inbox::Inbox;
@@ -46,7 +47,7 @@ impl Platform for Browser {
         self.inbox.take()
     }
 
-    fn start_job(&mut self, job: u64, request: Vec<u8>) {
+    fn start_job(&mut self, job: u64, request: &JobRequest) {
         self.jobs.start(job, request);
     }
 

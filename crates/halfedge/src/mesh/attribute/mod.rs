@@ -18,7 +18,8 @@ use crate::Element;
 use glam::{Vec2, Vec3};
 
 /// An sRGB colour with eight bits per channel.
-#[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
+#[derive(Clone, Copy, PartialEq, Eq, Hash, Debug, bytemuck::Pod, bytemuck::Zeroable)]
+#[repr(transparent)]
 pub struct Color(pub [u8; 3]);
 
 impl Color {

@@ -1,0 +1,200 @@
+//! Meshes, soups and attributes as blocks.
+
+use super::wire::{BadBytes, Reader, Writer};
+use formats::{Bezier, NamedMesh};
+use halfedge::attribute::{Column, Columns, Value, Values};
+use halfedge::{Color, Element, Gaps, Mesh, PolygonSoup, RawMesh};
+use serde::{Deserialize, Serialize};
+use std::io;
+use std::sync::Arc;
+
+/// Writes a mesh with its name, its control points and, if wanted, the faces as they were in the file.
+pub(super) fn write_named(
+    out: &mut Writer<'_>,
+    name: &str,
+    mesh: &Mesh,
+    bezier: Option<&Bezier>,
+    soup: Option<&PolygonSoup>,
+) -> io::Result<()> {
+    out.value(&NamedHead {
+        name: name.to_owned(),
+        bezier_is_curve: bezier.map(|bezier| bezier.curve().is_some()),
+        has_soup: soup.is_some(),
+    })?;
+    write_mesh(out, mesh)?;
+    if let Some(bezier) = bezier {
+        out.column(&bezier.points())?;
+    }
+    soup.map_or(Ok(()), |soup| write_soup(out, soup))
+}
+
+pub(super) fn read_named(from: &mut Reader<'_>) -> Result<NamedMesh, BadBytes> {
+    let NamedHead { name, bezier_is_curve, has_soup } = from.value()?;
+    let mesh = read_mesh(from)?;
+    let bezier = match bezier_is_curve {
+        Some(is_curve) => Some(Arc::new(Bezier::from_points(is_curve, from.column()?))),
+        None => None,
+    };
+    let soup = if has_soup { Some(Arc::new(read_soup(from)?)) } else { None };
+    Ok(NamedMesh { bezier, soup, ..NamedMesh::new(name, mesh) })
+}
+
+#[derive(Serialize, Deserialize)]
+struct NamedHead {
+    name: String,
+    /// Given where control points follow the mesh.
+    bezier_is_curve: Option<bool>,
+    /// Whether the faces as they were in the file follow.
+    has_soup: bool,
+}
+
+fn write_mesh(out: &mut Writer<'_>, mesh: &Mesh) -> io::Result<()> {
+    let links = mesh.connectivity();
+    out.column(mesh.positions())?;
+    for column in [links.vertex_halfedge, links.next, links.prev, links.to, links.face, links.face_halfedge] {
+        out.column(column)?;
+    }
+    let gaps = mesh.gaps();
+    for column in [&gaps.vertices, &gaps.edges, &gaps.faces] {
+        out.column(column)?;
+    }
+    Element::ALL
+        .into_iter()
+        .try_for_each(|element| write_attributes(out, mesh.columns().of(element).iter().collect()))
+}
+
+fn read_mesh(from: &mut Reader<'_>) -> Result<Mesh, BadBytes> {
+    let mut raw = RawMesh {
+        positions: from.column()?,
+        vertex_halfedge: from.column()?,
+        next: from.column()?,
+        prev: from.column()?,
+        to: from.column()?,
+        face: from.column()?,
+        face_halfedge: from.column()?,
+        columns: Columns::default(),
+    };
+    let (vertices, halfedges, faces) = (raw.positions.len(), raw.next.len(), raw.face_halfedge.len());
+    check_lengths(&[raw.vertex_halfedge.len()], vertices)?;
+    check_lengths(&[raw.prev.len(), raw.to.len(), raw.face.len(), halfedges / 2 * 2], halfedges)?;
+    let gaps = Gaps { vertices: from.column()?, edges: from.column()?, faces: from.column()? };
+    for element in Element::ALL {
+        let len = match element {
+            Element::Vertex => vertices,
+            Element::Edge => halfedges / 2,
+            Element::Halfedge => halfedges,
+            Element::Face => faces,
+        };
+        for column in read_attributes(from, len)? {
+            raw.columns.of_mut(element).push(column);
+        }
+    }
+    Ok(Mesh::from_raw_with_gaps(raw, &gaps))
+}
+
+fn write_soup(out: &mut Writer<'_>, soup: &PolygonSoup) -> io::Result<()> {
+    out.column(&soup.positions)?;
+    out.column(&soup.corners)?;
+    out.column(&soup.face_starts)?;
+    [&soup.vertex_columns, &soup.corner_columns, &soup.face_columns]
+        .into_iter()
+        .try_for_each(|columns| write_attributes(out, columns.iter().collect()))
+}
+
+fn read_soup(from: &mut Reader<'_>) -> Result<PolygonSoup, BadBytes> {
+    let (positions, corners, face_starts): (Vec<_>, Vec<_>, Vec<_>) =
+        (from.column()?, from.column()?, from.column()?);
+    let (vertices, faces) = (positions.len(), face_starts.len().saturating_sub(1));
+    Ok(PolygonSoup {
+        vertex_columns: read_attributes(from, vertices)?,
+        corner_columns: read_attributes(from, corners.len())?,
+        face_columns: read_attributes(from, faces)?,
+        positions,
+        corners,
+        face_starts,
+    })
+}
+
+#[derive(Serialize, Deserialize)]
+struct AttributeHead {
+    name: String,
+    labels: Vec<String>,
+    kind: Kind,
+}
+
+#[derive(Clone, Copy, Serialize, Deserialize)]
+enum Kind {
+    F32,
+    Vec2,
+    Vec3,
+    Color,
+    U32,
+}
+
+fn write_attributes(out: &mut Writer<'_>, columns: Vec<&Column>) -> io::Result<()> {
+    let heads: Vec<AttributeHead> = columns
+        .iter()
+        .map(|column| AttributeHead {
+            name: column.name.clone(),
+            labels: column.labels.clone(),
+            kind: match column.values {
+                Values::F32(_) => Kind::F32,
+                Values::Vec2(_) => Kind::Vec2,
+                Values::Vec3(_) => Kind::Vec3,
+                Values::Color(_) => Kind::Color,
+                Values::U32(_) => Kind::U32,
+            },
+        })
+        .collect();
+    out.value(&heads)?;
+    for column in columns {
+        // A default may be NaN, which JSON doesn't have.
+        match column.default {
+            Value::F32(value) => out.column(&[value])?,
+            Value::Vec2(value) => out.column(&[value])?,
+            Value::Vec3(value) => out.column(&[value])?,
+            Value::Color(value) => out.column(&[value])?,
+            Value::U32(value) => out.column(&[value])?,
+        }
+        match &column.values {
+            Values::F32(values) => out.column(values)?,
+            Values::Vec2(values) => out.column(values)?,
+            Values::Vec3(values) => out.column(values)?,
+            Values::Color(values) => out.column(values)?,
+            Values::U32(values) => out.column(values)?,
+        }
+    }
+    Ok(())
+}
+
+fn read_attributes(from: &mut Reader<'_>, len: usize) -> Result<Vec<Column>, BadBytes> {
+    let heads: Vec<AttributeHead> = from.value()?;
+    heads
+        .into_iter()
+        .map(|AttributeHead { name, labels, kind }| {
+            let (default, values) = match kind {
+                Kind::F32 => (Value::F32(default(from)?), Values::F32(from.column()?)),
+                Kind::Vec2 => (Value::Vec2(default(from)?), Values::Vec2(from.column()?)),
+                Kind::Vec3 => (Value::Vec3(default(from)?), Values::Vec3(from.column()?)),
+                Kind::Color => (Value::Color(default::<Color>(from)?), Values::Color(from.column()?)),
+                Kind::U32 => (Value::U32(default(from)?), Values::U32(from.column()?)),
+            };
+            check_lengths(&[values.len()], len)?;
+            Ok(Column { name, values, default, labels })
+        })
+        .collect()
+}
+
+fn default<T: bytemuck::AnyBitPattern + bytemuck::NoUninit>(from: &mut Reader<'_>) -> Result<T, BadBytes> {
+    match from.column()?.as_slice() {
+        [value] => Ok(*value),
+        _ => Err(BadBytes::new("a column has no default")),
+    }
+}
+
+fn check_lengths(lengths: &[usize], expected: usize) -> Result<(), BadBytes> {
+    match lengths.iter().find(|len| **len != expected) {
+        None => Ok(()),
+        Some(len) => Err(BadBytes::new(format!("a column has {len} values where another has {expected}"))),
+    }
+}

@@ -1,0 +1,211 @@
+//! Requests and results as blocks.
+
+use super::columns::{read_named, write_named};
+use super::wire::{BadBytes, Reader, Wire, Writer};
+use super::{ExportHead, JobId, JobRequest, JobResult, Made, Work};
+use crate::ops::{Action, Command, Input, Op, Output};
+use crate::outcome::ElementIds;
+use formats::{Format, Image, Import, ImportReport, Materials, Model, NamedBytes, NamedMesh, Repairs};
+use serde::{Deserialize, Serialize};
+use std::io::{self, Read, Write};
+
+const REQUEST_MARK: [u8; 8] = *b"MWjobRq2";
+const RESULT_MARK: [u8; 8] = *b"MWjobRs2";
+
+#[derive(Serialize, Deserialize)]
+struct RequestHead {
+    id: u64,
+    work: WorkHead,
+}
+
+#[derive(Serialize, Deserialize)]
+enum WorkHead {
+    /// The files follow.
+    Import { repairs: Repairs },
+    /// The meshes follow.
+    Run { ops: Vec<serde_json::Value> },
+    /// The materials and the meshes follow.
+    Export { format: Format, name: String, offset: [f64; 3] },
+}
+
+#[derive(Serialize, Deserialize)]
+struct ResultHead {
+    /// Whether the writing end found every mesh valid.
+    validated: bool,
+    made: MadeHead,
+}
+
+#[derive(Serialize, Deserialize)]
+enum MadeHead {
+    /// The materials and the objects follow.
+    Import { name: String, report: ImportReport, offset: [f64; 3] },
+    /// The meshes follow, and what was created and removed if `has_ids`.
+    Meshes { notes: Vec<String>, has_ids: bool },
+    /// The files follow.
+    Files,
+}
+
+impl Wire for JobRequest {
+    fn write_to(&self, out: &mut dyn Write) -> io::Result<()> {
+        let mut out = Writer::start(out, REQUEST_MARK)?;
+        let head = |work| RequestHead { id: self.id.0, work };
+        match &self.work {
+            Work::Import(files, repairs) => {
+                out.value(&head(WorkHead::Import { repairs: *repairs }))?;
+                write_files(&mut out, files)
+            }
+            Work::Run(ops, inputs) => {
+                let values = ops.iter().map(|op| Command { object: None, op: op.clone() }.to_value());
+                out.value(&head(WorkHead::Run { ops: values.collect() }))?;
+                write_inputs(&mut out, inputs, reads_soup(ops))
+            }
+            Work::Export(export, inputs) => {
+                out.value(&head(WorkHead::Export {
+                    format: export.format,
+                    name: export.name.clone(),
+                    offset: export.offset.to_array(),
+                }))?;
+                write_materials(&mut out, &export.materials)?;
+                write_inputs(&mut out, inputs, false)
+            }
+        }
+    }
+
+    fn read_from(from: &mut dyn Read, len: usize) -> Result<Self, BadBytes> {
+        let mut from = Reader::start(from, len, REQUEST_MARK)?;
+        let RequestHead { id, work } = from.value()?;
+        let work = match work {
+            WorkHead::Import { repairs } => Work::Import(read_files(&mut from)?, repairs),
+            WorkHead::Run { ops } => {
+                let parse = |value| Ok(Command::from_value(value).map_err(BadBytes::new)?.op);
+                let ops = ops.into_iter().map(parse).collect::<Result<Vec<Op>, BadBytes>>()?;
+                Work::Run(ops, read_inputs(&mut from)?)
+            }
+            WorkHead::Export { format, name, offset } => {
+                let materials = read_materials(&mut from)?;
+                let head = ExportHead { format, name, offset: offset.into(), materials };
+                Work::Export(head, read_inputs(&mut from)?)
+            }
+        };
+        from.end()?;
+        Ok(Self { id: JobId(id), work })
+    }
+}
+
+impl Wire for JobResult {
+    fn write_to(&self, out: &mut dyn Write) -> io::Result<()> {
+        let mut out = Writer::start(out, RESULT_MARK)?;
+        let head = |made| ResultHead { validated: self.validated, made };
+        match &self.made {
+            Made::Import(import) => {
+                let Import { model, report } = import;
+                let (name, offset) = (model.name.clone(), model.offset.to_array());
+                out.value(&head(MadeHead::Import { name, report: report.clone(), offset }))?;
+                write_materials(&mut out, &model.materials)?;
+                out.value(&model.objects.len())?;
+                model.objects.iter().try_for_each(|object| {
+                    let (bezier, soup) = (object.bezier.as_deref(), object.soup.as_deref());
+                    write_named(&mut out, &object.name, &object.mesh, bezier, soup)
+                })
+            }
+            Made::Meshes(outputs, ids, notes) => {
+                out.value(&head(MadeHead::Meshes { notes: notes.clone(), has_ids: ids.is_some() }))?;
+                out.value(&outputs.len())?;
+                for output in outputs {
+                    write_named(&mut out, &output.name, &output.mesh, None, None)?;
+                }
+                for ids in ids.iter().flat_map(|(created, removed)| [created, removed]) {
+                    [&ids.vertices, &ids.edges, &ids.faces]
+                        .into_iter()
+                        .try_for_each(|list| out.column(list))?;
+                }
+                Ok(())
+            }
+            Made::Files(files) => {
+                out.value(&head(MadeHead::Files))?;
+                write_files(&mut out, files)
+            }
+        }
+    }
+
+    fn read_from(from: &mut dyn Read, len: usize) -> Result<Self, BadBytes> {
+        let mut from = Reader::start(from, len, RESULT_MARK)?;
+        let ResultHead { validated, made } = from.value()?;
+        let made = match made {
+            MadeHead::Import { name, report, offset } => {
+                let materials = read_materials(&mut from)?;
+                let objects = read_meshes(&mut from)?;
+                let model = Model { name, objects, offset: offset.into(), materials };
+                Made::Import(Import { model, report })
+            }
+            MadeHead::Meshes { notes, has_ids } => {
+                let output = |NamedMesh { name, mesh, .. }| Output { name, mesh };
+                let outputs = read_meshes(&mut from)?.into_iter().map(output).collect();
+                let ids = if has_ids { Some((read_ids(&mut from)?, read_ids(&mut from)?)) } else { None };
+                Made::Meshes(outputs, ids, notes)
+            }
+            MadeHead::Files => Made::Files(read_files(&mut from)?),
+        };
+        from.end()?;
+        Ok(Self { made, validated })
+    }
+}
+
+/// Whether an operation reads the faces as they were in the file: no other job needs them sent.
+fn reads_soup(ops: &[Op]) -> bool {
+    ops.iter().any(|op| matches!(op.action(), Action::WholeMesh(whole) if whole.reads_soup()))
+}
+
+fn write_inputs(out: &mut Writer<'_>, inputs: &[Input], with_soup: bool) -> io::Result<()> {
+    out.value(&inputs.len())?;
+    inputs.iter().try_for_each(|input| {
+        let (bezier, soup) = (input.bezier.as_deref(), input.soup.as_deref().filter(|_| with_soup));
+        write_named(out, &input.name, &input.mesh, bezier, soup)
+    })
+}
+
+fn read_inputs(from: &mut Reader<'_>) -> Result<Vec<Input>, BadBytes> {
+    let input = |NamedMesh { name, mesh, bezier, soup }| Input { name, mesh, bezier, soup };
+    Ok(read_meshes(from)?.into_iter().map(input).collect())
+}
+
+fn read_meshes(from: &mut Reader<'_>) -> Result<Vec<NamedMesh>, BadBytes> {
+    // Each takes bytes, so a false count ends with an error.
+    let count: usize = from.value()?;
+    (0..count).map(|_| read_named(from)).collect()
+}
+
+fn write_files(out: &mut Writer<'_>, files: &[NamedBytes]) -> io::Result<()> {
+    out.value(&files.iter().map(|file| &file.name).collect::<Vec<_>>())?;
+    files.iter().try_for_each(|file| out.column(&file.bytes))
+}
+
+fn read_files(from: &mut Reader<'_>) -> Result<Vec<NamedBytes>, BadBytes> {
+    let names: Vec<String> = from.value()?;
+    names.into_iter().map(|name| Ok(NamedBytes { name, bytes: from.column()? })).collect()
+}
+
+fn write_materials(out: &mut Writer<'_>, materials: &Materials) -> io::Result<()> {
+    let images = materials.images.iter().map(|image| Image {
+        name: image.name.clone(),
+        media_type: image.media_type.clone(),
+        bytes: None,
+    });
+    let has_bytes: Vec<bool> = materials.images.iter().map(|image| image.bytes.is_some()).collect();
+    out.value(&(&materials.list, images.collect::<Vec<_>>(), has_bytes))?;
+    materials.images.iter().filter_map(|image| image.bytes.as_ref()).try_for_each(|bytes| out.column(bytes))
+}
+
+fn read_materials(from: &mut Reader<'_>) -> Result<Materials, BadBytes> {
+    let (list, mut images, has_bytes): (_, Vec<Image>, Vec<bool>) = from.value()?;
+    for (image, has_bytes) in images.iter_mut().zip(has_bytes) {
+        if has_bytes {
+            image.bytes = Some(from.column()?.into());
+        }
+    }
+    Ok(Materials { list, images })
+}
+
+fn read_ids(from: &mut Reader<'_>) -> Result<ElementIds, BadBytes> {
+    Ok(ElementIds { vertices: from.column()?, edges: from.column()?, faces: from.column()? })
+}

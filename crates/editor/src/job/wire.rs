@@ -1,0 +1,183 @@
+//! How a job is laid out as bytes: one block after the other, each with its length in front.
+//!
+//! A block is either a value as JSON or a column of plain numbers as they lie in memory, both
+//! little-endian. There is no checksum: the bytes go from one thread of a program to another, and the
+//! browser delivers them as they were. Lengths are checked against the bytes that are left before any
+//! memory is reserved, so bytes that are not a job are refused and cost nothing.
+
+use bytemuck::{AnyBitPattern, NoUninit};
+use serde::Serialize;
+use serde::de::DeserializeOwned;
+use std::fmt;
+use std::io::{self, Read, Write};
+
+/// Why bytes are not a job.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct BadBytes(String);
+
+impl BadBytes {
+    pub(super) fn new(reason: impl fmt::Display) -> Self {
+        Self(reason.to_string())
+    }
+}
+
+impl fmt::Display for BadBytes {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "these bytes are not a job: {}", self.0)
+    }
+}
+
+impl std::error::Error for BadBytes {}
+
+/// What the page and its worker send each other.
+///
+/// [`Wire::write_to`] and [`Wire::read_from`] copy each column of a mesh once, straight from and into
+/// its own memory. Between a page and its worker a mesh is therefore copied twice: from the memory of
+/// the sender into a buffer of [`Wire::byte_len`] bytes, which changes hands without a copy, and from
+/// there into the memory of the receiver.
+pub trait Wire: Sized {
+    /// Writes the value.
+    ///
+    /// # Errors
+    /// What `out` fails with.
+    fn write_to(&self, out: &mut dyn Write) -> io::Result<()>;
+
+    /// Reads a value that takes up all `len` bytes of `from`.
+    ///
+    /// # Errors
+    /// The bytes are not such a value, end too early or go on after it. Meshes are not validated:
+    /// only the lengths of their columns are checked.
+    fn read_from(from: &mut dyn Read, len: usize) -> Result<Self, BadBytes>;
+
+    /// How many bytes [`Wire::write_to`] writes. Costs O(columns) plus what the JSON costs.
+    fn byte_len(&self) -> usize {
+        let mut counter = Counter(0);
+        // A counter takes everything.
+        let _ = self.write_to(&mut counter);
+        counter.0
+    }
+
+    /// The value as bytes.
+    fn to_bytes(&self) -> Vec<u8> {
+        let mut bytes = Vec::with_capacity(self.byte_len());
+        // A vector takes everything.
+        let _ = self.write_to(&mut bytes);
+        bytes
+    }
+
+    /// Reads what [`Wire::to_bytes`] wrote.
+    ///
+    /// # Errors
+    /// As [`Wire::read_from`].
+    fn from_bytes(mut bytes: &[u8]) -> Result<Self, BadBytes> {
+        let len = bytes.len();
+        Self::read_from(&mut bytes, len)
+    }
+}
+
+/// Counts the bytes that are written to it.
+struct Counter(usize);
+
+impl Write for Counter {
+    fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
+        self.0 += bytes.len();
+        Ok(bytes.len())
+    }
+
+    fn flush(&mut self) -> io::Result<()> {
+        Ok(())
+    }
+}
+
+/// Writes blocks.
+pub(super) struct Writer<'a> {
+    out: &'a mut dyn Write,
+}
+
+impl<'a> Writer<'a> {
+    /// Starts with the mark that says what follows.
+    pub fn start(out: &'a mut dyn Write, mark: [u8; 8]) -> io::Result<Self> {
+        out.write_all(&mark)?;
+        Ok(Self { out })
+    }
+
+    pub fn column<T: NoUninit>(&mut self, values: &[T]) -> io::Result<()> {
+        self.out.write_all(&(values.len() as u64).to_le_bytes())?;
+        self.out.write_all(bytemuck::cast_slice(values))
+    }
+
+    pub fn value(&mut self, value: &impl Serialize) -> io::Result<()> {
+        self.column(&serde_json::to_vec(value)?)
+    }
+}
+
+/// Reads blocks, never more than there are bytes.
+pub(super) struct Reader<'a> {
+    from: &'a mut dyn Read,
+    left: usize,
+}
+
+impl<'a> Reader<'a> {
+    /// Checks the mark at the start.
+    pub fn start(from: &'a mut dyn Read, len: usize, mark: [u8; 8]) -> Result<Self, BadBytes> {
+        let mut reader = Self { from, left: len };
+        let mut start = [0; 8];
+        reader.fill(&mut start)?;
+        if start == mark { Ok(reader) } else { Err(BadBytes::new("they don't start like one")) }
+    }
+
+    fn fill(&mut self, bytes: &mut [u8]) -> Result<(), BadBytes> {
+        self.left = self.left.checked_sub(bytes.len()).ok_or_else(|| BadBytes::new("they end too early"))?;
+        self.from.read_exact(bytes).map_err(BadBytes::new)
+    }
+
+    /// The next column, with room for the next edits, which would otherwise move every column of the
+    /// mesh at once.
+    pub fn column<T: AnyBitPattern + NoUninit>(&mut self) -> Result<Vec<T>, BadBytes> {
+        let mut len = [0; 8];
+        self.fill(&mut len)?;
+        let len = usize::try_from(u64::from_le_bytes(len)).map_err(BadBytes::new)?;
+        if len.checked_mul(size_of::<T>()).is_none_or(|bytes| bytes > self.left) {
+            return Err(BadBytes::new("they end too early"));
+        }
+        let mut column = Vec::with_capacity(len + len / 16);
+        column.resize(len, T::zeroed());
+        self.fill(bytemuck::cast_slice_mut(&mut column))?;
+        Ok(column)
+    }
+
+    pub fn value<T: DeserializeOwned>(&mut self) -> Result<T, BadBytes> {
+        serde_json::from_slice(&self.column::<u8>()?).map_err(BadBytes::new)
+    }
+
+    pub fn end(self) -> Result<(), BadBytes> {
+        if self.left == 0 { Ok(()) } else { Err(BadBytes::new("there is something after the end")) }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn read<T>(bytes: &[u8], with: impl FnOnce(&mut Reader<'_>) -> Result<T, BadBytes>) -> Result<T, String> {
+        let mut from = bytes;
+        let mut reader =
+            Reader::start(&mut from, bytes.len(), *b"MWtest00").map_err(|error| error.to_string())?;
+        with(&mut reader).and_then(|value| reader.end().map(|()| value)).map_err(|error| error.to_string())
+    }
+
+    #[test]
+    fn columns_that_promise_more_than_there_is_are_refused() {
+        for len in [2, 1 << 20, u64::MAX / 4 + 2, u64::MAX] {
+            let bytes = [*b"MWtest00", len.to_le_bytes(), [0; 8]].concat();
+            let error = read(&bytes, |from| from.column::<[u32; 2]>()).expect_err("there are eight bytes");
+            assert!(error.contains("too early"), "{error}");
+        }
+        let bytes = [*b"MWtest00", 1u64.to_le_bytes(), [7; 8]].concat();
+        assert_eq!(read(&bytes, |from| from.column::<[u32; 2]>()), Ok(vec![[0x0707_0707; 2]]));
+        let error = read(&bytes, |from| from.column::<u32>()).expect_err("four bytes more");
+        assert!(error.contains("after the end"), "{error}");
+        assert!(read(&bytes, |from| from.value::<u32>()).is_err(), "7 is no JSON");
+        assert!(read(b"MWother0", |from| from.column::<u32>()).is_err());
+    }
+}
