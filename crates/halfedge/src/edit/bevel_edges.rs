@@ -9,10 +9,11 @@
 //! - Two sectors inside: the strips of both edges share the profile.
 //! - Three or more: the profiles surround a new face. On the boundary a boundary edge closes it;
 //!   with two sectors there (one edge), the profile itself is on the boundary.
-//! - One sector (the bevel ends here): its two vertices are on the edges next to the bevelled one.
-//!   With one face between those, that face takes the profile in; with more, the vertex stays and a
-//!   new face fills in between it and the profile. With no other edge than one, the strip runs out
-//!   in a point.
+//! - One sector (the bevel ends here): a vertex on each of its edges. Those next to the bevelled edge are
+//!   the width away from it, the others as far along their edges as the farther of these two. With one
+//!   face between these two, that face takes the profile in; with more, a new face fills in between the
+//!   profile and the others: it has area, for the line between two points on a circle lies inside the
+//!   circle. With no other edge than one, the strip runs out in a point.
 //!
 //! All vertices in it being new, no edge is duplicated and no side taken twice: what is left to be
 //! refused is an edge on the boundary, and a strip that runs out in a point at both ends.
@@ -31,8 +32,8 @@ use crate::{EdgeId, FaceId, HalfedgeId, VertexId};
 use glam::Vec3;
 use rustc_hash::{FxHashMap, FxHashSet};
 
-/// The most segments.
-const MOST: u32 = 256;
+/// The most segments of a bevel.
+const MAX_SEGMENTS: u32 = 256;
 
 /// Whether [`bevel_edges`] would succeed.
 pub fn can_bevel_edges(mesh: &Mesh, edges: &[EdgeId], segments: u32) -> Result<(), Refusal> {
@@ -57,7 +58,7 @@ pub fn bevel_edges(mesh: &mut Mesh, edges: &[EdgeId], segments: u32) -> Result<L
 
 fn plan_bevel(mesh: &Mesh, edges: &[EdgeId], segments: u32) -> Result<(Plan, Vec<SlideVertex>), Refusal> {
     mesh.need_edges(edges)?;
-    if !(1..=MOST).contains(&segments) {
+    if !(1..=MAX_SEGMENTS).contains(&segments) {
         return Err(Refusal::OutOfRange {
             field: "segments",
             value: segments as f32,
@@ -237,25 +238,32 @@ impl Bevel<'_> {
     /// A vertex inside where one bevelled edge ends, the first of `around`.
     fn end(&mut self, v: VertexId, around: &[HalfedgeId]) {
         let (h, others) = (around[0], &around[1..]);
-        let (Some(&next), Some(&last)) = (others.first(), others.last()) else { return };
-        if others.len() == 1 {
+        let &[next, .., last] = others else {
             self.profiles.insert(h, vec![v; self.segments + 1]);
             return;
-        }
-        let by = [self.along(next, &[h]), self.along(last, &[h])];
-        let (left, right) = (self.point(v, by[0]), self.point(v, by[1]));
+        };
+        let (to_left, to_right) = (self.along(next, &[h]), self.along(last, &[h]));
+        let left = self.point(v, to_left);
+        // No nearer to the vertex than the line from left to right comes.
+        let reach = to_left.length().max(to_right.length());
+        let middle: Vec<VertexId> = others[1..others.len() - 1]
+            .iter()
+            .map(|&edge| self.point(v, self.mesh.direction(edge) * reach).vertex)
+            .collect();
+        let right = self.point(v, to_right);
         let profile = self.profile(v, left, right);
+        let across = profile.iter().rev().copied();
         self.corners.insert(h, vec![left.vertex]);
         self.corners.insert(last, vec![right.vertex]);
-        let across: Vec<VertexId> = profile.iter().rev().copied().collect();
-        if others.len() == 2 {
-            self.corners.insert(next, across);
+        if middle.is_empty() {
+            self.corners.insert(next, across.collect());
         } else {
-            self.corners.insert(next, vec![v, left.vertex]);
-            self.corners.insert(others[others.len() - 2], vec![right.vertex, v]);
-            let mut rim = across;
-            rim.push(v);
-            self.cap(next, rim);
+            let points: Vec<VertexId> =
+                [left.vertex].into_iter().chain(middle.iter().copied()).chain([right.vertex]).collect();
+            for (&edge, pair) in others.iter().zip(points.windows(2)) {
+                self.corners.insert(edge, vec![pair[1], pair[0]]);
+            }
+            self.cap(next, across.chain(middle).collect());
         }
         self.profiles.insert(h, profile);
     }

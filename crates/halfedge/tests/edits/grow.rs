@@ -1,9 +1,9 @@
-//! Extrude, inset, bevel.
+//! Extrude and inset.
 
-use crate::zoo::{self, he, v};
+use crate::zoo::{self, he};
 use glam::Vec3;
 use halfedge::edit::*;
-use halfedge::{EdgeId, FaceId, Mesh, Refusal, VertexId};
+use halfedge::{EdgeId, FaceId, Mesh, Refusal};
 
 fn counts(mesh: &Mesh) -> [usize; 3] {
     mesh.validate().unwrap();
@@ -140,108 +140,4 @@ fn insetting_regions_and_single_faces() {
     let all: Vec<FaceId> = mesh.faces().collect();
     assert_eq!(can_inset_faces(&mesh, &all, Grouping::Region), Err(Refusal::NoOutline(all[0])));
     can_inset_faces(&mesh, &all, Grouping::Individual).unwrap();
-}
-
-#[test]
-fn all_edges_of_a_cube_bevel() {
-    let mut mesh = zoo::cube();
-    let edges: Vec<EdgeId> = mesh.edges().collect();
-    let live = bevel_edges(&mut mesh, &edges, 1).unwrap();
-    assert_eq!(counts(&mesh), [24, 48, 26]);
-    live.slide.apply(&mut mesh, 0.25).unwrap();
-    for v in mesh.vertices() {
-        let mut p = mesh.position(v).abs().to_array();
-        p.sort_by(f32::total_cmp);
-        assert!((Vec3::from(p) - Vec3::new(0.75, 0.75, 1.0)).length() < 1e-6, "{p:?}");
-    }
-    assert!((live.slide.limit - 1.0).abs() < 1e-5, "{}", live.slide.limit);
-}
-
-#[test]
-fn a_round_bevel_lies_on_an_arc() {
-    let mut mesh = zoo::cube();
-    let edge = he(&mesh, 0, 1).edge();
-    let live = bevel_edges(&mut mesh, &[edge], 4).unwrap();
-    // Five vertices at each end, and four faces in the strip; the ends are taken in.
-    assert_eq!(counts(&mesh), [6 + 10, 11 + 5 + 8, 6 + 4]);
-    live.slide.apply(&mut mesh, 0.5).unwrap();
-    // The edge is along z at x = y = -1; the arc's axis is half a unit in from both faces.
-    for &v in &live.made.vertices {
-        let p = mesh.position(v);
-        let from_axis = (p.truncate() + glam::Vec2::splat(0.5)).length();
-        assert!((from_axis - 0.5).abs() < 1e-6, "{p}");
-    }
-    assert!((live.slide.limit - 2.0).abs() < 1e-5, "as long as the edges beside: {}", live.slide.limit);
-    assert_eq!(live.slide.apply(&mut mesh, 9.0), Ok(live.slide.limit));
-    counts(&mesh);
-}
-
-#[test]
-fn bevels_that_end_at_vertices_of_every_valence() {
-    // Valence 4: the old vertices stay, with a triangle between them and the strip.
-    let mut mesh = zoo::octahedron();
-    let edge = he(&mesh, 0, 2).edge();
-    let live = bevel_edges(&mut mesh, &[edge], 1).unwrap();
-    assert_eq!(counts(&mesh), [10, 19, 11]);
-    assert!(live.made.removed_vertices.is_empty());
-    // Valence 2 at both ends: the strip would have no corners.
-    let mesh = zoo::coin(6);
-    let edge = mesh.edges().next().unwrap();
-    assert!(matches!(
-        can_bevel_edges(&mesh, &[edge], 1),
-        Err(Refusal::TooFewCorners(_) | Refusal::SideTaken(..))
-    ));
-    // Valence 2 at one end: it runs out in a point.
-    let mut mesh = zoo::cube();
-    let split = split_edge(&mut mesh, EdgeId::new(0), 0.5, Connect::None).unwrap();
-    bevel_edges(&mut mesh, &[split.edges[0]], 3).unwrap();
-    mesh.validate().unwrap();
-    assert!(mesh.has_vertex(split.vertex));
-    // On the boundary the strip's end is on the boundary, and a boundary edge can't be bevelled.
-    let mut mesh = zoo::grid(2, 1);
-    let across = he(&mesh, 1, 4).edge();
-    let live = bevel_edges(&mut mesh, &[across], 2).unwrap();
-    live.slide.apply(&mut mesh, 0.25).unwrap();
-    assert_eq!(counts(&mesh), [10, 13, 4]);
-    let rim = he(&mesh, 0, 3).edge();
-    assert_eq!(can_bevel_edges(&mesh, &[rim], 1), Err(Refusal::BoundaryEdge(rim)));
-    // Two, three and all edges at a pole, and a closed loop of edges round it.
-    for (chosen, segments) in [(2, 1), (3, 2), (16, 3)] {
-        let mut mesh = zoo::lantern(16);
-        let pole: Vec<EdgeId> = mesh.vertex_edges(v(0)).step_by(16 / chosen).take(chosen).collect();
-        bevel_edges(&mut mesh, &pole, segments).unwrap();
-        counts(&mesh);
-        assert_eq!(mesh.euler_characteristic(), 2);
-        assert!(!mesh.has_vertex(v(0)));
-    }
-    let mut mesh = zoo::lantern(8);
-    let belt: Vec<EdgeId> = (0..8).map(|i| he(&mesh, 2 + i, 2 + (i + 1) % 8).edge()).collect();
-    let before = counts(&mesh);
-    bevel_edges(&mut mesh, &belt, 2).unwrap();
-    assert_eq!(counts(&mesh), [before[0] + 16, before[1] + 32, before[2] + 16]);
-}
-
-#[test]
-fn vertices_bevel_up_to_the_middle_of_their_edges() {
-    let mut mesh = zoo::cube();
-    let all: Vec<VertexId> = mesh.vertices().collect();
-    let live = bevel_vertices(&mut mesh, &all).unwrap();
-    assert_eq!(counts(&mesh), [24, 36, 14]);
-    assert!((live.slide.limit - 1.0).abs() < 1e-6);
-    live.slide.apply(&mut mesh, 5.0).unwrap();
-    // Clamped: the cuboctahedron, its vertices in pairs on the middles of the edges.
-    for v in mesh.vertices() {
-        let mut p = mesh.position(v).abs().to_array();
-        p.sort_by(f32::total_cmp);
-        assert!((Vec3::from(p) - Vec3::new(0.0, 1.0, 1.0)).length() < 1e-6);
-    }
-    // On the boundary, with one face and with two.
-    let mut mesh = zoo::grid(2, 1);
-    let live = bevel_vertices(&mut mesh, &[v(0), v(1)]).unwrap();
-    live.slide.apply(&mut mesh, 0.25).unwrap();
-    assert_eq!(counts(&mesh), [9, 11, 3]);
-    assert_eq!(mesh.boundary_loops().len(), 1);
-    // Two edges inside: nothing to cut off.
-    let mesh = zoo::coin(5);
-    assert_eq!(can_bevel_vertices(&mesh, &[v(2)]), Err(Refusal::ValenceTooLow(v(2), 2)));
 }

@@ -1,6 +1,7 @@
 //! Local edits: each on its own, the hard cases, and long random sequences of all of them.
 
 mod attributes;
+mod bevel;
 mod cmu462;
 mod collapse;
 mod dissolve;
