@@ -2,7 +2,7 @@
 //! losses, companion files, names and the menus of the program come from it.
 
 use crate::file::NamedBytes;
-use crate::format_info::{Certainty, FormatInfo, Holds};
+use crate::format::{Certainty, FormatInfo, Holds};
 use crate::{bezier, collada, gltf, json, obj, off, ply, stl};
 use serde::{Deserialize, Deserializer, Serialize, Serializer, de};
 use std::fmt;

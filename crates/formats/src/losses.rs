@@ -1,12 +1,12 @@
 //! What a format can't hold of a model, told before saving.
 
-use crate::format_info::{FormatInfo, Holds};
+use crate::format::loss::Part;
+use crate::format::{FormatInfo, Holds};
 use crate::formats::Format;
-use crate::loss::Part;
-use crate::material::Property;
 use crate::model::Model;
+use crate::model::material::Property;
+use crate::model::paint::names_in_use;
 use crate::obj::mtl;
-use crate::paint::names_in_use;
 use crate::report::{counted, counted_words};
 use std::collections::HashSet;
 

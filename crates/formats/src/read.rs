@@ -3,12 +3,12 @@
 use crate::companions::is_companion;
 use crate::error::ReadError;
 use crate::file::{NamedBytes, base_name};
+use crate::format::reading::{Contents, Reading, Source};
 use crate::formats::Format;
 use crate::model::{Model, NamedMesh};
-use crate::origin::{Bounds, Origin};
-use crate::reading::{Contents, Reading, Source};
-use crate::repairs::Repairs;
 use crate::report::{ImportReport, counted};
+use crate::soup::origin::{Bounds, Origin};
+use crate::soup::repairs::Repairs;
 use glam::DVec3;
 use halfedge::Progress;
 use std::collections::HashSet;

@@ -2,7 +2,7 @@
 
 use crate::error::WriteError;
 use crate::file::NamedBytes;
-use crate::format_info::Holds;
+use crate::format::Holds;
 use crate::formats::Format;
 use crate::model::{Model, NamedMesh};
 

@@ -112,7 +112,7 @@ fn measure(project: &Project, crates: &[CrateLines]) -> Result<Vec<Measure>> {
         longest_file(crates),
         lints::roots_that_allow_panics(crates),
         largest_circle("web/src", &web, false),
-        largest_circle("crates/formats/src", &formats, false),
+        largest_circle("crates/formats/src", &formats, true),
     ];
     measures.extend(type_measures(&web));
     measures.extend(page_measures(&web, &editor)?);

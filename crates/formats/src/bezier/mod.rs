@@ -8,7 +8,7 @@
 mod read;
 mod write;
 
-use crate::format_info::{Certainty, FormatInfo, Holds};
+use crate::format::{Certainty, FormatInfo, Holds};
 use read::Kind;
 
 /// Bezier curves.

@@ -3,9 +3,9 @@
 use crate::error::ReadError;
 use crate::file::NamedBytes;
 use crate::model::NamedMesh;
-use crate::number;
 use crate::report::{ImportReport, counted};
-use crate::scan::{Scan, Ticker};
+use crate::text::number;
+use crate::text::scan::{Scan, Ticker};
 use glam::Vec3;
 use halfedge::{Mesh, Progress};
 use std::sync::Arc;

@@ -2,7 +2,7 @@
 
 use crate::file::NamedBytes;
 use crate::model::Model;
-use crate::text::{push_floats, push_integer};
+use crate::text::print::{push_floats, push_integer};
 use glam::Vec3;
 
 /// Writes the patches of all surfaces as one surface; nothing where there is none.

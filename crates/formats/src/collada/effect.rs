@@ -5,7 +5,8 @@ use super::notes::{Fault, Notes};
 use super::numbers::numbers;
 use super::xml::{Document, Node};
 use crate::file::NamedBytes;
-use crate::material::{Material, Materials, Rgb, Texture, TextureRole, UvTransform, Wrap};
+use crate::model::material::{Material, Materials, Rgb};
+use crate::model::texture::{Texture, TextureRole, UvTransform, Wrap};
 use std::borrow::Cow;
 use std::collections::HashMap;
 

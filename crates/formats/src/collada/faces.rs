@@ -3,9 +3,9 @@
 use super::notes::{Fault, Notes};
 use super::skin::Placement;
 use super::source::Source;
-use crate::holes;
-use crate::material::Rgb;
+use crate::model::material::Rgb;
 use crate::report::counted;
+use crate::soup::holes;
 use glam::{DMat4, Vec2, Vec3};
 use halfedge::attribute::{AttributeType, Column, Key};
 use halfedge::{Color, NONE, PolygonSoup, keys};

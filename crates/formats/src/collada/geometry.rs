@@ -10,8 +10,8 @@ use super::scene::{Instance, mesh};
 use super::skin::Placement;
 use super::source::Source;
 use super::xml::{Document, Node};
-use crate::origin::Origin;
 use crate::report::counted;
+use crate::soup::origin::Origin;
 use glam::{DVec3, Vec3};
 use halfedge::{NONE, PolygonSoup};
 

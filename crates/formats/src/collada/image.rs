@@ -2,9 +2,9 @@
 
 use super::xml::{Document, Node};
 use crate::file::NamedBytes;
-use crate::images;
-use crate::material::Image;
-use crate::text::percent_decoded;
+use crate::model::images;
+use crate::model::texture::Image;
+use crate::text::print::percent_decoded;
 
 /// The image of an `<image>` element, with its contents where the document or one of `files` has them.
 ///

@@ -23,8 +23,8 @@ mod vocabulary;
 mod write;
 mod xml;
 
-use crate::format_info::{Certainty, FormatInfo};
-use crate::loss::Part;
+use crate::format::loss::Part;
+use crate::format::{Certainty, FormatInfo};
 
 pub(crate) static FORMAT: FormatInfo = FormatInfo {
     code: "dae",

@@ -5,7 +5,7 @@
 //! should have.
 
 use super::notes::Notes;
-use crate::scan::Scan;
+use crate::text::scan::Scan;
 use halfedge::NONE;
 
 /// A number type that lists are read as.

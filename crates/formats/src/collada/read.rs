@@ -8,13 +8,13 @@ use super::scene::{self, Instance, Scene, has_faces};
 use super::skin::{self, Joints, Placement};
 use super::xml::Document;
 use super::{image, left_out, transform};
-use crate::encoding::{Encoding, decode};
 use crate::error::ReadError;
 use crate::file::NamedBytes;
+use crate::format::reading::{Contents, Reading, Source, build};
 use crate::model::NamedMesh;
-use crate::origin::Origin;
-use crate::reading::{Contents, Reading, Source, build};
 use crate::report::{ImportReport, counted};
+use crate::soup::origin::Origin;
+use crate::text::encoding::{Encoding, decode};
 use halfedge::{PolygonSoup, Progress};
 use std::collections::HashSet;
 

@@ -3,7 +3,7 @@
 use super::names::{BIN_CHUNK, JSON_CHUNK, MAGIC};
 use crate::error::not_a;
 use crate::file::NamedBytes;
-use crate::text::percent_decoded;
+use crate::text::print::percent_decoded;
 use base64::Engine;
 use serde::Deserialize;
 use std::borrow::Cow;

@@ -11,8 +11,8 @@ mod names;
 mod read;
 mod write;
 
-use crate::format_info::{Certainty, FormatInfo};
-use crate::loss::Part;
+use crate::format::loss::Part;
+use crate::format::{Certainty, FormatInfo};
 
 /// glTF as one binary file.
 pub(crate) static BINARY: FormatInfo = FormatInfo {

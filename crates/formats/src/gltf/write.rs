@@ -5,12 +5,12 @@
 use super::names::{BIN_CHUNK, GENERATOR, JSON_CHUNK, MAGIC, VERTEX_ID};
 use crate::error::WriteError;
 use crate::file::NamedBytes;
-use crate::hash::Unique;
 use crate::model::Model;
-use crate::paint::{own_colors, painted};
-use crate::srgb::to_linear;
-use crate::text::percent_encoded;
-use crate::weld::Weld;
+use crate::model::paint::{own_colors, painted};
+use crate::model::srgb::to_linear;
+use crate::soup::hash::Unique;
+use crate::soup::weld::Weld;
+use crate::text::print::percent_encoded;
 use base64::Engine;
 use glam::{DVec3, Vec2, Vec3};
 use halfedge::geometry::PolygonTriangulator;

@@ -2,8 +2,8 @@
 
 mod write;
 
-use crate::format_info::FormatInfo;
-use crate::loss::Part;
+use crate::format::FormatInfo;
+use crate::format::loss::Part;
 
 pub(crate) static FORMAT: FormatInfo = FormatInfo {
     code: "json",

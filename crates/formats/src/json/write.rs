@@ -7,7 +7,7 @@
 
 use crate::file::NamedBytes;
 use crate::model::Model;
-use crate::text::{push_float, push_integer};
+use crate::text::print::{push_float, push_integer};
 use glam::DVec3;
 use halfedge::Mesh;
 use std::borrow::Cow;

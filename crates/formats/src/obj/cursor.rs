@@ -1,6 +1,6 @@
 //! A place in the text of an OBJ file: blanks, numbers, names and the ends of lines.
 
-use crate::number;
+use crate::text::number;
 
 /// A position in the bytes, and the number of the line it is on.
 pub(crate) struct Cursor<'a> {

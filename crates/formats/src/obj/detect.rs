@@ -1,6 +1,6 @@
 //! Recognising an OBJ by its content.
 
-use crate::scan::is_text;
+use crate::text::scan::is_text;
 
 /// Bytes looked at.
 const HEAD_BYTES: usize = 64 * 1024;

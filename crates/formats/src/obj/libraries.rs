@@ -3,9 +3,9 @@
 use super::detect::is_obj;
 use super::mtl;
 use crate::file::{NamedBytes, base_name};
-use crate::material::Materials;
-use crate::paint::unpainted;
-use crate::reading::Source;
+use crate::format::reading::Source;
+use crate::model::material::Materials;
+use crate::model::paint::unpainted;
 use crate::report::{ImportReport, counted, first_few};
 use std::collections::HashSet;
 

@@ -18,8 +18,8 @@ mod statements;
 mod texture;
 mod write;
 
-use crate::format_info::{Certainty, FormatInfo};
-use crate::loss::Part;
+use crate::format::loss::Part;
+use crate::format::{Certainty, FormatInfo};
 
 /// Wavefront OBJ, with materials in an MTL beside it. Names of objects become groups, which keep objects
 /// apart.

@@ -7,8 +7,9 @@
 use super::cursor::Cursor;
 use super::texture::{self, TEXTURES};
 use crate::file::NamedBytes;
-use crate::images::image;
-use crate::material::{Material, Materials, MtlStatements, Property, Rgb, Texture};
+use crate::model::images::image;
+use crate::model::material::{Material, Materials, MtlStatements, Property, Rgb};
+use crate::model::texture::Texture;
 use crate::report::{ImportReport, Places, counted_words};
 use halfedge::Color;
 use std::collections::HashMap;
@@ -268,7 +269,7 @@ pub(crate) fn keeps(property: Property) -> bool {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::material::TextureRole;
+    use crate::model::texture::TextureRole;
 
     fn read(text: &str) -> (Materials, ImportReport) {
         let mut report = ImportReport::default();

@@ -3,13 +3,13 @@
 use super::libraries;
 use super::statements::{Statements, Troubles};
 use crate::error::{ReadError, not_a};
-use crate::labels::labelled;
-use crate::material::{Material, Materials};
-use crate::paint::unpainted;
-use crate::reading::{Contents, Reading, Source, build};
+use crate::format::reading::{Contents, Reading, Source, build};
+use crate::model::labels::labelled;
+use crate::model::material::{Material, Materials};
+use crate::model::paint::unpainted;
 use crate::report::{ImportReport, counted};
-use crate::scan::is_text;
 use crate::soup::drop_faces;
+use crate::text::scan::is_text;
 use halfedge::attribute::{AttributeType, Column, Key};
 use halfedge::{Color, NONE, PolygonSoup, Progress, keys};
 use std::collections::HashMap;

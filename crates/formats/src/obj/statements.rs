@@ -7,9 +7,9 @@
 use super::cursor::Cursor;
 use super::names::{group_label, spaced};
 use super::runs::Runs;
-use crate::labels::Names;
-use crate::origin::Origin;
+use crate::model::labels::Names;
 use crate::report::Places;
+use crate::soup::origin::Origin;
 use glam::{DVec3, Vec2, Vec3};
 use halfedge::{NONE, PolygonSoup, Progress};
 

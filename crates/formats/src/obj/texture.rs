@@ -1,6 +1,6 @@
 //! Texture statements of material libraries: `map_Kd -s 2 2 1 wood.png`.
 
-use crate::material::{Texture, TextureRole, UvTransform, Wrap};
+use crate::model::texture::{Texture, TextureRole, UvTransform, Wrap};
 
 /// The statements that name an image, in the order in which they are written. Of several with one role
 /// the first is the one written.

@@ -3,12 +3,13 @@
 use super::mtl::{self, Entry};
 use super::names::{clean, group_lines, spaced};
 use crate::file::NamedBytes;
-use crate::hash::Unique;
-use crate::images::image_files;
-use crate::material::{Image, Material};
+use crate::model::images::image_files;
+use crate::model::material::Material;
+use crate::model::paint::{names_in_use, own_colors, painted};
+use crate::model::texture::Image;
 use crate::model::{Model, NamedMesh};
-use crate::paint::{names_in_use, own_colors, painted};
-use crate::text::{push_floats, push_integer, push_position};
+use crate::soup::hash::Unique;
+use crate::text::print::{push_floats, push_integer, push_position};
 use glam::{DVec3, Vec2, Vec3};
 use halfedge::{Color, Element, Mesh, NONE, keys};
 use std::collections::HashMap;

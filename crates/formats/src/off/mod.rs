@@ -4,8 +4,8 @@
 mod read;
 mod write;
 
-use crate::format_info::{Certainty, FormatInfo};
-use crate::loss::{self, Part};
+use crate::format::loss::{self, Part};
+use crate::format::{Certainty, FormatInfo};
 
 pub(crate) static FORMAT: FormatInfo = FormatInfo {
     code: "off",

@@ -2,12 +2,12 @@
 
 use crate::error::ReadError;
 use crate::file::NamedBytes;
+use crate::format::reading::{Reading, build};
 use crate::model::NamedMesh;
-use crate::origin::Origin;
-use crate::reading::{Reading, build};
 use crate::report::{ImportReport, Places};
-use crate::scan::{Scan, Ticker};
 use crate::soup::of_vertices;
+use crate::soup::origin::Origin;
+use crate::text::scan::{Scan, Ticker};
 use glam::{Vec2, Vec3};
 use halfedge::attribute::Column;
 use halfedge::{Color, NONE, PolygonSoup, Progress, keys};

@@ -2,8 +2,8 @@
 
 use crate::file::NamedBytes;
 use crate::model::Model;
-use crate::pieces::Pieces;
-use crate::text::{push_floats, push_integer, push_position};
+use crate::soup::pieces::Pieces;
+use crate::text::print::{push_floats, push_integer, push_position};
 
 /// Writes the objects as one OFF, with what vertices have besides: texture coordinates (`ST`),
 /// colours (`C`) and normals (`N`).

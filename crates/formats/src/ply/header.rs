@@ -1,7 +1,7 @@
 //! The head of a PLY: which elements with which properties come, and how they are written.
 
 use crate::error::not_a;
-use crate::scan::Scan;
+use crate::text::scan::Scan;
 
 /// How a number is stored.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

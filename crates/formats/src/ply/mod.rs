@@ -8,8 +8,8 @@ mod read;
 mod source;
 mod write;
 
-use crate::format_info::{Certainty, FormatInfo};
-use crate::loss::{self, Part};
+use crate::format::loss::{self, Part};
+use crate::format::{Certainty, FormatInfo};
 
 /// PLY, written binary (little-endian); reads both.
 pub(crate) static BINARY: FormatInfo = FormatInfo {

@@ -1,8 +1,8 @@
 //! The numbers of a PLY, whichever way they are written.
 
 use super::header::{Encoding, Scalar};
-use crate::number;
-use crate::scan::Scan;
+use crate::text::number;
+use crate::text::scan::Scan;
 
 /// Gives numbers one after the other.
 pub(crate) enum Source<'a> {

@@ -3,8 +3,8 @@
 use crate::error::WriteError;
 use crate::file::NamedBytes;
 use crate::model::Model;
-use crate::pieces::Pieces;
-use crate::text::{push_floats, push_integer, push_position};
+use crate::soup::pieces::Pieces;
+use crate::text::print::{push_floats, push_integer, push_position};
 use glam::Vec3;
 use halfedge::{Color, FaceId, Mesh, keys};
 use std::io::Write;

@@ -6,8 +6,8 @@
 mod read;
 mod write;
 
-use crate::format_info::{Certainty, FormatInfo};
-use crate::loss::{self, Part};
+use crate::format::loss::{self, Part};
+use crate::format::{Certainty, FormatInfo};
 use crate::model::Model;
 use glam::DVec3;
 

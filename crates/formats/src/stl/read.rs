@@ -2,12 +2,12 @@
 
 use crate::error::ReadError;
 use crate::file::NamedBytes;
+use crate::format::reading::{Reading, build};
 use crate::model::NamedMesh;
-use crate::origin::Origin;
-use crate::reading::{Reading, build};
 use crate::report::{ImportReport, Places, counted};
-use crate::scan::{Scan, Ticker, is_text};
-use crate::weld::Weld;
+use crate::soup::origin::Origin;
+use crate::soup::weld::Weld;
+use crate::text::scan::{Scan, Ticker, is_text};
 use glam::Vec3;
 use halfedge::{PolygonSoup, Progress};
 

@@ -3,7 +3,7 @@
 use crate::error::WriteError;
 use crate::file::NamedBytes;
 use crate::model::Model;
-use crate::text::{push_floats, push_position};
+use crate::text::print::{push_floats, push_position};
 use glam::{DVec3, Vec3};
 use halfedge::geometry::PolygonTriangulator;
 

@@ -2,8 +2,8 @@
 
 use super::escape::escape;
 use super::material::Materials;
-use crate::hash::Unique;
-use crate::text::{push_float, push_integer};
+use crate::soup::hash::Unique;
+use crate::text::print::{push_float, push_integer};
 use glam::DVec3;
 use halfedge::attribute::{AttributeType, Key};
 use halfedge::{Color, Element, Mesh, NONE, keys};

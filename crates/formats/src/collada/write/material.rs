@@ -6,10 +6,11 @@
 
 use super::escape::escape;
 use crate::collada::effect::OWN_PROFILE;
-use crate::material::{Image, Material, Property, Rgb, Texture, TextureRole, UvTransform, Wrap};
 use crate::model::Model;
-use crate::paint::{own_colors, painted};
-use crate::text::percent_encoded;
+use crate::model::material::{Material, Property, Rgb};
+use crate::model::paint::{own_colors, painted};
+use crate::model::texture::{Image, Texture, TextureRole, UvTransform, Wrap};
+use crate::text::print::percent_encoded;
 use halfedge::Color;
 use std::collections::{BTreeSet, HashMap};
 

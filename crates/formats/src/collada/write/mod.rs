@@ -5,8 +5,8 @@ mod geometry;
 mod material;
 
 use crate::file::NamedBytes;
-use crate::images::image_files;
 use crate::model::Model;
+use crate::model::images::image_files;
 use escape::escape;
 use material::Materials;
 pub(crate) use material::keeps;

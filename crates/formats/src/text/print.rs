@@ -85,7 +85,7 @@ mod tests {
             push_float(&mut out, value);
             let back: f32 = std::str::from_utf8(&out).expect("ASCII").parse().expect("a number");
             prop_assert_eq!(back.to_bits(), bits);
-            prop_assert_eq!(crate::number::float(&out, 0).map(|(v, end)| (v.to_bits(), end)), Some((bits, out.len())));
+            prop_assert_eq!(crate::text::number::float(&out, 0).map(|(v, end)| (v.to_bits(), end)), Some((bits, out.len())));
         }
     }
 }

@@ -1,6 +1,13 @@
 //! What files hold: named meshes with their materials.
 
-use crate::material::Materials;
+pub(crate) mod images;
+pub(crate) mod labels;
+pub(crate) mod material;
+pub(crate) mod paint;
+pub(crate) mod srgb;
+pub(crate) mod texture;
+
+use crate::model::material::Materials;
 use glam::DVec3;
 use halfedge::{Mesh, PolygonSoup};
 use std::borrow::Cow;

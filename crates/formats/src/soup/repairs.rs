@@ -3,9 +3,9 @@
 //! The build itself (`halfedge::Mesh::build`) separates faces where more than two meet at an edge
 //! and turns faces so that neighbours agree. What is chosen otherwise is done to the soup before.
 
-use crate::labels::tidy_labels;
-use crate::number::shortest;
+use crate::model::labels::tidy_labels;
 use crate::report::{Places, counted};
+use crate::text::number::shortest;
 use halfedge::attribute::Column;
 use halfedge::geometry::{MergedPoints, UnionFind, merge_points};
 use halfedge::{Built, Mesh, NONE, PolygonSoup, TooLarge};

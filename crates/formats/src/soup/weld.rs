@@ -1,6 +1,6 @@
 //! Corners with positions of their own made into shared vertices, exactly.
 
-use crate::hash::Unique;
+use crate::soup::hash::Unique;
 use glam::Vec3;
 
 /// Numbers positions: equal ones, to the bit but for the sign of zero, get the same number.

@@ -1,11 +1,14 @@
 //! The description of a file format: everything that the rest of the program knows of it.
 
+pub(crate) mod loss;
+pub(crate) mod reading;
+
 use crate::error::{ReadError, WriteError};
 use crate::file::NamedBytes;
-use crate::loss::Part;
-use crate::material::Property;
+use crate::format::loss::Part;
+use crate::format::reading::{Contents, Reading, Source};
 use crate::model::Model;
-use crate::reading::{Contents, Reading, Source};
+use crate::model::material::Property;
 use halfedge::Progress;
 
 /// A file format. A format that is written in two ways has two descriptions, one of which reads both.

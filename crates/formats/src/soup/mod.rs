@@ -1,5 +1,12 @@
 //! Changes to polygon soups that several formats need.
 
+pub(crate) mod hash;
+pub(crate) mod holes;
+pub(crate) mod origin;
+pub(crate) mod pieces;
+pub(crate) mod repairs;
+pub(crate) mod weld;
+
 use glam::{DMat3, DMat4};
 use halfedge::PolygonSoup;
 use halfedge::attribute::{AttributeType, Column, Key};

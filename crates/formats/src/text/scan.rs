@@ -1,8 +1,8 @@
 //! Words and numbers of a text file, one after the other.
 
 use crate::error::ReadError;
-use crate::number;
-use crate::origin::Origin;
+use crate::soup::origin::Origin;
+use crate::text::number;
 use glam::{DVec3, Vec3};
 use halfedge::Progress;
 

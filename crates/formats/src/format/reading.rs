@@ -2,11 +2,11 @@
 
 use crate::error::ReadError;
 use crate::file::NamedBytes;
-use crate::material::Materials;
 use crate::model::NamedMesh;
-use crate::origin::Origin;
-use crate::repairs::{self, Repairs};
+use crate::model::material::Materials;
 use crate::report::{ImportReport, Places};
+use crate::soup::origin::Origin;
+use crate::soup::repairs::{self, Repairs};
 use halfedge::{Mesh, PolygonSoup, Progress};
 use std::sync::Arc;
 

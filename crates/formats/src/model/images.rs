@@ -1,7 +1,7 @@
 //! Image files that materials use.
 
 use crate::file::{NamedBytes, find, with_slashes};
-use crate::material::Image;
+use crate::model::texture::Image;
 
 /// The image that a model refers to by this name, with its contents where the file was given.
 pub(crate) fn image(name: &str, files: &[NamedBytes]) -> Image {

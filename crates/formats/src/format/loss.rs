@@ -1,9 +1,9 @@
 //! The parts of a document that some formats have no place for, and losses that several formats share.
 
 use crate::model::Model;
-use crate::pieces::uniform;
 use crate::report::counted;
-use crate::weld::Weld;
+use crate::soup::pieces::uniform;
+use crate::soup::weld::Weld;
 use glam::{Vec2, Vec3};
 use halfedge::attribute::{AttributeType, Key};
 use halfedge::{Color, Element, Mesh, NONE, keys};

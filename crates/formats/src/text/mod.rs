@@ -1,0 +1,6 @@
+//! Text of files: its encoding, its words and numbers, and numbers as text.
+
+pub(crate) mod encoding;
+pub(crate) mod number;
+pub(crate) mod print;
+pub(crate) mod scan;
