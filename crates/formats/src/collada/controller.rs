@@ -1,4 +1,4 @@
-//! Controllers: which geometry they deform, and how its shape is blended with others.
+//! Controllers: which geometry they deform, and how morphs blend it with others.
 
 use super::notes::{Fault, Notes};
 use super::numbers::numbers;
@@ -59,7 +59,7 @@ impl<'d, 'a> Shape<'d, 'a> {
     }
 }
 
-/// Shapes that are blended into a geometry by weights.
+/// Morph targets, which are blended into a geometry by weights.
 pub(super) struct Morph {
     targets: Vec<(Source<f64>, f64)>,
     /// Whether targets are added to the geometry's own positions, rather than mixed with them.
@@ -99,7 +99,7 @@ impl Morph {
             let Some(target) = document.target(id).filter(|node| node.name == "geometry") else {
                 notes.fault(
                     Fault::Attribute,
-                    format!("geometry \"{label}\": shape \"{id}\" to blend to doesn't exist"),
+                    format!("geometry \"{label}\": morph target \"{id}\" doesn't exist"),
                 );
                 continue;
             };
@@ -112,14 +112,14 @@ impl Morph {
                 Ok(source) => targets.push((source, weight)),
                 Err(why) => notes.fault(
                     Fault::Attribute,
-                    format!("geometry \"{label}\": shape \"{}\" to blend to: {why}", target.label()),
+                    format!("geometry \"{label}\": morph target \"{}\": {why}", target.label()),
                 ),
             }
         }
         if !names.is_empty() {
             let names = first_few(&names, 6);
             notes.info(format!(
-                "Geometry \"{label}\" is blended as its weights say; the shapes to blend to are not kept: {names}"
+                "Geometry \"{label}\" is blended by its morph weights; its morph targets are not kept: {names}"
             ));
         }
         let is_relative = morph.attribute("method") == Some("RELATIVE");

@@ -116,7 +116,7 @@ impl<'d, 'a> Reader<'_, 'd, 'a> {
     fn shader(&mut self, shader: &'d Node<'a>) {
         let document = self.document;
         if shader.name == "constant" {
-            self.notes.info(format!("Material \"{}\" is not lit in the file", self.label));
+            self.notes.info(format!("Material \"{}\" is unlit in the file, which is not kept", self.label));
         }
         for (name, role) in CHANNELS {
             let Some(texture) = document.path(shader, &[name, "texture"]) else { continue };
@@ -152,7 +152,7 @@ impl<'d, 'a> Reader<'_, 'd, 'a> {
         let opaque = transparent.and_then(|node| node.attribute("opaque")).unwrap_or("A_ONE");
         if transparent.is_some_and(|node| document.child(node, "texture").is_some()) {
             if opaque.ends_with("ZERO") {
-                self.fault("its alpha texture has transparency in the file in place of opacity");
+                self.fault("its alpha texture means transparency in the file and opacity here");
                 return None;
             }
             return transparency.filter(|&amount| amount > 0.0).map(|amount| amount.min(1.0));
@@ -167,10 +167,9 @@ impl<'d, 'a> Reader<'_, 'd, 'a> {
             _ => a * amount,
         };
         if alpha <= 0.0 {
-            // Nobody models what can't be seen, but several programs write transparency the wrong way
-            // round.
+            // Several programs write transparency inverted, and nobody models what can't be seen.
             self.notes
-                .info(format!("Material \"{}\" would be invisible: it was taken as opaque", self.label));
+                .info(format!("Material \"{}\" would be invisible and was taken as opaque", self.label));
             return None;
         }
         Some(alpha.min(1.0))

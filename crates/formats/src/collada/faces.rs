@@ -137,7 +137,7 @@ impl<'p> Faces<'p> {
         }
     }
 
-    /// Whether faces were left out.
+    /// Whether faces were left out because of their vertices.
     pub(super) fn has_faults(&self) -> bool {
         self.without_vertex > 0
     }
@@ -166,28 +166,23 @@ impl<'p> Faces<'p> {
 
     fn note_faults(&self, label: &str, notes: &mut Notes) {
         if self.without_vertex > 0 {
-            let (faces, refer) = match self.without_vertex {
-                1 => ("1 face".to_owned(), "refers"),
-                count => (format!("{count} faces"), "refer"),
-            };
-            let vertices = counted(self.soup.positions.len(), "vertex", "vertices");
+            let faces = counted(self.without_vertex, "face", "faces");
+            let vertices = self.soup.positions.len();
             notes.fault(
                 Fault::Faces,
-                format!("geometry \"{label}\": {faces} that {refer} to others than its {vertices}"),
+                format!("geometry \"{label}\": {faces} with a vertex that doesn't exist (of {vertices})"),
             );
         }
         for (count, what) in [
             (self.bad_uvs, "texture coordinates"),
-            (self.bad_normals, "a normal"),
-            (self.bad_colors, "a colour"),
+            (self.bad_normals, "normals"),
+            (self.bad_colors, "colours"),
         ] {
             if count > 0 {
                 let corners = counted(count, "corner", "corners");
                 notes.fault(
                     Fault::Attribute,
-                    format!(
-                        "geometry \"{label}\": {corners} without {what}: the file has none of that number"
-                    ),
+                    format!("geometry \"{label}\": {corners} without {what}: their indices are out of range"),
                 );
             }
         }
@@ -202,13 +197,16 @@ impl<'p> Faces<'p> {
             let filled = polygons(self.filled);
             notes.fault(
                 Fault::Attribute,
-                format!("geometry \"{label}\": the holes of {filled} were filled: they don't lie inside it, apart from each other"),
+                format!(
+                    "geometry \"{label}\": the holes of {filled} were filled: they cross an outline, or there are too \
+                     many corners"
+                ),
             );
         }
     }
 }
 
-/// A column of corners, if there is anything for it. Corners at the end may have no values.
+/// A column of corners, filled up at the end; none where no corner has a value.
 fn column<T: AttributeType>(key: Key<T>, mut values: Vec<T>, corners: usize) -> Option<Column> {
     if values.is_empty() {
         return None;
@@ -239,7 +237,7 @@ fn add_colors(
     notes: &mut Notes,
 ) {
     if corner_colors.iter().any(|[.., alpha]| *alpha < 1.0) {
-        notes.fault(Fault::Attribute, format!("geometry \"{label}\": colours without their alpha"));
+        notes.fault(Fault::Attribute, format!("geometry \"{label}\": the alpha of colours is left out"));
     }
     let rgb = |[r, g, b, _]: [f32; 4]| Vec3::new(r, g, b);
     let mut colors = vec![Vec3::NAN; soup.positions.len()];
@@ -291,8 +289,6 @@ fn add_colors(
     soup.vertex_columns.push(Column::with_values(keys::VERTEX_COLOR, colors));
     notes.fault(
         Fault::Attribute,
-        format!(
-            "geometry \"{label}\": vertices with several colours have their mean, as vertices have one here"
-        ),
+        format!("geometry \"{label}\": vertices whose corners have different colours have the mean"),
     );
 }

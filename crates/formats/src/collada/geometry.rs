@@ -79,7 +79,7 @@ pub(super) fn read<'d, 'a>(
     let vertex_colors = primitives.vertex_colors();
     if lines > 0 {
         let lines = counted(lines, "set of lines", "sets of lines");
-        notes.fault(Fault::Scene, format!("geometry \"{label}\": {lines}; only faces are edited here"));
+        notes.fault(Fault::Scene, format!("geometry \"{label}\": {lines}; only faces are kept"));
     }
     let columns = palette.columns(&numbers);
     let has_colors = columns.iter().any(|column| column.name == halfedge::keys::FACE_COLOR.name);

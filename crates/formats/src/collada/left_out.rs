@@ -1,4 +1,4 @@
-//! Kinds of content that a mesh editor doesn't keep: counted and named.
+//! Kinds of content that are not kept: counted and named.
 
 use super::effect::OWN_PROFILE;
 use super::notes::Notes;
@@ -29,7 +29,7 @@ pub(super) fn note(document: &Document, notes: &mut Notes) {
     });
     let counts: Vec<String> = counts.collect();
     if !counts.is_empty() {
-        notes.info(format!("Only meshes are kept, not {}", counts.join(", ")));
+        notes.info(format!("Not kept: {}", counts.join(", ")));
     }
     let mut profiles: Vec<&str> = document
         .all("extra")

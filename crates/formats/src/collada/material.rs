@@ -57,14 +57,14 @@ impl<'d, 'a> Library<'d, 'a> {
         let absent: Vec<&str> = absent.map(|image| image.name.as_str()).collect();
         if !absent.is_empty() {
             notes.info(format!(
-                "Images that its materials use were not given, so only referred to: {}",
+                "Image files that its materials refer to were not given: {}",
                 first_few(&absent, 6)
             ));
         }
         let unused = self.document.all("material").filter(|node| !self.paints.contains_key(&node.index));
         let unused: Vec<&str> = unused.map(Node::label).collect();
         if !unused.is_empty() {
-            notes.info(format!("Materials that no face has left out: {}", first_few(&unused, 6)));
+            notes.info(format!("Materials that no face has are left out: {}", first_few(&unused, 6)));
         }
         self.materials
     }

@@ -1,8 +1,9 @@
-//! COLLADA 1.4 and 1.5 (`.dae`): meshes of polygons with their instances, materials' colours and
-//! corner attributes. After the Khronos "COLLADA Digital Asset Schema Release 1.4.1".
+//! COLLADA 1.4 and 1.5 (`.dae`), after the Khronos "COLLADA Digital Asset Schema Release 1.4.1": meshes of
+//! polygons with corner attributes and materials.
 //!
-//! Each instance of a geometry in the scene is one object, its node's transforms applied, in
-//! metres with Y up. A fault costs what has it and no more: what is left out is named in the report.
+//! Each instance of a geometry in the scene becomes one object, with its node's transforms applied, skinned
+//! and morphed as the scene shows it, in metres with Y up. A fault in one element leaves the others alone;
+//! the report names whatever is left out.
 
 mod controller;
 mod effect;

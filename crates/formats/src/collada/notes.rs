@@ -1,7 +1,7 @@
-//! What the reader has to say about a document, gathered while it reads.
+//! Notes about a document, gathered while it is read.
 //!
-//! Many elements may have the same fault, and instances of a geometry repeat its faults: each is told once,
-//! and of each kind only the first few.
+//! Many elements may have the same fault, and instances of a geometry repeat its faults: the report names
+//! each once, and only the first few of each kind.
 
 use crate::report::{ImportReport, counted};
 use std::collections::HashSet;
@@ -12,7 +12,7 @@ const FAULTS_SHOWN: usize = 6;
 /// How many notes about nothing lost the report shows.
 const INFOS_SHOWN: usize = 24;
 
-/// What a fault costs.
+/// What a fault affects.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub(super) enum Fault {
     /// Something in the scene is left out.
@@ -34,7 +34,7 @@ impl Fault {
             Self::Scene => "Left out: ",
             Self::Faces => "Faces left out: ",
             Self::Attribute => "Mesh changed: ",
-            Self::Material => "Material changed: ",
+            Self::Material => "Material ",
         }
     }
 }

@@ -83,12 +83,12 @@ impl<T> Numbers<T> {
     /// Notes how commas were read.
     ///
     /// # Errors
-    /// What is wrong, where they have no one reading: "… has commas that …".
+    /// Where commas are ambiguous; the clause follows "has".
     pub(super) fn note_commas(&self, notes: &mut Notes) -> Result<(), &'static str> {
         match self.commas {
             Commas::None => {}
             Commas::Decimal => notes.info("Commas in its numbers were read as decimal commas"),
-            Commas::Separators => notes.info("Commas between its numbers were read as blanks"),
+            Commas::Separators => notes.info("Commas between its numbers were read as separators"),
             Commas::Ambiguous => {
                 return Err("commas that may be decimal commas or separators: decimal points are needed");
             }

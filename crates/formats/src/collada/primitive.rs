@@ -82,7 +82,7 @@ impl<'r, 'd, 'a> Primitives<'r, 'd, 'a> {
     fn left_over(&mut self, node: &Node, count: usize) {
         if count > 0 {
             let numbers = counted(count, "number", "numbers");
-            self.fault(node, &format!("{numbers} in its <p> that make no whole face"));
+            self.fault(node, &format!("{numbers} in its <p> after the last whole face"));
         }
     }
 
@@ -203,7 +203,7 @@ impl<'r, 'd, 'a> Primitives<'r, 'd, 'a> {
                 "NORMAL" => normals.push(candidate),
                 "COLOR" => colors.push(candidate),
                 "VERTEX" | "POSITION" => {}
-                other => notes.info(format!("What corners have as {other} is not kept")),
+                other => notes.info(format!("The corner attribute {other} is not kept")),
             }
         };
         // Old files call the offset "idx".
@@ -224,20 +224,19 @@ impl<'r, 'd, 'a> Primitives<'r, 'd, 'a> {
         for input in document.children_named(self.vertices, "input") {
             add(self.notes, input, vertex);
         }
-        let uv = self.pick(uvs, uv_sets, 2, ["set of texture coordinates", "sets of texture coordinates"]);
-        let normal = self.pick(normals, None, 3, ["set of normals", "sets of normals"]);
-        let color = self.pick(colors, None, 4, ["set of colours", "sets of colours"]);
+        let uv = self.pick(uvs, uv_sets, 2, "texture coordinates");
+        let normal = self.pick(normals, None, 3, "normals");
+        let color = self.pick(colors, None, 4, "colours");
         Ok(Inputs { stride, vertex, uv, normal, color })
     }
 
-    /// The attribute of the wanted set, else that of the lowest one; the others are noted. `what` names one
-    /// set and several.
+    /// The attribute of the main set, else that of the lowest one; notes the others. `what` names its values.
     fn pick(
         &mut self,
         mut candidates: Vec<Candidate<'d>>,
         uv_sets: Option<&UvSets>,
         width: usize,
-        what: [&str; 2],
+        what: &str,
     ) -> Option<Input> {
         let wanted = uv_sets.and_then(|sets| sets.main);
         candidates.sort_by_key(|candidate| (Some(candidate.set) != wanted, candidate.set));
@@ -245,23 +244,23 @@ impl<'r, 'd, 'a> Primitives<'r, 'd, 'a> {
         let differs = |other: &&Candidate| (other.source, other.offset) != (first.source, first.offset);
         for (set, user) in uv_sets.map_or(&[][..], |sets| &sets.others) {
             if others.iter().filter(differs).any(|other| other.set == *set) {
-                let what = "has other texture coordinates in the file than corners have here";
-                self.notes.fault(Fault::Material, format!("{user} {what}"));
+                let uses = "uses another set of texture coordinates, which corners don't have here";
+                self.notes.fault(Fault::Material, format!("{user} {uses}"));
             }
         }
         let others = others.iter().filter(differs).count();
         let label = self.label;
         if others > 0 {
-            let others = counted(others, what[0], what[1]);
+            let others = counted(others, "set", "sets");
             self.notes.fault(
                 Fault::Attribute,
-                format!("geometry \"{label}\": {others} left out: corners have one here"),
+                format!("geometry \"{label}\": {others} of {what} left out: corners have one here"),
             );
         }
-        self.source(first.source, width, what[1]).map(|source| (first.offset, source))
+        self.source(first.source, width, what).map(|source| (first.offset, source))
     }
 
-    /// The source of this name, read once. `what` its values are is for the note where it can't be read.
+    /// The source of this name, read once; a note says where its `what` can't be read.
     fn source(&mut self, name: &'d str, width: usize, what: &str) -> Option<Rc<Source>> {
         if let Some(known) = self.sources.get(&(name, width)) {
             return known.clone();
@@ -282,6 +281,6 @@ impl<'r, 'd, 'a> Primitives<'r, 'd, 'a> {
     pub(super) fn vertex_colors(&mut self) -> Option<Rc<Source>> {
         let mut inputs = self.document.children_named(self.vertices, "input");
         let input = inputs.find(|input| input.attribute("semantic") == Some("COLOR"))?;
-        self.source(input.attribute("source").unwrap_or_default(), 4, "sets of colours")
+        self.source(input.attribute("source").unwrap_or_default(), 4, "colours")
     }
 }

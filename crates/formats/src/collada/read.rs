@@ -210,10 +210,8 @@ impl<'r, 'd, 'a> Reader<'r, 'd, 'a> {
     fn note_unused(&mut self) {
         for geometry in self.document.all("geometry") {
             if !self.used.contains(&geometry.index) && has_faces(self.document, geometry) {
-                self.notes.fault(
-                    Fault::Scene,
-                    format!("geometry \"{}\", which the scene doesn't show", geometry.label()),
-                );
+                self.notes
+                    .fault(Fault::Scene, format!("geometry \"{}\", which no node shows", geometry.label()));
             }
         }
     }

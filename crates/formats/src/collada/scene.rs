@@ -20,7 +20,7 @@ pub(super) struct Instance<'d, 'a> {
     pub transform: DMat4,
 }
 
-/// A node in the place that a walk through the scene met it.
+/// A node where a walk through the scene met it.
 pub(super) struct Visit<'d, 'a> {
     pub node: &'d Node<'a>,
     /// From its coordinates to those of the world.
@@ -73,7 +73,7 @@ impl<'d, 'a> Scene<'d, 'a> {
         if this.instances.is_empty() {
             this.instances = geometries(document, axes);
             if shown.is_some() && !this.instances.is_empty() {
-                notes.info("No node of the scene shows a mesh: the geometries are taken as they are");
+                notes.info("No node of the scene shows a mesh, so the geometries are shown as they are");
             }
         } else {
             this.note_empty_nodes(document, notes);
@@ -117,7 +117,10 @@ impl<'d, 'a> Scene<'d, 'a> {
                 "instance_node" => match target(document, child, &["node"]) {
                     Ok(node) => node,
                     Err(why) => {
-                        notes.fault(Fault::Scene, format!("a node in node \"{}\": {why}", parent.label()));
+                        notes.fault(
+                            Fault::Scene,
+                            format!("the node that node \"{}\" refers to: {why}", parent.label()),
+                        );
                         continue;
                     }
                 },
@@ -172,7 +175,7 @@ impl<'d, 'a> Scene<'d, 'a> {
         }
     }
 
-    /// Says how many nodes come to nothing here.
+    /// Notes how many nodes show no mesh.
     fn note_empty_nodes(&self, document: &Document, notes: &mut Notes) {
         let shows = |node: &Node| {
             document
@@ -181,7 +184,7 @@ impl<'d, 'a> Scene<'d, 'a> {
         };
         let empty = self.visits.iter().filter(|visit| !shows(visit.node)).count();
         if empty > 0 {
-            notes.info(format!("{} of the scene without a mesh not kept", counted(empty, "node", "nodes")));
+            notes.info(format!("Nodes of the scene that show no mesh are not kept: {empty}"));
         }
     }
 }

@@ -86,8 +86,8 @@ impl Skin {
     }
 }
 
-/// How a skinned instance is placed: as its joints stand in the scene, or where the skin can't be read as it
-/// was bound to them. Says which.
+/// The placement of a skinned instance: in the pose that its joints have in the scene, or in the bind pose
+/// where the skin or a joint can't be read. Notes which.
 pub(super) fn place(
     document: &Document,
     skin: &Node,
@@ -99,10 +99,7 @@ pub(super) fn place(
         .child(skin, "bind_shape_matrix")
         .map_or(Ok(DMat4::IDENTITY), |node| transform::matrix(node, notes));
     let bind_shape = bind_shape.unwrap_or_else(|why| {
-        notes.fault(
-            Fault::Attribute,
-            format!("\"{}\" is bound to its skeleton without a shift: {why}", instance.name),
-        );
+        notes.fault(Fault::Attribute, format!("the bind shape of \"{}\" left out: {why}", instance.name));
         DMat4::IDENTITY
     });
     let rest = instance.transform * bind_shape;
@@ -110,7 +107,7 @@ pub(super) fn place(
         Ok(skin) => {
             let joints = counted(skin.joints.len(), "joint", "joints");
             notes.info(format!(
-                "\"{}\" is posed by its skeleton as it stands in the scene; the {joints} and their weights are not kept",
+                "\"{}\" has the pose of its skeleton in the scene; the {joints} and their weights are not kept",
                 instance.name
             ));
             Placement::Skinned(Skin { rest, ..skin })
@@ -118,7 +115,10 @@ pub(super) fn place(
         Err(why) => {
             notes.fault(
                 Fault::Attribute,
-                format!("\"{}\" is as it was bound to its skeleton, which is not kept: {why}", instance.name),
+                format!(
+                    "\"{}\" is in the pose in which it was bound to its skeleton, which is not kept: {why}",
+                    instance.name
+                ),
             );
             Placement::Rigid(rest)
         }

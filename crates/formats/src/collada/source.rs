@@ -80,7 +80,7 @@ impl<T: Number> Source<T> {
         self.components.len()
     }
 
-    /// All values of the array, for sources whose groups are matrices.
+    /// All numbers of a group, for sources of matrices.
     pub(super) fn group(&self, index: usize) -> Option<&[T]> {
         let start = self.offset.checked_add(index.checked_mul(self.stride)?)?;
         self.values.get(start..start.checked_add(self.stride)?)
@@ -141,7 +141,7 @@ impl Layout {
         Self { offset: number("offset").unwrap_or(0), stride, components }
     }
 
-    /// How many groups an array of this length has; the last may end behind its last component.
+    /// How many groups an array of this length has; the last one may end after its last component.
     fn groups(&self, length: usize) -> usize {
         let needed = self.components.iter().max().map_or(1, |last| last + 1);
         let available = length.saturating_sub(self.offset);

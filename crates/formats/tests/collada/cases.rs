@@ -30,7 +30,7 @@ fn an_accessor_chooses_its_numbers() {
 fn a_skin_has_its_bind_shape_and_pose() {
     let import = case("dae-bind-shape.dae");
     assert!(positions(&import).iter().all(|p| p.z == 10.0), "{:?}", positions(&import));
-    assert!(import.report.to_string().contains("\"n\" is posed by its skeleton"), "{}", import.report);
+    assert!(import.report.to_string().contains("\"n\" has the pose of its skeleton"), "{}", import.report);
 }
 
 #[test]
@@ -38,11 +38,7 @@ fn a_morphed_geometry_is_shown_where_its_node_is() {
     let import = case("dae-morph-controller.dae");
     let first = |object: usize| import.model.objects[object].mesh.positions()[0];
     assert_eq!((import.model.objects.len(), first(0), first(1)), (2, Vec3::X * 3.0, Vec3::Z * 5.0));
-    assert!(
-        import.report.to_string().contains("the shapes to blend to are not kept: thing"),
-        "{}",
-        import.report
-    );
+    assert!(import.report.to_string().contains("its morph targets are not kept: thing"), "{}", import.report);
 }
 
 #[test]
@@ -74,7 +70,7 @@ fn a_skew_slants() {
 }
 
 #[test]
-fn a_missing_texture_coordinate_costs_one_corner_its_own() {
+fn a_missing_texture_coordinate_affects_one_corner() {
     let import = case("dae-texcoord-out-of-range.dae");
     let mesh = mesh(&import);
     let face = mesh.faces().next().expect("a face");
@@ -84,7 +80,7 @@ fn a_missing_texture_coordinate_costs_one_corner_its_own() {
 }
 
 #[test]
-fn a_fault_in_one_node_costs_the_other_nothing() {
+fn a_fault_in_one_node_leaves_the_other() {
     let import = case("dae-matrix-of-15.dae");
     assert_eq!(positions(&import), TRIANGLE.map(|p| p + Vec3::Z * 5.0));
     assert!(

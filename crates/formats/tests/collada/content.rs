@@ -51,22 +51,22 @@ fn what_is_not_kept_is_named() {
                 shown,
                 "<library_cameras><camera id=\"c\"/></library_cameras><library_lights><light id=\"l\"/><light id=\"m\"/></library_lights>",
             ),
-            "not 1 camera, 2 lights",
+            "Not kept: 1 camera, 2 lights",
         ),
         (
             scene(
                 shown,
                 "<library_animations><animation id=\"a\"><source id=\"s\"/></animation></library_animations>",
             ),
-            "not 1 animation",
+            "Not kept: 1 animation",
         ),
         (
             scene(shown, "<library_physics_scenes/><library_kinematics_models/>"),
-            "not 1 library of physics scenes, 1 library of kinematics models",
+            "Not kept: 1 library of physics scenes, 1 library of kinematics models",
         ),
         (
             scene(&format!("{shown}<node id=\"group\"><node id=\"empty\"/></node>"), ""),
-            "2 nodes of the scene without a mesh not kept",
+            "show no mesh are not kept: 2",
         ),
         (
             scene(shown, "<library_visual_scenes><visual_scene name=\"second\"/></library_visual_scenes>")
@@ -78,7 +78,7 @@ fn what_is_not_kept_is_named() {
                 shown,
                 "<library_geometries><geometry name=\"unused\"><mesh/></geometry></library_geometries>",
             ),
-            "geometry \"unused\", which the scene doesn't show",
+            "geometry \"unused\", which no node shows",
         ),
         (
             scene(
@@ -110,7 +110,7 @@ fn what_is_not_kept_is_named() {
     }
     let import = with_attribute("TEXTANGENT", &source(3, "1 0 0"), [0; 6]);
     assert!(
-        import.report.to_string().contains("What corners have as TEXTANGENT is not kept"),
+        import.report.to_string().contains("The corner attribute TEXTANGENT is not kept"),
         "{}",
         import.report
     );
@@ -184,10 +184,13 @@ fn colours_of_corners_go_where_they_fit() {
     // Neither.
     let (vertices, _, report) = colors("1 0 0 0 1 0", [0, 1, 0, 1, 1, 1]);
     assert_eq!(vertices, [Vec3::new(0.5, 0.5, 0.0), Vec3::Y, Vec3::new(0.5, 0.5, 0.0), Vec3::Y]);
-    assert!(report.to_string().contains("vertices with several colours have their mean"), "{report}");
+    assert!(
+        report.to_string().contains("vertices whose corners have different colours have the mean"),
+        "{report}"
+    );
     // Alpha has no place.
     let import = with_attribute("COLOR", &source(4, "1 0 0 0.5"), [0; 6]);
-    assert!(import.report.to_string().contains("colours without their alpha"), "{}", import.report);
+    assert!(import.report.to_string().contains("the alpha of colours is left out"), "{}", import.report);
 }
 
 #[test]

@@ -87,7 +87,7 @@ fn joints_place_the_vertices_of_a_skin() {
         near(&import, expected);
         let report = import.report.to_string();
         assert!(
-            report.contains("\"n\" is posed by its skeleton") && report.contains("the 2 joints"),
+            report.contains("\"n\" has the pose of its skeleton") && report.contains("the 2 joints"),
             "{report}"
         );
         assert!(import.report.is_clean(), "{report}");
@@ -124,7 +124,7 @@ fn a_skin_without_its_joints_is_as_it_was_bound() {
     let report = import.report.to_string();
     assert!(
         report.contains(
-            "as it was bound to its skeleton, which is not kept: its joint \"one\" is not in the scene"
+            "in the pose in which it was bound to its skeleton, which is not kept: its joint \"one\" is not in the scene"
         ),
         "{report}"
     );
@@ -156,7 +156,7 @@ fn shapes_are_blended_by_their_weights() {
         let import = read(&shapes, &morph(method, weights), node);
         near(&import, expected);
         assert!(
-            import.report.to_string().contains("the shapes to blend to are not kept: h1, h2"),
+            import.report.to_string().contains("its morph targets are not kept: h1, h2"),
             "{}",
             import.report
         );

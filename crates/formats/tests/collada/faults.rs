@@ -20,8 +20,8 @@ fn triangle() -> String {
 }
 
 #[test]
-fn faces_that_are_not_there_in_full_are_told() {
-    let told = |primitive: &str| {
+fn missing_and_incomplete_faces_are_reported() {
+    let report_of = |primitive: &str| {
         let import = read_dae(document("", primitive, "")).expect(primitive);
         let warnings: Vec<String> = import.report.warnings().map(str::to_owned).collect();
         (mesh(&import).face_count(), warnings.join("\n"))
@@ -35,14 +35,14 @@ fn faces_that_are_not_there_in_full_are_told() {
         (
             format!("<polylist count=\"1\">{INPUT}<vcount>4</vcount><p>0 1 2 3 4</p></polylist>"),
             1,
-            "a <polylist> has 1 number in its <p> that make no whole face",
+            "a <polylist> has 1 number in its <p> after the last whole face",
         ),
         (format!("<polylist count=\"2\">{INPUT}</polylist>"), 0, "a <polylist> has none of its 2 faces"),
         (format!("<triangles count=\"12\">{INPUT}</triangles>"), 0, "a <triangles> has none of its 12 faces"),
         (
             format!("<triangles count=\"2\">{INPUT}<p>0 1 2 3 4</p></triangles>"),
             1,
-            "a <triangles> has 2 numbers in its <p> that make no whole face",
+            "a <triangles> has 2 numbers in its <p> after the last whole face",
         ),
         (format!("<tristrips count=\"1\">{INPUT}<p>0 1</p></tristrips>"), 0, "a <tristrips> has 2 numbers"),
         (format!("<trifans count=\"1\">{INPUT}</trifans>"), 0, "a <trifans> has none of its 1 face"),
@@ -53,7 +53,7 @@ fn faces_that_are_not_there_in_full_are_told() {
             "a <polygons> has a <ph> without <p>",
         ),
     ] {
-        let (read, warnings) = told(&primitive);
+        let (read, warnings) = report_of(&primitive);
         assert_eq!(read, faces, "{primitive}");
         assert!(warnings.contains("Faces left out: geometry \"shape\": "), "{warnings}");
         assert!(warnings.contains(says), "{warnings} instead of {says}");
@@ -65,13 +65,13 @@ fn faces_that_are_not_there_in_full_are_told() {
             "<triangles count=\"0\">{INPUT}</triangles><trifans count=\"1\">{INPUT}<p>0 1 2 3</p></trifans>"
         ),
     ] {
-        assert_eq!(told(&whole).1, "", "{whole}");
+        assert_eq!(report_of(&whole).1, "", "{whole}");
     }
     // Many of them, and many instances of one, make a few lines.
     let many = format!("<triangles count=\"1\">{INPUT}</triangles>").repeat(4);
-    assert_eq!(told(&many).1.lines().count(), 1);
+    assert_eq!(report_of(&many).1.lines().count(), 1);
     let many: String = (1..20).map(|i| format!("<triangles count=\"{i}\">{INPUT}</triangles>")).collect();
-    assert!(told(&many).1.ends_with("13 faults more of this kind"), "{}", told(&many).1);
+    assert!(report_of(&many).1.ends_with("13 faults more of this kind"), "{}", report_of(&many).1);
 }
 
 #[test]
@@ -97,13 +97,16 @@ fn documents_with_nothing_usable_are_refused() {
 }
 
 #[test]
-fn a_fault_in_one_primitive_costs_no_other() {
+fn a_fault_in_one_primitive_leaves_the_others() {
     for (faulty, expected) in [
         (
             format!("<triangles>{INPUT}<p>0 1 9</p></triangles>"),
-            "1 face that refers to others than its 6 vertices",
+            "1 face with a vertex that doesn't exist (of 6)",
         ),
-        (format!("<triangles>{INPUT}<p>0 1 -1 0 x 2</p></triangles>"), "2 faces that refer to others"),
+        (
+            format!("<triangles>{INPUT}<p>0 1 -1 0 x 2</p></triangles>"),
+            "2 faces with a vertex that doesn't exist",
+        ),
         (
             format!("<polylist>{INPUT}<vcount>4000000000</vcount><p>0</p></polylist>"),
             "a <polylist> has fewer numbers in its <p> than its <vcount> says: 1 face missing",
@@ -127,15 +130,15 @@ fn a_fault_in_one_primitive_costs_no_other() {
 }
 
 #[test]
-fn a_fault_in_one_attribute_costs_no_faces() {
+fn a_fault_in_one_attribute_leaves_the_faces() {
     for (input, expected) in [
         (
             "<input semantic=\"NORMAL\" source=\"#q\" offset=\"0\"/>",
-            "has no sets of normals: source \"#q\" doesn't exist",
+            "has no normals: source \"#q\" doesn't exist",
         ),
         ("<input semantic=\"TEXCOORD\" source=\"a.dae#q\" offset=\"0\"/>", "source \"a.dae#q\""),
         ("<input semantic=\"TEXCOORD\" source=\"b.dae#q\" offset=\"0\"/>", "is in another file"),
-        ("<input semantic=\"COLOR\" source=\"#v\" offset=\"0\"/>", "has no sets of colours"),
+        ("<input semantic=\"COLOR\" source=\"#v\" offset=\"0\"/>", "has no colours"),
     ] {
         let triangles = format!("<triangles>{INPUT}{input}<p>0 1 2</p></triangles>");
         let import = read_dae(document("", &triangles, "")).expect(input);
@@ -145,7 +148,7 @@ fn a_fault_in_one_attribute_costs_no_faces() {
 }
 
 #[test]
-fn a_fault_in_one_node_costs_no_other() {
+fn a_fault_in_one_node_leaves_the_others() {
     let good = "<node><translate>0 0 5</translate><instance_geometry url=\"#g\"/></node>";
     let instance = "<instance_geometry url=\"#g\"/>";
     for (faulty, expected) in [
@@ -159,7 +162,7 @@ fn a_fault_in_one_node_costs_no_other() {
         ),
         (
             "<node name=\"n\"><instance_node url=\"b.dae#x\"/></node>",
-            "a node in node \"n\": \"b.dae#x\" is in another file",
+            "the node that node \"n\" refers to: \"b.dae#x\" is in another file",
         ),
         ("<node id=\"n\"><instance_node url=\"#n\"/></node>", "node \"n\" inside itself"),
         (
@@ -198,7 +201,7 @@ fn a_fault_in_one_node_costs_no_other() {
 }
 
 #[test]
-fn nesting_and_repetition_have_limits_only_in_what_they_show() {
+fn nodes_nest_without_limit_and_repeat_within_one() {
     // Deep nesting is no fault.
     let depth = 20_000;
     let nodes = format!(

@@ -27,8 +27,8 @@ fn read_dae(text: impl Into<Vec<u8>>) -> Result<Import, String> {
     read(&[NamedBytes::new("a.dae", text)]).map_err(|error| error.to_string())
 }
 
-/// A document of one geometry of five vertices in a row of two squares' outline, with these
-/// primitives, and a scene.
+/// A document with one geometry of six vertices, the corners of two unit squares side by side, with these
+/// primitives and this scene.
 fn document(asset: &str, primitives: &str, scene: &str) -> String {
     format!(
         "<?xml version=\"1.0\"?><COLLADA xmlns=\"x\" version=\"1.4.1\"><asset>{asset}</asset><library_geometries>\
@@ -158,7 +158,11 @@ fn every_primitive_is_read() {
         ("<triangles><I/><p>0 1 2 0 2 3</p></triangles>", 2, ""),
         ("<tristrips><I/><p>0 1 3 2</p><p>1 4 2 5</p></tristrips>", 4, ""),
         ("<trifans><I/><p>0 1 2 3</p></trifans>", 2, ""),
-        ("<triangles><I/></triangles><lines><I/><p>0 1</p></lines>", 0, "1 set of lines; only faces"),
+        (
+            "<triangles><I/></triangles><lines><I/><p>0 1</p></lines>",
+            0,
+            "1 set of lines; only faces are kept",
+        ),
     ] {
         let import = read_dae(document("", &primitive.replace("<I/>", INPUT), "")).expect("readable");
         let mesh = mesh(&import);
@@ -171,7 +175,7 @@ fn every_primitive_is_read() {
 
 #[test]
 fn polygons_with_holes_are_cut_round_them() {
-    // Vertices 0 to 3 are a square; the hole's are made for it.
+    // Vertices 0 to 3 are the outline, a square; the others are the hole.
     let sources = |points: &str, count: usize| {
         format!(
             "<COLLADA><library_geometries><geometry id=\"g\"><mesh><source id=\"p\"><float_array id=\"a\" \
@@ -195,7 +199,7 @@ fn polygons_with_holes_are_cut_round_them() {
 }
 
 #[test]
-fn encodings_are_told() {
+fn encodings_are_detected() {
     let text = document("", &format!("<triangles>{INPUT}<p>0 1 2</p></triangles>"), "")
         .replace("\"shape\"", "\"Körper &amp; &#x3b1;\"");
     let name = |bytes: Vec<u8>| {
@@ -227,7 +231,7 @@ fn encodings_are_told() {
     }
 }
 
-/// Quads and triangles with uvs and normals on some faces, colours, materials, a loose vertex.
+/// Quads and triangles with uvs and normals on some faces, colours, materials and an isolated vertex.
 fn sample() -> Mesh {
     let positions =
         (0..8).map(|i| Vec3::new((i % 3) as f32 / 3.0, (i / 3) as f32, -0.1 * i as f32)).collect();

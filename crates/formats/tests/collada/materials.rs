@@ -37,7 +37,7 @@ fn a_texture_is_kept_with_its_image() {
         ("wood.png", false, [Wrap::Repeat; 2])
     );
     assert_eq!(import.model.materials.list[0].name, "wood");
-    assert!(import.report.to_string().contains("only referred to: wood.png"), "{}", import.report);
+    assert!(import.report.to_string().contains("were not given: wood.png"), "{}", import.report);
     assert_eq!(formats::companions(&case_file("dae-textured.dae")), ["wood.png"]);
     // In an OBJ its library names the image.
     let written = formats::write(by_code("obj"), &renamed(&import, "x")).expect("small");
@@ -98,7 +98,7 @@ fn what_of_a_material_is_not_kept_is_named() {
                 "</lambert>",
                 "<transparent opaque=\"RGB_ZERO\"><texture texture=\"sm\" texcoord=\"UV\"/></transparent></lambert>",
             )],
-            "its alpha texture has transparency in the file in place of opacity",
+            "its alpha texture means transparency in the file and opacity here",
         ),
         (vec![("</profile_COMMON>", "</profile_COMMON><profile_GLSL/>")], "its shader programs are left out"),
         (
@@ -117,7 +117,7 @@ fn what_of_a_material_is_not_kept_is_named() {
         ),
         (
             vec![("</library_materials>", "<material id=\"z\" name=\"zinc\"/></library_materials>")],
-            "that no face has left out: zinc",
+            "that no face has are left out: zinc",
         ),
     ] {
         let import = textured(&edits, &[]);

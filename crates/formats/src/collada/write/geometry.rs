@@ -40,8 +40,8 @@ pub(super) fn write(
         )
         .as_bytes(),
     );
-    // Faces stay in order: a new list starts wherever the material changes, or whether corners
-    // have attributes.
+    // Faces keep their order: a new list starts where the material changes, or the attributes that corners
+    // have.
     let labels =
         mesh.column(Element::Face, keys::FACE_MATERIAL.name).map_or(&[][..], |column| &column.labels);
     let paint = mesh.attribute(keys::FACE_COLOR);
@@ -107,7 +107,7 @@ impl VertexColors {
     }
 }
 
-/// Faces in a row that one list holds.
+/// Consecutive faces that share a list.
 struct Run {
     material: Option<usize>,
     normals: bool,
@@ -125,6 +125,7 @@ impl Run {
     }
 }
 
+/// Writes the faces from those of `run` up to `end`.
 fn polylist(out: &mut Vec<u8>, id: &str, mesh: &Mesh, run: &Run, end: usize, normals: &[u32], uvs: &[u32]) {
     let material = run.material.map_or(String::new(), |material| format!(" material=\"material{material}\""));
     let mut head = format!(
@@ -162,6 +163,7 @@ fn polylist(out: &mut Vec<u8>, id: &str, mesh: &Mesh, run: &Run, end: usize, nor
     out.extend_from_slice(b"</p></polylist>\n");
 }
 
+/// Writes a source with these parameters, one for each number of a row.
 fn source<F: zmij::Float, const N: usize>(
     out: &mut Vec<u8>,
     id: &str,
