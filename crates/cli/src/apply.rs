@@ -17,7 +17,7 @@ struct Step {
 
 /// Runs commands on a file, saves the result and prints the outcomes.
 pub fn run(task: &Apply) -> Result<(), Failure> {
-    let format = task.output.as_deref().map(files::output_format).transpose()?;
+    let format = task.output.as_deref().map(|path| files::output_format(path, task.format)).transpose()?;
     let mut read = files::read(&task.input, &task.repairs)?;
     if !task.json {
         for warning in read.import.report.warnings() {

@@ -2,19 +2,25 @@
 
 use crate::Failure;
 use editor::Command;
-use formats::{NonManifold, Repairs};
+use formats::{Format, NonManifold, Repairs};
 use lexopt::prelude::*;
 use std::ffi::OsString;
 use std::path::PathBuf;
 
 /// The text that `--help` prints.
-pub const HELP: &str = "\
+pub fn help() -> String {
+    HELP.replace("{codes}", &codes())
+}
+
+/// The help text with `{codes}` in place of the codes of the formats.
+const HELP: &str = "\
 Meshwright: polygon meshes from the command line
 
 Usage:
   meshwright info FILE [--json] [REPAIRS]
-  meshwright convert IN OUT [REPAIRS]
-  meshwright apply IN --do COMMAND [--do COMMAND ...] [-o OUT] [--json] [--repeat N] [REPAIRS]
+  meshwright convert IN OUT [--format CODE] [REPAIRS]
+  meshwright apply IN --do COMMAND [--do COMMAND ...] [-o OUT [--format CODE]] [--json] [--repeat N]
+                   [REPAIRS]
 
 A COMMAND is a JSON object such as '{\"op\": \"subdivide-catmull-clark\", \"levels\": 2}'.
 Operations on whole meshes run on every object of the file; others run on the first object, unless
@@ -24,6 +30,8 @@ Options:
   --do COMMAND      run this command; several of them run in the order given
   -o, --output OUT  save the result here; the extension chooses the format, and .json is the
                     half-edge mesh itself
+  --format CODE     save in this format, whatever the extension:
+                    {codes}
   --json            print one JSON object instead of text
   --repeat N        run the commands N times on the same input and print their median times
   -h, --help        print this
@@ -71,6 +79,8 @@ pub struct Convert {
     pub input: PathBuf,
     /// The file to write.
     pub output: PathBuf,
+    /// The format to write; that of the file's extension if none is given.
+    pub format: Option<Format>,
     /// How faces that don't form a mesh are repaired.
     pub repairs: Repairs,
 }
@@ -83,6 +93,8 @@ pub struct Apply {
     pub commands: Vec<Command>,
     /// The file to write, if any.
     pub output: Option<PathBuf>,
+    /// The format to write; that of the file's extension if none is given.
+    pub format: Option<Format>,
     /// Whether to print JSON.
     pub json: bool,
     /// How many times to run the commands on the same input.
@@ -98,6 +110,7 @@ struct Given {
     json: bool,
     commands: Vec<Command>,
     output: Option<PathBuf>,
+    format: Option<Format>,
     repeat: Option<usize>,
     repairs: Repairs,
 }
@@ -116,6 +129,10 @@ pub fn parse(args: impl IntoIterator<Item = OsString>) -> Result<Task, Failure> 
                 given.commands.push(command(&text)?);
             }
             Short('o') | Long("output") => given.output = Some(parser.value().map_err(usage)?.into()),
+            Long("format") => {
+                let code = parser.value().map_err(usage)?.string().map_err(usage)?;
+                given.format = Some(format(&code)?);
+            }
             Long("repeat") => {
                 let times = parser.value().map_err(usage)?.parse::<usize>().map_err(usage)?;
                 if times == 0 {
@@ -167,15 +184,17 @@ impl Given {
             words.next().map(PathBuf::from).ok_or_else(|| Failure::Usage(format!("{what} is missing.")))
         };
         let refuse = |given: bool, option: &str, with: &str| match given {
-            true => Err(Failure::Usage(format!("{option} can't be used with `{with}`."))),
+            true => Err(refused(option, with)),
             false => Ok(()),
         };
         let name = name.to_string_lossy();
         let task = match &*name {
+            "info" if self.format.is_some() => return Err(refused("--format", "info")),
             "info" => Task::Info(Info { file: file("FILE")?, json: self.json, repairs: self.repairs }),
             "convert" => {
                 refuse(self.json, "--json", "convert")?;
-                Task::Convert(Convert { input: file("IN")?, output: file("OUT")?, repairs: self.repairs })
+                let (input, output) = (file("IN")?, file("OUT")?);
+                Task::Convert(Convert { input, output, format: self.format, repairs: self.repairs })
             }
             "apply" => {
                 let input = file("IN")?;
@@ -184,10 +203,12 @@ impl Given {
                         "The commands are missing: give at least one with --do COMMAND.".into(),
                     ));
                 }
+                refuse(self.format.is_some() && self.output.is_none(), "--format without -o", "apply")?;
                 Task::Apply(Apply {
                     input,
                     commands: self.commands,
                     output: self.output,
+                    format: self.format,
                     json: self.json,
                     repeat: self.repeat.unwrap_or(1),
                     repairs: self.repairs,
@@ -205,6 +226,27 @@ impl Given {
         }
         Ok(task)
     }
+}
+
+fn refused(option: &str, with: &str) -> Failure {
+    Failure::Usage(format!("{option} can't be used with `{with}`."))
+}
+
+/// The codes of the formats that can be written.
+fn codes() -> String {
+    let codes: Vec<&str> =
+        Format::all().filter(|format| format.can_write()).map(|format| format.code()).collect();
+    codes.join(", ")
+}
+
+/// The format of a code.
+fn format(code: &str) -> Result<Format, Failure> {
+    Format::from_code(code).filter(|format| format.can_write()).ok_or_else(|| {
+        Failure::Usage(format!(
+            "--format: {code} is no format that can be written; the codes are {}",
+            codes()
+        ))
+    })
 }
 
 /// Parses a command. Text that is not JSON is wrong usage; JSON that is not a command is refused.

@@ -6,7 +6,7 @@ use editor::{Editor, Outcome};
 
 /// Reads one file and writes another.
 pub fn run(task: &Convert) -> Result<(), Failure> {
-    let format = files::output_format(&task.output)?;
+    let format = files::output_format(&task.output, task.format)?;
     let read = files::read(&task.input, &task.repairs)?;
     for warning in read.import.report.warnings() {
         eprintln!("{}: {warning}", task.input.display());

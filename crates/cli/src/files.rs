@@ -72,8 +72,11 @@ fn companions(path: &Path, model: &NamedBytes) -> Vec<NamedBytes> {
     files
 }
 
-/// The format that the extension of an output file chooses.
-pub fn output_format(path: &Path) -> Result<Format, Failure> {
+/// The format to save in: the given one, or else that of the output file's extension.
+pub fn output_format(path: &Path, given: Option<Format>) -> Result<Format, Failure> {
+    if let Some(format) = given {
+        return Ok(format);
+    }
     let known = || {
         let formats = Format::all().filter(|format| format.can_write());
         let mut names: Vec<String> = formats.map(|format| format!(".{}", format.extension())).collect();

@@ -28,7 +28,7 @@ enum Failure {
 
 fn main() -> ExitCode {
     let result = arguments::parse(std::env::args_os()).and_then(|task| match task {
-        Task::Help => report::print(arguments::HELP),
+        Task::Help => report::print(&arguments::help()),
         Task::Version => report::print(concat!("meshwright ", env!("CARGO_PKG_VERSION"), "\n")),
         Task::Info(task) => info::run(&task),
         Task::Convert(task) => convert::run(&task),

@@ -161,6 +161,25 @@ fn convert_takes_images_along_and_overwrites_no_other_file() {
 }
 
 #[test]
+fn a_format_can_be_chosen_whatever_the_extension() {
+    let folder = folder("format");
+    let cube = write(&folder, "cube.obj", CUBE);
+    let out = folder.join("cube.ply");
+    let start = |path: &Path| {
+        let bytes = std::fs::read(path).expect("written");
+        String::from_utf8_lossy(&bytes[..20]).into_owned()
+    };
+    assert_eq!(run(&["convert", text(&cube), text(&out)]).status.code(), Some(0));
+    assert_eq!(start(&out), "ply\nformat binary_li");
+    assert_eq!(run(&["convert", text(&cube), text(&out), "--format", "ply-text"]).status.code(), Some(0));
+    assert_eq!(start(&out), "ply\nformat ascii 1.0");
+    let op = r#"{"op":"triangulate-faces"}"#;
+    let stl = ["apply", text(&cube), "--do", op, "-o", text(&out), "--format", "stl-text"];
+    assert_eq!(run(&stl).status.code(), Some(0));
+    assert!(start(&out).starts_with("solid "), "{}", start(&out));
+}
+
+#[test]
 fn refused_commands_exit_with_1_and_write_nothing() {
     let folder = folder("refused");
     let cube = write(&folder, "cube.obj", CUBE);
@@ -207,6 +226,9 @@ fn bad_usage_and_unreadable_files_exit_with_2() {
             "out.xyz: the extension names no format that can be written; use one of .obj, .ply, .stl, ",
         ),
         (vec!["convert", cube, "out.obj", "--json"], "--json"),
+        (vec!["info", cube, "--format", "ply"], "--format can't be used with `info`"),
+        (vec!["apply", cube, "--do", op, "--format", "ply"], "--format without -o"),
+        (vec!["convert", cube, "out.ply", "--format", "doc"], "the codes are obj, ply, ply-text, stl, "),
         (vec!["apply", cube], "--do"),
         (vec!["apply", cube, "--do"], "--do"),
         (vec!["apply", cube, "--do", "split"], "not JSON"),
