@@ -1,10 +1,15 @@
 // Saving in every format: what the dialog says is lost, and what comes back.
 
 import assert from "node:assert/strict";
-import { readFile } from "node:fs/promises";
+import { execFile } from "node:child_process";
+import { mkdir, mkdtemp, readFile, readdir, rm, writeFile } from "node:fs/promises";
+import { tmpdir } from "node:os";
+import { join } from "node:path";
+import { promisify } from "node:util";
 
 import { DESKTOP, PHONE, SMALL, editorTest } from "./harness.mjs";
 import { TWO_COLORS_MTL, TWO_COLORS_OBJ } from "./support/meshes.mjs";
+import { cli } from "./support/packages.mjs";
 
 /** Runs `act`, which saves `count` files, and gives those. */
 async function downloads(editor, count, act) {
@@ -81,6 +86,65 @@ editorTest("every format is saved from the dialog and opens again", once, async 
       window.meshwright.element("face", id)).filter((face) => face.color === "#3366cc").length, before.faces);
     assert.equal(painted, code.startsWith("stl") ? 0 : 1, `${name}: the colour`);
     await editor.undo();
+  }
+});
+
+/** Documents of each kind, as files, with the code, name and extension of each format that holds them. */
+const DOCUMENTS = [
+  {
+    files: [{ name: "two.obj", content: TWO_COLORS_OBJ }, { name: "colors.mtl", content: TWO_COLORS_MTL }],
+    formats: FORMATS.map(([code, name, [file]]) => [code, name, file.replace(/.*\./, "")]),
+  },
+  { files: [{ name: "arc.bzc", content: "4\n0 0  1 2  3 2  4 0\n" }], formats: [["bzc", "BZC", "bzc"]] },
+  {
+    files: [{
+      name: "saddle.bez",
+      content: `1\n${[0, 1, 2, 3].flatMap((y) => [0, 1, 2, 3].map((x) => `${x} ${y} ${x * y}`)).join("\n")}\n`,
+    }],
+    formats: [["bez", "BEZ", "bez"]],
+  },
+];
+
+/** The files that the command line writes when it converts the first of some files, by name. */
+async function converted(files, code, extension) {
+  const folder = await mkdtemp(join(tmpdir(), "meshwright-"));
+  try {
+    for (const { name, content } of files) await writeFile(join(folder, name), content);
+    const stem = files[0].name.replace(/\.\w+$/, "");
+    const out = join(folder, "out");
+    await mkdir(out);
+    const target = join(out, `${stem}.${extension}`);
+    await promisify(execFile)(cli, ["convert", join(folder, files[0].name), target, "--format", code]);
+    const names = await readdir(out);
+    return new Map(await Promise.all(names.map(async (name) => [name, await readFile(join(out, name))])));
+  } finally {
+    await rm(folder, { recursive: true });
+  }
+}
+
+editorTest("every format has the bytes of the command line", once, async (editor) => {
+  // All formats that the command line knows are compared.
+  const { stderr } = await promisify(execFile)(cli, ["convert", "a.obj", "b", "--format", "?"]).catch((error) => error);
+  const codes = stderr.match(/the codes are (.*)/)[1].split(", ").toSorted();
+  assert.deepEqual(DOCUMENTS.flatMap(({ formats }) => formats.map(([code]) => code)).toSorted(), codes);
+
+  for (const { files, formats } of DOCUMENTS) {
+    await editor.drop(...files);
+    const stem = files[0].name.replace(/\.\w+$/, "");
+    await editor.until(`${stem} is open`, async () => (await editor.state()).document.name === stem);
+    for (const [code, name, extension] of formats) {
+      const expected = await converted(files, code, extension);
+      const saved = await downloads(editor, expected.size, async () => {
+        await editor.press("Control+s");
+        await editor.click("Format", "comboBox");
+        await editor.click(name, "button");
+        await editor.click("Save", "button");
+      });
+      assert.deepEqual(saved.map((file) => file.name).toSorted(), [...expected.keys()].toSorted(), code);
+      for (const file of saved) {
+        assert.ok(file.content.equals(expected.get(file.name)), `${code}: ${file.name} differs`);
+      }
+    }
   }
 });
 

@@ -24,3 +24,6 @@ export const site = resolve(project, process.env.MESHWRIGHT_SITE ?? "dist");
 
 /** The folder of the screenshots. */
 export const shots = resolve(project, process.env.MESHWRIGHT_SHOTS ?? "target/screenshots");
+
+/** The program `meshwright`, which `cargo xtask test --only e2e` builds. */
+export const cli = resolve(project, process.env.MESHWRIGHT_CLI ?? "target/debug/meshwright");

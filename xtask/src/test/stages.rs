@@ -1,5 +1,6 @@
 //! The stages of `cargo xtask test`.
 
+use std::env::consts::EXE_SUFFIX;
 use std::path::PathBuf;
 use std::process::Command;
 
@@ -161,8 +162,15 @@ fn test_in_browser(project: &Project, wasm: &WasmToolchain) -> Command {
     test
 }
 
-/// The Cargo runs of the stages, each with its name, so far as they compile.
-pub fn builds(project: &Project, wasm: &WasmToolchain) -> [(&'static str, Command); 5] {
+/// Builds the command line, whose files the page's are compared with.
+fn command_line(project: &Project) -> Command {
+    let mut build = cargo(project);
+    build.args(["build", "-p", "meshwright"]);
+    build
+}
+
+/// The Cargo runs of the stages, each with its name, as far as they compile.
+pub fn builds(project: &Project, wasm: &WasmToolchain) -> [(&'static str, Command); 6] {
     let mut native = cargo(project);
     native.args(["test", "--workspace", "--no-run"]);
     let mut in_browser = test_in_browser(project, wasm);
@@ -173,12 +181,14 @@ pub fn builds(project: &Project, wasm: &WasmToolchain) -> [(&'static str, Comman
         ("native", native),
         ("wasm", in_browser),
         ("e2e", test_page::cargo_build(project, wasm)),
+        ("e2e, command line", command_line(project)),
     ]
 }
 
 fn e2e(project: &Project, tools: &Tools, rest: &[String], count: &mut Count) -> Result {
     let site = project.site("test");
     test_page::build(project, tools.wasm()?, &site)?;
+    shell::run(&mut command_line(project))?;
     let folder = project.root.join("tests");
     let files = shell::entries(&folder).into_iter().filter(|path| {
         let name = path.file_name().unwrap_or_default().to_string_lossy();
@@ -193,6 +203,7 @@ fn e2e(project: &Project, tools: &Tools, rest: &[String], count: &mut Count) -> 
     node.arg("--test-reporter=spec").arg(folder.join("run.mjs")).args(files).current_dir(&folder);
     node.env("MESHWRIGHT_TOOLS", &project.tools)
         .env("MESHWRIGHT_SITE", site)
+        .env("MESHWRIGHT_CLI", project.target.join("debug").join(format!("meshwright{EXE_SUFFIX}")))
         .env("MESHWRIGHT_SHOTS", project.target.join("screenshots"))
         .env("MESHWRIGHT_CHROMIUM", &tools.browser()?.path)
         .env("NO_COLOR", "1")
