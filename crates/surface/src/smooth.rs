@@ -46,7 +46,7 @@ pub fn smooth(mesh: &Mesh, options: &Smooth, progress: &mut Progress<'_>) -> Res
     check_iterations(options.iterations, MAX_SMOOTH_ITERATIONS)?;
     let mut pace = Pace::new(progress);
     pace.at(0.0)?;
-    let compact = mesh.to_compact();
+    let compact = mesh.to_compact().into_owned();
     let mut now: Vec<DVec3> = compact.positions().iter().map(|p| p.as_dvec3()).collect();
     let mut later = now.clone();
     let back = 1.0 / (TAUBIN_PASS_BAND - 1.0 / options.strength);
@@ -68,7 +68,7 @@ pub fn smooth(mesh: &Mesh, options: &Smooth, progress: &mut Progress<'_>) -> Res
             std::mem::swap(&mut now, &mut later);
         }
     }
-    let mut raw = compact.into_owned().into_raw();
+    let mut raw = compact.into_raw();
     // Where nothing moved, positions stay as they were to the bit.
     for (position, moved) in raw.positions.iter_mut().zip(now) {
         *position = moved.as_vec3();

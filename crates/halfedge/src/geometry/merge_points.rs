@@ -80,9 +80,9 @@ impl<'a> PointMerger<'a> {
             let here = self.cell_of(p);
             let mut own = 0;
             let mut nearest = (self.distance * self.distance, NONE);
-            for (dx, dy) in (-1..=1).flat_map(|dx| (-1..=1).map(move |dy| (dx, dy))) {
+            for column in 0..9 {
                 // Three cells along z have neighbouring keys.
-                let low = here + I64Vec3::new(dx, dy, -1);
+                let low = here + I64Vec3::new(column / 3 - 1, column % 3 - 1, -1);
                 let first = key(low);
                 let start = self.cells.partition_point(|&key| key < first);
                 for (at, _) in (start..).zip(self.cells[start..].iter().take_while(|&&key| key <= first + 2))

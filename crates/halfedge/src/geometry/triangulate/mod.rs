@@ -105,8 +105,14 @@ impl PolygonTriangulator {
             return true;
         }
         let normal = polygon_area_vector(corners.iter().copied());
-        if fans && self.cut_fan(corners, normal, &allowed) {
-            return true;
+        if fans {
+            let is_cut = match *corners {
+                [a, b, c, d] => self.cut_quad([a, b, c, d], normal, &allowed),
+                _ => self.cut_fan(corners, normal, &allowed),
+            };
+            if is_cut {
+                return true;
+            }
         }
         if self.clipper.clip(corners, normal, &allowed, &mut self.triangles) {
             return true;
@@ -129,29 +135,34 @@ impl PolygonTriangulator {
         self.triangles.iter().all(|&[a, b, c]| may_join(a, b) && may_join(b, c) && may_join(c, a))
     }
 
-    /// Cuts a quad, or a small polygon into a fan; whether that is right and allowed.
+    /// Cuts a quad along the better diagonal, or the other one if only that is allowed; whether one is.
+    #[inline]
+    fn cut_quad(&mut self, [a, b, c, d]: [Vec3; 4], normal: DVec3, allowed: &impl Allowed) -> bool {
+        let by_first = facing([a, b, c], normal).min(facing([a, c, d], normal));
+        let is_first =
+            !(by_first <= 0.0 && facing([a, b, d], normal).min(facing([b, c, d], normal)) > by_first);
+        let is_first = is_first && allowed(0, 2) || !allowed(1, 3);
+        self.triangles.extend(if is_first { [[0, 1, 2], [0, 2, 3]] } else { [[0, 1, 3], [1, 2, 3]] });
+        !is_first || allowed(0, 2)
+    }
+
+    /// Cuts a small polygon into a fan; whether that is right and allowed.
     fn cut_fan(&mut self, corners: &[Vec3], normal: DVec3, allowed: &impl Allowed) -> bool {
         let count = corners.len() as u32;
-        let facing = |triangle: &[u32; 3]| {
-            let [a, b, c] = triangle.map(|i| corners[i as usize].as_dvec3());
-            (b - a).cross(c - a).dot(normal)
-        };
         let fan = (2..count).map(|i| [0, i - 1, i]);
-        if count == 4 {
-            let (first, other) = ([[0, 1, 2], [0, 2, 3]], [[0, 1, 3], [1, 2, 3]]);
-            let least = |halves: &[[u32; 3]; 2]| facing(&halves[0]).min(facing(&halves[1]));
-            let by_first = least(&first);
-            let is_first = !(by_first <= 0.0 && least(&other) > by_first);
-            let is_first = is_first && allowed(0, 2) || !allowed(1, 3);
-            self.triangles.extend(if is_first { first } else { other });
-            return !is_first || allowed(0, 2);
-        }
         let is_right = corners.len() <= MAX_FAN_CORNERS
-            && fan.clone().all(|triangle| facing(&triangle) > 0.0)
+            && fan.clone().all(|triangle| facing(triangle.map(|i| corners[i as usize]), normal) > 0.0)
             && (2..count - 1).all(|i| allowed(0, i));
         if is_right {
             self.triangles.extend(fan);
         }
         is_right
     }
+}
+
+/// How far a triangle faces along a normal: less than zero where it faces away.
+#[inline]
+fn facing(corners: [Vec3; 3], normal: DVec3) -> f64 {
+    let [a, b, c] = corners.map(|p| p.as_dvec3());
+    (b - a).cross(c - a).dot(normal)
 }
