@@ -28,6 +28,8 @@ struct Points {
     limit: f64,
     /// The most parts that a side is divided into.
     max_parts: u32,
+    /// The weights of a triangle's points, by the number of parts of its sides.
+    weights: Vec<Vec<[u32; 3]>>,
     /// The number of points per triangle.
     slots: u32,
 }
@@ -36,7 +38,9 @@ impl Points {
     fn new(input: TriMesh, limit: f64) -> Self {
         // Few triangles are large and need more points; of many, the centroids are close enough.
         let max_parts = (WANTED_POINTS / input.faces.max(1) as f64).sqrt().clamp(2.0, 8.0) as u32;
-        Self { input, limit, max_parts, slots: weights(max_parts).count() as u32 }
+        let weights: Vec<Vec<[u32; 3]>> = (0..=max_parts).map(|parts| weights(parts).collect()).collect();
+        let slots = weights.last().map_or(0, Vec::len) as u32;
+        Self { input, limit, max_parts, weights, slots }
     }
 
     /// The number of points.
@@ -50,17 +54,16 @@ impl Points {
     }
 
     /// The weights of a triangle's points, except its corners.
-    fn weights_in(&self, places: &[DVec3; 3]) -> impl Iterator<Item = [u32; 3]> + use<> {
+    fn weights_in(&self, places: &[DVec3; 3]) -> &[[u32; 3]] {
         let parts = if self.max_parts == 2 { 2 } else { parts(places, self.limit).clamp(2, self.max_parts) };
-        weights(parts)
+        &self.weights[parts as usize]
     }
 
     /// The position of a point.
     fn at(&self, point: u32) -> DVec3 {
         let Some(inside) = point.checked_sub(self.first_of(0)) else { return self.input.at(point) };
         let places = self.input.places(inside / self.slots);
-        let weights = self.weights_in(&places).nth((inside % self.slots) as usize);
-        weighted_mean(places, weights.unwrap_or(CENTROID))
+        weighted_mean(places, self.weights_in(&places)[(inside % self.slots) as usize])
     }
 
     /// Calls `put` with the points of a triangle; points shared with others are passed for one of them only.
@@ -72,7 +75,7 @@ impl Points {
             }
         }
         let places = self.input.places(f);
-        for (point, weights) in (self.first_of(f)..).zip(self.weights_in(&places)) {
+        for (point, &weights) in (self.first_of(f)..).zip(self.weights_in(&places)) {
             let [i, j, k] = weights;
             let side = [(k, 0), (i, 1), (j, 2)].into_iter().find(|(weight, _)| *weight == 0);
             if side.is_none_or(|(_, side)| 3 * f + side < self.input.opp(3 * f + side)) {
@@ -317,14 +320,11 @@ fn parts(triangle: &[DVec3; 3], distance: f64) -> u32 {
     (longest_side(triangle) / distance).ceil() as u32
 }
 
-/// The weights of a triangle's centroid.
-const CENTROID: [u32; 3] = [1, 1, 1];
-
 /// The weights of a triangle's centroid and of the grid points that divide its sides into equal parts, except its
 /// corners. Points near the first corner, which is the one that moved, come first.
 fn weights(parts: u32) -> impl Iterator<Item = [u32; 3]> {
     let grid = (0..=parts).rev().flat_map(move |i| (0..=parts - i).map(move |j| [i, j, parts - i - j]));
-    std::iter::once(CENTROID).chain(grid.filter(move |weights| !weights.contains(&parts)))
+    std::iter::once([1, 1, 1]).chain(grid.filter(move |weights| !weights.contains(&parts)))
 }
 
 fn weighted_mean([a, b, c]: [DVec3; 3], [i, j, k]: [u32; 3]) -> DVec3 {
