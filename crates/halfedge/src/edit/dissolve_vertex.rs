@@ -4,16 +4,18 @@
 //!   corners different exactly where each two of the faces share no more than a row of edges.
 //! - Inside, with two: both faces stay and lose the corner; the two edges become one. This undoes
 //!   a split. Triangles have no corner to lose and refuse.
-//! - On the boundary: the outline without the vertex, whose two boundary neighbours are joined by
-//!   a new edge; a lone triangle has no corner to lose and refuses.
+//! - On the boundary: the outline without the vertex, whose two boundary neighbours are joined by an
+//!   edge: one that was at the vertex if it had only one face, else a new one. A lone triangle has no
+//!   corner to lose and refuses.
 //!
 //! What would duplicate an edge, or leave another vertex with no face, is refused.
 
+use crate::attribute::keys;
 use crate::edit::patch::{Corner, Patch, Plan, plan};
 use crate::edit::region::outline;
 use crate::edit::{Made, Refusal};
 use crate::mesh::Mesh;
-use crate::{FaceId, VertexId};
+use crate::{FaceId, HalfedgeId, VertexId};
 use rustc_hash::FxHashSet;
 
 /// Whether [`dissolve_vertex`] would succeed.
@@ -53,7 +55,16 @@ fn plan_dissolve(mesh: &Mesh, vertex: VertexId) -> Result<Plan, Refusal> {
         patch.remove.extend(faces.iter().copied().filter(|&face| face != keep));
         let mut corners = Vec::new();
         for h in outline(mesh, &faces)?.into_iter().filter(|&h| mesh.from(h) != vertex) {
-            let like = Some(h).filter(|&h| mesh.to(h) != vertex);
+            let like = if mesh.to(h) != vertex {
+                Some(h)
+            } else if faces.len() == 1 {
+                // The two edges become one, the sharper.
+                let after = mesh.next(h);
+                let crease = |h: HalfedgeId| mesh.get(keys::EDGE_CREASE, h.edge().index());
+                Some(if crease(after) > crease(h) { after } else { h })
+            } else {
+                None
+            };
             corners.push(Corner { like, ..Corner::keep(mesh, h) });
         }
         corners_left = corners.len();

@@ -22,6 +22,22 @@ pub struct Made {
 }
 
 impl Made {
+    /// Adds what a later edit made and took away. What was only there in between is in no list.
+    pub(crate) fn add(&mut self, later: Self) {
+        fn add<T: Copy + PartialEq>(made: &mut Vec<T>, removed: &mut Vec<T>, more: Vec<T>, gone: Vec<T>) {
+            made.extend(more);
+            for id in gone {
+                match made.iter().rposition(|&new| new == id) {
+                    Some(at) => _ = made.remove(at),
+                    None => removed.push(id),
+                }
+            }
+        }
+        add(&mut self.vertices, &mut self.removed_vertices, later.vertices, later.removed_vertices);
+        add(&mut self.edges, &mut self.removed_edges, later.edges, later.removed_edges);
+        add(&mut self.faces, &mut self.removed_faces, later.faces, later.removed_faces);
+    }
+
     /// By how much the edit changed [`Mesh::euler_characteristic`].
     pub fn euler_change(&self) -> i64 {
         let change = |made: usize, removed: usize| made as i64 - removed as i64;

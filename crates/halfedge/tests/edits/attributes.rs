@@ -52,7 +52,7 @@ fn values_that_follow_positions_still_do() {
             split_vertex(m, v(6), [edges[0], edges[2]], Some([here, here])).unwrap();
         }),
         ("dissolve vertex", |m| drop(dissolve_vertex(m, v(6)).unwrap())),
-        ("dissolve edge", |m| drop(dissolve_edge(m, he(m, 6, 7).edge()).unwrap())),
+        ("dissolve edge", |m| drop(dissolve_edges(m, &[he(m, 6, 7).edge()], true).unwrap())),
         ("poke", |m| drop(poke_faces(m, &[FaceId::new(3)]).unwrap())),
         ("loop cut", |m| drop(loop_cut(m, he(m, 6, 7).edge(), 3, 0.3).unwrap())),
         ("bevel", |m| drop(bevel_edges(m, &[he(m, 6, 7).edge(), he(m, 7, 8).edge()], 2).unwrap())),

@@ -1,5 +1,6 @@
 //! Dissolve vertex and edge, delete faces and vertices, poke, connect.
 
+use crate::random::Random;
 use crate::zoo::{self, he, v};
 use halfedge::edit::*;
 use halfedge::{EdgeId, FaceId, Mesh, Refusal};
@@ -10,7 +11,7 @@ fn counts(mesh: &Mesh) -> [usize; 3] {
 }
 
 fn dissolvable(mesh: &Mesh) -> Option<EdgeId> {
-    mesh.edges().find(|&e| can_dissolve_edge(mesh, e).is_ok())
+    mesh.edges().find(|&e| can_dissolve_edges(mesh, &[e]).is_ok())
 }
 
 #[test]
@@ -18,7 +19,7 @@ fn dissolving_an_edge_merges_two_faces() {
     let mut mesh = zoo::cube();
     let edge = he(&mesh, 0, 1).edge();
     let keeps = mesh.face_of(edge.halfedge()).unwrap();
-    let made = dissolve_edge(&mut mesh, edge).unwrap();
+    let made = dissolve_edges(&mut mesh, &[edge], true).unwrap();
     assert_eq!((made.removed_edges.as_slice(), made.removed_faces.len()), (&[edge][..], 1));
     assert_eq!(counts(&mesh), [8, 11, 5]);
     assert_eq!(mesh.face_degree(keeps), 6);
@@ -29,7 +30,7 @@ fn faces_that_meet_along_a_row_of_edges_merge_and_lose_it_all() {
     let mut mesh = zoo::cube();
     let edge = he(&mesh, 0, 1).edge();
     let split = split_edge(&mut mesh, edge, 0.5, Connect::None).unwrap();
-    let made = dissolve_edge(&mut mesh, split.edges[0]).unwrap();
+    let made = dissolve_edges(&mut mesh, &[split.edges[0]], true).unwrap();
     assert_eq!(made.removed_vertices, [split.vertex]);
     assert_eq!(counts(&mesh), [8, 11, 5]);
 }
@@ -42,21 +43,130 @@ fn faces_that_meet_along_two_edges_apart_are_refused() {
     // The front's middle (0 3 4 7) and the back meet along 3 4 and 7 0.
     for (a, b) in [(3, 4), (7, 0)] {
         let edge = he(&mesh, a, b).edge();
-        assert!(matches!(can_dissolve_edge(&mesh, edge), Err(Refusal::NotADisc(_))));
+        assert!(matches!(can_dissolve_edges(&mesh, &[edge]), Err(Refusal::NotADisc(_))));
     }
     // The front's ends each meet the back along one row.
     for (a, b) in [(0, 1), (1, 2), (5, 6)] {
-        can_dissolve_edge(&mesh, he(&mesh, a, b).edge()).unwrap();
+        can_dissolve_edges(&mesh, &[he(&mesh, a, b).edge()]).unwrap();
     }
     // Merging faces of a torus for as long as that is allowed never cuts its handle: two faces that
     // meet along three rows have an outline of one loop, and are no disc.
     let mut mesh = zoo::complete_torus();
     while let Some(edge) = dissolvable(&mesh) {
-        dissolve_edge(&mut mesh, edge).unwrap();
+        dissolve_edges(&mut mesh, &[edge], true).unwrap();
         mesh.validate().unwrap();
         assert_eq!(mesh.euler_characteristic(), 0);
     }
     assert!(mesh.face_count() >= 2);
+}
+
+/// A prism on a regular octagon, its 8 sides cut halfway up.
+fn cut_prism() -> (Mesh, Vec<EdgeId>) {
+    let n = 8;
+    let ring = |z: f32| {
+        (0..n).map(move |i| glam::Vec3::from((glam::Vec2::from_angle(i as f32 / n as f32 * 6.2831855), z)))
+    };
+    let mut faces: Vec<Vec<u32>> = vec![(0..n).rev().collect(), (n..2 * n).collect()];
+    faces.extend((0..n).map(|i| vec![i, (i + 1) % n, n + (i + 1) % n, n + i]));
+    let mut mesh = zoo::mesh(ring(0.0).chain(ring(1.0)).collect(), &faces);
+    let upright = he(&mesh, 0, n as usize).edge();
+    let made = loop_cut(&mut mesh, upright, 1, 0.5).unwrap();
+    let cut: Vec<EdgeId> =
+        made.edges.into_iter().filter(|&e| mesh.ends(e).iter().all(|v| v.index() >= 16)).collect();
+    assert_eq!((cut.len(), counts(&mesh)), (8, [24, 40, 18]));
+    (mesh, cut)
+}
+
+#[test]
+fn dissolving_a_loop_cut_takes_its_vertices_too() {
+    let (start, cut) = cut_prism();
+    let mut mesh = start.clone();
+    let made = dissolve_edges(&mut mesh, &cut, false).unwrap();
+    assert_eq!(counts(&mesh), [16, 24, 10]);
+    assert_eq!((made.removed_vertices.len(), made.removed_edges.len()), (8, 16));
+    assert!(made.edges.is_empty());
+    let mut mesh = start.clone();
+    dissolve_edges(&mut mesh, &cut, true).unwrap();
+    assert_eq!(counts(&mesh), [24, 32, 10]);
+    // One by one, as separate edits.
+    let mut mesh = start.clone();
+    for &edge in &cut {
+        dissolve_edges(&mut mesh, &[edge], false).unwrap();
+    }
+    assert_eq!(counts(&mesh), [16, 24, 10]);
+    // All but one: the ends of that one have three edges.
+    let mut mesh = start;
+    dissolve_edges(&mut mesh, &cut[1..], false).unwrap();
+    assert_eq!(counts(&mesh), [18, 27, 11]);
+}
+
+#[test]
+fn vertices_count_when_all_edges_are_gone() {
+    // Two of the four edges at the middle, one after the other: if the middle went after the first two, the
+    // third could be lost in the fourth.
+    let mut mesh = zoo::grid(2, 2);
+    let spokes = [(4, 5), (4, 7), (4, 3)].map(|(a, b)| he(&mesh, a, b).edge());
+    let made = dissolve_edges(&mut mesh, &spokes, false).unwrap();
+    assert_eq!(made.removed_faces.len(), 3);
+    // The middle goes with its last edge, and the ends of the spokes lie on the boundary with two edges left.
+    assert_eq!(counts(&mesh), [4, 4, 1]);
+    // Ends that had two edges before, and those of no dissolved edge, stay.
+    let mut mesh = zoo::grid(3, 1);
+    let across = he(&mesh, 1, 5).edge();
+    split_edge(&mut mesh, he(&zoo::grid(3, 1), 0, 4).edge(), 0.5, Connect::None).unwrap();
+    dissolve_edges(&mut mesh, &[across], false).unwrap();
+    assert_eq!(counts(&mesh), [7, 8, 2]);
+    // A triangle can't lose its corner, so the vertex stays.
+    let mut mesh = zoo::triangle_grid(1, 1);
+    let diagonal = he(&mesh, 0, 3).edge();
+    dissolve_edges(&mut mesh, &[diagonal], false).unwrap();
+    assert_eq!(counts(&mesh), [3, 3, 1]);
+}
+
+#[test]
+fn regions_dissolve_as_wholes() {
+    let start = zoo::grid(5, 5);
+    let edges = |pairs: &[(usize, usize)]| -> Vec<EdgeId> {
+        pairs.iter().map(|&(a, b)| he(&start, a, b).edge()).collect()
+    };
+    // The eight faces round the one in the middle are a ring; with the middle they are a disc.
+    let ring = edges(&[(8, 14), (9, 15), (20, 26), (21, 27), (13, 14), (19, 20), (15, 16), (21, 22)]);
+    assert!(matches!(can_dissolve_edges(&start, &ring), Err(Refusal::NotADisc(_))));
+    let middle = edges(&[(14, 15), (15, 21), (20, 21), (14, 20)]);
+    // Another region apart from it.
+    let all: Vec<EdgeId> = ring.into_iter().chain(middle).chain(edges(&[(1, 7)])).collect();
+    for (keep_vertices, expected) in [(true, [32, 47, 16]), (false, [31, 46, 16])] {
+        let mut mesh = start.clone();
+        dissolve_edges(&mut mesh, &all, keep_vertices).unwrap();
+        assert_eq!(counts(&mesh), expected);
+    }
+}
+
+#[test]
+fn dissolving_at_once_is_dissolving_one_by_one() {
+    let mut same = 0;
+    for (seed, (name, start)) in (1..40).flat_map(|seed| zoo::all().into_iter().map(move |m| (seed, m))) {
+        let mut random = Random::new(seed);
+        let inner: Vec<EdgeId> = start.edges().filter(|&e| !start.is_boundary_edge(e)).collect();
+        let edges: Vec<EdgeId> = (0..=random.below(6)).filter_map(|_| random.pick(&inner)).collect();
+        let mut one_by_one = start.clone();
+        let mut is_refused = edges.is_empty();
+        for &edge in &edges {
+            is_refused |=
+                one_by_one.has_edge(edge) && dissolve_edges(&mut one_by_one, &[edge], true).is_err();
+        }
+        if is_refused {
+            continue;
+        }
+        let mut at_once = start.clone();
+        dissolve_edges(&mut at_once, &edges, true).unwrap();
+        let faces = |mesh: &Mesh| -> Vec<_> {
+            mesh.faces().map(|f| (f, mesh.face_halfedges(f).collect::<Vec<_>>())).collect()
+        };
+        assert_eq!(faces(&at_once), faces(&one_by_one), "{name}, seed {seed}: {edges:?}");
+        same += 1;
+    }
+    assert!(same > 100, "{same}");
 }
 
 #[test]
@@ -68,12 +178,12 @@ fn dissolving_down_to_two_faces() {
         assert!(matches!(can_dissolve_vertex(&mesh, vertex), Err(Refusal::TooFewCorners(_))));
     }
     for edge in mesh.edges() {
-        assert!(matches!(can_dissolve_edge(&mesh, edge), Err(Refusal::NotADisc(_))));
+        assert!(matches!(can_dissolve_edges(&mesh, &[edge]), Err(Refusal::NotADisc(_))));
     }
     // The cube, edge by edge, ends with two faces as well.
     let mut mesh = zoo::cube();
     while let Some(edge) = dissolvable(&mesh) {
-        dissolve_edge(&mut mesh, edge).unwrap();
+        dissolve_edges(&mut mesh, &[edge], true).unwrap();
         mesh.validate().unwrap();
         assert_eq!(mesh.euler_characteristic(), 2);
     }

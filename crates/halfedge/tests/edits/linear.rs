@@ -113,7 +113,7 @@ fn flat_meshes() -> Vec<(&'static str, Mesh)> {
     let mut corners = zoo::grid(4, 3);
     for (a, b) in [(6, 11), (6, 7), (12, 13)] {
         let edge = zoo::he(&corners, a, b).edge();
-        halfedge::edit::dissolve_edge(&mut corners, edge).unwrap();
+        halfedge::edit::dissolve_edges(&mut corners, &[edge], true).unwrap();
     }
     // A round table: its top has 60 corners and half of them spokes to the rim.
     let n = 60;

@@ -163,12 +163,19 @@ pub fn one_edit(mesh: &mut Mesh, random: &mut Random, kind: usize) -> Tried {
             |m| dissolve_vertex(m, vertex),
             |made| Said::made(made).same(),
         ),
-        6 => both(
-            mesh,
-            |m| can_dissolve_edge(m, edge),
-            |m| dissolve_edge(m, edge),
-            |made| Said::made(made).same(),
-        ),
+        6 => {
+            let inner: Vec<EdgeId> =
+                all.edges.iter().copied().filter(|&e| !mesh.is_boundary_edge(e)).collect();
+            let from = if random.below(10) == 0 { &all.edges } else { &inner };
+            let edges: Vec<EdgeId> = (0..=random.below(4)).filter_map(|_| random.pick(from)).collect();
+            let keep_vertices = random.below(2) == 0;
+            both(
+                mesh,
+                |m| can_dissolve_edges(m, &edges),
+                |m| dissolve_edges(m, &edges, keep_vertices),
+                |made| Said::made(made).same(),
+            )
+        }
         7 => {
             let some: Vec<FaceId> = if all.faces.len() > 100 {
                 all.faces.iter().copied().filter(|_| random.below(2) == 0).collect()

@@ -1,17 +1,34 @@
-//! `dissolve-edge`: remove an edge and merge its faces.
+//! `dissolve-edge`: remove edges and merge their faces.
 
 use crate::error::Problem;
-use crate::ops::refs::one;
-use crate::ops::{Action, EdgeRef, Family, Field, LocalEdit, Operation, Scope, Selected, Slot, Spec};
-use halfedge::{Element, Mesh, edit};
+use crate::ops::refs::{all, count, one};
+use crate::ops::{
+    Action, Default as Or, EdgeRef, Family, Field, FieldKind, LocalEdit, Operation, Scope, Selected, Slot,
+    Spec,
+};
+use halfedge::{EdgeId, Element, Mesh, edit};
 use serde::{Deserialize, Serialize};
 
-/// Remove an edge and merge its two faces into one polygon.
+/// Remove edges and merge the faces beside them into one polygon.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct DissolveEdge {
-    /// The edge; each selected one in turn when left out.
+    /// One edge.
     pub edge: Option<EdgeRef>,
+    /// Several edges, dissolved together; the selected ones when both are left out.
+    pub edges: Option<Vec<EdgeRef>>,
+    /// Whether vertices that are left with two edges stay.
+    pub keep_vertices: bool,
+}
+
+impl DissolveEdge {
+    fn find(&self, mesh: &Mesh) -> Result<Vec<EdgeId>, Problem> {
+        let mut edges = all(&self.edges, "edges", mesh)?;
+        if self.edge.is_some() || self.edges.is_none() {
+            edges.push(one(self.edge, "edge", mesh)?);
+        }
+        Ok(edges)
+    }
 }
 
 impl Operation for DissolveEdge {
@@ -19,13 +36,23 @@ impl Operation for DissolveEdge {
         Scope::Elements,
         "dissolve-edge",
         "Dissolve edge",
-        "Remove an edge and merge its two faces into one polygon.",
+        "Remove edges and merge the faces beside them into one polygon.",
     )
     .family(Family::Delete)
-    .fields(&[Field::one("edge", Element::Edge, Selected::Each, "The edge to dissolve")]);
+    .fields(&[
+        Field::one("edge", Element::Edge, Selected::Each, "The edge to dissolve")
+            .optional("those of `edges`"),
+        Field::many("edges", Element::Edge, Selected::All, "The edges to dissolve together"),
+        Field::required(
+            "keep_vertices",
+            FieldKind::Flag,
+            "Whether vertices that are left with two edges stay",
+        )
+        .or(Or::Flag(false)),
+    ]);
 
     fn elements(&mut self) -> Vec<Slot<'_>> {
-        vec![Slot::Edge(&mut self.edge)]
+        vec![Slot::Edge(&mut self.edge), Slot::Edges(&mut self.edges)]
     }
 
     fn action(&self) -> Action<'_> {
@@ -35,19 +62,15 @@ impl Operation for DissolveEdge {
 
 impl LocalEdit for DissolveEdge {
     fn can(&self, mesh: &Mesh) -> Result<(), Problem> {
-        Ok(edit::can_dissolve_edge(mesh, one(self.edge, "edge", mesh)?)?)
+        Ok(edit::can_dissolve_edges(mesh, &self.find(mesh)?)?)
     }
 
     fn edit(&self, mesh: &mut Mesh, _notes: &mut Vec<String>) -> Result<(), Problem> {
-        edit::dissolve_edge(mesh, one(self.edge, "edge", mesh)?)?;
+        edit::dissolve_edges(mesh, &self.find(mesh)?, self.keep_vertices)?;
         Ok(())
     }
 
-    fn is_moot(&self, mesh: &Mesh) -> bool {
-        one(self.edge, "edge", mesh).is_err()
-    }
-
     fn cost(&self, _mesh: &Mesh) -> usize {
-        1
+        count(&self.edges, 1)
     }
 }
