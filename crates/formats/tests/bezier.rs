@@ -92,6 +92,33 @@ fn what_is_wrong_is_named_with_its_line() {
 }
 
 #[test]
+fn what_comes_before_an_unreadable_word_is_read() {
+    let points = "0 1\n2 3\n4 5\n";
+    let import = read_text("a.bzc", &format!("3\n{points}end\n6 7"));
+    assert_eq!(controls(&import).points().len(), 3);
+    let warnings: Vec<&str> = import.report.warnings().collect();
+    assert_eq!(warnings, ["Everything from there on is left out: line 5: “end” is not a number that fits"]);
+    // Six readable numbers are two points in space here, not three in the plane.
+    assert!(error("a.bzc", "3\n1 2 3\n4 5 6\nx 8 9").contains("line 4: “x” is not a number"));
+    let text = String::from_utf8(write(by_code("bez"), &surface(2))[0].bytes.clone()).expect("ASCII");
+    let broken = text.trim_end().rsplit_once(' ').expect("numbers").0.to_owned() + " ?";
+    let import = read_text("a.bez", &broken);
+    assert_eq!(controls(&import), &surface(1));
+    assert!(import.report.to_string().contains("1 of 2 patches are there"), "{}", import.report);
+    assert!(import.report.to_string().contains("“?” is not a number"), "{}", import.report);
+}
+
+#[test]
+fn utf_16_is_read() {
+    let text = String::from_utf8(write(by_code("bez"), &surface(2))[0].bytes.clone()).expect("ASCII");
+    for mark in [&b"\xff\xfe"[..], b""] {
+        let wide = [mark, &text.encode_utf16().flat_map(u16::to_le_bytes).collect::<Vec<u8>>()].concat();
+        let import = read(&[NamedBytes::new("pasted", wide)]).expect("detected");
+        assert_eq!(controls(&import), &surface(2));
+    }
+}
+
+#[test]
 fn a_curve_may_have_any_number_of_control_points() {
     let text: String = (0..30_000).map(|i| format!("\n{i} {}", i % 7)).collect();
     let import = read_text("a.bzc", &format!("30000{text}"));

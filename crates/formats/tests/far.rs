@@ -136,3 +136,31 @@ fn files_opened_together_share_an_offset() {
         |object: usize| f64::from(import.model.objects[object].mesh.positions()[0].x) + import.model.offset.x;
     assert!((x(1) - x(0) - 1000.0).abs() < 1e-4, "{} {}", x(0), x(1));
 }
+
+#[test]
+fn control_points_share_the_offset_and_get_it_back() {
+    let text = |z: &str| -> String {
+        (0..16)
+            .map(|i| format!("{} {}{z}\n", 5_000_000.125 + f64::from(i % 4), -3.5 + f64::from(i / 4)))
+            .collect()
+    };
+    for (name, count, z) in [("a.bez", 1, " 0.5"), ("a.bzc", 16, ""), ("a.bzc", 16, " 0.5")] {
+        let text = format!("{count}\n{}", text(z));
+        let import = read(&[NamedBytes::new(name, text.as_str())]).expect("readable");
+        let offset = import.model.offset;
+        assert!(offset.x > 4e6 && (offset.y, offset.z) == (0.0, 0.0), "{offset}");
+        let format = formats::Format::from_name(name).expect("a format");
+        let written = formats::write(format, &import.model).expect("control points").remove(0);
+        let numbers = |text: &str| -> Vec<f64> {
+            text.split_whitespace().map(|word| word.parse().expect("a number")).collect()
+        };
+        assert_eq!(numbers(common::text(&written)), numbers(&text), "{name}");
+    }
+    // With a mesh that lies there, too.
+    let curve = "2\n4458321.125 5412000.5\n4458322.25 5412001.75\n";
+    let import =
+        read(&[NamedBytes::new("roof.obj", obj()), NamedBytes::new("a.bzc", curve)]).expect("readable");
+    assert_ne!(import.model.offset, DVec3::ZERO);
+    let written = formats::write(by_code("bzc"), &import.model).expect("a curve").remove(0);
+    assert_eq!(common::text(&written), curve);
+}

@@ -1,9 +1,9 @@
-//! Bezier curves (`.bzc`) and surfaces (`.bez`) as the CS184 course has them: text, a count, then
-//! the control points.
+//! Bezier curves (`.bzc`) and surfaces (`.bez`) in the formats of the CS184 course: text, a count, then the
+//! control points.
 //!
-//! A curve is its number of control points, then `x y` for each; `x y z` is understood too, since
-//! the count tells the two apart. A surface is its number of patches, then 16 points `x y z` for
-//! each, row by row. These files hold control points and no mesh: the editor makes one.
+//! A curve is the number of its control points, then `x y` for each, or `x y z`: the count tells which. A
+//! surface is the number of its patches, then 16 points `x y z` for each, row by row. These files hold
+//! control points and no mesh: the editor makes one.
 
 mod read;
 mod write;
@@ -20,7 +20,9 @@ pub(crate) static CURVES: FormatInfo = FormatInfo {
     extensions: &["bzc"],
     holds: Holds::Curves,
     detect: Some((Certainty::Numbers, |bytes| read::kind(bytes) == Some(Kind::Curve))),
-    read: Some(|source, _, progress| read::read(source.file, Kind::Curve, progress).map(Into::into)),
+    read: Some(|source, reading, progress| {
+        read::read(source.file, Kind::Curve, reading, progress).map(Into::into)
+    }),
     write: Some(|model| Ok(write::write_curves(model))),
     ..FormatInfo::DEFAULT
 };
@@ -34,7 +36,9 @@ pub(crate) static SURFACES: FormatInfo = FormatInfo {
     extensions: &["bez"],
     holds: Holds::Surfaces,
     detect: Some((Certainty::Numbers, |bytes| read::kind(bytes) == Some(Kind::Surface))),
-    read: Some(|source, _, progress| read::read(source.file, Kind::Surface, progress).map(Into::into)),
+    read: Some(|source, reading, progress| {
+        read::read(source.file, Kind::Surface, reading, progress).map(Into::into)
+    }),
     write: Some(|model| Ok(write::write_surface(model))),
     ..FormatInfo::DEFAULT
 };

@@ -33,7 +33,7 @@ impl Origin {
     }
 }
 
-/// Where the faces of a document lie.
+/// Where the faces and control points of a document lie.
 pub(crate) struct Bounds {
     low: DVec3,
     high: DVec3,
@@ -52,12 +52,18 @@ impl Bounds {
         let used = |mesh: &Mesh, v: halfedge::VertexId| mesh.halfedge_from(v).is_some();
         for mesh in objects.iter().map(|object| &object.mesh) {
             for v in mesh.vertices().filter(|&v| used(mesh, v)) {
-                let position = mesh.position(v).as_dvec3();
-                bounds.low = bounds.low.min(position);
-                bounds.high = bounds.high.max(position);
+                bounds.add(mesh.position(v));
             }
         }
+        for bezier in objects.iter().filter_map(|object| object.bezier.as_ref()) {
+            bezier.points().into_iter().for_each(|point| bounds.add(point));
+        }
         bounds
+    }
+
+    fn add(&mut self, position: Vec3) {
+        self.low = self.low.min(position.as_dvec3());
+        self.high = self.high.max(position.as_dvec3());
     }
 
     fn size(&self) -> f64 {
