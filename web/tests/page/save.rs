@@ -41,6 +41,8 @@ fn every_format_is_saved_and_reads_back() {
         assert_eq!(page.find("Format").value().as_deref(), Some(format.name()));
         page.click("Save");
         let files = page.outside.downloads().split_off(before);
+        let wanted = formats::write(format, &page.app().editor().document().to_model("Cube"));
+        assert!(files == wanted.expect("a cube fits"), "{label}");
         assert_eq!(files[0].name, format!("Cube.{}", format.extension()));
         if format.code() != "json" {
             page.outside.push(meshwright_web::platform::Event::Files(files));
