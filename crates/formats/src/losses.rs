@@ -6,6 +6,7 @@ use crate::formats::Format;
 use crate::model::Model;
 use crate::model::material::Property;
 use crate::model::paint::names_in_use;
+use crate::model::texture::Texture;
 use crate::obj::mtl;
 use crate::report::{counted, counted_words};
 use std::collections::HashSet;
@@ -45,13 +46,20 @@ fn material_loss(format: &FormatInfo, model: &Model) -> Option<String> {
         if !in_use.contains(material.name.as_str()) {
             continue;
         }
-        let before = words.len();
-        let lost = material.properties().into_iter().filter(|&property| !(format.keeps_property)(property));
-        words.extend(lost.map(|property| property.name()));
-        if let Some(mtl) = material.mtl.as_ref().filter(|_| !(format.keeps_property)(Property::MtlStatements))
-        {
-            words.extend(mtl::other_statements(mtl));
+        let is_kept = |property: Property| (format.keeps_property)(property);
+        if material.mtl.is_some() && is_kept(Property::MtlStatements) {
+            // Its statements are written as they stand.
+            continue;
         }
+        let before = words.len();
+        let lost = material.properties().into_iter().filter(|&property| !is_kept(property));
+        words.extend(lost.map(|property| property.name()));
+        let is_misplaced = |texture: &&Texture| {
+            is_kept(Property::Texture(texture.role)) && !(format.keeps_placement)(texture)
+        };
+        let misplaced = material.textures.iter().filter(is_misplaced).count();
+        words.extend(std::iter::repeat_n("texture placement", misplaced));
+        words.extend(material.mtl.iter().flat_map(mtl::other_statements));
         count += usize::from(words.len() > before);
     }
     let words = counted_words(words)?;

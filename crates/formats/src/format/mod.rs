@@ -9,6 +9,7 @@ use crate::format::loss::Part;
 use crate::format::reading::{Contents, Reading, Source};
 use crate::model::Model;
 use crate::model::material::Property;
+use crate::model::texture::Texture;
 use halfedge::Progress;
 
 /// A file format. A format that is written in two ways has two descriptions, one of which reads both.
@@ -42,6 +43,9 @@ pub(crate) struct FormatInfo {
     pub lacks: &'static [Part],
     /// Whether it has a place for a property of a material.
     pub keeps_property: fn(Property) -> bool,
+    /// Whether it has a place for how a texture lies on the surface: its set of texture coordinates, what
+    /// lies beyond its edges, its scale and its transform. Only asked where it keeps the texture.
+    pub keeps_placement: fn(&Texture) -> bool,
     /// What else is lost of a model without curves, one sentence each.
     pub losses: fn(&Model) -> Vec<String>,
 }
@@ -72,6 +76,7 @@ impl FormatInfo {
         single_file: |files| files.into_iter().next(),
         lacks: &[],
         keeps_property: |property| property == Property::BaseColor,
+        keeps_placement: |_| true,
         losses: |_| Vec::new(),
     };
 }

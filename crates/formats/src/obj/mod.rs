@@ -39,5 +39,6 @@ pub(crate) static FORMAT: FormatInfo = FormatInfo {
     companions: libraries::companions,
     lacks: &[Part::Creases],
     keeps_property: mtl::keeps,
+    keeps_placement: texture::keeps_placement,
     ..FormatInfo::DEFAULT
 };

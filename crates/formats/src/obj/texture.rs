@@ -73,6 +73,14 @@ fn split(text: &str) -> (&str, &str) {
     text.split_once(char::is_whitespace).map_or((text, ""), |(word, rest)| (word, rest.trim_start()))
 }
 
+/// Whether [`statement`] holds how a texture lies on the surface.
+pub(crate) fn keeps_placement(texture: &Texture) -> bool {
+    texture.uv_set == 0
+        && (texture.wrap == [Wrap::Repeat; 2] || texture.wrap == [Wrap::Clamp; 2])
+        && (texture.scale == 1.0 || texture.role == TextureRole::Bump)
+        && texture.transform.is_none_or(|transform| transform.rotation == 0.0)
+}
+
 /// The statement of a texture that shows the image of this name; none where MTL has none for its role.
 pub(crate) fn statement(texture: &Texture, image: &str) -> Option<String> {
     let (word, _) = TEXTURES.iter().find(|(_, role)| *role == texture.role)?;
