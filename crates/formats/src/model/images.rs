@@ -2,6 +2,7 @@
 
 use crate::file::{NamedBytes, find, with_slashes};
 use crate::model::texture::Image;
+use std::collections::{BTreeSet, HashSet};
 
 /// The image that a model refers to by this name, with its contents where the file was given.
 pub(crate) fn image(name: &str, files: &[NamedBytes]) -> Image {
@@ -38,23 +39,41 @@ pub(crate) fn media_type(name: &str, bytes: &[u8]) -> Option<String> {
     Some(format!("image/{kind}"))
 }
 
-/// The images whose contents are known as files beside a model, under the names by which it refers to
-/// them. An image outside the model's folder is left out.
-pub(crate) fn image_files<'a>(images: impl Iterator<Item = &'a Image>) -> Vec<NamedBytes> {
-    let is_inside = |name: &str| {
-        !name.is_empty()
-            && !name.contains(':')
-            && name.split('/').all(|part| !part.is_empty() && part != "." && part != "..")
-    };
-    let mut files: Vec<NamedBytes> = Vec::new();
-    for image in images.filter(|image| is_inside(&image.name)) {
-        if let Some(bytes) = &image.bytes
-            && !files.iter().any(|file| file.name == image.name)
-        {
-            files.push(NamedBytes::new(image.name.as_str(), bytes.to_vec()));
+/// The names under which a model refers to its images: the images' own, or, for one whose contents are
+/// written, a name in the model's folder that no other file has. `taken` are the names of the model's
+/// other files.
+pub(crate) fn written_names<'a>(images: &[Image], taken: impl IntoIterator<Item = &'a str>) -> Vec<String> {
+    let mut taken: HashSet<String> = taken.into_iter().map(str::to_lowercase).collect();
+    let name = |image: &Image| {
+        if image.bytes.is_none() {
+            return image.name.clone();
         }
-    }
-    files
+        let own = if is_inside(&image.name) { image.name.as_str() } else { image.file_name() };
+        let own = if is_inside(own) { own } else { "image" };
+        let (stem, extension) = match own.rsplit_once('.') {
+            Some((stem, extension)) if !extension.contains('/') => (stem, format!(".{extension}")),
+            _ => (own, String::new()),
+        };
+        let numbered = (2..).map(|number: u32| format!("{stem}-{number}{extension}"));
+        let mut names = std::iter::once(own.to_owned()).chain(numbered);
+        names.find(|name| taken.insert(name.to_lowercase())).unwrap_or_default()
+    };
+    images.iter().map(name).collect()
+}
+
+/// Whether a path stays in its folder.
+fn is_inside(path: &str) -> bool {
+    !path.contains([':', '\\']) && path.split('/').all(|part| !matches!(part, "" | "." | ".."))
+}
+
+/// The images of these numbers as files, under their [`written_names`]; those whose contents are not
+/// known are left out.
+pub(crate) fn image_files(images: &[Image], names: &[String], used: &BTreeSet<u32>) -> Vec<NamedBytes> {
+    let file = |&number: &u32| {
+        let bytes = images.get(number as usize)?.bytes.as_ref()?;
+        Some(NamedBytes::new(names.get(number as usize)?.as_str(), bytes.to_vec()))
+    };
+    used.iter().filter_map(file).collect()
 }
 
 #[cfg(test)]
@@ -62,16 +81,34 @@ mod tests {
     use super::*;
 
     #[test]
-    fn images_are_written_only_inside_the_models_folder() {
+    fn images_are_written_into_the_models_folder_under_different_names() {
         let image = |name: &str| Image {
             name: name.to_owned(),
             bytes: Some([1].as_slice().into()),
             ..Image::default()
         };
-        let images = ["a.png", "x/b.png", "../c.png", "/d.png", "C:/e.png", "", "a.png"].map(image);
-        let without = Image { name: "f.png".to_owned(), ..Image::default() };
-        let names: Vec<String> =
-            image_files(images.iter().chain([&without])).into_iter().map(|file| file.name).collect();
-        assert_eq!(names, ["a.png", "x/b.png"]);
+        let mut images: Vec<Image> =
+            ["a.png", "x/b.png", "../b.png", "/B.png", "C:/y/a.png", "..", "", "model.obj", "x.y/z"]
+                .map(image)
+                .into();
+        images.push(Image { name: "../far.png".to_owned(), ..Image::default() });
+        let names = written_names(&images, ["Model.obj"]);
+        assert_eq!(
+            names,
+            [
+                "a.png",
+                "x/b.png",
+                "b.png",
+                "B-2.png",
+                "a-2.png",
+                "image",
+                "image-2",
+                "model-2.obj",
+                "x.y/z",
+                "../far.png"
+            ]
+        );
+        let files = image_files(&images, &names, &BTreeSet::from([1, 4, 9, 12]));
+        assert_eq!(files.iter().map(|file| file.name.as_str()).collect::<Vec<_>>(), ["x/b.png", "a-2.png"]);
     }
 }

@@ -3,10 +3,9 @@
 use super::mtl::{self, Entry};
 use super::names::{clean, group_lines, spaced};
 use crate::file::NamedBytes;
-use crate::model::images::image_files;
+use crate::model::images::{image_files, written_names};
 use crate::model::material::Material;
 use crate::model::paint::{names_in_use, own_colors, painted};
-use crate::model::texture::Image;
 use crate::model::{Model, NamedMesh};
 use crate::soup::hash::Unique;
 use crate::text::print::{push_floats, push_integer, push_position};
@@ -53,22 +52,14 @@ pub(crate) fn write(model: &Model) -> Vec<NamedBytes> {
             known: known.get(&named.label).copied(),
         };
         let entries: Vec<Entry> = writer.materials.list.into_iter().map(entry).collect();
-        let image_names: Vec<String> = images.iter().map(|image| clean(&image.name)).collect();
-        files.push(NamedBytes { name: library, bytes: mtl::write(&entries, &image_names) });
-        files.extend(image_files(used_images(&entries, images)));
+        let names = written_names(images, [format!("{name}.obj").as_str(), &library]);
+        let names: Vec<String> = names.iter().map(|name| clean(name)).collect();
+        let known = entries.iter().filter_map(|entry| entry.known);
+        let used = known.flat_map(|known| &known.textures).map(|texture| texture.image).collect();
+        files.push(NamedBytes { name: library, bytes: mtl::write(&entries, &names) });
+        files.extend(image_files(images, &names, &used));
     }
     files
-}
-
-/// The images that written materials use.
-fn used_images<'a>(entries: &[Entry], images: &'a [Image]) -> impl Iterator<Item = &'a Image> {
-    let mut used = vec![false; images.len()];
-    for texture in entries.iter().filter_map(|entry| entry.known).flat_map(|known| &known.textures) {
-        if let Some(used) = used.get_mut(texture.image as usize) {
-            *used = true;
-        }
-    }
-    images.iter().zip(used).filter(|(_, used)| *used).map(|(image, _)| image)
 }
 
 /// Whether faces have colours that a file has to keep: painted ones, or materials' own.

@@ -6,7 +6,9 @@
 
 use super::escape::escape;
 use crate::collada::effect::OWN_PROFILE;
+use crate::file::NamedBytes;
 use crate::model::Model;
+use crate::model::images::{image_files, written_names};
 use crate::model::material::{Material, Property, Rgb};
 use crate::model::paint::{own_colors, painted};
 use crate::model::texture::{Image, Texture, TextureRole, UvTransform, Wrap};
@@ -62,6 +64,8 @@ pub(super) struct Materials<'a> {
     /// What is known of materials, by name.
     known: HashMap<&'a str, &'a Material>,
     images: &'a [Image],
+    /// The names that images are written under.
+    image_names: Vec<String>,
 }
 
 impl<'a> Materials<'a> {
@@ -76,6 +80,7 @@ impl<'a> Materials<'a> {
             own: own_colors(model, str::to_owned),
             known,
             images: &model.materials.images,
+            image_names: written_names(&model.materials.images, [format!("{}.dae", model.name).as_str()]),
         }
     }
 
@@ -126,9 +131,9 @@ impl<'a> Materials<'a> {
     }
 
     /// The images of the textures that are written.
-    pub(super) fn used_images(&self) -> impl Iterator<Item = &'a Image> {
-        let used: BTreeSet<u32> = self.textures().map(|texture| texture.image).collect();
-        used.into_iter().filter_map(|image| self.images.get(image as usize))
+    pub(super) fn image_files(&self) -> Vec<NamedBytes> {
+        let used = self.textures().map(|texture| texture.image).collect();
+        image_files(self.images, &self.image_names, &used)
     }
 
     /// The libraries of images, effects and materials; nothing where no face has a material.
@@ -139,7 +144,8 @@ impl<'a> Materials<'a> {
         let used: BTreeSet<u32> = self.textures().map(|texture| texture.image).collect();
         let images = used.into_iter().filter_map(|number| {
             let image = self.images.get(number as usize)?;
-            let (name, address) = (escape(image.file_name()), address(&image.name));
+            let address = address(self.image_names.get(number as usize)?);
+            let name = escape(image.file_name());
             Some(format!(
                 "<image id=\"image{number}\" name=\"{name}\"><init_from>{address}</init_from></image>\n"
             ))

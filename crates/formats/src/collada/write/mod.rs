@@ -6,7 +6,6 @@ mod material;
 
 use crate::file::NamedBytes;
 use crate::model::Model;
-use crate::model::images::image_files;
 use escape::escape;
 use material::Materials;
 pub(crate) use material::keeps;
@@ -46,6 +45,6 @@ pub(crate) fn write(model: &Model) -> Vec<NamedBytes> {
         b"</visual_scene></library_visual_scenes>\n<scene><instance_visual_scene url=\"#scene\"/></scene>\n</COLLADA>\n",
     );
     let mut files = vec![NamedBytes { name: format!("{}.dae", model.name), bytes: out }];
-    files.extend(image_files(materials.used_images()));
+    files.extend(materials.image_files());
     files
 }
