@@ -20,30 +20,23 @@ pub struct Connectivity<'a> {
     pub face_halfedge: &'a [u32],
 }
 
-impl Mesh {
-    /// The links as slices.
-    pub fn connectivity(&self) -> Connectivity<'_> {
-        Connectivity {
-            vertex_halfedge: &self.vertex_halfedge,
-            next: &self.next,
-            prev: &self.prev,
-            to: &self.to,
-            face: &self.face,
-            face_halfedge: &self.face_halfedge,
+macro_rules! connectivity {
+    ($mesh:ty) => {
+        impl $mesh {
+            /// The links as slices.
+            pub fn connectivity(&self) -> Connectivity<'_> {
+                Connectivity {
+                    vertex_halfedge: &self.vertex_halfedge,
+                    next: &self.next,
+                    prev: &self.prev,
+                    to: &self.to,
+                    face: &self.face,
+                    face_halfedge: &self.face_halfedge,
+                }
+            }
         }
-    }
+    };
 }
 
-impl RawMesh {
-    /// The links as slices.
-    pub fn connectivity(&self) -> Connectivity<'_> {
-        Connectivity {
-            vertex_halfedge: &self.vertex_halfedge,
-            next: &self.next,
-            prev: &self.prev,
-            to: &self.to,
-            face: &self.face,
-            face_halfedge: &self.face_halfedge,
-        }
-    }
-}
+connectivity!(Mesh);
+connectivity!(RawMesh);

@@ -3,7 +3,23 @@
 use super::Level;
 use crate::SurfaceError;
 use crate::pace::Pace;
+use glam::Vec3;
 use halfedge::{NONE, RawMesh};
+
+/// A mesh of this size whose columns are zero.
+pub(super) fn blank(vertices: usize, halfedges: usize, faces: usize) -> RawMesh {
+    let halfedge_column = || vec![0u32; halfedges];
+    RawMesh {
+        positions: vec![Vec3::ZERO; vertices],
+        vertex_halfedge: vec![0; vertices],
+        next: halfedge_column(),
+        prev: halfedge_column(),
+        to: halfedge_column(),
+        face: halfedge_column(),
+        face_halfedge: vec![0; faces],
+        ..RawMesh::default()
+    }
+}
 
 /// Fills in boundary half-edges, and the half-edges of old vertices and edge points.
 pub(super) fn finish(

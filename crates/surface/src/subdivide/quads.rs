@@ -15,9 +15,8 @@
 use super::{Level, halves};
 use crate::SurfaceError;
 use crate::pace::Pace;
-use glam::{DVec3, Vec3};
+use glam::DVec3;
 use halfedge::RawMesh;
-use halfedge::attribute::Columns;
 
 /// The children's links, with the positions of face points (means of the corners); other positions are zero.
 pub(super) fn split(level: &Level<'_>, pace: &mut Pace<'_, '_>) -> Result<RawMesh, SurfaceError> {
@@ -25,14 +24,8 @@ pub(super) fn split(level: &Level<'_>, pace: &mut Pace<'_, '_>) -> Result<RawMes
     let (vertices, edges, faces) = (level.vertices(), level.edges(), level.faces());
     let corners = level.corners();
     let halfedges = 4 * edges + 2 * corners;
-    let mut next = vec![0u32; halfedges];
-    let mut prev = vec![0u32; halfedges];
-    let mut to = vec![0u32; halfedges];
-    let mut face = vec![0u32; halfedges];
-    let mut face_halfedge = vec![0u32; corners];
-    let mut positions = vec![Vec3::ZERO; vertices + edges + faces];
-    let mut vertex_halfedge = vec![0u32; vertices + edges + faces];
-
+    let mut raw = halves::blank(vertices + edges + faces, halfedges, corners);
+    let RawMesh { positions, vertex_halfedge, next, prev, to, face, face_halfedge, .. } = &mut raw;
     let (first_edge_point, first_face_point) = (vertices as u32, (vertices + edges) as u32);
     let first_inner = 4 * edges as u32;
     let mut ring: Vec<u32> = Vec::new();
@@ -70,10 +63,10 @@ pub(super) fn split(level: &Level<'_>, pace: &mut Pace<'_, '_>) -> Result<RawMes
                     column[back as usize] = values[2];
                     column[home as usize] = values[3];
                 };
-                put(&mut next, [inner, back, home, out]);
-                put(&mut prev, [home, out, inner, back]);
+                put(next, [inner, back, home, out]);
+                put(prev, [home, out, inner, back]);
                 put(
-                    &mut to,
+                    to,
                     [
                         first_edge_point + (h >> 1),
                         face_point,
@@ -81,7 +74,7 @@ pub(super) fn split(level: &Level<'_>, pace: &mut Pace<'_, '_>) -> Result<RawMes
                         links.to[p as usize],
                     ],
                 );
-                put(&mut face, [c; 4]);
+                put(face, [c; 4]);
                 face_halfedge[c as usize] = out;
                 p = h;
                 p_inner = inner;
@@ -89,16 +82,6 @@ pub(super) fn split(level: &Level<'_>, pace: &mut Pace<'_, '_>) -> Result<RawMes
             corner += degree;
         }
     })?;
-    let mut raw = RawMesh {
-        positions,
-        vertex_halfedge,
-        next,
-        prev,
-        to,
-        face,
-        face_halfedge,
-        columns: Columns::default(),
-    };
     halves::finish(&mut raw, level, &mut pace.part(0.8, 0.9))?;
     Ok(raw)
 }

@@ -12,9 +12,7 @@
 use super::{Level, halves};
 use crate::SurfaceError;
 use crate::pace::Pace;
-use glam::Vec3;
 use halfedge::RawMesh;
-use halfedge::attribute::Columns;
 
 /// The half-edges of a triangle in order.
 pub(super) fn sides(level: &Level<'_>, face: usize) -> [u32; 3] {
@@ -27,13 +25,8 @@ pub(super) fn split(level: &Level<'_>, pace: &mut Pace<'_, '_>) -> Result<RawMes
     let links = level.links;
     let (vertices, edges, faces) = (level.vertices(), level.edges(), level.faces());
     let halfedges = 4 * edges + 6 * faces;
-    let mut next = vec![0u32; halfedges];
-    let mut prev = vec![0u32; halfedges];
-    let mut to = vec![0u32; halfedges];
-    let mut face = vec![0u32; halfedges];
-    let mut face_halfedge = vec![0u32; 4 * faces];
-    let vertex_halfedge = vec![0u32; vertices + edges];
-
+    let mut raw = halves::blank(vertices + edges, halfedges, 4 * faces);
+    let RawMesh { next, prev, to, face, face_halfedge, .. } = &mut raw;
     let first_edge_point = vertices as u32;
     pace.part(0.0, 0.8).chunks(faces, |range| {
         for f in range {
@@ -71,16 +64,6 @@ pub(super) fn split(level: &Level<'_>, pace: &mut Pace<'_, '_>) -> Result<RawMes
             face_halfedge[middle_face as usize] = (first_inner + 3) as u32;
         }
     })?;
-    let mut raw = RawMesh {
-        positions: vec![Vec3::ZERO; vertices + edges],
-        vertex_halfedge,
-        next,
-        prev,
-        to,
-        face,
-        face_halfedge,
-        columns: Columns::default(),
-    };
     halves::finish(&mut raw, level, &mut pace.part(0.8, 0.9))?;
     Ok(raw)
 }
