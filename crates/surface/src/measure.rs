@@ -79,22 +79,6 @@ pub fn face_center(mesh: &Mesh, face: FaceId) -> DVec3 {
     mean_position(mesh, mesh.face_vertices(face))
 }
 
-/// The centroid of a face; the mean of its corners if it has no area.
-pub fn face_centroid(mesh: &Mesh, face: FaceId) -> DVec3 {
-    let normal = face_area_vector(mesh, face).normalize_or_zero();
-    let mut corners = mesh.face_vertices(face).map(|v| mesh.position(v).as_dvec3());
-    let (Some(base), Some(second)) = (corners.next(), corners.next()) else { return DVec3::ZERO };
-    let (mut before, mut area, mut moment) = (second - base, 0.0, DVec3::ZERO);
-    for corner in corners {
-        let here = corner - base;
-        let part = before.cross(here).dot(normal);
-        area += part;
-        moment += (before + here) * part;
-        before = here;
-    }
-    if area == 0.0 { face_center(mesh, face) } else { base + moment / (3.0 * area) }
-}
-
 /// The volume that a closed mesh encloses; negative if its faces point inward. It has no meaning for an open mesh.
 /// Costs O(mesh).
 pub fn volume(mesh: &Mesh) -> f64 {
@@ -110,19 +94,4 @@ pub fn volume(mesh: &Mesh) -> f64 {
         }
     }
     six_times / 6.0
-}
-
-/// The angle between the normals of an edge's faces, in radians: 0 if they are coplanar, positive at a ridge,
-/// negative in a valley. None on the boundary or if a face has no area.
-pub fn dihedral_angle(mesh: &Mesh, edge: EdgeId) -> Option<f64> {
-    let h = edge.halfedge();
-    let (left, right) = (mesh.face_of(h)?, mesh.face_of(h.twin())?);
-    let a = face_area_vector(mesh, left).normalize_or_zero();
-    let b = face_area_vector(mesh, right).normalize_or_zero();
-    if a == DVec3::ZERO || b == DVec3::ZERO {
-        return None;
-    }
-    let [from, to] = [mesh.from(h), mesh.to(h)].map(|v| mesh.position(v).as_dvec3());
-    let along = (to - from).normalize_or_zero();
-    Some(a.cross(b).dot(along).atan2(a.dot(b)))
 }

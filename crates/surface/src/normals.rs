@@ -1,7 +1,7 @@
 //! Normals of faces, by Newell's method, and of vertices, as area-weighted means.
 //!
-//! Updates after an edit use the same sums in the same order as the whole mesh does, so that both give the same
-//! bits.
+//! The normals of single elements, for updates after an edit, and of the whole mesh use the same sums in the same
+//! order, so that both give the same bits.
 
 use glam::{DVec3, Vec3};
 use halfedge::geometry::{face_area_vector, linked_area_vector};
@@ -41,30 +41,4 @@ pub fn vertex_normals(mesh: &Mesh) -> Vec<Vec3> {
         normals[vertex.index()] = sum.normalize_or_zero().as_vec3();
     }
     normals
-}
-
-/// Updates the entries of these faces in `normals`, which came from [`face_normals`]. The list grows with the
-/// mesh; removed faces get zero. Costs O(corners of the faces).
-pub fn update_face_normals(mesh: &Mesh, faces: impl IntoIterator<Item = FaceId>, normals: &mut Vec<Vec3>) {
-    normals.resize(mesh.face_capacity(), Vec3::ZERO);
-    for face in faces {
-        if let Some(normal) = normals.get_mut(face.index()) {
-            *normal = if mesh.has_face(face) { face_normal(mesh, face) } else { Vec3::ZERO };
-        }
-    }
-}
-
-/// Updates the entries of these vertices in `normals`, which came from [`vertex_normals`]. Pass all vertices of
-/// the faces that changed. Costs O(corners of the faces around them).
-pub fn update_vertex_normals(
-    mesh: &Mesh,
-    vertices: impl IntoIterator<Item = VertexId>,
-    normals: &mut Vec<Vec3>,
-) {
-    normals.resize(mesh.vertex_capacity(), Vec3::ZERO);
-    for vertex in vertices {
-        if let Some(normal) = normals.get_mut(vertex.index()) {
-            *normal = if mesh.has_vertex(vertex) { vertex_normal(mesh, vertex) } else { Vec3::ZERO };
-        }
-    }
 }

@@ -9,7 +9,7 @@ pub(crate) use triangle::{along_segment, closest_in_triangle};
 
 use crate::measure::Bounds;
 use glam::Vec3;
-use halfedge::{FaceId, HalfedgeId, Mesh, NONE, VertexId};
+use halfedge::{FaceId, HalfedgeId, Mesh, NONE};
 
 /// Faces in a box at the bottom of the tree.
 const FACES_PER_LEAF: usize = 16;
@@ -38,21 +38,6 @@ pub struct Hit {
     pub corners: [HalfedgeId; 3],
     /// The barycentric coordinates for those corners; their sum is 1.
     pub barycentric: [f32; 3],
-}
-
-impl Hit {
-    /// The vertex at the corner with the largest barycentric coordinate.
-    pub fn nearest_corner(&self, mesh: &Mesh) -> VertexId {
-        let [a, b, c] = self.barycentric;
-        let h = if a >= b && a >= c {
-            self.corners[0]
-        } else if b >= c {
-            self.corners[1]
-        } else {
-            self.corners[2]
-        };
-        mesh.from(h)
-    }
 }
 
 /// A hierarchy of bounding boxes over the faces of a mesh, which follows edits.

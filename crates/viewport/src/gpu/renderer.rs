@@ -134,12 +134,6 @@ impl Renderer {
         self.objects.remove(&id);
     }
 
-    /// Removes the objects for which `wanted` is false.
-    pub fn retain_objects(&mut self, mut wanted: impl FnMut(u64) -> bool) {
-        self.generation += 1;
-        self.objects.retain(|&id, _| wanted(id));
-    }
-
     /// Replaces a highlight. Call it when its elements change, and after [`Renderer::sync_object`] of their
     /// object. Costs O(elements); for faces also O(face ids / 64).
     pub fn set_highlight(
