@@ -2,6 +2,7 @@
 //! `editor` and `viewport` crates. `main.rs` puts it on a canvas.
 
 #![cfg_attr(not(test), deny(clippy::unwrap_used, clippy::expect_used, clippy::panic, clippy::unreachable))]
+#![cfg_attr(not(test), deny(clippy::indexing_slicing))]
 
 pub mod app;
 mod bezier;

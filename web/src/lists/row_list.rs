@@ -112,7 +112,7 @@ impl RowList<'_> {
         state: &mut RowListState,
         mut content: impl FnMut(usize) -> Option<RowContent>,
     ) -> RowListOutput {
-        let font = FontId::monospace(ui.style().text_styles[&egui::TextStyle::Monospace].size);
+        let font = FontId::monospace(egui::TextStyle::Monospace.resolve(ui.style()).size);
         let char_width = ui.fonts_mut(|fonts| fonts.glyph_width(&font, '0'));
         self.header(ui, char_width);
 
@@ -190,7 +190,7 @@ impl RowList<'_> {
         ui.painter().hline(rect.x_range(), rect.max.y - 0.5, line);
         // As wide as the rows: the scroll bar stands beside them.
         rect.max.x -= BAR;
-        let font = FontId::proportional(ui.style().text_styles[&egui::TextStyle::Small].size);
+        let font = FontId::proportional(egui::TextStyle::Small.resolve(ui.style()).size);
         let color = ui.visuals().weak_text_color();
         for (column, cell) in self.columns.iter().zip(cells(self.columns, rect, char_width)) {
             let response = ui.interact(cell, ui.scope_id().with((self.label, column.title)), Sense::HOVER);

@@ -20,8 +20,8 @@ pub(crate) struct Lists {
     go_to: String,
     /// Puts the keyboard into the "Go to id" field in the next frame.
     pub focus_go_to: bool,
-    indices: [RowIndex; 4],
-    states: [RowListState; 4],
+    indices: ByKind<RowIndex>,
+    states: ByKind<RowListState>,
     /// A selected element that is to be scrolled to.
     reveal: Option<u32>,
     /// The next selection was made in the list itself, where it is in view.
@@ -30,15 +30,39 @@ pub(crate) struct Lists {
     object: Option<ObjectId>,
 }
 
-/// The place of a kind in arrays that have one entry for each.
-fn slot(kind: Element) -> usize {
-    Element::ALL.iter().position(|&k| k == kind).unwrap_or_default()
+/// One value for each kind of element.
+#[derive(Default)]
+struct ByKind<T> {
+    vertex: T,
+    edge: T,
+    halfedge: T,
+    face: T,
+}
+
+impl<T> ByKind<T> {
+    fn of(&self, kind: Element) -> &T {
+        match kind {
+            Element::Vertex => &self.vertex,
+            Element::Edge => &self.edge,
+            Element::Halfedge => &self.halfedge,
+            Element::Face => &self.face,
+        }
+    }
+
+    fn of_mut(&mut self, kind: Element) -> &mut T {
+        match kind {
+            Element::Vertex => &mut self.vertex,
+            Element::Edge => &mut self.edge,
+            Element::Halfedge => &mut self.halfedge,
+            Element::Face => &mut self.face,
+        }
+    }
 }
 
 impl Lists {
     /// The rows of a kind.
     fn index(&self, kind: Element) -> &RowIndex {
-        &self.indices[slot(kind)]
+        self.indices.of(kind)
     }
 
     /// Makes the lists follow the document; returns whether they are of another object now.
@@ -64,7 +88,7 @@ impl Lists {
             return;
         };
         for kind in Element::ALL {
-            let index = &mut self.indices[slot(kind)];
+            let index = self.indices.of_mut(kind);
             match change {
                 Some(ObjectChange::Touched(touched)) => index.follow(mesh, kind, touched),
                 _ => *index = RowIndex::new(mesh, kind),
@@ -178,11 +202,11 @@ fn element_list(ui: &mut Ui, page: &Page<'_>, own: &mut Lists, out: &mut Request
     if let Some(id) = own.reveal.take().filter(|_| is_kind) {
         let row = if only { Some(selection.rank(id)) } else { own.index(kind).row_of(id) };
         if let Some(row) = row {
-            own.states[slot(kind)].reveal(row);
+            own.states.of_mut(kind).reveal(row);
         }
     }
     let Some(mesh) = page.editor.mesh() else { return };
-    let mut state = std::mem::take(&mut own.states[slot(kind)]);
+    let mut state = std::mem::take(own.states.of_mut(kind));
     let index = own.index(kind);
     let id_of = |at: usize| if only { selection.nth(at) } else { index.id_of(at) };
     let hovered = page.view.hovered().filter(|(hovered, _)| *hovered == kind).map(|(_, id)| id);
@@ -207,7 +231,7 @@ fn element_list(ui: &mut Ui, page: &Page<'_>, own: &mut Lists, out: &mut Request
     let picked = output.picked.and_then(|picked| Some((picked, id_of(picked.row)?)));
     let under_pointer = output.hovered.and_then(id_of);
     let context = output.context.and_then(id_of);
-    own.states[slot(kind)] = state;
+    *own.states.of_mut(kind) = state;
     if let Some(id) = under_pointer {
         out.push(Request::Hover(kind, id));
     }

@@ -26,8 +26,9 @@ pub(crate) fn show(ctx: &Context, page: &Page<'_>, out: &mut Requests) {
                         ui.columns(2, |columns| {
                             if let [left, right] = columns {
                                 let half = (BINDINGS.len().div_ceil(2) + 6).min(BINDINGS.len());
-                                bindings(left, "keys", &BINDINGS[..half]);
-                                bindings(right, "more keys", &BINDINGS[half..]);
+                                let (first, second) = BINDINGS.split_at(half);
+                                bindings(left, "keys", first);
+                                bindings(right, "more keys", second);
                                 bezier(right);
                                 right.add_space(12.0);
                                 gestures(right);

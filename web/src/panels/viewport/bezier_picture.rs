@@ -133,9 +133,12 @@ impl Pen<'_> {
             } else {
                 Stroke::new(0.75, weak.gamma_multiply(0.6))
             };
-            for i in 0..4 {
-                self.line(&patch.rows[i], stroke);
-                self.line(&patch.rows.map(|row| row[i]), stroke);
+            let [first, second, third, fourth] = patch.rows;
+            for (((a, b), c), d) in first.into_iter().zip(second).zip(third).zip(fourth) {
+                self.line(&[a, b, c, d], stroke);
+            }
+            for row in &patch.rows {
+                self.line(row, stroke);
             }
         }
         let Some(patch) = patches.get(player.controls.patch).filter(|_| player.controls.level > 0) else {

@@ -81,13 +81,14 @@ pub(crate) fn add_control_point_at(editor: &Editor, view: &View, at: Pos2) -> Op
     let curve = active(editor).and_then(|(_, bezier)| bezier.curve())?;
     let mut nearest: Option<(f32, usize, Vec3)> = None;
     for (after, pair) in curve.points.windows(2).enumerate() {
-        let (Some(a), Some(b)) = (view.project(pair[0]), view.project(pair[1])) else {
+        let &[from, to] = pair else { continue };
+        let (Some(a), Some(b)) = (view.project(from), view.project(to)) else {
             continue;
         };
         let along = ((at - a).dot(b - a) / (b - a).length_sq().max(1e-6)).clamp(0.0, 1.0);
         let distance = (a + (b - a) * along).distance(at);
         if distance <= PICK_RADIUS_POINTS && nearest.is_none_or(|(other, ..)| distance < other) {
-            nearest = Some((distance, after + 1, pair[0].lerp(pair[1], along)));
+            nearest = Some((distance, after + 1, from.lerp(to, along)));
         }
     }
     let (index, place) = match nearest {
