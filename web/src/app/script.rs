@@ -131,8 +131,7 @@ impl Script<'_> {
     /// # Errors
     /// A job runs on what the step would change.
     pub fn undo(&mut self) -> Result<Option<String>, String> {
-        let label = self.app.session.editor.undo().map_err(|error| error.to_string());
-        label
+        self.app.session.editor.undo().map_err(|error| error.to_string())
     }
 
     /// Redo the last undone step; otherwise like [`Script::undo`].
@@ -140,8 +139,7 @@ impl Script<'_> {
     /// # Errors
     /// A job runs on what the step would change.
     pub fn redo(&mut self) -> Result<Option<String>, String> {
-        let label = self.app.session.editor.redo().map_err(|error| error.to_string());
-        label
+        self.app.session.editor.redo().map_err(|error| error.to_string())
     }
 
     /// Cancels all jobs; gives how many there were.
