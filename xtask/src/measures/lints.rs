@@ -32,7 +32,7 @@ pub fn roots_that_allow_panics(crates: &[CrateLines]) -> Measure {
         name: "crate roots that don't deny code that panics".to_owned(),
         value: found.len(),
         limit: 0,
-        is_enforced: false,
+        is_enforced: true,
         details: found,
     }
 }
