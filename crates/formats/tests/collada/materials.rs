@@ -42,6 +42,12 @@ fn a_texture_is_kept_with_its_image() {
     // In an OBJ its library names the image.
     let written = formats::write(by_code("obj"), &renamed(&import, "x")).expect("small");
     assert!(common::text(&written[1]).contains("map_Kd wood.png"), "{}", common::text(&written[1]));
+    // A GLB has the texture, or the losses name it.
+    let lost = formats::losses(by_code("glb"), &import.model).join("\n");
+    let written = formats::write(by_code("glb"), &import.model).expect("small");
+    let back = read(&written).expect("its own").model.materials;
+    let is_kept = back.get("wood").is_some_and(|wood| wood.texture(TextureRole::BaseColor).is_some());
+    assert!(is_kept != lost.contains("base colour texture"), "{lost}");
     // An image given along travels with the model.
     let import = textured(&[], &[NamedBytes::new("folder/wood.png", b"\x89PNG".to_vec())]);
     for format in [by_code("dae"), by_code("obj")] {
