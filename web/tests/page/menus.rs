@@ -123,7 +123,7 @@ fn keys_of_the_page() {
 
 #[test]
 fn delete_removes_what_is_selected() {
-    for (kind, faces, vertices) in [("face", 5, 8), ("vertex", 3, 7), ("edge", 5, 8)] {
+    for (kind, faces, vertices) in [("face", 5, 8), ("vertex", 3, 7), ("edge", 5, 6)] {
         for key in [Key::Delete, Key::X] {
             let mut page = Page::new();
             page.select(kind, &[0]);
