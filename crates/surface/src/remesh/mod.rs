@@ -63,7 +63,8 @@ const MAX_REMESHED_TRIANGLES: u64 = 8_000_000;
 
 /// Remeshes a surface. Polygons are cut into triangles first; isolated vertices are dropped. Triangles have the
 /// face attributes of the one that they were split from; corner, vertex and edge attributes are interpolated where
-/// edges are split and merged. Costs O(iterations x (mesh + result)).
+/// edges are split and merged, and corner and vertex attributes also where vertices move over the surface. Costs
+/// O(iterations x (mesh + result)).
 ///
 /// A vertex is projected onto the closest point of the input that it reaches by moving ever closer, which is never
 /// on the far side of a thin wall. A vertex on a kept curve lies exactly on that curve of the input, unless a

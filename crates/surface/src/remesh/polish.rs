@@ -158,7 +158,7 @@ fn apply(work: &mut Work, change: Change) -> u32 {
             v
         }
         Change::Move { v, to, near } => {
-            work.tri.put(v, to);
+            work.tri.slide(v, to);
             work.near[v as usize] = near;
             v
         }
@@ -166,7 +166,7 @@ fn apply(work: &mut Work, change: Change) -> u32 {
             let edge = work.kept_at(v)[0];
             work.slide(v, by);
             let [place, _] = work.places_from(v, edge);
-            work.tri.put(v, work.curve_point(edge, place));
+            work.tri.slide(v, work.curve_point(edge, place));
             v
         }
     }

@@ -65,7 +65,7 @@ fn slide(work: &mut Work) {
         let to = work.curve_point(edge, here + shift);
         if to != work.tri.at(v) && work.may_move(v, to) {
             work.slide(v, shift);
-            work.tri.put(v, to);
+            work.tri.slide(v, to);
         }
     }
 }
@@ -130,6 +130,6 @@ fn move_to_middle(work: &mut Work, v: u32, star: &mut Vec<DVec3>) {
         }
         before = after;
     }
-    work.tri.put(v, to);
+    work.tri.slide(v, to);
     work.near[v as usize] = near;
 }

@@ -6,6 +6,7 @@
 mod borders;
 mod build;
 mod edit;
+mod follow;
 mod order;
 mod output;
 mod values;
