@@ -204,7 +204,7 @@ fn type_measures(web: &[Product]) -> [Measure; 3] {
             name: "fields of `App` that other files reach into".to_owned(),
             value: sizes.get("App").map_or(0, |app| app.shared_fields),
             limit: MAX_SHARED_APP_FIELDS,
-            is_enforced: false,
+            is_enforced: true,
             details: Vec::new(),
         },
     ]
@@ -227,7 +227,7 @@ fn page_measures(web: &[Product], editor: &[Product]) -> Result<[Measure; 3]> {
         details: if found.len() > limit { found } else { Vec::new() },
     };
     Ok([
-        counted("calls of `self.follow()` in web/src", MAX_FOLLOW_CALLS, false, follow_calls(web)),
+        counted("calls of `self.follow()` in web/src", MAX_FOLLOW_CALLS, true, follow_calls(web)),
         counted("names of operations as text in web/src", 0, true, operations::mentions(web, &names)),
         counted("commands put together as JSON in web/src", 0, true, operations::json_commands(web)),
     ])
