@@ -1,12 +1,12 @@
-//! The peak of memory that each whole-mesh operation takes, by Linux's count of resident pages: input and
-//! result and everything in between, as a multiple of the larger of input and result.
+//! The peak memory of each whole-mesh operation, by Linux's count of resident pages: input, result and everything
+//! between, as a multiple of the larger of input and result.
 //!
-//! Each job runs in a process of its own, so that none starts with what another has left behind.
+//! Each job runs in its own process, so that none starts with memory that another one left.
 
 mod meshes;
 
 use halfedge::Mesh;
-use meshes::{bunny, go_on, sphere};
+use meshes::{bunny, never_cancel, sphere};
 use std::io::Write as _;
 use std::process::Command;
 use surface::*;
@@ -23,7 +23,7 @@ const JOBS: [&str; 10] = [
     "remesh a scan",
     "merge by distance",
 ];
-/// Which job a child process is to do.
+/// The environment variable with the job of a child process.
 const JOB: &str = "MESHWRIGHT_MEMORY_JOB";
 
 fn main() {
@@ -39,7 +39,7 @@ fn main() {
     }
 }
 
-/// A line of `/proc/self/status`, in bytes; none where there is no such file.
+/// A line of `/proc/self/status`, in bytes; none if there is no such file.
 fn status(name: &str) -> Option<usize> {
     let text = std::fs::read_to_string("/proc/self/status").ok()?;
     let line = text.lines().find_map(|line| line.strip_prefix(name))?;
@@ -50,7 +50,7 @@ fn run(job: &str) {
     let input = match job {
         "simplify quads" => {
             let levels = CatmullClark { levels: 1, ..CatmullClark::default() };
-            subdivide_catmull_clark(&sphere(6.0), &levels, &mut go_on).expect("fits")
+            subdivide_catmull_clark(&sphere(6.0), &levels, &mut never_cancel).expect("fits")
         }
         "simplify within a distance" | "simplify within little" | "remesh a scan" => {
             bunny(1).unwrap_or_else(|| sphere(7.0))
@@ -59,7 +59,7 @@ fn run(job: &str) {
         _ => sphere(7.0),
     };
     let before = status("VmRSS:");
-    // The peak so far is of making the input: count from here.
+    // The peak so far came from making the input: reset it.
     let reset = std::fs::OpenOptions::new()
         .write(true)
         .open("/proc/self/clear_refs")
@@ -83,11 +83,13 @@ fn run(job: &str) {
 
 fn operate(job: &str, mesh: &Mesh) -> Mesh {
     match job {
-        "catmull-clark" => subdivide_catmull_clark(mesh, &CatmullClark::default(), &mut go_on).expect("fits"),
-        "loop" => subdivide_loop(mesh, &Loop::default(), &mut go_on).expect("fits"),
-        "linear" => subdivide_linear(mesh, &Linear { levels: 1 }, &mut go_on).expect("fits"),
-        "remesh" | "remesh a scan" => remesh(mesh, &Remesh::default(), &mut go_on).expect("in range"),
-        "merge by distance" => merge_by_distance(mesh, 1e-7, &mut go_on).expect("in range").mesh,
+        "catmull-clark" => {
+            subdivide_catmull_clark(mesh, &CatmullClark::default(), &mut never_cancel).expect("fits")
+        }
+        "loop" => subdivide_loop(mesh, &Loop::default(), &mut never_cancel).expect("fits"),
+        "linear" => subdivide_linear(mesh, &Linear { levels: 1 }, &mut never_cancel).expect("fits"),
+        "remesh" | "remesh a scan" => remesh(mesh, &Remesh::default(), &mut never_cancel).expect("in range"),
+        "merge by distance" => merge_by_distance(mesh, 1e-7, &mut never_cancel).expect("in range").mesh,
         _ => {
             let diagonal = measure::bounding_box(mesh).expect("has vertices").diagonal();
             let target = match job {
@@ -95,9 +97,13 @@ fn operate(job: &str, mesh: &Mesh) -> Mesh {
                 "simplify within little" => SimplifyTarget::MaxError(1e-4 * diagonal),
                 _ => SimplifyTarget::Ratio(0.1),
             };
-            simplify(mesh, &Simplify { target, preserve_boundary: true, preserve_seams: true }, &mut go_on)
-                .expect("in range")
-                .mesh
+            simplify(
+                mesh,
+                &Simplify { target, preserve_boundary: true, preserve_seams: true },
+                &mut never_cancel,
+            )
+            .expect("in range")
+            .mesh
         }
     }
 }

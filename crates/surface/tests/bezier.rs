@@ -6,7 +6,7 @@ use surface::bezier::{Patch, teapot_patches, tessellate};
 
 fixtures::shared_tests!(
     the_control_points_are_those_of_the_course_file,
-    the_course_file_tessellates_to_the_same_pieces,
+    the_course_file_tessellates_to_the_same_components,
 );
 
 fn shared_teapot() -> Vec<Patch> {
@@ -18,7 +18,7 @@ fn shared_teapot() -> Vec<Patch> {
         .collect()
 }
 
-/// Every corner normal points the way the face does.
+/// Each corner normal is on the same side as the face's normal.
 fn check_normals(mesh: &Mesh, at_least: f32) {
     let normals = mesh.attribute(keys::CORNER_NORMAL).unwrap();
     for f in mesh.faces() {
@@ -38,7 +38,7 @@ fn check_normals(mesh: &Mesh, at_least: f32) {
 }
 
 #[test]
-fn the_teapot_is_welded_and_faces_outside() {
+fn the_teapot_is_welded_and_faces_outward() {
     let patches = teapot_patches();
     assert_eq!(patches.len(), 32);
     for resolution in [2, 4, 10] {
@@ -46,14 +46,14 @@ fn the_teapot_is_welded_and_faces_outside() {
         let mesh = &made.mesh;
         mesh.validate().unwrap();
         let n = resolution as usize;
-        // At the lid's knob and in the middle of the bottom quads are triangles. (At resolution 1 the two
-        // halves of handle and spout would be the same faces.)
+        // At the lid's knob and in the middle of the bottom, quads become triangles. (At resolution 1 the two
+        // halves of the handle and of the spout would be the same faces.)
         assert_eq!(mesh.face_count(), 32 * n * n);
         let poles =
             mesh.vertices().filter(|&v| mesh.valence(v) == 4 * n && mesh.position(v).x == 0.0).count();
         assert_eq!(poles, 2);
-        // Body with bottom, lid, handle, spout: the rim's inside and the lid's edge are open, and
-        // the handle and the spout at both ends.
+        // Body with bottom, lid, handle and spout: open at the inside of the rim, at the edge of the lid, and at
+        // both ends of the handle and of the spout.
         assert_eq!(mesh.components().1, 4);
         assert_eq!(mesh.boundary_loops().len(), 6);
     }
@@ -72,7 +72,7 @@ fn the_teapot_is_welded_and_faces_outside() {
 fn the_control_points_are_those_of_the_course_file() {
     let theirs = shared_teapot();
     assert_eq!(theirs.len(), 32);
-    // The file prints three decimals and orders points otherwise; every point is in both.
+    // The file has three decimals and another order; each point is in both.
     for p in theirs.iter().flat_map(|patch| patch.rows.as_flattened()) {
         let near = teapot_patches()
             .iter()
@@ -82,7 +82,7 @@ fn the_control_points_are_those_of_the_course_file() {
     }
 }
 
-fn the_course_file_tessellates_to_the_same_pieces() {
+fn the_course_file_tessellates_to_the_same_components() {
     let theirs = shared_teapot();
     let made = tessellate(&theirs, 6).unwrap();
     made.mesh.validate().unwrap();

@@ -1,5 +1,5 @@
-//! Creases of any sharpness against a second implementation of the published rules, which knows nothing
-//! but lists of corners: no half-edges, no child ids by formula, no shared code.
+//! Creases of any sharpness against a second implementation of the published rules, which only uses lists of
+//! corners: no half-edges, no formulas for child ids, no shared code.
 
 mod common;
 
@@ -77,7 +77,7 @@ impl Cage {
         smooth.lerp(middle, sharp)
     }
 
-    /// Where a vertex goes if these edges (their other ends) are the sharp ones; none for the smooth rule.
+    /// The position of a vertex if the edges to these ends are sharp; none for the smooth rule.
     fn sharp_point(&self, v: usize, is_corner: bool, ends: &[usize]) -> Option<DVec3> {
         match ends {
             _ if is_corner => Some(self.points[v]),
@@ -111,7 +111,7 @@ impl Cage {
         };
         let Some(now) = self.sharp_point(v, own > 0.0, &above(0.0)) else { return smooth() };
         let later = self.sharp_point(v, own > 1.0, &above(1.0)).unwrap_or_else(smooth);
-        // What ends within this level says how much of the rule now is left: the mean of it.
+        // The mean of the sharpnesses that end in this level is the share of the current rule.
         let ending: Vec<f64> =
             edges.iter().map(|(_, s)| *s).chain([own]).filter(|s| *s > 0.0 && *s <= 1.0).collect();
         if ending.is_empty() {
@@ -140,7 +140,7 @@ proptest! {
         }
         let options = CatmullClark { levels: 1, ..CatmullClark::default() };
         for _ in 0..levels {
-            let result = subdivide_catmull_clark(&mesh, &options, &mut go_on).expect("fits");
+            let result = subdivide_catmull_clark(&mesh, &options, &mut never_cancel).expect("fits");
             result.validate().expect("valid");
             let cage = Cage::of(&mesh);
             let vertices = (0..cage.points.len()).map(|v| cage.vertex_point(v));
@@ -151,7 +151,7 @@ proptest! {
             prop_assert_eq!(ours.len(), expected.len());
             let error = farthest(&ours, &expected).max(farthest(&expected, &ours)) / diagonal(&expected);
             prop_assert!(error < 1e-6, "{:e}", error);
-            // The next level starts from what this one made: its sharpness is tested too.
+            // The next level starts from this one's result, which tests its sharpness too.
             mesh = result;
         }
     }

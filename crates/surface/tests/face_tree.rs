@@ -35,7 +35,7 @@ fn slow_hit(mesh: &Mesh, ray: Ray) -> Option<f64> {
     best
 }
 
-/// The smallest distance to any triangle, by sampling none: the foot on the plane or the nearest side.
+/// The smallest distance to any triangle: to the foot on its plane or to its nearest side.
 fn slow_distance(mesh: &Mesh, p: DVec3) -> f64 {
     let mut cut = PolygonTriangulator::new();
     let mut best = f64::INFINITY;
@@ -76,7 +76,7 @@ fn assert_agrees(tree: &FaceTree, mesh: &Mesh, ray: Ray) {
             assert!((hit.barycentric.iter().sum::<f32>() - 1.0).abs() < 1e-5);
         }
         (None, None) => {}
-        // Only a ray along a side may be decided either way.
+        // A ray along a side may be decided either way.
         (Some(hit), None) => {
             assert!(hit.barycentric.iter().any(|w| w.abs() < 1e-6), "{hit:?} should miss");
         }
@@ -149,7 +149,7 @@ fn no_ray_slips_through_an_edge() {
     for e in mesh.edges() {
         let [a, b] = mesh.ends(e).map(|v| mesh.position(v));
         for t in [0.0, 0.25, 0.5, 0.75] {
-            // From the middle through a point of the edge, as nearly as floats have it.
+            // From the centre through a point of the edge, rounded to floats.
             let ray = Ray { origin: Vec3::ZERO, direction: a.lerp(b, t) };
             let hit = tree.hit(&mesh, ray).expect("closed all round");
             assert!((hit.distance - 1.0).abs() < 0.02);
@@ -159,7 +159,7 @@ fn no_ray_slips_through_an_edge() {
 
 #[test]
 fn faces_in_any_order_and_gaps_are_found() {
-    // A grid with its faces shuffled, so that the order of ids says nothing about where they are.
+    // A grid with shuffled faces, so that the order of ids is unrelated to their places.
     let n = 60u32;
     let ordered = grid(n);
     let mut soup = PolygonSoup { positions: ordered.positions().to_vec(), ..PolygonSoup::default() };
@@ -209,7 +209,7 @@ fn nothing_to_hit_is_no_hit() {
     assert_eq!(tree.closest_point(&cube, Vec3::NAN), None);
     // Behind the origin.
     assert_eq!(tree.hit(&cube, Ray { origin: Vec3::X * 3.0, direction: Vec3::X }), None);
-    // In the plane of a face, past it: not inside, and from within: its far side.
+    // In the plane of a face: past it there is no hit; from within there is one on the far side.
     let inside = tree.hit(&cube, Ray { origin: Vec3::ZERO, direction: Vec3::X * 0.001 }).expect("closed");
     assert_eq!((inside.distance, inside.face), (1.0, FaceId::new(5)));
 }

@@ -1,4 +1,4 @@
-//! Normals, lengths, areas, volumes, angles, and the triangles of polygons.
+//! Normals, lengths, areas, volumes, and the triangles of polygons.
 
 mod common;
 
@@ -69,7 +69,7 @@ fn small_polygons_are_fans_where_that_is_right() {
     assert_eq!(cut.triangulate(&ring(8))[5], [0, 6, 7]);
     let fans = |triangles: &[[u32; 3]]| triangles.iter().all(|triangle| triangle.contains(&0));
     assert!(!fans(cut.triangulate(&ring(60))));
-    // From its first corner the notch can't be seen past.
+    // A fan from the first corner would cross the notch.
     let arrow = [[0., 0.], [4., -3.], [1., 0.], [4., 3.], [2., 3.]].map(|[x, y]| Vec3::new(x, y, 0.0));
     let notched = [arrow[1], arrow[2], arrow[3], arrow[4], arrow[0]];
     assert_cover(&notched, cut.triangulate(&notched));
@@ -93,7 +93,7 @@ fn a_comb_and_a_figure_of_eight_are_covered() {
 
 #[test]
 fn polygons_that_touch_themselves_are_covered_once() {
-    // Two squares that touch at a corner, a waist, and a square with a hole and the way there and back.
+    // Two squares that touch at a corner, a waist, and a square with a hole and a slit to it.
     let squares = [(0., 0.), (1., 0.), (1., 1.), (2., 1.), (2., 2.), (1., 2.), (1., 1.), (0., 1.)];
     let waist = [(0., 0.), (2., 1.), (4., 0.), (4., 4.), (2., 1.), (0., 4.)];
     let hole =
@@ -111,8 +111,7 @@ fn polygons_that_touch_themselves_are_covered_once() {
     }
 }
 
-/// The triangles are as many as they should be, none is turned over, and their areas sum to the
-/// polygon's.
+/// Checks the number of triangles, that none is turned over, and that their areas sum to the polygon's.
 fn assert_cover(polygon: &[Vec3], triangles: &[[u32; 3]]) {
     assert_eq!(triangles.len(), polygon.len() - 2);
     let cross = |a: Vec3, b: Vec3, c: Vec3| (b - a).as_dvec3().cross((c - a).as_dvec3());
@@ -128,7 +127,7 @@ fn assert_cover(polygon: &[Vec3], triangles: &[[u32; 3]]) {
     assert!((sum - whole.length()).abs() < 1e-5 * whole.length(), "{sum} is not {}", whole.length());
 }
 
-/// A star-shaped polygon in a plane of any direction.
+/// A star-shaped polygon in any plane.
 fn star() -> impl Strategy<Value = Vec<Vec3>> {
     (prop::collection::vec(0.1f32..2.0, 3..40), -1f32..1.0, -1f32..1.0, any::<bool>()).prop_map(
         |(radii, tilt_x, tilt_y, over)| {

@@ -14,11 +14,11 @@ use surface::*;
 
 fixtures::shared_tests!(
     a_scan_becomes_regular_and_stays_where_it_was,
-    models_with_features_holes_and_pieces_keep_their_topology
+    models_with_features_holes_and_components_keep_their_topology
 );
 
 fn run(mesh: &Mesh, options: &Remesh) -> Mesh {
-    let result = remesh(mesh, options, &mut go_on).expect("in range");
+    let result = remesh(mesh, options, &mut never_cancel).expect("in range");
     result.validate().expect("valid");
     assert!(result.faces().all(|f| result.face_degree(f) == 3));
     result
@@ -28,7 +28,7 @@ fn shape(name: &str) -> Mesh {
     Shape::named(name).expect("listed").build().expect("fits")
 }
 
-/// The smallest angle of all triangles, and the mean of each triangle's smallest, in degrees.
+/// The smallest angle of all triangles, and the mean of the triangles' smallest angles, in degrees.
 fn angles(mesh: &Mesh) -> (f64, f64) {
     let (mut least, mut sum) = (180.0f64, 0.0);
     for f in mesh.faces() {
@@ -42,9 +42,9 @@ fn angles(mesh: &Mesh) -> (f64, f64) {
     (least, sum / mesh.face_count() as f64)
 }
 
-/// Its ears, cut from concave polygons, are folds: points close to each other go onto the same edge.
+/// Concave polygons give folded ears, where close points could be projected onto the same edge.
 #[test]
-fn no_two_vertices_come_to_one_place() {
+fn no_two_vertices_coincide() {
     let mesh = load(&fixtures::fixture("models/spot_control_mesh.obj"));
     for feature_angle in [45.0, 180.0] {
         let result = run(&mesh, &Remesh { edge_length: Some(0.0512), feature_angle, ..Remesh::default() });
@@ -61,7 +61,7 @@ fn no_two_vertices_come_to_one_place() {
 
 #[test]
 fn faces_without_area_are_remeshed_too() {
-    // As a bevel of width 0 leaves it: a quad between two edges at one place.
+    // The result of a bevel of width 0: a quad between two edges at the same place.
     let mut mesh = cube();
     let edge = mesh.edges().next().expect("has edges");
     let live = halfedge::edit::bevel_edges(&mut mesh, &[edge], 1);
@@ -157,7 +157,7 @@ fn farthest_vertex(input: &Mesh, result: &Mesh) -> f64 {
 
 fn a_scan_becomes_regular_and_stays_where_it_was() {
     let bunny = load(&fixtures::shared("models/common/stanford-bunny.obj"));
-    // Features are left aside: on a scan of this resolution they are noise that allows no good triangles.
+    // Without features: on a scan of this resolution they are noise, which allows no good triangles.
     let options = Remesh { iterations: 10, feature_angle: 180.0, ..Remesh::default() };
     let result = run(&bunny, &options);
     same_topology(&bunny, &result);
@@ -169,7 +169,7 @@ fn a_scan_becomes_regular_and_stays_where_it_was() {
     assert!(farthest_vertex(&bunny, &result) < 1e-6 * size);
 }
 
-fn models_with_features_holes_and_pieces_keep_their_topology() {
+fn models_with_features_holes_and_components_keep_their_topology() {
     for name in ["cow", "fandisk", "beetle", "cheburashka", "spot", "teapot"] {
         let (positions, faces) = read_obj(&fixtures::shared(&format!("models/common/{name}.obj")));
         let positions = positions.iter().map(|p| p.as_vec3()).collect();
@@ -181,13 +181,13 @@ fn models_with_features_holes_and_pieces_keep_their_topology() {
             assert!(least > 25.0, "its folded sliver is no feature: {least}");
         }
         let size = bounding_box(&mesh).expect("has vertices").diagonal();
-        // Curves are on the input too, but for the few places where they can't be.
+        // Curves are on the input too, except in a few places where they can't be.
         assert!(farthest_vertex(&mesh, &result) < 5e-3 * size, "{name}: {}", farthest_vertex(&mesh, &result));
     }
 }
 
 #[test]
-fn sharp_rims_are_cut_evenly_however_fine_they_were() {
+fn sharp_rims_are_divided_evenly_however_fine_they_were() {
     for (segments, length) in [(40.0, 0.1), (40.0, 0.25), (64.0, 0.15), (100.0, 0.12), (127.0, 0.2)] {
         let mut cylinder = Shape::named("cylinder").expect("listed");
         cylinder.set("segments", segments).expect("in range");
@@ -204,8 +204,8 @@ fn sharp_rims_are_cut_evenly_however_fine_they_were() {
                 .filter(|&e| result.ends(e).iter().all(|&v| is_on_rim(result.position(v))))
                 .map(|e| edge_length(&result, e))
                 .collect();
-            // A polygon of so many sides is nearly as long as the circle. Its sides are cut no finer than
-            // 4/5 and no coarser than 4/3 of the length, but one where a triangle would be thin.
+            // A polygon with that many sides is nearly as long as the circle. Its sides are between 4/5 and 4/3 of
+            // the length, except one where a triangle would be thin.
             let even = TAU / length;
             let count = rim.len() as f64;
             assert!(
@@ -234,7 +234,7 @@ fn a_polygon_that_is_folded_keeps_the_fold() {
 }
 
 #[test]
-fn boundaries_are_cut_evenly_where_they_were() {
+fn boundaries_are_divided_evenly_in_place() {
     let mut disc = grid(20);
     for v in disc.vertices().collect::<Vec<_>>() {
         // A square of circles.
@@ -254,7 +254,7 @@ fn boundaries_are_cut_evenly_where_they_were() {
     assert!(angles(&result).0 > 30.0, "{}", angles(&result).0);
     for v in result.vertices().filter(|&v| result.is_boundary_vertex(v)) {
         let p = result.position(v).as_dvec3();
-        // On a side of the polygon: two of its corners in line with it, one each way.
+        // On a side of the polygon: between two of its corners.
         let on = rim.iter().any(|&a| {
             rim.iter()
                 .any(|&b| (a.distance(p) + b.distance(p) - a.distance(b)).abs() < 1e-6 && a.distance(b) < 0.2)
@@ -297,9 +297,9 @@ fn the_smallest_meshes() {
 }
 
 #[test]
-fn refuses_what_makes_no_sense_and_stops_when_told() {
+fn refuses_bad_values_and_stops_when_cancelled() {
     let cube = cube();
-    let bad = |options: Remesh| remesh(&cube, &options, &mut go_on).expect_err("refused").to_string();
+    let bad = |options: Remesh| remesh(&cube, &options, &mut never_cancel).expect_err("refused").to_string();
     assert_eq!(
         bad(Remesh { edge_length: Some(0.0), ..Remesh::default() }),
         "edge_length must be a finite number above 0"
@@ -308,7 +308,7 @@ fn refuses_what_makes_no_sense_and_stops_when_told() {
         bad(Remesh { feature_angle: 0.0, ..Remesh::default() }),
         "feature_angle must be above 0 and at most 180 degrees"
     );
-    let tiny = remesh(&cube, &Remesh { edge_length: Some(1e-6), ..Remesh::default() }, &mut go_on);
+    let tiny = remesh(&cube, &Remesh { edge_length: Some(1e-6), ..Remesh::default() }, &mut never_cancel);
     assert!(matches!(tiny, Err(SurfaceError::TooManyFaces { .. })));
     let mut stop = |done: f32| if done > 0.3 { ControlFlow::Break(()) } else { ControlFlow::Continue(()) };
     assert_eq!(remesh(&cube, &Remesh::default(), &mut stop), Err(SurfaceError::Cancelled));
@@ -342,27 +342,27 @@ proptest! {
 fn more_iterations_than_the_limit_are_refused() {
     let refused = |iterations| {
         let options = Remesh { iterations, ..Remesh::default() };
-        remesh(&cube(), &options, &mut go_on).expect_err("too many").to_string()
+        remesh(&cube(), &options, &mut never_cancel).expect_err("too many").to_string()
     };
     assert_eq!(refused(MAX_REMESH_ITERATIONS + 1), "iterations must be at most 1000");
     assert_eq!(refused(u32::MAX), "iterations must be at most 1000");
     let options = Smooth { iterations: 10_001, strength: 0.5, method: SmoothMethod::Taubin };
-    let refused = smooth(&cube(), &options, &mut go_on).expect_err("too many");
+    let refused = smooth(&cube(), &options, &mut never_cancel).expect_err("too many");
     assert_eq!(refused.to_string(), "iterations must be at most 10000");
-    assert!(smooth(&cube(), &Smooth { iterations: 10_000, ..options }, &mut go_on).is_ok());
+    assert!(smooth(&cube(), &Smooth { iterations: 10_000, ..options }, &mut never_cancel).is_ok());
 }
 
 proptest! {
     // Each case makes many triangles.
     #![proptest_config(ProptestConfig::with_cases(8))]
 
-    /// Edges shorter than those of the input follow it closely, whatever the polygons, the boundary and the
-    /// pieces: area and volume stay, and no part goes.
+    /// Edges shorter than those of the input follow it closely, whatever its polygons, boundary and components: area
+    /// and volume stay, and no part disappears.
     #[test]
     fn fine_edges_keep_area_and_volume(mesh in random_mesh(false), length in 0.12f64..0.2) {
         // Polygons that aren't flat have an area once they are cut.
         let whole = Simplify { target: SimplifyTarget::Ratio(1.0), preserve_boundary: true, preserve_seams: true };
-        let cut = simplify(&mesh, &whole, &mut go_on).expect("in range").mesh;
+        let cut = simplify(&mesh, &whole, &mut never_cancel).expect("in range").mesh;
         let result = run(&mesh, &Remesh { edge_length: Some(length), ..Remesh::default() });
         if cut.face_count() == 0 {
             return Ok(());
@@ -372,11 +372,10 @@ proptest! {
         let change = (volume_from_origin(&result) - volume_from_origin(&cut)).abs();
         prop_assert!(change < 0.3 * length * before, "volume by {}, of area {}", change, before);
         let (there, back) = (farthest_vertex(&cut, &result), farthest_vertex(&result, &cut));
-        // A corner that is no feature may end up above the middle of a triangle whose sides are the longest
-        // there are, 4/3 of the length, and above it by no more than from there to its corners: what is
-        // steeper is a feature.
+        // A corner that is no feature may end up above the middle of a triangle with the longest sides, 4/3 of the
+        // length, but not farther above it than the middle is from its corners: steeper ones are features.
         prop_assert!(back < 4.0 / 3.0 / 3f64.sqrt() * length, "the input is {} off", back);
-        // Vertices on curves whose way is blocked are off the input, by less than its faces are wide.
+        // Vertices on blocked curves are off the input by less than the width of its faces.
         prop_assert!(there < 1.0, "{} off", there);
     }
 }

@@ -17,7 +17,7 @@ fixtures::shared_tests!(max_error_holds_between_the_points_that_are_measured);
 
 fn to(mesh: &Mesh, target: SimplifyTarget) -> Simplified {
     let options = Simplify { target, preserve_boundary: true, preserve_seams: true };
-    let result = simplify(mesh, &options, &mut go_on).expect("target in range");
+    let result = simplify(mesh, &options, &mut never_cancel).expect("target in range");
     result.mesh.validate().expect("valid");
     assert!(result.mesh.is_compact());
     result
@@ -31,7 +31,7 @@ fn shape(name: &str, sizes: &[(&str, f64)]) -> Mesh {
     shape.build().expect("fits")
 }
 
-/// Pieces and Euler characteristic without isolated vertices, and boundary loops.
+/// Components and Euler characteristic without isolated vertices, and boundary loops.
 fn topology(mesh: &Mesh) -> (usize, i64, usize) {
     let isolated = mesh.vertices().filter(|&v| mesh.halfedge_from(v).is_none()).count();
     (
@@ -41,12 +41,12 @@ fn topology(mesh: &Mesh) -> (usize, i64, usize) {
     )
 }
 
-/// The largest distance found from points all over one mesh to the other.
+/// The largest distance from sampled points of one mesh to the other.
 fn sampled_distance(from: &Mesh, to: &Mesh) -> f64 {
     finely_sampled_distance(from, to, 4)
 }
 
-/// As [`sampled_distance`], with the sides of triangles cut into so many parts.
+/// Like [`sampled_distance`], with the sides of triangles divided into `parts`.
 fn finely_sampled_distance(from: &Mesh, to: &Mesh, parts: u32) -> f64 {
     let tree = FaceTree::new(to);
     let mut worst = 0.0f64;
@@ -93,7 +93,7 @@ fn hits_the_count_that_was_asked_for() {
     assert_eq!(open.mesh.face_count(), 31);
 }
 
-/// Meshes past some ten thousand triangles are worked on block by block.
+/// Meshes with more than some ten thousand triangles are processed in blocks.
 #[test]
 fn large_meshes_are_simplified_evenly() {
     let mesh = grid(200);
@@ -121,8 +121,8 @@ fn large_meshes_are_simplified_evenly() {
 #[test]
 fn seams_that_stop_it_are_named() {
     let mut mesh = shape("cube", &[]);
-    mesh = subdivide_linear(&mesh, &Linear { levels: 2 }, &mut go_on).expect("fits");
-    // A chart of its own for each face: every edge is a seam.
+    mesh = subdivide_linear(&mesh, &Linear { levels: 2 }, &mut never_cancel).expect("fits");
+    // Each face has its own chart: every edge is a seam.
     for h in 0..mesh.halfedge_count() {
         mesh.set(keys::CORNER_UV, h, Vec2::splat(h as f32));
     }
@@ -133,15 +133,15 @@ fn seams_that_stop_it_are_named() {
 }
 
 #[test]
-fn seams_can_be_given_up() {
-    let mut mesh = subdivide_linear(&cube(), &Linear { levels: 2 }, &mut go_on).expect("fits");
+fn seams_need_not_be_preserved() {
+    let mut mesh = subdivide_linear(&cube(), &Linear { levels: 2 }, &mut never_cancel).expect("fits");
     for h in 0..mesh.halfedge_count() {
         mesh.set(keys::CORNER_UV, h, Vec2::splat(h as f32));
     }
     let run = |faces: usize, preserve_seams: bool| {
         let target = SimplifyTarget::Faces(faces);
         let options = Simplify { target, preserve_boundary: true, preserve_seams };
-        let result = simplify(&mesh, &options, &mut go_on).expect("in range");
+        let result = simplify(&mesh, &options, &mut never_cancel).expect("in range");
         result.mesh.validate().expect("valid");
         result
     };
@@ -154,7 +154,7 @@ fn seams_can_be_given_up() {
 }
 
 #[test]
-fn what_cannot_be_simplified_is_left_at_once() {
+fn simplification_stops_at_once_where_nothing_can_go() {
     // No tetrahedron of these ten thousand can lose a triangle.
     let mut soup = halfedge::PolygonSoup::default();
     for i in 0..10_000u32 {
@@ -174,7 +174,7 @@ fn what_cannot_be_simplified_is_left_at_once() {
 #[test]
 fn flat_faces_go_first_and_edges_stay_sharp() {
     let mut cube = shape("cube", &[]);
-    cube = subdivide_linear(&cube, &Linear { levels: 4 }, &mut go_on).expect("fits");
+    cube = subdivide_linear(&cube, &Linear { levels: 4 }, &mut never_cancel).expect("fits");
     let result = to(&cube, SimplifyTarget::Faces(12));
     assert_eq!(result.mesh.face_count(), 12);
     assert!((volume(&result.mesh) - 8.0).abs() < 1e-4);
@@ -189,7 +189,7 @@ fn flat_faces_go_first_and_edges_stay_sharp() {
 fn a_small_spike_stays_on_a_large_surface() {
     let sphere = shape("ico-sphere", &[("subdivisions", 4.0)]);
     let mut soup = sphere.to_soup();
-    // Too little area to count by that alone: inside the first triangle a spike half as wide, as high as it is wide.
+    // A spike inside the first triangle, half as wide as that and as high as wide: its area alone counts too little.
     let corners = [0, 1, 2].map(|k| soup.positions[soup.corners[k] as usize]);
     let middle = (corners[0] + corners[1] + corners[2]) / 3.0;
     let tip = middle + 0.5 * corners[0].distance(corners[1]) * middle.normalize();
@@ -246,8 +246,8 @@ fn max_error_holds_between_the_points_that_are_measured() {
 }
 
 #[test]
-fn max_error_holds_where_the_nearest_triangle_is_round_a_fold() {
-    // A strip that turns back over itself: walking from where a corner was ends on the wrong side.
+fn max_error_holds_where_the_nearest_triangle_is_around_a_fold() {
+    // A strip folded over itself: a walk from a corner's old place ends on the wrong side.
     let mut soup = PolygonSoup::default();
     soup.positions.extend(
         [
@@ -317,7 +317,7 @@ fn seams_and_painted_borders_stay_where_they_are() {
 }
 
 #[test]
-fn sizes_at_the_ends_of_what_floats_hold_are_no_different() {
+fn sizes_at_the_limits_of_floats_are_no_different() {
     let sphere = shape("ico-sphere", &[("subdivisions", 3.0)]);
     for size in [1e-36, 1e-20, 1e20, 1.9e38] {
         let mut scaled = sphere.clone();
@@ -329,7 +329,7 @@ fn sizes_at_the_ends_of_what_floats_hold_are_no_different() {
         let far = f64::from(size) * 1.2;
         assert!(result.positions().iter().all(|p| p.is_finite() && p.as_dvec3().length() < far), "{size}");
         let options = Remesh { iterations: 2, ..Remesh::default() };
-        let remeshed = remesh(&scaled, &options, &mut go_on).expect("in range");
+        let remeshed = remesh(&scaled, &options, &mut never_cancel).expect("in range");
         remeshed.validate().expect("valid");
         assert!(remeshed.face_count() > 500, "{size}: {}", remeshed.face_count());
         assert!(remeshed.positions().iter().all(|p| p.is_finite() && p.as_dvec3().length() < far), "{size}");
@@ -337,17 +337,24 @@ fn sizes_at_the_ends_of_what_floats_hold_are_no_different() {
 }
 
 #[test]
-fn refuses_targets_out_of_range_and_stops_when_told() {
+fn refuses_targets_out_of_range_and_stops_when_cancelled() {
     let cube = cube();
     for target in [SimplifyTarget::Ratio(0.0), SimplifyTarget::Ratio(1.5), SimplifyTarget::Ratio(f64::NAN)] {
-        let refused =
-            simplify(&cube, &Simplify { target, preserve_boundary: true, preserve_seams: true }, &mut go_on);
+        let refused = simplify(
+            &cube,
+            &Simplify { target, preserve_boundary: true, preserve_seams: true },
+            &mut never_cancel,
+        );
         assert_eq!(refused.expect_err("no ratio").to_string(), "ratio must be above 0 and at most 1");
     }
     let target = SimplifyTarget::MaxError(-1.0);
     assert!(
-        simplify(&cube, &Simplify { target, preserve_boundary: true, preserve_seams: true }, &mut go_on)
-            .is_err()
+        simplify(
+            &cube,
+            &Simplify { target, preserve_boundary: true, preserve_seams: true },
+            &mut never_cancel
+        )
+        .is_err()
     );
     let sphere = shape("ico-sphere", &[("subdivisions", 5.0)]);
     let mut asked = 0;
@@ -376,20 +383,20 @@ proptest! {
         let before: usize = mesh.faces().map(|f| mesh.face_degree(f) - 2).sum();
         let wanted = ((before as f64 * share) as usize).max(1);
         let options = Simplify { target: SimplifyTarget::Faces(wanted), preserve_boundary, preserve_seams: true };
-        let result = simplify(&mesh, &options, &mut go_on).expect("in range");
+        let result = simplify(&mesh, &options, &mut never_cancel).expect("in range");
         result.mesh.validate().expect("valid");
         prop_assert_eq!(topology(&result.mesh), topology(&mesh));
         prop_assert!(result.mesh.face_count() >= wanted);
         prop_assert_eq!(result.shortfall().is_none(), result.mesh.face_count() == wanted);
         prop_assert!(result.mesh.faces().all(|f| result.mesh.face_degree(f) == 3));
         prop_assert!(result.mesh.faces().all(|f| face_normal(&result.mesh, f) != Vec3::ZERO));
-        let again = simplify(&mesh, &options, &mut go_on).expect("in range");
+        let again = simplify(&mesh, &options, &mut never_cancel).expect("in range");
         prop_assert_eq!(again.mesh, result.mesh);
     }
 
     #[test]
     fn max_error_holds_on_any_mesh(mesh in random_mesh(false), error in 0.01f64..0.5) {
-        // Polygons that are not flat are compared as the triangles that they are cut into.
+        // Non-planar polygons are compared as the triangles that they are cut into.
         let triangles = to(&mesh, SimplifyTarget::Ratio(1.0)).mesh;
         prop_assume!(triangles.face_count() > 0);
         let result = to(&triangles, SimplifyTarget::MaxError(error)).mesh;

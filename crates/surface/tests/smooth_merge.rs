@@ -11,7 +11,7 @@ use surface::measure::*;
 use surface::*;
 
 fn smoothed(mesh: &Mesh, iterations: u32, strength: f64, method: SmoothMethod) -> Mesh {
-    let result = smooth(mesh, &Smooth { iterations, strength, method }, &mut go_on).expect("in range");
+    let result = smooth(mesh, &Smooth { iterations, strength, method }, &mut never_cancel).expect("in range");
     result.validate().expect("valid");
     result
 }
@@ -30,7 +30,7 @@ fn a_full_laplacian_step_goes_to_the_mean_of_the_neighbours() {
 }
 
 #[test]
-fn a_boundary_is_smoothed_as_a_curve_of_its_own() {
+fn a_boundary_is_smoothed_as_a_curve() {
     let grid = grid(4);
     let once = smoothed(&grid, 1, 1.0, SmoothMethod::Laplacian);
     assert_eq!(once.position(VertexId::new(0)), Vec3::new(0.5, 0.5, 0.0));
@@ -64,13 +64,13 @@ fn taubin_keeps_the_volume_that_laplacian_loses() {
 fn smoothing_refuses_no_strength() {
     for strength in [0.0, -1.0, 1.5, f64::NAN] {
         let options = Smooth { iterations: 1, strength, method: SmoothMethod::Laplacian };
-        let refused = smooth(&cube(), &options, &mut go_on).expect_err("no strength");
+        let refused = smooth(&cube(), &options, &mut never_cancel).expect_err("no strength");
         assert_eq!(refused.to_string(), "strength must be above 0 and at most 1");
     }
 }
 
 fn merge(mesh: &Mesh, distance: f64) -> Merged {
-    let merged = merge_by_distance(mesh, distance, &mut go_on).expect("in range");
+    let merged = merge_by_distance(mesh, distance, &mut never_cancel).expect("in range");
     merged.mesh.validate().expect("valid");
     merged
 }
@@ -109,7 +109,7 @@ fn a_cube_of_loose_faces_closes() {
 }
 
 #[test]
-fn corners_that_fall_together_leave_the_face() {
+fn coinciding_corners_leave_the_face() {
     let sliver = mesh(
         &[
             [0., 0., 0.],
@@ -125,7 +125,7 @@ fn corners_that_fall_together_leave_the_face() {
     let result = merge(&sliver, 0.01);
     assert_eq!((result.merged, result.mesh.face_count()), (3, 1));
     assert_eq!(result.mesh.face_degree(result.mesh.faces().next().expect("one")), 3);
-    assert!(merge_by_distance(&sliver, -1.0, &mut go_on).is_err());
+    assert!(merge_by_distance(&sliver, -1.0, &mut never_cancel).is_err());
     assert_eq!(merge(&Mesh::new(), 1.0).mesh, Mesh::new());
 }
 
@@ -163,7 +163,7 @@ proptest! {
             prop_assert_eq!(result.position(v), mesh.position(v));
         }
     }
-    /// Triangles, taken apart and a little off, come together as they were.
+    /// Triangles that were taken apart and moved a little merge to the same surface.
     #[test]
     fn loose_faces_merge_to_the_same_surface(mesh in random_mesh(true), off in 0f32..1e-5) {
         let mut soup = PolygonSoup::default();
@@ -186,8 +186,8 @@ proptest! {
         prop_assert!((after - before).abs() <= 2e-3 * before, "boundary from {} to {}", before, after);
     }
 
-    /// Vertices go to between their neighbours: the area grows little if it does, and a closed surface's
-    /// volume changes by no more than what it passes over.
+    /// Vertices move between their neighbours: the area hardly grows, and the volume of a closed surface changes by
+    /// no more than the space that the surface moves over.
     #[test]
     fn smoothing_keeps_area_and_volume_in_bounds(mesh in random_mesh(true), strength in 0.1f64..1.0) {
         let result = smoothed(&mesh, 3, strength, SmoothMethod::Laplacian);

@@ -17,14 +17,14 @@ fixtures::shared_tests!(models_subdivide_as_in_opensubdiv);
 
 fn cc(mesh: &Mesh, levels: u32, boundary: BoundaryRule) -> Mesh {
     let options = CatmullClark { levels, boundary, ..CatmullClark::default() };
-    subdivide_catmull_clark(mesh, &options, &mut go_on).expect("fits")
+    subdivide_catmull_clark(mesh, &options, &mut never_cancel).expect("fits")
 }
 
 fn lp(mesh: &Mesh, levels: u32) -> Mesh {
-    subdivide_loop(mesh, &Loop { levels, ..Loop::default() }, &mut go_on).expect("triangles")
+    subdivide_loop(mesh, &Loop { levels, ..Loop::default() }, &mut never_cancel).expect("triangles")
 }
 
-/// Counts, and points both ways within 1e-6 of the diagonal.
+/// Checks counts, and that points are within 1e-6 of the diagonal in both directions.
 fn assert_equals_reference(result: &Mesh, reference: &Path) {
     result.validate().expect("valid");
     let (positions, faces) = read_obj(reference);
@@ -113,7 +113,7 @@ fn a_cube_by_hand() {
     let smoothed = subdivide_catmull_clark(
         &input,
         &CatmullClark { vertex_rule: VertexRule::SmoothedMidpoints, ..CatmullClark::default() },
-        &mut go_on,
+        &mut never_cancel,
     )
     .expect("fits");
     // P/3 + 1/9 of three edge points (-3/4, -3/4, 0) and three centroids (-1, 0, 0).
@@ -178,7 +178,7 @@ fn infinite_creases_keep_a_cube_a_cube() {
 fn loop_weights_by_hand() {
     let input = tetrahedron();
     let options = Loop { weights: LoopWeights::Warren, ..Loop::default() };
-    let warren = subdivide_loop(&input, &options, &mut go_on).expect("triangles");
+    let warren = subdivide_loop(&input, &options, &mut never_cancel).expect("triangles");
     // 7/16 P + 3/16 of three neighbours that sum to -P.
     assert_near(at(&warren, 0), at(&input, 0) * 0.25);
     // Loop at valence 3: cos is -1/2, beta (5/8 - 1/16) / 3 = 3/16: the same.
@@ -193,7 +193,7 @@ fn loop_weights_by_hand() {
 fn loop_refuses_triangles_that_meet_twice() {
     let pair = mesh(&[[0.0; 3], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]], &[&[0, 1, 2], &[2, 1, 0]]);
     let refused =
-        subdivide_loop(&pair, &Loop::default(), &mut go_on).expect_err("would join midpoints twice");
+        subdivide_loop(&pair, &Loop::default(), &mut never_cancel).expect_err("would join midpoints twice");
     assert!(refused.to_string().contains("meet along both edges of vertex"), "{refused}");
     // At a corner of the boundary two edges are not between the same triangles.
     let fold = mesh(
@@ -206,7 +206,7 @@ fn loop_refuses_triangles_that_meet_twice() {
 #[test]
 fn a_flat_grid_stays_flat_and_linear_keeps_its_outline() {
     let input = grid(3);
-    let linear = subdivide_linear(&input, &Linear { levels: 2 }, &mut go_on).expect("fits");
+    let linear = subdivide_linear(&input, &Linear { levels: 2 }, &mut never_cancel).expect("fits");
     linear.validate().expect("valid");
     assert_eq!(linear.face_count(), 9 * 16);
     let mut found = points(&linear);
@@ -236,7 +236,7 @@ fn attributes_are_carried_to_the_children() {
         }
     }
     input.set(keys::VERTEX_COLOR, 0, Vec3::ONE);
-    let linear = subdivide_linear(&input, &Linear { levels: 2 }, &mut go_on).expect("fits");
+    let linear = subdivide_linear(&input, &Linear { levels: 2 }, &mut never_cancel).expect("fits");
     linear.validate().expect("valid");
     for f in linear.faces() {
         let center: Vec3 = linear.face_vertices(f).map(|v| linear.position(v)).sum::<Vec3>() / 4.0;
@@ -261,14 +261,17 @@ fn attributes_are_carried_to_the_children() {
 }
 
 #[test]
-fn refuses_what_does_not_fit_and_stops_when_told() {
+fn refuses_bad_meshes_and_stops_when_cancelled() {
     let input = cube();
-    let refused =
-        subdivide_catmull_clark(&input, &CatmullClark { levels: 12, ..CatmullClark::default() }, &mut go_on);
+    let refused = subdivide_catmull_clark(
+        &input,
+        &CatmullClark { levels: 12, ..CatmullClark::default() },
+        &mut never_cancel,
+    );
     assert_eq!(refused, Err(SurfaceError::TooManyFaces { faces: 24 << 22, limit: MAX_SUBDIVIDED_FACES }));
-    let refused = subdivide_linear(&input, &Linear { levels: u32::MAX }, &mut go_on);
+    let refused = subdivide_linear(&input, &Linear { levels: u32::MAX }, &mut never_cancel);
     assert!(matches!(refused, Err(SurfaceError::TooManyFaces { .. })));
-    let refused = subdivide_loop(&input, &Loop::default(), &mut go_on).expect_err("quads");
+    let refused = subdivide_loop(&input, &Loop::default(), &mut never_cancel).expect_err("quads");
     assert_eq!(
         refused.to_string(),
         "face 0 has 4 corners; this works on triangles only, so triangulate the faces first"
@@ -286,8 +289,8 @@ fn refuses_what_does_not_fit_and_stops_when_told() {
     assert_eq!(cc(&input, 0, BoundaryRule::EdgeOnly), input);
 }
 
-/// What every split keeps: a valid mesh with as many pieces and boundary loops and the same Euler
-/// characteristic, with the counts that follow from the parent's.
+/// Checks that a split gives a valid mesh with the same components, boundary loops and Euler characteristic, and
+/// with the counts that follow from the parent's.
 fn assert_split_of(parent: &Mesh, child: &Mesh, quads: bool) {
     child.validate().expect("valid");
     assert_eq!(child.euler_characteristic(), parent.euler_characteristic());
@@ -331,18 +334,18 @@ proptest! {
             boundary: if corner { BoundaryRule::EdgeAndCorner } else { BoundaryRule::EdgeOnly },
             vertex_rule: if smoothed { VertexRule::SmoothedMidpoints } else { VertexRule::Standard },
         };
-        let once = subdivide_catmull_clark(&mesh, &options, &mut go_on).expect("fits");
+        let once = subdivide_catmull_clark(&mesh, &options, &mut never_cancel).expect("fits");
         assert_split_of(&mesh, &once, true);
         // Two levels are one level twice, creases included.
-        let twice = subdivide_catmull_clark(&once, &options, &mut go_on).expect("fits");
+        let twice = subdivide_catmull_clark(&once, &options, &mut never_cancel).expect("fits");
         let both = CatmullClark { levels: 2, ..options };
-        prop_assert_eq!(&twice, &subdivide_catmull_clark(&mesh, &both, &mut go_on).expect("fits"));
+        prop_assert_eq!(&twice, &subdivide_catmull_clark(&mesh, &both, &mut never_cancel).expect("fits"));
         assert_split_of(&once, &twice, true);
         // All weights sum to one: a moved mesh gives the moved result.
         let offset = Vec3::new(shift, -shift, 2.0 * shift);
         let mut moved = mesh.clone();
         moved.set_positions(mesh.positions().iter().map(|&p| p + offset).collect()).expect("as long");
-        let moved = subdivide_catmull_clark(&moved, &options, &mut go_on).expect("fits");
+        let moved = subdivide_catmull_clark(&moved, &options, &mut never_cancel).expect("fits");
         for (a, b) in once.positions().iter().zip(moved.positions()) {
             prop_assert!((*a + offset).distance(*b) < 1e-4);
         }
@@ -362,22 +365,22 @@ proptest! {
         sharpen(&mut mesh, &sharpness);
         let weights = if warren { LoopWeights::Warren } else { LoopWeights::Loop };
         let options = Loop { weights, ..Loop::default() };
-        let once = subdivide_loop(&mesh, &options, &mut go_on).expect("triangles");
+        let once = subdivide_loop(&mesh, &options, &mut never_cancel).expect("triangles");
         assert_split_of(&mesh, &once, false);
-        let twice = subdivide_loop(&once, &options, &mut go_on).expect("triangles");
-        prop_assert_eq!(&twice, &subdivide_loop(&mesh, &Loop { levels: 2, ..options }, &mut go_on).expect("triangles"));
+        let twice = subdivide_loop(&once, &options, &mut never_cancel).expect("triangles");
+        prop_assert_eq!(&twice, &subdivide_loop(&mesh, &Loop { levels: 2, ..options }, &mut never_cancel).expect("triangles"));
     }
 
     #[test]
     fn linear_keeps_vertices(mesh in random_mesh(false)) {
-        let result = subdivide_linear(&mesh, &Linear { levels: 1 }, &mut go_on).expect("fits");
+        let result = subdivide_linear(&mesh, &Linear { levels: 1 }, &mut never_cancel).expect("fits");
         assert_split_of(&mesh, &result, true);
         prop_assert_eq!(&result.positions()[..mesh.vertex_count()], mesh.positions());
     }
-    /// Flat pieces of flat faces: nothing else changes.
+    /// Flat faces are only divided.
     #[test]
     fn linear_keeps_area_and_volume(mesh in random_mesh(true), levels in 1u32..3) {
-        let result = subdivide_linear(&mesh, &Linear { levels }, &mut go_on).expect("fits");
+        let result = subdivide_linear(&mesh, &Linear { levels }, &mut never_cancel).expect("fits");
         let (before, after) = (surface_area(&mesh), surface_area(&result));
         prop_assert!((after - before).abs() <= 1e-5 * before, "area from {} to {}", before, after);
         let change = (volume(&result) - volume(&mesh)).abs();

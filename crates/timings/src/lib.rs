@@ -60,29 +60,29 @@ fn catmull_clark() -> Prepared {
     let mesh = mesh(wavy_torus(1000, 500, false));
     Box::new(move || {
         let options = CatmullClark::default();
-        drop(black_box(surface::subdivide_catmull_clark(&mesh, &options, &mut go_on)));
+        drop(black_box(surface::subdivide_catmull_clark(&mesh, &options, &mut never_cancel)));
     })
 }
 
 fn loop_rule() -> Prepared {
     let mesh = mesh(wavy_torus(500, 400, true));
-    Box::new(move || drop(black_box(surface::subdivide_loop(&mesh, &Loop::default(), &mut go_on))))
+    Box::new(move || drop(black_box(surface::subdivide_loop(&mesh, &Loop::default(), &mut never_cancel))))
 }
 
 fn simplify() -> Prepared {
     let mesh = mesh(wavy_torus(1000, 500, true));
     let options =
         Simplify { target: SimplifyTarget::Ratio(0.1), preserve_boundary: true, preserve_seams: true };
-    Box::new(move || drop(black_box(surface::simplify(&mesh, &options, &mut go_on))))
+    Box::new(move || drop(black_box(surface::simplify(&mesh, &options, &mut never_cancel))))
 }
 
 fn remesh() -> Prepared {
     let mesh = mesh(wavy_torus(520, 250, true));
     let options = Remesh { iterations: 10, ..Remesh::default() };
-    Box::new(move || drop(black_box(surface::remesh(&mesh, &options, &mut go_on))))
+    Box::new(move || drop(black_box(surface::remesh(&mesh, &options, &mut never_cancel))))
 }
 
-fn go_on(_: f32) -> ControlFlow<()> {
+fn never_cancel(_: f32) -> ControlFlow<()> {
     ControlFlow::Continue(())
 }
 

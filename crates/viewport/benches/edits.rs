@@ -1,5 +1,5 @@
-//! One flip, split and collapse with its undo and the upload of both to the graphics card, on meshes
-//! of a thousand and of a million triangles: the same time.
+//! A flip, split and collapse with its undo, and the upload of both to the graphics card, on meshes of a thousand
+//! and of a million triangles: both take the same time.
 
 #[path = "../tests/support/mod.rs"]
 mod support;
@@ -24,22 +24,22 @@ impl Scene {
         self.renderer.sync_object(device, queue, 1, &self.mesh, change, &self.style)
     }
 
-    /// Waits until the card has what was written.
-    fn settle(&self) {
+    /// Waits until the graphics card has received all writes.
+    fn wait(&self) {
         self.gpu.queue.submit([]);
         self.gpu.device.poll(wgpu::PollType::wait_indefinitely()).expect("uploaded");
     }
 
-    /// An edit at another edge of the mesh each time, uploaded, its undo, and that uploaded.
-    fn there_and_back(&mut self, edit: impl Fn(&mut Mesh, EdgeId) -> Result<(), Refusal>) {
+    /// Makes an edit at another edge each time, uploads it, undoes it and uploads that.
+    fn edit_and_undo(&mut self, edit: impl Fn(&mut Mesh, EdgeId) -> Result<(), Refusal>) {
         self.step += 7919;
         let edge = EdgeId::new(self.step % self.mesh.edge_capacity());
         let Ok(((), journal)) = self.mesh.transaction(|mesh| edit(mesh, edge)) else { return };
         self.upload(ObjectChange::Touched(&journal.touched()));
-        self.settle();
+        self.wait();
         let redo = self.mesh.undo(journal);
         self.upload(ObjectChange::Touched(&redo.touched()));
-        self.settle();
+        self.wait();
     }
 }
 
@@ -50,15 +50,15 @@ fn one_edit(c: &mut Criterion) {
         let mesh = support::grid(n, m, true);
         let mut scene = Scene { gpu, renderer, style: Style::default(), mesh, step: 0 };
         scene.upload(ObjectChange::Everything);
-        scene.settle();
+        scene.wait();
         let split = |mesh: &mut Mesh, edge| edit::split_edge(mesh, edge, 0.5, Connect::Triangles).map(drop);
-        // The columns and buffers have room for what a split adds from here on.
-        scene.there_and_back(split);
+        // From here on, columns and buffers have room for a split.
+        scene.edit_and_undo(split);
         let mut group = c.benchmark_group(format!("{name}, with undo and uploads"));
-        group.bench_function("flip", |b| b.iter(|| scene.there_and_back(edit::flip_edge)));
-        group.bench_function("split", |b| b.iter(|| scene.there_and_back(split)));
+        group.bench_function("flip", |b| b.iter(|| scene.edit_and_undo(edit::flip_edge)));
+        group.bench_function("split", |b| b.iter(|| scene.edit_and_undo(split)));
         group.bench_function("collapse", |b| {
-            b.iter(|| scene.there_and_back(|mesh, edge| edit::collapse_edge(mesh, edge, 0.5).map(drop)));
+            b.iter(|| scene.edit_and_undo(|mesh, edge| edit::collapse_edge(mesh, edge, 0.5).map(drop)));
         });
     }
 }

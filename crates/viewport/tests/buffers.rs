@@ -1,4 +1,4 @@
-//! The vertex streams: right for a mesh, the same after edits as when made anew, and cheap to edit.
+//! The vertex streams: correct for a mesh, after edits the same as after a rebuild, and cheap to edit.
 
 mod support;
 
@@ -55,8 +55,8 @@ fn of_face(buffers: &Buffers, mirror: &Mirror, face: FaceId) -> Vec<Triangle> {
     (range.first..range.first + range.count).map(|t| mirror.triangle(t)).collect()
 }
 
-/// Each face has what a rebuild gives it, no two faces share a triangle, and no other triangle has a
-/// size.
+/// Checks that each face has the triangles of a rebuild, that no two faces share one, and that no other triangle
+/// has an area.
 fn assert_as_rebuilt(mesh: &Mesh, buffers: &Buffers, mirror: &Mirror) {
     let mut fresh = Buffers::default();
     let mut expected = Mirror::default();
@@ -156,14 +156,14 @@ fn a_local_edit_uploads_what_its_valence_says_whatever_the_mesh() {
         let mut sizes = Vec::new();
         for smooth in [false, true] {
             let (mut buffers, mut mirror) = rebuilt(&mesh, smooth);
-            // Other values each time round: what stays as it was is no change.
+            // Different values each time: equal ones are no change.
             let (height, color) = if smooth { (0.2, [4, 5, 6]) } else { (0.1, [1, 2, 3]) };
             let moved = touched(&mut mesh, |mesh| mesh.set_position(middle, vec3(0.0, 0.0, height)));
             buffers.update(&mesh, &moved, &mut mirror);
             sizes.push(mirror.written);
             mirror.written = 0;
             let painted = touched(&mut mesh, |mesh| paint(mesh, 3, color));
-            // The first colour makes the column, which is a change to all; the second is not.
+            // The first colour adds the column, which changes everything; the second doesn't.
             buffers.update(&mesh, &painted, &mut mirror);
             mirror.written = 0;
             let painted = touched(&mut mesh, |mesh| paint(mesh, 4, color));
@@ -194,7 +194,7 @@ fn a_local_edit_uploads_what_its_valence_says_whatever_the_mesh() {
 }
 
 #[test]
-fn a_mesh_may_be_edited_while_it_is_written_a_part_at_a_time() {
+fn a_mesh_may_be_edited_during_a_rebuild() {
     for smooth in [false, true] {
         let mut mesh = grid(20, 15, true);
         let (mut buffers, mut mirror) = (Buffers::default(), Mirror::default());
@@ -204,7 +204,7 @@ fn a_mesh_may_be_edited_while_it_is_written_a_part_at_a_time() {
             parts += 1;
         }
         assert_eq!((parts, mirror.written), (5, 4 * 80 * TRIANGLE_BYTES));
-        // Among what is written, and what is not.
+        // Among the faces that are written, and among those that aren't.
         let edit = touched(&mut mesh, |mesh| {
             for e in [3, 500, 900] {
                 split_edge(mesh, EdgeId::new(e), 0.5, Connect::All).expect("splits");
@@ -274,7 +274,7 @@ fn edits() -> impl Strategy<Value = Vec<Edit>> {
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(96))]
 
-    /// After each of any sequence of edits, undos and redos the streams are as when made anew.
+    /// After any sequence of edits, undos and redos the streams are the same as after a rebuild.
     #[test]
     fn streams_follow_edits(edits in edits(), which in 0..3, smooth in any::<bool>()) {
         let mut mesh = match which { 0 => cube(), 1 => grid(4, 3, false), _ => sphere(8, 6) };

@@ -1,4 +1,4 @@
-//! The camera's maths: pictures, rays and drags agree with each other at any scale.
+//! The camera: projection, rays and drags agree at any scale.
 
 use glam::{DVec3, Vec2, Vec3, vec2, vec3};
 use proptest::prelude::*;
@@ -27,7 +27,7 @@ fn camera() -> impl Strategy<Value = Camera> {
 }
 
 proptest! {
-    /// The ray at a pixel passes through what is projected there.
+    /// The ray at a pixel passes through the points that are projected there.
     #[test]
     fn a_ray_meets_the_points_at_its_pixel(
         camera in camera(),
@@ -43,7 +43,7 @@ proptest! {
         prop_assert!(back.distance(vec2(x, y)) < 0.05, "{back}");
     }
 
-    /// What is framed is all in view, in any direction and in viewports of any shape.
+    /// Framed bounds are completely in view, from any direction and in viewports of any shape.
     #[test]
     fn framing_shows_all(
         camera in camera(),
@@ -65,7 +65,7 @@ proptest! {
             let p = camera.project(corner, view).expect("in front of the eye");
             prop_assert!(p.cmpge(Vec2::splat(-0.5)).all() && p.cmple(view + 0.5).all(), "{p} of {view}");
         }
-        // And not from needlessly far: the sphere around the box fills nine tenths of the narrower side.
+        // And not too far away: the sphere around the box fills nine tenths of the narrower side.
         let radius = bounds.diagonal() / 2.0;
         prop_assert!(camera.distance < radius / (0.35_f64.tan() * f64::from(aspect.min(1.0))).atan().sin() * 1.1 + 1e-30
             || radius == 0.0);

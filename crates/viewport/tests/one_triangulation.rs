@@ -14,7 +14,7 @@ use viewport::buffers::{Buffers, Corners, Sink};
 
 type Triangle = [[u32; 3]; 3];
 
-/// Triangles of positions to the bit, each from its least corner on, in ascending order.
+/// The bits of triangles' positions, each triangle starting with its smallest corner, sorted.
 fn sorted(triangles: impl IntoIterator<Item = [Vec3; 3]>) -> Vec<Triangle> {
     let turned = |triangle: [Vec3; 3]| {
         let [a, b, c] = triangle.map(|p| p.to_array().map(f32::to_bits));
@@ -60,7 +60,7 @@ fn saved(mesh: &Mesh) -> Vec<Triangle> {
     }))
 }
 
-/// The triangles that rays close above each triangle's middle hit.
+/// Checks that rays from just above each triangle's centre hit drawn triangles.
 fn assert_picked(mesh: &Mesh, triangles: &[Triangle]) {
     let tree = FaceTree::new(mesh);
     for triangle in triangles {
@@ -94,8 +94,8 @@ fn assert_agree(polygon: &[Vec3]) {
     assert_eq!(drawn, of_mesh(&mesh));
 }
 
-/// Corners around a centre at any radii, in a tilted plane or bent out of it: concave polygons, and convex
-/// ones where the radii are close.
+/// Corners at any distance from a centre, in a tilted plane or bent out of it: concave polygons, and convex ones if
+/// the distances are similar.
 fn star() -> impl Strategy<Value = Vec<Vec3>> {
     let radii = prop_oneof![
         prop::collection::vec(0.1f32..2.0, 4..12),
@@ -114,7 +114,7 @@ fn star() -> impl Strategy<Value = Vec<Vec3>> {
     )
 }
 
-/// Corners anywhere: the polygon crosses itself.
+/// Corners anywhere: polygons that cross themselves.
 fn tangle() -> impl Strategy<Value = Vec<Vec3>> {
     let corner = prop::array::uniform3(-1.0f32..1.0).prop_map(Vec3::from_array);
     prop_oneof![
@@ -124,7 +124,7 @@ fn tangle() -> impl Strategy<Value = Vec<Vec3>> {
     ]
 }
 
-/// Corners at few places: in the same place, in line, sides that run back along others, no area.
+/// Corners in few places: coinciding and collinear corners, sides that run back along others, no area.
 fn degenerate() -> impl Strategy<Value = Vec<Vec3>> {
     let corner = (0u8..4, 0u8..4, prop_oneof![4 => Just(0u8), 1 => 0u8..2])
         .prop_map(|(x, y, z)| Vec3::new(x.into(), y.into(), z.into()));

@@ -1,4 +1,4 @@
-//! Picking and box selection on meshes whose answers can be told by looking.
+//! Picking and box selection on meshes with obvious answers.
 
 mod support;
 
@@ -64,7 +64,7 @@ fn half_edges_by_the_side_the_pointer_is_on() {
         let h = id(&grid, &camera, middle + vec2(shift, 0.0), Element::Halfedge).expect("a half-edge");
         assert_eq!(grid.face_of(grid.halfedge(h).expect("exists")), Some(FaceId::new(face)));
     }
-    // Beside the surface: the boundary half-edge; on it: the face's.
+    // Outside the surface the boundary half-edge; on it the face's.
     let right = at(&camera, vec3(1.0, 0.0, 0.0));
     let outer = id(&grid, &camera, right + vec2(3.0, 0.0), Element::Halfedge).expect("a half-edge");
     let inner = id(&grid, &camera, right - vec2(3.0, 0.0), Element::Halfedge).expect("a half-edge");
@@ -73,7 +73,7 @@ fn half_edges_by_the_side_the_pointer_is_on() {
 }
 
 #[test]
-fn a_vertex_without_faces_can_be_picked_unless_it_is_hidden() {
+fn an_isolated_vertex_can_be_picked_unless_it_is_hidden() {
     let mut soup = PolygonSoup::new(
         vec![vec3(-1., -1., 0.), vec3(1., -1., 0.), vec3(0., 1., 0.), vec3(1.5, 1.0, 0.0), vec3(0., 0., -1.)],
         &[[0_u32, 1, 2]],
@@ -89,7 +89,7 @@ fn a_vertex_without_faces_can_be_picked_unless_it_is_hidden() {
 }
 
 #[test]
-fn points_without_any_faces_are_picked_and_boxed() {
+fn isolated_vertices_are_picked_and_boxed() {
     let soup = PolygonSoup {
         positions: (0..5).map(|i| Vec3::splat(i as f32 * 0.2)).collect(),
         ..PolygonSoup::default()
@@ -109,7 +109,7 @@ fn inside(mesh: &Mesh, camera: &Camera, rect: ScreenRect, kind: Element, visible
     let tree = FaceTree::new(mesh);
     let begun = || BoxSelection::new(camera, VIEW, rect, kind, visible);
     let all = begun().finish(mesh, &tree);
-    // A part at a time finds the same.
+    // Some elements at a time give the same.
     let mut parts = begun();
     let found = loop {
         if let Some(found) = parts.step(mesh, &tree, 3) {
@@ -162,8 +162,8 @@ fn a_box_works_from_within_the_mesh() {
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(10))]
 
-    /// Of a convex body, a face is visible where it is turned towards the eye, and so are its edges and
-    /// corners. With small faces most are told by the depth buffer, with few by rays.
+    /// A face of a convex body is visible if it faces the eye, and so are its edges and corners. The depth buffer
+    /// decides about most small faces, rays about large ones.
     #[test]
     fn a_box_finds_the_near_side_of_a_convex_body(
         yaw in 0.0..std::f64::consts::TAU,
@@ -173,7 +173,7 @@ proptest! {
     ) {
         let ball = if fine { sphere(48, 36) } else { sphere(7, 5) };
         let camera = Camera { yaw, pitch, orthographic, ..Camera::default() };
-        // How much each face is turned towards the eye.
+        // How far each face faces the eye.
         let turned: Vec<f64> = ball.faces().map(|f| {
             let corner = ball.face_vertices(f).next().map_or(Vec3::ZERO, |v| ball.position(v)).as_dvec3();
             let to_eye = if orthographic { -camera.axes()[2] } else { (camera.eye() - corner).normalize() };
@@ -201,8 +201,8 @@ proptest! {
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(64))]
 
-    /// Pointing right at any vertex or edge that a box finds visible picks it or one in front of it
-    /// at the same place, and never one that is hidden.
+    /// Pointing at a vertex or edge that a box finds visible picks it, or one in front of it in the same place, but
+    /// never a hidden one.
     #[test]
     fn what_is_visible_can_be_picked(yaw in 0.0..std::f64::consts::TAU, pitch in -1.5..1.5_f64, orthographic in any::<bool>()) {
         let ball = sphere(10, 8);

@@ -1,4 +1,4 @@
-//! What is drawn, pixel by pixel, on whatever adapter there is (in CI a software one).
+//! Pictures, pixel by pixel, on any adapter (in CI a software one).
 
 mod support;
 
@@ -52,7 +52,7 @@ fn tilted(degrees: f32, color: [u8; 3]) -> Mesh {
 }
 
 #[test]
-fn a_lit_face_has_its_very_colour_on_either_kind_of_target() {
+fn a_lit_face_has_its_exact_colour_on_both_kinds_of_target() {
     let gpu = gpu();
     for color in [[255, 0, 0], [0x33, 0x66, 0xcc], [200, 200, 200]] {
         let square = tilted(0.0, color);
@@ -60,7 +60,7 @@ fn a_lit_face_has_its_very_colour_on_either_kind_of_target() {
         assert!(close(image.at(100, 80), color, 1), "{:?}", image.at(100, 80));
         assert_eq!(image.at(2, 2), [0, 0, 0]);
 
-        // A target that encodes what is written shows the same bytes.
+        // A target that encodes colours shows the same bytes.
         let srgb = wgpu::TextureFormat::Rgba8UnormSrgb;
         let mut renderer = Renderer::new(&gpu.device, srgb);
         renderer.sync_object(&gpu.device, &gpu.queue, 7, &square, ObjectChange::Everything, &bare());
@@ -209,7 +209,7 @@ fn highlights_are_drawn_over_what_hides_them() {
 }
 
 #[test]
-fn a_highlight_is_uploaded_a_part_at_a_time() {
+fn a_highlight_is_uploaded_some_elements_at_a_time() {
     let gpu = gpu();
     let ball = sphere(12, 8);
     let (camera, style) = (Camera::default(), bare());
@@ -277,7 +277,7 @@ fn the_ground_grid_is_seen_where_it_is_nearer_than_the_mesh_and_nowhere_else() {
             if with.at(x, y) == without.at(x, y) {
                 continue;
             }
-            // Of a pixel on an edge or on the line where the cube cuts the ground, some part may show it.
+            // Pixels on an edge, or on the line where the cube cuts the ground, may show part of it.
             let shows =
                 [-1.0, 0.0, 1.0].iter().flat_map(|dx| [-1.0, 0.0, 1.0].map(|dy| vec2(*dx, dy))).any(|by| {
                     let ray = camera.ray(vec2(x as f32 + 0.5, y as f32 + 0.5) + by, VIEW);
@@ -305,8 +305,8 @@ fn dots_are_drawn_where_vertices_are_and_not_through_faces() {
     assert!(!close(image.near(at(0)), [255, 0, 255], 60), "hidden by the front");
 }
 
-/// A square with a vertex before it, one behind it and one beside it that no face uses.
-fn square_with_strays() -> Mesh {
+/// A square with isolated vertices in front of it, behind it and next to it.
+fn square_with_isolated_vertices() -> Mesh {
     let corners = [vec3(-1., -1., 0.), vec3(1., -1., 0.), vec3(1., 1., 0.), vec3(-1., 1., 0.)];
     let strays = [vec3(0.0, 0.0, 0.5), vec3(0.5, 0.5, -0.5), vec3(1.4, 0.0, 0.0)];
     let soup = PolygonSoup::new([&corners[..], &strays].concat(), &[[0_u32, 1, 2, 3]]);
@@ -316,12 +316,12 @@ fn square_with_strays() -> Mesh {
 }
 
 #[test]
-fn vertices_that_no_face_uses_are_drawn_whatever_else_is() {
+fn isolated_vertices_are_always_drawn() {
     let gpu = gpu();
     let mut style = bare();
     style.theme.vertex = halfedge::Color([0, 0, 255]);
     style.theme.isolated = halfedge::Color([255, 0, 255]);
-    let (mesh, camera) = (square_with_strays(), front());
+    let (mesh, camera) = (square_with_isolated_vertices(), front());
     let is_dot = |image: &Image, v: usize, color: [u8; 3]| {
         let at = camera.project(mesh.position(VertexId::new(v)), VIEW).expect("in front");
         close(image.near(at), color, 2)
@@ -333,7 +333,7 @@ fn vertices_that_no_face_uses_are_drawn_whatever_else_is() {
     assert_eq!(dots(&all), [4, 6]);
     assert!((0..4).all(|v| is_dot(&all, v, [0, 0, 255])), "the others as ever");
 
-    // So they are of an object that is not the active one, whose other dots are not shown.
+    // So are those of an object that isn't active, whose other dots aren't drawn.
     let mut renderer = gpu.renderer();
     let style = Style { vertices: true, ..style };
     renderer.sync_object(&gpu.device, &gpu.queue, 7, &mesh, ObjectChange::Everything, &style);
@@ -343,10 +343,10 @@ fn vertices_that_no_face_uses_are_drawn_whatever_else_is() {
 }
 
 #[test]
-fn vertices_that_no_face_uses_follow_edits_and_undo() {
+fn isolated_vertices_follow_edits_and_undo() {
     let gpu = gpu();
     let (style, camera) = (bare(), front());
-    let mut mesh = square_with_strays();
+    let mut mesh = square_with_isolated_vertices();
     let mut renderer = gpu.renderer();
     renderer.sync_object(&gpu.device, &gpu.queue, 7, &mesh, ObjectChange::Everything, &style);
     let mut pictures = vec![draw(&gpu, &mesh, &camera, &style)];
@@ -407,7 +407,7 @@ fn tiny_huge_and_far_models_look_as_others_do() {
 }
 
 #[test]
-fn an_edited_object_looks_as_one_made_anew() {
+fn an_edited_object_looks_like_a_rebuilt_one() {
     let gpu = gpu();
     for smooth in [false, true] {
         let style = Style { smooth, wireframe: true, vertices: true, ..bare() };
@@ -435,7 +435,7 @@ fn an_edited_object_looks_as_one_made_anew() {
 }
 
 #[test]
-fn an_object_is_drawn_as_it_was_until_all_of_the_next_is_uploaded() {
+fn an_object_is_drawn_as_it_was_until_the_upload_is_complete() {
     let gpu = gpu();
     let (style, camera) = (Style { vertices: true, ..bare() }, Camera::default());
     let (before, mut after) = (cube(), sphere(12, 8));
@@ -457,7 +457,7 @@ fn an_object_is_drawn_as_it_was_until_all_of_the_next_is_uploaded() {
     assert!(gpu.render(&mut renderer, &frame(&camera, &style), GAMMA).pixels == new.pixels);
     assert!(!renderer.upload_faces(&gpu.device, &gpu.queue, 7, &after, 25), "there is no more to do");
 
-    // An edit meanwhile is drawn with it.
+    // An edit during the upload is drawn with it.
     renderer.begin_object_upload(&gpu.device, &gpu.queue, 7, &after, &style);
     renderer.upload_faces(&gpu.device, &gpu.queue, 7, &after, 25);
     after.start_recording();
@@ -530,7 +530,7 @@ fn nothing_at_all_can_be_drawn() {
 }
 
 #[test]
-fn picks_agree_with_what_is_drawn() {
+fn picks_agree_with_the_picture() {
     let gpu = gpu();
     let mut ball = sphere(9, 7);
     let bits = |face: u32| -> [bool; 3] { std::array::from_fn(|i| (face % 7 + 1) >> i & 1 == 1) };

@@ -6,12 +6,12 @@ use halfedge::{Mesh, PolygonSoup};
 use std::ops::ControlFlow;
 use surface::{Loop, Shape, subdivide_loop};
 
-/// Progress that always goes on.
-pub fn go_on(_: f32) -> ControlFlow<()> {
+/// A progress callback that never cancels.
+pub fn never_cancel(_: f32) -> ControlFlow<()> {
     ControlFlow::Continue(())
 }
 
-/// A sphere of 20 triangles, each divided into four so many times.
+/// A sphere of 20 triangles, each divided into four `subdivisions` times.
 pub fn sphere(subdivisions: f64) -> Mesh {
     let mut shape = Shape::named("ico-sphere").expect("listed");
     shape.set("subdivisions", subdivisions).expect("in range");
@@ -43,8 +43,8 @@ pub fn torus(u: u32, v: u32, triangles: bool) -> Mesh {
     Mesh::build(soup).expect("small").mesh
 }
 
-/// The Stanford bunny, 69 thousand triangles, after so many levels of Loop subdivision; none, and a line
-/// that says so, where the shared models are missing.
+/// The Stanford bunny with 69 thousand triangles after this many levels of Loop subdivision; none, with a message,
+/// if the shared models are missing.
 pub fn bunny(levels: u32) -> Option<Mesh> {
     let path = std::path::Path::new(env!("CARGO_MANIFEST_DIR"))
         .join("../../../shared/models/common/stanford-bunny.obj");
@@ -69,5 +69,5 @@ pub fn bunny(levels: u32) -> Option<Mesh> {
     }
     let mesh = Mesh::build(soup).expect("fits").mesh;
     let options = Loop { levels, ..Loop::default() };
-    Some(subdivide_loop(&mesh, &options, &mut go_on).expect("fits"))
+    Some(subdivide_loop(&mesh, &options, &mut never_cancel).expect("fits"))
 }

@@ -224,8 +224,8 @@ mod tests {
 
     #[test]
     fn edges_know_their_places_on_curves_throughout() {
-        let mut go_on = |_: f32| ControlFlow::Continue(());
-        let progress: &mut Progress<'_> = &mut go_on;
+        let mut never_cancel = |_: f32| ControlFlow::Continue(());
+        let progress: &mut Progress<'_> = &mut never_cancel;
         for (name, length) in [("tetrahedron", 0.2), ("cube", 0.3), ("cylinder", 0.15), ("plane", 0.2)] {
             let mesh = Shape::named(name).expect("listed").build().expect("fits");
             let tri = TriMesh::new(&mesh);

@@ -6,8 +6,8 @@ use halfedge::{Mesh, PolygonSoup};
 use proptest::prelude::*;
 use std::ops::ControlFlow;
 
-/// Progress that always goes on.
-pub fn go_on(_: f32) -> ControlFlow<()> {
+/// A progress callback that never cancels.
+pub fn never_cancel(_: f32) -> ControlFlow<()> {
     ControlFlow::Continue(())
 }
 
@@ -59,7 +59,7 @@ pub fn grid(n: u32) -> Mesh {
     build(PolygonSoup::new(positions, &faces))
 }
 
-/// What stands in one cell of [`random_mesh`].
+/// The content of a cell of [`random_mesh`].
 #[derive(Clone, Copy, Debug)]
 pub enum Cell {
     Quad,
@@ -68,12 +68,12 @@ pub enum Cell {
     Hole,
     /// One six-sided polygon with the cell to the right.
     Merged,
-    /// Four triangles round a vertex of their own.
+    /// Four triangles around a vertex of their own.
     Poked,
 }
 
-/// Open and closed (in one or both directions) grids of mixed polygons with holes, bumps and isolated
-/// vertices; `triangles` leaves only triangles and holes.
+/// Grids of mixed polygons with holes, bumps and isolated vertices, open or closed in one or both directions; with
+/// `triangles` only triangles and holes.
 pub fn random_mesh(triangles: bool) -> impl Strategy<Value = Mesh> {
     let cell = if triangles {
         prop_oneof![3 => Just(Cell::Triangles), 2 => Just(Cell::OtherTriangles), 1 => Just(Cell::Hole), 1 => Just(Cell::Poked)]
@@ -155,7 +155,7 @@ fn patchwork(w: usize, h: usize, wrap_x: bool, wrap_y: bool, cells: &[Cell], noi
             }
         }
     }
-    // Faces that meet in a vertex only are separated: that much repair is meant.
+    // Only faces that meet at a vertex alone may be separated.
     let mesh = Mesh::build(soup).expect("small").mesh;
     mesh.validate().expect("valid");
     mesh
@@ -219,7 +219,7 @@ pub fn farthest(from: &[DVec3], to: &[DVec3]) -> f64 {
     worst
 }
 
-/// The volume between the triangles of a mesh and the origin: of two open surfaces with one boundary, it
+/// The volume between the triangles of a mesh and the origin. For two open surfaces with the same boundary, it
 /// differs by the volume between them.
 pub fn volume_from_origin(mesh: &Mesh) -> f64 {
     let of_face = |f| {

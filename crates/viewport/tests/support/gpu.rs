@@ -1,4 +1,4 @@
-//! A device without a window, and pictures as arrays.
+//! A device without a window, and its pictures as arrays.
 
 use viewport::{Frame, ObjectDraw, Renderer, Style};
 
@@ -7,8 +7,8 @@ pub struct Gpu {
     pub queue: wgpu::Queue,
 }
 
-/// A device with no more than WebGL2's limits, so that what works here asks for no more.
-/// `WGPU_BACKEND=gl` takes OpenGL, whose shaders are those of WebGL2.
+/// A device with the limits of WebGL2, so that tests ask for no more. `WGPU_BACKEND=gl` uses OpenGL, whose shaders
+/// are those of WebGL2.
 ///
 /// # Panics
 /// There is no adapter: `cargo xtask setup` installs one that draws in software.
@@ -55,7 +55,7 @@ pub fn close(a: [u8; 3], b: [u8; 3], by: u8) -> bool {
     (0..3).all(|i| a[i].abs_diff(b[i]) <= by)
 }
 
-/// A style with nothing but faces on a flat black background.
+/// A style with only faces on a flat black background.
 pub fn bare() -> Style {
     let mut style = Style { wireframe: false, grid: false, ..Style::default() };
     style.theme.background_top = halfedge::Color([0; 3]);
