@@ -20,6 +20,7 @@ mod gltf;
 mod json;
 mod losses;
 mod model;
+mod notes;
 mod obj;
 mod off;
 mod ply;

@@ -1,10 +1,10 @@
 //! Controllers: which geometry they deform, and how morphs blend it with others.
 
-use super::notes::{Fault, Notes};
 use super::numbers::numbers;
 use super::scene::mesh;
 use super::source::Source;
 use super::xml::{Document, Node};
+use crate::notes::{Fault, Notes};
 use crate::report::first_few;
 use glam::DVec3;
 use std::collections::HashSet;

@@ -1,12 +1,13 @@
 //! Effects: what the common profile says of a material.
 
 use super::image;
-use super::notes::{Fault, Notes};
 use super::numbers::numbers;
 use super::xml::{Document, Node};
 use crate::file::NamedBytes;
-use crate::model::material::{Material, Materials, Rgb};
+use crate::model::collector::MaterialCollector;
+use crate::model::material::{Material, Rgb};
 use crate::model::texture::{Texture, TextureRole, UvTransform, Wrap};
+use crate::notes::{Fault, Notes};
 use std::borrow::Cow;
 use std::collections::HashMap;
 
@@ -41,7 +42,7 @@ pub(super) fn read(
     instance: &Node,
     label: &str,
     files: &[NamedBytes],
-    materials: &mut Materials,
+    materials: &mut MaterialCollector,
     notes: &mut Notes,
 ) -> Look {
     let mut look = Look::default();
@@ -103,7 +104,7 @@ struct Reader<'r, 'd, 'a> {
     parameters: Parameters<'d, 'a>,
     label: &'r str,
     files: &'r [NamedBytes],
-    materials: &'r mut Materials,
+    materials: &'r mut MaterialCollector,
     notes: &'r mut Notes,
     look: &'r mut Look,
 }

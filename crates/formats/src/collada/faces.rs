@@ -1,14 +1,14 @@
 //! Faces gathered into polygon soup, with the attributes of their corners.
 
-use super::notes::{Fault, Notes};
-use super::skin::Placement;
 use super::source::Source;
-use crate::model::material::Rgb;
+use crate::notes::{Fault, Notes};
 use crate::report::counted;
+use crate::soup::corner_colors::CornerColors;
 use crate::soup::holes;
-use glam::{DMat4, Vec2, Vec3};
+use crate::soup::placement::Placement;
+use glam::{Vec2, Vec3};
 use halfedge::attribute::{AttributeType, Column, Key};
-use halfedge::{Color, NONE, PolygonSoup, keys};
+use halfedge::{NONE, PolygonSoup, keys};
 use std::rc::Rc;
 
 /// An attribute of corners: where its index is in a corner's group of numbers, and its values.
@@ -100,7 +100,7 @@ impl<'p> Faces<'p> {
         if let Some((place, source)) = &inputs.normal {
             let normal = source.get::<3>(number(*place));
             self.bad_normals += usize::from(normal.is_none());
-            let normal = normal.map_or(Vec3::NAN, |normal| direction(normal.into(), self.placement, vertex));
+            let normal = normal.map_or(Vec3::NAN, |normal| self.placement.direction(vertex, normal.into()));
             self.normals.resize(corner, Vec3::NAN);
             self.normals.push(normal);
         }
@@ -159,7 +159,9 @@ impl<'p> Faces<'p> {
         add(column(keys::CORNER_NORMAL, self.normals, corners));
         if !self.colors.is_empty() || vertex_colors.is_some() {
             self.colors.resize(corners, [f32::NAN; 4]);
-            add_colors(&mut self.soup, &self.colors, vertex_colors, label, can_color_faces, notes);
+            let of_vertex = |v: usize| vertex_colors?.get::<3>(v).map(Vec3::from_array);
+            let colors = CornerColors { corners: &self.colors, vertices: &of_vertex, can_color_faces };
+            colors.add_to(&mut self.soup, &format!("geometry \"{label}\""), notes);
         }
         self.soup
     }
@@ -213,82 +215,4 @@ fn column<T: AttributeType>(key: Key<T>, mut values: Vec<T>, corners: usize) -> 
     }
     values.resize(corners, key.default);
     Some(Column::with_values(key, values))
-}
-
-/// A direction of unit length, turned as the placement turns the vertex; untouched, to the bit, where
-/// nothing moves.
-fn direction(normal: Vec3, placement: &Placement, vertex: usize) -> Vec3 {
-    if placement.is_identity() {
-        return normal;
-    }
-    // Directions turn with the inverse transpose.
-    let turn: DMat4 = placement.of(vertex).inverse().transpose();
-    turn.transform_vector3(normal.as_dvec3()).normalize_or_zero().as_vec3()
-}
-
-/// Adds the colours of corners: as those of vertices where the corners of each vertex agree, else as those
-/// of faces where the corners of each face do, else as means at vertices.
-fn add_colors(
-    soup: &mut PolygonSoup,
-    corner_colors: &[[f32; 4]],
-    vertex_colors: Option<&Source>,
-    label: &str,
-    can_color_faces: bool,
-    notes: &mut Notes,
-) {
-    if corner_colors.iter().any(|[.., alpha]| *alpha < 1.0) {
-        notes.fault(Fault::Attribute, format!("geometry \"{label}\": the alpha of colours is left out"));
-    }
-    let rgb = |[r, g, b, _]: [f32; 4]| Vec3::new(r, g, b);
-    let mut colors = vec![Vec3::NAN; soup.positions.len()];
-    let mut sums = vec![(Vec3::ZERO, 0.0f32); soup.positions.len()];
-    let mut differing = 0;
-    for (&vertex, &color) in soup.corners.iter().zip(corner_colors) {
-        let color = rgb(color);
-        let Some((known, sum)) = colors.get_mut(vertex as usize).zip(sums.get_mut(vertex as usize)) else {
-            continue;
-        };
-        if color.is_nan() {
-            continue;
-        }
-        if known.is_nan() {
-            *known = color;
-        }
-        differing += usize::from(*known != color);
-        *sum = (sum.0 + color, sum.1 + 1.0);
-    }
-    if let Some(source) = vertex_colors {
-        for (v, color) in colors.iter_mut().enumerate().filter(|(_, color)| color.is_nan()) {
-            *color = source.get::<3>(v).map_or(Vec3::NAN, Vec3::from_array);
-        }
-    }
-    if differing == 0 {
-        soup.vertex_columns.push(Column::with_values(keys::VERTEX_COLOR, colors));
-        return;
-    }
-    let faces = soup.face_starts.windows(2).filter_map(|ends| match ends {
-        &[start, end] => corner_colors.get(start as usize..end as usize),
-        _ => None,
-    });
-    let is_uniform = |corners: &[[f32; 4]]| corners.iter().all(|color| Some(color) == corners.first());
-    if can_color_faces && faces.clone().all(is_uniform) {
-        let color = |corners: &[[f32; 4]]| {
-            let [r, g, b, _] = corners.first().copied().unwrap_or([f32::NAN; 4]);
-            if r.is_nan() { Color::UNPAINTED } else { Rgb::from_srgb([r, g, b]).to_color() }
-        };
-        let colors = faces.map(color).collect();
-        soup.face_columns.push(Column::with_values(keys::FACE_COLOR, colors));
-        notes.info(format!(
-            "Geometry \"{label}\": corners of a face have one colour, which became the face's"
-        ));
-        return;
-    }
-    for (color, (sum, count)) in colors.iter_mut().zip(sums).filter(|(_, (_, count))| *count > 0.0) {
-        *color = sum / count;
-    }
-    soup.vertex_columns.push(Column::with_values(keys::VERTEX_COLOR, colors));
-    notes.fault(
-        Fault::Attribute,
-        format!("geometry \"{label}\": vertices whose corners have different colours have the mean"),
-    );
 }

@@ -3,15 +3,15 @@
 use super::controller::{Morph, position_input};
 use super::faces::Faces;
 use super::material::{Library, Palette};
-use super::notes::{Fault, Notes};
 use super::numbers::Number;
 use super::primitive::Primitives;
 use super::scene::{Instance, mesh};
-use super::skin::Placement;
 use super::source::Source;
 use super::xml::{Document, Node};
+use crate::notes::{Fault, Notes};
 use crate::report::counted;
 use crate::soup::origin::Origin;
+use crate::soup::placement::Placement;
 use glam::{DVec3, Vec3};
 use halfedge::{NONE, PolygonSoup};
 

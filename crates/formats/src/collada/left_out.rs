@@ -1,8 +1,8 @@
 //! Kinds of content that are not kept: counted and named.
 
 use super::effect::OWN_PROFILE;
-use super::notes::Notes;
 use super::xml::Document;
+use crate::notes::Notes;
 use crate::report::{counted, first_few};
 
 /// Elements that stand for something left out, with what one and several are called.

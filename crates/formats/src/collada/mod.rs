@@ -12,7 +12,7 @@ mod geometry;
 mod image;
 mod left_out;
 mod material;
-mod notes;
+
 mod numbers;
 mod primitive;
 mod read;

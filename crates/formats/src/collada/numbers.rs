@@ -4,7 +4,7 @@
 //! commas between numbers. Text with commas is read in the one way that gives the number of values that it
 //! should have.
 
-use super::notes::Notes;
+use crate::notes::Notes;
 use crate::text::scan::Scan;
 use halfedge::NONE;
 

@@ -1,10 +1,10 @@
 //! Primitives: lists of polygons, triangles, strips and fans.
 
 use super::faces::{Faces, Input, Inputs};
-use super::notes::{Fault, Notes};
 use super::numbers::numbers;
 use super::source::Source;
 use super::xml::{Document, Node};
+use crate::notes::{Fault, Notes};
 use crate::report::counted;
 use std::collections::HashMap;
 use std::rc::Rc;

@@ -1,8 +1,8 @@
 //! What the scene shows: its instances of geometries and controllers, placed in the world.
 
-use super::notes::{Fault, Notes};
 use super::transform;
 use super::xml::{Document, Node};
+use crate::notes::{Fault, Notes};
 use crate::report::{counted, first_few};
 use glam::DMat4;
 use std::collections::HashSet;

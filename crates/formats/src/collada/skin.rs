@@ -1,90 +1,19 @@
 //! Skins: vertices placed by the joints of a skeleton, in the pose that the scene has.
 
-use super::notes::{Fault, Notes};
 use super::numbers::numbers;
 use super::scene::{Instance, Scene};
 use super::source::Source;
 use super::transform;
 use super::xml::{Document, Node};
+use crate::notes::{Fault, Notes};
 use crate::report::counted;
-use crate::soup::is_mirrored;
+use crate::soup::placement::{Influences, Placement, Skin};
 use glam::DMat4;
 use std::collections::HashMap;
 use std::ops::Range;
 
 /// How many roots of skeletons are looked at for an instance.
 const MAX_SKELETON_ROOTS: usize = 16;
-
-/// How the vertices of an instance get to the world.
-pub(super) enum Placement {
-    /// All by one transform.
-    Rigid(DMat4),
-    /// Each by a mean of the transforms of joints.
-    Skinned(Skin),
-}
-
-impl Placement {
-    /// The transform of a vertex.
-    pub(super) fn of(&self, vertex: usize) -> DMat4 {
-        match self {
-            Self::Rigid(transform) => *transform,
-            Self::Skinned(skin) => skin.of(vertex),
-        }
-    }
-
-    /// Whether nothing moves.
-    pub(super) fn is_identity(&self) -> bool {
-        matches!(self, Self::Rigid(transform) if *transform == DMat4::IDENTITY)
-    }
-
-    /// Whether shapes come out mirrored.
-    pub(super) fn is_mirrored(&self) -> bool {
-        is_mirrored(self.of(0))
-    }
-}
-
-/// Vertices with the joints that move them.
-pub(super) struct Skin {
-    /// For each joint, where the geometry goes with it.
-    joints: Vec<DMat4>,
-    /// Where vertices are that no joint moves.
-    rest: DMat4,
-    influences: Influences,
-}
-
-/// The joints that move each vertex.
-#[derive(Default)]
-struct Influences {
-    /// Where those of each vertex start; one more than there are vertices.
-    starts: Vec<u32>,
-    /// Joints, or anything beyond those for the resting place, with weights.
-    list: Vec<(u32, f32)>,
-}
-
-impl Influences {
-    fn of(&self, vertex: usize) -> &[(u32, f32)] {
-        let range = self.starts.get(vertex).zip(self.starts.get(vertex + 1));
-        range.and_then(|(start, end)| self.list.get(*start as usize..*end as usize)).unwrap_or_default()
-    }
-}
-
-impl Skin {
-    /// The mean of the joints' transforms by weight.
-    fn of(&self, vertex: usize) -> DMat4 {
-        let mut sum = DMat4::ZERO;
-        let mut weights = 0.0;
-        for &(joint, weight) in self.influences.of(vertex) {
-            let weight = f64::from(weight);
-            sum += *self.joints.get(joint as usize).unwrap_or(&self.rest) * weight;
-            weights += weight;
-        }
-        // One whole weight leaves its joint's transform as it is, to the bit.
-        if weights == 1.0 {
-            return sum;
-        }
-        if weights > 0.0 { sum * (1.0 / weights) } else { self.rest }
-    }
-}
 
 /// The placement of a skinned instance: in the pose that its joints have in the scene, or in the bind pose
 /// where the skin or a joint can't be read. Notes which.

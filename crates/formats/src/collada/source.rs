@@ -1,8 +1,8 @@
 //! Sources: arrays of numbers, and the accessors that group them.
 
-use super::notes::{Fault, Notes};
 use super::numbers::{Number, numbers};
 use super::xml::{Document, Node};
+use crate::notes::{Fault, Notes};
 use crate::report::counted;
 
 /// Values in groups, one group for each index.

@@ -1,8 +1,8 @@
 //! The transforms of nodes and of the whole document.
 
-use super::notes::Notes;
 use super::numbers::numbers;
 use super::xml::{Document, Node};
+use crate::notes::Notes;
 use glam::{DMat4, DVec3, DVec4};
 
 /// The numbers in the text of an element, of which there should be `N`.

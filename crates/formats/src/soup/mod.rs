@@ -1,9 +1,11 @@
 //! Changes to polygon soups that several formats need.
 
+pub(crate) mod corner_colors;
 pub(crate) mod hash;
 pub(crate) mod holes;
 pub(crate) mod origin;
 pub(crate) mod pieces;
+pub(crate) mod placement;
 pub(crate) mod repairs;
 pub(crate) mod weld;
 

@@ -14,7 +14,7 @@ const INFOS_SHOWN: usize = 24;
 
 /// What a fault affects.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub(super) enum Fault {
+pub(crate) enum Fault {
     /// Something in the scene is left out.
     Scene,
     /// Faces are left out.
@@ -41,7 +41,7 @@ impl Fault {
 
 /// Notes for the import report.
 #[derive(Default)]
-pub(super) struct Notes {
+pub(crate) struct Notes {
     met: HashSet<(Option<Fault>, String)>,
     faults: Vec<(Fault, String)>,
     /// What changes nothing about the meshes, in sentences.
@@ -50,7 +50,7 @@ pub(super) struct Notes {
 
 impl Notes {
     /// Adds a fault: a clause that begins with the element it is about.
-    pub(super) fn fault(&mut self, fault: Fault, text: impl Into<String>) {
+    pub(crate) fn fault(&mut self, fault: Fault, text: impl Into<String>) {
         let text = text.into();
         if self.met.insert((Some(fault), text.clone())) {
             self.faults.push((fault, text));
@@ -58,7 +58,7 @@ impl Notes {
     }
 
     /// Adds a sentence, once.
-    pub(super) fn info(&mut self, text: impl Into<String>) {
+    pub(crate) fn info(&mut self, text: impl Into<String>) {
         let text = text.into();
         if self.met.insert((None, text.clone())) {
             self.infos.push(text);
@@ -66,17 +66,17 @@ impl Notes {
     }
 
     /// How many faults there are.
-    pub(super) fn count(&self) -> usize {
+    pub(crate) fn count(&self) -> usize {
         self.faults.len()
     }
 
     /// The first fault, for where nothing else is left.
-    pub(super) fn first_fault(&self) -> Option<&str> {
+    pub(crate) fn first_fault(&self) -> Option<&str> {
         self.faults.first().map(|(_, text)| text.as_str())
     }
 
     /// Adds everything to the report.
-    pub(super) fn report(&self, report: &mut ImportReport) {
+    pub(crate) fn report(&self, report: &mut ImportReport) {
         self.infos.iter().take(INFOS_SHOWN).for_each(|info| report.info(info));
         if self.infos.len() > INFOS_SHOWN {
             report.info(format!("{} more", counted(self.infos.len() - INFOS_SHOWN, "note", "notes")));
