@@ -6,9 +6,23 @@
 //! vertices at one place are told apart in files of ours by an attribute, `_VERTEX_ID`.
 
 mod accessor;
-mod document;
+mod buffers;
+mod container;
+mod draco;
+mod faces;
+mod json;
+mod left_out;
+mod material;
+mod mesh;
+mod meshopt;
+mod morph;
 mod names;
+mod primitive;
 mod read;
+mod rows;
+mod scene;
+mod skin;
+mod texture;
 mod write;
 
 use crate::format::loss::Part;
@@ -21,7 +35,7 @@ pub(crate) static BINARY: FormatInfo = FormatInfo {
     save_label: "Save as GLB…",
     description: "glTF in one binary file, for the web and game engines.",
     extensions: &["glb"],
-    detect: Some((Certainty::Signature, document::is_binary)),
+    detect: Some((Certainty::Signature, container::is_binary)),
     write: Some(write::write_binary),
     ..COMMON
 };
@@ -33,7 +47,7 @@ pub(crate) static TEXT: FormatInfo = FormatInfo {
     save_label: "Save as glTF…",
     description: "glTF as text, with its data in a file beside it.",
     extensions: &["gltf"],
-    detect: Some((Certainty::Signature, document::is_json)),
+    detect: Some((Certainty::Signature, container::is_json)),
     write: Some(|model| Ok(write::write_text(model))),
     single_file: write::single_file,
     ..COMMON
@@ -42,7 +56,9 @@ pub(crate) static TEXT: FormatInfo = FormatInfo {
 const COMMON: FormatInfo = FormatInfo {
     read: Some(read::read),
     companion_extensions: &[("bin", "holds only data: open it together with the glTF model it belongs to")],
-    companions: document::buffer_names,
+    companions: buffers::companions,
     lacks: &[Part::Polygons, Part::Groups, Part::Smoothing, Part::Creases],
+    keeps_property: write::keeps,
+    losses: write::losses,
     ..FormatInfo::DEFAULT
 };

@@ -22,6 +22,7 @@ pub(crate) fn media_type(name: &str, bytes: &[u8]) -> Option<String> {
         [b'R', b'I', b'F', b'F', _, _, _, _, b'W', b'E', b'B', b'P', ..] => "webp",
         [b'G', b'I', b'F', b'8', ..] => "gif",
         [0xab, b'K', b'T', b'X', b' ', b'2', b'0', ..] => "ktx2",
+        [_, _, _, _, b'f', b't', b'y', b'p', b'a', b'v', b'i', b'f', ..] => "avif",
         [b'D', b'D', b'S', b' ', ..] => "vnd-ms.dds",
         _ => match name.rsplit_once('.')?.1.to_ascii_lowercase().as_str() {
             "png" => "png",
@@ -32,11 +33,23 @@ pub(crate) fn media_type(name: &str, bytes: &[u8]) -> Option<String> {
             "tga" => "x-tga",
             "tif" | "tiff" => "tiff",
             "ktx2" => "ktx2",
+            "avif" => "avif",
             "dds" => "vnd-ms.dds",
             _ => return None,
         },
     };
     Some(format!("image/{kind}"))
+}
+
+/// The usual extension of image files of a media type.
+pub(crate) fn extension_of(media_type: &str) -> Option<&str> {
+    Some(match media_type.strip_prefix("image/")? {
+        "jpeg" => "jpg",
+        "vnd-ms.dds" => "dds",
+        "x-tga" => "tga",
+        kind @ ("png" | "webp" | "gif" | "ktx2" | "avif" | "bmp" | "tiff") => kind,
+        _ => return None,
+    })
 }
 
 /// The names under which a model refers to its images: the images' own, or, for one whose contents are

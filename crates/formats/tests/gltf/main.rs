@@ -1,6 +1,14 @@
 //! glTF and GLB: what is written reads back, files of other writers, hostile input.
 
+#[path = "../common/mod.rs"]
 mod common;
+
+mod build;
+mod cases;
+mod content;
+mod faults;
+mod materials;
+mod poses;
 
 use common::{by_code, load, mesh, model, read};
 use formats::{Format, NamedBytes};
@@ -192,12 +200,10 @@ fn nodes_place_meshes_and_modes_are_read() {
     let at = |object: usize| import.model.objects[object].mesh.position(VertexId::new(1));
     assert!(at(0).distance(Vec3::new(0.0, 2.0, 5.0)) < 1e-6, "{}", at(0));
     assert!(at(1).distance(Vec3::new(-2.0, 2.0, 8.0)) < 1e-6, "{}", at(1));
-    for (mode, faces) in
-        [("", 1), (",\"indices\":1", 2), (",\"mode\":5", 2), (",\"mode\":6", 2), (",\"mode\":1", 0)]
-    {
+    for (mode, faces) in [("", 1), (",\"indices\":1", 2), (",\"mode\":5", 2), (",\"mode\":6", 2)] {
         let import = read(&[NamedBytes::new("a.gltf", document("", mode))]).expect("readable");
         assert_eq!(mesh(&import).face_count(), faces, "{mode}");
-        assert_eq!(import.report.is_clean(), faces > 0);
+        assert!(import.report.is_clean(), "{}", import.report);
     }
 }
 
@@ -235,43 +241,6 @@ fn colours_of_vertices_come_back_to_the_bit() {
         let import = read(&common::write(format, &mesh_in)).expect("readable");
         assert_eq!(mesh(&import).attribute(keys::VERTEX_COLOR), Some(&colors[..]), "{format:?}");
     }
-}
-
-#[test]
-fn what_cannot_be_read_says_why() {
-    let good = document("", ",\"indices\":1");
-    let loops = ",\"scenes\":[{\"nodes\":[0]}],\"nodes\":[{\"mesh\":0,\"children\":[0]}]";
-    for (text, expected) in [
-        (good.replace("\"count\":4", "\"count\":4000000000000"), "outside its buffer"),
-        (good.replace("\"count\":4", "\"count\":3"), "vertex 3 of 3"),
-        (good.replace("\"byteOffset\":48", "\"byteOffset\":18446744073709551615"), "outside its buffer"),
-        (good.replace("\"VEC3\"", "\"MAT4\""), "its kind is none of"),
-        (good.replace("5126", "5124"), "component type"),
-        (good.replace("\"count\":6", "\"count\":6,\"sparse\":{}"), "sparse"),
-        (good.replace("base64,", "base65,"), "not in base64"),
-        (
-            good.replace("\"byteLength\":60,\"uri\":\"data:", "\"uri\":\"x/some%20data.bin\",\"z\":\""),
-            "which was not given",
-        ),
-        (
-            good.replace(
-                "\"asset\":{",
-                "\"extensionsRequired\":[\"KHR_draco_mesh_compression\"],\"asset\":{",
-            ),
-            "KHR_draco",
-        ),
-        (good.replace("\"POSITION\":0", "\"POSITION\":9"), "accessor 9: it doesn't exist"),
-        (document(loops, ""), "shown twice"),
-        (document("", "").replace("\"meshes\"", "\"mesh\""), "holds no mesh"),
-        (good[..good.len() / 2].to_owned(), "JSON can't be read"),
-        (format!("{{\"asset\":{}", "[".repeat(100_000)), "JSON can't be read"),
-    ] {
-        let error = read(&[NamedBytes::new("a.gltf", text)]).expect_err(expected).to_string();
-        assert!(error.contains(expected), "{error} instead of {expected}");
-    }
-    let glb = |bytes: &[u8]| read(&[NamedBytes::new("a.glb", bytes)]).expect_err("damaged").to_string();
-    assert!(glb(b"glTF\x01\0\0\0").contains("version 2"));
-    assert!(glb(b"glTF\x02\0\0\0\xff\xff\xff\xff\xff\xff\xff\xffJSON{}").contains("middle of a chunk"));
 }
 
 fn shared_triangle_models_round_trip() {

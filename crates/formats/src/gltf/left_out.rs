@@ -1,0 +1,62 @@
+//! Kinds of content that a mesh editor doesn't keep: counted and named.
+
+use super::json::Document;
+use super::names::{
+    EMISSIVE_STRENGTH, IMAGE_EXTENSIONS, INDEX_OF_REFRACTION, SPECULAR_GLOSSINESS, TEXTURE_TRANSFORM,
+};
+use super::{draco, meshopt};
+use crate::notes::{Fault, Notes};
+use crate::report::{counted, first_few};
+
+/// What is known of the extensions whose content is kept, or named in other ways.
+const KNOWN_EXTENSIONS: [&str; 6] = [
+    "KHR_mesh_quantization",
+    "KHR_lights_punctual",
+    TEXTURE_TRANSFORM,
+    EMISSIVE_STRENGTH,
+    INDEX_OF_REFRACTION,
+    SPECULAR_GLOSSINESS,
+];
+
+/// Notes what the document holds besides meshes and materials.
+pub(super) fn note(document: &Document, notes: &mut Notes) {
+    let root = document.root();
+    let lights = root.extension("KHR_lights_punctual").map_or(0, |lights| lights.list("lights").len());
+    let counts = [
+        (root.list("animations").len(), "animation", "animations"),
+        (root.list("cameras").len(), "camera", "cameras"),
+        (lights, "light", "lights"),
+    ];
+    let counts = counts.into_iter().filter(|(count, ..)| *count > 0);
+    let counts: Vec<String> = counts.map(|(count, one, many)| counted(count, one, many)).collect();
+    if !counts.is_empty() {
+        notes.info(format!("Not kept: {}", counts.join(", ")));
+    }
+    let names = |key: &str| root.list(key).iter().filter_map(|name| name.as_str());
+    let unknown = |name: &&str| {
+        !KNOWN_EXTENSIONS.contains(name)
+            && !meshopt::EXTENSIONS.contains(name)
+            && *name != draco::EXTENSION
+            && !IMAGE_EXTENSIONS.iter().any(|(known, _)| known == name)
+    };
+    let mut required: Vec<&str> = names("extensionsRequired").filter(unknown).collect();
+    let mut used: Vec<&str> = names("extensionsUsed").filter(unknown).collect();
+    for list in [&mut required, &mut used] {
+        list.sort_unstable();
+        list.dedup();
+    }
+    used.retain(|name| !required.contains(name));
+    // Extensions of materials never stand in a mesh's way.
+    let (materials, others): (Vec<&str>, Vec<&str>) =
+        required.into_iter().partition(|name| name.contains("_materials_") || name.contains("_texture_"));
+    used.extend(materials);
+    for name in others {
+        notes.fault(
+            Fault::Scene,
+            format!("what the file needs the extension {name} for, which can't be read: meshes may be missing or wrong"),
+        );
+    }
+    if !used.is_empty() {
+        notes.info(format!("The content of extensions is not kept: {}", first_few(&used, 12)));
+    }
+}
