@@ -1,8 +1,8 @@
 //! The three changes of the mesh, and whether they may be made: splits, merges and flips.
 
-use super::curves::{Arc, Role};
+use super::curves::Arc;
 use super::work::{MIN_TURN_COS, Work, quality};
-use crate::trimesh::{make_room, next, prev};
+use crate::trimesh::{Role, make_room, next, prev};
 use glam::DVec3;
 use halfedge::NONE;
 

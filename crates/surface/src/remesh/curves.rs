@@ -6,20 +6,9 @@
 
 use super::kept_edges::{Kept, kept_edges};
 use super::side_numbers::SideNumbers;
-use crate::trimesh::TriMesh;
+use crate::trimesh::{Role, TriMesh};
 use glam::DVec3;
 use halfedge::{Mesh, NONE};
-
-/// How a vertex may move.
-#[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub(super) enum Role {
-    /// Anywhere on the surface.
-    Free,
-    /// Along the curve that passes through it.
-    Curve,
-    /// Not at all: curves end, meet or turn there.
-    Fixed,
-}
 
 /// A kept edge: a piece of a curve.
 #[derive(Clone, Copy)]

@@ -6,10 +6,10 @@
 //! smoothing, 1997). No triangle becomes worse than the worst one before.
 
 use super::changes::Merge;
-use super::curves::Role;
 use super::work::{Work, quality};
 use crate::SurfaceError;
 use crate::pace::Pace;
+use crate::trimesh::Role;
 use glam::DVec3;
 use halfedge::NONE;
 

@@ -1,10 +1,10 @@
 //! Moving free vertices along the surface to the middle of their triangles, and vertices on curves to the middle
 //! between their neighbours.
 
-use super::curves::Role;
 use super::work::Work;
 use crate::SurfaceError;
 use crate::pace::Pace;
+use crate::trimesh::Role;
 use glam::DVec3;
 use halfedge::NONE;
 

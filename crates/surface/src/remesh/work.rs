@@ -1,8 +1,8 @@
 //! The mesh being remeshed, with the curves that are kept.
 
-use super::curves::{Arc, Curves, Role};
+use super::curves::{Arc, Curves};
 use super::side_numbers::SideNumbers;
-use crate::trimesh::{Order, TriMesh, prev, with_room};
+use crate::trimesh::{Order, Role, TriMesh, prev, with_room};
 use glam::DVec3;
 use halfedge::{Element, Mesh, NONE};
 

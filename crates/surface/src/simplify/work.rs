@@ -8,7 +8,7 @@ use super::{Simplify, SimplifyTarget};
 use crate::SurfaceError;
 use crate::face_tree::along_segment;
 use crate::pace::Pace;
-use crate::trimesh::{Borders, Order, Renumbering, TriMesh, area_vector, next, prev};
+use crate::trimesh::{Borders, Order, Renumbering, Role, TriMesh, area_vector, next, prev};
 use glam::DVec3;
 use halfedge::{Mesh, NONE};
 
@@ -24,17 +24,6 @@ const MIN_TURN_COS: f64 = 0.2;
 /// The least shape of a triangle, unless it was worse before: twice its area over its longest side's square, which
 /// is 0.87 for an equilateral one.
 const MIN_SHAPE: f64 = 0.02;
-
-/// How a vertex may move.
-#[derive(Clone, Copy, PartialEq, Eq)]
-enum Role {
-    /// Anywhere.
-    Free,
-    /// Along the boundary or seam that passes through it.
-    Curve,
-    /// Not at all: such curves meet or end there.
-    Fixed,
-}
 
 /// The triangles with everything needed to collapse edges.
 pub(super) struct Work<'a> {

@@ -75,6 +75,17 @@ pub(crate) struct TriMesh {
     pub frame: Frame,
 }
 
+/// How a vertex may move.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub(crate) enum Role {
+    /// Anywhere on the surface.
+    Free,
+    /// Along the kept curve that passes through it.
+    Curve,
+    /// Not at all: kept curves end, meet or turn there.
+    Fixed,
+}
+
 /// Coordinates shifted by a float and scaled by a power of two, so that the mesh is centred and about 1 in size,
 /// and sums of squares keep their precision.
 #[derive(Clone, Copy)]
