@@ -49,12 +49,11 @@ pub fn read_with(
 ) -> Result<Import, ReadError> {
     let mut reading = Reading { repairs: *repairs, ..Reading::default() };
     let import = read_all(files, &mut reading, progress)?;
-    let bounds = Bounds::of(&import.model.objects);
-    let Some(offset) = bounds.offset() else { return Ok(import) };
+    let Some(offset) = Bounds::of(&import.model.objects).offset() else { return Ok(import) };
     // Far away: read again in double precision, and see whether that gains digits.
     let mut reading = Reading { origin: Some(Origin::new(offset)), ..reading };
     let mut precise = read_all(files, &mut reading, progress)?;
-    if !reading.origin.is_some_and(|origin| bounds.is_worth(&origin)) {
+    if !reading.origin.is_some_and(|origin| Bounds::of(&precise.model.objects).is_worth(&origin)) {
         return Ok(import);
     }
     precise.model.offset = offset;

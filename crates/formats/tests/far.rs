@@ -164,3 +164,20 @@ fn control_points_share_the_offset_and_get_it_back() {
     let written = formats::write(by_code("bzc"), &import.model).expect("a curve").remove(0);
     assert_eq!(common::text(&written), curve);
 }
+
+/// Far enough away, all corners round to the same place, and the faces go.
+#[test]
+fn a_model_that_rounding_makes_a_point_is_far_away_too() {
+    let at = |x: f64, y: f64| format!("vertex {} {} -70000000\n", 5e7 + x, 6e7 + y);
+    let corners = [at(0.0, 0.0), at(1.0, 0.0), at(0.0, 0.5)].concat();
+    let text = format!("solid\nfacet normal 0 0 1\nouter loop\n{corners}endloop\nendfacet\nendsolid\n");
+    let import = read(&[NamedBytes::new("a.stl", text)]).expect("readable");
+    let mut places: Vec<[f64; 3]> = mesh(&import)
+        .positions()
+        .iter()
+        .map(|position| (position.as_dvec3() + import.model.offset - DVec3::new(5e7, 6e7, -7e7)).to_array())
+        .collect();
+    places.sort_by(|a, b| a.partial_cmp(b).expect("numbers"));
+    assert_eq!(places, [[0.0, 0.0, 0.0], [0.0, 0.5, 0.0], [1.0, 0.0, 0.0]]);
+    assert_eq!(mesh(&import).face_count(), 1);
+}

@@ -39,5 +39,7 @@ pub(crate) static FORMAT: FormatInfo = FormatInfo {
     companions: read::companions,
     lacks: &[Part::Groups, Part::Smoothing, Part::Creases],
     keeps_property: write::keeps,
+    // Meshes have one set of texture coordinates.
+    keeps_placement: |texture| texture.uv_set == 0,
     ..FormatInfo::DEFAULT
 };

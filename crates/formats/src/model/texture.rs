@@ -76,6 +76,25 @@ pub enum TextureRole {
 }
 
 impl TextureRole {
+    /// All roles.
+    pub const ALL: [Self; 15] = [
+        Self::BaseColor,
+        Self::Normal,
+        Self::Bump,
+        Self::Displacement,
+        Self::Emissive,
+        Self::MetallicRoughness,
+        Self::Metallic,
+        Self::Roughness,
+        Self::Occlusion,
+        Self::Specular,
+        Self::Shininess,
+        Self::Ambient,
+        Self::Alpha,
+        Self::Reflection,
+        Self::Decal,
+    ];
+
     /// What messages call it.
     pub fn name(self) -> &'static str {
         match self {

@@ -2,19 +2,19 @@
 //!
 //! A position is three `f32`. Far from the origin, as map coordinates are, those are too coarse: at
 //! five million they are half a unit apart. So a file whose model lies far away for its size is
-//! read a second time with coordinates in `f64`, from which an offset is taken before they are
+//! read a second time with coordinates in `f64`, from which an offset is subtracted before they are
 //! rounded. Writers add it again.
 
 use crate::model::NamedMesh;
 use glam::{DVec3, Vec3};
-use halfedge::Mesh;
+use halfedge::{Mesh, VertexId};
 
-/// Where positions are counted from, and what that is good for.
+/// What positions are relative to, and whether that gains anything.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Origin {
-    /// What is taken from every position.
+    /// What is subtracted from every position.
     pub offset: DVec3,
-    /// The most that a coordinate would have changed if nothing were taken.
+    /// The largest rounding of a coordinate without the offset.
     pub lost: f64,
 }
 
@@ -40,23 +40,28 @@ pub(crate) struct Bounds {
 }
 
 impl Bounds {
-    /// So many times its size a model lies from the origin before an offset is thought of: then at
-    /// least 8 of the 24 bits of a coordinate say nothing about its shape.
+    /// A model is far away if it lies this many times its size from the origin: then at least 8 of the
+    /// 24 bits of a coordinate say nothing about its shape.
     const FAR: f64 = 256.0;
 
-    /// What of a model's size coordinates may be off by without anyone minding.
+    /// Rounding of coordinates that doesn't matter, as a part of the model's size.
     const TOLERANCE: f64 = 1e-6;
 
+    /// The bounds of all vertices of faces and all control points; of all vertices where there are none:
+    /// faces far from the origin may have been lost to rounding.
     pub(crate) fn of(objects: &[NamedMesh]) -> Self {
         let mut bounds = Self { low: DVec3::INFINITY, high: DVec3::NEG_INFINITY };
-        let used = |mesh: &Mesh, v: halfedge::VertexId| mesh.halfedge_from(v).is_some();
-        for mesh in objects.iter().map(|object| &object.mesh) {
-            for v in mesh.vertices().filter(|&v| used(mesh, v)) {
-                bounds.add(mesh.position(v));
+        let add_vertices = |bounds: &mut Self, is_added: fn(&Mesh, VertexId) -> bool| {
+            for mesh in objects.iter().map(|object| &object.mesh) {
+                mesh.vertices().filter(|&v| is_added(mesh, v)).for_each(|v| bounds.add(mesh.position(v)));
             }
-        }
+        };
+        add_vertices(&mut bounds, |mesh, v| mesh.halfedge_from(v).is_some());
         for bezier in objects.iter().filter_map(|object| object.bezier.as_ref()) {
             bezier.points().into_iter().for_each(|point| bounds.add(point));
+        }
+        if bounds.size() < 0.0 {
+            add_vertices(&mut bounds, |_, _| true);
         }
         bounds
     }
@@ -70,15 +75,15 @@ impl Bounds {
         (self.high - self.low).max_element()
     }
 
-    /// The offset that a model far away would be best kept with: its middle, in whole numbers where
-    /// it is larger than that, along the axes on which it is far away.
+    /// The best offset for a model far away: its middle along the axes on which it is far away, in whole
+    /// numbers if the model is larger than 1. A model that rounding made a point is far away, too.
     pub(crate) fn offset(&self) -> Option<DVec3> {
         let size = self.size();
-        if !(size.is_finite() && size > 0.0) {
+        if !(size.is_finite() && size >= 0.0) {
             return None;
         }
         // A power of two, so that multiples of it are exact.
-        let step = size.log2().floor().min(0.0).exp2();
+        let step = if size > 0.0 { size.log2().floor().min(0.0).exp2() } else { 1.0 };
         let along = |low: f64, high: f64| {
             let middle = low + (high - low) / 2.0;
             if middle.abs() > size * Self::FAR { (middle / step).round() * step } else { 0.0 }
@@ -87,9 +92,10 @@ impl Bounds {
         (offset != DVec3::ZERO && offset.is_finite()).then_some(offset)
     }
 
-    /// Whether what would have been lost is more than nothing.
+    /// Whether rounding without the offset would have lost more than is tolerable of a model with these
+    /// bounds, which were read with the offset.
     pub(crate) fn is_worth(&self, origin: &Origin) -> bool {
-        origin.lost > self.size() * Self::TOLERANCE
+        self.size() > 0.0 && origin.lost > self.size() * Self::TOLERANCE
     }
 }
 
@@ -107,7 +113,8 @@ mod tests {
         assert_eq!(offset([100.0; 3], [101.0; 3]), None);
         assert_eq!(offset([5e5, -3.0, 9.0], [5e5 + 10.0, 4.0, 11.0]), Some(DVec3::new(500_005.0, 0.0, 0.0)));
         assert_eq!(offset([1e3; 3], [1e3 + 0.01; 3]), Some(DVec3::splat(1e3 + 0.0078125)));
-        assert_eq!(offset([7.0; 3], [7.0; 3]), None);
+        assert_eq!(offset([7.0; 3], [7.0; 3]), Some(DVec3::splat(7.0)), "a point");
+        assert_eq!(offset([0.0; 3], [0.0; 3]), None);
         assert_eq!(offset([f64::INFINITY; 3], [f64::NEG_INFINITY; 3]), None);
         assert_eq!(offset([-3e38; 3], [3e38; 3]), None);
     }

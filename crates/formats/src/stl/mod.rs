@@ -9,7 +9,7 @@ mod write;
 use crate::format::loss::{self, Part};
 use crate::format::{Certainty, FormatInfo};
 use crate::model::Model;
-use glam::DVec3;
+use glam::{DVec3, Vec3};
 
 /// STL, written binary; reads both.
 pub(crate) static BINARY: FormatInfo = FormatInfo {
@@ -37,8 +37,14 @@ pub(crate) static TEXT: FormatInfo = FormatInfo {
 
 const COMMON: FormatInfo = FormatInfo { extensions: &["stl"], lacks: &Part::ALL, ..FormatInfo::DEFAULT };
 
+/// The loss of digits of models far from the origin in 32 bits for a coordinate.
 fn rounding_loss(model: &Model) -> Option<String> {
-    (model.offset != DVec3::ZERO && !model.objects.is_empty()).then(|| {
+    let is_rounded = |position: &Vec3| {
+        let exact = position.as_dvec3() + model.offset;
+        exact.as_vec3().as_dvec3() != exact
+    };
+    let mut positions = model.objects.iter().flat_map(|object| object.mesh.positions());
+    (model.offset != DVec3::ZERO && positions.any(is_rounded)).then(|| {
         "STL holds 32 bits for a coordinate: positions so far from the origin are rounded; STL (text) keeps them"
             .to_owned()
     })
