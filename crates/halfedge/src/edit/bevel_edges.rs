@@ -21,11 +21,8 @@
 //! A bevel wider than a face is *clamped* to where the first edge would lose its length:
 //! [`Slide::limit`].
 
-use crate::edit::bevel_vertices::counter_clockwise;
-use crate::edit::blend::Blend;
-use crate::edit::follow::Followers;
-use crate::edit::geometry::miter;
-use crate::edit::patch::{Corner, Patch, Plan, plan};
+use crate::edit::patch::{Corner, Patch, Plan};
+use crate::edit::shared::{Blend, Followers, counter_clockwise, miter};
 use crate::edit::{Live, Refusal, Slide, SlideVertex};
 use crate::mesh::Mesh;
 use crate::{EdgeId, FaceId, HalfedgeId, VertexId};
@@ -57,7 +54,7 @@ pub fn bevel_edges(mesh: &mut Mesh, edges: &[EdgeId], segments: u32) -> Result<L
 }
 
 fn plan_bevel(mesh: &Mesh, edges: &[EdgeId], segments: u32) -> Result<(Plan, Vec<SlideVertex>), Refusal> {
-    mesh.need_edges(edges)?;
+    mesh.require_edges(edges)?;
     if !(1..=MAX_SEGMENTS).contains(&segments) {
         return Err(Refusal::OutOfRange {
             field: "segments",
@@ -97,7 +94,7 @@ fn plan_bevel(mesh: &Mesh, edges: &[EdgeId], segments: u32) -> Result<(Plan, Vec
     for &edge in &edges {
         bevel.strip(edge);
     }
-    Ok((plan(mesh, bevel.patch)?, bevel.moves))
+    Ok((bevel.patch.plan(mesh)?, bevel.moves))
 }
 
 /// A vertex of the bevel: a new one with how it moves per unit of width, or an old one that stays.
@@ -129,7 +126,7 @@ impl Bevel<'_> {
     fn normal(&mut self, h: HalfedgeId) -> Vec3 {
         let mesh = self.mesh;
         match mesh.face_of(h) {
-            Some(face) => *self.normals.entry(face).or_insert_with(|| mesh.newell_normal(face)),
+            Some(face) => *self.normals.entry(face).or_insert_with(|| mesh.unit_normal(face)),
             None => Vec3::ZERO,
         }
     }
@@ -285,7 +282,7 @@ impl Bevel<'_> {
     fn cap(&mut self, corner: HalfedgeId, rim: Vec<VertexId>) {
         let corners = rim
             .into_iter()
-            .map(|vertex| Corner { vertex, value: Blend::Copy(corner.raw()), like: None })
+            .map(|vertex| Corner { vertex, value: Blend::Copy(corner.raw()), replaces: None })
             .collect();
         self.patch.add_face(self.mesh.face_of(corner), corners);
     }
@@ -297,14 +294,14 @@ impl Bevel<'_> {
                 Some([before @ .., last]) => {
                     corners.extend(before.iter().map(|&vertex| Corner::new(vertex, h)));
                     corners.push(Corner {
-                        like: Some(h).filter(|&h| !self.is_bevelled(h)),
+                        replaces: Some(h).filter(|&h| !self.is_bevelled(h)),
                         ..Corner::moved(*last, h)
                     });
                 }
                 _ => corners.push(Corner::keep(self.mesh, h)),
             }
         }
-        self.patch.replace_face(face, corners, false);
+        self.patch.replace_face(face, corners);
     }
 
     fn strip(&mut self, edge: EdgeId) {

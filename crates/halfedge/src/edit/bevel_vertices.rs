@@ -9,8 +9,8 @@
 //! A bevel wider than an edge is *clamped* to the edge's length, or half of it where both ends are
 //! bevelled: [`Slide::limit`].
 
-use crate::edit::follow::Followers;
-use crate::edit::patch::{Corner, Patch, Plan, plan};
+use crate::edit::patch::{Corner, Patch, Plan};
+use crate::edit::shared::Followers;
 use crate::edit::{Live, Refusal, Slide, SlideVertex};
 use crate::mesh::Mesh;
 use crate::{FaceId, HalfedgeId, VertexId};
@@ -30,7 +30,7 @@ pub(crate) fn counter_clockwise(mesh: &Mesh, v: VertexId) -> Vec<HalfedgeId> {
 }
 
 fn plan_bevel(mesh: &Mesh, vertices: &[VertexId]) -> Result<(Plan, Vec<SlideVertex>), Refusal> {
-    mesh.need_vertices(vertices)?;
+    mesh.require_vertices(vertices)?;
     let mut vertices = vertices.to_vec();
     vertices.sort_unstable();
     vertices.dedup();
@@ -76,9 +76,9 @@ fn plan_bevel(mesh: &Mesh, vertices: &[VertexId]) -> Result<(Plan, Vec<SlideVert
                 _ => corners.push(Corner::keep(mesh, h)),
             }
         }
-        patch.replace_face(face, corners, false);
+        patch.replace_face(face, corners);
     }
-    Ok((plan(mesh, patch)?, moves))
+    Ok((patch.plan(mesh)?, moves))
 }
 
 /// Cuts off vertices with a face each, of no size yet: the slide's amount is how far along each

@@ -6,7 +6,7 @@
 //! would have one: boundary loops have no vertex in common, the band takes the free sides of their
 //! edges, and each pair of vertices across is joined once.
 
-use crate::edit::patch::{Corner, Patch, Plan, plan};
+use crate::edit::patch::{Corner, Patch, Plan};
 use crate::edit::{Made, Refusal};
 use crate::mesh::Mesh;
 use crate::{HalfedgeId, VertexId};
@@ -21,7 +21,7 @@ pub fn can_bridge(mesh: &Mesh, halfedges: [HalfedgeId; 2]) -> Result<(), Refusal
 
 fn plan_bridge(mesh: &Mesh, halfedges: [HalfedgeId; 2]) -> Result<Plan, Refusal> {
     for h in halfedges {
-        mesh.need_halfedge(h)?;
+        mesh.require_halfedge(h)?;
         if !mesh.is_boundary_halfedge(h) {
             return Err(Refusal::NotABoundaryHalfedge(h));
         }
@@ -55,7 +55,7 @@ fn plan_bridge(mesh: &Mesh, halfedges: [HalfedgeId; 2]) -> Result<Plan, Refusal>
         corners.push(at_b(j));
         patch.add_face(mesh.face_of(a[i % n].twin()), corners);
     }
-    plan(mesh, patch)
+    patch.plan(mesh)
 }
 
 /// The vertex a boundary half-edge leaves, with the corner there of the face across it.

@@ -34,9 +34,7 @@
 
 use crate::attribute::{Value, keys};
 use crate::edit::Refusal;
-use crate::edit::blend::{Blend, between};
-use crate::edit::face_sample::numbers;
-use crate::edit::follow::{Follower, Followers};
+use crate::edit::shared::{Blend, Follower, Followers, between, numbers};
 use crate::mesh::Mesh;
 use crate::{EdgeId, Element, FaceId, HalfedgeId, VertexId};
 use rustc_hash::FxHashSet;
@@ -56,7 +54,7 @@ pub struct EdgeCollapse {
 
 /// Whether [`collapse_edge`] would succeed.
 pub fn can_collapse_edge(mesh: &Mesh, edge: EdgeId, t: f32) -> Result<(), Refusal> {
-    mesh.need_edge(edge)?;
+    mesh.require_edge(edge)?;
     if !(0.0..=1.0).contains(&t) {
         return Err(Refusal::OutOfRange { field: "t", value: t, range: "from 0 to 1" });
     }
@@ -166,12 +164,12 @@ pub fn collapse_edge(mesh: &mut Mesh, edge: EdgeId, t: f32) -> Result<EdgeCollap
         made.removed_edges.push(lose.edge());
         made.removed_faces.push(face);
         let at_tip = if from_a { keep } else { keep.twin() };
-        mesh.settle_vertex(mesh.from(at_tip), at_tip);
+        mesh.restore_vertex_halfedge(mesh.from(at_tip), at_tip);
         stays = at_tip.twin();
     }
     mesh.mark(Element::Edge, edge.raw(), true);
     mesh.mark(Element::Vertex, b.raw(), true);
-    mesh.settle_vertex(a, stays);
+    mesh.restore_vertex_halfedge(a, stays);
     Ok(made)
 }
 

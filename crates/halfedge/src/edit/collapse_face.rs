@@ -16,7 +16,7 @@ pub fn can_collapse_face(mesh: &Mesh, face: FaceId) -> Result<(), Refusal> {
 }
 
 fn corners(mesh: &Mesh, face: FaceId) -> Result<Vec<VertexId>, Refusal> {
-    mesh.need_face(face)?;
+    mesh.require_face(face)?;
     Ok(mesh.face_vertices(face).collect())
 }
 

@@ -26,12 +26,12 @@ pub fn can_connect_vertices(mesh: &Mesh, a: VertexId, b: VertexId) -> Result<(),
 
 /// The corners of a face that has both.
 fn corners(mesh: &Mesh, a: VertexId, b: VertexId) -> Result<(FaceId, HalfedgeId, HalfedgeId), Refusal> {
-    mesh.need_vertex(a)?;
-    mesh.need_vertex(b)?;
+    mesh.require_vertex(a)?;
+    mesh.require_vertex(b)?;
     if a == b {
         return Err(Refusal::GivenTwice(crate::Element::Vertex, a.raw()));
     }
-    if mesh.joined(a, b).is_some() {
+    if mesh.find_halfedge_between(a, b).is_some() {
         return Err(Refusal::AlreadyJoined(a, b));
     }
     for at_a in mesh.outgoing(a) {

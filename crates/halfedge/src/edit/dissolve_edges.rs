@@ -11,8 +11,8 @@
 //! How many edges a vertex is left with counts when all the given ones have gone; if it counted after each,
 //! one edge could become one with another that isn't given, and stay.
 
-use crate::edit::patch::{Corner, Patch, Plan, plan};
-use crate::edit::region::outline;
+use crate::edit::patch::{Corner, Patch, Plan};
+use crate::edit::shared::outline;
 use crate::edit::{Made, Refusal, can_dissolve_vertex, dissolve_vertex};
 use crate::geometry::UnionFind;
 use crate::mesh::Mesh;
@@ -69,14 +69,14 @@ fn regions(mesh: &Mesh, edges: &[EdgeId]) -> Result<Vec<Region>, Refusal> {
 }
 
 fn plan_dissolve(mesh: &Mesh, edges: &[EdgeId]) -> Result<Plan, Refusal> {
-    mesh.need_edges(edges)?;
+    mesh.require_edges(edges)?;
     let mut patch = Patch::new(mesh);
     for region in regions(mesh, edges)? {
         let corners = outline(mesh, &region.faces)?.into_iter().map(|h| Corner::keep(mesh, h)).collect();
         patch.remove.extend(region.faces.iter().filter(|&&face| face != region.stays));
-        patch.replace_face(region.stays, corners, false);
+        patch.replace_face(region.stays, corners);
     }
-    plan(mesh, patch)
+    patch.plan(mesh)
 }
 
 /// Makes the faces that edges join one polygon each, and removes the vertices that are left with two edges

@@ -3,9 +3,8 @@
 //! Always possible for boundary edges: the quads lie where there was no face, on new vertices, one
 //! for each vertex of the edges; quads of edges in a row share the edge between.
 
-use crate::edit::blend::Blend;
-use crate::edit::follow::Followers;
-use crate::edit::patch::{Corner, Patch, Plan, plan};
+use crate::edit::patch::{Corner, Patch, Plan};
+use crate::edit::shared::{Blend, Followers};
 use crate::edit::{Live, Refusal, Slide, SlideVertex};
 use crate::mesh::Mesh;
 use crate::{EdgeId, VertexId};
@@ -18,7 +17,7 @@ pub fn can_extrude_edges(mesh: &Mesh, edges: &[EdgeId]) -> Result<(), Refusal> {
 }
 
 fn plan_extrude(mesh: &Mesh, edges: &[EdgeId]) -> Result<(Plan, Vec<(VertexId, VertexId)>), Refusal> {
-    mesh.need_edges(edges)?;
+    mesh.require_edges(edges)?;
     let mut edges = edges.to_vec();
     edges.sort_unstable();
     edges.dedup();
@@ -40,13 +39,13 @@ fn plan_extrude(mesh: &Mesh, edges: &[EdgeId]) -> Result<(Plan, Vec<(VertexId, V
         // The corners of the face beside the edge.
         let at_v = side.twin();
         let at_u = mesh.next(at_v);
-        let far = Corner { vertex: v2, value: Blend::Copy(at_v.raw()), like: Some(side) };
+        let far = Corner { vertex: v2, value: Blend::Copy(at_v.raw()), replaces: Some(side) };
         patch.add_face(
             mesh.face_of(at_v),
             vec![Corner::new(u, at_u), Corner::new(v, at_v), far, Corner::new(u2, at_u)],
         );
     }
-    Ok((plan(mesh, patch)?, moved))
+    Ok((patch.plan(mesh)?, moved))
 }
 
 /// Puts a quad beside each of some boundary edges, of no size yet; the slide moves their far sides

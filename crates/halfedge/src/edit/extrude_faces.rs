@@ -5,15 +5,13 @@
 //! no outline: it moves, and no walls are made.
 
 use crate::FaceId;
-use crate::edit::follow::Followers;
-use crate::edit::patch::plan;
-use crate::edit::walls::walls;
+use crate::edit::shared::{Followers, walls};
 use crate::edit::{Grouping, Live, Refusal, Slide, SlideVertex};
 use crate::mesh::Mesh;
 
 /// Whether [`extrude_faces`] would succeed.
 pub fn can_extrude_faces(mesh: &Mesh, faces: &[FaceId], grouping: Grouping) -> Result<(), Refusal> {
-    plan(mesh, walls(mesh, faces, grouping)?.patch).map(drop)
+    walls(mesh, faces, grouping)?.patch.plan(mesh).map(drop)
 }
 
 /// Puts a wall of quads at the outline of faces, of no height yet: the slide's amount is the
@@ -32,6 +30,6 @@ pub fn extrude_faces(mesh: &mut Mesh, faces: &[FaceId], grouping: Grouping) -> R
         .chain(inner)
         .map(|(vertex, old, by)| SlideVertex { vertex, from: mesh.position(old), by })
         .collect();
-    let made = plan(mesh, walls.patch)?.apply(mesh);
+    let made = walls.patch.plan(mesh)?.apply(mesh);
     Ok(Live { made, slide: Slide::unlimited(moves, Followers::default()) })
 }

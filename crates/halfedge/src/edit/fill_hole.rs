@@ -5,7 +5,7 @@
 //! side of each edge and closes each vertex's fan.
 
 use crate::HalfedgeId;
-use crate::edit::patch::{Corner, Patch, Plan, plan};
+use crate::edit::patch::{Corner, Patch, Plan};
 use crate::edit::{Made, Refusal};
 use crate::mesh::Mesh;
 
@@ -15,14 +15,14 @@ pub fn can_fill_hole(mesh: &Mesh, halfedge: HalfedgeId) -> Result<(), Refusal> {
 }
 
 fn plan_fill(mesh: &Mesh, halfedge: HalfedgeId) -> Result<Plan, Refusal> {
-    mesh.need_halfedge(halfedge)?;
+    mesh.require_halfedge(halfedge)?;
     if !mesh.is_boundary_halfedge(halfedge) {
         return Err(Refusal::NotABoundaryHalfedge(halfedge));
     }
     let corners = mesh.loop_of(halfedge).map(|h| Corner::new(mesh.from(h), mesh.next(h.twin()))).collect();
     let mut patch = Patch::new(mesh);
     patch.add_face(mesh.face_of(halfedge.twin()), corners);
-    plan(mesh, patch)
+    patch.plan(mesh)
 }
 
 /// Puts one polygon on the boundary loop of a half-edge; its first corner is where that leaves.

@@ -1,16 +1,16 @@
 //! Flip edge: each end moves one step counter-clockwise round the union of the two faces.
 //!
-//! # When it can be done, exactly
+//! # When it is possible, exactly
 //!
 //! Let the edge run from a to b, with the face F on its left and G on its right. Counter-clockwise
 //! round F ∪ G the corner after a is d (in G) and the one after b is c (in F). Afterwards the edge
-//! runs from d to c; F loses b and gains d, G loses a and gains c. All else stays. So the result
-//! is a valid mesh if and only if
+//! runs from d to c; F loses b and gains d, G loses a and gains c. Nothing else changes. So the
+//! result is a valid mesh if and only if
 //!
-//! 1. there are a face F and a face G: the edge is not on the boundary. (They are never the same
-//!    face: one with both sides of an edge would have a corner twice.)
+//! 1. F and G exist: the edge is not on the boundary. (They are never the same face: a face with both sides of an
+//!    edge would have a corner twice.)
 //! 2. a and b have at least three edges: each loses one, and a vertex with one edge would be the
-//!    tip of a spike that its face goes round. Boundary vertices with an inner edge always do.
+//!    tip of a spike in its face. Boundary vertices with an inner edge always have three.
 //! 3. d is not a corner of F and c not one of G: no corner repeats. This includes d ≠ c.
 //! 4. no edge joins c and d yet: no edge is duplicated.
 //!
@@ -24,13 +24,13 @@
 //! each other, which is (4). Such a flip would leave it with valence two.
 
 use crate::edit::Refusal;
-use crate::edit::follow::{Follower, Followers};
+use crate::edit::shared::{Follower, Followers};
 use crate::mesh::Mesh;
 use crate::{EdgeId, Element, HalfedgeId};
 
 /// Whether [`flip_edge`] would succeed.
 pub fn can_flip_edge(mesh: &Mesh, edge: EdgeId) -> Result<(), Refusal> {
-    mesh.need_edge(edge)?;
+    mesh.require_edge(edge)?;
     let [h, twin] = edge.halfedges();
     let (Some(left), Some(right)) = (mesh.face_of(h), mesh.face_of(twin)) else {
         return Err(Refusal::BoundaryEdge(edge));
@@ -50,26 +50,25 @@ pub fn can_flip_edge(mesh: &Mesh, edge: EdgeId) -> Result<(), Refusal> {
     if mesh.face_vertices(right).any(|v| v == c) {
         return Err(Refusal::RepeatedCorner(c));
     }
-    match mesh.joined(c, d) {
+    match mesh.find_halfedge_between(c, d) {
         Some(_) => Err(Refusal::AlreadyJoined(c, d)),
         None => Ok(()),
     }
 }
 
-/// Moves each end of an edge one step counter-clockwise round the union of its two faces. Between
-/// two triangles that is the usual flip, and two flips give the same two triangles again, the edge
-/// the other way round.
+/// Moves each end of an edge one step counter-clockwise round the union of its two faces. Between two triangles this
+/// is the usual flip; flipping twice gives the same triangles with the edge reversed.
 ///
-/// All ids survive; nothing is made or removed. Costs O(degrees of the two faces + valences of the
+/// All ids survive, and nothing is added or removed. Costs O(degrees of the two faces + valences of the
 /// four vertices). Attributes: the edge keeps its own; corners keep theirs, and the corner each
-/// face gains copies the one the other face has at that vertex. Where values differ between the sides of
-/// the edge, each face continues its own to the corner it gains.
+/// face gains copies the other face's at that vertex. Where values differ between the sides of the edge,
+/// each face continues its own to the corner that it gains.
 pub fn flip_edge(mesh: &mut Mesh, edge: EdgeId) -> Result<(), Refusal> {
     can_flip_edge(mesh, edge)?;
     let [h, twin] = edge.halfedges();
     let [a, b] = mesh.ends(edge);
     let (left, right) = (mesh.face_of(h), mesh.face_of(twin));
-    // b -> c in the left face, a -> d in the right one: they change places.
+    // b -> c in the left face and a -> d in the right one change places.
     let (bc, ad) = (mesh.next(h), mesh.next(twin));
     let (c, d) = (mesh.to(bc), mesh.to(ad));
     let (after_c, after_d) = (mesh.next(bc), mesh.next(ad));
@@ -108,7 +107,7 @@ pub fn flip_edge(mesh: &mut Mesh, edge: EdgeId) -> Result<(), Refusal> {
     Ok(())
 }
 
-/// The corners that the two faces gain, in columns where the values at the edge differ between its sides:
+/// Followers for the corners that the two faces gain, in columns whose values differ between the sides of the edge:
 /// there each face continues its own values.
 fn follow_across_seams(mesh: &Mesh, edge: EdgeId) -> Followers {
     let [h, twin] = edge.halfedges();
@@ -124,7 +123,7 @@ fn follow_across_seams(mesh: &Mesh, edge: EdgeId) -> Followers {
 }
 
 impl Mesh {
-    /// Gives corners the values that other corners have before any of these is written.
+    /// Copies values between corners, from and to, as they were before the first one is written.
     pub(crate) fn copy_corners(&mut self, from_to: &[(HalfedgeId, HalfedgeId)]) {
         for at in 0..self.columns.of(Element::Halfedge).len() {
             let values = &self.columns.of(Element::Halfedge)[at].values;

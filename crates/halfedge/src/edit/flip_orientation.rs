@@ -12,7 +12,7 @@ use rustc_hash::FxHashSet;
 
 /// Whether [`flip_orientation`] would succeed.
 pub fn can_flip_orientation(mesh: &Mesh, faces: &[FaceId]) -> Result<(), Refusal> {
-    mesh.need_faces(faces)?;
+    mesh.require_faces(faces)?;
     let chosen: FxHashSet<FaceId> = faces.iter().copied().collect();
     for &face in faces {
         let others = mesh.face_halfedges(face).filter_map(|h| mesh.face_of(h.twin()));

@@ -4,10 +4,7 @@
 //! piece, inset as one region, has none and is refused. An inset wider than the face is *clamped*
 //! to where the first edge of the inner outline would lose its length: [`Slide::limit`].
 
-use crate::edit::follow::Followers;
-use crate::edit::geometry::miter;
-use crate::edit::patch::plan;
-use crate::edit::walls::{Walls, walls};
+use crate::edit::shared::{Followers, Walls, miter, walls};
 use crate::edit::{Grouping, Live, Refusal, Slide, SlideVertex};
 use crate::mesh::Mesh;
 use crate::{FaceId, HalfedgeId};
@@ -15,7 +12,7 @@ use glam::Vec3;
 
 /// Whether [`inset_faces`] would succeed.
 pub fn can_inset_faces(mesh: &Mesh, faces: &[FaceId], grouping: Grouping) -> Result<(), Refusal> {
-    plan(mesh, inset_walls(mesh, faces, grouping)?.patch).map(drop)
+    inset_walls(mesh, faces, grouping)?.patch.plan(mesh).map(drop)
 }
 
 fn inset_walls(mesh: &Mesh, faces: &[FaceId], grouping: Grouping) -> Result<Walls, Refusal> {
@@ -48,7 +45,7 @@ pub fn inset_faces(mesh: &mut Mesh, faces: &[FaceId], grouping: Grouping) -> Res
             by: miter(inward(wall.arrives), inward(wall.leaves)),
         })
         .collect();
-    let plan = plan(mesh, walls.patch)?;
+    let plan = walls.patch.plan(mesh)?;
     let followers = plan.followers(mesh, moves.iter().map(|slide| slide.vertex));
     let followers = Followers::new(mesh, followers, |_, _| true);
     let made = plan.apply(mesh);

@@ -1,16 +1,15 @@
 //! Loop cut: new edges along the ring of quads through an edge.
 //!
-//! From the edge the ring goes on across each quad to the opposite edge, both ways, until it comes
-//! round (a closed ring) or reaches the boundary or a face that is no quad (an open one; such a
-//! face gains corners where the ring ends). Each edge is in one ring, and passed once: two opposite
-//! edges of a quad are each other's only continuation. A quad can be passed twice, along and
-//! across, where the ring crosses itself: it becomes a grid.
+//! The ring runs from the edge both ways, across each quad to the opposite edge, until it closes or ends at the
+//! boundary or at a face that isn't a quad; such a face gains corners there. Each edge lies in one ring, and the ring
+//! passes it once: opposite edges of a quad are each other's only continuation. A ring can pass a quad twice, along
+//! and across, and cross itself there: the quad becomes a grid.
 //!
-//! Always possible if the edge is beside a quad: new vertices lie on the ring's edges, which both
-//! faces beside them share, and new edges join new vertices within one quad.
+//! Always possible if a quad lies beside the edge: new vertices lie on edges of the ring, which both faces beside
+//! them share, and new edges join new vertices within one quad.
 
-use crate::edit::blend::Blend;
-use crate::edit::patch::{Corner, Patch, Plan, plan};
+use crate::edit::patch::{Corner, Patch, Plan};
+use crate::edit::shared::Blend;
 use crate::edit::{Made, Refusal};
 use crate::mesh::Mesh;
 use crate::{EdgeId, FaceId, HalfedgeId, VertexId};
@@ -21,10 +20,10 @@ pub fn can_loop_cut(mesh: &Mesh, edge: EdgeId, cuts: u32, t: f32) -> Result<(), 
     plan_cut(mesh, edge, cuts, t).map(drop)
 }
 
-/// The ring of quads through an edge, as one half-edge of each of its edges, all pointing the same
-/// way; and whether it is closed. One edge alone where no quad is beside it. What a preview draws.
+/// The ring of quads through an edge, which previews draw: one half-edge of each of its edges, all pointing the same
+/// way, and whether it is closed. The edge alone if no quad lies beside it. Costs O(edges of the ring).
 pub fn edge_ring(mesh: &Mesh, edge: EdgeId) -> (Vec<HalfedgeId>, bool) {
-    // The half-edge across the quad at `h`, pointing the same way.
+    // The half-edge on the other side of the quad, pointing the same way.
     let across = |h: HalfedgeId| {
         mesh.face_of(h)?;
         let opposite = mesh.next(mesh.next(h));
@@ -82,7 +81,7 @@ impl Point {
 type Points = FxHashMap<HalfedgeId, Vec<Point>>;
 
 fn plan_cut(mesh: &Mesh, edge: EdgeId, cuts: u32, t: f32) -> Result<Plan, Refusal> {
-    mesh.need_edge(edge)?;
+    mesh.require_edge(edge)?;
     if !(1..=MAX_CUTS).contains(&cuts) {
         return Err(Refusal::OutOfRange { field: "cuts", value: cuts as f32, range: "from 1 to 1000" });
     }
@@ -100,7 +99,7 @@ fn plan_cut(mesh: &Mesh, edge: EdgeId, cuts: u32, t: f32) -> Result<Plan, Refusa
         let (a, b) = (mesh.from(h), mesh.to(h));
         let on: Vec<Point> = (1..=cuts)
             .map(|i| {
-                let at = place(i as f32 / (cuts + 1) as f32, t);
+                let at = stretch(i as f32 / (cuts + 1) as f32, t);
                 let position = mesh.position(a).lerp(mesh.position(b), at);
                 let vertex = patch.add_vertex(position, Blend::Mix(a.raw(), b.raw(), at));
                 Point { vertex, at, is_reversed: false }
@@ -119,14 +118,14 @@ fn plan_cut(mesh: &Mesh, edge: EdgeId, cuts: u32, t: f32) -> Result<Plan, Refusa
                 cut_quad(mesh, &mut patch, &points, face, [a, b, c, d])
             }
             [a, b, c, d] => cut_quad(mesh, &mut patch, &points, face, [b, c, d, a]),
-            _ => end_of_ring(&mut patch, mesh, &points, face, &sides),
+            _ => add_corners(&mut patch, mesh, &points, face, &sides),
         }
     }
-    plan(mesh, patch)
+    patch.plan(mesh)
 }
 
-/// Where a place in an even spacing goes when its middle goes to `t`.
-fn place(even: f32, t: f32) -> f32 {
+/// Moves a fraction of an even spacing so that the middle goes to `t`.
+fn stretch(even: f32, t: f32) -> f32 {
     if even <= 0.5 { 2.0 * t * even } else { t + (2.0 * even - 1.0) * (1.0 - t) }
 }
 
@@ -165,16 +164,16 @@ fn cut_quad(mesh: &Mesh, patch: &mut Patch, points: &Points, face: FaceId, sides
                     let [pa, pb, pc, pd] = [va, vb, vc, vd].map(|v| mesh.position(v));
                     let position = pa.lerp(pb, s).lerp(pd.lerp(pc, s), t);
                     let vertex = patch.add_vertex(position, blend([va, vb, vc, vd].map(VertexId::raw)));
-                    Corner { vertex, value: blend(sides.map(HalfedgeId::raw)), like: None }
+                    Corner { vertex, value: blend(sides.map(HalfedgeId::raw)), replaces: None }
                 }
             });
         }
     }
     for row in 0..rows - 1 {
         for column in 0..columns - 1 {
-            let at = |row: usize, column: usize, on_rim: bool, like: HalfedgeId| {
+            let at = |row: usize, column: usize, is_on_rim: bool, side: HalfedgeId| {
                 let mut corner = grid[row * columns + column].clone();
-                corner.like = Some(like).filter(|_| on_rim);
+                corner.replaces = Some(side).filter(|_| is_on_rim);
                 corner
             };
             let corners = vec![
@@ -184,7 +183,7 @@ fn cut_quad(mesh: &Mesh, patch: &mut Patch, points: &Points, face: FaceId, sides
                 at(row + 1, column, column == 0, d),
             ];
             if row == 0 && column == 0 {
-                patch.replace_face(face, corners, false);
+                patch.replace_face(face, corners);
             } else {
                 patch.add_face(Some(face), corners);
             }
@@ -197,31 +196,30 @@ fn line(mesh: &Mesh, points: &Points, h: HalfedgeId) -> Vec<(f32, Corner)> {
     let next = mesh.next(h);
     let mut line = vec![(0.0, Corner::new(mesh.from(h), h))];
     line.extend(points.get(&h).into_iter().flatten().map(|point| {
-        (point.along(), Corner { vertex: point.vertex, value: point.value(mesh, h), like: None })
+        (point.along(), Corner { vertex: point.vertex, value: point.value(mesh, h), replaces: None })
     }));
     line.push((1.0, Corner::new(mesh.from(next), next)));
     line
 }
 
-/// Gives a face that is no quad the corners where the ring ends.
-fn end_of_ring(patch: &mut Patch, mesh: &Mesh, points: &Points, face: FaceId, sides: &[HalfedgeId]) {
+/// Gives a face at an end of the ring, which isn't a quad, the corners there.
+fn add_corners(patch: &mut Patch, mesh: &Mesh, points: &Points, face: FaceId, sides: &[HalfedgeId]) {
     let mut corners = Vec::new();
     for &h in sides {
         corners.push(Corner::keep(mesh, h));
         for point in points.get(&h).into_iter().flatten() {
-            corners.push(Corner { vertex: point.vertex, value: point.value(mesh, h), like: Some(h) });
+            corners.push(Corner { vertex: point.vertex, value: point.value(mesh, h), replaces: Some(h) });
         }
     }
-    patch.replace_face(face, corners, false);
+    patch.replace_face(face, corners);
 }
 
-/// Cuts the ring of quads through an edge, `cuts` times: evenly where `t` is one half; else the
-/// middle of the cuts is at the fraction `t` of the way along the edge's even half-edge, and the
-/// spacing on either side of it is even.
+/// Cuts the ring of quads through an edge `cuts` times: evenly if `t` is one half. Otherwise the middle of the cuts
+/// lies at the fraction `t` along the edge's even half-edge, and the cuts are evenly spaced on either side of it.
 ///
-/// Costs O(quads of the ring * cuts + valences of their vertices), times cuts again for quads that
-/// the ring passes twice. Attributes: new vertices and corners are interpolated, pieces of an edge
-/// copy it (one keeps its id), pieces of a face copy it (one keeps its id), cuts have default values.
+/// Costs O(quads of the ring * cuts + valences of their vertices), times the cuts again for quads that the ring passes
+/// twice. Attributes: new vertices and corners are interpolated; the pieces of an edge or a face copy its attributes,
+/// and one keeps its id; cuts have default values.
 pub fn loop_cut(mesh: &mut Mesh, edge: EdgeId, cuts: u32, t: f32) -> Result<Made, Refusal> {
     Ok(plan_cut(mesh, edge, cuts, t)?.apply(mesh))
 }

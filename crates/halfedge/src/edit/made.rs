@@ -1,10 +1,9 @@
-//! What an edit made and took away.
+//! What an edit added and removed.
 
 use crate::mesh::Mesh;
 use crate::{EdgeId, FaceId, VertexId};
 
-/// The elements that an edit made and took away, by id. Those in neither list are still there,
-/// perhaps with other neighbours.
+/// The ids of the elements that an edit added and removed. All others still exist, perhaps with other neighbours.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Made {
     /// New vertices.
@@ -13,16 +12,16 @@ pub struct Made {
     pub edges: Vec<EdgeId>,
     /// New faces.
     pub faces: Vec<FaceId>,
-    /// Vertices that are gone.
+    /// Removed vertices.
     pub removed_vertices: Vec<VertexId>,
-    /// Edges that are gone.
+    /// Removed edges.
     pub removed_edges: Vec<EdgeId>,
-    /// Faces that are gone.
+    /// Removed faces.
     pub removed_faces: Vec<FaceId>,
 }
 
 impl Made {
-    /// Adds what a later edit made and took away. What was only there in between is in no list.
+    /// Adds what a later edit added and removed. Elements that existed only in between are dropped.
     pub(crate) fn add(&mut self, later: Self) {
         fn add<T: Copy + PartialEq>(made: &mut Vec<T>, removed: &mut Vec<T>, more: Vec<T>, gone: Vec<T>) {
             made.extend(more);
@@ -38,7 +37,7 @@ impl Made {
         add(&mut self.faces, &mut self.removed_faces, later.faces, later.removed_faces);
     }
 
-    /// By how much the edit changed [`Mesh::euler_characteristic`].
+    /// The change of [`Mesh::euler_characteristic`].
     pub fn euler_change(&self) -> i64 {
         let change = |made: usize, removed: usize| made as i64 - removed as i64;
         change(self.vertices.len(), self.removed_vertices.len())
@@ -46,7 +45,7 @@ impl Made {
             + change(self.faces.len(), self.removed_faces.len())
     }
 
-    /// The counts (vertices, edges, faces) that a mesh has after the edit.
+    /// The numbers of vertices, edges and faces after the edit.
     pub fn counts_after(&self, before: &Mesh) -> [usize; 3] {
         let after = |count: usize, made: usize, removed: usize| (count + made).saturating_sub(removed);
         [

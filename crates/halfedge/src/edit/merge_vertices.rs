@@ -6,9 +6,8 @@
 //! one fan. Vertices joined by edges always shrink a piece of the surface to a point; vertices
 //! apart may sew boundaries together, and are refused where that would pinch the surface.
 
-use crate::edit::blend::Blend;
-use crate::edit::patch::{Plan, plan};
-use crate::edit::region::{follow_merged, substitute};
+use crate::edit::patch::Plan;
+use crate::edit::shared::{Blend, follow_merged, merge_corners};
 use crate::edit::{Made, Refusal};
 use crate::geometry::mean_position;
 use crate::mesh::Mesh;
@@ -27,7 +26,7 @@ fn plan_merge(
     vertices: &[VertexId],
     position: Option<Vec3>,
 ) -> Result<(Plan, FxHashMap<VertexId, VertexId>), Refusal> {
-    mesh.need_vertices(vertices)?;
+    mesh.require_vertices(vertices)?;
     let target = vertices[0];
     if let Some(position) = position
         && !position.is_finite()
@@ -40,7 +39,7 @@ fn plan_merge(
         let why = if vertices.len() == 1 { Refusal::OnlyOne } else { Refusal::GivenTwice };
         return Err(why(Element::Vertex, target.raw()));
     }
-    let plan = plan(mesh, substitute(mesh, &becomes))?.keeping_vertices(|v| becomes.contains_key(&v))?;
+    let plan = merge_corners(mesh, &becomes).plan(mesh)?.require_vertices(|v| becomes.contains_key(&v))?;
     Ok((plan, becomes))
 }
 

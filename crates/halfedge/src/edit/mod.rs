@@ -1,15 +1,17 @@
-//! Local edits: each in a file of its own, as a pair of a check and the edit.
+//! Local edits, one per file, each as a pair of functions.
 //!
-//! `can_x(&mesh, …)` says whether the edit would leave a valid mesh, or why not; `x(&mut mesh, …)`
-//! makes it, or refuses for the same reason and changes nothing. Each costs time in proportion to
-//! the valences and face degrees around it, never to the mesh.
+//! `can_x(&mesh, …)` tells whether the edit would leave a valid mesh, and why not. `x(&mut mesh, …)` makes the edit,
+//! or refuses for the same reason and changes nothing. The cost is in proportion to the valences and face degrees
+//! around the edit, never to the mesh.
 //!
-//! Edits that a drag goes on with come in two halves: the edit makes its topology at size zero and
-//! gives a [`Slide`], which moves the vertices by any amount.
+//! Edits that can be dragged come in two halves: the edit makes its topology at size zero and returns a [`Slide`],
+//! which moves the vertices by any amount.
+//!
+//! Attribute values follow: corners and vertices that an edit makes or moves get the values that their faces have
+//! there; each edit's text says how. Seams of texture coordinates stay, and none appear.
 
 mod bevel_edges;
 mod bevel_vertices;
-mod blend;
 mod bridge;
 mod collapse_edge;
 mod collapse_face;
@@ -19,28 +21,23 @@ mod dissolve_edges;
 mod dissolve_vertex;
 mod extrude_edges;
 mod extrude_faces;
-mod face_sample;
 mod fill_hole;
 mod flip_edge;
 mod flip_orientation;
-mod follow;
-mod geometry;
 mod inset_faces;
 mod loop_cut;
 mod made;
 mod merge_vertices;
-mod parts;
 mod patch;
 mod poke_faces;
 mod refusal;
-mod region;
 mod rip_edges;
 mod set_crease;
+mod shared;
 mod slide;
 mod split_edge;
 mod split_vertex;
 mod triangulate;
-mod walls;
 mod weld_edges;
 
 pub use bevel_edges::{bevel_edges, can_bevel_edges};
@@ -65,9 +62,9 @@ pub use poke_faces::{can_poke_faces, poke_faces};
 pub use refusal::Refusal;
 pub use rip_edges::{can_rip_edges, rip_edges};
 pub use set_crease::{can_set_crease, set_crease};
+pub use shared::Grouping;
 pub use slide::{Live, Slide, SlideVertex};
 pub use split_edge::{Connect, EdgeSplit, can_split_edge, split_edge};
 pub use split_vertex::{can_split_vertex, split_vertex};
 pub use triangulate::{Triangulated, Triangulation, can_triangulate_face, triangulate_face};
-pub use walls::Grouping;
 pub use weld_edges::{can_weld_edges, weld_edges};

@@ -3,8 +3,8 @@
 //! Always possible: the new edges join the new vertex, and a face of n corners becomes n triangles
 //! that take its sides. The Euler characteristic stays, as does the boundary.
 
-use crate::edit::blend::Blend;
-use crate::edit::patch::{Corner, Patch, Plan, plan};
+use crate::edit::patch::{Corner, Patch, Plan};
+use crate::edit::shared::Blend;
 use crate::edit::{Made, Refusal};
 use crate::mesh::Mesh;
 use crate::{FaceId, HalfedgeId};
@@ -15,7 +15,7 @@ pub fn can_poke_faces(mesh: &Mesh, faces: &[FaceId]) -> Result<(), Refusal> {
 }
 
 fn plan_poke(mesh: &Mesh, faces: &[FaceId]) -> Result<Plan, Refusal> {
-    mesh.need_faces(faces)?;
+    mesh.require_faces(faces)?;
     let mut faces = faces.to_vec();
     faces.sort_unstable();
     faces.dedup();
@@ -27,16 +27,16 @@ fn plan_poke(mesh: &Mesh, faces: &[FaceId]) -> Result<Plan, Refusal> {
         let center = patch.add_vertex(mesh.corner_mean(face), Blend::Mean(corners));
         for (i, &h) in sides.iter().enumerate() {
             let next = sides[(i + 1) % sides.len()];
-            let tip = Corner { vertex: center, value: Blend::Mean(raw_sides.clone()), like: None };
+            let tip = Corner { vertex: center, value: Blend::Mean(raw_sides.clone()), replaces: None };
             let triangle = vec![Corner::keep(mesh, h), Corner::new(mesh.from(next), next), tip];
             if i == 0 {
-                patch.replace_face(face, triangle, false);
+                patch.replace_face(face, triangle);
             } else {
                 patch.add_face(Some(face), triangle);
             }
         }
     }
-    plan(mesh, patch)
+    patch.plan(mesh)
 }
 
 /// Cuts each face into triangles round a new vertex at its centroid (the mean of its corners).

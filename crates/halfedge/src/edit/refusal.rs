@@ -1,49 +1,49 @@
 //! Why an edit can't be made.
 
-use crate::{EdgeId, Element, FaceId, HalfedgeId, VertexId};
+use crate::{EdgeId, Element, FaceId, HalfedgeId, Mesh, VertexId};
 use std::fmt;
 
-/// The reason an edit was refused, in words a user can read. The mesh is as it was.
+/// The reason why an edit was refused, in words for the user. The mesh is unchanged.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Refusal {
     /// There is no such element.
     NoSuchElement(Element, u32),
-    /// The edit acts on elements of this kind and was given none.
+    /// The edit acts on elements of this kind, and none was given.
     NothingGiven(Element),
-    /// The edit needs different elements and was given this one twice.
+    /// The edit needs different elements, and this one was given twice.
     GivenTwice(Element, u32),
-    /// The edit makes one of several elements and was given only this one.
+    /// The edit makes one of several elements, and only this one was given.
     OnlyOne(Element, u32),
     /// A parameter is out of its range.
     OutOfRange {
         /// The parameter's name in commands.
         field: &'static str,
-        /// What it was.
+        /// Its value.
         value: f32,
-        /// What it may be.
+        /// The range, in words.
         range: &'static str,
     },
-    /// A vertex would be moved to where numbers end.
+    /// A vertex would get a position that is not finite.
     TooFarAway(VertexId),
-    /// The mesh would have more edges than can be numbered.
+    /// The mesh would have more edges than ids can number.
     TooManyEdges,
     /// The edit would join two vertices that an edge joins already.
     AlreadyJoined(VertexId, VertexId),
-    /// Two cuts from a new vertex would end at the same vertex.
+    /// Two cuts from a new vertex would end at this vertex.
     CutsMeet(VertexId),
     /// A face would be left with fewer than three corners.
     TooFewCorners(Option<FaceId>),
     /// A face would have this vertex at two corners.
     RepeatedCorner(VertexId),
-    /// More than one face would lie on the same side of the edge between these vertices.
+    /// Two faces would lie on the same side of the edge between these vertices.
     SideTaken(VertexId, VertexId),
     /// The faces at this vertex would no longer form one fan.
     Pinched(VertexId),
     /// This vertex would be left without a face.
     LeftWithoutFace(VertexId),
-    /// The edge is on the boundary, and a face is needed on both sides.
+    /// The edge is on the boundary, and the edit needs a face on both sides.
     BoundaryEdge(EdgeId),
-    /// The edge has faces on both sides, and the edit is for the boundary.
+    /// The edge has faces on both sides, and the edit is for boundary edges.
     NotOnBoundary(EdgeId),
     /// The half-edge has a face, and the edit is for boundary half-edges.
     NotABoundaryHalfedge(HalfedgeId),
@@ -55,19 +55,19 @@ pub enum Refusal {
     NotAtVertex(EdgeId, VertexId),
     /// No face has both vertices.
     NotInOneFace(VertexId, VertexId),
-    /// The faces that would become one meet in more than one place.
+    /// The faces that would become one are no disc: they meet in more than one place.
     NotADisc(FaceId),
-    /// All faces round those given are among them too: they have no outline.
+    /// All neighbours of the given faces were given too, so there is no outline.
     NoOutline(FaceId),
-    /// The edge is beside no quad, so no ring of quads goes through it.
+    /// No quad lies beside the edge, so no ring of quads goes through it.
     NoRing(EdgeId),
-    /// Both half-edges lie on one boundary loop.
+    /// Both half-edges lie on the same boundary loop.
     SameLoop(HalfedgeId, HalfedgeId),
-    /// Ripping this edge alone would leave its two sides joined at both ends.
+    /// Ripping this edge would leave its two sides joined at both ends.
     StaysJoined(EdgeId),
-    /// Neighbours of this face are not among those given.
+    /// Neighbours of this face were not given, and the edit is for whole pieces.
     NotAWholePiece(FaceId),
-    /// No way of cutting the face into triangles avoids the edges that are there.
+    /// Every way of cutting the face into triangles would duplicate an edge.
     NoTriangulation(FaceId),
 }
 
@@ -79,19 +79,19 @@ impl fmt::Display for Refusal {
             Self::GivenTwice(element, id) => {
                 write!(f, "{element} {id} was given twice; give two different ones")
             }
-            Self::OnlyOne(element, id) => {
-                write!(f, "only {element} {id} is given; give two or more")
-            }
+            Self::OnlyOne(element, id) => write!(f, "only {element} {id} is given; give two or more"),
             Self::OutOfRange { field, value, range } => {
                 write!(f, "`{field}` is {value}, but must be {range}")
             }
-            Self::TooFarAway(v) => write!(f, "this would move {v} too far away to have a position"),
-            Self::TooManyEdges => write!(f, "the mesh would have more edges than can be numbered"),
+            Self::TooFarAway(v) => {
+                write!(f, "this would move {v} beyond the largest coordinates; move it less far")
+            }
+            Self::TooManyEdges => write!(f, "the mesh would have more than {} edges", Mesh::MAX_EDGES),
             Self::AlreadyJoined(a, b) => {
-                write!(f, "this would join {a} and {b}, which an edge joins already")
+                write!(f, "this would add a second edge between {a} and {b}")
             }
             Self::CutsMeet(v) => {
-                write!(f, "the cuts on both sides would end at {v}: two edges would join the same vertices")
+                write!(f, "the cuts on both sides would end at {v}, with two edges between the same vertices")
             }
             Self::TooFewCorners(Some(face)) => {
                 write!(f, "this would leave {face} with fewer than three corners")
@@ -102,35 +102,48 @@ impl fmt::Display for Refusal {
                 write!(f, "more than two faces would meet at the edge between {a} and {b}")
             }
             Self::Pinched(v) => {
-                write!(f, "this would pinch the surface at {v}: its faces would meet there only at a point")
+                write!(f, "this would pinch the surface at {v}, where faces would meet only at a point")
             }
             Self::LeftWithoutFace(v) => {
                 write!(f, "this would leave {v} without a face; delete faces instead")
             }
-            Self::BoundaryEdge(e) => write!(f, "{e} is on the boundary; this needs a face on both sides"),
-            Self::NotOnBoundary(e) => write!(f, "{e} has a face on both sides; this is for boundary edges"),
-            Self::NotABoundaryHalfedge(h) => write!(f, "{h} has a face; give a half-edge of a boundary loop"),
+            Self::BoundaryEdge(e) => {
+                write!(f, "{e} is on the boundary; give an edge with a face on both sides")
+            }
+            Self::NotOnBoundary(e) => {
+                write!(f, "{e} has a face on both sides; give an edge on the boundary")
+            }
+            Self::NotABoundaryHalfedge(h) => {
+                write!(f, "{h} has a face; give a half-edge of a boundary loop")
+            }
             Self::JoinsBoundaries(e) => {
                 write!(f, "{e} runs from boundary to boundary; collapsing it would pinch the surface there")
             }
             Self::ValenceTooLow(v, valence) => write!(f, "{v} has only {valence} edges and can't lose one"),
-            Self::NotAtVertex(e, v) => write!(f, "{e} doesn't end at {v}"),
-            Self::NotInOneFace(a, b) => write!(f, "no face has both {a} and {b}"),
+            Self::NotAtVertex(e, v) => write!(f, "{e} doesn't end at {v}; give an edge that does"),
+            Self::NotInOneFace(a, b) => {
+                write!(f, "no face has both {a} and {b}; give two corners of one face")
+            }
             Self::NotADisc(face) => {
                 write!(f, "{face} and the faces it would be merged with meet in more than one place")
             }
             Self::NoOutline(face) => {
-                write!(f, "{face} and the other faces given have no outline; leave out some of the piece")
+                write!(f, "{face} and the other given faces have no outline; leave out some of the piece")
             }
-            Self::NoRing(e) => write!(f, "{e} is beside no quad, so no ring of quads goes through it"),
+            Self::NoRing(e) => {
+                write!(
+                    f,
+                    "no quad lies beside {e}, so no ring of quads goes through it; give an edge of a quad"
+                )
+            }
             Self::SameLoop(a, b) => {
-                write!(f, "{a} and {b} are on the same boundary loop; give one of each of two")
+                write!(f, "{a} and {b} are on the same boundary loop; give one of each of two loops")
             }
             Self::StaysJoined(e) => {
                 write!(f, "ripping {e} would leave its sides joined at both ends; rip a longer line of edges")
             }
             Self::NotAWholePiece(face) => {
-                write!(f, "{face} is connected to faces not given; whole connected pieces are needed")
+                write!(f, "{face} is connected to faces that were not given; give whole connected pieces")
             }
             Self::NoTriangulation(face) => {
                 write!(

@@ -5,7 +5,7 @@
 //! into two groups with the edge between them: an edge ripped alone inside the mesh would leave
 //! two edges that join the same vertices. On a line of edges, or from the boundary, all have one.
 
-use crate::edit::patch::{Corner, Patch, Plan, plan};
+use crate::edit::patch::{Corner, Patch, Plan};
 use crate::edit::{Made, Refusal};
 use crate::mesh::Mesh;
 use crate::{EdgeId, FaceId, HalfedgeId, VertexId};
@@ -17,7 +17,7 @@ pub fn can_rip_edges(mesh: &Mesh, edges: &[EdgeId]) -> Result<(), Refusal> {
 }
 
 fn plan_rip(mesh: &Mesh, edges: &[EdgeId]) -> Result<Plan, Refusal> {
-    mesh.need_edges(edges)?;
+    mesh.require_edges(edges)?;
     let cut: FxHashSet<EdgeId> = edges.iter().copied().collect();
     if let Some(&edge) = edges.iter().find(|&&edge| mesh.is_boundary_edge(edge)) {
         return Err(Refusal::BoundaryEdge(edge));
@@ -62,9 +62,9 @@ fn plan_rip(mesh: &Mesh, edges: &[EdgeId]) -> Result<Plan, Refusal> {
     faces.dedup();
     for face in faces {
         let corners = mesh.face_halfedges(face).map(|h| Corner::moved(end(h), h)).collect();
-        patch.replace_face(face, corners, false);
+        patch.replace_face(face, corners);
     }
-    plan(mesh, patch)
+    patch.plan(mesh)
 }
 
 /// Cuts the mesh open along edges inside it: their sides become boundary edges, their vertices are

@@ -16,8 +16,8 @@ pub fn can_set_crease(
     if edges.is_empty() && vertices.is_empty() {
         return Err(Refusal::NothingGiven(Element::Edge));
     }
-    edges.iter().try_for_each(|&e| mesh.need_edge(e))?;
-    vertices.iter().try_for_each(|&v| mesh.need_vertex(v))?;
+    edges.iter().try_for_each(|&e| mesh.require_edge(e))?;
+    vertices.iter().try_for_each(|&v| mesh.require_vertex(v))?;
     if sharpness.is_finite() && sharpness >= 0.0 {
         Ok(())
     } else {

@@ -1,34 +1,33 @@
-//! Slide: the second half of an interactive edit. The first makes its new vertices where old ones
-//! are; the slide moves them by an amount, as often as a drag likes.
+//! Slides: the second half of an interactive edit. The first half makes new vertices where old ones are; the slide
+//! moves them by an amount, any number of times.
 
 use crate::VertexId;
-use crate::edit::follow::Followers;
+use crate::edit::shared::Followers;
 use crate::edit::{Made, Refusal};
 use crate::mesh::Mesh;
 use glam::Vec3;
 use rustc_hash::FxHashMap;
 
-/// A vertex that a [`Slide`] moves: to `from + amount * by`.
+/// A vertex that a [`Slide`] moves to `from + amount * by`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SlideVertex {
     /// The vertex.
     pub vertex: VertexId,
-    /// Where it is at amount 0.
+    /// The position at amount 0.
     pub from: Vec3,
-    /// How far it moves per unit of the amount.
+    /// The movement per unit of the amount.
     pub by: Vec3,
 }
 
-/// The moves of an interactive edit: a pure function of one amount. Corner values of the faces that are cut
-/// and the attributes of the vertices follow.
+/// The moves of an interactive edit as a function of one amount.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Slide {
     /// The vertices that move.
     pub vertices: Vec<SlideVertex>,
-    /// The largest amount that turns no edge round; larger ones are clamped to it. Infinite where
-    /// there is no such limit.
+    /// The largest amount at which no edge is reversed; larger amounts are clamped to it. Infinite if there is no
+    /// such limit.
     pub limit: f32,
-    /// The corner values that follow the vertices.
+    /// The values that follow the vertices.
     followers: Followers,
 }
 
@@ -38,8 +37,8 @@ impl Slide {
         Self { vertices, limit: f32::INFINITY, followers }
     }
 
-    /// A slide limited to where the first edge of the mesh would lose its length and turn round.
-    /// Edges that have no length at amount 0, where the edit has just cut a corner, do not limit.
+    /// A slide that ends where the first edge of the mesh would lose its length and be reversed. Edges without
+    /// length at amount 0, where the edit has just cut a corner, set no limit.
     pub(crate) fn limited(mesh: &Mesh, vertices: Vec<SlideVertex>, followers: Followers) -> Self {
         let by: FxHashMap<VertexId, Vec3> = vertices.iter().map(|slide| (slide.vertex, slide.by)).collect();
         let mut limit = f32::INFINITY;
@@ -57,25 +56,24 @@ impl Slide {
         Self { vertices, limit, followers }
     }
 
-    /// The amount that [`Slide::apply`] uses for this one.
+    /// The amount that [`Slide::apply`] uses in place of this one.
     pub fn clamp(&self, amount: f32) -> f32 {
         amount.min(self.limit)
     }
 
-    /// Where each vertex is at this amount, clamped.
+    /// The position of each vertex at this amount, clamped.
     pub fn positions(&self, amount: f32) -> impl Iterator<Item = (VertexId, Vec3)> + '_ {
         let amount = self.clamp(amount);
         self.vertices.iter().map(move |slide| (slide.vertex, slide.from + slide.by * amount))
     }
 
-    /// Moves the vertices to where they are at this amount, clamped to the limit, and gives the
-    /// amount used. Corner values (texture coordinates, normals, colours) and vertex colours follow: they
-    /// become those that the faces had at the new places before the edit, but for extruded faces, which
-    /// take theirs along. Costs O(vertices that move + corners of the faces there), and depends on no
-    /// earlier call.
+    /// Moves the vertices to their positions at this amount, clamped to the limit; returns the amount used. Corner
+    /// values (texture coordinates, normals, colours) and vertex values follow: they become those that the faces
+    /// had at the new places before the edit. Extruded faces take theirs along instead. The result doesn't depend
+    /// on earlier calls. Costs O(moved vertices + corners of the faces there).
     ///
     /// # Errors
-    /// [`Refusal::TooFarAway`] where a position would not be finite; nothing moves.
+    /// [`Refusal::TooFarAway`] if a position would not be finite; nothing moves.
     pub fn apply(&self, mesh: &mut Mesh, amount: f32) -> Result<f32, Refusal> {
         if let Some((v, _)) = self.positions(amount).find(|(_, position)| !position.is_finite()) {
             return Err(Refusal::TooFarAway(v));
@@ -88,11 +86,11 @@ impl Slide {
     }
 }
 
-/// An interactive edit whose topology is made, at size zero; its slide gives it its size.
+/// An interactive edit: its topology exists at size zero, and its slide gives it its size.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Live {
-    /// What was made and taken away.
+    /// What was added and removed.
     pub made: Made,
-    /// How the vertices move.
+    /// The moves of the vertices.
     pub slide: Slide,
 }

@@ -6,7 +6,7 @@
 //! vertex, when both faces have it as their opposite corner. That one is refused.
 
 use crate::edit::Refusal;
-use crate::edit::blend::Blend;
+use crate::edit::shared::Blend;
 use crate::mesh::Mesh;
 use crate::{EdgeId, Element, FaceId, HalfedgeId, VertexId};
 
@@ -36,7 +36,7 @@ pub struct EdgeSplit {
 
 /// Whether [`split_edge`] would succeed.
 pub fn can_split_edge(mesh: &Mesh, edge: EdgeId, t: f32, connect: Connect) -> Result<(), Refusal> {
-    mesh.need_edge(edge)?;
+    mesh.require_edge(edge)?;
     if !(t > 0.0 && t < 1.0) {
         return Err(Refusal::OutOfRange { field: "t", value: t, range: "between 0 and 1" });
     }
@@ -102,7 +102,7 @@ pub fn split_edge(mesh: &mut Mesh, edge: EdgeId, t: f32, connect: Connect) -> Re
     if mesh.halfedge_from(b) == Some(twin) {
         mesh.set_vertex_halfedge(b, Some(g.twin()));
     }
-    mesh.settle_vertex(m, g);
+    mesh.restore_vertex_halfedge(m, g);
 
     let mut split = EdgeSplit { vertex: m, edges: vec![g.edge()], faces: Vec::new() };
     for (corner, steps) in [(g, steps[0]), (twin, steps[1])] {

@@ -10,8 +10,8 @@
 //! of the two edges and of those between, each once, and at v, v' and the far ends a triangle is
 //! put between two corners, or between a corner and the boundary, of one fan.
 
-use crate::edit::follow::Followers;
-use crate::edit::patch::{Corner, Patch, Plan, plan};
+use crate::edit::patch::{Corner, Patch, Plan};
+use crate::edit::shared::Followers;
 use crate::edit::{Made, Refusal};
 use crate::geometry::mean_position;
 use crate::mesh::Mesh;
@@ -34,10 +34,10 @@ fn plan_split(
     edges: [EdgeId; 2],
     positions: Option<[Vec3; 2]>,
 ) -> Result<(Plan, [Vec3; 2]), Refusal> {
-    mesh.need_vertex(vertex)?;
+    mesh.require_vertex(vertex)?;
     let mut leaving = [HalfedgeId::new(0); 2];
     for (leaving, &edge) in leaving.iter_mut().zip(&edges) {
-        mesh.need_edge(edge)?;
+        mesh.require_edge(edge)?;
         *leaving = edge
             .halfedges()
             .into_iter()
@@ -80,7 +80,7 @@ fn plan_split(
             .face_halfedges(face)
             .map(|side| if side == h { Corner::moved(new, h) } else { Corner::keep(mesh, side) })
             .collect();
-        patch.replace_face(face, corners, false);
+        patch.replace_face(face, corners);
     }
     // At the first edge the new vertex is counter-clockwise of the old, at the second clockwise.
     let triangle = |edge: HalfedgeId, from: VertexId, to: VertexId| {
@@ -94,7 +94,7 @@ fn plan_split(
     if !to_boundary {
         patch.add_face(face_at(second), triangle(second, new, vertex));
     }
-    Ok((plan(mesh, patch)?, positions.unwrap_or(default)))
+    Ok((patch.plan(mesh)?, positions.unwrap_or(default)))
 }
 
 /// A quarter of the way from a vertex to the mean of the far corners of some faces round it.

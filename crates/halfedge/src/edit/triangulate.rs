@@ -69,19 +69,20 @@ pub fn triangulate_face(mesh: &mut Mesh, face: FaceId, by: Triangulation) -> Res
 
 /// The triangles as numbers of corners, each an ear of what is left by those before it.
 fn find_triangles(mesh: &Mesh, face: FaceId, by: Triangulation) -> Result<Vec<[u32; 3]>, Refusal> {
-    mesh.need_face(face)?;
+    mesh.require_face(face)?;
     let corners: Vec<VertexId> = mesh.face_vertices(face).collect();
     let count = corners.len() as u32;
     if by == Triangulation::Fan {
         // A fan joins the first corner to all but its neighbours in the face.
         let inner = corners.get(2..corners.len().saturating_sub(1)).unwrap_or_default();
-        return match inner.iter().find(|&&v| mesh.joined(corners[0], v).is_some()) {
+        return match inner.iter().find(|&&v| mesh.find_halfedge_between(corners[0], v).is_some()) {
             Some(&v) => Err(Refusal::AlreadyJoined(corners[0], v)),
             None => Ok((2..count).map(|i| [0, i - 1, i]).collect()),
         };
     }
     let positions: Vec<Vec3> = corners.iter().map(|&v| mesh.position(v)).collect();
-    let allowed = |i: u32, j: u32| mesh.joined(corners[i as usize], corners[j as usize]).is_none();
+    let allowed =
+        |i: u32, j: u32| mesh.find_halfedge_between(corners[i as usize], corners[j as usize]).is_none();
     PolygonTriangulator::new()
         .triangulate_with(&positions, by == Triangulation::Auto, allowed)
         .map(<[_]>::to_vec)

@@ -4,10 +4,8 @@
 //! are zipped. Possible exactly where merging those vertices is: see
 //! [`merge_vertices`](super::merge_vertices).
 
-use crate::edit::blend::Blend;
-use crate::edit::follow::Followers;
-use crate::edit::patch::{Plan, plan};
-use crate::edit::region::{follow_merged, substitute};
+use crate::edit::patch::Plan;
+use crate::edit::shared::{Blend, Followers, follow_merged, merge_corners};
 use crate::edit::{Made, Refusal};
 use crate::mesh::Mesh;
 use crate::{EdgeId, Element, VertexId};
@@ -22,7 +20,7 @@ pub fn can_weld_edges(mesh: &Mesh, edges: [EdgeId; 2]) -> Result<(), Refusal> {
 type Pair = (VertexId, VertexId);
 
 fn plan_weld(mesh: &Mesh, edges: [EdgeId; 2]) -> Result<(Plan, Followers, [Pair; 2]), Refusal> {
-    mesh.need_edges(&edges)?;
+    mesh.require_edges(&edges)?;
     if edges[0] == edges[1] {
         return Err(Refusal::GivenTwice(Element::Edge, edges[0].raw()));
     }
@@ -38,7 +36,7 @@ fn plan_weld(mesh: &Mesh, edges: [EdgeId; 2]) -> Result<(Plan, Followers, [Pair;
     let pairs = [(mesh.from(one), mesh.to(other)), (mesh.to(one), mesh.from(other))];
     let becomes: FxHashMap<VertexId, VertexId> =
         pairs.iter().filter(|(stays, goes)| stays != goes).map(|&(stays, goes)| (goes, stays)).collect();
-    let plan = plan(mesh, substitute(mesh, &becomes))?.keeping_vertices(|v| becomes.contains_key(&v))?;
+    let plan = merge_corners(mesh, &becomes).plan(mesh)?.require_vertices(|v| becomes.contains_key(&v))?;
     let followers = follow_merged(mesh, &plan, &becomes);
     Ok((plan, followers, pairs))
 }

@@ -126,7 +126,7 @@ impl Mesh {
             self.set_face(h, Some(face));
         }
         for &h in &sides {
-            self.settle_vertex(self.from(h), h);
+            self.restore_vertex_halfedge(self.from(h), h);
         }
         Ok(face)
     }

@@ -1,5 +1,4 @@
-//! The few steps that edits are made of. Between two of them a mesh may be invalid; an edit
-//! leaves it valid.
+//! The small steps that edits consist of. Between two steps a mesh may be invalid; every edit leaves it valid.
 
 use crate::edit::Refusal;
 use crate::mesh::Mesh;
@@ -7,49 +6,49 @@ use crate::{EdgeId, Element, FaceId, HalfedgeId, NONE, VertexId};
 use glam::Vec3;
 
 impl Mesh {
-    pub(crate) fn need_vertex(&self, v: VertexId) -> Result<(), Refusal> {
+    pub(crate) fn require_vertex(&self, v: VertexId) -> Result<(), Refusal> {
         if self.has_vertex(v) { Ok(()) } else { Err(Refusal::NoSuchElement(Element::Vertex, v.raw())) }
     }
 
-    pub(crate) fn need_halfedge(&self, h: HalfedgeId) -> Result<(), Refusal> {
+    pub(crate) fn require_halfedge(&self, h: HalfedgeId) -> Result<(), Refusal> {
         if self.has_halfedge(h) { Ok(()) } else { Err(Refusal::NoSuchElement(Element::Halfedge, h.raw())) }
     }
 
-    pub(crate) fn need_edge(&self, e: EdgeId) -> Result<(), Refusal> {
+    pub(crate) fn require_edge(&self, e: EdgeId) -> Result<(), Refusal> {
         if self.has_edge(e) { Ok(()) } else { Err(Refusal::NoSuchElement(Element::Edge, e.raw())) }
     }
 
-    pub(crate) fn need_face(&self, f: FaceId) -> Result<(), Refusal> {
+    pub(crate) fn require_face(&self, f: FaceId) -> Result<(), Refusal> {
         if self.has_face(f) { Ok(()) } else { Err(Refusal::NoSuchElement(Element::Face, f.raw())) }
     }
 
-    /// Checks that there is something to act on and all of it exists.
-    pub(crate) fn need_faces(&self, faces: &[FaceId]) -> Result<(), Refusal> {
+    /// Checks that at least one face is given and all exist.
+    pub(crate) fn require_faces(&self, faces: &[FaceId]) -> Result<(), Refusal> {
         if faces.is_empty() {
             return Err(Refusal::NothingGiven(Element::Face));
         }
-        faces.iter().try_for_each(|&f| self.need_face(f))
+        faces.iter().try_for_each(|&f| self.require_face(f))
     }
 
-    /// Checks that there is something to act on and all of it exists.
-    pub(crate) fn need_edges(&self, edges: &[EdgeId]) -> Result<(), Refusal> {
+    /// Checks that at least one edge is given and all exist.
+    pub(crate) fn require_edges(&self, edges: &[EdgeId]) -> Result<(), Refusal> {
         if edges.is_empty() {
             return Err(Refusal::NothingGiven(Element::Edge));
         }
-        edges.iter().try_for_each(|&e| self.need_edge(e))
+        edges.iter().try_for_each(|&e| self.require_edge(e))
     }
 
-    /// Checks that there is something to act on and all of it exists.
-    pub(crate) fn need_vertices(&self, vertices: &[VertexId]) -> Result<(), Refusal> {
+    /// Checks that at least one vertex is given and all exist.
+    pub(crate) fn require_vertices(&self, vertices: &[VertexId]) -> Result<(), Refusal> {
         if vertices.is_empty() {
             return Err(Refusal::NothingGiven(Element::Vertex));
         }
-        vertices.iter().try_for_each(|&v| self.need_vertex(v))
+        vertices.iter().try_for_each(|&v| self.require_vertex(v))
     }
 
-    /// The half-edge from one vertex to another, found by turning round both at once: costs
-    /// O(smaller valence).
-    pub(crate) fn joined(&self, from: VertexId, to: VertexId) -> Option<HalfedgeId> {
+    /// The half-edge from one vertex to another, if an edge joins them. Turns round both vertices at once, so it
+    /// costs O(smaller valence).
+    pub(crate) fn find_halfedge_between(&self, from: VertexId, to: VertexId) -> Option<HalfedgeId> {
         let (mut out, mut into) = (self.outgoing(from), self.outgoing(to));
         loop {
             let h = out.next()?;
@@ -63,7 +62,7 @@ impl Mesh {
         }
     }
 
-    /// A new vertex, in no face yet.
+    /// Adds a vertex, in no face yet.
     pub fn add_vertex(&mut self, position: Vec3) -> VertexId {
         let v = VertexId::new(self.vertex_capacity());
         self.push_blank(Element::Vertex);
@@ -71,7 +70,7 @@ impl Mesh {
         v
     }
 
-    /// A new edge with nothing linked; gives the side from `from` to `to`.
+    /// Adds an edge without links; returns its half-edge from `from` to `to`.
     pub(crate) fn add_edge(&mut self, from: VertexId, to: VertexId) -> HalfedgeId {
         let h = HalfedgeId::new(self.halfedge_capacity());
         self.push_blank(Element::Edge);
@@ -80,7 +79,7 @@ impl Mesh {
         h
     }
 
-    /// A new face whose first half-edge is `h`; `h`'s loop is not told yet.
+    /// Adds a face whose first half-edge is `h`. The half-edges of its loop don't know the face yet.
     pub(crate) fn add_face(&mut self, h: HalfedgeId) -> FaceId {
         let f = FaceId::new(self.face_capacity());
         self.push_blank(Element::Face);
@@ -88,7 +87,7 @@ impl Mesh {
         f
     }
 
-    /// Makes `next` follow `h`.
+    /// Makes `next` the half-edge after `h`.
     pub(crate) fn link(&mut self, h: HalfedgeId, next: HalfedgeId) {
         self.write_next(h.raw(), next.raw());
         self.write_prev(next.raw(), h.raw());
@@ -110,19 +109,18 @@ impl Mesh {
         self.write_vertex_halfedge(v.raw(), h.map_or(NONE, HalfedgeId::raw));
     }
 
-    /// Keeps the boundary-first rule, `h` being some half-edge that leaves the vertex.
-    pub(crate) fn settle_vertex(&mut self, v: VertexId, h: HalfedgeId) {
+    /// Gives a vertex its half-edge: a boundary one if one leaves it, else `h`, which is any that leaves it.
+    pub(crate) fn restore_vertex_halfedge(&mut self, v: VertexId, h: HalfedgeId) {
         self.set_vertex_halfedge(v, Some(h));
         let first = self.outgoing(v).find(|&h| self.is_boundary_halfedge(h)).unwrap_or(h);
         self.set_vertex_halfedge(v, Some(first));
     }
 
-    /// Cuts a face in two from the corner of `a` to the corner of `b`, which must be half-edges of
-    /// the same face, neither the next of the other. The face keeps `a`'s side of its loop from
-    /// `b` on; the new face has `a` up to `b`. Gives the new edge's side in the old face, which
-    /// leaves `a`'s corner, and the new face.
+    /// Cuts a face in two between the corners of `a` and `b`, half-edges of the same face that are not
+    /// neighbours. The face keeps the part from `b` on; a new face has the part from `a` up to `b`. Returns the
+    /// new edge's half-edge in the old face, which leaves the corner of `a`, and the new face.
     ///
-    /// The new face copies the face's attributes and the new corners those of the old corners.
+    /// The new face copies the attributes of the old one, and the new corners those of the old corners.
     pub(crate) fn cut_face(&mut self, a: HalfedgeId, b: HalfedgeId) -> (HalfedgeId, FaceId) {
         let (va, vb) = (self.from(a), self.from(b));
         let old = self.face_of(a);
@@ -138,7 +136,7 @@ impl Mesh {
         }
         self.set_face(across, old);
         if let Some(old) = old {
-            // The first corner stays the first where the old face still has it.
+            // The first corner stays the first if the old face still has it.
             let first = self.halfedge_of(old);
             if self.face_of(first) != Some(old) {
                 self.set_face_halfedge(old, across);

@@ -7,7 +7,7 @@ use crate::{Element, HalfedgeId};
 use glam::{DVec2, DVec3, Vec3};
 
 /// The most corners of a face that values are interpolated from.
-const MAX_CORNERS: usize = 32;
+const MAX_SAMPLED_CORNERS: usize = 32;
 
 /// The corners that values at a face are interpolated from, in the face's plane.
 ///
@@ -26,7 +26,7 @@ pub(crate) struct FaceSample {
 impl FaceSample {
     /// Whether one sample serves all corners of a face.
     pub(crate) fn is_shared(sides: &[HalfedgeId]) -> bool {
-        sides.len() <= MAX_CORNERS
+        sides.len() <= MAX_SAMPLED_CORNERS
     }
 
     /// The sample of a face with these half-edges for its corner with the number `own`.
@@ -35,7 +35,7 @@ impl FaceSample {
         let corners: Vec<HalfedgeId> = if Self::is_shared(sides) {
             sides.to_vec()
         } else {
-            let spread = MAX_CORNERS - 3;
+            let spread = MAX_SAMPLED_CORNERS - 3;
             // Steps from the corner: none, one, evenly spaced ones, and one less than all round.
             let steps = [0, 1].into_iter().chain((1..=spread).map(|i| 1 + i * (count - 2) / (spread + 1)));
             let steps = steps.chain([count - 1]);

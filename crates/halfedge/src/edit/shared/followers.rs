@@ -6,9 +6,9 @@
 //! so an edge with different values on its two sides (a seam) keeps them different. Corners that had the same
 //! value at the same vertex get one value again, the mean of theirs, so that no new seam appears.
 
+use super::blend::unit_if_normal;
+use super::face_sample::{FaceSample, Numbers, numbers};
 use crate::attribute::{Column, Value, keys};
-use crate::edit::blend::unit_if_normal;
-use crate::edit::face_sample::{FaceSample, Numbers, numbers};
 use crate::geometry::UnionFind;
 use crate::mesh::Mesh;
 use crate::{Color, Element, FaceId, HalfedgeId, VertexId};
