@@ -1,6 +1,6 @@
 //! Kinds of content that a mesh editor doesn't keep: counted and named.
 
-use super::json::Document;
+use super::json::{Document, IMAGES, MATERIALS, MESHES, NODES, Object, SCENES, TEXTURES};
 use super::names::{
     EMISSIVE_STRENGTH, IMAGE_EXTENSIONS, INDEX_OF_REFRACTION, SPECULAR_GLOSSINESS, TEXTURE_TRANSFORM,
 };
@@ -32,6 +32,10 @@ pub(super) fn note(document: &Document, notes: &mut Notes) {
     if !counts.is_empty() {
         notes.info(format!("Not kept: {}", counts.join(", ")));
     }
+    let extras = extras(document);
+    if extras > 0 {
+        notes.info(format!("The extras of {} are not kept", counted(extras, "item", "items")));
+    }
     let names = |key: &str| root.list(key).iter().filter_map(|name| name.as_str());
     let unknown = |name: &&str| {
         !KNOWN_EXTENSIONS.contains(name)
@@ -59,4 +63,18 @@ pub(super) fn note(document: &Document, notes: &mut Notes) {
     if !used.is_empty() {
         notes.info(format!("The content of extensions is not kept: {}", first_few(&used, 12)));
     }
+}
+
+/// How many items hold data of programs.
+fn extras(document: &Document) -> usize {
+    let is_extra = |item: &Object| {
+        // Names of morph targets are named with those.
+        let fields = item.object("extras").map(|extras| extras.fields().any(|(key, _)| key != "targetNames"));
+        fields.unwrap_or(item.get("extras").is_some())
+    };
+    let lists = [SCENES, NODES, MESHES, MATERIALS, TEXTURES, IMAGES].into_iter();
+    let items = lists.flat_map(|list| document.items(list));
+    let primitives = document.items(MESHES).flat_map(|mesh| mesh.objects("primitives"));
+    let root = document.root();
+    items.chain(primitives).chain([root]).chain(root.object("asset")).filter(is_extra).count()
 }

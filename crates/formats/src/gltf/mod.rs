@@ -59,6 +59,8 @@ const COMMON: FormatInfo = FormatInfo {
     companions: buffers::companions,
     lacks: &[Part::Polygons, Part::Groups, Part::Smoothing, Part::Creases],
     keeps_property: write::keeps,
+    // Meshes have one set of texture coordinates.
+    keeps_placement: |texture| texture.uv_set == 0,
     losses: write::losses,
     ..FormatInfo::DEFAULT
 };
