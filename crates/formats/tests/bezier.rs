@@ -81,6 +81,9 @@ fn what_is_wrong_is_named_with_its_line() {
     assert!(error("a.bez", "99999999999999999999 1").contains("1 or more"));
     assert!(error("a.bzc", "3\n1 2\n3 x4\n5 6").contains("line 3: “x4” is not a number"));
     assert!(error("a.bzc", "2\n1 2\n3 nan").contains("line 3: “nan”"));
+    assert!(
+        error("a.bzc", "2\n0,5 1\n2 3").contains("line 2: “0,5” has a comma; numbers need decimal points")
+    );
     assert!(error("a.bez", "1\n1 2 1e99").contains("line 2: “1e99”"));
     assert_eq!(
         error("a.bzc", "# four\n4\n1 2 3 4 5 6 7"),

@@ -91,7 +91,11 @@ impl Numbers {
             let Some(word) = scan.word() else { break };
             let Some(value) = value(word, is_precise) else {
                 let line = scan.line_number();
-                this.broken = Some(format!("line {line}: “{}” is not a number that fits", shown(word)));
+                let why = match word.contains(&b',') {
+                    true => "has a comma; numbers need decimal points and blanks between them",
+                    false => "is not a number that fits",
+                };
+                this.broken = Some(format!("line {line}: “{}” {why}", shown(word)));
                 break;
             };
             on_line += 1;
