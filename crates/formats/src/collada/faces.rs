@@ -155,8 +155,8 @@ impl<'p> Faces<'p> {
         self.note_faults(label, notes);
         let corners = self.soup.corners.len();
         let mut add = |column: Option<Column>| self.soup.corner_columns.extend(column);
-        add(column(keys::CORNER_UV, self.uvs, corners));
-        add(column(keys::CORNER_NORMAL, self.normals, corners));
+        add(column(keys::CORNER_UV, self.uvs, corners, |uv| uv.is_nan()));
+        add(column(keys::CORNER_NORMAL, self.normals, corners, |normal| normal.is_nan()));
         if !self.colors.is_empty() || vertex_colors.is_some() {
             self.colors.resize(corners, [f32::NAN; 4]);
             let of_vertex = |v: usize| vertex_colors?.get::<3>(v).map(Vec3::from_array);
@@ -209,8 +209,13 @@ impl<'p> Faces<'p> {
 }
 
 /// A column of corners, filled up at the end; none where no corner has a value.
-fn column<T: AttributeType>(key: Key<T>, mut values: Vec<T>, corners: usize) -> Option<Column> {
-    if values.is_empty() {
+fn column<T: AttributeType>(
+    key: Key<T>,
+    mut values: Vec<T>,
+    corners: usize,
+    is_missing: impl Fn(&T) -> bool,
+) -> Option<Column> {
+    if values.iter().all(is_missing) {
         return None;
     }
     values.resize(corners, key.default);

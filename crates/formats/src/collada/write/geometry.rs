@@ -6,7 +6,7 @@ use crate::soup::hash::Unique;
 use crate::text::print::{push_float, push_integer};
 use glam::DVec3;
 use halfedge::attribute::{AttributeType, Key};
-use halfedge::{Color, Element, Mesh, NONE, keys};
+use halfedge::{Color, Element, HalfedgeId, Mesh, NONE, keys};
 
 /// Writes a geometry, and returns the numbers of the materials that it uses.
 pub(super) fn write(
@@ -52,9 +52,7 @@ pub(super) fn write(
         let color = paint.and_then(|colors| colors.get(f.index())).copied();
         let plain = label.is_empty() && color.is_none_or(|color| color == Color::UNPAINTED);
         let degree = mesh.face_degree(f);
-        let has = |numbers: &[u32]| {
-            numbers.get(corner..corner + degree).is_some_and(|numbers| numbers.iter().all(|&n| n != NONE))
-        };
+        let has = |numbers: &[u32]| numbers.get(corner).is_some_and(|&number| number != NONE);
         let run = Run {
             material: (!plain).then(|| materials.number(label, color)),
             normals: has(&normals),
@@ -189,7 +187,8 @@ fn source<F: zmij::Float, const N: usize>(
 }
 
 /// Writes the different values of a corner column as a source, and returns each corner's number, faces
-/// in order. No numbers where no corner has a value.
+/// in order; those of faces without values have none. A face's corners all have a number or none does: where
+/// some values are missing, a row of NaN stands for them. No numbers where no corner has a value.
 fn corner_source<T: AttributeType, const N: usize>(
     out: &mut Vec<u8>,
     id: &str,
@@ -201,21 +200,26 @@ fn corner_source<T: AttributeType, const N: usize>(
     let Some(column) = mesh.attribute(key) else { return Vec::new() };
     let mut unique = Unique::new();
     let mut rows: Vec<[f32; N]> = Vec::new();
-    let numbers: Vec<u32> = mesh
-        .faces()
-        .flat_map(|f| mesh.face_halfedges(f))
-        .map(|h| {
+    let mut numbers: Vec<u32> = Vec::new();
+    for f in mesh.faces() {
+        let value = |h: HalfedgeId| {
             let value = array(column.get(h.index()).copied().unwrap_or(key.default));
-            if value.iter().any(|c| c.is_nan()) {
+            if value.iter().any(|c| c.is_nan()) { [f32::NAN; N] } else { value }
+        };
+        let is_missing = |h: HalfedgeId| value(h).iter().any(|c| c.is_nan());
+        let has_value = mesh.face_halfedges(f).any(|h| !is_missing(h));
+        numbers.extend(mesh.face_halfedges(f).map(|h| {
+            if !has_value {
                 return NONE;
             }
-            let (number, new) = unique.number(value);
-            if new {
+            let value = value(h);
+            let (number, is_new) = unique.number(value);
+            if is_new {
                 rows.push(value);
             }
             number
-        })
-        .collect();
+        }));
+    }
     if rows.is_empty() {
         return Vec::new();
     }
