@@ -1,28 +1,27 @@
-//! Bevel edges: each becomes a strip of faces, rounded with more than one segment.
+//! Bevel edges: each becomes a strip of faces, rounded if it has several segments.
 //!
 //! # Round a vertex
 //!
-//! The bevelled edges at a vertex (and the gap, on the boundary) divide the faces round it into
-//! sectors. Each sector's faces get one new vertex in place of the old, and each bevelled edge's
-//! strip ends in a *profile*: a line of vertices from the sector on its left to that on its right.
+//! The bevelled edges at a vertex (and the gap, on the boundary) divide the faces round it into sectors. The faces of
+//! each sector get one new vertex in place of the old one, and the strip of each bevelled edge ends in a *profile*: a
+//! line of vertices from the sector on the edge's left to that on its right.
 //!
-//! - Two sectors inside: the strips of both edges share the profile.
-//! - Three or more: the profiles surround a new face. On the boundary a boundary edge closes it;
-//!   with two sectors there (one edge), the profile itself is on the boundary.
-//! - One sector (the bevel ends here): a vertex on each of its edges. Those next to the bevelled edge are
-//!   the width away from it, the others as far along their edges as the farther of these two. With one
-//!   face between these two, that face takes the profile in; with more, a new face fills in between the
-//!   profile and the others: it has area, for the line between two points on a circle lies inside the
-//!   circle. With no other edge than one, the strip runs out in a point.
+//! - Two sectors inside the mesh: the strips of both edges share the profile.
+//! - Three sectors or more: the profiles surround a new face. On the boundary a boundary edge closes it; with two
+//!   sectors there (one edge), the profile itself lies on the boundary.
+//! - One sector (the bevel ends here): each of its edges gets a vertex. Those beside the bevelled edge are the width
+//!   away from it; the others are as far along their edges as the farther of those two. If one face lies between those
+//!   two, it takes the profile in. Otherwise a new face fills in between the profile and the other vertices. It has
+//!   area, because a line between two points of a circle lies inside the circle. If there is only one other edge, the
+//!   strip runs out in a point.
 //!
-//! All vertices in it being new, no edge is duplicated and no side taken twice: what is left to be
-//! refused is an edge on the boundary, and a strip that runs out in a point at both ends.
+//! All these vertices are new, so no edge is duplicated and no side taken twice. Only edges on the boundary are refused,
+//! and strips that run out in a point at both ends.
 //!
-//! A bevel wider than a face is *clamped* to where the first edge would lose its length:
-//! [`Slide::limit`].
+//! A bevel wider than a face is *clamped* to where the first edge would lose its length: [`Slide::limit`].
 
 use crate::edit::patch::{Corner, Patch, Plan};
-use crate::edit::shared::{Blend, Followers, counter_clockwise, miter};
+use crate::edit::shared::{Followers, counter_clockwise, miter};
 use crate::edit::{Live, Refusal, Slide, SlideVertex};
 use crate::mesh::Mesh;
 use crate::{EdgeId, FaceId, HalfedgeId, VertexId};
@@ -37,14 +36,13 @@ pub fn can_bevel_edges(mesh: &Mesh, edges: &[EdgeId], segments: u32) -> Result<(
     plan_bevel(mesh, edges, segments).map(drop)
 }
 
-/// Makes each edge a strip of `segments` faces across, of no width yet: the slide's amount is how
-/// far its sides are from the edge, in mesh units. With several segments the strip is round: an
-/// arc that leaves both faces without a kink.
+/// Makes each edge a strip of `segments` faces, without width: the slide's amount is the distance of the strip's sides
+/// from the edge, in mesh units. Several segments are round: an arc that leaves both faces without a kink.
 ///
-/// Faces that shrink keep their ids, and so do their other edges. Costs O(segments * edges +
-/// valences + degrees of the faces round them). Attributes: new vertices copy the bevelled ones,
-/// corners those they are cut from, and follow the slide over the faces; each half of a strip copies the face on its side, a face at a
-/// vertex one of those round it; the strip's edges have default values.
+/// Faces that shrink keep their ids, and so do their other edges. Costs O(segments * edges + valences + degrees of the
+/// faces round them). Attributes: new vertices copy the bevelled ones, new corners those that they are cut from, and
+/// both follow the slide over the faces. Each half of a strip copies the face on its side, a face at a vertex one of
+/// those round it. New edges have default values.
 pub fn bevel_edges(mesh: &mut Mesh, edges: &[EdgeId], segments: u32) -> Result<Live, Refusal> {
     let (plan, moves) = plan_bevel(mesh, edges, segments)?;
     let followers = plan.followers(mesh, moves.iter().map(|slide| slide.vertex));
@@ -83,21 +81,21 @@ fn plan_bevel(mesh: &Mesh, edges: &[EdgeId], segments: u32) -> Result<(Plan, Vec
     };
     let mut faces: Vec<FaceId> = Vec::new();
     for &v in &ends {
-        bevel.vertex(v);
+        bevel.bevel_vertex(v);
         faces.extend(mesh.vertex_faces(v));
     }
     faces.sort_unstable();
     faces.dedup();
     for face in faces {
-        bevel.face(face);
+        bevel.bevel_face(face);
     }
     for &edge in &edges {
-        bevel.strip(edge);
+        bevel.add_strip(edge);
     }
     Ok((bevel.patch.plan(mesh)?, bevel.moves))
 }
 
-/// A vertex of the bevel: a new one with how it moves per unit of width, or an old one that stays.
+/// A new vertex, and its movement per unit of width.
 #[derive(Clone, Copy)]
 struct Point {
     vertex: VertexId,
@@ -110,10 +108,10 @@ struct Bevel<'a> {
     bevelled: FxHashSet<EdgeId>,
     patch: Patch,
     moves: Vec<SlideVertex>,
-    /// What replaces a corner, in the order of its face.
+    /// The vertices that replace a corner, in the order of its face.
     corners: FxHashMap<HalfedgeId, Vec<VertexId>>,
-    /// For each half-edge of a bevelled edge, at the vertex it leaves: the vertices from the sector
-    /// on its left to that on its right.
+    /// Per half-edge of a bevelled edge: the profile at the vertex that it leaves, from the sector on its left to
+    /// that on its right.
     profiles: FxHashMap<HalfedgeId, Vec<VertexId>>,
     normals: FxHashMap<FaceId, Vec3>,
 }
@@ -123,6 +121,7 @@ impl Bevel<'_> {
         self.bevelled.contains(&h.edge())
     }
 
+    /// The unit normal of the face of a half-edge.
     fn normal(&mut self, h: HalfedgeId) -> Vec3 {
         let mesh = self.mesh;
         match mesh.face_of(h) {
@@ -131,20 +130,21 @@ impl Bevel<'_> {
         }
     }
 
-    /// The direction from a bevelled edge into the face on its left, or on its right.
+    /// The unit vector from a bevelled edge into the face on its left or right.
     fn inward(&mut self, h: HalfedgeId, left: bool) -> Vec3 {
         let side = if left { h } else { h.twin() };
         self.normal(side).cross(self.mesh.direction(side)).normalize_or_zero()
     }
 
-    fn point(&mut self, v: VertexId, by: Vec3) -> Point {
+    /// Adds a vertex where an old one is.
+    fn add_point(&mut self, v: VertexId, by: Vec3) -> Point {
         let vertex = self.patch.copy_vertex(self.mesh, v);
         self.moves.push(SlideVertex { vertex, from: self.mesh.position(v), by });
         Point { vertex, by }
     }
 
-    /// How a vertex moves along an edge so that it gets away from a bevelled edge by one.
-    fn along(&self, edge: HalfedgeId, bevelled: &[HalfedgeId]) -> Vec3 {
+    /// The movement along an edge by which a vertex gets away from bevelled edges by one.
+    fn away_along(&self, edge: HalfedgeId, bevelled: &[HalfedgeId]) -> Vec3 {
         let u = self.mesh.direction(edge);
         let away = bevelled.iter().map(|&h| {
             let b = self.mesh.direction(h);
@@ -153,66 +153,70 @@ impl Bevel<'_> {
         u * (away.sum::<f32>() / bevelled.len().max(1) as f32)
     }
 
-    fn vertex(&mut self, v: VertexId) {
+    /// Decides what becomes of the corners at an end of a bevelled edge.
+    fn bevel_vertex(&mut self, v: VertexId) {
         let mesh = self.mesh;
-        let boundary = mesh.is_boundary_vertex(v);
+        let is_boundary = mesh.is_boundary_vertex(v);
         let mut around = counter_clockwise(mesh, v);
         let Some(first) = around.iter().position(|&h| self.is_bevelled(h)) else { return };
         let count = around.iter().filter(|&&h| self.is_bevelled(h)).count();
-        if !boundary {
+        if !is_boundary {
             around.rotate_left(first);
             if count == 1 {
-                return self.end(v, &around);
+                return self.end_bevel(v, &around);
             }
         }
-        // The corner of `around[i]` lies between it and the next. Sectors as ranges of `around`:
-        // each but a first one on the boundary starts with a bevelled edge.
+        // The corner of `around[i]` lies between that edge and the next. Sectors are ranges of `around`; each
+        // starts with a bevelled edge, except for the first one on the boundary.
         let starts: Vec<usize> =
             (0..around.len()).filter(|&i| i == 0 || self.is_bevelled(around[i])).collect();
         let mut sectors: Vec<Point> = Vec::with_capacity(starts.len());
         for (n, &start) in starts.iter().enumerate() {
             let stop = starts.get(n + 1).copied().unwrap_or(around.len());
             let before = Some(around[start]).filter(|&h| self.is_bevelled(h));
-            // Inside, the last sector ends at the first edge.
-            let after = around.get(stop).copied().or((!boundary).then_some(around[0]));
+            // Inside the mesh the last sector ends at the first edge.
+            let after = around.get(stop).copied().or((!is_boundary).then_some(around[0]));
             let by = self.sector_direction(before, after, &around[start..stop]);
-            let point = self.point(v, by);
+            let point = self.add_point(v, by);
             for &h in &around[start..stop] {
                 self.corners.insert(h, vec![point.vertex]);
             }
             sectors.push(point);
         }
         let edges: Vec<usize> = starts.iter().copied().filter(|&i| self.is_bevelled(around[i])).collect();
-        let left_of = |n: usize| if boundary { n + 1 } else { n };
-        let right_of = |n: usize| if boundary { n } else { (n + sectors.len() - 1) % sectors.len() };
+        let left_of = |n: usize| if is_boundary { n + 1 } else { n };
+        let right_of = |n: usize| if is_boundary { n } else { (n + sectors.len() - 1) % sectors.len() };
         for (n, &i) in edges.iter().enumerate() {
             let (left, right) = (sectors[left_of(n)], sectors[right_of(n)]);
-            // Two edges inside share one profile.
-            let shared =
-                if !boundary && count == 2 && n == 1 { self.profiles.get(&around[edges[0]]) } else { None };
+            // Two bevelled edges inside the mesh share one profile.
+            let shared = if !is_boundary && count == 2 && n == 1 {
+                self.profiles.get(&around[edges[0]])
+            } else {
+                None
+            };
             let profile = match shared {
                 Some(profile) => profile.iter().rev().copied().collect(),
-                None => self.profile(v, left, right),
+                None => self.add_profile(v, left, right),
             };
             self.profiles.insert(around[i], profile);
         }
         if sectors.len() > 2 {
             let mut rim: Vec<VertexId> = Vec::new();
             for &i in &edges {
-                // Counter-clockwise past an edge: from its right to its left.
+                // Counter-clockwise across an edge: from its right to its left.
                 if let Some(profile) = self.profiles.get(&around[i]) {
                     rim.extend(profile.iter().rev().skip(usize::from(!rim.is_empty())));
                 }
             }
-            if !boundary {
+            if !is_boundary {
                 rim.pop();
             }
-            self.cap(around[edges[0]], rim);
+            self.add_cap(around[edges[0]], rim);
         }
     }
 
-    /// How a sector's vertex moves: in a face between two bevelled edges so that it gets away from
-    /// both by one; along the edge between them where there is one, or along the boundary.
+    /// The movement of a sector's vertex: along the boundary, along the one edge in the sector, or so that it gets
+    /// away from the bevelled edges on both sides by one.
     fn sector_direction(
         &mut self,
         before: Option<HalfedgeId>,
@@ -221,34 +225,34 @@ impl Bevel<'_> {
     ) -> Vec3 {
         let free = &around[usize::from(before.is_some())..];
         match (before, after, free) {
-            (Some(before), Some(after), &[edge]) => self.along(edge, &[before, after]),
+            (Some(before), Some(after), &[edge]) => self.away_along(edge, &[before, after]),
             (Some(before), Some(after), _) => {
                 let (left, right) = (self.inward(before, true), self.inward(after, false));
                 miter(left, right)
             }
-            (Some(before), None, [.., edge]) => self.along(*edge, &[before]),
-            (None, Some(after), [edge, ..]) => self.along(*edge, &[after]),
+            (Some(before), None, [.., edge]) => self.away_along(*edge, &[before]),
+            (None, Some(after), [edge, ..]) => self.away_along(*edge, &[after]),
             _ => Vec3::ZERO,
         }
     }
 
-    /// A vertex inside where one bevelled edge ends, the first of `around`.
-    fn end(&mut self, v: VertexId, around: &[HalfedgeId]) {
+    /// Ends the bevel of the first edge of `around` at a vertex inside the mesh.
+    fn end_bevel(&mut self, v: VertexId, around: &[HalfedgeId]) {
         let (h, others) = (around[0], &around[1..]);
         let &[next, .., last] = others else {
             self.profiles.insert(h, vec![v; self.segments + 1]);
             return;
         };
-        let (to_left, to_right) = (self.along(next, &[h]), self.along(last, &[h]));
-        let left = self.point(v, to_left);
-        // No nearer to the vertex than the line from left to right comes.
+        let (to_left, to_right) = (self.away_along(next, &[h]), self.away_along(last, &[h]));
+        let left = self.add_point(v, to_left);
+        // Beyond the line from left to right.
         let reach = to_left.length().max(to_right.length());
         let middle: Vec<VertexId> = others[1..others.len() - 1]
             .iter()
-            .map(|&edge| self.point(v, self.mesh.direction(edge) * reach).vertex)
+            .map(|&edge| self.add_point(v, self.mesh.direction(edge) * reach).vertex)
             .collect();
-        let right = self.point(v, to_right);
-        let profile = self.profile(v, left, right);
+        let right = self.add_point(v, to_right);
+        let profile = self.add_profile(v, left, right);
         let across = profile.iter().rev().copied();
         self.corners.insert(h, vec![left.vertex]);
         self.corners.insert(last, vec![right.vertex]);
@@ -260,34 +264,32 @@ impl Bevel<'_> {
             for (&edge, pair) in others.iter().zip(points.windows(2)) {
                 self.corners.insert(edge, vec![pair[1], pair[0]]);
             }
-            self.cap(next, across.chain(middle).collect());
+            self.add_cap(next, across.chain(middle).collect());
         }
         self.profiles.insert(h, profile);
     }
 
-    /// The vertices from one sector to the next: an arc that leaves both in the plane of their
-    /// face. With v in the origin it is l + r - r cos θ - l sin θ: l at 0, r at a right angle.
-    fn profile(&mut self, v: VertexId, left: Point, right: Point) -> Vec<VertexId> {
+    /// Adds the vertices from one sector to another: an arc that leaves both in the plane of their face. With v in the
+    /// origin it is l + r - r cos θ - l sin θ, which is l at 0 and r at a right angle.
+    fn add_profile(&mut self, v: VertexId, left: Point, right: Point) -> Vec<VertexId> {
         let mut profile = vec![left.vertex];
         for i in 1..self.segments {
             let angle = i as f32 / self.segments as f32 * std::f32::consts::FRAC_PI_2;
             let by = left.by * (1.0 - angle.sin()) + right.by * (1.0 - angle.cos());
-            profile.push(self.point(v, by).vertex);
+            profile.push(self.add_point(v, by).vertex);
         }
         profile.push(right.vertex);
         profile
     }
 
-    /// A face at a vertex, with the attributes of the face at this corner.
-    fn cap(&mut self, corner: HalfedgeId, rim: Vec<VertexId>) {
-        let corners = rim
-            .into_iter()
-            .map(|vertex| Corner { vertex, value: Blend::Copy(corner.raw()), replaces: None })
-            .collect();
+    /// Adds a face at a vertex, with the attributes of the face at this corner.
+    fn add_cap(&mut self, corner: HalfedgeId, rim: Vec<VertexId>) {
+        let corners = rim.into_iter().map(|vertex| Corner::new(vertex, corner)).collect();
         self.patch.add_face(self.mesh.face_of(corner), corners);
     }
 
-    fn face(&mut self, face: FaceId) {
+    /// Puts the new vertices in place of a face's corners.
+    fn bevel_face(&mut self, face: FaceId) {
         let mut corners = Vec::new();
         for h in self.mesh.face_halfedges(face) {
             match self.corners.get(&h).map(Vec::as_slice) {
@@ -304,28 +306,29 @@ impl Bevel<'_> {
         self.patch.replace_face(face, corners);
     }
 
-    fn strip(&mut self, edge: EdgeId) {
+    /// Adds the strip of a bevelled edge.
+    fn add_strip(&mut self, edge: EdgeId) {
         let mesh = self.mesh;
         let [h, twin] = edge.halfedges();
         let (Some(near), Some(far)) = (self.profiles.get(&h), self.profiles.get(&twin)) else { return };
-        // Both from the left of `h` to its right, with the corners there to copy.
+        // Both profiles from the left of `h` to its right.
         let near: Vec<VertexId> = near.clone();
         let far: Vec<VertexId> = far.iter().rev().copied().collect();
         for (i, (a, b)) in near.windows(2).zip(far.windows(2)).enumerate() {
-            let on_left = 2 * i < self.segments;
-            let (at_near, at_far) = if on_left { (h, mesh.next(h)) } else { (mesh.next(twin), twin) };
+            let is_on_left = 2 * i < self.segments;
+            let (at_near, at_far) = if is_on_left { (h, mesh.next(h)) } else { (mesh.next(twin), twin) };
             let mut corners = vec![
                 Corner::new(a[1], at_near),
                 Corner::new(b[1], at_far),
                 Corner::new(b[0], at_far),
                 Corner::new(a[0], at_near),
             ];
-            // Where a strip runs out in a point, both corners are the same vertex.
+            // Where a strip runs out in a point, two corners are the same vertex.
             corners.dedup_by(|x, y| x.vertex == y.vertex);
             if corners.len() > 1 && corners[0].vertex == corners[corners.len() - 1].vertex {
                 corners.pop();
             }
-            self.patch.add_face(mesh.face_of(if on_left { h } else { twin }), corners);
+            self.patch.add_face(mesh.face_of(if is_on_left { h } else { twin }), corners);
         }
     }
 }

@@ -1,16 +1,15 @@
-//! Bevel vertices: each is cut off by a face through points on its edges.
+//! Bevel vertices: a face through points on its edges cuts each off.
 //!
-//! Each face round the vertex has the corner replaced by the points on its two edges there, and the
-//! points round the vertex, counter-clockwise, are the new face's corners. On the boundary the new
-//! face ends with a boundary edge from the last point to the first; a vertex of one face there is
-//! just cut off its corner. Always possible but for a vertex inside with two edges, where the new
-//! face would have two corners: new points are joined to their neighbours in the same face.
+//! In each face round the vertex, the points on the corner's two edges replace the corner. The points round the vertex,
+//! counter-clockwise, are the corners of the new face. On the boundary a boundary edge from the last point to the first
+//! closes it; a boundary vertex with one face only loses its corner. Always possible, except for a vertex with two edges
+//! inside the mesh, where the new face would have two corners: new edges join points of the same old face.
 //!
-//! A bevel wider than an edge is *clamped* to the edge's length, or half of it where both ends are
-//! bevelled: [`Slide::limit`].
+//! A bevel wider than an edge is *clamped* to the edge's length, or to half of it if both ends are bevelled:
+//! [`Slide::limit`].
 
 use crate::edit::patch::{Corner, Patch, Plan};
-use crate::edit::shared::Followers;
+use crate::edit::shared::{Followers, counter_clockwise};
 use crate::edit::{Live, Refusal, Slide, SlideVertex};
 use crate::mesh::Mesh;
 use crate::{FaceId, HalfedgeId, VertexId};
@@ -21,21 +20,13 @@ pub fn can_bevel_vertices(mesh: &Mesh, vertices: &[VertexId]) -> Result<(), Refu
     plan_bevel(mesh, vertices).map(drop)
 }
 
-/// The half-edges that leave a vertex, counter-clockwise; on the boundary from the edge after the
-/// gap to the one before it.
-pub(crate) fn counter_clockwise(mesh: &Mesh, v: VertexId) -> Vec<HalfedgeId> {
-    let mut all: Vec<HalfedgeId> = mesh.outgoing(v).collect();
-    all.reverse();
-    all
-}
-
 fn plan_bevel(mesh: &Mesh, vertices: &[VertexId]) -> Result<(Plan, Vec<SlideVertex>), Refusal> {
     mesh.require_vertices(vertices)?;
     let mut vertices = vertices.to_vec();
     vertices.sort_unstable();
     vertices.dedup();
     let mut patch = Patch::new(mesh);
-    // The point on each edge of a bevelled vertex, by the half-edge that leaves it.
+    // The points on the edges of bevelled vertices, by the half-edges that leave those.
     let mut points: FxHashMap<HalfedgeId, VertexId> = FxHashMap::default();
     let mut moves = Vec::new();
     let mut faces: Vec<FaceId> = Vec::new();
@@ -44,22 +35,21 @@ fn plan_bevel(mesh: &Mesh, vertices: &[VertexId]) -> Result<(Plan, Vec<SlideVert
         if around.is_empty() {
             return Err(Refusal::LeftWithoutFace(v));
         }
-        let boundary = mesh.is_boundary_vertex(v);
-        if around.len() == 2 && !boundary {
+        if around.len() == 2 && !mesh.is_boundary_vertex(v) {
             return Err(Refusal::ValenceTooLow(v, 2));
         }
-        // The new face is like this one, so its corners follow this one's.
-        let like =
+        // The new face has the attributes and corner values of the face at this corner.
+        let source =
             around.iter().copied().filter(|&h| mesh.face_of(h).is_some()).min_by_key(|&h| mesh.face_of(h));
         let mut cap = Vec::new();
         for &h in &around {
             let point = patch.copy_vertex(mesh, v);
             points.insert(h, point);
             moves.push(SlideVertex { vertex: point, from: mesh.position(v), by: mesh.direction(h) });
-            cap.extend(like.map(|corner| Corner::new(point, corner)));
+            cap.extend(source.map(|corner| Corner::new(point, corner)));
         }
         if cap.len() > 2 {
-            patch.add_face(like.and_then(|h| mesh.face_of(h)), cap);
+            patch.add_face(source.and_then(|h| mesh.face_of(h)), cap);
         }
         faces.extend(mesh.vertex_faces(v));
     }
@@ -81,13 +71,12 @@ fn plan_bevel(mesh: &Mesh, vertices: &[VertexId]) -> Result<(Plan, Vec<SlideVert
     Ok((patch.plan(mesh)?, moves))
 }
 
-/// Cuts off vertices with a face each, of no size yet: the slide's amount is how far along each
-/// edge the cut is, in mesh units.
+/// Cuts off each vertex with a face, without size: the slide's amount is the distance of the cut along each edge, in
+/// mesh units.
 ///
-/// Faces and edges keep their ids. Costs O(valences + degrees of the faces round the vertices).
-/// Attributes: new vertices copy the bevelled one, corners the one they are cut from, and follow the slide
-/// over the faces; each new face
-/// copies the face with the smallest id round its vertex; its edges have default values.
+/// Faces and edges keep their ids. Costs O(valences + degrees of the faces round the vertices). Attributes: new vertices
+/// copy the bevelled one, new corners those that they are cut from, and both follow the slide over the faces. Each new
+/// face copies the face with the smallest id round its vertex. New edges have default values.
 pub fn bevel_vertices(mesh: &mut Mesh, vertices: &[VertexId]) -> Result<Live, Refusal> {
     let (plan, moves) = plan_bevel(mesh, vertices)?;
     let followers = plan.followers(mesh, moves.iter().map(|slide| slide.vertex));

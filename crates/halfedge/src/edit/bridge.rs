@@ -1,18 +1,17 @@
 //! Bridge: a band of faces between two boundary loops.
 //!
-//! The loops are walked side by side, each in proportion to its length in edges: where both go on
-//! by an edge there is a quad, where the longer one goes on alone a triangle. Loops of the same
-//! length get quads only. Possible exactly where no edge joins the loops at a place where the band
-//! would have one: boundary loops have no vertex in common, the band takes the free sides of their
-//! edges, and each pair of vertices across is joined once.
+//! The band goes along both loops at once, in proportion to their lengths in edges. Where it goes on by an edge of both
+//! loops there is a quad, where only the longer loop goes on a triangle; loops of equal length get quads only. Possible
+//! exactly if no edge joins the loops where the band would have one: boundary loops have no vertex in common, the band
+//! takes the free sides of their edges, and it joins each pair of vertices once.
 
 use crate::edit::patch::{Corner, Patch, Plan};
 use crate::edit::{Made, Refusal};
 use crate::mesh::Mesh;
 use crate::{HalfedgeId, VertexId};
 
-/// Up to this many pairs of places, all ways of turning one loop against the other are measured.
-const MEASURED: usize = 1 << 22;
+/// The most distances that are measured to find how the loops fit best.
+const MAX_MEASURED_DISTANCES: usize = 1 << 22;
 
 /// Whether [`bridge`] would succeed.
 pub fn can_bridge(mesh: &Mesh, halfedges: [HalfedgeId; 2]) -> Result<(), Refusal> {
@@ -32,7 +31,7 @@ fn plan_bridge(mesh: &Mesh, halfedges: [HalfedgeId; 2]) -> Result<Plan, Refusal>
     if a.contains(&other) {
         return Err(Refusal::SameLoop(one, other));
     }
-    // Seen from the band, the second loop runs the other way.
+    // Seen from the band, the second loop runs backward.
     b.reverse();
     let turn = best_turn(mesh, &a, &b);
     b.rotate_left(turn);
@@ -58,17 +57,17 @@ fn plan_bridge(mesh: &Mesh, halfedges: [HalfedgeId; 2]) -> Result<Plan, Refusal>
     patch.plan(mesh)
 }
 
-/// The vertex a boundary half-edge leaves, with the corner there of the face across it.
+/// The vertex that a boundary half-edge leaves, with the values of the face across it.
 fn corner(mesh: &Mesh, h: HalfedgeId) -> Corner {
     Corner::new(mesh.from(h), mesh.next(h.twin()))
 }
 
-/// By how much to turn the second loop so that the edges across are short: the least sum of their
-/// squares, or for very long loops the vertex nearest to the first loop's first.
+/// The number of edges by which to turn the second loop so that the edges across are short: the least sum of their
+/// squared lengths, or for very long loops the vertex closest to the first vertex of the first loop.
 fn best_turn(mesh: &Mesh, a: &[HalfedgeId], b: &[HalfedgeId]) -> usize {
     let (n, m) = (a.len(), b.len());
     let steps = n.max(m);
-    let samples = if steps * m <= MEASURED { steps } else { 1 };
+    let samples = if steps * m <= MAX_MEASURED_DISTANCES { steps } else { 1 };
     let position = |v: VertexId| mesh.position(v).as_dvec3();
     let cost = |turn: usize| -> f64 {
         (0..samples)
@@ -88,12 +87,11 @@ fn best_turn(mesh: &Mesh, a: &[HalfedgeId], b: &[HalfedgeId]) -> usize {
     best.1
 }
 
-/// Puts a band of quads and triangles between the boundary loops of two half-edges, turned so that
-/// the edges across are short.
+/// Puts a band of quads and triangles between the boundary loops of two half-edges, turned so that the edges across are
+/// short.
 ///
-/// All ids survive. Costs O(product of the lengths) up to 4 million, then O(lengths), and the
-/// valences of the vertices. Attributes: faces copy those across the first loop, corners those of
-/// the faces across their loop.
+/// All ids survive. Costs O(product of the loops' lengths) up to 4 million, beyond that O(lengths), plus the valences of
+/// the vertices. Attributes: faces copy those across the first loop, corners those of the faces across their loop.
 pub fn bridge(mesh: &mut Mesh, halfedges: [HalfedgeId; 2]) -> Result<Made, Refusal> {
     Ok(plan_bridge(mesh, halfedges)?.apply(mesh))
 }

@@ -1,11 +1,10 @@
 //! Collapse edge: its two ends become one vertex.
 //!
-//! # When it can be done, exactly
+//! # When it is possible, exactly
 //!
-//! Let the edge e join a and b, with the faces F and G beside it, one of them perhaps none. F and G
-//! lose a corner; one that was a triangle a b w vanishes, and its other two edges become one edge
-//! to w. Every other face keeps its corners, a and b renamed to one vertex v. The result is a
-//! valid mesh if and only if
+//! Let the edge e join a and b, with the faces F and G beside it; on the boundary one of them is missing. F and G
+//! lose a corner; if one is a triangle a b w it vanishes, and its other two edges become one edge to w. Every other
+//! face keeps its corners, with a and b renamed to one vertex v. The result is a valid mesh if and only if
 //!
 //! 1. no face but F and G has both a and b as corners (it would have v twice);
 //! 2. every vertex joined to both a and b is the third corner of F or of G, that being a triangle
@@ -13,9 +12,9 @@
 //!    lk(a) ∩ lk(b) = lk(e) on vertices: a face is its own boundary there;
 //! 3. if a and b are both on the boundary, so is e (else the two boundaries meet at v, and the
 //!    faces round it form two fans: a figure 8);
-//! 4. of a triangle that vanishes, not both other edges are on the boundary (their one edge would
-//!    have no face). The isolated triangle is this case;
-//! 5. F and G are not two triangles on the same three vertices (nothing would be left of them).
+//! 4. no vanishing triangle has both other edges on the boundary (their one edge would have no face). The
+//!    isolated triangle is such a case;
+//! 5. F and G are not two triangles with the same three vertices (nothing would be left of them).
 //!
 //! Sufficient, rule by rule of [`Mesh::validate`](crate::Mesh::validate). Corners: those of F and G
 //! still differ, being a subset; those of others do by (1); polygons of four or more keep three.
@@ -27,10 +26,9 @@
 //! through b's, or, with a boundary at one of them or with e on it, along one path by (3). At w a
 //! triangle leaves the fan and its neighbours in it become neighbours.
 //!
-//! A tetrahedron's edge passes: what is left is two triangles back to back, which is a valid
-//! (if flat) sphere of polygons. A second collapse is refused by (5). The Euler characteristic
-//! and the number of boundary loops never change; a boundary loop of three never shrinks, by (2)
-//! or (4).
+//! An edge of a tetrahedron passes: two triangles back to back are left, which are a valid, if flat, sphere of
+//! polygons. (5) refuses a second collapse. The Euler characteristic and the number of boundary loops never change; a
+//! boundary loop of three never shrinks, by (2) or (4).
 
 use crate::attribute::{Value, keys};
 use crate::edit::Refusal;
@@ -39,12 +37,12 @@ use crate::mesh::Mesh;
 use crate::{EdgeId, Element, FaceId, HalfedgeId, VertexId};
 use rustc_hash::FxHashSet;
 
-/// What collapsing an edge left and took away.
+/// The result of collapsing an edge.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct EdgeCollapse {
-    /// The vertex both ends became: the one the edge's even half-edge leaves.
+    /// The vertex that both ends became: the one that the edge's even half-edge leaves.
     pub vertex: VertexId,
-    /// The end that is gone.
+    /// The other end, which was removed.
     pub removed_vertex: VertexId,
     /// The edge itself, then one edge for each triangle that vanished.
     pub removed_edges: Vec<EdgeId>,
@@ -95,15 +93,14 @@ fn triangle_tip(mesh: &Mesh, h: HalfedgeId) -> Option<VertexId> {
     (mesh.next(mesh.next(after)) == h).then(|| mesh.to(after))
 }
 
-/// Makes the two ends of an edge one vertex, at the fraction `t` of the way along the even
-/// half-edge. Polygons beside it lose a corner, triangles vanish.
+/// Makes the two ends of an edge one vertex, at the fraction `t` along the even half-edge. Polygons beside the edge lose
+/// a corner, and triangles vanish.
 ///
-/// The end that the even half-edge leaves stays, as does the edge from it of each vanished
-/// triangle. Costs O(valences of the ends + degrees of the faces beside the edge). Attributes: the
-/// vertex gets the values at `t`; so do the corners at the ends that have the same value as the
-/// corner beside the edge, so that texture coordinates stay in one piece on either side of a seam; the
-/// others get those that their own faces have at the vertex's new place. Of two edges that become one, the
-/// sharper crease stays.
+/// The end that the even half-edge leaves stays, and so does its edge of each vanished triangle. Costs O(valences of the
+/// ends + degrees of the faces beside the edge). Attributes: the vertex gets the values at `t`. So do the corners at the
+/// ends that have the same value as a corner beside the edge, so that texture coordinates stay in one piece on either
+/// side of a seam; other corners get the values that their own faces have at the vertex's new place. Of two edges that
+/// become one the sharper crease stays.
 pub fn collapse_edge(mesh: &mut Mesh, edge: EdgeId, t: f32) -> Result<EdgeCollapse, Refusal> {
     can_collapse_edge(mesh, edge, t)?;
     let [h, twin] = edge.halfedges();
@@ -124,7 +121,7 @@ pub fn collapse_edge(mesh: &mut Mesh, edge: EdgeId, t: f32) -> Result<EdgeCollap
     }
     let mut made =
         EdgeCollapse { vertex: a, removed_vertex: b, removed_edges: vec![edge], removed_faces: vec![] };
-    // Some half-edge that leaves the vertex and stays.
+    // A half-edge that leaves the vertex and stays.
     let mut stays = mesh.next(h);
     for (side, from_a) in [(h, true), (twin, false)] {
         let (before, after) = (mesh.prev(side), mesh.next(side));
@@ -139,7 +136,7 @@ pub fn collapse_edge(mesh: &mut Mesh, edge: EdgeId, t: f32) -> Result<EdgeCollap
             }
             continue;
         }
-        // The triangle side, after, before: the edge at a stays and takes the place that b's had.
+        // The triangle is side, after, before. Its edge at a stays, in place of the one at b.
         let (keep, lose) = if from_a { (before, after) } else { (after, before) };
         let outer = lose.twin();
         let beyond = mesh.face_of(outer);
@@ -173,11 +170,11 @@ pub fn collapse_edge(mesh: &mut Mesh, edge: EdgeId, t: f32) -> Result<EdgeCollap
     Ok(made)
 }
 
-/// New values of corners: the number of the column, the corner and the value.
+/// New values of corners: the column's number, the corner and the value.
 type CornerValues = Vec<(usize, HalfedgeId, Value)>;
 
-/// The values at `t` for the corners at both ends of an edge that agree with a corner beside it, and the
-/// corners that agree with none.
+/// The values at `t` for the corners at both ends of an edge that have the value of a corner beside it, and the corners
+/// that have another.
 fn corner_values(mesh: &Mesh, edge: EdgeId, t: f32) -> (CornerValues, Vec<HalfedgeId>) {
     let [h, twin] = edge.halfedges();
     let beside: Vec<[HalfedgeId; 2]> = [[h, mesh.next(h)], [mesh.next(twin), twin]]

@@ -1,10 +1,8 @@
 //! Collapse face: all its corners become one vertex at its centroid.
 //!
-//! Every face round it loses a corner for each edge they share; triangles across an edge vanish.
-//! As with an edge, the result is a valid mesh exactly where no face outside gets the new vertex at
-//! two corners, no two edges to it would join the same vertex but those of a face that vanishes,
-//! and the faces round it form one fan: a face that touches two boundaries, or the same one twice,
-//! would pinch the surface. The patch of the faces round the corners checks each of these.
+//! Each face round it loses a corner for each edge that they share; triangles across an edge vanish. The result is a
+//! valid mesh under the conditions of [`merge_vertices`]: a face that touches two boundaries, or the same one twice,
+//! would pinch the surface, for example.
 
 use crate::edit::{Made, Refusal, can_merge_vertices, merge_vertices};
 use crate::mesh::Mesh;
@@ -20,7 +18,7 @@ fn corners(mesh: &Mesh, face: FaceId) -> Result<Vec<VertexId>, Refusal> {
     Ok(mesh.face_vertices(face).collect())
 }
 
-/// Makes all corners of a face one vertex, the first, at their centroid (the mean of the corners).
+/// Makes all corners of a face one vertex, the first one, at their mean.
 ///
 /// Costs O(valences of the corners + degrees of the faces round them). Attributes: as in
 /// [`merge_vertices`].

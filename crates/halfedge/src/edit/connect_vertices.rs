@@ -1,17 +1,16 @@
-//! Connect vertices: a face is cut in two between two of its corners.
+//! Connect vertices: an edge between two corners cuts a face in two.
 //!
-//! Possible exactly where some face has both and no edge joins them yet (neighbours in a face are
-//! joined): both parts have three corners or more, and the cut is a new edge with a face on
-//! either side.
+//! Possible exactly if some face has both and no edge joins them (neighbours in a face are joined). Then both parts have
+//! three corners or more, and the cut is a new edge with a face on either side.
 
 use crate::edit::Refusal;
 use crate::mesh::Mesh;
 use crate::{EdgeId, FaceId, HalfedgeId, VertexId};
 
-/// What a cut between two vertices made.
+/// The result of connecting two vertices.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Connected {
-    /// The face that was cut; it keeps the side from the second vertex on to the first.
+    /// The face that was cut. It keeps the part from the second vertex to the first.
     pub face: FaceId,
     /// The cut.
     pub edge: EdgeId,
@@ -24,7 +23,7 @@ pub fn can_connect_vertices(mesh: &Mesh, a: VertexId, b: VertexId) -> Result<(),
     corners(mesh, a, b).map(drop)
 }
 
-/// The corners of a face that has both.
+/// A face that has both vertices, and its corners there.
 fn corners(mesh: &Mesh, a: VertexId, b: VertexId) -> Result<(FaceId, HalfedgeId, HalfedgeId), Refusal> {
     mesh.require_vertex(a)?;
     mesh.require_vertex(b)?;
@@ -43,11 +42,10 @@ fn corners(mesh: &Mesh, a: VertexId, b: VertexId) -> Result<(FaceId, HalfedgeId,
     Err(Refusal::NotInOneFace(a, b))
 }
 
-/// Cuts the face that has both vertices from one to the other; of several such faces, the first
-/// met turning round `a`.
+/// Cuts the face that has both vertices from one to the other. Of several such faces it cuts the first one round `a`.
 ///
-/// All ids survive. Costs O(valence of `a` * degree of the faces). Attributes: the new face copies
-/// the face's, the new corners those they came from.
+/// All ids survive. Costs O(valence of `a` * degree of the faces). Attributes: the new face copies the old one, the new
+/// corners those of the old face at the vertices.
 pub fn connect_vertices(mesh: &mut Mesh, a: VertexId, b: VertexId) -> Result<Connected, Refusal> {
     let (face, at_a, at_b) = corners(mesh, a, b)?;
     let (across, new_face) = mesh.cut_face(at_a, at_b);

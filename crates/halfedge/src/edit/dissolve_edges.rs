@@ -1,15 +1,13 @@
 //! Dissolve edges: the faces beside them become one.
 //!
-//! Faces that the edges join form regions, and each becomes one polygon: its outline. The outline is one
-//! loop, and its corners differ, exactly where the region is a disc. Edges inside a region go too, given or
-//! not, as do the vertices that only such edges have: two faces that share several edges in a row lose the
-//! whole row. Faces that meet along edges apart would become a ring that touches itself and are refused, as
-//! are faces with nothing round them.
+//! Faces joined by the given edges form regions, and each region becomes one polygon: its outline. The outline is one loop
+//! with different corners exactly if the region is a disc. Other edges inside a region are removed too, and so are vertices
+//! that only have edges inside: two faces that share several edges in a row lose the whole row. Faces that meet along
+//! edges apart would become a ring that touches itself; they are refused, as are faces with nothing round them.
 //!
-//! A dissolved edge leaves its ends with an edge less. Those that are left with two edges only bend an
-//! outline: they are dissolved too, unless they are to be kept or a face would be left with two corners.
-//! How many edges a vertex is left with counts when all the given ones have gone; if it counted after each,
-//! one edge could become one with another that isn't given, and stay.
+//! The ends of a dissolved edge lose an edge. An end that is left with two edges only bends an outline, so it is dissolved
+//! too, unless the caller keeps vertices or a face would be left with two corners. Edges are counted when all given ones
+//! are gone. Counted earlier, a given edge could become one with another that isn't given, and survive.
 
 use crate::edit::patch::{Corner, Patch, Plan};
 use crate::edit::shared::outline;
@@ -19,20 +17,21 @@ use crate::mesh::Mesh;
 use crate::{EdgeId, FaceId, VertexId};
 use rustc_hash::{FxHashMap, FxHashSet};
 
-/// Whether [`dissolve_edges`] would succeed; it does or doesn't whether vertices are kept or not.
+/// Whether [`dissolve_edges`] would succeed; keeping vertices makes no difference.
 pub fn can_dissolve_edges(mesh: &Mesh, edges: &[EdgeId]) -> Result<(), Refusal> {
     plan_dissolve(mesh, edges).map(drop)
 }
 
-/// Faces that become one, and the one whose id stays.
+/// Faces that become one.
 struct Region {
     faces: FxHashSet<FaceId>,
-    stays: FaceId,
+    /// The one whose id the polygon keeps.
+    kept: FaceId,
 }
 
-/// The regions of faces that edges join. The face that stays is found edge by edge: of the two that an edge
-/// has made one so far, the one of its even half-edge.
-fn regions(mesh: &Mesh, edges: &[EdgeId]) -> Result<Vec<Region>, Refusal> {
+/// The regions of faces joined by edges. Each edge decides which face is kept: the one kept so far on the side of its
+/// even half-edge.
+fn find_regions(mesh: &Mesh, edges: &[EdgeId]) -> Result<Vec<Region>, Refusal> {
     let mut numbers: FxHashMap<FaceId, u32> = FxHashMap::default();
     let mut faces: Vec<FaceId> = Vec::new();
     let mut pairs = Vec::with_capacity(edges.len());
@@ -48,12 +47,12 @@ fn regions(mesh: &Mesh, edges: &[EdgeId]) -> Result<Vec<Region>, Refusal> {
         }));
     }
     let mut sets = UnionFind::new(faces.len());
-    // By the number of each set.
-    let mut stays = faces.clone();
+    // By the number of the set.
+    let mut kept = faces.clone();
     for [left, right] in pairs {
-        let face = stays[sets.find(left) as usize];
+        let face = kept[sets.find(left) as usize];
         sets.union(left, right);
-        stays[sets.find(left) as usize] = face;
+        kept[sets.find(left) as usize] = face;
     }
     let mut regions: FxHashMap<u32, Region> = FxHashMap::default();
     let mut order = Vec::new();
@@ -61,7 +60,7 @@ fn regions(mesh: &Mesh, edges: &[EdgeId]) -> Result<Vec<Region>, Refusal> {
         let set = sets.find(i as u32);
         let region = regions.entry(set).or_insert_with(|| {
             order.push(set);
-            Region { faces: FxHashSet::default(), stays: stays[set as usize] }
+            Region { faces: FxHashSet::default(), kept: kept[set as usize] }
         });
         region.faces.insert(face);
     }
@@ -71,21 +70,20 @@ fn regions(mesh: &Mesh, edges: &[EdgeId]) -> Result<Vec<Region>, Refusal> {
 fn plan_dissolve(mesh: &Mesh, edges: &[EdgeId]) -> Result<Plan, Refusal> {
     mesh.require_edges(edges)?;
     let mut patch = Patch::new(mesh);
-    for region in regions(mesh, edges)? {
+    for region in find_regions(mesh, edges)? {
         let corners = outline(mesh, &region.faces)?.into_iter().map(|h| Corner::keep(mesh, h)).collect();
-        patch.remove.extend(region.faces.iter().filter(|&&face| face != region.stays));
-        patch.replace_face(region.stays, corners);
+        patch.remove.extend(region.faces.iter().filter(|&&face| face != region.kept));
+        patch.replace_face(region.kept, corners);
     }
     patch.plan(mesh)
 }
 
-/// Makes the faces that edges join one polygon each, and removes the vertices that are left with two edges
-/// unless `keep_vertices`; see the module's text for which. Edges on either side of such a vertex become
-/// one.
+/// Makes the faces joined by edges one polygon each, and unless `keep_vertices` removes the vertices that are left with two
+/// edges, which become one edge; see the module's text.
 ///
-/// Costs O(degrees of the faces + valences of their corners). Attributes: the polygon keeps those of the
-/// face whose id it keeps, that of the even half-edge; corners keep theirs. Across a seam the polygon has
-/// values of both sides. Of edges that become one the sharper crease stays.
+/// Costs O(degrees of the faces + valences of their corners). Attributes: the polygon keeps those of the face whose id it
+/// keeps, the face of the even half-edge; corners keep theirs, so that across a seam the polygon has values of both sides.
+/// Of edges that become one the sharper crease stays.
 pub fn dissolve_edges(mesh: &mut Mesh, edges: &[EdgeId], keep_vertices: bool) -> Result<Made, Refusal> {
     let plan = plan_dissolve(mesh, edges)?;
     let mut ends: Vec<VertexId> = plan.made.removed_edges.iter().flat_map(|&edge| mesh.ends(edge)).collect();

@@ -1,7 +1,7 @@
-//! Extrude edges: a quad beside each of some boundary edges.
+//! Extrude edges: boundary edges get quads beside them.
 //!
-//! Always possible for boundary edges: the quads lie where there was no face, on new vertices, one
-//! for each vertex of the edges; quads of edges in a row share the edge between.
+//! Always possible for boundary edges: the quads lie where there was no face, on one new vertex for each vertex of the
+//! edges. Quads of adjacent edges share the edge between them.
 
 use crate::edit::patch::{Corner, Patch, Plan};
 use crate::edit::shared::{Blend, Followers};
@@ -48,12 +48,12 @@ fn plan_extrude(mesh: &Mesh, edges: &[EdgeId]) -> Result<(Plan, Vec<(VertexId, V
     Ok((patch.plan(mesh)?, moved))
 }
 
-/// Puts a quad beside each of some boundary edges, of no size yet; the slide moves their far sides
-/// by `offset` at amount 1.
+/// Puts a quad beside each of some boundary edges, without size: the slide moves the quads' far sides by `offset` at
+/// amount 1.
 ///
-/// All ids survive. Costs O(n log n) in the number of edges and the valences of their vertices.
-/// Attributes: new vertices, corners and far edges copy the old, quads the face beside the edge. Moved by the
-/// slide, vertex and corner values continue those of that face, as seen along its normal.
+/// All ids survive. Costs O(n log n) in the number of edges and the valences of their vertices. Attributes: quads copy
+/// the face beside the edge; new vertices, corners and far edges copy the old ones. As the slide moves them, vertex and
+/// corner values continue those of that face, as seen along its normal.
 pub fn extrude_edges(mesh: &mut Mesh, edges: &[EdgeId], offset: Vec3) -> Result<Live, Refusal> {
     let (plan, moved) = plan_extrude(mesh, edges)?;
     let moves: Vec<SlideVertex> = moved

@@ -1,8 +1,8 @@
 //! Extrude faces: they move along their normals and leave walls behind.
 //!
-//! Always possible for faces that exist; [`walls`](super::walls) says why. Regions may have holes,
-//! be several pieces, touch themselves at a vertex and reach the boundary. A whole closed piece has
-//! no outline: it moves, and no walls are made.
+//! Always possible for existing faces; the text of `shared/walls.rs` says why. Regions may have holes, consist of several
+//! pieces, touch themselves at a vertex and reach the boundary. A whole closed piece has no outline: it moves, without
+//! walls.
 
 use crate::FaceId;
 use crate::edit::shared::{Followers, walls};
@@ -14,14 +14,13 @@ pub fn can_extrude_faces(mesh: &Mesh, faces: &[FaceId], grouping: Grouping) -> R
     walls(mesh, faces, grouping)?.patch.plan(mesh).map(drop)
 }
 
-/// Puts a wall of quads at the outline of faces, of no height yet: the slide's amount is the
-/// distance, in mesh units and outward. In a region each vertex moves along the mean of its faces'
-/// normals; individual faces move along their own.
+/// Puts a wall of quads round faces, without height: the slide's amount is the distance outward, in mesh units. Vertices
+/// of a region move along the mean normal of its faces there, individual faces along their own.
 ///
-/// The faces keep their ids, as do edges within them; the outline's edges stay where they were.
-/// Costs O(n log n) in the corners of the faces and the valences of their vertices. Attributes: new
-/// vertices and corners copy the old, the moved outline edges copy those they left, walls copy the
-/// face they belong to; the edges between outlines have default values.
+/// The faces and the edges between them keep their ids; the outline's edges stay where they were. Costs O(n log n) in the
+/// corners of the faces and the valences of their vertices. Attributes: new vertices and corners copy the old ones, moved
+/// outline edges those that stayed, and walls the face that they belong to. Edges from outline to outline have default
+/// values.
 pub fn extrude_faces(mesh: &mut Mesh, faces: &[FaceId], grouping: Grouping) -> Result<Live, Refusal> {
     let walls = walls(mesh, faces, grouping)?;
     let outline = walls.vertices.iter().map(|wall| (wall.vertex, mesh.from(wall.leaves), wall.normal));

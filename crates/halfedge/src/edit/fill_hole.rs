@@ -1,8 +1,8 @@
 //! Fill hole: one polygon on a boundary loop.
 //!
-//! Always possible: a boundary loop passes each vertex once, because a vertex has one fan, and has
-//! three edges or more, because no two edges join the same vertices. The polygon takes the free
-//! side of each edge and closes each vertex's fan.
+//! Always possible: a boundary loop passes each vertex once, because a vertex has one fan, and has three edges or more,
+//! because no two edges join the same vertices. The polygon takes the free side of each edge and closes each vertex's
+//! fan.
 
 use crate::HalfedgeId;
 use crate::edit::patch::{Corner, Patch, Plan};
@@ -25,10 +25,10 @@ fn plan_fill(mesh: &Mesh, halfedge: HalfedgeId) -> Result<Plan, Refusal> {
     patch.plan(mesh)
 }
 
-/// Puts one polygon on the boundary loop of a half-edge; its first corner is where that leaves.
+/// Puts one polygon on the boundary loop of a half-edge. Its first corner is the vertex that the half-edge leaves.
 ///
-/// All ids survive. Costs O(length of the loop + valences of its vertices). Attributes: the
-/// polygon copies the face across the half-edge, its corners those of the faces across theirs.
+/// All ids survive. Costs O(length of the loop + valences of its vertices). Attributes: the polygon copies the face
+/// across the half-edge, each corner the face across its side.
 pub fn fill_hole(mesh: &mut Mesh, halfedge: HalfedgeId) -> Result<Made, Refusal> {
     Ok(plan_fill(mesh, halfedge)?.apply(mesh))
 }

@@ -1,8 +1,7 @@
-//! Flip orientation: faces turned inside out, whole connected pieces only.
+//! Flip orientation: whole connected pieces are turned inside out.
 //!
-//! Two faces that share an edge must go round it in opposite directions, so all faces of a piece
-//! turn together or none. Turned as a whole a piece stays a valid mesh: every loop runs the other
-//! way.
+//! Two faces that share an edge must run along it in opposite directions, so either all faces of a piece turn or none. A
+//! piece that turns as a whole stays a valid mesh: each loop runs the other way.
 
 use crate::attribute::keys;
 use crate::edit::Refusal;
@@ -10,7 +9,7 @@ use crate::mesh::Mesh;
 use crate::{EdgeId, Element, FaceId, HalfedgeId, VertexId};
 use rustc_hash::FxHashSet;
 
-/// Whether [`flip_orientation`] would succeed.
+/// Whether [`flip_orientation`] would succeed. Costs O(corners of the faces).
 pub fn can_flip_orientation(mesh: &Mesh, faces: &[FaceId]) -> Result<(), Refusal> {
     mesh.require_faces(faces)?;
     let chosen: FxHashSet<FaceId> = faces.iter().copied().collect();
@@ -25,9 +24,8 @@ pub fn can_flip_orientation(mesh: &Mesh, faces: &[FaceId]) -> Result<(), Refusal
 
 /// Turns whole connected pieces inside out.
 ///
-/// All ids survive, and each face's first corner stays its first; half-edges change direction and
-/// stay in their face. Costs O(corners of the faces). Attributes: corner values stay with their
-/// corners, corner normals are turned round.
+/// All ids survive, and each face keeps its first corner; half-edges are reversed and stay in their face. Costs O(n log n)
+/// in the corners of the faces. Attributes: corner values stay with their corners, and corner normals are negated.
 pub fn flip_orientation(mesh: &mut Mesh, faces: &[FaceId]) -> Result<(), Refusal> {
     can_flip_orientation(mesh, faces)?;
     let mut edges: Vec<EdgeId> = Vec::new();
@@ -44,7 +42,7 @@ pub fn flip_orientation(mesh: &mut Mesh, faces: &[FaceId]) -> Result<(), Refusal
     chosen.sort_unstable();
     chosen.dedup();
 
-    // A half-edge will leave the corner that it points to now, and take on its values.
+    // A half-edge will leave the corner that it points to now, and get its values.
     let sides: Vec<HalfedgeId> = edges.iter().flat_map(|edge| edge.halfedges()).collect();
     let corners: Vec<(HalfedgeId, HalfedgeId)> =
         sides.iter().filter(|&&h| mesh.face_of(h).is_some()).map(|&h| (mesh.next(h), h)).collect();
@@ -60,7 +58,7 @@ pub fn flip_orientation(mesh: &mut Mesh, faces: &[FaceId]) -> Result<(), Refusal
     let leaving: Vec<(VertexId, HalfedgeId)> = vertices
         .iter()
         .filter_map(|&v| {
-            // What leaves the vertex afterwards arrives at it now; on the boundary a boundary one.
+            // What leaves the vertex afterwards arrives at it now; on the boundary it is a boundary half-edge.
             Some((v, mesh.prev(mesh.halfedge_from(v)?)))
         })
         .collect();

@@ -1,8 +1,8 @@
-//! Inset faces: a smaller copy inside each, or inside their outline, with a ring of quads round it.
+//! Inset faces: a ring of quads inside each face, or inside the outline of several.
 //!
-//! Always possible for faces with an outline; [`walls`](super::walls) says why. A whole closed
-//! piece, inset as one region, has none and is refused. An inset wider than the face is *clamped*
-//! to where the first edge of the inner outline would lose its length: [`Slide::limit`].
+//! Always possible for faces with an outline; the text of `shared/walls.rs` says why. A whole closed piece, inset as one
+//! region, has none and is refused. An inset wider than the face is *clamped* to where the first edge of the inner
+//! outline would lose its length: [`Slide::limit`].
 
 use crate::edit::shared::{Followers, Walls, miter, walls};
 use crate::edit::{Grouping, Live, Refusal, Slide, SlideVertex};
@@ -23,13 +23,12 @@ fn inset_walls(mesh: &Mesh, faces: &[FaceId], grouping: Grouping) -> Result<Wall
     }
 }
 
-/// Puts a ring of quads inside the outline of faces, of no width yet: the slide's amount is the
-/// width, in mesh units. Outline edges move inward in the plane of their face, each by the amount;
-/// at corners they meet in a mitre, which is cut off at four times the width where they nearly
-/// double back. Vertices inside a region stay where they are.
+/// Puts a ring of quads inside the outline of faces, without width: the slide's amount is the width, in mesh units. Each
+/// outline edge moves inward in the plane of its face. At corners they meet in a mitre, which is cut off at four times
+/// the width where they nearly double back. Vertices inside a region stay where they are.
 ///
-/// Ids, costs and attributes are as for [`extrude_faces`](super::extrude_faces), but for what the slide
-/// moves: vertex and corner values follow it over the faces, as by [`Slide::apply`].
+/// Ids, costs and attributes are as for [`extrude_faces`](super::extrude_faces), except that vertex and corner values
+/// follow the slide over the faces.
 pub fn inset_faces(mesh: &mut Mesh, faces: &[FaceId], grouping: Grouping) -> Result<Live, Refusal> {
     let walls = inset_walls(mesh, faces, grouping)?;
     let inward = |h: HalfedgeId| {

@@ -1,10 +1,9 @@
 //! Merge vertices: several become one.
 //!
-//! Faces lose the corners that become one; those with fewer than three left vanish. The result is
-//! a valid mesh exactly where the patch of the faces round the vertices says so: no face has the
-//! new vertex at two corners, no edge has two faces on one side, and the faces at each vertex form
-//! one fan. Vertices joined by edges always shrink a piece of the surface to a point; vertices
-//! apart may sew boundaries together, and are refused where that would pinch the surface.
+//! Faces lose the corners that become one; those left with fewer than three vanish. The result is a valid mesh exactly if
+//! planning the patch of the faces round the vertices finds it so: no face has the new vertex at two corners, no edge has
+//! two faces on one side, and the faces at each vertex form one fan. Vertices joined by edges shrink a piece of the surface
+//! to a point. Vertices apart may sew boundaries together, and are refused if that would pinch the surface.
 
 use crate::edit::patch::Plan;
 use crate::edit::shared::{Blend, follow_merged, merge_corners};
@@ -20,7 +19,7 @@ pub fn can_merge_vertices(mesh: &Mesh, vertices: &[VertexId], position: Option<V
     plan_merge(mesh, vertices, position).map(drop)
 }
 
-/// Also the vertices that become the first.
+/// The plan, and the vertices that become the first one.
 fn plan_merge(
     mesh: &Mesh,
     vertices: &[VertexId],
@@ -43,12 +42,12 @@ fn plan_merge(
     Ok((plan, becomes))
 }
 
-/// Makes several vertices one: the first given, at `position` or at their centre (the mean).
+/// Makes several vertices one: the first one given, at `position` or at their mean.
 ///
-/// Isolated vertices among them go too. Edges and faces keep their ids where they keep two
-/// different ends and three corners. Costs O(valences + degrees of the faces round them).
-/// Attributes: the vertex gets the mean of all; the corners at it get the values that their faces have at
-/// its place, one value where they had one before; of edges that become one the sharper crease stays.
+/// Isolated vertices can be merged too. Edges that keep different ends and faces that keep three corners keep their ids.
+/// Costs O(valences + degrees of the faces round them). Attributes: the vertex gets the mean of all; its corners get the
+/// values that their faces have at its place, and corners that shared a value still share one. Of edges that become one
+/// the sharper crease stays.
 pub fn merge_vertices(
     mesh: &mut Mesh,
     vertices: &[VertexId],
@@ -66,7 +65,7 @@ pub fn merge_vertices(
     mesh.blend_attributes(Element::Vertex, &blend, target.raw());
     mesh.set_position(target, position);
     followers.update(mesh);
-    // Isolated ones are in no patch.
+    // Isolated vertices are in no patch.
     for v in all {
         if v != target && mesh.has_vertex(v) {
             mesh.mark(Element::Vertex, v.raw(), true);

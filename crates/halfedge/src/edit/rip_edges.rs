@@ -1,9 +1,9 @@
 //! Rip edges: inner edges become pairs of boundary edges. The opposite of welding.
 //!
-//! The edges cut the faces round each of their vertices into groups; each group but the first gets
-//! a vertex of its own. The result is a valid mesh exactly where each edge has an end that is cut
-//! into two groups with the edge between them: an edge ripped alone inside the mesh would leave
-//! two edges that join the same vertices. On a line of edges, or from the boundary, all have one.
+//! The edges cut the faces round each of their vertices into groups, and each group but the first gets a vertex of its
+//! own. The result is a valid mesh exactly if each edge has an end where it separates two groups. A single edge inside the
+//! mesh has none: two edges would join the same vertices. Edges on a line of several, or with an end on the boundary, all
+//! have one.
 
 use crate::edit::patch::{Corner, Patch, Plan};
 use crate::edit::{Made, Refusal};
@@ -29,18 +29,18 @@ fn plan_rip(mesh: &Mesh, edges: &[EdgeId]) -> Result<Plan, Refusal> {
     let mut moved: FxHashMap<HalfedgeId, VertexId> = FxHashMap::default();
     let mut faces: Vec<FaceId> = Vec::new();
     for v in vertices {
-        // Clockwise, from a gap or a cut, so that no group goes round the end.
+        // Clockwise from the gap or a cut, so that no group goes round the end.
         let mut corners: Vec<HalfedgeId> = mesh.outgoing(v).collect();
         let start = corners.iter().position(|h| mesh.is_boundary_halfedge(*h));
         match start.or_else(|| corners.iter().position(|h| cut.contains(&h.edge()))) {
-            // The corner after the gap, or after the cut, is the one that its half-edge's twin is beside.
+            // The first corner lies after the half-edge of the gap or cut.
             Some(start) => corners.rotate_left(start + 1),
             None => continue,
         }
         let mut group = 0;
         let mut vertex = v;
         for (i, &h) in corners.iter().enumerate() {
-            // Corner h lies between its own edge and the one before it in this order.
+            // The corner of h lies between its edge and the edge before it.
             if i > 0 && cut.contains(&corners[i - 1].edge()) {
                 group += 1;
                 vertex = patch.copy_vertex(mesh, v);
@@ -67,11 +67,11 @@ fn plan_rip(mesh: &Mesh, edges: &[EdgeId]) -> Result<Plan, Refusal> {
     patch.plan(mesh)
 }
 
-/// Cuts the mesh open along edges inside it: their sides become boundary edges, their vertices are
-/// doubled in place where that parts their faces.
+/// Cuts the mesh open along edges inside it. Their sides become boundary edges, and their vertices are doubled in place
+/// where that separates faces.
 ///
-/// Faces keep their ids; an edge keeps its on one side. Costs O(valences of the vertices + degrees
-/// of the faces there). Attributes: new vertices and edges copy those they came from.
+/// Faces keep their ids, and each edge keeps its id on one side. Costs O(valences of the vertices + degrees of the faces
+/// there). Attributes: new vertices and edges copy the old ones.
 pub fn rip_edges(mesh: &mut Mesh, edges: &[EdgeId]) -> Result<Made, Refusal> {
     Ok(plan_rip(mesh, edges)?.apply(mesh))
 }

@@ -1,12 +1,11 @@
-//! Set crease: how sharp edges and vertices stay when the mesh is subdivided.
+//! Set crease: how sharp edges and vertices stay in subdivision.
 
 use crate::attribute::keys;
 use crate::edit::Refusal;
 use crate::mesh::Mesh;
 use crate::{EdgeId, Element, VertexId};
 
-/// Whether [`set_crease`] would succeed: it does for elements that exist and a sharpness of 0
-/// (smooth) or more; 10 or more is infinitely sharp.
+/// Whether [`set_crease`] would succeed: it does for existing elements and a finite sharpness of 0 or more.
 pub fn can_set_crease(
     mesh: &Mesh,
     edges: &[EdgeId],
@@ -25,8 +24,8 @@ pub fn can_set_crease(
     }
 }
 
-/// Gives edges and vertices a sharpness, in the columns [`keys::EDGE_CREASE`] and
-/// [`keys::VERTEX_CREASE`]. Costs O(elements), and O(mesh) the first time, to make a column.
+/// Sets the sharpness of edges and vertices, in the columns [`keys::EDGE_CREASE`] and [`keys::VERTEX_CREASE`]: 0 is
+/// smooth, 10 or more infinitely sharp. Costs O(elements), and O(mesh) the first time, to add a column.
 pub fn set_crease(
     mesh: &mut Mesh,
     edges: &[EdgeId],

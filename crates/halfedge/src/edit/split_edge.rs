@@ -1,9 +1,8 @@
 //! Split edge: a new vertex on an edge, and optionally cuts from it across the faces beside it.
 //!
-//! Any edge of a valid mesh can be split at any 0 < t < 1: the new vertex has valence two before
-//! the cuts, its two faces gain a corner each. A cut goes from the new vertex to a corner at least
-//! two steps away on either side, so it duplicates no edge, but for one case: two cuts to the same
-//! vertex, when both faces have it as their opposite corner. That one is refused.
+//! Every edge of a valid mesh can be split at any 0 < t < 1: before the cuts the new vertex has valence two, and its faces
+//! gain a corner each. A cut goes to a corner at least two steps away on either side, so it duplicates no edge, with one
+//! exception: both cuts may go to the same vertex, if it is the opposite corner of both faces. That is refused.
 
 use crate::edit::Refusal;
 use crate::edit::shared::Blend;
@@ -18,12 +17,12 @@ pub enum Connect {
     /// Triangles are cut to their opposite corner; larger faces gain a corner.
     #[default]
     Triangles,
-    /// Every face is cut, to the corner halfway round: of a face with n corners before the split,
-    /// the one `n / 2` (rounded up) steps along from the new vertex.
+    /// Every face is cut to the corner halfway round: `n / 2` steps, rounded up, from the new vertex in a face
+    /// that had n corners.
     All,
 }
 
-/// What splitting an edge made.
+/// The result of splitting an edge.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct EdgeSplit {
     /// The new vertex.
@@ -50,8 +49,7 @@ pub fn can_split_edge(mesh: &Mesh, edge: EdgeId, t: f32, connect: Connect) -> Re
     }
 }
 
-/// How many steps beyond the half-edge's end the corner is that the cut on its side goes to; none
-/// where no cut is made.
+/// The number of steps from the half-edge's end to the corner that the cut on its side goes to; none if there is no cut.
 fn steps_to_cut(mesh: &Mesh, h: HalfedgeId, connect: Connect) -> Option<usize> {
     let degree = mesh.face_degree(mesh.face_of(h)?);
     match connect {
@@ -61,25 +59,25 @@ fn steps_to_cut(mesh: &Mesh, h: HalfedgeId, connect: Connect) -> Option<usize> {
     }
 }
 
-/// Splits an edge at the fraction `t` of the way along its even half-edge.
+/// Splits an edge at the fraction `t` along its even half-edge.
 ///
-/// All ids survive; the edge keeps its id on the part up to the new vertex. Costs O(degree of the
-/// faces beside it). Attributes: the new vertex and its corners are interpolated at `t`; the new
-/// half of the edge copies the edge; faces made by cuts copy theirs; cuts have default values.
+/// All ids survive; the edge keeps its id up to the new vertex. Costs O(degree of the faces beside it). Attributes: the
+/// new vertex and its corners are interpolated at `t`; the new half copies the edge; new faces copy those that they are
+/// cut from; cuts have default values.
 pub fn split_edge(mesh: &mut Mesh, edge: EdgeId, t: f32, connect: Connect) -> Result<EdgeSplit, Refusal> {
     can_split_edge(mesh, edge, t, connect)?;
     let [h, twin] = edge.halfedges();
     let [a, b] = mesh.ends(edge);
     let steps = [h, twin].map(|h| steps_to_cut(mesh, h, connect));
 
-    // Before: a --h--> b. After: a --h--> m --g--> b, `twin` being m -> a and `g`'s twin b -> m.
+    // Before: a --h--> b. After: a --h--> m --g--> b, with `twin` m -> a and `g`'s twin b -> m.
     let m = mesh.add_vertex(mesh.position(a).lerp(mesh.position(b), t));
     mesh.blend_attributes(Element::Vertex, &Blend::Mix(a.raw(), b.raw(), t), m.raw());
     let g = mesh.add_edge(m, b);
     let (after_h, before_twin) = (mesh.next(h), mesh.prev(twin));
     mesh.copy_attributes(Element::Edge, edge.raw(), g.edge().raw());
-    // Corners: g's is the new one on h's side; b's corner on the other side moves from `twin` to
-    // `g`'s twin, and `twin` gets the new corner there.
+    // Corners: `g` has the new one on h's side. On the other side b's corner moves from `twin` to `g`'s twin, and
+    // `twin` has the new one.
     mesh.blend_attributes(Element::Halfedge, &Blend::Mix(h.raw(), after_h.raw(), t), g.raw());
     mesh.copy_attributes(Element::Halfedge, twin.raw(), g.twin().raw());
     let a_corner = mesh.next(twin);
@@ -107,7 +105,7 @@ pub fn split_edge(mesh: &mut Mesh, edge: EdgeId, t: f32, connect: Connect) -> Re
     let mut split = EdgeSplit { vertex: m, edges: vec![g.edge()], faces: Vec::new() };
     for (corner, steps) in [(g, steps[0]), (twin, steps[1])] {
         if let Some(steps) = steps {
-            // One step more: to the end of the edge that was split.
+            // One step more, to the end of the split edge.
             let opposite = (0..=steps).fold(corner, |h, _| mesh.next(h));
             let (across, made) = mesh.cut_face(corner, opposite);
             split.edges.push(across.edge());

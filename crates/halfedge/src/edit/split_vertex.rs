@@ -1,14 +1,13 @@
 //! Split vertex: the inverse of collapsing an edge.
 //!
-//! The faces round a vertex v that lie counter-clockwise from the first edge to the second get a
-//! new vertex v' in its place, and v and v' are joined by an edge, with a triangle beside it at the
-//! end of each of the two edges. On the boundary the same edge may be given twice: the faces
-//! counter-clockwise from it to the boundary get v', and there is one triangle; this undoes the
-//! collapse of a boundary edge. Given an edge on the boundary, its triangle lies outside it.
+//! The faces round a vertex v, counter-clockwise from the first edge to the second, get a new vertex v' in its place. An
+//! edge joins v and v', with a triangle on either side: one at each of the two edges. On the boundary the same edge may be
+//! given twice: the faces counter-clockwise from it to the boundary get v', and there is one triangle. This undoes the
+//! collapse of a boundary edge. At an edge on the boundary the triangle lies outside.
 //!
-//! Always possible for two edges of a vertex: new edges join the new vertex to v, to the far ends
-//! of the two edges and of those between, each once, and at v, v' and the far ends a triangle is
-//! put between two corners, or between a corner and the boundary, of one fan.
+//! Always possible for two edges of a vertex: the new edges join v' to v, to the far ends of the two edges and to those of
+//! the edges between, each once. At v, v' and the far ends a triangle comes between two corners of one fan, or between a
+//! corner and the boundary.
 
 use crate::edit::patch::{Corner, Patch, Plan};
 use crate::edit::shared::Followers;
@@ -82,7 +81,7 @@ fn plan_split(
             .collect();
         patch.replace_face(face, corners);
     }
-    // At the first edge the new vertex is counter-clockwise of the old, at the second clockwise.
+    // The new vertex lies counter-clockwise of the old one at the first edge, clockwise at the second.
     let triangle = |edge: HalfedgeId, from: VertexId, to: VertexId| {
         let side = if mesh.face_of(edge).is_some() { edge } else { edge.twin() };
         let corners = if side == edge { [side, mesh.next(side)] } else { [mesh.next(side), side] };
@@ -97,22 +96,19 @@ fn plan_split(
     Ok((patch.plan(mesh)?, positions.unwrap_or(default)))
 }
 
-/// A quarter of the way from a vertex to the mean of the far corners of some faces round it.
+/// A quarter of the way from a vertex to the mean of its neighbours in some of its faces.
 fn position_for(mesh: &Mesh, vertex: VertexId, corners: impl Iterator<Item = HalfedgeId>) -> Vec3 {
     let mut far = corners.flat_map(|h| [mesh.to(h), mesh.from(mesh.prev(h))]).peekable();
     let here = mesh.position(vertex);
     if far.peek().is_none() { here } else { here.lerp(mean_position(mesh, far).as_vec3(), 0.25) }
 }
 
-/// Splits a vertex in two along two of its edges; see the module's text for which faces go to the
-/// new one. `positions` are those of the vertex and of the new one; where none are given, each is
-/// put a quarter of the way towards its faces' neighbouring corners.
+/// Splits a vertex in two along two of its edges; see the module's text for the faces that go to the new one. `positions`
+/// are those of the vertex and of the new one; by default each moves a quarter of the way to its neighbours.
 ///
-/// All ids survive. Costs O(degrees of the faces round the vertex + valences of their corners).
-/// Attributes: the new vertex copies the vertex; the edges of a face that moves keep theirs, the
-/// edge beside the triangle that is made with a new id copies the one it is split from; triangles
-/// copy the face on their edge, and their corners its corners. Where the vertices move, vertex and corner
-/// values follow over the faces.
+/// All ids survive. Costs O(degrees of the faces round the vertex + valences of their corners). Attributes: the new vertex
+/// copies the old one; triangles and their corners copy the face on their edge; of an edge that is doubled, the one with
+/// the new id copies the other. Where the vertices move, vertex and corner values follow over the faces.
 pub fn split_vertex(
     mesh: &mut Mesh,
     vertex: VertexId,

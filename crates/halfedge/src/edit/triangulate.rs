@@ -1,8 +1,8 @@
 //! Triangulate: a polygon cut into triangles between its own corners.
 //!
-//! A cut may not join corners that an edge joins already. A fan joins the first corner to all others: possible
-//! exactly where none but its neighbours is joined to it. Otherwise
-//! [`PolygonTriangulator`] finds a way around the edges that exist, if there is one.
+//! A cut may not join corners that an edge joins already. A fan joins the first corner to all others, so it is possible
+//! exactly if no edge joins it to any but its neighbours. The other methods find a way around the existing edges if
+//! there is one: see [`PolygonTriangulator`].
 
 use crate::edit::Refusal;
 use crate::geometry::PolygonTriangulator;
@@ -21,7 +21,7 @@ pub enum Triangulation {
     Ears,
 }
 
-/// What triangulating a face made; the face itself keeps its id as one of the triangles.
+/// The result of triangulating a face, which keeps its id as one of the triangles.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Triangulated {
     /// The cuts.
@@ -42,9 +42,8 @@ pub fn can_triangulate_face(mesh: &Mesh, face: FaceId, by: Triangulation) -> Res
 /// Attributes: triangles copy the face's, corners those of the corners they came from.
 ///
 /// # Errors
-/// [`Refusal::AlreadyJoined`] where an edge is in the way of the fan;
-/// [`Refusal::NoTriangulation`] where every triangulation would double an edge, or the way around the existing
-/// edges of more than 128 corners wasn't found.
+/// [`Refusal::AlreadyJoined`] if an edge is in the way of the fan; [`Refusal::NoTriangulation`] if every triangulation
+/// would duplicate an edge, or none was found for more than 128 corners.
 pub fn triangulate_face(mesh: &mut Mesh, face: FaceId, by: Triangulation) -> Result<Triangulated, Refusal> {
     let triangles = find_triangles(mesh, face, by)?;
     let mut made = Triangulated::default();

@@ -1,8 +1,7 @@
 //! Weld edges: two boundary edges become one inner edge. The opposite of ripping.
 //!
-//! The ends are merged in pairs, so that the free sides face each other; edges that share an end
-//! are zipped. Possible exactly where merging those vertices is: see
-//! [`merge_vertices`](super::merge_vertices).
+//! Their ends are merged in pairs, so that the free sides meet; edges that share an end are zipped. Possible exactly if
+//! those vertices can be merged: see [`merge_vertices`](super::merge_vertices).
 
 use crate::edit::patch::Plan;
 use crate::edit::shared::{Blend, Followers, follow_merged, merge_corners};
@@ -41,11 +40,11 @@ fn plan_weld(mesh: &Mesh, edges: [EdgeId; 2]) -> Result<(Plan, Followers, [Pair;
     Ok((plan, followers, pairs))
 }
 
-/// Makes two boundary edges one: the first, each of its ends halfway to the end it merges with.
+/// Makes two boundary edges one: the first, with each end halfway to the end that it merges with.
 ///
-/// The first edge and its ends keep their ids. Costs O(valences of the ends of the second edge +
-/// degrees of the faces there). Attributes: vertices get the mean of the two, corners the values that their
-/// faces have at the new places, the edge the sharper crease.
+/// The first edge and its ends keep their ids. Costs O(valences of the ends + degrees of the faces there). Attributes:
+/// vertices get the mean of the two, corners the values that their faces have at the new places, the edge the sharper
+/// crease.
 pub fn weld_edges(mesh: &mut Mesh, edges: [EdgeId; 2]) -> Result<Made, Refusal> {
     let (plan, followers, pairs) = plan_weld(mesh, edges)?;
     let middles = pairs.map(|(a, b)| mesh.position(a).midpoint(mesh.position(b)));

@@ -1,4 +1,4 @@
-//! Large selections and large valences: what is quadratic would not come back.
+//! Large selections, faces and valences: quadratic work would take hours.
 
 use crate::zoo::{self, v};
 use glam::{Vec2, Vec3};
@@ -65,4 +65,23 @@ fn a_pole_of_a_hundred_thousand_edges() {
     fill_hole(&mut mesh, hole).unwrap();
     mesh.validate().unwrap();
     assert_eq!(mesh.euler_characteristic(), 2);
+}
+
+#[test]
+fn a_face_of_a_hundred_thousand_corners_is_poked() {
+    let n = 100_000;
+    let mut mesh = zoo::coin(n);
+    zoo::paint(&mut mesh);
+    let made = poke_faces(&mut mesh, &[FaceId::new(0)]).unwrap();
+    mesh.validate().unwrap();
+    assert_eq!(made.faces.len(), n as usize - 1);
+}
+
+#[test]
+fn checking_whether_a_face_can_be_turned_costs_nothing_on_a_large_mesh() {
+    let mesh = zoo::torus(400, 250);
+    for face in mesh.faces() {
+        let refusal = can_flip_orientation(&mesh, &[face]).unwrap_err();
+        assert_eq!(refusal, halfedge::Refusal::NotAWholePiece(face));
+    }
 }

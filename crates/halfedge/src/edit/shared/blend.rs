@@ -1,10 +1,10 @@
-//! Attribute values between those of other elements.
+//! Blending attribute values.
 
 use crate::Element;
 use crate::attribute::{Column, Value, keys, mix};
 use crate::mesh::Mesh;
 
-/// Where an element gets its attribute values from: others of its kind, as they were before the edit.
+/// The elements of the same kind that an element gets its attribute values from, as they were before the edit.
 #[derive(Clone, Debug)]
 pub(crate) enum Blend {
     /// All of one.
@@ -18,8 +18,8 @@ pub(crate) enum Blend {
 }
 
 impl Blend {
-    /// The value of a column. Equal values give that value to the bit; normals are made units again. None
-    /// where the column has no value for one of the elements.
+    /// The value of a column; none if the column is too short. Equal values give that value to the bit, and normals are
+    /// normalized.
     pub(crate) fn of(&self, column: &Column) -> Option<Value> {
         match self {
             Self::Copy(a) => column.values.get(*a as usize),
@@ -33,9 +33,9 @@ impl Blend {
     }
 }
 
-/// The value of a column between two values.
+/// Interpolates between two values of a column.
 pub(crate) fn between(column: &Column, a: Value, b: Value, t: f32) -> Value {
-    if a.is_identical(b) { a } else { unit_if_normal(column, mix(a, b, t)) }
+    if a.is_identical(b) { a } else { normalize_if_normal(column, mix(a, b, t)) }
 }
 
 fn mean(column: &Column, mut all: impl Iterator<Item = (u32, f32)>) -> Option<Value> {
@@ -50,11 +50,11 @@ fn mean(column: &Column, mut all: impl Iterator<Item = (u32, f32)>) -> Option<Va
             is_blend = true;
         }
     }
-    Some(if is_blend { unit_if_normal(column, sum) } else { first })
+    Some(if is_blend { normalize_if_normal(column, sum) } else { first })
 }
 
-/// A corner normal between others is shorter than they are.
-pub(crate) fn unit_if_normal(column: &Column, value: Value) -> Value {
+/// Normalizes normals: one between others is shorter than they are.
+pub(crate) fn normalize_if_normal(column: &Column, value: Value) -> Value {
     match value {
         Value::Vec3(normal) if column.name == keys::CORNER_NORMAL.name => {
             Value::Vec3(normal.try_normalize().unwrap_or(normal))
@@ -64,12 +64,12 @@ pub(crate) fn unit_if_normal(column: &Column, value: Value) -> Value {
 }
 
 impl Mesh {
-    /// Gives one element all attribute values of another of its kind.
+    /// Copies all attribute values from one element to another of its kind.
     pub(crate) fn copy_attributes(&mut self, element: Element, from: u32, to: u32) {
         self.blend_attributes(element, &Blend::Copy(from), to);
     }
 
-    /// Gives an element the blend of the values of others of its kind.
+    /// Gives an element a blend of the values of others of its kind.
     pub(crate) fn blend_attributes(&mut self, element: Element, blend: &Blend, to: u32) {
         for at in 0..self.columns.of(element).len() {
             if let Some(value) = blend.of(&self.columns.of(element)[at]) {

@@ -1,4 +1,4 @@
-//! Values at a place in the plane of a face, interpolated from the face's corners or vertices.
+//! Interpolating values at a place in the plane of a face.
 
 use crate::attribute::Value;
 use crate::geometry::{mean_value_weights, polygon_area_vector};
@@ -9,10 +9,10 @@ use glam::{DVec2, DVec3, Vec3};
 /// The most corners of a face that values are interpolated from.
 const MAX_SAMPLED_CORNERS: usize = 32;
 
-/// The corners that values at a face are interpolated from, in the face's plane.
+/// The corners of a face that values are interpolated from, in the face's plane.
 ///
-/// They are the corners of the face; of one with more than 32 they are one corner, its neighbours and
-/// others spread evenly, so that following each corner of a large face doesn't cost the square of their number.
+/// These are all corners. Of a face with more than 32 they are one corner, its neighbours and some others, evenly spread:
+/// following every corner of a large face would cost the square of their number.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct FaceSample {
     corners: Vec<HalfedgeId>,
@@ -29,14 +29,14 @@ impl FaceSample {
         sides.len() <= MAX_SAMPLED_CORNERS
     }
 
-    /// The sample of a face with these half-edges for its corner with the number `own`.
+    /// A sample of the face with these half-edges, for the corner with the number `own`.
     pub(crate) fn new(mesh: &Mesh, sides: &[HalfedgeId], own: usize) -> Self {
         let count = sides.len();
         let corners: Vec<HalfedgeId> = if Self::is_shared(sides) {
             sides.to_vec()
         } else {
             let spread = MAX_SAMPLED_CORNERS - 3;
-            // Steps from the corner: none, one, evenly spaced ones, and one less than all round.
+            // Steps from the corner: 0, 1, evenly spaced ones, and all round but one.
             let steps = [0, 1].into_iter().chain((1..=spread).map(|i| 1 + i * (count - 2) / (spread + 1)));
             let steps = steps.chain([count - 1]);
             steps.map(|step| sides[(own + step) % count]).collect()
@@ -58,13 +58,12 @@ impl FaceSample {
         Some(DVec2::new(from_origin.dot(x), from_origin.dot(y)))
     }
 
-    /// The weights of the sample's corners at a position, as seen along the face's normal. None for a
-    /// face without area.
+    /// The weights of the sample's corners at a position, seen along the face's normal. None for a face without area.
     pub(crate) fn weights(&self, position: Vec3) -> Option<Vec<f64>> {
         mean_value_weights(&self.flat, self.project(position)?)
     }
 
-    /// The values of a column of half-edges or vertices at the sample's corners. None where some have none.
+    /// The values of a column of half-edges or vertices at the sample's corners; none if some are missing.
     pub(crate) fn values(&self, mesh: &Mesh, element: Element, column: usize) -> Option<Vec<Numbers>> {
         let values = &mesh.columns.of(element).get(column)?.values;
         let value = |i: usize| {
@@ -75,7 +74,7 @@ impl FaceSample {
     }
 }
 
-/// The components of a value; those it doesn't have are zero.
+/// The components of a value; unused ones are zero.
 pub(crate) type Numbers = [f32; 3];
 
 /// The components of a value that can be interpolated. None for whole numbers and missing values.

@@ -1,12 +1,11 @@
-//! Corner values that follow their vertices.
+//! Values that follow vertices as an edit moves them.
 //!
-//! An edit that moves a vertex, or makes one beside where another was, gives its corners the values that the
-//! faces have at the new place: texture coordinates, colours and normals stay where they are on the surface,
-//! and the corners slide over them. Each corner is interpolated, or continued, within the face it comes from,
-//! so an edge with different values on its two sides (a seam) keeps them different. Corners that had the same
-//! value at the same vertex get one value again, the mean of theirs, so that no new seam appears.
+//! When a vertex moves, its corners get the values that its faces have at the new place: texture coordinates, colours and
+//! normals stay where they are on the surface, and the corners slide over them. Each corner's value is interpolated, or
+//! continued, within the face that the corner comes from, so an edge with different values on its two sides (a seam) keeps
+//! them. Corners that shared a value at a vertex get the mean of theirs and share it, so no seam appears.
 
-use super::blend::unit_if_normal;
+use super::blend::normalize_if_normal;
 use super::face_sample::{FaceSample, Numbers, numbers};
 use crate::attribute::{Column, Value, keys};
 use crate::geometry::UnionFind;
@@ -18,23 +17,23 @@ use rustc_hash::FxHashMap;
 /// A corner that follows its vertex.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Follower {
-    /// A corner of the mesh before the edit: it has the value and is in the face that this one follows.
+    /// The corner before the edit: its value and its face are followed.
     pub corner: HalfedgeId,
     /// The vertex at the corner after the edit.
     pub vertex: VertexId,
-    /// The half-edge that leaves the corner after the edit. None for a corner that vanishes: its face still
-    /// knows the values at the new place.
+    /// The half-edge that leaves the corner after the edit. None for a corner that vanishes but whose face still
+    /// tells the values at the new place.
     pub side: Option<HalfedgeId>,
-    /// How much the face has to say: of corners that get one value, only those of the highest rank count.
+    /// Of corners that share a value, only those of the highest rank count.
     pub rank: usize,
 }
 
-/// Followers with what they follow, read from the mesh before an edit; afterwards [`Followers::update`]
-/// gives them the values at the places of their vertices, as often as those move.
+/// Followers and what they follow, read from the mesh before an edit. After the edit, [`Followers::update`] gives them the
+/// values at the places of their vertices, any number of times.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(crate) struct Followers {
     samples: Vec<FaceSample>,
-    /// Where samples are taken: a vertex and the number of the sample.
+    /// Where samples are evaluated: at a vertex; with the sample's number.
     places: Vec<(VertexId, usize)>,
     columns: Vec<FollowedColumn>,
 }
@@ -45,22 +44,22 @@ struct FollowedColumn {
     element: Element,
     column: usize,
     is_color: bool,
-    /// Per sample: the values at its corners, where all have one.
+    /// Per sample: the values at its corners; none if some are missing.
     values: Vec<Option<Vec<Numbers>>>,
     groups: Vec<Group>,
 }
 
-/// Elements that get one value: the mean of those at some places.
+/// Elements that share a value: the mean of the values at some places.
 #[derive(Clone, Debug, Default, PartialEq)]
 struct Group {
-    /// Numbers of places, each with the value to take where the face can't be sampled.
+    /// Numbers of places, each with a value in case the sample can't be evaluated.
     places: Vec<(usize, Numbers)>,
     targets: Vec<u32>,
 }
 
 impl Followers {
-    /// Reads what followers need. `wanted` picks among the columns of half-edges and vertices; those of
-    /// whole numbers and of creases never follow.
+    /// Reads what the followers follow, in the columns of half-edges and vertices that are `wanted`. Whole numbers
+    /// and creases never follow.
     pub(crate) fn new(
         mesh: &Mesh,
         mut followers: Vec<Follower>,
@@ -72,26 +71,26 @@ impl Followers {
         }
         let face = |follower: &Follower| mesh.face_of(follower.corner);
         followers.sort_by_key(|follower| (face(follower), follower.corner, follower.vertex, follower.side));
-        let mut this = Self::default();
+        let mut result = Self::default();
         let mut place_numbers = FxHashMap::default();
-        let places: Vec<usize> = this
+        let places: Vec<usize> = result
             .sample_faces(mesh, &followers)
             .into_iter()
             .zip(&followers)
             .map(|(sample, follower)| {
                 *place_numbers.entry((follower.vertex, sample)).or_insert_with(|| {
-                    this.places.push((follower.vertex, sample));
-                    this.places.len() - 1
+                    result.places.push((follower.vertex, sample));
+                    result.places.len() - 1
                 })
             })
             .collect();
         for (element, column) in columns {
-            let values = this.samples.iter().map(|sample| sample.values(mesh, element, column)).collect();
-            let groups = group(mesh, element, column, &followers, &places);
+            let values = result.samples.iter().map(|sample| sample.values(mesh, element, column)).collect();
+            let groups = group_followers(mesh, element, column, &followers, &places);
             let is_color = mesh.columns.of(element)[column].name == keys::VERTEX_COLOR.name;
-            this.columns.push(FollowedColumn { element, column, is_color, values, groups });
+            result.columns.push(FollowedColumn { element, column, is_color, values, groups });
         }
-        this
+        result
     }
 
     /// Whether a mesh has columns that follow.
@@ -99,7 +98,7 @@ impl Followers {
         columns_of(mesh).next().is_some()
     }
 
-    /// Makes the samples of the followers' faces; gives the number of each follower's.
+    /// Makes the samples of the followers' faces; returns the number of each follower's sample.
     fn sample_faces(&mut self, mesh: &Mesh, followers: &[Follower]) -> Vec<usize> {
         let mut numbers = Vec::with_capacity(followers.len());
         let mut sides: Vec<HalfedgeId> = Vec::new();
@@ -127,8 +126,8 @@ impl Followers {
         numbers
     }
 
-    /// Gives the followers the values at the places where their vertices are now. Depends on no earlier
-    /// call. Costs O(followers * corners of their faces), of which at most 32 count.
+    /// Gives the followers the values at the current places of their vertices. The result doesn't depend on earlier
+    /// calls. Costs O(followers * corners of their faces, but at most 32).
     pub(crate) fn update(&self, mesh: &mut Mesh) {
         let weights: Vec<Option<Vec<f64>>> = self
             .places
@@ -145,7 +144,7 @@ impl Followers {
         }
     }
 
-    /// The mean of what a group's places say. Beyond a face a colour goes no further than the faces' colours.
+    /// The mean of the values at a group's places. Colours stay within the range of the faces' colours.
     fn value(&self, followed: &FollowedColumn, group: &Group, weights: &[Option<Vec<f64>>]) -> Numbers {
         let mut sum = DVec3::ZERO;
         let (mut low, mut high) = (DVec3::MAX, DVec3::MIN);
@@ -191,14 +190,13 @@ impl FollowedColumn {
             Value::Color(_) => Value::Color(Color(numbers.map(|x| x.round() as u8))),
             Value::U32(_) => return,
         };
-        let value = unit_if_normal(column, value);
+        let value = normalize_if_normal(column, value);
         mesh.set_value(self.element, self.column, target as usize, value);
     }
 }
 
-/// Puts the followers that get one value of a column into groups. `places` has the number of each one's
-/// place.
-fn group(
+/// Groups the followers that share a value in a column. `places` has the number of each follower's place.
+fn group_followers(
     mesh: &Mesh,
     element: Element,
     column: usize,
@@ -229,7 +227,7 @@ fn group(
             continue;
         }
         if let Some(own) = own[i] {
-            // Adding zero makes both zeros one.
+            // Adding zero makes both zeros the same.
             let bits = own.map(|x| (x + 0.0).to_bits());
             join(Alike::Value(vertex, mesh.from(follower.corner), bits));
         }
@@ -242,21 +240,21 @@ fn group(
     for i in 0..followers.len() {
         members[groups.find(i as u32) as usize].push(i);
     }
-    members.iter().filter_map(|members| collect(element, members, followers, &own, places)).collect()
+    members.iter().filter_map(|members| make_group(element, members, followers, &own, places)).collect()
 }
 
-/// What followers of one group have in common.
+/// What followers of a group have in common.
 #[derive(PartialEq, Eq, Hash)]
 enum Alike {
     Vertex(VertexId),
-    /// The vertex after the edit, that before, and the value.
+    /// The vertices after and before the edit, and the value.
     Value(VertexId, VertexId, [u32; 3]),
     /// Corners that become one.
     Side(HalfedgeId),
 }
 
-/// The group of these followers; none where nothing has a value or nothing is left to get one.
-fn collect(
+/// The group of these followers; none if none has a value, or no corner is left to get one.
+fn make_group(
     element: Element,
     members: &[usize],
     followers: &[Follower],
