@@ -142,7 +142,7 @@ fn edited() {
         r#"{"op": "transform", "vertices": [0, 1], "rotate": {"axis": [1, 2, 3], "degrees": 33}, "falloff": 1.5}"#,
         r#"{"op": "triangulate-faces", "method": "ear"}"#,
     ];
-    assert_eq!(after(&commands), (41, 0xac85_b42e_47e2_d728));
+    assert_eq!(after(&commands), (43, 0x25c2_22ac_2357_766d));
 }
 
 #[test]
