@@ -3,6 +3,7 @@
 
 use crate::file::NamedBytes;
 use crate::format::{Certainty, FormatInfo, Holds};
+use crate::text::encoding::decode_utf16;
 use crate::{bezier, collada, gltf, json, obj, off, ply, stl};
 use serde::{Deserialize, Deserializer, Serialize, Serializer, de};
 use std::fmt;
@@ -71,7 +72,9 @@ impl Format {
 
     /// The format of a file: by content where that is plain, else by extension.
     pub fn detect(file: &NamedBytes) -> Option<Self> {
-        Self::of_content(&file.bytes).or_else(|| Self::from_name(&file.name))
+        Self::of_content(&file.bytes)
+            .or_else(|| Self::of_content(decode_utf16(&file.bytes)?.as_bytes()))
+            .or_else(|| Self::from_name(&file.name))
     }
 
     /// The format for a document of nothing but Bezier curves, or of nothing but surfaces.

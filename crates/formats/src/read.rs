@@ -9,8 +9,10 @@ use crate::model::{Model, NamedMesh};
 use crate::report::{ImportReport, counted};
 use crate::soup::origin::{Bounds, Origin};
 use crate::soup::repairs::Repairs;
+use crate::text::encoding::{Encoding, decode, decode_utf16};
 use glam::DVec3;
 use halfedge::Progress;
+use std::borrow::Cow;
 use std::collections::HashSet;
 use surface::bezier::Bezier;
 
@@ -119,11 +121,13 @@ fn read_one(
     reading: &mut Reading,
     progress: &mut Progress,
 ) -> Result<Contents, ReadError> {
-    let file = source.file;
+    let (file, encoding) = in_utf8(source.file, format);
+    let file = file.as_ref();
     let read = format.info().read.ok_or_else(|| {
         ReadError::file(&file.name, format!("{} can be written but not read", format.name()))
     })?;
-    let Contents { objects, materials, report: notes } = read(source, reading, progress)?;
+    let source = Source { file, ..*source };
+    let Contents { objects, materials, report: notes } = read(&source, reading, progress)?;
     let mut report = ImportReport::default();
     report.info(format!("Read {} as {}", described(&objects), format.name()));
     if let Some(named) =
@@ -135,8 +139,29 @@ fn read_one(
             format.name()
         ));
     }
+    if encoding == Encoding::Latin1 {
+        report.info(
+            "The text of the file is neither UTF-8 nor UTF-16, so it was read as Latin-1 (Windows-1252): check names with \
+             accents",
+        );
+    }
     report.append(notes);
     Ok(Contents { objects, materials, report })
+}
+
+/// A file as its format's reader is given it, text in UTF-8, and the encoding that it has.
+fn in_utf8(file: &NamedBytes, format: Format) -> (Cow<'_, NamedBytes>, Encoding) {
+    let is_text = format.info().is_text;
+    let renamed = |text: String| Cow::Owned(NamedBytes::new(file.name.as_str(), text));
+    if let Some(text) = decode_utf16(&file.bytes).filter(|text| is_text(text.as_bytes())) {
+        return (renamed(text), Encoding::Utf16);
+    }
+    if is_text(&file.bytes)
+        && let (Cow::Owned(text), encoding) = decode(&file.bytes)
+    {
+        return (renamed(text), encoding);
+    }
+    (Cow::Borrowed(file), Encoding::Utf8)
 }
 
 /// "8 vertices and 6 faces", "a Bezier surface of 32 patches".

@@ -102,6 +102,11 @@ impl Places {
         self.count == 0
     }
 
+    /// How many there are.
+    pub(crate) fn count(&self) -> usize {
+        self.count
+    }
+
     /// "3 faces left out (lines 4, 9, 12)": `one` or `many` by count, then `what`.
     pub(crate) fn sentence(&self, one: &str, many: &str, what: &str, place: &str) -> String {
         let numbers: Vec<String> = self.first.iter().map(usize::to_string).collect();

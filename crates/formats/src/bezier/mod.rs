@@ -20,6 +20,7 @@ pub(crate) static CURVES: FormatInfo = FormatInfo {
     extensions: &["bzc"],
     holds: Holds::Curves,
     detect: Some((Certainty::Numbers, |bytes| read::kind(bytes) == Some(Kind::Curve))),
+    is_text: |_| true,
     read: Some(|source, reading, progress| {
         read::read(source.file, Kind::Curve, reading, progress).map(Into::into)
     }),
@@ -36,6 +37,7 @@ pub(crate) static SURFACES: FormatInfo = FormatInfo {
     extensions: &["bez"],
     holds: Holds::Surfaces,
     detect: Some((Certainty::Numbers, |bytes| read::kind(bytes) == Some(Kind::Surface))),
+    is_text: |_| true,
     read: Some(|source, reading, progress| {
         read::read(source.file, Kind::Surface, reading, progress).map(Into::into)
     }),

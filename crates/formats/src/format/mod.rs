@@ -28,6 +28,8 @@ pub(crate) struct FormatInfo {
     pub holds: Holds,
     /// How its files are told by their content; `None` where only their name tells.
     pub detect: Option<Detection>,
+    /// Whether a file is text, which its reader is given in UTF-8 whatever encoding it has.
+    pub is_text: fn(&[u8]) -> bool,
     /// Reads a file; `None` for a format, or a way of writing one, that isn't read as such.
     pub read: Option<Reader>,
     /// Writes a model: the model file first, then its companion files. `None` if it can't be written.
@@ -69,6 +71,7 @@ impl FormatInfo {
         extensions: &[],
         holds: Holds::Meshes,
         detect: None,
+        is_text: |_| false,
         read: None,
         write: None,
         companion_extensions: &[],

@@ -48,6 +48,7 @@ pub(crate) static TEXT: FormatInfo = FormatInfo {
     description: "glTF as text, with its data in a file beside it.",
     extensions: &["gltf"],
     detect: Some((Certainty::Signature, container::is_json)),
+    is_text: |_| true,
     write: Some(|model| Ok(write::write_text(model))),
     single_file: write::single_file,
     ..COMMON
@@ -57,7 +58,7 @@ const COMMON: FormatInfo = FormatInfo {
     read: Some(read::read),
     companion_extensions: &[("bin", "holds only data: open it together with the glTF model it belongs to")],
     companions: buffers::companions,
-    lacks: &[Part::Polygons, Part::Groups, Part::Smoothing, Part::Creases],
+    lacks: &[Part::Polygons, Part::Groups, Part::Smoothing, Part::Creases, Part::Attributes],
     keeps_property: write::keeps,
     // Meshes have one set of texture coordinates.
     keeps_placement: |texture| texture.uv_set == 0,

@@ -7,6 +7,7 @@ use crate::format::reading::Source;
 use crate::model::material::Materials;
 use crate::model::paint::unpainted;
 use crate::report::{ImportReport, counted, first_few};
+use crate::text::encoding::decode;
 use std::collections::HashSet;
 
 /// The names of the files that an OBJ or a material library refers to: its libraries or its images.
@@ -14,12 +15,11 @@ pub(crate) fn companions(file: &NamedBytes) -> Vec<String> {
     if file.has_extension("mtl") && !is_obj(&file.bytes) {
         return mtl::image_names(file);
     }
-    let lines = file.bytes.split(|&b| b == b'\n').map(<[u8]>::trim_ascii_start);
+    let (text, _) = decode(&file.bytes);
     let mut names = Vec::new();
-    for rest in lines.filter_map(|line| line.strip_prefix(b"mtllib")) {
+    for rest in text.split(['\n', '\r']).filter_map(|line| line.trim_start().strip_prefix("mtllib")) {
         // One name with blanks, or several.
-        let rest = String::from_utf8_lossy(rest);
-        names.push(rest.clone().into_owned());
+        names.push(rest.to_owned());
         names.extend(rest.split_whitespace().map(str::to_owned));
     }
     names

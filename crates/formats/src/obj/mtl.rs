@@ -11,6 +11,7 @@ use crate::model::images::image;
 use crate::model::material::{Material, Materials, MtlStatements, Property, Rgb};
 use crate::model::texture::Texture;
 use crate::report::{ImportReport, Places, counted_words};
+use crate::text::encoding::{Encoding, decode};
 use halfedge::Color;
 use std::collections::HashMap;
 use std::io::Write;
@@ -51,7 +52,14 @@ pub(crate) fn read(library: &NamedBytes, files: &[NamedBytes], report: &mut Impo
     let mut numbers: HashMap<String, usize> = HashMap::new();
     let mut current = None;
     let mut unreadable = Places::default();
-    let mut cursor = Cursor::new(&library.bytes);
+    let (text, encoding) = decode(&library.bytes);
+    if encoding == Encoding::Latin1 {
+        report.info(format!(
+            "The text of {} is neither UTF-8 nor UTF-16, so it was read as Latin-1 (Windows-1252)",
+            library.name
+        ));
+    }
+    let mut cursor = Cursor::new(text.as_bytes());
     while !cursor.at_end() {
         let line = cursor.text();
         let number = cursor.line;

@@ -20,27 +20,33 @@ const WINDOWS_1252: [char; 32] = [
     '‘', '’', '“', '”', '•', '–', '—', '˜', '™', 'š', '›', 'œ', '\u{9d}', 'ž', 'Ÿ',
 ];
 
-/// The text of a file, without a byte order mark: UTF-16 where a mark or the zeros between its first
-/// characters say so, else UTF-8 where it is valid, else Windows-1252, which reads any bytes. Costs one
-/// pass; UTF-8 is borrowed.
-pub(crate) fn decode(bytes: &[u8]) -> (Cow<'_, str>, Encoding) {
-    let utf16 = |bytes: &[u8], unit: fn([u8; 2]) -> u16| {
+/// The text of a file in UTF-16, without a byte order mark, where a mark or the zeros between its first
+/// characters say that it is that. Costs one pass over such a file.
+pub(crate) fn decode_utf16(bytes: &[u8]) -> Option<String> {
+    let decode = |bytes: &[u8], unit: fn([u8; 2]) -> u16| {
         let units = bytes.as_chunks::<2>().0.iter().map(|pair| unit(*pair));
-        let text = char::decode_utf16(units).map(|c| c.unwrap_or(char::REPLACEMENT_CHARACTER)).collect();
-        (Cow::Owned(text), Encoding::Utf16)
+        Some(char::decode_utf16(units).map(|c| c.unwrap_or(char::REPLACEMENT_CHARACTER)).collect())
     };
     match bytes {
-        [0xff, 0xfe, rest @ ..] => return utf16(rest, u16::from_le_bytes),
-        [0xfe, 0xff, rest @ ..] => return utf16(rest, u16::from_be_bytes),
+        [0xff, 0xfe, rest @ ..] => return decode(rest, u16::from_le_bytes),
+        [0xfe, 0xff, rest @ ..] => return decode(rest, u16::from_be_bytes),
         _ => {}
     }
     // Most characters of a file's start have a zero for one of their two bytes; text has no other zeros.
     let sample = bytes.get(..UTF16_SAMPLE_BYTES).unwrap_or(bytes).as_chunks::<2>().0;
     let zeros = |place: usize| sample.iter().filter(|pair| pair.get(place) == Some(&0)).count();
     match (zeros(0), zeros(1)) {
-        (0, count) if count > 0 && 2 * count >= sample.len() => return utf16(bytes, u16::from_le_bytes),
-        (count, 0) if count > 0 && 2 * count >= sample.len() => return utf16(bytes, u16::from_be_bytes),
-        _ => {}
+        (0, count) if count > 0 && 2 * count >= sample.len() => decode(bytes, u16::from_le_bytes),
+        (count, 0) if count > 0 && 2 * count >= sample.len() => decode(bytes, u16::from_be_bytes),
+        _ => None,
+    }
+}
+
+/// The text of a file, without a byte order mark: UTF-16 where it [is that](decode_utf16), else UTF-8 where
+/// it is valid, else Windows-1252, which reads any bytes. Costs one pass; UTF-8 is borrowed.
+pub(crate) fn decode(bytes: &[u8]) -> (Cow<'_, str>, Encoding) {
+    if let Some(text) = decode_utf16(bytes) {
+        return (Cow::Owned(text), Encoding::Utf16);
     }
     let bytes = bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes);
     match std::str::from_utf8(bytes) {

@@ -13,6 +13,7 @@ pub(crate) fn is_text(bytes: &[u8]) -> bool {
 }
 
 /// A position in text made of words between blanks.
+#[derive(Clone)]
 pub(crate) struct Scan<'a> {
     bytes: &'a [u8],
     pub at: usize,
@@ -133,9 +134,14 @@ impl<'a> Scan<'a> {
         }
     }
 
+    /// The bytes from `start` to here.
+    pub(crate) fn taken_since(&self, start: usize) -> &'a [u8] {
+        self.bytes.get(start..self.at).unwrap_or_default()
+    }
+
     /// Whether there was a decimal point or an exponent between `start` and here.
     pub(crate) fn has_point_since(&self, start: usize) -> bool {
-        self.bytes.get(start..self.at).unwrap_or_default().iter().any(|b| matches!(b, b'.' | b'e' | b'E'))
+        self.taken_since(start).iter().any(|b| matches!(b, b'.' | b'e' | b'E'))
     }
 
     /// The line that a place is on, from 1.
