@@ -1,7 +1,12 @@
-//! OFF, Geomview's object file format, in text: polygons, with colours of vertices (`COFF`) and
-//! faces, normals (`NOFF`) and texture coordinates (`STOFF`) of vertices. After "OFF files" in the Geomview manual.
+//! OFF, Geomview's object file format, in text and binary: polygons, with colours of vertices (`COFF`) and
+//! faces, normals (`NOFF`) and texture coordinates (`STOFF`) of vertices. After "OFF files" in the Geomview
+//! manual, and what MeshLab, CGAL and pmp-library write.
 
+mod binary;
+mod contents;
+mod keyword;
 mod read;
+mod text;
 mod write;
 
 use crate::format::loss::{self, Part};
@@ -13,11 +18,12 @@ pub(crate) static FORMAT: FormatInfo = FormatInfo {
     save_label: "Save as OFF…",
     description: "Plain text of geometry programs, with colours.",
     extensions: &["off", "coff"],
-    detect: Some((Certainty::Signature, read::is_off)),
+    detect: Some((Certainty::Signature, keyword::is_off)),
+    is_text: |bytes| !keyword::is_binary(bytes),
     read: Some(|source, reading, progress| read::read(source.file, reading, progress).map(Into::into)),
     write: Some(|model| Ok(write::write(model))),
     // Normals and texture coordinates as far as the corners of a vertex agree.
-    lacks: &[Part::Objects, Part::Groups, Part::Materials, Part::Smoothing, Part::Creases],
+    lacks: &[Part::Objects, Part::Groups, Part::Materials, Part::Smoothing, Part::Creases, Part::Attributes],
     losses: |model| loss::values_of_corners("OFF", model, true),
     ..FormatInfo::DEFAULT
 };
