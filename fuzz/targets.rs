@@ -55,6 +55,8 @@ pub fn run(name: &str, data: &[u8]) {
         let Some(back) = read(&written) else { continue };
         if matches!(format.code(), "obj" | "ply" | "off") {
             assert_eq!(sizes(&back), sizes(&import), "{format:?}");
+        }
+        if format.code() == "obj" {
             for material in &back.model.materials.list {
                 // Those of other formats come back with the statements that were made for them.
                 let known = import.model.materials.get(&material.name).filter(|known| known.mtl.is_some());

@@ -1,6 +1,7 @@
 //! The parts of a document that some formats have no place for, and losses that several formats share.
 
 use crate::model::Model;
+use crate::model::attributes::attributes;
 use crate::report::counted;
 use crate::soup::pieces::uniform;
 use crate::soup::weld::Weld;
@@ -25,11 +26,13 @@ pub(crate) enum Part {
     Materials,
     Smoothing,
     Creases,
+    /// Columns of numbers that have no meaning here, as a file brought them along.
+    Attributes,
 }
 
 impl Part {
     /// All parts.
-    pub(crate) const ALL: [Self; 11] = [
+    pub(crate) const ALL: [Self; 12] = [
         Self::Objects,
         Self::Polygons,
         Self::IsolatedVertices,
@@ -41,6 +44,7 @@ impl Part {
         Self::Materials,
         Self::Smoothing,
         Self::Creases,
+        Self::Attributes,
     ];
 
     /// How many of it the mesh has.
@@ -60,6 +64,7 @@ impl Part {
                 count(mesh, keys::EDGE_CREASE, |sharp| sharp > 0.0)
                     + count(mesh, keys::VERTEX_CREASE, |sharp| sharp > 0.0)
             }
+            Self::Attributes => Element::ALL.map(|element| attributes(mesh, element).count()).iter().sum(),
         }
     }
 
@@ -100,6 +105,12 @@ impl Part {
                 format!("{format} holds no smoothing groups: those of {} are lost", n("face", "faces"))
             }
             Self::Creases => format!("{format} holds no creases: {} lost", n("crease is", "creases are")),
+            Self::Attributes => {
+                format!(
+                    "{format} holds no attributes of other programs: {} lost",
+                    n("attribute is", "attributes are")
+                )
+            }
         }
     }
 }

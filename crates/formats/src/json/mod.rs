@@ -22,6 +22,7 @@ pub(crate) static FORMAT: FormatInfo = FormatInfo {
         Part::Materials,
         Part::Smoothing,
         Part::Creases,
+        Part::Attributes,
     ],
     ..FormatInfo::DEFAULT
 };

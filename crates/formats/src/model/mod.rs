@@ -1,5 +1,6 @@
 //! What files hold: named meshes with their materials.
 
+pub(crate) mod attributes;
 pub(crate) mod collector;
 pub(crate) mod images;
 pub(crate) mod labels;

@@ -1,318 +1,199 @@
 //! Reading a PLY, table by table.
 
-use super::header::{Header, Property, Table};
-use super::source::Source;
+use super::faces::{Faces, read_strips};
+use super::header::{Encoding, Header};
+use super::rows::Rows;
+use super::textures::materials;
+use super::vertices::Vertices;
 use crate::error::ReadError;
 use crate::file::NamedBytes;
-use crate::format::reading::{Reading, build};
-use crate::model::NamedMesh;
-use crate::report::{ImportReport, Places, counted};
+use crate::format::reading::{Contents, Reading, Source, build};
+use crate::report::{ImportReport, counted, first_few};
 use crate::soup::of_vertices;
-use crate::text::scan::Ticker;
-use glam::{DVec3, Vec2, Vec3};
+use crate::text::commas::{AMBIGUOUS, Commas, read_commas};
+use glam::Vec2;
 use halfedge::attribute::Column;
-use halfedge::{Color, NONE, PolygonSoup, Progress, keys};
+use halfedge::{Color, PolygonSoup, Progress, keys};
+
+/// How many texts of `obj_info` lines a note lists.
+const INFOS_LISTED: usize = 4;
 
 /// Reads one PLY as one object.
-pub(crate) fn read(
-    file: &NamedBytes,
+///
+/// # Errors
+/// Where it is no PLY, or none of its vertices can be read.
+pub(super) fn read(
+    source: &Source,
     reading: &mut Reading,
     progress: &mut Progress,
-) -> Result<(NamedMesh, ImportReport), ReadError> {
+) -> Result<Contents, ReadError> {
+    let file = source.file;
+    let fail = |message: &str| Err(ReadError::file(&file.name, message));
     let header = Header::read(&file.bytes).map_err(|message| ReadError::file(&file.name, message))?;
     if !header.tables.iter().any(|table| table.name == "vertex") {
-        return Err(ReadError::file(&file.name, "the PLY has no element \"vertex\""));
+        return fail("the PLY has no element \"vertex\"");
     }
-    let mut reader = Reader {
-        source: Source::new(&file.bytes, header.end, header.encoding, reading.origin.is_some()),
-        reading: *reading,
-        size: file.bytes.len(),
-        ticker: Ticker::new(file.bytes.len()),
-        soup: PolygonSoup::default(),
-        vertex_colors: Vec::new(),
-        normals: Vec::new(),
-        uvs: Vec::new(),
-        corner_uvs: Vec::new(),
-        face_colors: Vec::new(),
-        unread: Places::default(),
-        left_out: Vec::new(),
-    };
     let mut report = ImportReport::default();
-    for table in &header.tables {
-        let rows = match table.name.as_str() {
-            "vertex" => reader.vertices(table, progress)?,
-            "face" => reader.faces(table, progress)?,
-            "tristrips" => reader.strips(table, progress)?,
-            _ => reader.skip(table, progress)?,
-        };
-        if rows < table.rows {
-            report.warn(format!(
-                "The file ends early: {rows} of {} (element \"{}\") are there",
-                counted(usize::try_from(table.rows).unwrap_or(usize::MAX), "row", "rows"),
-                table.name
-            ));
-            break;
+    note_header(&header, &mut report);
+    let mut tables = Tables::default();
+    tables.read(&header, &file.bytes, reading, progress)?;
+    if header.encoding == Encoding::Text && !tables.vertices.unreadable.is_empty() {
+        let (head, body) = file.bytes.split_at_checked(header.end).unwrap_or_default();
+        match read_commas(body, |line| 0..line.len()) {
+            Commas::None => {}
+            Commas::Ambiguous if tables.vertices.is_unreadable() => return fail(AMBIGUOUS),
+            Commas::Ambiguous => {}
+            Commas::Readable(body, note) => {
+                report.info(note);
+                tables = Tables::default();
+                tables.read(&header, &[head, &body].concat(), reading, progress)?;
+            }
         }
     }
-    reading.origin = reader.reading.origin;
-    reader.finish(file, report, progress)
+    if tables.vertices.is_unreadable() {
+        return fail(
+            "none of the PLY's vertices has a position that can be read: numbers x, y and z are needed",
+        );
+    }
+    tables.finish(source, &header, report, reading, progress)
 }
 
-struct Reader<'a> {
-    source: Source<'a>,
-    reading: Reading,
-    size: usize,
-    ticker: Ticker,
+/// The names of the images that a file refers to.
+pub(super) fn companions(file: &NamedBytes) -> Vec<String> {
+    Header::read(&file.bytes).map_or(Vec::new(), |header| header.texture_files)
+}
+
+/// Notes what is odd about a header, or not kept.
+fn note_header(header: &Header, report: &mut ImportReport) {
+    if !header.stray.is_empty() {
+        report.info(header.stray.sentence(
+            "line",
+            "lines",
+            "of the header has no meaning and was left out",
+            "line",
+        ));
+    }
+    if !header.unknown_types.is_empty() {
+        let what = "of a type that is none of the format's, read as numbers";
+        report.info(header.unknown_types.sentence("property", "properties", what, "line"));
+    }
+    if header.is_guessed {
+        report.info("The header doesn't say the format of what follows, which was read as text");
+    }
+    if !header.infos.is_empty() {
+        report.info(format!("Remarks (obj_info) left out: {}", first_few(&header.infos, INFOS_LISTED)));
+    }
+}
+
+/// What the tables hold.
+#[derive(Default)]
+struct Tables {
+    vertices: Vertices,
+    faces: Faces,
+    /// The faces; the positions are with the vertices.
     soup: PolygonSoup,
-    vertex_colors: Vec<Vec3>,
-    /// What vertices have, for all of their corners.
-    normals: Vec<Vec3>,
-    uvs: Vec<Vec2>,
-    /// What faces say of their own corners, which counts for more.
-    corner_uvs: Vec<Vec2>,
-    face_colors: Vec<Color>,
-    /// Vertices with a coordinate that is no number.
-    unread: Places,
-    /// Properties and elements that are not used.
+    /// Properties and elements that are not kept.
     left_out: Vec<String>,
+    /// Where the file ends early.
+    early_end: Option<String>,
 }
 
-/// The names that the parts of a colour, a normal and a texture coordinate go by.
-const COLOR: [[&str; 3]; 2] = [["red", "green", "blue"], ["diffuse_red", "diffuse_green", "diffuse_blue"]];
-const NORMAL: [[&str; 3]; 1] = [["nx", "ny", "nz"]];
-const UV: [[&str; 2]; 4] = [["s", "t"], ["u", "v"], ["texture_u", "texture_v"], ["s0", "t0"]];
-
-/// Where in a row the numbers are that go by these names, or by those after them.
-fn places<const N: usize>(table: &Table, names: &[[&str; N]]) -> Option<[usize; N]> {
-    names.iter().find_map(|names| {
-        let mut found = [0; N];
-        for (place, name) in found.iter_mut().zip(names) {
-            *place = table.properties.iter().position(|p| p.count.is_none() && p.name == *name)?;
-        }
-        Some(found)
-    })
-}
-
-/// What the channels of a colour are divided by.
-fn full(table: &Table, places: [usize; 3]) -> [f64; 3] {
-    places.map(|i| table.properties.get(i).map_or(1.0, |p| p.scalar.full()))
-}
-
-impl Reader<'_> {
-    /// Reads the numbers of one row: of a list the length, the values of those at `wanted` into
-    /// `lists`. False where the
-    /// file ends before the row does.
-    fn row(
+impl Tables {
+    fn read(
         &mut self,
-        properties: &[Property],
-        row: &mut Vec<f64>,
-        lists: &mut [Vec<f64>; 2],
-        wanted: [Option<usize>; 2],
-    ) -> bool {
-        row.clear();
-        lists.iter_mut().for_each(Vec::clear);
-        for (place, property) in properties.iter().enumerate() {
-            let Some(value) = self.source.next(property.count.unwrap_or(property.scalar)) else {
-                return false;
+        header: &Header,
+        bytes: &[u8],
+        reading: &mut Reading,
+        progress: &mut Progress,
+    ) -> Result<(), ReadError> {
+        let mut rows = Rows::new(bytes, header, reading.origin.is_some());
+        for table in &header.tables {
+            let Self { vertices, faces, soup, left_out, .. } = self;
+            let read = match table.name.as_str() {
+                "vertex" => vertices.read(table, &mut rows, &mut reading.origin, left_out, progress)?,
+                "face" => {
+                    let has_images = !header.texture_files.is_empty();
+                    faces.read(table, &mut rows, soup, has_images, left_out, progress)?
+                }
+                "tristrips" => read_strips(table, &mut rows, soup, progress)?,
+                name => {
+                    if table.rows > 0 {
+                        left_out.push(format!("all of \"{name}\""));
+                    }
+                    rows.for_each(table, [None; 2], progress, |_, _, _| {})?
+                }
             };
-            row.push(value);
-            if property.count.is_some() {
-                // A negative or unreadable length is none.
-                for _ in 0..value as u64 {
-                    let Some(item) = self.source.next(property.scalar) else { return false };
-                    for (list, wanted) in lists.iter_mut().zip(wanted) {
-                        if wanted == Some(place) {
-                            list.push(item);
-                        }
-                    }
-                }
+            if read < table.rows {
+                self.early_end = Some(format!(
+                    "The file ends early: {read} of {} (element \"{}\") are there",
+                    counted(usize::try_from(table.rows).unwrap_or(usize::MAX), "row", "rows"),
+                    table.name
+                ));
+                break;
             }
         }
-        true
+        Ok(())
     }
 
-    /// Calls `take` with each row of a table and the values of its lists at `wanted`. Gives how
-    /// many rows there were.
-    fn rows(
-        &mut self,
-        table: &Table,
-        wanted: [Option<usize>; 2],
-        progress: &mut Progress,
-        mut take: impl FnMut(&mut Self, u64, &[f64], &[Vec<f64>; 2]),
-    ) -> Result<u64, ReadError> {
-        // Rows of nothing could be any number.
-        if table.properties.is_empty() {
-            return Ok(table.rows);
-        }
-        let (mut row, mut lists) = (Vec::new(), [Vec::new(), Vec::new()]);
-        for number in 0..table.rows {
-            if !self.row(&table.properties, &mut row, &mut lists, wanted) {
-                return Ok(number);
-            }
-            take(self, number, &row, &lists);
-            self.ticker.tick(self.source.at(), progress)?;
-        }
-        Ok(table.rows)
-    }
-
-    /// How many rows to make room for: no more than the file can hold.
-    fn expected(&self, table: &Table) -> usize {
-        let most = self.size.saturating_sub(self.source.at()) / table.properties.len().max(1);
-        usize::try_from(table.rows).unwrap_or(most).min(most)
-    }
-
-    fn vertices(&mut self, table: &Table, progress: &mut Progress) -> Result<u64, ReadError> {
-        let place = |name: &str| table.properties.iter().position(|p| p.count.is_none() && p.name == name);
-        let position = [place("x"), place("y"), place("z")];
-        let color = places(table, &COLOR);
-        let full = color.map(|places| full(table, places));
-        let (normal, uv) = (places(table, &NORMAL), places(table, &UV));
-        let in_use: Vec<usize> = position
-            .into_iter()
-            .flatten()
-            .chain([color, normal].into_iter().flatten().flatten())
-            .chain(uv.into_iter().flatten())
-            .collect();
-        self.leave_out(table, &in_use);
-        let expected = self.expected(table);
-        self.soup.positions.reserve(expected);
-        self.rows(table, [None; 2], progress, |this, number, row, _| {
-            let value = |place: usize| row.get(place).copied().unwrap_or(0.0);
-            let at = DVec3::from_array(position.map(|place| place.map_or(0.0, value)));
-            if at.is_nan() {
-                this.unread.add(number as usize);
-            }
-            let origin = this.reading.origin.as_mut();
-            this.soup.positions.push(origin.map_or(at.as_vec3(), |origin| origin.place(at)));
-            if let Some((places, full)) = color.zip(full) {
-                let [r, g, b] = [0, 1, 2].map(|i: usize| {
-                    let place = places.get(i).copied().unwrap_or_default();
-                    (value(place) / full.get(i).copied().unwrap_or(1.0)) as f32
-                });
-                this.vertex_colors.push(Vec3::new(r, g, b));
-            }
-            if let Some(places) = normal {
-                let normal = Vec3::from_array(places.map(|place| value(place) as f32));
-                // A normal of no length is none.
-                this.normals.push(if normal == Vec3::ZERO { Vec3::NAN } else { normal });
-            }
-            if let Some(places) = uv {
-                this.uvs.push(Vec2::from_array(places.map(|place| value(place) as f32)));
-            }
-        })
-    }
-
-    fn faces(&mut self, table: &Table, progress: &mut Progress) -> Result<u64, ReadError> {
-        let list = self.index_list(table);
-        let uvs = table.properties.iter().position(|p| p.count.is_some() && p.name == "texcoord");
-        let color = places(table, &COLOR);
-        let full = color.map(|places| full(table, places));
-        let in_use: Vec<usize> = list.into_iter().chain(uvs).chain(color.into_iter().flatten()).collect();
-        self.leave_out(table, &in_use);
-        let expected = self.expected(table);
-        self.soup.face_starts.reserve(expected);
-        self.soup.corners.reserve(expected * 3);
-        self.rows(table, [list, uvs], progress, |this, _, row, [list, uvs]| {
-            let (pairs, rest) = uvs.as_chunks::<2>();
-            if !pairs.is_empty() && pairs.len() == list.len() && rest.is_empty() {
-                this.corner_uvs.resize(this.soup.corners.len(), Vec2::NAN);
-                this.corner_uvs.extend(pairs.iter().map(|uv| Vec2::from_array(uv.map(|c| c as f32))));
-            }
-            // What is no vertex number becomes one that no vertex has: the build drops the face.
-            this.soup.push_face(list.iter().map(|&v| index(v)));
-            if let Some((places, full)) = color.zip(full) {
-                let channels = [0, 1, 2].map(|i: usize| {
-                    let value = places.get(i).and_then(|&place| row.get(place)).copied().unwrap_or(0.0);
-                    (value / full.get(i).copied().unwrap_or(1.0) * 255.0).round().clamp(0.0, 255.0) as u8
-                });
-                this.face_colors.push(Color(channels));
-            }
-        })
-    }
-
-    /// Strips of triangles, -1 between them, every second triangle the other way round.
-    fn strips(&mut self, table: &Table, progress: &mut Progress) -> Result<u64, ReadError> {
-        let list = self.index_list(table);
-        self.rows(table, [list, None], progress, |this, _, _, [list, _]| {
-            for strip in list.split(|&v| v < 0.0) {
-                for (i, corners) in strip.windows(3).enumerate() {
-                    let &[a, b, c] = corners else { continue };
-                    let (a, b, c) = (index(a), index(b), index(c));
-                    // A repeat only joins two strips.
-                    if a != b && b != c && c != a {
-                        this.soup.push_face(if i % 2 == 0 { [a, b, c] } else { [b, a, c] });
-                    }
-                }
-            }
-        })
-    }
-
-    fn skip(&mut self, table: &Table, progress: &mut Progress) -> Result<u64, ReadError> {
-        if table.rows > 0 {
-            self.left_out.push(format!("all of \"{}\"", table.name));
-        }
-        self.rows(table, [None; 2], progress, |_, _, _, _| {})
-    }
-
-    /// Notes the properties of a table that are not used.
-    fn leave_out(&mut self, table: &Table, in_use: &[usize]) {
-        let unused = table.properties.iter().enumerate().filter(|(place, _)| !in_use.contains(place));
-        self.left_out.extend(unused.map(|(_, property)| property.name.clone()));
-    }
-
-    /// Where a table has its list of vertex numbers.
-    fn index_list(&self, table: &Table) -> Option<usize> {
-        let is_list = |p: &Property| p.count.is_some();
-        table
-            .properties
-            .iter()
-            .position(|p| is_list(p) && matches!(p.name.as_str(), "vertex_indices" | "vertex_index"))
-            .or_else(|| table.properties.iter().position(is_list))
-    }
-
+    /// The mesh, with all attributes and notes.
     fn finish(
-        mut self,
-        file: &NamedBytes,
+        self,
+        source: &Source,
+        header: &Header,
         mut report: ImportReport,
+        reading: &Reading,
         progress: &mut Progress,
-    ) -> Result<(NamedMesh, ImportReport), ReadError> {
-        if !self.left_out.is_empty() {
-            report.info(format!("Properties that are not used were left out: {}", self.left_out.join(", ")));
+    ) -> Result<Contents, ReadError> {
+        self.note(&mut report);
+        let Self { mut vertices, mut faces, mut soup, .. } = self;
+        vertices.scale_colors();
+        soup.positions = std::mem::take(&mut vertices.positions);
+        if vertices.colors.iter().any(|color| !color.is_nan()) {
+            soup.vertex_columns.push(Column::with_values(keys::VERTEX_COLOR, vertices.colors));
         }
-        if !self.unread.is_empty() {
-            report.warn(self.unread.sentence(
-                "vertex",
-                "vertices",
-                "with a coordinate that is no number",
-                "number",
-            ));
+        soup.vertex_columns.extend(vertices.columns.finish(&mut report));
+        if faces.colors.iter().any(|&color| color != Color::UNPAINTED) {
+            faces.colors.resize(soup.face_count(), Color::UNPAINTED);
+            soup.face_columns.push(Column::with_values(keys::FACE_COLOR, faces.colors));
         }
-        if self.vertex_colors.iter().any(|color| !color.is_nan()) {
-            let colors = std::mem::take(&mut self.vertex_colors);
-            self.soup.vertex_columns.push(Column::with_values(keys::VERTEX_COLOR, colors));
+        let numbers = faces.textures.as_deref();
+        let (materials, column) =
+            materials(&header.texture_files, numbers, soup.face_count(), source.files, &mut report);
+        soup.face_columns.extend(column);
+        soup.face_columns.extend(faces.columns.finish(&mut report));
+        if vertices.normals.iter().any(|normal| !normal.is_nan()) {
+            soup.corner_columns.push(of_vertices(&soup, keys::CORNER_NORMAL, &vertices.normals));
         }
-        if self.face_colors.iter().any(|&color| color != Color::UNPAINTED) {
-            let mut colors = std::mem::take(&mut self.face_colors);
-            colors.resize(self.soup.face_count(), Color::UNPAINTED);
-            self.soup.face_columns.push(Column::with_values(keys::FACE_COLOR, colors));
+        if !faces.corner_uvs.is_empty() {
+            faces.corner_uvs.resize(soup.corners.len(), Vec2::NAN);
+            soup.corner_columns.push(Column::with_values(keys::CORNER_UV, faces.corner_uvs));
+        } else if vertices.uvs.iter().any(|uv| !uv.is_nan()) {
+            soup.corner_columns.push(of_vertices(&soup, keys::CORNER_UV, &vertices.uvs));
         }
-        if self.normals.iter().any(|normal| !normal.is_nan()) {
-            self.soup.corner_columns.push(of_vertices(&self.soup, keys::CORNER_NORMAL, &self.normals));
-        }
-        if !self.corner_uvs.is_empty() {
-            self.corner_uvs.resize(self.soup.corners.len(), Vec2::NAN);
-            let uvs = std::mem::take(&mut self.corner_uvs);
-            self.soup.corner_columns.push(Column::with_values(keys::CORNER_UV, uvs));
-        } else if self.uvs.iter().any(|uv| !uv.is_nan()) {
-            self.soup.corner_columns.push(of_vertices(&self.soup, keys::CORNER_UV, &self.uvs));
-        }
+        let file = source.file;
         let part = &mut |part| progress(0.5 + part * 0.5);
-        let object = build(file.stem(), self.soup, &file.name, &self.reading, &mut report, part)?;
-        Ok((object, report))
+        let object = build(file.stem(), soup, &file.name, reading, &mut report, part)?;
+        Ok(Contents { objects: vec![object], materials, report })
     }
-}
 
-/// A number read as a vertex number.
-fn index(value: f64) -> u32 {
-    if (0.0..f64::from(NONE)).contains(&value) { value as u32 } else { NONE }
+    fn note(&self, report: &mut ImportReport) {
+        if let Some(early_end) = &self.early_end {
+            report.warn(early_end);
+        }
+        if !self.left_out.is_empty() {
+            report.info(format!("Properties and elements left out: {}", self.left_out.join(", ")));
+        }
+        let Self { vertices, faces, .. } = self;
+        if !vertices.absent.is_empty() && !vertices.positions.is_empty() {
+            report.info(format!("Vertices have no {}, which is 0", vertices.absent.join(" and no ")));
+        }
+        if !vertices.unreadable.is_empty() {
+            let what = "with a coordinate that is no number";
+            report.warn(vertices.unreadable.sentence("vertex", "vertices", what, "number"));
+        }
+        if !faces.bad_uvs.is_empty() {
+            let what = "without its own texture coordinates: they are not two numbers for each corner";
+            report.warn(faces.bad_uvs.sentence("face", "faces", what, "number"));
+        }
+    }
 }

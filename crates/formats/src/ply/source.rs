@@ -1,12 +1,12 @@
-//! The numbers of a PLY, whichever way they are written.
+//! The numbers of a PLY, in text or binary.
 
 use super::header::{Encoding, Scalar};
 use crate::text::number;
 use crate::text::scan::Scan;
 
-/// Gives numbers one after the other.
-pub(crate) enum Source<'a> {
-    /// In text, whether numbers are wanted in double precision rather than rounded to `f32` once.
+/// Reads numbers one after the other.
+pub(super) enum Source<'a> {
+    /// Text, and whether to read numbers in double precision rather than rounded to `f32` once.
     Text(Scan<'a>, bool),
     Binary {
         bytes: &'a [u8],
@@ -17,7 +17,7 @@ pub(crate) enum Source<'a> {
 
 impl<'a> Source<'a> {
     /// Numbers from `at` on.
-    pub(crate) fn new(bytes: &'a [u8], at: usize, encoding: Encoding, precise: bool) -> Self {
+    pub(super) fn new(bytes: &'a [u8], at: usize, encoding: Encoding, precise: bool) -> Self {
         match encoding {
             Encoding::Text => {
                 let mut scan = Scan::new(bytes, None);
@@ -29,16 +29,16 @@ impl<'a> Source<'a> {
         }
     }
 
-    /// How many bytes are read.
-    pub(crate) fn at(&self) -> usize {
+    /// The number of bytes read so far.
+    pub(super) fn at(&self) -> usize {
         match self {
             Self::Text(scan, _) => scan.at,
             Self::Binary { at, .. } => *at,
         }
     }
 
-    /// The next number; none where the file ends. In text, a word that is no number is NaN.
-    pub(crate) fn next(&mut self, scalar: Scalar) -> Option<f64> {
+    /// The next number; `None` at the end of the file. In text, a word that is no number gives NaN.
+    pub(super) fn next(&mut self, scalar: Scalar) -> Option<f64> {
         match self {
             Self::Text(scan, precise) => {
                 let word = scan.word()?;
@@ -71,6 +71,8 @@ impl<'a> Source<'a> {
                     Scalar::U16 => f64::from(u16::from_le_bytes(take(bytes, at, *big)?)),
                     Scalar::I32 => f64::from(i32::from_le_bytes(take(bytes, at, *big)?)),
                     Scalar::U32 => f64::from(u32::from_le_bytes(take(bytes, at, *big)?)),
+                    Scalar::I64 => i64::from_le_bytes(take(bytes, at, *big)?) as f64,
+                    Scalar::U64 => u64::from_le_bytes(take(bytes, at, *big)?) as f64,
                     Scalar::F32 => f64::from(f32::from_le_bytes(take(bytes, at, *big)?)),
                     Scalar::F64 => f64::from_le_bytes(take(bytes, at, *big)?),
                 })

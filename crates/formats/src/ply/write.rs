@@ -1,13 +1,18 @@
 //! Writing a PLY, binary or text; positions read back bit for bit.
 
+use super::attributes::Attribute;
+use super::textures::Textures;
 use crate::error::WriteError;
 use crate::file::NamedBytes;
 use crate::model::Model;
 use crate::soup::pieces::Pieces;
 use crate::text::print::{push_floats, push_integer, push_position};
 use glam::Vec3;
-use halfedge::{Color, FaceId, Mesh, keys};
+use halfedge::{Color, Element, FaceId, Mesh, keys};
 use std::io::Write;
+
+/// The most that a `uchar`, which readers expect in front of lists, counts.
+const MAX_BYTE_COUNT: usize = u8::MAX as usize;
 
 /// What there is to write of the vertices and faces of all objects.
 struct Parts<'a> {
@@ -15,20 +20,30 @@ struct Parts<'a> {
     vertex_colors: Option<Vec<Vec3>>,
     normals: Option<Vec<Vec3>>,
     face_colors: Option<Vec<Color>>,
-    uvs: bool,
-    /// Whether a face has more texture coordinates than one byte counts; readers like the byte.
-    long: bool,
+    has_uvs: bool,
+    /// Whether faces have more corners, or texture coordinates, than a `uchar` counts.
+    has_large_faces: bool,
+    has_many_uvs: bool,
+    textures: Textures,
+    vertex_attributes: Vec<Attribute>,
+    face_attributes: Vec<Attribute>,
 }
 
 impl<'a> Parts<'a> {
     fn new(model: &'a Model) -> Self {
         let pieces = Pieces::new(model);
+        let most_corners = pieces.faces().map(|(mesh, _, f)| mesh.face_degree(f)).max().unwrap_or(0);
+        let has_uvs = pieces.has_uvs();
         Self {
             vertex_colors: pieces.vertex_colors(),
             normals: pieces.vertex_normals(),
             face_colors: pieces.face_colors(),
-            uvs: pieces.has_uvs(),
-            long: pieces.has_uvs() && pieces.faces().any(|(mesh, _, f)| mesh.face_degree(f) > 127),
+            has_uvs,
+            has_large_faces: most_corners > MAX_BYTE_COUNT,
+            has_many_uvs: has_uvs && 2 * most_corners > MAX_BYTE_COUNT,
+            textures: Textures::of(model, &pieces),
+            vertex_attributes: Attribute::all(&pieces, Element::Vertex),
+            face_attributes: Attribute::all(&pieces, Element::Face),
             pieces,
         }
     }
@@ -58,32 +73,45 @@ impl<'a> Parts<'a> {
         const CHANNELS: &str = "property uchar red\nproperty uchar green\nproperty uchar blue\n";
         const NORMAL: &str = "property float nx\nproperty float ny\nproperty float nz\n";
         let on = |on: bool, text: &'static str| if on { text } else { "" };
-        let uvs = if self.long {
-            "property list uint float texcoord\n"
-        } else {
-            "property list uchar float texcoord\n"
-        };
+        let properties =
+            |attributes: &[Attribute]| attributes.iter().map(Attribute::property).collect::<String>();
+        let count = |is_large: bool| if is_large { "int" } else { "uchar" };
+        let uvs = format!("property list {} float texcoord\n", count(self.has_many_uvs));
         let float = if self.pieces.is_far() { "double" } else { "float" };
+        let images =
+            self.textures.names.iter().map(|name| format!("comment TextureFile {}\n", on_one_line(name)));
+        let images: String = images.collect();
         let mut out = Vec::new();
         // Writing to memory doesn't fail.
         let _ = write!(
             out,
-            "ply\nformat {format} 1.0\ncomment Written by Meshwright\n\
-             element vertex {}\nproperty {float} x\nproperty {float} y\nproperty {float} z\n{}{}\
-             element face {}\nproperty list uint int vertex_indices\n{}{}end_header\n",
+            "ply\nformat {format} 1.0\ncomment Written by Meshwright\n{images}\
+             element vertex {}\nproperty {float} x\nproperty {float} y\nproperty {float} z\n{}{}{}\
+             element face {}\nproperty list {} int vertex_indices\n{}{}{}{}end_header\n",
             self.pieces.vertices,
             on(self.normals.is_some(), NORMAL),
             on(self.vertex_colors.is_some(), CHANNELS),
+            properties(&self.vertex_attributes),
             self.pieces.faces,
-            on(self.uvs, uvs),
-            on(self.face_colors.is_some(), CHANNELS)
+            count(self.has_large_faces),
+            if self.has_uvs { &uvs } else { "" },
+            on(self.textures.numbers.is_some(), "property int texnumber\n"),
+            on(self.face_colors.is_some(), CHANNELS),
+            properties(&self.face_attributes),
         );
         out
+    }
+
+    /// The file and the images that it names.
+    fn files(self, name: &str, bytes: Vec<u8>) -> Vec<NamedBytes> {
+        let mut files = vec![NamedBytes { name: format!("{name}.ply"), bytes }];
+        files.extend(self.textures.files);
+        files
     }
 }
 
 /// Writes a binary PLY, little-endian.
-pub(crate) fn write(model: &Model) -> Result<Vec<NamedBytes>, WriteError> {
+pub(super) fn write(model: &Model) -> Result<Vec<NamedBytes>, WriteError> {
     let parts = Parts::new(model);
     // Vertex numbers are signed in practice.
     if parts.pieces.vertices > i32::MAX as u64 {
@@ -100,34 +128,39 @@ pub(crate) fn write(model: &Model) -> Result<Vec<NamedBytes>, WriteError> {
         }
         out.extend(parts.normal(v).into_iter().flatten().flat_map(f32::to_le_bytes));
         out.extend(parts.vertex_color(v).into_iter().flatten());
+        parts.vertex_attributes.iter().for_each(|attribute| attribute.push_binary(v, &mut out));
     }
+    let push_count = |out: &mut Vec<u8>, count: usize, is_large: bool| match is_large {
+        true => out.extend_from_slice(&(count as i32).to_le_bytes()),
+        false => out.push(count as u8),
+    };
     let mut uvs = Vec::new();
     for (f, (mesh, first, face)) in parts.pieces.faces().enumerate() {
-        out.extend_from_slice(&(mesh.face_degree(face) as u32).to_le_bytes());
+        push_count(&mut out, mesh.face_degree(face), parts.has_large_faces);
         for v in mesh.face_vertices(face) {
             out.extend_from_slice(&((first + u64::from(v.raw())) as i32).to_le_bytes());
         }
-        if parts.uvs {
+        if parts.has_uvs {
             parts.uvs(mesh, face, &mut uvs);
-            match parts.long {
-                true => out.extend_from_slice(&(uvs.len() as u32).to_le_bytes()),
-                false => out.push(uvs.len() as u8),
-            }
+            push_count(&mut out, uvs.len(), parts.has_many_uvs);
             out.extend(uvs.iter().flat_map(|c| c.to_le_bytes()));
         }
+        out.extend(parts.textures.number(f).into_iter().flat_map(i32::to_le_bytes));
         out.extend(parts.face_color(f).into_iter().flatten());
+        parts.face_attributes.iter().for_each(|attribute| attribute.push_binary(f, &mut out));
     }
-    Ok(vec![NamedBytes { name: format!("{}.ply", model.name), bytes: out }])
+    Ok(parts.files(&model.name, out))
 }
 
 /// Writes a PLY as text.
-pub(crate) fn write_text(model: &Model) -> Vec<NamedBytes> {
+pub(super) fn write_text(model: &Model) -> Vec<NamedBytes> {
     let parts = Parts::new(model);
     let mut out = parts.head("ascii");
     for (v, (position, offset)) in parts.pieces.positions().enumerate() {
         push_position(&mut out, position, offset);
         push_floats(&mut out, parts.normal(v).as_ref().map_or(&[], |normal| normal.as_slice()));
         push_channels(&mut out, parts.vertex_color(v));
+        parts.vertex_attributes.iter().for_each(|attribute| attribute.push_text(v, &mut out));
         out.push(b'\n');
     }
     let mut uvs = Vec::new();
@@ -137,16 +170,20 @@ pub(crate) fn write_text(model: &Model) -> Vec<NamedBytes> {
             out.push(b' ');
             push_integer(&mut out, first + u64::from(v.raw()));
         }
-        if parts.uvs {
+        if parts.has_uvs {
             parts.uvs(mesh, face, &mut uvs);
             out.push(b' ');
             push_integer(&mut out, uvs.len() as u64);
             push_floats(&mut out, &uvs);
         }
+        if let Some(texture) = parts.textures.number(f) {
+            out.extend_from_slice(format!(" {texture}").as_bytes());
+        }
         push_channels(&mut out, parts.face_color(f));
+        parts.face_attributes.iter().for_each(|attribute| attribute.push_text(f, &mut out));
         out.push(b'\n');
     }
-    vec![NamedBytes { name: format!("{}.ply", model.name), bytes: out }]
+    parts.files(&model.name, out)
 }
 
 fn push_channels(out: &mut Vec<u8>, channels: Option<[u8; 3]>) {
@@ -157,6 +194,11 @@ fn push_channels(out: &mut Vec<u8>, channels: Option<[u8; 3]>) {
 }
 
 /// A channel from 0 to 1 as a byte.
-fn byte(channel: f32) -> u8 {
+pub(super) fn byte(channel: f32) -> u8 {
     (channel * 255.0).round().clamp(0.0, 255.0) as u8
+}
+
+/// A name without what would end its line.
+fn on_one_line(name: &str) -> String {
+    name.chars().map(|c| if c.is_control() { ' ' } else { c }).collect()
 }
