@@ -104,10 +104,10 @@ impl<'a> Cursor<'a> {
         }
     }
 
-    /// Takes the word of letters and underscores here.
+    /// Takes the word of letters, digits and underscores here.
     pub(crate) fn word(&mut self) -> &'a [u8] {
         let rest = self.bytes.get(self.at..).unwrap_or_default();
-        let length = rest.iter().take_while(|b| b.is_ascii_alphabetic() || **b == b'_').count();
+        let length = rest.iter().take_while(|b| b.is_ascii_alphanumeric() || **b == b'_').count();
         self.at += length;
         rest.get(..length).unwrap_or_default()
     }

@@ -16,6 +16,7 @@ mod read;
 mod runs;
 mod statements;
 mod texture;
+mod troubles;
 mod write;
 
 use crate::format::loss::Part;
@@ -30,6 +31,7 @@ pub(crate) static FORMAT: FormatInfo = FormatInfo {
     description: "Text that every program reads, with a material file for colours.",
     extensions: &["obj"],
     detect: Some((Certainty::Statement, detect::is_obj)),
+    is_text: |_| true,
     read: Some(read::read),
     write: Some(|model| Ok(write::write(model))),
     companion_extensions: &[(
@@ -37,7 +39,7 @@ pub(crate) static FORMAT: FormatInfo = FormatInfo {
         "holds only materials: open it together with the OBJ model it belongs to",
     )],
     companions: libraries::companions,
-    lacks: &[Part::Creases],
+    lacks: &[Part::Creases, Part::Attributes],
     keeps_property: mtl::keeps,
     keeps_placement: texture::keeps_placement,
     ..FormatInfo::DEFAULT

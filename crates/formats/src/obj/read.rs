@@ -1,32 +1,49 @@
 //! Reading an OBJ: statements to polygon soup with attributes, to a mesh, with a report.
 
 use super::libraries;
-use super::statements::{Statements, Troubles};
-use crate::error::{ReadError, not_a};
+use super::statements::Statements;
+use crate::error::ReadError;
 use crate::format::reading::{Contents, Reading, Source, build};
 use crate::model::labels::labelled;
 use crate::model::material::{Material, Materials};
 use crate::model::paint::unpainted;
 use crate::report::{ImportReport, counted};
 use crate::soup::drop_faces;
-use crate::text::scan::is_text;
+use crate::text::commas::{AMBIGUOUS, Commas, read_commas};
+use crate::text::scan::{Scan, is_text};
 use halfedge::attribute::{AttributeType, Column, Key};
 use halfedge::{Color, NONE, PolygonSoup, Progress, keys};
 use std::collections::HashMap;
+use std::ops::Range;
 
 /// Reads one OBJ as one object, and the materials of its faces.
-pub(crate) fn read(
+///
+/// # Errors
+/// Where it is no OBJ, or none of its vertices can be read.
+pub(super) fn read(
     source: &Source,
     reading: &mut Reading,
     progress: &mut Progress,
 ) -> Result<Contents, ReadError> {
     let file = source.file;
-    if let Some(kind) = not_text(&file.bytes) {
-        return Err(ReadError::file(&file.name, kind));
+    if !is_text(&file.bytes) {
+        return Err(ReadError::not_a(file, "an OBJ", "it is a binary file, not text"));
     }
-    // Reading takes about as long as building.
-    let mut statements = Statements::read(&file.bytes, reading.origin, &mut |part| progress(part * 0.5))
-        .ok_or(ReadError::Cancelled)?;
+    let mut report = ImportReport::default();
+    let mut statements = read_statements(&file.bytes, reading, progress)?;
+    if !statements.troubles.bad_vertices.is_empty() {
+        match read_commas(&file.bytes, numbers_of_line) {
+            Commas::None => {}
+            Commas::Ambiguous if statements.is_unreadable() => {
+                return Err(ReadError::file(&file.name, AMBIGUOUS));
+            }
+            Commas::Ambiguous => {}
+            Commas::Readable(text, note) => {
+                report.info(note);
+                statements = read_statements(&text, reading, progress)?;
+            }
+        }
+    }
     reading.origin = statements.origin;
     let has_geometry = !statements.soup.positions.is_empty()
         || statements.soup.face_count() > 0
@@ -37,20 +54,31 @@ pub(crate) fn read(
         let why = format!("none of its {lines} is a vertex (\"v 1 2 3\") or a face (\"f 1 2 3\")");
         return Err(ReadError::not_a(file, "an OBJ", &why));
     }
-    let mut report = ImportReport::default();
-    report_troubles(&statements.troubles, &mut report);
+    if statements.is_unreadable() {
+        return Err(ReadError::not_a(file, "an OBJ", "none of its vertices is three numbers"));
+    }
+    statements.troubles.report(&mut report);
     let (soup, materials) = soup(&mut statements, source, &mut report);
     let part = &mut |part| progress(0.5 + part * 0.5);
     let object = build(file.stem(), soup, &file.name, reading, &mut report, part)?;
     Ok(Contents { objects: vec![object], materials, report })
 }
 
-/// What a file is that can't be text in UTF-8.
-fn not_text(bytes: &[u8]) -> Option<String> {
-    if bytes.starts_with(b"\xff\xfe") || bytes.starts_with(b"\xfe\xff") {
-        return Some("the text is encoded as UTF-16; save it as UTF-8 and open it again".to_owned());
+fn read_statements(text: &[u8], reading: &Reading, progress: &mut Progress) -> Result<Statements, ReadError> {
+    // Reading takes about as long as building.
+    let part = &mut |part| progress(part * 0.5);
+    Statements::read(text, reading.origin, part).ok_or(ReadError::Cancelled)
+}
+
+/// Where a line holds numbers alone: behind the word of a vertex, texture coordinate or normal.
+fn numbers_of_line(line: &[u8]) -> Range<usize> {
+    let mut scan = Scan::new(line, Some(b'#'));
+    match scan.word() {
+        Some(b"v" | b"vt" | b"vn") => {
+            scan.at..line.iter().position(|&byte| byte == b'#').unwrap_or(line.len())
+        }
+        _ => 0..0,
     }
-    (!is_text(bytes)).then(|| not_a("an OBJ", "it is a binary file, not text"))
 }
 
 /// The soup with all attributes that the file gives, and the materials that its faces have.
@@ -148,64 +176,4 @@ fn materials(
         columns.push(Column::with_values(keys::FACE_COLOR, numbers.iter().map(color).collect()));
     }
     names
-}
-
-fn report_troubles(troubles: &Troubles, report: &mut ImportReport) {
-    let mut warn = |places: &crate::report::Places, one: &str, many: &str, what: &str| {
-        if !places.is_empty() {
-            report.warn(places.sentence(one, many, what, "line"));
-        }
-    };
-    warn(
-        &troubles.bad_vertices,
-        "vertex",
-        "vertices",
-        "put at the origin: a vertex is \"v\" and three numbers, a fourth (w) or a colour of three may follow",
-    );
-    warn(
-        &troubles.bad_faces,
-        "face",
-        "faces",
-        "left out: a corner can't be read as vertex numbers, like 1 or 1/2/3",
-    );
-    warn(&troubles.small_faces, "face", "faces", "left out: a face needs three corners or more");
-    warn(
-        &troubles.missing_vertex,
-        "face",
-        "faces",
-        "left out: a corner refers to a vertex that doesn't exist",
-    );
-    warn(
-        &troubles.missing_attribute,
-        "corner",
-        "corners",
-        "without texture coordinate or normal: the one it refers to doesn't exist",
-    );
-    warn(&troubles.bad_uvs, "texture coordinate", "texture coordinates", "ignored: not one to three numbers");
-    warn(&troubles.bad_normals, "normal", "normals", "ignored: not three numbers");
-    warn(
-        &troubles.bad_smoothing,
-        "smoothing group",
-        "smoothing groups",
-        "ignored: neither a number nor \"off\"",
-    );
-    warn(
-        &troubles.fourth_coordinate,
-        "vertex",
-        "vertices",
-        "kept as x, y, z: the fourth coordinate (w) is not used",
-    );
-    warn(
-        &troubles.lines_and_points,
-        "line or point element (l, p)",
-        "line or point elements (l, p)",
-        "left out: only faces are edited here",
-    );
-    warn(
-        &troubles.curves,
-        "statement",
-        "statements",
-        "left out: free-form curves and surfaces and display settings are not used here",
-    );
-    warn(&troubles.unknown, "line", "lines", "ignored: it doesn't start with a word of the OBJ format");
 }

@@ -7,8 +7,8 @@
 use super::cursor::Cursor;
 use super::names::{group_label, spaced};
 use super::runs::Runs;
+use super::troubles::Troubles;
 use crate::model::labels::Names;
-use crate::report::Places;
 use crate::soup::origin::Origin;
 use glam::{DVec3, Vec2, Vec3};
 use halfedge::{NONE, PolygonSoup, Progress};
@@ -48,25 +48,10 @@ pub(crate) struct Statements {
     group: String,
     /// Faces that refer to vertices further on, which may not come, with their lines.
     ahead: Vec<(u32, u32)>,
+    /// Colours in comments, as ZBrush writes them.
+    comment_colors: Vec<Vec3>,
     /// Texture coordinates and normals (true) further on that corners refer to, with their lines.
     attributes_ahead: Vec<(u32, u32, bool)>,
-}
-
-/// What could not be read or used, by line.
-#[derive(Default)]
-pub(crate) struct Troubles {
-    pub bad_vertices: Places,
-    pub bad_uvs: Places,
-    pub bad_normals: Places,
-    pub bad_faces: Places,
-    pub small_faces: Places,
-    pub missing_vertex: Places,
-    pub missing_attribute: Places,
-    pub fourth_coordinate: Places,
-    pub bad_smoothing: Places,
-    pub lines_and_points: Places,
-    pub curves: Places,
-    pub unknown: Places,
 }
 
 /// Why a face was not taken.
@@ -105,6 +90,7 @@ impl Statements {
                     cursor.at += 1;
                     this.face(&mut cursor);
                 }
+                (b'#', b'M') => this.comment_colors(&mut cursor),
                 (b'#' | b'\n' | b'\r', _) => {}
                 _ => this.other(&mut cursor),
             }
@@ -117,9 +103,19 @@ impl Statements {
             }
         }
         this.lines = cursor.line - 1;
+        if this.colors.is_empty() && !this.comment_colors.is_empty() {
+            this.colors = std::mem::take(&mut this.comment_colors);
+            this.colors.resize(this.soup.positions.len(), Vec3::NAN);
+        }
         this.find_faces_without_vertices();
         this.note_missing_attributes();
         Some(this)
+    }
+
+    /// Whether there are vertices and none can be read.
+    pub(crate) fn is_unreadable(&self) -> bool {
+        let count = self.soup.positions.len();
+        count > 0 && self.troubles.bad_vertices.count() == count
     }
 
     /// Numbers up to the end of the line: how many, or `None` if something else is among them or
@@ -302,8 +298,11 @@ impl Statements {
             b"vt" => {
                 let mut values = [0.0; 3];
                 let count = Self::numbers(cursor, &mut values);
-                let [u, v, _] = values;
+                let [u, v, w] = values;
                 let read = matches!(count, Some(1..=3));
+                if count == Some(3) && w != 0.0 {
+                    self.troubles.third_texture_coordinate.add(line);
+                }
                 self.uvs.push(if read { Vec2::new(u, v) } else { Vec2::NAN });
                 if !read {
                     self.troubles.bad_uvs.add(line);
@@ -318,7 +317,8 @@ impl Statements {
                 }
             }
             b"v" => self.vertex(cursor),
-            b"f" => self.face(cursor),
+            // "fo" is what older files have for a face.
+            b"f" | b"fo" => self.face(cursor),
             b"o" => {
                 self.object = cursor.text();
                 self.group.clear();
@@ -352,18 +352,31 @@ impl Statements {
                 }
             }
             b"l" | b"p" => self.troubles.lines_and_points.add(line),
-            b"vp" | b"cstype" | b"deg" | b"bmat" | b"step" | b"curv" | b"curv_" | b"surf" | b"parm"
-            | b"trim" | b"hole" | b"scrv" | b"sp" | b"end" | b"con" | b"mg" | b"bevel" | b"c_interp"
-            | b"d_interp" | b"lod" | b"shadow_obj" | b"trace_obj" | b"ctech" | b"stech" | b"maplib"
-            | b"usemap" => {
-                self.troubles.curves.add(line);
-            }
-            _ => {
-                self.known -= 1;
-                self.troubles.unknown.add(line);
-            }
+            word => match unused(word) {
+                Some(word) => self.troubles.add_unused(word, line),
+                None => {
+                    self.known -= 1;
+                    self.troubles.unknown.add(line);
+                }
+            },
         }
         // Whatever wasn't taken is skipped with the rest of the line.
+    }
+
+    /// `#MRGB` and eight hexadecimal digits for each vertex: a mask and a colour.
+    #[cold]
+    fn comment_colors(&mut self, cursor: &mut Cursor) {
+        cursor.at += 1;
+        if cursor.word() != b"MRGB" {
+            return;
+        }
+        for digits in cursor.text().as_bytes().as_chunks::<8>().0 {
+            let color =
+                std::str::from_utf8(digits).ok().and_then(|digits| u32::from_str_radix(digits, 16).ok());
+            let Some(color) = color else { return };
+            let [_, r, g, b] = color.to_be_bytes();
+            self.comment_colors.push(Vec3::new(r.into(), g.into(), b.into()) / 255.0);
+        }
     }
 
     fn start_group(&mut self) {
@@ -393,4 +406,41 @@ impl Statements {
             }
         }
     }
+}
+
+/// The statements of the format that have no meaning here: of free-form curves and surfaces and of display.
+const UNUSED: [&str; 28] = [
+    "vp",
+    "cstype",
+    "deg",
+    "bmat",
+    "step",
+    "curv",
+    "curv2",
+    "surf",
+    "parm",
+    "trim",
+    "hole",
+    "scrv",
+    "sp",
+    "end",
+    "con",
+    "mg",
+    "bevel",
+    "c_interp",
+    "d_interp",
+    "lod",
+    "shadow_obj",
+    "trace_obj",
+    "ctech",
+    "stech",
+    "maplib",
+    "usemap",
+    "call",
+    "csh",
+];
+
+/// A word if it begins such a statement.
+fn unused(word: &[u8]) -> Option<&'static str> {
+    UNUSED.into_iter().find(|unused| unused.as_bytes() == word)
 }
