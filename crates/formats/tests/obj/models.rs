@@ -1,9 +1,7 @@
 //! OBJ files made by others, and random ones: what comes in goes out and comes in the same; `tobj`
 //! reads the same; damage never panics.
 
-mod common;
-
-use common::{by_code, load, mesh, read, write};
+use super::common::{self, by_code, load, mesh, read, write};
 use fixtures::{fixtures, shared_files};
 use formats::NamedBytes;
 use halfedge::{Mesh, NONE};
