@@ -5,10 +5,10 @@ use super::json::{ACCESSORS, Document, Object};
 use super::rows::{Component, Rows, Sparse, Table};
 use std::borrow::Cow;
 
-/// Finds the rows of an accessor, as far as its data is there.
+/// The rows of an accessor, as far as the buffer has data for them.
 ///
 /// # Errors
-/// Where nothing of it is.
+/// When the buffer has none, or the accessor can't be read.
 pub(super) fn rows<'b>(document: &Document, buffers: &'b Buffers, index: usize) -> Result<Rows<'b>, String> {
     read(document.item(ACCESSORS, index)?, buffers).map_err(|why| format!("accessor {index}: {why}"))
 }
@@ -40,7 +40,7 @@ fn read<'b>(accessor: Object, buffers: &'b Buffers) -> Result<Rows<'b>, String> 
     Ok(rows)
 }
 
-/// The rows that stand in place of others.
+/// The rows that replace others.
 fn sparse_rows<'b>(
     sparse: Object,
     component: Component,
@@ -68,7 +68,7 @@ fn component_of(object: Object) -> Result<Component, String> {
     Component::of(code).ok_or_else(|| format!("its component type {code} is unknown"))
 }
 
-/// The numbers in a view that an object with a `byteOffset` names.
+/// The numbers in a view, from the `byteOffset` of an accessor or of a part of it.
 fn table<'b>(
     object: Object,
     view: usize,

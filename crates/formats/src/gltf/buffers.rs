@@ -1,4 +1,4 @@
-//! The data of a glTF: buffers, the views into them, and what is compressed in these.
+//! The data of a document: buffers, views into them, and compressed views.
 
 use super::container::Container;
 use super::draco::DracoMesh;
@@ -12,14 +12,14 @@ use base64::engine::{DecodePaddingMode, GeneralPurpose, GeneralPurposeConfig};
 use std::borrow::Cow;
 use std::cell::{Cell, OnceCell};
 
-/// How many bytes all compressed views together may have when decoded, however small the file.
+/// Total size of decoded views that any file may have, in bytes.
 const MIN_DECODED_BUDGET: usize = 64 << 20;
 
-/// How many bytes compressed views may have when decoded for each byte of the file: constant attributes
+/// Total size of decoded views for each byte of the file. It is large because constant attributes
 /// compress to almost nothing.
 const DECODED_BYTES_PER_BYTE: usize = 256;
 
-/// All buffers of a document. Compressed views are decoded when they are asked for, once.
+/// The buffers of a document. Compressed views are decoded once, on first use.
 pub(super) struct Buffers<'a> {
     document: &'a Document,
     buffers: Vec<Result<Cow<'a, [u8]>, String>>,
@@ -33,7 +33,7 @@ pub(super) struct Buffers<'a> {
 #[derive(Clone, Copy)]
 pub(super) struct View<'b> {
     pub bytes: &'b [u8],
-    /// The distance of rows in bytes, where the view says it.
+    /// Distance between rows in bytes, if the view states it.
     pub stride: Option<usize>,
 }
 
@@ -60,15 +60,15 @@ impl<'a> Buffers<'a> {
         }
     }
 
-    /// The size of all buffers that are there, in bytes.
+    /// Total size of the buffers that could be loaded, in bytes.
     pub(super) fn size(&self) -> usize {
         self.buffers.iter().flatten().map(|buffer| buffer.len()).sum()
     }
 
-    /// A view, as far as its buffer reaches.
+    /// The bytes of a view, cut off at the end of its buffer.
     ///
     /// # Errors
-    /// Where the view or its buffer can't be read.
+    /// When the view or its buffer can't be read.
     pub(super) fn view(&self, index: usize) -> Result<View<'_>, String> {
         let view = self.document.item(BUFFER_VIEWS, index)?;
         let stride = view.index("byteStride")?.filter(|&stride| stride > 0);
@@ -78,7 +78,7 @@ impl<'a> Buffers<'a> {
             match cell.get_or_init(|| self.decoded(compressed)) {
                 Ok(bytes) => return Ok(View { bytes, stride }),
                 Err(why) => {
-                    // There may be an uncompressed copy.
+                    // Files may hold an uncompressed copy for readers without the extension.
                     let copy = self.bytes(view).ok().filter(|bytes| !bytes.is_empty());
                     let bytes = copy.ok_or_else(|| format!("its compressed data can't be read: {why}"))?;
                     return Ok(View { bytes, stride });
@@ -88,7 +88,7 @@ impl<'a> Buffers<'a> {
         Ok(View { bytes: self.bytes(view)?, stride })
     }
 
-    /// The bytes that a view or an extension in its place names.
+    /// The bytes that a view, or the compression extension of one, refers to.
     fn bytes(&self, view: Object) -> Result<&[u8], String> {
         let index = view.required_index("buffer")?;
         let buffer = match self.buffers.get(index) {
@@ -108,10 +108,10 @@ impl<'a> Buffers<'a> {
         Ok(bytes)
     }
 
-    /// The mesh that Draco compressed into a view.
+    /// The mesh in a view with Draco data.
     ///
     /// # Errors
-    /// Where it can't be decoded.
+    /// When it can't be decoded.
     pub(super) fn draco_mesh(&self, index: usize) -> Result<&DracoMesh, String> {
         let cell = self.draco.get(index).ok_or_else(|| format!("buffer view {index} doesn't exist"))?;
         let mesh = cell.get_or_init(|| {
@@ -131,10 +131,10 @@ pub(super) fn companions(file: &NamedBytes) -> Vec<String> {
     uris.filter(|uri| !uri.starts_with("data:")).map(percent_decoded).collect()
 }
 
-/// The contents of an address: in the address itself, or of a file given with the model.
+/// The data at an address: part of a `data:` address, or a file given with the model.
 ///
 /// # Errors
-/// Where the file wasn't given, or the address isn't base64.
+/// When the file wasn't given, or the `data:` address isn't base64.
 pub(super) fn load<'a>(uri: &str, files: &'a [NamedBytes]) -> Result<Cow<'a, [u8]>, String> {
     if let Some(data) = uri.strip_prefix("data:") {
         return data_of(data).map(Cow::Owned);
@@ -146,7 +146,7 @@ pub(super) fn load<'a>(uri: &str, files: &'a [NamedBytes]) -> Result<Cow<'a, [u8
     }
 }
 
-/// The contents of a `data:` address after its first word.
+/// The data of a `data:` address, given without this prefix.
 fn data_of(data: &str) -> Result<Vec<u8>, String> {
     let (_, text) = data.split_once("base64,").ok_or("its data is not in base64")?;
     let padding = DecodePaddingMode::Indifferent;

@@ -1,19 +1,19 @@
-//! The two containers of a glTF: text, and one binary file with a chunk of JSON and one of data.
+//! The containers of a document: a text file, or a binary file with a JSON chunk and a data chunk.
 
 use super::json::Document;
 use super::names::{BIN_CHUNK, JSON_CHUNK, MAGIC};
 use crate::error::not_a;
 use crate::text::encoding::{Encoding, decode};
 
-/// The size of the head of a file that tells whether it is a glTF.
+/// How many bytes from the start of a file are searched for the keys of a glTF.
 const HEAD_BYTES: usize = 64 * 1024;
 
-/// A glTF file, taken apart.
+/// The parts of a glTF file.
 pub(super) struct Container<'a> {
     pub document: Document,
     /// The data of the first buffer, in a binary file.
     pub bin: Option<&'a [u8]>,
-    /// Faults of the container, in clauses.
+    /// Faults of the container, as clauses for the report.
     pub faults: Vec<String>,
 }
 
@@ -22,17 +22,17 @@ pub(super) fn is_binary(bytes: &[u8]) -> bool {
     bytes.starts_with(MAGIC)
 }
 
-/// Whether the file starts like a glTF of JSON.
+/// Whether the file starts like a JSON glTF.
 pub(super) fn is_json(bytes: &[u8]) -> bool {
     let (head, _) = decode(bytes.get(..HEAD_BYTES).unwrap_or(bytes));
-    // Which of the keys comes first, and how far in, is up to the writer.
+    // The order of the keys is up to the writer.
     let keys = ["\"asset\"", "\"accessors\"", "\"bufferViews\"", "\"buffers\""];
     head.trim_start().starts_with('{') && keys.iter().any(|key| head.contains(key))
 }
 
 impl<'a> Container<'a> {
     /// # Errors
-    /// Where the file is no glTF 2.0, or ends before its JSON does.
+    /// When the file is not glTF 2.0 or its JSON can't be parsed.
     pub(super) fn open(bytes: &'a [u8]) -> Result<Self, String> {
         let (json, bin, mut faults) =
             if is_binary(bytes) { chunks(bytes)? } else { (bytes, None, Vec::new()) };
@@ -48,7 +48,7 @@ impl<'a> Container<'a> {
 }
 
 /// # Errors
-/// Where the document says that it is of another version than 2.
+/// When the document states another version than 2.
 fn check_version(document: &Document) -> Result<(), String> {
     let root = document.root();
     let asset = root.object("asset");

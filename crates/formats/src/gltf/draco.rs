@@ -1,4 +1,4 @@
-//! Primitives compressed by Draco: the extension `KHR_draco_mesh_compression`.
+//! Primitives compressed with Draco, the extension `KHR_draco_mesh_compression`.
 
 use super::rows::Rows;
 use draco_core::{DataType, DecodeLimits, DecoderBuffer, Mesh, MeshDecoder};
@@ -6,7 +6,7 @@ use draco_core::{DataType, DecodeLimits, DecoderBuffer, Mesh, MeshDecoder};
 /// The extension's name.
 pub(super) const EXTENSION: &str = "KHR_draco_mesh_compression";
 
-/// The bytes of a face of a decoded mesh.
+/// Size of a face of a decoded mesh, in bytes.
 const BYTES_PER_FACE: usize = 12;
 
 /// A decoded primitive.
@@ -15,7 +15,7 @@ pub(super) struct DracoMesh(Mesh);
 /// Decodes a primitive into at most `max_bytes`.
 ///
 /// # Errors
-/// Where the data is no Draco mesh.
+/// When the data is not a Draco mesh.
 pub(super) fn decode(data: &[u8], max_bytes: usize) -> Result<DracoMesh, String> {
     let limits = DecodeLimits::default()
         .with_max_decoded_bytes(max_bytes as u64)
@@ -36,16 +36,15 @@ impl DracoMesh {
         values + self.0.num_faces() * BYTES_PER_FACE
     }
 
-    /// The numbers of the vertices of all triangles.
+    /// The vertex numbers of all triangles.
     pub(super) fn indices(&self) -> Rows<'static> {
         Rows::of_indices(self.0.faces().iter().flatten().map(|point| point.0))
     }
 
-    /// The values of an attribute by its number in the data. `is_normalized` says that whole numbers
-    /// stand for fractions.
+    /// The values of the attribute with this id. `is_normalized` maps integers to fractions.
     ///
     /// # Errors
-    /// Where there is no such attribute.
+    /// When there is no such attribute.
     pub(super) fn attribute(&self, number: usize, is_normalized: bool) -> Result<Rows<'static>, String> {
         let attribute = u32::try_from(number).ok().and_then(|id| self.0.attribute_by_unique_id(id));
         let attribute = attribute.ok_or_else(|| format!("its Draco data has no attribute {number}"))?;

@@ -1,4 +1,4 @@
-//! Primitives gathered into polygon soup, with the attributes of their corners.
+//! Collects primitives into polygon soup with corner attributes.
 
 use super::material::FaceMaterial;
 use super::morph::Steps;
@@ -16,17 +16,17 @@ use halfedge::attribute::{AttributeType, Column, Key};
 use halfedge::{NONE, PolygonSoup, keys};
 use std::rc::Rc;
 
-/// What a primitive's vertices have.
+/// The vertex data of a primitive.
 pub(super) struct Vertices<'b> {
     pub positions: Rows<'b>,
     pub position_steps: Steps<'b>,
     pub colors: Option<Rows<'b>>,
-    /// Numbers of ours that tell vertices at one place apart.
+    /// The numbers that our files give vertices where several share a position.
     pub ids: Option<Rows<'b>>,
     pub placement: Placement,
 }
 
-/// What a primitive's corners have besides.
+/// The corner data of a primitive.
 pub(super) struct Corners<'b> {
     pub indices: Option<Rows<'b>>,
     pub uvs: Option<Rows<'b>>,
@@ -37,18 +37,18 @@ pub(super) struct Corners<'b> {
     pub color_steps: Steps<'b>,
 }
 
-/// The faces of a mesh so far.
+/// The faces of a mesh while it is read.
 pub(super) struct Faces {
     soup: PolygonSoup,
     pub origin: Option<Origin>,
     /// Vertices by position and number.
     unique: Unique<4>,
-    /// A colour of each vertex, for those in no face.
+    /// One colour for each vertex; counts for vertices in no face.
     vertex_colors: Vec<Vec3>,
     uvs: Vec<Vec2>,
     normals: Vec<Vec3>,
     colors: Vec<[f32; 4]>,
-    /// For each face the number of its material here.
+    /// For each face the index of its material in `palette`.
     materials: Vec<u32>,
     palette: Vec<Rc<FaceMaterial>>,
 }
@@ -68,8 +68,8 @@ impl Faces {
         }
     }
 
-    /// Adds the vertices of a primitive, and returns the number of each. Rows with the same position are
-    /// one vertex: files split vertices where corners differ.
+    /// Adds the vertices of a primitive and returns the number of each row's vertex. Rows at the same
+    /// position become one vertex, as files split vertices where corners differ.
     pub(super) fn add_vertices(&mut self, vertices: &Vertices) -> Vec<u32> {
         (0..vertices.positions.count).map(|row| self.vertex(vertices, row)).collect()
     }
@@ -77,14 +77,14 @@ impl Faces {
     fn vertex(&mut self, vertices: &Vertices, row: usize) -> u32 {
         let own = DVec3::from(vertices.position_steps.added(row, vertices.positions.row(row)));
         let placement = &vertices.placement;
-        // The identity would take the sign off a negative zero.
+        // Multiplying by the identity would turn -0 into 0.
         let place = match placement.is_identity() {
             true => own,
             false => placement.of(row).transform_point3(own),
         };
         let told_by = if matches!(placement, Placement::Rigid(_)) { own } else { place };
         let id = vertices.ids.as_ref().map_or(0, |ids| u32::from_le_bytes(ids.row(row).map(|b| b as u8)));
-        // Adding zero takes the sign off a negative zero.
+        // Adding zero turns -0 into 0.
         let [x, y, z] = (told_by.as_vec3() + Vec3::ZERO).to_array();
         let (number, is_new) = self.unique.number([x, y, z, f32::from_bits(id)]);
         if is_new {
@@ -99,8 +99,8 @@ impl Faces {
         number
     }
 
-    /// Adds the triangles of a primitive, whose vertices have these numbers. Returns how many were left out
-    /// because a corner has no vertex.
+    /// Adds the triangles of a primitive. `numbers` are those that `add_vertices` returned. Returns how many
+    /// triangles were left out because a corner refers to no vertex.
     pub(super) fn add_triangles(
         &mut self,
         mode: Mode,
@@ -115,7 +115,7 @@ impl Faces {
             self.palette.push(material);
             self.palette.len() as u32 - 1
         });
-        // A placement that mirrors turns triangles over, which go the other way round for it.
+        // Mirroring turns triangles over, so their order is reversed to keep the front at the front.
         let is_mirrored = placement.is_mirrored();
         let mut left_out = 0;
         for [a, b, c] in mode.triangles(count) {
@@ -141,7 +141,7 @@ impl Faces {
         if let Some(uvs) = corners.uvs.as_ref().filter(has) {
             let [u, v] = corners.uv_steps.added(row, uvs.row(row)).map(|value| value as f32);
             self.uvs.resize(at, Vec2::NAN);
-            // Texture coordinates count from the top here.
+            // In files v counts from the top of the image.
             self.uvs.push(Vec2::new(u, 1.0 - v));
         }
         if let Some(normals) = corners.normals.as_ref().filter(has) {

@@ -1,12 +1,12 @@
-//! The JSON of a glTF, read field by field: a fault in a field costs what needs it and no more.
+//! Access to the JSON of a document, field by field, so that a fault in one field costs only what needs it.
 
 use glam::{DMat4, DQuat};
 use serde_json::Value;
 
-/// The largest whole number that a JSON number holds exactly in every program: 2 to the power of 53.
+/// The largest range of whole numbers that a 64-bit float holds exactly: 2 to the power of 53.
 const MAX_WHOLE_NUMBER: f64 = 9_007_199_254_740_992.0;
 
-/// A list at the top of a document: its name there, and what messages call one of its items.
+/// A top-level list of a document: its key, and what messages call one item.
 #[derive(Clone, Copy)]
 pub(super) struct List {
     key: &'static str,
@@ -30,7 +30,7 @@ pub(super) struct Document(Value);
 
 impl Document {
     /// # Errors
-    /// Where the text is no JSON, or no object.
+    /// When the text is not a JSON object.
     pub(super) fn parse(text: &str) -> Result<Self, String> {
         // Some programs pad the text with zeros.
         let text = text.trim_end_matches(['\0', ' ']);
@@ -45,7 +45,7 @@ impl Document {
         Object(&self.0)
     }
 
-    /// The items of a list; none where the document lacks it.
+    /// The items of a list; empty if the document has none.
     pub(super) fn items(&self, list: List) -> impl ExactSizeIterator<Item = Object<'_>> {
         self.root().list(list.key).iter().map(Object)
     }
@@ -58,13 +58,13 @@ impl Document {
     /// An item of a list by its number.
     ///
     /// # Errors
-    /// Where there is none.
+    /// When there is none.
     pub(super) fn item(&self, list: List, index: usize) -> Result<Object<'_>, String> {
         let item = self.root().list(list.key).get(index).map(Object);
         item.ok_or_else(|| format!("{} {index} doesn't exist", list.one))
     }
 
-    /// The name of an item as messages give it: `mesh "chair"`, or `mesh 3` where it has none.
+    /// What messages call an item: `mesh "chair"`, or `mesh 3` without a name.
     pub(super) fn label(&self, list: List, index: usize) -> String {
         match self.item(list, index).ok().and_then(|item| item.name()) {
             Some(name) => format!("{} \"{name}\"", list.one),
@@ -73,7 +73,7 @@ impl Document {
     }
 }
 
-/// A JSON object. One of another type has no fields.
+/// A JSON object. A value of another type counts as an object without fields.
 #[derive(Clone, Copy)]
 pub(super) struct Object<'d>(&'d Value);
 
@@ -96,7 +96,7 @@ impl<'d> Object<'d> {
         self.object("extensions")?.object(name)
     }
 
-    /// The items of a list; none where it is missing or no list.
+    /// The items of a list; empty if the field is missing or not a list.
     pub(super) fn list(self, key: &str) -> &'d [Value] {
         self.get(key).and_then(Value::as_array).map_or(&[], Vec::as_slice)
     }
@@ -119,34 +119,34 @@ impl<'d> Object<'d> {
         self.get(key)?.as_bool()
     }
 
-    /// A finite number; none where it is missing or anything else.
+    /// A finite number; `None` if the field is missing or anything else.
     pub(super) fn number(self, key: &str) -> Option<f64> {
         self.get(key)?.as_f64().filter(|number| number.is_finite())
     }
 
-    /// A whole number that is not negative; none where it is missing. `3.0` is one too.
+    /// A whole number of at least 0; `None` if the field is missing. `3.0` is a whole number.
     ///
     /// # Errors
-    /// Where the field is anything else.
+    /// When the field is anything else.
     pub(super) fn index(self, key: &str) -> Result<Option<usize>, String> {
         let Some(value) = self.get(key) else { return Ok(None) };
         whole(value).map(Some).ok_or_else(|| format!("its \"{key}\" is not a whole number"))
     }
 
-    /// [`index`](Self::index), or `default` where it is missing.
+    /// [`index`](Self::index), or `default` if the field is missing.
     pub(super) fn index_or(self, key: &str, default: usize) -> Result<usize, String> {
         Ok(self.index(key)?.unwrap_or(default))
     }
 
-    /// [`index`](Self::index) of a field that can't be missing.
+    /// [`index`](Self::index) of a required field.
     pub(super) fn required_index(self, key: &str) -> Result<usize, String> {
         self.index(key)?.ok_or_else(|| format!("it has no \"{key}\""))
     }
 
-    /// So many finite numbers; none where the field is missing.
+    /// A list of `N` finite numbers; `None` if the field is missing.
     ///
     /// # Errors
-    /// Where the field is anything else.
+    /// When the field is anything else.
     pub(super) fn numbers<const N: usize>(self, key: &str) -> Result<Option<[f64; N]>, String> {
         let Some(value) = self.get(key) else { return Ok(None) };
         let numbers: Vec<f64> = value.as_array().into_iter().flatten().filter_map(Value::as_f64).collect();
@@ -154,10 +154,10 @@ impl<'d> Object<'d> {
         all.map(Some).ok_or_else(|| format!("its \"{key}\" is not {N} numbers"))
     }
 
-    /// The transform of a node.
+    /// The local transform of a node.
     ///
     /// # Errors
-    /// Where a part of it can't be read.
+    /// When a part of it can't be read.
     pub(super) fn transform(self) -> Result<DMat4, String> {
         if let Some(matrix) = self.numbers::<16>("matrix")? {
             return Ok(DMat4::from_cols_array(&matrix));
@@ -174,7 +174,7 @@ impl<'d> Object<'d> {
     }
 }
 
-/// The whole number that a value is, as JSON Schema counts integers: 3 and 3.0.
+/// The value as a whole number. Like JSON Schema, accepts 3.0 as an integer.
 pub(super) fn whole(value: &Value) -> Option<usize> {
     if let Some(number) = value.as_u64() {
         return usize::try_from(number).ok();

@@ -1,4 +1,4 @@
-//! Kinds of content that a mesh editor doesn't keep: counted and named.
+//! Reports the content that a mesh editor doesn't keep.
 
 use super::json::{Document, IMAGES, MATERIALS, MESHES, NODES, Object, SCENES, TEXTURES};
 use super::names::{
@@ -8,7 +8,7 @@ use super::{draco, meshopt};
 use crate::notes::{Fault, Notes};
 use crate::report::{counted, first_few};
 
-/// What is known of the extensions whose content is kept, or named in other ways.
+/// Extensions whose content is kept, or reported elsewhere.
 const KNOWN_EXTENSIONS: [&str; 6] = [
     "KHR_mesh_quantization",
     "KHR_lights_punctual",
@@ -18,7 +18,7 @@ const KNOWN_EXTENSIONS: [&str; 6] = [
     SPECULAR_GLOSSINESS,
 ];
 
-/// Notes what the document holds besides meshes and materials.
+/// Notes the content of a document besides meshes and materials.
 pub(super) fn note(document: &Document, notes: &mut Notes) {
     let root = document.root();
     let lights = root.extension("KHR_lights_punctual").map_or(0, |lights| lights.list("lights").len());
@@ -50,7 +50,7 @@ pub(super) fn note(document: &Document, notes: &mut Notes) {
         list.dedup();
     }
     used.retain(|name| !required.contains(name));
-    // Extensions of materials never stand in a mesh's way.
+    // Meshes can be read without the extensions of materials and textures.
     let (materials, others): (Vec<&str>, Vec<&str>) =
         required.into_iter().partition(|name| name.contains("_materials_") || name.contains("_texture_"));
     used.extend(materials);

@@ -1,4 +1,4 @@
-//! Materials, with the images that they use.
+//! Reading materials.
 
 use super::buffers::Buffers;
 use super::json::{Document, MATERIALS, Object};
@@ -13,17 +13,17 @@ use crate::report::first_few;
 use std::collections::HashMap;
 use std::rc::Rc;
 
-/// The cutoff of a mask that doesn't state one (glTF 2.0, 5.19.7).
+/// The default cutoff of a mask (glTF 2.0, 5.19.7).
 const DEFAULT_CUTOFF: f32 = 0.5;
 
 /// What the faces of a material have.
 pub(super) struct FaceMaterial {
     pub paint: Paint,
-    /// The set of texture coordinates that its base colour uses, or else its first texture.
+    /// The set of texture coordinates of its base colour texture, or else of its first texture.
     pub uv_set: usize,
 }
 
-/// The materials of a document that faces have so far.
+/// The materials of a document that faces use, read on first use.
 pub(super) struct Library<'b, 'a> {
     document: &'a Document,
     textures: Textures<'b, 'a>,
@@ -32,13 +32,13 @@ pub(super) struct Library<'b, 'a> {
 }
 
 impl<'b, 'a> Library<'b, 'a> {
-    /// `files` are those given with the model, for images.
+    /// `files` are those given with the model, images among them.
     pub(super) fn new(document: &'a Document, buffers: &'b Buffers<'a>, files: &'a [NamedBytes]) -> Self {
         let textures = Textures::new(document, buffers, files);
         Self { document, textures, materials: MaterialCollector::default(), known: HashMap::new() }
     }
 
-    /// The materials that faces have. Names the images and materials that the model doesn't get.
+    /// The materials that faces use. Notes unused materials and missing images.
     pub(super) fn finish(self, notes: &mut Notes) -> Materials {
         let unused = (0..self.document.count(MATERIALS)).filter(|index| !self.known.contains_key(index));
         let unused: Vec<String> = unused.map(|index| self.document.label(MATERIALS, index)).collect();
@@ -49,10 +49,10 @@ impl<'b, 'a> Library<'b, 'a> {
         self.materials.finish(notes)
     }
 
-    /// The material of this number.
+    /// The material with this index.
     ///
     /// # Errors
-    /// Where there is none.
+    /// When there is none.
     pub(super) fn material(&mut self, index: usize, notes: &mut Notes) -> Result<Rc<FaceMaterial>, String> {
         if let Some(known) = self.known.get(&index) {
             return Ok(Rc::clone(known));
@@ -63,7 +63,7 @@ impl<'b, 'a> Library<'b, 'a> {
         let mut material = factors(self.document, object, &mut faults);
         let uv_set = self.add_textures(object, &mut material, &mut faults);
         let paint = match object.name() {
-            // One without a name that is no more than a colour needs none.
+            // A mere colour needs no name.
             None if is_color(&material) => Paint { name: String::new(), color: material.color() },
             None => self.materials.add(&format!("material {index}"), material),
             Some(name) => self.materials.add(name, material),
@@ -73,7 +73,7 @@ impl<'b, 'a> Library<'b, 'a> {
         Ok(known)
     }
 
-    /// Adds the textures of a material, and returns the set of texture coordinates that they use.
+    /// Adds the textures of a material and returns the set of texture coordinates that they use.
     fn add_textures(&mut self, object: Object, material: &mut Material, faults: &mut Faults) -> usize {
         let mut sets = Vec::new();
         for (role, info) in textures(object) {
@@ -97,7 +97,7 @@ impl<'b, 'a> Library<'b, 'a> {
     }
 }
 
-/// The faults of one material.
+/// Notes the faults of one material.
 struct Faults<'n> {
     label: &'n str,
     notes: &'n mut Notes,
@@ -108,7 +108,7 @@ impl Faults<'_> {
         self.notes.fault(Fault::Material, format!("{}: {what}", self.label));
     }
 
-    /// What was read, or none with a note.
+    /// The value, or `None` after noting why it can't be read.
     fn take<T>(&mut self, read: Result<Option<T>, String>) -> Option<T> {
         read.unwrap_or_else(|why| {
             self.add(&why);
@@ -135,7 +135,7 @@ fn textures(object: Object) -> impl Iterator<Item = (TextureRole, Object)> {
     all.into_iter().filter_map(|(role, info)| Some((role, info?)))
 }
 
-/// What a material states besides textures.
+/// Reads everything but the textures of a material.
 fn factors(document: &Document, object: Object, faults: &mut Faults) -> Material {
     let mut material = Material::default();
     let mut base = None;
@@ -143,7 +143,7 @@ fn factors(document: &Document, object: Object, faults: &mut Faults) -> Material
         base = faults.take(surface.numbers::<4>("baseColorFactor"));
         let metallic = surface.number("metallicFactor").map_or(1.0, |value| value as f32);
         let roughness = surface.number("roughnessFactor").map(|value| value as f32);
-        // A surface without metal or a stated roughness is the plain one of other formats.
+        // A dielectric without a stated roughness stands for a material of a format without either.
         if metallic != 0.0 || roughness.is_some() {
             material.metallic = Some(metallic);
             material.roughness = Some(roughness.unwrap_or(1.0));
@@ -180,7 +180,7 @@ fn factors(document: &Document, object: Object, faults: &mut Faults) -> Material
             None
         }
     };
-    // Our files show both sides of a material that says nothing of them.
+    // Our writer makes materials double-sided unless they state otherwise.
     let generator = document.root().object("asset").and_then(|asset| asset.text("generator"));
     let both = object.flag("doubleSided").unwrap_or(false);
     material.double_sided = Some(both).filter(|both| !(*both && generator == Some(GENERATOR)));

@@ -20,7 +20,7 @@ use halfedge::PolygonSoup;
 use std::collections::{BTreeSet, HashMap};
 use std::rc::Rc;
 
-/// How many sets of joints a vertex has at most: 4 joints each.
+/// The most sets of four joints that are read.
 const MAX_JOINT_SETS: usize = 8;
 
 /// Reads the meshes of a document.
@@ -30,35 +30,37 @@ pub(super) struct MeshReader<'b, 'a> {
     pub scene: &'b Scene<'a>,
     pub library: Library<'b, 'a>,
     pub notes: Notes,
-    /// How many more corners and vertices there may be: instances may repeat a mesh, and a small file must
-    /// not fill the memory that way.
+    /// How many more corners and vertices may be read: instances can repeat a mesh, and a small file must not
+    /// fill the memory that way.
     pub budget: usize,
 }
 
-/// The accessors that vertices are made of.
+/// The accessors that make up vertices.
 type VertexKey = Vec<Option<usize>>;
 
-/// The numbers of a primitive's vertices, and where these go.
+/// The vertex numbers of a primitive's rows, with their placement.
 type Placed = (Vec<u32>, Placement);
 
-/// What the primitives of an instance share.
+/// The state that the primitives of an instance share.
 struct Shape {
     transform: DMat4,
-    /// For each joint where the mesh goes with it; none for a mesh that no joints move.
+    /// The transform of each joint from the bind pose to the world; `None` for a mesh without a skin.
     joints: Option<Vec<DMat4>>,
     /// The weights of morph targets.
     weights: Vec<f64>,
     faces: Faces,
-    /// Vertices made so far, by the accessors that they were made of: primitives often share theirs, each
-    /// with some of the faces.
+    /// The vertices read so far, by their accessors: primitives often share vertices.
     known: HashMap<VertexKey, Rc<Placed>>,
+    /// How many primitives of lines there are.
     lines: usize,
-    /// The names of attributes that the model has no place for.
+    /// Whether the vertices of lines are read as points.
+    keeps_lines: bool,
+    /// The names of attributes that the model can't hold.
     left_out: BTreeSet<String>,
 }
 
 impl<'a> MeshReader<'_, 'a> {
-    /// The soup of an instance; none where nothing of it can be read, which is noted.
+    /// Reads an instance. Returns `None` after noting why if nothing of it can be read.
     pub(super) fn soup(
         &mut self,
         instance: &Instance<'a>,
@@ -73,21 +75,32 @@ impl<'a> MeshReader<'_, 'a> {
             faces: Faces::new(*origin),
             known: HashMap::new(),
             lines: 0,
+            keeps_lines: false,
             left_out: BTreeSet::new(),
         };
+        let mut is_read = self.primitives(mesh, &label, &mut shape);
+        if !is_read && shape.lines > 0 {
+            shape.keeps_lines = true;
+            is_read = self.primitives(mesh, &label, &mut shape);
+        }
+        self.note_left_out(&label, mesh.list("primitives").len(), &shape);
+        *origin = shape.faces.origin;
+        is_read.then(|| shape.faces.finish(&label, &mut self.notes))
+    }
+
+    /// Reads the primitives of a mesh. Returns whether any was kept.
+    fn primitives(&mut self, mesh: Object<'a>, label: &str, shape: &mut Shape) -> bool {
         let primitives = mesh.objects("primitives");
         let count = primitives.len();
         let mut is_read = false;
         for (i, object) in primitives.enumerate() {
-            let label = if count > 1 { format!("{label}, primitive {i}") } else { label.clone() };
-            match self.primitive(object, &label, &mut shape) {
-                Ok(has_faces) => is_read |= has_faces,
+            let label = if count > 1 { format!("{label}, primitive {i}") } else { label.to_owned() };
+            match self.primitive(object, &label, shape) {
+                Ok(is_kept) => is_read |= is_kept,
                 Err(why) => self.notes.fault(Fault::Faces, format!("{label}: {why}")),
             }
         }
-        self.note_left_out(&label, count, &shape);
-        *origin = shape.faces.origin;
-        is_read.then(|| shape.faces.finish(&label, &mut self.notes))
+        is_read
     }
 
     fn note_left_out(&mut self, label: &str, primitives: usize, shape: &Shape) {
@@ -96,7 +109,9 @@ impl<'a> MeshReader<'_, 'a> {
         }
         if shape.lines > 0 {
             let sets = counted(shape.lines, "set", "sets");
-            self.notes.fault(Fault::Scene, format!("{label}: {sets} of lines; only faces are edited here"));
+            let kept = if shape.keeps_lines { ", whose vertices are kept" } else { "" };
+            let what = format!("{label}: {sets} of lines{kept}; only faces are edited here");
+            self.notes.fault(Fault::Scene, what);
         }
         if !shape.left_out.is_empty() {
             let names: Vec<&str> = shape.left_out.iter().map(String::as_str).collect();
@@ -104,7 +119,7 @@ impl<'a> MeshReader<'_, 'a> {
         }
     }
 
-    /// For each joint of an instance's skin, where the mesh goes with it.
+    /// The transforms of the joints of an instance's skin.
     fn joints(&mut self, instance: &Instance) -> Option<Vec<DMat4>> {
         let name = &instance.name;
         let joints = match instance.node?.index("skin") {
@@ -128,10 +143,10 @@ impl<'a> MeshReader<'_, 'a> {
         }
     }
 
-    /// Reads a primitive. Returns whether it is anything but lines.
+    /// Reads a primitive. Returns whether it was kept.
     fn primitive(&mut self, object: Object<'a>, label: &str, shape: &mut Shape) -> Result<bool, String> {
         let primitive = Primitive::open(self.document, self.buffers, object, label, &mut self.notes)?;
-        if primitive.mode == Mode::Lines {
+        if primitive.mode == Mode::Lines && !shape.keeps_lines {
             shape.lines += 1;
             return Ok(false);
         }
@@ -164,7 +179,7 @@ impl<'a> MeshReader<'_, 'a> {
             Rc::new((shape.faces.add_vertices(&vertices), vertices.placement))
         });
         shape.known.insert(key, Rc::clone(&vertices));
-        if primitive.mode == Mode::Points {
+        if matches!(primitive.mode, Mode::Points | Mode::Lines) {
             return Ok(true);
         }
         let corners = Corners {
@@ -186,7 +201,7 @@ impl<'a> MeshReader<'_, 'a> {
         Ok(true)
     }
 
-    /// Notes rows whose data is not there.
+    /// Notes rows beyond the end of their buffer.
     fn note_missing(&mut self, label: &str, what: &str, rows: Option<&Rows>) {
         if let Some(rows) = rows.filter(|rows| rows.missing > 0) {
             let all = rows.count.saturating_add(rows.missing);
@@ -195,7 +210,7 @@ impl<'a> MeshReader<'_, 'a> {
         }
     }
 
-    /// The rows of an attribute that a mesh can do without; noted where they can't be read.
+    /// The rows of an optional attribute. Notes why if they can't be read.
     fn attribute<'p>(&mut self, primitive: &Primitive<'p, 'a>, name: &str, label: &str) -> Option<Rows<'p>> {
         primitive.attribute(name).unwrap_or_else(|why| {
             self.notes.fault(Fault::Attribute, format!("{label}: {name} left out: {why}"));
@@ -224,7 +239,7 @@ impl<'a> MeshReader<'_, 'a> {
         })
     }
 
-    /// Where the vertices of a primitive go.
+    /// The placement of a primitive's vertices.
     fn placement(
         &mut self,
         primitive: &Primitive<'_, 'a>,
@@ -247,7 +262,7 @@ impl<'a> MeshReader<'_, 'a> {
         Placement::Skinned(Skin { joints: joints.clone(), rest: shape.transform, influences })
     }
 
-    /// Gathers the attributes of a primitive that are not `used`.
+    /// Collects the names of the attributes that are not `used`.
     fn gather_left_out(&mut self, primitive: &Primitive, used: &[&str], shape: &mut Shape) {
         for name in primitive.attributes().filter(|name| !used.contains(name)) {
             let is_joint = name.starts_with("JOINTS_") || name.starts_with("WEIGHTS_");
@@ -260,7 +275,7 @@ impl<'a> MeshReader<'_, 'a> {
     }
 }
 
-/// The accessors and the compressed data that the vertices of a primitive are made of.
+/// The accessors and the compressed data that make up the vertices of a primitive.
 fn vertex_key(primitive: &Primitive, shape: &Shape) -> VertexKey {
     let accessor = |name: &str| primitive.accessor(name).ok().flatten();
     let mut key: VertexKey = ["POSITION", "COLOR_0", VERTEX_ID].map(accessor).to_vec();
@@ -276,7 +291,7 @@ fn vertex_key(primitive: &Primitive, shape: &Shape) -> VertexKey {
     key
 }
 
-/// The attribute with the texture coordinates that the textures of a material use, or else the first one.
+/// The name of the attribute with the texture coordinates of a material, or of the first set if it is missing.
 fn uv_name(primitive: &Primitive, material: Option<&FaceMaterial>) -> String {
     let name = format!("TEXCOORD_{}", material.map_or(0, |material| material.uv_set));
     match primitive.accessor(&name) {

@@ -1,5 +1,5 @@
-//! Views compressed by meshoptimizer: the extensions `EXT_meshopt_compression` and
-//! `KHR_meshopt_compression`, which differ in nothing but what encoders may use.
+//! Views compressed with meshoptimizer: the extensions `EXT_meshopt_compression` and
+//! `KHR_meshopt_compression`, which adds a version of the codec and a filter.
 
 use super::json::Object;
 use meshoptimizer_rs::codec::{
@@ -8,13 +8,13 @@ use meshoptimizer_rs::codec::{
 };
 use meshoptimizer_rs::{Error, Limits, Workspace};
 
-/// The extensions' names.
+/// The names of the extensions.
 pub(super) const EXTENSIONS: [&str; 2] = ["EXT_meshopt_compression", "KHR_meshopt_compression"];
 
-/// Undoes in place what was done to rows before they were compressed.
+/// Reverses, in place, a filter that was applied before compression.
 type Filter = fn(&mut [u8], usize, usize, &mut Workspace) -> Result<(), Error>;
 
-/// What a view says of its compressed data, if it has any.
+/// The compression extension of a view.
 pub(super) fn extension_of(view: Object<'_>) -> Option<Object<'_>> {
     EXTENSIONS.iter().find_map(|name| view.extension(name))
 }
@@ -22,7 +22,7 @@ pub(super) fn extension_of(view: Object<'_>) -> Option<Object<'_>> {
 /// Decodes the data of a view into at most `max_bytes`.
 ///
 /// # Errors
-/// Where the data is not what the view says.
+/// When the data doesn't match the view.
 pub(super) fn decode(view: Object, data: &[u8], max_bytes: usize) -> Result<Vec<u8>, String> {
     let count = view.required_index("count")?;
     let stride = view.required_index("byteStride")?;

@@ -1,9 +1,10 @@
-//! glTF 2.0, as `.gltf` with its buffers beside or inside it and as binary `.glb`. After the
-//! Khronos "glTF 2.0 Specification".
+//! glTF 2.0 after the Khronos "glTF 2.0 Specification": `.gltf` with its data beside or inside it, and
+//! binary `.glb`.
 //!
-//! Each node that shows a mesh is one object. Vertices that files split for the sake of their
-//! normals and texture coordinates become one again; those values are kept at the corners. Different
-//! vertices at one place are told apart in files of ours by an attribute, `_VERTEX_ID`.
+//! Each node that shows a mesh becomes one object. Files split vertices where normals or texture
+//! coordinates differ; the reader merges them again and keeps these values at the corners. The writer
+//! adds an attribute, `_VERTEX_ID`, where different vertices share a position. A fault costs what needs
+//! the faulty value and no more: the report names what is left out.
 
 mod accessor;
 mod buffers;

@@ -1,4 +1,4 @@
-//! Morph targets: what is added to the attributes of a primitive, by weights.
+//! Morph targets, which are added to the attributes of a primitive by weights.
 
 use super::json::Object;
 use super::primitive::Primitive;
@@ -6,18 +6,18 @@ use super::rows::Rows;
 use crate::notes::{Fault, Notes};
 use crate::report::{counted, first_few};
 
-/// What a target adds to one attribute.
+/// The part of a target that changes one attribute.
 struct Step<'b> {
     weight: f64,
     rows: Rows<'b>,
 }
 
-/// What all targets together add to one attribute.
+/// The parts of all targets that change one attribute.
 #[derive(Default)]
 pub(super) struct Steps<'b>(Vec<Step<'b>>);
 
 impl<'b> Steps<'b> {
-    /// The steps of an attribute by the weights of the targets.
+    /// Reads the parts for one attribute. Notes those that can't be read.
     pub(super) fn read(
         primitive: &Primitive<'b, '_>,
         weights: &[f64],
@@ -46,7 +46,7 @@ impl<'b> Steps<'b> {
         self.0.is_empty()
     }
 
-    /// A row of the attribute with the steps added.
+    /// The values of a row with all weighted parts added.
     pub(super) fn added<const N: usize>(&self, row: usize, mut values: [f64; N]) -> [f64; N] {
         for step in self.0.iter().filter(|step| row < step.rows.count) {
             for (value, added) in values.iter_mut().zip(step.rows.row::<N>(row)) {
@@ -57,8 +57,8 @@ impl<'b> Steps<'b> {
     }
 }
 
-/// The weights of the targets of a mesh, as its node or itself states them, and else 0. Names the targets,
-/// which are not kept.
+/// The weights of a mesh's targets: those of the node, else those of the mesh, else 0. Notes that the targets
+/// are not kept.
 pub(super) fn weights(mesh: Object, node: Option<Object>, label: &str, notes: &mut Notes) -> Vec<f64> {
     let targets = mesh.objects("primitives").map(|primitive| primitive.list("targets").len()).max();
     let count = targets.unwrap_or(0);

@@ -1,4 +1,4 @@
-//! Primitives: their attributes and indices, wherever these come from.
+//! Primitives: attributes and indices from accessors or compressed data.
 
 use super::accessor;
 use super::buffers::Buffers;
@@ -7,7 +7,7 @@ use super::json::{ACCESSORS, Document, Object};
 use super::rows::Rows;
 use crate::notes::{Fault, Notes};
 
-/// How the vertices of a primitive form faces.
+/// The topology of a primitive.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub(super) enum Mode {
     Points,
@@ -29,7 +29,7 @@ impl Mode {
         })
     }
 
-    /// The places of the corners of each triangle among `count` indices.
+    /// For each triangle the positions of its corners in a list of `count` indices.
     pub(super) fn triangles(self, count: usize) -> Box<dyn Iterator<Item = [usize; 3]>> {
         let faces = count.saturating_sub(2);
         match self {
@@ -49,7 +49,7 @@ pub(super) struct Primitive<'b, 'a> {
     pub mode: Mode,
     document: &'a Document,
     buffers: &'b Buffers<'a>,
-    /// The decoded mesh, with the number of each attribute in it.
+    /// The decoded mesh, with the extension's ids of its attributes.
     draco: Option<(&'b DracoMesh, Object<'a>)>,
 }
 
@@ -57,7 +57,7 @@ impl<'b, 'a> Primitive<'b, 'a> {
     /// `label` names the primitive in notes.
     ///
     /// # Errors
-    /// Where nothing of it can be read.
+    /// When nothing of it can be read.
     pub(super) fn open(
         document: &'a Document,
         buffers: &'b Buffers<'a>,
@@ -84,14 +84,14 @@ impl<'b, 'a> Primitive<'b, 'a> {
         Ok(this)
     }
 
-    /// Whether accessors have the positions of a compressed primitive too.
+    /// Whether a compressed primitive has uncompressed positions too.
     fn has_uncompressed_copy(&self) -> bool {
         let accessor = self.accessor("POSITION").ok().flatten();
         let accessor = accessor.and_then(|index| self.document.item(ACCESSORS, index).ok());
         accessor.is_some_and(|accessor| accessor.get("bufferView").is_some())
     }
 
-    /// The number of an attribute's accessor.
+    /// The index of an attribute's accessor.
     pub(super) fn accessor(&self, name: &str) -> Result<Option<usize>, String> {
         self.object.object("attributes").map_or(Ok(None), |attributes| attributes.index(name))
     }
@@ -101,10 +101,10 @@ impl<'b, 'a> Primitive<'b, 'a> {
         self.object.object("attributes").into_iter().flat_map(Object::fields).map(|(name, _)| name)
     }
 
-    /// The rows of an attribute; none where it lacks it.
+    /// The rows of an attribute; `None` if the primitive doesn't have it.
     ///
     /// # Errors
-    /// Where it can't be read.
+    /// When it can't be read.
     pub(super) fn attribute(&self, name: &str) -> Result<Option<Rows<'b>>, String> {
         let accessor = self.accessor(name)?;
         if let Some((mesh, attributes)) = self.draco
@@ -117,10 +117,10 @@ impl<'b, 'a> Primitive<'b, 'a> {
         accessor.map(|index| self.rows(index)).transpose()
     }
 
-    /// The numbers of the vertices of all faces; none where vertices follow each other.
+    /// The indices; `None` for a primitive that uses its vertices in order.
     ///
     /// # Errors
-    /// Where they can't be read.
+    /// When they can't be read.
     pub(super) fn indices(&self) -> Result<Option<Rows<'b>>, String> {
         match self.draco {
             Some((mesh, _)) => Ok(Some(mesh.indices())),

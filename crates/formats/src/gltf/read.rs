@@ -1,4 +1,4 @@
-//! Reading a glTF: the scene's nodes that show meshes, each as an object.
+//! Reading a document.
 
 use super::buffers::Buffers;
 use super::container::Container;
@@ -14,16 +14,16 @@ use crate::notes::{Fault, Notes};
 use crate::report::ImportReport;
 use halfedge::Progress;
 
-/// How many corners and vertices instances may have in all, however small the file.
+/// Total number of corners and vertices that instances in any file may have.
 const MIN_ELEMENT_BUDGET: usize = 4_000_000;
 
-/// How many corners and vertices instances may have in all for each byte of the buffers.
+/// Total number of corners and vertices that instances may have for each byte of the buffers.
 const ELEMENTS_PER_BYTE: usize = 8;
 
-/// Reads one glTF: an object for each node that shows a mesh, or for each mesh where no node shows one.
+/// Reads a document: an object for each node that shows a mesh, or for each mesh if no node shows one.
 ///
 /// # Errors
-/// When nothing in the file can be shown; the message names the first thing that is in the way.
+/// When the file has nothing that can be shown; the message names the first fault.
 pub(super) fn read(
     source: &Source,
     reading: &mut Reading,
@@ -60,7 +60,7 @@ pub(super) fn read(
     Ok(Contents { objects, materials, report })
 }
 
-/// The objects of instances.
+/// Reads the instances that can be read.
 fn objects<'a>(
     reader: &mut MeshReader<'_, 'a>,
     instances: &[Instance<'a>],

@@ -1,8 +1,8 @@
-//! Rows of numbers, wherever they come from.
+//! Rows of numbers: the values of an accessor or of decoded data.
 
 use std::borrow::Cow;
 
-/// The types of numbers. The format has no 32-bit signed ones and no 64-bit ones, but they occur.
+/// The types of numbers. Some files use 32-bit signed integers and 64-bit floats, which the format doesn't allow.
 #[derive(Clone, Copy, PartialEq)]
 pub(super) enum Component {
     I8,
@@ -39,8 +39,8 @@ impl Component {
         }
     }
 
-    /// The number at the start of the bytes, 0 where they end before it does; divided by the largest one of
-    /// its type if it is a whole number that `is_normalized`.
+    /// The number at the start of the bytes; 0 if there are too few. `is_normalized` divides integers by the
+    /// largest of their type.
     fn read(self, bytes: &[u8], is_normalized: bool) -> f64 {
         fn first<const N: usize>(bytes: &[u8]) -> [u8; N] {
             bytes.first_chunk::<N>().copied().unwrap_or([0; N])
@@ -59,7 +59,7 @@ impl Component {
     }
 }
 
-/// Numbers at equal distances.
+/// Rows of numbers in memory, at equal distances.
 pub(super) struct Table<'b> {
     pub bytes: Cow<'b, [u8]>,
     pub stride: usize,
@@ -67,13 +67,13 @@ pub(super) struct Table<'b> {
 }
 
 impl Table<'_> {
-    /// A number of a row; 0 where there is none.
+    /// The number at this place of a row; 0 if there is none.
     pub(super) fn number(&self, row: usize, place: usize, is_normalized: bool) -> f64 {
         let at = row.saturating_mul(self.stride).saturating_add(place * self.component.size());
         self.component.read(self.bytes.get(at..).unwrap_or_default(), is_normalized)
     }
 
-    /// How many rows of this size there are.
+    /// How many rows of this size, in bytes, there are.
     pub(super) fn rows(&self, row_size: usize) -> usize {
         match self.bytes.len().checked_sub(row_size) {
             Some(rest) if self.stride > 0 => rest / self.stride + 1,
@@ -82,34 +82,34 @@ impl Table<'_> {
     }
 }
 
-/// Rows that stand in place of others.
+/// Rows that replace others.
 pub(super) struct Sparse<'b> {
-    /// The rows replaced, in ascending order, each with the row of `values` in its place.
+    /// The replaced rows in ascending order, each with the row of `values` that replaces it.
     pub replaced: Vec<(u32, u32)>,
     pub values: Table<'b>,
 }
 
-/// The rows of an accessor, as many numbers each as its type has.
+/// The rows of an accessor.
 pub(super) struct Rows<'b> {
-    /// None where all numbers are 0 but sparse ones.
+    /// `None` for an accessor whose values are 0, apart from sparse ones.
     pub table: Option<Table<'b>>,
     pub sparse: Option<Sparse<'b>>,
-    /// Whether whole numbers stand for fractions.
+    /// Whether integers are mapped to fractions.
     pub is_normalized: bool,
     /// How many numbers a row has.
     pub width: usize,
     pub count: usize,
-    /// How many more rows the accessor should have, but its data is not there.
+    /// How many rows of the accessor lie beyond the end of its buffer.
     pub missing: usize,
 }
 
 impl Rows<'_> {
-    /// Rows of one whole number each.
+    /// Rows of one integer each.
     pub(super) fn of_indices(indices: impl Iterator<Item = u32>) -> Self {
         Self::of_bytes(indices.flat_map(u32::to_le_bytes).collect(), Component::U32, 1)
     }
 
-    /// Rows of so many floats each.
+    /// Rows of `width` floats each.
     pub(super) fn of_floats(values: Vec<f32>, width: usize) -> Self {
         Self::of_bytes(values.into_iter().flat_map(f32::to_le_bytes).collect(), Component::F32, width)
     }
@@ -121,7 +121,7 @@ impl Rows<'_> {
         Self { table, sparse: None, is_normalized: false, width, count, missing: 0 }
     }
 
-    /// A row's first numbers, zeros where it has fewer.
+    /// The first `N` numbers of a row, padded with zeros.
     pub(super) fn row<const N: usize>(&self, row: usize) -> [f64; N] {
         let replaced = self.sparse.as_ref().and_then(|sparse| sparse.find(row));
         let (table, row) = match replaced {
@@ -142,7 +142,7 @@ impl Rows<'_> {
         self.row::<N>(row).map(|value| value as f32)
     }
 
-    /// A row as the number of something.
+    /// The first number of a row as an index.
     pub(super) fn index(&self, row: usize) -> u32 {
         let [number] = self.row(row);
         number as u32
@@ -150,7 +150,7 @@ impl Rows<'_> {
 }
 
 impl<'b> Sparse<'b> {
-    /// The table and its row that stand in place of a row.
+    /// The table and its row that replace a row.
     fn find(&self, row: usize) -> Option<(&Table<'b>, usize)> {
         let place = self.replaced.binary_search_by_key(&row, |&(replaced, _)| replaced as usize).ok()?;
         Some((&self.values, self.replaced.get(place)?.1 as usize))

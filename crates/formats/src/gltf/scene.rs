@@ -1,4 +1,4 @@
-//! What the scene shows: its instances of meshes, placed in the world.
+//! The scene: instances of meshes with their transforms.
 
 use super::json::{Document, MESHES, NODES, Object, SCENES};
 use super::names::GENERATOR;
@@ -6,29 +6,29 @@ use crate::notes::{Fault, Notes};
 use crate::report::{counted, first_few};
 use glam::DMat4;
 
-/// A mesh in the place of a node.
+/// A mesh that a node shows.
 pub(super) struct Instance<'d> {
     pub name: String,
-    /// The mesh and its number; none for an empty object of ours.
+    /// The mesh and its index; `None` for an empty object in a file of ours.
     pub mesh: Option<(usize, Object<'d>)>,
-    /// The node; none for a mesh that no node shows.
+    /// The node; `None` for a mesh that no node shows.
     pub node: Option<Object<'d>>,
     pub transform: DMat4,
 }
 
-/// The instances of a document in the order of its nodes, and where all its nodes are.
+/// The instances of a document in node order, and the transforms of all nodes.
 #[derive(Default)]
 pub(super) struct Scene<'d> {
     pub instances: Vec<Instance<'d>>,
-    /// From the coordinates of each node to the world's; none for nodes that can't be placed.
+    /// The transform of each node to the world; `None` for nodes that can't be placed.
     pub worlds: Vec<Option<DMat4>>,
-    /// How many nodes show no mesh.
+    /// How many nodes of the scene show no mesh.
     empty_nodes: usize,
 }
 
 impl<'d> Scene<'d> {
-    /// Walks through the scene that the document shows, or else its first one; where there is no scene,
-    /// through all nodes. Where no node shows a mesh, the meshes themselves are the instances.
+    /// Reads the default scene, or else the first one; all nodes if there is no scene. If no node shows a
+    /// mesh, all meshes become instances.
     pub(super) fn read(document: &'d Document, notes: &mut Notes) -> Self {
         let mut this = Self { worlds: vec![None; document.count(NODES)], ..Self::default() };
         let mut walk = Walk::new(document);
@@ -45,7 +45,7 @@ impl<'d> Scene<'d> {
             let count = counted(others.len(), "scene", "scenes");
             notes.fault(Fault::Scene, format!("{count} besides the one shown: {}", first_few(&others, 6)));
         }
-        // Joints may be outside the scene.
+        // Skins may have joints outside the scene.
         walk.all(roots, notes, |index, _, world| {
             if let Some(place) = this.worlds.get_mut(index) {
                 *place = Some(world);
@@ -94,7 +94,7 @@ impl<'d> Scene<'d> {
         self.instances = instances;
     }
 
-    /// Notes meshes and nodes that come to nothing, or takes the meshes where nothing shows them.
+    /// Notes meshes and nodes that aren't kept, or makes all meshes instances if no node shows one.
     fn note_rest(&mut self, document: &'d Document, notes: &mut Notes) {
         let mut is_shown = vec![false; document.count(MESHES)];
         for (mesh, _) in self.instances.iter().filter_map(|instance| instance.mesh) {
@@ -132,12 +132,12 @@ pub(super) fn meshes(document: &Document) -> Vec<Instance<'_>> {
     meshes.collect()
 }
 
-/// The whole numbers in a list; others are left out.
+/// The whole numbers in a list, without any other values.
 fn indices(object: Object, key: &str) -> Vec<usize> {
     object.list(key).iter().filter_map(super::json::whole).collect()
 }
 
-/// A walk through nodes, each met once.
+/// A walk through nodes that visits each at most once.
 struct Walk<'d> {
     document: &'d Document,
     is_met: Vec<bool>,
@@ -148,7 +148,7 @@ impl<'d> Walk<'d> {
         Self { document, is_met: vec![false; document.count(NODES)] }
     }
 
-    /// The nodes that are no other's children.
+    /// The nodes that are no children of others.
     fn roots(&self) -> Vec<usize> {
         let mut is_child = vec![false; self.is_met.len()];
         for child in self.document.items(NODES).flat_map(|node| indices(node, "children")) {
@@ -159,8 +159,8 @@ impl<'d> Walk<'d> {
         is_child.iter().enumerate().filter(|(_, is_child)| !**is_child).map(|(node, _)| node).collect()
     }
 
-    /// Visits roots with what is below them in document order, each node with its transform to the world.
-    /// Works without recursion: files may nest nodes deeply.
+    /// Visits roots and their descendants in document order, each with its transform to the world. Doesn't
+    /// recurse, as files may nest nodes deeply.
     fn all(&mut self, roots: Vec<usize>, notes: &mut Notes, mut visit: impl FnMut(usize, Object<'d>, DMat4)) {
         let document = self.document;
         let mut open: Vec<(usize, DMat4, bool)> =
@@ -174,7 +174,7 @@ impl<'d> Walk<'d> {
                     continue;
                 }
             };
-            // Nodes form trees: one that comes back would never end.
+            // Nodes must form trees; a cycle would never end.
             if self.is_met.get_mut(index).is_none_or(|is_met| std::mem::replace(is_met, true)) {
                 if !is_root {
                     notes.fault(Fault::Scene, format!("{} where it is in the scene again", label()));

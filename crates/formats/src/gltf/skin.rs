@@ -1,5 +1,5 @@
-//! Skins: vertices placed by joints, in the pose that the scene has. The transform of a skinned node
-//! itself doesn't count (glTF 2.0, 3.7.3.3).
+//! Skins: vertices placed by joints in the pose of the scene. The transform of the skinned node itself is
+//! ignored (glTF 2.0, 3.7.3.3).
 
 use super::accessor;
 use super::buffers::Buffers;
@@ -9,10 +9,10 @@ use super::scene::Scene;
 use crate::soup::placement::Influences;
 use glam::DMat4;
 
-/// For each joint of a skin, where the mesh goes with it.
+/// The transforms of the joints of a skin, from the bind pose to the world.
 ///
 /// # Errors
-/// Where one can't be placed.
+/// When the skin can't be read or a joint can't be placed.
 pub(super) fn joints(
     document: &Document,
     buffers: &Buffers,
@@ -40,8 +40,8 @@ pub(super) fn joints(
     list.iter().enumerate().map(joint).collect()
 }
 
-/// The joints that move each of `count` vertices. `sets` are the rows of joints and their weights. A
-/// vertex without weights goes with the first joint that it names.
+/// The joints that move each of `count` vertices, from the rows of joints and weights. A vertex without
+/// weights follows its first joint.
 pub(super) fn influences(sets: &[(Rows, Rows)], count: usize) -> Influences {
     let mut influences = Influences { starts: vec![0], list: Vec::new() };
     for vertex in 0..count {

@@ -1,4 +1,4 @@
-//! Textures, with the images that they show.
+//! Reading textures and images.
 
 use super::buffers::{Buffers, load};
 use super::json::{Document, IMAGES, Object, SAMPLERS, TEXTURES};
@@ -11,14 +11,14 @@ use crate::notes::Notes;
 use crate::text::print::percent_decoded;
 use std::collections::HashMap;
 
-/// Reads textures; each image once.
+/// Reads textures. Reads each image once.
 pub(super) struct Textures<'b, 'a> {
     document: &'a Document,
     buffers: &'b Buffers<'a>,
     files: &'a [NamedBytes],
-    /// The numbers of images in the model by those in the document.
+    /// The index in the model of each image of the document.
     numbers: HashMap<usize, u32>,
-    /// Whether a sampler says how images are filtered.
+    /// Whether a sampler states how images are filtered.
     has_filters: bool,
 }
 
@@ -27,11 +27,11 @@ impl<'b, 'a> Textures<'b, 'a> {
         Self { document, buffers, files, numbers: HashMap::new(), has_filters: false }
     }
 
-    /// Reads the texture that a material refers to, and returns the set of texture coordinates that places
-    /// it. In the model there is one set.
+    /// Reads a texture and returns it with the set of texture coordinates that it uses in the file; in the
+    /// model there is one set.
     ///
     /// # Errors
-    /// Where the texture or its image can't be read.
+    /// When the texture or its image can't be read.
     pub(super) fn read(
         &mut self,
         role: TextureRole,
@@ -39,7 +39,7 @@ impl<'b, 'a> Textures<'b, 'a> {
         materials: &mut MaterialCollector,
     ) -> Result<(Texture, usize), String> {
         let texture = self.document.item(TEXTURES, info.required_index("index")?)?;
-        // Of several images of a texture, the one that every program shows.
+        // The core image takes precedence, because every program can show it.
         let others = IMAGE_EXTENSIONS.iter().filter_map(|(name, _)| texture.extension(name));
         let source = match texture.index("source")? {
             Some(source) => Some(source),
@@ -63,7 +63,7 @@ impl<'b, 'a> Textures<'b, 'a> {
         Ok((texture, set))
     }
 
-    /// What lies beyond a texture's edges.
+    /// The wrap modes of a texture.
     fn wrap(&mut self, texture: Object) -> Result<[Wrap; 2], String> {
         let Some(sampler) = texture.index("sampler")? else { return Ok([Wrap::Repeat; 2]) };
         let sampler = self.document.item(SAMPLERS, sampler)?;
@@ -78,7 +78,7 @@ impl<'b, 'a> Textures<'b, 'a> {
         Ok([side("wrapS")?, side("wrapT")?])
     }
 
-    /// The number in the model of an image in the document.
+    /// The index in the model of an image of the document.
     fn image(&mut self, index: usize, materials: &mut MaterialCollector) -> Result<u32, String> {
         if let Some(&number) = self.numbers.get(&index) {
             return Ok(number);
@@ -99,7 +99,7 @@ impl<'b, 'a> Textures<'b, 'a> {
         Ok(number)
     }
 
-    /// Says so where samplers filter images in a way of their own.
+    /// Notes that filters are not kept if a sampler states any.
     pub(super) fn note_filters(&self, notes: &mut Notes) {
         if self.has_filters {
             notes.info("How textures are filtered when they are shown small or large is not kept");
@@ -107,7 +107,7 @@ impl<'b, 'a> Textures<'b, 'a> {
     }
 }
 
-/// An image inside the file.
+/// An image whose data is in the document.
 fn embedded(index: usize, object: Object, bytes: &[u8]) -> Image {
     let mut name = object.name().map_or_else(|| format!("image{index}"), str::to_owned);
     let media_type = object.text("mimeType").map(str::to_owned).or_else(|| media_type(&name, bytes));

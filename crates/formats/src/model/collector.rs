@@ -1,4 +1,4 @@
-//! The materials of a file that faces have, gathered while it is read.
+//! Collects the materials that faces of a file use, while it is read.
 
 use crate::model::labels::Names;
 use crate::model::material::{Material, Materials};
@@ -10,38 +10,38 @@ use halfedge::attribute::Column;
 use halfedge::{Color, NONE, keys};
 use std::collections::HashMap;
 
-/// What the faces of one material have.
+/// The attributes of faces with one material.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(crate) struct Paint {
-    /// The material's name; empty for one that only stands for a colour.
+    /// The material's name; empty for a mere colour.
     pub name: String,
-    /// The base colour, if there is one.
+    /// The base colour, if the material states one.
     pub color: Option<Color>,
 }
 
-/// Gathers materials and images, and gives materials of the same name different ones.
+/// Collects materials and images. Gives different materials different names.
 #[derive(Default)]
 pub(crate) struct MaterialCollector {
     materials: Materials,
-    /// The places of materials in the list by name.
+    /// The index of each material in the list, by name.
     numbers: HashMap<String, usize>,
-    /// How often a name is taken, with numbers behind it.
+    /// The last number appended to each name.
     copies: HashMap<String, usize>,
-    /// Materials met only under the names of their painted variants so far.
+    /// Materials of painted variants, by their plain names: used if nothing else has the name.
     plain: Vec<(String, Material)>,
 }
 
 impl MaterialCollector {
-    /// The number of an image, which is added unless the same one is there already.
+    /// Adds an image unless it is known, and returns its index.
     pub(crate) fn add_image(&mut self, image: Image) -> u32 {
         self.materials.add_image(image)
     }
 
-    /// Adds a material of this name in the file, and returns what its faces have.
+    /// Adds a material that has this name in the file, and returns the attributes of its faces.
     pub(crate) fn add(&mut self, label: &str, material: Material) -> Paint {
         let color = material.color();
         let name = match unpainted(label) {
-            // A material made for painted faces: theirs is the one that it was made from.
+            // A variant for painted faces stands for the material that it was made from.
             Some((plain, paint)) if color == Some(paint) => {
                 if !plain.is_empty() {
                     self.plain.push((plain.to_owned(), material));
@@ -53,8 +53,8 @@ impl MaterialCollector {
         Paint { name, color }
     }
 
-    /// Adds a material, and returns the name that it has: its own unless a different material has that one.
-    /// Materials that are no more than a colour share a name.
+    /// Adds a material and returns its name: a new one if a different material has this name. Mere colours
+    /// share a name.
     fn add_named(&mut self, label: &str, mut material: Material) -> String {
         material.name = label.to_owned();
         if let Some(known) = self.numbers.get(label).and_then(|&number| self.materials.list.get(number)) {
@@ -74,7 +74,7 @@ impl MaterialCollector {
         name
     }
 
-    /// All materials. Notes images whose contents are unknown.
+    /// The collected materials. Notes images whose data is missing.
     pub(crate) fn finish(mut self, notes: &mut Notes) -> Materials {
         for (name, material) in std::mem::take(&mut self.plain) {
             if !self.numbers.contains_key(&name) {
@@ -93,17 +93,17 @@ impl MaterialCollector {
     }
 }
 
-/// Whether a material says no more than a colour.
+/// Whether a material states nothing but a base colour.
 pub(crate) fn is_color(material: &Material) -> bool {
     let name = material.name.clone();
     *material == Material { name, base_color: material.base_color, ..Material::default() }
 }
 
-/// Columns of faces with these materials, each face by the number of its paint; a number out of range
-/// stands for none.
+/// The columns of faces with these paints, by the number of each face's paint. A number out of range stands
+/// for no material.
 pub(crate) fn face_columns(paints: &[&Paint], faces: &[u32]) -> Vec<Column> {
     let mut columns = Vec::new();
-    // Several paints may have one material: different colours of it.
+    // Paints of different colours may share a material.
     let mut names = Names::default();
     let name = |paint: &&Paint| match paint.name.as_str() {
         "" => NONE,
@@ -153,7 +153,7 @@ mod tests {
         let alpha = |alpha| Material { alpha: Some(alpha), ..Material::default() };
         let names = [0.5, 0.25, 0.5, 0.75].map(|value| collector.add("glass", alpha(value)).name);
         assert_eq!(names, ["glass", "glass.2", "glass", "glass.3"]);
-        // Colours alone share it.
+        // Mere colours share a name.
         let colors = [[1, 2, 3], [4, 5, 6]].map(|color| collector.add("red", colored(Color(color))).name);
         assert_eq!(colors, ["red", "red"]);
     }

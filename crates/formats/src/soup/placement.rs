@@ -1,13 +1,13 @@
-//! Where vertices go: with a node, or with the joints of a skeleton.
+//! Placements: vertices follow a node, or the joints of a skeleton.
 
 use crate::soup::is_mirrored;
 use glam::{DMat4, Vec3};
 
-/// How the vertices of a shape get to the world.
+/// How the vertices of a shape are transformed to the world.
 pub(crate) enum Placement {
-    /// All by one transform.
+    /// All vertices by one transform.
     Rigid(DMat4),
-    /// Each by a mean of the transforms of joints.
+    /// Each vertex by a weighted mean of joint transforms.
     Skinned(Skin),
 }
 
@@ -20,32 +20,32 @@ impl Placement {
         }
     }
 
-    /// Whether nothing moves.
+    /// Whether the placement changes nothing.
     pub(crate) fn is_identity(&self) -> bool {
         matches!(self, Self::Rigid(transform) if *transform == DMat4::IDENTITY)
     }
 
-    /// A direction of unit length, turned as a vertex is; untouched, to the bit, where nothing moves.
+    /// Transforms the direction of a normal at a vertex to unit length. The identity keeps it to the bit.
     pub(crate) fn direction(&self, vertex: usize, direction: Vec3) -> Vec3 {
         if self.is_identity() {
             return direction;
         }
-        // Directions turn with the inverse transpose.
+        // Normals transform with the inverse transpose.
         let turn: DMat4 = self.of(vertex).inverse().transpose();
         turn.transform_vector3(direction.as_dvec3()).normalize_or_zero().as_vec3()
     }
 
-    /// Whether shapes come out mirrored.
+    /// Whether it mirrors shapes.
     pub(crate) fn is_mirrored(&self) -> bool {
         is_mirrored(self.of(0))
     }
 }
 
-/// Vertices with the joints that move them.
+/// The transforms of joints, and the joints that move each vertex.
 pub(crate) struct Skin {
-    /// For each joint, where the geometry goes with it.
+    /// The transform of each joint.
     pub joints: Vec<DMat4>,
-    /// Where vertices are that no joint moves.
+    /// The transform of vertices that no joint moves.
     pub rest: DMat4,
     pub influences: Influences,
 }
@@ -53,9 +53,9 @@ pub(crate) struct Skin {
 /// The joints that move each vertex.
 #[derive(Default)]
 pub(crate) struct Influences {
-    /// Where those of each vertex start; one more than there are vertices.
+    /// For each vertex the start of its joints in `list`, and the end of the list.
     pub starts: Vec<u32>,
-    /// Joints, or anything beyond those for the resting place, with weights.
+    /// Joints with weights; numbers beyond the joints stand for `rest`.
     pub list: Vec<(u32, f32)>,
 }
 
@@ -67,7 +67,7 @@ impl Influences {
 }
 
 impl Skin {
-    /// The mean of the joints' transforms by weight.
+    /// The weighted mean of the joints' transforms.
     fn of(&self, vertex: usize) -> DMat4 {
         let mut sum = DMat4::ZERO;
         let mut weights = 0.0;
@@ -76,7 +76,7 @@ impl Skin {
             sum += *self.joints.get(joint as usize).unwrap_or(&self.rest) * weight;
             weights += weight;
         }
-        // One whole weight leaves its joint's transform as it is, to the bit.
+        // A single weight of 1 keeps the joint's transform to the bit.
         if weights == 1.0 {
             return sum;
         }

@@ -73,6 +73,23 @@ fn what_is_not_kept_is_named() {
 }
 
 #[test]
+fn lines_alone_leave_their_vertices() {
+    let mut doc = Doc::square();
+    doc.json["meshes"][0]["primitives"][0]["mode"] = json!(1);
+    let import = open(&doc);
+    assert_eq!((mesh(&import).vertex_count(), mesh(&import).face_count()), (4, 0));
+    let says = "mesh \"square\": 1 set of lines, whose vertices are kept; only faces are edited here";
+    assert!(import.report.to_string().contains(says), "{}", import.report);
+    // Beside faces they are left out.
+    doc.push("accessors", doc.json["accessors"][0].clone());
+    let faces = json!({ "attributes": { "POSITION": 2 }, "indices": 1 });
+    doc.json["meshes"][0]["primitives"].as_array_mut().expect("a list").push(faces);
+    let import = open(&doc);
+    assert_eq!((mesh(&import).vertex_count(), mesh(&import).face_count()), (4, 2));
+    assert!(import.report.to_string().contains("1 set of lines; only faces"), "{}", import.report);
+}
+
+#[test]
 fn every_type_of_numbers_is_read() {
     // Twice the square's coordinates in each type, and normalised ones.
     for (component, size, full) in [
@@ -233,6 +250,18 @@ fn an_uncompressed_copy_is_read_where_the_compressed_data_cannot_be() {
     let import = open(&doc);
     assert_eq!(mesh(&import).face_count(), 2);
     assert!(import.report.to_string().contains("an uncompressed copy was read"), "{}", import.report);
+}
+
+#[test]
+fn normals_of_some_corners_are_lost_and_named() {
+    let mut doc = Doc::square();
+    let normals = doc.floats("VEC3", &[0.0, 0.0, 1.0].repeat(3));
+    doc.json["meshes"][0]["primitives"][0]["attributes"]["NORMAL"] = json!(normals);
+    let import = open(&doc);
+    let lost = "glTF holds normals of all corners of a mesh or of none: those of 5 corners are lost";
+    assert_eq!(formats::losses(by_code("glb"), &import.model), [lost]);
+    let back = read(&formats::write(by_code("glb"), &import.model).expect("small")).expect("readable");
+    assert_eq!(mesh(&back).attribute(keys::CORNER_NORMAL), None);
 }
 
 #[test]

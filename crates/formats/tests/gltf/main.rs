@@ -270,6 +270,24 @@ proptest! {
     #![proptest_config(ProptestConfig::with_cases(500))]
 
     #[test]
+    fn damaged_data_never_panics(
+        is_draco in any::<bool>(),
+        edits in prop::collection::vec((any::<prop::sample::Index>(), any::<u8>()), 1..8),
+    ) {
+        let mut file = common::case_file(if is_draco { "gltf-draco.glb" } else { "gltf-meshopt.glb" });
+        // The JSON stays as it is, so that damaged data is decoded.
+        let json = u32::from_le_bytes(*file.bytes[12..].first_chunk().expect("a length")) as usize;
+        for (at, value) in edits {
+            let data = &mut file.bytes[28 + json..];
+            let at = at.index(data.len());
+            data[at] = value;
+        }
+        if let Ok(import) = read(&[file]) {
+            mesh(&import);
+        }
+    }
+
+    #[test]
     fn damaged_files_never_panic(
         binary in any::<bool>(),
         edits in prop::collection::vec((any::<prop::sample::Index>(), any::<u8>(), 0u8..4), 1..6),

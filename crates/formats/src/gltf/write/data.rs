@@ -1,11 +1,11 @@
-//! The binary data of a document, with its views and accessors.
+//! Collects the binary data of a document with its views and accessors.
 
 use super::set;
 use serde_json::{Value, json};
 
-/// What the data of a view is for: the values of vertices.
+/// The target of views with vertex data.
 const ARRAY_BUFFER: u32 = 34962;
-/// What the data of a view is for: the numbers of vertices.
+/// The target of views with indices.
 const ELEMENT_ARRAY_BUFFER: u32 = 34963;
 
 /// The data so far.
@@ -17,7 +17,7 @@ pub(super) struct Data {
 }
 
 impl Data {
-    /// Adds rows of floats, with their bounds where these are asked for; returns the accessor.
+    /// Adds rows of floats, with their bounds if `has_bounds`, and returns the accessor.
     pub(super) fn floats<const N: usize>(&mut self, rows: &[[f32; N]], has_bounds: bool) -> usize {
         let mut accessor = json!({ "componentType": 5126, "count": rows.len(), "type": format!("VEC{N}") });
         if has_bounds {
@@ -33,13 +33,13 @@ impl Data {
         self.accessor(bytes, ARRAY_BUFFER, accessor)
     }
 
-    /// Adds numbers of vertices as the attribute of ours has them; returns the accessor.
+    /// Adds the values of the `_VERTEX_ID` attribute and returns the accessor.
     pub(super) fn ids(&mut self, ids: &[u32]) -> usize {
         let accessor = json!({ "componentType": 5121, "count": ids.len(), "type": "VEC4" });
         self.accessor(ids.iter().flat_map(|id| id.to_le_bytes()), ARRAY_BUFFER, accessor)
     }
 
-    /// Adds numbers of vertices; returns the accessor.
+    /// Adds indices and returns the accessor.
     pub(super) fn indices(&mut self, indices: &[u32]) -> usize {
         let accessor = json!({ "componentType": 5125, "count": indices.len(), "type": "SCALAR" });
         self.accessor(indices.iter().flat_map(|index| index.to_le_bytes()), ELEMENT_ARRAY_BUFFER, accessor)
@@ -55,8 +55,7 @@ impl Data {
         self.accessors.len() - 1
     }
 
-    /// Adds a file; returns the view. Call it after everything else: the numbers of accessors have to lie
-    /// at multiples of their size.
+    /// Adds a file and returns the view. No accessors may follow: their data has to be aligned.
     pub(super) fn file(&mut self, bytes: &[u8]) -> usize {
         let offset = self.bin.len();
         self.bin.extend_from_slice(bytes);

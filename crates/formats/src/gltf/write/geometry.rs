@@ -10,8 +10,8 @@ use halfedge::{Color, Element, Mesh, keys};
 use serde_json::{Value, json};
 use std::collections::HashMap;
 
-/// Writes the vertices of a mesh once, a primitive for each material that uses them, and one of points for
-/// those in no face.
+/// Writes a mesh: its vertices once, a primitive of triangles for each material, and one of points for
+/// vertices in no face.
 pub(super) fn primitives(mesh: &Mesh, data: &mut Data, materials: &mut MaterialWriter) -> Vec<Value> {
     let vertices = Vertices::new(mesh);
     if vertices.positions.is_empty() {
@@ -47,8 +47,7 @@ pub(super) fn primitives(mesh: &Mesh, data: &mut Data, materials: &mut MaterialW
     primitives
 }
 
-/// The corners of the triangles of each material, in order of first use; faces of one material stay in
-/// order.
+/// The indices of the triangles of each material, in order of first use; faces of a material stay in order.
 fn triangles(
     mesh: &Mesh,
     vertices: &Vertices,

@@ -35,7 +35,8 @@ pub(crate) fn keeps(property: Property) -> bool {
     }
 }
 
-/// The object and the key of a texture with this role; the object is the material where it has no name.
+/// The key of the object that holds a texture with this role, empty for the material itself, and the key of
+/// the texture in it.
 fn place(role: TextureRole) -> Option<(&'static str, &'static str)> {
     Some(match role {
         TextureRole::BaseColor => ("pbrMetallicRoughness", "baseColorTexture"),
@@ -47,7 +48,7 @@ fn place(role: TextureRole) -> Option<(&'static str, &'static str)> {
     })
 }
 
-/// What of a model's images programs may not show.
+/// Names the used images of kinds that the format doesn't have.
 pub(crate) fn losses(model: &Model) -> Vec<String> {
     let in_use: HashSet<&str> = model.objects.iter().flat_map(|object| names_in_use(&object.mesh)).collect();
     let materials = model.materials.list.iter().filter(|material| in_use.contains(material.name.as_str()));
@@ -62,34 +63,35 @@ pub(crate) fn losses(model: &Model) -> Vec<String> {
     vec![format!("glTF holds PNG, JPEG, WebP, KTX 2, AVIF and DDS images: programs may not show {names}")]
 }
 
-/// Whether the format, or an extension of it, has images of this kind.
+/// Whether the format or an extension allows images of this kind.
 fn is_allowed(image: &Image) -> bool {
     let Some(kind) = image.media_type.as_deref() else { return true };
     matches!(kind, "image/png" | "image/jpeg") || IMAGE_EXTENSIONS.iter().any(|(_, own)| *own == kind)
 }
 
-/// The materials that faces have so far, each once, with their textures.
+/// Collects the materials that faces use, with their textures and images.
 pub(super) struct MaterialWriter<'m> {
     model: &'m Model,
-    /// The names of the files that images are written to; none where they go into the binary data.
+    /// The names of the image files; `None` if images go into the binary data.
     image_names: Option<Vec<String>>,
-    /// The colours that go under materials' own names.
+    /// The colour of the faces that keep their material's name, by name.
     own_colors: HashMap<String, Color>,
-    /// What is known of materials, by name.
+    /// The model's materials by name.
     known: HashMap<&'m str, &'m Material>,
     numbers: HashMap<(String, Option<Color>), usize>,
     materials: Vec<Value>,
     textures: Vec<Value>,
     samplers: Vec<Value>,
-    /// The numbers in the model of the images in the document.
+    /// For each image of the document its index in the model.
     images: Vec<u32>,
     extensions: BTreeSet<&'static str>,
-    /// Extensions without which textures can't be shown.
+    /// Extensions that textures can't be shown without.
     required: BTreeSet<&'static str>,
 }
 
 impl<'m> MaterialWriter<'m> {
-    /// `other_files` are those beside which images are written; none if images go into the binary data.
+    /// `other_files` are the names of the files beside which images are written; `None` if images go into the
+    /// binary data.
     pub(super) fn new(model: &'m Model, other_files: Option<[&str; 2]>) -> Self {
         let image_names = other_files.map(|files| written_names(&model.materials.images, files));
         Self {
@@ -107,13 +109,13 @@ impl<'m> MaterialWriter<'m> {
         }
     }
 
-    /// The number of the material for faces with this label and colour.
+    /// The index of the material for faces with this label and colour.
     pub(super) fn number(&mut self, label: &str, color: Option<Color>) -> usize {
         let key = (label.to_owned(), color);
         if let Some(&number) = self.numbers.get(&key) {
             return number;
         }
-        // A material whose faces differ in colour becomes several, named so that they read back as one.
+        // Faces of other colours get variants of the material, named so that they read back as one.
         let name = match color {
             Some(color) if self.own_colors.get(label) != Some(&color) => painted(label, color),
             _ => label.to_owned(),
@@ -128,7 +130,7 @@ impl<'m> MaterialWriter<'m> {
     fn material(&mut self, name: &str, color: Option<Color>, known: Option<&'m Material>) -> Value {
         let plain = Material::default();
         let stated = known.unwrap_or(&plain);
-        // A colour that faces still have is written as it was.
+        // Unless faces were painted, the material's own colour is written, which has more digits.
         let base = match color {
             Some(color) if known.is_none_or(|known| known.color().unwrap_or(Color::UNPAINTED) != color) => {
                 Some(color.0.map(|channel| to_linear(f32::from(channel) / 255.0)))
@@ -149,7 +151,7 @@ impl<'m> MaterialWriter<'m> {
             "pbrMetallicRoughness": surface,
         });
         self.light(stated, &mut material);
-        // Other programs show alpha only where a mode says so.
+        // Without a mode, other programs ignore alpha.
         let is_transparent = stated.alpha.is_some_and(|alpha| alpha < 1.0);
         match stated.alpha_mode.or(is_transparent.then_some(AlphaMode::Blend)) {
             None => {}
@@ -171,11 +173,11 @@ impl<'m> MaterialWriter<'m> {
         material
     }
 
-    /// Emitted light and refraction.
+    /// Writes the emissive colour and the index of refraction.
     fn light(&mut self, stated: &Material, material: &mut Value) {
         let mut extensions = Map::new();
         if let Some(emissive) = stated.emissive.map(Rgb::to_linear) {
-            // Factors of the format end at 1; an extension multiplies them. A power of two rounds nothing.
+            // Factors are at most 1, and an extension multiplies them. Powers of two keep all digits.
             let strength = emissive.into_iter().fold(1.0f32, f32::max).log2().ceil().exp2();
             set(material, "emissiveFactor", emissive.map(|channel| channel / strength).to_vec());
             if strength > 1.0 {
@@ -192,7 +194,7 @@ impl<'m> MaterialWriter<'m> {
         }
     }
 
-    /// What a material says of a texture; none where its image doesn't exist.
+    /// A material's reference to a texture; `None` if its image doesn't exist.
     fn texture_info(&mut self, texture: &Texture) -> Option<Value> {
         let image = self.model.materials.image(texture)?;
         let known = self.images.iter().position(|&known| known == texture.image);
@@ -237,13 +239,13 @@ impl<'m> MaterialWriter<'m> {
         Some(info)
     }
 
-    /// The images of the textures that are written, as files.
+    /// The files of the images that textures use.
     pub(super) fn image_files(&self) -> Vec<NamedBytes> {
         let names = self.image_names.as_deref().unwrap_or_default();
         image_files(&self.model.materials.images, names, &self.images.iter().copied().collect())
     }
 
-    /// The lists of the document, images written to the data where they go there.
+    /// The finished lists of the document. Writes images to the data if they go there.
     pub(super) fn finish(&mut self, data: &mut Data) -> [(&'static str, Vec<Value>); 6] {
         let images = self.images.iter().filter_map(|&number| {
             let image = self.model.materials.images.get(number as usize)?;
@@ -271,7 +273,7 @@ impl<'m> MaterialWriter<'m> {
     }
 }
 
-/// The number of an item in a list, to which it is added unless it is there.
+/// The index of an item in a list. Adds it if it is missing.
 fn number_of(list: &mut Vec<Value>, item: Value) -> usize {
     list.iter().position(|known| *known == item).unwrap_or_else(|| {
         list.push(item);

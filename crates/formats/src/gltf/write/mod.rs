@@ -1,4 +1,4 @@
-//! Writing a glTF, as one binary file or as JSON with its data and images beside it.
+//! Writing a document: one binary file, or JSON with data and images in files beside it.
 
 mod data;
 mod geometry;
@@ -17,7 +17,7 @@ use data::Data;
 use geometry::primitives;
 use glam::DVec3;
 use material::MaterialWriter;
-pub(super) use material::{keeps, losses};
+pub(super) use material::keeps;
 use serde_json::{Value, json};
 
 /// Writes a `.glb`, with images inside.
@@ -74,7 +74,7 @@ pub(super) fn single_file(files: Vec<NamedBytes>) -> Option<NamedBytes> {
     Some(NamedBytes { name: model.name, bytes: document.to_string().into_bytes() })
 }
 
-/// The document and its data, which is in the file of the address `uri`.
+/// Writes the document and its data; `uri` is the name of the data's file, if it has one of its own.
 fn document(model: &Model, materials: &mut MaterialWriter, uri: Option<&str>) -> (Value, Vec<u8>) {
     let mut data = Data::default();
     let (mut meshes, mut nodes) = (Vec::new(), Vec::new());
@@ -84,7 +84,7 @@ fn document(model: &Model, materials: &mut MaterialWriter, uri: Option<&str>) ->
         if model.offset != DVec3::ZERO {
             set(&mut node, "translation", model.offset.to_array());
         }
-        // A mesh needs something to draw; an empty one stays a node by name.
+        // A mesh needs a primitive, so an empty object becomes a node without a mesh.
         if !primitives.is_empty() {
             set(&mut node, "mesh", meshes.len());
             meshes.push(json!({ "name": object.name, "primitives": primitives }));
@@ -110,11 +110,16 @@ fn document(model: &Model, materials: &mut MaterialWriter, uri: Option<&str>) ->
         ("bufferViews", views),
         ("buffers", buffers),
     ];
-    // Empty lists are not allowed.
+    // The format allows no empty lists.
     for (key, list) in own.into_iter().chain(lists).filter(|(_, list)| !list.is_empty()) {
         set(&mut document, key, list);
     }
     (document, bin)
+}
+
+/// What else than polygons, groups and the like is lost of a model.
+pub(super) fn losses(model: &Model) -> Vec<String> {
+    vertices::losses(model).into_iter().chain(material::losses(model)).collect()
 }
 
 /// Sets a field of a JSON object.
