@@ -103,6 +103,13 @@ pub(super) fn of_document(document: &Document, notes: &mut Notes) -> DMat4 {
             }
         }
     });
+    let is_own = |other: &Node| asset.is_some_and(|asset| asset.index == other.index);
+    let has_units =
+        |other: &Node| ["unit", "up_axis"].iter().any(|name| document.child(other, name).is_some());
+    let others = document.all("asset").filter(|other| !is_own(other) && has_units(other)).count();
+    if others > 0 {
+        notes.info(format!("Units and up axes of single elements are not applied: {others}"));
+    }
     let mut changes = Vec::new();
     if axis != "Y" {
         changes.push(format!("turned so that Y is up instead of {axis}"));

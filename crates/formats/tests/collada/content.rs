@@ -108,6 +108,9 @@ fn what_is_not_kept_is_named() {
         let import = read_dae(document(asset, &triangle, "")).expect("readable");
         assert!(import.report.to_string().contains(expected), "{}", import.report);
     }
+    let text = document("", &triangle, "").replace("<mesh>", "<asset><up_axis>Z_UP</up_axis></asset><mesh>");
+    let import = read_dae(text).expect("readable");
+    assert!(import.report.to_string().contains("of single elements are not applied: 1"), "{}", import.report);
     let import = with_attribute("TEXTANGENT", &source(3, "1 0 0"), [0; 6]);
     assert!(
         import.report.to_string().contains("The corner attribute TEXTANGENT is not kept"),
