@@ -1,4 +1,4 @@
-//! What each edit's text says about attributes.
+//! Attributes, as the text of each edit describes them.
 
 use crate::zoo::{self, he, v};
 use glam::{Vec2, Vec3};
@@ -13,7 +13,7 @@ fn color(mesh: &Mesh, f: FaceId) -> Color {
     mesh.get(keys::FACE_COLOR, f.index())
 }
 
-/// A value per vertex and corner that is its position, so that interpolation can be told.
+/// Gives each vertex and corner its position as a value, which shows how it was interpolated.
 fn place_values(mesh: &mut Mesh) {
     zoo::paint(mesh);
     for v in mesh.vertices().collect::<Vec<_>>() {
@@ -25,7 +25,7 @@ fn place_values(mesh: &mut Mesh) {
     }
 }
 
-/// Whether values are still where the vertices are.
+/// Checks that values still equal positions.
 fn check_places(mesh: &Mesh) {
     for v in mesh.vertices() {
         let value: Vec3 = mesh.get(keys::VERTEX_COLOR, v.index());
@@ -67,7 +67,7 @@ fn values_that_follow_positions_still_do() {
         mesh.validate().unwrap();
         check_places(&mesh);
     }
-    // A ring that crosses itself is interpolated both ways; positions of these quads are not flat.
+    // A ring that crosses itself is interpolated both ways. These quads aren't flat.
     let mut mesh = zoo::trefoil();
     place_values(&mut mesh);
     loop_cut(&mut mesh, EdgeId::new(0), 2, 0.4).unwrap();
@@ -75,7 +75,7 @@ fn values_that_follow_positions_still_do() {
 }
 
 #[test]
-fn of_edges_that_become_one_the_sharper_crease_stays() {
+fn edges_that_become_one_keep_the_sharper_crease() {
     let mut mesh = zoo::triangle_grid(3, 3);
     zoo::paint(&mut mesh);
     let edge = he(&mesh, 5, 6).edge();
@@ -115,7 +115,7 @@ fn new_faces_copy_the_face_they_belong_to() {
     for f in made.faces.iter().chain(&poked.faces) {
         assert_eq!((color(&mesh, *f), mesh.get(keys::FACE_GROUP, f.index())), (own, group));
     }
-    // The moved outline keeps its creases, and the edges left behind too.
+    // Both the moved outline and the edges left behind keep their creases.
     let mut mesh = zoo::cube();
     zoo::paint(&mut mesh);
     let before: Vec<f32> =

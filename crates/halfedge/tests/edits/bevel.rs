@@ -1,16 +1,11 @@
 //! Bevel edges and vertices.
 
 use crate::random::Random;
-use crate::zoo::{self, he, v};
+use crate::zoo::{self, counts, he, v};
 use glam::{Vec2, Vec3};
 use halfedge::edit::*;
 use halfedge::geometry::face_area_vector;
 use halfedge::{EdgeId, Mesh, Refusal, VertexId};
-
-fn counts(mesh: &Mesh) -> [usize; 3] {
-    mesh.validate().unwrap();
-    [mesh.vertex_count(), mesh.edge_count(), mesh.face_count()]
-}
 
 #[test]
 fn all_edges_of_a_cube_bevel() {

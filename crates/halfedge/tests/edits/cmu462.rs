@@ -1,4 +1,4 @@
-//! The before and after pairs of the CMU 15-462 course: each edit is found again among all edges.
+//! Pairs of meshes before and after an edit, from the CMU 15-462 course: exactly one edge gives each result.
 
 use glam::Vec3;
 use halfedge::edit::*;
@@ -37,7 +37,7 @@ fn read(path: &PathBuf) -> Mesh {
     built.mesh
 }
 
-/// The faces by the positions of their corners in units of 1e-4, whatever the numbering.
+/// The faces by the positions of their corners in units of 1e-4, independent of ids.
 fn geometry(mesh: &Mesh) -> Vec<Vec<[i32; 3]>> {
     let mut all: Vec<Vec<[i32; 3]>> = mesh
         .faces()

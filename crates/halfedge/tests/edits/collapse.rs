@@ -1,14 +1,9 @@
 //! Collapse edge, collapse face, split vertex, merge vertices.
 
-use crate::zoo::{self, he, v};
+use crate::zoo::{self, counts, he, v};
 use glam::Vec3;
 use halfedge::edit::*;
 use halfedge::{EdgeId, Mesh, Refusal};
-
-fn counts(mesh: &Mesh) -> [usize; 3] {
-    mesh.validate().unwrap();
-    [mesh.vertex_count(), mesh.edge_count(), mesh.face_count()]
-}
 
 #[test]
 fn a_tetrahedron_collapses_once() {
@@ -26,11 +21,11 @@ fn a_tetrahedron_collapses_once() {
 
 #[test]
 fn a_collapse_that_would_pinch_is_refused() {
-    // The diagonal of a lone square joins two boundary vertices through the inside.
+    // The diagonal of a single square joins two boundary vertices through the inside.
     let mesh = zoo::triangle_grid(1, 1);
     let diagonal = he(&mesh, 0, 3).edge();
     assert_eq!(can_collapse_edge(&mesh, diagonal, 0.5), Err(Refusal::JoinsBoundaries(diagonal)));
-    // So does the edge across a strip of quads; and from the outer to the inner boundary of a frame.
+    // So do the edge across a strip of quads, and one from the outer to the inner boundary of a frame.
     let mesh = zoo::grid(2, 1);
     let across = he(&mesh, 1, 4).edge();
     assert_eq!(can_collapse_edge(&mesh, across, 0.5), Err(Refusal::JoinsBoundaries(across)));
@@ -59,11 +54,11 @@ fn an_isolated_triangle_does_not_collapse() {
     for edge in mesh.edges() {
         assert!(matches!(can_collapse_edge(&mesh, edge, 0.5), Err(Refusal::LeftWithoutFace(_))));
     }
-    // Nor does the tip of a strip whose other two edges are on the boundary.
+    // At the tip of a strip two edges of a triangle are on the boundary.
     let mesh = zoo::triangle_grid(1, 1);
     let tip = mesh.vertices().find(|&v| mesh.valence(v) == 2).unwrap();
     for edge in mesh.vertex_edges(tip) {
-        // The edge beside the tip goes: the triangle's third edge is inside, so this is allowed.
+        // The third edge is inside, so these can collapse.
         can_collapse_edge(&mesh, edge, 0.5).unwrap();
     }
 }
@@ -105,13 +100,13 @@ fn vertices_with_two_or_three_edges_collapse() {
     }
     let edge = mesh.edges().next().unwrap();
     assert!(matches!(can_collapse_edge(&mesh, edge, 0.5), Err(Refusal::LeftWithoutFace(_))));
-    // A vertex of two edges beside a triangle and a quad: the triangle goes, the quad is one.
+    // A vertex with two edges beside a triangle and a quad: the triangle vanishes, and the quad becomes one.
     let mut mesh = zoo::coin(4);
     connect_vertices(&mut mesh, v(0), v(2)).unwrap();
     let edge = he(&mesh, 0, 1).edge();
     collapse_edge(&mut mesh, edge, 0.5).unwrap();
     assert_eq!(counts(&mesh), [3, 3, 2]);
-    // Valence three in a triangle mesh: collapsing a spoke takes the vertex out.
+    // Valence three in a triangle mesh: collapsing a spoke removes the vertex.
     let mut mesh = zoo::triangle_grid(2, 2);
     let face = mesh.faces().next().unwrap();
     let before = zoo::faces(&mesh);
@@ -125,7 +120,7 @@ fn vertices_with_two_or_three_edges_collapse() {
 
 #[test]
 fn splitting_a_vertex_undoes_a_collapse() {
-    // Inside, and with an end on the boundary; every edge of a triangle mesh that can collapse.
+    // Every edge of a triangle mesh that can collapse, inside and on the boundary.
     let start = zoo::triangle_grid(4, 4);
     let mut tried = [0, 0];
     for edge in start.edges().filter(|&e| can_collapse_edge(&start, e, 0.5).is_ok()) {
@@ -142,7 +137,7 @@ fn splitting_a_vertex_undoes_a_collapse() {
         let (first, last) = (spokes[0], spokes[spokes.len() - 1]);
         let positions = [start.position(a), start.position(b)];
         let same = [[first, last], [last, first]].into_iter().any(|edges| {
-            // The new vertex is either of the two.
+            // Either of the two can be the new vertex.
             [positions, [positions[1], positions[0]]].into_iter().any(|positions| {
                 let mut again = mesh.clone();
                 split_vertex(&mut again, a, edges, Some(positions)).unwrap();
@@ -156,7 +151,7 @@ fn splitting_a_vertex_undoes_a_collapse() {
     assert!(tried.iter().all(|&n| n > 5), "{tried:?}");
 }
 
-/// The faces by the positions of their corners, in halves of a unit.
+/// The faces by the positions of their corners, in half units.
 fn geometry(mesh: &Mesh) -> Vec<Vec<[i32; 3]>> {
     let mut all: Vec<Vec<[i32; 3]>> = mesh
         .faces()
@@ -180,7 +175,7 @@ fn split_vertex_beside_the_boundary() {
     let made = split_vertex(&mut mesh, v(0), [edges[0], edges[0]], None).unwrap();
     assert_eq!((made.vertices.len(), made.faces.len()), (1, 1));
     assert_eq!(counts(&mesh), [4, 5, 2]);
-    // Inside, the same edge twice has no meaning.
+    // Inside the mesh the same edge can't be given twice.
     let mut mesh = zoo::tetrahedron();
     let edge = mesh.vertex_edges(v(0)).next().unwrap();
     let refusal = split_vertex(&mut mesh, v(0), [edge, edge], None).unwrap_err();
@@ -199,13 +194,13 @@ fn a_face_collapses_to_its_centroid() {
     assert_eq!(made.removed_faces, [top]);
     assert_eq!(counts(&mesh), [5, 8, 5]);
     assert_eq!(mesh.position(stays), center);
-    // A triangle inside a triangle mesh takes its three neighbours with it.
+    // A triangle inside a triangle mesh vanishes with its three neighbours.
     let mut mesh = zoo::triangle_grid(4, 4);
     let inner = mesh.faces().find(|&f| mesh.face_vertices(f).all(|v| !mesh.is_boundary_vertex(v))).unwrap();
     let before = counts(&mesh);
     collapse_face(&mut mesh, inner).unwrap();
     assert_eq!(counts(&mesh), [before[0] - 2, before[1] - 6, before[2] - 4]);
-    // All of a tetrahedron would go; a face from boundary to boundary would pinch.
+    // Nothing of a tetrahedron would be left; a face from boundary to boundary would pinch.
     let mesh = zoo::tetrahedron();
     let face = mesh.faces().next().unwrap();
     assert!(matches!(can_collapse_face(&mesh, face), Err(Refusal::LeftWithoutFace(_))));
@@ -230,17 +225,17 @@ fn merging_two_ends_is_collapsing_their_edge() {
 
 #[test]
 fn merging_apart_sews_or_is_refused() {
-    // Two corners of different pieces: a pinch.
+    // Two vertices of different pieces would be a pinch.
     let mesh = zoo::several();
     let triangle = 8;
     assert_eq!(can_merge_vertices(&mesh, &[v(0), v(triangle)], None), Err(Refusal::Pinched(v(0))));
-    // Opposite corners of the square hole in a frame: the edges between them pair up and close it.
+    // Opposite corners of the square hole in a frame: the edges between them are paired and close it.
     let mut mesh = zoo::frame();
     merge_vertices(&mut mesh, &[v(5), v(10)], Some(Vec3::ZERO)).unwrap();
     assert_eq!(counts(&mesh), [15, 22, 8]);
     assert_eq!(mesh.boundary_loops().len(), 1);
     assert_eq!(mesh.position(v(5)), Vec3::ZERO);
-    // All four: the faces beside it are triangles then.
+    // All four: the faces beside the hole become triangles.
     let mut mesh = zoo::frame();
     let made = merge_vertices(&mut mesh, &[v(5), v(6), v(9), v(10)], None).unwrap();
     assert_eq!(made.removed_vertices, [v(6), v(9), v(10)]);

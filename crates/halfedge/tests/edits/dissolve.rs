@@ -1,14 +1,9 @@
-//! Dissolve vertex and edge, delete faces and vertices, poke, connect.
+//! Dissolve vertices and edges, delete faces and vertices, poke, connect.
 
 use crate::random::Random;
-use crate::zoo::{self, he, v};
+use crate::zoo::{self, counts, he, v};
 use halfedge::edit::*;
 use halfedge::{EdgeId, FaceId, Mesh, Refusal};
-
-fn counts(mesh: &Mesh) -> [usize; 3] {
-    mesh.validate().unwrap();
-    [mesh.vertex_count(), mesh.edge_count(), mesh.face_count()]
-}
 
 fn dissolvable(mesh: &Mesh) -> Option<EdgeId> {
     mesh.edges().find(|&e| can_dissolve_edges(mesh, &[e]).is_ok())
@@ -40,17 +35,17 @@ fn faces_that_meet_along_two_edges_apart_are_refused() {
     let mut mesh = zoo::coin(8);
     connect_vertices(&mut mesh, v(0), v(3)).unwrap();
     connect_vertices(&mut mesh, v(4), v(7)).unwrap();
-    // The front's middle (0 3 4 7) and the back meet along 3 4 and 7 0.
+    // The middle face of the front (0 3 4 7) and the back meet along 3 4 and 7 0.
     for (a, b) in [(3, 4), (7, 0)] {
         let edge = he(&mesh, a, b).edge();
         assert!(matches!(can_dissolve_edges(&mesh, &[edge]), Err(Refusal::NotADisc(_))));
     }
-    // The front's ends each meet the back along one row.
+    // The other faces of the front each meet the back along one row.
     for (a, b) in [(0, 1), (1, 2), (5, 6)] {
         can_dissolve_edges(&mesh, &[he(&mesh, a, b).edge()]).unwrap();
     }
-    // Merging faces of a torus for as long as that is allowed never cuts its handle: two faces that
-    // meet along three rows have an outline of one loop, and are no disc.
+    // Merging faces of a torus as long as that is allowed never cuts its handle: two faces that meet along three rows have
+    // an outline of one loop and are no disc.
     let mut mesh = zoo::complete_torus();
     while let Some(edge) = dissolvable(&mesh) {
         dissolve_edges(&mut mesh, &[edge], true).unwrap();
@@ -94,7 +89,7 @@ fn dissolving_a_loop_cut_takes_its_vertices_too() {
         dissolve_edges(&mut mesh, &[edge], false).unwrap();
     }
     assert_eq!(counts(&mesh), [16, 24, 10]);
-    // All but one: the ends of that one have three edges.
+    // All but one: its ends still have three edges.
     let mut mesh = start;
     dissolve_edges(&mut mesh, &cut[1..], false).unwrap();
     assert_eq!(counts(&mesh), [18, 27, 11]);
@@ -102,21 +97,28 @@ fn dissolving_a_loop_cut_takes_its_vertices_too() {
 
 #[test]
 fn vertices_count_when_all_edges_are_gone() {
-    // Two of the four edges at the middle, one after the other: if the middle went after the first two, the
-    // third could be lost in the fourth.
+    // Two of three edges at a vertex. After the first, the other two would become one if vertices were counted then, and
+    // the second edge could be lost in the third, which isn't given.
+    let start = zoo::tetrahedron();
+    let spokes: Vec<EdgeId> = start.vertex_edges(v(3)).collect();
+    for (i, j) in [(0, 1), (1, 0), (0, 2), (2, 0), (1, 2), (2, 1)] {
+        let mut mesh = start.clone();
+        dissolve_edges(&mut mesh, &[spokes[i], spokes[j]], false).unwrap();
+        assert_eq!(counts(&mesh), [3, 3, 2]);
+    }
+    // The vertex in the middle is removed with its edges; their other ends are left with two boundary edges.
     let mut mesh = zoo::grid(2, 2);
     let spokes = [(4, 5), (4, 7), (4, 3)].map(|(a, b)| he(&mesh, a, b).edge());
     let made = dissolve_edges(&mut mesh, &spokes, false).unwrap();
     assert_eq!(made.removed_faces.len(), 3);
-    // The middle goes with its last edge, and the ends of the spokes lie on the boundary with two edges left.
     assert_eq!(counts(&mesh), [4, 4, 1]);
-    // Ends that had two edges before, and those of no dissolved edge, stay.
+    // Vertices with two edges that are no end of a dissolved edge stay.
     let mut mesh = zoo::grid(3, 1);
     let across = he(&mesh, 1, 5).edge();
     split_edge(&mut mesh, he(&zoo::grid(3, 1), 0, 4).edge(), 0.5, Connect::None).unwrap();
     dissolve_edges(&mut mesh, &[across], false).unwrap();
     assert_eq!(counts(&mesh), [7, 8, 2]);
-    // A triangle can't lose its corner, so the vertex stays.
+    // A vertex stays if a face would be left with two corners.
     let mut mesh = zoo::triangle_grid(1, 1);
     let diagonal = he(&mesh, 0, 3).edge();
     dissolve_edges(&mut mesh, &[diagonal], false).unwrap();
@@ -129,11 +131,11 @@ fn regions_dissolve_as_wholes() {
     let edges = |pairs: &[(usize, usize)]| -> Vec<EdgeId> {
         pairs.iter().map(|&(a, b)| he(&start, a, b).edge()).collect()
     };
-    // The eight faces round the one in the middle are a ring; with the middle they are a disc.
+    // The eight faces round the middle one are a ring; with it they are a disc.
     let ring = edges(&[(8, 14), (9, 15), (20, 26), (21, 27), (13, 14), (19, 20), (15, 16), (21, 22)]);
     assert!(matches!(can_dissolve_edges(&start, &ring), Err(Refusal::NotADisc(_))));
     let middle = edges(&[(14, 15), (15, 21), (20, 21), (14, 20)]);
-    // Another region apart from it.
+    // With another region apart from it.
     let all: Vec<EdgeId> = ring.into_iter().chain(middle).chain(edges(&[(1, 7)])).collect();
     for (keep_vertices, expected) in [(true, [32, 47, 16]), (false, [31, 46, 16])] {
         let mut mesh = start.clone();
@@ -180,7 +182,7 @@ fn dissolving_down_to_two_faces() {
     for edge in mesh.edges() {
         assert!(matches!(can_dissolve_edges(&mesh, &[edge]), Err(Refusal::NotADisc(_))));
     }
-    // The cube, edge by edge, ends with two faces as well.
+    // A cube, edge by edge, ends with two faces too.
     let mut mesh = zoo::cube();
     while let Some(edge) = dissolvable(&mesh) {
         dissolve_edges(&mut mesh, &[edge], true).unwrap();
@@ -195,18 +197,18 @@ fn dissolving_a_vertex_inside_and_on_the_boundary() {
     let mut mesh = zoo::grid(2, 2);
     dissolve_vertex(&mut mesh, v(4)).unwrap();
     assert_eq!(counts(&mesh), [8, 8, 1]);
-    // On the boundary its two neighbours there are joined.
+    // On the boundary an edge joins its two neighbours.
     let mut mesh = zoo::grid(2, 1);
     dissolve_vertex(&mut mesh, v(1)).unwrap();
     assert_eq!(counts(&mesh), [5, 5, 1]);
     assert!(mesh.find_edge(v(0), v(2)).is_some());
     let mesh = zoo::triangle();
     assert!(matches!(can_dissolve_vertex(&mesh, v(0)), Err(Refusal::TooFewCorners(_))));
-    // Two triangles on the boundary: the neighbours are joined by the edge that stays.
+    // In the tip of two triangles: an edge joins its neighbours already.
     let mut mesh = zoo::triangle_grid(1, 1);
     let tip = mesh.vertices().find(|&v| mesh.valence(v) == 2).unwrap();
     assert!(matches!(dissolve_vertex(&mut mesh, tip), Err(Refusal::TooFewCorners(_))));
-    // A boundary triangle of neighbours: the hole 1 3 of a strip.
+    // In a tetrahedron without a face: likewise.
     let mut mesh = zoo::tetrahedron();
     delete_faces(&mut mesh, &[FaceId::new(0)]).unwrap();
     let refusal = dissolve_vertex(&mut mesh, v(0)).unwrap_err();
@@ -232,8 +234,8 @@ fn two_faces_inside_a_vertex_keep_apart() {
     let mut mesh = zoo::coin(5);
     dissolve_vertex(&mut mesh, v(2)).unwrap();
     assert_eq!(counts(&mesh), [4, 4, 2]);
-    // Where the neighbours are joined already, the two edges can't become one: the vertex 1 between
-    // the faces (0 1 2 a) and (2 1 0 b), and a triangle pair that has the edge 0 2.
+    // If an edge joins the neighbours already the two edges can't become one: vertex 1 between (0 1 2 3) and (2 1 0 4),
+    // and two triangles with the edge 0 2.
     let p = (0..5).map(|i| glam::Vec3::new(i as f32, (i * i) as f32, (i % 2) as f32)).collect();
     let faces: [&[u32]; 4] = [&[0, 1, 2, 3], &[2, 1, 0, 4], &[0, 3, 2], &[0, 2, 4]];
     let mesh = zoo::mesh(p, &faces);
@@ -249,7 +251,7 @@ fn deleting_leaves_holes_and_separates_bow_ties() {
     assert_eq!(counts(&mesh), [8, 8, 2]);
     assert_eq!(mesh.position(made.vertices[0]), mesh.position(v(4)));
     assert_eq!(mesh.components().1, 2);
-    // All of it, and vertices with the faces round them.
+    // All faces, and vertices with the faces round them.
     let mut mesh = zoo::cube();
     let all: Vec<FaceId> = mesh.faces().collect();
     delete_faces(&mut mesh, &all).unwrap();

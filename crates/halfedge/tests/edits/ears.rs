@@ -56,13 +56,13 @@ fn concave_polygons() {
     let mut spiral: Vec<[f32; 2]> = (0..40).map(|i| point(i, 3.0)).collect();
     spiral.extend((0..40).rev().map(|i| point(i, 2.0)));
     check_ears(&spiral);
-    // Corners in a row.
+    // Corners at straight angles.
     check_ears(&[[0.0, 0.0], [1.0, 0.0], [2.0, 0.0], [3.0, 0.0], [3.0, 1.0], [1.5, 2.0], [0.0, 1.0]]);
 }
 
 #[test]
 fn polygons_that_touch_themselves() {
-    // A square with a square hole, joined to it by a slit gone along twice.
+    // A square with a square hole; the outline runs along a slit between them twice.
     check_ears(&[
         [0.0, 0.0],
         [4.0, 0.0],
@@ -75,7 +75,7 @@ fn polygons_that_touch_themselves() {
         [3.0, 1.0],
         [1.0, 1.0],
     ]);
-    // Two triangles that touch at a corner: two of the four have no area, and none a negative one.
+    // Two triangles that touch at a corner: two of the four triangles have no area, none is turned over.
     let mut mesh = polygon(&[[0.0, 0.0], [2.0, 0.0], [1.0, 1.0], [2.0, 2.0], [0.0, 2.0], [1.0, 1.0]]);
     triangulate_face(&mut mesh, FaceId::new(0), Triangulation::Ears).unwrap();
     mesh.validate().unwrap();
@@ -84,8 +84,8 @@ fn polygons_that_touch_themselves() {
     assert_eq!(parts, [0.0, 0.0, 2.0, 2.0]);
 }
 
-/// Checks that no triangle of a polygon is turned over; whether they cover what it does follows, as the
-/// areas with their signs add up to its own.
+/// Checks that no triangle of a polygon is turned over. It follows that they cover the polygon, because signed areas add up
+/// to its own.
 fn check_touching(points: &[[f32; 2]]) {
     // In a tilted plane too, where rounding keeps corners from lying on sides exactly.
     for tilt in [0.0, 0.3] {
@@ -110,17 +110,17 @@ fn polygons_that_touch_themselves_in_other_ways() {
     for points in [
         // Two squares that touch at a corner.
         &[[0., 0.], [1., 0.], [1., 1.], [2., 1.], [2., 2.], [1., 2.], [1., 1.], [0., 1.]][..],
-        // Corners that touch, and a corner that touches a side.
+        // Corners that touch corners, and one that touches a side.
         &[[0., 0.], [2., 1.], [4., 0.], [4., 4.], [2., 1.], [0., 4.]],
         &[[0., 0.], [4., 0.], [4., 4.], [3., 4.], [2., 0.], [1., 4.], [0., 4.]],
         // Spikes: out along a side, into the inside.
         &[[0., 0.], [2., 0.], [4., 0.], [6., 0.], [4., 0.], [4., 4.], [0., 4.]],
         &[[0., 0.], [4., 0.], [4., 4.], [2., 4.], [2., 2.], [2., 4.], [0., 4.]],
-        // Corners in one place, and a polygon without area.
+        // Corners at the same place, and a polygon without area.
         &[[0., 0.], [1., 0.], [1., 0.], [1., 1.], [0., 1.]],
         &[[0., 0.], [1., 0.], [2., 0.], [3., 0.], [2., 0.]],
     ] {
-        // Whichever corner comes first.
+        // Starting at each corner.
         for start in 0..points.len() {
             let mut turned = points.to_vec();
             turned.rotate_left(start);
@@ -200,7 +200,7 @@ proptest! {
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(40))]
 
-    // More corners than all triangulations are weighed for.
+    // More corners than the best triangulation is searched for.
     #[test]
     fn many_squares_joined_at_corners(
         moves in prop::collection::vec(any::<u32>(), 100..300),

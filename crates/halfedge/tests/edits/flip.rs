@@ -14,7 +14,7 @@ fn a_flip_between_two_triangles_is_the_usual_one_and_two_give_the_same_faces() {
     flip_edge(&mut mesh, edge).unwrap();
     mesh.validate().unwrap();
     assert_eq!(zoo::faces(&mesh), [[0, 1, 2], [1, 3, 2]]);
-    // Each end went one step counter-clockwise round the square 0, 1, 3, 2.
+    // Each end moved one step counter-clockwise round the square 0 1 3 2.
     let step = |u| [1, 3, 0, 2][[0, 1, 2, 3].iter().position(|&w| v(w) == u).unwrap()];
     assert_eq!(mesh.ends(edge), [v(step(a)), v(step(b))]);
     flip_edge(&mut mesh, edge).unwrap();
@@ -49,7 +49,7 @@ fn a_flip_that_would_duplicate_an_edge_is_refused() {
     let first = he(&mesh, 0, 2).edge();
     flip_edge(&mut mesh, first).unwrap();
     assert!(mesh.find_edge(v(4), v(5)).is_some());
-    // The opposite edge 1 3 is between 4 and 5 too.
+    // The opposite edge 1 3 lies between 4 and 5 too.
     let opposite = he(&mesh, 1, 3).edge();
     let refusal = flip_edge(&mut mesh, opposite).unwrap_err();
     assert!(matches!(refusal, Refusal::AlreadyJoined(..)), "{refusal}");
@@ -57,7 +57,7 @@ fn a_flip_that_would_duplicate_an_edge_is_refused() {
 
 #[test]
 fn flips_at_vertices_with_too_few_edges_are_refused() {
-    // All of a tetrahedron's vertices have three edges, all of a coin's two.
+    // All vertices of a tetrahedron have three edges, all of a coin two.
     for mesh in [zoo::tetrahedron(), zoo::coin(5), zoo::pillow()] {
         for edge in mesh.edges() {
             assert!(matches!(can_flip_edge(&mesh, edge), Err(Refusal::ValenceTooLow(..))));
@@ -72,14 +72,13 @@ fn flips_at_vertices_with_too_few_edges_are_refused() {
 
 #[test]
 fn faces_that_share_another_corner_beyond_the_edge_are_refused() {
-    // The quads (0 1 2 3) and (1 0 3 4) share the edge 0 1 and the corner 3. Flipped, the edge would
-    // go from 3 to 2, and the first would have 3 twice.
+    // The faces (0 1 2 3) and (1 0 5 3 4) share the edge 0 1 and the corner 3.
     let p = (0..6).map(|i| glam::Vec3::new(i as f32, (i * i) as f32, (i % 2) as f32)).collect();
     let faces: [&[u32]; 5] = [&[0, 1, 2, 3], &[1, 0, 5, 3, 4], &[1, 4, 2], &[2, 4, 3], &[0, 3, 5]];
     let mesh = zoo::mesh(p, &faces);
     let edge = he(&mesh, 0, 1).edge();
     can_flip_edge(&mesh, edge).unwrap();
-    // One step further on it would.
+    // The first flip is possible; a second one would give a face the corner 3 twice.
     let mut mesh = mesh;
     flip_edge(&mut mesh, edge).unwrap();
     mesh.validate().unwrap();

@@ -1,14 +1,9 @@
 //! Extrude and inset.
 
-use crate::zoo::{self, he};
+use crate::zoo::{self, counts, he};
 use glam::Vec3;
 use halfedge::edit::*;
 use halfedge::{EdgeId, FaceId, Mesh, Refusal};
-
-fn counts(mesh: &Mesh) -> [usize; 3] {
-    mesh.validate().unwrap();
-    [mesh.vertex_count(), mesh.edge_count(), mesh.face_count()]
-}
 
 fn corners(mesh: &Mesh, face: FaceId) -> Vec<Vec3> {
     mesh.face_vertices(face).map(|v| mesh.position(v)).collect()
@@ -28,7 +23,7 @@ fn a_face_of_a_cube_extrudes_by_the_distance() {
     live.slide.apply(&mut mesh, 0.5).unwrap();
     let moved: Vec<Vec3> = corners(&start, face).iter().map(|p| *p + Vec3::X * 0.5).collect();
     assert_eq!(corners(&mesh, face), moved);
-    // A drag re-evaluates: it doesn't add up.
+    // Each call starts from amount 0.
     live.slide.apply(&mut mesh, -0.25).unwrap();
     live.slide.apply(&mut mesh, 0.5).unwrap();
     assert_eq!(corners(&mesh, face), moved);
@@ -46,7 +41,7 @@ fn extruding_a_region_with_a_hole_on_the_boundary() {
     live.slide.apply(&mut mesh, 1.0).unwrap();
     assert_eq!(counts(&mesh), [32, 56, 25]);
     assert_eq!(mesh.boundary_loops().len(), 1);
-    // The boundary stayed on the ground; the region is one up.
+    // The boundary stayed, and the region moved up by one.
     for v in mesh.vertices() {
         assert_eq!(mesh.position(v).z, if v.index() < 16 { 0.0 } else { 1.0 });
     }
@@ -55,7 +50,7 @@ fn extruding_a_region_with_a_hole_on_the_boundary() {
 
 #[test]
 fn extruding_several_pieces_and_a_region_that_touches_itself() {
-    // Two diagonal faces share a vertex: it has a copy for each.
+    // Two diagonal faces share a vertex; each gets a copy.
     let mut mesh = zoo::grid(2, 2);
     let live = extrude_faces(&mut mesh, &[FaceId::new(0), FaceId::new(3)], Grouping::Region).unwrap();
     assert_eq!((live.made.vertices.len(), live.made.faces.len()), (8, 8));
@@ -68,7 +63,7 @@ fn extruding_several_pieces_and_a_region_that_touches_itself() {
     // The cube and the tetrahedron have no outline; the triangle has 3 edges, the grid 8.
     assert_eq!(live.made.faces.len(), 11);
     assert_eq!(counts(&mesh), [vertices + 11, edges + 22, faces + 11]);
-    // What has no outline moves as well.
+    // Pieces without an outline move too.
     assert_eq!(live.slide.vertices.len(), 11 + 8 + 4 + 1);
 }
 
@@ -135,7 +130,7 @@ fn insetting_regions_and_single_faces() {
     let live = inset_faces(&mut mesh, &both, Grouping::Individual).unwrap();
     assert_eq!((live.made.vertices.len(), live.made.faces.len()), (8, 8));
     counts(&mesh);
-    // A whole closed piece has no outline to go in from.
+    // A whole closed piece has no outline.
     let mesh = zoo::cube();
     let all: Vec<FaceId> = mesh.faces().collect();
     assert_eq!(can_inset_faces(&mesh, &all, Grouping::Region), Err(Refusal::NoOutline(all[0])));

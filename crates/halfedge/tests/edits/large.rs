@@ -35,7 +35,7 @@ fn a_hundred_thousand_faces_at_once() {
 
 #[test]
 fn a_pole_of_a_hundred_thousand_edges() {
-    // A cone on an n-gon; the tip has the last number.
+    // A cone on an n-gon; its tip is the last vertex.
     let n = 100_000;
     let mut positions: Vec<Vec3> = (0..n)
         .map(|i| Vec3::from((Vec2::from_angle(i as f32 / n as f32 * std::f32::consts::TAU), 0.0)))

@@ -1,31 +1,31 @@
-//! Corner values follow every edit: on flat meshes whose texture coordinates are a linear function of
-//! position they still are that function after any edit.
+//! Corner values follow every edit: on flat meshes whose texture coordinates are a linear function of position, they still
+//! are that function afterwards.
 //!
-//! Each face has the function of its island (its group), so that edges between islands are seams: the
-//! corners of a face that an edit makes or moves must have values of the island that the face belongs to.
+//! Each face has the function of its island (its group), so edges between islands are seams. The corners of a face that an
+//! edit makes or moves must have values of the face's island.
 //!
 //! Where this can't hold, and why:
 //!
-//! - Moving vertices (`transform`, `set-vertex-position`, the height of an extrusion) keeps corner values by
-//!   design: the texture moves with the surface. Extruded walls stand upright on the plane here, so that their
-//!   corners still have the values of the places below them.
+//! - Moving vertices (`transform`, `set-vertex-position`, the height of an extrusion) keeps corner values by design: the
+//!   texture moves with the surface. Extruded walls stand upright on the plane here, so their corners still have the
+//!   values of the places below them.
 //! - Dissolving merges faces. Across a seam the polygon has corners of two islands.
-//! - Filling a hole and bridging make faces that border several others. Their corners have the values of
-//!   the faces beside them, so that no seam appears; where those are of different islands, no one function
-//!   fits.
+//! - Filling a hole and bridging make faces that border several others. Their corners have the values of the faces beside
+//!   them, so that no seam appears. If those are of different islands no function fits all.
 
-use crate::random::{EDITS, Random, one_edit};
+use crate::any_edit::{Kind, edit_any};
+use crate::random::Random;
 use crate::zoo;
 use glam::{Mat3, Quat, Vec2, Vec3};
 use halfedge::attribute::Column;
 use halfedge::{Element, Mesh, keys};
 use std::collections::BTreeMap;
 
-/// Kinds of edits that make faces of several islands: dissolving, filling holes and bridging.
-const MERGES_ISLANDS: [usize; 4] = [5, 6, 18, 19];
+/// Edits that make faces of several islands.
+const MERGE_ISLANDS: [Kind; 4] = [Kind::DissolveVertex, Kind::DissolveEdges, Kind::FillHole, Kind::Bridge];
 
-/// Kinds of edits that make one vertex of several, which may have had different values: merging, welding.
-const MERGES_VERTICES: [usize; 2] = [20, 21];
+/// Edits that make one vertex of several, which may have had different values.
+const MERGE_VERTICES: [Kind; 2] = [Kind::MergeVertices, Kind::WeldEdges];
 
 /// A plane in space, and a linear function on it for each island.
 struct Plane {
@@ -140,7 +140,7 @@ fn flat_meshes() -> Vec<(&'static str, Mesh)> {
 #[test]
 fn linear_corner_values_stay_linear() {
     let meshes = flat_meshes();
-    let mut done = [[0; EDITS]; 2];
+    let mut done = [[0; Kind::ALL.len()]; 2];
     let mut failed = BTreeMap::new();
     for seed in 1..=6000_u64 {
         let mut random = Random::new(seed * 0x9E37_79B9);
@@ -150,25 +150,26 @@ fn linear_corner_values_stay_linear() {
         let mut mesh = flat.clone();
         plane.place(&mut mesh, &mut random);
         plane.check(&mesh).unwrap();
-        let kind = random.below(EDITS);
-        if islands > 1 && MERGES_ISLANDS.contains(&kind) {
+        let kind = Kind::ALL[random.below(Kind::ALL.len())];
+        if islands > 1 && MERGE_ISLANDS.contains(&kind) {
             continue;
         }
-        if one_edit(&mut mesh, &mut random, kind).is_ok() {
+        if edit_any(&mut mesh, &mut random, kind).is_ok() {
             mesh.validate().unwrap();
             if let Err(why) = plane.check(&mesh) {
                 failed
                     .entry(kind)
                     .or_insert_with(|| format!("{name}, {islands} islands, seed {seed}: {why}"));
             }
-            done[usize::from(islands > 1)][kind] += 1;
+            done[usize::from(islands > 1)][kind as usize] += 1;
         }
     }
     println!("edits done: {done:?}");
     assert!(failed.is_empty(), "by kind of edit, the first failure: {failed:#?}");
-    for (kind, [one, several]) in (0..EDITS).map(|kind| (kind, [done[0][kind], done[1][kind]])) {
-        assert!(one > 0, "edit {kind} was never made");
-        assert!(several > 0 || MERGES_ISLANDS.contains(&kind), "edit {kind} was never made on islands");
+    for kind in Kind::ALL {
+        let [one, several] = [0, 1].map(|i| done[i][kind as usize]);
+        assert!(one > 0, "{kind:?} was never made");
+        assert!(several > 0 || MERGE_ISLANDS.contains(&kind), "{kind:?} was never made on islands");
     }
 }
 
@@ -178,7 +179,7 @@ fn linear_corner_values_stay_linear() {
 fn edits_make_no_seams() {
     let mut meshes = flat_meshes();
     meshes.extend(zoo::all());
-    let mut done = [0; EDITS];
+    let mut done = [0; Kind::ALL.len()];
     let mut failed = BTreeMap::new();
     for seed in 1..=6000_u64 {
         let mut random = Random::new(seed * 0x517C_C1B7);
@@ -190,11 +191,11 @@ fn edits_make_no_seams() {
                 mesh.set(keys::CORNER_UV, h.index(), value);
             }
         }
-        let kind = random.below(EDITS);
-        if MERGES_VERTICES.contains(&kind) || one_edit(&mut mesh, &mut random, kind).is_err() {
+        let kind = Kind::ALL[random.below(Kind::ALL.len())];
+        if MERGE_VERTICES.contains(&kind) || edit_any(&mut mesh, &mut random, kind).is_err() {
             continue;
         }
-        done[kind] += 1;
+        done[kind as usize] += 1;
         for v in mesh.vertices() {
             let corners = mesh.outgoing(v).filter(|&h| !mesh.is_boundary_halfedge(h));
             let values: Vec<Vec2> = corners.map(|h| mesh.get(keys::CORNER_UV, h.index())).collect();
@@ -205,6 +206,7 @@ fn edits_make_no_seams() {
         }
     }
     assert!(failed.is_empty(), "by kind of edit, the first failure: {failed:#?}");
-    let never = (0..EDITS).find(|kind| done[*kind] == 0 && !MERGES_VERTICES.contains(kind));
+    let is_missing = |kind: &Kind| done[*kind as usize] == 0 && !MERGE_VERTICES.contains(kind);
+    let never = Kind::ALL.into_iter().find(is_missing);
     assert_eq!(never, None, "an edit was never made: {done:?}");
 }

@@ -1,5 +1,6 @@
-//! Local edits: each on its own, the hard cases, and long random sequences of all of them.
+//! Local edits: each alone, hard cases, and long random sequences of all of them.
 
+mod any_edit;
 mod attributes;
 mod bevel;
 mod cmu462;

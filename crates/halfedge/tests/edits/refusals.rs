@@ -1,11 +1,11 @@
-//! Each reason to refuse is reached, and says in words where and what to do.
+//! Each reason to refuse occurs, and says where and what to do.
 
 use crate::zoo::{self, he, v};
 use glam::Vec3;
 use halfedge::edit::*;
 use halfedge::{EdgeId, Element, FaceId, Refusal, VertexId};
 
-/// The refusals that a test reaches here; the kinds not in it are listed in `name`.
+/// A refusal for each reason but those that `name` excepts.
 fn reached() -> Vec<Refusal> {
     let cube = zoo::cube();
     let grid = zoo::grid(2, 2);
@@ -65,7 +65,7 @@ fn reached() -> Vec<Refusal> {
     refused.into_iter().map(|refused| refused.unwrap_err()).collect()
 }
 
-/// One name per reason: a new one has to be put here, and so into the test.
+/// The name of each reason. A new reason must be added here, and so to the test.
 fn name(refusal: &Refusal) -> &'static str {
     match refusal {
         Refusal::NoSuchElement(..) => "no such element",
@@ -74,7 +74,7 @@ fn name(refusal: &Refusal) -> &'static str {
         Refusal::OnlyOne(..) => "only one",
         Refusal::OutOfRange { .. } => "out of range",
         Refusal::TooFarAway(_) => "too far away",
-        // Reached by a unit test: no mesh of two billion edges fits in memory here.
+        // A unit test covers this: a mesh of two billion edges doesn't fit into memory.
         Refusal::TooManyEdges => "too many edges",
         Refusal::AlreadyJoined(..) => "already joined",
         Refusal::CutsMeet(_) => "cuts meet",
@@ -101,7 +101,7 @@ fn name(refusal: &Refusal) -> &'static str {
 }
 
 #[test]
-fn every_reason_is_reached_once_and_told() {
+fn every_reason_occurs_and_is_explained() {
     let mut names: Vec<&str> = reached().iter().map(name).collect();
     names.sort_unstable();
     names.dedup();
@@ -153,7 +153,7 @@ fn elements_that_do_not_exist_are_refused_by_every_edit() {
             assert!(matches!(refused, Err(Refusal::NoSuchElement(_, 9999 | 19998))), "{refused:?}");
         }
     }
-    // Removed ones as well.
+    // Removed elements too.
     let mut mesh = zoo::cube();
     let made = collapse_edge(&mut mesh, EdgeId::new(0), 0.5).unwrap();
     assert!(can_flip_edge(&mesh, made.removed_edges[0]).is_err());

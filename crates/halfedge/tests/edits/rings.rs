@@ -1,13 +1,8 @@
 //! Loop cut.
 
-use crate::zoo::{self, he, v};
+use crate::zoo::{self, counts, he, v};
 use halfedge::edit::*;
-use halfedge::{EdgeId, Mesh, Refusal};
-
-fn counts(mesh: &Mesh) -> [usize; 3] {
-    mesh.validate().unwrap();
-    [mesh.vertex_count(), mesh.edge_count(), mesh.face_count()]
-}
+use halfedge::{EdgeId, Refusal};
 
 #[test]
 fn a_closed_ring_is_cut_all_round() {
@@ -26,14 +21,14 @@ fn an_open_ring_ends_on_the_boundary() {
     let edge = he(&mesh, 0, 1).edge();
     let (ring, closed) = edge_ring(&mesh, edge);
     assert_eq!((ring.len(), closed), (3, false));
-    // Cut where t says, counted along the even half-edge.
+    // The cut lies at t along the even half-edge.
     let along = edge.halfedge();
     let (from, to) = (mesh.position(mesh.from(along)), mesh.position(mesh.to(along)));
     let made = loop_cut(&mut mesh, edge, 1, 0.25).unwrap();
     assert_eq!(counts(&mesh), [15, 22, 8]);
     let x = from.lerp(to, 0.25).x;
     assert!(made.vertices.iter().all(|&v| mesh.position(v).x == x));
-    // Several cuts: even with t = 1/2, else with the middle at t.
+    // Several cuts are evenly spaced for t = 1/2.
     let mut mesh = zoo::grid(1, 1);
     let edge = he(&mesh, 0, 1).edge();
     let mut at: Vec<f32> =
@@ -43,10 +38,10 @@ fn an_open_ring_ends_on_the_boundary() {
 }
 
 #[test]
-fn a_ring_ends_at_faces_that_are_no_quads() {
+fn a_ring_ends_at_faces_that_are_not_quads() {
     let mut mesh = zoo::lantern(5);
     let upright = he(&mesh, 2, 7).edge();
-    // Round the belt: closed. Up and down: from fan to fan.
+    // The ring round the belt is closed; the one up and down runs from fan to fan.
     assert!(edge_ring(&mesh, upright).1);
     let across = he(&mesh, 2, 3).edge();
     let (ring, closed) = edge_ring(&mesh, across);

@@ -1,14 +1,9 @@
 //! Fill hole, bridge, weld, rip, flip orientation.
 
-use crate::zoo::{self, he, v};
+use crate::zoo::{self, counts, he, v};
 use glam::Vec3;
 use halfedge::edit::*;
 use halfedge::{EdgeId, FaceId, HalfedgeId, Mesh, Refusal};
-
-fn counts(mesh: &Mesh) -> [usize; 3] {
-    mesh.validate().unwrap();
-    [mesh.vertex_count(), mesh.edge_count(), mesh.face_count()]
-}
 
 #[test]
 fn a_hole_is_filled_with_one_polygon() {
@@ -17,7 +12,7 @@ fn a_hole_is_filled_with_one_polygon() {
     let made = fill_hole(&mut mesh, inner).unwrap();
     assert_eq!(mesh.halfedge_of(made.faces[0]), inner);
     assert_eq!(counts(&mesh), [16, 24, 9]);
-    // The back of a lone triangle.
+    // The back of a single triangle.
     let mut mesh = zoo::triangle();
     let outside = mesh.boundary_loops()[0];
     fill_hole(&mut mesh, outside).unwrap();
@@ -26,7 +21,7 @@ fn a_hole_is_filled_with_one_polygon() {
     assert_eq!(can_fill_hole(&mesh, inside), Err(Refusal::NotABoundaryHalfedge(inside)));
 }
 
-/// Regular polygons of n and m corners in parallel planes, facing each other's back.
+/// Regular polygons of n and m corners in parallel planes, the ends of a prism.
 fn lids(n: u32, m: u32) -> Mesh {
     let ring = |n: u32, z: f32| {
         (0..n).map(move |i| {
@@ -53,7 +48,7 @@ fn loops_of_any_lengths_are_bridged() {
         assert!(mesh.boundary_loops().is_empty());
         let quads = made.faces.iter().filter(|&&f| mesh.face_degree(f) == 4).count();
         assert_eq!(quads, n.min(m) as usize);
-        // The prism is straight: with equal lengths all edges across are upright.
+        // Between loops of equal length all edges across are upright.
         if n == m {
             assert!(made.edges.iter().all(|&e| {
                 let [a, b] = mesh.ends(e).map(|v| mesh.position(v));
@@ -61,7 +56,7 @@ fn loops_of_any_lengths_are_bridged() {
             }));
         }
     }
-    // The loops of one piece: a wide frame becomes a torus.
+    // Both loops of one piece: a wide frame becomes a torus.
     let mut mesh = zoo::grid(5, 5);
     delete_faces(&mut mesh, &[FaceId::new(12)]).unwrap();
     let loops = mesh.boundary_loops();
@@ -73,11 +68,11 @@ fn loops_of_any_lengths_are_bridged() {
 
 #[test]
 fn bridges_that_fail() {
-    // A narrow frame has an edge already where the band would have one.
+    // A narrow frame has edges already where the band would.
     let mesh = zoo::frame();
     let loops = mesh.boundary_loops();
     assert!(matches!(can_bridge(&mesh, [loops[0], loops[1]]), Err(Refusal::SideTaken(..))));
-    // A tube: its ends are joined by its own edges, all faces there.
+    // So has a tube.
     let mut mesh = zoo::cube();
     delete_faces(&mut mesh, &[FaceId::new(0), FaceId::new(1)]).unwrap();
     let loops = mesh.boundary_loops();
@@ -91,14 +86,14 @@ fn bridges_that_fail() {
 #[test]
 fn ripping_and_welding_are_opposites() {
     let start = zoo::grid(2, 2);
-    // The line 3 4 5 from boundary to boundary: two pieces.
+    // The line 3 4 5 from boundary to boundary cuts the grid into two pieces.
     let line: Vec<EdgeId> = [(3, 4), (4, 5)].iter().map(|&(a, b)| he(&start, a, b).edge()).collect();
     let mut mesh = start.clone();
     let made = rip_edges(&mut mesh, &line).unwrap();
     assert_eq!((made.vertices.len(), made.edges.len()), (3, 2));
     assert_eq!(counts(&mesh), [12, 14, 4]);
     assert_eq!(mesh.components().1, 2);
-    // Weld each with the edge in the same place.
+    // Each edge is welded with the one at the same place.
     for (old, new) in line.iter().zip(&made.edges) {
         weld_edges(&mut mesh, [*old, *new]).unwrap();
         mesh.validate().unwrap();
@@ -114,19 +109,19 @@ fn rips_inside_and_from_the_boundary() {
     let mut mesh = zoo::grid(4, 4);
     let lone = he(&mesh, 11, 12).edge();
     assert_eq!(can_rip_edges(&mesh, &[lone]), Err(Refusal::StaysJoined(lone)));
-    // Two in a row inside: a slit.
+    // Two edges in a row inside make a slit.
     let row = [he(&mesh, 11, 12).edge(), he(&mesh, 12, 13).edge()];
     rip_edges(&mut mesh, &row).unwrap();
     counts(&mesh);
     assert_eq!(mesh.boundary_loops().len(), 2);
     let rim = mesh.edges().find(|&e| mesh.is_boundary_edge(e)).unwrap();
     assert_eq!(can_rip_edges(&mesh, &[rim]), Err(Refusal::BoundaryEdge(rim)));
-    // From the boundary one is enough.
+    // One edge is enough if it ends at the boundary.
     let mut mesh = zoo::grid(2, 2);
     let spoke = he(&mesh, 1, 4).edge();
     rip_edges(&mut mesh, &[spoke]).unwrap();
     assert_eq!(counts(&mesh), [10, 13, 4]);
-    // All edges: every face on its own.
+    // All edges: each face is on its own.
     let mut mesh = zoo::cube();
     let all: Vec<EdgeId> = mesh.edges().collect();
     rip_edges(&mut mesh, &all).unwrap();
@@ -135,7 +130,7 @@ fn rips_inside_and_from_the_boundary() {
 
 #[test]
 fn welds_zip_and_close() {
-    // Two edges of one boundary that share an end are zipped.
+    // Two boundary edges that share an end are zipped.
     let mut mesh = zoo::grid(4, 4);
     rip_edges(&mut mesh, &[he(&zoo::grid(4, 4), 2, 7).edge()]).unwrap();
     let h = mesh.boundary_loops()[0];
@@ -153,7 +148,7 @@ fn welds_zip_and_close() {
     );
     let rim = mesh.edges().find(|&e| mesh.is_boundary_edge(e)).unwrap();
     assert_eq!(can_weld_edges(&mesh, [rim, edge]), Err(Refusal::NotOnBoundary(edge)));
-    // Welding is refused where it would pinch: opposite edges of a strip of three faces share none.
+    // Two edges of a triangle can't be welded.
     let mesh = zoo::triangle();
     let [a, b] = [0, 1].map(EdgeId::new);
     assert!(can_weld_edges(&mesh, [a, b]).is_err());
@@ -184,7 +179,7 @@ fn turning_pieces_inside_out() {
     }
     flip_orientation(&mut mesh, &cube).unwrap();
     assert!(mesh == start);
-    // With a boundary, and everything at once.
+    // All pieces at once, some with a boundary.
     let all: Vec<FaceId> = mesh.faces().collect();
     flip_orientation(&mut mesh, &all).unwrap();
     mesh.validate().unwrap();

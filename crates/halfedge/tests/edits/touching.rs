@@ -1,18 +1,18 @@
-//! Polygons that touch themselves in all sorts of ways and cross themselves in none.
+//! Polygons that touch themselves in many ways but don't cross themselves.
 
 use std::collections::HashSet;
 
 type Point = [i32; 2];
 
-/// The walk round squares of side 2 that hang together at corners, counter-clockwise: they may touch
-/// others along whole sides and at corners. Slits go from corners to the middles of squares, spikes to
-/// the middles of places without one, and some sides have a corner in their middle.
+/// The counter-clockwise outline of squares of side 2 that hang together at corners. Squares may also touch along whole
+/// sides. Slits run from corners to the middles of squares, spikes to the middles of empty places, and some sides have a
+/// corner in the middle.
 pub struct Growth {
-    walk: Vec<Point>,
+    outline: Vec<Point>,
     squares: HashSet<Point>,
 }
 
-/// Eighths of a turn, counter-clockwise from along x.
+/// The direction in eighths of a turn, counter-clockwise from the x axis.
 fn direction(from: Point, to: Point) -> i32 {
     match [to[0] - from[0], to[1] - from[1]].map(i32::signum) {
         [1, 0] => 0,
@@ -31,9 +31,10 @@ fn plus([x, y]: Point, [u, v]: Point) -> Point {
 }
 
 impl Growth {
-    /// What comes of moves, which any numbers are: the first half adds squares, the others the rest.
+    /// Grows from one square. Any number is a move: the first half adds squares, the others slits, spikes and corners.
     pub fn new(moves: &[u32]) -> Self {
-        let mut this = Self { walk: vec![[0, 0], [2, 0], [2, 2], [0, 2]], squares: HashSet::from([[0, 0]]) };
+        let mut this =
+            Self { outline: vec![[0, 0], [2, 0], [2, 2], [0, 2]], squares: HashSet::from([[0, 0]]) };
         let (squares, rest) = moves.split_at(moves.len().div_ceil(2));
         for &m in squares {
             this.add(m as usize / 4, (m % 4) as i32, true);
@@ -41,8 +42,8 @@ impl Growth {
         for &m in rest {
             match m % 3 {
                 0 => this.add(m as usize / 12, (m / 3 % 4) as i32, false),
-                1 => this.slit(m as usize / 3),
-                _ => this.middle(m as usize / 3),
+                1 => this.add_slit(m as usize / 3),
+                _ => this.add_middle(m as usize / 3),
             }
         }
         this
@@ -53,18 +54,18 @@ impl Growth {
     }
 
     pub fn points(&self) -> Vec<[f32; 2]> {
-        self.walk.iter().map(|p| p.map(|c| c as f32)).collect()
+        self.outline.iter().map(|p| p.map(|c| c as f32)).collect()
     }
 
-    /// A corner with its neighbours.
+    /// A corner's index, and the corner between its neighbours.
     fn corner(&self, at: usize) -> (usize, [Point; 3]) {
-        let n = self.walk.len();
+        let n = self.outline.len();
         let at = at % n;
-        (at, [self.walk[(at + n - 1) % n], self.walk[at], self.walk[(at + 1) % n]])
+        (at, [self.outline[(at + n - 1) % n], self.outline[at], self.outline[(at + 1) % n]])
     }
 
-    /// Adds a square in a quarter of the plane round a corner, or a spike to its middle, if that quarter
-    /// is free and outside at that corner.
+    /// Adds a square in a quarter of the plane at a corner, or a spike to the quarter's middle, if the quarter is empty
+    /// and outside at that corner.
     fn add(&mut self, at: usize, quarter: i32, square: bool) {
         let (at, [before, here, after]) = self.corner(at);
         let (from, to) = (direction(here, before), direction(here, after));
@@ -73,37 +74,37 @@ impl Growth {
             [([2, 0], [0, 2]), ([0, 2], [-2, 0]), ([-2, 0], [0, -2]), ([0, -2], [2, 0])][quarter as usize];
         let far = plus(plus(here, u), v);
         let place = [here[0].min(far[0]), here[1].min(far[1])];
-        // The squares lie at even places where this is a corner of them and none of their middles.
+        // Corners of squares have even coordinates, their middles odd ones.
         let is_outside = start + 2 <= (to - from).rem_euclid(8);
         let is_free = here.iter().all(|c| c % 2 == 0) && !self.squares.contains(&place);
         match (is_outside && is_free, square) {
             (false, _) => {}
             (true, true) => {
                 self.squares.insert(place);
-                self.walk.splice(at + 1..at + 1, [plus(here, u), far, plus(here, v), here]);
+                self.outline.splice(at + 1..at + 1, [plus(here, u), far, plus(here, v), here]);
             }
             (true, false) => {
-                self.walk.splice(at + 1..at + 1, [plus(place, [1, 1]), here]);
+                self.outline.splice(at + 1..at + 1, [plus(place, [1, 1]), here]);
             }
         }
     }
 
-    /// A slit from a corner to the middle of the square left of the side after it.
-    fn slit(&mut self, at: usize) {
+    /// Adds a slit from a corner to the middle of the square left of the side after it.
+    fn add_slit(&mut self, at: usize) {
         let (at, [_, here, after]) = self.corner(at);
         let [u, v] = [after[0] - here[0], after[1] - here[1]];
         if here.iter().all(|c| c % 2 == 0) && (u == 0 || v == 0) {
             let [u, v] = [u.signum(), v.signum()];
-            self.walk.splice(at + 1..at + 1, [plus(here, [u - v, u + v]), here]);
+            self.outline.splice(at + 1..at + 1, [plus(here, [u - v, u + v]), here]);
         }
     }
 
-    /// A corner in the middle of the side after a corner.
-    fn middle(&mut self, at: usize) {
+    /// Adds a corner in the middle of the side after a corner.
+    fn add_middle(&mut self, at: usize) {
         let (at, [_, here, after]) = self.corner(at);
         let [u, v] = [after[0] - here[0], after[1] - here[1]];
         if u.abs() + v.abs() == 2 && (u == 0 || v == 0) {
-            self.walk.insert(at + 1, plus(here, [u / 2, v / 2]));
+            self.outline.insert(at + 1, plus(here, [u / 2, v / 2]));
         }
     }
 }

@@ -1,10 +1,10 @@
-//! Meshes of every kind, made in code.
+//! Meshes of all kinds, made in code.
 
 use glam::{Vec2, Vec3};
 use halfedge::attribute::{Column, Key};
 use halfedge::{Color, Element, HalfedgeId, Mesh, PolygonSoup, VertexId, keys};
 
-/// A mesh of these polygons that needs no repair.
+/// A mesh of polygons, which must need no repair.
 pub fn mesh<F: AsRef<[u32]>>(positions: Vec<Vec3>, faces: &[F]) -> Mesh {
     let built = Mesh::build(PolygonSoup::new(positions, faces)).unwrap();
     assert!(built.notes.is_empty(), "{:?}", built.notes);
@@ -16,12 +16,18 @@ pub fn v(index: usize) -> VertexId {
     VertexId::new(index)
 }
 
-/// The half-edge between two vertices by number.
+/// The numbers of vertices, edges and faces of a mesh, which must be valid.
+pub fn counts(mesh: &Mesh) -> [usize; 3] {
+    mesh.validate().unwrap();
+    [mesh.vertex_count(), mesh.edge_count(), mesh.face_count()]
+}
+
+/// The half-edge from one vertex to another, by number.
 pub fn he(mesh: &Mesh, from: usize, to: usize) -> HalfedgeId {
     mesh.find_halfedge(v(from), v(to)).unwrap()
 }
 
-/// The faces as cycles of vertex numbers, each turned so that the smallest is first, sorted.
+/// The faces as cycles of vertex numbers that start with the smallest, sorted.
 pub fn faces(mesh: &Mesh) -> Vec<Vec<u32>> {
     let mut all: Vec<Vec<u32>> = mesh
         .faces()
@@ -57,7 +63,7 @@ pub fn cut_coin() -> Mesh {
     mesh
 }
 
-/// A cube of side 2 round the origin; vertex 4i + 2j + k is at the i-th x, j-th y, k-th z.
+/// A cube of side 2 round the origin; vertex 4i + 2j + k has the i-th x, the j-th y and the k-th z.
 pub fn cube() -> Mesh {
     let p = (0..8u8)
         .map(|i| Vec3::new(f32::from(i >> 2), f32::from(i >> 1 & 1), f32::from(i & 1)) * 2.0 - Vec3::ONE)
@@ -89,7 +95,7 @@ pub fn triangle_grid(m: u32, n: u32) -> Mesh {
     mesh
 }
 
-/// A torus of m x n quads: genus 1, closed.
+/// A closed torus of m x n quads.
 pub fn torus(m: u32, n: u32) -> Mesh {
     let angle = |i: u32, n: u32| i as f32 / n as f32 * std::f32::consts::TAU;
     let p = (0..m)
@@ -107,7 +113,7 @@ pub fn torus(m: u32, n: u32) -> Mesh {
     mesh(p, &quads)
 }
 
-/// The outside of unit cubes in the xy plane: 5 x 3 without two, so genus 2; quads only.
+/// The outside of 5 x 3 unit cubes in the xy plane without two of them: genus 2, quads only.
 pub fn genus_two() -> Mesh {
     let solid = |i: i32, j: i32, k: i32| {
         (0..5).contains(&i) && (0..3).contains(&j) && k == 0 && (i, j) != (1, 1) && (i, j) != (3, 1)
@@ -183,7 +189,7 @@ pub fn frame() -> Mesh {
     mesh
 }
 
-/// Triangles, quads, a pentagon and a hexagon round one another, with a boundary.
+/// A triangle, quads and a pentagon, with a boundary.
 pub fn patchwork() -> Mesh {
     let p = [(0, 0), (2, 0), (4, 0), (5, 2), (4, 4), (2, 4), (0, 4), (-1, 2), (1, 2), (3, 2), (2, 1)]
         .iter()
@@ -207,14 +213,14 @@ pub fn several() -> Mesh {
     mesh(positions, &polygons)
 }
 
-/// Three quads on a sphere through which one ring runs that crosses itself in each: the dual of a
-/// trefoil knot's drawing.
+/// Three quads on a sphere; one ring runs through all of them and crosses itself in each. The dual of a drawing of the
+/// trefoil knot.
 pub fn trefoil() -> Mesh {
     let p = vec![Vec3::Z, Vec3::NEG_Z, Vec3::X, Vec3::new(-0.5, 0.8, 0.0), Vec3::new(-0.5, -0.8, 0.0)];
     mesh(p, &[[0, 2, 1, 3], [0, 3, 1, 4], [0, 4, 1, 2]])
 }
 
-/// The torus of seven vertices, each joined to all others (Császár).
+/// Császár's torus of seven vertices, each joined to all others.
 pub fn complete_torus() -> Mesh {
     let p = (0..7).map(|i| Vec3::new(i as f32, (i * i % 7) as f32, (i * i * i % 5) as f32)).collect();
     let faces: Vec<[u32; 3]> =
@@ -222,7 +228,7 @@ pub fn complete_torus() -> Mesh {
     mesh(p, &faces)
 }
 
-/// Every mesh of the zoo, with its name.
+/// All meshes, with their names.
 pub fn all() -> Vec<(&'static str, Mesh)> {
     vec![
         ("triangle", triangle()),
@@ -244,7 +250,7 @@ pub fn all() -> Vec<(&'static str, Mesh)> {
     ]
 }
 
-/// Gives a mesh a column of every kind, each value its own.
+/// Gives a mesh columns of all kinds, with different values.
 pub fn paint(mesh: &mut Mesh) {
     fn fill<T: halfedge::attribute::AttributeType>(mesh: &mut Mesh, key: Key<T>, value: impl Fn(usize) -> T) {
         let values = (0..mesh.capacity(key.element)).map(value).collect();
