@@ -1,6 +1,6 @@
 //! Collects the binary data of a document with its views and accessors.
 
-use super::set;
+use super::fields::set;
 use serde_json::{Value, json};
 
 /// The target of views with vertex data.

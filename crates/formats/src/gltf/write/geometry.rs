@@ -1,8 +1,8 @@
 //! Writing meshes.
 
 use super::data::Data;
+use super::fields::set;
 use super::material::MaterialWriter;
-use super::set;
 use super::vertices::{Vertices, has_coincident};
 use crate::gltf::names::VERTEX_ID;
 use halfedge::geometry::PolygonTriangulator;

@@ -1,7 +1,7 @@
 //! Writing materials, textures and images.
 
 use super::data::Data;
-use super::set;
+use super::fields::set;
 use crate::file::NamedBytes;
 use crate::gltf::names::{
     CLAMP_TO_EDGE, EMISSIVE_STRENGTH, IMAGE_EXTENSIONS, INDEX_OF_REFRACTION, MIRRORED_REPEAT,

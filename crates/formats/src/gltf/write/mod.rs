@@ -1,6 +1,7 @@
 //! Writing a document: one binary file, or JSON with data and images in files beside it.
 
 mod data;
+mod fields;
 mod geometry;
 mod material;
 mod vertices;
@@ -14,6 +15,7 @@ use crate::text::print::{percent_decoded, percent_encoded};
 use base64::Engine;
 use base64::engine::general_purpose::STANDARD;
 use data::Data;
+use fields::set;
 use geometry::primitives;
 use glam::DVec3;
 use material::MaterialWriter;
@@ -120,11 +122,4 @@ fn document(model: &Model, materials: &mut MaterialWriter, uri: Option<&str>) ->
 /// What else than polygons, groups and the like is lost of a model.
 pub(super) fn losses(model: &Model) -> Vec<String> {
     vertices::losses(model).into_iter().chain(material::losses(model)).collect()
-}
-
-/// Sets a field of a JSON object.
-fn set(object: &mut Value, key: &str, value: impl Into<Value>) {
-    if let Some(fields) = object.as_object_mut() {
-        fields.insert(key.to_owned(), value.into());
-    }
 }
