@@ -16,6 +16,7 @@ mod job;
 mod json;
 pub mod ops;
 mod outcome;
+pub mod script;
 mod selection;
 mod state;
 

@@ -1,0 +1,57 @@
+//! The operations reference.
+
+use super::words;
+use crate::ops::{OpId, Scope};
+use std::fmt::Write;
+
+const HEAD: &str = "\
+# Operations
+
+<!-- Made from the operations' descriptions; `MESHWRIGHT_UPDATE=1 cargo test -p editor --test script` rewrites it. -->
+
+A command is a JSON object: `{\"op\": \"<name>\", ...fields}`. Every command also takes `\"object\"`, the place of an \
+object in the document's list, from 0; by default it is for the active object.
+";
+
+/// All operations with their fields, as Markdown.
+pub fn operations_reference() -> String {
+    let mut text = HEAD.to_owned();
+    let parts = [
+        (Scope::Elements, "Local edits", "They keep the ids of the elements that they leave alone."),
+        (Scope::Meshes, "Operations on whole meshes", "They give elements new ids; long ones run as jobs."),
+        (Scope::Bezier, "Bezier curves and surfaces", "They edit control points."),
+        (Scope::Document, "Objects", "They edit the document's list of objects."),
+    ];
+    for (scope, title, note) in parts {
+        // Writing to a string can't fail.
+        let _ = write!(text, "\n## {title}\n\n{note}\n");
+        for id in OpId::ALL.iter().filter(|id| id.spec().scope == scope) {
+            text += &operation(*id);
+        }
+    }
+    text
+}
+
+fn operation(id: OpId) -> String {
+    let spec = id.spec();
+    let mut text = format!("\n### `{}`\n\n{}\n", spec.name, spec.description);
+    let keys: Vec<String> = id.keys().iter().map(|key| format!("`{key}`")).collect();
+    if !keys.is_empty() {
+        let _ = write!(text, "\nKeys: {}.\n", keys.join(", "));
+    }
+    if spec.fields.is_empty() {
+        return text;
+    }
+    text += "\n| Field | Meaning | Values | When left out |\n|---|---|---|---|\n";
+    for field in spec.fields {
+        let _ = writeln!(
+            text,
+            "| `{}` | {} | {} | {} |",
+            field.name,
+            field.description,
+            words::values(field),
+            words::when_left_out(field).trim_start_matches("default: "),
+        );
+    }
+    text
+}

@@ -1,0 +1,768 @@
+// The commands of Meshwright and the API of `window.meshwright`.
+// Made from the operations' descriptions: `MESHWRIGHT_UPDATE=1 cargo test -p editor --test script` rewrites it.
+
+/** Move a vertex to a position. */
+export interface SetVertexPosition {
+  op: "set-vertex-position";
+  /** The place of the object in the document's list; default: the active object. */
+  object?: number;
+  /** The vertex to move: a vertex by id; default: the selected vertex. */
+  vertex?: number;
+  /** Where it goes, in mesh units: three numbers: `[x, y, z]`; required. */
+  position: Vector;
+}
+
+/** Move, rotate and scale elements. */
+export interface Transform {
+  op: "transform";
+  /** The place of the object in the document's list; default: the active object. */
+  object?: number;
+  /** Vertices to move: a list of vertices, each by id; default: the vertices of the selection. */
+  vertices?: number[];
+  /** Edges whose ends are moved: a list of edges, each by id or by `[a, b]`, the vertices at its ends; default: none. */
+  edges?: (number | Pair)[];
+  /** Faces whose corners are moved: a list of faces, each by id; default: none. */
+  faces?: number[];
+  /** How far to move, in mesh units: three numbers: `[x, y, z]`; default: [0.0,0.0,0.0]. */
+  translate?: Vector;
+  /** How to rotate about the pivot: an axis and degrees: `{"axis": [0, 0, 1], "degrees": 90}`; default: no rotation. */
+  rotate?: { axis: Vector; degrees: number };
+  /** By how much to scale about the pivot: a factor, or three: `[x, y, z]`; default: 1.0. */
+  scale?: number | Vector;
+  /** What stays in place: three numbers: `[x, y, z]`; default: the centre of what is moved. */
+  pivot?: Vector;
+  /** Soft selection: how far along the surface other vertices move too: a number in mesh units, 0 or more; default: none. */
+  falloff?: number;
+}
+
+/** Paint faces with a colour. */
+export interface SetFaceColor {
+  op: "set-face-color";
+  /** The place of the object in the document's list; default: the active object. */
+  object?: number;
+  /** The faces to paint: a list of faces, each by id; default: the selected faces. */
+  faces?: number[];
+  /** The colour as #rrggbb: a colour: `"#rrggbb"`; required. */
+  color: string;
+}
+
+/** Add a vertex to an edge and cut the faces beside it. */
+export interface SplitEdge {
+  op: "split-edge";
+  /** The place of the object in the document's list; default: the active object. */
+  object?: number;
+  /** The edge to split: an edge by id or by `[a, b]`, the vertices at its ends; default: the selected edges. */
+  edge?: number | Pair;
+  /** Where along the edge, between its ends: a number from 0 to 1; default: 0.5. */
+  t?: number;
+  /** Which of the faces beside the edge are cut: one of `"triangles"`, `"none"`, `"all"`; default: triangles. */
+  connect?: "triangles" | "none" | "all";
+}
+
+/** Turn an edge one step counter-clockwise within its two faces. */
+export interface FlipEdge {
+  op: "flip-edge";
+  /** The place of the object in the document's list; default: the active object. */
+  object?: number;
+  /** The edge to flip: an edge by id or by `[a, b]`, the vertices at its ends; default: the selected edges. */
+  edge?: number | Pair;
+}
+
+/** Merge the two ends of an edge into one vertex. */
+export interface CollapseEdge {
+  op: "collapse-edge";
+  /** The place of the object in the document's list; default: the active object. */
+  object?: number;
+  /** The edge to collapse: an edge by id or by `[a, b]`, the vertices at its ends; default: the selected edges. */
+  edge?: number | Pair;
+  /** Where along the edge the vertex is: a number from 0 to 1; default: 0.5. */
+  t?: number;
+}
+
+/** Merge all corners of a face into one vertex at its centre. */
+export interface CollapseFace {
+  op: "collapse-face";
+  /** The place of the object in the document's list; default: the active object. */
+  object?: number;
+  /** The face to collapse: a face by id; default: the selected faces. */
+  face?: number;
+}
+
+/** Split a vertex into two, joined by an edge. */
+export interface SplitVertex {
+  op: "split-vertex";
+  /** The place of the object in the document's list; default: the active object. */
+  object?: number;
+  /** The vertex to split: a vertex by id; default: where the two edges meet. */
+  vertex?: number;
+  /** Two of its edges: a list of two edges, each by id or by `[a, b]`, the vertices at its ends; default: the two selected edges. */
+  edges?: [number | Pair, number | Pair];
+  /** Where the two vertices go: two positions: `[[x, y, z], [x, y, z]]`; default: a little apart. */
+  positions?: [Vector, Vector];
+}
+
+/** Remove a vertex and merge the faces around it into one polygon. */
+export interface DissolveVertex {
+  op: "dissolve-vertex";
+  /** The place of the object in the document's list; default: the active object. */
+  object?: number;
+  /** The vertex to dissolve: a vertex by id; default: the selected vertices. */
+  vertex?: number;
+}
+
+/** Remove an edge and merge its two faces into one polygon. */
+export interface DissolveEdge {
+  op: "dissolve-edge";
+  /** The place of the object in the document's list; default: the active object. */
+  object?: number;
+  /** The edge to dissolve: an edge by id or by `[a, b]`, the vertices at its ends; default: the selected edges. */
+  edge?: number | Pair;
+}
+
+/** Delete faces, and vertices that are left with no face. */
+export interface DeleteFaces {
+  op: "delete-faces";
+  /** The place of the object in the document's list; default: the active object. */
+  object?: number;
+  /** The faces to delete: a list of faces, each by id; default: the selected faces. */
+  faces?: number[];
+}
+
+/** Delete vertices and the faces around them. */
+export interface DeleteVertices {
+  op: "delete-vertices";
+  /** The place of the object in the document's list; default: the active object. */
+  object?: number;
+  /** The vertices to delete: a list of vertices, each by id; default: the selected vertices. */
+  vertices?: number[];
+}
+
+/** Cut polygons into triangles between their own corners. */
+export interface TriangulateFaces {
+  op: "triangulate-faces";
+  /** The place of the object in the document's list; default: the active object. */
+  object?: number;
+  /** The faces to cut: a list of faces, each by id; default: the selected faces, or all. */
+  faces?: number[];
+  /** A fan from the first corner where that is right, else ears; or always one of them: one of `"auto"`, `"fan"`, `"ear"`; default: auto. */
+  method?: "auto" | "fan" | "ear";
+}
+
+/** Add a vertex at the centre of each face and join it to every corner. */
+export interface PokeFaces {
+  op: "poke-faces";
+  /** The place of the object in the document's list; default: the active object. */
+  object?: number;
+  /** The faces to poke: a list of faces, each by id; default: the selected faces. */
+  faces?: number[];
+}
+
+/** Cut a face from one of its corners to another. */
+export interface ConnectVertices {
+  op: "connect-vertices";
+  /** The place of the object in the document's list; default: the active object. */
+  object?: number;
+  /** Two corners of one face: a list of two vertices, each by id; default: the two selected vertices. */
+  vertices?: [number, number];
+}
+
+/** Move faces outward and build walls behind them. */
+export interface ExtrudeFaces {
+  op: "extrude-faces";
+  /** The place of the object in the document's list; default: the active object. */
+  object?: number;
+  /** The faces to extrude: a list of faces, each by id; default: the selected faces. */
+  faces?: number[];
+  /** How far outward, in mesh units: a number in mesh units; required. */
+  distance: number;
+  /** Whether faces that share an edge stay together: one of `"region"`, `"individual"`; default: region. */
+  mode?: "region" | "individual";
+}
+
+/** Add a quad beside each boundary edge. */
+export interface ExtrudeEdges {
+  op: "extrude-edges";
+  /** The place of the object in the document's list; default: the active object. */
+  object?: number;
+  /** The boundary edges to extrude: a list of edges, each by id or by `[a, b]`, the vertices at its ends; default: the selected edges. */
+  edges?: (number | Pair)[];
+  /** From the edges to the far sides, in mesh units: three numbers: `[x, y, z]`; required. */
+  offset: Vector;
+}
+
+/** Add a ring of quads inside the outline of faces. */
+export interface InsetFaces {
+  op: "inset-faces";
+  /** The place of the object in the document's list; default: the active object. */
+  object?: number;
+  /** The faces to inset: a list of faces, each by id; default: the selected faces. */
+  faces?: number[];
+  /** How wide the ring is, in mesh units: a number in mesh units, 0 or more; required. */
+  amount: number;
+  /** Whether faces that share an edge stay together: one of `"region"`, `"individual"`; default: region. */
+  mode?: "region" | "individual";
+}
+
+/** Replace each edge by a strip of faces. */
+export interface BevelEdges {
+  op: "bevel-edges";
+  /** The place of the object in the document's list; default: the active object. */
+  object?: number;
+  /** The edges to bevel: a list of edges, each by id or by `[a, b]`, the vertices at its ends; default: the selected edges. */
+  edges?: (number | Pair)[];
+  /** How far it goes on each side, in mesh units: a number in mesh units, 0 or more; required. */
+  width: number;
+  /** How many faces there are across: a whole number from 1 to 256; default: 1. */
+  segments?: number;
+}
+
+/** Cut off each vertex with a face. */
+export interface BevelVertices {
+  op: "bevel-vertices";
+  /** The place of the object in the document's list; default: the active object. */
+  object?: number;
+  /** The vertices to bevel: a list of vertices, each by id; default: the selected vertices. */
+  vertices?: number[];
+  /** How far along each edge, in mesh units: a number in mesh units, 0 or more; required. */
+  width: number;
+}
+
+/** Cut the ring of quads that crosses an edge. */
+export interface LoopCut {
+  op: "loop-cut";
+  /** The place of the object in the document's list; default: the active object. */
+  object?: number;
+  /** An edge that the ring crosses: an edge by id or by `[a, b]`, the vertices at its ends; default: the selected edge. */
+  edge?: number | Pair;
+  /** How many cuts: a whole number from 1 to 1000; default: 1. */
+  cuts?: number;
+  /** Where the middle of the cuts is along the edge: a number from 0 to 1; default: 0.5. */
+  t?: number;
+}
+
+/** Close a boundary loop with one polygon. */
+export interface FillHole {
+  op: "fill-hole";
+  /** The place of the object in the document's list; default: the active object. */
+  object?: number;
+  /** A half-edge of the boundary loop: a half-edge by id or by `[from, to]`, its vertices; default: the selected half-edges. */
+  halfedge?: number | Pair;
+}
+
+/** Join two boundary loops with a band of faces. */
+export interface Bridge {
+  op: "bridge";
+  /** The place of the object in the document's list; default: the active object. */
+  object?: number;
+  /** A boundary half-edge of each loop: a list of two half-edges, each by id or by `[from, to]`, its vertices; default: the two selected half-edges. */
+  halfedges?: [number | Pair, number | Pair];
+}
+
+/** Merge several vertices into one. */
+export interface MergeVertices {
+  op: "merge-vertices";
+  /** The place of the object in the document's list; default: the active object. */
+  object?: number;
+  /** The vertices to merge: a list of vertices, each by id; default: the vertices of the selection. */
+  vertices?: number[];
+  /** Where the vertex goes: three numbers: `[x, y, z]`; default: the centre of the vertices. */
+  position?: Vector;
+}
+
+/** Join two boundary edges into one. */
+export interface WeldEdges {
+  op: "weld-edges";
+  /** The place of the object in the document's list; default: the active object. */
+  object?: number;
+  /** Two boundary edges: a list of two edges, each by id or by `[a, b]`, the vertices at its ends; default: the two selected edges. */
+  edges?: [number | Pair, number | Pair];
+}
+
+/** Make edges boundary: the faces on either side come apart. */
+export interface RipEdges {
+  op: "rip-edges";
+  /** The place of the object in the document's list; default: the active object. */
+  object?: number;
+  /** The edges to rip: a list of edges, each by id or by `[a, b]`, the vertices at its ends; default: the selected edges. */
+  edges?: (number | Pair)[];
+}
+
+/** Turn whole connected pieces inside out. */
+export interface FlipOrientation {
+  op: "flip-orientation";
+  /** The place of the object in the document's list; default: the active object. */
+  object?: number;
+  /** The faces of whole pieces: a list of faces, each by id; default: the selected faces, or all. */
+  faces?: number[];
+}
+
+/** Set how sharp edges and vertices stay under subdivision. */
+export interface SetCrease {
+  op: "set-crease";
+  /** The place of the object in the document's list; default: the active object. */
+  object?: number;
+  /** Edges to make sharp: a list of edges, each by id or by `[a, b]`, the vertices at its ends; default: the selected edges. */
+  edges?: (number | Pair)[];
+  /** Vertices to make sharp: a list of vertices, each by id; default: the selected vertices. */
+  vertices?: number[];
+  /** 0 is smooth, 10 infinitely sharp: a number from 0 to 10; required. */
+  sharpness: number;
+}
+
+/** Subdivide any polygons into quads that approach a smooth surface. */
+export interface SubdivideCatmullClark {
+  op: "subdivide-catmull-clark";
+  /** The place of the object in the document's list; default: the active object. */
+  object?: number;
+  /** How often: a whole number from 1 to 12; default: 1. */
+  levels?: number;
+  /** Whether corners of the boundary stay: one of `"edge-only"`, `"edge-and-corner"`; default: edge-only. */
+  boundary?: "edge-only" | "edge-and-corner";
+  /** Where old vertices go: as in OpenSubdiv, or as in MayaLite: one of `"standard"`, `"smoothed-midpoints"`; default: standard. */
+  vertex_rule?: "standard" | "smoothed-midpoints";
+}
+
+/** Subdivide triangles into triangles that approach a smooth surface. */
+export interface SubdivideLoop {
+  op: "subdivide-loop";
+  /** The place of the object in the document's list; default: the active object. */
+  object?: number;
+  /** How often: a whole number from 1 to 12; default: 1. */
+  levels?: number;
+  /** Whether corners of the boundary stay: one of `"edge-only"`, `"edge-and-corner"`; default: edge-only. */
+  boundary?: "edge-only" | "edge-and-corner";
+  /** How much a vertex's neighbours count: as in OpenSubdiv, or as in the CS184 course: one of `"loop"`, `"warren"`; default: loop. */
+  weights?: "loop" | "warren";
+}
+
+/** Cut polygons into quads without smoothing. */
+export interface SubdivideLinear {
+  op: "subdivide-linear";
+  /** The place of the object in the document's list; default: the active object. */
+  object?: number;
+  /** How often: a whole number from 1 to 12; default: 1. */
+  levels?: number;
+}
+
+/** Keep the shape with fewer triangles; polygons are triangulated first. */
+export interface Simplify {
+  op: "simplify";
+  /** The place of the object in the document's list; default: the active object. */
+  object?: number;
+  /** To this share of the triangles: a number from 0.0001 to 1; give exactly one of these. */
+  ratio?: number;
+  /** To this many triangles: a whole number of triangles, 1 or more; give exactly one of these. */
+  faces?: number;
+  /** As far as the surface stays this near to what it was, in mesh units: a number in mesh units, 0 or more; give exactly one of these. */
+  max_error?: number;
+  /** Keep the shape of the boundary: `true` or `false`; default: true. */
+  preserve_boundary?: boolean;
+  /** Keep the seams of texture coordinates and normals: `true` or `false`; default: true. */
+  preserve_seams?: boolean;
+}
+
+/** Make triangles with edges of one length; polygons are triangulated first. */
+export interface Remesh {
+  op: "remesh";
+  /** The place of the object in the document's list; default: the active object. */
+  object?: number;
+  /** The length of edges, in mesh units: a number in mesh units from 0.000001 to 1000000; default: the mean of the edges. */
+  edge_length?: number;
+  /** How many rounds: a whole number from 1 to 1000; default: 5. */
+  iterations?: number;
+  /** Keep edges that are sharper than this many degrees: a number of degrees from 0 to 180; default: 45.0. */
+  feature_angle?: number;
+  /** Project vertices back onto the surface: `true` or `false`; default: true. */
+  project?: boolean;
+}
+
+/** Move every vertex towards the centre of its neighbours. */
+export interface Smooth {
+  op: "smooth";
+  /** The place of the object in the document's list; default: the active object. */
+  object?: number;
+  /** How many rounds: a whole number from 1 to 10000; default: 1. */
+  iterations?: number;
+  /** How far of the way each time: a number from 0 to 1; default: 0.5. */
+  strength?: number;
+  /** Towards the neighbours, or there and back, which keeps the volume: one of `"laplacian"`, `"taubin"`; default: laplacian. */
+  method?: "laplacian" | "taubin";
+}
+
+/** Merge vertices that are close to each other. */
+export interface MergeByDistance {
+  op: "merge-by-distance";
+  /** The place of the object in the document's list; default: the active object. */
+  object?: number;
+  /** How close, in mesh units; 0 for those at the same position: a number in mesh units, 0 or more; required. */
+  distance: number;
+}
+
+/** Build the mesh again from the faces of its file, with other repairs; edits made since are lost. */
+export interface RepairImport {
+  op: "repair-import";
+  /** The place of the object in the document's list; default: the active object. */
+  object?: number;
+  /** Faces at edges where more than two meet: separate them all, or keep only the first two: one of `"separate"`, `"drop"`; default: separate. */
+  non_manifold?: "separate" | "drop";
+  /** Merge vertices this near to each other, in mesh units: a number in mesh units, 0 or more; default: none. */
+  merge_by_distance?: number;
+  /** Orient faces consistently: `true` or `false`; default: true. */
+  orient?: boolean;
+}
+
+/** Start a new document with a shape, or add the shape to this one. */
+export interface New {
+  op: "new";
+  /** The place of the object in the document's list; default: the active object. */
+  object?: number;
+  /** Which shape: one of `"cube"`, `"tetrahedron"`, `"octahedron"`, `"icosahedron"`, `"dodecahedron"`, `"uv-sphere"`, `"ico-sphere"`, `"torus"`, `"cylinder"`, `"cone"`, `"plane"`, `"grid"`, `"teapot"`; required. */
+  shape: "cube" | "tetrahedron" | "octahedron" | "icosahedron" | "dodecahedron" | "uv-sphere" | "ico-sphere" | "torus" | "cylinder" | "cone" | "plane" | "grid" | "teapot";
+  /** Add it to this document instead of starting a new one: `true` or `false`; default: false. */
+  add?: boolean;
+  /** The length of its sides: a number, for shapes that have this size; default: 2 for cube, 2 for plane, 2 for grid, 2 for teapot. */
+  size?: number;
+  /** How far it goes from its centre or axis: a number, for shapes that have this size; default: 1 for tetrahedron, 1 for octahedron, 1 for icosahedron, 1 for dodecahedron, 1 for uv-sphere, 1 for ico-sphere, 1 for torus, 1 for cylinder, 1 for cone. */
+  radius?: number;
+  /** The radius of a torus's tube: a number, for shapes that have this size; default: 0.4 for torus. */
+  tube_radius?: number;
+  /** How high it is: a number, for shapes that have this size; default: 2 for cylinder, 2 for cone. */
+  height?: number;
+  /** How many faces there are around it: a number, for shapes that have this size; default: 32 for uv-sphere, 48 for torus, 32 for cylinder, 32 for cone, 8 for teapot. */
+  segments?: number;
+  /** How many faces there are around a tube: a number, for shapes that have this size; default: 24 for torus. */
+  tube_segments?: number;
+  /** How many rows of faces there are: a number, for shapes that have this size; default: 16 for uv-sphere, 1 for cylinder. */
+  rings?: number;
+  /** How often an icosahedron is subdivided: a number, for shapes that have this size; default: 3 for ico-sphere. */
+  subdivisions?: number;
+  /** How many faces there are in a row: a number, for shapes that have this size; default: 10 for grid. */
+  columns?: number;
+  /** How many rows of faces there are: a number, for shapes that have this size; default: 10 for grid. */
+  rows?: number;
+}
+
+/** Make a mesh of quads from a Bezier surface, welded where patches meet. */
+export interface BezierTessellate {
+  op: "bezier-tessellate";
+  /** The place of the object in the document's list; default: the active object. */
+  object?: number;
+  /** How many quads lie along a patch's side: a whole number from 1 to 256; default: 8. */
+  resolution?: number;
+}
+
+/** Move a control point of a curve or surface; points of patches at the same position move together. */
+export interface BezierMovePoint {
+  op: "bezier-move-point";
+  /** The place of the object in the document's list; default: the active object. */
+  object?: number;
+  /** Which control point of a curve: a whole number, 0 or more; default: none, for a surface. */
+  point?: number;
+  /** Which patch of a surface: a whole number, 0 or more; default: none, for a curve. */
+  patch?: number;
+  /** Which row of the patch: a whole number from 0 to 3; default: none, for a curve. */
+  row?: number;
+  /** Which point of the row: a whole number from 0 to 3; default: none, for a curve. */
+  column?: number;
+  /** Where it goes: three numbers: `[x, y, z]`; required. */
+  position: Vector;
+}
+
+/** Add a control point to a Bezier curve. */
+export interface BezierInsertPoint {
+  op: "bezier-insert-point";
+  /** The place of the object in the document's list; default: the active object. */
+  object?: number;
+  /** The index that it gets: a whole number, 0 or more; default: after the last. */
+  index?: number;
+  /** Where it is: three numbers: `[x, y, z]`; required. */
+  position: Vector;
+}
+
+/** Delete a control point of a Bezier curve. */
+export interface BezierDeletePoint {
+  op: "bezier-delete-point";
+  /** The place of the object in the document's list; default: the active object. */
+  object?: number;
+  /** Which control point: a whole number, 0 or more; required. */
+  index: number;
+}
+
+/** Add a control point to a Bezier curve without changing its shape. */
+export interface BezierElevateDegree {
+  op: "bezier-elevate-degree";
+  /** The place of the object in the document's list; default: the active object. */
+  object?: number;
+}
+
+/** Split a Bezier curve into two of the same degree. */
+export interface BezierSplit {
+  op: "bezier-split";
+  /** The place of the object in the document's list; default: the active object. */
+  object?: number;
+  /** Where along the curve: a number from 0 to 1; default: 0.5. */
+  t?: number;
+}
+
+/** Make an object the one that lists, selection and commands are about. */
+export interface ActivateObject {
+  op: "activate-object";
+  /** The place of the object in the document's list; default: the active object. */
+  object?: number;
+}
+
+/** Give an object another name. */
+export interface RenameObject {
+  op: "rename-object";
+  /** The place of the object in the document's list; default: the active object. */
+  object?: number;
+  /** The new name: text; required. */
+  name: string;
+}
+
+/** Show an object in the viewport or hide it. */
+export interface SetObjectVisible {
+  op: "set-object-visible";
+  /** The place of the object in the document's list; default: the active object. */
+  object?: number;
+  /** Whether it is shown: `true` or `false`; required. */
+  visible: boolean;
+}
+
+/** Delete an object. */
+export interface DeleteObject {
+  op: "delete-object";
+  /** The place of the object in the document's list; default: the active object. */
+  object?: number;
+}
+
+/** Join several objects into one; no vertices are merged. */
+export interface JoinObjects {
+  op: "join-objects";
+  /** The place of the object in the document's list; default: the active object. */
+  object?: number;
+  /** The objects to join: a list of objects by their places, from 0; default: all objects. */
+  objects?: number[];
+}
+
+/** Split an object into several: its connected pieces, its face groups, or some faces and the rest. */
+export interface Separate {
+  op: "separate";
+  /** The place of the object in the document's list; default: the active object. */
+  object?: number;
+  /** What makes a part: one of `"components"`, `"groups"`, `"faces"`; default: the given faces, or connected pieces. */
+  by?: "components" | "groups" | "faces";
+  /** The faces that become an object: a list of faces, each by id; default: the selected faces. */
+  faces?: number[];
+}
+
+/** Any command. */
+export type Command =
+  | SetVertexPosition
+  | Transform
+  | SetFaceColor
+  | SplitEdge
+  | FlipEdge
+  | CollapseEdge
+  | CollapseFace
+  | SplitVertex
+  | DissolveVertex
+  | DissolveEdge
+  | DeleteFaces
+  | DeleteVertices
+  | TriangulateFaces
+  | PokeFaces
+  | ConnectVertices
+  | ExtrudeFaces
+  | ExtrudeEdges
+  | InsetFaces
+  | BevelEdges
+  | BevelVertices
+  | LoopCut
+  | FillHole
+  | Bridge
+  | MergeVertices
+  | WeldEdges
+  | RipEdges
+  | FlipOrientation
+  | SetCrease
+  | SubdivideCatmullClark
+  | SubdivideLoop
+  | SubdivideLinear
+  | Simplify
+  | Remesh
+  | Smooth
+  | MergeByDistance
+  | RepairImport
+  | New
+  | BezierTessellate
+  | BezierMovePoint
+  | BezierInsertPoint
+  | BezierDeletePoint
+  | BezierElevateDegree
+  | BezierSplit
+  | ActivateObject
+  | RenameObject
+  | SetObjectVisible
+  | DeleteObject
+  | JoinObjects
+  | Separate;
+
+/** A position, an offset or a direction: x, y and z. */
+export type Vector = [number, number, number];
+
+/** The ids of two vertices: the ends of an edge, or those that a half-edge leaves and points to. */
+export type Pair = [number, number];
+
+/** A kind of element. */
+export type Kind = "vertex" | "edge" | "halfedge" | "face";
+
+/** Counts of elements; local edits also list their ids. */
+export interface Elements {
+  vertices: number;
+  edges: number;
+  faces: number;
+  ids?: { vertices: number[]; edges: number[]; faces: number[] };
+}
+
+/** A note on a file that was read. */
+export interface ReportNote {
+  severity: "info" | "warning";
+  text: string;
+}
+
+/** The outcome of a command. */
+export interface Outcome {
+  op: string;
+  created: Elements;
+  removed: Elements;
+  /** One sentence that says what was done. */
+  message: string;
+  warnings: string[];
+  /** The import report, after opening files. */
+  report?: ReportNote[];
+}
+
+/** The state of the editor; counts are those of all objects together. */
+export interface State {
+  document: {
+    name: string;
+    objects: { name: string; visible: boolean; faces: number; bezier?: unknown; repairable?: boolean }[];
+    active: number;
+    vertices: number;
+    edges: number;
+    halfedges: number;
+    faces: number;
+    boundary_loops: number;
+    components: number;
+    euler: number;
+    dirty: boolean;
+    /** To be added to positions for the coordinates of the files; left out where it is zero. */
+    offset?: Vector;
+  };
+  selection: { kind: Kind; ids: number[] };
+  history: { undo: string[]; redo: string[]; bytes: number };
+  jobs: { op: string; progress: number | null }[];
+  messages: { kind: string; text: string }[];
+  view: { renderer: string; frame_ms: { median: number; worst: number }; [name: string]: unknown };
+}
+
+export interface Vertex {
+  id: number;
+  position: Vector;
+  /** A half-edge that leaves it; null for an isolated vertex. */
+  halfedge: number | null;
+  valence: number;
+  boundary: boolean;
+}
+
+export interface Edge {
+  id: number;
+  halfedge: number;
+  vertices: Pair;
+  /** The faces on its two sides; null on the boundary. */
+  faces: [number | null, number | null];
+  length: number | null;
+  crease: number | null;
+  boundary: boolean;
+}
+
+export interface Halfedge {
+  id: number;
+  next: number;
+  prev: number;
+  twin: number;
+  /** The vertex it points to. */
+  vertex: number;
+  edge: number;
+  /** Null on the boundary. */
+  face: number | null;
+  boundary: boolean;
+}
+
+export interface Face {
+  id: number;
+  halfedge: number;
+  corners: number[];
+  /** `#rrggbb`. */
+  color: string;
+  area: number | null;
+  boundary: boolean;
+}
+
+/** A file by its name. */
+export interface NamedFile<Content> {
+  name: string;
+  content: Content;
+}
+
+/** The bytes of a file, or its text. */
+export type Content = string | ArrayBuffer | ArrayBufferView;
+
+/** `window.meshwright`. Promises reject, and the other methods throw, an `Error` that says why. */
+export interface Meshwright {
+  /** Resolves when the editor runs. */
+  ready: Promise<{ version: string; renderer: "webgpu" | "webgl2" }>;
+  /** Open a file in place of the document. */
+  open(name: string, content: Content): Promise<Outcome>;
+  /** Open files that belong together, such as an OBJ file and its materials. */
+  openFiles(files: NamedFile<Content>[]): Promise<Outcome>;
+  /** Run a command. */
+  run(command: Command): Promise<Outcome>;
+  /** Write the document; resolves with the model's own file. */
+  export(format: string): Promise<Uint8Array>;
+  /** Write the document; resolves with the model's file and those that belong to it. */
+  exportFiles(format: string): Promise<NamedFile<Uint8Array>[]>;
+  state(): State;
+  element(kind: "vertex", id: number): Vertex;
+  element(kind: "edge", id: number): Edge;
+  element(kind: "halfedge", id: number): Halfedge;
+  element(kind: "face", id: number): Face;
+  /** Select elements of the active object in place of the selection. */
+  select(kind: Kind, ids: number[]): void;
+  /** Undo the last step; returns its label, or null where there is none. */
+  undo(): string | null;
+  /** Redo the last undone step; returns its label, or null where there is none. */
+  redo(): string | null;
+  /** Cancel all jobs; returns their number. */
+  cancel(): number;
+  /** A position on the page, in CSS pixels; null where it is behind the camera. */
+  project(point: Vector): [number, number] | null;
+  /** The widgets on the screen, from the accessibility tree. */
+  ui(): {
+    role: string;
+    name: string;
+    value: number | string | null;
+    description?: string;
+    /** x, y, width and height in CSS pixels of the page. */
+    rect: [number, number, number, number];
+    disabled: boolean;
+    selected: boolean | null;
+  }[];
+}
+
+declare global {
+  interface Window {
+    meshwright: Meshwright;
+  }
+}
