@@ -1,18 +1,14 @@
 //! The arguments of the command line.
 
 use crate::Failure;
-use editor::Command;
+use editor::{Command, OpId, script};
 use formats::{Format, NonManifold, Repairs};
 use lexopt::prelude::*;
 use std::ffi::OsString;
 use std::path::PathBuf;
 
-/// The text that `--help` prints.
-pub fn help() -> String {
-    HELP.replace("{codes}", &codes())
-}
-
-/// The help text with `{codes}` in place of the codes of the formats.
+/// The text that `--help` prints before the list of operations, with `{codes}` in place of the codes of
+/// the formats.
 const HELP: &str = "\
 Meshwright: polygon meshes from the command line
 
@@ -21,6 +17,7 @@ Usage:
   meshwright convert IN OUT [--format CODE] [REPAIRS]
   meshwright apply IN --do COMMAND [--do COMMAND ...] [-o OUT [--format CODE]] [--json] [--repeat N]
                    [REPAIRS]
+  meshwright help [OPERATION]
 
 A COMMAND is a JSON object such as '{\"op\": \"subdivide-catmull-clark\", \"levels\": 2}'.
 Operations on whole meshes run on every object of the file; others run on the first object, unless
@@ -49,10 +46,21 @@ Exit status: 0 on success, 1 when a command is refused, 2 for wrong usage or a f
 read or written.
 ";
 
+/// The text that `--help` prints.
+pub fn help() -> String {
+    let help = HELP.replace("{codes}", &codes());
+    format!(
+        "{help}\nOperations; `meshwright help OPERATION` lists the fields of one:\n{}",
+        script::operations_help()
+    )
+}
+
 /// The task of the program.
 pub enum Task {
     /// Print the help text.
     Help,
+    /// Print the fields of an operation.
+    OperationHelp(OpId),
     /// Print the version.
     Version,
     /// Print the contents of a file.
@@ -178,7 +186,7 @@ impl Given {
         ];
         let mut words = self.words.into_iter();
         let Some(name) = words.next() else {
-            return Err(Failure::Usage("The task is missing: give info, convert or apply.".into()));
+            return Err(Failure::Usage("The task is missing: give info, convert, apply or help.".into()));
         };
         let mut file = |what: &str| {
             words.next().map(PathBuf::from).ok_or_else(|| Failure::Usage(format!("{what} is missing.")))
@@ -214,7 +222,14 @@ impl Given {
                     repairs: self.repairs,
                 })
             }
-            other => return Err(Failure::Usage(format!("`{other}` is not info, convert or apply."))),
+            "help" => {
+                refuse(self.json, "--json", "help")?;
+                match words.next() {
+                    None => Task::Help,
+                    Some(operation) => Task::OperationHelp(operation_named(&operation.to_string_lossy())?),
+                }
+            }
+            other => return Err(Failure::Usage(format!("`{other}` is not info, convert, apply or help."))),
         };
         if let Some(extra) = words.next() {
             return Err(Failure::Usage(format!("Unexpected argument `{}`.", extra.to_string_lossy())));
@@ -253,7 +268,20 @@ fn format(code: &str) -> Result<Format, Failure> {
 fn command(text: &str) -> Result<Command, Failure> {
     let value: serde_json::Value = serde_json::from_str(text)
         .map_err(|error| Failure::Usage(format!("--do: this is not JSON: {text}: {error}")))?;
+    let instead = match value.get("op").and_then(serde_json::Value::as_str) {
+        Some("open") => Some("open is not an operation; name the input file as the first argument of apply"),
+        Some("export") => Some("export is not an operation; name the output file with -o"),
+        _ => None,
+    };
+    if let Some(instead) = instead {
+        return Err(Failure::Refused(format!("--do: {instead} instead.")));
+    }
     Command::from_value(value).map_err(|error| Failure::Refused(error.to_string()))
+}
+
+fn operation_named(name: &str) -> Result<OpId, Failure> {
+    OpId::named(name)
+        .ok_or_else(|| Failure::Usage(format!("`{name}` is not an operation; `meshwright help` lists them.")))
 }
 
 fn usage(error: lexopt::Error) -> Failure {

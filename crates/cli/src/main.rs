@@ -14,6 +14,7 @@ mod info;
 mod report;
 
 use arguments::Task;
+use editor::script;
 use std::process::ExitCode;
 
 /// Why the program fails.
@@ -29,6 +30,7 @@ enum Failure {
 fn main() -> ExitCode {
     let result = arguments::parse(std::env::args_os()).and_then(|task| match task {
         Task::Help => report::print(&arguments::help()),
+        Task::OperationHelp(id) => report::print(&script::operation_help(id)),
         Task::Version => report::print(concat!("meshwright ", env!("CARGO_PKG_VERSION"), "\n")),
         Task::Info(task) => info::run(&task),
         Task::Convert(task) => convert::run(&task),

@@ -266,6 +266,41 @@ fn help_and_version() {
     }
 }
 
+#[test]
+fn help_lists_the_operations_and_tells_the_fields_of_one() {
+    let help = run(&["--help"]).stdout;
+    assert_eq!(run(&["help"]).stdout, help);
+    let help = String::from_utf8_lossy(&help);
+    for id in editor::OpId::ALL {
+        assert!(help.contains(&format!("\n  {} ", id.spec().name)), "{}", id.spec().name);
+    }
+    let output = run(&["help", "split-edge"]);
+    assert_eq!(output.status.code(), Some(0));
+    let told = String::from_utf8_lossy(&output.stdout);
+    assert!(
+        told.starts_with("split-edge: ") && told.contains("a number from 0 to 1; default: 0.5"),
+        "{told}"
+    );
+    for arguments in [&["help", "splice"][..], &["help", "split-edge", "more"], &["help", "--json"]] {
+        assert_eq!(run(arguments).status.code(), Some(2), "{arguments:?}");
+    }
+}
+
+#[test]
+fn open_and_export_are_no_operations() {
+    let folder = folder("no-operations");
+    let cube = write(&folder, "cube.obj", CUBE);
+    for (command, part) in [
+        (r#"{"op":"open"}"#, "name the input file as the first argument of apply instead"),
+        (r#"{"op":"export"}"#, "name the output file with -o instead"),
+    ] {
+        let output = run(&["apply", text(&cube), "--do", command]);
+        assert_eq!(output.status.code(), Some(1));
+        let told = String::from_utf8_lossy(&output.stderr);
+        assert!(told.contains("is not an operation; ") && told.contains(part), "{told}");
+    }
+}
+
 /// The table of `../shared/models/README.md`: V, F, boundary edges, non-manifold edges, note.
 fn models_have_the_counts_that_their_table_says() {
     let models = fixtures::shared("models");
