@@ -110,13 +110,17 @@ export interface DissolveVertex {
   vertex?: number;
 }
 
-/** Remove an edge and merge its two faces into one polygon. */
+/** Remove edges and merge the faces beside them into one polygon. */
 export interface DissolveEdge {
   op: "dissolve-edge";
   /** The place of the object in the document's list; default: the active object. */
   object?: number;
-  /** The edge to dissolve: an edge by id or by `[a, b]`, the vertices at its ends; default: the selected edges. */
+  /** The edge to dissolve: an edge by id or by `[a, b]`, the vertices at its ends; default: those of `edges`. */
   edge?: number | Pair;
+  /** The edges to dissolve together: a list of edges, each by id or by `[a, b]`, the vertices at its ends; default: the selected edges. */
+  edges?: (number | Pair)[];
+  /** Whether vertices that are left with two edges stay: `true` or `false`; default: false. */
+  keep_vertices?: boolean;
 }
 
 /** Delete faces, and vertices that are left with no face. */
