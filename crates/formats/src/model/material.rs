@@ -10,10 +10,10 @@
 //! |---|---|---|---|
 //! | `base_color` | `Kd` | `baseColorFactor` (r, g, b) | `diffuse` |
 //! | `alpha` | `d`, `Tr` | `baseColorFactor` (a) | `transparent`, `transparency` |
-//! | `emissive` | `Ke` | `emissiveFactor` | `emission` |
+//! | `emissive` | `Ke` | `emissiveFactor`, `KHR_materials_emissive_strength` | `emission` |
 //! | `specular`, `ambient`, `shininess` | `Ks`, `Ka`, `Ns` | – | `specular`, `ambient`, `shininess` |
 //! | `metallic`, `roughness` | `Pm`, `Pr` | `metallicFactor`, `roughnessFactor` | – |
-//! | `index_of_refraction` | `Ni` | – | `index_of_refraction` |
+//! | `index_of_refraction` | `Ni` | `KHR_materials_ior` | `index_of_refraction` |
 //! | `alpha_mode` | – | `alphaMode`, `alphaCutoff` | – |
 //! | `double_sided` | – | `doubleSided` | – |
 //! | `textures` | `map_…`, `bump`, `norm`, … | `…Texture` | `texture` |
