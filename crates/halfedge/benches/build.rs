@@ -1,4 +1,4 @@
-//! Polygon soup to mesh, at 10 thousand, 100 thousand and a million triangles and at a quarter of a million quads.
+//! Building meshes of 10 thousand, 100 thousand and a million triangles, and of a quarter of a million quads.
 
 use criterion::{BatchSize, Criterion, criterion_group, criterion_main};
 use glam::Vec3;
@@ -30,7 +30,7 @@ fn torus(n: u32, m: u32, triangles: bool) -> PolygonSoup {
     soup
 }
 
-/// The same faces in an order with nothing next to each other.
+/// The same faces in an order without neighbours next to each other.
 fn shuffled(soup: &PolygonSoup) -> PolygonSoup {
     let count = soup.face_count();
     let mut order: Vec<usize> = (0..count).collect();

@@ -1,5 +1,5 @@
-//! One flip, split and collapse with its undo on meshes of a thousand and of a million triangles:
-//! the same time. And large selections: time in proportion to the selection.
+//! A flip, a split and a collapse with their undo take the same time on a thousand and on a million triangles, and edits of
+//! large selections time in proportion to the selection.
 
 use criterion::{BatchSize, Criterion, Throughput, criterion_group, criterion_main};
 use glam::Vec3;
@@ -23,7 +23,7 @@ fn torus(n: u32, m: u32) -> Mesh {
     Mesh::build(soup).expect("it fits").mesh
 }
 
-/// An edit and its undo, at another edge of the mesh each time.
+/// Makes an edit and undoes it, each time at another edge.
 fn there_and_back(
     mesh: &mut Mesh,
     step: &mut usize,
@@ -41,7 +41,7 @@ fn one_edit(c: &mut Criterion) {
     for (name, n, m) in [("1 thousand triangles", 25, 20), ("1 million triangles", 1000, 500)] {
         let mut group = c.benchmark_group(name);
         let mut mesh = torus(n, m);
-        // The columns have room for what a split adds from here on.
+        // From now on the columns have room for what a split adds.
         let mut step = 0;
         there_and_back(&mut mesh, &mut step, |m, e| {
             edit::split_edge(m, e, 0.5, Connect::Triangles).map(drop)

@@ -1,4 +1,4 @@
-//! Building from soups that are no oriented manifolds: every one gives a valid mesh.
+//! Building from soups that are not oriented manifolds: all give valid meshes.
 
 use glam::{Vec2, Vec3};
 use halfedge::attribute::Column;
@@ -18,8 +18,8 @@ fn assert_valid(vertices: usize, faces: &[Vec<u32>]) -> Built {
     built
 }
 
-/// Three faces at edge 0-3, two of which go on round both its ends: copies of the edge would join
-/// the same two vertices if nothing else were cut.
+/// Three faces at the edge 0 3, two of them joined round both its ends too: copies of the edge would join the same two
+/// vertices if nothing else were cut.
 #[test]
 fn copies_of_a_separated_edge_get_ends_of_their_own() {
     let faces = [vec![1, 3, 0], vec![3, 0, 4, 1], vec![0, 2, 3], vec![4, 1, 0]];
@@ -27,7 +27,7 @@ fn copies_of_a_separated_edge_get_ends_of_their_own() {
     assert_eq!(built.mesh.face_count(), 4);
 }
 
-/// A Klein bottle of 4 x 4 quads: closed, and no orientation suits it.
+/// A Klein bottle of 4 x 4 quads: closed and not orientable.
 #[test]
 fn a_klein_bottle_is_cut_open() {
     let at = |i: u32, j: u32| {
@@ -43,7 +43,7 @@ fn a_klein_bottle_is_cut_open() {
     assert!(!built.mesh.boundary_loops().is_empty());
 }
 
-/// Many faces on one edge: each becomes a piece of its own, in time linear in their number.
+/// Many faces at one edge become as many pieces, in linear time.
 #[test]
 fn a_fan_of_pages_comes_apart() {
     let pages: Vec<Vec<u32>> = (0..5000).map(|i| vec![0, 1, i + 2]).collect();
@@ -51,7 +51,7 @@ fn a_fan_of_pages_comes_apart() {
     assert_eq!((built.mesh.face_count(), built.mesh.components().1), (5000, 5000));
 }
 
-/// A soup with one column for each kind of element that it has.
+/// A soup with a column for each kind of element.
 fn with_columns(mut soup: PolygonSoup) -> PolygonSoup {
     let numbers = |count: usize| (0..count).map(|i| i as f32).collect::<Vec<_>>();
     let colors = numbers(soup.positions.len()).into_iter().map(Vec3::splat).collect();
@@ -83,7 +83,7 @@ proptest! {
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(3000))]
 
-    /// Any polygons over few vertices, which collide in every way there is.
+    /// Polygons over few vertices collide in all possible ways.
     #[test]
     fn any_soup_builds_a_valid_mesh(
         faces in prop::collection::vec(prop::collection::vec(0u32..9, 0..6), 0..24),
@@ -93,7 +93,7 @@ proptest! {
         prop_assert!(built.mesh.vertex_count() >= 8);
         prop_assert_eq!(built.face_source.len(), built.mesh.face_count());
         prop_assert!(built.face_source.is_sorted());
-        // What was built needs no repair, and building it again gives the same mesh.
+        // The result needs no repair, and building it again gives the same mesh.
         let again = Mesh::build(built.mesh.to_soup()).expect("small");
         prop_assert_eq!(&again.notes, &[]);
         prop_assert!(again.mesh == built.mesh);
