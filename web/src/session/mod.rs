@@ -7,7 +7,7 @@ pub(crate) mod jobs;
 pub(crate) mod live;
 pub(crate) mod measures;
 pub(crate) mod preview;
-pub(crate) mod run;
+mod run;
 pub(crate) mod survey;
 pub(crate) mod toasts;
 
@@ -27,6 +27,15 @@ use preview::Previewing;
 use survey::Survey;
 use toasts::Toasts;
 
+/// What the view is to look at, because the document is another.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Look {
+    /// Everything.
+    Document,
+    /// Flat curves, from straight above their plane, so that they are seen as they were drawn.
+    FlatCurves,
+}
+
 /// The editor with what is going on in it.
 pub(crate) struct Session {
     pub editor: Editor,
@@ -45,7 +54,7 @@ pub(crate) struct Session {
     /// The last adjustment took too long to be made at every step of a spin.
     pub adjusting_is_slow: bool,
     /// What the view is to look at.
-    pub look: Option<run::Look>,
+    pub look: Option<Look>,
     /// The ongoing edit is committed when the pointer's button is let go.
     pub commit_on_release: bool,
     measured: RefCell<Measured>,

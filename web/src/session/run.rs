@@ -3,23 +3,14 @@
 use editor::{Begun, Command, CommandError, Finished, JobId, JobRequest, JobResult, MessageKind, OpId};
 use formats::Format;
 
-use super::Session;
 use super::form;
 use super::jobs::{Answer, Reply};
 use super::preview::MAX_SECONDS_PER_STEP;
 use super::sentence;
+use super::{Look, Session};
 use crate::bezier;
 use crate::input::actions::Action;
 use crate::platform::{Fetched, NamedBytes};
-
-/// What the view is to look at, because the document is another.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Look {
-    /// Everything.
-    Document,
-    /// Flat curves, from straight above their plane, so that they are seen as they were drawn.
-    FlatCurves,
-}
 
 /// What `meshwright.cancel()` stopped.
 const CANCELLED: &str = "cancelled";

@@ -8,6 +8,7 @@
 
 mod action;
 mod bezier;
+mod choice;
 mod command;
 mod elements;
 mod facts;
@@ -24,12 +25,12 @@ pub(crate) use action::{
     refuse_bezier,
 };
 pub use bezier::*;
+pub use choice::Choice;
 pub use command::Command;
 pub use elements::*;
 pub use facts::{Amount, Counted, Estimate, Facts};
 pub use field::{
-    Arity, Choice, Default, Drag, Field, FieldKind, Fill, Selected, Suggestion, Unit, four_digits,
-    sentence_case,
+    Arity, Default, Drag, Field, FieldKind, Fill, Selected, Suggestion, Unit, four_digits, sentence_case,
 };
 use json::Fields;
 pub use object::*;

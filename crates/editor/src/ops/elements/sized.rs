@@ -2,7 +2,7 @@
 
 use crate::error::Problem;
 use crate::json::shortest;
-use crate::ops::field::choice;
+use crate::ops::choice::choice;
 use halfedge::Mesh;
 use halfedge::edit::{Grouping, Live};
 

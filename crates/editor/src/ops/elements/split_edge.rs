@@ -1,7 +1,7 @@
 //! `split-edge`: add a vertex to an edge, and cut from it.
 
 use crate::error::Problem;
-use crate::ops::field::choice;
+use crate::ops::choice::choice;
 use crate::ops::refs::{given, given_t};
 use crate::ops::{
     Action, Default, Drag, EdgeRef, Field, LocalEdit, Operation, Scope, Selected, Slot, Spec, Unit,

@@ -1,7 +1,7 @@
 //! `triangulate-faces`: cut polygons into triangles.
 
 use crate::error::Problem;
-use crate::ops::field::choice;
+use crate::ops::choice::choice;
 use crate::ops::refs::{corner_count, faces_or_every};
 use crate::ops::{Action, FaceRef, Field, LocalEdit, Operation, Scope, Selected, Slot, Spec};
 use halfedge::edit::Triangulation;

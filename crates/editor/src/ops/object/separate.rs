@@ -1,7 +1,7 @@
 //! `separate`: split an object into several.
 
 use crate::error::Problem;
-use crate::ops::field::choice;
+use crate::ops::choice::choice;
 use crate::ops::refs::all;
 use crate::ops::{
     Action, FaceRef, Field, FieldKind, Input, Operation, Output, Scope, Selected, Slot, Spec, Target,

@@ -3,7 +3,7 @@
 use super::each_mesh::{self, EachMesh};
 use crate::error::Problem;
 use crate::json::shortest;
-use crate::ops::field::choice;
+use crate::ops::choice::choice;
 use crate::ops::{Action, Amount, Counted, Default, Estimate, Facts, Field, Operation, Scope, Spec, Unit};
 use halfedge::{Mesh, Progress};
 use serde::{Deserialize, Serialize};

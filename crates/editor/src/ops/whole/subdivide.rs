@@ -1,7 +1,7 @@
 //! What the subdivisions share.
 
 use crate::error::Problem;
-use crate::ops::field::choice;
+use crate::ops::choice::choice;
 use crate::ops::{Default, Estimate, Field};
 use surface::{BoundaryRule, SurfaceError};
 

@@ -3,7 +3,7 @@
 use super::each_mesh::EachMesh;
 use super::subdivide::{self, Boundary};
 use crate::error::Problem;
-use crate::ops::field::choice;
+use crate::ops::choice::choice;
 use crate::ops::{Action, Estimate, Facts, Operation, Scope, Spec};
 use halfedge::{Mesh, Progress};
 use serde::{Deserialize, Serialize};
