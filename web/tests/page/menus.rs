@@ -279,7 +279,10 @@ fn a_page_asked_for_a_model_fetches_and_opens_it() {
 
     // Without which nothing could be read.
     let (mut page, job) = wanting();
-    let gltf = r#"{"asset":{"version":"2.0"},"buffers":[{"uri":"data.bin","byteLength":4}],"meshes":[{"primitives":[{}]}]}"#;
+    let gltf = r#"{"asset":{"version":"2.0"},"buffers":[{"uri":"data.bin","byteLength":36}],
+        "bufferViews":[{"buffer":0,"byteLength":36}],
+        "accessors":[{"bufferView":0,"componentType":5126,"count":3,"type":"VEC3"}],
+        "meshes":[{"primitives":[{"attributes":{"POSITION":0}}]}]}"#;
     page.outside.push(Event::Fetched { job, files: fetched("a.gltf", gltf) });
     page.run();
     page.run();

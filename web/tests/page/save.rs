@@ -97,7 +97,10 @@ fn what_a_format_cannot_hold_is_said_before_saving() {
     assert!(page.has("OBJ holds everything in this document."));
     choose(&mut page, "STL");
     assert!(page.has("STL holds triangles only: 6 polygons are cut into triangles."));
-    assert!(page.has("STL holds no face colours: those of 2 faces are lost."));
+    assert!(!page.has_part("colours"), "binary STL holds face colours");
+    choose(&mut page, "STL (text)");
+    assert!(page.has("STL (text) holds no face colours: those of 2 faces are lost."));
+    choose(&mut page, "STL");
     page.click("Save");
     assert_eq!(saved(&page), ["Cube.stl"]);
     assert!(is_dirty(&mut page), "what was lost is not saved");
