@@ -181,7 +181,6 @@ editorTest("the dialog lists what a format cannot hold before saving", both, asy
   await editor.screenshot("formats");
   await editor.click("STL", "button");
   await editor.find("STL holds triangles only: 6 polygons are cut into triangles.", "label");
-  await editor.find("STL holds no face colours: those of 1 face are lost.", "label");
   await editor.find("STL holds no creases: 1 crease is lost.", "label");
   const { width, height } = editor.size;
   for (const { rect: [x, y, w, h], name } of await editor.ui()) {

@@ -446,6 +446,58 @@ export interface New {
   rows?: number;
 }
 
+/** Make an object the one that lists, selection and commands are about. */
+export interface ActivateObject {
+  op: "activate-object";
+  /** The place of the object in the document's list; default: the active object. */
+  object?: number;
+}
+
+/** Give an object another name. */
+export interface RenameObject {
+  op: "rename-object";
+  /** The place of the object in the document's list; default: the active object. */
+  object?: number;
+  /** The new name: text; required. */
+  name: string;
+}
+
+/** Show an object in the viewport or hide it. */
+export interface SetObjectVisible {
+  op: "set-object-visible";
+  /** The place of the object in the document's list; default: the active object. */
+  object?: number;
+  /** Whether it is shown: `true` or `false`; required. */
+  visible: boolean;
+}
+
+/** Delete an object. */
+export interface DeleteObject {
+  op: "delete-object";
+  /** The place of the object in the document's list; default: the active object. */
+  object?: number;
+}
+
+/** Join several objects into one; no vertices are merged. */
+export interface JoinObjects {
+  op: "join-objects";
+  /** The place of the object in the document's list; default: the active object. */
+  object?: number;
+  /** The objects to join: a list of objects by their places, from 0; default: all objects. */
+  objects?: number[];
+}
+
+/** Split an object into several: its connected pieces, its face groups, or some faces and the rest. */
+export interface Separate {
+  op: "separate";
+  /** The place of the object in the document's list; default: the active object. */
+  object?: number;
+  /** What makes a part: one of `"components"`, `"groups"`, `"faces"`; default: the given faces, or connected pieces. */
+  by?: "components" | "groups" | "faces";
+  /** The faces that become an object: a list of faces, each by id; default: the selected faces. */
+  faces?: number[];
+}
+
 /** Make a mesh of quads from a Bezier surface, welded where patches meet. */
 export interface BezierTessellate {
   op: "bezier-tessellate";
@@ -508,58 +560,6 @@ export interface BezierSplit {
   t?: number;
 }
 
-/** Make an object the one that lists, selection and commands are about. */
-export interface ActivateObject {
-  op: "activate-object";
-  /** The place of the object in the document's list; default: the active object. */
-  object?: number;
-}
-
-/** Give an object another name. */
-export interface RenameObject {
-  op: "rename-object";
-  /** The place of the object in the document's list; default: the active object. */
-  object?: number;
-  /** The new name: text; required. */
-  name: string;
-}
-
-/** Show an object in the viewport or hide it. */
-export interface SetObjectVisible {
-  op: "set-object-visible";
-  /** The place of the object in the document's list; default: the active object. */
-  object?: number;
-  /** Whether it is shown: `true` or `false`; required. */
-  visible: boolean;
-}
-
-/** Delete an object. */
-export interface DeleteObject {
-  op: "delete-object";
-  /** The place of the object in the document's list; default: the active object. */
-  object?: number;
-}
-
-/** Join several objects into one; no vertices are merged. */
-export interface JoinObjects {
-  op: "join-objects";
-  /** The place of the object in the document's list; default: the active object. */
-  object?: number;
-  /** The objects to join: a list of objects by their places, from 0; default: all objects. */
-  objects?: number[];
-}
-
-/** Split an object into several: its connected pieces, its face groups, or some faces and the rest. */
-export interface Separate {
-  op: "separate";
-  /** The place of the object in the document's list; default: the active object. */
-  object?: number;
-  /** What makes a part: one of `"components"`, `"groups"`, `"faces"`; default: the given faces, or connected pieces. */
-  by?: "components" | "groups" | "faces";
-  /** The faces that become an object: a list of faces, each by id; default: the selected faces. */
-  faces?: number[];
-}
-
 /** Any command. */
 export type Command =
   | SetVertexPosition
@@ -599,18 +599,18 @@ export type Command =
   | MergeByDistance
   | RepairImport
   | New
-  | BezierTessellate
-  | BezierMovePoint
-  | BezierInsertPoint
-  | BezierDeletePoint
-  | BezierElevateDegree
-  | BezierSplit
   | ActivateObject
   | RenameObject
   | SetObjectVisible
   | DeleteObject
   | JoinObjects
-  | Separate;
+  | Separate
+  | BezierTessellate
+  | BezierMovePoint
+  | BezierInsertPoint
+  | BezierDeletePoint
+  | BezierElevateDegree
+  | BezierSplit;
 
 /** A position, an offset or a direction: x, y and z. */
 export type Vector = [number, number, number];

@@ -48,7 +48,7 @@ macro_rules! choice {
             #[allow(dead_code, reason = "a choice may be a field with a default of its own")]
             pub(crate) const fn field(name: &'static str, description: &'static str) -> $crate::ops::Field {
                 $crate::ops::Field::required(name, $crate::ops::FieldKind::Choice(Self::CHOICES), description)
-                    .or($crate::ops::Default::Choice($first_json))
+                    .or($crate::ops::DefaultValue::Choice($first_json))
             }
         }
     };

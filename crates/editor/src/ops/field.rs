@@ -113,7 +113,7 @@ pub enum Fill {
     /// It must be given.
     Required,
     /// This value.
-    Value(Default),
+    Value(DefaultValue),
     /// What the selection gives.
     Selection(Selected),
     /// Nothing, which does what these words say. Forms offer to set it.
@@ -124,7 +124,7 @@ pub enum Fill {
 
 /// A value as a default.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Default {
+pub enum DefaultValue {
     /// A number.
     Number(f64),
     /// A whole number.
@@ -238,7 +238,7 @@ impl Field {
         Self::required(name, FieldKind::Integer { unit: Unit::Count, min, max }, description)
     }
 
-    pub(crate) const fn or(self, default: Default) -> Self {
+    pub(crate) const fn or(self, default: DefaultValue) -> Self {
         Self { fill: Fill::Value(default), ..self }
     }
 
@@ -293,11 +293,11 @@ impl Field {
     pub fn default_value(&self) -> Option<Value> {
         let Fill::Value(default) = self.fill else { return None };
         Some(match default {
-            Default::Number(number) | Default::Factor(number) => json!(number),
-            Default::Integer(number) => json!(number),
-            Default::Flag(on) => json!(on),
-            Default::Choice(name) => json!(name),
-            Default::Vector(vector) => json!(vector),
+            DefaultValue::Number(number) | DefaultValue::Factor(number) => json!(number),
+            DefaultValue::Integer(number) => json!(number),
+            DefaultValue::Flag(on) => json!(on),
+            DefaultValue::Choice(name) => json!(name),
+            DefaultValue::Vector(vector) => json!(vector),
         })
     }
 

@@ -4,45 +4,52 @@
 //! object `{"op": "<name>", ...fields}`, with a [`Spec`] that everything else is made from: menus, the
 //! palette, forms, keys, greying, previews, the operations reference and `meshwright --help`.
 //!
-//! To add one: write its file, and name it in `operations!` below.
+//! To add one: write its file in the folder of its group, and name it in `operations!` below. Its place
+//! there is its place in menus.
 
 mod action;
-mod bezier;
 mod choice;
 mod command;
-mod elements;
 mod facts;
 mod field;
 mod json;
-mod object;
 mod refs;
 mod spec;
 mod target;
-mod whole;
 
 pub(crate) use action::{
     Action, Commit, DocumentEdit, Input, LocalEdit, Operation, Output, Place, WholeMesh, edit_all,
     refuse_bezier,
 };
-pub use bezier::*;
 pub use choice::Choice;
 pub use command::Command;
-pub use elements::*;
 pub use facts::{Amount, Counted, Estimate, Facts};
 pub use field::{
-    Arity, Default, Drag, Field, FieldKind, Fill, Selected, Suggestion, Unit, four_digits, sentence_case,
+    Arity, DefaultValue, Drag, Field, FieldKind, Fill, Selected, Suggestion, Unit, four_digits, sentence_case,
 };
 use json::Fields;
-pub use object::*;
 pub use refs::{EdgeRef, FaceRef, HalfedgeRef, VertexRef};
 pub use spec::{Family, Scope, Spec};
 pub(crate) use target::{Slot, Target};
-pub use whole::*;
 
 use crate::error::Problem;
 use serde_json::{Map, Value};
 
 macro_rules! operations {
+    ($($(#[$doc:meta])* $group:ident [$($helper:ident),*] { $($module:ident::$name:ident),* $(,)? })*) => {
+        $($(#[$doc])*
+        pub mod $group {
+            $(mod $helper;)*
+            $(mod $module;
+            pub use $module::*;)*
+        }
+        pub use $group::*;)*
+
+        enumerate! { $($($name),*),* }
+    };
+}
+
+macro_rules! enumerate {
     ($($name:ident),* $(,)?) => {
         /// An operation with its fields.
         #[derive(Clone, Debug, PartialEq)]
@@ -131,55 +138,67 @@ macro_rules! operations {
 }
 
 operations! {
-    SetVertexPosition,
-    Transform,
-    SetFaceColor,
-    SplitEdge,
-    FlipEdge,
-    CollapseEdge,
-    CollapseFace,
-    SplitVertex,
-    DissolveVertex,
-    DissolveEdge,
-    DeleteFaces,
-    DeleteVertices,
-    TriangulateFaces,
-    PokeFaces,
-    ConnectVertices,
-    ExtrudeFaces,
-    ExtrudeEdges,
-    InsetFaces,
-    BevelEdges,
-    BevelVertices,
-    LoopCut,
-    FillHole,
-    Bridge,
-    MergeVertices,
-    WeldEdges,
-    RipEdges,
-    FlipOrientation,
-    SetCrease,
-    SubdivideCatmullClark,
-    SubdivideLoop,
-    SubdivideLinear,
-    Simplify,
-    Remesh,
-    Smooth,
-    MergeByDistance,
-    RepairImport,
-    New,
-    BezierTessellate,
-    BezierMovePoint,
-    BezierInsertPoint,
-    BezierDeletePoint,
-    BezierElevateDegree,
-    BezierSplit,
-    ActivateObject,
-    RenameObject,
-    SetObjectVisible,
-    DeleteObject,
-    JoinObjects,
-    Separate,
+    #[doc = "Operations on a few elements of a mesh."]
+    elements [sized] {
+        set_vertex_position::SetVertexPosition,
+        transform::Transform,
+        set_face_color::SetFaceColor,
+        split_edge::SplitEdge,
+        flip_edge::FlipEdge,
+        collapse_edge::CollapseEdge,
+        collapse_face::CollapseFace,
+        split_vertex::SplitVertex,
+        dissolve_vertex::DissolveVertex,
+        dissolve_edge::DissolveEdge,
+        delete_faces::DeleteFaces,
+        delete_vertices::DeleteVertices,
+        triangulate_faces::TriangulateFaces,
+        poke_faces::PokeFaces,
+        connect_vertices::ConnectVertices,
+        extrude_faces::ExtrudeFaces,
+        extrude_edges::ExtrudeEdges,
+        inset_faces::InsetFaces,
+        bevel_edges::BevelEdges,
+        bevel_vertices::BevelVertices,
+        loop_cut::LoopCut,
+        fill_hole::FillHole,
+        bridge::Bridge,
+        merge_vertices::MergeVertices,
+        weld_edges::WeldEdges,
+        rip_edges::RipEdges,
+        flip_orientation::FlipOrientation,
+        set_crease::SetCrease,
+    }
+    #[doc = "Operations on whole meshes."]
+    whole [each_mesh, subdivide] {
+        subdivide_catmull_clark::SubdivideCatmullClark,
+        subdivide_loop::SubdivideLoop,
+        subdivide_linear::SubdivideLinear,
+        simplify::Simplify,
+        remesh::Remesh,
+        smooth::Smooth,
+        merge_by_distance::MergeByDistance,
+    }
+    #[doc = "Operations on objects: which there are, what they are called, and what they are made of."]
+    object [] {
+        repair_import::RepairImport,
+        new::New,
+        activate_object::ActivateObject,
+        rename_object::RenameObject,
+        set_object_visible::SetObjectVisible,
+        delete_object::DeleteObject,
+        join_objects::JoinObjects,
+        separate::Separate,
+    }
+    #[doc = "Operations on the control points of Bezier curves and surfaces."]
+    bezier [control_points] {
+        tessellate::BezierTessellate,
+        move_point::BezierMovePoint,
+        insert_point::BezierInsertPoint,
+        delete_point::BezierDeletePoint,
+        elevate_degree::BezierElevateDegree,
+        split::BezierSplit,
+    }
 }
 
 impl Op {

@@ -5,7 +5,7 @@ use crate::bezier::Bezier;
 use crate::document::Object;
 use crate::error::Problem;
 use crate::history::Change;
-use crate::ops::{Action, Default, DocumentEdit, Field, Operation, Place, Scope, Spec, Unit};
+use crate::ops::{Action, DefaultValue, DocumentEdit, Field, Operation, Place, Scope, Spec, Unit};
 use halfedge::Mesh;
 use serde::{Deserialize, Serialize};
 use std::sync::Arc;
@@ -32,7 +32,7 @@ impl Operation for BezierSplit {
     )
     .fields(&[Field::number("t", Unit::Fraction, [0.0, 1.0], "Where along the curve")
         .labelled("Position (0 to 1)")
-        .or(Default::Number(0.5))]);
+        .or(DefaultValue::Number(0.5))]);
 
     fn action(&self) -> Action<'_> {
         Action::Document(self)

@@ -2,7 +2,7 @@
 
 use crate::bezier::Bezier;
 use crate::error::Problem;
-use crate::ops::{Action, Default, Estimate, Facts, Field, Input, Operation, Output, Scope, Spec, WholeMesh};
+use crate::ops::{Action, DefaultValue, Estimate, Facts, Field, Input, Operation, Output, Scope, Spec, WholeMesh};
 use halfedge::Progress;
 use serde::{Deserialize, Serialize};
 use surface::bezier::{MAX_RESOLUTION, tessellate};
@@ -20,7 +20,7 @@ pub struct BezierTessellate {
 /// The default number of quads along a patch's side.
 const RESOLUTION: u32 = 8;
 
-impl std::default::Default for BezierTessellate {
+impl Default for BezierTessellate {
     fn default() -> Self {
         Self { resolution: RESOLUTION }
     }
@@ -39,7 +39,7 @@ impl Operation for BezierTessellate {
         "How many quads lie along a patch's side",
     )
     .labelled("Quads per side")
-    .or(Default::Integer(RESOLUTION))]);
+    .or(DefaultValue::Integer(RESOLUTION))]);
 
     fn action(&self) -> Action<'_> {
         Action::WholeMesh(self)

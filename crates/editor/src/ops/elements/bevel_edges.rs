@@ -4,7 +4,7 @@ use super::sized::{not_negative, set_size};
 use crate::error::Problem;
 use crate::ops::refs::{all, count};
 use crate::ops::{
-    Action, Default, Drag, EdgeRef, Family, Field, LocalEdit, Operation, Scope, Selected, Slot, Spec, Unit,
+    Action, DefaultValue, Drag, EdgeRef, Family, Field, LocalEdit, Operation, Scope, Selected, Slot, Spec, Unit,
 };
 use halfedge::{Element, Mesh, edit};
 use serde::{Deserialize, Serialize};
@@ -37,7 +37,7 @@ impl Operation for BevelEdges {
                     "How far it goes on each side, in mesh units",
                 )
                 .drag(Drag::Width),
-                Field::count("segments", [1, 256], "How many faces there are across").or(Default::Integer(1)),
+                Field::count("segments", [1, 256], "How many faces there are across").or(DefaultValue::Integer(1)),
             ]);
 
     fn elements(&mut self) -> Vec<Slot<'_>> {

@@ -2,7 +2,7 @@
 
 use crate::error::Problem;
 use crate::ops::refs::{given, given_t, one};
-use crate::ops::{Action, Default, EdgeRef, Field, LocalEdit, Operation, Scope, Selected, Slot, Spec, Unit};
+use crate::ops::{Action, DefaultValue, EdgeRef, Field, LocalEdit, Operation, Scope, Selected, Slot, Spec, Unit};
 use halfedge::{Element, Mesh, edit};
 use serde::{Deserialize, Serialize};
 
@@ -29,7 +29,7 @@ impl Operation for CollapseEdge {
         Field::one("edge", Element::Edge, Selected::Each, "The edge to collapse"),
         Field::number("t", Unit::Fraction, [0.0, 1.0], "Where along the edge the vertex is")
             .labelled("Position (0 to 1)")
-            .or(Default::Number(0.5)),
+            .or(DefaultValue::Number(0.5)),
     ]);
 
     fn elements(&mut self) -> Vec<Slot<'_>> {

@@ -3,7 +3,7 @@
 use crate::error::Problem;
 use crate::ops::refs::{all, count, one};
 use crate::ops::{
-    Action, Default as Or, EdgeRef, Family, Field, FieldKind, LocalEdit, Operation, Scope, Selected, Slot,
+    Action, DefaultValue as Or, EdgeRef, Family, Field, FieldKind, LocalEdit, Operation, Scope, Selected, Slot,
     Spec,
 };
 use halfedge::{EdgeId, Element, Mesh, edit};

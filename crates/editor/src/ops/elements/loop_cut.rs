@@ -2,7 +2,7 @@
 
 use crate::error::Problem;
 use crate::ops::refs::one;
-use crate::ops::{Action, Default, EdgeRef, Field, LocalEdit, Operation, Scope, Selected, Slot, Spec, Unit};
+use crate::ops::{Action, DefaultValue, EdgeRef, Field, LocalEdit, Operation, Scope, Selected, Slot, Spec, Unit};
 use halfedge::{Element, Mesh, edit};
 use serde::{Deserialize, Serialize};
 
@@ -25,7 +25,7 @@ impl Operation for LoopCut {
         Spec::new(Scope::Elements, "loop-cut", "Loop cut", "Cut the ring of quads that crosses an edge.")
             .fields(&[
                 Field::one("edge", Element::Edge, Selected::Only, "An edge that the ring crosses"),
-                Field::count("cuts", [1, 1000], "How many cuts").or(Default::Integer(1)),
+                Field::count("cuts", [1, 1000], "How many cuts").or(DefaultValue::Integer(1)),
                 Field::number(
                     "t",
                     Unit::Fraction,
@@ -33,7 +33,7 @@ impl Operation for LoopCut {
                     "Where the middle of the cuts is along the edge",
                 )
                 .labelled("Position (0 to 1)")
-                .or(Default::Number(0.5)),
+                .or(DefaultValue::Number(0.5)),
             ]);
 
     fn elements(&mut self) -> Vec<Slot<'_>> {

@@ -4,7 +4,7 @@ use crate::error::Problem;
 use crate::ops::choice::choice;
 use crate::ops::refs::{given, given_t};
 use crate::ops::{
-    Action, Default, Drag, EdgeRef, Field, LocalEdit, Operation, Scope, Selected, Slot, Spec, Unit,
+    Action, DefaultValue, Drag, EdgeRef, Field, LocalEdit, Operation, Scope, Selected, Slot, Spec, Unit,
 };
 use halfedge::{Element, Mesh, edit};
 use serde::{Deserialize, Serialize};
@@ -46,7 +46,7 @@ impl Operation for SplitEdge {
         Field::one("edge", Element::Edge, Selected::Each, "The edge to split"),
         Field::number("t", Unit::Fraction, [0.0, 1.0], "Where along the edge, between its ends")
             .labelled("Position (0 to 1)")
-            .or(Default::Number(0.5))
+            .or(DefaultValue::Number(0.5))
             .drag(Drag::Fraction),
         Connect::field("connect", "Which of the faces beside the edge are cut"),
     ]);

@@ -4,7 +4,7 @@ use crate::error::Problem;
 use crate::json::{finite, finite_option, finite3, finite3_option};
 use crate::ops::refs::{all, count};
 use crate::ops::{
-    Action, Arity, Default, Drag, EdgeRef, FaceRef, Field, FieldKind, LocalEdit, Operation, Scope, Selected,
+    Action, Arity, DefaultValue, Drag, EdgeRef, FaceRef, Field, FieldKind, LocalEdit, Operation, Scope, Selected,
     Slot, Spec, Unit, VertexRef,
 };
 use glam::{Affine3A, Mat3A, Quat, Vec3};
@@ -15,7 +15,7 @@ use serde::de::{Deserializer, Error};
 use serde::{Deserialize, Serialize, Serializer};
 
 /// Scale and rotate elements about a pivot, then move them.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, std::default::Default)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, Default)]
 #[serde(deny_unknown_fields)]
 pub struct Transform {
     /// Vertices to move. When no elements are given at all, the selected ones are moved.
@@ -56,7 +56,7 @@ pub struct Rotate {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Scale(pub [f32; 3]);
 
-impl std::default::Default for Scale {
+impl Default for Scale {
     fn default() -> Self {
         Self([1.0; 3])
     }
@@ -97,12 +97,12 @@ impl Operation for Transform {
                 Field::required("edges", EDGES, "Edges whose ends are moved").optional("none"),
                 Field::required("faces", FACES, "Faces whose corners are moved").optional("none"),
                 Field::required("translate", FieldKind::Vector, "How far to move, in mesh units")
-                    .or(Default::Vector([0.0; 3]))
+                    .or(DefaultValue::Vector([0.0; 3]))
                     .drag(Drag::Offset),
                 Field::required("rotate", FieldKind::Rotation, "How to rotate about the pivot")
                     .unset("no rotation"),
                 Field::required("scale", FieldKind::Factors, "By how much to scale about the pivot")
-                    .or(Default::Factor(1.0)),
+                    .or(DefaultValue::Factor(1.0)),
                 Field::required("pivot", FieldKind::Vector, "What stays in place")
                     .unset("the centre of what is moved"),
                 Field::number(

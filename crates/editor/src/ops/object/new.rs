@@ -4,7 +4,7 @@ use crate::document::ObjectId;
 use crate::error::Problem;
 use crate::ops::json::Fields;
 use crate::ops::{
-    Action, Commit, Default, Estimate, Facts, Field, FieldKind, Input, Operation, Output, Place, Scope, Spec,
+    Action, Commit, DefaultValue, Estimate, Facts, Field, FieldKind, Input, Operation, Output, Place, Scope, Spec,
     WholeMesh, sentence_case,
 };
 use halfedge::Progress;
@@ -31,7 +31,7 @@ impl Operation for New {
         Field::required("shape", FieldKind::Shape, "Which shape"),
         Field::required("add", FieldKind::Flag, "Add it to this document instead of starting a new one")
             .labelled("Add to this document")
-            .or(Default::Flag(false)),
+            .or(DefaultValue::Flag(false)),
         size("size", "The length of its sides"),
         size("radius", "How far it goes from its centre or axis"),
         size("tube_radius", "The radius of a torus's tube"),

@@ -2,7 +2,7 @@
 
 use crate::error::Problem;
 use crate::ops::{
-    Action, Choice, Default, Field, FieldKind, Input, Operation, Output, Scope, Spec, Unit, WholeMesh,
+    Action, Choice, DefaultValue, Field, FieldKind, Input, Operation, Output, Scope, Spec, Unit, WholeMesh,
     refuse_bezier,
 };
 use formats::{NonManifold, Repairs};
@@ -40,7 +40,7 @@ impl Operation for RepairImport {
             "Faces at edges where more than two meet: separate them all, or keep only the first two",
         )
         .labelled("Non-manifold edges")
-        .or(Default::Choice("separate")),
+        .or(DefaultValue::Choice("separate")),
         Field::number(
             "merge_by_distance",
             Unit::Length,
@@ -50,7 +50,7 @@ impl Operation for RepairImport {
         .unset("none"),
         Field::required("orient", FieldKind::Flag, "Orient faces consistently")
             .labelled("Re-orient faces")
-            .or(Default::Flag(true)),
+            .or(DefaultValue::Flag(true)),
     ]);
 
     fn action(&self) -> Action<'_> {

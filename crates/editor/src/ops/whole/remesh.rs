@@ -5,7 +5,7 @@ use super::simplify::triangles_at_most;
 use crate::error::Problem;
 use crate::json::{finite, finite_option, shortest};
 use crate::ops::{
-    Action, Amount, Counted, Default, Estimate, Facts, Field, FieldKind, Operation, Scope, Spec, Suggestion,
+    Action, Amount, Counted, DefaultValue, Estimate, Facts, Field, FieldKind, Operation, Scope, Spec, Suggestion,
     Unit,
 };
 use halfedge::{Mesh, Progress};
@@ -37,7 +37,7 @@ const PROJECT: bool = true;
 /// area; how much coarser a mesh can become depends on its features.
 const MAX_COARSENING_ESTIMATED: f64 = 1.5;
 
-impl std::default::Default for Remesh {
+impl Default for Remesh {
     fn default() -> Self {
         Self {
             edge_length: None,
@@ -61,17 +61,17 @@ impl Operation for Remesh {
             .unset("the mean of the edges")
             .suggest(Suggestion::MeanEdge),
         Field::count("iterations", [1, MAX_REMESH_ITERATIONS], "How many rounds")
-            .or(Default::Integer(ITERATIONS)),
+            .or(DefaultValue::Integer(ITERATIONS)),
         Field::number(
             "feature_angle",
             Unit::Degrees,
             [0.0, 180.0],
             "Keep edges that are sharper than this many degrees",
         )
-        .or(Default::Number(FEATURE_ANGLE_DEGREES as f64)),
+        .or(DefaultValue::Number(FEATURE_ANGLE_DEGREES as f64)),
         Field::required("project", FieldKind::Flag, "Project vertices back onto the surface")
             .labelled("Stay on surface")
-            .or(Default::Flag(PROJECT)),
+            .or(DefaultValue::Flag(PROJECT)),
     ]);
 
     fn action(&self) -> Action<'_> {

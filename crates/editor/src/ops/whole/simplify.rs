@@ -5,7 +5,7 @@ use crate::error::Problem;
 use crate::json::shortest;
 use crate::ops::facts::corners_at_most;
 use crate::ops::{
-    Action, Amount, Counted, Default, Estimate, Facts, Field, FieldKind, Operation, Scope, Spec, Suggestion,
+    Action, Amount, Counted, DefaultValue, Estimate, Facts, Field, FieldKind, Operation, Scope, Spec, Suggestion,
     Unit,
 };
 use halfedge::{Mesh, Progress};
@@ -78,13 +78,13 @@ impl Operation for Simplify {
         .alternative(TITLE)
         .suggest(Suggestion::OfDiagonal(1e-3)),
         Field::required("preserve_boundary", FieldKind::Flag, "Keep the shape of the boundary")
-            .or(Default::Flag(PRESERVE)),
+            .or(DefaultValue::Flag(PRESERVE)),
         Field::required(
             "preserve_seams",
             FieldKind::Flag,
             "Keep the seams of texture coordinates and normals",
         )
-        .or(Default::Flag(PRESERVE)),
+        .or(DefaultValue::Flag(PRESERVE)),
     ]);
 
     fn action(&self) -> Action<'_> {

@@ -4,7 +4,7 @@ use super::each_mesh::{self, EachMesh};
 use crate::error::Problem;
 use crate::json::shortest;
 use crate::ops::choice::choice;
-use crate::ops::{Action, Amount, Counted, Default, Estimate, Facts, Field, Operation, Scope, Spec, Unit};
+use crate::ops::{Action, Amount, Counted, DefaultValue, Estimate, Facts, Field, Operation, Scope, Spec, Unit};
 use halfedge::{Mesh, Progress};
 use serde::{Deserialize, Serialize};
 use surface::MAX_SMOOTH_ITERATIONS;
@@ -36,7 +36,7 @@ choice! {
 const ITERATIONS: u32 = 1;
 const STRENGTH: f32 = 0.5;
 
-impl std::default::Default for Smooth {
+impl Default for Smooth {
     fn default() -> Self {
         Self { iterations: ITERATIONS, strength: STRENGTH, method: SmoothMethod::default() }
     }
@@ -52,9 +52,9 @@ impl Operation for Smooth {
     .previewed()
     .fields(&[
         Field::count("iterations", [1, MAX_SMOOTH_ITERATIONS], "How many rounds")
-            .or(Default::Integer(ITERATIONS)),
+            .or(DefaultValue::Integer(ITERATIONS)),
         Field::number("strength", Unit::Fraction, [0.0, 1.0], "How far of the way each time")
-            .or(Default::Number(STRENGTH as f64)),
+            .or(DefaultValue::Number(STRENGTH as f64)),
         SmoothMethod::field("method", "Towards the neighbours, or there and back, which keeps the volume"),
     ]);
 

@@ -2,7 +2,7 @@
 
 use crate::error::Problem;
 use crate::ops::choice::choice;
-use crate::ops::{Default, Estimate, Field};
+use crate::ops::{DefaultValue, Estimate, Field};
 use surface::{BoundaryRule, SurfaceError};
 
 choice! {
@@ -32,7 +32,7 @@ pub(super) const LEVELS: u32 = 1;
 
 /// The `levels` field.
 pub(super) const fn levels() -> Field {
-    Field::count("levels", [1, MAX_FORM_LEVELS], "How often").or(Default::Integer(LEVELS))
+    Field::count("levels", [1, MAX_FORM_LEVELS], "How often").or(DefaultValue::Integer(LEVELS))
 }
 
 /// The `boundary` field.
