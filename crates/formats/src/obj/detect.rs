@@ -2,14 +2,14 @@
 
 use crate::text::scan::is_text;
 
-/// Bytes looked at.
+/// The number of bytes that are examined.
 const HEAD_BYTES: usize = 64 * 1024;
 
-/// Lines looked at.
+/// The number of lines that are examined.
 const HEAD_LINES: usize = 100;
 
-/// Whether one of the first lines that say anything is a vertex, a texture coordinate, a normal or a
-/// face of an OBJ.
+/// Whether one of the first lines that are neither empty nor comments is a vertex, a texture coordinate, a
+/// normal or a face of an OBJ.
 pub(crate) fn is_obj(bytes: &[u8]) -> bool {
     let head = bytes.get(..HEAD_BYTES).unwrap_or(bytes);
     let head = head.strip_prefix(b"\xef\xbb\xbf").unwrap_or(head);

@@ -18,14 +18,14 @@ pub(crate) fn companions(file: &NamedBytes) -> Vec<String> {
     let (text, _) = decode(&file.bytes);
     let mut names = Vec::new();
     for rest in text.split(['\n', '\r']).filter_map(|line| line.trim_start().strip_prefix("mtllib")) {
-        // One name with blanks, or several.
+        // It may be one name with blanks, or several.
         names.push(rest.to_owned());
         names.extend(rest.split_whitespace().map(str::to_owned));
     }
     names
 }
 
-/// Whether a `mtllib` line names this file. A line may name several files, or one with blanks.
+/// Whether a `mtllib` statement names this file. A statement may name several files, or one with blanks.
 fn mentions(named: &[String], library: &str) -> bool {
     let base = |path: &str| base_name(path).to_lowercase();
     let library = base(library);
@@ -50,7 +50,7 @@ pub(crate) fn read(named: &[String], source: &Source, report: &mut ImportReport)
             library.name
         ));
         report.append(notes);
-        // Of several materials of one name, the first counts.
+        // Of several materials with the same name, the first is used.
         materials.add(more);
     }
     if used.is_empty() && !named.is_empty() {
@@ -68,7 +68,7 @@ pub(crate) fn in_use(given: Materials, names: &[String], report: &mut ImportRepo
     let is_used = |name: &str| !name.is_empty() && names.contains(name);
     let (list, mut unused): (Vec<_>, Vec<_>) =
         given.list.into_iter().partition(|material| is_used(&material.name));
-    // Those that stand for a colour of another one are in the colours of faces.
+    // Those that stand for the colour of another one are kept as colours of faces.
     unused.retain(|material| unpainted(&material.name).is_none());
     let mut used = Materials::default();
     used.add(Materials { list, images: given.images });

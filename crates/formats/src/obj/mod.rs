@@ -1,22 +1,23 @@
 //! Wavefront OBJ and MTL.
 //!
-//! The format is that of "Appendix B1, Object Files" of the Advanced Visualizer manual, polygons
-//! only: curves, surfaces, lines and points are noted and left aside.
+//! The format is that of "Appendix B1, Object Files" of the Advanced Visualizer manual, polygons only: curves,
+//! surfaces, lines and points are named in the import report and left out.
 //!
-//! One file is one object. Its `o` and `g` names are kept together as the label of each face's
-//! group: `g wheel` gives "wheel", `o car` gives "o car", both give "o car; g wheel". Writing such
-//! a label gives the same lines again.
+//! A file is one object. The names of its `o` and `g` statements form the label of each face's group:
+//! `g wheel` gives "wheel", `o car` gives "o car", and both give "o car; g wheel". Such a label is written as the
+//! same statements.
 
 mod cursor;
 mod detect;
+mod face;
 mod libraries;
 pub(crate) mod mtl;
 mod names;
 mod read;
 mod runs;
 mod statements;
-mod texture;
 mod troubles;
+mod vertex;
 mod write;
 
 use crate::format::loss::Part;
@@ -41,6 +42,6 @@ pub(crate) static FORMAT: FormatInfo = FormatInfo {
     companions: libraries::companions,
     lacks: &[Part::Creases, Part::Attributes],
     keeps_property: mtl::keeps,
-    keeps_placement: texture::keeps_placement,
+    keeps_placement: mtl::keeps_placement,
     ..FormatInfo::DEFAULT
 };

@@ -1,6 +1,6 @@
-//! How the group names of a file become labels of a mesh, and back, and names fit for a line of text.
+//! Group names as labels of a mesh and back, and names as text of a line.
 
-/// The label of the faces between these `o` and `g` lines.
+/// The label of faces with these `o` and `g` names.
 pub(crate) fn group_label(object: &str, group: &str) -> Option<String> {
     match (object.is_empty(), group.is_empty()) {
         (true, true) => None,
@@ -10,7 +10,7 @@ pub(crate) fn group_label(object: &str, group: &str) -> Option<String> {
     }
 }
 
-/// The `o` and `g` names that a label stands for; empty where it has none.
+/// The `o` and `g` names of a label; empty where it has none.
 pub(crate) fn group_lines(label: &str) -> (&str, &str) {
     match label.strip_prefix("o ") {
         Some(rest) => rest.split_once("; g ").unwrap_or((rest, "")),
@@ -18,11 +18,11 @@ pub(crate) fn group_lines(label: &str) -> (&str, &str) {
     }
 }
 
-/// A name as it can stand on a line of a file: no control characters, nothing that would read as a
-/// comment, no blanks around it.
+/// A name that can be written on a line: without control characters, without anything that reads as a comment,
+/// and without blanks around it.
 pub(crate) fn clean(name: &str) -> String {
     let mut name: String = name.chars().map(|c| if c.is_control() { ' ' } else { c }).collect();
-    // A `#` starts a comment where a blank follows it.
+    // A `#` before a blank would start a comment.
     while name.contains("# ") {
         name = name.replace("# ", "#");
     }
@@ -33,7 +33,7 @@ pub(crate) fn clean(name: &str) -> String {
     name
 }
 
-/// The words of a group line with one blank between.
+/// A text with single blanks between its words.
 pub(crate) fn spaced(text: &str) -> String {
     text.split_whitespace().collect::<Vec<_>>().join(" ")
 }
@@ -52,7 +52,7 @@ mod tests {
     }
 
     #[test]
-    fn names_are_made_fit_for_a_line() {
+    fn names_become_text_of_a_line() {
         assert_eq!(clean(" a\nb\t"), "a b");
         assert_eq!(clean("Material #25"), "Material #25");
         assert_eq!(clean("a # b"), "a #b");

@@ -1,13 +1,13 @@
-//! Statements that hold for all faces until the next such statement: groups, materials, smoothing.
+//! Statements that apply to all faces up to the next such statement: groups, materials and smoothing.
 
-/// From which face on which value holds.
+/// The values of faces, as runs of equal values.
 #[derive(Default)]
 pub(crate) struct Runs {
     starts: Vec<(u32, u32)>,
 }
 
 impl Runs {
-    /// From `face` on, `value` holds.
+    /// Starts a run of `value` at `face`.
     pub(crate) fn start(&mut self, face: usize, value: u32) {
         if self.starts.last().is_some_and(|&(at, _)| at as usize == face) {
             self.starts.pop();
@@ -15,7 +15,7 @@ impl Runs {
         self.starts.push((face as u32, value));
     }
 
-    /// The value of each of `count` faces, or nothing where all have `default`.
+    /// The value of each of `count` faces; `None` if all have `default`.
     pub(crate) fn expand(&self, count: usize, default: u32) -> Option<Vec<u32>> {
         let mut values = Vec::new();
         for (i, &(start, value)) in self.starts.iter().enumerate() {
@@ -32,7 +32,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn runs_hold_until_the_next() {
+    fn runs_end_at_the_next() {
         let mut runs = Runs::default();
         assert_eq!(runs.expand(3, 0), None);
         runs.start(1, 5);

@@ -79,7 +79,7 @@ impl<'a> TextReader<'a> {
     /// is about that vertex.
     fn is_one_per_line(&self, vertices: u64, faces: u64) -> bool {
         let mut scan = self.scan.clone();
-        scan.blanks();
+        scan.skip_blanks();
         let mut first = 0;
         while scan.more_on_line() {
             scan.word();
@@ -107,7 +107,7 @@ impl<'a> TextReader<'a> {
         let fixed = self.dimensions + 3 + 2 * usize::from(self.keyword.texture);
         let (mut normals_fit, mut colors_fit) = (true, true);
         for _ in 0..vertices.min(SAMPLE_LINES) {
-            scan.blanks();
+            scan.skip_blanks();
             let mut row = Vec::new();
             while scan.more_on_line() {
                 row.push(scan.float().unwrap_or(f32::NAN));
@@ -157,7 +157,7 @@ impl<'a> TextReader<'a> {
 
     /// A vertex that is the next line.
     fn vertex_line(&mut self, origin: &mut Option<Origin>) {
-        self.scan.blanks();
+        self.scan.skip_blanks();
         let start = self.scan.at;
         self.row.clear();
         while self.scan.more_on_line() {

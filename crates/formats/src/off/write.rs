@@ -1,12 +1,12 @@
-//! Writing an OFF; positions read back bit for bit.
+//! Writing an OFF; positions read back to the bit.
 
 use crate::file::NamedBytes;
 use crate::model::Model;
 use crate::soup::pieces::Pieces;
 use crate::text::print::{push_floats, push_integer, push_position};
 
-/// Writes the objects as one OFF, with what vertices have besides: texture coordinates (`ST`),
-/// colours (`C`) and normals (`N`).
+/// Writes the objects as one OFF, with texture coordinates (`ST`), colours (`C`) and normals (`N`) of vertices, in
+/// Geomview's order.
 pub(crate) fn write(model: &Model) -> Vec<NamedBytes> {
     let pieces = Pieces::new(model);
     let vertex_colors = pieces.vertex_colors();

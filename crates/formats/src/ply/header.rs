@@ -138,7 +138,7 @@ impl Header {
         let mut line_number = 1;
         loop {
             let start = scan.at;
-            scan.blanks();
+            scan.skip_blanks();
             line_number += scan.taken_since(start).iter().filter(|&&byte| byte == b'\n').count();
             let line = scan.line();
             if line.is_empty() {

@@ -1,11 +1,11 @@
-//! A map from the bits of values to their number, for keeping equal values once.
+//! Numbering values by their bits, to store equal values once.
 
 use std::collections::HashMap;
 use std::hash::{BuildHasherDefault, Hasher};
 
-/// Multiply and fold: quick on the few words that positions and texture coordinates are, and well
-/// spread in the bits the table looks at. Crafted input can make it slow, never wrong; the maps
-/// here are bounded by the size of the file they are filled from.
+/// A hash by multiplication and folding: fast for the few words of a position or texture coordinate, and well
+/// distributed in the bits that the table uses. Crafted input can make it slow but not wrong; the size of the
+/// file bounds the maps.
 #[derive(Default)]
 pub(crate) struct WordHasher(u64);
 
@@ -30,7 +30,7 @@ impl Hasher for WordHasher {
     }
 }
 
-/// Numbers for values, in order of first appearance.
+/// Numbers values in order of first appearance.
 pub(crate) struct Unique<const N: usize> {
     numbers: HashMap<[u32; N], u32, BuildHasherDefault<WordHasher>>,
 }
@@ -40,7 +40,7 @@ impl<const N: usize> Unique<N> {
         Self { numbers: HashMap::default() }
     }
 
-    /// The number of a value told by its bits, and whether it is new.
+    /// The number of a value, compared by its bits, and whether it is new.
     pub(crate) fn number(&mut self, value: [f32; N]) -> (u32, bool) {
         let next = self.numbers.len() as u32;
         let number = *self.numbers.entry(value.map(f32::to_bits)).or_insert(next);

@@ -1,4 +1,4 @@
-//! Several objects written as one mesh, for formats that hold one.
+//! Several objects as one mesh, for formats that hold one.
 
 use crate::model::Model;
 use glam::{DVec3, Vec2, Vec3};
@@ -6,15 +6,15 @@ use halfedge::attribute::{AttributeType, Key};
 use halfedge::{Color, FaceId, Mesh, keys};
 use std::borrow::Cow;
 
-/// Compact meshes that are numbered on from each other.
+/// Compact meshes whose vertex numbers continue from one to the next.
 pub(crate) struct Pieces<'a> {
-    /// The meshes, each with the number of its first vertex.
+    /// The meshes, each with the number of its first vertex in the file.
     pub meshes: Vec<(Cow<'a, Mesh>, u64)>,
-    /// What to add to positions.
+    /// The offset of all positions.
     offset: DVec3,
-    /// How many vertices all have.
+    /// The number of vertices of all meshes.
     pub vertices: u64,
-    /// How many faces all have.
+    /// The number of faces of all meshes.
     pub faces: u64,
 }
 
@@ -36,13 +36,13 @@ impl<'a> Pieces<'a> {
         pieces
     }
 
-    /// All positions in order, each with what is to be added to it.
+    /// All positions in order, each with the offset to add.
     pub(crate) fn positions(&self) -> impl Iterator<Item = (Vec3, DVec3)> + '_ {
         let positions = self.meshes.iter().flat_map(|(mesh, _)| mesh.positions());
         positions.map(|&position| (position, self.offset))
     }
 
-    /// Whether something is to be added to positions, which takes numbers in double precision.
+    /// Whether there is an offset, which needs numbers in double precision.
     pub(crate) fn is_far(&self) -> bool {
         self.offset != DVec3::ZERO && !self.meshes.is_empty()
     }
@@ -52,7 +52,7 @@ impl<'a> Pieces<'a> {
         self.meshes.iter().flat_map(|(mesh, first)| mesh.faces().map(move |f| (mesh.as_ref(), *first, f)))
     }
 
-    /// The colours of all vertices, white where one has none; nothing where none has any.
+    /// The colours of all vertices, white for those without; `None` if no vertex has one.
     pub(crate) fn vertex_colors(&self) -> Option<Vec<Vec3>> {
         let has =
             |mesh: &Mesh| mesh.attribute(keys::VERTEX_COLOR).is_some_and(|c| c.iter().any(|c| !c.is_nan()));
@@ -66,14 +66,14 @@ impl<'a> Pieces<'a> {
         Some(self.meshes.iter().flat_map(|(mesh, _)| (0..mesh.vertex_count()).map(|v| of(mesh, v))).collect())
     }
 
-    /// The normals of all vertices, zero for those in no face; nothing where there are none or
-    /// corners of a vertex differ.
+    /// The normals of all vertices, zero for isolated ones; `None` if a corner has none or corners of a vertex
+    /// differ.
     pub(crate) fn vertex_normals(&self) -> Option<Vec<Vec3>> {
         self.uniform(keys::CORNER_NORMAL, |normal| normal.is_nan(), Vec3::ZERO)
     }
 
-    /// The texture coordinates of all vertices, zero for those in no face; nothing where there are
-    /// none or corners of a vertex differ.
+    /// The texture coordinates of all vertices, zero for isolated ones; `None` if a corner has none or corners of
+    /// a vertex differ.
     pub(crate) fn vertex_uvs(&self) -> Option<Vec<Vec2>> {
         self.uniform(keys::CORNER_UV, |uv| uv.is_nan(), Vec2::ZERO)
     }
@@ -91,7 +91,7 @@ impl<'a> Pieces<'a> {
         (self.faces > 0).then_some(all)
     }
 
-    /// Whether some corner has a texture coordinate.
+    /// Whether any corner has a texture coordinate.
     pub(crate) fn has_uvs(&self) -> bool {
         let has = |mesh: &Mesh| {
             mesh.attribute(keys::CORNER_UV).is_some_and(|uvs| uvs.iter().any(|uv| !uv.is_nan()))
@@ -99,7 +99,7 @@ impl<'a> Pieces<'a> {
         self.meshes.iter().any(|(mesh, _)| has(mesh))
     }
 
-    /// The colours of all faces; nothing where none is painted.
+    /// The colours of all faces; `None` if no face is painted.
     pub(crate) fn face_colors(&self) -> Option<Vec<Color>> {
         let colors: Vec<Color> =
             self.faces().map(|(mesh, _, f)| mesh.get(keys::FACE_COLOR, f.index())).collect();

@@ -1,9 +1,9 @@
-//! Corners with positions of their own made into shared vertices, exactly.
+//! Merging corners at exactly the same position into shared vertices.
 
 use crate::soup::hash::Unique;
 use glam::Vec3;
 
-/// Numbers positions: equal ones, to the bit but for the sign of zero, get the same number.
+/// Numbers positions. Positions that are equal to the bit, except for the sign of zero, have the same number.
 pub(crate) struct Weld {
     unique: Unique<3>,
     /// Each position once, in order of first appearance.
@@ -17,7 +17,7 @@ impl Weld {
 
     /// The number of a position.
     pub(crate) fn vertex(&mut self, position: Vec3) -> u32 {
-        // Adding zero takes the sign off a negative zero and changes nothing else.
+        // Adding zero makes a negative zero positive and changes nothing else.
         let (number, new) = self.unique.number((position + Vec3::ZERO).to_array());
         if new {
             self.positions.push(position);

@@ -1,39 +1,39 @@
-//! Numbers out of bytes, fast and correctly rounded.
+//! Reading numbers from bytes, fast and correctly rounded.
 //!
-//! Runs of digits are read eight at a time: the bytes are taken as one word, the digits at its
-//! start are counted with bit tricks and folded into a number with three multiplications
+//! Runs of digits are read eight at a time: the bytes are one word, whose leading digits are counted with bit
+//! operations and combined into a number with three multiplications
 //! (D. Lemire, "Quickly parsing eight digits", 2018). A decimal number whose digits fit in 53 bits
 //! and whose power of ten is at most 22 is exact in `f64` after one division or multiplication
-//! (W. Clinger, "How to read floating point numbers accurately", 1990); rounding that to `f32` is
-//! right too unless the `f64` lies exactly between two `f32`. Everything else goes to the standard
-//! library.
+//! (W. Clinger, "How to read floating point numbers accurately", 1990). Rounding that to `f32` is right, too,
+//! unless the `f64` lies exactly between two `f32`. The standard library reads all other numbers.
 
 use std::str::FromStr;
 
-/// The number of bytes of a word's worth of digits.
-const WORD: usize = 8;
+/// The number of digits that are read at a time.
+const WORD_DIGITS: usize = 8;
 
-const POWERS: [f64; 23] = [
+/// The powers of ten that are exact in `f64`.
+const POWERS_OF_TEN: [f64; 23] = [
     1e0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9, 1e10, 1e11, 1e12, 1e13, 1e14, 1e15, 1e16, 1e17, 1e18,
     1e19, 1e20, 1e21, 1e22,
 ];
 
-/// The largest whole number up to which all are exact in `f64`.
-const EXACT: u64 = 1 << 53;
+/// Up to this number, all whole numbers are exact in `f64`.
+const MAX_EXACT_INTEGER: u64 = 1 << 53;
 
-/// The digits at the start of `bytes`, at most eight: their value and how many there are.
+/// The value and number of the digits at the start of `bytes`, at most eight.
 #[inline(always)]
-fn digits(bytes: &[u8]) -> (u64, usize) {
-    let Some(word) = bytes.first_chunk::<WORD>() else { return digits_at_end(bytes) };
-    // Digits become 0 to 9; a carry out of a byte only reaches bytes after the first non-digit.
+fn leading_digits(bytes: &[u8]) -> (u64, usize) {
+    let Some(word) = bytes.first_chunk::<WORD_DIGITS>() else { return leading_digits_at_end(bytes) };
+    // Digits become 0 to 9. A carry out of a byte reaches only bytes after the first that is no digit.
     let word = u64::from_le_bytes(*word) ^ 0x3030_3030_3030_3030;
     let others = (word.wrapping_add(0x7676_7676_7676_7676) | word) & 0x8080_8080_8080_8080;
     let count = others.trailing_zeros() as usize / 8;
     if count == 0 {
         return (0, 0);
     }
-    // Move the digits to the end of the word: zeros come in front.
-    let word = word << (8 * (WORD - count));
+    // Move the digits to the end of the word, with zeros in front.
+    let word = word << (8 * (WORD_DIGITS - count));
     let word = (word & 0x0f0f_0f0f_0f0f_0f0f).wrapping_mul(2561) >> 8;
     let word = (word & 0x00ff_00ff_00ff_00ff).wrapping_mul(6_553_601) >> 16;
     let word = (word & 0x0000_ffff_0000_ffff).wrapping_mul(42_949_672_960_001) >> 32;
@@ -41,7 +41,7 @@ fn digits(bytes: &[u8]) -> (u64, usize) {
 }
 
 #[cold]
-fn digits_at_end(bytes: &[u8]) -> (u64, usize) {
+fn leading_digits_at_end(bytes: &[u8]) -> (u64, usize) {
     let mut value = 0;
     let mut count = 0;
     for &byte in bytes.iter().take_while(|byte| byte.is_ascii_digit()) {
@@ -51,11 +51,12 @@ fn digits_at_end(bytes: &[u8]) -> (u64, usize) {
     (value, count)
 }
 
-/// What ten times itself `count` times is, for a run of digits.
+/// Ten to the power of `count`, for a run of digits.
 #[inline(always)]
-fn shift(count: usize) -> u64 {
-    const SHIFTS: [u64; WORD + 1] = [1, 10, 100, 1000, 10_000, 100_000, 1_000_000, 10_000_000, 100_000_000];
-    SHIFTS.get(count).copied().unwrap_or(0)
+fn power_of_ten(count: usize) -> u64 {
+    const POWERS: [u64; WORD_DIGITS + 1] =
+        [1, 10, 100, 1000, 10_000, 100_000, 1_000_000, 10_000_000, 100_000_000];
+    POWERS.get(count).copied().unwrap_or(0)
 }
 
 #[inline(always)]
@@ -68,32 +69,33 @@ fn tail(bytes: &[u8], at: usize) -> &[u8] {
     bytes.get(at..).unwrap_or_default()
 }
 
-/// A run of any number of digits added to `value`, and how many there were. Wraps past 19 digits.
+/// Appends a run of any number of digits to `value`; returns the result and the number of digits. More than 19
+/// digits overflow.
 #[inline(always)]
-fn run(bytes: &[u8], mut value: u64) -> (u64, usize) {
+fn digit_run(bytes: &[u8], mut value: u64) -> (u64, usize) {
     let mut total = 0;
     loop {
-        let (part, count) = digits(tail(bytes, total));
-        value = value.wrapping_mul(shift(count)).wrapping_add(part);
+        let (part, count) = leading_digits(tail(bytes, total));
+        value = value.wrapping_mul(power_of_ten(count)).wrapping_add(part);
         total += count;
-        if count < WORD {
+        if count < WORD_DIGITS {
             return (value, total);
         }
     }
 }
 
-/// The 64-bit number that prints like the 32-bit one: 0.1, not 0.10000000149011612.
+/// The 64-bit number with the same shortest text as a 32-bit one: 0.1, not 0.10000000149011612.
 pub fn shortest(value: f32) -> f64 {
     value.to_string().parse().unwrap_or_else(|_| f64::from(value))
 }
 
-/// The whole number at `at` (a sign and digits), and where it ends. `None` where there is none or
-/// where it doesn't fit 18 digits.
+/// Reads the whole number at `at`, a sign and digits; returns it and its end. `None` if there is none or it has
+/// more than 18 digits.
 #[inline(always)]
 pub(crate) fn integer(bytes: &[u8], at: usize) -> Option<(i64, usize)> {
     let negative = byte(bytes, at) == b'-';
     let start = at + usize::from(negative || byte(bytes, at) == b'+');
-    let (value, count) = run(tail(bytes, start), 0);
+    let (value, count) = digit_run(tail(bytes, start), 0);
     if count == 0 || count > 18 {
         return None;
     }
@@ -101,41 +103,41 @@ pub(crate) fn integer(bytes: &[u8], at: usize) -> Option<(i64, usize)> {
     Some((if negative { -value } else { value }, start + count))
 }
 
-/// The decimal number at `at` rounded to the nearest `f32` as [`str::parse`] would, and where it
-/// ends. `None` where there is none.
+/// Reads the decimal number at `at`, rounded to the nearest `f32` like [`str::parse`]; returns it and its end.
+/// `None` if there is none.
 #[inline(always)]
 pub(crate) fn float(bytes: &[u8], at: usize) -> Option<(f32, usize)> {
-    let Some((exact, end)) = decimal(bytes, at) else { return slow(bytes, at) };
+    let Some((exact, end)) = decimal(bytes, at) else { return parse_with_std(bytes, at) };
     let value = exact as f32;
-    // Exactly between two f32 it may have been rounded to there: only all digits can tell. Below
-    // the smallest normal number f32 has fewer bits, so that the middle is elsewhere.
+    // The middle between two f32 may be the result of rounding: only all digits can decide. Below the smallest
+    // normal number, f32 has fewer bits, so that the middle lies elsewhere.
     let between = exact.to_bits() & 0x1fff_ffff == 0x1000_0000;
     let tiny = exact != 0.0 && exact.abs() < f64::from(f32::MIN_POSITIVE);
-    if between || tiny { slow(bytes, at) } else { Some((value, end)) }
+    if between || tiny { parse_with_std(bytes, at) } else { Some((value, end)) }
 }
 
-/// The decimal number at `at` rounded to the nearest `f64`, and where it ends. `None` where there is
+/// Reads the decimal number at `at`, rounded to the nearest `f64`; returns it and its end. `None` if there is
 /// none.
 pub(crate) fn double(bytes: &[u8], at: usize) -> Option<(f64, usize)> {
-    decimal(bytes, at).or_else(|| slow(bytes, at))
+    decimal(bytes, at).or_else(|| parse_with_std(bytes, at))
 }
 
-/// A decimal number where the quick way gives the nearest `f64`.
+/// Reads a decimal number if one multiplication or division gives the nearest `f64`.
 #[inline(always)]
 fn decimal(bytes: &[u8], at: usize) -> Option<(f64, usize)> {
     let negative = byte(bytes, at) == b'-';
     let start = at + usize::from(negative || byte(bytes, at) == b'+');
-    let (mut mantissa, mut count) = run(tail(bytes, start), 0);
+    let (mut mantissa, mut count) = digit_run(tail(bytes, start), 0);
     let mut end = start + count;
     let mut exponent = 0;
     if byte(bytes, end) == b'.' {
-        let (longer, fraction) = run(tail(bytes, end + 1), mantissa);
+        let (longer, fraction) = digit_run(tail(bytes, end + 1), mantissa);
         mantissa = longer;
         count += fraction;
         exponent = -(fraction as i64);
         end += 1 + fraction;
     }
-    if count == 0 || count > 19 || mantissa > EXACT {
+    if count == 0 || count > 19 || mantissa > MAX_EXACT_INTEGER {
         return None;
     }
     if byte(bytes, end) | 0x20 == b'e' {
@@ -143,18 +145,18 @@ fn decimal(bytes: &[u8], at: usize) -> Option<(f64, usize)> {
         exponent = exponent.saturating_add(power);
         end = after;
     }
-    let power = POWERS.get(usize::try_from(exponent.unsigned_abs()).ok()?)?;
+    let power = POWERS_OF_TEN.get(usize::try_from(exponent.unsigned_abs()).ok()?)?;
     let magnitude = mantissa as f64;
     let magnitude = if exponent < 0 { magnitude / power } else { magnitude * power };
     Some((if negative { -magnitude } else { magnitude }, end))
 }
 
-/// The number that the text up to the next blank stands for, by the standard library.
+/// Reads the number up to the next blank with the standard library.
 #[cold]
 #[inline(never)]
-fn slow<T: FromStr>(bytes: &[u8], at: usize) -> Option<(T, usize)> {
+fn parse_with_std<T: FromStr>(bytes: &[u8], at: usize) -> Option<(T, usize)> {
     let text = tail(bytes, at);
-    // No decimal number worth reading is longer; this bounds the cost on hostile input.
+    // Bounds the cost on hostile input: no useful number is longer.
     let text = text.get(..4096).unwrap_or(text);
     let len =
         text.iter().take_while(|&&b| b.is_ascii_alphanumeric() || matches!(b, b'.' | b'+' | b'-')).count();
@@ -203,7 +205,7 @@ mod tests {
             "1e+5",
             "1e-5",
             "1.e2",
-            // Halfway between two f32, and just beside.
+            // Halfway between two f32, and next to it.
             "16777217",
             "16777217.000000001",
             "16777216.999999999",
@@ -219,7 +221,7 @@ mod tests {
             "1.00000005960464477540",
             "1.000000178813934326171875",
             "1.00000017881393432617187499",
-            // Around the ends of the range.
+            // At the ends of the range.
             "3.4028234e38",
             "3.4028235e38",
             "3.4028236e38",
@@ -275,7 +277,7 @@ mod tests {
                 assert!(float(text.as_bytes(), 0).is_some_and(|(value, _)| value.is_nan()));
                 continue;
             }
-            // What follows a number is for the caller to judge: these two end early.
+            // Callers check what follows a number: this one ends early.
             if matches!(text, "1..2") {
                 continue;
             }

@@ -1,15 +1,15 @@
-//! Numbers into text, and text into addresses.
+//! Writing numbers as text, and paths as addresses.
 
 use glam::{DVec3, Vec3};
 
-/// Appends the shortest text that reads back as the same number, bit for bit; `-0` stays `-0`.
+/// Appends the shortest text that reads back as the same number to the bit; `-0` stays `-0`.
 pub(crate) fn push_float<F: zmij::Float>(out: &mut Vec<u8>, value: F) {
     let mut buffer = zmij::Buffer::new();
     let text = buffer.format(value);
     out.extend_from_slice(text.strip_suffix(".0").unwrap_or(text).as_bytes());
 }
 
-/// Appends numbers with one blank in front of each.
+/// Appends numbers, each after a blank.
 pub(crate) fn push_floats(out: &mut Vec<u8>, values: &[f32]) {
     for &value in values {
         out.push(b' ');
@@ -17,8 +17,8 @@ pub(crate) fn push_floats(out: &mut Vec<u8>, values: &[f32]) {
     }
 }
 
-/// Appends a position with one blank in front of each coordinate, `offset` added: in double
-/// precision where that is not zero.
+/// Appends the coordinates of a position plus an offset, each after a blank: in double precision if the offset
+/// is not zero.
 pub(crate) fn push_position(out: &mut Vec<u8>, position: Vec3, offset: DVec3) {
     if offset == DVec3::ZERO {
         return push_floats(out, &position.to_array());
@@ -34,7 +34,7 @@ pub(crate) fn push_integer(out: &mut Vec<u8>, value: u64) {
     out.extend_from_slice(itoa::Buffer::new().format(value).as_bytes());
 }
 
-/// The text that an address stands for: `%20` is a blank (RFC 3986, 2.1).
+/// Decodes an address, in which `%20` stands for a blank (RFC 3986, 2.1).
 pub(crate) fn percent_decoded(uri: &str) -> String {
     let mut out = Vec::with_capacity(uri.len());
     let mut rest = uri.as_bytes();
@@ -54,7 +54,7 @@ pub(crate) fn percent_decoded(uri: &str) -> String {
     String::from_utf8_lossy(&out).into_owned()
 }
 
-/// A path as an address: every byte that is neither plain nor between folders as `%20` (RFC 3986, 2.1).
+/// Encodes a path as an address, with all but plain characters and slashes as `%20` (RFC 3986, 2.1).
 pub(crate) fn percent_encoded(path: &str) -> String {
     let plain = |b: u8| b.is_ascii_alphanumeric() || b"-._~/".contains(&b);
     path.bytes().map(|b| if plain(b) { char::from(b).to_string() } else { format!("%{b:02X}") }).collect()

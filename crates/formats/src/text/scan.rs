@@ -1,4 +1,4 @@
-//! Words and numbers of a text file, one after the other.
+//! Reading words and numbers of a text one after the other.
 
 use crate::error::ReadError;
 use crate::soup::origin::Origin;
@@ -6,18 +6,18 @@ use crate::text::number;
 use glam::{DVec3, Vec3};
 use halfedge::Progress;
 
-/// Whether the start of a file has only bytes that text has. That in UTF-16 is not told from others.
+/// Whether the start of a file has only bytes that text in UTF-8 or Latin-1 has.
 pub(crate) fn is_text(bytes: &[u8]) -> bool {
     let head = bytes.get(..4096).unwrap_or(bytes);
     head.iter().all(|&b| b >= 0x20 || matches!(b, b'\t' | b'\n' | b'\r' | 0x0b | 0x0c | 0x1a))
 }
 
-/// A position in text made of words between blanks.
+/// A position in a text of words separated by blanks.
 #[derive(Clone)]
 pub(crate) struct Scan<'a> {
     bytes: &'a [u8],
     pub at: usize,
-    /// What starts a comment, which goes on to the end of its line.
+    /// The character that starts a comment, which ends with its line.
     comment: Option<u8>,
 }
 
@@ -35,8 +35,8 @@ impl<'a> Scan<'a> {
         byte.is_ascii_whitespace() || byte == 0x0b
     }
 
-    /// Passes over blanks, line ends and comments.
-    pub(crate) fn blanks(&mut self) {
+    /// Skips blanks, line ends and comments.
+    pub(crate) fn skip_blanks(&mut self) {
         while let Some(byte) = self.peek() {
             if Some(byte) == self.comment {
                 self.skip_line();
@@ -48,7 +48,7 @@ impl<'a> Scan<'a> {
         }
     }
 
-    /// Passes over blanks of this line; whether something else is left on it.
+    /// Skips blanks on this line; returns whether anything else is left on it.
     pub(crate) fn more_on_line(&mut self) -> bool {
         while let Some(byte) = self.peek() {
             if byte == b'\n' || byte == b'\r' || Some(byte) == self.comment {
@@ -62,12 +62,12 @@ impl<'a> Scan<'a> {
         false
     }
 
-    /// Goes to the end of this line.
+    /// Skips the rest of this line.
     pub(crate) fn skip_line(&mut self) {
         self.line();
     }
 
-    /// Takes the rest of this line, without blanks around it.
+    /// Reads the rest of this line, without blanks around it.
     pub(crate) fn line(&mut self) -> &'a [u8] {
         let rest = self.bytes.get(self.at..).unwrap_or_default();
         let length = rest.iter().position(|&b| b == b'\n' || b == b'\r').unwrap_or(rest.len());
@@ -75,9 +75,9 @@ impl<'a> Scan<'a> {
         rest.get(..length).unwrap_or_default().trim_ascii()
     }
 
-    /// The next word, if there is one.
+    /// Reads the next word, if there is one.
     pub(crate) fn word(&mut self) -> Option<&'a [u8]> {
-        self.blanks();
+        self.skip_blanks();
         let rest = self.bytes.get(self.at..)?;
         let length =
             rest.iter().position(|&b| Self::is_blank(b) || Some(b) == self.comment).unwrap_or(rest.len());
@@ -85,13 +85,13 @@ impl<'a> Scan<'a> {
         rest.get(..length).filter(|word| !word.is_empty())
     }
 
-    /// The next word as a number; other words are passed over and give none.
+    /// Reads the next word as a number; a word that is none is skipped and gives `None`.
     pub(crate) fn float(&mut self) -> Option<f32> {
         self.number(number::float)
     }
 
-    /// The next three words as a position, read as precisely as its origin needs; all three are
-    /// passed over whatever they are.
+    /// Reads the next three words as a position, in double precision if there is an origin. All three are skipped
+    /// even if one is no number.
     pub(crate) fn position(&mut self, origin: &mut Option<Origin>) -> Option<Vec3> {
         match origin {
             None => {
@@ -105,18 +105,18 @@ impl<'a> Scan<'a> {
         }
     }
 
-    /// The next word as a number in double precision.
+    /// Reads the next word as a number in double precision.
     pub(crate) fn double(&mut self) -> Option<f64> {
         self.number(number::double)
     }
 
-    /// The next word as a whole number.
+    /// Reads the next word as a whole number.
     pub(crate) fn integer(&mut self) -> Option<i64> {
         self.number(number::integer)
     }
 
     fn number<T>(&mut self, read: impl Fn(&[u8], usize) -> Option<(T, usize)>) -> Option<T> {
-        self.blanks();
+        self.skip_blanks();
         let start = self.at;
         let taken = read(self.bytes, start);
         let over = |end: usize| {
@@ -139,7 +139,7 @@ impl<'a> Scan<'a> {
         self.bytes.get(start..self.at).unwrap_or_default()
     }
 
-    /// Whether there was a decimal point or an exponent between `start` and here.
+    /// Whether there is a decimal point or an exponent between `start` and here.
     pub(crate) fn has_point_since(&self, start: usize) -> bool {
         self.taken_since(start).iter().any(|b| matches!(b, b'.' | b'e' | b'E'))
     }
@@ -150,31 +150,35 @@ impl<'a> Scan<'a> {
         1 + before.iter().filter(|&&b| b == b'\n').count()
     }
 
+    /// Skips blanks, line ends and comments; returns whether the text ends there.
     pub(crate) fn at_end(&mut self) -> bool {
-        self.blanks();
+        self.skip_blanks();
         self.at >= self.bytes.len()
     }
 }
 
-/// Tells `progress` now and then how far reading is, as the first half of the work.
+/// Reports the progress of reading at intervals, as the first half of the work.
 pub(crate) struct Ticker {
     size: usize,
     next: usize,
 }
 
 impl Ticker {
-    const EVERY: usize = 1 << 20;
+    const INTERVAL_BYTES: usize = 1 << 20;
 
     pub(crate) fn new(size: usize) -> Self {
-        Self { size: size.max(1), next: Self::EVERY }
+        Self { size: size.max(1), next: Self::INTERVAL_BYTES }
     }
 
-    /// `at` bytes are read.
+    /// Reports that `at` bytes have been read.
+    ///
+    /// # Errors
+    /// [`ReadError::Cancelled`] if `progress` stops the work.
     pub(crate) fn tick(&mut self, at: usize, progress: &mut Progress) -> Result<(), ReadError> {
         if at < self.next {
             return Ok(());
         }
-        self.next = at.saturating_add(Self::EVERY);
+        self.next = at.saturating_add(Self::INTERVAL_BYTES);
         if progress(0.5 * (at as f32 / self.size as f32).min(1.0)).is_break() {
             return Err(ReadError::Cancelled);
         }

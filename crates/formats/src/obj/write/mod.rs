@@ -1,16 +1,21 @@
-//! Writing an OBJ, with its materials in an MTL beside it.
+//! Writing an OBJ, with its materials in an MTL file.
 
-use super::mtl::{self, Entry};
-use super::names::{clean, group_lines, spaced};
+mod groups;
+mod materials;
+
 use crate::file::NamedBytes;
 use crate::model::images::{image_files, written_names};
 use crate::model::material::Material;
-use crate::model::paint::{names_in_use, own_colors, painted};
+use crate::model::paint::{names_in_use, own_colors};
 use crate::model::{Model, NamedMesh};
+use crate::obj::mtl::{self, Entry};
+use crate::obj::names::clean;
 use crate::soup::hash::Unique;
 use crate::text::print::{push_floats, push_integer, push_position};
 use glam::{DVec3, Vec2, Vec3};
-use halfedge::{Color, Element, Mesh, NONE, keys};
+use groups::Groups;
+use halfedge::{Color, Mesh, NONE, keys};
+use materials::{FaceMaterials, Materials, Named};
 use std::collections::HashMap;
 
 /// Writes the objects into one OBJ, several as `o` sections. If faces have colours or known materials, a
@@ -37,7 +42,7 @@ pub(crate) fn write(model: &Model) -> Vec<NamedBytes> {
     }
     for object in objects {
         let section = (objects.len() > 1).then(|| clean(&object.name));
-        // An empty mesh would leave a file with nothing in it.
+        // Without this, the file of an empty mesh would be empty.
         if section.is_none() && object.mesh.vertex_count() == 0 {
             writer.name_line("o", &clean(&object.name));
         }
@@ -62,7 +67,7 @@ pub(crate) fn write(model: &Model) -> Vec<NamedBytes> {
     files
 }
 
-/// Whether faces have colours that a file has to keep: painted ones, or materials' own.
+/// Whether faces have colours to write: painted ones, or those of materials.
 fn shows_colors(mesh: &Mesh) -> bool {
     let material = mesh.attribute(keys::FACE_MATERIAL);
     let has_material = |face: usize| material.and_then(|m| m.get(face)).is_some_and(|&m| m != NONE);
@@ -76,7 +81,7 @@ fn shows_colors(mesh: &Mesh) -> bool {
 struct Writer {
     out: Vec<u8>,
     materials: Materials,
-    /// How many of each came in earlier objects: numbers count on through the file.
+    /// The numbers of elements of earlier objects: numbering continues through the file.
     vertices: u64,
     uvs: u64,
     normals: u64,
@@ -89,7 +94,7 @@ impl Writer {
         self.out.push(b'\n');
     }
 
-    /// A line of a word and a name; without a name, the word alone, which ends the last one's hold.
+    /// Writes a statement of a word and a name; without a name, the word alone, which ends the previous run.
     fn name_line(&mut self, word: &str, name: &str) {
         self.out.extend_from_slice(word.as_bytes());
         if !name.is_empty() {
@@ -99,7 +104,7 @@ impl Writer {
         self.out.push(b'\n');
     }
 
-    /// One compact mesh; `section` is the name of its `o` line in a file of several.
+    /// Writes a compact mesh; `section` is the name of its `o` statement in a file of several.
     fn object(&mut self, mesh: &Mesh, offset: DVec3, section: Option<String>) {
         self.out.reserve(mesh.vertex_count() * 36 + mesh.halfedge_count() * 5);
         if let Some(section) = &section {
@@ -114,7 +119,9 @@ impl Writer {
         let mut current_smoothing = 0;
         let mut corner = 0;
         for f in mesh.faces() {
-            groups.enter(f.index(), self);
+            let (object, group) = groups.enter(f.index());
+            object.into_iter().for_each(|name| self.name_line("o", &name));
+            group.into_iter().for_each(|name| self.name_line("g", &name));
             if let Some(name) = materials.enter(f.index(), &mut self.materials) {
                 let name = name.to_owned();
                 self.name_line("usemtl", &name);
@@ -143,7 +150,7 @@ impl Writer {
             }
             self.out.push(b'\n');
         }
-        // What holds now would hold for the next object too.
+        // The current group would apply to the next object, too.
         if current_smoothing != 0 {
             self.name_line("s", "off");
         }
@@ -164,7 +171,7 @@ impl Writer {
         }
     }
 
-    /// Writes each texture coordinate once; gives each corner's number, or nothing if none has any.
+    /// Writes each texture coordinate once; returns the number of each corner's, or nothing if no corner has one.
     fn uvs(&mut self, mesh: &Mesh) -> Vec<u32> {
         let Some(column) = mesh.attribute(keys::CORNER_UV) else { return Vec::new() };
         let mut unique = Unique::new();
@@ -184,7 +191,7 @@ impl Writer {
             .collect()
     }
 
-    /// Writes each normal once; gives each corner's number, or nothing if none has any.
+    /// Writes each normal once; returns the number of each corner's, or nothing if no corner has one.
     fn normals(&mut self, mesh: &Mesh) -> Vec<u32> {
         let Some(column) = mesh.attribute(keys::CORNER_NORMAL) else { return Vec::new() };
         let mut unique = Unique::new();
@@ -205,148 +212,7 @@ impl Writer {
     }
 }
 
-/// How many different numbers, which count from 0.
+/// The number of different numbers, which count from 0.
 fn count(numbers: &[u32]) -> u64 {
     numbers.iter().filter(|&&n| n != NONE).max().map_or(0, |&n| u64::from(n) + 1)
-}
-
-/// The `o` and `g` lines of one mesh.
-struct Groups<'a> {
-    values: Option<&'a [u32]>,
-    /// The names of each label's lines.
-    names: Vec<(String, String)>,
-    current: u32,
-    /// What the file says now.
-    said: (String, String),
-}
-
-impl<'a> Groups<'a> {
-    fn new(mesh: &'a Mesh, section: Option<String>) -> Self {
-        let labels =
-            mesh.column(Element::Face, keys::FACE_GROUP.name).map_or(&[][..], |column| &column.labels);
-        let names = labels
-            .iter()
-            .map(|label| {
-                let (object, group) = group_lines(label);
-                match &section {
-                    None => (clean(object), spaced(&clean(group))),
-                    // The `o` line is the section's: a label of one alone becomes a group.
-                    Some(section) if group.is_empty() => (section.clone(), spaced(&clean(object))),
-                    Some(section) => (section.clone(), spaced(&clean(group))),
-                }
-            })
-            .collect();
-        Self {
-            values: mesh.attribute(keys::FACE_GROUP),
-            names,
-            current: NONE,
-            said: (section.unwrap_or_default(), String::new()),
-        }
-    }
-
-    fn enter(&mut self, face: usize, writer: &mut Writer) {
-        let value = self.values.and_then(|values| values.get(face)).copied().unwrap_or(NONE);
-        if value == self.current {
-            return;
-        }
-        let nothing = (if value == NONE { String::new() } else { self.said.0.clone() }, String::new());
-        let (object, group) = self.names.get(value as usize).cloned().unwrap_or(nothing);
-        if object != self.said.0 {
-            writer.name_line("o", &object);
-            self.said.1.clear();
-        }
-        if group != self.said.1 {
-            writer.name_line("g", &group);
-        }
-        self.said = (object, group);
-        self.current = value;
-    }
-}
-
-/// A material of the file: its name there, the colour of its faces, and the name that it is known by,
-/// empty where it only stands for a colour.
-struct Named {
-    name: String,
-    color: Color,
-    label: String,
-}
-
-/// All materials of the file. A material whose faces differ in colour becomes several.
-#[derive(Default)]
-struct Materials {
-    has_colors: bool,
-    list: Vec<Named>,
-    numbers: HashMap<(String, Option<Color>), usize>,
-    /// The colours that go under materials' own names.
-    own: HashMap<String, Color>,
-}
-
-impl Materials {
-    fn new(has_colors: bool, own: HashMap<String, Color>) -> Self {
-        Self { has_colors, own, ..Self::default() }
-    }
-
-    /// The number of the material of a face with this material (or none, if empty) and colour.
-    fn number(&mut self, material: &str, color: Color) -> usize {
-        let color_key = self.has_colors.then_some(color);
-        if let Some(&number) = self.numbers.get(&(material.to_owned(), color_key)) {
-            return number;
-        }
-        let name = if material.is_empty() {
-            painted("", color)
-        } else if !self.has_colors || self.own.get(material) == Some(&color) {
-            material.to_owned()
-        } else {
-            painted(material, color)
-        };
-        let number = self.list.len();
-        self.list.push(Named { name, color, label: material.to_owned() });
-        self.numbers.insert((material.to_owned(), color_key), number);
-        number
-    }
-}
-
-/// The `usemtl` lines of one mesh.
-struct FaceMaterials<'a> {
-    values: Option<&'a [u32]>,
-    colors: Option<&'a [Color]>,
-    labels: Vec<String>,
-    current: Option<(u32, Color)>,
-    said: Option<usize>,
-}
-
-impl<'a> FaceMaterials<'a> {
-    fn new(mesh: &'a Mesh) -> Self {
-        let labels =
-            mesh.column(Element::Face, keys::FACE_MATERIAL.name).map_or(&[][..], |column| &column.labels);
-        Self {
-            values: mesh.attribute(keys::FACE_MATERIAL),
-            colors: mesh.attribute(keys::FACE_COLOR),
-            labels: labels.iter().map(|label| clean(label)).collect(),
-            current: None,
-            said: None,
-        }
-    }
-
-    /// The name to say before this face, if it isn't what holds already.
-    fn enter<'m>(&mut self, face: usize, materials: &'m mut Materials) -> Option<&'m str> {
-        let value = self.values.and_then(|values| values.get(face)).copied().unwrap_or(NONE);
-        let color = self.colors.and_then(|colors| colors.get(face)).copied().unwrap_or(Color::UNPAINTED);
-        if self.current == Some((value, color)) {
-            return None;
-        }
-        self.current = Some((value, color));
-        let label = self.labels.get(value as usize).map_or("", String::as_str);
-        let plain = label.is_empty() && color == Color::UNPAINTED;
-        // No statement takes a material back, so after one a face without has the plain colour's.
-        if plain && self.said.is_none() && materials.list.is_empty() {
-            return None;
-        }
-        let number = materials.number(label, color);
-        if self.said == Some(number) {
-            return None;
-        }
-        self.said = Some(number);
-        materials.list.get(number).map(|named| named.name.as_str())
-    }
 }
