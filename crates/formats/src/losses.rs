@@ -1,4 +1,4 @@
-//! What a format can't hold of a model, told before saving.
+//! What a format can't hold of a model, for telling the user before saving.
 
 use crate::format::loss::Part;
 use crate::format::{FormatInfo, Holds};
@@ -11,8 +11,8 @@ use crate::obj::mtl;
 use crate::report::{counted, counted_words};
 use std::collections::HashSet;
 
-/// What writing a model in this format would lose, one sentence each; empty where the format holds
-/// everything. Costs O(model).
+/// The losses of writing a model in this format, one sentence each; empty if the format holds everything.
+/// Costs O(model).
 pub fn losses(format: Format, model: &Model) -> Vec<String> {
     let info = format.info();
     if info.holds != Holds::Meshes {
@@ -25,7 +25,7 @@ pub fn losses(format: Format, model: &Model) -> Vec<String> {
             format!("{name} holds no Bezier curves: {own} is left out")
         } else {
             let faces = counted(object.mesh.face_count(), "face", "faces");
-            format!("{name} holds no control points: of {own} the mesh of {faces} is written that shows it")
+            format!("{name} holds no control points: {own} is written as the mesh of {faces} that shows it")
         }
     });
     let meshes = model.without_curves();
@@ -37,7 +37,7 @@ pub fn losses(format: Format, model: &Model) -> Vec<String> {
     control_points.chain(parts).chain(material_loss(info, &meshes)).chain((info.losses)(&meshes)).collect()
 }
 
-/// What the format doesn't hold of the materials that faces have.
+/// The properties of used materials that the format doesn't hold.
 fn material_loss(format: &FormatInfo, model: &Model) -> Option<String> {
     let mut words: Vec<&str> = Vec::new();
     let mut count = 0;
@@ -67,7 +67,7 @@ fn material_loss(format: &FormatInfo, model: &Model) -> Option<String> {
     Some(format!("{} holds less of materials: of {materials}, {words} are lost", format.name))
 }
 
-/// What a format for Bezier curves or surfaces leaves out.
+/// The losses in a format for Bezier curves or surfaces.
 fn control_point_losses(format: &FormatInfo, model: &Model) -> Vec<String> {
     let (name, holds) = (format.name, format.holds.name());
     let is_kept = |is_curve: bool| is_curve == (format.holds == Holds::Curves);

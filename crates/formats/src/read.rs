@@ -95,7 +95,7 @@ fn read_all(
         let Contents { objects, materials, mut report } = read_one(&source, format, reading, &mut part)?;
         for name in model.materials.add(materials) {
             report.warn(format!(
-                "Material {name} is another one than that of an earlier file, whose settings are kept; faces keep \
+                "Material {name} differs from the one of that name in an earlier file, which is kept; faces keep \
                  their colours"
             ));
         }

@@ -1,29 +1,29 @@
-//! What an import has to say: one kind of report for all formats.
+//! Import reports, in one form for all formats.
 
 use serde::{Deserialize, Serialize};
 use std::collections::HashMap;
 use std::fmt;
 
-/// How much a note matters.
+/// The importance of a note.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase")]
 pub enum Severity {
-    /// What was read, or something left aside that changes nothing about the mesh.
+    /// What was read, or something left out that doesn't affect the mesh.
     Info,
-    /// Something in the file was changed or dropped.
+    /// Something in the file was changed or left out.
     Warning,
 }
 
-/// One thing to say about an import, in a sentence for people who may not know the format.
+/// One sentence about an import, for people who may not know the format.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub struct ReportNote {
-    /// How much it matters.
+    /// Its importance.
     pub severity: Severity,
     /// What happened, with counts and the first few line or element numbers.
     pub text: String,
 }
 
-/// What was read, what was changed and why, and what was dropped.
+/// What was read, what was changed and why, and what was left out.
 #[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(transparent)]
 pub struct ImportReport {
@@ -31,27 +31,27 @@ pub struct ImportReport {
 }
 
 impl ImportReport {
-    /// All notes, in the order they were made.
+    /// All notes, in order of creation.
     pub fn notes(&self) -> &[ReportNote] {
         &self.notes
     }
 
-    /// The texts of the notes that tell of a change or a loss.
+    /// The texts of the warnings.
     pub fn warnings(&self) -> impl Iterator<Item = &str> {
         self.notes.iter().filter(|note| note.severity == Severity::Warning).map(|note| note.text.as_str())
     }
 
-    /// Whether everything came in as it stands in the file.
+    /// Whether there are no warnings.
     pub fn is_clean(&self) -> bool {
         self.warnings().next().is_none()
     }
 
-    /// Adds a note that tells of nothing lost.
+    /// Adds a note about what was read.
     pub fn info(&mut self, text: impl Into<String>) {
         self.notes.push(ReportNote { severity: Severity::Info, text: text.into() });
     }
 
-    /// Adds a note that tells of a change or a loss.
+    /// Adds a warning: something was changed or left out.
     pub fn warn(&mut self, text: impl Into<String>) {
         self.notes.push(ReportNote { severity: Severity::Warning, text: text.into() });
     }
@@ -61,7 +61,7 @@ impl ImportReport {
         self.notes.extend(other.notes);
     }
 
-    /// Puts `prefix` in front of every note: which file or object it is about.
+    /// Prefixes every note with the file or object that it is about.
     pub(crate) fn prefixed(mut self, prefix: &str) -> Self {
         for note in &mut self.notes {
             note.text = format!("{prefix}: {}", note.text);
@@ -80,7 +80,7 @@ impl fmt::Display for ImportReport {
     }
 }
 
-/// Places in a file where the same thing happened: how often, and the first few numbers.
+/// The places in a file where the same thing happened: their count and the first few.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Places {
     count: usize,
@@ -90,7 +90,7 @@ pub(crate) struct Places {
 impl Places {
     const SHOWN: usize = 6;
 
-    /// Adds a place. Several in a row with the same number are counted but shown once.
+    /// Adds a place. Consecutive places with the same number are counted, but shown once.
     pub(crate) fn add(&mut self, number: usize) {
         self.count += 1;
         if self.first.len() < Self::SHOWN && self.first.last() != Some(&number) {
@@ -125,14 +125,14 @@ pub(crate) fn counted(count: usize, one: &str, many: &str) -> String {
     format!("{count} {}", if count == 1 { one } else { many })
 }
 
-/// "a, b, c, …": no more words than are shown.
+/// At most `shown` words: "a, b, c, …".
 pub(crate) fn first_few(words: &[impl AsRef<str>], shown: usize) -> String {
     let few: Vec<&str> = words.iter().take(shown).map(AsRef::as_ref).collect();
     few.join(", ") + if words.len() > shown { ", …" } else { "" }
 }
 
-/// Words in order of first use, each with how often it comes, the first few of them: "a (3), b (1)"; none
-/// where there are no words.
+/// The first few words in order of first use, each with its count: "a (3), b (1)". `None` if there are no
+/// words.
 pub(crate) fn counted_words<'a>(words: impl IntoIterator<Item = &'a str>) -> Option<String> {
     const SHOWN: usize = 8;
     let mut counts: Vec<(&str, usize)> = Vec::new();

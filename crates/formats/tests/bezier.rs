@@ -224,7 +224,7 @@ fn formats_hold_what_they_hold_and_say_the_rest() {
         formats::losses(by_code("obj"), &model(&objects)),
         [
             "OBJ holds no Bezier curves: curve is left out",
-            "OBJ holds no control points: of surface the mesh of 1 face is written that shows it"
+            "OBJ holds no control points: surface is written as the mesh of 1 face that shows it"
         ]
     );
     let refused = |format, objects: &[NamedMesh]| {

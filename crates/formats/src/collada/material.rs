@@ -40,7 +40,7 @@ impl<'d, 'a> Library<'d, 'a> {
         let unused = self.document.all("material").filter(|node| !self.known.contains_key(&node.index));
         let unused: Vec<&str> = unused.map(Node::label).collect();
         if !unused.is_empty() {
-            notes.info(format!("Materials that no face has are left out: {}", first_few(&unused, 6)));
+            notes.info(format!("Materials that no face uses are left out: {}", first_few(&unused, 6)));
         }
         materials
     }

@@ -1,4 +1,4 @@
-//! The parts of a document that some formats have no place for, and losses that several formats share.
+//! Parts of a document that some formats can't hold, and losses that several formats share.
 
 use crate::model::Model;
 use crate::model::attributes::attributes;
@@ -9,7 +9,7 @@ use glam::{Vec2, Vec3};
 use halfedge::attribute::{AttributeType, Key};
 use halfedge::{Color, Element, Mesh, NONE, keys};
 
-/// What a document can have that some format has no place for.
+/// A part of a document that some format can't hold.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Part {
     /// Several objects, each with its name.
@@ -47,7 +47,7 @@ impl Part {
         Self::Attributes,
     ];
 
-    /// How many of it the mesh has.
+    /// How many elements of a mesh have it.
     pub(crate) fn count(self, mesh: &Mesh) -> usize {
         match self {
             Self::Objects => 1,
@@ -68,7 +68,7 @@ impl Part {
         }
     }
 
-    /// What happens to `count` of it in a format that has no place for it.
+    /// The message about `count` elements that lose it.
     pub(crate) fn loss(self, format: &str, count: usize) -> String {
         let n = |one: &str, many: &str| counted(count, one, many);
         match self {
@@ -115,7 +115,7 @@ impl Part {
     }
 }
 
-/// How many existing elements have a value that `counts`.
+/// The number of existing elements whose value `counts`.
 fn count<T: AttributeType>(mesh: &Mesh, key: Key<T>, counts: impl Fn(T) -> bool) -> usize {
     let Some(values) = mesh.attribute(key) else { return 0 };
     let has = |index: usize| values.get(index).is_some_and(|&value| counts(value));
@@ -123,15 +123,14 @@ fn count<T: AttributeType>(mesh: &Mesh, key: Key<T>, counts: impl Fn(T) -> bool)
         Element::Vertex => mesh.vertices().filter(|v| has(v.index())).count(),
         Element::Edge => mesh.edges().filter(|e| has(e.index())).count(),
         Element::Face => mesh.faces().filter(|f| has(f.index())).count(),
-        // Boundary half-edges are no face's corners.
+        // Boundary half-edges are not corners of faces.
         Element::Halfedge => {
             mesh.halfedges().filter(|&h| !mesh.is_boundary_halfedge(h) && has(h.index())).count()
         }
     }
 }
 
-/// The loss in a format that holds triangles without vertex numbers: that vertices at one place are
-/// different ones.
+/// The loss in a format that holds triangles without vertex numbers: vertices at one place become one.
 pub(crate) fn merged_vertices(format: &str, model: &Model) -> Option<String> {
     let mut places = Weld::new();
     let mut count = 0;
@@ -151,8 +150,8 @@ pub(crate) fn merged_vertices(format: &str, model: &Model) -> Option<String> {
     })
 }
 
-/// The losses in a format that has one normal, and one texture coordinate if `uvs`, for each vertex, where
-/// corners of a vertex differ.
+/// The losses in a format with one normal per vertex, and one texture coordinate if `uvs`: values of
+/// vertices whose corners differ.
 pub(crate) fn values_of_corners(format: &str, model: &Model, uvs: bool) -> Vec<String> {
     let mut losses = Vec::new();
     let mut lose = |part: Part, what: &str, fits: &dyn Fn(&Mesh) -> bool| {

@@ -43,7 +43,7 @@ impl<'b, 'a> Library<'b, 'a> {
         let unused = (0..self.document.count(MATERIALS)).filter(|index| !self.known.contains_key(index));
         let unused: Vec<String> = unused.map(|index| self.document.label(MATERIALS, index)).collect();
         if !unused.is_empty() {
-            notes.info(format!("Materials that no face has are left out: {}", first_few(&unused, 6)));
+            notes.info(format!("Materials that no face uses are left out: {}", first_few(&unused, 6)));
         }
         self.textures.note_filters(notes);
         self.materials.finish(notes)

@@ -1,4 +1,4 @@
-//! Named values of faces: columns of numbers, each of which stands for a label.
+//! Labelled columns: a number per face, each of which stands for a name.
 
 use halfedge::attribute::{Column, Key};
 use halfedge::{Element, Mesh, NONE, keys};
@@ -34,8 +34,8 @@ impl Names {
     }
 }
 
-/// A labelled column: `values` are numbers of `names` or [`NONE`]; labels no value uses are left
-/// out and the rest numbered in order of first use.
+/// A labelled column of `values`, which are numbers of `names` or [`NONE`]. Unused names are left out, and
+/// the others are numbered in order of first use.
 pub(crate) fn labelled(key: Key<u32>, mut values: Vec<u32>, names: &[String]) -> Column {
     let mut labels = Vec::new();
     let mut renumbered = vec![NONE; names.len()];
@@ -53,8 +53,8 @@ pub(crate) fn labelled(key: Key<u32>, mut values: Vec<u32>, names: &[String]) ->
     Column { labels, ..Column::with_values(key, values) }
 }
 
-/// Leaves out labels that no face has and numbers the rest in order of first use: after faces were
-/// dropped, so that the mesh written and read again is the same.
+/// Removes labels that no face uses and numbers the others in order of first use. Called after faces were
+/// removed, so that the mesh is the same after it was written and read.
 pub(crate) fn tidy_labels(mesh: &mut Mesh) {
     for key in [keys::FACE_GROUP, keys::FACE_MATERIAL] {
         let Some(column) = mesh.column(Element::Face, key.name) else { continue };

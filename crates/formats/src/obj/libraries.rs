@@ -18,14 +18,15 @@ pub(crate) fn companions(file: &NamedBytes) -> Vec<String> {
     let (text, _) = decode(&file.bytes);
     let mut names = Vec::new();
     for rest in text.split(['\n', '\r']).filter_map(|line| line.trim_start().strip_prefix("mtllib")) {
-        // It may be one name with blanks, or several.
+        // One name with blanks, or several.
         names.push(rest.to_owned());
         names.extend(rest.split_whitespace().map(str::to_owned));
     }
     names
 }
 
-/// Whether a `mtllib` statement names this file. A statement may name several files, or one with blanks.
+/// Whether one of the `mtllib` statements names this file. A statement names one file, with or without blanks,
+/// or several.
 fn mentions(named: &[String], library: &str) -> bool {
     let base = |path: &str| base_name(path).to_lowercase();
     let library = base(library);
@@ -50,8 +51,12 @@ pub(crate) fn read(named: &[String], source: &Source, report: &mut ImportReport)
             library.name
         ));
         report.append(notes);
-        // Of several materials with the same name, the first is used.
-        materials.add(more);
+        for name in materials.add(more) {
+            report.warn(format!(
+                "Material {name} of {} left out: an earlier library has a different one of that name",
+                library.name
+            ));
+        }
     }
     if used.is_empty() && !named.is_empty() {
         report.info(format!(
@@ -62,19 +67,19 @@ pub(crate) fn read(named: &[String], source: &Source, report: &mut ImportReport)
     materials
 }
 
-/// Those of the libraries' materials that faces have, by name, with the images that they use.
+/// The materials that faces use, by name, with their images.
 pub(crate) fn in_use(given: Materials, names: &[String], report: &mut ImportReport) -> Materials {
     let names: HashSet<&str> = names.iter().map(String::as_str).collect();
     let is_used = |name: &str| !name.is_empty() && names.contains(name);
     let (list, mut unused): (Vec<_>, Vec<_>) =
         given.list.into_iter().partition(|material| is_used(&material.name));
-    // Those that stand for the colour of another one are kept as colours of faces.
+    // Materials that only stand for a colour of another one are in the colours of faces.
     unused.retain(|material| unpainted(&material.name).is_none());
     let mut used = Materials::default();
     used.add(Materials { list, images: given.images });
     if let Some(parameters) = mtl::statement_counts(used.list.iter()) {
         report.info(format!(
-            "What its materials have besides a colour is not shown, and is written again when it is saved as OBJ: \
+            "Properties of materials besides their colours are not shown, but kept and written when saved as OBJ: \
              {parameters}"
         ));
     }
@@ -82,18 +87,13 @@ pub(crate) fn in_use(given: Materials, names: &[String], report: &mut ImportRepo
     let absent: Vec<&str> = absent.map(|image| image.name.as_str()).collect();
     if !absent.is_empty() {
         report.info(format!(
-            "{} that its materials use not given, so only referred to: {}",
-            counted(absent.len(), "image", "images"),
+            "Image files that its materials refer to were not given: {}",
             first_few(&absent, 6)
         ));
     }
     if !unused.is_empty() {
         let names: Vec<&str> = unused.iter().map(|material| material.name.as_str()).collect();
-        report.info(format!(
-            "{} that no face has left out: {}",
-            counted(unused.len(), "material", "materials"),
-            first_few(&names, 6)
-        ));
+        report.info(format!("Materials that no face uses are left out: {}", first_few(&names, 6)));
     }
     used
 }

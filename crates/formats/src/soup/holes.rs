@@ -1,4 +1,4 @@
-//! Polygons with holes cut into triangles, for files that have such: faces have one outline here.
+//! Triangulating polygons with holes: a face of a mesh has one outline.
 //!
 //! Each hole is joined to the outline by a bridge to a corner that it sees (D. Eberly,
 //! "Triangulation by Ear Clipping", 2002), which gives one polygon that touches itself along the
@@ -7,15 +7,15 @@
 use glam::{DVec3, Vec2, Vec3};
 use halfedge::geometry::{PolygonTriangulator, polygon_area_vector};
 
-/// The most corners of a polygon with holes that is cut: the time grows with their square.
-const MOST_CORNERS: usize = 1000;
+/// Corners of the largest polygon with holes that is triangulated: the time grows with their square.
+const MAX_CORNERS: usize = 1000;
 
-/// Cuts a polygon with holes into triangles of its corners, numbered the outline's first, then each
-/// hole's. Nothing where that is not what it is: holes that cross it or each other or lie outside,
-/// an outline that crosses itself; or where it is too large.
+/// Triangulates a polygon with holes. Corners are numbered outline first, then hole by hole. `None` if a
+/// hole crosses the outline or another hole or lies outside, if the outline crosses itself, or if there
+/// are more than [`MAX_CORNERS`].
 pub(crate) fn cut(outline: &[Vec3], holes: &[Vec<Vec3>]) -> Option<Vec<[u32; 3]>> {
     let corners = outline.len() + holes.iter().map(Vec::len).sum::<usize>();
-    if outline.len() < 3 || corners > MOST_CORNERS {
+    if outline.len() < 3 || corners > MAX_CORNERS {
         return None;
     }
     let normal = polygon_area_vector(outline.iter().copied()).try_normalize().unwrap_or(DVec3::Z);
@@ -26,8 +26,8 @@ pub(crate) fn cut(outline: &[Vec3], holes: &[Vec<Vec3>]) -> Option<Vec<[u32; 3]>
     let point = |i: u32| points.get(i as usize).copied().unwrap_or_default();
     let mut ring: Vec<u32> = (0..outline.len() as u32).collect();
     let mut area = twice_area(&ring, point);
-    // The holes turn the other way than the outline; the one farthest along x is joined first, so
-    // that it sees past the others.
+    // Holes run the opposite way to the outline. The one farthest along x is joined first, so that no
+    // other hole blocks its view.
     let mut start = outline.len() as u32;
     let mut inner: Vec<Vec<u32>> = Vec::with_capacity(holes.len());
     for hole in holes {
@@ -61,7 +61,7 @@ pub(crate) fn cut(outline: &[Vec3], holes: &[Vec<Vec3>]) -> Option<Vec<[u32; 3]>
         .map(|triangle| triangle.map(|i| ring.get(i as usize).copied().unwrap_or_default()))
         .filter(|[a, b, c]| a != b && b != c && c != a)
         .collect();
-    // Whether that was right: no triangle is turned over, and together they cover what they should.
+    // Check the result: no triangle is flipped, and together they cover the right area.
     let covered: Vec<f32> =
         triangles.iter().map(|&[a, b, c]| (point(b) - point(a)).perp_dot(point(c) - point(a))).collect();
     let tolerance = 1e-3 * area.abs();
@@ -71,7 +71,7 @@ pub(crate) fn cut(outline: &[Vec3], holes: &[Vec<Vec3>]) -> Option<Vec<[u32; 3]>
     right.then_some(triangles)
 }
 
-/// Twice the area of a ring, more than zero where it runs counter-clockwise.
+/// Twice the signed area of a ring, positive if it runs counter-clockwise.
 fn twice_area(ring: &[u32], point: impl Fn(u32) -> Vec2) -> f32 {
     let origin = ring.first().map_or(Vec2::ZERO, |&i| point(i));
     ring.windows(2)
@@ -82,13 +82,13 @@ fn twice_area(ring: &[u32], point: impl Fn(u32) -> Vec2) -> f32 {
         .sum()
 }
 
-/// Joins a hole to a ring by a bridge from the hole's first corner, its farthest along x, to a
-/// corner of the ring that it sees. Nothing where there is none.
+/// Joins a hole to a ring with a bridge from the hole's first corner, its farthest along x, to a visible
+/// corner of the ring. `None` if no corner is visible.
 fn join(ring: &mut Vec<u32>, hole: &[u32], point: impl Fn(u32) -> Vec2) -> Option<()> {
     let from = point(*hole.first()?);
     let n = ring.len();
     let at = |i: usize| ring.get(i % n).map_or(Vec2::ZERO, |&i| point(i));
-    // The nearest side to the right that runs upward has the inside on its left, where `from` is.
+    // The nearest side to the right that runs upward has the inside, where `from` is, on its left.
     let mut hit: Option<(f32, usize)> = None;
     for i in 0..n {
         let (a, b) = (at(i), at(i + 1));
@@ -103,8 +103,8 @@ fn join(ring: &mut Vec<u32>, hole: &[u32], point: impl Fn(u32) -> Vec2) -> Optio
     let (x, side) = hit?;
     let hit = Vec2::new(x, from.y);
     let mut best = if at(side).x > at(side + 1).x { side } else { (side + 1) % n };
-    // Corners that reach into the triangle between would be in the way: the one nearest in angle
-    // to the line is seen.
+    // Corners inside the triangle between would block the view: of those the one nearest in angle to
+    // the line is visible.
     let corner = at(best);
     let triangle = if corner.y < from.y { [from, corner, hit] } else { [from, hit, corner] };
     let inside = |p: Vec2| {

@@ -1,4 +1,4 @@
-//! Changes to polygon soups that several formats need.
+//! Polygon soups: changes that several formats need, and how a soup becomes a mesh.
 
 pub(crate) mod corner_colors;
 pub(crate) mod hash;
@@ -13,13 +13,13 @@ use glam::{DMat3, DMat4};
 use halfedge::PolygonSoup;
 use halfedge::attribute::{AttributeType, Column, Key};
 
-/// Whether a transform mirrors: shapes come out inside out, unless their faces go the other way round
-/// (glTF 2.0, 3.7.4).
+/// Whether a transform mirrors: it turns shapes inside out, unless their faces are reversed (glTF 2.0,
+/// 3.7.4).
 pub(crate) fn is_mirrored(transform: DMat4) -> bool {
     DMat3::from_mat4(transform).determinant() < 0.0
 }
 
-/// Takes faces out of a soup with their corners and attributes. `dropped` is in ascending order.
+/// Removes faces with their corners and attributes. `dropped` is in ascending order.
 pub(crate) fn drop_faces(soup: &mut PolygonSoup, dropped: &[u32]) {
     if dropped.is_empty() {
         return;
@@ -46,7 +46,7 @@ pub(crate) fn drop_faces(soup: &mut PolygonSoup, dropped: &[u32]) {
     soup.face_starts = face_starts;
 }
 
-/// A column of corners from values of vertices, as far as those are there.
+/// A corner column of the values of the corners' vertices; the default where a vertex has none.
 pub(crate) fn of_vertices<T: AttributeType>(soup: &PolygonSoup, key: Key<T>, values: &[T]) -> Column {
     let corner = |&v: &u32| values.get(v as usize).copied().unwrap_or(key.default);
     Column::with_values(key, soup.corners.iter().map(corner).collect())

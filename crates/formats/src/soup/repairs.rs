@@ -1,7 +1,7 @@
-//! Choices in how a file's faces are made a mesh, where they are not one as they stand.
+//! Options for making a mesh of faces that don't form one.
 //!
 //! The build itself (`halfedge::Mesh::build`) separates faces where more than two meet at an edge
-//! and turns faces so that neighbours agree. What is chosen otherwise is done to the soup before.
+//! and orients faces consistently. Other choices change the soup before the build.
 
 use crate::model::labels::tidy_labels;
 use crate::report::{Places, counted};
@@ -12,19 +12,19 @@ use halfedge::{Built, Mesh, NONE, PolygonSoup, TooLarge};
 use serde::{Deserialize, Serialize};
 use std::collections::{HashMap, HashSet};
 
-/// How faces that are not a mesh as they stand are made one.
+/// How faces that don't form a mesh are made one.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(default, deny_unknown_fields)]
 pub struct Repairs {
-    /// What becomes of faces at edges where more than two meet.
+    /// What happens to faces at edges where more than two meet.
     pub non_manifold: NonManifold,
-    /// Vertices this near to each other become one, in mesh units; none are where it is left out.
-    /// 0 merges those at the same place.
+    /// Distance, in mesh units, within which vertices are merged; 0 merges those at the same place.
+    /// `None` merges none.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub merge_by_distance: Option<f32>,
-    /// Whether faces are turned so that neighbours face the same way. Otherwise edges where they
-    /// don't are separated, which cuts the mesh there; a piece that has no orientation, like a
-    /// Möbius strip, is turned and cut in any case.
+    /// Whether to orient faces consistently. Otherwise edges between faces that disagree are separated,
+    /// which cuts the mesh there. A piece without an orientation, like a Möbius strip, is oriented and
+    /// cut in any case.
     pub orient: bool,
 }
 
@@ -34,22 +34,21 @@ impl Default for Repairs {
     }
 }
 
-/// What becomes of faces at edges where more than two meet.
+/// What happens to faces at edges where more than two meet.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase")]
 pub enum NonManifold {
-    /// All stay, each with an edge of its own there.
+    /// All stay; each gets its own copy of the edge.
     #[default]
     Separate,
     /// The first two in the file's order stay.
     Drop,
 }
 
-/// Builds a mesh of a soup with these choices; also what was changed, in sentences. Costs
-/// O(corners).
+/// Builds a mesh of a soup with these options, and lists the changes as sentences. Costs O(corners).
 ///
 /// # Errors
-/// [`TooLarge`] when ids would run out.
+/// [`TooLarge`] if ids run out.
 pub fn rebuild(soup: &PolygonSoup, repairs: &Repairs) -> Result<(Mesh, Vec<String>), TooLarge> {
     let mut soup = soup.clone();
     let mut notes = repair(&mut soup, repairs);
@@ -57,12 +56,12 @@ pub fn rebuild(soup: &PolygonSoup, repairs: &Repairs) -> Result<(Mesh, Vec<Strin
     Ok((built.mesh, notes))
 }
 
-/// [`rebuild`] of a soup that is not needed otherwise: gives it back where something was changed.
+/// Like [`rebuild`], but takes the soup, and gives it back if something had to be changed.
 pub(crate) fn build(
     mut soup: PolygonSoup,
     repairs: &Repairs,
 ) -> Result<(Mesh, Vec<String>, Option<PolygonSoup>), TooLarge> {
-    // The build itself gives back what it changes.
+    // The build itself gives back a soup that it changes.
     let given = (*repairs != Repairs::default()).then(|| soup.clone());
     let mut notes = repair(&mut soup, repairs);
     let built = finish(soup, &mut notes)?;
@@ -70,7 +69,7 @@ pub(crate) fn build(
     Ok((built.mesh, notes, original))
 }
 
-/// What is chosen otherwise than the build does it; gives what was changed.
+/// Applies the options that differ from what the build does; lists the changes.
 fn repair(soup: &mut PolygonSoup, repairs: &Repairs) -> Vec<String> {
     let mut notes = Vec::new();
     if let Some(distance) = repairs.merge_by_distance {
@@ -80,7 +79,7 @@ fn repair(soup: &mut PolygonSoup, repairs: &Repairs) -> Vec<String> {
         drop_non_manifold(soup, &mut notes);
     }
     if !repairs.orient {
-        part_disagreeing(soup, &mut notes);
+        separate_disagreeing(soup, &mut notes);
     }
     notes
 }
@@ -102,20 +101,20 @@ fn merge(soup: &mut PolygonSoup, distance: f32, notes: &mut Vec<String>) {
         return;
     }
     notes.push(format!("{} merged with another within {distance}", counted(merged, "vertex", "vertices")));
-    // A number that no vertex has stays one, also now that there are fewer.
+    // Corners that refer to missing vertices still do, although there are fewer vertices now.
     soup.corners.iter_mut().for_each(|v| *v = number.get(*v as usize).copied().unwrap_or(NONE));
     keep_vertices(soup, &kept);
 }
 
-/// The vertices of these numbers in this order, which may repeat, with their attributes.
+/// Keeps the vertices with these numbers, in this order, with their attributes. Numbers may repeat.
 fn keep_vertices(soup: &mut PolygonSoup, kept: &[u32]) {
     let pick = |column: &mut Column| *column = column.gather(kept.iter().copied());
     soup.vertex_columns.iter_mut().for_each(pick);
     soup.positions = kept.iter().filter_map(|&v| soup.positions.get(v as usize).copied()).collect();
 }
 
-/// A face's vertices without repeats in a row, if the build would take it: three or more different
-/// ones, all there.
+/// A face's vertices without consecutive repeats, if the build would accept the face: it has three or more
+/// distinct vertices, and all exist.
 fn outline(face: &[u32], vertices: usize) -> Option<Vec<u32>> {
     let mut outline = face.to_vec();
     outline.dedup();
@@ -133,12 +132,12 @@ fn ends(a: u32, b: u32) -> (u32, u32) {
     (a.min(b), a.max(b))
 }
 
-/// The sides of a face, each from one vertex to another.
+/// The sides of a face, each as its two vertices.
 fn sides(face: &[u32]) -> impl Iterator<Item = (u32, u32)> + '_ {
     face.iter().copied().zip(face.iter().copied().cycle().skip(1))
 }
 
-/// The same for all faces with the same vertices in the same cyclic order, either way round.
+/// A key that faces with the same vertices in the same cyclic order, in either direction, share.
 fn canonical(face: &[u32]) -> Vec<u32> {
     let n = face.len();
     let start = (0..n).min_by_key(|&i| face.get(i)).unwrap_or(0);
@@ -148,15 +147,15 @@ fn canonical(face: &[u32]) -> Vec<u32> {
     forward.min(backward)
 }
 
-/// Takes out faces at edges where two earlier ones meet already.
+/// Removes faces at edges where two earlier faces meet.
 fn drop_non_manifold(soup: &mut PolygonSoup, notes: &mut Vec<String>) {
     let mut uses: HashMap<(u32, u32), u8> = HashMap::with_capacity(soup.corners.len() / 2);
     let mut met = HashSet::with_capacity(soup.face_count());
     let mut dropped = Vec::new();
     let mut places = Places::default();
     for (f, face) in soup.faces().enumerate() {
-        // What the build leaves out is in nobody's way. Faces that repeat one that stays are left out, too;
-        // those that repeat one taken out here come to the same end as that.
+        // The build leaves out invalid faces and faces that repeat one that stays: those don't count here.
+        // A face that repeats one removed here is removed for the same reason.
         let Some(face) = outline(face, soup.positions.len()) else { continue };
         let canonical = canonical(&face);
         if met.contains(&canonical) {
@@ -183,9 +182,9 @@ fn drop_non_manifold(soup: &mut PolygonSoup, notes: &mut Vec<String>) {
     }
 }
 
-/// Gives pieces whose faces agree vertices of their own, so that the build doesn't turn any.
-fn part_disagreeing(soup: &mut PolygonSoup, notes: &mut Vec<String>) {
-    // Per edge the faces there, and whether each runs from the smaller to the larger vertex.
+/// Gives each piece of consistently oriented faces its own vertices, so that the build reverses none.
+fn separate_disagreeing(soup: &mut PolygonSoup, notes: &mut Vec<String>) {
+    // Per edge its faces, and whether each runs from the smaller vertex to the larger.
     let mut edges: HashMap<(u32, u32), Vec<(u32, bool)>> = HashMap::with_capacity(soup.corners.len() / 2);
     for (f, face) in soup.faces().enumerate() {
         let Some(face) = outline(face, soup.positions.len()) else { continue };

@@ -123,7 +123,7 @@ fn what_of_a_material_is_not_kept_is_named() {
         ),
         (
             vec![("</library_materials>", "<material id=\"z\" name=\"zinc\"/></library_materials>")],
-            "that no face has are left out: zinc",
+            "that no face uses are left out: zinc",
         ),
     ] {
         let import = textured(&edits, &[]);

@@ -126,7 +126,7 @@ fn faults_in_a_material_are_named() {
     doc.json["materials"] = json!([{ "name": "spare" }]);
     let report = open(&doc).report.to_string();
     assert!(report.contains("its material is left out: material 4 doesn't exist"), "{report}");
-    assert!(report.contains("Materials that no face has are left out: material \"spare\""), "{report}");
+    assert!(report.contains("Materials that no face uses are left out: material \"spare\""), "{report}");
 }
 
 /// The square with a base colour texture of the first image, and two sets of texture coordinates.
