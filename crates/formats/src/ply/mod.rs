@@ -19,7 +19,7 @@ use crate::format::loss::{self, Part};
 use crate::format::{Certainty, FormatInfo};
 use crate::model::Model;
 use crate::model::material::Property;
-use crate::model::texture::TextureRole;
+use crate::model::texture::{Texture, TextureRole};
 use crate::report::counted;
 use glam::Vec3;
 use halfedge::{Mesh, keys};
@@ -57,6 +57,7 @@ const COMMON: FormatInfo = FormatInfo {
     keeps_property: |property| {
         matches!(property, Property::BaseColor | Property::Texture(TextureRole::BaseColor))
     },
+    keeps_placement: |texture| *texture == Texture::new(texture.role, texture.image),
     ..FormatInfo::DEFAULT
 };
 
