@@ -1,5 +1,6 @@
 //! What the rows of each kind of element say.
 
+use glam::DVec3;
 use halfedge::{Color, Element, Mesh, keys};
 use std::fmt::Write as _;
 
@@ -96,17 +97,23 @@ impl Row {
     }
 }
 
-/// More corners than this are cut off: nobody reads them in a row, and a face can have millions.
-const MOST_CORNERS: usize = 24;
+/// Corners listed in a row; the rest is cut off, because a face can have millions.
+const MAX_LISTED_CORNERS: usize = 24;
 
-/// The row of an element, or none where there is no such element.
-pub fn row(mesh: &Mesh, kind: Element, id: u32) -> Option<Row> {
+/// The row of an element, or none where there is no such element. The offset of the document makes its
+/// coordinates those of the file.
+pub fn row(mesh: &Mesh, kind: Element, id: u32, offset: DVec3) -> Option<Row> {
     let mut cells = vec![id.to_string()];
     let mut swatch = None;
     match kind {
         Element::Vertex => {
             let position = mesh.position(mesh.vertex(id)?);
-            cells.extend(position.to_array().map(coordinate));
+            if offset == DVec3::ZERO {
+                cells.extend(position.to_array().map(coordinate));
+            } else {
+                let far = position.as_dvec3() + offset;
+                cells.extend(far.to_array().map(|value| format!("{value:.2}")));
+            }
         }
         Element::Edge => cells.extend(mesh.ends(mesh.edge(id)?).map(|v| v.raw().to_string())),
         Element::Halfedge => {
@@ -122,10 +129,10 @@ pub fn row(mesh: &Mesh, kind: Element, id: u32) -> Option<Row> {
             let mut corners = String::new();
             let mut sides = 0;
             for v in mesh.face_vertices(f) {
-                if sides < MOST_CORNERS {
+                if sides < MAX_LISTED_CORNERS {
                     let gap = if sides == 0 { "" } else { " " };
                     let _ = write!(corners, "{gap}{}", v.raw());
-                } else if sides == MOST_CORNERS {
+                } else if sides == MAX_LISTED_CORNERS {
                     corners.push_str(" …");
                 }
                 sides += 1;

@@ -184,14 +184,15 @@ fn control_point_boxes(
     out: &mut Requests,
 ) {
     let speed = page.view.drag_speed();
-    let mut to = place;
+    let offset = page.editor.document().offset();
+    let mut shown = place.as_dvec3() + offset;
     let (mut changed, mut done) = (false, false);
     let width = ((ui.available_width() - 16.0) / 3.0).clamp(44.0, 80.0);
     ui.spacing_mut().item_spacing.x = 4.0;
-    for (axis, value) in ["x", "y", "z"].into_iter().zip([&mut to.x, &mut to.y, &mut to.z]) {
+    for (axis, value) in ["x", "y", "z"].into_iter().zip([&mut shown.x, &mut shown.y, &mut shown.z]) {
         let drag = DragValue::new(value)
             .speed(speed)
-            .range(f32::MIN..=f32::MAX)
+            .range(f64::from(f32::MIN)..=f64::from(f32::MAX))
             .max_decimals(4)
             .update_while_editing(false);
         let spin = ui.add_sized(vec2(width, ui.spacing().interact_size.y), drag);
@@ -201,6 +202,7 @@ fn control_point_boxes(
         done |= spin.drag_stopped() || (spin.changed() && !spin.dragged());
         spin.on_hover_text(format!("Position along {axis}: drag, or click to type"));
     }
+    let to = (shown - offset).as_vec3();
     if changed && to.is_finite() {
         out.update_edit(moved(point, to));
     }

@@ -210,6 +210,7 @@ fn element_list(ui: &mut Ui, page: &Page<'_>, own: &mut Lists, out: &mut Request
     let index = own.index(kind);
     let id_of = |at: usize| if only { selection.nth(at) } else { index.id_of(at) };
     let hovered = page.view.hovered().filter(|(hovered, _)| *hovered == kind).map(|(_, id)| id);
+    let offset = page.editor.document().offset();
     let label = plural(kind);
     let list = RowList {
         label,
@@ -219,7 +220,7 @@ fn element_list(ui: &mut Ui, page: &Page<'_>, own: &mut Lists, out: &mut Request
     };
     let output = list.show(ui, &mut state, |at| {
         let id = id_of(at)?;
-        let row = row(mesh, kind, id)?;
+        let row = row(mesh, kind, id, offset)?;
         Some(RowContent {
             name: element_name(kind, id),
             value: row.value(kind),

@@ -25,15 +25,24 @@ fn a_drag_on_a_spin_box_is_one_step() {
 }
 
 #[test]
-fn far_models_say_where_their_coordinates_are_counted_from() {
+fn coordinates_of_far_models_are_those_of_the_file() {
     let mut page = Page::new();
     page.select("vertex", &[0]);
-    assert!(!page.has("Counted from"));
+    assert!(!page.has("Offset"));
     page.open("far.obj", "v 1000000000.5 0 0\nv 1000000001.5 0 0\nv 1000000000.5 1 0\nf 1 2 3\n");
     page.select("vertex", &[0]);
     let offset = page.app().editor().document().offset();
     assert!(offset.x >= 1e9);
-    assert!(page.has("Counted from") && page.has(&format!("{}, {}, {}", offset.x, offset.y, offset.z)));
+    assert!(page.has("Offset") && page.has(&format!("{}, {}, {}", offset.x, offset.y, offset.z)));
+    assert_eq!(page.find("Position x").accesskit_node().numeric_value(), Some(1000000000.5));
+    let row = page.row("Vertex 0").accesskit_node().value().unwrap_or_default();
+    assert!(row.starts_with("x 1000000000.50, "), "{row}");
+    page.click("Position x");
+    page.harness.key_press_modifiers(Modifiers::COMMAND, Key::A);
+    page.harness.event(egui::Event::Text("1000000002.25".to_owned()));
+    page.press(Key::Enter);
+    let x = f64::from(page.mesh().position(VertexId::new(0)).x) + offset.x;
+    assert_eq!(x, 1000000002.25);
 }
 
 #[test]

@@ -6,13 +6,15 @@ use crate::request::{Request, Requests};
 use crate::theme;
 use editor::ops::{SetVertexPosition, VertexRef};
 use egui::{DragValue, RichText, Ui, vec2};
+use glam::{DVec3, Vec3};
 use halfedge::{Element, HalfedgeId};
 
 pub(super) fn show(ui: &mut Ui, page: &Page<'_>, id: u32, out: &mut Requests) {
     let Some((mesh, v)) = page.editor.mesh().and_then(|mesh| Some((mesh, mesh.vertex(id)?))) else {
         return;
     };
-    let position = mesh.position(v).to_array();
+    let offset = page.editor.document().offset();
+    let position = mesh.position(v);
     let halfedge = mesh.halfedge_from(v).map(|h| (Element::Halfedge, h.raw()));
     let valence = mesh.valence(v);
     let boundary = match (halfedge, mesh.is_boundary_vertex(v)) {
@@ -24,17 +26,16 @@ pub(super) fn show(ui: &mut Ui, page: &Page<'_>, id: u32, out: &mut Requests) {
     let neighbors: Vec<u32> = mesh.neighbors(v).map(|w| w.raw()).collect();
     let faces: Vec<u32> = mesh.vertex_faces(v).map(|f| f.raw()).collect();
 
-    let offset = page.editor.document().offset();
     position_boxes(ui, page, id, position, out);
     facts(ui, "vertex facts", |ui| {
-        if offset != glam::DVec3::ZERO {
+        if offset != DVec3::ZERO {
             let place = offset.to_array().map(|x| x.to_string()).join(", ");
             fact(
                 ui,
-                "Counted from",
+                "Offset",
                 place,
-                "The file lies far from the origin: coordinates are shown, and given to commands, from this \
-                     place, and saved in full",
+                "The model lies far from the origin. Coordinates are those of the file; commands count them from \
+                 this place",
             );
         }
         pointer(
@@ -53,10 +54,11 @@ pub(super) fn show(ui: &mut Ui, page: &Page<'_>, id: u32, out: &mut Requests) {
     links(ui, out, "Faces", Element::Face, &faces);
 }
 
-/// x, y and z. A drag or a typed number is one undo step.
-fn position_boxes(ui: &mut Ui, page: &Page<'_>, id: u32, position: [f32; 3], out: &mut Requests) {
+/// x, y and z as in the file. A drag or a typed number is one undo step.
+fn position_boxes(ui: &mut Ui, page: &Page<'_>, id: u32, position: Vec3, out: &mut Requests) {
     let speed = page.view.drag_speed();
-    let mut moved = position;
+    let offset = page.editor.document().offset();
+    let mut moved = (position.as_dvec3() + offset).to_array();
     let (mut changed, mut done) = (false, false);
     let width = (ui.available_width() - 2.0 * ui.spacing().item_spacing.x - 3.0 * 16.0) / 3.0;
     ui.horizontal(|ui| {
@@ -66,7 +68,7 @@ fn position_boxes(ui: &mut Ui, page: &Page<'_>, id: u32, position: [f32; 3], out
             ui.label(RichText::new(axis).strong().color(color));
             let drag = DragValue::new(value)
                 .speed(speed)
-                .range(f32::MIN..=f32::MAX)
+                .range(f64::from(f32::MIN)..=f64::from(f32::MAX))
                 .max_decimals(6)
                 .update_while_editing(false);
             let spin = ui.add_sized(vec2(width.max(40.0), ui.spacing().interact_size.y), drag);
@@ -77,8 +79,9 @@ fn position_boxes(ui: &mut Ui, page: &Page<'_>, id: u32, position: [f32; 3], out
             spin.on_hover_text(format!("Position along {axis}: drag, or click to type"));
         }
     });
-    if changed && moved.iter().all(|value| value.is_finite()) {
-        out.update_edit(SetVertexPosition { vertex: Some(VertexRef(id)), position: moved });
+    let to = (DVec3::from(moved) - offset).as_vec3();
+    if changed && to.is_finite() {
+        out.update_edit(SetVertexPosition { vertex: Some(VertexRef(id)), position: to.to_array() });
     }
     if done {
         out.push(Request::CommitEdit);

@@ -89,7 +89,7 @@ fn info(ui: &Ui, rect: Rect, page: &Page<'_>) {
     let mut lines = Vec::new();
     let mesh = page.editor.mesh();
     if let Some((kind, id)) = page.view.hovered
-        && let Some(row) = mesh.and_then(|mesh| row(mesh, kind, id))
+        && let Some(row) = mesh.and_then(|mesh| row(mesh, kind, id, page.editor.document().offset()))
     {
         lines.push(format!("{}: {}", element_name(kind, id), row.value(kind)));
     }
