@@ -27,9 +27,13 @@ function dropAndCancel(editor) {
   return editor.page.evaluate(async () => {
     const { meshwright } = window;
     window.dropLarge("huge.obj");
+    const dropped = performance.now();
     for (;;) {
       await new Promise(requestAnimationFrame);
-      const [job] = meshwright.state().jobs;
+      const { jobs: [job], document, messages } = meshwright.state();
+      if (document.name === "huge" || performance.now() - dropped > 60_000) {
+        throw new Error(`the job was not seen on its way: ${JSON.stringify({ job, document, messages })}`);
+      }
       if (job?.progress > 0) {
         const start = performance.now();
         return { job, stopped: meshwright.cancel(), left: meshwright.state().jobs, took: performance.now() - start };
@@ -40,8 +44,9 @@ function dropAndCancel(editor) {
 
 /** Drops the large file, and records frames and progress until it is open. */
 function watch(editor) {
-  return editor.page.evaluate(() => new Promise((resolve) => {
+  return editor.page.evaluate(() => new Promise((resolve, reject) => {
     window.dropLarge("huge.obj");
+    const dropped = performance.now();
     const progress = [];
     const gaps = [];
     let last = performance.now();
@@ -50,6 +55,9 @@ function watch(editor) {
       if (job) {
         gaps.push(now - last);
         progress.push(job.progress);
+      } else if (now - dropped > 120_000) {
+        reject(new Error(`no job after two minutes: ${JSON.stringify(window.meshwright.state())}`));
+        return;
       } else if (progress.length > 0) {
         resolve({ progress, longest: Math.max(...gaps), frames: gaps.length, last: now - last });
         return;
