@@ -88,7 +88,7 @@ impl Work {
         }
         let at = self.curves.at(curve, middle);
         if self.may_move(m, at) {
-            self.tri.put(m, at);
+            self.tri.slide(m, at);
         }
     }
 
@@ -123,7 +123,7 @@ impl Work {
     /// Merges the ends of an edge. [`Work::can_merge`] must have allowed it.
     pub fn merge(&mut self, Merge { edge: h, at }: Merge) {
         let (a, b, across) = (self.tri.from(h), self.tri.to(h), self.tri.opp(h));
-        let (p, q) = (self.tri.at(a), self.tri.at(b));
+        let q = self.tri.at(b);
         if self.is_kept(h) {
             let [place_a, place_b] = self.places(h);
             let to_b = self.roles[a as usize] == Role::Curve && at == q;
@@ -152,9 +152,7 @@ impl Work {
                 self.arc.set(right, arc ^ 1);
             }
         }
-        let t = if at == p { 0.0 } else { (at - p).length() / (q - p).length() };
-        self.tri.collapse(h, t.min(1.0));
-        self.tri.put(a, at);
+        self.tri.collapse_to(h, at);
     }
 
     /// Whether all edges and triangles stay good in a merge.

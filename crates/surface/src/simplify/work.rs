@@ -6,7 +6,6 @@ use super::quadric::Quadric;
 use super::queue::Queue;
 use super::{Simplify, SimplifyTarget};
 use crate::SurfaceError;
-use crate::face_tree::along_segment;
 use crate::pace::Pace;
 use crate::trimesh::{Borders, Order, Renumbering, Role, TriMesh, area_vector, next, prev};
 use glam::DVec3;
@@ -248,8 +247,7 @@ impl<'a> Work<'a> {
                 *joined = (tri.opp(next(side)).min(tri.opp(prev(side))), left.max(right));
             }
         }
-        tri.collapse(h, along_segment(tri.at(a), tri.at(b), at));
-        tri.put(a, at);
+        tri.collapse_to(h, at);
         let merged = self.quadrics[b as usize];
         self.quadrics[a as usize].add(&merged);
         if self.roles[b as usize] == Role::Fixed || self.roles[a as usize] == Role::Free {

@@ -1,6 +1,7 @@
 //! Values that follow a vertex as it moves over the surface.
 
 use super::{TriMesh, next, prev};
+use crate::face_tree::along_segment;
 use glam::{DVec3, Vec3};
 use halfedge::attribute::{Column, Value};
 use halfedge::{Color, keys};
@@ -22,6 +23,21 @@ impl TriMesh {
             self.slide_corners(&places);
         }
         self.put(v, to);
+    }
+
+    /// Merges the end of an edge into its start, which moves to `at`. Attributes are interpolated along the edge
+    /// up to the point closest to `at`, and follow the vertex from there.
+    pub fn collapse_to(&mut self, h: u32, at: DVec3) {
+        let (v, from, to) = (self.from(h), self.at(self.from(h)), self.at(self.to(h)));
+        let t = along_segment(from, to, at);
+        self.collapse(h, t);
+        let on_edge = if t == 1.0 { to } else { from + (to - from) * t };
+        if on_edge == at {
+            self.put(v, at);
+        } else {
+            self.put(v, on_edge);
+            self.slide(v, at);
+        }
     }
 
     fn slide_corners(&mut self, places: &[Place]) {
