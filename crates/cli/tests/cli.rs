@@ -222,8 +222,8 @@ fn bad_usage_and_unreadable_files_exit_with_2() {
         (vec!["info", cube, "--verbose"], "--verbose"),
         (vec!["convert", cube], "OUT is missing"),
         (
-            vec!["convert", cube, "out.xyz"],
-            "out.xyz: the extension names no format that can be written; use one of .obj, .ply, .stl, ",
+            vec!["convert", cube, "out.unknown"],
+            "out.unknown: the extension names no format that can be written; use one of .obj, .ply, .stl, ",
         ),
         (vec!["convert", cube, "out.obj", "--json"], "--json"),
         (vec!["info", cube, "--format", "ply"], "--format can't be used with `info`"),

@@ -195,7 +195,7 @@ impl Editor {
         self.changes.history = true;
     }
 
-    /// Undo the last step and return its label; none where there is nothing to undo. An ongoing edit
+    /// Undoes the last step and returns its label; none where there is nothing to undo. An ongoing edit
     /// is cancelled instead.
     ///
     /// # Errors
@@ -214,7 +214,7 @@ impl Editor {
         Ok(Some(label))
     }
 
-    /// Redo the last undone step and return its label; none where there is nothing to redo.
+    /// Redoes the last undone step and returns its label; none where there is nothing to redo.
     ///
     /// # Errors
     /// A job runs on a mesh that would change.
@@ -258,8 +258,7 @@ impl Editor {
         self.counts.get_mut().unwrap_or_else(std::sync::PoisonError::into_inner).remove(&id);
     }
 
-    /// Adds the step that reverses what was just done.
-    /// What changed nothing is no step; returns whether there was one.
+    /// Adds the step that reverses what was just done, unless nothing changed; returns whether it did.
     fn push_step(&mut self, label: String, back: Vec<Change>, before: Arc<Selection>) -> bool {
         if back.iter().all(Change::is_nothing) {
             return false;

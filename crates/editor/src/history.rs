@@ -137,6 +137,24 @@ impl Change {
         })
     }
 
+    /// Whether it changes one object that it knows by its id, whatever became of other objects.
+    pub fn is_of_one_object(&self) -> bool {
+        match self {
+            Self::Journal(..)
+            | Self::Mesh(..)
+            | Self::Bezier(..)
+            | Self::Soup(..)
+            | Self::Name(..)
+            | Self::Visible(..) => true,
+            Self::Offset(_)
+            | Self::Materials(_)
+            | Self::Active(_)
+            | Self::Insert(..)
+            | Self::Remove(_)
+            | Self::DocumentName(_) => false,
+        }
+    }
+
     /// Whether making the change would change nothing.
     pub fn is_nothing(&self) -> bool {
         matches!(self, Self::Journal(_, journal) if journal.is_empty())

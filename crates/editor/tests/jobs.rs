@@ -4,7 +4,9 @@ mod support;
 
 use editor::formats::{self, Format, NamedBytes};
 use editor::halfedge::{Element, Mesh, keys};
-use editor::{Begun, Command, Editor, ErrorKind, Finished, JobRequest, JobResult, SelectMode, Wire};
+use editor::{
+    Begun, Command, CommandError, Editor, ErrorKind, Finished, JobRequest, JobResult, SelectMode, Wire,
+};
 use proptest::prelude::*;
 use serde_json::json;
 use std::ops::ControlFlow;
@@ -458,4 +460,89 @@ proptest! {
             let _ = on_cube().run(command);
         }
     }
+}
+
+/// A grid large enough for its operations to be jobs, beside a cube, with a simplification that is the
+/// last operation; and a job that adjusts it.
+fn adjusting(fields: serde_json::Value) -> (Editor, JobRequest) {
+    let mut editor = on_cube();
+    run(&mut editor, json!({"op": "new", "shape": "grid", "columns": 200, "rows": 150, "add": true}));
+    run(&mut editor, json!({"op": "simplify", "faces": 30_000}));
+    let request = job(editor.adjust(command(fields)).expect("the last one"));
+    (editor, request)
+}
+
+fn labels(editor: &Editor) -> Vec<String> {
+    editor.undo_labels().map(str::to_owned).collect()
+}
+
+#[test]
+fn a_job_that_changes_nothing_is_no_step() {
+    let mut editor = on_cube();
+    run(&mut editor, json!({"op": "new", "shape": "grid", "columns": 200, "rows": 150}));
+    let before = editor.document().clone();
+    let request =
+        job(editor.begin(command(json!({"op": "merge-by-distance", "distance": 0.0}))).expect("a grid"));
+    let Ok(Finished::Done(outcome)) = editor.finish(request.id(), Ok(through_bytes(&request))) else {
+        panic!("a command")
+    };
+    assert!(outcome.message.ends_with("nothing changed"), "{}", outcome.message);
+    assert_eq!(labels(&editor), ["New"]);
+    // What can be adjusted is still what made the step.
+    assert_eq!(editor.last_command().map(Command::name), Some("new"));
+    assert_eq!(editor.document(), &before);
+}
+
+#[test]
+fn an_adjustment_whose_job_changes_nothing_is_adjusted_again() {
+    let mut editor = on_cube();
+    run(&mut editor, json!({"op": "new", "shape": "grid", "columns": 200, "rows": 150}));
+    let grid = editor.document().clone();
+    run(&mut editor, json!({"op": "merge-by-distance", "distance": 0.011}));
+    let none = command(json!({"op": "merge-by-distance", "distance": 0.0}));
+    let request = job(editor.adjust(none).expect("the last one"));
+    editor.finish(request.id(), Ok(through_bytes(&request))).expect("waited for");
+    assert_eq!((labels(&editor), editor.document()), (vec!["New".to_owned()], &grid));
+    let again = command(json!({"op": "merge-by-distance", "distance": 0.012}));
+    let request = job(editor.adjust(again).expect("still the last one"));
+    assert!(editor.cancel_job(request.id()));
+    assert_eq!((labels(&editor), editor.document()), (vec!["New".to_owned()], &grid), "the shape stays");
+}
+
+#[test]
+fn an_adjustment_that_fails_or_is_cancelled_leaves_the_step() {
+    for fails in [false, true] {
+        let (mut editor, request) = adjusting(json!({"op": "simplify", "faces": 20_000}));
+        assert_eq!(editor.redo_labels().count(), 0, "the job keeps the step");
+        let ended = if fails {
+            let failed = Err(CommandError::refused("simplify", "out of memory"));
+            editor.finish(request.id(), failed).is_err()
+        } else {
+            editor.cancel_job(request.id())
+        };
+        assert!(ended);
+        assert_eq!(labels(&editor), ["New", "Simplify"]);
+        assert_eq!(sizes(&editor)[2], 30_000);
+        let last = editor.last_command().expect("as before").to_value();
+        assert_eq!(last["faces"], 30_000);
+        editor.undo().expect("free");
+        assert_eq!(sizes(&editor)[2], 30_000, "quads");
+        validate(&editor);
+    }
+}
+
+#[test]
+fn a_cancelled_adjustment_keeps_the_step_and_what_was_done_meanwhile() {
+    let (mut editor, request) = adjusting(json!({"op": "simplify", "faces": 20_000}));
+    let cube = editor.document().objects()[0].id();
+    let hide = json!({"op": "set-object-visible", "object": 0, "visible": false});
+    run(&mut editor, hide);
+    assert!(editor.cancel_job(request.id()));
+    assert_eq!(labels(&editor), ["New", "Show or hide object", "Simplify"]);
+    assert!(!editor.document().object(cube).expect("there").visible());
+    assert_eq!(sizes(&editor)[2], 30_000);
+    validate(&editor);
+    editor.undo().expect("free");
+    editor.undo().expect("free");
+    assert!(editor.document().object(cube).expect("there").visible());
 }

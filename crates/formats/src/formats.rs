@@ -9,7 +9,8 @@ use serde::{Deserialize, Deserializer, Serialize, Serializer, de};
 use std::fmt;
 use std::hash::{Hash, Hasher};
 
-/// The formats, in the order in which menus show them.
+/// The formats, in the order of menus. Of two that are equally sure of a file's content, the first one
+/// reads it.
 static FORMATS: &[&FormatInfo] = &[
     &obj::FORMAT,
     &ply::BINARY,

@@ -1,7 +1,8 @@
 //! Adjusting the last operation: running it again with other fields, in place of itself.
 
-use super::{Begun, Editor};
+use super::{Begun, Editor, MessageKind};
 use crate::error::CommandError;
+use crate::history::{Change, Step};
 use crate::ops::Command;
 
 /// The command that led to the present state.
@@ -13,10 +14,25 @@ pub(super) struct Last {
     is_step: bool,
 }
 
+/// A step that a job is to replace.
+#[derive(Debug)]
+pub(super) struct Replaced {
+    /// What makes it again.
+    step: Step,
+    last: Last,
+    /// The state without it.
+    before: u64,
+}
+
 impl Editor {
     /// Remembers the command that led to the present state.
     pub(super) fn remember(&mut self, command: Command) {
         self.last = Some(Last { command, revision: self.revision, is_step: true });
+    }
+
+    /// Remembers an adjustment that changed nothing, so that the next one has no step to undo.
+    pub(super) fn remember_without_step(&mut self, command: Command) {
+        self.last = Some(Last { command, revision: self.revision, is_step: false });
     }
 
     /// The command that led to the present state, as it was given; none where something else was done
@@ -27,11 +43,11 @@ impl Editor {
         (last.revision == self.revision && !edited).then_some(&last.command)
     }
 
-    /// Run the last command again with other fields: undoes the last step and begins this command on
+    /// Runs the last command again with other fields: undoes the last step and begins this command on
     /// the document and selection from before it, so that one step stays one step.
     ///
-    /// Where that gives a job, the document is as before the last step until the job is finished;
-    /// [`Editor::redo`] brings the last step back if the job fails or is cancelled.
+    /// Where that gives a job, the document is as before the last step until the job is finished; the
+    /// step comes back if the job fails or is cancelled.
     ///
     /// # Errors
     /// There is no such command, or why the new one is refused; the document is then as it was.
@@ -49,8 +65,16 @@ impl Editor {
         let before = self.revision;
         match self.begin(command.clone()) {
             Ok(begun) => {
-                if matches!(begun, Begun::Done(_)) && self.revision == before {
-                    self.last = Some(Last { command, revision: before, is_step: false });
+                match &begun {
+                    Begun::Done(_) if self.revision == before => self.remember_without_step(command),
+                    Begun::Done(_) => {}
+                    Begun::Job(request) => {
+                        // Kept by the job, so that nothing done meanwhile can drop it.
+                        let step = if last.is_step { self.history.take_redo() } else { None };
+                        let replaced = step.map(|step| Replaced { step, last, before });
+                        self.set_adjusts(request.id(), replaced);
+                        self.changes.history = true;
+                    }
                 }
                 Ok(begun)
             }
@@ -62,6 +86,33 @@ impl Editor {
                 }
                 Err(stuck) => Err(stuck),
             },
+        }
+    }
+
+    /// Makes a step again that an adjustment undid and then could not replace.
+    pub(super) fn restore(&mut self, replaced: Replaced) {
+        let Replaced { step, last, before } = replaced;
+        if self.revision == before {
+            let back = self.reverse(step);
+            self.history.keep_undo(back);
+            self.last = Some(last);
+            return;
+        }
+        // Other objects changed meanwhile. The objects of the job did not, but places in the list of
+        // objects may mean others now.
+        let label = step.label.clone();
+        let selection = self.selection.clone();
+        let back = if step.changes.iter().all(Change::is_of_one_object) {
+            self.apply(step.changes)
+        } else {
+            Vec::new()
+        };
+        self.drop_gone_from_selection();
+        if !self.push_step(label.clone(), back, selection) {
+            self.say(
+                MessageKind::Warning,
+                format!("“{label}” could not be done again: the objects of the document changed meanwhile"),
+            );
         }
     }
 }

@@ -22,22 +22,27 @@ impl Editor {
     ) -> Result<Outcome, Problem> {
         let before = self.selection.clone();
         if self.is_unchanged(op, objects, &made) {
-            let Made::Meshes(_, _, warnings) = made else { return Err(other_job()) };
-            let outcome = Self::outcome(std::slice::from_ref(op), Elements::default(), Elements::default());
-            return Ok(Outcome { warnings, ..outcome.unchanged() });
+            return Self::unchanged(op, made);
         }
         let (outcome, back) = self.put_result(op, objects, at, made)?;
         self.push_step(op.spec().label.to_owned(), back, before);
         Ok(outcome)
     }
 
-    /// Whether the result of a whole-mesh operation is the mesh that it started from. Costs O(mesh) where
-    /// the counts are the same.
-    fn is_unchanged(&self, op: &Op, objects: &[ObjectId], made: &Made) -> bool {
-        let (Action::WholeMesh(whole), Made::Meshes(outputs, ..)) = (op.action(), made) else { return false };
+    /// The outcome of an operation whose result is the mesh that it started from.
+    pub(super) fn unchanged(op: &Op, made: Made) -> Result<Outcome, Problem> {
+        let Made::Meshes(_, _, warnings) = made else { return Err(other_job()) };
+        let outcome = Self::outcome(std::slice::from_ref(op), Elements::default(), Elements::default());
+        Ok(Outcome { warnings, ..outcome.unchanged() })
+    }
+
+    /// Whether the result of an operation is the mesh that it started from. Costs O(mesh) where the counts
+    /// are the same.
+    pub(super) fn is_unchanged(&self, op: &Op, objects: &[ObjectId], made: &Made) -> bool {
+        let Made::Meshes(outputs, ..) = made else { return false };
         let ([output], [object]) = (outputs.as_slice(), objects) else { return false };
         let object = self.document.object(*object);
-        whole.commit() == Commit::Replace
+        commit_of(op) == Commit::Replace
             && output.name.is_empty()
             && object.is_some_and(|object| object.bezier.is_none() && object.mesh == output.mesh)
     }
@@ -53,10 +58,7 @@ impl Editor {
         let Made::Meshes(outputs, ids, notes) = made else {
             return Err(other_job());
         };
-        let commit = match op.action() {
-            Action::WholeMesh(whole) => whole.commit(),
-            Action::Local(_) | Action::Document(_) => Commit::Replace,
-        };
+        let commit = commit_of(op);
         let after = outcome::sizes(outputs.iter().map(|output| &*output.mesh));
         let removed_all = commit == Commit::NewDocument;
         let replaced = |object: &&Object| removed_all || objects.contains(&object.id());
@@ -160,6 +162,14 @@ impl Editor {
 
     pub(super) fn outcome(ops: &[Op], created: Elements, removed: Elements) -> Outcome {
         ops.first().map_or_else(Outcome::default, |op| Outcome::new(op.spec().name, created, removed))
+    }
+}
+
+/// Where the result of an operation goes.
+fn commit_of(op: &Op) -> Commit {
+    match op.action() {
+        Action::WholeMesh(whole) => whole.commit(),
+        Action::Local(_) | Action::Document(_) => Commit::Replace,
     }
 }
 

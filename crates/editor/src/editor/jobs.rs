@@ -1,5 +1,6 @@
 //! Jobs as the editor sees them: begun, waited for, finished or cancelled.
 
+use super::adjust::Replaced;
 use super::run::{Planned, broken};
 use super::{Editor, MessageKind};
 use crate::document::ObjectId;
@@ -73,6 +74,17 @@ struct Run {
     objects: Vec<ObjectId>,
     /// The place of the object it is for.
     at: usize,
+    /// What it does in place of another command.
+    adjusts: Adjusts,
+}
+
+/// What a job adjusts.
+#[derive(Debug)]
+enum Adjusts {
+    /// Nothing: it is a command of its own.
+    Nothing,
+    /// The last command, and the step that made, if it made one. It comes back where the job fails.
+    Last(Option<Box<Replaced>>),
 }
 
 impl WaitingFor {
@@ -95,7 +107,7 @@ impl Editor {
         self.begin_from(command, MAX_FACES_AT_ONCE)
     }
 
-    /// [`Editor::begin`] with another idea of what takes long: results of this many faces or more.
+    /// [`Editor::begin`] with another threshold: work of this many faces or more becomes a job.
     ///
     /// # Errors
     /// As [`Editor::begin`].
@@ -117,7 +129,8 @@ impl Editor {
         let first = ops.first().cloned();
         match first {
             Some(op) if cost >= faces => {
-                let id = self.wait_for(WaitingFor::Run(Box::new(Run { command, op, objects, at })));
+                let run = Run { command, op, objects, at, adjusts: Adjusts::Nothing };
+                let id = self.wait_for(WaitingFor::Run(Box::new(run)));
                 Ok(Begun::Job(JobRequest { id, work: Work::Run(ops, inputs) }))
             }
             _ => {
@@ -153,8 +166,8 @@ impl Editor {
         self.cost(command).is_some_and(|cost| cost < MAX_FACES_AT_ONCE)
     }
 
-    /// The mesh that an operation on whole meshes would make of the active object, without doing it; none
-    /// where it is refused. Costs what running it costs.
+    /// The mesh that an operation on whole meshes would make of the command's object, without doing it;
+    /// none where it is refused. Costs what running it costs.
     pub fn try_out(&self, command: &Command) -> Option<Mesh> {
         let Planned::Whole { op, objects, .. } = self.plan(command.clone()).ok()? else { return None };
         let made = self.compute(&op, &objects, &mut |_| ControlFlow::Continue(())).ok()?;
@@ -184,7 +197,9 @@ impl Editor {
         self.wait_for(WaitingFor::Open)
     }
 
-    /// The job of writing the document's objects to files of a format, called after the document.
+    /// The job of writing the document's objects to files of a format, called after the document. An
+    /// ongoing edit of elements is written as it stands and goes on; the preview of an operation is
+    /// cancelled.
     pub fn begin_export(&mut self, format: Format) -> JobRequest {
         self.begin_export_as(format, self.document.name.clone())
     }
@@ -235,33 +250,71 @@ impl Editor {
             self.end_edit();
         }
         let name = job.kind.op();
-        let JobResult { made, validated } = result.map_err(|error| self.report(error))?;
-        if !validated {
-            made.validate().map_err(|defect| self.report(CommandError::of(name, broken(&defect))))?;
-        }
-        match (job.kind, made) {
-            (WaitingFor::Open, Made::Import(import)) => Ok(Finished::Done(self.open_valid(import))),
-            (WaitingFor::Export, Made::Files(files)) => Ok(Finished::Exported(files)),
-            (WaitingFor::Run(run), made @ Made::Meshes(..)) => {
-                let Run { command, op, objects, at } = *run;
-                let outcome = self
-                    .commit_whole(&op, &objects, at, made)
-                    .map_err(|problem| self.report(CommandError::of(name, problem)))?;
-                self.remember(command);
-                self.say(MessageKind::Info, outcome.message.clone());
-                Ok(Finished::Done(outcome))
+        let made = result.and_then(|JobResult { made, validated }| {
+            if !validated {
+                made.validate().map_err(|defect| CommandError::of(name, broken(&defect)))?;
             }
-            _ => Err(CommandError::of(name, Problem::internal("the result is of another job"))),
+            Ok(made)
+        });
+        let other_job = || CommandError::of(name, Problem::internal("the result is of another job"));
+        match (job.kind, made) {
+            (WaitingFor::Open, Ok(Made::Import(import))) => Ok(Finished::Done(self.open_valid(import))),
+            (WaitingFor::Export, Ok(Made::Files(files))) => Ok(Finished::Exported(files)),
+            (WaitingFor::Run(run), Ok(made @ Made::Meshes(..))) => self.finish_run(*run, made),
+            (kind, made) => {
+                if let WaitingFor::Run(run) = kind {
+                    self.bring_back(run.adjusts);
+                }
+                Err(self.report(made.err().unwrap_or_else(other_job)))
+            }
         }
     }
 
-    /// Forgets a job; what comes of it is not taken in. Gives whether it was waited for.
+    /// Takes in what a command's job made.
+    fn finish_run(&mut self, run: Run, made: Made) -> Result<Finished, CommandError> {
+        let Run { command, op, objects, at, adjusts } = run;
+        let before = self.revision;
+        let outcome = match self.commit_whole(&op, &objects, at, made) {
+            Ok(outcome) => outcome,
+            Err(problem) => {
+                self.bring_back(adjusts);
+                return Err(self.report(CommandError::of(op.spec().name, problem)));
+            }
+        };
+        if self.revision != before {
+            self.remember(command);
+        } else if matches!(adjusts, Adjusts::Last(_)) {
+            self.remember_without_step(command);
+        }
+        self.say(MessageKind::Info, outcome.message.clone());
+        Ok(Finished::Done(outcome))
+    }
+
+    /// Makes a job that was just begun the adjustment of the last command, whose step it replaces.
+    pub(super) fn set_adjusts(&mut self, id: JobId, replaced: Option<Replaced>) {
+        for job in self.jobs.iter_mut().filter(|job| job.id == id) {
+            if let WaitingFor::Run(run) = &mut job.kind {
+                run.adjusts = Adjusts::Last(replaced.map(Box::new));
+                return;
+            }
+        }
+    }
+
+    fn bring_back(&mut self, adjusts: Adjusts) {
+        if let Adjusts::Last(Some(replaced)) = adjusts {
+            self.restore(*replaced);
+        }
+    }
+
+    /// Forgets a job; what comes of it is not taken in. A step that the job was to replace comes back.
+    /// Returns whether the job was waited for.
     pub fn cancel_job(&mut self, id: JobId) -> bool {
-        let before = self.jobs.len();
-        self.jobs.retain(|job| job.id != id);
-        let cancelled = self.jobs.len() < before;
-        self.changes.jobs |= cancelled;
-        cancelled
+        let Some(at) = self.jobs.iter().position(|job| job.id == id) else { return false };
+        self.changes.jobs = true;
+        if let WaitingFor::Run(run) = self.jobs.remove(at).kind {
+            self.bring_back(run.adjusts);
+        }
+        true
     }
 
     /// The jobs that are waited for, the oldest first.

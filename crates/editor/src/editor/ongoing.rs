@@ -22,12 +22,12 @@ pub(super) struct Ongoing {
 }
 
 impl Editor {
-    /// Show what a local edit, a move of a control point, or an operation on the whole mesh would do, in
+    /// Shows what a local edit, a move of a control point, or an operation on the whole mesh would do, in
     /// place of what the last update showed. The document has the preview in it until
     /// [`Editor::commit_edit`] or [`Editor::cancel_edit`].
     ///
-    /// Any other command first commits an edit of elements, as the hand that made it meant it, and
-    /// cancels the preview of an operation on the whole mesh.
+    /// Any other command first commits an ongoing edit of elements and cancels the preview of an
+    /// operation on the whole mesh.
     ///
     /// # Errors
     /// Why the edit is refused, or that an operation takes too long to be previewed
@@ -64,13 +64,17 @@ impl Editor {
                 let back = self.apply_to_document(changes);
                 (back, Self::outcome(&[op], Elements::default(), Elements::default()), false)
             }
-            Planned::Whole { op, objects, at } if changes_one_mesh(&op) => {
+            Planned::Whole { op, objects, at } if replaces_its_object(&op) => {
                 if !self.is_small(std::slice::from_ref(&op), &objects) {
                     return Err(Problem::new("on a mesh of this size it takes too long to be previewed"));
                 }
                 let made = self.compute(&op, &objects, &mut |_| ControlFlow::Continue(()))?;
-                let (outcome, back) = self.put_result(&op, &objects, at, made)?;
-                (back, outcome, true)
+                if self.is_unchanged(&op, &objects, &made) {
+                    (Vec::new(), Self::unchanged(&op, made)?, true)
+                } else {
+                    let (outcome, back) = self.put_result(&op, &objects, at, made)?;
+                    (back, outcome, true)
+                }
             }
             Planned::Whole { .. } | Planned::Document { .. } => {
                 return Err(Problem::new(
@@ -112,7 +116,7 @@ impl Editor {
         };
     }
 
-    /// Make the preview one undo step, unless it changes nothing; returns its label, or none where no
+    /// Makes the preview one undo step, unless it changes nothing; returns its label, or none where no
     /// edit is going on.
     pub fn commit_edit(&mut self) -> Option<String> {
         let mut ongoing = self.ongoing.take()?;
@@ -128,7 +132,7 @@ impl Editor {
         Some(label)
     }
 
-    /// Remove the preview without a trace; returns its label, or none where no edit is going on.
+    /// Removes the preview without a trace; returns its label, or none where no edit is going on.
     pub fn cancel_edit(&mut self) -> Option<String> {
         let ongoing = self.ongoing.take()?;
         let label = ongoing.command.op.spec().label.to_owned();
@@ -137,7 +141,7 @@ impl Editor {
     }
 }
 
-/// Whether an operation changes meshes in place, and nothing else of the document.
-fn changes_one_mesh(op: &Op) -> bool {
+/// Whether the result of an operation takes the place of its own object.
+fn replaces_its_object(op: &Op) -> bool {
     matches!(op.action(), Action::WholeMesh(whole) if whole.commit() == Commit::Replace)
 }

@@ -177,8 +177,8 @@ impl Editor {
             self.check_busy(&changes)?;
             return Ok(Planned::Document { op: command.op, changes });
         }
-        let (nobody, nothing) = (Selection::default(), Mesh::new());
-        let against = self.target(&place, &nobody, &nothing)?;
+        let (no_selection, no_mesh) = (Selection::default(), Mesh::new());
+        let against = self.target(&place, &no_selection, &no_mesh)?;
         let mut ops = command.op.resolve(&against)?;
         if let [op] = ops.as_slice()
             && let Action::WholeMesh(whole) = op.action()
@@ -211,13 +211,13 @@ impl Editor {
         Place { document: &self.document, object: command.object, next_object: ObjectId(self.next_object) }
     }
 
-    /// What a command's elements are looked up in; `nobody` and `nothing` stand in for an object that
-    /// isn't there, which only `new` gets by without.
+    /// What a command's elements are looked up in. Only `new` works without an object; `no_selection` and
+    /// `no_mesh` stand in for the missing one.
     fn target<'a>(
         &'a self,
         place: &Place<'_>,
-        nobody: &'a Selection,
-        nothing: &'a Mesh,
+        no_selection: &'a Selection,
+        no_mesh: &'a Mesh,
     ) -> Result<Target<'a>, Problem> {
         let object = match place.index() {
             Ok(at) => self.document.objects.get(at),
@@ -226,8 +226,8 @@ impl Editor {
         };
         let is_active = object.is_some() && object.map(Object::id) == self.document.active().map(Object::id);
         Ok(Target {
-            mesh: object.map_or(nothing, Object::mesh),
-            selection: if is_active { &self.selection } else { nobody },
+            mesh: object.map_or(no_mesh, Object::mesh),
+            selection: if is_active { &self.selection } else { no_selection },
         })
     }
 

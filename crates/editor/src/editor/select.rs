@@ -1,4 +1,5 @@
-//! Selecting. It is no undo step of its own, but undo brings back the selection it had.
+//! Selecting. It is no undo step of its own, but undo brings back the selection it had. It first ends an
+//! ongoing edit, whose selection is the one it began with.
 
 use super::Editor;
 use crate::error::{CommandError, Problem};
@@ -29,6 +30,7 @@ impl Editor {
         ids: impl IntoIterator<Item = u32>,
         mode: SelectMode,
     ) -> Result<(), CommandError> {
+        self.end_edit();
         let refuse = |text: String| CommandError::of("select", Problem::field("ids", text));
         let Some(mesh) = self.document.active().map(|object| object.mesh.clone()) else {
             return Err(CommandError::refused("select", "the document has no object"));
@@ -58,6 +60,7 @@ impl Editor {
     /// # Errors
     /// An id that doesn't exist.
     pub fn select_range(&mut self, kind: Element, to: u32) -> Result<(), CommandError> {
+        self.end_edit();
         let from = if self.selection.kind() == kind { self.selection.latest() } else { None };
         let Some(mesh) = self.mesh().filter(|mesh| mesh.exists(kind, to)) else {
             return Err(CommandError::of(
@@ -75,6 +78,7 @@ impl Editor {
 
     /// Selects every element of a kind.
     pub fn select_all(&mut self, kind: Element) {
+        self.end_edit();
         let Some(mesh) = self.mesh() else { return };
         let ids = (0..mesh.capacity(kind) as u32).filter(|&id| mesh.exists(kind, id));
         let selection = Selection::of(kind, ids);
@@ -83,6 +87,7 @@ impl Editor {
 
     /// Selects nothing; the kind stays.
     pub fn deselect(&mut self) {
+        self.end_edit();
         self.set_selection(Selection::new(self.selection.kind()));
     }
 

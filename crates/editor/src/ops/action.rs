@@ -229,7 +229,7 @@ fn no_object() -> Problem {
         .advise("There is no object. Open a file or make a shape first.")
 }
 
-/// Makes local edits one after the other. The first runs in any case, so that its refusal is told.
+/// Makes local edits one after the other. The first always runs, so that its refusal is reported.
 pub(crate) fn edit_all(
     ops: &[Op],
     mesh: &mut Mesh,

@@ -18,12 +18,12 @@ pub struct Field {
     pub kind: FieldKind,
     /// What it is when left out.
     pub fill: Fill,
-    /// What a form starts with where the field has no value as its default.
+    /// What a form starts with where the field has no default value.
     pub suggestion: Suggestion,
     /// How it follows the pointer.
     pub drag: Option<Drag>,
-    /// The title of the alternatives that it is one of: exactly one of them is given. They stand
-    /// next to each other.
+    /// The title of its group of alternatives. Exactly one of a group is given; they are listed
+    /// together.
     pub alternative: Option<&'static str>,
 }
 
@@ -37,7 +37,7 @@ pub enum FieldKind {
         /// How many it takes.
         arity: Arity,
     },
-    /// A number from `min` to `max`.
+    /// A number; `min` and `max` are for forms and help, and operations check their own fields.
     Number {
         /// What it measures.
         unit: Unit,
@@ -46,7 +46,7 @@ pub enum FieldKind {
         /// The largest value.
         max: f64,
     },
-    /// A whole number from `min` to `max`.
+    /// A whole number; `min` and `max` are for forms and help.
     Integer {
         /// What it counts.
         unit: Unit,
@@ -116,9 +116,9 @@ pub enum Fill {
     Value(DefaultValue),
     /// What the selection gives.
     Selection(Selected),
-    /// Nothing, which does what these words say. Forms offer to set it.
+    /// No value; these words say what happens then. Forms offer to set it.
     Unset(&'static str),
-    /// Nothing, which does what these words say. Forms leave it out: something else fills it in.
+    /// No value; these words say what happens then. Forms leave it out: something else fills it in.
     Optional(&'static str),
 }
 

@@ -158,9 +158,14 @@ impl Target<'_> {
         };
         if selected == Selected::Two
             && let [a, b] = ids.as_mut_slice()
-            && self.selection.latest() == Some(*a)
+            && let Some(latest) = self.selection.latest()
         {
-            std::mem::swap(a, b);
+            // The one that was selected last may be of another kind than the field's.
+            let alone = Selection::of(self.selection.kind(), [latest]);
+            let latest = Target { mesh: self.mesh, selection: &alone }.ids(element, Selected::Only);
+            if latest == [*a] {
+                std::mem::swap(a, b);
+            }
         }
         ids
     }

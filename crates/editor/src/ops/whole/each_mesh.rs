@@ -18,7 +18,7 @@ pub(super) trait EachMesh {
         Ok(())
     }
 
-    /// Whether a mesh without faces stays as it is.
+    /// Whether there is nothing to do on a mesh without faces.
     fn needs_faces(&self) -> bool {
         true
     }

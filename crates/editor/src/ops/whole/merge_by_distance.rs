@@ -58,6 +58,7 @@ impl EachMesh for MergeByDistance {
     }
 
     fn cost(&self, mesh: &Mesh) -> usize {
-        mesh.face_count().saturating_mul(2)
+        // A point cloud has no faces, but points to merge.
+        mesh.face_count().saturating_mul(2).max(mesh.vertex_count())
     }
 }
