@@ -117,13 +117,13 @@ pub(crate) fn levels(bezier: &Bezier) -> usize {
     }
 }
 
-/// Of a construction no more lines than this are drawn: they would cover each other, and the page.
+/// At most this many lines of a construction are drawn: more would cover each other.
 const MOST_LINES: usize = 4000;
 
-/// Of a level that has more points than that on its own, so many are drawn: each takes some reckoning.
+/// At most this many points are drawn of a level that is too large to draw whole: each is computed.
 const MOST_OF_LEVEL: usize = 1000;
 
-/// Of a curve's control points no more than this are drawn, one for so many.
+/// At most this many of a curve's control points are drawn, evenly spaced.
 const MOST_POINTS: usize = 2000;
 
 /// How much of a large curve is drawn; all of a small one.
@@ -203,7 +203,7 @@ impl Player {
         }
     }
 
-    /// Moves on while it plays; gives whether it does.
+    /// Moves on while it plays; returns whether it does.
     pub fn advance(&mut self, seconds: f32) -> bool {
         if self.controls.playing {
             let t = self.controls.t + seconds / PLAY_TIME;

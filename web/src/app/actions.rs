@@ -54,10 +54,14 @@ impl App {
             Action::Redo => self.session.redo(),
             Action::Cancel => self.cancel(),
             Action::SelectAll => {
+                self.session.end_live(true);
                 self.end_preview();
                 self.session.editor.select_all(self.shown.kind);
             }
-            Action::SelectNone => self.session.editor.deselect(),
+            Action::SelectNone => {
+                self.session.end_live(true);
+                self.session.editor.deselect();
+            }
             Action::SelectInverse => self.select_inverse(),
             Action::Show(kind) => {
                 self.shown.kind = kind;

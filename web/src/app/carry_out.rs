@@ -18,11 +18,17 @@ impl App {
             Request::Refuse(error) => self.session.refuse(&error),
             Request::Select { kind, ids, mode } => self.select(kind, ids, mode),
             Request::SelectRange { kind, to } => {
+                self.session.end_live(true);
                 // An id that was removed meanwhile is no error to a person.
                 let _ = self.session.editor.select_range(kind, to);
             }
-            Request::Deselect => self.session.editor.deselect(),
+            Request::Deselect => {
+                self.session.end_live(true);
+                self.session.editor.deselect();
+            }
             Request::UpdateEdit(command) => {
+                // What follows the pointer is done before anything else is edited.
+                self.session.end_live(true);
                 if let Err(error) = self.session.editor.update_edit(command) {
                     self.session.refuse(&error);
                 }
@@ -71,7 +77,7 @@ impl App {
         self.view.hover_from_list(Some((kind, id)));
     }
 
-    /// Selects; an id that went away meanwhile is no error to a person.
+    /// Selects elements.
     pub(super) fn select(&mut self, kind: Element, ids: impl IntoIterator<Item = u32>, mode: SelectMode) {
         // An edit that follows the pointer is of what was selected when it began.
         self.session.end_live(true);

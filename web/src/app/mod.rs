@@ -12,6 +12,7 @@ use egui::{CentralPanel, Context, Event as Input, Panel, ThemePreference, Ui};
 use halfedge::Element;
 
 use crate::bezier::{self, Player};
+use crate::input::actions::Action;
 use crate::input::keys;
 use crate::page_view::Page;
 use crate::panels::viewport::Viewport;
@@ -90,10 +91,14 @@ impl App {
         if let Some(next) = self.session.toasts.expire(now) {
             ctx.request_repaint_after_secs(next.max(0.05) as f32);
         }
-        if !self.session.live_keys(ctx) {
-            self.keyboard(ctx);
+        let mut actions =
+            if self.session.live_keys(ctx) { Vec::new() } else { self.keyboard(ctx) }.into_iter();
+        // Of two keys in one frame the second is judged by what the first one left.
+        loop {
+            self.follow();
+            let Some(action) = actions.next() else { break };
+            self.act(action);
         }
-        self.follow();
         if self.session.survey.step(self.session.editor.mesh()) {
             ctx.request_repaint();
         }
@@ -156,8 +161,8 @@ impl App {
         self.panels.windows(ctx, &page, narrow, out);
     }
 
-    /// Pasted text, and the actions of the keys that were pressed.
-    fn keyboard(&mut self, ctx: &Context) {
+    /// Opens pasted text; returns the actions of the keys that were pressed.
+    fn keyboard(&mut self, ctx: &Context) -> Vec<Action> {
         if !ctx.text_edit_focused() {
             let pasted = ctx.input_mut(|input| {
                 let at = input.events.iter().position(|event| matches!(event, Input::Paste(_)))?;
@@ -171,13 +176,11 @@ impl App {
             }
         }
         if self.panels.palette.open || self.panels.saving.is_open() {
-            return;
+            return Vec::new();
         }
         // Escape closes an open menu, which egui does by itself.
         let menu = egui::Popup::is_any_open(ctx);
-        for action in keys::pressed(ctx, menu, bezier::active(&self.session.editor).is_some()) {
-            self.act(action);
-        }
+        keys::pressed(ctx, menu, bezier::active(&self.session.editor).is_some())
     }
 
     /// Ends the edits that end by themselves: painting when the button is let go, a preview when its
@@ -194,7 +197,7 @@ impl App {
     }
 
     /// Makes lists, viewport and everything else follow what changed in the editor: once a frame, before
-    /// it is drawn, and after each call of a script.
+    /// it is drawn, after each key's action and after each call of a script.
     fn follow(&mut self) {
         let changes = self.session.editor.take_changes();
         let look = self.session.look.take();

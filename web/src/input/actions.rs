@@ -353,7 +353,7 @@ pub fn describe(action: Action) -> Entry {
     match action {
         A::Operation(id) => of_operation(id),
         A::SaveAs(format) => of_format(format),
-        // A test holds that no other action is missing.
+        // A test checks that no other action is missing.
         _ => menu_entries().find(|entry| entry.action == action).unwrap_or(entry(action, "", "")),
     }
 }

@@ -94,7 +94,7 @@ fn shortcuts(keys: &[&str]) -> Vec<KeyboardShortcut> {
         });
         Some(KeyboardShortcut::new(modifiers, Key::from_name(key)?))
     };
-    // A test holds that every key is one.
+    // A test checks that every key parses.
     keys.iter().filter_map(shortcut).collect()
 }
 

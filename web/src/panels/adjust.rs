@@ -2,7 +2,7 @@
 //! itself, as one undo step.
 
 use editor::ops::{Field, Fill};
-use editor::{Command, OpId, Scope};
+use editor::{Command, Facts, OpId, Scope};
 use egui::{CollapsingHeader, Grid, RichText, Ui, vec2};
 
 use crate::page_view::Page;
@@ -27,8 +27,8 @@ pub(crate) fn show(ui: &mut Ui, page: &Page<'_>, own: &mut Adjusting, out: &mut 
         return;
     };
     let spec = command.op.spec();
-    // An operation that made the document has nothing before it to be done again on.
     let is_shown = |field: &Field| !field.is_elements() && !matches!(field.fill, Fill::Optional(_));
+    // A new shape is adjusted in its own form.
     let makes_document = command.op.id() == OpId::New;
     if spec.scope == Scope::Document || makes_document || !spec.fields.iter().any(is_shown) {
         return;
@@ -36,7 +36,11 @@ pub(crate) fn show(ui: &mut Ui, page: &Page<'_>, own: &mut Adjusting, out: &mut 
     let before = own.pending.clone().unwrap_or_else(|| command.clone());
     let (id, object) = (before.op.id(), before.object);
     let mut filled = before.fields();
-    let facts = page.facts(id);
+    // The mesh is the result by now; how many triangles there were before it is not known.
+    let facts = match spec.scope {
+        Scope::Meshes => Facts { corners: None, ..page.facts(id) },
+        _ => page.facts(id),
+    };
     let start = filled.clone();
     // A header doesn't wrap: with the operation's name in it, it would widen the panel.
     CollapsingHeader::new("Adjust last operation").id_salt("adjust").default_open(true).show(ui, |ui| {

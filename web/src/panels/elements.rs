@@ -236,10 +236,11 @@ fn element_list(ui: &mut Ui, page: &Page<'_>, own: &mut Lists, out: &mut Request
     if let Some(id) = under_pointer {
         out.push(Request::Hover(kind, id));
     }
+    // What was picked in the last frame is followed by now, if it changed the selection.
+    own.ignore_next_reveal = picked.is_some();
     if let Some((picked, id)) = picked {
-        pick_row(page, kind, picked, id, out);
         // The row is where the person clicked: it is in view already.
-        own.ignore_next_reveal = true;
+        pick_row(page, kind, picked, id, out);
     }
     if let Some(id) = context.filter(|&id| !page.editor.selection().contains(kind, id)) {
         out.select(kind, [id], SelectMode::Replace);

@@ -54,7 +54,10 @@ fn try_out(
     }
     let result = if page.editor.is_quick(command) { page.editor.try_out(command) } else { None };
     let estimate = result.map(|mesh| estimate.exactly(&mesh));
-    *own = Some(Tried { revision, command: command.clone(), estimate });
+    // What is refused while a job runs may go through once it is cancelled.
+    if estimate.is_some() || page.editor.jobs().next().is_none() {
+        *own = Some(Tried { revision, command: command.clone(), estimate });
+    }
     estimate
 }
 

@@ -174,7 +174,9 @@ fn number(
     speed: f64,
 ) {
     let mut number = value.as_f64().unwrap_or_default();
-    let mut spin = ui.add(DragValue::new(&mut number).speed(speed).range(range).max_decimals(6));
+    let mut spin = ui.add(
+        DragValue::new(&mut number).speed(speed).range(range).clamp_existing_to_range(false).max_decimals(6),
+    );
     if let Some(name) = name {
         spin = spin.accessible_name(name);
     }
@@ -185,7 +187,8 @@ fn number(
 
 fn integer(ui: &mut Ui, value: &mut Value, range: std::ops::RangeInclusive<u32>, speed: f64) {
     let mut number = value.as_u64().and_then(|n| u32::try_from(n).ok()).unwrap_or_default();
-    if ui.add(DragValue::new(&mut number).speed(speed).range(range)).changed() {
+    if ui.add(DragValue::new(&mut number).speed(speed).range(range).clamp_existing_to_range(false)).changed()
+    {
         *value = number.into();
     }
 }

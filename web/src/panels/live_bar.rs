@@ -44,7 +44,7 @@ pub(crate) fn show(ctx: &Context, page: &Page<'_>, out: &mut Requests) {
     }
 }
 
-/// The amount's number, or three of them; gives whether one was changed.
+/// The amount's number, or three of them; returns whether one was changed.
 fn amounts(ui: &mut Ui, drag: Drag, field: &Field, speed: f64, value: &mut Vec3) -> bool {
     let label = field.label();
     if drag != Drag::Offset {

@@ -57,7 +57,9 @@ pub(crate) fn row(
     }
     own.seen = true;
     own.due |= changed;
-    if page.preview().is_some_and(|preview| preview.id != id) {
+    // The facts about the mesh without the preview that ends now are known in the next frame.
+    let mut is_ending = page.preview().is_some_and(|preview| preview.id != id);
+    if is_ending {
         out.push(Request::EndPreview);
         own.due = true;
     }
@@ -66,6 +68,7 @@ pub(crate) fn row(
     let on = Checkbox::new(&mut own.on, "Live preview");
     if ui.add(on).on_hover_text(hint).changed() {
         out.push(Request::EndPreview);
+        is_ending = true;
         own.due = own.on;
     }
     if !own.on {
@@ -75,7 +78,7 @@ pub(crate) fn row(
     let waits = page.previewing.is_slow && ui.input(|input| input.pointer.any_down());
     // How large the mesh is without the preview can't be counted once there is one.
     let counted = page.facts(id).corners.is_some();
-    if counted && own.due && !waits {
+    if counted && own.due && !waits && !is_ending {
         own.due = false;
         out.push(Request::Preview(id, filled.clone()));
     }

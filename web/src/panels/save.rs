@@ -120,7 +120,7 @@ pub(crate) fn show(ctx: &Context, page: &Page<'_>, own: &mut Saving, narrow: boo
     }
 }
 
-/// The dialog's contents; gives whether to save now.
+/// The dialog's contents; returns whether to save now.
 fn form(ui: &mut Ui, page: &Page<'_>, own: &mut Saving, narrow: bool) -> bool {
     ui.label(RichText::new("Save document").heading());
     ui.add_space(4.0);
@@ -153,7 +153,7 @@ fn form(ui: &mut Ui, page: &Page<'_>, own: &mut Saving, narrow: bool) -> bool {
     save && ready
 }
 
-/// The name with its extension behind it; gives whether Enter was pressed in it.
+/// The name with its extension behind it; returns whether Enter was pressed in it.
 fn name_field(ui: &mut Ui, own: &mut Saving, narrow: bool, label: Id) -> bool {
     let extension = own.format.extension();
     ui.horizontal(|ui| {

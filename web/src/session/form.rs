@@ -1,4 +1,4 @@
-//! What is filled in in the form of an operation, and the command it makes.
+//! The values in an operation's form, and the command they make.
 
 use editor::ops::{Facts, Field, Fill};
 use editor::{Command, CommandError, OpId, Spec};

@@ -13,7 +13,7 @@ pub enum Answer {
     Files(Vec<NamedBytes>),
 }
 
-/// Is told once what a call came to, or in a sentence why it came to nothing.
+/// Called once with a call's result, or with a sentence that says why it failed.
 pub type Reply = Box<dyn FnOnce(Result<Answer, String>)>;
 
 /// A job that was started.

@@ -1,6 +1,6 @@
 //! Live edits: extrude, inset, bevel, move and the place of a split follow the pointer until a click
 //! or Enter makes one undo step of them, or Escape leaves no trace. A number typed, or set in the
-//! field over the viewport, does instead of the pointer: fingers have nothing to hover with.
+//! field over the viewport, takes the pointer's place: fingers have nothing to hover with.
 
 use editor::ops::{Drag, Field};
 use editor::{Command, CommandError, Facts, OpId};
@@ -20,7 +20,7 @@ pub(crate) struct Live {
     pub id: OpId,
     pub field: &'static Field,
     pub drag: Drag,
-    /// The amount; only the first number counts but for an offset.
+    /// The amount; only the first number counts except for an offset.
     pub value: Vec3,
     /// What was typed, digit by digit.
     typed: String,
@@ -71,7 +71,7 @@ impl Live {
 }
 
 impl Session {
-    /// Starts a live edit of what is selected. Nothing changes before the pointer moves.
+    /// Starts a live edit of what is selected. Except for a split, nothing changes until the pointer moves.
     pub fn start_live(&mut self, id: OpId) {
         self.end_live(false);
         self.end_preview();
@@ -109,7 +109,7 @@ impl Session {
         }
     }
 
-    /// The keys of a live edit, which come before all others: digits, Enter and Escape. Gives whether
+    /// The keys of a live edit, which come before all others: digits, Enter and Escape. Returns whether
     /// one is going on.
     pub fn live_keys(&mut self, ctx: &Context) -> bool {
         let Some(live) = &mut self.live else { return false };

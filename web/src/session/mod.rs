@@ -14,7 +14,7 @@ pub(crate) mod toasts;
 use std::cell::RefCell;
 use std::collections::HashMap;
 
-use editor::{Changes, CommandError, Editor, Facts, JobId, MessageKind, OpId};
+use editor::{Changes, CommandError, Editor, Facts, MessageKind, OpId};
 use egui::Context;
 use halfedge::{Element, HalfedgeId};
 
@@ -27,7 +27,7 @@ use preview::Previewing;
 use survey::Survey;
 use toasts::Toasts;
 
-/// What the view is to look at, because the document is another.
+/// What to show in the view now that another document is open.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Look {
     /// Everything.
@@ -49,8 +49,6 @@ pub(crate) struct Session {
     pub live: Option<Live>,
     /// The operation that the document shows while its form is filled in.
     pub previewing: Previewing,
-    /// The job of an adjustment: if it fails, the step it replaces comes back.
-    pub adjusting: Option<JobId>,
     /// The last adjustment took too long to be made at every step of a spin.
     pub adjusting_is_slow: bool,
     /// What the view is to look at.
@@ -74,7 +72,6 @@ impl Session {
             frames: FrameTimes::default(),
             live: None,
             previewing: Previewing::default(),
-            adjusting: None,
             adjusting_is_slow: false,
             look: None,
             commit_on_release: false,

@@ -12,7 +12,7 @@ use crate::bezier;
 use crate::input::actions::Action;
 use crate::platform::{Fetched, NamedBytes};
 
-/// What `meshwright.cancel()` stopped.
+/// What callers are told of a cancelled job.
 const CANCELLED: &str = "cancelled";
 
 impl Session {
@@ -107,7 +107,6 @@ impl Session {
         let Some(running) = self.jobs.take(job) else { return };
         let id = JobId(job);
         let finished = self.editor.finish(id, result.map_err(|error| with_notes(error, &running.notes)));
-        self.adjustment_ended(id, finished.is_ok());
         match finished {
             Ok(Finished::Done(mut outcome)) => {
                 if outcome.op == "open" {
@@ -168,7 +167,7 @@ impl Session {
         }
     }
 
-    /// Tells of a refusal, and who waits for the command.
+    /// Reports a refusal to whoever waits for the command, or else to the person.
     pub fn refused(&mut self, error: &CommandError, reply: Option<Reply>) {
         match reply {
             Some(reply) => reply(Err(error.to_string())),
@@ -189,28 +188,16 @@ impl Session {
             }
             Ok(Begun::Job(request)) => {
                 self.adjusting_is_slow = true;
-                self.adjusting = Some(request.id());
                 self.start(&request, label.to_owned(), None);
             }
             Err(error) => self.refuse(&error),
         }
     }
 
-    /// Brings the step back that an adjustment was to replace, where the adjustment came to nothing.
-    fn adjustment_ended(&mut self, job: JobId, done: bool) {
-        if self.adjusting.take_if(|adjusting| *adjusting == job).is_some()
-            && !done
-            && let Err(error) = self.editor.redo()
-        {
-            self.refuse(&error);
-        }
-    }
-
-    /// Forgets a job and tells who waits for it.
+    /// Forgets a job and tells whoever waits for it.
     pub fn cancel_job(&mut self, id: JobId) {
         self.editor.cancel_job(id);
         self.platform.cancel_job(id.0);
-        self.adjustment_ended(id, false);
         if let Some(reply) = self.jobs.take(id.0).and_then(|job| job.reply) {
             reply(Err(CANCELLED.to_owned()));
         }
@@ -218,8 +205,11 @@ impl Session {
 
     /// Starts the job that writes the document's files.
     pub fn save(&mut self, format: Format, name: String, holds_all: bool) {
-        let revision = self.editor.revision();
+        // Committed, so that the revision that counts as saved is the one in the files.
+        self.end_live(true);
+        self.editor.commit_edit();
         let request = self.editor.begin_export_as(format, name);
+        let revision = self.editor.revision();
         self.start(&request, format!("Save as {}", format.name()), None);
         if holds_all {
             self.jobs.saves(request.id(), revision);

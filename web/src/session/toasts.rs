@@ -23,7 +23,7 @@ pub struct Toasts {
     list: Vec<Toast>,
 }
 
-/// Seconds that a message stays which nothing has to be done about.
+/// Seconds that a message stays if it needs no action.
 const SECONDS_INFO_STAYS: f64 = 6.0;
 /// Seconds that a refusal stays.
 const SECONDS_REFUSAL_STAYS: f64 = 12.0;

@@ -177,7 +177,7 @@ impl View {
         }
     }
 
-    /// Makes some of the tree that picking on an object needs; gives whether it is whole.
+    /// Makes some of the tree that picking on an object needs; returns whether it is whole.
     pub fn build_tree_step(&mut self, object: &Object) -> bool {
         let (id, mesh) = (object.id(), object.mesh());
         if self.trees.contains_key(&id) || mesh.face_count() <= FACES_PER_FRAME {

@@ -49,7 +49,7 @@ impl Picture {
         });
     }
 
-    /// Uploads what the style or the highlights need besides; gives whether there is more to upload.
+    /// Uploads what the style or the highlights need besides; returns whether there is more to upload.
     fn prepare(&mut self, editor: &Editor, style: &Style, hovered: Option<(Element, u32)>) -> bool {
         let mut behind = false;
         for object in editor.document().objects() {

@@ -23,7 +23,7 @@ const SWATCHES: [[u8; 3]; 12] = [
     [0xd7, 0x62, 0xb8],
 ];
 
-/// Shows the colour on a button; a click opens the picker. Gives whether it was changed.
+/// Shows the colour on a button; a click opens the picker. Returns whether it was changed.
 pub fn color_button(ui: &mut Ui, name: &str, rgb: &mut [u8; 3]) -> (Response, bool) {
     let size = vec2(44.0, ui.spacing().interact_size.y);
     let (rect, button) = ui.allocate_exact_size(size, Sense::click());

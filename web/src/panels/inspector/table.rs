@@ -9,7 +9,7 @@ use crate::lists::columns::element_name;
 use crate::request::{Request, Requests};
 use crate::theme::TOUCH_TARGET;
 
-/// What is filled in in the inspector.
+/// The values that are being typed into the inspector.
 #[derive(Default)]
 pub(crate) struct InspectorState {
     /// Where along an edge the split button puts the vertex.

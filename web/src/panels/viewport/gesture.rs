@@ -186,7 +186,7 @@ impl Viewport<'_> {
         }
     }
 
-    /// Looks what is under the pointer, when the pointer or the view moved.
+    /// Finds what is under the pointer, when the pointer or the view moved.
     fn hover(&mut self, ui: &Ui, response: &Response) {
         // A live edit's pointer gives an amount and points at nothing.
         let going = self.view.gesture != Gesture::None || self.session.live.is_some();
