@@ -1,16 +1,16 @@
 //! Bezier curves and surfaces in a document: control points, and the mesh that shows them.
 //!
-//! An object that has control points is a Bezier object. Its mesh is made from them and nothing
-//! else edits it: a surface's is its welded tessellation, fine enough to look at, and a curve's is
-//! empty. `bezier-tessellate` gives the control points up for a mesh that everything can edit.
+//! An object with control points is a Bezier object. Its mesh is computed from them and can't be edited by
+//! itself: for a surface it is the welded tessellation, fine enough for display; for a curve it is empty.
+//! `bezier-tessellate` replaces the control points by a mesh that every operation can edit.
 
 use crate::error::{CommandError, Problem};
 use formats::Import;
 use std::sync::Arc;
 pub use surface::bezier::Bezier;
 
-/// Gives objects that were read as control points the mesh that shows them. Opening does this too:
-/// call it where the meshes are needed before.
+/// Computes the meshes that show objects imported as control points. Opening the import does so too; call
+/// this if you need the meshes earlier.
 ///
 /// # Errors
 /// A surface has more patches than a mesh can show.

@@ -1,4 +1,4 @@
-//! What changed since somebody last looked: what lists and GPU buffers follow.
+//! Changes since the last call of [`crate::Editor::take_changes`], which lists and GPU buffers follow.
 
 use crate::document::ObjectId;
 use halfedge::{Mesh, Touched};
@@ -6,12 +6,12 @@ use halfedge::{Mesh, Touched};
 /// What changed since the last [`crate::Editor::take_changes`].
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Changes {
-    /// Objects whose mesh changed, each once, and those that came or went.
+    /// Objects whose mesh changed, each once, and objects that were added or removed.
     pub objects: Vec<(ObjectId, ObjectChange)>,
-    /// Objects whose control points changed, came or went, each once. A surface's mesh changed too
-    /// and is in `objects`.
+    /// Objects whose control points changed, and Bezier objects that were added or removed, each once. The
+    /// mesh of a surface changes with its control points, so a surface is in `objects` too.
     pub bezier: Vec<ObjectId>,
-    /// The list of objects, a name, a visibility or which object is active.
+    /// The list of objects, an object's name or visibility, or which object is active.
     pub document: bool,
     /// The selection.
     pub selection: bool,
@@ -19,25 +19,26 @@ pub struct Changes {
     pub history: bool,
     /// Messages for the user.
     pub messages: bool,
-    /// Which jobs run.
+    /// Which jobs are running.
     pub jobs: bool,
 }
 
 /// What changed about one object's mesh.
 #[derive(Clone, Debug, PartialEq)]
 pub enum ObjectChange {
-    /// The object was not there before.
+    /// The object is new.
     Added,
-    /// The object is no longer there.
+    /// The object was removed.
     Gone,
     /// Any element may have changed.
     Everything,
-    /// These elements changed; no other did. Ids past the end were taken away.
+    /// These elements changed; no other did. Ids past the end of the mesh were removed.
     Touched(Touched),
 }
 
-/// Above this many elements, or this part of the mesh, listing them costs more than it saves.
-const MOST_LISTED: usize = 1 << 20;
+/// Above this many elements, or about a quarter of the mesh's half-edges, listing the elements costs more
+/// than it saves.
+const MAX_LISTED_ELEMENTS: usize = 1 << 20;
 
 impl Changes {
     /// Whether nothing changed.
@@ -53,7 +54,7 @@ impl Changes {
     pub(crate) fn added(&mut self, id: ObjectId) {
         self.document = true;
         match self.entry(id) {
-            // It went and came back before anyone looked.
+            // The object was removed and restored between two calls of `take_changes`.
             Some(change) => *change = ObjectChange::Everything,
             None => self.objects.push((id, ObjectChange::Added)),
         }
@@ -85,7 +86,9 @@ impl Changes {
     }
 
     pub(crate) fn touched(&mut self, id: ObjectId, mesh: &Mesh, touched: Touched) {
-        if touched.everything || listed(&touched) > MOST_LISTED.min(mesh.halfedge_capacity() / 4 + 4096) {
+        if touched.everything
+            || element_count(&touched) > MAX_LISTED_ELEMENTS.min(mesh.halfedge_capacity() / 4 + 4096)
+        {
             return self.everything(id);
         }
         match self.entry(id) {
@@ -106,7 +109,7 @@ impl Changes {
     }
 }
 
-fn listed(touched: &Touched) -> usize {
+fn element_count(touched: &Touched) -> usize {
     touched.vertices.len() + touched.halfedges.len() + touched.edges.len() + touched.faces.len()
 }
 

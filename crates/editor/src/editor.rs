@@ -23,10 +23,10 @@ use serde::Serialize;
 use std::collections::{HashMap, VecDeque};
 use std::sync::Arc;
 
-/// The editor with no screen.
+/// The editor without a screen.
 ///
-/// Reading is free; writing goes through commands, each of which succeeds as one undo step or
-/// changes nothing.
+/// Reading is unrestricted. Every change goes through a command, which succeeds as one undo step or changes
+/// nothing.
 #[derive(Debug)]
 pub struct Editor {
     document: Document,
@@ -38,26 +38,26 @@ pub struct Editor {
     messages: VecDeque<Message>,
     next_object: u64,
     next_job: u64,
-    /// The state of the document, the last one given to a state, and the one that was saved.
+    /// The document's current revision, the highest one given out, and the one that was saved.
     revision: u64,
     last_revision: u64,
     saved: u64,
     /// The command that can be adjusted.
     last: Option<adjust::Last>,
-    /// The numbers of each object's mesh, until the mesh changes.
+    /// The counts of each object's mesh, kept until the mesh changes.
     counts: std::sync::Mutex<HashMap<ObjectId, Counts>>,
 }
 
 /// Something to tell the user.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
 pub struct Message {
-    /// How much it matters.
+    /// How important it is.
     pub kind: MessageKind,
     /// What to say.
     pub text: String,
 }
 
-/// How much a message matters.
+/// How important a message is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "lowercase")]
 pub enum MessageKind {
@@ -76,8 +76,8 @@ impl Default for Editor {
 }
 
 impl Editor {
-    /// How many messages are kept.
-    const MESSAGES: usize = 200;
+    /// The number of messages kept.
+    const MAX_MESSAGES: usize = 200;
 
     /// An editor with an empty document.
     pub fn new() -> Self {
@@ -99,7 +99,7 @@ impl Editor {
         }
     }
 
-    /// An editor with a document of one object, with nothing to undo.
+    /// An editor with a document of one object and nothing to undo.
     pub fn with_mesh(name: impl Into<String>, mesh: Mesh) -> Self {
         let mut editor = Self::new();
         let name = name.into();
@@ -132,35 +132,35 @@ impl Editor {
 
     /// Adds a message.
     pub fn say(&mut self, kind: MessageKind, text: impl Into<String>) {
-        if self.messages.len() == Self::MESSAGES {
+        if self.messages.len() == Self::MAX_MESSAGES {
             self.messages.pop_front();
         }
         self.messages.push_back(Message { kind, text: text.into() });
         self.changes.messages = true;
     }
 
-    /// What changed since this was last called.
+    /// The changes since the last call.
     pub fn take_changes(&mut self) -> Changes {
         std::mem::take(&mut self.changes)
     }
 
-    /// Whether the document is not as it was when it was opened or last saved.
+    /// Whether the document differs from what was opened or last saved.
     pub fn is_dirty(&self) -> bool {
         (self.is_editing() && !self.is_previewing_mesh()) || self.revision != self.saved
     }
 
-    /// The state that the document is in: edits lead to a new one, undo and redo back to others.
+    /// The document's revision: an edit leads to a new one, undo and redo return to earlier ones.
     pub fn revision(&self) -> u64 {
         self.revision
     }
 
-    /// Says that the document has been saved as it was in this state.
+    /// Records that this revision of the document has been saved.
     pub fn mark_saved(&mut self, revision: u64) {
         self.saved = revision;
         self.changes.document = true;
     }
 
-    /// The numbers of an object's mesh; counted when asked for after a change.
+    /// The counts of an object's mesh, computed on the first request after a change.
     pub fn counts(&self, id: ObjectId) -> Option<Counts> {
         let object = self.document.object(id)?;
         let mut cache = self.counts.lock().unwrap_or_else(std::sync::PoisonError::into_inner);
@@ -169,12 +169,12 @@ impl Editor {
 
     // History.
 
-    /// The labels of what can be undone, the next one last.
+    /// The labels of the steps that can be undone, the next one last.
     pub fn undo_labels(&self) -> impl Iterator<Item = &str> {
         self.history.undo_labels()
     }
 
-    /// The labels of what can be redone, the next one last.
+    /// The labels of the steps that can be redone, the next one last.
     pub fn redo_labels(&self) -> impl Iterator<Item = &str> {
         self.history.redo_labels()
     }
@@ -195,11 +195,11 @@ impl Editor {
         self.changes.history = true;
     }
 
-    /// Undoes the last step and returns its label; none where there is nothing to undo. An ongoing edit
-    /// is cancelled instead.
+    /// Undoes the last step and returns its label; none if there is nothing to undo. If an edit is ongoing,
+    /// cancels that instead.
     ///
     /// # Errors
-    /// A job runs on a mesh that would change.
+    /// A job is running on a mesh that would change.
     pub fn undo(&mut self) -> Result<Option<String>, CommandError> {
         if let Some(label) = self.cancel_edit() {
             return Ok(Some(label));
@@ -214,10 +214,10 @@ impl Editor {
         Ok(Some(label))
     }
 
-    /// Redoes the last undone step and returns its label; none where there is nothing to redo.
+    /// Redoes the last undone step and returns its label; none if there is nothing to redo.
     ///
     /// # Errors
-    /// A job runs on a mesh that would change.
+    /// A job is running on a mesh that would change.
     pub fn redo(&mut self) -> Result<Option<String>, CommandError> {
         self.end_edit();
         if let Some(step) = self.history.next_redo() {
@@ -230,7 +230,7 @@ impl Editor {
         Ok(Some(label))
     }
 
-    /// Makes the changes of a step and returns the step that reverses them.
+    /// Applies the changes of a step and returns the inverse step.
     fn reverse(&mut self, step: Step) -> Step {
         let changes = self.apply(step.changes);
         let selection = std::mem::replace(&mut self.selection, step.selection);
@@ -240,7 +240,7 @@ impl Editor {
         Step { label: step.label, changes, selection, revision }
     }
 
-    /// Makes changes in order; returns those that reverse them, in order.
+    /// Applies changes in order; returns their inverses in the order in which to apply them.
     fn apply(&mut self, changes: Vec<Change>) -> Vec<Change> {
         let mut back = Vec::with_capacity(changes.len());
         let counts = self.counts.get_mut().unwrap_or_else(std::sync::PoisonError::into_inner);
@@ -258,7 +258,7 @@ impl Editor {
         self.counts.get_mut().unwrap_or_else(std::sync::PoisonError::into_inner).remove(&id);
     }
 
-    /// Adds the step that reverses what was just done, unless nothing changed; returns whether it did.
+    /// Adds the undo step of what was just done, unless nothing changed; returns whether it added one.
     fn push_step(&mut self, label: String, back: Vec<Change>, before: Arc<Selection>) -> bool {
         if back.iter().all(Change::is_nothing) {
             return false;

@@ -5,41 +5,41 @@ use serde::Serialize;
 use std::fmt;
 use surface::SurfaceError;
 
-/// A command that was not carried out. The document is as it was.
+/// A command that was not carried out. The document is unchanged.
 ///
-/// Displays as one line: the op (or that a file could not be opened or saved), the field at fault if
-/// there is one, and what is wrong.
+/// Displays as one line: the operation (or that a file could not be opened or saved), the invalid field if
+/// there is one, and the problem.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
 pub struct CommandError {
-    /// The op, or what was tried, such as `open`.
+    /// The operation, or what was attempted, such as `open`.
     pub op: String,
-    /// The field at fault, with the place in it: `position[1]`.
+    /// The invalid field, with the place in it: `position[1]`.
     pub field: Option<String>,
     /// What is wrong and what to do, in plain words.
     pub problem: String,
-    /// What sort of failure it is.
+    /// The kind of failure.
     pub kind: ErrorKind,
-    /// What to tell a person in place of the field and the problem, as a sentence.
+    /// A sentence that replaces the field and the problem in the interface.
     #[serde(skip)]
     pub advice: Option<String>,
 }
 
-/// The sorts of failure.
+/// The kinds of failure.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum ErrorKind {
-    /// The command does not make sense or can't be done here.
+    /// The command makes no sense or can't be carried out here.
     Refused,
     /// The user cancelled it.
     Cancelled,
-    /// The command can be run, and would change nothing.
+    /// The command can run, but would change nothing.
     NothingToDo,
-    /// The editor itself is at fault: a result broke a rule of the mesh and was thrown away.
+    /// A fault of the editor itself: a result broke a rule of the mesh and was discarded.
     Internal,
 }
 
 impl CommandError {
-    /// A refusal of an op, with no field at fault.
+    /// A refusal of an operation, with no invalid field.
     pub fn refused(op: impl Into<String>, problem: impl Into<String>) -> Self {
         Self::of(op, Problem::new(problem))
     }
@@ -60,7 +60,7 @@ impl CommandError {
         if text.ends_with(['.', '!', '?']) { text } else { format!("{text}.") }
     }
 
-    /// Whether the user cancelled it, so that there is nothing to tell them.
+    /// Whether the user cancelled the command, so that there is nothing to report.
     pub fn is_cancelled(&self) -> bool {
         self.kind == ErrorKind::Cancelled
     }
@@ -68,7 +68,7 @@ impl CommandError {
 
 impl fmt::Display for CommandError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        // These are not ops: no command has these names.
+        // No operation has these names.
         let tried = match self.op.as_str() {
             "open" => "Could not open",
             "export" => "Could not save",
@@ -83,13 +83,13 @@ impl fmt::Display for CommandError {
 
 impl std::error::Error for CommandError {}
 
-/// What is wrong, before the op is known.
+/// A problem before the operation's name is added.
 #[derive(Clone, Debug)]
 pub(crate) struct Problem {
     pub field: Option<String>,
     pub text: String,
     pub kind: ErrorKind,
-    /// What to tell a person in place of the field and the text, as a sentence.
+    /// A sentence that replaces the field and the text in the interface.
     pub advice: Option<String>,
 }
 
@@ -102,7 +102,7 @@ impl Problem {
         Self { field: Some(field.into()), ..Self::new(text) }
     }
 
-    /// Adds what to tell a person, as a sentence.
+    /// Adds a sentence for the interface.
     pub fn advise(self, advice: impl Into<String>) -> Self {
         Self { advice: Some(advice.into()), ..self }
     }

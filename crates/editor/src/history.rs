@@ -1,8 +1,9 @@
-//! Undo and redo: one mechanism beneath every command.
+//! Undo and redo: one mechanism for every command.
 //!
-//! A step is a list of [`Change`]s. Making a change gives the change that takes it back, so undo
-//! makes a step's changes in reverse and what that gives is the redo. A change is a journal for a
-//! local edit and the other mesh for an operation on a whole one: undoing costs what doing cost.
+//! A step is a list of [`Change`]s. Applying a change returns its inverse. Undo therefore applies a step's
+//! changes in reverse, and their inverses form the redo step. A local edit is stored as a journal, an
+//! operation on a whole mesh as the mesh that it replaced, so undoing a step costs no more than the step
+//! itself did.
 
 use crate::bezier::Bezier;
 use crate::changes::Changes;
@@ -19,13 +20,13 @@ use std::sync::Arc;
 pub(crate) enum Change {
     /// Plays a journal back on the object's mesh.
     Journal(ObjectId, Journal),
-    /// Gives the object another mesh.
+    /// Replaces the object's mesh.
     Mesh(ObjectId, Arc<Mesh>),
-    /// Gives the object other control points, or none.
+    /// Replaces the object's control points, or removes them.
     Bezier(ObjectId, Option<Arc<Bezier>>),
-    /// Gives the object other faces to be repaired from, or none.
+    /// Replaces the faces from which the object can be repaired, or removes them.
     Soup(ObjectId, Option<Arc<PolygonSoup>>),
-    /// Sets what is added to every position on saving.
+    /// Sets the offset that is added to every position on saving.
     Offset(DVec3),
     /// Sets the document's materials.
     Materials(Materials),
@@ -33,20 +34,19 @@ pub(crate) enum Change {
     Name(ObjectId, String),
     /// Shows or hides the object.
     Visible(ObjectId, bool),
-    /// Makes the object at this place active.
+    /// Activates the object at this place in the list.
     Active(usize),
-    /// Puts an object at this place of the list.
+    /// Inserts an object at this place in the list.
     Insert(usize, Box<Object>),
-    /// Takes the object at this place out of the list.
+    /// Removes the object at this place from the list.
     Remove(usize),
-    /// Names the document.
+    /// Renames the document.
     DocumentName(String),
 }
 
 impl Change {
-    /// Makes the change and gives the one that takes it back; none where it doesn't fit the
-    /// document, which is then as it was. `reshaped` is told of an object whose mesh may now have
-    /// other counts.
+    /// Applies the change and returns its inverse; none if the change doesn't fit the document, which then
+    /// stays as it was. Calls `reshaped` with an object whose element counts may have changed.
     pub fn make(
         self,
         document: &mut Document,
@@ -137,7 +137,8 @@ impl Change {
         })
     }
 
-    /// Whether it changes one object that it knows by its id, whatever became of other objects.
+    /// Whether the change affects a single object identified by id, so that it still fits after changes to
+    /// other objects.
     pub fn is_of_one_object(&self) -> bool {
         match self {
             Self::Journal(..)
@@ -155,7 +156,7 @@ impl Change {
         }
     }
 
-    /// Whether making the change would change nothing.
+    /// Whether applying the change would change nothing.
     pub fn is_nothing(&self) -> bool {
         matches!(self, Self::Journal(_, journal) if journal.is_empty())
     }
@@ -178,27 +179,27 @@ impl Change {
     }
 }
 
-/// About the memory that a soup takes: its numbers without attributes.
+/// The approximate memory of a soup in bytes, without its attributes.
 fn soup_bytes(soup: &PolygonSoup) -> usize {
     soup.positions.len() * 12 + (soup.corners.len() + soup.face_starts.len()) * 4
 }
 
-/// Whether an edit that touched these elements may have changed more than positions and attributes
-/// of vertices, edges and faces.
+/// Whether an edit that touched these elements may have changed connectivity, not only positions and
+/// attributes.
 pub(crate) fn is_reshaping(touched: &Touched) -> bool {
     touched.everything || !touched.halfedges.is_empty()
 }
 
-/// One step that can be undone, or, once undone, redone.
+/// A step that can be undone or, once undone, redone.
 #[derive(Debug)]
 pub(crate) struct Step {
-    /// What menus call it.
+    /// The label in menus.
     pub label: String,
-    /// What to make, in this order, to take the step back.
+    /// The changes that undo the step (or redo it, once undone), in order.
     pub changes: Vec<Change>,
-    /// The selection on the other side of the step.
+    /// The selection to restore with them.
     pub selection: Arc<Selection>,
-    /// Which state of the document lies on the other side; equal numbers are equal documents.
+    /// The revision to restore with them; documents of equal revision are equal.
     pub revision: u64,
 }
 
@@ -208,7 +209,7 @@ impl Step {
     }
 }
 
-/// The steps that can be undone and redone, bounded by the memory they take.
+/// The steps that can be undone and redone, limited by the memory that they take.
 #[derive(Debug)]
 pub(crate) struct History {
     undo: VecDeque<(Step, usize)>,
@@ -218,14 +219,14 @@ pub(crate) struct History {
 }
 
 impl History {
-    /// What is kept unless a setting says otherwise.
-    pub const DEFAULT_LIMIT: usize = 512 << 20;
+    /// The default limit of memory, in bytes.
+    pub const DEFAULT_LIMIT_BYTES: usize = 512 << 20;
 
     pub fn new() -> Self {
-        Self { undo: VecDeque::new(), redo: Vec::new(), bytes: 0, limit: Self::DEFAULT_LIMIT }
+        Self { undo: VecDeque::new(), redo: Vec::new(), bytes: 0, limit: Self::DEFAULT_LIMIT_BYTES }
     }
 
-    /// Adds a step that was just made; what could be redone is forgotten.
+    /// Adds a step that was just made and forgets the steps that could be redone.
     pub fn push(&mut self, step: Step) {
         self.bytes -= self.redo.drain(..).map(|(_, bytes)| bytes).sum::<usize>();
         self.keep_undo(step);
@@ -264,12 +265,12 @@ impl History {
         self.redo.last().map(|(step, _)| step)
     }
 
-    /// The labels of what can be undone, the next one last.
+    /// The labels of the steps that can be undone, the next one last.
     pub fn undo_labels(&self) -> impl Iterator<Item = &str> {
         self.undo.iter().map(|(step, _)| step.label.as_str())
     }
 
-    /// The labels of what can be redone, the next one last.
+    /// The labels of the steps that can be redone, the next one last.
     pub fn redo_labels(&self) -> impl Iterator<Item = &str> {
         self.redo.iter().map(|(step, _)| step.label.as_str())
     }
@@ -287,8 +288,8 @@ impl History {
         self.shrink();
     }
 
-    /// Drops the oldest steps until the rest is within the limit. The latest one is kept whatever
-    /// its size: one can always take back what one just did.
+    /// Drops the oldest steps until the rest fits the limit. Keeps the latest step whatever its size, so
+    /// that the last change can always be undone.
     fn shrink(&mut self) {
         while self.bytes > self.limit && self.undo.len() > 1 {
             if let Some((_, bytes)) = self.undo.pop_front() {

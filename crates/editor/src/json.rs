@@ -1,11 +1,11 @@
-//! Numbers in JSON: finite in, shortest out.
+//! Numbers in JSON: only finite ones are read, and each is written in its shortest form.
 
 pub(crate) use formats::shortest;
 use serde::de::{Error, Unexpected, Visitor};
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
 use std::fmt;
 
-/// A number as JSON; one that is not finite, which JSON can't say, is null.
+/// A number as JSON; null if it is not finite, as JSON has no such numbers.
 pub(crate) fn number(value: f32) -> serde_json::Value {
     serde_json::Number::from_f64(shortest(value)).map_or(serde_json::Value::Null, serde_json::Value::Number)
 }
@@ -51,7 +51,7 @@ impl Visitor<'_> for FiniteVisitor {
         self.visit_f64(value as f64)
     }
 
-    /// Numbers that JSON can't say come from JavaScript by their names.
+    /// JavaScript gives numbers that JSON can't express by their names.
     fn visit_str<E: Error>(self, value: &str) -> Result<Finite, E> {
         match value {
             "NaN" | "Infinity" | "-Infinity" => Err(E::custom(format!("{value} is not a finite number"))),

@@ -1,7 +1,7 @@
-//! The editor with no screen: a document of objects, a selection, commands, history and jobs.
+//! The editor without a screen: a document of objects, a selection, commands, history and jobs.
 //!
 //! Everything a user can do is a [`Command`] value given to an [`Editor`]. Menus, keys, scripts,
-//! the command line and tests speak the same commands; [`OpId::ALL`] lists them.
+//! the command line and tests use the same commands; [`OpId::ALL`] lists them.
 
 #![cfg_attr(not(test), deny(clippy::unwrap_used, clippy::expect_used, clippy::panic, clippy::unreachable))]
 #![cfg_attr(not(test), deny(clippy::indexing_slicing))]

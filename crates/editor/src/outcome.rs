@@ -4,26 +4,26 @@ use formats::ReportNote;
 use halfedge::{EdgeId, FaceId, Mesh, Touched, VertexId};
 use serde::Serialize;
 
-/// What a command did: what was created and removed, in numbers and, for local edits, by id.
+/// What a command created and removed: in numbers and, for local edits, by id.
 #[derive(Clone, Debug, Default, PartialEq, Serialize)]
 pub struct Outcome {
-    /// The op.
+    /// The operation's name.
     pub op: String,
-    /// What is there that was not.
+    /// The elements that were created.
     pub created: Elements,
-    /// What was there that is not.
+    /// The elements that were removed.
     pub removed: Elements,
     /// One sentence for the user.
     pub message: String,
-    /// What the user should know besides, such as what an import had to repair.
+    /// What else the user should know, such as what an import had to repair.
     pub warnings: Vec<String>,
-    /// The import report, where the op was to open files.
+    /// The import report, if the command opened files.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub report: Vec<ReportNote>,
 }
 
 impl Outcome {
-    /// The outcome of an op that created and removed these, with the sentence that says so.
+    /// The outcome of an operation that created and removed these elements, with a sentence that says so.
     pub fn new(op: impl Into<String>, created: Elements, removed: Elements) -> Self {
         let op = op.into();
         let label = crate::OpId::named(&op).map_or(&*op, |id| id.spec().label);
@@ -33,13 +33,13 @@ impl Outcome {
 }
 
 impl Outcome {
-    /// The same outcome of an op that changed nothing, and says so.
+    /// The same outcome, with a message that nothing changed.
     pub(crate) fn unchanged(self) -> Self {
         Self { message: format!("{}: nothing changed", self.message), ..self }
     }
 }
 
-/// Numbers of elements; which ones, where a local edit made or removed them.
+/// Counts of elements and, for local edits, their ids.
 #[derive(Clone, Debug, Default, PartialEq, Serialize)]
 pub struct Elements {
     /// How many vertices.
@@ -48,7 +48,7 @@ pub struct Elements {
     pub edges: usize,
     /// How many faces.
     pub faces: usize,
-    /// Which; none for operations on a whole mesh, which give every element a new id.
+    /// The ids; none for operations on whole meshes, which renumber every element.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub ids: Option<ElementIds>,
 }
@@ -71,13 +71,12 @@ impl From<ElementIds> for Elements {
 }
 
 impl Elements {
-    /// Whether there are none.
+    /// Whether there are no elements.
     pub fn is_empty(&self) -> bool {
         self.vertices + self.edges + self.faces == 0
     }
 
-    /// How many more elements `after` has than `before`, kind by kind; those it has fewer of
-    /// count as none.
+    /// The increase from `before` to `after` for each kind of element; 0 where there was a decrease.
     pub(crate) fn gained(before: [usize; 3], after: [usize; 3]) -> Self {
         Self {
             vertices: after[0].saturating_sub(before[0]),
@@ -87,7 +86,7 @@ impl Elements {
         }
     }
 
-    /// "1 vertex, 3 edges and 2 faces", leaving out what there is none of; none for nothing.
+    /// "1 vertex, 3 edges and 2 faces", without the kinds whose count is 0; none if all are.
     fn words(&self) -> Option<String> {
         let parts: Vec<String> = [
             (self.vertices, "vertex", "vertices"),
@@ -106,7 +105,7 @@ impl Elements {
     }
 }
 
-/// The numbers of vertices, edges and faces of some meshes together.
+/// The counts of vertices, edges and faces of several meshes together.
 pub(crate) fn sizes<'a>(meshes: impl IntoIterator<Item = &'a Mesh>) -> [usize; 3] {
     meshes.into_iter().fold([0; 3], |[vertices, edges, faces], mesh| {
         [vertices + mesh.vertex_count(), edges + mesh.edge_count(), faces + mesh.face_count()]
@@ -123,7 +122,7 @@ pub(crate) fn message(label: &str, created: &Elements, removed: &Elements) -> St
     }
 }
 
-/// How many ids of vertices, edges and faces a mesh had before a local edit.
+/// The ends of the id ranges of vertices, edges and faces before a local edit.
 #[derive(Clone, Copy)]
 pub(crate) struct Before([usize; 3]);
 
@@ -132,8 +131,8 @@ impl Before {
         Self([mesh.vertex_capacity(), mesh.edge_capacity(), mesh.face_capacity()])
     }
 
-    /// What a local edit created and removed: it gives new elements ids past the old ones, and
-    /// marks others as removed. What it created and removed itself is in neither.
+    /// The elements that a local edit created and removed. New elements have ids past the old ends; removed
+    /// ones are marked. Elements that the edit both created and removed are in neither list.
     pub fn compare(self, mesh: &Mesh, touched: &Touched) -> (ElementIds, ElementIds) {
         let [vertices, edges, faces] = self.0.map(|n| n as u32);
         let range = |from: u32, to: usize| from..to as u32;

@@ -3,7 +3,7 @@
 use halfedge::geometry::BitSet;
 use halfedge::{Element, Mesh};
 
-/// A set of ids of one kind of element, with the one that was selected last.
+/// A set of ids of one kind of element, and the id that was selected last.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Selection {
     kind: Element,
@@ -18,12 +18,12 @@ impl Default for Selection {
 }
 
 impl Selection {
-    /// A selection of nothing.
+    /// An empty selection.
     pub fn new(kind: Element) -> Self {
         Self { kind, set: BitSet::new(), latest: None }
     }
 
-    /// A selection of these ids, the last one the latest.
+    /// A selection of these ids, of which the last counts as selected last.
     pub fn of(kind: Element, ids: impl IntoIterator<Item = u32>) -> Self {
         let mut selection = Self::new(kind);
         for id in ids {
@@ -53,7 +53,7 @@ impl Selection {
         self.kind == kind && self.set.contains(id as usize)
     }
 
-    /// The one that was selected last, if it still is.
+    /// The id that was selected last, if it still is.
     pub fn latest(&self) -> Option<u32> {
         self.latest
     }
@@ -63,14 +63,14 @@ impl Selection {
         self.set.iter().map(|id| id as u32)
     }
 
-    /// How many selected ids are smaller than this one: the row of an id in a list that shows the
-    /// selection alone. Costs O(id / 64).
+    /// The number of selected ids below this one: its row in a list that shows only the selection. Costs
+    /// O(id / 64).
     pub fn rank(&self, id: u32) -> usize {
         self.set.rank(id as usize)
     }
 
-    /// The selected id at this place in ascending order: the inverse of [`Selection::rank`].
-    /// Costs O(largest id / 64).
+    /// The selected id in this row, in ascending order: the inverse of [`Selection::rank`]. Costs O(largest
+    /// id / 64).
     pub fn nth(&self, row: usize) -> Option<u32> {
         self.set.nth(row).map(|id| id as u32)
     }
@@ -85,19 +85,19 @@ impl Selection {
         self.latest = Some(id);
     }
 
-    /// Takes an id out; the latest one is then the largest that is left.
+    /// Removes an id; the largest remaining one then counts as selected last.
     pub(crate) fn remove(&mut self, id: u32) {
         if self.set.remove(id as usize) && self.latest == Some(id) {
             self.latest = self.set.largest().map(|id| id as u32);
         }
     }
 
-    /// Whether any id is no longer there in the mesh.
+    /// Whether any id no longer exists in the mesh.
     pub(crate) fn has_gone(&self, mesh: &Mesh) -> bool {
         self.ids().any(|id| !mesh.exists(self.kind, id))
     }
 
-    /// Drops the ids that are no longer there in the mesh.
+    /// Drops the ids that no longer exist in the mesh.
     pub(crate) fn keep_existing(&mut self, mesh: &Mesh) {
         let gone: Vec<u32> = self.ids().filter(|&id| !mesh.exists(self.kind, id)).collect();
         for id in gone {
@@ -140,7 +140,7 @@ mod tests {
     }
 
     #[test]
-    fn equal_whatever_room_was_taken() {
+    fn equality_ignores_capacity() {
         let mut a = Selection::of(Element::Face, [3, 900]);
         a.remove(900);
         assert_eq!(a, Selection::of(Element::Face, [3]));

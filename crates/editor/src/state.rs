@@ -1,4 +1,4 @@
-//! The editor's state as JSON: what scripts on the page see.
+//! The editor's state as JSON, as scripts on the page see it.
 
 use crate::bezier::Bezier;
 use crate::document::{Counts, Object};
@@ -9,7 +9,7 @@ use glam::DVec3;
 use halfedge::{EdgeId, Element, FaceId, HalfedgeId, Mesh, VertexId, keys};
 use serde_json::{Value, json};
 
-/// A JSON object with one more field, if there is a value for it.
+/// Adds a field to a JSON object if there is a value for it.
 fn with(mut object: Value, field: &str, value: Option<Value>) -> Value {
     if let (Value::Object(fields), Some(value)) = (&mut object, value) {
         fields.insert(field.to_owned(), value);
@@ -18,10 +18,10 @@ fn with(mut object: Value, field: &str, value: Option<Value>) -> Value {
 }
 
 impl Editor {
-    /// The document, selection, history and messages, as `window.meshwright.state()` gives them.
-    /// The page adds `view` and the progress of `jobs`.
+    /// The document, selection, history and messages, as `window.meshwright.state()` returns them. The page
+    /// adds `view` and the progress of `jobs`.
     ///
-    /// Counts are those of all objects together.
+    /// Counts cover all objects together.
     pub fn state(&self) -> Value {
         let document = self.document();
         let total: Counts = document.objects().iter().filter_map(|object| self.counts(object.id())).sum();
@@ -70,7 +70,7 @@ impl Editor {
         })
     }
 
-    /// One element of the active object, as `window.meshwright.element(kind, id)` gives it.
+    /// One element of the active object, as `window.meshwright.element(kind, id)` returns it.
     ///
     /// # Errors
     /// There is no such element.
@@ -92,8 +92,7 @@ impl Editor {
     }
 }
 
-/// The kind of a Bezier object, with the control points of a curve and the number of a surface's
-/// patches.
+/// The kind of a Bezier object, with a curve's control points or the number of a surface's patches.
 fn bezier_state(bezier: &Bezier) -> Value {
     match bezier {
         Bezier::Curve(curve) => json!({
@@ -114,7 +113,7 @@ pub(crate) fn element_name(kind: Element) -> &'static str {
     }
 }
 
-/// The kind of element with this name in JSON; `half-edge` is understood too.
+/// The kind of element with this name in JSON; also accepts `half-edge`.
 pub fn element_kind(name: &str) -> Option<Element> {
     match name {
         "vertex" => Some(Element::Vertex),

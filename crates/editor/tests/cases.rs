@@ -1,4 +1,4 @@
-//! Edits that came out wrong, on the files they came out wrong on.
+//! Regression tests: edits that once gave wrong results, on the files concerned.
 
 mod support;
 

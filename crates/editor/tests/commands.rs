@@ -1,4 +1,4 @@
-//! Every op through its JSON: what it does, what it reports, and what it refuses.
+//! Every operation through its JSON: its effect, its outcome and its refusals.
 
 mod support;
 
@@ -169,7 +169,7 @@ fn the_same_name_again_is_no_step() {
 }
 
 #[test]
-fn what_is_seen_stays_to_be_seen_when_it_is_joined() {
+fn joining_with_a_visible_object_keeps_the_result_visible() {
     for (hidden, visible) in [(vec![0], true), (vec![1], true), (vec![0, 1], false)] {
         let mut editor = on_two();
         for object in &hidden {
@@ -199,7 +199,7 @@ fn commands_act_on_the_object_they_name() {
 }
 
 #[test]
-fn join_and_separate_are_each_others_way_back() {
+fn join_and_separate_reverse_each_other() {
     let mut editor = on_two();
     run(&mut editor, json!({"op": "set-face-color", "faces": [0], "color": "#ff0000"}));
     let parts: Vec<_> = editor.document().objects().iter().map(|o| o.mesh().clone()).collect();
@@ -242,7 +242,7 @@ fn separate_by_faces_and_groups() {
 }
 
 #[test]
-fn transform_scales_turns_and_moves() {
+fn transform_scales_rotates_and_moves() {
     let at = |editor: &Editor, v: usize| editor.mesh().expect("it").position(VertexId::new(v)).to_array();
     let mut editor = on_cube();
     run(&mut editor, json!({"op": "transform", "vertices": [7], "translate": [0.5, 0, -0.25]}));
@@ -504,7 +504,7 @@ fn places_along_an_edge_count_from_the_vertex_named_first() {
 }
 
 #[test]
-fn several_edges_at_once_are_split_or_none() {
+fn several_edges_are_split_all_or_none() {
     // Two triangles back to back: splitting an edge meets itself on the other side.
     let back_to_back = build(vec![glam::Vec3::ZERO, glam::Vec3::X, glam::Vec3::Y], &[[0, 1, 2], [0, 2, 1]]);
     let mut editor = Editor::with_mesh("Leaf", back_to_back);

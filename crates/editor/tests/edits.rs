@@ -1,4 +1,4 @@
-//! The local edits as commands: what each makes of a small mesh, and how the selection stands in.
+//! Local edits as commands: their effect on small meshes, and how the selection fills in missing fields.
 
 mod support;
 
@@ -159,7 +159,7 @@ fn welding_glues_what_ripping_opened() {
 }
 
 #[test]
-fn selected_elements_stand_in_one_after_the_other() {
+fn selected_elements_are_edited_one_after_the_other() {
     let mut editor = on_grid();
     // The four edges of a face: after some are collapsed others are gone.
     let face: Vec<u32> = {
@@ -193,7 +193,7 @@ fn selected_elements_stand_in_one_after_the_other() {
 }
 
 #[test]
-fn sizes_that_go_too_far_are_limited_and_said() {
+fn sizes_beyond_the_limit_are_clamped_with_a_warning() {
     let mut editor = on_cube();
     let outcome = run(&mut editor, json!({"op": "inset-faces", "faces": [0], "amount": 5}));
     assert_eq!(outcome.warnings, ["`amount` was limited to 0.5: beyond that, edges would reverse"]);

@@ -1,4 +1,4 @@
-//! Undo, redo, drags, the bound on memory, and what changed.
+//! Undo, redo, ongoing edits, the memory limit of the history, and the reported changes.
 
 mod support;
 
@@ -97,7 +97,7 @@ proptest! {
     #![proptest_config(ProptestConfig::with_cases(96))]
 
     #[test]
-    fn what_can_be_done_is_what_is_not_refused(edits in prop::collection::vec(any_edit(), 1..20), cube in any::<bool>()) {
+    fn can_agrees_with_refusals(edits in prop::collection::vec(any_edit(), 1..20), cube in any::<bool>()) {
         let mut editor = if cube { on_cube() } else { Editor::with_mesh("Patches", patches()) };
         for value in edits {
             let can = editor.can(&command(value.clone()));
@@ -225,7 +225,7 @@ fn a_drag_of_an_edit_that_makes_elements_is_one_step_too() {
 }
 
 #[test]
-fn an_operation_on_the_whole_mesh_is_tried_and_kept_only_by_a_commit() {
+fn a_preview_of_the_whole_mesh_is_kept_only_by_a_commit() {
     let mut editor = on_cube();
     run(&mut editor, json!({"op": "triangulate-faces", "faces": [0, 1, 2, 3, 4, 5]}));
     run(&mut editor, json!({"op": "split-edge", "edge": 0}));
@@ -372,7 +372,7 @@ fn a_document_is_dirty_until_it_is_as_it_was_saved() {
 }
 
 #[test]
-fn changes_say_what_to_follow() {
+fn changes_list_what_was_edited() {
     let mut editor = on_cube();
     let first = editor.take_changes();
     let id = editor.document().objects()[0].id();

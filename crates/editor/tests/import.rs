@@ -1,4 +1,4 @@
-//! What an import had to change, done another way; offsets of models far from the origin.
+//! Repairing an import again with other choices, and the offset of models far from the origin.
 
 mod support;
 
@@ -35,7 +35,7 @@ fn components(editor: &Editor) -> usize {
 }
 
 #[test]
-fn a_repair_can_be_done_another_way_and_undone() {
+fn an_import_can_be_repaired_again_and_undone() {
     let mut editor = on_fin();
     assert!(editor.document().objects()[0].is_repairable());
     let report = |outcome: &Outcome| {
@@ -69,7 +69,7 @@ fn a_repair_can_be_done_another_way_and_undone() {
 }
 
 #[test]
-fn choices_made_before_opening_are_the_same() {
+fn choices_before_opening_give_the_same_result() {
     let mut later = on_fin();
     run(&mut later, json!({"op": "repair-import", "non_manifold": "drop", "orient": false}));
     let mut before = Editor::new();
@@ -106,7 +106,7 @@ fn repairing_runs_in_a_worker() {
 }
 
 #[test]
-fn what_was_not_repaired_can_not_be_repaired_otherwise() {
+fn a_mesh_without_repairs_is_not_repairable() {
     let text = refusal(&mut on_cube(), json!({"op": "repair-import"}));
     assert!(text.contains("nothing was repaired when Cube was read"), "{text}");
     let mut editor = on_fin();
@@ -127,7 +127,7 @@ fn what_was_not_repaired_can_not_be_repaired_otherwise() {
 }
 
 #[test]
-fn an_offset_comes_with_the_document_and_goes_with_it() {
+fn the_offset_belongs_to_the_document() {
     let mut editor = Editor::new();
     open(&mut editor, FAR, Repairs::default());
     let offset = editor.document().offset();
@@ -148,7 +148,7 @@ fn an_offset_comes_with_the_document_and_goes_with_it() {
 }
 
 #[test]
-fn objects_of_a_file_come_apart_under_their_names() {
+fn objects_of_a_file_are_separated_by_name() {
     let mut editor = Editor::new();
     let text =
         "o box\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\no car\ng wheel\nv 5 0 0\nv 6 0 0\nv 5 1 0\nf 4 5 6\n";

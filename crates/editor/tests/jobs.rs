@@ -1,4 +1,4 @@
-//! Jobs: begun, run elsewhere through bytes, finished or cancelled; and bytes that are none.
+//! Jobs: begun, run elsewhere through bytes, finished or cancelled; and invalid bytes.
 
 mod support;
 
@@ -47,7 +47,7 @@ fn decorated() -> Mesh {
 }
 
 #[test]
-fn what_is_small_is_done_at_once_and_what_is_large_is_a_job() {
+fn small_work_is_done_at_once_and_large_work_is_a_job() {
     let mut editor = on_cube();
     let begun = editor.begin(command(json!({"op": "subdivide-linear"}))).expect("a cube");
     assert!(matches!(begun, Begun::Done(_)));
@@ -72,7 +72,7 @@ fn what_is_small_is_done_at_once_and_what_is_large_is_a_job() {
 }
 
 #[test]
-fn what_makes_much_of_little_is_a_job() {
+fn a_large_result_of_a_small_mesh_is_a_job() {
     for (shape, op) in [
         (json!({"shape": "cube"}), json!({"op": "remesh", "edge_length": 0.02})),
         (json!({"shape": "cube"}), json!({"op": "remesh", "iterations": 1000})),
@@ -261,7 +261,7 @@ fn a_file_with_nothing_usable_in_it_is_refused() {
 }
 
 #[test]
-fn materials_go_along_from_a_file_to_a_file() {
+fn materials_survive_from_file_to_file() {
     let model = "mtllib a.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl m\nf 1 2 3\n";
     let library = "newmtl m\nKd 0.5 0.2 0.2\nmap_Kd wood.png\n";
     let mut editor = Editor::with_mesh("Cube", decorated());
@@ -287,7 +287,7 @@ fn materials_go_along_from_a_file_to_a_file() {
 }
 
 #[test]
-fn every_format_survives_the_way_to_the_worker() {
+fn every_format_survives_transfer_to_the_worker() {
     let mut editor = Editor::with_mesh("Cube", decorated());
     for format in Format::all() {
         let wanted = formats::write(format, &editor.document().to_model("Cube"));

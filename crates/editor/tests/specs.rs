@@ -1,5 +1,5 @@
-//! The descriptions of operations: they name the fields of the commands, their defaults are those of the
-//! commands, and what they say of results comes true.
+//! The descriptions of operations: their fields and defaults are those of the commands, and their estimates
+//! of results are right.
 
 mod support;
 
@@ -171,7 +171,7 @@ fn every_refusal_of_a_menu_entry_is_a_sentence() {
 }
 
 #[test]
-fn can_is_what_run_does() {
+fn can_agrees_with_run() {
     for editor in [on_cube(), on_two(), Editor::with_mesh("Patches", patches())] {
         let mesh = editor.mesh().expect("a mesh").clone();
         for kind in Element::ALL {
@@ -270,7 +270,7 @@ proptest! {
     #![proptest_config(ProptestConfig::with_cases(1500))]
 
     #[test]
-    fn cost_and_result_are_what_is_made(command in any_command(), which in 0..3_usize) {
+    fn cost_and_result_match_what_is_created(command in any_command(), which in 0..3_usize) {
         let mesh = vec![cube(), patches(), disk(40)].swap_remove(which);
         let facts = Facts::of(&mesh);
         let mut editor = Editor::with_mesh("Mesh", mesh.clone());

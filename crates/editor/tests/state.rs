@@ -103,7 +103,7 @@ fn kinds_have_names() {
 
 proptest! {
     #[test]
-    fn counts_are_those_of_the_walks(deleted in prop::collection::vec(0u32..64, 0..40)) {
+    fn counts_agree_with_traversals(deleted in prop::collection::vec(0u32..64, 0..40)) {
         let mut editor = Editor::new();
         run(&mut editor, json!({"op": "new", "shape": "grid", "columns": 8, "rows": 8}));
         for face in deleted {

@@ -1,4 +1,4 @@
-//! The operations on whole meshes as commands: what their fields reach, and what they say.
+//! Whole-mesh operations as commands: their fields, results and messages.
 
 mod support;
 
@@ -31,7 +31,7 @@ fn volume(mesh: &Mesh) -> f64 {
 }
 
 #[test]
-fn simplify_reaches_what_its_fields_say() {
+fn simplify_reaches_its_targets() {
     assert_eq!(sizes(&after(json!({"op": "simplify", "faces": 500})))[2], 500);
     assert_eq!(sizes(&after(json!({"op": "simplify", "ratio": 0.1})))[2], 128);
     let by_error = sizes(&after(json!({"op": "simplify", "max_error": 0.05})))[2];

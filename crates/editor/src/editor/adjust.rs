@@ -1,4 +1,4 @@
-//! Adjusting the last operation: running it again with other fields, in place of itself.
+//! Adjusting the last operation: replacing its result by that of the same operation with other fields.
 
 use super::{Begun, Editor, MessageKind};
 use crate::error::CommandError;
@@ -10,17 +10,17 @@ use crate::ops::Command;
 pub(super) struct Last {
     command: Command,
     revision: u64,
-    /// Whether it made an undo step. An adjustment may pass through fields that change nothing.
+    /// Whether the command made an undo step. Some values of an adjustment may change nothing.
     is_step: bool,
 }
 
 /// A step that a job is to replace.
 #[derive(Debug)]
 pub(super) struct Replaced {
-    /// What makes it again.
+    /// The step that redoes the change.
     step: Step,
     last: Last,
-    /// The state without it.
+    /// The document's revision before the step.
     before: u64,
 }
 
@@ -35,7 +35,7 @@ impl Editor {
         self.last = Some(Last { command, revision: self.revision, is_step: false });
     }
 
-    /// The command that led to the present state, as it was given; none where something else was done
+    /// The command that led to the current revision, as it was given; none if something else was done
     /// since, such as an undo.
     pub fn last_command(&self) -> Option<&Command> {
         let last = self.last.as_ref()?;
@@ -43,19 +43,19 @@ impl Editor {
         (last.revision == self.revision && !edited).then_some(&last.command)
     }
 
-    /// Runs the last command again with other fields: undoes the last step and begins this command on
-    /// the document and selection from before it, so that one step stays one step.
+    /// Runs the last command again with other fields: undoes the last step and begins the new command on
+    /// the document and selection from before it, so that there is still one step.
     ///
-    /// Where that gives a job, the document is as before the last step until the job is finished; the
-    /// step comes back if the job fails or is cancelled.
+    /// If that begins a job, the document stays as it was before the last step until the job finishes. If
+    /// the job fails or is cancelled, the step is restored.
     ///
     /// # Errors
-    /// There is no such command, or why the new one is refused; the document is then as it was.
+    /// There is no last command, or the new one is refused; the document is unchanged.
     pub fn adjust(&mut self, command: Command) -> Result<Begun, CommandError> {
         let Some(last) = self.last.clone().filter(|_| self.last_command().is_some()) else {
             return Err(CommandError::refused(
                 command.name(),
-                "there is no last operation to adjust: something else was done since",
+                "there is no last operation to adjust: something else was done since it",
             ));
         };
         self.end_edit();
@@ -69,7 +69,7 @@ impl Editor {
                     Begun::Done(_) if self.revision == before => self.remember_without_step(command),
                     Begun::Done(_) => {}
                     Begun::Job(request) => {
-                        // Kept by the job, so that nothing done meanwhile can drop it.
+                        // The job keeps the step, so that nothing done meanwhile can drop it.
                         let step = if last.is_step { self.history.take_redo() } else { None };
                         let replaced = step.map(|step| Replaced { step, last, before });
                         self.set_adjusts(request.id(), replaced);
@@ -89,7 +89,7 @@ impl Editor {
         }
     }
 
-    /// Makes a step again that an adjustment undid and then could not replace.
+    /// Restores a step that an adjustment undid but could not replace.
     pub(super) fn restore(&mut self, replaced: Replaced) {
         let Replaced { step, last, before } = replaced;
         if self.revision == before {
@@ -98,8 +98,8 @@ impl Editor {
             self.last = Some(last);
             return;
         }
-        // Other objects changed meanwhile. The objects of the job did not, but places in the list of
-        // objects may mean others now.
+        // Other objects changed meanwhile. The job's own objects did not, but places in the list of objects
+        // may now refer to others.
         let label = step.label.clone();
         let selection = self.selection.clone();
         let back = if step.changes.iter().all(Change::is_of_one_object) {

@@ -1,4 +1,4 @@
-//! What a whole-mesh operation made, put into the document as one step.
+//! Committing the result of a whole-mesh operation as one step.
 
 use super::Editor;
 use crate::document::{Object, ObjectId};
@@ -12,7 +12,7 @@ use glam::DVec3;
 use std::sync::Arc;
 
 impl Editor {
-    /// Puts what a whole-mesh operation made, which is valid, into the document as one step.
+    /// Commits the valid result of a whole-mesh operation as one step.
     pub(super) fn commit_whole(
         &mut self,
         op: &Op,
@@ -29,15 +29,15 @@ impl Editor {
         Ok(outcome)
     }
 
-    /// The outcome of an operation whose result is the mesh that it started from.
+    /// The outcome of an operation whose result equals the mesh that it started from.
     pub(super) fn unchanged(op: &Op, made: Made) -> Result<Outcome, Problem> {
         let Made::Meshes(_, _, warnings) = made else { return Err(other_job()) };
         let outcome = Self::outcome(std::slice::from_ref(op), Elements::default(), Elements::default());
         Ok(Outcome { warnings, ..outcome.unchanged() })
     }
 
-    /// Whether the result of an operation is the mesh that it started from. Costs O(mesh) where the counts
-    /// are the same.
+    /// Whether an operation's result equals the mesh that it started from. Costs O(mesh) if the counts are
+    /// equal.
     pub(super) fn is_unchanged(&self, op: &Op, objects: &[ObjectId], made: &Made) -> bool {
         let Made::Meshes(outputs, ..) = made else { return false };
         let ([output], [object]) = (outputs.as_slice(), objects) else { return false };
@@ -47,7 +47,7 @@ impl Editor {
             && object.is_some_and(|object| object.bezier.is_none() && object.mesh == output.mesh)
     }
 
-    /// Puts what a whole-mesh operation made into the document; returns what reverses that.
+    /// Puts the result of a whole-mesh operation into the document; returns the changes that undo that.
     pub(super) fn put_result(
         &mut self,
         op: &Op,
@@ -106,7 +106,7 @@ impl Editor {
                 if object.bezier.is_some() {
                     changes.push(Change::Bezier(target, None));
                 }
-                // What it was read from is no longer what it is.
+                // The object no longer corresponds to the faces that it was read from.
                 if object.soup.is_some() && (commit == Commit::Join || outputs.len() > 0) {
                     changes.push(Change::Soup(target, None));
                 }

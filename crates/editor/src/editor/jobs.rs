@@ -1,4 +1,4 @@
-//! Jobs as the editor sees them: begun, waited for, finished or cancelled.
+//! Jobs from the editor's side: beginning, finishing and cancelling them.
 
 use super::adjust::Replaced;
 use super::run::{Planned, broken};
@@ -14,42 +14,42 @@ use halfedge::Mesh;
 use std::ops::ControlFlow;
 use std::sync::Arc;
 
-/// The work up to which operations run at once, in faces: that takes less time than a frame, and less
+/// Operations below this amount of work, in faces, run at once: they take less time than a frame, and less
 /// than sending the mesh to a worker.
 const MAX_FACES_AT_ONCE: usize = 20_000;
 
-/// What became of a command that was begun.
+/// The result of beginning a command.
 #[derive(Debug)]
 pub enum Begun {
-    /// It is done.
+    /// The command is done.
     Done(Outcome),
-    /// It takes long: run this somewhere and give what comes of it to [`Editor::finish`].
+    /// The command takes long: run this job anywhere and pass its result to [`Editor::finish`].
     Job(JobRequest),
 }
 
-/// What became of a job that was finished.
+/// The result of finishing a job.
 #[derive(Debug)]
 #[allow(
     clippy::large_enum_variant,
     reason = "there is one at a time, and it is taken apart at once; small on wasm32"
 )]
 pub enum Finished {
-    /// A command is done, or a file is open.
+    /// A command was carried out, or a file opened.
     Done(Outcome),
-    /// Files to save were written.
+    /// Files were written and are ready to be saved.
     Exported(Vec<NamedBytes>),
 }
 
-/// A job that was begun and is waited for.
+/// A job that has begun and has not finished.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct RunningJob {
-    /// Which one.
+    /// The job's id.
     pub id: JobId,
-    /// Its op, or `open` or `export`.
+    /// The operation's name, or `open` or `export`.
     pub op: &'static str,
 }
 
-/// A job that is waited for, with what to do with its result.
+/// A job that has not finished, and what to do with its result.
 #[derive(Debug)]
 pub(super) struct Waiting {
     id: JobId,
@@ -66,24 +66,24 @@ enum WaitingFor {
 /// A command that runs as a job.
 #[derive(Debug)]
 struct Run {
-    /// As it was given.
+    /// The command as it was given.
     command: Command,
-    /// The first of the operations it was resolved to.
+    /// The first of the operations that the command resolved to.
     op: Op,
-    /// The objects it reads.
+    /// The objects that the job reads.
     objects: Vec<ObjectId>,
-    /// The place of the object it is for.
+    /// The place of the command's object in the list.
     at: usize,
-    /// What it does in place of another command.
+    /// The command that the job adjusts.
     adjusts: Adjusts,
 }
 
 /// What a job adjusts.
 #[derive(Debug)]
 enum Adjusts {
-    /// Nothing: it is a command of its own.
+    /// Nothing: the command stands on its own.
     Nothing,
-    /// The last command, and the step that made, if it made one. It comes back where the job fails.
+    /// The last command, and its step if it made one. The step is restored if the job fails.
     Last(Option<Box<Replaced>>),
 }
 
@@ -98,16 +98,16 @@ impl WaitingFor {
 }
 
 impl Editor {
-    /// Carries out a command that is quick, or gives the job to do for one that may take long. Until
-    /// [`Editor::finish`] the document stays as it is, and edits of the job's objects are refused.
+    /// Carries out a quick command, or returns a job for one that may take long. Until [`Editor::finish`]
+    /// the document stays as it is, and edits of the job's objects are refused.
     ///
     /// # Errors
-    /// Why the command is refused, naming the op and the field.
+    /// The command is refused; the error names the operation and the field.
     pub fn begin(&mut self, command: Command) -> Result<Begun, CommandError> {
         self.begin_from(command, MAX_FACES_AT_ONCE)
     }
 
-    /// [`Editor::begin`] with another threshold: work of this many faces or more becomes a job.
+    /// [`Editor::begin`] with another threshold: a command becomes a job from this many faces of work.
     ///
     /// # Errors
     /// As [`Editor::begin`].
@@ -140,8 +140,8 @@ impl Editor {
         }
     }
 
-    /// The work of a command in faces read or made: what decides whether it becomes a job. None where
-    /// the command would be refused. Costs O(mesh) at most.
+    /// The work of a command, in faces read or created, which decides whether it becomes a job. None if the
+    /// command would be refused. Costs O(mesh) at most.
     pub fn cost(&self, command: &Command) -> Option<usize> {
         match self.plan(command.clone()).ok()? {
             Planned::Whole { op, objects, .. } => Some(Self::work(&[op], &self.inputs(&objects))),
@@ -150,7 +150,7 @@ impl Editor {
         }
     }
 
-    /// The work of operations, in faces read or made.
+    /// The work of operations, in faces read or created.
     fn work(ops: &[Op], inputs: &[Input]) -> usize {
         let each = ops.iter().map(|op| match op.action() {
             Action::WholeMesh(whole) => whole.cost(inputs),
@@ -160,14 +160,14 @@ impl Editor {
         each.fold(0, usize::saturating_add)
     }
 
-    /// Whether a command runs at once when it is begun, and so can be previewed at every change of its
-    /// fields; one that would be refused is not quick. Costs O(mesh) at most.
+    /// Whether the command would run at once, so that it can be previewed at every change of its fields.
+    /// False if it would be refused. Costs O(mesh) at most.
     pub fn is_quick(&self, command: &Command) -> bool {
         self.cost(command).is_some_and(|cost| cost < MAX_FACES_AT_ONCE)
     }
 
-    /// The mesh that an operation on whole meshes would make of the command's object, without doing it;
-    /// none where it is refused. Costs what running it costs.
+    /// The mesh that a whole-mesh operation would make of the command's object, without changing the
+    /// document; none if the command is refused. Costs as much as running it.
     pub fn try_out(&self, command: &Command) -> Option<Mesh> {
         let Planned::Whole { op, objects, .. } = self.plan(command.clone()).ok()? else { return None };
         let made = self.compute(&op, &objects, &mut |_| ControlFlow::Continue(())).ok()?;
@@ -180,31 +180,30 @@ impl Editor {
         Self::work(ops, &self.inputs(objects)) < MAX_FACES_AT_ONCE
     }
 
-    /// The job of reading files, whose result [`Editor::finish`] opens in place of the document.
+    /// A job that reads files; [`Editor::finish`] replaces the document by what it read.
     pub fn begin_import(&mut self, files: Vec<NamedBytes>) -> JobRequest {
         self.begin_import_with(files, Repairs::default())
     }
 
-    /// [`Editor::begin_import`] with choices in how meshes are made of what is not one as it
-    /// stands. `repair-import` makes them later.
+    /// [`Editor::begin_import`] with choices of how to repair faces that do not form a mesh.
+    /// `repair-import` makes these choices later.
     pub fn begin_import_with(&mut self, files: Vec<NamedBytes>, repairs: Repairs) -> JobRequest {
         JobRequest { id: self.expect_import(), work: Work::Import(files, repairs) }
     }
 
-    /// Announces an import whose files are still on their way: a job that can be cancelled, and whose
-    /// request [`JobRequest::import_expected`] makes once they are here.
+    /// Announces an import whose files are still arriving. The job can be cancelled;
+    /// [`JobRequest::import_expected`] makes its request once the files are here.
     pub fn expect_import(&mut self) -> JobId {
         self.wait_for(WaitingFor::Open)
     }
 
-    /// The job of writing the document's objects to files of a format, called after the document. An
-    /// ongoing edit of elements is written as it stands and goes on; the preview of an operation is
-    /// cancelled.
+    /// A job that writes the document's objects to files of a format, named after the document. An ongoing
+    /// edit of elements is written as shown and continues; the preview of an operation is cancelled.
     pub fn begin_export(&mut self, format: Format) -> JobRequest {
         self.begin_export_as(format, self.document.name.clone())
     }
 
-    /// [`Editor::begin_export`] to files of another name, given without an extension.
+    /// [`Editor::begin_export`] under another file name, given without an extension.
     pub fn begin_export_as(&mut self, format: Format, name: String) -> JobRequest {
         if self.is_previewing_mesh() {
             self.cancel_edit();
@@ -228,10 +227,10 @@ impl Editor {
         id
     }
 
-    /// Takes in what came of a job, as one undo step.
+    /// Commits the result of a job as one undo step.
     ///
     /// # Errors
-    /// What the job failed with, or what is wrong with its result; the document is as it was.
+    /// The job failed or its result is invalid; the document is unchanged.
     pub fn finish(
         &mut self,
         id: JobId,
@@ -245,7 +244,7 @@ impl Editor {
         };
         let job = self.jobs.remove(at);
         self.changes.jobs = true;
-        // Writing a file changes nothing, so an ongoing edit goes on.
+        // Writing a file changes nothing, so an ongoing edit continues.
         if !matches!(job.kind, WaitingFor::Export) {
             self.end_edit();
         }
@@ -263,21 +262,21 @@ impl Editor {
             (WaitingFor::Run(run), Ok(made @ Made::Meshes(..))) => self.finish_run(*run, made),
             (kind, made) => {
                 if let WaitingFor::Run(run) = kind {
-                    self.bring_back(run.adjusts);
+                    self.restore_replaced(run.adjusts);
                 }
                 Err(self.report(made.err().unwrap_or_else(other_job)))
             }
         }
     }
 
-    /// Takes in what a command's job made.
+    /// Commits the result of a command's job.
     fn finish_run(&mut self, run: Run, made: Made) -> Result<Finished, CommandError> {
         let Run { command, op, objects, at, adjusts } = run;
         let before = self.revision;
         let outcome = match self.commit_whole(&op, &objects, at, made) {
             Ok(outcome) => outcome,
             Err(problem) => {
-                self.bring_back(adjusts);
+                self.restore_replaced(adjusts);
                 return Err(self.report(CommandError::of(op.spec().name, problem)));
             }
         };
@@ -290,7 +289,7 @@ impl Editor {
         Ok(Finished::Done(outcome))
     }
 
-    /// Makes a job that was just begun the adjustment of the last command, whose step it replaces.
+    /// Makes a job that has just begun an adjustment of the last command, whose step the job replaces.
     pub(super) fn set_adjusts(&mut self, id: JobId, replaced: Option<Replaced>) {
         for job in self.jobs.iter_mut().filter(|job| job.id == id) {
             if let WaitingFor::Run(run) = &mut job.kind {
@@ -300,29 +299,29 @@ impl Editor {
         }
     }
 
-    fn bring_back(&mut self, adjusts: Adjusts) {
+    fn restore_replaced(&mut self, adjusts: Adjusts) {
         if let Adjusts::Last(Some(replaced)) = adjusts {
             self.restore(*replaced);
         }
     }
 
-    /// Forgets a job; what comes of it is not taken in. A step that the job was to replace comes back.
-    /// Returns whether the job was waited for.
+    /// Forgets a job and ignores its result. Restores the step that the job was to replace, if any. Returns
+    /// whether the job was running.
     pub fn cancel_job(&mut self, id: JobId) -> bool {
         let Some(at) = self.jobs.iter().position(|job| job.id == id) else { return false };
         self.changes.jobs = true;
         if let WaitingFor::Run(run) = self.jobs.remove(at).kind {
-            self.bring_back(run.adjusts);
+            self.restore_replaced(run.adjusts);
         }
         true
     }
 
-    /// The jobs that are waited for, the oldest first.
+    /// The jobs that have not finished, the oldest first.
     pub fn jobs(&self) -> impl Iterator<Item = RunningJob> + '_ {
         self.jobs.iter().map(|job| RunningJob { id: job.id, op: job.kind.op() })
     }
 
-    /// Refuses to change an object that a job runs on.
+    /// Refuses a change of an object that a job is running on.
     pub(super) fn check_idle(&self, id: ObjectId) -> Result<(), Problem> {
         let busy = self.jobs.iter().find_map(|job| match &job.kind {
             WaitingFor::Run(run) if run.objects.contains(&id) => Some(run.op.spec().label),
@@ -339,13 +338,13 @@ impl Editor {
         }
     }
 
-    /// Refuses changes to an object that a job runs on.
+    /// Refuses changes of objects that a job is running on.
     pub(super) fn check_busy(&self, changes: &[Change]) -> Result<(), Problem> {
         let mut ids: Vec<ObjectId> = self.document.objects().iter().map(|object| object.id()).collect();
         for change in changes {
             let id = match change {
                 Change::Journal(id, _) | Change::Mesh(id, _) | Change::Bezier(id, _) => Some(*id),
-                // Places are those after the changes before it.
+                // A place refers to the list after the preceding changes.
                 Change::Remove(at) if *at < ids.len() => Some(ids.remove(*at)),
                 Change::Insert(at, object) if *at <= ids.len() => {
                     ids.insert(*at, object.id());

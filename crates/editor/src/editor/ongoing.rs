@@ -1,5 +1,5 @@
-//! The ongoing edit: a preview in the document that each update replaces, and one undo step at the end.
-//! Drags, edits that follow the pointer, spin boxes, painting and the previews of forms all are one.
+//! The ongoing edit: a preview in the document that each update replaces, which becomes one undo step at
+//! the end. Drags, edits that follow the pointer, spin boxes, painting and form previews are ongoing edits.
 
 use super::Editor;
 use super::run::Planned;
@@ -11,34 +11,34 @@ use crate::selection::Selection;
 use std::ops::ControlFlow;
 use std::sync::Arc;
 
-/// An edit that is going on: what cancels its preview.
+/// An ongoing edit, with the changes that cancel its preview.
 #[derive(Debug)]
 pub(super) struct Ongoing {
     command: Command,
     back: Vec<Change>,
     selection: Arc<Selection>,
-    /// It previews an operation on the whole mesh.
+    /// Whether it previews an operation on the whole mesh.
     whole: bool,
 }
 
 impl Editor {
-    /// Shows what a local edit, a move of a control point, or an operation on the whole mesh would do, in
-    /// place of what the last update showed. The document has the preview in it until
-    /// [`Editor::commit_edit`] or [`Editor::cancel_edit`].
+    /// Shows the effect of a local edit, a move of a control point, or an operation on the whole mesh, in
+    /// place of the previous update's. The document contains the preview until [`Editor::commit_edit`] or
+    /// [`Editor::cancel_edit`].
     ///
-    /// Any other command first commits an ongoing edit of elements and cancels the preview of an
-    /// operation on the whole mesh.
+    /// Any other command first commits an ongoing edit of elements, or cancels the preview of an operation
+    /// on the whole mesh.
     ///
     /// # Errors
-    /// Why the edit is refused, or that an operation takes too long to be previewed
-    /// ([`Editor::is_quick`]); the last preview stays.
+    /// The edit is refused, or the operation takes too long to be previewed (see [`Editor::is_quick`]); the
+    /// last preview stays.
     pub fn update_edit(&mut self, command: Command) -> Result<Outcome, CommandError> {
         let name = command.name();
         self.replace_preview(command).map_err(|problem| CommandError::of(name, problem))
     }
 
     fn replace_preview(&mut self, command: Command) -> Result<Outcome, Problem> {
-        // The elements are looked up in the document without the preview, as at the commit.
+        // Resolves the elements in the document without the preview, as the commit does.
         let Some(last) = self.ongoing.take() else {
             let selection = self.selection.clone();
             return self.show_preview(command, selection);
@@ -66,7 +66,7 @@ impl Editor {
             }
             Planned::Whole { op, objects, at } if replaces_its_object(&op) => {
                 if !self.is_small(std::slice::from_ref(&op), &objects) {
-                    return Err(Problem::new("on a mesh of this size it takes too long to be previewed"));
+                    return Err(Problem::new("a preview takes too long on a mesh of this size"));
                 }
                 let made = self.compute(&op, &objects, &mut |_| ControlFlow::Continue(()))?;
                 if self.is_unchanged(&op, &objects, &made) {
@@ -78,7 +78,7 @@ impl Editor {
             }
             Planned::Whole { .. } | Planned::Document { .. } => {
                 return Err(Problem::new(
-                    "this op can't be dragged or previewed: it does not change one mesh",
+                    "this operation can't be dragged or previewed, because it doesn't change a single mesh",
                 ));
             }
         };
@@ -86,7 +86,7 @@ impl Editor {
         Ok(outcome)
     }
 
-    /// Removes a preview and returns what shows it again.
+    /// Removes a preview and returns the changes that show it again.
     fn remove_preview(&mut self, ongoing: Ongoing) -> Vec<Change> {
         let redo = self.apply(ongoing.back);
         if self.selection != ongoing.selection {
@@ -96,7 +96,7 @@ impl Editor {
         redo
     }
 
-    /// Whether an edit is going on.
+    /// Whether an edit is ongoing.
     pub fn is_editing(&self) -> bool {
         self.ongoing.is_some()
     }
@@ -106,7 +106,7 @@ impl Editor {
         self.ongoing.as_ref().is_some_and(|ongoing| ongoing.whole)
     }
 
-    /// Ends the ongoing edit because something else is done: commits an edit of elements, cancels the
+    /// Ends the ongoing edit because something else happens: commits an edit of elements, cancels the
     /// preview of an operation on the whole mesh.
     pub(super) fn end_edit(&mut self) {
         if self.is_previewing_mesh() {
@@ -116,8 +116,8 @@ impl Editor {
         };
     }
 
-    /// Makes the preview one undo step, unless it changes nothing; returns its label, or none where no
-    /// edit is going on.
+    /// Makes the preview one undo step, unless it changes nothing; returns its label, or none if no edit is
+    /// ongoing.
     pub fn commit_edit(&mut self) -> Option<String> {
         let mut ongoing = self.ongoing.take()?;
         for change in &mut ongoing.back {
@@ -132,7 +132,7 @@ impl Editor {
         Some(label)
     }
 
-    /// Removes the preview without a trace; returns its label, or none where no edit is going on.
+    /// Removes the preview without a trace; returns its label, or none if no edit is ongoing.
     pub fn cancel_edit(&mut self) -> Option<String> {
         let ongoing = self.ongoing.take()?;
         let label = ongoing.command.op.spec().label.to_owned();
@@ -141,7 +141,7 @@ impl Editor {
     }
 }
 
-/// Whether the result of an operation takes the place of its own object.
+/// Whether the operation's result replaces the mesh of its own object.
 fn replaces_its_object(op: &Op) -> bool {
     matches!(op.action(), Action::WholeMesh(whole) if whole.commit() == Commit::Replace)
 }

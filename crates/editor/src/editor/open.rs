@@ -1,4 +1,4 @@
-//! Opening what was read from files.
+//! Opening models read from files.
 
 use super::run::broken;
 use super::{Editor, MessageKind};
@@ -12,10 +12,10 @@ use formats::Import;
 use std::sync::Arc;
 
 impl Editor {
-    /// Opens what was read in place of the document, as one step: undo brings the other one back.
+    /// Replaces the document by an import, as one step: undo restores the previous document.
     ///
     /// # Errors
-    /// A mesh that is not valid, which a reader never makes, or a Bezier surface of too many patches.
+    /// A mesh is invalid, which no reader produces, or a Bezier surface has too many patches.
     pub fn open(&mut self, mut import: Import) -> Result<Outcome, CommandError> {
         fill_previews(&mut import).map_err(|problem| self.report(CommandError::of("open", problem)))?;
         for object in &import.model.objects {
@@ -27,10 +27,10 @@ impl Editor {
         Ok(self.open_valid(import))
     }
 
-    /// Opens meshes that are known to be valid.
+    /// Opens an import whose meshes are known to be valid.
     pub(super) fn open_valid(&mut self, import: Import) -> Outcome {
         self.end_edit();
-        // What runs on objects that go has nowhere to put its result.
+        // Jobs on objects that are removed have nowhere to put their results.
         if !self.jobs.is_empty() {
             self.jobs.clear();
             self.changes.jobs = true;

@@ -1,4 +1,4 @@
-//! Running commands: planned, then carried out as one step, or refused with nothing changed.
+//! Running commands: each is planned, then carried out as one step, or refused with nothing changed.
 
 use super::Editor;
 use super::MessageKind;
@@ -13,14 +13,14 @@ use halfedge::{Journal, Mesh, Touched};
 use std::ops::ControlFlow;
 use std::sync::Arc;
 
-/// What a command has to do.
+/// The work that a command resolves to.
 pub(super) enum Planned {
     Local { object: ObjectId, ops: Vec<Op> },
     Whole { op: Op, objects: Vec<ObjectId>, at: usize },
     Document { op: Op, changes: Vec<Change> },
 }
 
-/// What local edits did.
+/// The result of local edits.
 pub(super) struct Edited {
     pub journal: Journal,
     pub created: Elements,
@@ -32,15 +32,15 @@ impl Editor {
     /// Carries out a command at once, on this thread, as one undo step.
     ///
     /// # Errors
-    /// Why it was refused, naming the op and the field; the document is then as it was.
+    /// The command is refused; the error names the operation and the field, and the document is unchanged.
     pub fn run(&mut self, command: Command) -> Result<Outcome, CommandError> {
         self.run_with(command, &mut |_| ControlFlow::Continue(()))
     }
 
-    /// [`Editor::run`] with progress, which may stop it.
+    /// [`Editor::run`] with progress, which can cancel the command.
     ///
     /// # Errors
-    /// As [`Editor::run`], and that it was cancelled.
+    /// As [`Editor::run`], or the command was cancelled.
     pub fn run_with(
         &mut self,
         command: Command,
@@ -51,21 +51,23 @@ impl Editor {
         self.run_inner(command, progress).map_err(|problem| self.report(CommandError::of(name, problem)))
     }
 
-    /// Whether a command would be carried out and change something: the one answer that menus, buttons
-    /// and keys go by. It is as exact as can be without doing it: for a local edit all but whether
-    /// positions stay finite (of several in one step the first, which the others build on), for an
-    /// operation on whole meshes whether its elements and objects exist.
+    /// Whether a command would be carried out and change something: the single answer that menus, buttons
+    /// and keys use. It is as exact as possible without running the command. For a local edit it checks
+    /// everything except whether positions stay finite; of several edits in one step it checks the first, on
+    /// which the others build. For an operation on whole meshes it checks only that its elements and objects
+    /// exist.
     ///
-    /// Costs O(mesh) at most. Of a selection of more than [`Editor::MAX_CHECKED_SELECTION`] elements, and
-    /// of edits that would run as a job, only the kind of element is checked. Nothing is logged.
+    /// Costs O(mesh) at most. If a selection has more than [`Editor::MAX_CHECKED_SELECTION`] elements, or
+    /// an edit would run as a job, only the kind of element is checked. Logs nothing.
     ///
     /// # Errors
-    /// Why it would be refused or change nothing; [`CommandError::reason`] is the sentence for a tooltip.
+    /// The command would be refused or change nothing; [`CommandError::reason`] gives the sentence for a
+    /// tooltip.
     pub fn can(&self, command: &Command) -> Result<(), CommandError> {
         self.check(command).map_err(|problem| CommandError::of(command.name(), problem))
     }
 
-    /// The number of selected elements up to which [`Editor::can`] checks each.
+    /// The largest selection of which [`Editor::can`] checks each element.
     pub const MAX_CHECKED_SELECTION: usize = 1000;
 
     fn check(&self, command: &Command) -> Result<(), Problem> {
@@ -111,7 +113,7 @@ impl Editor {
         self.carry_out(command, planned, progress)
     }
 
-    /// Does what was planned for a command, and remembers it as the last one.
+    /// Carries out a command's plan and remembers the command as the last one.
     pub(super) fn carry_out(
         &mut self,
         command: Command,
@@ -157,7 +159,7 @@ impl Editor {
         }
     }
 
-    /// What a whole-mesh operation makes of objects; it is valid.
+    /// The valid result of a whole-mesh operation on objects.
     pub(super) fn compute(
         &self,
         op: &Op,
@@ -206,13 +208,13 @@ impl Editor {
         Ok(Planned::Local { object: object.id(), ops })
     }
 
-    /// Where a command acts.
+    /// The place where a command acts.
     fn place(&self, command: &Command) -> Place<'_> {
         Place { document: &self.document, object: command.object, next_object: ObjectId(self.next_object) }
     }
 
-    /// What a command's elements are looked up in. Only `new` works without an object; `no_selection` and
-    /// `no_mesh` stand in for the missing one.
+    /// The mesh and selection that a command's elements refer to. Only `new` works without an object;
+    /// `no_selection` and `no_mesh` then stand in for the object's.
     fn target<'a>(
         &'a self,
         place: &Place<'_>,
@@ -231,7 +233,7 @@ impl Editor {
         })
     }
 
-    /// Makes the changes of an operation on the document; returns those that reverse them.
+    /// Applies the changes of a document operation; returns their inverses.
     pub(super) fn apply_to_document(&mut self, changes: Vec<Change>) -> Vec<Change> {
         for change in &changes {
             if let Change::Insert(_, object) = change {
@@ -263,7 +265,7 @@ impl Editor {
             .collect()
     }
 
-    /// Makes local edits on an object in one transaction, validated; all or nothing.
+    /// Makes local edits on an object in one validated transaction: all of them or none.
     pub(super) fn edit(&mut self, id: ObjectId, ops: &[Op]) -> Result<Edited, Problem> {
         let at = self.document.index_of(id).ok_or_else(object_gone)?;
         let object = self.document.objects.get_mut(at).ok_or_else(object_gone)?;
@@ -311,7 +313,7 @@ pub(super) fn broken(defect: &str) -> Problem {
     ))
 }
 
-/// Validates what an edit touched, and what lies at the half-edges it touched.
+/// Validates the elements that an edit touched, and those next to the half-edges that it touched.
 fn validate_touched(mesh: &Mesh, touched: &Touched) -> Result<(), halfedge::Defect> {
     if touched.everything {
         return mesh.validate();

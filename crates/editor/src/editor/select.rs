@@ -1,5 +1,6 @@
-//! Selecting. It is no undo step of its own, but undo brings back the selection it had. It first ends an
-//! ongoing edit, whose selection is the one it began with.
+//! Selecting. A change of the selection is no undo step of its own, but undo restores the selection that
+//! its step began with. Selecting first ends an ongoing edit, which refers to the selection that it began
+//! with.
 
 use super::Editor;
 use crate::error::{CommandError, Problem};
@@ -7,23 +8,23 @@ use crate::selection::Selection;
 use halfedge::Element;
 use std::sync::Arc;
 
-/// What becomes of what is selected already.
+/// How new elements combine with the current selection.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum SelectMode {
-    /// Only the new elements are selected.
+    /// Selects only the new elements.
     #[default]
     Replace,
-    /// The new elements are selected too.
+    /// Adds the new elements to the selection.
     Extend,
-    /// New elements that are selected are no more; the others are.
+    /// Deselects those of the new elements that are selected, and selects the others.
     Toggle,
 }
 
 impl Editor {
-    /// Selects elements of the active object. Another kind than the selection's starts over.
+    /// Selects elements of the active object. Elements of another kind replace the selection.
     ///
     /// # Errors
-    /// An id that doesn't exist; the selection is then as it was.
+    /// An id doesn't exist; the selection is unchanged.
     pub fn select(
         &mut self,
         kind: Element,
@@ -54,11 +55,11 @@ impl Editor {
         Ok(())
     }
 
-    /// Extends the selection by all ids from the latest selected one to this one, as a click with
-    /// shift in a list does.
+    /// Extends the selection by all ids from the one selected last to this one, like a Shift-click in a
+    /// list.
     ///
     /// # Errors
-    /// An id that doesn't exist.
+    /// An id doesn't exist.
     pub fn select_range(&mut self, kind: Element, to: u32) -> Result<(), CommandError> {
         self.end_edit();
         let from = if self.selection.kind() == kind { self.selection.latest() } else { None };
@@ -85,7 +86,7 @@ impl Editor {
         self.set_selection(selection);
     }
 
-    /// Selects nothing; the kind stays.
+    /// Clears the selection; its kind stays.
     pub fn deselect(&mut self) {
         self.end_edit();
         self.set_selection(Selection::new(self.selection.kind()));
@@ -98,7 +99,7 @@ impl Editor {
         }
     }
 
-    /// Drops ids that an edit removed from the selection.
+    /// Drops removed elements from the selection.
     pub(super) fn drop_gone_from_selection(&mut self) {
         let Some(object) = self.document.active() else { return };
         if self.selection.has_gone(object.mesh()) {

@@ -1,4 +1,4 @@
-//! What an editor opens on.
+//! The initial document of an editor.
 
 use super::Editor;
 use crate::error::CommandError;
@@ -7,11 +7,11 @@ use crate::ops::Command;
 use crate::outcome::Outcome;
 
 impl Editor {
-    /// Runs a command whose result is what the editor opens on: it can't be undone and there is
-    /// nothing to save. For an editor in which nothing has been done yet; the history is forgotten.
+    /// Runs a command whose result is the initial document: it can't be undone and there is nothing to
+    /// save. Use it in an editor where nothing has been done yet; it clears the history.
     ///
     /// # Errors
-    /// Why the command is refused; the document is then as it was.
+    /// The command is refused; the document is unchanged.
     pub fn start_with(&mut self, command: Command) -> Result<Outcome, CommandError> {
         let outcome = self.run(command)?;
         self.history = History::new();

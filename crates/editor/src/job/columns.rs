@@ -8,7 +8,7 @@ use serde::{Deserialize, Serialize};
 use std::io;
 use std::sync::Arc;
 
-/// Writes a mesh with its name, its control points and, if wanted, the faces as they were in the file.
+/// Writes a mesh with its name, its control points and, if wanted, the original faces of the file.
 pub(super) fn write_named(
     out: &mut Writer<'_>,
     name: &str,
@@ -42,9 +42,9 @@ pub(super) fn read_named(from: &mut Reader<'_>) -> Result<NamedMesh, BadBytes> {
 #[derive(Serialize, Deserialize)]
 struct NamedHead {
     name: String,
-    /// Given where control points follow the mesh.
+    /// Present if control points follow the mesh.
     bezier_is_curve: Option<bool>,
-    /// Whether the faces as they were in the file follow.
+    /// Whether the original faces of the file follow.
     has_soup: bool,
 }
 
@@ -148,7 +148,7 @@ fn write_attributes(out: &mut Writer<'_>, columns: Vec<&Column>) -> io::Result<(
         .collect();
     out.value(&heads)?;
     for column in columns {
-        // A default may be NaN, which JSON doesn't have.
+        // A default may be NaN, which JSON can't express.
         match column.default {
             Value::F32(value) => out.column(&[value])?,
             Value::Vec2(value) => out.column(&[value])?,
@@ -188,7 +188,7 @@ fn read_attributes(from: &mut Reader<'_>, len: usize) -> Result<Vec<Column>, Bad
 fn default<T: bytemuck::AnyBitPattern + bytemuck::NoUninit>(from: &mut Reader<'_>) -> Result<T, BadBytes> {
     match from.column()?.as_slice() {
         [value] => Ok(*value),
-        _ => Err(BadBytes::new("a column has no default")),
+        _ => Err(BadBytes::new("a column's default is missing")),
     }
 }
 

@@ -1,9 +1,9 @@
-//! How a job is laid out as bytes: one block after the other, each with its length in front.
+//! The byte layout of a job: a sequence of blocks, each preceded by its length.
 //!
-//! A block is either a value as JSON or a column of plain numbers as they lie in memory, both
-//! little-endian. There is no checksum: the bytes go from one thread of a program to another, and the
-//! browser delivers them as they were. Lengths are checked against the bytes that are left before any
-//! memory is reserved, so bytes that are not a job are refused and cost nothing.
+//! A block is either a value as JSON or a column of plain numbers as in memory, both little-endian. There
+//! is no checksum: the bytes pass between threads of one program, and the browser delivers them unchanged.
+//! Lengths are checked against the remaining bytes before memory is reserved, so bytes that are not a job
+//! are refused at no cost.
 
 use bytemuck::{AnyBitPattern, NoUninit};
 use serde::Serialize;
@@ -11,7 +11,7 @@ use serde::de::DeserializeOwned;
 use std::fmt;
 use std::io::{self, Read, Write};
 
-/// Why bytes are not a job.
+/// Why bytes could not be read as a job.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct BadBytes(String);
 
@@ -29,30 +29,30 @@ impl fmt::Display for BadBytes {
 
 impl std::error::Error for BadBytes {}
 
-/// What the page and its worker send each other.
+/// Messages between the page and its worker.
 ///
-/// [`Wire::write_to`] and [`Wire::read_from`] copy each column of a mesh once, straight from and into
-/// its own memory. Between a page and its worker a mesh is therefore copied twice: from the memory of
-/// the sender into a buffer of [`Wire::byte_len`] bytes, which changes hands without a copy, and from
-/// there into the memory of the receiver.
+/// [`Wire::write_to`] and [`Wire::read_from`] copy each column of a mesh once, directly from and to its
+/// memory. A mesh is therefore copied twice on its way between the page and the worker: from the sender's
+/// memory to a buffer of [`Wire::byte_len`] bytes, which is transferred without a copy, and from there to
+/// the receiver's memory.
 pub trait Wire: Sized {
     /// Writes the value.
     ///
     /// # Errors
-    /// What `out` fails with.
+    /// Writing to `out` failed.
     fn write_to(&self, out: &mut dyn Write) -> io::Result<()>;
 
-    /// Reads a value that takes up all `len` bytes of `from`.
+    /// Reads a value that takes up exactly `len` bytes of `from`.
     ///
     /// # Errors
-    /// The bytes are not such a value, end too early or go on after it. Meshes are not validated:
-    /// only the lengths of their columns are checked.
+    /// The bytes are not such a value, or too few or too many. Meshes are not validated: only the lengths
+    /// of their columns are checked.
     fn read_from(from: &mut dyn Read, len: usize) -> Result<Self, BadBytes>;
 
-    /// How many bytes [`Wire::write_to`] writes. Costs O(columns) plus what the JSON costs.
+    /// The number of bytes that [`Wire::write_to`] writes. Costs O(columns) and the cost of the JSON.
     fn byte_len(&self) -> usize {
         let mut counter = Counter(0);
-        // A counter takes everything.
+        // Writing to a counter can't fail.
         let _ = self.write_to(&mut counter);
         counter.0
     }
@@ -60,7 +60,7 @@ pub trait Wire: Sized {
     /// The value as bytes.
     fn to_bytes(&self) -> Vec<u8> {
         let mut bytes = Vec::with_capacity(self.byte_len());
-        // A vector takes everything.
+        // Writing to a vector can't fail.
         let _ = self.write_to(&mut bytes);
         bytes
     }
@@ -95,7 +95,7 @@ pub(super) struct Writer<'a> {
 }
 
 impl<'a> Writer<'a> {
-    /// Starts with the mark that says what follows.
+    /// Begins with the mark that identifies the kind of value.
     pub fn start(out: &'a mut dyn Write, mark: [u8; 8]) -> io::Result<Self> {
         out.write_all(&mark)?;
         Ok(Self { out })
@@ -111,7 +111,7 @@ impl<'a> Writer<'a> {
     }
 }
 
-/// Reads blocks, never more than there are bytes.
+/// Reads blocks, never more than the given number of bytes.
 pub(super) struct Reader<'a> {
     from: &'a mut dyn Read,
     left: usize,
@@ -123,7 +123,7 @@ impl<'a> Reader<'a> {
         let mut reader = Self { from, left: len };
         let mut start = [0; 8];
         reader.fill(&mut start)?;
-        if start == mark { Ok(reader) } else { Err(BadBytes::new("they don't start like one")) }
+        if start == mark { Ok(reader) } else { Err(BadBytes::new("they begin with another mark")) }
     }
 
     fn fill(&mut self, bytes: &mut [u8]) -> Result<(), BadBytes> {
@@ -131,8 +131,8 @@ impl<'a> Reader<'a> {
         self.from.read_exact(bytes).map_err(BadBytes::new)
     }
 
-    /// The next column, with room for the next edits, which would otherwise move every column of the
-    /// mesh at once.
+    /// The next column, with spare capacity: without it, the next edits would reallocate every column of
+    /// the mesh.
     pub fn column<T: AnyBitPattern + NoUninit>(&mut self) -> Result<Vec<T>, BadBytes> {
         let mut len = [0; 8];
         self.fill(&mut len)?;
@@ -151,7 +151,7 @@ impl<'a> Reader<'a> {
     }
 
     pub fn end(self) -> Result<(), BadBytes> {
-        if self.left == 0 { Ok(()) } else { Err(BadBytes::new("there is something after the end")) }
+        if self.left == 0 { Ok(()) } else { Err(BadBytes::new("bytes follow after the end")) }
     }
 }
 
@@ -167,7 +167,7 @@ mod tests {
     }
 
     #[test]
-    fn columns_that_promise_more_than_there_is_are_refused() {
+    fn columns_longer_than_the_remaining_bytes_are_refused() {
         for len in [2, 1 << 20, u64::MAX / 4 + 2, u64::MAX] {
             let bytes = [*b"MWtest00", len.to_le_bytes(), [0; 8]].concat();
             let error = read(&bytes, |from| from.column::<[u32; 2]>()).expect_err("there are eight bytes");
@@ -177,7 +177,7 @@ mod tests {
         assert_eq!(read(&bytes, |from| from.column::<[u32; 2]>()), Ok(vec![[0x0707_0707; 2]]));
         let error = read(&bytes, |from| from.column::<u32>()).expect_err("four bytes more");
         assert!(error.contains("after the end"), "{error}");
-        assert!(read(&bytes, |from| from.value::<u32>()).is_err(), "7 is no JSON");
+        assert!(read(&bytes, |from| from.value::<u32>()).is_err(), "bytes of value 7 are not JSON");
         assert!(read(b"MWother0", |from| from.column::<u32>()).is_err());
     }
 }

@@ -1,4 +1,4 @@
-//! The help of `meshwright`.
+//! The operations in the help of the command-line program `meshwright`.
 
 use super::words;
 use crate::ops::OpId;
@@ -10,7 +10,7 @@ pub fn operations_help() -> String {
     OpId::ALL.iter().map(|id| format!("  {:width$}  {}\n", id.spec().name, id.spec().description)).collect()
 }
 
-/// An operation's description and fields, with what each takes and its default.
+/// An operation's description and fields, with the values and the default of each.
 pub fn operation_help(id: OpId) -> String {
     let spec = id.spec();
     let mut text = format!("{}: {}\n", spec.name, spec.description);

@@ -1,5 +1,5 @@
-//! Texts about commands, made from the operations' [`Spec`](crate::Spec)s: the help of the command
-//! line, the types for TypeScript and the operations reference.
+//! Texts about commands, generated from the operations' [`Spec`](crate::Spec)s: the command line's help,
+//! the TypeScript types and the operations reference.
 
 mod help;
 mod reference;

@@ -1,4 +1,4 @@
-//! What the tests share.
+//! Helpers for the tests of this crate.
 #![allow(dead_code, reason = "each test file uses its own part")]
 
 use editor::halfedge::{Mesh, PolygonSoup};
