@@ -8,7 +8,7 @@ export interface SetVertexPosition {
   object?: number;
   /** The vertex to move: a vertex by id; default: the selected vertex. */
   vertex?: number;
-  /** Where it goes, in mesh units: three numbers: `[x, y, z]`; required. */
+  /** The new position, in mesh units: three numbers: `[x, y, z]`; required. */
   position: Vector;
 }
 
@@ -19,17 +19,17 @@ export interface Transform {
   object?: number;
   /** Vertices to move: a list of vertices, each by id; default: the vertices of the selection. */
   vertices?: number[];
-  /** Edges whose ends are moved: a list of edges, each by id or by `[a, b]`, the vertices at its ends; default: none. */
+  /** Edges whose ends to move: a list of edges, each by id or by `[a, b]`, the vertices at its ends; default: none. */
   edges?: (number | Pair)[];
-  /** Faces whose corners are moved: a list of faces, each by id; default: none. */
+  /** Faces whose corners to move: a list of faces, each by id; default: none. */
   faces?: number[];
   /** How far to move, in mesh units: three numbers: `[x, y, z]`; default: [0.0,0.0,0.0]. */
   translate?: Vector;
   /** How to rotate about the pivot: an axis and degrees: `{"axis": [0, 0, 1], "degrees": 90}`; default: no rotation. */
   rotate?: { axis: Vector; degrees: number };
-  /** By how much to scale about the pivot: a factor, or three: `[x, y, z]`; default: 1.0. */
+  /** The factor by which to scale about the pivot: a factor, or three: `[x, y, z]`; default: 1.0. */
   scale?: number | Vector;
-  /** What stays in place: three numbers: `[x, y, z]`; default: the centre of what is moved. */
+  /** The point that stays in place: three numbers: `[x, y, z]`; default: the centre of the vertices. */
   pivot?: Vector;
   /** Soft selection: how far along the surface other vertices move too: a number in mesh units, 0 or more; default: none. */
   falloff?: number;
@@ -53,7 +53,7 @@ export interface SplitEdge {
   object?: number;
   /** The edge to split: an edge by id or by `[a, b]`, the vertices at its ends; default: the selected edges. */
   edge?: number | Pair;
-  /** Where along the edge, between its ends: a number from 0 to 1; default: 0.5. */
+  /** The position along the edge, between its ends: a number from 0 to 1; default: 0.5. */
   t?: number;
   /** Which of the faces beside the edge are cut: one of `"triangles"`, `"none"`, `"all"`; default: triangles. */
   connect?: "triangles" | "none" | "all";
@@ -75,7 +75,7 @@ export interface CollapseEdge {
   object?: number;
   /** The edge to collapse: an edge by id or by `[a, b]`, the vertices at its ends; default: the selected edges. */
   edge?: number | Pair;
-  /** Where along the edge the vertex is: a number from 0 to 1; default: 0.5. */
+  /** The position of the vertex along the edge: a number from 0 to 1; default: 0.5. */
   t?: number;
 }
 
@@ -97,7 +97,7 @@ export interface SplitVertex {
   vertex?: number;
   /** Two of its edges: a list of two edges, each by id or by `[a, b]`, the vertices at its ends; default: the two selected edges. */
   edges?: [number | Pair, number | Pair];
-  /** Where the two vertices go: two positions: `[[x, y, z], [x, y, z]]`; default: a little apart. */
+  /** The positions of the two vertices: two positions: `[[x, y, z], [x, y, z]]`; default: a little apart. */
   positions?: [Vector, Vector];
 }
 
@@ -148,7 +148,7 @@ export interface TriangulateFaces {
   object?: number;
   /** The faces to cut: a list of faces, each by id; default: the selected faces, or all. */
   faces?: number[];
-  /** A fan from the first corner where that is right, else ears; or always one of them: one of `"auto"`, `"fan"`, `"ear"`; default: auto. */
+  /** A fan from the first corner if that is correct, else ears; or always one of the two: one of `"auto"`, `"fan"`, `"ear"`; default: auto. */
   method?: "auto" | "fan" | "ear";
 }
 
@@ -201,7 +201,7 @@ export interface InsetFaces {
   object?: number;
   /** The faces to inset: a list of faces, each by id; default: the selected faces. */
   faces?: number[];
-  /** How wide the ring is, in mesh units: a number in mesh units, 0 or more; required. */
+  /** The width of the ring, in mesh units: a number in mesh units, 0 or more; required. */
   amount: number;
   /** Whether faces that share an edge stay together: one of `"region"`, `"individual"`; default: region. */
   mode?: "region" | "individual";
@@ -214,9 +214,9 @@ export interface BevelEdges {
   object?: number;
   /** The edges to bevel: a list of edges, each by id or by `[a, b]`, the vertices at its ends; default: the selected edges. */
   edges?: (number | Pair)[];
-  /** How far it goes on each side, in mesh units: a number in mesh units, 0 or more; required. */
+  /** The width on each side of the edge, in mesh units: a number in mesh units, 0 or more; required. */
   width: number;
-  /** How many faces there are across: a whole number from 1 to 256; default: 1. */
+  /** The number of faces across the strip: a whole number from 1 to 256; default: 1. */
   segments?: number;
 }
 
@@ -240,7 +240,7 @@ export interface LoopCut {
   edge?: number | Pair;
   /** How many cuts: a whole number from 1 to 1000; default: 1. */
   cuts?: number;
-  /** Where the middle of the cuts is along the edge: a number from 0 to 1; default: 0.5. */
+  /** The position of the middle of the cuts along the edge: a number from 0 to 1; default: 0.5. */
   t?: number;
 }
 
@@ -269,7 +269,7 @@ export interface MergeVertices {
   object?: number;
   /** The vertices to merge: a list of vertices, each by id; default: the vertices of the selection. */
   vertices?: number[];
-  /** Where the vertex goes: three numbers: `[x, y, z]`; default: the centre of the vertices. */
+  /** The position of the merged vertex: three numbers: `[x, y, z]`; default: the centre of the vertices. */
   position?: Vector;
 }
 
@@ -296,7 +296,7 @@ export interface FlipOrientation {
   op: "flip-orientation";
   /** The place of the object in the document's list; default: the active object. */
   object?: number;
-  /** The faces of whole pieces: a list of faces, each by id; default: the selected faces, or all. */
+  /** The faces of whole connected pieces: a list of faces, each by id; default: the selected faces, or all. */
   faces?: number[];
 }
 
@@ -318,7 +318,7 @@ export interface SubdivideCatmullClark {
   op: "subdivide-catmull-clark";
   /** The place of the object in the document's list; default: the active object. */
   object?: number;
-  /** How often: a whole number from 1 to 12; default: 1. */
+  /** The number of levels: a whole number from 1 to 12; default: 1. */
   levels?: number;
   /** Whether corners of the boundary stay: one of `"edge-only"`, `"edge-and-corner"`; default: edge-only. */
   boundary?: "edge-only" | "edge-and-corner";
@@ -331,7 +331,7 @@ export interface SubdivideLoop {
   op: "subdivide-loop";
   /** The place of the object in the document's list; default: the active object. */
   object?: number;
-  /** How often: a whole number from 1 to 12; default: 1. */
+  /** The number of levels: a whole number from 1 to 12; default: 1. */
   levels?: number;
   /** Whether corners of the boundary stay: one of `"edge-only"`, `"edge-and-corner"`; default: edge-only. */
   boundary?: "edge-only" | "edge-and-corner";
@@ -344,7 +344,7 @@ export interface SubdivideLinear {
   op: "subdivide-linear";
   /** The place of the object in the document's list; default: the active object. */
   object?: number;
-  /** How often: a whole number from 1 to 12; default: 1. */
+  /** The number of levels: a whole number from 1 to 12; default: 1. */
   levels?: number;
 }
 
@@ -353,11 +353,11 @@ export interface Simplify {
   op: "simplify";
   /** The place of the object in the document's list; default: the active object. */
   object?: number;
-  /** To this share of the triangles: a number from 0.0001 to 1; give exactly one of these. */
+  /** The share of the triangles to keep: a number from 0.0001 to 1; exactly one of these is required. */
   ratio?: number;
-  /** To this many triangles: a whole number of triangles, 1 or more; give exactly one of these. */
+  /** The number of triangles to keep: a whole number of triangles, 1 or more; exactly one of these is required. */
   faces?: number;
-  /** As far as the surface stays this near to what it was, in mesh units: a number in mesh units, 0 or more; give exactly one of these. */
+  /** The largest distance from the original surface, in mesh units: a number in mesh units, 0 or more; exactly one of these is required. */
   max_error?: number;
   /** Keep the shape of the boundary: `true` or `false`; default: true. */
   preserve_boundary?: boolean;
@@ -372,7 +372,7 @@ export interface Remesh {
   object?: number;
   /** The length of edges, in mesh units: a number in mesh units from 0.000001 to 1000000; default: the mean of the edges. */
   edge_length?: number;
-  /** How many rounds: a whole number from 1 to 1000; default: 5. */
+  /** The number of iterations: a whole number from 1 to 1000; default: 5. */
   iterations?: number;
   /** Keep edges that are sharper than this many degrees: a number of degrees from 0 to 180; default: 45.0. */
   feature_angle?: number;
@@ -385,11 +385,11 @@ export interface Smooth {
   op: "smooth";
   /** The place of the object in the document's list; default: the active object. */
   object?: number;
-  /** How many rounds: a whole number from 1 to 10000; default: 1. */
+  /** The number of iterations: a whole number from 1 to 10000; default: 1. */
   iterations?: number;
-  /** How far of the way each time: a number from 0 to 1; default: 0.5. */
+  /** The fraction of the way to move in each iteration: a number from 0 to 1; default: 0.5. */
   strength?: number;
-  /** Towards the neighbours, or there and back, which keeps the volume: one of `"laplacian"`, `"taubin"`; default: laplacian. */
+  /** Only towards the neighbours, or also back again, which nearly keeps the volume: one of `"laplacian"`, `"taubin"`; default: laplacian. */
   method?: "laplacian" | "taubin";
 }
 
@@ -398,7 +398,7 @@ export interface MergeByDistance {
   op: "merge-by-distance";
   /** The place of the object in the document's list; default: the active object. */
   object?: number;
-  /** How close, in mesh units; 0 for those at the same position: a number in mesh units, 0 or more; required. */
+  /** The largest distance between merged vertices, in mesh units; 0 for those at the same position: a number in mesh units, 0 or more; required. */
   distance: number;
 }
 
@@ -409,7 +409,7 @@ export interface RepairImport {
   object?: number;
   /** Faces at edges where more than two meet: separate them all, or keep only the first two: one of `"separate"`, `"drop"`; default: separate. */
   non_manifold?: "separate" | "drop";
-  /** Merge vertices this near to each other, in mesh units: a number in mesh units, 0 or more; default: none. */
+  /** Merge vertices within this distance of each other, in mesh units: a number in mesh units, 0 or more; default: none. */
   merge_by_distance?: number;
   /** Orient faces consistently: `true` or `false`; default: true. */
   orient?: boolean;
@@ -426,27 +426,27 @@ export interface New {
   add?: boolean;
   /** The length of its sides: a number, for shapes that have this size; default: 2 for cube, 2 for plane, 2 for grid, 2 for teapot. */
   size?: number;
-  /** How far it goes from its centre or axis: a number, for shapes that have this size; default: 1 for tetrahedron, 1 for octahedron, 1 for icosahedron, 1 for dodecahedron, 1 for uv-sphere, 1 for ico-sphere, 1 for torus, 1 for cylinder, 1 for cone. */
+  /** The radius, from the centre or axis: a number, for shapes that have this size; default: 1 for tetrahedron, 1 for octahedron, 1 for icosahedron, 1 for dodecahedron, 1 for uv-sphere, 1 for ico-sphere, 1 for torus, 1 for cylinder, 1 for cone. */
   radius?: number;
   /** The radius of a torus's tube: a number, for shapes that have this size; default: 0.4 for torus. */
   tube_radius?: number;
-  /** How high it is: a number, for shapes that have this size; default: 2 for cylinder, 2 for cone. */
+  /** The height of the shape: a number, for shapes that have this size; default: 2 for cylinder, 2 for cone. */
   height?: number;
-  /** How many faces there are around it: a number, for shapes that have this size; default: 32 for uv-sphere, 48 for torus, 32 for cylinder, 32 for cone, 8 for teapot. */
+  /** The number of faces around the axis: a number, for shapes that have this size; default: 32 for uv-sphere, 48 for torus, 32 for cylinder, 32 for cone, 8 for teapot. */
   segments?: number;
-  /** How many faces there are around a tube: a number, for shapes that have this size; default: 24 for torus. */
+  /** The number of faces around the tube: a number, for shapes that have this size; default: 24 for torus. */
   tube_segments?: number;
-  /** How many rows of faces there are: a number, for shapes that have this size; default: 16 for uv-sphere, 1 for cylinder. */
+  /** The number of rows of faces: a number, for shapes that have this size; default: 16 for uv-sphere, 1 for cylinder. */
   rings?: number;
-  /** How often an icosahedron is subdivided: a number, for shapes that have this size; default: 3 for ico-sphere. */
+  /** How many times to subdivide an icosahedron: a number, for shapes that have this size; default: 3 for ico-sphere. */
   subdivisions?: number;
-  /** How many faces there are in a row: a number, for shapes that have this size; default: 10 for grid. */
+  /** The number of faces in a row: a number, for shapes that have this size; default: 10 for grid. */
   columns?: number;
-  /** How many rows of faces there are: a number, for shapes that have this size; default: 10 for grid. */
+  /** The number of rows of faces: a number, for shapes that have this size; default: 10 for grid. */
   rows?: number;
 }
 
-/** Make an object the one that lists, selection and commands are about. */
+/** Make an object active: lists, selection and commands refer to it. */
 export interface ActivateObject {
   op: "activate-object";
   /** The place of the object in the document's list; default: the active object. */
@@ -492,7 +492,7 @@ export interface Separate {
   op: "separate";
   /** The place of the object in the document's list; default: the active object. */
   object?: number;
-  /** What makes a part: one of `"components"`, `"groups"`, `"faces"`; default: the given faces, or connected pieces. */
+  /** How to divide the object into parts: one of `"components"`, `"groups"`, `"faces"`; default: the given faces, or connected pieces. */
   by?: "components" | "groups" | "faces";
   /** The faces that become an object: a list of faces, each by id; default: the selected faces. */
   faces?: number[];
@@ -520,7 +520,7 @@ export interface BezierMovePoint {
   row?: number;
   /** Which point of the row: a whole number from 0 to 3; default: none, for a curve. */
   column?: number;
-  /** Where it goes: three numbers: `[x, y, z]`; required. */
+  /** The new position: three numbers: `[x, y, z]`; required. */
   position: Vector;
 }
 
@@ -531,7 +531,7 @@ export interface BezierInsertPoint {
   object?: number;
   /** The index that it gets: a whole number, 0 or more; default: after the last. */
   index?: number;
-  /** Where it is: three numbers: `[x, y, z]`; required. */
+  /** The position of the point: three numbers: `[x, y, z]`; required. */
   position: Vector;
 }
 
@@ -556,7 +556,7 @@ export interface BezierSplit {
   op: "bezier-split";
   /** The place of the object in the document's list; default: the active object. */
   object?: number;
-  /** Where along the curve: a number from 0 to 1; default: 0.5. */
+  /** The parameter at which to split: a number from 0 to 1; default: 0.5. */
   t?: number;
 }
 
@@ -647,7 +647,7 @@ export interface Outcome {
   report?: ReportNote[];
 }
 
-/** The state of the editor; counts are those of all objects together. */
+/** The state of the editor; counts cover all objects together. */
 export interface State {
   document: {
     name: string;
@@ -661,7 +661,7 @@ export interface State {
     components: number;
     euler: number;
     dirty: boolean;
-    /** To be added to positions for the coordinates of the files; left out where it is zero. */
+    /** Add it to positions to get the coordinates of the files; left out if it is zero. */
     offset?: Vector;
   };
   selection: { kind: Kind; ids: number[] };
@@ -725,9 +725,9 @@ export type Content = string | ArrayBuffer | ArrayBufferView;
 
 /** `window.meshwright`. Promises reject, and the other methods throw, an `Error` that says why. */
 export interface Meshwright {
-  /** Resolves when the editor runs. */
+  /** Resolves when the editor is ready. */
   ready: Promise<{ version: string; renderer: "webgpu" | "webgl2" }>;
-  /** Open a file in place of the document. */
+  /** Replace the document by a file. */
   open(name: string, content: Content): Promise<Outcome>;
   /** Open files that belong together, such as an OBJ file and its materials. */
   openFiles(files: NamedFile<Content>[]): Promise<Outcome>;
@@ -735,22 +735,22 @@ export interface Meshwright {
   run(command: Command): Promise<Outcome>;
   /** Write the document; resolves with the model's own file. */
   export(format: string): Promise<Uint8Array>;
-  /** Write the document; resolves with the model's file and those that belong to it. */
+  /** Write the document; resolves with the model's file and its companion files. */
   exportFiles(format: string): Promise<NamedFile<Uint8Array>[]>;
   state(): State;
   element(kind: "vertex", id: number): Vertex;
   element(kind: "edge", id: number): Edge;
   element(kind: "halfedge", id: number): Halfedge;
   element(kind: "face", id: number): Face;
-  /** Select elements of the active object in place of the selection. */
+  /** Replace the selection by elements of the active object. */
   select(kind: Kind, ids: number[]): void;
-  /** Undo the last step; returns its label, or null where there is none. */
+  /** Undo the last step; returns its label, or null if there is none. */
   undo(): string | null;
-  /** Redo the last undone step; returns its label, or null where there is none. */
+  /** Redo the last undone step; returns its label, or null if there is none. */
   redo(): string | null;
   /** Cancel all jobs; returns their number. */
   cancel(): number;
-  /** A position on the page, in CSS pixels; null where it is behind the camera. */
+  /** A position on the page, in CSS pixels; null if it is behind the camera. */
   project(point: Vector): [number, number] | null;
   /** The widgets on the screen, from the accessibility tree. */
   ui(): {

@@ -1,4 +1,4 @@
-//! Bezier objects: commands on control points, the meshes that show them, undo, jobs and refusals.
+//! Bezier objects: commands on control points, preview meshes, undo, jobs and refusals.
 
 mod support;
 
@@ -87,7 +87,7 @@ fn a_curve_opens_with_its_points_and_no_mesh() {
 }
 
 #[test]
-fn points_of_a_curve_move_come_and_go() {
+fn points_of_a_curve_are_moved_inserted_and_deleted() {
     let mut editor = on_curve();
     editor.take_changes();
     there_and_back(&mut editor, json!({"op": "bezier-move-point", "point": 2, "position": [3, 5, 1]}));
@@ -172,7 +172,7 @@ fn shared_points_of_patches_move_together() {
 }
 
 #[test]
-fn a_drag_is_one_step_and_a_cancelled_one_none() {
+fn a_drag_is_one_step_and_a_cancelled_drag_is_none() {
     for (mut editor, field) in
         [(on_curve(), json!({"point": 1})), (on_surface(), json!({"patch": 1, "row": 0, "column": 0}))]
     {
@@ -279,7 +279,7 @@ fn opening_and_saving_go_through_a_worker() {
 }
 
 #[test]
-fn refusals_name_the_field_and_say_what_there_is() {
+fn refusals_name_the_field_and_the_valid_values() {
     let p = json!([0, 0, 0]);
     let curve: &[(Value, &str)] = &[
         (json!({"op": "bezier-move-point", "position": p}), "`point`: is missing"),
@@ -317,7 +317,7 @@ fn refusals_name_the_field_and_say_what_there_is() {
         (json!({"op": "bezier-move-point", "patch": 0, "row": 0, "position": p}), "`column`: is missing"),
         (json!({"op": "bezier-move-point", "point": 0, "position": p}), "`point`: is for curves"),
         (json!({"op": "bezier-insert-point", "position": p}), "flat is a Bezier surface"),
-        (json!({"op": "bezier-elevate-degree"}), "this op is for curves"),
+        (json!({"op": "bezier-elevate-degree"}), "this operation is for curves"),
         (
             json!({"op": "bezier-tessellate", "resolution": 0}),
             "`resolution`: 0 is out of range; it must be 1 to 256",

@@ -1,4 +1,4 @@
-//! The texts that are made from the operations' descriptions, and the files that hold them.
+//! The texts generated from the operations' descriptions, and the files that contain them.
 
 use editor::{OpId, script};
 use std::path::Path;
@@ -46,13 +46,13 @@ fn every_operation_and_field_is_described() {
 }
 
 #[test]
-fn fields_are_told_with_their_values_and_defaults() {
+fn fields_are_described_with_values_and_defaults() {
     let split = script::operation_help(OpId::SplitEdge);
     assert!(split.contains("a number from 0 to 1; default: 0.5"), "{split}");
     assert!(split.contains("an edge by id or by [a, b], the vertices at its ends"), "{split}");
     assert!(split.contains("one of \"triangles\", "), "{split}");
     let simplify = script::operation_help(OpId::Simplify);
-    assert!(simplify.contains("give exactly one of these"), "{simplify}");
+    assert!(simplify.contains("exactly one of these is required"), "{simplify}");
     let new = script::operation_help(OpId::New);
     assert!(new.contains("one of \"cube\", ") && new.contains("; required"), "{new}");
     assert!(new.contains("default: 0.4 for torus"), "{new}");

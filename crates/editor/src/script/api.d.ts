@@ -33,7 +33,7 @@ export interface Outcome {
   report?: ReportNote[];
 }
 
-/** The state of the editor; counts are those of all objects together. */
+/** The state of the editor; counts cover all objects together. */
 export interface State {
   document: {
     name: string;
@@ -47,7 +47,7 @@ export interface State {
     components: number;
     euler: number;
     dirty: boolean;
-    /** To be added to positions for the coordinates of the files; left out where it is zero. */
+    /** Add it to positions to get the coordinates of the files; left out if it is zero. */
     offset?: Vector;
   };
   selection: { kind: Kind; ids: number[] };
@@ -111,9 +111,9 @@ export type Content = string | ArrayBuffer | ArrayBufferView;
 
 /** `window.meshwright`. Promises reject, and the other methods throw, an `Error` that says why. */
 export interface Meshwright {
-  /** Resolves when the editor runs. */
+  /** Resolves when the editor is ready. */
   ready: Promise<{ version: string; renderer: "webgpu" | "webgl2" }>;
-  /** Open a file in place of the document. */
+  /** Replace the document by a file. */
   open(name: string, content: Content): Promise<Outcome>;
   /** Open files that belong together, such as an OBJ file and its materials. */
   openFiles(files: NamedFile<Content>[]): Promise<Outcome>;
@@ -121,22 +121,22 @@ export interface Meshwright {
   run(command: Command): Promise<Outcome>;
   /** Write the document; resolves with the model's own file. */
   export(format: string): Promise<Uint8Array>;
-  /** Write the document; resolves with the model's file and those that belong to it. */
+  /** Write the document; resolves with the model's file and its companion files. */
   exportFiles(format: string): Promise<NamedFile<Uint8Array>[]>;
   state(): State;
   element(kind: "vertex", id: number): Vertex;
   element(kind: "edge", id: number): Edge;
   element(kind: "halfedge", id: number): Halfedge;
   element(kind: "face", id: number): Face;
-  /** Select elements of the active object in place of the selection. */
+  /** Replace the selection by elements of the active object. */
   select(kind: Kind, ids: number[]): void;
-  /** Undo the last step; returns its label, or null where there is none. */
+  /** Undo the last step; returns its label, or null if there is none. */
   undo(): string | null;
-  /** Redo the last undone step; returns its label, or null where there is none. */
+  /** Redo the last undone step; returns its label, or null if there is none. */
   redo(): string | null;
   /** Cancel all jobs; returns their number. */
   cancel(): number;
-  /** A position on the page, in CSS pixels; null where it is behind the camera. */
+  /** A position on the page, in CSS pixels; null if it is behind the camera. */
   project(point: Vector): [number, number] | null;
   /** The widgets on the screen, from the accessibility tree. */
   ui(): {

@@ -17,8 +17,8 @@ object in the document's list, from 0; by default it is for the active object.
 pub fn operations_reference() -> String {
     let mut text = HEAD.to_owned();
     let parts = [
-        (Scope::Elements, "Local edits", "They keep the ids of the elements that they leave alone."),
-        (Scope::Meshes, "Operations on whole meshes", "They give elements new ids; long ones run as jobs."),
+        (Scope::Elements, "Local edits", "They keep the ids of elements that they don't change."),
+        (Scope::Meshes, "Operations on whole meshes", "They renumber all elements; long ones run as jobs."),
         (Scope::Bezier, "Bezier curves and surfaces", "They edit control points."),
         (Scope::Document, "Objects", "They edit the document's list of objects."),
     ];

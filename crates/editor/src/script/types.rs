@@ -1,4 +1,4 @@
-//! The types of commands and of `window.meshwright`, for TypeScript.
+//! The TypeScript types of commands and of `window.meshwright`.
 
 use super::words;
 use crate::ops::{Arity, Field, FieldKind, Fill, OpId};

@@ -1,11 +1,11 @@
-//! Fields in words.
+//! Descriptions of fields in words.
 
 use crate::ops::{Arity, Field, FieldKind, Unit};
 use halfedge::Element;
 use std::fmt::Display;
 use surface::Shape;
 
-/// The values that a field takes, as in "a number from 0 to 1".
+/// The values that a field accepts, as in "a number from 0 to 1".
 pub(super) fn values(field: &Field) -> String {
     match field.kind {
         FieldKind::Elements { element, arity } => elements(element, arity),
@@ -73,11 +73,11 @@ fn one_of<'a>(words: impl Iterator<Item = &'a str>) -> String {
     format!("one of {}", words.join(", "))
 }
 
-/// A field when it is left out: its default, or that it is required.
+/// The effect of leaving a field out: its default, or that it is required.
 pub(super) fn when_left_out(field: &Field) -> String {
     match (field.kind, field.alternative, field.default_words()) {
         (FieldKind::ShapeSize, ..) => format!("default: {}", shape_sizes(field.name)),
-        (_, Some(_), _) => "give exactly one of these".to_owned(),
+        (_, Some(_), _) => "exactly one of these is required".to_owned(),
         (_, None, None) => "required".to_owned(),
         (_, None, Some(default)) => format!("default: {default}"),
     }

@@ -17,7 +17,7 @@ pub(super) fn object<'a>(place: &Place<'a>) -> Result<(&'a Object, &'a Bezier), 
             "{} is a mesh; this op is for Bezier curves and surfaces",
             object.name()
         ))
-        .advise("Open a Bezier curve or surface, a .bzc or .bez file, first.")),
+        .advise("Open a Bezier curve (.bzc) or surface (.bez) first.")),
     }
 }
 
@@ -26,10 +26,10 @@ pub(super) fn curve<'a>(place: &Place<'a>) -> Result<(&'a Object, &'a Curve), Pr
     match object(place)? {
         (object, Bezier::Curve(curve)) => Ok((object, curve)),
         (object, Bezier::Surface(_)) => Err(Problem::new(format!(
-            "{} is a Bezier surface, whose patches have 16 control points each; this op is for curves",
+            "{} is a Bezier surface, whose patches have 16 control points each; this operation is for curves",
             object.name()
         ))
-        .advise("This is for Bezier curves, and the active object is a surface.")),
+        .advise("This works only on Bezier curves; the active object is a surface.")),
     }
 }
 

@@ -27,7 +27,7 @@ impl Operation for BezierInsertPoint {
     )
     .fields(&[
         Field::count("index", [0, u32::MAX], "The index that it gets").unset("after the last"),
-        Field::required("position", FieldKind::Vector, "Where it is"),
+        Field::required("position", FieldKind::Vector, "The position of the point"),
     ]);
 
     fn action(&self) -> Action<'_> {

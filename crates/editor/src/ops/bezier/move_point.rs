@@ -26,7 +26,7 @@ pub struct BezierMovePoint {
     /// For a surface: which point of the row, 0 to 3.
     #[serde(default, with = "crate::json::whole_option")]
     pub column: Option<u32>,
-    /// Where it goes.
+    /// The new position.
     #[serde(with = "crate::json::finite3")]
     pub position: [f32; 3],
 }
@@ -44,7 +44,7 @@ impl Operation for BezierMovePoint {
         Field::count("patch", [0, u32::MAX], "Which patch of a surface").optional("none, for a curve"),
         Field::count("row", [0, 3], "Which row of the patch").optional("none, for a curve"),
         Field::count("column", [0, 3], "Which point of the row").optional("none, for a curve"),
-        Field::required("position", FieldKind::Vector, "Where it goes"),
+        Field::required("position", FieldKind::Vector, "The new position"),
     ]);
 
     fn action(&self) -> Action<'_> {

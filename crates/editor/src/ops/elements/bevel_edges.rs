@@ -18,7 +18,7 @@ pub struct BevelEdges {
     /// How far the strip goes on each side, in mesh units, 0 or more.
     #[serde(with = "crate::json::finite")]
     pub width: f32,
-    /// How many faces there are across the strip.
+    /// The number of faces across the strip.
     #[serde(with = "crate::json::whole")]
     pub segments: u32,
 }
@@ -34,10 +34,10 @@ impl Operation for BevelEdges {
                     "width",
                     Unit::Length,
                     [0.0, f32::MAX as f64],
-                    "How far it goes on each side, in mesh units",
+                    "The width on each side of the edge, in mesh units",
                 )
                 .drag(Drag::Width),
-                Field::count("segments", [1, 256], "How many faces there are across").or(DefaultValue::Integer(1)),
+                Field::count("segments", [1, 256], "The number of faces across the strip").or(DefaultValue::Integer(1)),
             ]);
 
     fn elements(&mut self) -> Vec<Slot<'_>> {

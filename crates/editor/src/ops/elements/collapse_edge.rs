@@ -27,7 +27,7 @@ impl Operation for CollapseEdge {
     .keys(&["C"])
     .fields(&[
         Field::one("edge", Element::Edge, Selected::Each, "The edge to collapse"),
-        Field::number("t", Unit::Fraction, [0.0, 1.0], "Where along the edge the vertex is")
+        Field::number("t", Unit::Fraction, [0.0, 1.0], "The position of the vertex along the edge")
             .labelled("Position (0 to 1)")
             .or(DefaultValue::Number(0.5)),
     ]);

@@ -21,7 +21,7 @@ impl Operation for FlipOrientation {
         "Flip orientation",
         "Turn whole connected pieces inside out.",
     )
-    .fields(&[Field::many("faces", Element::Face, Selected::AllOrEvery, "The faces of whole pieces")]);
+    .fields(&[Field::many("faces", Element::Face, Selected::AllOrEvery, "The faces of whole connected pieces")]);
 
     fn elements(&mut self) -> Vec<Slot<'_>> {
         vec![Slot::Faces(&mut self.faces)]

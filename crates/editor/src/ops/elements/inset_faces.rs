@@ -13,7 +13,7 @@ use serde::{Deserialize, Serialize};
 pub struct InsetFaces {
     /// The faces; the selected ones when left out.
     pub faces: Option<Vec<FaceRef>>,
-    /// How wide the ring is, in mesh units, 0 or more.
+    /// The width of the ring, in mesh units, 0 or more.
     #[serde(with = "crate::json::finite")]
     pub amount: f32,
     /// Whether faces that share an edge stay together.
@@ -30,7 +30,7 @@ impl Operation for InsetFaces {
     .keys(&["Shift+I"])
     .fields(&[
         Field::many("faces", Element::Face, Selected::All, "The faces to inset"),
-        Field::number("amount", Unit::Length, [0.0, f32::MAX as f64], "How wide the ring is, in mesh units")
+        Field::number("amount", Unit::Length, [0.0, f32::MAX as f64], "The width of the ring, in mesh units")
             .drag(Drag::Width),
         Mode::field("mode", "Whether faces that share an edge stay together"),
     ]);

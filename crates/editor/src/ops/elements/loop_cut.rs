@@ -30,7 +30,7 @@ impl Operation for LoopCut {
                     "t",
                     Unit::Fraction,
                     [0.0, 1.0],
-                    "Where the middle of the cuts is along the edge",
+                    "The position of the middle of the cuts along the edge",
                 )
                 .labelled("Position (0 to 1)")
                 .or(DefaultValue::Number(0.5)),

@@ -22,7 +22,7 @@ impl Operation for MergeVertices {
         Spec::new(Scope::Elements, "merge-vertices", "Merge vertices", "Merge several vertices into one.")
             .fields(&[
                 Field::many("vertices", Element::Vertex, Selected::Vertices, "The vertices to merge"),
-                Field::required("position", FieldKind::Vector, "Where the vertex goes")
+                Field::required("position", FieldKind::Vector, "The position of the merged vertex")
                     .unset("the centre of the vertices"),
             ]);
 

@@ -12,7 +12,7 @@ use serde::{Deserialize, Serialize};
 pub struct SetVertexPosition {
     /// The vertex; the selected one when left out.
     pub vertex: Option<VertexRef>,
-    /// Where it goes, in mesh units.
+    /// The new position, in mesh units.
     #[serde(with = "crate::json::finite3")]
     pub position: [f32; 3],
 }
@@ -22,7 +22,7 @@ impl Operation for SetVertexPosition {
         Spec::new(Scope::Elements, "set-vertex-position", "Move vertex", "Move a vertex to a position.")
             .fields(&[
                 Field::one("vertex", Element::Vertex, Selected::Only, "The vertex to move"),
-                Field::required("position", FieldKind::Vector, "Where it goes, in mesh units"),
+                Field::required("position", FieldKind::Vector, "The new position, in mesh units"),
             ]);
 
     fn elements(&mut self) -> Vec<Slot<'_>> {

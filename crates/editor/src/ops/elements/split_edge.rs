@@ -44,7 +44,7 @@ impl Operation for SplitEdge {
     .keys(&["S"])
     .fields(&[
         Field::one("edge", Element::Edge, Selected::Each, "The edge to split"),
-        Field::number("t", Unit::Fraction, [0.0, 1.0], "Where along the edge, between its ends")
+        Field::number("t", Unit::Fraction, [0.0, 1.0], "The position along the edge, between its ends")
             .labelled("Position (0 to 1)")
             .or(DefaultValue::Number(0.5))
             .drag(Drag::Fraction),

@@ -44,7 +44,7 @@ impl Operation for SplitVertex {
     .fields(&[
         Field::required("vertex", VERTEX, "The vertex to split").optional("where the two edges meet"),
         Field::two("edges", Element::Edge, "Two of its edges"),
-        Field::required("positions", FieldKind::VectorPair, "Where the two vertices go")
+        Field::required("positions", FieldKind::VectorPair, "The positions of the two vertices")
             .unset("a little apart"),
     ]);
 

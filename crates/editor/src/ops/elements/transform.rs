@@ -20,9 +20,9 @@ use serde::{Deserialize, Serialize, Serializer};
 pub struct Transform {
     /// Vertices to move. When no elements are given at all, the selected ones are moved.
     pub vertices: Option<Vec<VertexRef>>,
-    /// Edges whose ends are moved.
+    /// Edges whose ends to move.
     pub edges: Option<Vec<EdgeRef>>,
-    /// Faces whose corners are moved.
+    /// Faces whose corners to move.
     pub faces: Option<Vec<FaceRef>>,
     /// How far to move, in mesh units.
     #[serde(with = "finite3")]
@@ -94,17 +94,17 @@ impl Operation for Transform {
             .keys(&["G"])
             .fields(&[
                 Field::many("vertices", Element::Vertex, Selected::Vertices, "Vertices to move"),
-                Field::required("edges", EDGES, "Edges whose ends are moved").optional("none"),
-                Field::required("faces", FACES, "Faces whose corners are moved").optional("none"),
+                Field::required("edges", EDGES, "Edges whose ends to move").optional("none"),
+                Field::required("faces", FACES, "Faces whose corners to move").optional("none"),
                 Field::required("translate", FieldKind::Vector, "How far to move, in mesh units")
                     .or(DefaultValue::Vector([0.0; 3]))
                     .drag(Drag::Offset),
                 Field::required("rotate", FieldKind::Rotation, "How to rotate about the pivot")
                     .unset("no rotation"),
-                Field::required("scale", FieldKind::Factors, "By how much to scale about the pivot")
+                Field::required("scale", FieldKind::Factors, "The factor by which to scale about the pivot")
                     .or(DefaultValue::Factor(1.0)),
-                Field::required("pivot", FieldKind::Vector, "What stays in place")
-                    .unset("the centre of what is moved"),
+                Field::required("pivot", FieldKind::Vector, "The point that stays in place")
+                    .unset("the centre of the vertices"),
                 Field::number(
                     "falloff",
                     Unit::Length,

@@ -52,7 +52,7 @@ impl Operation for TriangulateFaces {
         Field::many("faces", Element::Face, Selected::AllOrEvery, "The faces to cut"),
         Method::field(
             "method",
-            "A fan from the first corner where that is right, else ears; or always one of them",
+            "A fan from the first corner if that is correct, else ears; or always one of the two",
         ),
     ]);
 

@@ -15,7 +15,7 @@ impl Operation for ActivateObject {
         Scope::Document,
         "activate-object",
         "Activate object",
-        "Make an object the one that lists, selection and commands are about.",
+        "Make an object active: lists, selection and commands refer to it.",
     );
 
     fn action(&self) -> Action<'_> {

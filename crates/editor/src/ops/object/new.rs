@@ -33,15 +33,15 @@ impl Operation for New {
             .labelled("Add to this document")
             .or(DefaultValue::Flag(false)),
         size("size", "The length of its sides"),
-        size("radius", "How far it goes from its centre or axis"),
+        size("radius", "The radius, from the centre or axis"),
         size("tube_radius", "The radius of a torus's tube"),
-        size("height", "How high it is"),
-        size("segments", "How many faces there are around it"),
-        size("tube_segments", "How many faces there are around a tube"),
-        size("rings", "How many rows of faces there are"),
-        size("subdivisions", "How often an icosahedron is subdivided"),
-        size("columns", "How many faces there are in a row"),
-        size("rows", "How many rows of faces there are"),
+        size("height", "The height of the shape"),
+        size("segments", "The number of faces around the axis"),
+        size("tube_segments", "The number of faces around the tube"),
+        size("rings", "The number of rows of faces"),
+        size("subdivisions", "How many times to subdivide an icosahedron"),
+        size("columns", "The number of faces in a row"),
+        size("rows", "The number of rows of faces"),
     ]);
 
     fn action(&self) -> Action<'_> {

@@ -45,7 +45,7 @@ impl Operation for RepairImport {
             "merge_by_distance",
             Unit::Length,
             [0.0, f32::MAX as f64],
-            "Merge vertices this near to each other, in mesh units",
+            "Merge vertices within this distance of each other, in mesh units",
         )
         .unset("none"),
         Field::required("orient", FieldKind::Flag, "Orient faces consistently")

@@ -15,14 +15,14 @@ use std::collections::HashMap;
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Separate {
-    /// What makes a part; `faces` where those are given, else connected pieces.
+    /// How to divide the object into parts; `faces` where those are given, else connected pieces.
     pub by: Option<By>,
     /// For `By::Faces`: the faces that become an object; the selected ones when left out.
     pub faces: Option<Vec<FaceRef>>,
 }
 
 choice! {
-    /// What makes a part.
+    /// How to divide the object into parts.
     pub enum By {
         /// Each connected piece.
         Components = "components" "Connected pieces",
@@ -44,7 +44,7 @@ impl Operation for Separate {
         "Split an object into several: its connected pieces, its face groups, or some faces and the rest.",
     )
     .fields(&[
-        Field::required("by", FieldKind::Choice(By::CHOICES), "What makes a part")
+        Field::required("by", FieldKind::Choice(By::CHOICES), "How to divide the object into parts")
             .labelled("Separate by")
             .unset("the given faces, or connected pieces"),
         Field::many("faces", Element::Face, Selected::All, "The faces that become an object"),

@@ -11,7 +11,7 @@ use serde::{Deserialize, Serialize};
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct MergeByDistance {
-    /// How close, in mesh units; 0 for those at the same position.
+    /// The largest distance between merged vertices, in mesh units; 0 merges those at the same position.
     #[serde(with = "crate::json::finite")]
     pub distance: f32,
 }
@@ -28,7 +28,7 @@ impl Operation for MergeByDistance {
         "distance",
         Unit::Length,
         [0.0, f32::MAX as f64],
-        "How close, in mesh units; 0 for those at the same position",
+        "The largest distance between merged vertices, in mesh units; 0 for those at the same position",
     )
     .suggest(Suggestion::OfDiagonal(1e-4))]);
 

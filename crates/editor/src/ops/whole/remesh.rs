@@ -19,7 +19,7 @@ pub struct Remesh {
     /// The length of edges, in mesh units; the mean of the mesh's when left out.
     #[serde(default, with = "finite_option")]
     pub edge_length: Option<f32>,
-    /// How many rounds.
+    /// The number of iterations.
     #[serde(with = "crate::json::whole")]
     pub iterations: u32,
     /// Edges whose faces' normals differ by more than this are kept, in degrees.
@@ -60,7 +60,7 @@ impl Operation for Remesh {
         Field::number("edge_length", Unit::Length, [1e-6, 1e6], "The length of edges, in mesh units")
             .unset("the mean of the edges")
             .suggest(Suggestion::MeanEdge),
-        Field::count("iterations", [1, MAX_REMESH_ITERATIONS], "How many rounds")
+        Field::count("iterations", [1, MAX_REMESH_ITERATIONS], "The number of iterations")
             .or(DefaultValue::Integer(ITERATIONS)),
         Field::number(
             "feature_angle",

@@ -17,13 +17,13 @@ use surface::SimplifyTarget;
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Simplify {
-    /// To this many triangles.
+    /// The number of triangles to keep.
     #[serde(default, with = "crate::json::whole_option")]
     pub faces: Option<u32>,
-    /// To this share of the triangles, above 0 and up to 1.
+    /// The share of the triangles to keep, above 0 and up to 1.
     #[serde(default, with = "crate::json::finite_option")]
     pub ratio: Option<f32>,
-    /// As far as the surface stays within this distance of what it was, in mesh units.
+    /// The largest distance from the original surface, in mesh units.
     #[serde(default, with = "crate::json::finite_option")]
     pub max_error: Option<f32>,
     /// Whether the boundary is preserved.
@@ -57,13 +57,13 @@ impl Operation for Simplify {
     )
     .previewed()
     .fields(&[
-        Field::number("ratio", Unit::ShareOfTriangles, [0.0001, 1.0], "To this share of the triangles")
+        Field::number("ratio", Unit::ShareOfTriangles, [0.0001, 1.0], "The share of the triangles to keep")
             .alternative(TITLE)
             .suggest(Suggestion::Number(0.5)),
         Field::required(
             "faces",
             FieldKind::Integer { unit: Unit::Triangles, min: 1, max: u32::MAX },
-            "To this many triangles",
+            "The number of triangles to keep",
         )
         .alternative(TITLE)
         .labelled("Triangles")
@@ -73,7 +73,7 @@ impl Operation for Simplify {
             "max_error",
             Unit::Length,
             [0.0, f32::MAX as f64],
-            "As far as the surface stays this near to what it was, in mesh units",
+            "The largest distance from the original surface, in mesh units",
         )
         .alternative(TITLE)
         .suggest(Suggestion::OfDiagonal(1e-3)),

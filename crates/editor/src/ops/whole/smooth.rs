@@ -13,10 +13,10 @@ use surface::MAX_SMOOTH_ITERATIONS;
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Smooth {
-    /// How many rounds.
+    /// The number of iterations.
     #[serde(with = "crate::json::whole")]
     pub iterations: u32,
-    /// How far of the way each time, above 0 and up to 1.
+    /// The fraction of the way to move in each iteration, above 0 and up to 1.
     #[serde(with = "crate::json::finite")]
     pub strength: f32,
     /// How.
@@ -51,11 +51,11 @@ impl Operation for Smooth {
     )
     .previewed()
     .fields(&[
-        Field::count("iterations", [1, MAX_SMOOTH_ITERATIONS], "How many rounds")
+        Field::count("iterations", [1, MAX_SMOOTH_ITERATIONS], "The number of iterations")
             .or(DefaultValue::Integer(ITERATIONS)),
-        Field::number("strength", Unit::Fraction, [0.0, 1.0], "How far of the way each time")
+        Field::number("strength", Unit::Fraction, [0.0, 1.0], "The fraction of the way to move in each iteration")
             .or(DefaultValue::Number(STRENGTH as f64)),
-        SmoothMethod::field("method", "Towards the neighbours, or there and back, which keeps the volume"),
+        SmoothMethod::field("method", "Only towards the neighbours, or also back again, which nearly keeps the volume"),
     ]);
 
     fn action(&self) -> Action<'_> {

@@ -32,7 +32,7 @@ pub(super) const LEVELS: u32 = 1;
 
 /// The `levels` field.
 pub(super) const fn levels() -> Field {
-    Field::count("levels", [1, MAX_FORM_LEVELS], "How often").or(DefaultValue::Integer(LEVELS))
+    Field::count("levels", [1, MAX_FORM_LEVELS], "The number of levels").or(DefaultValue::Integer(LEVELS))
 }
 
 /// The `boundary` field.

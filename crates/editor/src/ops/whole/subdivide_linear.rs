@@ -12,7 +12,7 @@ use serde::{Deserialize, Serialize};
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct SubdivideLinear {
-    /// How often.
+    /// The number of levels.
     #[serde(with = "crate::json::whole")]
     pub levels: u32,
 }
