@@ -126,7 +126,7 @@ editorTest("scripts get outcomes and clear error messages", once, async (editor)
   await refused(() => window.meshwright.open(5, "v 0 0 0"), /open: expected the file's name/);
   await refused(() => window.meshwright.element("vertex", 99), /no vertex 99/);
   await refused(() => window.meshwright.element("vertex", -1), /whole number/);
-  await refused(() => window.meshwright.element("corner", 0), /corner.*no kind/);
+  await refused(() => window.meshwright.element("corner", 0), /corner.*not a kind/);
   await refused(() => window.meshwright.select("face", [0, 1000]), /no face 1000/);
   await refused(() => window.meshwright.select("face", "all"), /array of ids/);
   await refused(() => window.meshwright.project([0, 1]), /point \[x, y, z\]/);

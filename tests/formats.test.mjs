@@ -206,7 +206,7 @@ editorTest("?model= opens a file of another site", once, async (_, t) => {
 
   // Addresses that can't be fetched.
   for (const [query, why] of [
-    ["?model=http://", /"http:\/\/" after `\?model=` is no address/],
+    ["?model=http://", /"http:\/\/" after `\?model=` is not the address/],
     ["?model=file:///c:/a.obj", /can't be fetched: a page reads addresses that begin with http/],
   ]) {
     const editor = await openPage({ renderer: "webgl2", size: SMALL, query, label: t.name });

@@ -162,7 +162,7 @@ editorTest("scripts open and export all files of a model", once, async (editor) 
   const gltf = await api("exportFiles", "gltf");
   assert.deepEqual(gltf.map(([name]) => name), ["two.gltf", "two.bin"]);
   assert.ok(gltf.every(([, length]) => length > 50));
-  await assert.rejects(editor.export("doc"), /"doc" is no format.*obj, ply, ply-text, stl/);
+  await assert.rejects(editor.export("doc"), /"doc" is not a format.*obj, ply, ply-text, stl/);
   await assert.rejects(api("openFiles", []), /array of \{name, content\}/);
   await assert.rejects(api("openFiles", [{ name: "a.obj" }]), /content as a string/);
 });

@@ -1,5 +1,5 @@
-//! The Bezier players: which control points there are to drag, how far de Casteljau's construction is
-//! drawn, and where on the curve or surface.
+//! The player of a Bezier curve or surface: its control points, how many levels of de Casteljau's
+//! construction are drawn, and for which parameters.
 
 use editor::{Bezier, Changes, Editor, Object, ObjectId};
 use glam::Vec3;
@@ -9,44 +9,44 @@ use surface::bezier::{Curve, Patch};
 /// A control point of the active object.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum ControlPoint {
-    /// Of a curve, from 0.
+    /// A control point of a curve, by its index from 0.
     Curve(usize),
-    /// Of a surface.
+    /// A control point of a surface.
     Patch {
-        /// Which patch.
+        /// The index of the patch.
         patch: usize,
-        /// Which of its rows, 0 to 3.
+        /// The row, 0 to 3.
         row: usize,
-        /// Which point of the row, 0 to 3.
+        /// The point in the row, 0 to 3.
         column: usize,
     },
 }
 
-/// What the player shows of the active Bezier object.
+/// The player of the active Bezier object.
 #[derive(Default)]
 pub(crate) struct Player {
     object: Option<ObjectId>,
     pub controls: Controls,
     pub hovered: Option<ControlPoint>,
-    /// The curves of all objects as lines.
+    /// The curves of all objects, as polylines.
     pub lines: HashMap<ObjectId, Vec<Vec3>>,
 }
 
-/// What a person sets of the player.
+/// The settings of the player.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Controls {
-    /// Where on a curve: t. Where on a patch: u.
+    /// The parameter t of a curve, or u of a patch.
     pub t: f32,
-    /// Where on a patch: v.
+    /// The parameter v of a patch.
     pub v: f32,
-    /// How many levels of the construction are drawn; 0 draws the control points alone.
+    /// The number of levels drawn of the construction; 0 draws only the control points.
     pub level: usize,
-    /// Whether the whole curve is drawn, not only as far as t.
+    /// Whether the whole curve is drawn, not only the part up to t.
     pub whole: bool,
     /// Whether a surface's control nets are drawn.
     pub nets: bool,
     pub playing: bool,
-    /// The control point that spin boxes and Delete are about.
+    /// The control point that spin boxes and Delete act on.
     pub chosen: Option<ControlPoint>,
     /// The patch that the construction is drawn on.
     pub patch: usize,
@@ -59,7 +59,7 @@ impl Default for Controls {
 }
 
 impl Controls {
-    /// Chooses a control point, and with it its patch.
+    /// Chooses a control point and its patch.
     pub fn choose(&mut self, point: Option<ControlPoint>) {
         self.chosen = point;
         if let Some(ControlPoint::Patch { patch, .. }) = point {
@@ -68,16 +68,17 @@ impl Controls {
     }
 }
 
-/// Nets of more patches than this are drawn one at a time: all at once would be a haze of lines.
-const MOST_NETS: usize = 64;
+/// Above this many patches only one control net is drawn, as all of them would be an unreadable tangle of
+/// lines.
+const MAX_NETS: usize = 64;
 
-/// A surface's construction has three levels along the rows and three down the column.
+/// A surface's construction has three levels along the rows and three along the resulting column.
 pub(crate) const SURFACE_LEVELS: usize = 6;
 
-/// Seconds from one end of a curve to the other.
-const PLAY_TIME: f32 = 4.0;
+/// The seconds that playing takes from one end of a curve to the other.
+const PLAY_SECONDS: f32 = 4.0;
 
-/// The Bezier curve or surface of an object.
+/// The active object, if it is a Bezier curve or surface.
 pub(crate) fn active(editor: &Editor) -> Option<(&Object, &Bezier)> {
     let object = editor.document().active()?;
     Some((object, object.bezier()?))
@@ -93,7 +94,7 @@ pub(crate) fn control_points(bezier: &Bezier) -> Box<dyn Iterator<Item = Vec3> +
     }
 }
 
-/// Where a control point is; none where there is no such point.
+/// The position of a control point; none if it doesn't exist.
 pub(crate) fn position(bezier: &Bezier, point: ControlPoint) -> Option<Vec3> {
     match (bezier, point) {
         (Bezier::Curve(curve), ControlPoint::Curve(at)) => curve.points.get(at).copied(),
@@ -104,12 +105,12 @@ pub(crate) fn position(bezier: &Bezier, point: ControlPoint) -> Option<Vec3> {
     }
 }
 
-/// Whether a curve lies in the plane z = 0, as those of most files do: it stays there.
+/// Whether a curve lies in the plane z = 0, like those of most files; edits then keep it there.
 pub(crate) fn is_flat(curve: &Curve) -> bool {
     curve.points.iter().all(|point| point.z == 0.0)
 }
 
-/// How many levels the construction has beyond the control points.
+/// The number of levels of the construction beyond the control points.
 pub(crate) fn levels(bezier: &Bezier) -> usize {
     match bezier {
         Bezier::Curve(curve) => curve.points.len().saturating_sub(1),
@@ -117,55 +118,57 @@ pub(crate) fn levels(bezier: &Bezier) -> usize {
     }
 }
 
-/// At most this many lines of a construction are drawn: more would cover each other.
-const MOST_LINES: usize = 4000;
+/// The largest number of lines drawn of a construction: more would hide each other.
+const MAX_LINES: usize = 4000;
 
-/// At most this many points are drawn of a level that is too large to draw whole: each is computed.
-const MOST_OF_LEVEL: usize = 1000;
+/// The largest number of points drawn of a single level that is too large to draw whole: computing each
+/// takes time.
+const MAX_POINTS_OF_LEVEL: usize = 1000;
 
-/// At most this many of a curve's control points are drawn, evenly spaced.
-const MOST_POINTS: usize = 2000;
+/// The largest number of a curve's control points drawn; of more, evenly spaced ones are drawn.
+const MAX_CONTROL_POINTS: usize = 2000;
 
-/// How much of a large curve is drawn; all of a small one.
+/// The part of a curve that is drawn: all of a small one, a sample of a large one.
 pub(crate) struct Drawn {
-    /// Every how many-th control point is drawn.
+    /// One control point in this many is drawn.
     pub stride: usize,
-    /// The first level of the construction that is drawn, up to the one that the player is at.
+    /// The first level drawn of the construction; the last is the player's level.
     pub level: usize,
-    /// Every how many-th point of that level is drawn; 1 where more than one level is.
+    /// One point in this many is drawn of that level; 1 if several levels are drawn.
     pub level_stride: usize,
 }
 
 impl Drawn {
-    /// Of a curve of `count` control points, with the player at `level`.
+    /// The part drawn of a curve with `count` control points while the player is at `level`.
     pub(crate) fn of(count: usize, level: usize) -> Self {
         let points = |level: usize| count.saturating_sub(level);
         let (mut first, mut lines) = (level, points(level));
-        while first > 1 && lines + points(first - 1) <= MOST_LINES {
+        while first > 1 && lines + points(first - 1) <= MAX_LINES {
             first -= 1;
             lines += points(first);
         }
-        let level_stride = if level > 0 && lines > MOST_LINES { lines.div_ceil(MOST_OF_LEVEL) } else { 1 };
-        Self { stride: count.div_ceil(MOST_POINTS).max(1), level: first, level_stride }
+        let level_stride =
+            if level > 0 && lines > MAX_LINES { lines.div_ceil(MAX_POINTS_OF_LEVEL) } else { 1 };
+        Self { stride: count.div_ceil(MAX_CONTROL_POINTS).max(1), level: first, level_stride }
     }
 
-    /// What is left out, in words; nothing where all is drawn.
+    /// A sentence on what is left out; none if everything is drawn.
     pub(crate) fn left_out(&self, level: usize) -> Option<String> {
         let mut said = Vec::new();
         if self.stride > 1 {
-            said.push(format!("one control point in {} is drawn", self.stride));
+            said.push(format!("one control point in {}", self.stride));
         }
         if self.level_stride > 1 {
-            said.push(format!("of the construction one point in {} of level {level}", self.level_stride));
+            said.push(format!("one point in {} of level {level}", self.level_stride));
         } else if self.level > 1 {
-            said.push(format!("of the construction levels {} to {level}", self.level));
+            said.push(format!("levels {} to {level}", self.level));
         }
-        (!said.is_empty()).then(|| format!("There are too many points to draw all: {}.", said.join(", ")))
+        (!said.is_empty()).then(|| format!("Too many points to draw them all; shown: {}.", said.join(", ")))
     }
 }
 
 impl Player {
-    /// Follows the document: another object starts over.
+    /// Follows the document; starts over if another object is active.
     pub fn follow(&mut self, editor: &Editor, changes: &Changes) {
         for id in changes.bezier.iter().chain(changes.objects.iter().map(|(id, _)| id)) {
             let curve = editor.document().object(*id).and_then(|object| object.bezier()?.curve());
@@ -188,7 +191,7 @@ impl Player {
         self.hovered = self.hovered.filter(|point| position(bezier, *point).is_some());
     }
 
-    /// Draws one level more; after the last none.
+    /// Draws one more level of the construction; after the last, none.
     pub fn next_level(&mut self, bezier: &Bezier) {
         let last = levels(bezier);
         self.controls.level = if self.controls.level < last { self.controls.level + 1 } else { 0 };
@@ -197,22 +200,22 @@ impl Player {
     /// Starts or stops moving along the curve.
     pub fn play(&mut self, bezier: &Bezier) {
         self.controls.playing = !self.controls.playing;
-        // With nothing drawn of the construction, nothing would be seen to move.
+        // Without any level of the construction, nothing visible would move.
         if self.controls.playing && self.controls.level == 0 {
             self.controls.level = levels(bezier);
         }
     }
 
-    /// Moves on while it plays; returns whether it does.
+    /// Advances the parameters while playing; returns whether it is playing.
     pub fn advance(&mut self, seconds: f32) -> bool {
         if self.controls.playing {
-            let t = self.controls.t + seconds / PLAY_TIME;
+            let t = self.controls.t + seconds / PLAY_SECONDS;
             self.controls.t = if t > 1.0 { 0.0 } else { t };
         }
         self.controls.playing
     }
 
-    /// Whether a control point is of the patch that the construction is drawn on, or of a curve.
+    /// Whether a control point belongs to a curve, or to the patch that the construction is drawn on.
     pub fn is_on_patch(&self, point: ControlPoint) -> bool {
         match point {
             ControlPoint::Curve(_) => true,
@@ -220,19 +223,20 @@ impl Player {
         }
     }
 
-    /// The patch whose net alone is drawn of a surface that has more; none where all are, or no net.
+    /// The patch whose net is the only one drawn, because the surface has too many; none if all nets or no
+    /// nets are drawn.
     pub fn only_net(&self, bezier: &Bezier) -> Option<usize> {
-        (self.controls.nets && bezier.patches().len() > MOST_NETS).then_some(self.controls.patch)
+        (self.controls.nets && bezier.patches().len() > MAX_NETS).then_some(self.controls.patch)
     }
 
-    /// The patches whose nets are drawn, with their numbers.
+    /// The patches whose nets are drawn, with their indices.
     pub fn nets<'a>(&self, patches: &'a [Patch]) -> impl Iterator<Item = (usize, &'a Patch)> {
-        let all = self.controls.nets && patches.len() <= MOST_NETS;
+        let all = self.controls.nets && patches.len() <= MAX_NETS;
         let one = self.controls.nets.then_some(self.controls.patch);
         patches.iter().enumerate().filter(move |(at, _)| all || one == Some(*at))
     }
 
-    /// The control points that are drawn, and can be hit.
+    /// The control points that are drawn and can be picked.
     pub fn points(&self, bezier: &Bezier) -> Vec<(ControlPoint, Vec3)> {
         match bezier {
             Bezier::Curve(curve) => {
@@ -257,7 +261,7 @@ impl Player {
         }
     }
 
-    /// The player as `state().view.bezier` tells of it.
+    /// The player's state, as in `state().view.bezier`.
     pub fn state(&self) -> serde_json::Value {
         let chosen = self.controls.chosen.map(|point| match point {
             ControlPoint::Curve(at) => serde_json::json!({ "point": at }),
@@ -283,7 +287,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn of_small_curves_all_is_drawn_and_of_large_ones_what_a_page_takes() {
+    fn small_curves_are_drawn_whole_and_large_ones_are_sampled() {
         for (count, level) in [(1, 0), (4, 3), (60, 59), (2000, 1)] {
             let drawn = Drawn::of(count, level);
             assert_eq!((drawn.stride, drawn.level, drawn.level_stride), (1, level.min(1), 1));
@@ -292,17 +296,14 @@ mod tests {
         for (count, level) in [(2001, 0), (20_000, 7), (20_000, 19_999), (1_000_000, 500_000), (300, 299)] {
             let drawn = Drawn::of(count, level);
             let lines: usize = (drawn.level..=level).map(|l| (count - l).div_ceil(drawn.level_stride)).sum();
-            assert!(level == 0 || lines <= MOST_LINES, "{lines} lines");
-            assert!(count.div_ceil(drawn.stride) <= MOST_POINTS);
+            assert!(level == 0 || lines <= MAX_LINES, "{lines} lines");
+            assert!(count.div_ceil(drawn.stride) <= MAX_CONTROL_POINTS);
             assert!(drawn.left_out(level).is_some());
-            assert_eq!(drawn.left_out(level).is_some_and(|said| said.contains("construction")), level > 0);
+            assert_eq!(drawn.left_out(level).is_some_and(|said| said.contains("level")), level > 0);
         }
         assert_eq!(
             Drawn::of(20_000, 19_999).left_out(19_999).as_deref(),
-            Some(
-                "There are too many points to draw all: one control point in 10 is drawn, of the construction \
-                 levels 19912 to 19999."
-            )
+            Some("Too many points to draw them all; shown: one control point in 10, levels 19912 to 19999.")
         );
     }
 }

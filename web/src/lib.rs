@@ -1,5 +1,5 @@
-//! The Meshwright page, as far as it needs no browser: the editor's panels and viewport over the
-//! `editor` and `viewport` crates. `main.rs` puts it on a canvas.
+//! The part of the Meshwright page that needs no browser: the panels and the viewport on top of the
+//! `editor` and `viewport` crates. `main.rs` runs it on a canvas.
 
 #![cfg_attr(not(test), deny(clippy::unwrap_used, clippy::expect_used, clippy::panic, clippy::unreachable))]
 #![cfg_attr(not(test), deny(clippy::indexing_slicing))]

@@ -1,5 +1,4 @@
-//! What panels read: the session and the states of the other parts of the page, none of which they
-//! change.
+//! The state that panels read but don't change: the session and the other parts of the page.
 
 use std::ops::Deref;
 
@@ -12,14 +11,14 @@ use crate::session::Session;
 use crate::shown::Shown;
 use crate::view::{Tool, View};
 
-/// Everything a panel may read.
+/// Everything that a panel may read.
 #[derive(Clone, Copy)]
 pub(crate) struct Page<'a> {
     pub session: &'a Session,
     pub shown: &'a Shown,
     pub view: &'a View,
     pub player: &'a Player,
-    /// The edge length that resampling aims at, where it was set; else it is the mean of the edges.
+    /// The target edge length of resampling, if it was set; the default is the mean edge length.
     pub target_edge: Option<f64>,
 }
 
@@ -37,7 +36,7 @@ impl Page<'_> {
         availability::why_not(action, self.session, self.shown.kind, self.player)
     }
 
-    /// Whether a switch among the actions is on; none for those that are not switches.
+    /// Whether a toggle is on; none for actions that are not toggles.
     pub fn is_on(&self, action: Action) -> Option<bool> {
         let style = &self.view.style;
         let theme = self.ctx.options(|options| options.theme_preference);

@@ -1,4 +1,4 @@
-//! What panels ask for. They change nothing themselves: the app carries their requests out after the
+//! The requests of panels. Panels change nothing themselves; the app carries out their requests after the
 //! frame is drawn.
 
 use editor::ops::BezierInsertPoint;
@@ -13,31 +13,31 @@ use crate::input::actions::Action;
 use crate::session::form::Filled;
 use crate::shown::{Sheet, Window};
 
-/// Something a panel asks for.
+/// A panel's request.
 pub(crate) enum Request {
-    /// Start an action, as a menu does.
+    /// Start an action, as from a menu.
     Act(Action),
     /// Carry out a command, or start its job.
     Run(Command),
-    /// Say why there is no command to carry out.
+    /// Show why there is no command to carry out.
     Refuse(CommandError),
     /// Select elements.
     Select { kind: Element, ids: Vec<u32>, mode: SelectMode },
-    /// Extend the selection up to this element of a list.
+    /// Extend the selection to this element of a list.
     SelectRange { kind: Element, to: u32 },
-    /// Select nothing.
+    /// Clear the selection.
     Deselect,
-    /// Highlight an element that a list or a link has under the pointer.
+    /// Highlight the element whose row or link is under the pointer.
     Hover(Element, u32),
-    /// Show what a command would do, in place of what the ongoing edit showed.
+    /// Show the effect of a command, in place of the ongoing edit's last update.
     UpdateEdit(Command),
     /// Make the ongoing edit one undo step.
     CommitEdit,
-    /// Remove the ongoing edit without a trace.
+    /// Cancel the ongoing edit without a trace.
     CancelEdit,
-    /// Commit the ongoing edit when the pointer's button is let go.
+    /// Commit the ongoing edit when the pointer's button is released.
     CommitEditOnRelease,
-    /// Let the edit that follows the pointer follow it to here.
+    /// Move the edit that follows the pointer to this place.
     LivePointer(Option<Pos2>),
     /// Set the amount of the edit that follows the pointer.
     SetLiveAmount(Vec3),
@@ -59,15 +59,16 @@ pub(crate) enum Request {
     ShowSheet(Sheet),
     /// Close a window.
     Close(Window),
-    /// Save the document in a format, under a name without extension; whether the format holds all of it.
+    /// Save the document in a format, under a name without extension. `holds_all` says whether the format
+    /// holds everything.
     Save { format: Format, name: String, holds_all: bool },
     /// Cancel a job.
     CancelJob(JobId),
-    /// Say something in passing.
+    /// Show a toast.
     Say { kind: MessageKind, text: String },
-    /// Show what more there is to a message, or hide it again.
+    /// Show or hide the details of a toast.
     ToggleToast(usize),
-    /// Dismiss a message.
+    /// Dismiss a toast.
     DismissToast(usize),
 }
 

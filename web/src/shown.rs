@@ -2,12 +2,12 @@
 
 use halfedge::Element;
 
-/// Which parts of the page are open, and which kind of element it is about.
+/// Which parts of the page are open, and the kind of element that it shows.
 #[derive(Clone, Debug)]
 pub(crate) struct Shown {
-    /// The kind of element that the list shows and clicks in the viewport select.
+    /// The kind of element in the list, which clicks in the viewport select.
     pub kind: Element,
-    /// The list shows selected elements only.
+    /// Whether the list shows only selected elements.
     pub only_selected: bool,
     pub left: bool,
     pub right: bool,
@@ -44,7 +44,7 @@ pub(crate) enum Window {
 }
 
 impl Shown {
-    /// Closes the windows that are open; returns whether there were any.
+    /// Closes all open windows; returns whether there were any.
     pub fn close_windows(&mut self) -> bool {
         let any = self.shortcuts || self.messages || self.about;
         (self.shortcuts, self.messages, self.about) = (false, false, false);
@@ -61,7 +61,7 @@ impl Shown {
     }
 }
 
-/// What the sheet of the narrow layout shows.
+/// The tabs in the sheet of the narrow layout.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub(crate) enum Tab {
     /// The lists.
@@ -73,7 +73,7 @@ pub(crate) enum Tab {
     Operations,
 }
 
-/// The sheet of the narrow layout: which tab, and whether it is put away.
+/// The sheet of the narrow layout: which tab it shows, and whether it is closed.
 #[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct Sheet {
     pub tab: Tab,

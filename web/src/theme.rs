@@ -1,32 +1,32 @@
-//! Colours, sizes and spacing of both themes, in one place.
+//! The colours, sizes and spacing of both themes.
 
 use egui::{
     Color32, Context, CornerRadius, FontFamily, FontId, Margin, Shadow, Stroke, Style, TextStyle, Theme, Ui,
     Visuals, vec2,
 };
 
-/// Narrower than this, the side panels become a sheet at the bottom and controls grow to finger size.
+/// Below this width, in points, the side panels become a sheet at the bottom and controls grow for fingers.
 pub const NARROW: f32 = 720.0;
 
-/// The least side of what a finger has to hit, in points.
+/// The least width and height of a touch target, in points.
 pub const TOUCH_TARGET: f32 = 36.0;
 
-/// The colours that egui's own styles have no name for.
+/// The colours that egui's styles have no field for.
 #[derive(Clone, Copy, Debug)]
 pub struct Palette {
-    /// What separates the bars from the panels.
+    /// The background of the bars.
     pub bar: Color32,
-    /// A selected row, the colour of selected elements in the viewport.
+    /// A selected row, in the colour of selected elements in the viewport.
     pub selected_row: Color32,
     /// Text on a selected row.
     pub selected_text: Color32,
     /// A row under the pointer, here or in the viewport.
     pub hovered_row: Color32,
-    /// Behind text that floats over the viewport.
+    /// The background of text over the viewport.
     pub overlay: Color32,
-    /// Things that went well.
+    /// Success.
     pub good: Color32,
-    /// Coordinate axes x, y and z.
+    /// The coordinate axes x, y and z.
     pub axes: [Color32; 3],
 }
 
@@ -58,17 +58,17 @@ const LIGHT: Palette = Palette {
     ],
 };
 
-/// The palette of the theme in use.
+/// The palette of the current theme.
 pub fn palette(visuals: &Visuals) -> &'static Palette {
     if visuals.dark_mode { &DARK } else { &LIGHT }
 }
 
-/// The viewport's colours in the theme in use.
+/// The viewport's colours in the current theme.
 pub fn viewport(visuals: &Visuals) -> viewport::Theme {
     if visuals.dark_mode { viewport::Theme::DARK } else { viewport::Theme::LIGHT }
 }
 
-/// Gives both of egui's themes the editor's looks. Called once.
+/// Applies the editor's look to both of egui's themes. Called once.
 pub fn install(ctx: &Context) {
     for theme in [Theme::Dark, Theme::Light] {
         let mut style = (*ctx.style_of(theme)).clone();
@@ -99,7 +99,7 @@ fn sizes(style: &mut Style) {
     style.interaction.tooltip_delay = 0.35;
 }
 
-/// Grows controls to what fingers can hit.
+/// Enlarges controls for fingers.
 pub fn for_fingers(ui: &mut Ui) {
     let spacing = ui.spacing_mut();
     spacing.interact_size = vec2(TOUCH_TARGET, TOUCH_TARGET);

@@ -1,4 +1,4 @@
-//! Tests that run in a browser: what only a browser can answer.
+//! Tests that need a browser.
 #![cfg(target_arch = "wasm32")]
 
 use std::ops::ControlFlow;
@@ -20,7 +20,7 @@ fn the_page_has_32_bit_memory() {
 }
 
 #[wasm_bindgen_test]
-fn messages_of_the_worker_read_back() {
+fn messages_of_the_worker_round_trip() {
     let refusal = |field: Option<&str>, kind| Message::Refused {
         job: 3,
         refusal: CommandError {
@@ -54,7 +54,7 @@ fn messages_of_the_worker_read_back() {
 }
 
 #[wasm_bindgen_test]
-fn other_values_are_no_message() {
+fn other_values_are_not_messages() {
     let values = [
         JsValue::UNDEFINED,
         JsValue::from("ready"),
@@ -82,7 +82,7 @@ fn a_request_travels_in_one_buffer_of_its_own_size() {
 }
 
 #[wasm_bindgen_test]
-fn bytes_that_are_no_job_are_misunderstood() {
+fn bytes_that_are_not_a_job_are_misunderstood() {
     let bytes = js_sys::Uint8Array::new_from_slice(&[1, 2, 3]);
     let value = js_sys::Array::of2(&7.0.into(), &bytes).into();
     let (job, read) = Request::read(&value).expect("a number and bytes");
@@ -133,7 +133,7 @@ async fn sleep(milliseconds: i32) {
 }
 
 #[wasm_bindgen_test]
-fn settings_last() {
+fn settings_persist() {
     let ctx = egui::Context::default();
     let mut browser = Browser::new(&ctx, DeviceInfo::default());
     assert_eq!(browser.load_setting("a test's"), None);
@@ -145,7 +145,7 @@ fn settings_last() {
 }
 
 #[wasm_bindgen_test]
-fn the_clock_goes_on() {
+fn the_clock_advances() {
     let browser = Browser::new(&egui::Context::default(), DeviceInfo::default());
     let first = browser.now();
     while browser.now() <= first {}

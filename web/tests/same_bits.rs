@@ -1,5 +1,5 @@
-//! The same mesh, to the bit, natively and in WebAssembly. This file runs in both, and what it
-//! expects was computed once.
+//! The same meshes, to the bit, natively and in WebAssembly. This file runs in both; its expected values
+//! were computed once.
 
 use std::ops::ControlFlow;
 

@@ -1,4 +1,4 @@
-//! What actions do: those that menus, keys, buttons and the palette start.
+//! Carrying out the actions that menus, keys, buttons and the palette start.
 
 use editor::ops::{
     BezierDeletePoint, BezierElevateDegree, BezierInsertPoint, BezierSplit, Remesh, Simplify,
@@ -20,7 +20,7 @@ use crate::session::form;
 use crate::view::Tool;
 
 impl App {
-    /// What panels read.
+    /// The state that panels read.
     fn page(&self) -> Page<'_> {
         Page {
             session: &self.session,
@@ -31,7 +31,7 @@ impl App {
         }
     }
 
-    /// Starts an action, from wherever it was chosen. One that can't be done says why.
+    /// Starts an action. If it can't be done, says why.
     pub(super) fn act(&mut self, action: Action) {
         let action = match action {
             Action::Operation(id) => {
@@ -40,7 +40,7 @@ impl App {
             other => other,
         };
         if let Some(reason) = self.page().why_not(action) {
-            // Keys reach actions that menus show greyed.
+            // Keys can start actions that menus grey out.
             if !matches!(action, Action::Cancel) {
                 self.session.toast(MessageKind::Warning, reason, Vec::new());
             }
@@ -129,7 +129,7 @@ impl App {
             Action::DeletePoint => self.delete_control_point(),
             Action::ElevateDegree => self.session.begin(BezierElevateDegree::default().into(), None),
             Action::SplitCurve => self.session.begin(BezierSplit { t: self.player.controls.t }.into(), None),
-            // What has an amount follows the pointer; its form stays in the operations panel.
+            // An operation with an amount follows the pointer; its form stays in the operations panel.
             Action::Operation(id) if opens_form(id) && id.spec().dragged_field().is_some() => {
                 self.session.start_live(id);
             }
@@ -145,11 +145,11 @@ impl App {
         self.session.ctx.request_repaint();
     }
 
-    /// The subdivision that the upsample key makes.
+    /// The subdivision that the Upsample action runs.
     pub(super) fn upsampling(&self) -> Command {
         let triangles = match (self.session.survey.found(), self.session.editor.mesh()) {
             (Some(found), _) => found.triangles_only,
-            // Not counted yet: look.
+            // The survey has not counted the corners yet, so the faces are checked here.
             (None, Some(mesh)) => mesh.faces().all(|f| mesh.face_halfedges(f).take(4).count() == 3),
             (None, None) => false,
         };
@@ -164,7 +164,7 @@ impl App {
         self.panels.forms.fill(OpId::Remesh, &facts, EDGE_LENGTH, length.into());
     }
 
-    /// The theme, kept for later visits.
+    /// Sets the theme and stores it for later visits.
     fn set_theme(&mut self, theme: ThemePreference) {
         self.session.ctx.set_theme(theme);
         let name = match theme {
@@ -175,14 +175,14 @@ impl App {
         self.session.platform.store_setting(THEME_SETTING, name);
     }
 
-    /// Opens the save dialog, in a format or in the one that suits the document.
+    /// Opens the save dialog, in the given format or the one that suits the document.
     fn show_saving(&mut self, format: Option<Format>) {
-        // What is only previewed is not saved, and so not counted.
+        // A preview is not saved, so the losses must not count it.
         self.end_preview();
         self.panels.saving.show(self.session.editor.document(), format);
     }
 
-    /// Adds a control point to the active curve and chooses it.
+    /// Adds a control point to the active curve and selects it in the panel.
     pub(super) fn insert_control_point(&mut self, insert: BezierInsertPoint) {
         let index = insert.index.unwrap_or_default() as usize;
         let place = insert.position.into();
@@ -199,12 +199,12 @@ impl App {
     fn delete_control_point(&mut self) {
         if let Some(ControlPoint::Curve(at)) = self.player.controls.chosen {
             self.session.begin(BezierDeletePoint { index: at as u32 }.into(), None);
-            // The next one has its number now, and was not chosen.
+            // The next point has taken over the deleted one's index, but was not chosen.
             self.player.controls.choose(None);
         }
     }
 
-    /// Escape: the innermost thing that is going on.
+    /// Escape: cancels the innermost thing in progress.
     fn cancel(&mut self) {
         if self.view.cancel_gesture() | self.session.editor.cancel_edit().is_some() {
             return;

@@ -1,4 +1,4 @@
-//! Requests carried out, all in one place.
+//! Carrying out requests, all in one place.
 
 use editor::SelectMode;
 use halfedge::Element;
@@ -10,7 +10,7 @@ use crate::request::Request;
 impl App {
     pub(super) fn carry_out(&mut self, request: Request) {
         match request {
-            // Asked for in every frame; what changes by it asks for a repaint.
+            // Requested in every frame; a change asks for a repaint.
             Request::Hover(kind, id) => return self.hover(kind, id),
             Request::LivePointer(at) => return self.session.live_pointer(at, &self.view),
             Request::Act(action) => self.act(action),
@@ -19,7 +19,7 @@ impl App {
             Request::Select { kind, ids, mode } => self.select(kind, ids, mode),
             Request::SelectRange { kind, to } => {
                 self.session.end_live(true);
-                // An id that was removed meanwhile is no error to a person.
+                // An id that was removed meanwhile is no error for the user.
                 let _ = self.session.editor.select_range(kind, to);
             }
             Request::Deselect => {
@@ -27,7 +27,7 @@ impl App {
                 self.session.editor.deselect();
             }
             Request::UpdateEdit(command) => {
-                // What follows the pointer is done before anything else is edited.
+                // The edit that follows the pointer ends before anything else is edited.
                 self.session.end_live(true);
                 if let Err(error) = self.session.editor.update_edit(command) {
                     self.session.refuse(&error);
@@ -69,7 +69,7 @@ impl App {
         self.session.ctx.request_repaint();
     }
 
-    /// Highlights an element that a list or a link has under the pointer.
+    /// Highlights the element whose row or link is under the pointer.
     fn hover(&mut self, kind: Element, id: u32) {
         if self.view.hovered() != Some((kind, id)) {
             self.session.ctx.request_repaint();
@@ -79,9 +79,9 @@ impl App {
 
     /// Selects elements.
     pub(super) fn select(&mut self, kind: Element, ids: impl IntoIterator<Item = u32>, mode: SelectMode) {
-        // An edit that follows the pointer is of what was selected when it began.
+        // The edit that follows the pointer refers to the selection that it began with.
         self.session.end_live(true);
-        // Ids of what is only previewed mean nothing once it is removed.
+        // Ids from a preview are meaningless once the preview is removed.
         if self.end_preview() == Some(false) {
             return;
         }
@@ -90,8 +90,8 @@ impl App {
         }
     }
 
-    /// Removes the preview, and shows none until a field changes; returns whether there was one and
-    /// ids of elements mean what they meant.
+    /// Removes the preview and shows none until a field changes. If there was one, returns whether ids
+    /// refer to the same elements as before.
     pub(super) fn end_preview(&mut self) -> Option<bool> {
         self.panels.forms.previews.end();
         self.session.end_preview()

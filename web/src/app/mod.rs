@@ -1,5 +1,5 @@
-//! The page: how a frame goes. Panels draw and ask; the app carries their requests out; then everything
-//! follows what changed.
+//! The page, frame by frame: panels draw and make requests, the app carries the requests out, and then
+//! everything follows what changed.
 
 mod actions;
 mod carry_out;
@@ -25,7 +25,7 @@ use crate::theme;
 use crate::view::View;
 use panels::Panels;
 
-/// The editor with its screen. [`App::logic`] and [`App::ui`] are called once a frame each.
+/// The editor with its user interface. Call [`App::logic`] and [`App::ui`] once per frame each.
 pub struct App {
     session: Session,
     shown: Shown,
@@ -35,14 +35,14 @@ pub struct App {
     requests: Requests,
 }
 
-/// Yaw and pitch of a view on the plane that flat curves lie in.
+/// The yaw and pitch that look straight at the plane of flat curves.
 const FROM_ABOVE: (f64, f64) = (0.0, 0.0);
 
-/// The setting that keeps the theme.
+/// The key of the theme setting.
 const THEME_SETTING: &str = "theme";
 
 impl App {
-    /// An editor with a cube in it. Without `gpu` the viewport says that it can't draw.
+    /// An editor that contains a cube. Without `gpu` the viewport says that it can't draw.
     pub fn new(ctx: &Context, platform: Box<dyn Platform>, gpu: Option<egui_wgpu::RenderState>) -> Self {
         theme::install(ctx);
         ctx.options_mut(|options| options.zoom_with_keyboard = false);
@@ -65,7 +65,7 @@ impl App {
         app
     }
 
-    /// The document and its history, for reading.
+    /// The document and its history, read-only.
     pub fn editor(&self) -> &Editor {
         &self.session.editor
     }
@@ -75,7 +75,7 @@ impl App {
         &self.session.ctx
     }
 
-    /// Takes in what happened since the last frame. Draws nothing.
+    /// Handles what happened since the last frame. Draws nothing.
     pub fn logic(&mut self, ctx: &Context) {
         for event in self.session.platform.poll(ctx) {
             match event {
@@ -93,7 +93,7 @@ impl App {
         }
         let mut actions =
             if self.session.live_keys(ctx) { Vec::new() } else { self.keyboard(ctx) }.into_iter();
-        // Of two keys in one frame the second is judged by what the first one left.
+        // A second key in one frame acts on the result of the first.
         loop {
             self.follow();
             let Some(action) = actions.next() else { break };
@@ -161,7 +161,7 @@ impl App {
         self.panels.windows(ctx, &page, narrow, out);
     }
 
-    /// Opens pasted text; returns the actions of the keys that were pressed.
+    /// Opens pasted text; returns the actions of the pressed keys.
     fn keyboard(&mut self, ctx: &Context) -> Vec<Action> {
         if !ctx.text_edit_focused() {
             let pasted = ctx.input_mut(|input| {
@@ -178,13 +178,13 @@ impl App {
         if self.panels.palette.open || self.panels.saving.is_open() {
             return Vec::new();
         }
-        // Escape closes an open menu, which egui does by itself.
+        // egui itself closes an open menu on Escape.
         let menu = egui::Popup::is_any_open(ctx);
         keys::pressed(ctx, menu, bezier::active(&self.session.editor).is_some())
     }
 
-    /// Ends the edits that end by themselves: painting when the button is let go, a preview when its
-    /// form is no longer on the screen.
+    /// Ends edits that end without a request: painting when the button is released, a preview when its form
+    /// leaves the screen.
     fn finish_edits(&mut self, ctx: &Context) {
         if self.session.commit_on_release && !ctx.input(|input| input.pointer.any_down()) {
             self.session.commit_on_release = false;
@@ -196,8 +196,8 @@ impl App {
         }
     }
 
-    /// Makes lists, viewport and everything else follow what changed in the editor: once a frame, before
-    /// it is drawn, after each key's action and after each call of a script.
+    /// Updates lists, viewport and everything else to the changes in the editor. Called once per frame
+    /// before drawing, after each key's action, and after each script call.
     fn follow(&mut self) {
         let changes = self.session.editor.take_changes();
         let look = self.session.look.take();
@@ -207,7 +207,7 @@ impl App {
         self.session.ctx.request_repaint();
         let selection = self.session.editor.selection();
         if changes.selection && !selection.is_empty() {
-            // Whoever selected, a click, an undo or a script: the list shows that kind.
+            // Whatever made the selection (a click, an undo or a script), the list shows its kind.
             self.shown.kind = selection.kind();
         }
         if self.panels.lists.follow(&self.session.editor, &changes) {
@@ -222,18 +222,18 @@ impl App {
         }
     }
 
-    /// Looks at a document that was opened or made.
+    /// Sets the view for a document that was opened or created.
     fn look(&mut self, look: Look) {
         let was_from_above = (self.view.camera.yaw, self.view.camera.pitch) == FROM_ABOVE;
         if look == Look::FlatCurves {
             (self.view.camera.yaw, self.view.camera.pitch) = FROM_ABOVE;
         } else if was_from_above {
-            // What is not flat hides its depth there.
+            // From straight above, an object that isn't flat hides its depth.
             self.view.reset();
         }
         self.view.frame_when_seen();
         if self.session.editor.mesh().is_some_and(|mesh| mesh.count(self.shown.kind) == 0) {
-            // Points without faces can be pointed at as vertices.
+            // Points without faces can only be picked as vertices.
             self.shown.kind = Element::Vertex;
         }
     }

@@ -1,4 +1,4 @@
-//! The panels' own states, and where the panels are.
+//! The state and the layout of the panels.
 
 use crate::panels::{
     about, drop_overlay, elements, inspector, messages, objects, operations, palette, save, shortcuts, toasts,
@@ -9,7 +9,7 @@ use crate::page_view::Page;
 use crate::platform::Platform;
 use crate::request::Requests;
 
-/// The panels' own states.
+/// The state of each panel.
 pub(crate) struct Panels {
     pub lists: elements::Lists,
     pub renaming: objects::Renaming,

@@ -1,4 +1,4 @@
-//! The editor as scripts on the page see it: what `window.meshwright` is made of, without the
+//! The editor as scripts on the page see it: the implementation of `window.meshwright`, independent of
 //! JavaScript.
 
 use editor::{Command, JobId, SelectMode};
@@ -11,7 +11,7 @@ use crate::platform::{DeviceInfo, NamedBytes};
 use crate::session::jobs::Reply;
 
 impl App {
-    /// The editor as scripts call it.
+    /// The interface for script calls.
     pub fn script(&mut self) -> Script<'_> {
         Script { app: self }
     }
@@ -22,7 +22,7 @@ impl App {
     }
 }
 
-/// Calls of scripts, between two frames. Everything follows what they changed when they are done.
+/// Script calls between two frames. When they are done, everything is updated to what they changed.
 pub struct Script<'a> {
     app: &'a mut App,
 }
@@ -34,13 +34,13 @@ impl Drop for Script<'_> {
 }
 
 impl Script<'_> {
-    /// Opens files as if they were dropped on the page; answers the outcome, with what an import
-    /// had to repair in its warnings.
+    /// Opens files as if they were dropped on the page. The answer is the outcome, whose warnings list what
+    /// the import had to repair.
     pub fn open(&mut self, files: Vec<NamedBytes>, reply: Reply) {
         self.app.session.open_files(files, Some(reply));
     }
 
-    /// Carries out a command, in the worker where it takes long.
+    /// Runs a command, in the worker if it takes long.
     pub fn run(&mut self, command: Value, reply: Reply) {
         match Command::from_value(command) {
             Ok(command) => self.app.session.begin(command, Some(reply)),
@@ -48,7 +48,7 @@ impl Script<'_> {
         }
     }
 
-    /// Writes the document in the format of this code or extension.
+    /// Writes the document in the format with this code or extension.
     pub fn export(&mut self, format: &str, reply: Reply) {
         match Format::from_code(format).filter(|format| format.can_write()) {
             Some(format) => self.app.session.begin_export(format, reply),
@@ -56,7 +56,7 @@ impl Script<'_> {
                 let known: Vec<&str> =
                     Format::all().filter(|format| format.can_write()).map(Format::code).collect();
                 reply(Err(format!(
-                    "export: {format:?} is no format to write; there are {}",
+                    "export: {format:?} is not a format that can be written; choose one of {}",
                     known.join(", ")
                 )));
             }
@@ -111,10 +111,10 @@ impl Script<'_> {
         self.app.session.editor.element(parse_kind(kind)?, id).map_err(|error| error.to_string())
     }
 
-    /// Selects elements of the active object in place of what is selected.
+    /// Replaces the selection by elements of the active object.
     ///
     /// # Errors
-    /// An id that doesn't exist, or no such kind.
+    /// An id doesn't exist, or there is no such kind.
     pub fn select(&mut self, kind: &str, ids: &[u32]) -> Result<(), String> {
         let kind = parse_kind(kind)?;
         self.app.end_preview();
@@ -126,23 +126,23 @@ impl Script<'_> {
         Ok(())
     }
 
-    /// Undo the last step; returns its label, or none where there is none.
+    /// Undoes the last step; returns its label, or none if there is no step.
     ///
     /// # Errors
-    /// A job runs on what the step would change.
+    /// A job is running on an object that the step would change.
     pub fn undo(&mut self) -> Result<Option<String>, String> {
         self.app.session.editor.undo().map_err(|error| error.to_string())
     }
 
-    /// Redo the last undone step; otherwise like [`Script::undo`].
+    /// Redoes the last undone step; otherwise like [`Script::undo`].
     ///
     /// # Errors
-    /// A job runs on what the step would change.
+    /// A job is running on an object that the step would change.
     pub fn redo(&mut self) -> Result<Option<String>, String> {
         self.app.session.editor.redo().map_err(|error| error.to_string())
     }
 
-    /// Cancels all jobs; gives how many there were.
+    /// Cancels all jobs; returns their number.
     pub fn cancel(&mut self) -> usize {
         let ids: Vec<JobId> = self.app.session.jobs.iter().map(|job| job.id).collect();
         for &id in &ids {
@@ -151,8 +151,8 @@ impl Script<'_> {
         ids.len()
     }
 
-    /// Where a point of the scene is on the canvas, in points from its top left corner; none behind
-    /// the eye.
+    /// The position of a scene point on the canvas, in points from its top left corner; none if the point
+    /// is behind the eye.
     pub fn project(&self, point: [f32; 3]) -> Option<[f32; 2]> {
         self.app.view.project(point.into()).map(|at| [at.x, at.y])
     }
@@ -160,5 +160,5 @@ impl Script<'_> {
 
 fn parse_kind(name: &str) -> Result<Element, String> {
     editor::element_kind(name)
-        .ok_or_else(|| format!("{name:?} is no kind of element; they are vertex, edge, halfedge and face"))
+        .ok_or_else(|| format!("{name:?} is not a kind of element; use vertex, edge, halfedge or face"))
 }

@@ -1,4 +1,4 @@
-//! The narrow layout: the panels as a sheet at the bottom with tabs, the viewport above it.
+//! The narrow layout: the panels are tabs of a sheet at the bottom, below the viewport.
 
 use egui::{Button, Panel, Ui, vec2};
 
@@ -56,7 +56,7 @@ fn sheet_tabs(ui: &mut Ui, page: &Page<'_>, out: &mut Requests) {
                 node.set_selected(on);
             });
             if response.on_hover_text(hint).clicked() {
-                // The open tab's own button puts the sheet away, so that the viewport has the room.
+                // The open tab's own button closes the sheet, which leaves the viewport its space.
                 out.push(Request::ShowSheet(Sheet { tab, closed: on }));
             }
         }

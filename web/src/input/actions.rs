@@ -1,66 +1,66 @@
-//! Everything that a menu, a key, a button or the palette can start, in one table.
+//! Everything that menus, keys, buttons and the palette can start, in one table.
 //!
-//! An action on the mesh is an operation of the editor's command list; the others are about the
-//! page itself: what is shown and what is selected.
+//! An action on the document is an operation of the editor. The other actions concern the page: what is
+//! shown and what is selected.
 
 use editor::{OpId, Scope};
 use formats::Format;
 use halfedge::Element;
 
-/// Something a person can start.
+/// Something the user can start.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Action {
-    /// Picks a file to open.
+    /// Opens the file dialog.
     Open,
-    /// Asks how to save the document, and saves it.
+    /// Opens the save dialog.
     Save,
-    /// The same, with a format to begin with.
+    /// Opens the save dialog with this format chosen.
     SaveAs(Format),
-    /// Takes the last step back.
+    /// Undoes the last change.
     Undo,
-    /// Makes the step again that was taken back.
+    /// Redoes the last undone change.
     Redo,
-    /// Stops what runs, ends a drag without a trace, or else selects nothing.
+    /// Cancels a running job or a drag; if there is none, clears the selection.
     Cancel,
-    /// Selects every element of the kind that the list shows.
+    /// Selects every element of the kind in the list.
     SelectAll,
-    /// Selects nothing.
+    /// Clears the selection.
     SelectNone,
-    /// Selects what is not selected.
+    /// Inverts the selection.
     SelectInverse,
-    /// Shows one kind of element in the list, which is also what clicks in the viewport select.
+    /// Shows one kind of element in the list; clicks in the viewport select that kind too.
     Show(Element),
-    /// From a half-edge to the next around its face.
+    /// Selects the next half-edge around the face.
     Next,
-    /// From a half-edge to the other side of its edge.
+    /// Selects the twin of the selected half-edge.
     Twin,
-    /// Puts the keyboard into the "Go to id" field.
+    /// Moves the keyboard focus to the "Go to id" field.
     GoToId,
     /// Shows only selected elements in the list, or all again.
     OnlySelected,
-    /// Drags on the viewport draw a box that selects.
+    /// Makes drags in the viewport draw a selection box.
     BoxSelect,
-    /// Looks at the selection, or at everything.
+    /// Frames the selection, or everything if nothing is selected.
     Frame,
-    /// Looks at everything.
+    /// Frames everything.
     FrameAll,
-    /// Back to the first view.
+    /// Restores the initial view.
     ResetView,
-    /// Parallel instead of perspective projection.
+    /// Switches between parallel and perspective projection.
     Orthographic,
-    /// Edges drawn over faces.
+    /// Switches the drawing of edges over faces.
     Wireframe,
-    /// Smooth instead of flat shading.
+    /// Switches between smooth and flat shading.
     Smooth,
-    /// Vertices drawn as dots.
+    /// Switches the drawing of vertices as dots.
     Dots,
-    /// The ground grid.
+    /// Switches the ground grid.
     Grid,
-    /// What is under the pointer, written into the viewport.
+    /// Switches the info overlay in the viewport.
     Overlay,
-    /// The list on the left.
+    /// Shows or hides the list on the left.
     LeftPanel,
-    /// The inspector on the right.
+    /// Shows or hides the inspector on the right.
     RightPanel,
     /// Follows the system's light or dark theme.
     SystemTheme,
@@ -68,54 +68,54 @@ pub enum Action {
     LightTheme,
     /// The dark theme.
     DarkTheme,
-    /// The window with all keys.
+    /// Opens or closes the window with all keys.
     Shortcuts,
-    /// The command palette.
+    /// Opens the command palette.
     Palette,
-    /// The messages so far.
+    /// Opens or closes the window with all messages.
     Messages,
-    /// What the page runs on.
+    /// Opens or closes the window about the version and the device.
     About,
-    /// Loop on a triangle mesh, Catmull-Clark on others.
+    /// Subdivides: Loop on a triangle mesh, Catmull-Clark on others.
     Upsample,
     /// Simplifies to a quarter of the triangles.
     Downsample,
     /// Remeshes to the target edge length.
     Resample,
-    /// Makes the target edge length of resampling larger.
+    /// Increases the target edge length of resampling.
     LongerEdges,
-    /// Makes the target edge length of resampling smaller.
+    /// Decreases the target edge length of resampling.
     ShorterEdges,
-    /// Splits the selected edge where the pointer slides to.
+    /// Splits the selected edge at a point that follows the pointer.
     SlideSplit,
-    /// Draws one level more of de Casteljau's construction.
+    /// Draws one more level of de Casteljau's construction.
     NextLevel,
-    /// The whole Bezier curve, or only as far as the construction.
+    /// Switches between drawing the whole Bezier curve and drawing it up to the construction.
     WholeCurve,
-    /// A Bezier surface's control nets.
+    /// Switches the drawing of a Bezier surface's control nets.
     ControlNets,
-    /// Moves along the Bezier curve or patch.
+    /// Starts or stops moving the construction along the Bezier curve or patch.
     Play,
     /// Adds a control point to the Bezier curve.
     AddPoint,
-    /// Takes the chosen control point away.
+    /// Deletes the chosen control point.
     DeletePoint,
-    /// Gives the Bezier curve one control point more, and the same shape.
+    /// Adds one control point to the Bezier curve without changing its shape.
     ElevateDegree,
-    /// Splits the Bezier curve where the construction is.
+    /// Splits the Bezier curve at the construction's parameter.
     SplitCurve,
-    /// An operation of the editor, on the selection.
+    /// Starts an operation on the selection.
     Operation(OpId),
 }
 
-/// How an action is presented.
+/// An action as the interface presents it.
 #[derive(Clone, Copy, Debug)]
 pub struct Entry {
-    /// What it starts.
+    /// The action.
     pub action: Action,
-    /// Its name in menus and the palette, in sentence case.
+    /// The name in menus and the palette, in sentence case.
     pub label: &'static str,
-    /// One sentence on what it does.
+    /// One sentence on what the action does.
     pub description: &'static str,
 }
 
@@ -123,11 +123,11 @@ const fn entry(action: Action, label: &'static str, description: &'static str) -
     Entry { action, label, description }
 }
 
-/// A menu with its entries; none is a separating line.
+/// A menu; an entry of `None` is a separator.
 pub struct Menu {
-    /// Its title.
+    /// The title.
     pub title: &'static str,
-    /// What is in it.
+    /// The entries.
     pub entries: &'static [Option<Entry>],
 }
 
@@ -141,13 +141,9 @@ pub static MENUS: &[Menu] = &[
             Some(entry(
                 A::Open,
                 "Open…",
-                "Opens a mesh file. Dropping a file on the page or pasting OBJ text works too.",
+                "Open a mesh file. You can also drop a file on the page or paste OBJ text.",
             )),
-            Some(entry(
-                A::Save,
-                "Save…",
-                "Saves the document under a name, in any of the formats, and says what a format can't hold.",
-            )),
+            Some(entry(A::Save, "Save…", "Choose a name and a format, and see what the format can't hold.")),
         ],
     },
     Menu {
@@ -156,52 +152,52 @@ pub static MENUS: &[Menu] = &[
             Some(entry(A::Undo, "Undo", "Undo the last change.")),
             Some(entry(A::Redo, "Redo", "Redo the last undone change.")),
             None,
-            Some(entry(A::Cancel, "Cancel", "Stops a running job or a drag, or else clears the selection.")),
-            Some(entry(A::Palette, "Find a command…", "Lists every command; type to search.")),
+            Some(entry(
+                A::Cancel,
+                "Cancel",
+                "Cancel a running job or a drag; if there is none, clear the selection.",
+            )),
+            Some(entry(A::Palette, "Find a command…", "List every command; type to search.")),
         ],
     },
     Menu {
         title: "Select",
         entries: &[
-            Some(entry(A::SelectAll, "Select all", "Selects every element of the kind that the list shows.")),
-            Some(entry(A::SelectNone, "Select none", "Clears the selection.")),
+            Some(entry(A::SelectAll, "Select all", "Select every element of the kind in the list.")),
+            Some(entry(A::SelectNone, "Select none", "Clear the selection.")),
             Some(entry(
                 A::SelectInverse,
                 "Invert selection",
-                "Selects what is not selected, of the kind that the list shows.",
+                "Select the unselected elements of the kind in the list instead.",
             )),
-            Some(entry(
-                A::BoxSelect,
-                "Box select",
-                "Drags on the viewport draw a box that selects what is in it.",
-            )),
+            Some(entry(A::BoxSelect, "Box select", "Drag in the viewport to select the elements in a box.")),
             None,
-            Some(entry(
-                A::Next,
-                "Next half-edge",
-                "From the selected half-edge to the next around its face.",
-            )),
-            Some(entry(
-                A::Twin,
-                "Twin half-edge",
-                "From the selected half-edge to the other side of its edge.",
-            )),
+            Some(entry(A::Next, "Next half-edge", "Select the next half-edge around the face.")),
+            Some(entry(A::Twin, "Twin half-edge", "Select the half-edge on the other side of the edge.")),
             None,
             Some(entry(
                 A::Show(Element::Vertex),
                 "Vertices",
-                "Lists vertices; clicks in the viewport select vertices.",
+                "List vertices, and select vertices by clicks in the viewport.",
             )),
-            Some(entry(A::Show(Element::Edge), "Edges", "Lists edges; clicks in the viewport select edges.")),
+            Some(entry(
+                A::Show(Element::Edge),
+                "Edges",
+                "List edges, and select edges by clicks in the viewport.",
+            )),
             Some(entry(
                 A::Show(Element::Halfedge),
                 "Half-edges",
-                "Lists half-edges; clicks in the viewport select half-edges.",
+                "List half-edges, and select half-edges by clicks in the viewport.",
             )),
-            Some(entry(A::Show(Element::Face), "Faces", "Lists faces; clicks in the viewport select faces.")),
+            Some(entry(
+                A::Show(Element::Face),
+                "Faces",
+                "List faces, and select faces by clicks in the viewport.",
+            )),
             None,
-            Some(entry(A::GoToId, "Go to id…", "Finds an element by its number.")),
-            Some(entry(A::OnlySelected, "List only selected", "Shows only selected elements in the list.")),
+            Some(entry(A::GoToId, "Go to id…", "Select an element by its id.")),
+            Some(entry(A::OnlySelected, "List only selected", "Show only selected elements in the list.")),
         ],
     },
     Menu {
@@ -210,28 +206,28 @@ pub static MENUS: &[Menu] = &[
             Some(entry(
                 A::Upsample,
                 "Upsample",
-                "Subdivides once: Loop where all faces are triangles, Catmull-Clark otherwise.",
+                "Subdivide once: Loop if all faces are triangles, Catmull-Clark otherwise.",
             )),
-            Some(entry(A::Downsample, "Downsample", "Simplifies to a quarter of the triangles.")),
+            Some(entry(A::Downsample, "Downsample", "Simplify to a quarter of the triangles.")),
             Some(entry(
                 A::Resample,
                 "Resample",
-                "Remeshes to the target edge length, which is the mean of the edges until it is changed.",
+                "Remesh to the target edge length; its default is the mean edge length.",
             )),
             Some(entry(
                 A::LongerEdges,
                 "Longer target edges",
-                "Makes the target edge length of resampling a tenth larger.",
+                "Increase the target edge length of resampling by a tenth.",
             )),
             Some(entry(
                 A::ShorterEdges,
                 "Shorter target edges",
-                "Makes the target edge length of resampling a tenth smaller.",
+                "Decrease the target edge length of resampling by a tenth.",
             )),
             Some(entry(
                 A::SlideSplit,
                 "Split edge at…",
-                "Puts a new vertex on the selected edge and lets it slide along with the pointer.",
+                "Add a vertex to the selected edge and slide it with the pointer.",
             )),
         ],
     },
@@ -241,35 +237,35 @@ pub static MENUS: &[Menu] = &[
             Some(entry(
                 A::NextLevel,
                 "Next level",
-                "Draws one level more of de Casteljau's construction; after the last, none.",
+                "Draw one more level of de Casteljau's construction; after the last, none.",
             )),
-            Some(entry(A::Play, "Play", "Moves the construction along the curve or patch.")),
+            Some(entry(A::Play, "Play", "Move the construction along the curve or patch.")),
             Some(entry(
                 A::WholeCurve,
                 "Whole curve",
-                "Draws the whole curve, or only as far as the construction has come.",
+                "Draw the whole curve, not only the part up to the construction.",
             )),
             Some(entry(
                 A::ControlNets,
                 "Control nets",
-                "Draws the control points of a surface and their net.",
+                "Draw a surface's control points and the net between them.",
             )),
             None,
             Some(entry(
                 A::AddPoint,
                 "Add control point",
-                "Adds a control point after the chosen one. Double-clicking in the viewport adds one there.",
+                "Add a control point after the chosen one, or double-click in the viewport to add one there.",
             )),
-            Some(entry(A::DeletePoint, "Delete control point", "Takes the chosen control point away.")),
+            Some(entry(A::DeletePoint, "Delete control point", "Delete the chosen control point.")),
             Some(entry(
                 A::ElevateDegree,
                 "Elevate degree",
-                "Gives the curve one control point more without changing its shape.",
+                "Add one control point without changing the curve's shape.",
             )),
             Some(entry(
                 A::SplitCurve,
                 "Split at t",
-                "Makes two curves of it that meet where the construction is.",
+                "Split the curve into two that meet at the construction's point.",
             )),
         ],
     },
@@ -279,51 +275,51 @@ pub static MENUS: &[Menu] = &[
             Some(entry(
                 A::Frame,
                 "Frame selection",
-                "Looks at the selection, or at everything where nothing is selected.",
+                "Fit the selection into the view, or everything if nothing is selected.",
             )),
-            Some(entry(A::FrameAll, "Frame all", "Looks at everything, from the same direction.")),
-            Some(entry(A::ResetView, "Reset view", "Back to the first view.")),
-            Some(entry(A::Orthographic, "Parallel projection", "Draws without perspective.")),
+            Some(entry(A::FrameAll, "Frame all", "Fit everything into the view, from the same direction.")),
+            Some(entry(A::ResetView, "Reset view", "Restore the initial view.")),
+            Some(entry(A::Orthographic, "Parallel projection", "Draw without perspective.")),
             None,
-            Some(entry(A::Wireframe, "Wireframe", "Draws edges over faces.")),
+            Some(entry(A::Wireframe, "Wireframe", "Draw edges over faces.")),
             Some(entry(
                 A::Smooth,
                 "Smooth shading",
-                "Shades with normals averaged at vertices instead of one per face.",
+                "Shade with normals averaged at vertices instead of one per face.",
             )),
-            Some(entry(A::Dots, "Vertex dots", "Draws vertices as dots.")),
-            Some(entry(A::Grid, "Ground grid", "Draws the ground plane, y = 0.")),
+            Some(entry(A::Dots, "Vertex dots", "Draw vertices as dots.")),
+            Some(entry(A::Grid, "Ground grid", "Draw a grid on the ground plane, y = 0.")),
             Some(entry(
                 A::Overlay,
                 "Info overlay",
-                "Writes what is under the pointer and what is selected into the viewport.",
+                "Show the selection and the element under the pointer in the viewport.",
             )),
             None,
-            Some(entry(A::LeftPanel, "Element lists", "Shows or hides the lists.")),
-            Some(entry(A::RightPanel, "Inspector", "Shows or hides the inspector and the operations.")),
+            Some(entry(A::LeftPanel, "Element lists", "Show or hide the lists.")),
+            Some(entry(A::RightPanel, "Inspector", "Show or hide the inspector and the operations.")),
             None,
-            Some(entry(A::SystemTheme, "Theme of the system", "Light or dark as the system is.")),
-            Some(entry(A::LightTheme, "Light theme", "Dark text on a light page.")),
-            Some(entry(A::DarkTheme, "Dark theme", "Light text on a dark page.")),
+            Some(entry(A::SystemTheme, "System theme", "Use the system's light or dark theme.")),
+            Some(entry(A::LightTheme, "Light theme", "Use dark text on a light page.")),
+            Some(entry(A::DarkTheme, "Dark theme", "Use light text on a dark page.")),
         ],
     },
     Menu {
         title: "Help",
         entries: &[
-            Some(entry(A::Shortcuts, "Keyboard shortcuts", "Lists all keys and what the mouse does.")),
-            Some(entry(A::Messages, "Messages", "Lists what was imported, refused and done.")),
-            Some(entry(A::About, "About Meshwright", "The version and what the page runs on.")),
+            Some(entry(A::Shortcuts, "Keyboard shortcuts", "List all keys and mouse gestures.")),
+            Some(entry(A::Messages, "Messages", "List all imports, refusals and results.")),
+            Some(entry(A::About, "About Meshwright", "Show the version and the graphics device.")),
         ],
     },
 ];
 
-/// The operations that menus and the palette list, in the order of the editor's table: those on
-/// meshes. The ones on objects are in the object list itself.
+/// The operations on meshes, which menus and the palette list, in the order of the editor's table. The
+/// object list itself offers the operations on objects.
 pub fn mesh_operations() -> impl Iterator<Item = OpId> {
     OpId::ALL.iter().copied().filter(|id| matches!(id.spec().scope, Scope::Elements | Scope::Meshes))
 }
 
-/// Every action with its name: the menus' entries, then the formats and the operations.
+/// Every action: the menus' entries, then the formats and the operations.
 pub fn all() -> impl Iterator<Item = Entry> {
     menu_entries().chain(formats()).chain(mesh_operations().map(of_operation))
 }
@@ -333,22 +329,22 @@ fn menu_entries() -> impl Iterator<Item = Entry> {
     MENUS.iter().flat_map(|menu| menu.entries.iter().copied().flatten())
 }
 
-/// Saving in each format that can be written.
+/// An entry for each format that can be written.
 pub fn formats() -> impl Iterator<Item = Entry> {
     Format::all().filter(|format| format.can_write()).map(of_format)
 }
 
-/// Saving in a format.
+/// The entry for saving in a format.
 pub fn of_format(format: Format) -> Entry {
     entry(A::SaveAs(format), format.save_label(), format.description())
 }
 
-/// An operation as a menu shows it.
+/// The entry of an operation.
 pub fn of_operation(id: OpId) -> Entry {
     Entry { action: A::Operation(id), label: id.spec().label, description: id.spec().description }
 }
 
-/// How an action is presented; every action is in a menu.
+/// The entry of an action; every action is in a menu.
 pub fn describe(action: Action) -> Entry {
     match action {
         A::Operation(id) => of_operation(id),

@@ -1,4 +1,4 @@
-//! Whether an action can be done now, and if not, why: what greys menu items and buttons.
+//! Whether an action can be done now, and if not, why: menu items and buttons are greyed accordingly.
 
 use editor::OpId;
 use halfedge::Element;
@@ -41,7 +41,8 @@ pub(crate) fn why_not(action: Action, session: &Session, kind: Element, player: 
         | Action::DeletePoint
         | Action::ElevateDegree
         | Action::SplitCurve => why_not_bezier(action, session, player),
-        // Which of the two it is may take a look at every face, and both say the same of a mesh with none.
+        // Which of the two applies may take a pass over all faces; on an empty mesh both give the same
+        // reason.
         Action::Upsample => operation(OpId::SubdivideCatmullClark),
         Action::Downsample => operation(OpId::Simplify),
         Action::Resample | Action::LongerEdges | Action::ShorterEdges => operation(OpId::Remesh),
@@ -51,16 +52,16 @@ pub(crate) fn why_not(action: Action, session: &Session, kind: Element, player: 
     }
 }
 
-/// Why something can't be done with the Bezier curve or surface that is active.
+/// Why an action can't be done with the active Bezier curve or surface.
 fn why_not_bezier(action: Action, session: &Session, player: &Player) -> Option<String> {
     let Some((_, shape)) = bezier::active(&session.editor) else {
-        return Some("Open a Bezier curve or surface, a .bzc or .bez file, first.".into());
+        return Some("Open a Bezier curve (.bzc) or surface (.bez) first.".into());
     };
     match (action, shape.curve()) {
         (Action::NextLevel | Action::Play, _) => None,
         (Action::ControlNets, None) => None,
         (Action::ControlNets, Some(_)) => Some("A curve's control points are always drawn.".into()),
-        (_, None) => Some("This is for Bezier curves, and the active object is a surface.".into()),
+        (_, None) => Some("This works only on Bezier curves; the active object is a surface.".into()),
         (Action::DeletePoint, Some(_)) if player.controls.chosen.is_none() => {
             Some("Choose a control point first.".into())
         }

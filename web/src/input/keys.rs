@@ -1,4 +1,4 @@
-//! The keys, in one table: menus, tooltips, the shortcuts window and the input handling read it.
+//! The keys, in one table that menus, tooltips, the shortcuts window and the input handling read.
 
 use crate::input::actions::Action;
 use crate::lists::row_list;
@@ -22,7 +22,7 @@ pub type Binding = (Action, Vec<KeyboardShortcut>);
 
 use Action as A;
 
-/// The keys of the page's own actions; those of operations are in their descriptions.
+/// The keys of the page's own actions; operations list their keys in their descriptions.
 static PAGE_BINDINGS: &[(Action, &[KeyboardShortcut])] = &[
     (A::Open, &[with(Modifiers::COMMAND, Key::O)]),
     (A::Save, &[with(Modifiers::COMMAND, Key::S)]),
@@ -62,7 +62,7 @@ static PAGE_BINDINGS: &[(Action, &[KeyboardShortcut])] = &[
     (A::RightPanel, &[key(Key::CloseBracket)]),
 ];
 
-/// Keys that mean something else while a Bezier curve or surface is active.
+/// Keys with another meaning while a Bezier curve or surface is active.
 static BEZIER_PAGE_BINDINGS: &[(Action, &[KeyboardShortcut])] = &[
     (A::NextLevel, &[key(Key::E)]),
     (A::WholeCurve, &[key(Key::C)]),
@@ -70,7 +70,7 @@ static BEZIER_PAGE_BINDINGS: &[(Action, &[KeyboardShortcut])] = &[
     (A::DeletePoint, &[key(Key::Delete), key(Key::X)]),
 ];
 
-/// All keys, but those that mean something else on a Bezier object.
+/// All keys, except those with another meaning on a Bezier object.
 pub static BINDINGS: LazyLock<Vec<Binding>> = LazyLock::new(|| {
     let page = PAGE_BINDINGS.iter().map(|(action, keys)| (*action, keys.to_vec()));
     let operations = OpId::ALL.iter().filter(|id| !id.spec().keys.is_empty());
@@ -78,11 +78,11 @@ pub static BINDINGS: LazyLock<Vec<Binding>> = LazyLock::new(|| {
     page.chain(operations).collect()
 });
 
-/// Keys that mean something else while a Bezier curve or surface is active.
+/// Keys with another meaning while a Bezier curve or surface is active.
 pub static BEZIER_BINDINGS: LazyLock<Vec<Binding>> =
     LazyLock::new(|| BEZIER_PAGE_BINDINGS.iter().map(|(action, keys)| (*action, keys.to_vec())).collect());
 
-/// Keys as the descriptions of operations write them: "Shift+T".
+/// Parses keys as the descriptions of operations write them: "Shift+T".
 fn shortcuts(keys: &[&str]) -> Vec<KeyboardShortcut> {
     let shortcut = |text: &&str| {
         let (modifiers, key) = text.rsplit_once('+').unwrap_or(("", text));
@@ -98,21 +98,21 @@ fn shortcuts(keys: &[&str]) -> Vec<KeyboardShortcut> {
     keys.iter().filter_map(shortcut).collect()
 }
 
-/// What the mouse, the trackpad and fingers do, for the shortcuts window.
+/// Gestures of the mouse, the trackpad and fingers, for the shortcuts window.
 pub static GESTURES: &[(&str, &str)] = &[
-    ("Turn the view", "Drag beside the mesh, middle-drag, Alt+drag, or one finger"),
-    ("Move the view", "Right-drag, Shift+drag, or two fingers"),
-    ("Come closer", "Wheel, pinch, or Ctrl+wheel"),
+    ("Orbit the view", "Drag beside the mesh, middle-drag, Alt+drag, or one finger"),
+    ("Pan the view", "Right-drag, Shift+drag, or two fingers"),
+    ("Zoom", "Wheel, pinch, or Ctrl+wheel"),
     ("Select", "Click"),
     ("Extend the selection", "Shift+click"),
-    ("Add or take away", "Ctrl+click"),
+    ("Add or remove", "Ctrl+click"),
     ("Select with a box", "Ctrl+drag, or the box tool"),
     ("Move a vertex", "Drag a selected vertex"),
     ("Move a control point", "Drag it, on a Bezier curve or surface"),
     ("Add a control point", "Double-click, on a Bezier curve"),
 ];
 
-/// The keys of an action; an operation has those of its family.
+/// The keys of an action; an operation has its family's keys.
 pub fn of(action: Action) -> Vec<KeyboardShortcut> {
     if let A::Operation(id) = action {
         return shortcuts(id.keys());
@@ -121,7 +121,7 @@ pub fn of(action: Action) -> Vec<KeyboardShortcut> {
     all.find(|(bound, _)| *bound == action).map_or_else(Vec::new, |(_, keys)| keys.clone())
 }
 
-/// The first key of an action as the platform writes it, or nothing.
+/// The first key of an action as the platform writes it; empty if there is none.
 pub fn text(ctx: &Context, action: Action) -> String {
     of(action).first().map(|shortcut| written(ctx, shortcut)).unwrap_or_default()
 }
@@ -145,12 +145,12 @@ pub fn tooltip(ctx: &Context, description: &str, action: Action) -> String {
     if key.is_empty() { description.to_owned() } else { format!("{description} ({key})") }
 }
 
-/// The actions whose keys were pressed this frame, which are used up. While the person types, only
-/// those with Ctrl or Command that a text field has no use for, and Escape is the field's; while a menu
-/// is open, Escape is the menu's. `bezier` says that a Bezier object is active.
+/// The actions whose keys were pressed this frame; consumes the keys. While the user types, only keys with
+/// Ctrl or Command that a text field doesn't use count, and Escape goes to the field. While a menu is open,
+/// Escape goes to the menu. `bezier` says that a Bezier object is active.
 pub fn pressed(ctx: &Context, menu: bool, bezier: bool) -> Vec<Action> {
     let typing = ctx.text_edit_focused();
-    // Space belongs to the button that has the keyboard, and Home to the list.
+    // A focused button uses Space, and a focused list uses Home.
     let focused = ctx.memory(|memory| memory.focused());
     let on_list = focused.is_some() && focused == row_list::focused(ctx);
     ctx.input_mut(|input| {
@@ -184,8 +184,8 @@ fn works_while_typing(action: Action) -> bool {
     matches!(action, A::Open | A::Save | A::Palette)
 }
 
-/// Like egui's own, but a plain letter doesn't also match with Ctrl or Alt, and "?" matches with the
-/// shift that typing it takes.
+/// Like egui's own function, but a plain letter doesn't also match with Ctrl or Alt, and "?" matches with
+/// the Shift that typing it takes.
 fn consume(input: &mut egui::InputState, shortcut: &KeyboardShortcut) -> bool {
     let mut found = false;
     input.events.retain(|event| {
@@ -232,7 +232,7 @@ mod tests {
     }
 
     #[test]
-    fn every_key_of_an_operation_is_one() {
+    fn every_key_of_an_operation_parses() {
         let ctx = Context::default();
         for id in OpId::ALL {
             assert_eq!(shortcuts(id.spec().keys).len(), id.spec().keys.len(), "{:?}", id.spec().keys);

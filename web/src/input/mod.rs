@@ -1,4 +1,4 @@
-//! What a person can start, by which keys, and whether it can be done now.
+//! The actions a user can start, their keys, and whether each is available now.
 
 pub mod actions;
 pub(crate) mod availability;

@@ -1,10 +1,10 @@
-//! What the rows of each kind of element say.
+//! The contents of the rows for each kind of element.
 
 use glam::DVec3;
 use halfedge::{Color, Element, Mesh, keys};
 use std::fmt::Write as _;
 
-/// How a column's text sits in it.
+/// The alignment of a column's text.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Align {
     /// Numbers: right, so that digits line up.
@@ -18,11 +18,11 @@ pub enum Align {
 pub struct Column {
     /// Its heading.
     pub title: &'static str,
-    /// What the heading's tooltip explains.
+    /// The heading's tooltip.
     pub meaning: &'static str,
-    /// Its width in characters; the last column takes the rest.
+    /// The width in characters; the last column takes the remaining width.
     pub chars: f32,
-    /// Where its text sits.
+    /// The alignment of the text.
     pub align: Align,
 }
 
@@ -30,29 +30,29 @@ const fn number(title: &'static str, meaning: &'static str, chars: f32) -> Colum
     Column { title, meaning, chars, align: Align::Right }
 }
 
-/// The columns of one kind of element, the id's first.
+/// The columns for one kind of element, starting with the id.
 pub fn columns(kind: Element) -> &'static [Column] {
     const VERTEX: [Column; 4] = [
-        number("Id", "The vertex's number", 7.0),
+        number("Id", "The vertex's id", 7.0),
         number("x", "Position along x", 10.5),
         number("y", "Position along y", 10.5),
         number("z", "Position along z", 10.5),
     ];
     const EDGE: [Column; 3] = [
-        number("Id", "The edge's number; its half-edges are twice that and one more", 7.0),
+        number("Id", "The edge's id, e; its half-edges are 2e and 2e + 1", 7.0),
         number("From", "The vertex where the edge's first half-edge starts", 10.5),
         number("To", "The vertex where the edge's first half-edge ends", 10.5),
     ];
     const HALFEDGE: [Column; 5] = [
-        number("Id", "The half-edge's number", 7.0),
+        number("Id", "The half-edge's id", 7.0),
         number("Next", "The next half-edge around the same face", 8.0),
         number("Twin", "The half-edge on the other side of the same edge", 8.0),
         number("Face", "The face to its left; a dash on the boundary", 8.0),
         number("Vertex", "The vertex it points to", 8.0),
     ];
     const FACE: [Column; 3] = [
-        number("Id", "The face's number", 7.0),
-        number("Sides", "How many corners the face has", 6.0),
+        number("Id", "The face's id", 7.0),
+        number("Sides", "The number of the face's corners", 6.0),
         Column {
             title: "Corners",
             meaning: "The face's vertices in order, counter-clockwise seen from outside",
@@ -68,10 +68,10 @@ pub fn columns(kind: Element) -> &'static [Column] {
     }
 }
 
-/// What one row shows.
+/// The contents of one row.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Row {
-    /// The element's number.
+    /// The element's id.
     pub id: u32,
     /// One text per column.
     pub cells: Vec<String>,
@@ -80,7 +80,7 @@ pub struct Row {
 }
 
 impl Row {
-    /// The row's numbers in one line, for the accessibility tree.
+    /// The row's values in one line, for the accessibility tree.
     pub fn value(&self, kind: Element) -> String {
         let mut text = String::new();
         for (column, cell) in columns(kind).iter().zip(&self.cells).skip(1) {
@@ -97,11 +97,11 @@ impl Row {
     }
 }
 
-/// Corners listed in a row; the rest is cut off, because a face can have millions.
+/// The largest number of corners listed in a row; a face can have millions.
 const MAX_LISTED_CORNERS: usize = 24;
 
-/// The row of an element, or none where there is no such element. The offset of the document makes its
-/// coordinates those of the file.
+/// The row of an element; none if it doesn't exist. Adding the document's offset gives the coordinates of
+/// the file.
 pub fn row(mesh: &Mesh, kind: Element, id: u32, offset: DVec3) -> Option<Row> {
     let mut cells = vec![id.to_string()];
     let mut swatch = None;
@@ -157,11 +157,11 @@ pub fn coordinate(value: f32) -> String {
         _ => 1,
     };
     let text = format!("{value:.decimals$}");
-    // "-0.00000" reads like a small negative number.
+    // "-0.00000" looks like a small negative number.
     if value == 0.0 { text.trim_start_matches('-').to_owned() } else { text }
 }
 
-/// The name of an element as lists, tooltips and the accessibility tree say it: "Vertex 12".
+/// The name of an element in lists, tooltips and the accessibility tree: "Vertex 12".
 pub fn element_name(kind: Element, id: u32) -> String {
     let word = match kind {
         Element::Vertex => "Vertex",
@@ -182,7 +182,7 @@ pub fn plural(kind: Element) -> &'static str {
     }
 }
 
-/// A count with what it counts: "1 vertex", "3 half-edges".
+/// A count with its noun: "1 vertex", "3 half-edges".
 pub fn counted(kind: Element, count: usize) -> String {
     if count == 1 {
         format!("1 {kind}")
@@ -191,13 +191,13 @@ pub fn counted(kind: Element, count: usize) -> String {
     }
 }
 
-/// A whole number with its thousands set apart by thin gaps: `1 234 567`.
+/// A whole number with its thousands separated by narrow spaces: `1 234 567`.
 pub fn thousands(value: usize) -> String {
     let digits = value.to_string();
     let mut text = String::with_capacity(digits.len() * 2);
     for (at, digit) in digits.chars().enumerate() {
         if at > 0 && (digits.len() - at).is_multiple_of(3) {
-            // One that no line breaks at.
+            // A no-break space.
             text.push('\u{a0}');
         }
         text.push(digit);
@@ -210,7 +210,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn coordinates_keep_to_their_column() {
+    fn coordinates_fit_their_column() {
         for value in [0.0, -0.0, 1.5, -99.999_99, 1234.5678, -999_999.0, 1e6, -1.5e-30, f32::MAX, f32::MIN] {
             assert!(coordinate(value).len() <= 10, "{value}: {}", coordinate(value));
         }
@@ -221,7 +221,7 @@ mod tests {
     }
 
     #[test]
-    fn thousands_are_set_apart() {
+    fn thousands_are_separated() {
         assert_eq!(thousands(7), "7");
         assert_eq!(thousands(1000), "1\u{a0}000");
         assert_eq!(thousands(3_000_000), "3\u{a0}000\u{a0}000");

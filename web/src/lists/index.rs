@@ -1,11 +1,11 @@
-//! Which element a row shows, and in which row an element is.
+//! The mapping between rows and the ids of elements.
 
 use halfedge::{Element, Mesh, Touched};
 
-/// The rows of one kind of element of one mesh: every existing id in order, one row each.
+/// The rows for one kind of element of a mesh: one row for every existing id, in order.
 ///
-/// Removed ids are kept as a sorted list, so that both directions are a binary search over the few
-/// ids that are missing, whatever the size of the mesh, and an edit costs what it touched.
+/// Removed ids are kept in a sorted list. Both directions are a binary search over those few ids, and an
+/// update costs what the edit touched, whatever the size of the mesh.
 #[derive(Clone, Debug, Default)]
 pub struct RowIndex {
     removed: Vec<u32>,
@@ -13,7 +13,7 @@ pub struct RowIndex {
 }
 
 impl RowIndex {
-    /// Indexes a mesh from scratch. Costs O(1) on a mesh without removed ids, else O(ids).
+    /// Indexes a mesh from scratch. Costs O(1) if no ids were removed, else O(ids).
     pub fn new(mesh: &Mesh, kind: Element) -> Self {
         let capacity = mesh.capacity(kind);
         let mut removed = Vec::new();
@@ -23,13 +23,13 @@ impl RowIndex {
         Self { removed, capacity }
     }
 
-    /// Takes in what an edit touched: ids that were added, removed or brought back. Costs
-    /// O(touched · log removed) and the moving of the removed ids that follow.
+    /// Updates the index to an edit that added, removed or restored ids. Costs O(touched · log removed),
+    /// plus moving the removed ids that follow.
     pub fn follow(&mut self, mesh: &Mesh, kind: Element, touched: &Touched) {
         match kind {
             Element::Vertex => self.update(mesh, kind, touched.vertices.iter().map(|v| v.raw())),
             Element::Edge => self.update(mesh, kind, touched.edges.iter().map(|e| e.raw())),
-            // An edge that is marked takes both its half-edges along.
+            // An edge's mark applies to both its half-edges.
             Element::Halfedge => {
                 let sides = touched.edges.iter().flat_map(|e| e.halfedges());
                 self.update(mesh, kind, sides.map(|h| h.raw()));
@@ -54,12 +54,12 @@ impl RowIndex {
         }
     }
 
-    /// How many rows there are.
+    /// The number of rows.
     pub fn len(&self) -> usize {
         self.capacity - self.removed.len()
     }
 
-    /// Whether there are none.
+    /// Whether there are no rows.
     pub fn is_empty(&self) -> bool {
         self.len() == 0
     }
@@ -85,7 +85,8 @@ impl RowIndex {
         }
     }
 
-    /// How many of the removed ids, from the first, satisfy a condition that only the first ones do.
+    /// The number of removed ids at the start of the list that satisfy a condition, which must be true only
+    /// for a prefix.
     fn partition(&self, holds: impl Fn(u32, usize) -> bool) -> usize {
         let (mut low, mut high) = (0, self.removed.len());
         while low < high {
@@ -147,8 +148,8 @@ mod tests {
     }
 
     #[test]
-    fn row_and_id_are_each_other_s_inverse() {
-        // Every way of removing some of eleven ids.
+    fn row_of_and_id_of_are_inverse() {
+        // Every subset of eleven ids is removed once.
         for marks in 0_u32..1 << 11 {
             let (removed, kept): (Vec<u32>, Vec<u32>) = (0..11).partition(|id| marks >> id & 1 == 1);
             let index = with_removed(11, &removed);

@@ -1,8 +1,8 @@
 //! A list of rows of equal height, exact at any number of rows.
 //!
-//! egui's scroll area places row `n` at `n * height` in `f32`, which is off by whole rows past some
-//! two million. Here the scroll position is the number of the first row and how much of it is
-//! hidden; only the few rows in view are ever placed, from the top of the list down.
+//! egui's scroll area places row `n` at `n * height` in `f32`, which is off by whole rows above about two
+//! million. Here the scroll position is the index of the first visible row plus the hidden fraction of it,
+//! and only the visible rows are placed, from the top of the list down.
 
 use egui::{
     Align2, Color32, CornerRadius, CursorIcon, EventFilter, FontId, Id, Key, Modifiers, Pos2, Rect, Response,
@@ -12,41 +12,41 @@ use egui::{
 use crate::lists::columns::{Align, Column, Row};
 use crate::theme;
 
-/// How wide the scroll bar is, in points.
-const BAR: f32 = 10.0;
-/// The shortest the scroll bar's handle gets, in points.
-const SHORTEST_HANDLE: f32 = 24.0;
+/// The width of the scroll bar, in points.
+const BAR_WIDTH_POINTS: f32 = 10.0;
+/// The least length of the scroll bar's handle, in points.
+const MIN_HANDLE_POINTS: f32 = 24.0;
 
-/// Where the list that has the keyboard is remembered.
+/// The key under which the focused list is remembered.
 const FOCUSED: &str = "focused row list";
 
-/// The list that last had the keyboard.
+/// The list that last had the keyboard focus.
 pub fn focused(ctx: &egui::Context) -> Option<Id> {
     ctx.data(|data| data.get_temp(Id::unique(FOCUSED)))
 }
 
-/// Where a list is scrolled to and which row the keyboard is on. Kept from frame to frame.
+/// The scroll position and the keyboard cursor of a list, kept from frame to frame.
 #[derive(Clone, Debug, Default)]
 pub struct RowListState {
-    /// The first row in view, with the hidden part of it as the fraction. `f64` tells apart every
-    /// pixel of every row up to 2^40 rows.
+    /// The first visible row, plus the hidden fraction of it. An `f64` distinguishes every pixel of up to
+    /// 2^40 rows.
     top: f64,
-    /// The row that the keyboard moves from.
+    /// The row from which the keyboard moves.
     cursor: Option<usize>,
-    /// A row to bring into view when the list is next shown.
+    /// A row to scroll to when the list is next shown.
     reveal: Option<usize>,
-    /// Rows a second that a flick of a finger still scrolls.
+    /// The speed, in rows per second, at which the list still scrolls after a flick.
     glide: f64,
 }
 
 impl RowListState {
-    /// Brings a row into view when the list is next shown, without moving more than needed.
+    /// Scrolls a row into view when the list is next shown, by no more than needed.
     pub fn reveal(&mut self, row: usize) {
         self.reveal = Some(row);
         self.cursor = Some(row);
     }
 
-    /// The first row in view.
+    /// The first visible row.
     pub fn first_row(&self) -> usize {
         self.top as usize
     }
@@ -57,34 +57,34 @@ impl RowListState {
 pub struct Picked {
     /// The row.
     pub row: usize,
-    /// Extend from the last picked row to this one.
+    /// Whether to extend the selection from the last picked row to this one.
     pub extend: bool,
-    /// Add this row, or take it away.
+    /// Whether to add this row, or to remove it if it is selected.
     pub toggle: bool,
 }
 
-/// What happened to a list this frame.
+/// What happened to a list in this frame.
 #[derive(Debug)]
 pub struct RowListOutput {
-    /// The row that was clicked or moved to with the keyboard.
+    /// The row that was clicked, or reached with the keyboard.
     pub picked: Option<Picked>,
     /// The row under the pointer.
     pub hovered: Option<usize>,
-    /// The row that was clicked with the other button.
+    /// The row that was clicked with the secondary button.
     pub context: Option<usize>,
-    /// The rows that were in view, the cut-off ones among them.
+    /// The visible rows, including partly visible ones.
     pub in_view: std::ops::Range<usize>,
-    /// The list itself, for its context menu.
+    /// The response of the whole list, for its context menu.
     pub response: Response,
 }
 
-/// What the list asks its owner about a row.
+/// The content of a row.
 pub struct RowContent {
     /// The texts and the swatch.
     pub row: Row,
     /// The name in the accessibility tree, such as "Vertex 12".
     pub name: String,
-    /// The numbers in the accessibility tree.
+    /// The values in the accessibility tree.
     pub value: String,
     /// Whether it is selected.
     pub selected: bool,
@@ -94,18 +94,18 @@ pub struct RowContent {
 
 /// A list to show.
 pub struct RowList<'a> {
-    /// What the list is called in the accessibility tree: "Vertices".
+    /// The list's name in the accessibility tree: "Vertices".
     pub label: &'a str,
-    /// The columns, the id's first.
+    /// The columns, starting with the id.
     pub columns: &'a [Column],
-    /// How many rows there are.
+    /// The number of rows.
     pub rows: usize,
     /// The height of a row, in points.
     pub row_height: f32,
 }
 
 impl RowList<'_> {
-    /// Shows the list in all the space that is left. `content` is asked for the rows in view only.
+    /// Shows the list in all remaining space. Asks `content` only for visible rows.
     pub fn show(
         &self,
         ui: &mut Ui,
@@ -119,7 +119,7 @@ impl RowList<'_> {
         let outer = ui.available_rect_before_wrap();
         let id = ui.scope_id().with(("row list", self.label));
         ui.advance_cursor_after_rect(outer);
-        let body = Rect::from_min_max(outer.min, pos2(outer.max.x - BAR, outer.max.y));
+        let body = Rect::from_min_max(outer.min, pos2(outer.max.x - BAR_WIDTH_POINTS, outer.max.y));
         let bar = Rect::from_min_max(pos2(body.max.x, outer.min.y), outer.max);
         let list = ui.interact(body, id, Sense::click_and_drag());
         list.widget_info(|| WidgetInfo::labeled(Role::ListBox, ui.is_enabled(), self.label));
@@ -138,7 +138,7 @@ impl RowList<'_> {
         if let Some(row) = state.reveal.take() {
             let row = row as f64;
             if row < state.top || row + 1.0 > state.top + in_view {
-                // A row that is far away comes to the middle, one next to the edge just comes in.
+                // A distant row is centred; a row just out of view is scrolled to the nearest edge.
                 state.top = if (row - state.top).abs() > 2.0 * in_view {
                     row - (in_view / 2.0).floor()
                 } else if row < state.top {
@@ -188,8 +188,8 @@ impl RowList<'_> {
             ui.allocate_exact_size(vec2(ui.available_width(), self.row_height), Sense::hover());
         let line = ui.visuals().widgets.noninteractive.bg_stroke;
         ui.painter().hline(rect.x_range(), rect.max.y - 0.5, line);
-        // As wide as the rows: the scroll bar stands beside them.
-        rect.max.x -= BAR;
+        // As wide as the rows, which the scroll bar stands beside.
+        rect.max.x -= BAR_WIDTH_POINTS;
         let font = FontId::proportional(egui::TextStyle::Small.resolve(ui.style()).size);
         let color = ui.visuals().weak_text_color();
         for (column, cell) in self.columns.iter().zip(cells(self.columns, rect, char_width)) {
@@ -212,7 +212,7 @@ impl RowList<'_> {
         (font, char_width): (&FontId, f32),
         output: &mut RowListOutput,
     ) {
-        // Not focusable: the keyboard belongs to the list as a whole.
+        // Not focusable: the list as a whole has the keyboard focus.
         let response = ui.interact(rect, list.with(shown.row.id), Sense::CLICK);
         response.widget_info(|| {
             WidgetInfo::selected(Role::ListBoxOption, ui.is_enabled(), shown.selected, &shown.name)
@@ -280,7 +280,7 @@ impl RowList<'_> {
         let at = state.cursor.map(|row| row.min(last));
         let mut moved = None;
         ui.input_mut(|input| {
-            // With shift first: without it, a pattern matches either way.
+            // With Shift first: without it, a pattern matches either way.
             for extend in [true, false] {
                 let modifiers = if extend { Modifiers::SHIFT } else { Modifiers::NONE };
                 let mut pressed = |key| input.count_and_consume_key(modifiers, key);
@@ -292,7 +292,7 @@ impl RowList<'_> {
                     to = Some(at.unwrap_or(0).saturating_sub(up + page_up));
                 }
                 if down + page_down > 0 {
-                    // From nothing, the first step down lands on the first row.
+                    // With no cursor yet, the first step down goes to the first row.
                     to = Some(at.map_or(0, |row| row + down + page_down).min(last));
                 }
                 if home > 0 {
@@ -312,7 +312,7 @@ impl RowList<'_> {
         moved
     }
 
-    /// The wheel, a trackpad, or a finger.
+    /// Scrolls with the wheel, a trackpad or a finger.
     fn scroll(&self, ui: &Ui, list: &Response, body: Rect, state: &mut RowListState) {
         let height = f64::from(self.row_height);
         if ui.rect_contains_pointer(body) {
@@ -355,7 +355,7 @@ impl RowList<'_> {
             return;
         }
         let length = (bar.height() * (in_view / self.rows as f64) as f32)
-            .clamp(SHORTEST_HANDLE.min(bar.height()), bar.height());
+            .clamp(MIN_HANDLE_POINTS.min(bar.height()), bar.height());
         let travel = (bar.height() - length).max(1.0);
         let top = state.top.clamp(0.0, furthest);
         let handle_y = bar.min.y + travel * (top / furthest) as f32;
@@ -365,7 +365,7 @@ impl RowList<'_> {
         {
             let grip = id.with("grip");
             if ui.input(|input| input.pointer.primary_pressed()) {
-                // Pressing beside the handle brings the handle there.
+                // A press beside the handle moves the handle there.
                 let offset = if handle.contains(pointer) { pointer.y - handle.min.y } else { length / 2.0 };
                 ui.data_mut(|data| data.insert_temp(grip, offset));
             }
@@ -386,11 +386,11 @@ impl RowList<'_> {
     }
 }
 
-/// The columns' parts of a row.
+/// The cells of a row.
 fn cells(columns: &[Column], row: Rect, char_width: f32) -> impl Iterator<Item = Rect> {
     let mut x = row.min.x;
     let count = columns.len();
-    // Wide panels give the columns more room instead of leaving it at the end.
+    // In a wide panel all columns grow, so that no space is left at the end.
     let wanted: f32 = columns.iter().map(|c| c.chars * char_width).sum();
     let right = row.max.x - 6.0;
     let stretch = ((right - row.min.x) / wanted.max(1.0)).clamp(0.8, 1.6);

@@ -1,4 +1,4 @@
-//! The editor as eframe runs it, and as scripts reach it.
+//! The editor as an eframe app, and its handle for scripts.
 
 use std::any::Any;
 use std::cell::RefMut;
@@ -12,15 +12,15 @@ use crate::app::App;
 use crate::platform::browser::Browser;
 use crate::script::ui_tree::UiTree;
 
-/// The editor as eframe runs it.
+/// The editor as an eframe app.
 pub struct PageApp {
     app: App,
     ready: Ready,
 }
 
-/// What is left to do until scripts may be told that the editor is there.
+/// The progress until scripts are told that the editor is ready.
 enum Ready {
-    /// Frames to draw before.
+    /// The number of frames to draw first.
     In(u32),
     Told,
 }
@@ -31,7 +31,7 @@ impl PageApp {
         ctx.add_plugin(UiTree::default());
         let graphics = context.wgpu_render_state.clone();
         let browser = Browser::new(ctx, graphics::device_info(graphics.as_ref()));
-        // The first frame lays out, the second is drawn from it.
+        // The first frame computes the layout; the second draws with it.
         Self { app: App::new(ctx, Box::new(browser), graphics), ready: Ready::In(2) }
     }
 
@@ -69,7 +69,7 @@ impl eframe::App for PageApp {
     }
 }
 
-/// How scripts and the browser's events reach the editor between two frames.
+/// Gives scripts and browser events access to the editor between two frames.
 #[derive(Clone)]
 pub struct Handle {
     runner: WebRunner,
@@ -81,7 +81,7 @@ impl Handle {
         Self { runner, canvas }
     }
 
-    /// The editor; `None` after a crash, and while the editor itself is at work.
+    /// The editor; `None` after a crash, and during a call of the editor itself.
     pub fn app(&self) -> Option<RefMut<'_, App>> {
         self.runner.app_mut::<PageApp>().map(|page| RefMut::map(page, |page| &mut page.app))
     }
@@ -93,18 +93,18 @@ impl Handle {
     }
 }
 
-/// Has the browser ask before the page goes while there is work that was not saved.
+/// Makes the browser ask before the page closes with unsaved changes.
 pub fn ask_before_leaving(handle: Handle) -> Result<(), JsValue> {
     let window = web_sys::window().ok_or("there is no window")?;
     let on_leave = Closure::<dyn FnMut(BeforeUnloadEvent)>::new(move |event: BeforeUnloadEvent| {
         if handle.app().is_some_and(|app| app.editor().is_dirty()) {
             event.prevent_default();
-            // Older browsers ask only where this is set; none shows the text.
+            // Older browsers ask only if this is set; none shows the text.
             event.set_return_value("unsaved");
         }
     });
     window.add_event_listener_with_callback("beforeunload", on_leave.as_ref().unchecked_ref())?;
-    // For as long as the page lives.
+    // The listener lives as long as the page.
     on_leave.forget();
     Ok(())
 }

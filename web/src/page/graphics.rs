@@ -1,4 +1,4 @@
-//! What the page asks of the graphics device.
+//! The graphics device that the page requests.
 
 use std::sync::Arc;
 
@@ -8,16 +8,16 @@ use wgpu::{Backend, Backends, DeviceDescriptor, Limits};
 
 use crate::platform::DeviceInfo;
 
-/// Which ways of drawing to try.
+/// The graphics APIs to try.
 #[derive(Clone, Copy, Debug)]
 pub enum Choice {
-    /// WebGPU where the browser has it, else WebGL2.
+    /// WebGPU if the browser has it, else WebGL2.
     Best,
-    /// WebGL2 even where the browser has WebGPU, because that did not work.
+    /// WebGL2 even if the browser has WebGPU, because WebGPU failed.
     WebGl2,
 }
 
-/// eframe's options for drawing in this way.
+/// eframe's options for these graphics APIs.
 pub fn options(choice: Choice) -> WebOptions {
     let mut setup = WgpuSetupCreateNew::without_display_handle();
     setup.instance_descriptor.backends = match choice {
@@ -34,8 +34,8 @@ pub fn options(choice: Choice) -> WebOptions {
     options
 }
 
-/// The least that everything drawn here gets by with, so that no device is turned away, but the
-/// largest textures (a large screen) and buffers (a large mesh) that the device has.
+/// The limits to request: the lowest that the page works with, so that no device is refused, except that
+/// the largest texture (for large screens) and buffer (for large meshes) are what the device allows.
 fn limits(backend: Backend, most: &Limits) -> Limits {
     let least = match backend {
         Backend::Gl => Limits::downlevel_webgl2_defaults(),
@@ -48,7 +48,7 @@ fn limits(backend: Backend, most: &Limits) -> Limits {
     }
 }
 
-/// What the status bar and scripts are told of the device.
+/// The device's description for the status bar and scripts.
 pub fn device_info(state: Option<&RenderState>) -> DeviceInfo {
     let Some(info) = state.map(|state| state.adapter.get_info()) else {
         return DeviceInfo::default();

@@ -1,4 +1,4 @@
-//! The page: the editor on its canvas, and what index.html says while there is no editor.
+//! The page: the editor on its canvas, and the notices of index.html while there is no editor.
 
 mod app;
 mod graphics;
@@ -13,7 +13,7 @@ pub(crate) use app::Handle;
 use app::PageApp;
 use graphics::Choice;
 
-/// Runs the editor on the canvas with the id `meshwright`: with WebGPU, else with WebGL2, else
+/// Runs the editor on the canvas with the id `meshwright`, with WebGPU or else WebGL2. If neither works,
 /// the page says what is missing.
 pub fn start() {
     std::panic::set_hook(Box::new(|info| notice::crashed(&info.to_string())));
@@ -25,7 +25,7 @@ pub fn start() {
             Ok(()) => return,
             Err(reason) => reason,
         };
-        // A canvas that has given out a WebGPU context gives out no other.
+        // A canvas that has a WebGPU context can't get another kind of context.
         let again = match fresh(&canvas) {
             Ok(canvas) => start_on(canvas, Choice::WebGl2).await,
             Err(error) => Err(error),
@@ -46,7 +46,7 @@ async fn start_on(canvas: HtmlCanvasElement, choice: Choice) -> Result<(), JsVal
             Box::new(|context| Ok(Box::new(PageApp::new(context)))),
         )
         .await?;
-    // So that keys work before the first click.
+    // Keys then work before the first click.
     canvas.focus()?;
     script::install(&handle)?;
     app::ask_before_leaving(handle)
@@ -56,7 +56,7 @@ fn find_canvas() -> Option<HtmlCanvasElement> {
     web_sys::window()?.document()?.get_element_by_id("meshwright")?.dyn_into().ok()
 }
 
-/// Puts an unused canvas in the place of another.
+/// Replaces a canvas by an unused one.
 fn fresh(canvas: &HtmlCanvasElement) -> Result<HtmlCanvasElement, JsValue> {
     let copy: HtmlCanvasElement = canvas.clone_node()?.dyn_into()?;
     canvas.replace_with_with_node_1(&copy)?;

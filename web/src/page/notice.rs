@@ -1,10 +1,10 @@
-//! The notices of index.html, for when there is no editor to speak for itself.
+//! The notices of index.html for when there is no editor to show a message.
 
 use wasm_bindgen::prelude::*;
 
 #[wasm_bindgen]
 extern "C" {
-    /// The editor runs: the notice goes, and `meshwright.ready` resolves with this JSON.
+    /// The editor runs: removes the notice and resolves `meshwright.ready` with this JSON.
     #[wasm_bindgen(js_namespace = meshwrightPage)]
     pub fn started(info: &str);
     /// There is neither WebGPU nor WebGL2.

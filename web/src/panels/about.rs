@@ -1,4 +1,4 @@
-//! The window with the version and what the page runs on.
+//! The window with the version and the graphics device.
 
 use egui::{Context, Grid, Label, RichText, Window, vec2};
 

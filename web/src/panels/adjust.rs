@@ -1,5 +1,5 @@
-//! "Adjust last operation": the fields of what was done last. Changing one does it again in place of
-//! itself, as one undo step.
+//! "Adjust last operation": the fields of the last operation. A change runs the operation again with the
+//! new fields, still as one undo step.
 
 use editor::ops::{Field, Fill};
 use editor::{Command, Facts, OpId, Scope};
@@ -10,17 +10,17 @@ use crate::panels::fields;
 use crate::request::{Request, Requests};
 use crate::session::form;
 
-/// Fields that were changed and are not done yet.
+/// A change of fields that has not been applied yet.
 #[derive(Default)]
 pub(crate) struct Adjusting {
-    /// The command as it will be when the pointer lets go.
+    /// The command to run when the pointer's button is released.
     pending: Option<Command>,
 }
 
-/// An operation that left this many faces or more is not tried at every step of a spin.
+/// The most faces in a mesh for which the operation runs again at every step of a spin box.
 const MAX_FACES_ADJUSTED_LIVE: usize = 20_000;
 
-/// The panel; nothing where the last thing done has no fields to change.
+/// Shows the panel, unless the last operation has no fields to change.
 pub(crate) fn show(ui: &mut Ui, page: &Page<'_>, own: &mut Adjusting, out: &mut Requests) {
     let Some(command) = page.editor.last_command() else {
         own.pending = None;
@@ -36,7 +36,7 @@ pub(crate) fn show(ui: &mut Ui, page: &Page<'_>, own: &mut Adjusting, out: &mut 
     let before = own.pending.clone().unwrap_or_else(|| command.clone());
     let (id, object) = (before.op.id(), before.object);
     let mut filled = before.fields();
-    // The mesh is the result by now; how many triangles there were before it is not known.
+    // The mesh is already the result; the number of triangles before is not known.
     let facts = match spec.scope {
         Scope::Meshes => Facts { corners: None, ..page.facts(id) },
         _ => page.facts(id),
@@ -56,7 +56,7 @@ pub(crate) fn show(ui: &mut Ui, page: &Page<'_>, own: &mut Adjusting, out: &mut 
             Err(error) => out.push(Request::Refuse(error)),
         }
     }
-    // What is quick follows every step of a spin; what takes a while waits for its end.
+    // A quick operation follows every step of a spin box; a slow one waits for the release.
     let quick = spec.scope != Scope::Meshes
         || (!page.adjusting_is_slow
             && page.editor.mesh().is_some_and(|mesh| mesh.face_count() < MAX_FACES_ADJUSTED_LIVE));

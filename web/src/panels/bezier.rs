@@ -1,4 +1,4 @@
-//! The panel of a Bezier curve or surface: where its construction is, and its control points.
+//! The panel of a Bezier curve or surface: its construction and its control points.
 
 use editor::ops::BezierTessellate;
 use editor::{Bezier, OpId};
@@ -12,7 +12,7 @@ use crate::panels::menu_bar::{explain, menu_item};
 use crate::panels::viewport::control_points::moved;
 use crate::request::{Request, Requests};
 
-/// The panel; nothing where the active object is a mesh.
+/// Shows the panel, unless the active object is a mesh.
 pub(crate) fn show(ui: &mut Ui, page: &Page<'_>, tessellation: &mut Option<u32>, out: &mut Requests) {
     let Some((object, bezier)) = active(&page.editor) else { return };
     let name = object.name();
@@ -39,7 +39,7 @@ pub(crate) fn show(ui: &mut Ui, page: &Page<'_>, tessellation: &mut Option<u32>,
     buttons(ui, page, bezier, tessellation, out);
 }
 
-/// Sliders, the level, and playing.
+/// The parameters, the level and the play button.
 fn construction(ui: &mut Ui, page: &Page<'_>, bezier: &Bezier, out: &mut Requests) {
     let is_curve = bezier.curve().is_some();
     let width = (ui.available_width() - 96.0).max(60.0);
@@ -53,10 +53,11 @@ fn construction(ui: &mut Ui, page: &Page<'_>, bezier: &Bezier, out: &mut Request
     for (name, value) in parameters {
         ui.horizontal(|ui| {
             let label = ui.label(RichText::new(*name).strong());
-            // A limit to its decimals would round what playing sets, and call that a change.
+            // The slider must not round the value to its decimals, as that would count as a change while
+            // playing.
             let slider =
                 Slider::new(&mut **value, 0.0..=1.0).custom_formatter(|number, _| format!("{number:.3}"));
-            let hint = format!("Where the construction is drawn: {name} from 0 to 1");
+            let hint = format!("The parameter {name} of the construction, from 0 to 1");
             moved |= ui.add(slider).labelled_by(label.id).on_hover_text(hint).changed();
         });
     }
@@ -75,7 +76,7 @@ fn construction(ui: &mut Ui, page: &Page<'_>, bezier: &Bezier, out: &mut Request
         );
         action_button(ui, page, Action::NextLevel, "Next level", out);
         ui.label(format!("{} of {last}", page.player.controls.level))
-            .on_hover_text("How many levels of de Casteljau's construction are drawn");
+            .on_hover_text("The number of levels drawn of de Casteljau's construction");
     });
     let level = page.player.controls.level;
     let drawn = bezier.curve().map(|curve| Drawn::of(curve.points.len(), level));
@@ -91,7 +92,7 @@ fn construction(ui: &mut Ui, page: &Page<'_>, bezier: &Bezier, out: &mut Request
         }
     });
     if let Some(patch) = page.player.only_net(bezier) {
-        let text = format!("Of so many patches only the net of the one below, {patch}, is drawn.");
+        let text = format!("Too many patches to draw all nets; only that of patch {patch} is drawn.");
         ui.add(Label::new(RichText::new(text).small().weak()).wrap());
     }
 }
@@ -134,7 +135,7 @@ fn curve_points(ui: &mut Ui, page: &Page<'_>, points: &[Vec3], out: &mut Request
     });
 }
 
-/// A patch's control points as a grid to choose from, and spin boxes for the chosen one.
+/// A patch's control points as a grid to choose from, with spin boxes for the chosen one.
 fn patch_points(ui: &mut Ui, page: &Page<'_>, bezier: &Bezier, patches: usize, out: &mut Requests) {
     ui.horizontal(|ui| {
         let label = ui.label(RichText::new("Patch").strong());
@@ -174,7 +175,7 @@ fn patch_points(ui: &mut Ui, page: &Page<'_>, bezier: &Bezier, patches: usize, o
     }
 }
 
-/// x, y and z of a control point. A drag or a typed number is one undo step.
+/// The spin boxes for x, y and z of a control point. A drag or a typed number is one undo step.
 fn control_point_boxes(
     ui: &mut Ui,
     page: &Page<'_>,
@@ -198,7 +199,7 @@ fn control_point_boxes(
         let spin = ui.add_sized(vec2(width, ui.spacing().interact_size.y), drag);
         let spin = spin.accessible_name(format!("{name} {axis}"));
         changed |= spin.changed();
-        // Typed numbers, and steps of assistive tools, are whole edits of their own.
+        // A typed number, or a step by an assistive tool, is an edit of its own.
         done |= spin.drag_stopped() || (spin.changed() && !spin.dragged());
         spin.on_hover_text(format!("Position along {axis}: drag, or click to type"));
     }
@@ -212,7 +213,7 @@ fn control_point_boxes(
     }
 }
 
-/// What a right click in the viewport offers.
+/// The context menu of the viewport.
 pub(crate) fn menu(ui: &mut Ui, page: &Page<'_>, out: &mut Requests) {
     ui.set_min_width(200.0);
     for action in [
@@ -253,7 +254,7 @@ fn buttons(
             let why_not = page.why_not(Action::Operation(OpId::BezierTessellate));
             let button = ui.add_enabled(why_not.is_none(), Button::new("Tessellate"));
             let hint = format!(
-                "Makes a mesh of {} that everything can edit; the control points are given up",
+                "Replace the control points by a mesh of {}, which every operation can edit",
                 crate::lists::columns::counted(halfedge::Element::Face, faces)
             );
             let reason = why_not.unwrap_or_default();
@@ -270,7 +271,7 @@ fn buttons(
     ui.add(Label::new(RichText::new(hint).small().weak()).wrap());
 }
 
-/// Asks for a control point to be chosen, or for none.
+/// Requests that a control point be chosen, or none.
 fn choose(page: &Page<'_>, point: Option<ControlPoint>, out: &mut Requests) {
     let mut controls = page.player.controls;
     controls.choose(point);

@@ -1,4 +1,4 @@
-//! What covers the page while a file is dragged over it.
+//! The overlay that covers the page while a file is dragged over it.
 
 use egui::{Align2, Context, FontId, Id, LayerId, Order, Stroke, StrokeKind};
 

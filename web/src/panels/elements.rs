@@ -18,15 +18,15 @@ use crate::theme;
 #[derive(Default)]
 pub(crate) struct Lists {
     go_to: String,
-    /// Puts the keyboard into the "Go to id" field in the next frame.
+    /// Move the keyboard focus to the "Go to id" field in the next frame.
     pub focus_go_to: bool,
     indices: ByKind<RowIndex>,
     states: ByKind<RowListState>,
-    /// A selected element that is to be scrolled to.
+    /// A selected element to scroll to.
     reveal: Option<u32>,
-    /// The next selection was made in the list itself, where it is in view.
+    /// Whether the next change of the selection comes from the list itself, where the element is in view.
     ignore_next_reveal: bool,
-    /// The object whose rows the lists have.
+    /// The object that the rows belong to.
     object: Option<ObjectId>,
 }
 
@@ -65,7 +65,7 @@ impl Lists {
         self.indices.of(kind)
     }
 
-    /// Makes the lists follow the document; returns whether they are of another object now.
+    /// Updates the lists to the document; returns whether they now show another object.
     pub fn follow(&mut self, editor: &Editor, changes: &Changes) -> bool {
         let active = editor.document().active().map(editor::Object::id);
         let is_other = active != self.object;
@@ -103,7 +103,7 @@ pub(crate) fn show(ui: &mut Ui, page: &Page<'_>, own: &mut Lists, out: &mut Requ
     element_list(ui, page, own, out);
 }
 
-/// The tabs, one per kind, each with its count.
+/// The tabs, one for each kind, with counts.
 fn kind_tabs(ui: &mut Ui, page: &Page<'_>, own: &mut Lists, out: &mut Requests) {
     ui.add_space(4.0);
     ui.horizontal(|ui| {
@@ -128,7 +128,7 @@ fn kind_tabs(ui: &mut Ui, page: &Page<'_>, own: &mut Lists, out: &mut Requests) 
     });
 }
 
-/// "Go to id" and the filter.
+/// The "Go to id" field and the filter.
 fn list_bar(ui: &mut Ui, page: &Page<'_>, own: &mut Lists, out: &mut Requests) {
     let kind = page.shown.kind;
     ui.horizontal(|ui| {
@@ -161,7 +161,7 @@ fn list_bar(ui: &mut Ui, page: &Page<'_>, own: &mut Lists, out: &mut Requests) {
     });
 }
 
-/// Selects the element whose number was typed.
+/// Selects the element with the typed id.
 fn go_to(page: &Page<'_>, own: &mut Lists, out: &mut Requests) {
     let kind = page.shown.kind;
     let text = own.go_to.trim().trim_start_matches('#').replace([' ', ','], "");
@@ -171,7 +171,7 @@ fn go_to(page: &Page<'_>, own: &mut Lists, out: &mut Requests) {
         Some(id) => {
             own.go_to.clear();
             out.select(kind, [id], SelectMode::Replace);
-            // Selecting the same again changes nothing, but the list should still go there.
+            // Selecting the same element again changes nothing, but the list should still scroll to it.
             own.reveal = Some(id);
         }
         None => {
@@ -236,10 +236,10 @@ fn element_list(ui: &mut Ui, page: &Page<'_>, own: &mut Lists, out: &mut Request
     if let Some(id) = under_pointer {
         out.push(Request::Hover(kind, id));
     }
-    // What was picked in the last frame is followed by now, if it changed the selection.
+    // The pick of the last frame has been handled by now, if it changed the selection.
     own.ignore_next_reveal = picked.is_some();
     if let Some((picked, id)) = picked {
-        // The row is where the person clicked: it is in view already.
+        // The row is in view already, as the user clicked it.
         pick_row(page, kind, picked, id, out);
     }
     if let Some(id) = context.filter(|&id| !page.editor.selection().contains(kind, id)) {
@@ -250,11 +250,11 @@ fn element_list(ui: &mut Ui, page: &Page<'_>, own: &mut Lists, out: &mut Request
 
 fn pick_row(page: &Page<'_>, kind: Element, picked: Picked, id: u32, out: &mut Requests) {
     if picked.extend && page.editor.selection().kind() == kind && page.editor.selection().latest().is_some() {
-        // With the selection alone in the list there is nothing between that isn't selected.
+        // If the list shows only the selection, every row in between is selected already.
         out.push(Request::SelectRange { kind, to: id });
     } else {
         let mode = if picked.toggle { SelectMode::Toggle } else { SelectMode::Replace };
-        // In a list of the selection a plain click would empty the list under the pointer.
+        // In a list of the selection, a plain click would empty the list under the pointer.
         if page.shown.only_selected && mode == SelectMode::Replace {
             out.select(kind, [id], SelectMode::Extend);
         } else {
@@ -274,12 +274,12 @@ fn empty_list(ui: &mut Ui, page: &Page<'_>, kind: Element, only: bool) {
         } else if crate::bezier::active(&page.editor).is_some() {
             (
                 format!("A curve has no {}", plural(kind).to_lowercase()),
-                "It has control points, which the inspector lists.".to_owned(),
+                "Its control points are listed in the inspector.".to_owned(),
             )
         } else if page.editor.document().objects().is_empty() {
             (
                 "No mesh".to_owned(),
-                "Drop an OBJ file on the page, paste its text, or make a shape.".to_owned(),
+                "Drop an OBJ file on the page, paste its text, or create a shape.".to_owned(),
             )
         } else {
             (
@@ -293,7 +293,7 @@ fn empty_list(ui: &mut Ui, page: &Page<'_>, kind: Element, only: bool) {
     ui.take_available_space();
 }
 
-/// What a right click on elements offers: what applies to them.
+/// The context menu of elements: the operations that apply to them.
 pub(crate) fn menu(ui: &mut Ui, page: &Page<'_>, out: &mut Requests) {
     ui.set_min_width(200.0);
     let kind = page.editor.selection().kind();

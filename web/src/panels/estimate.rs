@@ -1,4 +1,4 @@
-//! How large an operation's result will be, said before it runs.
+//! The size of an operation's result, shown before the operation runs.
 
 use crate::lists::columns::{counted, thousands};
 use crate::page_view::Page;
@@ -7,17 +7,16 @@ use editor::ops::{Amount, Counted, Estimate};
 use editor::{Command, Facts, OpId};
 use halfedge::Element;
 
-/// A result that was tried out, and for which state of the document.
+/// The result of a trial run, for one revision of the document.
 #[derive(Clone, Debug)]
 pub(crate) struct Tried {
     revision: u64,
     command: Command,
-    /// None where the command is refused.
+    /// None if the command is refused.
     estimate: Option<Estimate>,
 }
 
-/// How large the result of an operation with these fields is, as a sentence; none where that
-/// can't be said beforehand.
+/// The size of the result of an operation with these fields, as a sentence; none if it is unknown.
 pub(crate) fn show(
     page: &Page<'_>,
     own: &mut Option<Tried>,
@@ -39,8 +38,8 @@ pub(crate) fn show(
     }
 }
 
-/// The estimate with the count of the result itself, where making it is quick. Made once for a state
-/// of the document and fields.
+/// The estimate with the exact count from a trial run, if that is quick. Each revision and command is tried
+/// once.
 fn try_out(
     page: &Page<'_>,
     own: &mut Option<Tried>,
@@ -54,14 +53,14 @@ fn try_out(
     }
     let result = if page.editor.is_quick(command) { page.editor.try_out(command) } else { None };
     let estimate = result.map(|mesh| estimate.exactly(&mesh));
-    // What is refused while a job runs may go through once it is cancelled.
+    // A command that is refused while a job runs may be accepted once the job is cancelled.
     if estimate.is_some() || page.editor.jobs().next().is_none() {
         *own = Some(Tried { revision, command: command.clone(), estimate });
     }
     estimate
 }
 
-/// An estimate as a sentence; none where nothing is known.
+/// An estimate as a sentence; none if nothing is known.
 fn words(estimate: &Estimate) -> Option<String> {
     let noun = |count: usize| match estimate.counted {
         Counted::Faces => counted(Element::Face, count),
@@ -71,7 +70,7 @@ fn words(estimate: &Estimate) -> Option<String> {
     };
     Some(match (estimate.count, estimate.of) {
         (Amount::Exactly(count), _) if estimate.counted == Counted::MovedVertices => {
-            format!("{} move; counts stay", noun(count))
+            format!("{} will move; counts stay the same", noun(count))
         }
         (Amount::Exactly(count), None) => format!("Result: {}", noun(count)),
         (Amount::Exactly(count), Some(all)) => format!("Result: {} of {}", thousands(count), noun(all)),

@@ -1,4 +1,4 @@
-//! The form of an operation, made from the fields of its description.
+//! The form of an operation, generated from the fields of its description.
 
 use editor::Spec;
 use editor::ops::{Arity, Choice, Facts, Field, FieldKind, Fill, Unit, sentence_case};
@@ -11,7 +11,7 @@ use crate::session::form::{Filled, alternatives, chosen};
 use crate::widgets::color_button::color_button;
 use halfedge::Element;
 
-/// The rows of an operation's fields that `shown` picks.
+/// The rows of those fields of an operation for which `shown` is true.
 pub fn rows(ui: &mut Ui, spec: &Spec, filled: &mut Filled, facts: &Facts, shown: impl Fn(&Field) -> bool) {
     let mut last_title = None;
     for field in spec.fields.iter().filter(|field| shown(field)) {
@@ -28,8 +28,8 @@ pub fn rows(ui: &mut Ui, spec: &Spec, filled: &mut Filled, facts: &Facts, shown:
     }
 }
 
-/// One row of a form: the field's name, its value, and a tooltip with what it means. Fields that the
-/// selection gives are one line that says so.
+/// One row of a form: the field's name, its value, and its meaning as a tooltip. Fields that the selection
+/// fills are one line that says so.
 fn row(ui: &mut Ui, spec: &Spec, field: &'static Field, filled: &mut Filled, facts: &Facts) {
     let label = field.label();
     let words = field.default_words().unwrap_or_default();
@@ -47,7 +47,7 @@ fn row(ui: &mut Ui, spec: &Spec, field: &'static Field, filled: &mut Filled, fac
                 let check = ui
                     .add(Checkbox::without_text(&mut given))
                     .accessible_name(format!("Set {label}"))
-                    .on_hover_text(format!("Set this instead of {words}"));
+                    .on_hover_text(format!("Set a value instead of using {words}"));
                 if check.changed() {
                     if given {
                         filled.insert(field.name.to_owned(), field.initial_value(facts));
@@ -67,7 +67,7 @@ fn row(ui: &mut Ui, spec: &Spec, field: &'static Field, filled: &mut Filled, fac
     ui.end_row();
 }
 
-/// The rows of alternatives: which one, and its value.
+/// The rows of alternatives: a choice, and the value of the chosen one.
 fn alternative_rows(ui: &mut Ui, spec: &Spec, title: &'static str, filled: &mut Filled, facts: &Facts) {
     let Some(mut field) = chosen(spec, title, filled).or_else(|| alternatives(spec, title).next()) else {
         return;
@@ -90,7 +90,7 @@ fn alternative_rows(ui: &mut Ui, spec: &Spec, title: &'static str, filled: &mut 
     row(ui, spec, field, filled, facts);
 }
 
-/// The value of one alternative that asks for the same as the value of another did.
+/// The value of one alternative, converted from the equivalent value of another.
 fn converted(from: &Field, value: Option<Value>, to: &Field, facts: &Facts) -> Option<Value> {
     let (value, triangles) = (value?.as_f64()?, facts.triangles().filter(|count| *count > 0)? as f64);
     match (unit(from)?, unit(to)?) {
@@ -149,23 +149,23 @@ fn edit(ui: &mut Ui, field: &Field, label: &str, value: &mut Value, facts: &Fact
                 *value = text.into();
             }
         }
-        // The form of a shape has rows of its own.
+        // The form of a shape has its own rows.
         FieldKind::Shape | FieldKind::ShapeSize => {}
     }
 }
 
-/// How much a number changes per point of a drag.
+/// The change of a number per point of a drag.
 fn speed(unit: Unit, value: &Value, facts: &Facts) -> f64 {
     let by_value = (value.as_f64().unwrap_or_default().abs() * 0.01).clamp(0.001, 1e6);
     match (unit, facts.diagonal) {
         (Unit::ShareOfTriangles, _) => 0.002,
-        // Small and large models both can be hit.
+        // Small and large models both need steps in proportion to their size.
         (Unit::Length, Some(diagonal)) if diagonal > 0.0 => by_value.min(diagonal * 1e-3),
         _ => by_value,
     }
 }
 
-/// A spin box; without a name of its own it is called what the row's label says.
+/// A spin box; without an accessible name of its own it takes that of the row's label.
 fn number(
     ui: &mut Ui,
     name: Option<&str>,
@@ -194,7 +194,7 @@ fn integer(ui: &mut Ui, value: &mut Value, range: std::ops::RangeInclusive<u32>,
 }
 
 fn axes(ui: &mut Ui, label: &str, value: &mut Value) {
-    // One number stands for all three.
+    // A single number stands for all three.
     let at = |i: usize| value.get(i).unwrap_or(&*value).as_f64().unwrap_or_default();
     let mut numbers = [at(0), at(1), at(2)];
     let mut changed = false;
@@ -218,7 +218,7 @@ fn color(ui: &mut Ui, label: &str, value: &mut Value) {
     }
 }
 
-/// A choice as people read it.
+/// The label of a choice.
 pub fn choice_label(choices: &'static [Choice], name: &str) -> &'static str {
     choices.iter().find(|choice| choice.name == name).map_or("", |choice| choice.label)
 }
@@ -236,7 +236,7 @@ fn choice(ui: &mut Ui, label: &str, value: &mut Value, choices: &'static [Choice
     combo.response.accessible_name(label);
 }
 
-/// Ids, typed with spaces or commas between them.
+/// A field for ids, separated by spaces or commas.
 fn ids(ui: &mut Ui, value: &mut Value) {
     let listed: Vec<String> =
         value.as_array().map_or_else(Vec::new, |ids| ids.iter().map(Value::to_string).collect());
@@ -247,7 +247,7 @@ fn ids(ui: &mut Ui, value: &mut Value) {
     }
 }
 
-/// The rows of a shape: which one, and the sizes that it has.
+/// The rows of a shape: the choice, and the sizes of the chosen shape.
 fn shape_rows(ui: &mut Ui, field: &Field, filled: &mut Filled) {
     let name = filled.get(field.name).and_then(Value::as_str).unwrap_or_default().to_owned();
     let label = ui.label(field.label());
@@ -258,7 +258,7 @@ fn shape_rows(ui: &mut Ui, field: &Field, filled: &mut Filled) {
         .show_ui(ui, |ui| {
             for other in Shape::names() {
                 if ui.selectable_label(other == name, sentence_case(other)).clicked() {
-                    // Sizes of one shape mean something else in another.
+                    // The same size may mean something else for another shape.
                     let sizes = Shape::named(&name).map(|shape| shape.fields()).unwrap_or_default();
                     filled.retain(|key, _| sizes.iter().all(|size| size.name != key));
                     filled.insert(field.name.into(), other.into());
@@ -288,7 +288,7 @@ fn shape_rows(ui: &mut Ui, field: &Field, filled: &mut Filled) {
     }
 }
 
-/// "3 edges", or the name of the one: what the selection gives a form.
+/// "3 edges are selected", or the name of a single one, for the fields that the selection fills.
 pub fn selection_words(kind: Element, count: usize, latest: Option<u32>) -> String {
     match (count, latest) {
         (0, _) => "Nothing is selected".to_owned(),

@@ -1,4 +1,4 @@
-//! The field over the viewport of an edit that follows the pointer.
+//! The bar over the viewport for an edit that follows the pointer.
 
 use editor::ops::{Drag, Field};
 use egui::{Align2, Area, Context, DragValue, Frame, Id, Order, RichText, Ui, pos2};
@@ -7,7 +7,7 @@ use glam::Vec3;
 use crate::page_view::Page;
 use crate::request::{Request, Requests};
 
-/// The field over the viewport: which edit follows the pointer, its amount, and how it ends.
+/// Shows the bar: the name of the edit, its amount, and buttons that end it.
 pub(crate) fn show(ctx: &Context, page: &Page<'_>, out: &mut Requests) {
     let Some(live) = &page.live else { return };
     let top = page.view.rect().center_top();
@@ -23,12 +23,12 @@ pub(crate) fn show(ctx: &Context, page: &Page<'_>, out: &mut Requests) {
                 changed = amounts(ui, drag, field, speed, &mut value);
                 if ui
                     .button("Apply")
-                    .on_hover_text("Make one undo step of it (Enter, or a click in the viewport)")
+                    .on_hover_text("Apply the edit (Enter, or a click in the viewport)")
                     .clicked()
                 {
                     out.push(Request::EndLive { commit: true });
                 }
-                if ui.button("Cancel edit").on_hover_text("Leave no trace (Escape)").clicked() {
+                if ui.button("Cancel edit").on_hover_text("Cancel the edit (Escape)").clicked() {
                     out.push(Request::EndLive { commit: false });
                 }
             });
@@ -44,14 +44,14 @@ pub(crate) fn show(ctx: &Context, page: &Page<'_>, out: &mut Requests) {
     }
 }
 
-/// The amount's number, or three of them; returns whether one was changed.
+/// The spin boxes for the amount, one or three; returns whether a value changed.
 fn amounts(ui: &mut Ui, drag: Drag, field: &Field, speed: f64, value: &mut Vec3) -> bool {
     let label = field.label();
     if drag != Drag::Offset {
         let speed = if drag == Drag::Fraction { 0.005 } else { speed };
         return ui
             .add(DragValue::new(&mut value.x).speed(speed).max_decimals(5))
-            .on_hover_text("Drag, click to type, or just type a number")
+            .on_hover_text("Drag, or type a number")
             .accessible_name(label)
             .changed();
     }

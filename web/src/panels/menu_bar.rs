@@ -1,4 +1,4 @@
-//! The bar at the top: menus, the toolbar, and the document's name.
+//! The bar at the top: the menus, the toolbar and the document's name.
 
 use editor::{OpId, Scope};
 use egui::{Align, Button, Layout, MenuBar, Response, RichText, Ui};
@@ -12,7 +12,7 @@ use crate::request::Requests;
 use crate::theme;
 use crate::widgets::icons::{Icon, icon_button};
 
-/// The toolbar's buttons; none is a gap.
+/// The toolbar's buttons; `None` is a gap.
 const TOOLS: &[Option<(Icon, Action)>] = &[
     Some((Icon::Open, Action::Open)),
     Some((Icon::Save, Action::Save)),
@@ -68,7 +68,7 @@ pub(crate) fn show(ui: &mut Ui, page: &Page<'_>, narrow: bool, out: &mut Request
     });
 }
 
-/// The toolbar, or only some of its buttons.
+/// The toolbar, or only those of its buttons that are in `only`.
 fn toolbar(ui: &mut Ui, page: &Page<'_>, only: &[Action], out: &mut Requests) {
     ui.spacing_mut().item_spacing.x = 2.0;
     for tool in TOOLS {
@@ -95,7 +95,7 @@ fn title(ui: &mut Ui, page: &Page<'_>) {
     let document = page.editor.document();
     let changed = page.editor.is_dirty();
     let name = if changed { format!("{} •", document.name()) } else { document.name().to_owned() };
-    let hint = if changed { "The document has changes that were not saved" } else { "The document" };
+    let hint = if changed { "The document has unsaved changes" } else { "The document" };
     ui.add(egui::Label::new(RichText::new(name).strong()).truncate()).on_hover_text(hint);
 }
 
@@ -123,7 +123,7 @@ fn show_menu(ui: &mut Ui, page: &Page<'_>, menu: &Menu, out: &mut Requests) {
     }
 }
 
-/// The editor's operations: those on whole meshes one by one, local ones by what they work on.
+/// The operations: those on whole meshes one by one, local ones by the kind of element.
 fn operation_menus(ui: &mut Ui, page: &Page<'_>, out: &mut Requests) {
     let of_scope = |scope| actions::mesh_operations().filter(move |id| id.spec().scope == scope);
     for id in of_scope(Scope::Meshes) {
@@ -143,12 +143,12 @@ fn operation_menus(ui: &mut Ui, page: &Page<'_>, out: &mut Requests) {
     }
 }
 
-/// One entry of a menu, greyed with its reason where it can't be done.
+/// A menu entry, greyed with the reason if it can't be done.
 pub(crate) fn menu_item(ui: &mut Ui, page: &Page<'_>, entry: &Entry, out: &mut Requests) {
     let why_not = page.why_not(entry.action);
     let keys = keys::text(ui.ctx(), entry.action);
     let label = match entry.action {
-        // What opens a form instead of acting at once ends in an ellipsis.
+        // An entry that opens a form ends with an ellipsis.
         Action::Operation(id) if opens_form(id) => format!("{}…", entry.label),
         _ => entry.label.to_owned(),
     };
@@ -168,7 +168,7 @@ pub(crate) fn menu_item(ui: &mut Ui, page: &Page<'_>, entry: &Entry, out: &mut R
     }
 }
 
-/// A switch's name with its key behind it: check boxes have no place of their own for keys.
+/// A toggle's name followed by its key, since check boxes have no separate place for keys.
 fn menu_text(ui: &Ui, label: &str, keys: &str) -> egui::text::LayoutJob {
     let mut job = egui::text::LayoutJob::default();
     let font = egui::TextStyle::Button.resolve(ui.style());
@@ -179,7 +179,7 @@ fn menu_text(ui: &Ui, label: &str, keys: &str) -> egui::text::LayoutJob {
     job
 }
 
-/// Adds the tooltip: what the thing does and its key, or why it can't be done.
+/// Adds a tooltip: the description and the key, or why the action can't be done.
 pub(crate) fn explain(response: Response, ui: &Ui, entry: &Entry, why_not: Option<&str>) -> Response {
     if let Some(reason) = why_not {
         let reason = reason.to_owned();

@@ -1,4 +1,4 @@
-//! The window with all messages: imports, refusals, what was done.
+//! The window with all messages: imports, refusals and results.
 
 use editor::MessageKind;
 use egui::{Context, Label, RichText, ScrollArea, Window};

@@ -1,5 +1,5 @@
-//! The panels and windows of the page, one per file. Each is a function of what it reads and of its own
-//! state, and asks for what is to be done.
+//! The panels and windows of the page, one per file. Each is a function of the state that it reads and of
+//! its own state, and makes requests instead of changes.
 
 pub(crate) mod about;
 pub(crate) mod adjust;

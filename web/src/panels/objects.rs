@@ -77,7 +77,7 @@ fn object_row(ui: &mut Ui, at: usize, object: &Object, active: bool, own: &mut R
         let row = ui
             .add_sized(vec2(width, ui.spacing().interact_size.y), button)
             .accessible_name(name)
-            .on_hover_text("Click to edit this object; double-click to rename it. The number is its faces.");
+            .on_hover_text("Click to edit, double-click to rename; the number counts the faces");
         if row.double_clicked() {
             own.row = Some((at, name.to_owned()));
             own.focus = true;

@@ -1,4 +1,4 @@
-//! The operations panel: choose one, fill in its fields, apply it.
+//! The operations panel: choose an operation, fill in its fields, apply it.
 
 use std::collections::HashMap;
 
@@ -16,15 +16,15 @@ use crate::panels::preview::{self, Previews};
 use crate::request::{Request, Requests};
 use crate::session::form::{self, Filled};
 
-/// The field of remeshing that the keys for longer and shorter edges change.
+/// The field of remeshing that the keys for the target edge length change.
 pub(crate) const EDGE_LENGTH: &str = "edge_length";
 
-/// What is filled in, in all forms of the page.
+/// The values of all forms on the page.
 #[derive(Default)]
 pub(crate) struct Forms {
     chosen: Option<OpId>,
     filled: HashMap<OpId, Filled>,
-    /// What an operation that was tried out makes.
+    /// The result of a trial run.
     pub tried: Option<Tried>,
     pub previews: Previews,
     adjusting: Adjusting,
@@ -37,7 +37,7 @@ impl Forms {
         self.previews.ask();
     }
 
-    /// What is filled in for an operation, once its form was shown or a key changed it.
+    /// The values of an operation's form, once the form was shown or a key changed a value.
     pub fn filled(&self, id: OpId) -> Option<&Filled> {
         self.filled.get(&id)
     }
@@ -48,12 +48,12 @@ impl Forms {
         filled.insert(field.to_owned(), value);
     }
 
-    /// The edge length that resampling aims at, where it was set.
+    /// The target edge length of resampling, if it was set.
     pub fn target_edge(&self) -> Option<f64> {
         self.filled(OpId::Remesh)?.get(EDGE_LENGTH)?.as_f64()
     }
 
-    /// Leaves out again what was filled in for one mesh and means nothing for another.
+    /// Forgets lengths, which are meaningless for another mesh.
     pub fn forget_lengths(&mut self) {
         self.filled.retain(|id, _| !form::needs_measures(id.spec()));
     }
@@ -70,7 +70,7 @@ pub(crate) fn show(ui: &mut Ui, page: &Page<'_>, own: &mut Forms, out: &mut Requ
         .width(ui.available_width() - 8.0)
         .height(420.0);
     let combo = combo.show_ui(ui, |ui| {
-        // Whole-mesh operations first: they are what people fill in forms for.
+        // Whole-mesh operations come first, as they are the ones that people fill in forms for.
         let of_scope = |scope| actions::mesh_operations().filter(move |other| other.spec().scope == scope);
         for other in of_scope(Scope::Meshes).chain(of_scope(Scope::Elements)) {
             let spec = other.spec();
@@ -79,7 +79,7 @@ pub(crate) fn show(ui: &mut Ui, page: &Page<'_>, own: &mut Forms, out: &mut Requ
             }
         }
     });
-    combo.response.accessible_name("Operation").on_hover_text("Which operation to fill in and apply");
+    combo.response.accessible_name("Operation").on_hover_text("The operation to fill in and apply");
     ui.add(egui::Label::new(RichText::new(chosen.description).weak()).wrap());
 
     let facts = page.facts(id);

@@ -8,7 +8,7 @@ use crate::page_view::Page;
 use crate::panels::menu_bar::explain;
 use crate::request::Requests;
 
-/// What the palette remembers while it is open.
+/// The state of the palette while it is open.
 #[derive(Default)]
 pub(crate) struct PaletteState {
     pub open: bool,
@@ -18,7 +18,7 @@ pub(crate) struct PaletteState {
 }
 
 impl PaletteState {
-    /// Opens it with nothing typed.
+    /// Opens the palette with an empty field.
     pub fn show(&mut self) {
         *self = Self { open: true, fresh: true, ..Self::default() };
     }
@@ -35,7 +35,7 @@ pub(crate) fn show(ctx: &Context, page: &Page<'_>, own: &mut PaletteState, out: 
     let mut chosen = None;
     let shown = Modal::new(id).area(area).show(ctx, |ui| {
         ui.set_width(width);
-        // Before the text field sees them: the arrows move in the list.
+        // The list takes the arrow keys before the text field sees them.
         let (up, down, enter) = ui.input_mut(|input| {
             (
                 input.consume_key(Modifiers::NONE, Key::ArrowUp),
@@ -61,7 +61,7 @@ pub(crate) fn show(ctx: &Context, page: &Page<'_>, own: &mut PaletteState, out: 
             own.at = own.at.saturating_sub(1);
         }
         if found.is_empty() {
-            ui.label(RichText::new("No command is called that.").weak());
+            ui.label(RichText::new("No command matches.").weak());
         }
         ScrollArea::vertical().max_height(screen.height() * 0.5).auto_shrink([false, true]).show(ui, |ui| {
             ui.spacing_mut().item_spacing.y = 1.0;
@@ -90,8 +90,8 @@ pub(crate) fn show(ctx: &Context, page: &Page<'_>, own: &mut PaletteState, out: 
     }
 }
 
-/// The actions whose name has all the typed words in it; the one of just that name first, then those that
-/// start with what was typed.
+/// The actions whose names contain all typed words: first the one of exactly that name, then those that
+/// begin with the typed text.
 fn find(typed: &str) -> Vec<Entry> {
     let typed = typed.trim().to_lowercase();
     let mut found: Vec<(usize, Entry)> = actions::all()

@@ -1,5 +1,5 @@
-//! Live preview: the document shows what the form's operation makes while its fields are filled in,
-//! where that is quick. Applying keeps it as one undo step; anything else removes it.
+//! Live preview: if the form's operation is quick, the document shows its result while the fields are
+//! filled in. Applying makes the preview one undo step; anything else removes it.
 
 use editor::OpId;
 use egui::{Checkbox, Label, RichText, Ui};
@@ -9,13 +9,13 @@ use crate::request::{Request, Requests};
 use crate::session::form::Filled;
 use crate::session::preview::WhyNot;
 
-/// The previews of forms.
+/// The state of the forms' previews.
 pub(crate) struct Previews {
-    /// Whether the person wants any.
+    /// Whether the user wants previews.
     on: bool,
-    /// The form was opened or a field was changed, and the result is yet to be shown.
+    /// Whether the form was opened or a field changed, and the result is yet to be shown.
     due: bool,
-    /// The form was on the screen in this frame.
+    /// Whether the form was on the screen in this frame.
     seen: bool,
 }
 
@@ -26,23 +26,23 @@ impl Default for Previews {
 }
 
 impl Previews {
-    /// Shows a preview as soon as there can be one.
+    /// Requests a preview as soon as one is possible.
     pub fn ask(&mut self) {
         self.due = true;
     }
 
-    /// Shows none until a field changes.
+    /// Shows no preview until a field changes.
     pub fn end(&mut self) {
         self.due = false;
     }
 
-    /// Whether the form was on the screen since this was last asked.
+    /// Whether the form was on the screen since the last call.
     pub fn take_seen(&mut self) -> bool {
         std::mem::take(&mut self.seen)
     }
 }
 
-/// The switch of the preview below a form, and why there is none; makes it where it is due.
+/// The preview's check box below a form, and why there is no preview; requests the preview when it is due.
 pub(crate) fn row(
     ui: &mut Ui,
     page: &Page<'_>,
@@ -57,7 +57,7 @@ pub(crate) fn row(
     }
     own.seen = true;
     own.due |= changed;
-    // The facts about the mesh without the preview that ends now are known in the next frame.
+    // The facts about the mesh without the preview that is ending are known in the next frame.
     let mut is_ending = page.preview().is_some_and(|preview| preview.id != id);
     if is_ending {
         out.push(Request::EndPreview);
@@ -76,16 +76,16 @@ pub(crate) fn row(
         return;
     }
     let waits = page.previewing.is_slow && ui.input(|input| input.pointer.any_down());
-    // How large the mesh is without the preview can't be counted once there is one.
+    // The size of the mesh without the preview can't be counted while there is a preview.
     let counted = page.facts(id).corners.is_some();
     if counted && own.due && !waits && !is_ending {
         own.due = false;
         out.push(Request::Preview(id, filled.clone()));
     }
     let words = match (page.why_no_preview(), page.preview()) {
-        (_, Some(_)) => "Previewed, not done yet: apply it, or cancel it with Escape.",
+        (_, Some(_)) => "This is a preview: apply it, or cancel it with Escape.",
         (Some(WhyNot::TooLarge), _) => {
-            "No preview: with these fields this mesh takes too long to be shown at every change."
+            "No preview: with these fields the operation takes too long to run at every change."
         }
         (Some(WhyNot::Refused(reason)), _) => {
             ui.add(Label::new(RichText::new(reason).small().color(ui.visuals().warn_fg_color)).wrap());

@@ -1,4 +1,4 @@
-//! The dialog that saves: a file name, a format, and what the format can't hold of the document.
+//! The save dialog: a file name, a format, and what the format can't hold of the document.
 
 use editor::{Changes, Document};
 use egui::text_selection::CCursorRange;
@@ -13,7 +13,7 @@ use crate::platform::Platform;
 use crate::request::{Request, Requests};
 use crate::theme;
 
-/// The setting that keeps the format that was saved in last, by its code.
+/// The key of the setting with the last saved format's code.
 pub(crate) const FORMAT_SETTING: &str = "format";
 
 /// The dialog's state.
@@ -21,17 +21,17 @@ pub(crate) struct Saving {
     stage: Stage,
     name: String,
     format: Format,
-    /// What a format can't hold of the document as it is; none until looked at.
+    /// What the format can't hold of the current document; none until computed.
     losses: Option<(Format, Vec<String>)>,
 }
 
-/// How far the dialog is.
+/// The progress of opening the dialog.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Stage {
     Closed,
-    /// The keyboard is yet to go to the name.
+    /// The name field is yet to be focused.
     Opening,
-    /// The whole name is yet to be selected, so that typing replaces it.
+    /// The name is yet to be selected, so that typing replaces it.
     Focusing,
     Open,
 }
@@ -43,8 +43,8 @@ impl Saving {
         Self { stage: Stage::Closed, name: String::new(), format, losses: None }
     }
 
-    /// Opens the dialog for a document, in a format, in the one used last, or in that of control
-    /// points where the document has nothing else.
+    /// Opens the dialog for a document. The format is the given one, else a Bezier format if the document
+    /// has only control points, else the last one used.
     pub fn show(&mut self, document: &Document, format: Option<Format>) {
         self.stage = Stage::Opening;
         self.name = document.name().to_owned();
@@ -63,14 +63,14 @@ impl Saving {
         self.stage != Stage::Closed
     }
 
-    /// What can't be held is looked at again where the document changed.
+    /// Forgets the losses if the document changed.
     pub fn follow(&mut self, changes: &Changes) {
         if !changes.objects.is_empty() || changes.document {
             self.losses = None;
         }
     }
 
-    /// A typed extension of another format picks that format.
+    /// Chooses the format whose extension was typed.
     fn follow_extension(&mut self) {
         if let Some(format) = Format::from_name(&self.name)
             && format.extension() != self.format.extension()
@@ -80,8 +80,8 @@ impl Saving {
     }
 }
 
-/// A typed name as a file's: without the format's extension and without what no system, or not every
-/// system, has in file names. None where nothing is left.
+/// A typed name as a file name: without the format's extension and without characters that some systems
+/// don't allow. None if nothing remains.
 fn stem(typed: &str, format: Format) -> Option<String> {
     let typed = typed.trim();
     let stem = match typed.rsplit_once('.') {
@@ -143,17 +143,17 @@ fn form(ui: &mut Ui, page: &Page<'_>, own: &mut Saving, narrow: bool) -> bool {
         let text = RichText::new("Save").color(primary.stroke.color);
         let button = Button::new(text).fill(primary.bg_fill).min_size(vec2(96.0, 28.0));
         let button = ui.add_enabled(ready, button);
-        let hint = "Saves where this browser keeps its downloads (Enter)";
-        save |= button.on_hover_text(hint).on_disabled_hover_text("Give the file a name.").clicked();
+        let hint = "Save to this browser's downloads (Enter)";
+        save |= button.on_hover_text(hint).on_disabled_hover_text("Enter a file name first.").clicked();
         let cancel = Button::new("Cancel").min_size(vec2(80.0, 28.0));
-        if ui.add(cancel).on_hover_text("Saves nothing (Escape)").clicked() {
+        if ui.add(cancel).on_hover_text("Close without saving (Escape)").clicked() {
             own.stage = Stage::Closed;
         }
     });
     save && ready
 }
 
-/// The name with its extension behind it; returns whether Enter was pressed in it.
+/// The name field, followed by the extension; returns whether Enter was pressed in it.
 fn name_field(ui: &mut Ui, own: &mut Saving, narrow: bool, label: Id) -> bool {
     let extension = own.format.extension();
     ui.horizontal(|ui| {
@@ -164,7 +164,7 @@ fn name_field(ui: &mut Ui, own: &mut Saving, narrow: bool, label: Id) -> bool {
             own.follow_extension();
         }
         match own.stage {
-            // A telephone's keyboard would cover the dialog.
+            // A telephone's on-screen keyboard would cover the dialog.
             Stage::Opening if narrow => own.stage = Stage::Open,
             Stage::Opening => {
                 field.request_focus();
@@ -197,7 +197,7 @@ fn format_choice(ui: &mut Ui, own: &mut Saving, label: Id) {
             let actions::Action::SaveAs(format) = entry.action else { continue };
             let on = format == own.format;
             if ui.selectable_label(on, format.name()).on_hover_text(entry.description).clicked() {
-                // An extension in the name would pick its own format again.
+                // An extension in the name would choose its own format again.
                 if let Some(stem) = stem(&own.name, own.format) {
                     own.name = stem;
                 }
@@ -205,7 +205,7 @@ fn format_choice(ui: &mut Ui, own: &mut Saving, label: Id) {
             }
         }
     });
-    combo.response.labelled_by(label).on_hover_text("What kind of file to write");
+    combo.response.labelled_by(label).on_hover_text("The format of the file");
 }
 
 /// What the format can't hold, one line each.
@@ -225,7 +225,7 @@ fn show_losses(ui: &mut Ui, page: &Page<'_>, own: &mut Saving) {
     });
 }
 
-/// Looks once after each change: at a million faces that takes longer than a frame.
+/// Computes the losses once after each change: at a million faces that takes longer than a frame.
 fn losses_of<'a>(page: &Page<'_>, own: &'a mut Saving, format: Format) -> &'a [String] {
     let editor = &page.editor;
     let known = own.losses.take().filter(|(looked, _)| *looked == format);
@@ -236,7 +236,7 @@ fn losses_of<'a>(page: &Page<'_>, own: &'a mut Saving, format: Format) -> &'a [S
     &own.losses.insert(losses).1
 }
 
-/// Asks for the files to be written.
+/// Requests that the files be written.
 fn save(page: &Page<'_>, own: &mut Saving, out: &mut Requests) {
     let format = own.format;
     let Some(name) = stem(&own.name, format) else { return };

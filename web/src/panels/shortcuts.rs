@@ -1,4 +1,4 @@
-//! The window that lists all keys and what the mouse does.
+//! The window that lists all keys and gestures.
 
 use egui::{Context, Grid, RichText, ScrollArea, Ui, Window, vec2};
 

@@ -1,4 +1,4 @@
-//! The bar at the bottom: counts, what runs, renderer and frame time.
+//! The bar at the bottom: counts, jobs, renderer and frame time.
 
 use egui::{Align, Layout, ProgressBar, Rect, RichText, Sense, Ui, Vec2, WidgetInfo, vec2};
 use halfedge::Element;
@@ -8,7 +8,7 @@ use crate::page_view::Page;
 use crate::request::{Request, Requests};
 use crate::widgets::icons::{Icon, icon_button};
 
-/// A job that ends sooner shows no progress bar: one that flashes says nothing.
+/// Shorter jobs show no progress bar, which would only flash.
 const SECONDS_BEFORE_PROGRESS_SHOWS: f64 = 0.3;
 
 pub(crate) fn show(ui: &mut Ui, page: &Page<'_>, narrow: bool, out: &mut Requests) {
@@ -73,7 +73,7 @@ fn machine(ui: &mut Ui, page: &Page<'_>) {
     };
     let time = format!("{:.1} ms", page.frames.median());
     ui.label(RichText::new(time).small().weak()).on_hover_text(format!(
-        "Processor time of a frame: median; the worst was {:.1} ms",
+        "Median processor time per frame; the longest was {:.1} ms",
         page.frames.worst()
     ));
     if !renderer.is_empty() {
@@ -106,7 +106,7 @@ fn job_progress(ui: &mut Ui, page: &Page<'_>, narrow: bool, out: &mut Requests) 
     }
 }
 
-/// A bar for a job that has not told its progress: a part of it moves to and fro.
+/// A bar for a job that has not reported progress: a segment moves to and fro.
 fn indeterminate_bar(ui: &mut Ui, size: Vec2, text: &str) {
     const SECONDS: f64 = 1.6;
     const LENGTH: f32 = 0.3;
@@ -123,6 +123,6 @@ fn indeterminate_bar(ui: &mut Ui, size: Vec2, text: &str) {
     let galley = ui.painter().layout(text.to_owned(), font, visuals.text_color(), size.x - 12.0);
     let at = rect.left_center() + vec2(6.0, -galley.size().y / 2.0);
     ui.painter().with_clip_rect(rect).galley(at, galley, visuals.text_color());
-    // Often enough to be seen moving, no more: the worker needs the processor.
+    // Frequent enough for visible motion, but no more: the worker needs the processor.
     ui.ctx().request_repaint_after_secs(0.05);
 }

@@ -1,4 +1,4 @@
-//! Short messages over the viewport: what was imported, refused, or failed.
+//! Short messages over the viewport: imports, refusals and failures.
 
 use editor::MessageKind;
 use egui::{Align2, Area, Context, Frame, Id, Margin, Order, RichText, Role, Stroke, vec2};
@@ -49,8 +49,7 @@ pub(crate) fn show(ctx: &Context, page: &Page<'_>, narrow: bool, out: &mut Reque
                                     return;
                                 }
                                 let label = if toast.open { "Hide details" } else { "Details" };
-                                if ui.link(label).on_hover_text("Shows everything there is to say").clicked()
-                                {
+                                if ui.link(label).on_hover_text("Show or hide the details").clicked() {
                                     out.push(Request::ToggleToast(at));
                                 }
                                 if toast.open {

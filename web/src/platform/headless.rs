@@ -1,4 +1,4 @@
-//! A platform with no browser, for tests on the host: jobs run at once, files go nowhere.
+//! A platform without a browser, for tests on the host: jobs run at once, and files are only recorded.
 
 use std::cell::RefCell;
 use std::collections::HashMap;
@@ -10,7 +10,7 @@ use editor::{CommandError, JobRequest, JobResult, Wire};
 
 use crate::platform::{DeviceInfo, Event, NamedBytes, Platform};
 
-/// What a test sees of a headless platform and gives to it; clones share it.
+/// The test's side of a headless platform; clones share their state.
 #[derive(Clone, Default)]
 pub struct Outside {
     inner: Rc<RefCell<Inner>>,
@@ -22,7 +22,7 @@ struct Inner {
     downloads: Vec<NamedBytes>,
     dialogs: usize,
     settings: HashMap<String, String>,
-    /// Jobs are kept waiting, so that a test can look at their progress.
+    /// Jobs held back so that a test can examine their progress.
     held: Option<Vec<(u64, Vec<u8>)>>,
     cancelled: Vec<u64>,
     wanted: Vec<String>,
@@ -30,42 +30,42 @@ struct Inner {
 }
 
 impl Outside {
-    /// Lets something happen before the next frame.
+    /// Queues an event for the next frame.
     pub fn push(&self, event: Event) {
         self.inner.borrow_mut().events.push(event);
     }
 
-    /// What was downloaded so far.
+    /// The files downloaded so far.
     pub fn downloads(&self) -> Vec<NamedBytes> {
         self.inner.borrow().downloads.clone()
     }
 
-    /// How often the person was asked for a file.
+    /// The number of times the file dialog was opened.
     pub fn dialogs(&self) -> usize {
         self.inner.borrow().dialogs
     }
 
-    /// A setting as it was kept.
+    /// A stored setting.
     pub fn setting(&self, key: &str) -> Option<String> {
         self.inner.borrow().settings.get(key).cloned()
     }
 
-    /// Keeps a setting, as an earlier visit would have.
+    /// Stores a setting, like an earlier visit.
     pub fn set_setting(&self, key: &str, value: &str) {
         self.inner.borrow_mut().settings.insert(key.to_owned(), value.to_owned());
     }
 
-    /// Keeps jobs waiting from now on.
+    /// Holds back jobs from now on.
     pub fn hold_jobs(&self) {
         self.inner.borrow_mut().held = Some(Vec::new());
     }
 
-    /// Asks the page to open with a file from this address.
+    /// Makes the page open with a file from this address.
     pub fn want(&self, address: &str) {
         self.inner.borrow_mut().wanted.push(address.to_owned());
     }
 
-    /// What is to be fetched: the job and the addresses.
+    /// The requested fetches: job and addresses.
     pub fn fetches(&self) -> Vec<(u64, Vec<String>)> {
         self.inner.borrow().fetches.clone()
     }
@@ -75,7 +75,7 @@ impl Outside {
         self.inner.borrow().cancelled.clone()
     }
 
-    /// Runs the jobs that were kept waiting, and later ones at once again.
+    /// Runs the jobs that were held back, and runs later ones at once again.
     pub fn release_jobs(&self) {
         let held = self.inner.borrow_mut().held.take().unwrap_or_default();
         for (job, request) in held {
@@ -102,7 +102,7 @@ pub struct Headless {
 }
 
 impl Headless {
-    /// A platform that `outside` looks at.
+    /// A platform whose state `outside` shares.
     pub fn new(outside: Outside) -> Self {
         Self { outside, started: Instant::now() }
     }
@@ -114,7 +114,7 @@ impl Platform for Headless {
     }
 
     fn start_job(&mut self, job: u64, request: &JobRequest) {
-        // Through bytes, as to a worker.
+        // Through bytes, as on the way to a worker.
         let request = request.to_bytes();
         if let Some(held) = &mut self.outside.inner.borrow_mut().held {
             held.push((job, request));

@@ -1,9 +1,9 @@
-//! What the editor needs from where it runs: jobs, files, settings. The page implements it with a
-//! browser, the tests with [`headless::Headless`].
+//! The services that the editor needs from its surroundings: jobs, files, settings. The page implements
+//! them with a browser, the tests with [`headless::Headless`].
 //!
-//! Requests go down through [`Platform`]'s methods; everything that happens meanwhile comes back as
-//! [`Event`]s, polled once a frame. Whoever queues an event outside a frame (a worker's message, a
-//! file that finished loading) asks for a repaint itself.
+//! Requests are methods of [`Platform`]; results and everything else that happens come back as [`Event`]s,
+//! which are polled once per frame. Code that queues an event outside a frame (a worker's message, a file
+//! that finished loading) also requests a repaint.
 
 #[cfg(target_arch = "wasm32")]
 pub mod browser;
@@ -13,90 +13,89 @@ pub mod headless;
 use editor::{CommandError, JobRequest, JobResult};
 pub use formats::NamedBytes;
 
-/// The graphics device, as the status bar and the "About this device" window show it.
+/// The graphics device, as the status bar and the "About Meshwright" window show it.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct DeviceInfo {
     /// `"webgpu"` or `"webgl2"` on the page: what `meshwright.ready` reports.
     pub renderer: String,
-    /// The adapter's name and driver, as far as the browser tells.
+    /// The adapter's name and driver, if the browser tells.
     pub adapter: String,
 }
 
 /// Files that were fetched.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Fetched {
-    /// The models that were asked for, and the files beside them that belong to them.
+    /// The requested models and their companion files.
     pub files: Vec<NamedBytes>,
-    /// Why files that belong to them are not here: sentences for the report of the import.
+    /// Why companion files are missing: sentences for the import report.
     pub notes: Vec<String>,
 }
 
 /// What happened since the last poll.
 #[derive(Debug)]
 pub enum Event {
-    /// A job got further: 0 to 1.
+    /// A job's progress changed.
     JobProgress {
         /// The number given to [`Platform::start_job`].
         job: u64,
-        /// How much is done.
+        /// The completed fraction, 0 to 1.
         fraction: f32,
     },
-    /// A job ended by itself. A job that was cancelled sends nothing more.
+    /// A job ended. A cancelled job sends no further events.
     JobDone {
         /// The number given to [`Platform::start_job`].
         job: u64,
-        /// The result; or why there is none: the operation's refusal, or that the worker itself failed
-        /// (it could not start, ran out of memory, crashed).
+        /// The result, or why there is none: the operation refused, or the worker failed (it could not
+        /// start, ran out of memory, or crashed).
         result: Result<JobResult, CommandError>,
     },
-    /// What [`Platform::fetch`] was to fetch is here, or can't be had: a sentence. Fetching that was
-    /// cancelled sends nothing more.
+    /// The files of [`Platform::fetch`] have arrived or failed. A cancelled fetch sends no further events.
     Fetched {
         /// The number given to [`Platform::fetch`].
         job: u64,
-        /// The files, or why one that was asked for is missing.
+        /// The files, or a sentence on why a requested one is missing.
         files: Result<Fetched, String>,
     },
-    /// Files arrived whole: picked or dropped.
+    /// Files that the user picked or dropped, completely read.
     Files(Vec<NamedBytes>),
-    /// Something the person asked for could not be done, such as reading a dropped file: a sentence.
+    /// A sentence on why something the user asked for failed, such as reading a dropped file.
     Failed(String),
 }
 
-/// Where the editor runs.
+/// The editor's surroundings.
 pub trait Platform {
-    /// What happened since the last poll. Called once a frame, before any drawing; files dropped on
-    /// the page are in `ctx`'s raw input, reading them is up to the platform.
+    /// The events since the last poll. Called once per frame, before drawing. Files dropped on the page are
+    /// in `ctx`'s raw input; the platform reads them.
     fn poll(&mut self, ctx: &egui::Context) -> Vec<Event>;
 
-    /// Runs a job away from this thread. Several may be waiting; they run in order.
+    /// Runs a job on another thread. Several may be waiting; they run in order.
     fn start_job(&mut self, job: u64, request: &JobRequest);
 
-    /// The addresses of the files that the page was asked to open with, as they were written: each
-    /// `model` of the page's own address.
+    /// The addresses of the files to open at the start, as written: the values of `model` in the page's own
+    /// address.
     fn wanted(&self) -> Vec<String>;
 
     /// Fetches files from the addresses, as the first part of a job.
     fn fetch(&mut self, job: u64, addresses: Vec<String>);
 
-    /// Stops a job, whether it is fetched for, runs or waits. Nothing more comes from it.
+    /// Stops a job, whether it is fetching, running or waiting. It sends no further events.
     fn cancel_job(&mut self, job: u64);
 
-    /// Lets the person pick files; they come as [`Event::Files`], or never.
+    /// Opens the file dialog; picked files come as [`Event::Files`], or never.
     fn open_file_dialog(&mut self);
 
-    /// Saves files where the person's downloads go.
+    /// Saves files to the user's downloads.
     fn download(&mut self, files: Vec<NamedBytes>);
 
-    /// A setting kept from an earlier visit.
+    /// A setting stored by an earlier visit.
     fn load_setting(&self, key: &str) -> Option<String>;
 
-    /// Keeps a small setting for later visits.
+    /// Stores a small setting for later visits.
     fn store_setting(&mut self, key: &str, value: &str);
 
     /// The graphics device.
     fn device(&self) -> DeviceInfo;
 
-    /// Seconds on a clock that never goes back, to fractions of a millisecond: for frame times.
+    /// Seconds on a monotonic clock, to fractions of a millisecond, for frame times.
     fn now(&self) -> f64;
 }

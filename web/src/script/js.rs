@@ -1,4 +1,4 @@
-//! Functions and promises that scripts can call, made of Rust closures.
+//! Functions and promises for scripts, made from Rust closures.
 
 use std::cell::RefCell;
 use std::rc::Rc;
@@ -7,16 +7,16 @@ use js_sys::{Array, ArrayBuffer, Function, JSON, Promise, Reflect};
 use serde::Serialize;
 use wasm_bindgen::prelude::*;
 
-/// What a script's call comes to: a value, or the `Error` that it throws.
+/// The result of a script's call: a value, or the `Error` to throw.
 pub type Answer = Result<JsValue, JsValue>;
 
-/// An `Error` with a message, for throwing and rejecting.
+/// An `Error` with a message, to throw or to reject with.
 pub fn error(message: &str) -> JsValue {
     js_sys::Error::new(message).into()
 }
 
-/// Gives an object a method of up to two arguments; those that are left out are `undefined`.
-/// The method lives as long as the page.
+/// Adds a method of up to two arguments to an object; omitted arguments are `undefined`. The method lives
+/// as long as the page.
 pub fn method(
     object: &JsValue,
     name: &str,
@@ -27,18 +27,18 @@ pub fn method(
     Ok(())
 }
 
-/// Serialises into plain JavaScript data, as `JSON.parse` makes it.
+/// Serialises into plain JavaScript data, as `JSON.parse` returns it.
 pub fn to_js(value: &impl Serialize) -> Answer {
     let text = serde_json::to_string(value).map_err(|failure| error(&failure.to_string()))?;
     JSON::parse(&text)
 }
 
-/// A script's argument as JSON; typed arrays are lists. `undefined`, which JSON has not, is refused with
+/// A script's argument as JSON; typed arrays become lists. `undefined`, which JSON lacks, is refused with
 /// the `message`.
 pub fn to_json(value: &JsValue, message: &str) -> Result<serde_json::Value, JsValue> {
     let refused = || error(message);
-    // What JSON has not would become null or be left out, as if nothing had been given: by its name it is
-    // refused for what it is.
+    // JSON would turn NaN and infinities into null and drop functions and symbols, as if nothing had been
+    // given. Their names are passed instead, so that the editor refuses them with a clear message.
     let by_name = Closure::<dyn Fn(JsValue, JsValue) -> JsValue>::new(|_, value: JsValue| {
         if value.is_function() {
             return "a function".into();
@@ -61,7 +61,7 @@ pub fn to_json(value: &JsValue, message: &str) -> Result<serde_json::Value, JsVa
     serde_json::from_str(&text).map_err(|_| refused())
 }
 
-/// A promise to be settled once, whenever that is.
+/// A promise to be settled once, now or later.
 #[derive(Clone)]
 pub struct Settle {
     functions: Rc<RefCell<Option<(Function, Function)>>>,
@@ -77,13 +77,12 @@ impl Settle {
             Ok(value) => (resolve, value),
             Err(error) => (reject, error),
         };
-        // A promise's own functions throw nothing.
+        // A promise's own functions don't throw.
         let _ = settle.call1(&JsValue::UNDEFINED, &value);
     }
 }
 
-/// A promise that `start` settles, or hands on to be settled later. An error of `start` itself
-/// rejects it.
+/// A promise that `start` settles, or passes on to be settled later. An error of `start` itself rejects it.
 pub fn promise(start: impl FnOnce(&Settle) -> Result<(), JsValue>) -> JsValue {
     let functions = Rc::new(RefCell::new(None));
     let promise = Promise::new(&mut |resolve, reject| *functions.borrow_mut() = Some((resolve, reject)));

@@ -1,5 +1,5 @@
-//! `window.meshwright`: the editor for scripts on the page, for pages that embed it, and for the
-//! browser tests. What its calls do is in `app/scripting.rs`; here they become JavaScript.
+//! `window.meshwright`: the editor for scripts on the page, for pages that embed it, and for the browser
+//! tests. `app/script.rs` implements the calls; this module exposes them to JavaScript.
 
 #[cfg(target_arch = "wasm32")]
 mod js;

@@ -1,5 +1,5 @@
-//! What is on screen, as `meshwright.ui()` lists it: read from the accessibility tree that egui
-//! makes of every frame, which eframe drops on the web.
+//! The widgets on the screen, as `meshwright.ui()` lists them, read from the accessibility tree that egui
+//! builds for every frame and that eframe drops on the web.
 
 use std::collections::HashMap;
 
@@ -7,23 +7,23 @@ use egui::accesskit::{Node, NodeId, Role, Toggled, TreeUpdate};
 use egui::{Context, FullOutput, Plugin, Rect, pos2};
 use serde::Serialize;
 
-/// Something on screen that a person, or a screen reader, can tell from the rest.
+/// A widget that a user or a screen reader can distinguish from others.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct UiNode {
     /// AccessKit's role in camel case: `button`, `label`, `spinButton`, `textInput`, `checkBox`...
     pub role: String,
-    /// What it is called: its text, or the text of its label.
+    /// The name: the widget's text, or the text of its label.
     pub name: String,
-    /// What it holds, where it holds something: the text of a field, the number of a spin box.
+    /// The value, if there is one: the text of a field, the number of a spin box.
     pub value: Option<Value>,
-    /// What more is said of it: the reason why it does nothing for now.
+    /// The description, such as why the widget is disabled.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub description: Option<String>,
-    /// The part of it that can be seen: x, y, width and height in CSS pixels of the page.
+    /// The visible part: x, y, width and height in CSS pixels of the page.
     pub rect: [f32; 4],
-    /// Whether it does nothing for now.
+    /// Whether the widget is disabled.
     pub disabled: bool,
-    /// Whether it is the chosen one or switched on, where that can be said.
+    /// Whether the widget is selected or switched on, if it can be.
     pub selected: Option<bool>,
 }
 
@@ -31,20 +31,20 @@ pub struct UiNode {
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[serde(untagged)]
 pub enum Value {
-    /// Of a spin box or a slider.
+    /// The value of a spin box or a slider.
     Number(f64),
-    /// Of a text field.
+    /// The text of a text field.
     Text(String),
 }
 
 /// Keeps the accessibility tree of the latest frame.
 ///
-/// Add it with [`Context::add_plugin`] and read it with [`UiTree::nodes`]. Costs what AccessKit
-/// costs: some microseconds for each widget that is on screen.
+/// Add it with [`Context::add_plugin`] and read it with [`UiTree::nodes`]. Costs as much as AccessKit: some
+/// microseconds for each widget on the screen.
 #[derive(Default)]
 pub struct UiTree {
     tree: Option<TreeUpdate>,
-    /// The part of each widget that is not clipped away, by node.
+    /// The visible part of each widget, by node.
     visible: HashMap<NodeId, Rect>,
     screen: Option<Rect>,
     zoom: f32,
@@ -60,7 +60,8 @@ impl Plugin for UiTree {
     }
 
     fn output_hook(&mut self, ctx: &Context, output: &mut FullOutput) {
-        // Nobody else on the web wants it, so it can be taken. A frame without one leaves the last.
+        // Nothing else on the web uses the tree, so it can be taken. A frame without a tree keeps the last
+        // one.
         let Some(tree) = output.platform_output.accesskit_update.take() else {
             return;
         };
@@ -78,15 +79,15 @@ impl Plugin for UiTree {
 }
 
 impl UiTree {
-    /// What is on screen in the order of reading; `canvas` is the canvas's corner on the page in
-    /// CSS pixels. Costs O(nodes).
+    /// The widgets on the screen in reading order; `canvas` is the canvas's corner on the page in CSS
+    /// pixels. Costs O(nodes).
     pub fn nodes(&self, canvas: [f32; 2]) -> Vec<UiNode> {
         let (Some(tree), Some(screen)) = (&self.tree, self.screen) else {
             return Vec::new();
         };
         let by_id: HashMap<NodeId, &Node> = tree.nodes.iter().map(|(id, node)| (*id, node)).collect();
         let mut found = Vec::new();
-        // Depth first, so that rows come in order and containers before what they hold.
+        // Depth first, so that rows come in order, and containers before their contents.
         let mut stack: Vec<NodeId> = tree.tree.iter().map(|info| info.root).collect();
         while let Some(id) = stack.pop() {
             let Some(node) = by_id.get(&id) else { continue };
@@ -125,14 +126,14 @@ impl UiTree {
     }
 }
 
-/// Nodes that only hold others, or are pieces of another's text.
+/// Nodes that only contain others, or are parts of another's text.
 fn is_scaffolding(role: Role) -> bool {
     matches!(role, Role::GenericContainer | Role::TextRun | Role::Unknown | Role::Window | Role::Pane)
 }
 
 fn name_and_value(node: &Node, by_id: &HashMap<NodeId, &Node>) -> (String, Option<Value>) {
     let text = node.value().map(str::to_owned);
-    // egui puts the text of what is nothing but text into its value.
+    // egui puts the text of a plain label into its value.
     if matches!(node.role(), Role::Label | Role::Alert | Role::Status | Role::Heading) {
         return match node.label() {
             Some(name) => (name.to_owned(), text.map(Value::Text)),
@@ -219,7 +220,7 @@ mod tests {
     }
 
     #[test]
-    fn rects_are_where_the_page_has_them() {
+    fn rects_are_in_page_coordinates() {
         let ctx = context();
         let mut seen = Rect::NOTHING;
         ctx.set_zoom_factor(2.0);
@@ -232,7 +233,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_scrolled_away_is_left_out_or_cut() {
+    fn widgets_scrolled_out_of_view_are_left_out_or_clipped() {
         let ctx = context();
         let nodes = frame(&ctx, |ui| {
             ui.spacing_mut().item_spacing.y = 3.0;

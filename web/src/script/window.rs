@@ -1,11 +1,11 @@
 //! The methods of `window.meshwright`, which scripts call between two frames.
 //!
 //! - `open(name, bytesOrText)`, `openFiles([{name, content}])`, `run(command)`, `export(format)` and
-//!   `exportFiles(format)` give promises, which reject with an `Error` that says why.
-//! - `state()`, `element(kind, id)`, `select(kind, ids)`, `undo()`, `redo()`, `cancel()`,
-//!   `project([x, y, z])` and `ui()` answer at once, or throw such an `Error`.
+//!   `exportFiles(format)` return promises, which reject with an `Error` that says why.
+//! - `state()`, `element(kind, id)`, `select(kind, ids)`, `undo()`, `redo()`, `cancel()`, `project([x, y,
+//!   z])` and `ui()` return at once, or throw such an `Error`.
 //!
-//! `ready` is in index.html, because it is there before the editor is.
+//! `ready` is in index.html, because it exists before the editor does.
 
 use std::cell::RefMut;
 
@@ -117,16 +117,16 @@ fn app(handle: &Handle) -> Result<RefMut<'_, App>, JsValue> {
     handle.app().ok_or_else(|| error("the editor has crashed, or is being called by itself; reload the page"))
 }
 
-/// Which of the files that were written a script gets.
+/// Which of the written files a script gets.
 #[derive(Clone, Copy)]
 enum Wanted {
     /// The bytes of the model itself.
     Model,
-    /// All, with their names: materials and data may lie beside the model.
+    /// All files with their names: the model may come with materials and data.
     AllFiles,
 }
 
-/// Settles a promise with what a call came to.
+/// Settles a promise with the result of a call.
 fn reply(settle: &Settle, wanted: Wanted) -> Reply {
     let settle = settle.clone();
     Box::new(move |result| {
@@ -160,7 +160,7 @@ fn file_to_js(file: &NamedBytes) -> Answer {
     Ok(object.into())
 }
 
-/// What [`file_to_js`] makes, in an array; the content may be text or a buffer too.
+/// The files in an array of objects as [`file_to_js`] makes them; the content may also be text or a buffer.
 fn files_of(files: &JsValue) -> Result<Vec<NamedBytes>, JsValue> {
     let refused = || error("openFiles: expected an array of {name, content}");
     let files: &Array = files.dyn_ref().filter(|files: &&Array| files.length() > 0).ok_or_else(refused)?;

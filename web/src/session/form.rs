@@ -1,15 +1,14 @@
-//! The values in an operation's form, and the command they make.
+//! The values in an operation's form, and the command made from them.
 
 use editor::ops::{Facts, Field, Fill};
 use editor::{Command, CommandError, OpId, Spec};
 use serde_json::{Map, Value};
 
-/// The values that a person filled in, by the fields' names. A field that is not in it is left out of
-/// the command.
+/// The values that the user filled in, by the fields' names. The command omits fields that are not in it.
 pub type Filled = Map<String, Value>;
 
-/// The values that a form starts with. Fields that the selection gives, and those that are not set,
-/// stay out; of alternatives the first is in.
+/// The initial values of a form. Fields that the selection fills and fields that are not set are omitted;
+/// of alternatives, the first is included.
 pub fn initial(spec: &Spec, facts: &Facts) -> Filled {
     let mut filled = Filled::new();
     for field in spec.fields {
@@ -21,18 +20,18 @@ pub fn initial(spec: &Spec, facts: &Facts) -> Filled {
     filled
 }
 
-/// The command that a form makes.
+/// The command that a form describes.
 pub fn command(id: OpId, filled: &Filled) -> Result<Command, CommandError> {
     Command::from_fields(id, filled.clone())
 }
 
-/// Whether any field of a form is about the size of the mesh, which has to be measured.
+/// Whether any field of a form depends on the size of the mesh, which must then be measured.
 pub fn needs_measures(spec: &Spec) -> bool {
     use editor::ops::Suggestion::{MeanEdge, OfDiagonal};
     spec.fields.iter().any(|field| matches!(field.suggestion, MeanEdge | OfDiagonal(_)))
 }
 
-/// The alternative of this title that is filled in.
+/// The alternative that is filled in, of those with this title.
 pub fn chosen(spec: &Spec, title: &str, filled: &Filled) -> Option<&'static Field> {
     alternatives(spec, title).find(|field| filled.contains_key(field.name))
 }

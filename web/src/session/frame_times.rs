@@ -1,4 +1,4 @@
-//! How long the page's own work on a frame takes.
+//! The time that the page's own work takes per frame.
 
 use std::collections::VecDeque;
 
@@ -8,13 +8,13 @@ pub struct FrameTimes {
     last: VecDeque<f32>,
 }
 
-/// How many frames are looked back at: two seconds' worth at most.
-const KEPT: usize = 120;
+/// The number of frames kept: at most two seconds' worth.
+const KEPT_FRAMES: usize = 120;
 
 impl FrameTimes {
-    /// Takes in a frame that took this many seconds.
+    /// Records a frame that took this many seconds.
     pub fn record(&mut self, seconds: f64) {
-        if self.last.len() == KEPT {
+        if self.last.len() == KEPT_FRAMES {
             self.last.pop_front();
         }
         self.last.push_back((seconds.max(0.0) * 1000.0) as f32);
@@ -27,7 +27,7 @@ impl FrameTimes {
         sorted.get(sorted.len() / 2).copied().unwrap_or_default()
     }
 
-    /// The longest.
+    /// The longest time.
     pub fn worst(&self) -> f32 {
         self.last.iter().copied().fold(0.0, f32::max)
     }
@@ -42,7 +42,7 @@ mod tests {
         let mut times = FrameTimes::default();
         assert_eq!((times.median(), times.worst()), (0.0, 0.0));
         times.record(9.0);
-        for _ in 0..KEPT - 1 {
+        for _ in 0..KEPT_FRAMES - 1 {
             times.record(0.002);
         }
         times.record(0.004);

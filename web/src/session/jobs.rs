@@ -1,47 +1,47 @@
-//! The jobs that run in the worker, as the status bar shows them.
+//! The jobs in the worker, as the status bar shows them.
 
 use editor::{JobId, Outcome};
 use formats::NamedBytes;
 
-/// What a call that takes a while came to.
+/// The result of a call that may take a while.
 #[derive(Clone, Debug, PartialEq)]
 #[allow(clippy::large_enum_variant, reason = "there is one at a time, and it is moved once")]
 pub enum Answer {
     /// A command was carried out, or a file was opened.
     Outcome(Outcome),
-    /// Files were written, the one that was asked for first.
+    /// Files were written; the model's own file comes first.
     Files(Vec<NamedBytes>),
 }
 
 /// Called once with a call's result, or with a sentence that says why it failed.
 pub type Reply = Box<dyn FnOnce(Result<Answer, String>)>;
 
-/// A job that was started.
+/// A job that has started.
 pub struct Running {
-    /// Which one.
+    /// The job's id.
     pub id: JobId,
-    /// What the status bar calls it.
+    /// The label in the status bar.
     pub label: String,
-    /// How much of it is done; 0 until it says so.
+    /// The completed fraction; 0 until the job reports progress.
     pub fraction: f32,
-    /// When it was first seen waiting, in the seconds that egui counts.
+    /// The time at which the job was first seen waiting, on egui's clock in seconds.
     pub seen: Option<f64>,
-    /// Who waits for it besides the person.
+    /// The caller that waits for the result besides the user.
     pub reply: Option<Reply>,
-    /// The state of the document that is safe once the job is done, where it saves all of it.
+    /// The revision of the document that is saved once the job is done, if the files hold all of it.
     pub saves: Option<u64>,
-    /// What is to be told with its result.
+    /// Notes to show with the result.
     pub notes: Vec<String>,
 }
 
-/// The jobs that were started and are waited for, the oldest first.
+/// The jobs that have not finished, the oldest first.
 #[derive(Default)]
 pub struct Jobs {
     running: Vec<Running>,
 }
 
 impl Jobs {
-    /// Adds a job that was just started.
+    /// Adds a job that has just started.
     pub fn add(&mut self, id: JobId, label: String, reply: Option<Reply>) {
         self.running.push(Running {
             id,
@@ -54,57 +54,57 @@ impl Jobs {
         });
     }
 
-    /// Notes that a job saves the whole document as it is in this state.
+    /// Records that a job saves the whole document at this revision.
     pub fn saves(&mut self, id: JobId, revision: u64) {
         if let Some(running) = self.running.iter_mut().find(|running| running.id == id) {
             running.saves = Some(revision);
         }
     }
 
-    /// Keeps what is to be told with a job's result.
+    /// Keeps notes to show with a job's result.
     pub fn note(&mut self, id: JobId, notes: Vec<String>) {
         if let Some(running) = self.running.iter_mut().find(|running| running.id == id) {
             running.notes.extend(notes);
         }
     }
 
-    /// Takes in that a job got further.
+    /// Records a job's progress.
     pub fn progress(&mut self, job: u64, fraction: f32) {
         if let Some(running) = self.running.iter_mut().find(|running| running.id.0 == job) {
-            // Never back: stages of one operation may each start at 0.
+            // The fraction never decreases: stages of one operation may each start at 0.
             running.fraction = running.fraction.max(fraction.clamp(0.0, 1.0));
         }
     }
 
-    /// How much of a job is done; 0 of one that isn't there.
+    /// The completed fraction of a job; 0 if there is no such job.
     pub fn fraction(&self, id: JobId) -> f32 {
         self.running.iter().find(|running| running.id == id).map_or(0.0, |running| running.fraction)
     }
 
-    /// Takes a job out; none where it was cancelled before.
+    /// Removes and returns a job; none if it was cancelled.
     pub fn take(&mut self, job: u64) -> Option<Running> {
         let at = self.running.iter().position(|running| running.id.0 == job)?;
         Some(self.running.remove(at))
     }
 
-    /// The jobs, the one that runs first.
+    /// The jobs, starting with the running one.
     pub fn iter(&self) -> impl Iterator<Item = &Running> {
         self.running.iter()
     }
 
-    /// Notes that a frame was drawn while a job waits: from the first one on its time counts.
+    /// Records that a frame was drawn while a job waits; waiting time counts from the first such frame.
     pub fn note_frame(&mut self, now: f64) {
         if let Some(first) = self.running.first_mut() {
             first.seen.get_or_insert(now);
         }
     }
 
-    /// For how many seconds the job that runs has been waited for.
+    /// For how many seconds the user has waited for the running job.
     pub fn waited(&self, now: f64) -> Option<f64> {
         self.running.first().map(|first| now - first.seen.unwrap_or(now))
     }
 
-    /// The latest job: the one that Escape cancels.
+    /// The latest job, which Escape cancels.
     pub fn latest(&self) -> Option<JobId> {
         self.running.last().map(|running| running.id)
     }

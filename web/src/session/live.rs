@@ -1,6 +1,6 @@
-//! Live edits: extrude, inset, bevel, move and the place of a split follow the pointer until a click
-//! or Enter makes one undo step of them, or Escape leaves no trace. A number typed, or set in the
-//! field over the viewport, takes the pointer's place: fingers have nothing to hover with.
+//! Live edits: extrude, inset, bevel, move and the place of a split follow the pointer. A click or Enter
+//! makes the edit one undo step; Escape cancels it without a trace. A number that is typed, or set in the
+//! bar over the viewport, replaces the pointer, since touch screens have no hovering pointer.
 
 use editor::ops::{Drag, Field};
 use editor::{Command, CommandError, Facts, OpId};
@@ -12,28 +12,28 @@ use super::form;
 use crate::session::Session;
 use crate::view::View;
 
-/// How far the pointer goes to slide over a whole edge, in points.
-const EDGE_TRAVEL: f32 = 240.0;
+/// The distance that the pointer travels to slide over a whole edge, in points.
+const EDGE_TRAVEL_POINTS: f32 = 240.0;
 
-/// A live edit that is going on.
+/// A live edit in progress.
 pub(crate) struct Live {
     pub id: OpId,
     pub field: &'static Field,
     pub drag: Drag,
-    /// The amount; only the first number counts except for an offset.
+    /// The amount; only an offset uses all three numbers.
     pub value: Vec3,
-    /// What was typed, digit by digit.
+    /// The typed number, digit by digit.
     typed: String,
-    /// Where the pointer was when it began to count; none until it is over the viewport, and again
-    /// when a number was given otherwise.
+    /// The pointer position that the amount is measured from; none until the pointer is over the viewport,
+    /// or while a number was entered instead.
     from: Option<Pos2>,
-    /// Where the pointer was last: what is shown stays as it is, whatever the panels beside the
-    /// viewport do to its size, until the pointer moves.
+    /// The last pointer position. The preview changes only when the pointer moves, even if the panels
+    /// beside the viewport change its size.
     at: Option<Pos2>,
     follows: bool,
-    /// Whether the document has the edit in it.
+    /// Whether the document shows the edit.
     shown: bool,
-    /// Why it has not.
+    /// Why the document does not show the edit.
     pub refused: Option<String>,
 }
 
@@ -56,7 +56,7 @@ impl Live {
         form::command(self.id, &filled)
     }
 
-    /// Whether the amount is one that changes something.
+    /// Whether the amount changes anything.
     fn does_something(&self) -> bool {
         self.drag == Drag::Fraction || self.value != Vec3::ZERO
     }
@@ -71,7 +71,7 @@ impl Live {
 }
 
 impl Session {
-    /// Starts a live edit of what is selected. Except for a split, nothing changes until the pointer moves.
+    /// Starts a live edit of the selection. Except for a split, nothing changes until the pointer moves.
     pub fn start_live(&mut self, id: OpId) {
         self.end_live(false);
         self.end_preview();
@@ -81,7 +81,7 @@ impl Session {
         }
     }
 
-    /// Makes the live edit one undo step, or takes it back without a trace.
+    /// Makes the live edit one undo step, or cancels it without a trace.
     pub fn end_live(&mut self, apply: bool) {
         let Some(live) = self.live.take() else { return };
         if apply && live.refused.is_none() {
@@ -95,7 +95,7 @@ impl Session {
     fn show_live(&mut self) {
         let Some(live) = &self.live else { return };
         if !live.does_something() {
-            // Back at nothing: as it was, and still going on.
+            // The amount is back at zero: the document is unchanged, and the edit continues.
             self.editor.cancel_edit();
             if let Some(live) = &mut self.live {
                 (live.shown, live.refused) = (false, None);
@@ -109,12 +109,12 @@ impl Session {
         }
     }
 
-    /// The keys of a live edit, which come before all others: digits, Enter and Escape. Returns whether
-    /// one is going on.
+    /// Handles the keys of a live edit, which come before all others: digits, Enter and Escape. Returns
+    /// whether an edit is in progress.
     pub fn live_keys(&mut self, ctx: &Context) -> bool {
         let Some(live) = &mut self.live else { return false };
         if live.shown && !self.editor.is_editing() {
-            // An undo or a script ended it.
+            // An undo or a script ended the edit.
             self.live = None;
             return false;
         }
@@ -153,7 +153,7 @@ impl Session {
         true
     }
 
-    /// Lets the amount follow the pointer over the viewport.
+    /// Updates the amount from the pointer over the viewport.
     pub fn live_pointer(&mut self, pointer: Option<Pos2>, view: &View) {
         let (Some(live), Some(at)) = (&mut self.live, pointer) else { return };
         if !live.follows || live.at.replace(at) == Some(at) {
@@ -168,7 +168,7 @@ impl Session {
         let before = live.value;
         match live.drag {
             Drag::Distance | Drag::Width => live.set((by.x - by.y) * units),
-            Drag::Fraction => live.set(0.5 + (by.x - by.y) / EDGE_TRAVEL),
+            Drag::Fraction => live.set(0.5 + (by.x - by.y) / EDGE_TRAVEL_POINTS),
             Drag::Offset => {
                 let anchor = view.camera.target.as_vec3();
                 let to = view.camera.drag(anchor, glam::vec2(by.x, by.y), view.size());
@@ -182,7 +182,7 @@ impl Session {
         }
     }
 
-    /// Sets the amount of the edit: it no longer follows the pointer.
+    /// Sets the amount of the edit, which then no longer follows the pointer.
     pub fn set_live_amount(&mut self, value: Vec3) {
         let Some(live) = &mut self.live else { return };
         live.follows = false;

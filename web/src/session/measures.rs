@@ -1,22 +1,22 @@
-//! Facts about the active mesh: what forms suggest for their fields and estimate results with.
+//! Facts about the active mesh, from which forms suggest values and estimate results.
 
 use editor::{Changes, Editor, Facts};
 
 use crate::session::survey::Survey;
 
-/// The lengths and areas of the active mesh, measured when they are first asked for after a change.
+/// The lengths and areas of the active mesh, measured on the first request after a change.
 #[derive(Debug, Default)]
 pub struct Measured {
     known: Option<Facts>,
     stale: bool,
 }
 
-/// While a larger mesh is being edited, its measures may lag behind: taking them at every movement
-/// would be felt.
+/// While a larger mesh is being edited, its measures may lag behind, as measuring at every movement would
+/// be noticeable.
 const MAX_FACES_MEASURED_LIVE: usize = 20_000;
 
 impl Measured {
-    /// Forgets what the active object measured, where it changed or is another.
+    /// Forgets the measures if the active object changed or another one is active.
     pub fn follow(&mut self, editor: &Editor, changes: &Changes) {
         let active = editor.document().active().map(editor::Object::id);
         if changes.document || active.is_some_and(|id| changes.of(id).is_some()) {
@@ -24,8 +24,8 @@ impl Measured {
         }
     }
 
-    /// The facts about the active mesh, with measures where they are asked for. Costs O(mesh) then, after
-    /// a change.
+    /// The facts about the active mesh, with measures if requested. Measuring costs O(mesh), once after a
+    /// change.
     pub fn facts(&mut self, editor: &Editor, survey: &Survey, measures: bool) -> Facts {
         let Some(mesh) = editor.mesh() else { return Facts::default() };
         let boundary = survey.found().map(|found| found.boundary_halfedges);

@@ -1,5 +1,5 @@
-//! The session: the editor, the jobs it waits for, and what is known and said about them. Panels read
-//! it; the app changes it.
+//! The session: the editor, its jobs, and the facts and messages about them. Panels read it; the app
+//! changes it.
 
 pub(crate) mod form;
 pub(crate) mod frame_times;
@@ -27,16 +27,16 @@ use preview::Previewing;
 use survey::Survey;
 use toasts::Toasts;
 
-/// What to show in the view now that another document is open.
+/// What the view should show after another document was opened.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Look {
     /// Everything.
     Document,
-    /// Flat curves, from straight above their plane, so that they are seen as they were drawn.
+    /// Flat curves, seen from straight above their plane, so that they appear as they were drawn.
     FlatCurves,
 }
 
-/// The editor with what is going on in it.
+/// The editor and everything in progress in it.
 pub(crate) struct Session {
     pub editor: Editor,
     pub platform: Box<dyn Platform>,
@@ -47,16 +47,16 @@ pub(crate) struct Session {
     pub frames: FrameTimes,
     /// The edit that follows the pointer.
     pub live: Option<Live>,
-    /// The operation that the document shows while its form is filled in.
+    /// The operation that is previewed while its form is filled in.
     pub previewing: Previewing,
-    /// The last adjustment took too long to be made at every step of a spin.
+    /// Whether the last adjustment took too long to run at every step of a spin box.
     pub adjusting_is_slow: bool,
-    /// What the view is to look at.
+    /// What the view should show next.
     pub look: Option<Look>,
-    /// The ongoing edit is committed when the pointer's button is let go.
+    /// Whether to commit the ongoing edit when the pointer's button is released.
     pub commit_on_release: bool,
     measured: RefCell<Measured>,
-    /// What the editor said of operations since the document or the selection last changed.
+    /// The editor's answers for operations since the document or the selection last changed.
     refusals: RefCell<HashMap<OpId, Option<String>>>,
 }
 
@@ -80,7 +80,7 @@ impl Session {
         }
     }
 
-    /// Forgets what no longer holds after a change.
+    /// Forgets what no longer applies after a change.
     pub fn follow(&mut self, changes: &Changes) {
         self.refusals.get_mut().clear();
         self.survey.follow(&self.editor, changes);
@@ -98,12 +98,12 @@ impl Session {
         self.refusals.borrow_mut().entry(id).or_insert_with(ask).clone()
     }
 
-    /// The facts that an operation's form needs, about the mesh without what is only previewed.
+    /// The facts that an operation's form needs, about the mesh without any preview.
     pub fn facts(&self, id: OpId) -> Facts {
         self.facts_with(form::needs_measures(id.spec()))
     }
 
-    /// All facts about the mesh without what is only previewed.
+    /// All facts about the mesh without any preview.
     pub fn measured_facts(&self) -> Facts {
         self.facts_with(true)
     }
@@ -136,20 +136,20 @@ impl Session {
         }
     }
 
-    /// Says something in passing.
+    /// Shows a toast.
     pub fn toast(&mut self, kind: MessageKind, text: String, details: Vec<String>) {
         let now = self.ctx.input(|input| input.time);
         self.toasts.add(now, kind, text, details);
         self.ctx.request_repaint();
     }
 
-    /// Says that something could not be done, in a toast and in the messages.
+    /// Reports a failure, in a toast and in the messages.
     pub fn fail(&mut self, text: String) {
         self.editor.say(MessageKind::Error, text.clone());
         self.toast(MessageKind::Error, text, Vec::new());
     }
 
-    /// Says why a command was refused.
+    /// Reports why a command was refused.
     pub fn refuse(&mut self, error: &CommandError) {
         if error.is_cancelled() {
             return;
@@ -164,7 +164,7 @@ impl Session {
     }
 }
 
-/// A text with a full stop at its end, unless it ends like a sentence.
+/// The text with a full stop at its end, unless it already ends like a sentence.
 pub(crate) fn sentence(text: &str) -> String {
     if text.ends_with(['.', '!', '?']) { text.to_owned() } else { format!("{text}.") }
 }

@@ -1,4 +1,4 @@
-//! The operation that the document shows while its form is filled in, and that is no step yet.
+//! The preview of an operation while its form is filled in; it is not an undo step yet.
 
 use editor::{CommandError, Facts, MessageKind, OpId, Outcome};
 use halfedge::{Element, Mesh};
@@ -6,27 +6,27 @@ use halfedge::{Element, Mesh};
 use super::form::{self, Filled};
 use crate::session::Session;
 
-/// Seconds that the result of a changed field may take to be made at every step of a spin.
+/// The longest time in seconds that a preview may take to be updated at every step of a spin box.
 pub(crate) const MAX_SECONDS_PER_STEP: f64 = 0.03;
 
-/// What became of the last request for a preview.
+/// The result of the last request for a preview.
 #[derive(Default)]
 pub(crate) struct Previewing {
     shown: Option<Preview>,
-    /// Why nothing is shown.
+    /// Why there is no preview.
     why_not: Option<WhyNot>,
-    /// The last preview took too long to be made at every step of a spin.
+    /// Whether the last preview took too long to be updated at every step of a spin box.
     pub is_slow: bool,
 }
 
-/// An operation that the document shows.
+/// A previewed operation.
 pub(crate) struct Preview {
     pub id: OpId,
     filled: Filled,
     outcome: Outcome,
-    /// The facts about the mesh without it.
+    /// The facts about the mesh without the preview.
     pub before: Facts,
-    /// The ids of elements mean the same with it and without.
+    /// Whether ids refer to the same elements with the preview and without.
     keeps_ids: bool,
 }
 
@@ -40,7 +40,7 @@ pub(crate) enum WhyNot {
 impl Session {
     /// The preview that the document shows.
     pub fn preview(&self) -> Option<&Preview> {
-        // Whatever else was done has removed it.
+        // Any other change has removed the preview.
         self.previewing.shown.as_ref().filter(|_| self.editor.is_previewing_mesh())
     }
 
@@ -54,13 +54,13 @@ impl Session {
         self.previewing.why_not = None;
     }
 
-    /// The mesh that an operation with these fields makes, where it is previewed.
+    /// The result of an operation with these fields, if it is previewed.
     pub fn previewed(&self, id: OpId, filled: &Filled) -> Option<&Mesh> {
         self.preview().filter(|preview| preview.id == id && preview.filled == *filled)?;
         self.editor.mesh()
     }
 
-    /// Removes the preview, if there is one; returns whether ids of elements mean what they meant.
+    /// Removes the preview. If there was one, returns whether ids refer to the same elements as before.
     pub fn end_preview(&mut self) -> Option<bool> {
         let keeps_ids = self.preview()?.keeps_ids;
         self.previewing.shown = None;
@@ -68,7 +68,7 @@ impl Session {
         Some(keeps_ids)
     }
 
-    /// Makes the preview one undo step, if it shows just this.
+    /// Makes the preview one undo step, if it is of this operation with these fields.
     pub fn apply_preview(&mut self, id: OpId, filled: &Filled) -> bool {
         if self.previewed(id, filled).is_none() {
             return false;
@@ -82,7 +82,7 @@ impl Session {
         true
     }
 
-    /// Previews an operation in place of what was previewed.
+    /// Previews an operation in place of the last preview.
     pub fn show_preview(&mut self, id: OpId, filled: Filled) {
         let started = self.platform.now();
         let before = self.measured_facts();

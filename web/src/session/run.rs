@@ -1,4 +1,4 @@
-//! Commands begun, files opened, and the jobs that come of them.
+//! Running commands, opening and saving files, and the jobs for them.
 
 use editor::{Begun, Command, CommandError, Finished, JobId, JobRequest, JobResult, MessageKind, OpId};
 use formats::Format;
@@ -12,19 +12,19 @@ use crate::bezier;
 use crate::input::actions::Action;
 use crate::platform::{Fetched, NamedBytes};
 
-/// What callers are told of a cancelled job.
+/// The error that callers of a cancelled job get.
 const CANCELLED: &str = "cancelled";
 
 impl Session {
-    /// The document that the page opens on.
+    /// Creates the document that the page starts with.
     pub fn open_first(&mut self) {
-        // The first shape can't be refused; were it, the page would open empty and say how to go on.
+        // The initial shape can't be refused; if it were, the page would start empty and say how to go on.
         let shape = form::initial(OpId::New.spec(), &editor::Facts::default());
         let _ = form::command(OpId::New, &shape).and_then(|command| self.editor.start_with(command));
         self.look = Some(Look::Document);
     }
 
-    /// Carries out a command, or says why there is none.
+    /// Carries out a command, or shows why there is none.
     pub fn begin_or_refuse(&mut self, command: Result<Command, CommandError>) {
         match command {
             Ok(command) => self.begin(command, None),
@@ -52,7 +52,7 @@ impl Session {
         }
     }
 
-    /// Opens files in place of the document, through the worker.
+    /// Replaces the document by files, which the worker reads.
     pub fn open_files(&mut self, files: Vec<NamedBytes>, reply: Option<Reply>) {
         let label = match files.as_slice() {
             [] => return,
@@ -63,7 +63,7 @@ impl Session {
         self.start(&request, label, reply);
     }
 
-    /// Fetches the files that the page's address asks for, and opens them together.
+    /// Fetches the files that the page's address names, and opens them together.
     pub fn fetch_wanted(&mut self) {
         let wanted = self.platform.wanted();
         let Some(first) = wanted.first() else { return };
@@ -73,7 +73,7 @@ impl Session {
         self.platform.fetch(id.0, wanted);
     }
 
-    /// Opens what was fetched, as the rest of the same job; or says why it can't.
+    /// Opens fetched files as the second part of the same job, or reports why they could not be fetched.
     pub fn fetched(&mut self, job: u64, fetched: Result<Fetched, String>) {
         let id = JobId(job);
         match fetched {
@@ -102,7 +102,7 @@ impl Session {
         self.platform.start_job(id.0, request);
     }
 
-    /// Takes in what came of a job.
+    /// Handles the result of a job.
     pub fn job_done(&mut self, job: u64, result: Result<JobResult, CommandError>) {
         let Some(running) = self.jobs.take(job) else { return };
         let id = JobId(job);
@@ -135,7 +135,7 @@ impl Session {
         }
     }
 
-    /// Looks at a shape that is the whole document; one that was added may be meant for where one looks.
+    /// Frames a new shape if it is the whole document; an added one may belong where the user is looking.
     fn look_at_new(&mut self) {
         if self.editor.document().objects().len() == 1 {
             self.look_at_opened();
@@ -149,7 +149,7 @@ impl Session {
         let objects = self.editor.document().objects();
         let is_flat = !objects.is_empty() && objects.iter().all(flat);
         self.look = Some(if is_flat { Look::FlatCurves } else { Look::Document });
-        // What was offered for another document has nothing to work on here.
+        // Actions offered for the previous document don't apply to this one.
         self.toasts.withdraw();
     }
 
@@ -158,8 +158,8 @@ impl Session {
         let mut text = outcome.message.clone();
         match outcome.warnings.len() {
             0 => {}
-            1 => text.push_str("; one thing was changed on the way in"),
-            many => text.push_str(&format!("; {many} things were changed on the way in")),
+            1 => text.push_str("; the import changed one thing"),
+            many => text.push_str(&format!("; the import changed {many} things")),
         }
         self.toast(kind, text, outcome.warnings.clone());
         if self.editor.document().active().is_some_and(editor::Object::is_repairable) {
@@ -167,7 +167,7 @@ impl Session {
         }
     }
 
-    /// Reports a refusal to whoever waits for the command, or else to the person.
+    /// Reports a refusal to the caller that waits for the command, or else to the user.
     pub fn refused(&mut self, error: &CommandError, reply: Option<Reply>) {
         match reply {
             Some(reply) => reply(Err(error.to_string())),
@@ -194,7 +194,7 @@ impl Session {
         }
     }
 
-    /// Forgets a job and tells whoever waits for it.
+    /// Cancels a job and tells the caller that waits for it.
     pub fn cancel_job(&mut self, id: JobId) {
         self.editor.cancel_job(id);
         self.platform.cancel_job(id.0);
@@ -205,7 +205,7 @@ impl Session {
 
     /// Starts the job that writes the document's files.
     pub fn save(&mut self, format: Format, name: String, holds_all: bool) {
-        // Committed, so that the revision that counts as saved is the one in the files.
+        // Committed first, so that the revision that counts as saved is the one in the files.
         self.end_live(true);
         self.editor.commit_edit();
         let request = self.editor.begin_export_as(format, name);
@@ -216,7 +216,7 @@ impl Session {
         }
     }
 
-    /// Hands written files to the person. The document is saved where they hold all of it.
+    /// Gives written files to the user. The document counts as saved if they hold all of it.
     fn saved(&mut self, files: Vec<NamedBytes>, revision: Option<u64>) {
         let names: Vec<&str> = files.iter().map(|file| file.name.as_str()).collect();
         let text = format!("Saved {}", names.join(" and "));
@@ -224,7 +224,7 @@ impl Session {
         match revision {
             Some(revision) => self.editor.mark_saved(revision),
             None => details.push(
-                "The format holds less than the document does, so the document still counts as changed."
+                "The format can't hold everything in the document, so the document still counts as changed."
                     .to_owned(),
             ),
         }
@@ -234,8 +234,7 @@ impl Session {
     }
 }
 
-/// What failed, with what is known besides: where a file could not be read without another one, why
-/// that is not there.
+/// Adds notes to an error: if a file could not be read without a companion file, why that is missing.
 fn with_notes(mut error: CommandError, notes: &[String]) -> CommandError {
     for note in notes {
         error.problem = format!("{} {note}", sentence(&error.problem));

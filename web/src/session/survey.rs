@@ -1,33 +1,33 @@
-//! Boundary loops and connected components of the active mesh, counted some half-edges a frame.
+//! Boundary loops and connected components of the active mesh, counted over several frames.
 //!
-//! Both take a pass over the whole mesh, which at a million faces is longer than a frame; the
-//! status bar can wait, the page can't.
+//! Each count takes a pass over the whole mesh, which at a million faces is longer than a frame. The status
+//! bar can wait for it; the page can't.
 
 use editor::{Changes, Editor, ObjectChange, ObjectId};
 use halfedge::{Mesh, Topology, TopologyCounter};
 
-/// Half-edges counted in one frame: a few milliseconds.
+/// Half-edges visited per frame, which takes a few milliseconds.
 const HALFEDGES_PER_FRAME: usize = 200_000;
 
 /// A count that continues from frame to frame.
 #[derive(Debug, Default)]
 pub struct Survey {
     object: Option<ObjectId>,
-    /// How many vertices the mesh had when the count began: removing an isolated one relinks nothing.
+    /// The number of vertices when the count began: removing an isolated one changes no half-edge.
     vertices: usize,
     found: Option<Topology>,
-    /// Whether the active object has a mesh that isn't counted yet.
+    /// Whether the active object has a mesh that is not counted yet.
     is_due: bool,
     counter: Option<TopologyCounter>,
 }
 
 impl Survey {
-    /// The counts; none while they are being made, or where there is no mesh.
+    /// The counts; none while counting, or if there is no mesh.
     pub fn found(&self) -> Option<Topology> {
         self.found
     }
 
-    /// Starts over where connectivity changed; moving vertices or painting faces changes nothing.
+    /// Starts over if connectivity changed; moving vertices or painting faces doesn't affect the counts.
     pub fn follow(&mut self, editor: &Editor, changes: &Changes) {
         let active = editor.document().active().map(editor::Object::id);
         let vertices = editor.mesh().map_or(0, Mesh::vertex_count);
@@ -43,7 +43,7 @@ impl Survey {
         }
     }
 
-    /// Counts some more of the active mesh; whether there is more to count.
+    /// Continues counting the active mesh; returns whether there is more to count.
     pub fn step(&mut self, mesh: Option<&Mesh>) -> bool {
         let Some(mesh) = mesh.filter(|_| self.is_due) else { return false };
         let counter = self.counter.get_or_insert_with(|| TopologyCounter::new(mesh));

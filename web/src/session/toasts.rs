@@ -1,39 +1,39 @@
-//! Short messages: what was imported, refused, or failed.
+//! Toasts: short messages about imports, refusals and failures.
 
 use editor::MessageKind;
 
 use crate::input::actions::Action;
 
-/// A message with what there is to say besides.
+/// A message with optional details.
 #[derive(Clone, Debug)]
 pub(crate) struct Toast {
     pub kind: MessageKind,
     pub text: String,
     pub details: Vec<String>,
     pub open: bool,
-    /// What can be done about it.
+    /// An action that helps.
     pub remedy: Option<Action>,
-    /// When it goes by itself, on egui's clock; none where the person has to close it.
+    /// The time at which it disappears, on egui's clock; none if the user has to close it.
     until: Option<f64>,
 }
 
-/// The messages that are in view.
+/// The visible toasts.
 #[derive(Debug, Default)]
 pub struct Toasts {
     list: Vec<Toast>,
 }
 
-/// Seconds that a message stays if it needs no action.
+/// How long an informative toast stays, in seconds.
 const SECONDS_INFO_STAYS: f64 = 6.0;
-/// Seconds that a refusal stays.
+/// How long a refusal stays, in seconds.
 const SECONDS_REFUSAL_STAYS: f64 = 12.0;
-/// More than this would cover the viewport; the messages window has them all.
+/// More toasts would cover the viewport; the messages window lists all messages.
 const MAX_TOASTS: usize = 4;
 
 impl Toasts {
     pub(crate) fn add(&mut self, now: f64, kind: MessageKind, text: String, details: Vec<String>) {
         let stays = if kind == MessageKind::Info { SECONDS_INFO_STAYS } else { SECONDS_REFUSAL_STAYS };
-        // The same again only stays longer.
+        // A repeated message replaces the earlier one and stays longer.
         self.list.retain(|toast| toast.text != text);
         let until = Some(now + stays);
         self.list.push(Toast { kind, text, details, open: false, remedy: None, until });
@@ -42,32 +42,32 @@ impl Toasts {
         }
     }
 
-    /// Takes back what messages offer; what they say stays.
+    /// Removes the actions that toasts offer; their texts stay.
     pub(crate) fn withdraw(&mut self) {
         for toast in &mut self.list {
             toast.remedy = None;
         }
     }
 
-    /// Offers an action in the message that was said last.
+    /// Offers an action in the latest toast.
     pub(crate) fn offer(&mut self, remedy: Action) {
         if let Some(toast) = self.list.last_mut() {
             toast.remedy = Some(remedy);
         }
     }
 
-    /// The messages in view, the oldest first.
+    /// The visible toasts, the oldest first.
     pub(crate) fn iter(&self) -> impl Iterator<Item = &Toast> {
         self.list.iter()
     }
 
-    /// Drops the messages whose time is over; returns in how many seconds the next one's is.
+    /// Removes expired toasts; returns the seconds until the next one expires.
     pub(crate) fn expire(&mut self, now: f64) -> Option<f64> {
         self.list.retain(|toast| toast.until.is_none_or(|until| until > now));
         self.list.iter().filter_map(|toast| toast.until).reduce(f64::min).map(|next| next - now)
     }
 
-    /// Shows the details of a message, or hides them; from then on the person decides when it goes.
+    /// Shows or hides the details of a toast, which from then on stays until the user closes it.
     pub(crate) fn toggle(&mut self, at: usize) {
         if let Some(toast) = self.list.get_mut(at) {
             toast.open = !toast.open;
@@ -75,7 +75,7 @@ impl Toasts {
         }
     }
 
-    /// Removes a message.
+    /// Removes a toast.
     pub(crate) fn dismiss(&mut self, at: usize) {
         if at < self.list.len() {
             self.list.remove(at);

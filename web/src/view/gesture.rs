@@ -1,4 +1,4 @@
-//! The drag that is going on in the viewport.
+//! The current drag in the viewport.
 
 use egui::{Pos2, Rect};
 use glam::{Vec3, vec2};
@@ -6,7 +6,7 @@ use glam::{Vec3, vec2};
 use super::View;
 use crate::bezier::ControlPoint;
 
-/// What a drag with the first button does beside the mesh.
+/// What a drag with the primary button beside the mesh does.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub(crate) enum Tool {
     /// Turns the view.
@@ -16,7 +16,7 @@ pub(crate) enum Tool {
     Box,
 }
 
-/// A drag that is going on.
+/// A drag in progress.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) enum Gesture {
     None,
@@ -34,12 +34,12 @@ pub(crate) enum Gesture {
         from: Pos2,
         anchor: Vec3,
     },
-    /// Given up with Escape, but the button is still down.
+    /// Cancelled with Escape, but the button is still down.
     Ended,
 }
 
 impl View {
-    /// Gives up the drag that is going on, if any; whether there was one.
+    /// Cancels the drag in progress; returns whether there was one.
     pub fn cancel_gesture(&mut self) -> bool {
         let going =
             matches!(self.gesture, Gesture::Box { .. } | Gesture::Move { .. } | Gesture::Control { .. });
@@ -49,7 +49,7 @@ impl View {
         self.boxed.take().is_some() || going
     }
 
-    /// The box that is being drawn.
+    /// The selection box being drawn.
     pub fn selection_box(&self, to: Option<Pos2>) -> Option<Rect> {
         match (&self.gesture, to) {
             (Gesture::Box { from }, Some(to)) => Some(Rect::from_two_pos(*from, to).intersect(self.rect)),

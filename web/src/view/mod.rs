@@ -1,4 +1,4 @@
-//! The viewport's state: the camera, the picture, and what the pointer is doing.
+//! The viewport's state: the camera, the picture and the gesture in progress.
 
 mod gesture;
 pub(crate) mod picture;
@@ -15,11 +15,11 @@ use crate::bezier;
 pub(crate) use gesture::{Gesture, Tool};
 use picture::Picture;
 
-/// Faces that are uploaded, or sorted into a picking tree, per frame: larger meshes are split over
-/// several frames to keep each short.
+/// Faces that are uploaded, or added to a picking tree, per frame; larger meshes are split over several
+/// frames to keep each short.
 pub(crate) const FACES_PER_FRAME: usize = 150_000;
 
-/// How many frames the panels take to find their sizes.
+/// The number of frames until the panels have their final sizes.
 const FRAMES_UNTIL_PANELS_SETTLE: u8 = 3;
 
 /// The viewport's state.
@@ -30,22 +30,22 @@ pub(crate) struct View {
     pub rect: Rect,
     pub picture: Option<Picture>,
     pub gesture: Gesture,
-    /// Under the pointer, in the viewport or in a list.
+    /// The element under the pointer, in the viewport or in a list.
     pub hovered: Option<(Element, u32)>,
-    /// What a list or a link says is under the pointer this frame.
+    /// The element whose row or link is under the pointer in this frame.
     from_list: Option<(Element, u32)>,
-    /// Where the pointer was and what was seen there, so that a still pointer costs nothing.
+    /// The pointer, camera and kind of the last pick, so that a still pointer costs nothing.
     pub looked: Option<(egui::Pos2, Camera, Element)>,
-    /// Boxes around the objects, and which of them are drawn.
+    /// The bounds of the objects, and which of them are drawn.
     bounds: HashMap<ObjectId, Option<Bounds>>,
-    /// Made when somebody first points at the object.
+    /// The picking trees, each built when the pointer is first over its object.
     trees: HashMap<ObjectId, FaceTree>,
-    /// The tree of a large mesh, made some faces a frame.
+    /// The unfinished tree of a large mesh, built over several frames.
     building: Option<(ObjectId, FaceTreeBuilder)>,
-    /// What a box selects, found some elements a frame; and whether it extends what is selected.
+    /// A box selection in progress, and whether it extends the selection.
     pub boxed: Option<(ObjectId, BoxSelection, bool)>,
-    /// In how many frames to come everything is looked at: in the first the viewport has no size yet,
-    /// and panels find theirs in the second.
+    /// The number of frames until everything is framed: in the first frame the viewport has no size yet,
+    /// and panels get theirs in the second.
     pub frame_due: u8,
 }
 
@@ -69,7 +69,7 @@ impl View {
         }
     }
 
-    /// Where the viewport is on the page, in points.
+    /// The viewport's rectangle on the page, in points.
     pub fn rect(&self) -> Rect {
         self.rect
     }
@@ -79,14 +79,14 @@ impl View {
         self.hovered
     }
 
-    /// Says which element a list or a link has under the pointer.
+    /// Sets the element whose row or link is under the pointer.
     pub fn hover_from_list(&mut self, element: Option<(Element, u32)>) {
         if element.is_some() {
             self.from_list = element;
         }
     }
 
-    /// The viewport's size in points, as the camera takes it.
+    /// The viewport's size in points, as the camera expects it.
     pub fn size(&self) -> glam::Vec2 {
         glam::vec2(self.rect.width(), self.rect.height())
     }
@@ -95,25 +95,25 @@ impl View {
         self.rect.aspect_ratio()
     }
 
-    /// Where a point of the scene is on the page, in points; none behind the eye.
+    /// The position of a scene point on the page, in points; none if the point is behind the eye.
     pub fn project(&self, point: Vec3) -> Option<egui::Pos2> {
         let at = self.camera.project(point, self.size())?;
         Some(self.rect.min + Vec2::new(at.x, at.y))
     }
 
-    /// How much a spin box changes a coordinate for each point of a drag: about as much as the same
-    /// drag in the viewport would.
+    /// The change of a coordinate per point of a drag on a spin box: about that of the same drag in the
+    /// viewport.
     pub fn drag_speed(&self) -> f64 {
         let speed = self.camera.units_per_pixel(self.size());
         if self.rect.is_positive() && speed.is_finite() { speed } else { 0.01 }
     }
 
-    /// Bytes of graphics memory that the objects take.
+    /// The graphics memory of the objects, in bytes.
     pub fn gpu_bytes(&self) -> u64 {
         self.picture.as_ref().map_or(0, Picture::gpu_bytes)
     }
 
-    /// Makes the buffers, the boxes and the highlights follow the document.
+    /// Updates the buffers, bounds and highlights to the document.
     pub fn follow(&mut self, editor: &Editor, changes: Changes) {
         if !changes.bezier.is_empty() {
             self.looked = None;
@@ -132,7 +132,8 @@ impl View {
             };
             let mesh = object.mesh();
             if let (ObjectChange::Touched(touched), Some(Some(bounds))) = (change, self.bounds.get_mut(id)) {
-                // Grows with what moved; it shrinks when the mesh is next taken in whole.
+                // The bounds grow with moved vertices; they shrink when they are next computed for the
+                // whole mesh.
                 let moved =
                     touched.vertices.iter().filter(|v| mesh.has_vertex(**v)).map(|&v| mesh.position(v));
                 *bounds = Bounds::of(moved).map_or(*bounds, |moved| bounds.union(moved));
@@ -154,7 +155,7 @@ impl View {
             }
         }
         for id in &changes.bezier {
-            // Control points lie outside the surface, and a curve has no mesh to bound it.
+            // Control points lie outside the surface, and a curve has no mesh with bounds.
             let bezier = editor.document().object(*id).and_then(|object| object.bezier());
             if let Some(bounds) = bezier.and_then(|bezier| Bounds::of(bezier::control_points(bezier))) {
                 self.bounds.insert(*id, Some(bounds));
@@ -177,7 +178,7 @@ impl View {
         }
     }
 
-    /// Makes some of the tree that picking on an object needs; returns whether it is whole.
+    /// Continues building the tree for picking on an object; returns whether it is complete.
     pub fn build_tree_step(&mut self, object: &Object) -> bool {
         let (id, mesh) = (object.id(), object.mesh());
         if self.trees.contains_key(&id) || mesh.face_count() <= FACES_PER_FRAME {
@@ -197,7 +198,7 @@ impl View {
         }
     }
 
-    /// The tree of an object, made or made whole now if need be.
+    /// The tree of an object, completed now if necessary.
     pub fn tree(&mut self, object: &Object) -> &FaceTree {
         let (id, mesh) = (object.id(), object.mesh());
         let building = self.building.take_if(|(built, _)| *built == id);
@@ -207,12 +208,12 @@ impl View {
         })
     }
 
-    /// Looks at everything once the viewport has a size.
+    /// Frames everything once the viewport has a size.
     pub fn frame_when_seen(&mut self) {
         self.frame_due = FRAMES_UNTIL_PANELS_SETTLE;
     }
 
-    /// Looks at everything from the same direction.
+    /// Frames everything from the same direction.
     pub fn frame_all(&mut self) {
         match self.camera.scene() {
             Some(scene) if self.rect.is_positive() => self.camera.frame(scene, self.aspect()),
@@ -220,7 +221,7 @@ impl View {
         }
     }
 
-    /// Looks at the selection, or at everything.
+    /// Frames the selection, or everything if nothing is selected.
     pub fn frame_selection(&mut self, editor: &Editor) {
         let selection = editor.selection();
         let Some(mesh) = editor.mesh().filter(|_| !selection.is_empty()) else { return self.frame_all() };
@@ -230,14 +231,14 @@ impl View {
         }
     }
 
-    /// Back to the first view.
+    /// Restores the initial view.
     pub fn reset(&mut self) {
         self.camera.orthographic = false;
         self.camera.reset(self.aspect());
     }
 }
 
-/// The faces that an edit made, removed, or moved a corner of.
+/// The faces that an edit added, removed, or moved a corner of.
 fn touched_faces(mesh: &Mesh, touched: &Touched) -> Vec<FaceId> {
     let mut faces = touched.faces.clone();
     for &v in touched.vertices.iter().filter(|v| mesh.has_vertex(**v)) {
@@ -251,7 +252,7 @@ fn touched_faces(mesh: &Mesh, touched: &Touched) -> Vec<FaceId> {
     faces
 }
 
-/// The positions that an element spans.
+/// The positions of an element's vertices.
 fn corners(mesh: &Mesh, kind: Element, id: u32) -> Vec<Vec3> {
     match kind {
         Element::Vertex => mesh.vertex(id).map(|v| vec![mesh.position(v)]).unwrap_or_default(),

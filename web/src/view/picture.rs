@@ -1,4 +1,4 @@
-//! The picture: keeps the renderer's buffers in step and puts what it draws on the page.
+//! The picture: keeps the renderer's buffers up to date and draws its output on the page.
 
 use editor::{Editor, ObjectChange, ObjectId};
 use egui::{PaintCallbackInfo, Rect, Ui};
@@ -11,7 +11,7 @@ use super::{FACES_PER_FRAME, View};
 /// Highlighted elements uploaded per frame; larger selections are split over several frames.
 const HIGHLIGHTS_PER_FRAME: usize = 200_000;
 
-/// The renderer, which lives among egui's resources so that paint callbacks reach it.
+/// The renderer, stored among egui's resources so that paint callbacks can access it.
 pub(crate) struct Picture {
     gpu: RenderState,
     pub selection_stale: bool,
@@ -49,7 +49,7 @@ impl Picture {
         });
     }
 
-    /// Uploads what the style or the highlights need besides; returns whether there is more to upload.
+    /// Uploads what else the style or the highlights need; returns whether there is more to upload.
     fn prepare(&mut self, editor: &Editor, style: &Style, hovered: Option<(Element, u32)>) -> bool {
         let mut behind = false;
         for object in editor.document().objects() {
@@ -76,7 +76,7 @@ impl Picture {
             let ids: Vec<u32> = selection.ids().collect();
             highlight(Layer::Selected, selection.kind(), &ids);
         }
-        // The hovered element may have moved with the edit that made the selection stale.
+        // The hovered element may have moved in the edit that made the selection's highlight stale.
         if self.selection_stale || self.hovered != hovered {
             let (kind, id) = hovered.map_or((Element::Vertex, None), |(kind, id)| (kind, Some(id)));
             highlight(Layer::Hovered, kind, id.as_slice());
@@ -96,7 +96,7 @@ impl Picture {
     }
 }
 
-/// Uploads a mesh whole: at once, or from now on a part in each frame.
+/// Uploads a whole mesh, at once or over several frames.
 fn upload(
     renderer: &mut Renderer,
     device: &wgpu::Device,

@@ -1,4 +1,4 @@
-//! A colour button with a picker that is named, typed and stepped like any other control.
+//! A colour button whose picker has named, typable controls like any other.
 
 use egui::ecolor::Hsva;
 use egui::{
@@ -7,7 +7,7 @@ use egui::{
 };
 use halfedge::Color;
 
-/// Colours to start from: the unpainted grey, then round the circle.
+/// Initial colours: the grey of unpainted faces, then around the colour wheel.
 const SWATCHES: [[u8; 3]; 12] = [
     [0xc8, 0xc8, 0xc8],
     [0xff, 0xff, 0xff],
@@ -23,7 +23,7 @@ const SWATCHES: [[u8; 3]; 12] = [
     [0xd7, 0x62, 0xb8],
 ];
 
-/// Shows the colour on a button; a click opens the picker. Returns whether it was changed.
+/// Shows the colour on a button; a click opens the picker. Returns whether the colour changed.
 pub fn color_button(ui: &mut Ui, name: &str, rgb: &mut [u8; 3]) -> (Response, bool) {
     let size = vec2(44.0, ui.spacing().interact_size.y);
     let (rect, button) = ui.allocate_exact_size(size, Sense::click());
@@ -61,7 +61,7 @@ fn swatches(ui: &mut Ui, rgb: &mut [u8; 3]) {
 }
 
 fn sliders(ui: &mut Ui, rgb: &mut [u8; 3]) {
-    // Grey has no hue and black no saturation: what the sliders said last is kept beside the colour.
+    // Grey has no hue, and black no saturation: the sliders' last values are kept beside the colour.
     let kept = ui.scope_id().with("hue");
     let mut hsva = ui
         .data(|data| data.get_temp::<[f32; 3]>(kept))
@@ -77,7 +77,7 @@ fn sliders(ui: &mut Ui, rgb: &mut [u8; 3]) {
             ("Brightness", &mut hsva.v, 100.0),
         ] {
             let label = ui.label(name);
-            // Rounded before the slider rounds it, or showing a colour would change it.
+            // Rounded before the slider rounds it; otherwise showing a colour would change it.
             let mut shown = (*value * most).round();
             let slider = Slider::new(&mut shown, 0.0..=most).max_decimals(0).smart_aim(false);
             if ui.add(slider).labelled_by(label.id).changed() {

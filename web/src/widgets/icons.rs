@@ -1,4 +1,4 @@
-//! The toolbar's icons, as lines on a grid of 16 by 16.
+//! The editor's icons, as lines on a grid of 16 by 16.
 
 use egui::{Color32, Painter, Pos2, Rect, Response, Role, Sense, Shape, Stroke, Ui, Vec2, WidgetInfo, pos2};
 
@@ -138,7 +138,7 @@ impl Icon {
         }
     }
 
-    /// A circle that belongs to the icon: centre and radius.
+    /// A circle in the icon: centre and radius.
     fn circle(self) -> Option<(f32, f32, f32)> {
         match self {
             Self::Smooth | Self::Info => Some((8.0, 8.0, 6.6)),
@@ -162,7 +162,7 @@ impl Icon {
     }
 }
 
-/// A square button with an icon. `name` is what the accessibility tree calls it.
+/// A square button with an icon. `name` is its name in the accessibility tree.
 pub fn icon_button(ui: &mut Ui, icon: Icon, name: &str, selected: bool) -> Response {
     let side = ui.spacing().interact_size.y.max(26.0);
     let (rect, response) = ui.allocate_exact_size(Vec2::splat(side), Sense::click());

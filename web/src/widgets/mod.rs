@@ -1,4 +1,4 @@
-//! Controls that egui has not.
+//! Controls that egui lacks.
 
 pub(crate) mod color_button;
 pub(crate) mod icons;

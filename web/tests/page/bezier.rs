@@ -1,5 +1,4 @@
-//! The Bezier players: control points, the construction, and what there is to do with curves and
-//! surfaces.
+//! The Bezier players: control points, the construction, and the operations on curves and surfaces.
 
 use crate::page::Page;
 use editor::Bezier;
@@ -95,15 +94,15 @@ fn e_draws_level_by_level_and_c_the_whole_curve() {
 }
 
 #[test]
-fn a_curve_of_twenty_thousand_points_says_what_of_it_is_drawn() {
+fn a_curve_of_twenty_thousand_points_is_sampled_and_says_so() {
     let text: String = (0..20_000).map(|i| format!("\n{i} {}", i % 7)).collect();
     let mut page = Page::new();
     page.open("large.bzc", &format!("20000{text}"));
     assert!(page.has_part("20000 control points, degree 19999"));
-    assert!(page.has_part("one control point in 10 is drawn"));
-    assert!(!page.has_part("of the construction"));
+    assert!(page.has_part("one control point in 10"));
+    assert!(!page.has_part("one point in"));
     page.press(Key::E);
-    assert!(page.has_part("of the construction one point in 20 of level 1"));
+    assert!(page.has_part("one point in 20 of level 1"));
     page.press(Key::C);
     page.find("Play").click();
     for _ in 0..5 {
@@ -142,7 +141,7 @@ fn a_control_point_is_dragged_in_one_step_and_stays_in_the_plane() {
 }
 
 #[test]
-fn points_are_added_and_taken_away_in_the_viewport() {
+fn points_are_added_and_deleted_in_the_viewport() {
     let mut page = on_curve();
     // On the line between two others.
     let at = page.at([2.0, 2.0, 0.0]);
@@ -233,12 +232,12 @@ fn a_surface_of_many_patches_says_that_one_net_is_drawn() {
         page.open("strip.bez", &text);
         page
     };
-    let says = "only the net of the one below";
+    let says = "only that of patch";
     assert!(!patches(64).has_part(says), "all are drawn");
     let mut page = patches(65);
-    assert!(page.has_part("only the net of the one below, 0, is drawn"));
+    assert!(page.has_part("only that of patch 0 is drawn"));
     page.type_into("Patch", "7");
-    assert!(page.has_part("only the net of the one below, 7, is drawn"));
+    assert!(page.has_part("only that of patch 7 is drawn"));
     page.click("Control nets");
     assert!(!page.has_part(says), "none is");
 }

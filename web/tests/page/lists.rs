@@ -61,7 +61,7 @@ fn arrows_page_and_end_move_the_selection() {
 }
 
 #[test]
-fn what_is_selected_elsewhere_scrolls_into_view() {
+fn a_selection_made_elsewhere_scrolls_into_view() {
     let mut page = Page::new();
     page.command(json!({ "op": "new", "shape": "grid", "columns": 60, "rows": 60 }));
     assert!(!page.has_row("Half-edge 7000"));
@@ -75,7 +75,7 @@ fn what_is_selected_elsewhere_scrolls_into_view() {
 }
 
 #[test]
-fn go_to_id_selects_or_says_what_there_is() {
+fn go_to_id_selects_or_names_the_valid_ids() {
     let mut page = Page::new();
     page.command(json!({ "op": "new", "shape": "grid", "columns": 60, "rows": 60 }));
     page.press_with(Modifiers::COMMAND, Key::G);
@@ -143,7 +143,7 @@ fn tops(harness: &Harness<'_, RowListState>, from: usize, to: usize) -> Vec<f32>
 }
 
 #[test]
-fn three_million_rows_end_in_the_last_one_and_every_row_has_its_place() {
+fn three_million_rows_scroll_exactly() {
     const ROWS: usize = 3_000_001;
     let mut harness = long_list(ROWS);
     harness.run();

@@ -1,4 +1,4 @@
-//! Edits that follow the pointer, and the last operation done again with other fields.
+//! Edits that follow the pointer, and adjusting the last operation.
 
 use crate::page::Page;
 use egui::{Event, Key, vec2};
@@ -47,7 +47,7 @@ fn extruding_follows_the_pointer_and_is_one_step() {
 }
 
 #[test]
-fn what_is_shown_stays_until_the_pointer_moves() {
+fn the_preview_changes_only_when_the_pointer_moves() {
     let mut page = cube_face();
     page.press_with(egui::Modifiers::SHIFT, Key::I);
     hover(&mut page, vec2(0.0, 0.0));
@@ -106,7 +106,7 @@ fn the_buttons_do_what_the_keys_do() {
 }
 
 #[test]
-fn keys_suit_what_is_selected() {
+fn keys_depend_on_the_selection() {
     let mut page = Page::new();
     page.select("vertex", &[0]);
     page.press(Key::B);
@@ -139,7 +139,7 @@ fn a_split_slides_along_its_edge() {
 }
 
 #[test]
-fn a_live_edit_that_is_refused_says_why_and_ends_in_nothing() {
+fn a_refused_live_edit_says_why_and_changes_nothing() {
     let mut page = Page::new();
     page.command(serde_json::json!({ "op": "new", "shape": "plane" }));
     let before = page.mesh().clone();
@@ -154,7 +154,7 @@ fn a_live_edit_that_is_refused_says_why_and_ends_in_nothing() {
 
 /// A viewport that changes its size under the pointer moves what one is about to click.
 #[test]
-fn what_an_operation_adds_to_the_panel_leaves_the_viewport_its_size() {
+fn the_adjust_panel_does_not_resize_the_viewport() {
     let mut page = Page::new();
     let width = |page: &Page| page.harness.get_by_label("Viewport").rect().width();
     let before = width(&page);

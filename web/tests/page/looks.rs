@@ -1,6 +1,5 @@
-//! Pictures of the page, for people to look at: written to `$CARGO_TARGET_TMPDIR/looks`. What they
-//! are tested for is what a picture alone can show: that the viewport draws the mesh, and that
-//! nothing reaches beyond the window.
+//! Pictures of the page for people to inspect, written to `$CARGO_TARGET_TMPDIR/looks`. The tests check
+//! what only a picture can show: the viewport draws the mesh, and nothing extends beyond the window.
 
 use crate::page::{DESKTOP, PHONE, Page};
 use egui::Theme;
@@ -93,7 +92,7 @@ fn points_without_faces() {
 }
 
 #[test]
-fn a_job_that_has_not_said_how_far_it_is() {
+fn a_job_without_reported_progress() {
     for (theme, size, name) in [(Theme::Dark, DESKTOP, "job dark"), (Theme::Light, PHONE, "job light phone")]
     {
         let mut page = Page::drawn(size, theme);

@@ -1,5 +1,5 @@
-//! The page on the host: panels and viewport driven through the accessibility tree, as a person or a
-//! screen reader would, and pictures of it drawn by a software renderer.
+//! The page on the host: panels and viewport driven through the accessibility tree, as a user or a screen
+//! reader would, and pictures drawn by a software renderer.
 #![cfg(not(target_arch = "wasm32"))]
 
 mod bezier;

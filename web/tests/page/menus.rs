@@ -18,7 +18,7 @@ fn disabled(page: &Page, role: Role, label: &str) -> (bool, Option<String>) {
 }
 
 #[test]
-fn what_cannot_be_done_is_greyed_and_says_why() {
+fn unavailable_actions_are_greyed_with_a_reason() {
     let mut page = Page::new();
     let undo = disabled(&page, Role::Button, "Undo");
     assert_eq!(undo, (true, Some("There is nothing to undo.".to_owned())));
@@ -136,7 +136,7 @@ fn delete_removes_what_is_selected() {
 }
 
 #[test]
-fn a_new_document_is_looked_at_whole() {
+fn a_new_document_is_framed() {
     let mut page = Page::new();
     let view = |page: &mut Page, name: &str| page.app().script().state()["view"][name].clone();
     let start = view(&mut page, "pitch");
@@ -153,7 +153,7 @@ fn a_new_document_is_looked_at_whole() {
 }
 
 #[test]
-fn letters_typed_into_a_field_start_nothing() {
+fn letters_typed_into_a_field_start_no_action() {
     let mut page = Page::new();
     page.select("edge", &[0]);
     page.press_with(CTRL, Key::G);
@@ -221,7 +221,7 @@ fn a_broken_file_changes_nothing_and_says_why() {
 }
 
 #[test]
-fn what_an_import_repaired_can_be_done_another_way() {
+fn an_import_can_be_repaired_with_other_choices() {
     let mut page = Page::new();
     page.open("sound.obj", TRIANGLE);
     assert!(!page.has("Repair import"), "nothing was repaired");
@@ -249,7 +249,7 @@ fn what_an_import_repaired_can_be_done_another_way() {
 }
 
 #[test]
-fn a_page_asked_for_a_model_fetches_and_opens_it() {
+fn a_page_fetches_and_opens_the_model_in_its_address() {
     use meshwright_web::platform::{Event, Fetched, NamedBytes};
     let wanting = || {
         let mut page = Page::wanting(&["https://a.example/tri%20angle.obj?x=1", "colors.mtl"]);

@@ -1,4 +1,4 @@
-//! A page to test: the editor in a harness, with what is outside the page at hand.
+//! A page to test: the editor in a harness, with access to its surroundings.
 
 use egui::accesskit::Role;
 use egui::{Key, Modifiers, Rect, Ui, UiBuilder, Vec2};

@@ -1,4 +1,4 @@
-//! What an operation's form would do, shown while it is filled in.
+//! Previews of operations while their forms are filled in.
 
 use crate::page::{PHONE, Page};
 use egui::accesskit::Role;
@@ -32,7 +32,7 @@ fn smoothing_is_shown_before_it_is_done() {
     page.type_into("Strength", "0.25");
     assert_eq!(page.mesh(), &smoothed(&before, 0.25), "of the mesh as it was, not of the preview");
     assert_eq!(trace(&mut page), steps);
-    assert!(page.has_part("Previewed, not done yet"));
+    assert!(page.has_part("This is a preview"));
 
     // While a field is dragged, too.
     let field = page.harness.get_by_role_and_label(Role::SpinButton, "Strength").rect().center();
@@ -96,7 +96,7 @@ fn a_preview_leaves_no_trace() {
 }
 
 #[test]
-fn what_is_selected_in_a_preview_is_selected_without_it_or_not_at_all() {
+fn a_selection_outlives_a_preview_only_if_ids_keep_their_meaning() {
     let mut page = sphere(2);
     page.choose("Smooth");
     page.row("Vertex 3").click();
@@ -111,7 +111,7 @@ fn what_is_selected_in_a_preview_is_selected_without_it_or_not_at_all() {
 }
 
 #[test]
-fn the_form_counts_from_the_mesh_as_it_was() {
+fn the_form_estimates_from_the_mesh_before_the_preview() {
     let mut page = sphere(2);
     page.choose("Simplify");
     for faces in [64, 96, 40] {
@@ -152,7 +152,7 @@ fn a_form_says_why_there_is_no_preview() {
     let before = page.mesh().clone();
     page.choose("Smooth");
     assert_eq!(page.mesh(), &before);
-    assert!(page.has_part("this mesh takes too long to be shown at every change"));
+    assert!(page.has_part("the operation takes too long to run at every change"));
     // A smaller one is shown, up to what its fields ask for.
     page.command(json!({ "op": "new", "shape": "ico-sphere", "subdivisions": 3 }));
     let before = page.mesh().clone();
@@ -160,7 +160,7 @@ fn a_form_says_why_there_is_no_preview() {
     assert_eq!(page.mesh(), &smoothed(&before, 0.6));
     page.type_into("Iterations", "1000");
     assert_eq!(page.mesh(), &before, "nothing that the fields don't say");
-    assert!(page.has_part("this mesh takes too long"));
+    assert!(page.has_part("the operation takes too long"));
     // Loop's subdivision is of triangles.
     page.command(json!({ "op": "new", "shape": "cube" }));
     page.choose("Subdivide (Loop)");

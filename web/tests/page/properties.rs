@@ -161,7 +161,7 @@ fn a_shape_is_made_with_the_sizes_of_the_form() {
 }
 
 #[test]
-fn a_subdivision_says_how_large_it_gets_and_gets_so() {
+fn a_subdivision_predicts_its_size() {
     let mut page = Page::new();
     page.click("Operation");
     page.click("Subdivide (Catmull-Clark)");
@@ -180,7 +180,7 @@ fn a_subdivision_says_how_large_it_gets_and_gets_so() {
 }
 
 #[test]
-fn what_people_read_is_spelt_one_way() {
+fn texts_use_one_spelling() {
     let american = |text: &str| {
         let text = text.to_lowercase();
         ["color", "neighbor", "center", "gray"].into_iter().find(|word| text.contains(word))

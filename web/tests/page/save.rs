@@ -1,4 +1,4 @@
-//! The dialog that saves.
+//! The save dialog.
 
 use crate::page::Page;
 use egui::{Event, Key, Modifiers};
@@ -55,7 +55,7 @@ fn every_format_is_saved_and_reads_back() {
 }
 
 #[test]
-fn the_name_is_typed_over_and_enter_saves() {
+fn typing_replaces_the_name_and_enter_saves() {
     let mut page = Page::new();
     ask(&mut page, "my cube");
     page.press(Key::Enter);
@@ -79,7 +79,7 @@ fn an_extension_picks_its_format() {
 }
 
 #[test]
-fn a_name_with_nothing_in_it_is_not_saved() {
+fn an_empty_name_is_not_saved() {
     let mut page = Page::new();
     ask(&mut page, ".obj");
     assert!(page.find("Save").accesskit_node().is_disabled());
@@ -90,7 +90,7 @@ fn a_name_with_nothing_in_it_is_not_saved() {
 }
 
 #[test]
-fn what_a_format_cannot_hold_is_said_before_saving() {
+fn losses_are_shown_before_saving() {
     let mut page = Page::new();
     page.command(json!({ "op": "set-face-color", "faces": [0, 1], "color": "#ff0000" }));
     page.press_with(Modifiers::COMMAND, Key::S);
@@ -113,7 +113,7 @@ fn what_a_format_cannot_hold_is_said_before_saving() {
 }
 
 #[test]
-fn what_is_edited_while_a_file_is_written_is_not_saved() {
+fn edits_made_while_a_file_is_written_count_as_unsaved() {
     let mut page = Page::new();
     page.command(json!({ "op": "split-edge", "edge": 0 }));
     page.outside.hold_jobs();

@@ -32,7 +32,7 @@ fn click_at(page: &mut Page, at: Pos2, modifiers: Modifiers) {
 }
 
 #[test]
-fn a_click_selects_what_is_seen_there_and_the_list_shows_it() {
+fn a_click_selects_the_visible_element_and_the_list_shows_it() {
     let mut page = Page::new();
     let (v, at) = nearest_vertex(&mut page);
     click_at(&mut page, at, Modifiers::NONE);
@@ -139,7 +139,7 @@ fn dragging_beside_the_mesh_turns_the_view_and_space_resets_it() {
 }
 
 #[test]
-fn a_box_selects_what_is_seen_in_it() {
+fn a_box_selects_visible_elements() {
     let mut page = Page::new();
     let area = page.find("Viewport").rect();
     page.press_with(Modifiers::SHIFT, Key::B);
@@ -180,7 +180,7 @@ fn a_window_of_1280_by_800_cuts_nothing_off() {
 }
 
 #[test]
-fn a_telephone_has_it_all_within_reach() {
+fn all_controls_are_within_reach_on_a_telephone() {
     let mut page = Page::sized(PHONE);
     let view = page.find("Viewport").rect();
     assert!(view.width() >= 380.0 && view.height() >= 280.0, "the viewport has {view:?}");

@@ -1,4 +1,4 @@
-//! Operations on whole meshes: their keys, their forms, and the last one done again.
+//! Operations on whole meshes: keys, forms, and adjusting the last one.
 
 use crate::page::Page;
 use egui::{Key, Modifiers};
@@ -69,7 +69,7 @@ fn equals_and_minus_change_the_length_that_r_resamples_to() {
 }
 
 #[test]
-fn simplify_is_told_how_far_in_one_of_three_ways() {
+fn simplify_takes_one_of_three_targets() {
     let mut page = sphere();
     page.choose("Simplify");
     assert_eq!(promise(&page), "Result: 160 of 320 triangles");
@@ -104,7 +104,7 @@ fn remeshing_starts_from_the_mesh_s_own_length() {
 }
 
 #[test]
-fn what_remeshing_makes_is_said_beforehand_or_not_at_all() {
+fn remeshing_shows_an_estimate_or_none() {
     // Whether it can be said how much is made, for the mean length and for multiples of it.
     let shapes = [
         (json!({ "op": "new", "shape": "cube" }), [true; 4]),
@@ -146,7 +146,7 @@ fn what_remeshing_makes_is_said_beforehand_or_not_at_all() {
 }
 
 #[test]
-fn merging_is_counted_before_it_is_done() {
+fn merging_counts_the_result_beforehand() {
     let mut page = Page::new();
     page.command(json!({ "op": "new", "shape": "grid", "size": 10.0, "columns": 10, "rows": 10 }));
     page.choose("Merge by distance");
@@ -160,7 +160,7 @@ fn merging_is_counted_before_it_is_done() {
 }
 
 #[test]
-fn every_whole_mesh_operation_has_a_form_that_works_as_it_opens() {
+fn every_whole_mesh_form_works_with_its_initial_values() {
     let names = [
         "Smooth",
         "Subdivide (Catmull-Clark)",
@@ -207,7 +207,7 @@ fn adjusted_job() -> Page {
 }
 
 #[test]
-fn a_job_is_adjusted_from_the_input_that_was_kept() {
+fn a_job_is_adjusted_from_its_original_input() {
     let mut page = adjusted_job();
     assert_eq!(page.mesh().face_count(), 20_480, "what it runs on");
     page.outside.release_jobs();
@@ -219,7 +219,7 @@ fn a_job_is_adjusted_from_the_input_that_was_kept() {
 }
 
 #[test]
-fn an_adjustment_that_is_cancelled_leaves_what_was_adjusted() {
+fn a_cancelled_adjustment_restores_the_last_result() {
     let mut page = adjusted_job();
     page.wait();
     page.click("Cancel Simplify");

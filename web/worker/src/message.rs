@@ -1,7 +1,7 @@
 //! The messages between the worker and the page, as JavaScript values.
 //!
-//! A job and its result travel in a buffer that is transferred, so nobody copies it: the sender copies
-//! its mesh into the buffer, and the receiver copies the mesh out of it. See [`editor::Wire`].
+//! A job and its result travel in a buffer that is transferred, not copied: the sender copies its mesh into
+//! the buffer, and the receiver copies it out. See [`editor::Wire`].
 
 use editor::{BadBytes, CommandError, ErrorKind, JobRequest, JobResult, Wire};
 use js_sys::{Array, Uint8Array};
@@ -11,13 +11,13 @@ use wasm_bindgen::{JsCast, JsValue};
 /// A message from the worker to the page.
 #[derive(Debug)]
 pub enum Message {
-    /// The worker listens: requests sent before this are lost.
+    /// The worker is listening; requests sent earlier are lost.
     Ready,
-    /// A job got further.
+    /// A job made progress.
     Progress {
         /// The number that came with the request.
         job: u64,
-        /// 0 to 1.
+        /// The completed fraction, 0 to 1.
         fraction: f32,
     },
     /// A job is done.
@@ -26,7 +26,7 @@ pub enum Message {
         job: u64,
         /// Its result.
         result: JobResult,
-        /// How large the worker's memory has become in bytes.
+        /// The size of the worker's memory in bytes.
         memory: f64,
     },
     /// A job failed with a reason for the user.
@@ -36,22 +36,22 @@ pub enum Message {
         /// The reason.
         refusal: CommandError,
     },
-    /// One side could not read what the other sent, which can only be a fault of the program.
+    /// One side could not read the other's message, which is always a fault of the program.
     Misunderstood {
         /// The number that came with the request.
         job: u64,
         /// Why.
         reason: String,
     },
-    /// The worker's program failed and runs no more.
+    /// The worker's program panicked and has stopped.
     Crashed {
-        /// What the panic said.
+        /// The panic's message.
         reason: String,
     },
 }
 
 impl Message {
-    /// The value to post, and the list of what to transfer with it.
+    /// The value to post, and the list of objects to transfer with it.
     pub fn to_js(&self) -> (JsValue, JsValue) {
         let message = Array::new();
         let transfer = Array::new();
@@ -83,8 +83,8 @@ impl Message {
         (message.into(), transfer.into())
     }
 
-    /// Reads what [`to_js`](Self::to_js) wrote; `None` for anything else. A result that can't be read
-    /// is [`Message::Misunderstood`].
+    /// Reads a value written by [`to_js`](Self::to_js); `None` for anything else. An unreadable result
+    /// becomes [`Message::Misunderstood`].
     pub fn from_js(value: &JsValue) -> Option<Self> {
         let parts: &Array = value.dyn_ref()?;
         match parts.get(0).as_string()?.as_str() {
@@ -122,11 +122,11 @@ impl Message {
     }
 }
 
-/// A job, ready to be posted to the worker; it lies outside the program's memory.
+/// A job, ready to be posted to the worker, in memory outside the program's own.
 pub struct Request {
     /// The value to post.
     pub value: JsValue,
-    /// The list of what to transfer with it.
+    /// The list of objects to transfer with it.
     pub transfer: JsValue,
 }
 
@@ -138,8 +138,8 @@ impl Request {
         Self { value: Array::of2(&job_to_js(job), &bytes).into(), transfer }
     }
 
-    /// Reads the value that was posted: the job's number, and the job or why it can't be read. `None`
-    /// for anything that is not a request.
+    /// Reads a posted value: the job's number, and the job or why it can't be read. `None` for anything
+    /// that is not a request.
     pub fn read(value: &JsValue) -> Option<(u64, Result<JobRequest, BadBytes>)> {
         let parts: &Array = value.dyn_ref()?;
         let bytes: Uint8Array = parts.get(1).dyn_into().ok()?;
@@ -147,11 +147,11 @@ impl Request {
     }
 }
 
-/// Copies a value into a JavaScript buffer of its own, which can be transferred.
+/// Copies a value into its own JavaScript buffer, which can be transferred.
 fn to_array(value: &impl Wire) -> Uint8Array {
-    // A page has 32-bit addresses.
+    // WebAssembly addresses have 32 bits.
     let array = Uint8Array::new_with_length(u32::try_from(value.byte_len()).unwrap_or(u32::MAX));
-    // The array has room for all of it.
+    // The array is large enough, so writing can't fail.
     let mut out = BufWriter::new(Cursor { array: &array, at: 0 });
     let _ = value.write_to(&mut out).and_then(|()| out.flush());
     drop(out);
@@ -163,8 +163,8 @@ fn from_array<T: Wire>(array: &Uint8Array) -> Result<T, BadBytes> {
     T::read_from(&mut from, array.length() as usize)
 }
 
-/// A place in a JavaScript array. The buffered writer and reader around it collect small blocks, so
-/// that JavaScript isn't called for each, and pass large ones on.
+/// A position in a JavaScript array. The buffered writer and reader around it collect small blocks, to
+/// avoid a JavaScript call for each, and pass large ones on.
 struct Cursor<'a> {
     array: &'a Uint8Array,
     at: u32,
@@ -207,7 +207,7 @@ impl Read for Cursor<'_> {
     }
 }
 
-/// Job numbers count up from 0 and stay far below 2^53.
+/// Job numbers count up from 1 and stay far below 2^53.
 fn job_to_js(job: u64) -> JsValue {
     (job as f64).into()
 }

@@ -30,7 +30,7 @@ pub fn serve() {
         }
     });
     scope.set_onmessage(Some(on_message.as_ref().unchecked_ref()));
-    // The worker lives until the page ends it, and so does its listener.
+    // The listener lives as long as the worker, until the page terminates it.
     on_message.forget();
     post(&scope, &Message::Ready);
 }
@@ -42,7 +42,7 @@ fn run(job: u64, request: Result<JobRequest, BadBytes>, mut tell: impl FnMut(&Me
         Err(reason) => return Message::Misunderstood { job, reason: reason.to_string() },
     };
     let mut throttle = Throttle::new(Date::now());
-    // The page stops a job by ending the worker.
+    // The page cancels a job by terminating the worker.
     let result = request.run(&mut |fraction| {
         if throttle.allows(Date::now()) {
             tell(&Message::Progress { job, fraction });
@@ -51,7 +51,7 @@ fn run(job: u64, request: Result<JobRequest, BadBytes>, mut tell: impl FnMut(&Me
     });
     match result {
         Ok(mut result) => {
-            // Here, because it would hold up the page.
+            // Validates here, because validating in the page would block it.
             result.validate();
             Message::Done { job, result, memory: memory() }
         }
@@ -61,11 +61,11 @@ fn run(job: u64, request: Result<JobRequest, BadBytes>, mut tell: impl FnMut(&Me
 
 fn post(scope: &DedicatedWorkerGlobalScope, message: &Message) {
     let (value, transfer) = message.to_js();
-    // Fails only where the page has gone, and then nobody is left to tell.
+    // Fails only if the page is gone, and then there is no receiver.
     let _ = scope.post_message_with_transfer(&value, &transfer);
 }
 
-/// How large the program's memory has become in bytes; it never shrinks.
+/// The size of the program's memory in bytes; it never shrinks.
 fn memory() -> f64 {
     let memory: js_sys::WebAssembly::Memory = wasm_bindgen::memory().unchecked_into();
     let buffer: js_sys::ArrayBuffer = memory.buffer().unchecked_into();

@@ -1,25 +1,26 @@
-//! How often a job's progress is told.
+//! How often a job's progress is reported.
 
-/// Lets progress through about 20 times a second, so that a job that reports a million times does
-/// not spend its time, and the page's, on messages.
+/// Passes progress about 20 times a second, so that a job that reports a million times does not spend its
+/// time, and the page's, on messages.
 #[derive(Clone, Copy, Debug)]
 pub struct Throttle {
     last: f64,
 }
 
-/// The least time between two messages in milliseconds.
-const INTERVAL: f64 = 50.0;
+/// The shortest time between two messages, in milliseconds.
+const INTERVAL_MILLISECONDS: f64 = 50.0;
 
 impl Throttle {
-    /// Nothing goes through in the first interval after `now`, in milliseconds: a job that is
-    /// over by then needs no progress.
+    /// Nothing passes in the first interval after `now`, in milliseconds: a job that ends by then needs no
+    /// progress.
     pub fn new(now: f64) -> Self {
         Self { last: now }
     }
 
-    /// Whether to tell now, in milliseconds. A clock that is set back only delays the next time.
+    /// Whether to report at `now`, in milliseconds. If the clock is set back, that only delays the next
+    /// report.
     pub fn allows(&mut self, now: f64) -> bool {
-        if now - self.last < INTERVAL && now >= self.last {
+        if now - self.last < INTERVAL_MILLISECONDS && now >= self.last {
             return false;
         }
         self.last = now;
@@ -32,14 +33,14 @@ mod tests {
     use super::*;
 
     #[test]
-    fn lets_one_through_per_interval() {
+    fn passes_one_per_interval() {
         let mut throttle = Throttle::new(1000.0);
         let told: Vec<u32> = (0..=200).filter(|t| throttle.allows(1000.0 + f64::from(*t))).collect();
         assert_eq!(told, [50, 100, 150, 200]);
     }
 
     #[test]
-    fn a_clock_that_is_set_back_does_not_silence_it() {
+    fn a_clock_set_back_does_not_silence_it() {
         let mut throttle = Throttle::new(1_000_000.0);
         assert!(throttle.allows(10.0));
         assert!(!throttle.allows(59.0));

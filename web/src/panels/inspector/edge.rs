@@ -1,4 +1,4 @@
-//! An edge: its ends, length, sides, and where to split it.
+//! The inspector of an edge: its ends, length and faces, and where to split it.
 
 use super::table::InspectorState;
 use super::table::{fact, facts, measured, pointer};
@@ -31,7 +31,7 @@ pub(super) fn show(ui: &mut Ui, page: &Page<'_>, id: u32, own: &mut InspectorSta
             "Where the edge's first half-edge starts",
         );
         pointer(ui, out, "To", Some((Element::Vertex, b.raw())), "", "Where the edge's first half-edge ends");
-        fact(ui, "Length", measured(length), "The distance between its ends");
+        fact(ui, "Length", measured(length), "The distance between the edge's ends");
         for (name, side) in ["Half-edge", "Twin"].into_iter().zip(sides) {
             pointer(
                 ui,
@@ -45,15 +45,15 @@ pub(super) fn show(ui: &mut Ui, page: &Page<'_>, id: u32, own: &mut InspectorSta
         for (name, face) in ["Left face", "Right face"].into_iter().zip(faces) {
             pointer(ui, out, name, face, "boundary", "The face on this side of the edge");
         }
-        fact(ui, "Boundary", if boundary { "yes" } else { "no" }, "Whether one side has no face");
+        fact(ui, "Boundary", if boundary { "yes" } else { "no" }, "Whether one side of the edge has no face");
         if crease > 0.0 {
-            fact(ui, "Crease", measured(crease), "How sharp subdivision keeps the edge; 10 is fully sharp");
+            fact(ui, "Crease", measured(crease), "The sharpness in subdivision; 10 is fully sharp");
         }
     });
     split_form(ui, page, own, out);
 }
 
-/// The split, with where and how; for all selected edges.
+/// The form for splitting all selected edges: where, and how to cut the faces.
 pub(super) fn split_form(ui: &mut Ui, page: &Page<'_>, own: &mut InspectorState, out: &mut Requests) {
     let id = OpId::SplitEdge;
     let action = Action::Operation(id);
@@ -66,7 +66,7 @@ pub(super) fn split_form(ui: &mut Ui, page: &Page<'_>, own: &mut InspectorState,
         let slider = Slider::new(&mut t, 0.01..=0.99).max_decimals(3);
         ui.add(slider)
             .labelled_by(label.id)
-            .on_hover_text("How far along the edge the new vertex is, between its ends");
+            .on_hover_text("The position of the new vertex, as a fraction of the edge's length");
     });
     let why_not = page.why_not(action);
     ui.horizontal(|ui| {
@@ -81,7 +81,7 @@ pub(super) fn split_form(ui: &mut Ui, page: &Page<'_>, own: &mut InspectorState,
         combo
             .response
             .accessible_name("Cut")
-            .on_hover_text("Which faces beside the edge are cut from the new vertex");
+            .on_hover_text("The faces beside the edge to cut from the new vertex");
         let button = ui.add_enabled(why_not.is_none(), egui::Button::new(id.spec().label));
         if explain(button, ui, &actions::of_operation(id), why_not.as_deref()).clicked() {
             out.run(SplitEdge { edge: None, t, connect });

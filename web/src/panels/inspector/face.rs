@@ -1,4 +1,4 @@
-//! A face: its corners, area, normal and colour.
+//! The inspector of a face: its corners, area, normal and colour.
 
 use super::table::{fact, facts, links, measured, pointer};
 use crate::page_view::Page;
@@ -30,8 +30,8 @@ pub(super) fn show(ui: &mut Ui, page: &Page<'_>, id: u32, out: &mut Requests) {
     face_color(ui, page, color, out);
     facts(ui, "face facts", |ui| {
         fact(ui, "Area", measured(area.length() as f32), "The area of the polygon, in square mesh units");
-        fact(ui, "Normal", direction(normal), "The direction the face looks in");
-        fact(ui, "Corners", corners.len().to_string(), "How many corners the face has");
+        fact(ui, "Normal", direction(normal), "The direction the face points in");
+        fact(ui, "Corners", corners.len().to_string(), "The number of the face's corners");
         let meaning = "The face's first half-edge, which leaves its first corner";
         pointer(ui, out, "Half-edge", Some((Element::Halfedge, first)), "", meaning);
         if let Some(group) = group {
@@ -45,7 +45,7 @@ pub(super) fn show(ui: &mut Ui, page: &Page<'_>, id: u32, out: &mut Requests) {
     links(ui, out, "Half-edges", Element::Halfedge, &sides);
 }
 
-/// The colour of all selected faces. Picking is a preview until the button is let go.
+/// The colour of all selected faces. Picking shows a preview until the button is released.
 fn face_color(ui: &mut Ui, page: &Page<'_>, color: Color, out: &mut Requests) {
     ui.horizontal(|ui| {
         ui.label(RichText::new("Colour").weak());

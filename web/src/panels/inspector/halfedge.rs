@@ -1,4 +1,4 @@
-//! A half-edge: all its pointers as links.
+//! The inspector of a half-edge, with links for all its pointers.
 
 use super::table::InspectorState;
 use super::table::{fact, facts, measured, pointer};
@@ -21,11 +21,18 @@ pub(super) fn show(ui: &mut Ui, page: &Page<'_>, id: u32, own: &mut InspectorSta
         let half = |id| Some((Element::Halfedge, id));
         let vertex = |id| Some((Element::Vertex, id));
         pointer(ui, out, "Next", half(next), "", "The next half-edge around the face, or along the boundary");
-        pointer(ui, out, "Previous", half(prev), "", "The half-edge before it");
-        pointer(ui, out, "Twin", half(twin), "", "The other side of the same edge, the other way");
+        pointer(
+            ui,
+            out,
+            "Previous",
+            half(prev),
+            "",
+            "The previous one around the face, or along the boundary",
+        );
+        pointer(ui, out, "Twin", half(twin), "", "The opposite half-edge of the same edge");
         pointer(ui, out, "Vertex", vertex(to.raw()), "", "The vertex it points to");
         pointer(ui, out, "From", vertex(from.raw()), "", "The vertex it leaves");
-        pointer(ui, out, "Edge", Some((Element::Edge, edge)), "", "The edge it is a side of");
+        pointer(ui, out, "Edge", Some((Element::Edge, edge)), "", "The edge that it belongs to");
         pointer(ui, out, "Face", face, "none (boundary)", "The face to its left");
         fact(ui, "Length", measured(length), "The length of its edge");
     });

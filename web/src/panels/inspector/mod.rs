@@ -1,4 +1,4 @@
-//! The inspector: everything about the selected element, and what can be done with it.
+//! The inspector: the properties of the selected element, and the operations on it.
 
 mod edge;
 mod face;
@@ -21,7 +21,7 @@ use crate::panels::fields;
 use crate::panels::menu_bar::explain;
 use crate::request::Requests;
 
-/// Operations that the inspector has controls of its own for, further up.
+/// Operations that have their own controls higher up in the inspector.
 const SHOWN_ALREADY: [OpId; 3] = [OpId::SetVertexPosition, OpId::SetFaceColor, OpId::SplitEdge];
 
 pub(crate) fn show(ui: &mut Ui, page: &Page<'_>, own: &mut InspectorState, out: &mut Requests) {
@@ -64,8 +64,8 @@ fn empty_inspector(ui: &mut Ui, page: &Page<'_>) {
     ui.add(Label::new(RichText::new(hint).weak()).wrap());
 }
 
-/// One button for each operation that works on this kind, greyed with the reason where this
-/// element is none it works on.
+/// A button for each operation on this kind of element. If the operation doesn't work on this element, the
+/// button is greyed with the reason.
 fn edit_buttons(ui: &mut Ui, page: &Page<'_>, kind: Element, out: &mut Requests) {
     let ids: Vec<OpId> = actions::mesh_operations()
         .filter(|id| id.spec().applies_to(kind) && !SHOWN_ALREADY.contains(id))

@@ -9,13 +9,13 @@ use crate::lists::columns::element_name;
 use crate::request::{Request, Requests};
 use crate::theme::TOUCH_TARGET;
 
-/// The values that are being typed into the inspector.
+/// Values being entered in the inspector.
 #[derive(Default)]
 pub(crate) struct InspectorState {
-    /// Where along an edge the split button puts the vertex.
+    /// The position at which the split button adds the vertex, as a fraction of the edge.
     pub t: Option<f32>,
     pub connect: Option<Connect>,
-    /// How many quads lie along a side of each patch that the Bezier panel tessellates.
+    /// The number of quads along a side of each patch, for tessellation in the Bezier panel.
     pub tessellation: Option<u32>,
 }
 
@@ -26,7 +26,7 @@ pub(super) fn fact(ui: &mut Ui, name: &str, value: impl Into<String>, meaning: &
     ui.end_row();
 }
 
-/// A name and a link that selects what it points to.
+/// A name, and a link that selects the element pointed to.
 pub(super) fn pointer(
     ui: &mut Ui,
     out: &mut Requests,
@@ -45,7 +45,7 @@ pub(super) fn pointer(
     ui.end_row();
 }
 
-/// A link that selects an element; the viewport shows it while the pointer is over the link.
+/// A link that selects an element; the viewport highlights the element while the pointer is over the link.
 pub(super) fn link(ui: &mut Ui, out: &mut Requests, name: &str, kind: Element, id: u32) {
     let text = element_name(kind, id);
     let link = ui.link(&text).on_hover_text(format!("Select {}", text.to_lowercase()));
@@ -60,12 +60,12 @@ pub(super) fn link(ui: &mut Ui, out: &mut Requests, name: &str, kind: Element, i
 
 /// Links to several elements, in lines as wide as the panel.
 pub(super) fn links(ui: &mut Ui, out: &mut Requests, name: &str, kind: Element, ids: &[u32]) {
-    /// More would push everything else off the panel.
-    const MOST: usize = 24;
+    /// More links would push everything else out of the panel.
+    const MAX_LINKS: usize = 24;
     ui.label(RichText::new(format!("{name} ({})", ids.len())).weak());
     ui.horizontal_wrapped(|ui| {
         ui.spacing_mut().item_spacing = vec2(6.0, 2.0);
-        for &id in ids.iter().take(MOST) {
+        for &id in ids.iter().take(MAX_LINKS) {
             let link = ui.link(RichText::new(id.to_string()).monospace());
             link.clone().accessible_name(element_name(kind, id));
             if link.hovered() {
@@ -75,7 +75,7 @@ pub(super) fn links(ui: &mut Ui, out: &mut Requests, name: &str, kind: Element, 
                 out.select(kind, [id], SelectMode::Replace);
             }
         }
-        if ids.len() > MOST {
+        if ids.len() > MAX_LINKS {
             ui.label(RichText::new("…").weak());
         }
     });
@@ -92,7 +92,7 @@ pub(super) fn facts(ui: &mut Ui, name: &str, add: impl FnOnce(&mut Ui)) {
         .show(ui, add);
 }
 
-/// A measured number with as many digits as are worth reading.
+/// A measured number with a readable number of digits.
 pub(super) fn measured(value: f32) -> String {
     let size = value.abs();
     if size != 0.0 && !(1e-4..1e7).contains(&size) { format!("{value:.5e}") } else { format!("{value:.6}") }

@@ -1,4 +1,4 @@
-//! A vertex: its position in spin boxes, its half-edge, its neighbours.
+//! The inspector of a vertex: its position in spin boxes, its half-edge and its neighbours.
 
 use super::table::{fact, facts, links, pointer};
 use crate::page_view::Page;
@@ -46,7 +46,7 @@ pub(super) fn show(ui: &mut Ui, page: &Page<'_>, id: u32, out: &mut Requests) {
             "none",
             "A half-edge that leaves the vertex, a boundary one if there is one",
         );
-        fact(ui, "Valence", valence.to_string(), "How many edges the vertex has");
+        fact(ui, "Valence", valence.to_string(), "The number of the vertex's edges");
         fact(ui, "Boundary", boundary, "Whether the vertex is on a boundary loop");
     });
     links(ui, out, "Outgoing half-edges", Element::Halfedge, &outgoing);
@@ -54,7 +54,7 @@ pub(super) fn show(ui: &mut Ui, page: &Page<'_>, id: u32, out: &mut Requests) {
     links(ui, out, "Faces", Element::Face, &faces);
 }
 
-/// x, y and z as in the file. A drag or a typed number is one undo step.
+/// The spin boxes for x, y and z as in the file. A drag or a typed number is one undo step.
 fn position_boxes(ui: &mut Ui, page: &Page<'_>, id: u32, position: Vec3, out: &mut Requests) {
     let speed = page.view.drag_speed();
     let offset = page.editor.document().offset();
@@ -74,7 +74,7 @@ fn position_boxes(ui: &mut Ui, page: &Page<'_>, id: u32, position: Vec3, out: &m
             let spin = ui.add_sized(vec2(width.max(40.0), ui.spacing().interact_size.y), drag);
             let spin = spin.accessible_name(format!("Position {axis}"));
             changed |= spin.changed();
-            // Typed numbers, and steps of assistive tools, are whole edits of their own.
+            // A typed number, or a step by an assistive tool, is an edit of its own.
             done |= spin.drag_stopped() || (spin.changed() && !spin.dragged());
             spin.on_hover_text(format!("Position along {axis}: drag, or click to type"));
         }

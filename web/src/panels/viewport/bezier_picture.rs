@@ -1,4 +1,4 @@
-//! Curves, control points and the construction, drawn over the picture.
+//! The drawing of curves, control points and the construction over the picture.
 
 use crate::bezier::{self, ControlPoint, Drawn, Player, active};
 use crate::theme;
@@ -9,16 +9,16 @@ use egui::{Align2, Color32, FontId, Painter, Pos2, Rect, Shape, Stroke, Ui, vec2
 use glam::Vec3;
 use surface::bezier::{Curve, Patch};
 
-/// Up to this many control points have their numbers beside them.
-const MOST_NUMBERS: usize = 24;
+/// The largest number of control points that are labelled with their indices.
+const MAX_NUMBERED_POINTS: usize = 24;
 
-/// Of more control points than this, those of other patches than the chosen one are drawn small.
-const MOST_LARGE: usize = 64;
+/// With more control points than this, those of other patches than the chosen one are drawn small.
+const MAX_LARGE_POINTS: usize = 64;
 
-/// Of more control points than this, a curve's are drawn small.
-const MOST_LARGE_OF_CURVE: usize = 500;
+/// With more control points than this, those of a curve are drawn small.
+const MAX_LARGE_CURVE_POINTS: usize = 500;
 
-/// What draws: the painter, and where things are on the page.
+/// The painter, with the mapping from the scene to the page.
 struct Pen<'a> {
     view: &'a View,
     player: &'a Player,
@@ -31,7 +31,7 @@ impl Pen<'_> {
         self.view.project(point)
     }
 
-    /// A line through points, with gaps where it passes behind the eye.
+    /// A polyline, with gaps where it passes behind the eye.
     fn line(&self, points: &[Vec3], stroke: Stroke) {
         let mut run = Vec::with_capacity(points.len());
         let draw = |run: &mut Vec<Pos2>| {
@@ -55,15 +55,15 @@ impl Pen<'_> {
         }
     }
 
-    /// The colour of a level: from blue over violet to red at the point itself.
+    /// The colour of a level: from blue via violet to red for the last one.
     fn level_color(&self, level: usize, last: usize) -> Color32 {
         let along = level as f32 / last.max(1) as f32;
         let brightness = if self.dark { 0.95 } else { 0.72 };
         Hsva::new(0.58 + 0.42 * along, 0.7, brightness, 1.0).into()
     }
 
-    /// The levels from the second on, the first being the points that they start from. The last one
-    /// that is drawn is strong.
+    /// The levels from the second on; the first consists of the points that the construction starts from.
+    /// The last level drawn is emphasised.
     fn levels(&self, levels: &[Vec<Vec3>], shown: usize, first: usize, last: usize) {
         for (at, points) in levels.iter().enumerate().skip(1).take(shown) {
             self.level(points, self.level_color(first + at, last), at == shown);
@@ -116,7 +116,7 @@ impl Pen<'_> {
             return;
         }
         if player.controls.level == last && !player.controls.whole {
-            // As far as the construction has come.
+            // The part of the curve up to the construction.
             self.line(&curve.polyline(player.controls.t), Stroke::new(2.5, strong));
         }
         let first = Curve { points: curve.level(drawn.level, player.controls.t, drawn.level_stride) };
@@ -150,7 +150,7 @@ impl Pen<'_> {
             self.levels(levels, rows, 0, bezier::SURFACE_LEVELS);
         }
         if rows == 3 {
-            // The curve that the rows' results are the control points of: it runs over the surface.
+            // The curve over the surface whose control points are the results of the rows.
             let column = Curve { points: construction.column.first().cloned().unwrap_or_default() };
             let color = self.level_color(3, bezier::SURFACE_LEVELS);
             self.line(&column.points, Stroke::new(1.25, color));
@@ -164,9 +164,9 @@ impl Pen<'_> {
         let [r, g, b] = theme::viewport(ui.visuals()).selected.0;
         let selected = Color32::from_rgb(r, g, b);
         let points = player.points(bezier);
-        let crowded = points.len() > MOST_LARGE;
-        let large = points.len() <= MOST_LARGE_OF_CURVE;
-        let numbered = points.len() <= MOST_NUMBERS && bezier.curve().is_some();
+        let crowded = points.len() > MAX_LARGE_POINTS;
+        let large = points.len() <= MAX_LARGE_CURVE_POINTS;
+        let numbered = points.len() <= MAX_NUMBERED_POINTS && bezier.curve().is_some();
         let plain = ui.visuals().hyperlink_color;
         for (point, position) in points {
             let Some(at) = self.at(position) else { continue };

@@ -1,4 +1,4 @@
-//! Control points under the pointer: dragged, added and taken away.
+//! Picking, dragging, adding and deleting control points in the viewport.
 
 use crate::bezier::{ControlPoint, Player, active, is_flat};
 use crate::view::View;
@@ -7,10 +7,10 @@ use editor::{Command, Editor};
 use egui::Pos2;
 use glam::{Vec3, vec2};
 
-/// How far from a control point the pointer may be to mean it, in points.
+/// The radius around the pointer in which a control point is picked, in points.
 const PICK_RADIUS_POINTS: f32 = 11.0;
 
-/// The command that puts a control point somewhere.
+/// The command that moves a control point to a position.
 pub(crate) fn moved(point: ControlPoint, to: Vec3) -> Command {
     let none = BezierMovePoint { point: None, patch: None, row: None, column: None, position: to.to_array() };
     let [id, row_id, column_id] = match point {
@@ -25,8 +25,8 @@ pub(crate) fn moved(point: ControlPoint, to: Vec3) -> Command {
     .into()
 }
 
-/// The control point at a place on the page, with where it is; the nearest to the eye of those
-/// that lie as near.
+/// The control point at a place on the page, with its position. Of several at the same distance, the one
+/// nearest to the eye is picked.
 pub(crate) fn control_point_at(
     editor: &Editor,
     view: &View,
@@ -52,8 +52,8 @@ pub(crate) fn control_point_at(
     best.map(|(_, _, point, position)| (point, position))
 }
 
-/// Where a point goes that is dragged from one place on the page to another: in the plane that
-/// faces the eye, or in its own where the curve is flat.
+/// The position of a point dragged from one place on the page to another: in the plane parallel to the
+/// screen or, for a flat curve, in the curve's plane.
 pub(crate) fn dragged_to(editor: &Editor, view: &View, anchor: Vec3, from: Pos2, to: Pos2) -> Vec3 {
     let flat = active(editor).and_then(|(_, bezier)| bezier.curve()).is_some_and(is_flat);
     let seen = view.project(anchor).unwrap_or(from);
@@ -64,8 +64,8 @@ pub(crate) fn dragged_to(editor: &Editor, view: &View, anchor: Vec3, from: Pos2,
     view.camera.drag(anchor, vec2(by.x, by.y), view.size())
 }
 
-/// Where the line of sight through a place on the page meets the plane z = 0; none where it runs
-/// along it.
+/// The point where the line of sight through a place on the page meets the plane z = 0; none if the line is
+/// parallel to the plane.
 fn on_plane(view: &View, at: Pos2) -> Option<Vec3> {
     let corner = view.rect().min;
     let ray = view.camera.ray(vec2(at.x - corner.x, at.y - corner.y), view.size());
@@ -75,8 +75,8 @@ fn on_plane(view: &View, at: Pos2) -> Option<Vec3> {
     seen.then(|| Vec3::new(hit.x, hit.y, 0.0))
 }
 
-/// Adds a control point to the active curve where the person points: between two others on the
-/// line between them, or else after the last.
+/// Adds a control point to the active curve at the pointer: between two points if the pointer is on the
+/// line between them, else after the last point.
 pub(crate) fn add_control_point_at(editor: &Editor, view: &View, at: Pos2) -> Option<BezierInsertPoint> {
     let curve = active(editor).and_then(|(_, bezier)| bezier.curve())?;
     let mut nearest: Option<(f32, usize, Vec3)> = None;
@@ -112,7 +112,7 @@ pub(crate) fn add_control_point(editor: &Editor, player: &Player) -> Option<Bezi
     let &point = curve.points.get(after)?;
     let place = match (curve.points.get(after + 1), after.checked_sub(1).and_then(|i| curve.points.get(i))) {
         (Some(&next), _) => point.midpoint(next),
-        // As far on as it is from the one before.
+        // Continues the last step between two points.
         (None, Some(&before)) => point + (point - before),
         (None, None) => point + Vec3::X,
     };

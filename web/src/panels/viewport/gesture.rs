@@ -1,4 +1,4 @@
-//! What the pointer does in the viewport: turn, move, come closer, select, drag vertices.
+//! Gestures in the viewport: orbit, pan, zoom, select, and drag vertices.
 
 use editor::SelectMode;
 use editor::ops::{SetVertexPosition, Transform, VertexRef};
@@ -13,7 +13,7 @@ use crate::bezier::ControlPoint;
 use crate::request::{Request, Requests};
 use crate::view::{FACES_PER_FRAME, Gesture, Tool};
 
-/// How far from a vertex or an edge the pointer may be to mean it, in points.
+/// The radius around the pointer in which a vertex or an edge is picked, in points.
 const PICK_RADIUS_POINTS: f32 = 8.0;
 
 impl Viewport<'_> {
@@ -21,7 +21,7 @@ impl Viewport<'_> {
         let touches = ui.input(|input| input.multi_touch());
         let pointer = response.interact_pointer_pos();
         if let Some(touch) = touches.filter(|_| response.dragged() || response.contains_pointer()) {
-            // Two fingers: whatever one finger had begun is over.
+            // A second finger ends whatever one finger had begun.
             self.end_gesture(None, out);
             self.view.gesture = Gesture::Ended;
             let size = self.view.size();
@@ -94,7 +94,7 @@ impl Viewport<'_> {
         };
     }
 
-    /// Where the selected vertex under the pointer is: dragging it moves what is selected.
+    /// The position of the selected vertex under the pointer: dragging it moves the selection.
     fn movable(&mut self, at: Pos2) -> Option<Vec3> {
         let selection = self.session.editor.selection();
         if self.session.live.is_some()
@@ -133,7 +133,7 @@ impl Viewport<'_> {
                     out.update_edit(control_points::moved(point, to));
                 }
             }
-            // A hand that holds still changes nothing.
+            // Without a movement there is nothing to change.
             (&Gesture::Move { from, anchor }, Some(at)) if response.drag_delta() != egui::Vec2::ZERO => {
                 let delta = vec2(at.x - from.x, at.y - from.y);
                 let to = self.view.camera.drag(anchor, delta, size);
@@ -145,7 +145,7 @@ impl Viewport<'_> {
         }
     }
 
-    /// Previews the selected vertices moved along with the one under the pointer.
+    /// Previews a move of the selected vertices along with the one under the pointer.
     fn move_selected(&self, to: Vec3, by: Vec3, out: &mut Requests) {
         let selection = self.session.editor.selection();
         match (selection.len(), selection.latest()) {
@@ -160,7 +160,7 @@ impl Viewport<'_> {
         }
     }
 
-    /// Ends the drag, at a place with or without shift, or without a trace.
+    /// Ends the drag at a place, with or without Shift; without a place, cancels it.
     fn end_gesture(&mut self, at: Option<(Pos2, bool)>, out: &mut Requests) {
         match (std::mem::replace(&mut self.view.gesture, Gesture::None), at) {
             (Gesture::Move { .. } | Gesture::Control { .. }, Some(_)) => out.push(Request::CommitEdit),
@@ -186,9 +186,9 @@ impl Viewport<'_> {
         }
     }
 
-    /// Finds what is under the pointer, when the pointer or the view moved.
+    /// Finds the element under the pointer if the pointer or the view moved.
     fn hover(&mut self, ui: &Ui, response: &Response) {
-        // A live edit's pointer gives an amount and points at nothing.
+        // During an edit that follows the pointer, the pointer sets an amount and picks nothing.
         let going = self.view.gesture != Gesture::None || self.session.live.is_some();
         let at = response.hover_pos().filter(|_| !going && !response.is_pointer_button_down_on());
         let Some(at) = at else {
@@ -205,7 +205,7 @@ impl Viewport<'_> {
         }
         let active = self.session.editor.document().active().filter(|object| object.visible());
         if active.is_some_and(|object| !self.view.build_tree_step(object)) {
-            // Looked at again in the next frame, with more of the tree.
+            // The next frame continues, with more of the tree built.
             ui.ctx().request_repaint();
             return;
         }
@@ -234,7 +234,7 @@ impl Viewport<'_> {
             .map(|picked| picked.id)
     }
 
-    /// Begins to select the visible elements of the listed kind in a box of the page.
+    /// Begins to select the visible elements of the listed kind in a box on the page.
     fn start_box(&mut self, area: Rect, extend: bool) {
         let Some(object) = self.session.editor.document().active().filter(|object| object.visible()) else {
             return;
@@ -245,7 +245,7 @@ impl Viewport<'_> {
         self.view.boxed = Some((object.id(), found, extend));
     }
 
-    /// Looks what else is in the box: of a small mesh all of it, else some elements in each frame.
+    /// Continues a box selection: all of a small mesh at once, of a large one some elements per frame.
     fn continue_box(&mut self, ui: &Ui, out: &mut Requests) {
         let Some((id, mut boxed, extend)) = self.view.boxed.take() else { return };
         let Some(object) = self.session.editor.document().active().filter(|object| object.id() == id) else {
@@ -290,7 +290,7 @@ impl Viewport<'_> {
                 };
                 out.select(kind, [id], mode);
             }
-            // With a modifier held, a near miss should not throw the selection away.
+            // With a modifier held, a near miss should not clear the selection.
             None if !modifiers.command && !modifiers.shift => out.push(Request::Deselect),
             None => {}
         }

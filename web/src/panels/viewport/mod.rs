@@ -1,4 +1,4 @@
-//! The viewport: the picture, and what the pointer does in it.
+//! The viewport: the picture and the gestures in it.
 
 mod bezier_picture;
 pub(crate) mod control_points;
@@ -17,7 +17,7 @@ use crate::shown::Shown;
 use crate::theme;
 use crate::view::{View, picture};
 
-/// What the viewport reads and changes.
+/// The state that the viewport reads and changes.
 pub(crate) struct Viewport<'a> {
     pub session: &'a Session,
     pub shown: &'a Shown,
@@ -26,7 +26,7 @@ pub(crate) struct Viewport<'a> {
 }
 
 impl Viewport<'_> {
-    /// What panels would read.
+    /// The state that panels read.
     fn page(&self) -> Page<'_> {
         Page {
             session: self.session,
@@ -37,7 +37,7 @@ impl Viewport<'_> {
         }
     }
 
-    /// Draws the viewport and turns what the pointer does into requests.
+    /// Draws the viewport and turns gestures into requests.
     pub fn show(mut self, ui: &mut Ui, out: &mut Requests) {
         let rect = ui.available_rect_before_wrap();
         self.view.rect = rect;

@@ -1,5 +1,5 @@
-//! What is written and drawn over the picture: the axes, the box being drawn, the info overlay, and
-//! what to do where there is nothing to see.
+//! The overlays on the picture: the axes, the selection box, the info overlay, and what to do if there is
+//! nothing to see.
 
 use egui::{Align2, Color32, FontId, Pos2, Rect, RichText, Stroke, StrokeKind, Ui, vec2};
 use glam::DVec3;
@@ -11,7 +11,7 @@ use crate::panels::fields::selection_words;
 use crate::theme;
 use crate::view::Tool;
 
-/// Draws what lies over the picture.
+/// Draws the overlays.
 pub(super) fn paint(ui: &mut Ui, rect: Rect, page: &Page<'_>) {
     let pointer = ui.input(|input| input.pointer.latest_pos());
     if let Some(area) = page.view.selection_box(pointer) {
@@ -33,13 +33,18 @@ pub(super) fn paint(ui: &mut Ui, rect: Rect, page: &Page<'_>) {
         );
     }
     if page.view.picture.is_none() {
-        say_in_middle(ui, rect, "No graphics", "This viewport can't draw here; lists and inspector work.");
+        say_in_middle(
+            ui,
+            rect,
+            "No graphics",
+            "The viewport can't draw here; lists and inspector still work.",
+        );
     } else if page.editor.document().objects().is_empty() {
         say_in_middle(
             ui,
             rect,
             "Nothing to see yet",
-            "Drop an OBJ file here, press Ctrl+O, paste OBJ text, or make a shape.",
+            "Drop an OBJ file here, press Ctrl+O, paste OBJ text, or create a shape.",
         );
     }
     axes(ui, rect, page);
@@ -58,7 +63,7 @@ fn say_in_middle(ui: &mut Ui, rect: Rect, title: &str, hint: &str) {
     });
 }
 
-/// The directions of x, y and z, as the camera sees them.
+/// The directions of x, y and z as the camera sees them.
 fn axes(ui: &Ui, rect: Rect, page: &Page<'_>) {
     if rect.width() < 160.0 || rect.height() < 120.0 {
         return;
@@ -75,7 +80,7 @@ fn axes(ui: &Ui, rect: Rect, page: &Page<'_>) {
             (axis.dot(forward), tip, name, color)
         })
         .collect();
-    // Farther ones first, so that nearer ones cover them.
+    // Distant arms first, so that nearer ones cover them.
     arms.sort_by(|a, b| b.0.total_cmp(&a.0));
     for (_, tip, name, color) in arms {
         ui.painter().line_segment([center, tip], Stroke::new(2.0, color));
@@ -84,7 +89,7 @@ fn axes(ui: &Ui, rect: Rect, page: &Page<'_>) {
     }
 }
 
-/// What is under the pointer, what is selected, and how one looks at it.
+/// Describes the element under the pointer, the selection and the view.
 fn info(ui: &Ui, rect: Rect, page: &Page<'_>) {
     let mut lines = Vec::new();
     let mesh = page.editor.mesh();
@@ -115,7 +120,7 @@ fn info(ui: &Ui, rect: Rect, page: &Page<'_>) {
     label(ui, rect.left_top() + vec2(12.0, 12.0), Align2::LEFT_TOP, &lines.join("\n"));
 }
 
-/// Text on a plate, readable over any picture.
+/// Text on a background plate that is readable over any picture.
 fn label(ui: &Ui, at: Pos2, anchor: Align2, text: &str) {
     let font = FontId::proportional(12.0);
     let galley = ui.painter().layout_no_wrap(text.to_owned(), font, ui.visuals().text_color());

@@ -14,21 +14,21 @@ use web_sys::{
 use super::inbox::{Inbox, describe};
 use crate::platform::{Event, Fetched, NamedBytes};
 
-/// The program's memory ends at 4 GiB, and a larger copy would be a crash.
-const LARGEST: usize = 2 << 30;
+/// WebAssembly memory ends at 4 GiB; a larger copy would crash the page.
+const MAX_FETCHED_BYTES: usize = 2 << 30;
 
-/// How much of the job fetching is; opening is the rest.
-const SHARE: f64 = 0.5;
+/// The share of the job's progress that fetching takes; opening takes the rest.
+const FETCH_SHARE: f64 = 0.5;
 
-/// Each `model` of the page's address.
+/// The values of `model` in the page's address.
 pub fn wanted() -> Option<Vec<String>> {
     let search = web_sys::window()?.location().search().ok()?;
     let all = UrlSearchParams::new_with_str(&search).ok()?.get_all("model");
-    // `?model=` alone asks for nothing, not for the page itself.
+    // An empty `?model=` asks for nothing; it must not fetch the page itself.
     Some(all.iter().filter_map(|value| value.as_string()).filter(|value| !value.trim().is_empty()).collect())
 }
 
-/// What is being fetched.
+/// The fetches in progress.
 pub struct Fetches {
     inbox: Inbox,
     running: Rc<RefCell<HashMap<u64, AbortController>>>,
@@ -39,7 +39,7 @@ impl Fetches {
         Self { inbox, running: Rc::default() }
     }
 
-    /// Fetches the files one after the other, then what belongs to them and lies beside them, and delivers
+    /// Fetches the files one after the other, then their companion files from the same places, and delivers
     /// all together.
     pub fn start(&self, job: u64, addresses: Vec<String>) {
         let (Some(window), Ok(abort)) = (web_sys::window(), AbortController::new()) else { return };
@@ -47,10 +47,10 @@ impl Fetches {
         let (inbox, running) = (self.inbox.clone(), self.running.clone());
         spawn_local(async move {
             let progress = |fraction: f64| {
-                inbox.push(Event::JobProgress { job, fraction: (SHARE * fraction) as f32 });
+                inbox.push(Event::JobProgress { job, fraction: (FETCH_SHARE * fraction) as f32 });
             };
             let files = fetch_all(&window, &addresses, &abort, progress).await;
-            // Whoever cancelled it has taken it out, and waits for nothing.
+            // A cancelled job is no longer in the list, and nothing waits for its files.
             if running.borrow_mut().remove(&job).is_some() {
                 inbox.push(Event::Fetched { job, files });
             }
@@ -75,7 +75,7 @@ async fn fetch_all(
     let mut models = Vec::new();
     for (at, address) in addresses.iter().enumerate() {
         let url = Url::new_with_base(address, &page)
-            .map_err(|_| format!("{address:?} after `?model=` is no address of a file."))?;
+            .map_err(|_| format!("{address:?} after `?model=` is not the address of a file."))?;
         if !matches!(url.protocol().as_str(), "http:" | "https:" | "blob:" | "data:") {
             return Err(format!(
                 "{address:?} after `?model=` can't be fetched: a page reads addresses that begin with http or \
@@ -90,7 +90,7 @@ async fn fetch_all(
         fetched.files.push(NamedBytes { name: name_of(&url), bytes });
     }
     let asked: Vec<String> = models.iter().map(Url::href).collect();
-    // Companions of models, then companions of those: images that material libraries name.
+    // The companions of models, then the companions of those: images that material libraries name.
     let mut owners: Vec<(usize, Url)> = models.into_iter().enumerate().collect();
     for depth in 0..2 {
         let mut found = Vec::new();
@@ -99,7 +99,7 @@ async fn fetch_all(
             let (name, companions) = (file.name.clone(), formats::companions(file));
             let mut failures: HashMap<&str, String> = HashMap::new();
             for companion in &companions {
-                // Found under its whole name, a name with blanks is not several.
+                // Once a name with blanks was found as a whole, its parts are not looked for.
                 let is_part = |other: &&String| other.split_whitespace().any(|part| part == companion);
                 let mut wholes = companions.iter().filter(|other| *other != companion).filter(is_part);
                 let is_fetched = |name: &String| fetched.files.iter().any(|file| file.name == *name);
@@ -127,7 +127,7 @@ async fn fetch_all(
     Ok(fetched)
 }
 
-/// Fetches a companion file from where its owner lies; gives none where it was asked for itself.
+/// Fetches a companion file from its owner's folder; returns none if the user asked for it directly.
 async fn fetch_companion(
     window: &Window,
     owner: &Url,
@@ -139,7 +139,7 @@ async fn fetch_companion(
         name.split('/').map(|part| String::from(js_sys::encode_uri_component(part))).collect();
     let elsewhere = "does not lie beside it, and is not looked for elsewhere";
     let url = Url::new_with_base(&path.join("/"), &owner.href()).map_err(|_| elsewhere.to_owned())?;
-    // A model must not make the page ask other sites.
+    // A model must not make the page contact other sites.
     if url.origin() != owner.origin() {
         return Err(elsewhere.to_owned());
     }
@@ -152,15 +152,15 @@ async fn fetch_companion(
     }
 }
 
-/// Why a file is not here.
+/// Why a file could not be fetched.
 struct Failure {
-    /// What comes after its name: "could not be fetched: …".
+    /// The text after the file's name: "could not be fetched: …".
     why: String,
-    /// What to do where the person asked for it: a sentence.
+    /// A sentence on what to do, for files that the user asked for directly.
     advice: &'static str,
 }
 
-/// One file, and the address that it came from in the end.
+/// Fetches one file; returns its bytes and final address.
 async fn fetch(
     window: &Window,
     url: &Url,
@@ -173,7 +173,7 @@ async fn fetch(
         .await
         .map_err(|error| unreachable(window, url, &describe(&error)))?;
     let broken = |error: JsValue| Failure {
-        why: format!("broke off while it was fetched: {}", describe(&error)),
+        why: format!("could not be fetched whole: {}", describe(&error)),
         advice: "Reload the page to try again.",
     };
     let response: Response = response.dyn_into().map_err(broken)?;
@@ -197,16 +197,16 @@ async fn fetch(
                 break;
             }
             let chunk: Uint8Array = field("value").and_then(JsCast::dyn_into).map_err(broken)?;
-            if bytes.len() + chunk.length() as usize > LARGEST {
+            if bytes.len() + chunk.length() as usize > MAX_FETCHED_BYTES {
                 let why = "is larger than 2 GB: too large for a browser".to_owned();
-                return Err(Failure { why, advice: "Use the command line for it." });
+                return Err(Failure { why, advice: "Use the command line instead." });
             }
             let start = bytes.len();
             bytes.resize(start + chunk.length() as usize, 0);
             if let Some(end) = bytes.get_mut(start..) {
                 chunk.copy_to(end);
             }
-            // A length that was given of compressed bytes is too small.
+            // For compressed files, the stated length is too small.
             progress(length.map_or(0.0, |length| (bytes.len() as f64 / length).min(1.0)));
         }
     }
@@ -214,7 +214,7 @@ async fn fetch(
     Ok((bytes, came_from))
 }
 
-/// Browsers keep from the page why a fetch failed; these are the reasons there are.
+/// Browsers don't tell the page why a fetch failed; these are the possible reasons.
 fn unreachable(window: &Window, url: &Url, said: &str) -> Failure {
     let insecure = window.location().protocol().is_ok_and(|own| own == "https:") && url.protocol() == "http:";
     let why = if insecure {

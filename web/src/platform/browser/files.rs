@@ -1,4 +1,4 @@
-//! Files from outside: dropped on the page, or picked in the browser's dialog.
+//! Files from the user: dropped on the page, or picked in the browser's dialog.
 
 use egui::DroppedFileHandle;
 use wasm_bindgen::prelude::*;
@@ -8,7 +8,7 @@ use web_sys::{File, HtmlInputElement};
 use super::inbox::{Inbox, describe};
 use crate::platform::{Event, NamedBytes};
 
-/// Reads what was dropped together and delivers it together, so that an OBJ finds its MTL.
+/// Reads files that were dropped together and delivers them together, so that an OBJ finds its MTL.
 pub fn read_dropped(dropped: Vec<DroppedFileHandle>, inbox: Inbox) {
     spawn_local(async move {
         let mut files = Vec::with_capacity(dropped.len());
@@ -25,7 +25,7 @@ pub fn read_dropped(dropped: Vec<DroppedFileHandle>, inbox: Inbox) {
 
 /// The browser's file dialog.
 pub struct FilePicker {
-    /// Never part of the page; `None` where there is no document to make it.
+    /// Not part of the page; `None` if there is no document to create it in.
     input: Option<HtmlInputElement>,
     inbox: Inbox,
     _on_change: Closure<dyn FnMut()>,
@@ -49,7 +49,7 @@ impl FilePicker {
         Self { input, inbox, _on_change: on_change }
     }
 
-    /// Shows the dialog. Browsers allow that only shortly after a click or a key.
+    /// Shows the dialog. Browsers allow this only shortly after a click or a key.
     pub fn show(&self) {
         match &self.input {
             Some(input) => input.click(),
@@ -58,8 +58,7 @@ impl FilePicker {
     }
 }
 
-/// All types of file are offered: some systems know none of the extensions that matter here, and
-/// would grey every file out.
+/// Offers all types of file: some systems know none of these extensions and would grey out every file.
 fn make_input() -> Option<HtmlInputElement> {
     let document = web_sys::window()?.document()?;
     let input: HtmlInputElement = document.create_element("input").ok()?.dyn_into().ok()?;
@@ -72,7 +71,7 @@ fn read_picked(input: &HtmlInputElement, inbox: &Inbox) {
     let list = input.files();
     let picked: Vec<File> =
         list.iter().flat_map(|list| (0..list.length()).filter_map(|i| list.get(i))).collect();
-    // Otherwise picking the same file again would be no change.
+    // Without this, picking the same file again would be no change.
     input.set_value("");
     if picked.is_empty() {
         return;
@@ -92,7 +91,7 @@ fn read_picked(input: &HtmlInputElement, inbox: &Inbox) {
 }
 
 async fn read(file: &File) -> Result<Vec<u8>, JsValue> {
-    // The program's memory ends at 4 GiB, and a larger copy would be a crash.
+    // WebAssembly memory ends at 4 GiB; a larger copy would crash the page.
     if file.size() > f64::from(u32::MAX / 2) {
         return Err("files above 2 GB are too large for a browser".into());
     }

@@ -1,4 +1,4 @@
-//! What happens outside frames, kept until the page polls it.
+//! Events from outside frames, kept until the page polls them.
 
 use std::cell::RefCell;
 use std::rc::Rc;
@@ -7,7 +7,7 @@ use wasm_bindgen::JsValue;
 
 use crate::platform::Event;
 
-/// Events that have not been polled yet. Whoever adds one wakes the page.
+/// Events that have not been polled yet. Adding one wakes the page.
 #[derive(Clone)]
 pub(crate) struct Inbox {
     events: Rc<RefCell<Vec<Event>>>,
@@ -29,7 +29,7 @@ impl Inbox {
     }
 }
 
-/// An exception's message, or whatever was thrown in its place.
+/// An exception's message, or the thrown value if it is not an exception.
 pub(crate) fn describe(error: &JsValue) -> String {
     use wasm_bindgen::JsCast;
     if let Some(error) = error.dyn_ref::<js_sys::Error>() {

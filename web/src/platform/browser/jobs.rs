@@ -1,8 +1,8 @@
-//! The page's end of the worker that runs jobs.
+//! The page's side of the worker that runs jobs.
 //!
-//! There is one worker and it runs one job at a time. A job that runs can't be interrupted from
-//! outside, so cancelling ends the worker and starts another. So does a job that left the worker
-//! with a large memory, because WebAssembly memory never shrinks.
+//! There is one worker, which runs one job at a time. A running job can't be interrupted from outside, so
+//! cancelling it terminates the worker and starts another. A worker whose memory has grown large is also
+//! replaced, because WebAssembly memory never shrinks.
 
 use std::cell::RefCell;
 use std::collections::VecDeque;
@@ -16,11 +16,11 @@ use web_sys::{MessageEvent, Worker, WorkerOptions, WorkerType};
 use super::inbox::{Inbox, describe};
 use crate::platform::Event;
 
-/// Where index.html says what the worker's script is called: a built site names it after what it holds.
+/// Where index.html names the worker's script: the name on a built site contains a hash of the script.
 const SCRIPT_NAMED_BY: &str = "meta[name=meshwright-worker]";
 
-/// The script that Trunk makes beside the page. Relative to the page, so that the site may stand in
-/// any folder.
+/// The script that Trunk builds beside the page. The address is relative to the page, so that the site can
+/// be in any folder.
 fn script() -> String {
     let named = web_sys::window()
         .and_then(|window| window.document())
@@ -29,8 +29,8 @@ fn script() -> String {
     named.unwrap_or_else(|| "./meshwright-worker_loader.js".to_owned())
 }
 
-/// A worker whose memory has grown past this many bytes is replaced once it has nothing to do.
-const MEMORY_KEPT: f64 = (256 << 20) as f64;
+/// A worker whose memory has grown past this many bytes is replaced when it is idle.
+const MAX_IDLE_MEMORY_BYTES: f64 = (256 << 20) as f64;
 
 /// Runs jobs in order in a worker.
 pub struct Jobs {
@@ -42,14 +42,14 @@ struct Pool {
     waiting: VecDeque<(u64, Request)>,
     running: Option<u64>,
     worker: Option<Link>,
-    /// For the handlers of workers to come.
+    /// For the message handlers of later workers.
     this: Weak<RefCell<Pool>>,
 }
 
-/// A worker and what listens to it.
+/// A worker and its listeners.
 struct Link {
     worker: Worker,
-    /// Whether its program has started; what is sent earlier is lost.
+    /// Whether its program has started; messages sent earlier are lost.
     ready: bool,
     _on_message: Closure<dyn FnMut(MessageEvent)>,
     _on_error: Closure<dyn FnMut(web_sys::Event)>,
@@ -57,7 +57,7 @@ struct Link {
 
 impl Drop for Link {
     fn drop(&mut self) {
-        // Messages that are on their way must not reach handlers that are about to be freed.
+        // Pending messages must not reach handlers that are about to be freed.
         self.worker.set_onmessage(None);
         self.worker.set_onerror(None);
         self.worker.terminate();
@@ -96,7 +96,7 @@ impl Jobs {
 }
 
 impl Pool {
-    /// Replaces the worker there is, if any, with a new one.
+    /// Replaces the worker, if there is one, by a new one.
     fn start_worker(&mut self) {
         self.worker = None;
         match Link::new(&self.this) {
@@ -105,7 +105,7 @@ impl Pool {
         }
     }
 
-    /// Sends the next job, if the worker is free to take it.
+    /// Sends the next job if the worker is idle.
     fn go_on(&mut self) {
         if self.running.is_some() || self.waiting.is_empty() {
             return;
@@ -139,7 +139,7 @@ impl Pool {
             Message::Done { job, result, memory } => {
                 self.running = None;
                 self.inbox.push(Event::JobDone { job, result: Ok(result) });
-                if memory > MEMORY_KEPT {
+                if memory > MAX_IDLE_MEMORY_BYTES {
                     self.start_worker();
                 }
                 self.go_on();
@@ -165,7 +165,7 @@ impl Pool {
         }
     }
 
-    /// The worker's program ended or never started, with nothing said about a panic.
+    /// The worker's program ended or never started, without a panic message.
     fn on_error(&mut self, event: &web_sys::Event) {
         let said = event.dyn_ref::<web_sys::ErrorEvent>().map(web_sys::ErrorEvent::message);
         let started = self.worker.as_ref().is_some_and(|link| link.ready);
@@ -181,7 +181,7 @@ impl Pool {
         }
     }
 
-    /// Fails what ran, and goes on with what waits in a new worker.
+    /// Fails the running job and continues with the waiting ones in a new worker.
     fn lost(&mut self, reason: &str) {
         if let Some(job) = self.running.take() {
             self.fail(job, reason.to_owned());
@@ -222,7 +222,7 @@ impl Link {
         let on_error = Closure::new({
             let pool = pool.clone();
             move |event: web_sys::Event| {
-                // It is dealt with here; the page's own handler takes errors for a failed start.
+                // The error is handled here; the page's own handler treats errors as a failed start.
                 event.prevent_default();
                 if let Some(pool) = pool.upgrade() {
                     pool.borrow_mut().on_error(&event);

@@ -1,5 +1,5 @@
-//! The editor's [`Platform`] in a browser: jobs in a worker, files through the page, settings in
-//! local storage.
+//! The editor's [`Platform`] in a browser: jobs run in a worker, files come through the page, settings are
+//! in local storage.
 
 mod download;
 mod fetch;
@@ -15,7 +15,7 @@ use inbox::Inbox;
 pub(crate) use inbox::describe;
 use jobs::Jobs;
 
-/// The browser, as the editor sees it.
+/// The browser as a platform.
 pub struct Browser {
     inbox: Inbox,
     jobs: Jobs,
@@ -82,7 +82,7 @@ impl Platform for Browser {
     }
 
     fn store_setting(&mut self, key: &str, value: &str) {
-        // Where storage is full or forbidden, the setting lasts as long as the page.
+        // If storage is full or forbidden, the setting lasts as long as the page.
         if let Some(storage) = storage() {
             let _ = storage.set_item(&setting_key(key), value);
         }
@@ -97,7 +97,7 @@ impl Platform for Browser {
     }
 }
 
-/// `None` where the browser allows the page no storage.
+/// `None` if the browser allows the page no storage.
 fn storage() -> Option<web_sys::Storage> {
     web_sys::window()?.local_storage().ok()?
 }
