@@ -258,7 +258,7 @@ fn codes() -> String {
 fn format(code: &str) -> Result<Format, Failure> {
     Format::from_code(code).filter(|format| format.can_write()).ok_or_else(|| {
         Failure::Usage(format!(
-            "--format: {code} is no format that can be written; the codes are {}",
+            "--format: {code} is not a format that can be written; the codes are {}",
             codes()
         ))
     })

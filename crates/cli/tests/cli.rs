@@ -1,4 +1,4 @@
-//! The program as it is run: what it prints, what it writes and what it exits with.
+//! The program as users run it: its output, the files it writes and its exit codes.
 
 use serde_json::{Value, json};
 use std::path::{Path, PathBuf};
@@ -246,7 +246,7 @@ fn bad_usage_and_unreadable_files_exit_with_2() {
 }
 
 #[test]
-fn what_an_operation_warns_of_is_told() {
+fn warnings_of_an_operation_are_printed() {
     let folder = folder("warnings");
     let cube = write(&folder, "cube.obj", CUBE);
     let output = run(&["apply", text(&cube), "--do", r#"{"op":"simplify","faces":2}"#]);
@@ -267,7 +267,7 @@ fn help_and_version() {
 }
 
 #[test]
-fn help_lists_the_operations_and_tells_the_fields_of_one() {
+fn help_lists_operations_and_describes_fields() {
     let help = run(&["--help"]).stdout;
     assert_eq!(run(&["help"]).stdout, help);
     let help = String::from_utf8_lossy(&help);
@@ -287,7 +287,7 @@ fn help_lists_the_operations_and_tells_the_fields_of_one() {
 }
 
 #[test]
-fn open_and_export_are_no_operations() {
+fn open_and_export_are_not_operations() {
     let folder = folder("no-operations");
     let cube = write(&folder, "cube.obj", CUBE);
     for (command, part) in [

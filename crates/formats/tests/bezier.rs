@@ -1,5 +1,5 @@
-//! Bezier curves and surfaces: course files read with the counts they say, what is written reads
-//! back to the bit, and what is wrong is named with its line.
+//! Bezier curves and surfaces: course files have the counts that they state, written files read back to the
+//! bit, and errors name their line.
 
 mod common;
 
@@ -72,7 +72,7 @@ fn content_tells_curves_and_surfaces_apart_whatever_the_name() {
 }
 
 #[test]
-fn what_is_wrong_is_named_with_its_line() {
+fn errors_name_their_line() {
     assert!(error("a.bzc", "").contains("the file is empty; a Bezier curve begins with the number of its"));
     assert!(error("a.bez", " \n\n").contains("the file is empty; a Bezier surface begins"));
     assert!(error("a.bzc", "\n\ntwo 1 2").contains("line 3: a Bezier curve begins"));
@@ -95,7 +95,7 @@ fn what_is_wrong_is_named_with_its_line() {
 }
 
 #[test]
-fn what_comes_before_an_unreadable_word_is_read() {
+fn numbers_before_an_unreadable_word_are_read() {
     let points = "0 1\n2 3\n4 5\n";
     let import = read_text("a.bzc", &format!("3\n{points}end\n6 7"));
     assert_eq!(controls(&import).points().len(), 3);
@@ -135,7 +135,7 @@ fn a_curve_may_have_any_number_of_control_points() {
 }
 
 #[test]
-fn numbers_left_over_are_told() {
+fn leftover_numbers_are_reported() {
     let plane = curve(vec![Vec3::ZERO, Vec3::new(1.0, 1.0, 0.0)]);
     for (text, said) in
         [("2\n0 0\n1 1\n2 2\n", "2 numbers"), ("2\n0 0\n1 1 # x\n\n2 2\n3 3\n4 4", "6 numbers")]
@@ -206,7 +206,7 @@ fn course_files_read_and_round_trip() {
 }
 
 #[test]
-fn formats_hold_what_they_hold_and_say_the_rest() {
+fn losses_name_what_a_format_cannot_hold() {
     let triangle =
         Mesh::build(PolygonSoup::new(vec![Vec3::ZERO, Vec3::X, Vec3::Y], &[[0, 1, 2]])).expect("small").mesh;
     let shown = NamedMesh { mesh: triangle.clone().into(), ..bezier("surface", &surface(1)) };

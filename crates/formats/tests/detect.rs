@@ -65,7 +65,7 @@ fn an_obj_by_another_name_still_brings_its_materials() {
 }
 
 #[test]
-fn what_is_no_model_is_refused_under_every_extension() {
+fn content_without_a_model_is_refused_under_every_extension() {
     let readme = "# Read me\n\nsolid advice: v 1 of this text is 3 lines long.\nf sharp, 1 note\nply wood\n{ and } <a>\n";
     // Bytes that follow from nothing (G. Marsaglia, "Xorshift RNGs", 2003).
     let mut state = 0x9e37_79b9_7f4a_7c15u64;

@@ -1,4 +1,4 @@
-//! Bit sets, disjoint sets, loops and components against slow ones.
+//! Bit sets, disjoint sets, loops and components, compared with slow reference implementations.
 
 use glam::Vec3;
 use halfedge::edit::{delete_faces, delete_vertices};

@@ -12,7 +12,7 @@ pub enum SurfaceError {
     TooManyFaces {
         /// The number of faces that it would have.
         faces: u64,
-        /// The number that it may have.
+        /// The most faces that it may have.
         limit: u64,
     },
     /// The operation works on triangles only.
@@ -33,7 +33,7 @@ pub enum SurfaceError {
     BadField {
         /// The field's name in the command.
         field: &'static str,
-        /// What it must be, to follow "must be".
+        /// The requirement, to follow "must be".
         must_be: String,
     },
 }
@@ -45,7 +45,7 @@ impl SurfaceError {
     }
 }
 
-/// Refuses more iterations than there is a use for.
+/// Refuses iteration counts beyond any use.
 pub(crate) fn check_iterations(iterations: u32, limit: u32) -> Result<(), SurfaceError> {
     if iterations <= limit {
         Ok(())
@@ -79,7 +79,7 @@ impl fmt::Display for SurfaceError {
 
 impl std::error::Error for SurfaceError {}
 
-/// The number as digits, or in words if it is too large to matter.
+/// The number in digits, or in words if it is too large to matter.
 fn count(number: u64) -> String {
     if number < 1_000_000_000_000 { number.to_string() } else { "more than a million million".to_owned() }
 }

@@ -5,11 +5,11 @@ use halfedge::attribute::{AttributeType, Column, Columns, Value, Values};
 use halfedge::{Color, Element, Mesh, NONE, RawMesh, TooLarge};
 use std::collections::HashMap;
 
-/// Puts meshes into one, in this order, with all their attributes. Ids have no gaps in it. Columns of the same
-/// name become one, and so do labels of the same text. Costs O(result).
+/// Joins meshes into one, in this order, with all their attributes. The ids of the result have no gaps.
+/// Columns of the same name are joined, and so are labels of the same text. Costs O(result).
 ///
 /// # Errors
-/// [`TooLarge`] where ids run out.
+/// [`TooLarge`] if ids run out.
 pub fn join_meshes<'a>(meshes: impl IntoIterator<Item = &'a Mesh>) -> Result<Mesh, TooLarge> {
     let parts: Vec<RawMesh> =
         meshes.into_iter().map(|mesh| mesh.to_compact().into_owned().into_raw()).collect();

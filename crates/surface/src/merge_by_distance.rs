@@ -13,7 +13,7 @@ pub struct Merged {
     pub mesh: Mesh,
     /// The number of vertices that were merged into others.
     pub merged: usize,
-    /// What was repaired because the result was no manifold.
+    /// What was repaired because the result was not a manifold.
     pub notes: Vec<Note>,
 }
 

@@ -1,4 +1,4 @@
-//! Soft selection: the vertices around some, with weights that fall off with the distance.
+//! Soft selection: the vertices around selected ones, with weights that fall off with the distance.
 
 use halfedge::{Mesh, VertexId};
 use std::cmp::Reverse;
@@ -7,12 +7,12 @@ use std::collections::{BinaryHeap, HashMap};
 /// The vertices of a soft selection with their weights, in order of id: 1 for the selected ones, falling smoothly
 /// to 0 at the radius (mesh units, above 0).
 ///
-/// A front goes outward over edges, each vertex remembering the selected one that it comes from; its distance is
-/// the straight one to that. So a part of the surface that only passes near isn't among them. Costs O(k log k)
-/// for k vertices within the radius.
+/// A front spreads along edges. Each vertex remembers the selected vertex that the front came from, and its
+/// distance is the straight one to that vertex. Parts of the surface that are near only through space are
+/// therefore not included. Costs O(k log k) for k vertices within the radius.
 pub fn soft_selection(mesh: &Mesh, selected: &[VertexId], radius: f32) -> Vec<(VertexId, f32)> {
     let mut distances: HashMap<VertexId, f32> = selected.iter().map(|&v| (v, 0.0)).collect();
-    // Nearest first, by the bits of the distance: those of numbers that aren't negative are in their order.
+    // Nearest first: the bits of non-negative floats sort like their values.
     let mut front: BinaryHeap<_> = selected.iter().map(|&v| Reverse((0.0f32.to_bits(), v, v))).collect();
     while let Some(Reverse((distance, vertex, source))) = front.pop() {
         if distances.get(&vertex).is_some_and(|known| known.to_bits() < distance) {

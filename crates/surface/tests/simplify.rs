@@ -67,7 +67,7 @@ fn finely_sampled_distance(from: &Mesh, to: &Mesh, parts: u32) -> f64 {
 }
 
 #[test]
-fn hits_the_count_that_was_asked_for() {
+fn reaches_the_requested_count() {
     let sphere = shape("ico-sphere", &[("subdivisions", 5.0)]);
     for faces in [10_000, 2_048, 500, 100, 20, 4] {
         let result = to(&sphere, SimplifyTarget::Faces(faces));

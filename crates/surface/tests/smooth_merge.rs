@@ -133,7 +133,7 @@ proptest! {
     #![proptest_config(ProptestConfig::with_cases(64))]
 
     #[test]
-    fn what_stays_is_farther_apart_than_the_distance(mesh in random_mesh(false), distance in 0f64..1.5) {
+    fn kept_vertices_are_farther_apart_than_the_distance(mesh in random_mesh(false), distance in 0f64..1.5) {
         let result = merge(&mesh, distance);
         let kept: Vec<Vec3> = result.mesh.positions().to_vec();
         // Vertices that were separated again to keep a manifold are at the same place.

@@ -1,4 +1,4 @@
-//! The vertex streams: correct for a mesh, after edits the same as after a rebuild, and cheap to edit.
+//! The vertex streams: correct for a mesh, the same after edits as after a rebuild, and cheap to update.
 
 mod support;
 

@@ -149,7 +149,7 @@ fn toggling_the_projection_keeps_the_size_at_the_target() {
 }
 
 #[test]
-fn what_is_behind_the_eye_is_not_on_the_screen() {
+fn points_behind_the_eye_are_not_on_the_screen() {
     let camera = Camera { yaw: 0.0, pitch: 0.0, ..Camera::default() };
     assert_eq!(camera.project(vec3(0.0, 0.0, 6.0), VIEW), None);
     assert!(camera.project(vec3(0.0, 0.0, 4.0), VIEW).is_some());

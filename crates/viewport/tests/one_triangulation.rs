@@ -133,13 +133,13 @@ fn degenerate() -> impl Strategy<Value = Vec<Vec3>> {
 
 proptest! {
     #[test]
-    fn all_cut_a_polygon_alike(polygon in prop_oneof![star(), tangle(), degenerate()]) {
+    fn all_algorithms_cut_a_polygon_alike(polygon in prop_oneof![star(), tangle(), degenerate()]) {
         assert_agree(&polygon);
     }
 }
 
 #[test]
-fn all_cut_a_huge_polygon_that_crosses_itself_alike() {
+fn all_algorithms_cut_a_huge_polygon_that_crosses_itself_alike() {
     // A star of 1501 points drawn in one stroke.
     let angle = |i: u16| f32::from(i) * 750.0 / 1501.0 * std::f32::consts::TAU;
     let star: Vec<Vec3> = (0..1501).map(|i| Vec3::new(angle(i).cos(), angle(i).sin(), 0.0)).collect();

@@ -262,7 +262,7 @@ fn a_half_edge_is_an_arrow_on_its_faces_side() {
 }
 
 #[test]
-fn the_ground_grid_is_seen_where_it_is_nearer_than_the_mesh_and_nowhere_else() {
+fn the_ground_grid_is_seen_only_where_it_is_nearer_than_the_mesh() {
     let gpu = gpu();
     let mut cube = cube();
     paint_all(&mut cube, [250, 40, 40]);
@@ -379,7 +379,7 @@ fn isolated_vertices_follow_edits_and_undo() {
 }
 
 #[test]
-fn tiny_huge_and_far_models_look_as_others_do() {
+fn tiny_huge_and_far_models_look_like_others() {
     let gpu = gpu();
     let picture = |scale: f32, shift: Vec3| {
         let mut ball = sphere(24, 16);

@@ -1,4 +1,4 @@
-//! What the tests of all formats share.
+//! Helpers for the tests of all formats.
 #![allow(dead_code, reason = "each test binary uses a part")]
 
 use formats::{Bezier, Format, Import, Model, NamedBytes, NamedMesh};

@@ -1,4 +1,5 @@
-//! What documents hold besides: scenes, kinds of numbers, colours, compression, and what is not kept.
+//! Further contents of documents: scenes, types of numbers, colours, compression, and content that is not
+//! kept.
 
 use super::build::{Doc, SQUARE};
 use super::common::{by_code, mesh, read};

@@ -1,7 +1,7 @@
 //! A set of ids as bits.
 
-/// A set of small numbers, a bit for each up to the largest: 3 million half-edges take 375 kB. It grows as
-/// needed and knows how many there are. Each operation costs O(1) where nothing else is said.
+/// A set of small numbers, with one bit for each number up to the largest: 3 million half-edges take 375
+/// kB. It grows as needed and knows its size. Operations cost O(1) unless stated otherwise.
 #[derive(Clone, Debug, Default)]
 pub struct BitSet {
     words: Vec<u64>,
@@ -10,7 +10,7 @@ pub struct BitSet {
 
 impl PartialEq for BitSet {
     fn eq(&self, other: &Self) -> bool {
-        // Words past the end of the shorter one are zeros: the counts tell.
+        // Words past the end of the shorter set must be zero; comparing the counts ensures that.
         self.count == other.count && self.words.iter().zip(&other.words).all(|(a, b)| a == b)
     }
 }
@@ -39,7 +39,7 @@ impl BitSet {
         self.words.get(index / 64).is_some_and(|word| word >> (index % 64) & 1 == 1)
     }
 
-    /// Puts a number in; whether it wasn't in the set before.
+    /// Adds a number; returns whether it was new.
     #[inline]
     pub fn insert(&mut self, index: usize) -> bool {
         if self.contains(index) {
@@ -53,7 +53,7 @@ impl BitSet {
         true
     }
 
-    /// Takes a number out; whether it was in the set.
+    /// Removes a number; returns whether it was in the set.
     #[inline]
     pub fn remove(&mut self, index: usize) -> bool {
         let was_there = self.contains(index);
@@ -64,7 +64,7 @@ impl BitSet {
         was_there
     }
 
-    /// How many numbers are in the set.
+    /// The number of members.
     #[inline]
     pub fn len(&self) -> usize {
         self.count
@@ -88,7 +88,7 @@ impl BitSet {
         })
     }
 
-    /// How many numbers in the set are smaller than this one. Costs O(index / 64).
+    /// The number of members below this number. Costs O(index / 64).
     pub fn rank(&self, index: usize) -> usize {
         let whole = self.words.iter().take(index / 64).map(|word| word.count_ones() as usize).sum::<usize>();
         let part =
@@ -96,7 +96,7 @@ impl BitSet {
         whole + part as usize
     }
 
-    /// The number at a place in ascending order: the inverse of [`BitSet::rank`]. Costs O(largest / 64).
+    /// The member at this place in ascending order: the inverse of [`BitSet::rank`]. Costs O(largest / 64).
     pub fn nth(&self, rank: usize) -> Option<usize> {
         let mut left = rank;
         for (at, &word) in self.words.iter().enumerate() {

@@ -9,10 +9,10 @@ use glam::DVec2;
 
 /// The sines of angles below this count as zero: the point lies on the line through the side.
 const MIN_SINE: f64 = 1e-12;
-/// Weights whose sum is smaller than this part of the sum of their amounts are lost to rounding.
+/// Sums of weights smaller than this fraction of the sum of their absolute values are lost to rounding.
 const MIN_SUM: f64 = 1e-6;
 
-/// The weight of each corner at a point. None where there are no such weights: the polygon has no area or
+/// The weight of each corner at a point. None if there are no such weights: the polygon has no area or
 /// crosses itself, and the point is on none of its sides.
 pub(crate) fn mean_value_weights(polygon: &[DVec2], at: DVec2) -> Option<Vec<f64>> {
     let count = polygon.len();

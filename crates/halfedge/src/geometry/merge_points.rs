@@ -1,52 +1,54 @@
-//! Which of many points are close enough to become one.
+//! Merging points that are close to each other.
 
 use crate::NONE;
 use glam::{DVec3, I64Vec3, Vec3};
 use std::ops::Range;
 
-/// The bounding box is divided into at most this many cells an axis, so that a cell's place takes 42 bits.
+/// The bounding box is divided into at most this many cells per axis, so that a cell's coordinate takes 42
+/// bits.
 const MAX_CELLS_PER_AXIS: u64 = 1 << 40;
 
-/// Merges points within a distance of each other, some at a time: first [`PointMerger::add`] for all of them in
-/// order, then [`PointMerger::finish`].
+/// Merges points within a distance of each other, some at a time: first call [`PointMerger::add`] for all
+/// of them in order, then [`PointMerger::finish`].
 ///
-/// Each point goes into the nearest of those before it that stay, if one is within the distance (the earlier of
-/// two as near); else it stays. So nothing moves farther than the distance, and the result depends on nothing
-/// but the points and their order. A point that isn't finite stays by itself. Costs O(n log n), whatever the
-/// distance: points that stay are farther apart than it, so few fit into a cell of its size.
+/// Each point is merged into the nearest kept point before it, if there is one within the distance (the
+/// earlier of two at the same distance); otherwise it is kept. So no point moves farther than the distance,
+/// and the result depends only on the points and their order. A point that isn't finite is kept by itself.
+/// Costs O(n log n) whatever the distance: kept points are farther apart than the distance, so few fit into
+/// a cell of that size.
 #[derive(Debug)]
 pub struct PointMerger<'a> {
     points: &'a [Vec3],
     distance: f64,
     origin: DVec3,
     cell_size: f64,
-    /// The keys of the cells with points in them, in ascending order.
+    /// The keys of the cells that contain points, in ascending order.
     cells: Vec<u128>,
-    /// Per cell the last point in it that stays.
+    /// Per cell: its last kept point.
     last: Vec<u32>,
-    /// Per point the one before it in its cell.
+    /// Per point: the previous kept point in its cell.
     before: Vec<u32>,
-    /// Per point the one that it goes into.
+    /// Per point: the point that it is merged into.
     into: Vec<u32>,
 }
 
 /// The result of a [`PointMerger`].
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct MergedPoints {
-    /// The points that stay, in ascending order.
+    /// The kept points, in ascending order.
     pub kept: Vec<u32>,
-    /// Per point its new number: the place in `kept` of the one that it is or goes into.
+    /// Per point: its new number, the index in `kept` of the point that it is or is merged into.
     pub number: Vec<u32>,
 }
 
 impl<'a> PointMerger<'a> {
-    /// Prepares merging points within a distance of 0 or more; 0 merges those in the same place.
+    /// Prepares merging points within a distance of 0 or more; 0 merges points at the same position.
     pub fn new(points: &'a [Vec3], distance: f64) -> Self {
         let finite = || points.iter().copied().filter(|p| p.is_finite());
         let low = finite().fold(Vec3::INFINITY, Vec3::min).as_dvec3();
         let high = finite().fold(Vec3::NEG_INFINITY, Vec3::max).as_dvec3();
         let diagonal = if low.x <= high.x { (high - low).length() } else { 0.0 };
-        // What is within the distance is in the same or a neighbouring cell.
+        // Points within the distance are in the same or a neighbouring cell.
         let cell_size = distance.max(diagonal / MAX_CELLS_PER_AXIS as f64).max(f64::MIN_POSITIVE);
         let mut merger = Self {
             points,
@@ -70,7 +72,7 @@ impl<'a> PointMerger<'a> {
         ((p.as_dvec3() - self.origin) / self.cell_size).floor().as_i64vec3()
     }
 
-    /// Decides about these points; those before them must have been added.
+    /// Processes these points; all points before them must have been added.
     pub fn add(&mut self, points: Range<usize>) {
         for v in points {
             let p = self.points[v];
@@ -108,12 +110,12 @@ impl<'a> PointMerger<'a> {
         }
     }
 
-    /// The result, once all points were added.
+    /// The result, after all points were added.
     pub fn finish(self) -> MergedPoints {
         let mut kept = Vec::new();
         let mut number = self.into;
         for v in 0..number.len() {
-            // The one that a point goes into comes before it and has its number already.
+            // The point that this one is merged into comes earlier, so it has its number already.
             let into = number[v] as usize;
             if into == v {
                 number[v] = kept.len() as u32;
@@ -126,14 +128,14 @@ impl<'a> PointMerger<'a> {
     }
 }
 
-/// Merges points within a distance of each other: what [`PointMerger`] does, at once.
+/// Merges points within a distance of each other, all at once; see [`PointMerger`].
 pub fn merge_points(points: &[Vec3], distance: f64) -> MergedPoints {
     let mut merger = PointMerger::new(points, distance);
     merger.add(0..points.len());
     merger.finish()
 }
 
-/// A cell as a number that grows by 1 along z. Places start at -1.
+/// A cell as a number that grows by 1 along z. Coordinates start at -1.
 fn key(cell: I64Vec3) -> u128 {
     ((cell.x + 2) as u128) << 84 | ((cell.y + 2) as u128) << 42 | (cell.z + 2) as u128
 }

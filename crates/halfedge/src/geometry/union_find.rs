@@ -1,23 +1,23 @@
-//! Sets of ids that are joined bit by bit.
+//! Disjoint sets of ids (union-find).
 
-/// Disjoint sets of the numbers from 0 up. Each set is known by its smallest number, so that what comes out
-/// doesn't depend on the order in which sets are joined.
+/// Disjoint sets of the numbers from 0 up. Each set is identified by its smallest number, so that the
+/// result doesn't depend on the order in which sets are joined.
 ///
-/// R. Tarjan, "Efficiency of a good but not linear set union algorithm", 1975, with path halving. Operations
-/// cost O(log n) amortised, near O(1) where neighbouring numbers are joined.
+/// R. Tarjan, "Efficiency of a good but not linear set union algorithm", 1975, with path halving.
+/// Operations cost O(log n) amortised, and nearly O(1) if neighbouring numbers are joined.
 #[derive(Clone, Debug, Default)]
 pub struct UnionFind {
-    /// Towards the smallest of each set.
+    /// Per number: another member of its set, nearer to the smallest.
     parent: Vec<u32>,
 }
 
 impl UnionFind {
-    /// As many sets as there are numbers.
+    /// As many sets as numbers, each with one member.
     pub fn new(count: usize) -> Self {
         Self { parent: (0..count as u32).collect() }
     }
 
-    /// How many numbers there are.
+    /// The number of numbers in all sets.
     pub fn len(&self) -> usize {
         self.parent.len()
     }
@@ -27,8 +27,7 @@ impl UnionFind {
         self.parent.is_empty()
     }
 
-    /// The smallest number of the set that this one is in. The number must be smaller than
-    /// [`UnionFind::len`].
+    /// The smallest number in the set of this one, which must be less than [`UnionFind::len`].
     #[inline]
     pub fn find(&mut self, mut id: u32) -> u32 {
         loop {
@@ -42,11 +41,11 @@ impl UnionFind {
         }
     }
 
-    /// Joins two sets; whether they weren't one already. The numbers must be smaller than
+    /// Joins two sets; returns whether they were different. The numbers must be less than
     /// [`UnionFind::len`].
     #[inline]
     pub fn union(&mut self, a: u32, b: u32) -> bool {
-        // Most pairs are in a set already, one step from its smallest number.
+        // Most numbers are one step from the smallest of their set.
         let (a, b) = (self.parent[a as usize], self.parent[b as usize]);
         if a == b {
             return false;

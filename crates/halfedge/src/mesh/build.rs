@@ -82,7 +82,7 @@ impl Mesh {
             notes.push(Note::new(NoteKind::VertexSeparated, separated));
         }
         let is_changed = !notes.is_empty();
-        // The columns of a soup that is not needed again go one by one, to need less memory.
+        // The columns of a soup that is no longer needed are freed one by one, to save memory.
         let mut carry = |columns: &mut Vec<Column>, element: Element, source: &[u32]| {
             for column in std::mem::take(columns) {
                 mesh.insert_column(element, column.gather(source.iter().copied()));
@@ -113,8 +113,8 @@ impl Mesh {
         Ok(Built { mesh, notes, face_source, original })
     }
 
-    /// The soup of a mesh: its positions and faces with their attributes, vertices in order of id, without gaps
-    /// in the ids.
+    /// The soup of a mesh: its positions and faces with their attributes. Vertices are in order of id,
+    /// renumbered without gaps.
     pub fn to_soup(&self) -> PolygonSoup {
         if !self.is_compact() {
             return self.compacted().0.to_soup();
@@ -142,7 +142,7 @@ impl Mesh {
     }
 }
 
-/// Assembles input that is an oriented manifold, except for vertices with several fans; none for any other.
+/// Assembles an oriented manifold, in which vertices may have several fans; none for any other input.
 fn assemble_manifold(soup: &PolygonSoup) -> Option<Assembly> {
     let vertices = soup.positions.len();
     // Below, a vertex number and one bit share a word.
@@ -199,7 +199,7 @@ fn assemble_manifold(soup: &PolygonSoup) -> Option<Assembly> {
                 edge = before;
                 steps_left = steps_left.checked_sub(1)?;
             };
-            // Taken at once, so that a face that comes back along its own edge is noticed.
+            // Marked at once, so that a face that returns along its own edge is detected.
             face_of[h as usize] = face as u32;
             corner_halfedge.push(h);
             u = v;

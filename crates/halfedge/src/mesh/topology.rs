@@ -13,11 +13,11 @@ pub struct Topology {
     pub boundary_halfedges: usize,
     /// Connected components; an isolated vertex is one.
     pub components: usize,
-    /// Whether every face is a triangle; so it is where there are no faces.
+    /// Whether every face is a triangle; true if there are no faces.
     pub triangles_only: bool,
 }
 
-/// Counts a [`Topology`] some elements at a time, so that no call takes long.
+/// Counts a [`Topology`] over several calls, so that none takes long.
 #[derive(Debug)]
 pub struct TopologyCounter {
     boundary: BoundaryWalk,
@@ -30,9 +30,9 @@ impl TopologyCounter {
         Self { boundary: BoundaryWalk::default(), components: ComponentWalk::new(mesh) }
     }
 
-    /// Counts about this many more half-edges of the mesh that it was started on; returns the result once all
-    /// are counted. A boundary loop is walked as a whole. Start anew after an edit: the counts of a mesh that
-    /// changed meanwhile are wrong.
+    /// Counts about this many more half-edges of the mesh it was created for; returns the result once all
+    /// are counted. A boundary loop is walked as a whole. Start again after an edit, as the counts of a
+    /// mesh that changed meanwhile are wrong.
     pub fn advance(&mut self, mesh: &Mesh, halfedges: usize) -> Option<Topology> {
         if self.components.joined.len() != mesh.vertex_capacity() {
             *self = Self::new(mesh);
@@ -60,7 +60,7 @@ struct BoundaryWalk {
 }
 
 impl BoundaryWalk {
-    /// Returns how much of the budget is left, once all half-edges are visited.
+    /// Returns the remaining budget once all half-edges are visited.
     fn advance(&mut self, mesh: &Mesh, budget: usize) -> Option<usize> {
         let faces = mesh.connectivity().face;
         let mut left = budget;
@@ -93,8 +93,8 @@ impl BoundaryWalk {
     }
 }
 
-/// Vertices joined by edges, in order of edge id: that visits memory mostly in order, which a walk from vertex
-/// to vertex doesn't.
+/// Vertices joined by edges, in order of edge id, which reads memory mostly in order. A walk from vertex to
+/// vertex would not.
 #[derive(Debug)]
 struct ComponentWalk {
     next: usize,
@@ -107,7 +107,7 @@ impl ComponentWalk {
         Self { next: 0, joined: UnionFind::new(mesh.vertex_capacity()), unions: 0 }
     }
 
-    /// Returns something once all edges are visited.
+    /// Returns `Some` once all edges are visited.
     fn advance(&mut self, mesh: &Mesh, halfedges: usize) -> Option<()> {
         let ends = mesh.connectivity().to.as_chunks::<2>().0;
         let end = ends.len().min(self.next.saturating_add(halfedges / 2 + 1));

@@ -1,4 +1,4 @@
-//! Local edits: each alone, hard cases, and long random sequences of all of them.
+//! Local edits: one by one, on hard cases, and in long random sequences.
 
 mod any_edit;
 mod attributes;

@@ -13,10 +13,11 @@ pub enum Bezier {
     Surface(Vec<Patch>),
 }
 
-/// Faces of the mesh that shows a surface: it is made anew at each movement of a control point.
+/// The approximate number of faces in a surface's preview, which is rebuilt at each movement of a control
+/// point.
 const MAX_PREVIEW_FACES: usize = 20_000;
 
-/// Quads along a patch's side in the mesh that shows a surface of few patches.
+/// The most quads along a patch's side in a preview.
 const MAX_PREVIEW_RESOLUTION: usize = 8;
 
 impl Bezier {
@@ -36,7 +37,7 @@ impl Bezier {
         }
     }
 
-    /// The patches of a surface; none for a curve.
+    /// The patches of a surface; empty for a curve.
     pub fn patches(&self) -> &[Patch] {
         match self {
             Self::Curve(_) => &[],
@@ -52,8 +53,8 @@ impl Bezier {
         }
     }
 
-    /// The curve or the patches of the points that [`Bezier::points`] gave; points too few for another
-    /// patch are left out.
+    /// The curve or the patches with these points, in the order of [`Bezier::points`]; points too few for
+    /// another patch are left out.
     pub fn from_points(is_curve: bool, points: Vec<Vec3>) -> Self {
         if is_curve {
             return Self::Curve(Curve { points });
@@ -63,13 +64,13 @@ impl Bezier {
         Self::Surface(patches.iter().map(|&rows| Patch { rows }).collect())
     }
 
-    /// Quads along a patch's side in the mesh that [`Bezier::preview`] makes.
+    /// The number of quads along a patch's side in the mesh of [`Bezier::preview`].
     pub fn preview_resolution(&self) -> u32 {
         let faces_per_patch = MAX_PREVIEW_FACES / self.patches().len().max(1);
         faces_per_patch.isqrt().clamp(1, MAX_PREVIEW_RESOLUTION) as u32
     }
 
-    /// The mesh that shows a surface; an empty one for a curve. Costs O(its faces).
+    /// The preview mesh of a surface; empty for a curve. Costs O(its faces).
     ///
     /// # Errors
     /// [`TooLarge`] when the surface has more patches than a mesh can show.

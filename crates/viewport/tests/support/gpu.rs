@@ -1,4 +1,4 @@
-//! A device without a window, and its pictures as arrays.
+//! A GPU device without a window, which reads pictures back as arrays.
 
 use viewport::{Frame, ObjectDraw, Renderer, Style};
 

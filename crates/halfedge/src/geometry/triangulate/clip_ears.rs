@@ -1,16 +1,17 @@
-//! Ear clipping: corners are cut off one after the other until a triangle is left (Meisters 1975).
+//! Ear clipping: cutting corners off one after the other until a triangle is left (Meisters 1975).
 //!
-//! The polygon is seen along the axis nearest to its normal: that keeps which way corners turn, and the
-//! coordinates as they are. An ear is a convex corner whose triangle no other corner is in. Any polygon that
-//! doesn't touch or cross itself has two, and cutting one off leaves such a polygon.
+//! The polygon is projected along the axis nearest to its normal, which preserves the direction in which
+//! corners turn and leaves coordinates unrounded. An ear is a convex corner whose triangle contains no
+//! other corner. Any polygon that doesn't touch or cross itself has two ears, and cutting one off leaves
+//! such a polygon.
 
 use super::Allowed;
 use glam::{DVec2, DVec3, Vec3};
 
-/// Concave corners are listed anew when half of a list longer than this has become convex.
+/// The list of concave corners is rebuilt when it is longer than this and half of it has become convex.
 const MIN_LISTED_CORNERS: usize = 16;
 
-/// Clips ears, with buffers kept from one polygon to the next.
+/// Clips ears, reusing its buffers from one polygon to the next.
 #[derive(Clone, Debug, Default)]
 pub(super) struct EarClipper {
     flat: Vec<DVec2>,
@@ -23,9 +24,9 @@ pub(super) struct EarClipper {
 }
 
 impl EarClipper {
-    /// Cuts a polygon into ears that touch no other corner, with cuts that are allowed; whether it came to
-    /// that. If so, `triangles` has them in the order of cutting: each as the corner before, the tip and the
-    /// corner after, and the triangle that is left. Costs O(corners x concave corners).
+    /// Cuts a polygon into ears that touch no other corner, with allowed cuts only; returns whether it
+    /// succeeded. If so, `triangles` has them in the order of cutting: each as the previous corner, the tip
+    /// and the next corner; the last is the remaining triangle. Costs O(corners x concave corners).
     pub(super) fn clip(
         &mut self,
         corners: &[Vec3],
@@ -51,8 +52,8 @@ impl EarClipper {
         self.turn(at) >= 0.0
     }
 
-    /// Cuts any polygon into triangles: ears, which may touch other corners in the place of their own; where
-    /// there are none convex corners, and where there are none of them any.
+    /// Cuts any polygon into triangles: ears, which may touch other corners at the position of one of their
+    /// own; if there are no ears, convex corners; if there are no convex corners, any.
     pub(super) fn clip_somehow(&mut self, corners: &[Vec3], normal: DVec3, triangles: &mut Vec<[u32; 3]>) {
         self.start(corners, normal);
         triangles.clear();
@@ -106,14 +107,14 @@ impl EarClipper {
         self.next[i as usize]
     }
 
-    /// Twice the signed area at a corner: positive where it is convex.
+    /// Twice the signed area at a corner; positive if it is convex.
     fn turn(&self, i: u32) -> f64 {
         let [a, b, c] = [self.before(i), i, self.after(i)].map(|k| self.flat[k as usize]);
         (b - a).perp_dot(c - b)
     }
 
-    /// Whether no other corner is in the triangle at a corner or on its sides; `touching`: but in the place of
-    /// one of its own.
+    /// Whether no other corner lies in the triangle at a corner or on its sides; with `touching`, corners
+    /// at the position of one of the triangle's own are ignored.
     fn is_ear(&self, i: u32, touching: bool) -> bool {
         let ear = [self.before(i), i, self.after(i)];
         let [a, b, c] = ear.map(|k| self.flat[k as usize]);
@@ -127,7 +128,7 @@ impl EarClipper {
         })
     }
 
-    /// Cuts a corner off; answers where to look on.
+    /// Cuts a corner off; returns where to continue the search.
     fn cut_off(&mut self, tip: u32, triangles: &mut Vec<[u32; 3]>) -> u32 {
         let (before, after) = (self.before(tip), self.after(tip));
         triangles.push([before, tip, after]);
@@ -146,7 +147,7 @@ impl EarClipper {
                 self.concave.retain(|&i| is_concave[i as usize]);
             }
         }
-        // Not the neighbour: cutting every second corner gives rounder triangles.
+        // Skips the neighbour: cutting every second corner gives rounder triangles.
         self.after(after)
     }
 

@@ -1,4 +1,4 @@
-//! Polygons cut into triangles between their own corners.
+//! Cutting polygons into triangles between their own corners.
 //!
 //! There is one rule. Drawing, picking, saving, simplifying, remeshing and the operation
 //! `triangulate-faces` all follow it, so that they agree on the surface of a non-planar polygon.
@@ -12,28 +12,28 @@ use crate::{FaceId, HalfedgeId, Mesh};
 use clip_ears::EarClipper;
 use glam::{DVec3, Vec3};
 
-/// Larger polygons aren't cut into a fan: its triangles would be thin, and its first corner would have a
-/// great many edges.
+/// Larger polygons aren't cut into a fan: its triangles would be thin, and the first corner would have very
+/// many edges.
 const MAX_FAN_CORNERS: usize = 8;
-/// Larger polygons that touch or cross themselves are cut somehow: what covers them takes the square of their
-/// corners to find.
+/// Larger polygons that touch or cross themselves are cut without regard to overlaps: avoiding overlaps
+/// takes time quadratic in the number of corners.
 const MAX_TOUCHING_CORNERS: usize = 1024;
 
-/// Which corners a cut may join, by their numbers: the edits keep edges from being doubled.
+/// Decides which corners a cut may join, by their indices. Edits use it to avoid duplicate edges.
 pub(crate) trait Allowed: Fn(u32, u32) -> bool {}
 impl<F: Fn(u32, u32) -> bool> Allowed for F {}
 
-/// Cuts polygons into triangles by their corners. It keeps its buffers from one polygon to the next.
+/// Cuts polygons into triangles, reusing its buffers from one polygon to the next.
 ///
-/// A polygon of n corners always gives n - 2 triangles that are oriented as it is:
+/// A polygon of n corners always gives n - 2 triangles with the orientation of the polygon:
 ///
-/// 1. A quad is cut from its first corner, or along the other diagonal where only that keeps both halves
+/// 1. A quad is cut from its first corner, or along the other diagonal if only that keeps both halves
 ///    facing the same way.
-/// 2. A polygon of up to 8 corners is cut into a fan from its first corner where every triangle of it faces
-///    the polygon's way.
-/// 3. Others are cut ear by ear (Meisters 1975), which covers concave polygons.
-/// 4. A polygon of up to 1024 corners that touches itself is cut so that nothing is covered twice, or where it
-///    crosses itself, as little as possible (Klincsek 1980).
+/// 2. A polygon of up to 8 corners is cut into a fan from its first corner, if every triangle of the fan
+///    faces the polygon's way.
+/// 3. Other polygons, including concave ones, are cut ear by ear (Meisters 1975).
+/// 4. A polygon of up to 1024 corners that touches itself is cut so that nothing is covered twice. If it
+///    crosses itself, as little as possible is covered twice (Klincsek 1980).
 /// 5. The corners of a larger one are cut off one by one, convex ones first; the triangles may overlap.
 #[derive(Clone, Debug, Default)]
 pub struct PolygonTriangulator {
@@ -50,9 +50,9 @@ impl PolygonTriangulator {
         Self::default()
     }
 
-    /// The triangles of a face: three half-edges each, which leave the triangle's corners. Costs
-    /// O(corners x concave corners) where the face doesn't touch or cross itself, else up to
-    /// O(corners²), and O(corners³) for up to 128 corners.
+    /// The triangles of a face: three half-edges each, which leave the triangle's corners. Costs O(corners
+    /// x concave corners) if the face doesn't touch or cross itself, else up to O(corners²), and
+    /// O(corners³) for up to 128 corners.
     pub fn triangulate_face(&mut self, mesh: &Mesh, face: FaceId) -> &[[HalfedgeId; 3]] {
         self.sides.clear();
         self.sides.extend(mesh.face_halfedges(face));
@@ -72,23 +72,23 @@ impl PolygonTriangulator {
         &self.side_triangles
     }
 
-    /// The triangles of a polygon, as numbers of its corners; none of fewer than three. Costs as
-    /// [`PolygonTriangulator::triangulate_face`] does.
+    /// The triangles of a polygon, as indices of its corners; none for fewer than three corners. Costs as
+    /// much as [`PolygonTriangulator::triangulate_face`].
     pub fn triangulate(&mut self, corners: &[Vec3]) -> &[[u32; 3]] {
         self.cut(corners, true, |_, _| true);
         &self.triangles
     }
 
-    /// The triangles of a polygon cut ear by ear, however many corners it has: neither a fan nor overlapping
-    /// triangles. None where it has more than 128 corners, crosses itself and can't be cut that way. Costs as
-    /// [`PolygonTriangulator::triangulate_face`] does.
+    /// The triangles of a polygon cut ear by ear, however many corners it has: neither a fan nor
+    /// overlapping triangles. None if it has more than 128 corners, crosses itself and can't be cut that
+    /// way. Costs as much as [`PolygonTriangulator::triangulate_face`].
     pub fn cut_ears(&mut self, corners: &[Vec3]) -> Option<&[[u32; 3]]> {
         self.triangulate_with(corners, false, |_, _| true)
     }
 
-    /// The triangles of a polygon in an order in which each is an ear of what is left by those before it,
-    /// with cuts only between corners that `allowed` says may be joined. `fans` says whether rules 1 and 2
-    /// hold or it is cut ear by ear. None where there is no way.
+    /// The triangles of a polygon, in an order in which each is an ear of what the previous ones leave,
+    /// with cuts only between corners that `allowed` accepts. `fans` says whether rules 1 and 2 apply;
+    /// otherwise the polygon is cut ear by ear. None if that is impossible.
     pub(crate) fn triangulate_with(
         &mut self,
         corners: &[Vec3],
@@ -118,7 +118,7 @@ impl PolygonTriangulator {
             return true;
         }
         self.triangles.clear();
-        // Without fans all ears are wanted that there are, whatever it costs.
+        // Without fans, ears are wanted whatever they cost.
         if corners.len() <= MAX_TOUCHING_CORNERS || !fans {
             if let Some(triangles) = touching::find_triangles(corners, normal, &allowed) {
                 self.triangles = triangles;
@@ -135,7 +135,8 @@ impl PolygonTriangulator {
         self.triangles.iter().all(|&[a, b, c]| may_join(a, b) && may_join(b, c) && may_join(c, a))
     }
 
-    /// Cuts a quad along the better diagonal, or the other one if only that is allowed; whether one is.
+    /// Cuts a quad along the better diagonal, or along the other one if only that is allowed; returns
+    /// whether one was allowed.
     #[inline]
     fn cut_quad(&mut self, [a, b, c, d]: [Vec3; 4], normal: DVec3, allowed: &impl Allowed) -> bool {
         let by_first = facing([a, b, c], normal).min(facing([a, c, d], normal));
@@ -146,7 +147,7 @@ impl PolygonTriangulator {
         !is_first || allowed(0, 2)
     }
 
-    /// Cuts a small polygon into a fan; whether that is right and allowed.
+    /// Cuts a small polygon into a fan; returns whether that was correct and allowed.
     fn cut_fan(&mut self, corners: &[Vec3], normal: DVec3, allowed: &impl Allowed) -> bool {
         let count = corners.len() as u32;
         let fan = (2..count).map(|i| [0, i - 1, i]);
@@ -160,7 +161,7 @@ impl PolygonTriangulator {
     }
 }
 
-/// How far a triangle faces along a normal: less than zero where it faces away.
+/// How far a triangle faces along a normal; negative if it faces away.
 #[inline]
 fn facing(corners: [Vec3; 3], normal: DVec3) -> f64 {
     let [a, b, c] = corners.map(|p| p.as_dvec3());

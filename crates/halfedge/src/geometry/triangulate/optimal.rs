@@ -6,9 +6,9 @@ use glam::DVec2;
 /// The most corners for which all triangulations are compared, at O(n³).
 pub(super) const MAX_OPTIMAL_CORNERS: usize = 128;
 
-/// Finds the triangulation with the least area turned the wrong way, and of those the one with the shortest
-/// cuts. `polygon` numbers corners in `flat`. Gives the ears in the order of cutting them, without the last
-/// triangle; none if `allowed` forbids every triangulation.
+/// Finds the triangulation with the least area turned the wrong way, and among those the one with the
+/// shortest cuts. `polygon` lists indices of corners in `flat`. Returns the ears in the order of cutting,
+/// without the last triangle; none if `allowed` forbids every triangulation.
 pub(super) fn find_optimal_triangles(
     flat: &[DVec2],
     polygon: &[usize],
@@ -17,8 +17,8 @@ pub(super) fn find_optimal_triangles(
     let n = polygon.len();
     let at = |i: usize| flat[polygon[i]];
     let scale: f64 = (0..n).map(|i| at(i).distance_squared(at((i + 1) % n))).sum();
-    // cost[i * n + j] is the cost of the part from corner i to corner j, and the third corner of the triangle
-    // at its cut.
+    // cost[i * n + j] is the cost of the part from corner i to corner j, and the third corner of the
+    // triangle at its cut.
     let mut cost = vec![(f64::INFINITY, 0); n * n];
     for i in 0..n - 1 {
         cost[i * n + i + 1] = (0.0, 0);
@@ -44,7 +44,7 @@ pub(super) fn find_optimal_triangles(
     if !cost[n - 1].0.is_finite() {
         return None;
     }
-    // Inner parts first, so that each triangle is an ear of what is left. The last is not cut off.
+    // Inner parts first, so that each triangle is an ear of what is left. The last triangle is not cut off.
     let mut ears = Vec::with_capacity(n);
     let mut stack = vec![(0, n - 1)];
     while let Some((i, j)) = stack.pop() {

@@ -1,25 +1,26 @@
 //! Ears of polygons that touch or cross themselves.
 //!
-//! The polygon is seen along its normal. An ear is a convex corner whose triangle lies inside and is entered
-//! by no side; any polygon without self-crossings has two, and cutting one off leaves such a polygon. The
-//! signed areas of triangles add up to the polygon's: where all that are cut off turn left and the last does
-//! too, nothing is covered twice (Meisters 1975). Where that can't be had this way (the polygon crosses
+//! The polygon is projected along its normal. An ear is a convex corner whose triangle lies inside and is
+//! entered by no side; any polygon that doesn't cross itself has two, and cutting one off leaves such a
+//! polygon. The signed areas of the triangles add up to the polygon's, so if all ears turn left and the
+//! last triangle does too, nothing is covered twice (Meisters 1975). If this fails (the polygon crosses
 //! itself, or existing edges forbid the cuts), all triangulations are compared, which finds one if there is
-//! one. Polygons too large for that lose corners without area too, which one that touches itself may need.
+//! one. Polygons too large for that may also lose corners without area, which one that touches itself may
+//! need.
 
 use super::Allowed;
 use super::optimal::{MAX_OPTIMAL_CORNERS, find_optimal_triangles};
 use glam::{DVec2, DVec3, Vec3};
 
-/// How often a corner may be tested against an ear, which bounds the time that a huge polygon takes.
+/// The most tests of corners against ears, which bounds the time for a huge polygon.
 const MAX_CORNER_TESTS: usize = 1 << 28;
 
-/// A corner to cut off, between its neighbours at that moment: numbers of corners.
+/// A corner to cut off, between its current neighbours, as indices of corners.
 type Ear = [usize; 3];
 
-/// The triangles of a polygon of more than three corners, the ears in the order of cutting them and then what
-/// is left. None if there is no way, or none was found for more than 128 corners. Costs O(n²), or O(n³) where
-/// the triangulations of up to 128 corners are compared.
+/// The triangles of a polygon of more than three corners: the ears in the order of cutting, then the
+/// remaining triangle. None if there is no way, or none was found for more than 128 corners. Costs O(n²),
+/// or O(n³) if the triangulations of up to 128 corners are compared.
 pub(super) fn find_triangles(
     corners: &[Vec3],
     normal: DVec3,
@@ -44,7 +45,7 @@ fn find_ears(corners: &[Vec3], normal: DVec3, allowed: impl Fn(usize, usize) -> 
     if n <= MAX_OPTIMAL_CORNERS {
         return find_optimal_triangles(&flat, &(0..n).collect::<Vec<_>>(), allowed);
     }
-    // In a tilted plane what touches is off by what single precision rounds away.
+    // In a tilted plane, touching points are apart by the rounding of single precision.
     let size = corners.iter().map(|p| p.as_dvec3().abs().max_element()).fold(0.0, f64::max);
     for slack in [0.0, 2.0 * size * f64::from(f32::EPSILON)] {
         clipping = Clipping::new(&flat, slack);
@@ -62,32 +63,32 @@ fn find_ears(corners: &[Vec3], normal: DVec3, allowed: impl Fn(usize, usize) -> 
     Some(clipping.cut)
 }
 
-/// The polygon in its plane, counter-clockwise.
+/// The polygon projected onto its plane, counter-clockwise.
 fn project(corners: &[Vec3], normal: DVec3) -> Vec<DVec2> {
     let base = corners.first().map_or(DVec3::ZERO, |p| p.as_dvec3());
     let (x, y) = normal.try_normalize().unwrap_or(DVec3::Z).any_orthonormal_pair();
     corners.iter().map(|p| p.as_dvec3() - base).map(|p| DVec2::new(p.dot(x), p.dot(y))).collect()
 }
 
-/// Twice the signed area of a triangle: positive where it turns left.
+/// Twice the signed area of a triangle; positive if it turns left.
 pub(super) fn area(a: DVec2, b: DVec2, c: DVec2) -> f64 {
     (b - a).perp_dot(c - a)
 }
 
-/// A polygon that corners are being cut off.
+/// A polygon from which corners are being cut off.
 struct Clipping<'a> {
     flat: &'a [DVec2],
-    /// How far from a line a point counts as on it.
+    /// The distance from a line within which a point counts as on it.
     slack: f64,
     next: Vec<usize>,
     prev: Vec<usize>,
     left: usize,
-    /// A corner that is left, where the search continues.
+    /// A remaining corner, where the search continues.
     at: usize,
     cut: Vec<Ear>,
-    /// Corners that were tested and are no ears until a neighbour is cut off.
+    /// Corners that were tested and are not ears until a neighbour is cut off.
     rejected: Vec<bool>,
-    /// How many more ears may be tested.
+    /// The number of ears that may still be tested.
     tries: usize,
 }
 
@@ -107,8 +108,8 @@ impl<'a> Clipping<'a> {
         }
     }
 
-    /// Cuts ears that touch other corners only in the place of their own until a triangle is left; whether it
-    /// came to that and the triangle is not turned over.
+    /// Cuts ears that touch other corners only at the positions of their own, until a triangle is left;
+    /// returns whether it succeeded and the triangle is not reversed.
     fn cut_ears(&mut self, allowed: &impl Fn(usize, usize) -> bool) -> bool {
         while self.left > 3 {
             let Some(ear) = self.find_ear(|this, ear| this.is_ear(ear, false) && allowed(ear[0], ear[2]))
@@ -120,8 +121,8 @@ impl<'a> Clipping<'a> {
         self.is_done()
     }
 
-    /// Cuts ears that may touch other corners, and corners without area: those whose sides lie on each other
-    /// first, so that no side runs along another twice, and those in a straight line last.
+    /// Cuts ears that may touch other corners, and corners without area: first those whose sides lie on
+    /// each other, so that no side runs along another twice, and last those in a straight line.
     fn cut_touching(&mut self, allowed: &impl Fn(usize, usize) -> bool) -> bool {
         let mut tips: Vec<usize> = self.corners().collect();
         let mut is_stale = false;
@@ -138,7 +139,7 @@ impl<'a> Clipping<'a> {
             }
             let mut found = self.find_ear(|this, ear| this.is_ear(ear, true) && allowed(ear[0], ear[2]));
             if found.is_none() {
-                // Corners that the tips were in the way of are tested again.
+                // Corners that were rejected because of the cut tips are tested again.
                 self.rejected.fill(false);
                 if !std::mem::take(&mut is_stale) {
                     found = self.find_ear(|this, ear| this.is_flat(ear, false) && allowed(ear[0], ear[2]));
@@ -160,7 +161,7 @@ impl<'a> Clipping<'a> {
         self.left <= 3 && (self.left < 3 || self.turn(self.ear(self.at)) >= 0.0)
     }
 
-    /// The next corner that may be cut off, as `may` says.
+    /// The next corner that may be cut off, according to `may`.
     fn find_ear(&mut self, mut may: impl FnMut(&mut Self, Ear) -> bool) -> Option<Ear> {
         for _ in 0..self.left {
             let ear = self.ear(self.at);
@@ -181,7 +182,7 @@ impl<'a> Clipping<'a> {
         self.rejected[before] = false;
         self.rejected[after] = false;
         self.left -= 1;
-        // Not the neighbour: cutting every second corner gives rounder triangles.
+        // Skips the neighbour: cutting every second corner gives rounder triangles.
         self.at = self.next[after];
     }
 
@@ -189,12 +190,12 @@ impl<'a> Clipping<'a> {
         [self.prev[tip], tip, self.next[tip]]
     }
 
-    /// The corners that are left, in order.
+    /// The remaining corners, in order.
     fn corners(&self) -> impl Iterator<Item = usize> {
         std::iter::successors(Some(self.at), |&i| Some(self.next[i])).take(self.left)
     }
 
-    /// Twice the signed area of a triangle of corners; 0 where it is smaller than rounding makes it.
+    /// Twice the signed area of a triangle of corners; 0 if it is within rounding error.
     fn turn(&self, [a, b, c]: Ear) -> f64 {
         let [a, b, c] = [a, b, c].map(|i| self.flat[i]);
         let turn = area(a, b, c);
@@ -202,27 +203,27 @@ impl<'a> Clipping<'a> {
         if is_rounding { 0.0 } else { turn }
     }
 
-    /// Whether a corner has no area; with `tip`, its sides must lie on each other besides.
+    /// Whether a corner has no area; with `tip`, its sides must also lie on each other.
     fn is_flat(&self, ear: Ear, tip: bool) -> bool {
         let [a, b, c] = ear.map(|i| self.flat[i]);
         self.turn(ear) == 0.0 && (!tip || (a - b).dot(c - b) >= 0.0)
     }
 
-    /// Whether a corner is an ear; `touching`: even where its triangle touches others.
+    /// Whether a corner is an ear; with `touching`, even if its triangle touches other corners.
     fn is_ear(&mut self, ear: Ear, touching: bool) -> bool {
         if self.turn(ear) <= 0.0 || self.tries == 0 {
             return false;
         }
         self.tries -= 1;
         let [a, b, c] = ear;
-        // Nearly all of the others lie beyond the cut.
+        // Nearly all other corners lie beyond the cut.
         let from_cut = |p: usize| self.turn([c, a, p]);
         let from_sides = |p: usize| [[a, b, p], [b, c, p]].map(|turn| self.turn(turn));
         let mut of_p = from_cut(self.at);
         for p in self.corners() {
             let q = self.next[p];
             let of_q = from_cut(q);
-            // Where the polygon touches itself another corner is in the place of one of these.
+            // If the polygon touches itself, another corner may be at the position of one of these.
             let is_own = || ear.into_iter().any(|i| i == p || self.flat[i] == self.flat[p]);
             if !touching && of_p >= 0.0 && from_sides(p).iter().all(|&d| d >= 0.0) && !is_own() {
                 return false;
@@ -235,9 +236,9 @@ impl<'a> Clipping<'a> {
         self.is_inside(ear)
     }
 
-    /// Whether a side of the polygon that isn't wholly beyond the cut enters an ear's triangle: neither of the
-    /// ear's two sides separates them, nor does the line along the side. `ends` is on which side of the
-    /// ear's two sides each end of the side lies.
+    /// Whether a side of the polygon that isn't wholly beyond the cut enters an ear's triangle: it does
+    /// unless one of the ear's two sides, or the line along the polygon's side, separates them. `ends`
+    /// gives the positions of the side's ends relative to the ear's two sides.
     fn enters(&self, [p, q]: [usize; 2], ear: Ear, ends: [[f64; 2]; 2]) -> bool {
         if (0..2).any(|side| ends[0][side] <= 0.0 && ends[1][side] <= 0.0) {
             return false;

@@ -1,4 +1,4 @@
-//! Dropping faces that are no polygons or repeat others.
+//! Dropping faces that are not polygons or repeat others.
 
 use super::note;
 use super::side::{Kept, for_each_edge, sorted_sides};
@@ -41,7 +41,7 @@ pub(super) fn clean_faces(soup: &PolygonSoup, notes: &mut Vec<Note>) -> Vec<Kept
 
 /// Rule 2.
 pub(super) fn drop_duplicates(soup: &PolygonSoup, faces: &mut Vec<Kept>, notes: &mut Vec<Note>) {
-    // Equal for all rotations and both directions; tells which direction it was.
+    // A key that is equal for all rotations and both directions, and the direction.
     let canonical = |face: &Kept| {
         let vertices: Vec<u32> = face.corners.iter().map(|&c| soup.corners[c as usize]).collect();
         let n = vertices.len();
@@ -60,7 +60,7 @@ pub(super) fn drop_duplicates(soup: &PolygonSoup, faces: &mut Vec<Kept>, notes: 
         return;
     }
     let mut drop = vec![false; faces.len()];
-    // Per face, the opposite one, where there are these two.
+    // Per face: the opposite face, if there is one.
     let mut opposite = vec![None; faces.len()];
     for group in groups.values() {
         for &(f, _) in &group[1..] {
@@ -87,22 +87,22 @@ pub(super) fn drop_duplicates(soup: &PolygonSoup, faces: &mut Vec<Kept>, notes: 
     });
 }
 
-/// What is at the edges of a patch of opposite faces, connected over edges.
+/// The kinds of edges in a patch of opposite faces that are connected over edges.
 #[derive(Clone, Copy, Default)]
 struct Edges {
-    /// One with nothing but one pair of opposite faces.
+    /// An edge with only one pair of opposite faces.
     bare: bool,
-    /// One with further faces.
+    /// An edge with further faces.
     shared: bool,
-    /// One with faces that are in no pair.
+    /// An edge with faces that are in no pair.
     joins_others: bool,
-    /// One where more faces run one way than the other.
+    /// An edge where more faces run one way than the other.
     uneven: bool,
 }
 
-/// The faces of opposite pairs that stay: a pair that touches nothing else is a closed surface, and a patch of
-/// pairs whose edges all join it evenly to other faces is a wall between two solids. A sheet with two faces at
-/// every place is neither.
+/// The pairs of opposite faces that stay: a pair that touches nothing else is a closed surface, and a patch
+/// of pairs whose edges all join it evenly to other faces is a wall between two solids. A sheet that is
+/// double everywhere is neither.
 fn closed_pairs(soup: &PolygonSoup, faces: &[Kept], opposite: &[Option<usize>]) -> Vec<usize> {
     let sides = sorted_sides(soup, faces);
     let mut patches = UnionFind::new(faces.len());

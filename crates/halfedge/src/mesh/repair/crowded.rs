@@ -90,8 +90,8 @@ fn spokes(
     spokes
 }
 
-/// Takes out pairs of spokes like brackets around a circle: each that runs down, with the next one after it
-/// that runs up. Looks only at those that `counts` says.
+/// Removes pairs of spokes like brackets around a circle: each spoke that runs down, with the next one
+/// after it that runs up. Considers only spokes for which `counts` is true.
 fn pair_wedges(spokes: &mut Vec<Spoke>, counts: impl Fn(&Spoke) -> bool, pairs: &mut Vec<(usize, usize)>) {
     let mut open = Vec::new();
     let mut paired = vec![false; spokes.len()];
