@@ -42,9 +42,11 @@
 
 pub mod edit;
 pub mod geometry;
+mod in_parts;
 mod mesh;
 
 pub use edit::Refusal;
+pub use in_parts::{Budget, InParts};
 pub use mesh::attribute::{self, Color, keys};
 pub use mesh::{
     AddFaceError, Built, Connectivity, Defect, EdgeId, Element, FaceId, Gaps, GivenIds, HalfedgeId, Journal,

@@ -3,7 +3,7 @@
 use glam::Vec3;
 use halfedge::edit::{delete_faces, delete_vertices};
 use halfedge::geometry::{BitSet, UnionFind};
-use halfedge::{HalfedgeId, Mesh, NONE, PolygonSoup, Topology, TopologyCounter, VertexId};
+use halfedge::{Budget, HalfedgeId, InParts, Mesh, NONE, PolygonSoup, Topology, TopologyCounter, VertexId};
 use proptest::prelude::*;
 use std::collections::{BTreeSet, HashSet};
 
@@ -57,7 +57,7 @@ proptest! {
         let expected = walk(&mesh);
         prop_assert_eq!(mesh.topology(), expected);
         let mut counter = TopologyCounter::new(&mesh);
-        let counted = (0..100_000).find_map(|_| counter.advance(&mesh, slice));
+        let counted = (0..100_000).find_map(|_| counter.step(&mesh, &mut Budget::new(slice)));
         prop_assert_eq!(counted, Some(expected));
         let (numbers, count) = mesh.components();
         prop_assert_eq!(count, expected.components);

@@ -6,7 +6,7 @@ use common::*;
 use glam::{DVec3, Vec3};
 use halfedge::edit::{Connect, split_edge};
 use halfedge::geometry::PolygonTriangulator;
-use halfedge::{FaceId, Mesh, PolygonSoup};
+use halfedge::{Budget, FaceId, InParts, Mesh, PolygonSoup};
 use proptest::prelude::*;
 use surface::*;
 
@@ -174,7 +174,7 @@ fn faces_in_any_order_and_gaps_are_found() {
         for slice in [1, 100, 3599, 3600] {
             let (mut builder, mut slices) = (FaceTreeBuilder::new(mesh), 1);
             let made = loop {
-                match builder.step(mesh, slice) {
+                match builder.step(mesh, &mut Budget::new(slice)) {
                     Some(tree) => break tree,
                     None => slices += 1,
                 }

@@ -5,7 +5,7 @@ use crate::occlusion::{Drawing, Drawn, Occlusion};
 use crate::sight::Sight;
 use glam::{Vec2, Vec3};
 use halfedge::geometry::PolygonTriangulator;
-use halfedge::{EdgeId, Element, FaceId, HalfedgeId, Mesh, VertexId};
+use halfedge::{Budget, EdgeId, Element, FaceId, HalfedgeId, InParts, Mesh, VertexId};
 use std::ops::Range;
 use surface::FaceTree;
 
@@ -92,48 +92,47 @@ impl BoxSelection {
     pub fn kind(&self) -> Element {
         self.kind
     }
+}
 
-    /// Tests about this many more elements; returns the ids found, in ascending order, once all are tested.
-    pub fn step(&mut self, mesh: &Mesh, tree: &FaceTree, elements: usize) -> Option<Vec<u32>> {
-        let sight = Sight::new(mesh, tree, &self.camera, self.viewport);
-        match std::mem::replace(&mut self.stage, Stage::Begun) {
-            Stage::Begun if self.visible_only => {
-                self.stage = Stage::Drawing(Occlusion::begin(mesh, sight.view(), self.rect));
-                None
-            }
-            Stage::Begun => {
-                self.stage = Stage::Testing(None, 0, Vec::new());
-                None
-            }
-            Stage::Drawing(drawing) => {
-                self.stage = match drawing.draw_faces(mesh, elements) {
+/// It reads the mesh and its tree. The budget counts vertices placed, faces drawn and elements tested; the result
+/// is the ids found, in ascending order.
+impl InParts for BoxSelection {
+    type Input<'a> = (&'a Mesh, &'a FaceTree);
+    type Output = Vec<u32>;
+
+    fn step(&mut self, (mesh, tree): (&Mesh, &FaceTree), budget: &mut Budget) -> Option<Vec<u32>> {
+        let (camera, viewport) = (self.camera, self.viewport);
+        let sight = || Sight::new(mesh, tree, &camera, viewport);
+        // Both half-edges of an edge are tested together.
+        let kind = if self.kind == Element::Halfedge { Element::Edge } else { self.kind };
+        while !budget.is_spent() {
+            self.stage = match std::mem::replace(&mut self.stage, Stage::Begun) {
+                Stage::Begun if self.visible_only => {
+                    budget.take(mesh.vertex_count());
+                    Stage::Drawing(Occlusion::begin(mesh, sight().view(), self.rect))
+                }
+                Stage::Begun => Stage::Testing(None, 0, Vec::new()),
+                Stage::Drawing(drawing) => match drawing.draw_faces(mesh, budget) {
                     Drawn::Partly(drawing) => Stage::Drawing(drawing),
                     Drawn::Whole(occlusion) => Stage::Testing(occlusion, 0, Vec::new()),
-                };
-                None
-            }
-            Stage::Testing(occlusion, next, mut found) => {
-                // Both half-edges of an edge are tested together.
-                let kind = if self.kind == Element::Halfedge { Element::Edge } else { self.kind };
-                let end = next.saturating_add(elements).min(mesh.capacity(kind));
-                let through = Through { sight, rect: self.rect, visible_only: self.visible_only, occlusion };
-                through.find(self.kind, next as u32..end as u32, &mut found);
-                if end == mesh.capacity(kind) {
-                    return Some(found);
+                },
+                Stage::Testing(occlusion, next, mut found) => {
+                    let end = next + budget.take(mesh.capacity(kind) - next);
+                    let through = Through {
+                        sight: sight(),
+                        rect: self.rect,
+                        visible_only: self.visible_only,
+                        occlusion,
+                    };
+                    through.find(self.kind, next as u32..end as u32, &mut found);
+                    if end == mesh.capacity(kind) {
+                        return Some(found);
+                    }
+                    Stage::Testing(through.occlusion, end, found)
                 }
-                self.stage = Stage::Testing(through.occlusion, end, found);
-                None
-            }
+            };
         }
-    }
-
-    /// Tests all elements that are left.
-    pub fn finish(&mut self, mesh: &Mesh, tree: &FaceTree) -> Vec<u32> {
-        loop {
-            if let Some(found) = self.step(mesh, tree, usize::MAX) {
-                return found;
-            }
-        }
+        None
     }
 }
 

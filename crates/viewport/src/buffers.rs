@@ -8,7 +8,7 @@
 use crate::slots::{Range, Slots};
 use glam::Vec3;
 use halfedge::geometry::PolygonTriangulator;
-use halfedge::{FaceId, Mesh, Touched, VertexId, keys};
+use halfedge::{Budget, FaceId, Mesh, Touched, VertexId, keys};
 use std::collections::{BTreeSet, HashMap};
 use surface::normals;
 
@@ -106,7 +106,7 @@ impl Buffers {
     /// Writes the whole mesh relative to this origin. Costs O(mesh).
     pub fn rebuild(&mut self, mesh: &Mesh, origin: Vec3, smooth: bool, sink: &mut dyn Sink) {
         let mut rebuilding = self.begin_rebuild(mesh, origin, smooth, sink);
-        self.rebuild_faces(mesh, &mut rebuilding, usize::MAX, sink);
+        self.rebuild_faces(mesh, &mut rebuilding, &mut Budget::unlimited(), sink);
     }
 
     /// Begins a rebuild that [`Buffers::rebuild_faces`] carries out. Costs O(mesh), little for each face.
@@ -121,17 +121,17 @@ impl Buffers {
         Rebuild { next: 0, normals }
     }
 
-    /// Writes the faces of the next `faces` ids; returns whether there are any left. Once all are written,
-    /// pass edits made since [`Buffers::begin_rebuild`] to [`Buffers::update`].
+    /// Writes more faces, as many as the budget has ids for; returns whether there are any left. Once all are
+    /// written, pass edits made since [`Buffers::begin_rebuild`] to [`Buffers::update`].
     pub fn rebuild_faces(
         &mut self,
         mesh: &Mesh,
         rebuilding: &mut Rebuild,
-        faces: usize,
+        budget: &mut Budget,
         sink: &mut dyn Sink,
     ) -> bool {
         let Rebuild { next, normals } = rebuilding;
-        let end = next.saturating_add(faces).min(mesh.face_capacity());
+        let end = *next + budget.take(mesh.face_capacity().saturating_sub(*next));
         let mut writer = Writer::new(mesh, self.origin);
         for face in (*next..end).map(FaceId::new).filter(|f| mesh.has_face(*f)) {
             writer.load(face);

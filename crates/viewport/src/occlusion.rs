@@ -8,7 +8,7 @@ use crate::box_select::ScreenRect;
 use crate::camera::Projector;
 use glam::{Vec2, Vec3};
 use halfedge::geometry::PolygonTriangulator;
-use halfedge::{FaceId, Mesh};
+use halfedge::{Budget, FaceId, Mesh};
 
 /// The most cells along the longer side of the rectangle.
 const MAX_CELLS_PER_SIDE: f32 = 1024.0;
@@ -50,9 +50,9 @@ pub enum Drawn {
 }
 
 impl Drawing {
-    /// Draws the faces of the next `faces` ids. Costs O(faces + cells covered).
-    pub fn draw_faces(mut self, mesh: &Mesh, faces: usize) -> Drawn {
-        let end = self.next.saturating_add(faces).min(mesh.face_capacity());
+    /// Draws more faces, as many as the budget has ids for. Costs O(faces + cells covered).
+    pub fn draw_faces(mut self, mesh: &Mesh, budget: &mut Budget) -> Drawn {
+        let end = self.next + budget.take(mesh.face_capacity() - self.next);
         let mut triangulator = PolygonTriangulator::new();
         for face in (self.next..end).map(FaceId::new).filter(|f| mesh.has_face(*f)) {
             for &corners in triangulator.triangulate_face(mesh, face) {

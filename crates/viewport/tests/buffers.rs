@@ -4,7 +4,7 @@ mod support;
 
 use glam::{Vec3, vec3};
 use halfedge::edit::{Connect, Triangulation, split_edge, triangulate_face};
-use halfedge::{EdgeId, FaceId, Mesh, Touched, VertexId};
+use halfedge::{Budget, EdgeId, FaceId, Mesh, Touched, VertexId};
 use proptest::prelude::*;
 use support::{cube, grid, mesh, paint, sphere};
 use viewport::buffers::{Buffers, Corners, Sink, TRIANGLE_BYTES};
@@ -200,7 +200,7 @@ fn a_mesh_may_be_edited_during_a_rebuild() {
         let (mut buffers, mut mirror) = (Buffers::default(), Mirror::default());
         let mut rebuilding = buffers.begin_rebuild(&mesh, Vec3::ZERO, smooth, &mut mirror);
         let mut parts = 1;
-        while parts < 5 && buffers.rebuild_faces(&mesh, &mut rebuilding, 80, &mut mirror) {
+        while parts < 5 && buffers.rebuild_faces(&mesh, &mut rebuilding, &mut Budget::new(80), &mut mirror) {
             parts += 1;
         }
         assert_eq!((parts, mirror.written), (5, 4 * 80 * TRIANGLE_BYTES));
@@ -214,7 +214,7 @@ fn a_mesh_may_be_edited_during_a_rebuild() {
             }
             halfedge::edit::delete_faces(mesh, &[FaceId::new(40), FaceId::new(550)]).expect("faces");
         });
-        while buffers.rebuild_faces(&mesh, &mut rebuilding, 80, &mut mirror) {}
+        while buffers.rebuild_faces(&mesh, &mut rebuilding, &mut Budget::new(80), &mut mirror) {}
         buffers.update(&mesh, &edit, &mut mirror);
         assert_eq!(mirror.resets, 1, "no rebuild");
         assert_as_rebuilt(&mesh, &buffers, &mirror);

@@ -3,7 +3,7 @@
 mod support;
 
 use glam::{Vec2, Vec3, vec2, vec3};
-use halfedge::{Element, FaceId, Mesh, PolygonSoup, VertexId};
+use halfedge::{Budget, Element, FaceId, InParts, Mesh, PolygonSoup, VertexId};
 use proptest::prelude::*;
 use std::collections::BTreeSet;
 use support::{cube, grid, sphere};
@@ -108,11 +108,11 @@ fn isolated_vertices_are_picked_and_boxed() {
 fn inside(mesh: &Mesh, camera: &Camera, rect: ScreenRect, kind: Element, visible: bool) -> Vec<u32> {
     let tree = FaceTree::new(mesh);
     let begun = || BoxSelection::new(camera, VIEW, rect, kind, visible);
-    let all = begun().finish(mesh, &tree);
+    let all = begun().finish((mesh, &tree));
     // Some elements at a time give the same.
     let mut parts = begun();
     let found = loop {
-        if let Some(found) = parts.step(mesh, &tree, 3) {
+        if let Some(found) = parts.step((mesh, &tree), &mut Budget::new(3)) {
             break found;
         }
     };
@@ -209,7 +209,7 @@ proptest! {
         let tree = FaceTree::new(&ball);
         let camera = Camera { yaw, pitch, orthographic, ..Camera::default() };
         let visible: BTreeSet<u32> =
-            BoxSelection::new(&camera, VIEW, ALL, Element::Vertex, true).finish(&ball, &tree).into_iter().collect();
+            BoxSelection::new(&camera, VIEW, ALL, Element::Vertex, true).finish((&ball, &tree)).into_iter().collect();
         for v in ball.vertices() {
             let p = ball.position(v);
             let picked = pick(&ball, &tree, &camera, VIEW, at(&camera, p), Element::Vertex, 2.0);

@@ -4,7 +4,7 @@ mod support;
 
 use glam::{DVec3, Vec2, Vec3, vec2, vec3};
 use halfedge::edit::{Connect, delete_vertices, split_edge};
-use halfedge::{EdgeId, Element, Mesh, PolygonSoup, VertexId};
+use halfedge::{Budget, EdgeId, Element, Mesh, PolygonSoup, VertexId};
 use support::gpu::{Gpu, Image, bare, close, gpu, shown};
 use support::{cube, grid, mesh, paint, paint_all, sphere};
 use viewport::{Bounds, Camera, Frame, Highlight, Layer, ObjectChange, Renderer, Style};
@@ -226,7 +226,13 @@ fn a_highlight_is_uploaded_some_elements_at_a_time() {
             renderer.begin_highlight_upload(&gpu.device, Layer::Selected, Some(highlight));
             loop {
                 parts += 1;
-                if !renderer.upload_highlight_elements(&gpu.device, &gpu.queue, Layer::Selected, &ball, 10) {
+                if !renderer.upload_highlight_elements(
+                    &gpu.device,
+                    &gpu.queue,
+                    Layer::Selected,
+                    &ball,
+                    &mut Budget::new(10),
+                ) {
                     break;
                 }
             }
@@ -449,17 +455,20 @@ fn an_object_is_drawn_as_it_was_until_the_upload_is_complete() {
     let mut steps = 0;
     while renderer.is_uploading(7) {
         assert!(gpu.render(&mut renderer, &frame(&camera, &style), GAMMA).pixels == old.pixels, "{steps}");
-        let done = renderer.upload_faces(&gpu.device, &gpu.queue, 7, &after, 25);
+        let done = renderer.upload_faces(&gpu.device, &gpu.queue, 7, &after, &mut Budget::new(25));
         assert_eq!(done, !renderer.is_uploading(7));
         steps += 1;
     }
     assert_eq!(steps, after.face_count().div_ceil(25));
     assert!(gpu.render(&mut renderer, &frame(&camera, &style), GAMMA).pixels == new.pixels);
-    assert!(!renderer.upload_faces(&gpu.device, &gpu.queue, 7, &after, 25), "there is no more to do");
+    assert!(
+        !renderer.upload_faces(&gpu.device, &gpu.queue, 7, &after, &mut Budget::new(25)),
+        "there is no more to do"
+    );
 
     // An edit during the upload is drawn with it.
     renderer.begin_object_upload(&gpu.device, &gpu.queue, 7, &after, &style);
-    renderer.upload_faces(&gpu.device, &gpu.queue, 7, &after, 25);
+    renderer.upload_faces(&gpu.device, &gpu.queue, 7, &after, &mut Budget::new(25));
     after.start_recording();
     for face in [2, 80] {
         paint(&mut after, face, [255, 0, 0]);

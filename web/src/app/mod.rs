@@ -9,7 +9,7 @@ mod sheet;
 
 use editor::Editor;
 use egui::{CentralPanel, Context, Event as Input, Panel, ThemePreference, Ui};
-use halfedge::Element;
+use halfedge::{Budget, Element};
 
 use crate::bezier::{self, Player};
 use crate::input::actions::Action;
@@ -22,7 +22,7 @@ use crate::request::Requests;
 use crate::session::{Look, Session};
 use crate::shown::Shown;
 use crate::theme;
-use crate::view::View;
+use crate::view::{ELEMENTS_PER_FRAME, View};
 use panels::Panels;
 
 /// The editor with its user interface. Call [`App::logic`] and [`App::ui`] once per frame each.
@@ -77,6 +77,7 @@ impl App {
 
     /// Handles what happened since the last frame. Draws nothing.
     pub fn logic(&mut self, ctx: &Context) {
+        self.view.budget = Budget::new(ELEMENTS_PER_FRAME);
         for event in self.session.platform.poll(ctx) {
             match event {
                 Event::JobProgress { job, fraction } => self.session.jobs.progress(job, fraction),
@@ -99,9 +100,6 @@ impl App {
             let Some(action) = actions.next() else { break };
             self.act(action);
         }
-        if self.session.survey.step(self.session.editor.mesh()) {
-            ctx.request_repaint();
-        }
     }
 
     /// Draws a frame and acts on its input.
@@ -115,6 +113,10 @@ impl App {
         }
         self.requests = out;
         self.finish_edits(&ctx);
+        // What the picture and the pointer left of the budget.
+        if self.session.survey.step(self.session.editor.mesh(), &mut self.view.budget) {
+            ctx.request_repaint();
+        }
         self.session.frames.record(self.session.platform.now() - started);
     }
 

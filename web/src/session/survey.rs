@@ -4,10 +4,7 @@
 //! bar can wait for it; the page can't.
 
 use editor::{Changes, Editor, ObjectChange, ObjectId};
-use halfedge::{Mesh, Topology, TopologyCounter};
-
-/// Half-edges visited per frame, which takes a few milliseconds.
-const HALFEDGES_PER_FRAME: usize = 200_000;
+use halfedge::{Budget, InParts, Mesh, Topology, TopologyCounter};
 
 /// A count that continues from frame to frame.
 #[derive(Debug, Default)]
@@ -43,15 +40,16 @@ impl Survey {
         }
     }
 
-    /// Continues counting the active mesh; returns whether there is more to count.
-    pub fn step(&mut self, mesh: Option<&Mesh>) -> bool {
+    /// Counts more of the active mesh, as much as the budget allows; returns whether another frame is needed, to
+    /// count the rest or to show the result.
+    pub fn step(&mut self, mesh: Option<&Mesh>, budget: &mut Budget) -> bool {
         let Some(mesh) = mesh.filter(|_| self.is_due) else { return false };
         let counter = self.counter.get_or_insert_with(|| TopologyCounter::new(mesh));
-        self.found = counter.advance(mesh, HALFEDGES_PER_FRAME);
+        self.found = counter.step(mesh, budget);
         if self.found.is_some() {
             self.is_due = false;
             self.counter = None;
         }
-        self.is_due
+        true
     }
 }

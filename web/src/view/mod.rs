@@ -6,7 +6,7 @@ pub(crate) mod picture;
 use editor::{Changes, Editor, Object, ObjectChange, ObjectId};
 use egui::{Rect, Vec2};
 use glam::Vec3;
-use halfedge::{Element, FaceId, Mesh, Touched};
+use halfedge::{Budget, Element, FaceId, InParts, Mesh, Touched};
 use std::collections::HashMap;
 use surface::{FaceTree, FaceTreeBuilder};
 use viewport::{Bounds, BoxSelection, Camera, Style};
@@ -15,9 +15,9 @@ use crate::bezier;
 pub(crate) use gesture::{Gesture, Tool};
 use picture::Picture;
 
-/// Faces that are uploaded, or added to a picking tree, per frame; larger meshes are split over several
-/// frames to keep each short.
-pub(crate) const FACES_PER_FRAME: usize = 150_000;
+/// Mesh elements processed per frame: uploaded, added to a picking tree, tested by a box selection, counted.
+/// More work is split over several frames to keep each short.
+pub(crate) const ELEMENTS_PER_FRAME: usize = 150_000;
 
 /// The number of frames until the panels have their final sizes.
 const FRAMES_UNTIL_PANELS_SETTLE: u8 = 3;
@@ -44,6 +44,8 @@ pub(crate) struct View {
     building: Option<(ObjectId, FaceTreeBuilder)>,
     /// A box selection in progress, and whether it extends the selection.
     pub boxed: Option<(ObjectId, BoxSelection, bool)>,
+    /// The elements that may still be processed in this frame.
+    pub budget: Budget,
     /// The number of frames until everything is framed: in the first frame the viewport has no size yet,
     /// and panels get theirs in the second.
     pub frame_due: u8,
@@ -65,6 +67,7 @@ impl View {
             trees: HashMap::new(),
             building: None,
             boxed: None,
+            budget: Budget::new(ELEMENTS_PER_FRAME),
             frame_due: FRAMES_UNTIL_PANELS_SETTLE,
         }
     }
@@ -151,7 +154,7 @@ impl View {
                 }
             }
             if let Some(picture) = &mut self.picture {
-                picture.sync(*id, mesh, change, &self.style);
+                picture.sync(*id, mesh, change, &self.style, &mut self.budget);
             }
         }
         for id in &changes.bezier {
@@ -181,12 +184,12 @@ impl View {
     /// Continues building the tree for picking on an object; returns whether it is complete.
     pub fn build_tree_step(&mut self, object: &Object) -> bool {
         let (id, mesh) = (object.id(), object.mesh());
-        if self.trees.contains_key(&id) || mesh.face_count() <= FACES_PER_FRAME {
+        if self.trees.contains_key(&id) || mesh.face_count() <= ELEMENTS_PER_FRAME {
             return true;
         }
         let building = self.building.take().filter(|(built, _)| *built == id);
         let (_, mut builder) = building.unwrap_or_else(|| (id, FaceTreeBuilder::new(mesh)));
-        match builder.step(mesh, FACES_PER_FRAME) {
+        match builder.step(mesh, &mut self.budget) {
             Some(tree) => {
                 self.trees.insert(id, tree);
                 true
@@ -206,6 +209,16 @@ impl View {
             Some((_, builder)) => builder.finish(mesh),
             None => FaceTree::new(mesh),
         })
+    }
+
+    /// Continues a box selection; returns the ids found once it is complete.
+    pub fn step_box(&mut self, object: &Object, boxed: &mut BoxSelection) -> Option<Vec<u32>> {
+        if !self.build_tree_step(object) {
+            return None;
+        }
+        self.tree(object);
+        let tree = self.trees.get(&object.id())?;
+        boxed.step((object.mesh(), tree), &mut self.budget)
     }
 
     /// Frames everything once the viewport has a size.

@@ -3,13 +3,10 @@
 use editor::{Editor, ObjectChange, ObjectId};
 use egui::{PaintCallbackInfo, Rect, Ui};
 use egui_wgpu::{Callback, CallbackResources, CallbackTrait, RenderState, ScreenDescriptor, wgpu};
-use halfedge::{Element, Mesh};
+use halfedge::{Budget, Element, Mesh};
 use viewport::{Camera, Frame, Highlight, Layer, ObjectDraw, Renderer, Style};
 
-use super::{FACES_PER_FRAME, View};
-
-/// Highlighted elements uploaded per frame; larger selections are split over several frames.
-const HIGHLIGHTS_PER_FRAME: usize = 200_000;
+use super::View;
 
 /// The renderer, stored among egui's resources so that paint callbacks can access it.
 pub(crate) struct Picture {
@@ -39,26 +36,32 @@ impl Picture {
         self.with(|renderer, _, _| renderer.remove_object(id.0));
     }
 
-    pub fn sync(&self, id: ObjectId, mesh: &Mesh, change: &ObjectChange, style: &Style) {
+    pub fn sync(&self, id: ObjectId, mesh: &Mesh, change: &ObjectChange, style: &Style, budget: &mut Budget) {
         self.with(|renderer, device, queue| match change {
             ObjectChange::Touched(touched) => {
                 let change = viewport::ObjectChange::Touched(touched);
                 renderer.sync_object(device, queue, id.0, mesh, change, style);
             }
-            _ => upload(renderer, device, queue, id, mesh, style),
+            _ => upload(renderer, device, queue, id, mesh, style, budget),
         });
     }
 
     /// Uploads what else the style or the highlights need; returns whether there is more to upload.
-    fn prepare(&mut self, editor: &Editor, style: &Style, hovered: Option<(Element, u32)>) -> bool {
+    fn prepare(
+        &mut self,
+        editor: &Editor,
+        style: &Style,
+        hovered: Option<(Element, u32)>,
+        budget: &mut Budget,
+    ) -> bool {
         let mut behind = false;
         for object in editor.document().objects() {
             let (id, mesh) = (object.id(), object.mesh());
             let done = self.with(|renderer, device, queue| {
                 if object.visible() && !renderer.fits_style(id.0, style) {
-                    upload(renderer, device, queue, id, mesh, style);
+                    upload(renderer, device, queue, id, mesh, style, budget);
                 }
-                let done = renderer.upload_faces(device, queue, id.0, mesh, FACES_PER_FRAME);
+                let done = renderer.upload_faces(device, queue, id.0, mesh, budget);
                 behind |= renderer.is_uploading(id.0);
                 done
             });
@@ -85,8 +88,7 @@ impl Picture {
             for layer in [Layer::Selected, Layer::Hovered] {
                 self.with(|renderer, device, queue| {
                     let mesh = active.mesh();
-                    behind |=
-                        renderer.upload_highlight_elements(device, queue, layer, mesh, HIGHLIGHTS_PER_FRAME);
+                    behind |= renderer.upload_highlight_elements(device, queue, layer, mesh, budget);
                 });
             }
         }
@@ -96,7 +98,7 @@ impl Picture {
     }
 }
 
-/// Uploads a whole mesh, at once or over several frames.
+/// Uploads a whole mesh: now if the frame's budget allows it, else over several frames.
 fn upload(
     renderer: &mut Renderer,
     device: &wgpu::Device,
@@ -104,10 +106,12 @@ fn upload(
     id: ObjectId,
     mesh: &Mesh,
     style: &Style,
+    budget: &mut Budget,
 ) {
-    if mesh.face_count() > FACES_PER_FRAME {
+    if mesh.face_count() > budget.left() {
         renderer.begin_object_upload(device, queue, id.0, mesh, style);
     } else {
+        budget.take(mesh.face_count());
         renderer.sync_object(device, queue, id.0, mesh, viewport::ObjectChange::Everything, style);
     }
 }
@@ -166,7 +170,7 @@ pub(crate) fn paint(ui: &Ui, rect: Rect, editor: &Editor, view: &mut View) {
         return;
     };
     let document = editor.document();
-    if picture.prepare(editor, &view.style, view.hovered) {
+    if picture.prepare(editor, &view.style, view.hovered, &mut view.budget) {
         ui.ctx().request_repaint();
     }
     let pixels_per_point = ui.pixels_per_point();

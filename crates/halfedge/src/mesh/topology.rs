@@ -2,7 +2,7 @@
 
 use crate::geometry::{BitSet, UnionFind};
 use crate::mesh::Mesh;
-use crate::{EdgeId, HalfedgeId, NONE, VertexId};
+use crate::{Budget, EdgeId, HalfedgeId, InParts, NONE, VertexId};
 
 /// Counts that take a pass over the mesh.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -29,16 +29,20 @@ impl TopologyCounter {
     pub fn new(mesh: &Mesh) -> Self {
         Self { boundary: BoundaryWalk::default(), components: ComponentWalk::new(mesh) }
     }
+}
 
-    /// Counts about this many more half-edges of the mesh it was created for; returns the result once all
-    /// are counted. A boundary loop is walked as a whole. Start again after an edit, as the counts of a
-    /// mesh that changed meanwhile are wrong.
-    pub fn advance(&mut self, mesh: &Mesh, halfedges: usize) -> Option<Topology> {
+/// A boundary loop is walked as a whole. Start anew after an edit: the counts of a mesh that changed meanwhile
+/// are wrong.
+impl InParts for TopologyCounter {
+    type Input<'a> = &'a Mesh;
+    type Output = Topology;
+
+    fn step(&mut self, mesh: &Mesh, budget: &mut Budget) -> Option<Topology> {
         if self.components.joined.len() != mesh.vertex_capacity() {
             *self = Self::new(mesh);
         }
-        let left = self.boundary.advance(mesh, halfedges)?;
-        self.components.advance(mesh, left)?;
+        self.boundary.advance(mesh, budget)?;
+        self.components.advance(mesh, budget)?;
         let boundary_halfedges = self.boundary.halfedges;
         Some(Topology {
             boundary_loops: self.boundary.loops.len(),
@@ -60,36 +64,30 @@ struct BoundaryWalk {
 }
 
 impl BoundaryWalk {
-    /// Returns the remaining budget once all half-edges are visited.
-    fn advance(&mut self, mesh: &Mesh, budget: usize) -> Option<usize> {
+    /// Visits half-edges; returns something once all are visited.
+    fn advance(&mut self, mesh: &Mesh, budget: &mut Budget) -> Option<()> {
         let faces = mesh.connectivity().face;
-        let mut left = budget;
         while self.next < faces.len() {
-            let slice = &faces[self.next..faces.len().min(self.next.saturating_add(left))];
+            if budget.is_spent() {
+                return None;
+            }
+            let slice = &faces[self.next..faces.len().min(self.next.saturating_add(budget.left()))];
             let Some(skipped) = slice.iter().position(|&face| face == NONE) else {
-                self.next += slice.len();
-                left -= slice.len();
-                if left == 0 {
-                    return None;
-                }
+                self.next += budget.take(slice.len());
                 continue;
             };
             let h = HalfedgeId::new(self.next + skipped);
-            self.next += skipped + 1;
-            left -= skipped + 1;
+            self.next += budget.take(skipped + 1);
             if !self.seen.contains(h.index()) && mesh.has_halfedge(h) {
                 self.loops.push(h);
                 for side in mesh.loop_of(h) {
                     self.seen.insert(side.index());
                     self.halfedges += 1;
-                    left = left.saturating_sub(1);
+                    budget.take(1);
                 }
             }
-            if left == 0 {
-                return None;
-            }
         }
-        Some(left)
+        Some(())
     }
 }
 
@@ -107,10 +105,10 @@ impl ComponentWalk {
         Self { next: 0, joined: UnionFind::new(mesh.vertex_capacity()), unions: 0 }
     }
 
-    /// Returns `Some` once all edges are visited.
-    fn advance(&mut self, mesh: &Mesh, halfedges: usize) -> Option<()> {
+    /// Visits edges; returns something once all are visited.
+    fn advance(&mut self, mesh: &Mesh, budget: &mut Budget) -> Option<()> {
         let ends = mesh.connectivity().to.as_chunks::<2>().0;
-        let end = ends.len().min(self.next.saturating_add(halfedges / 2 + 1));
+        let end = self.next + budget.take(ends.len() - self.next);
         let is_compact = mesh.is_compact();
         for (e, &[a, b]) in (self.next..).zip(&ends[self.next..end]) {
             if is_compact || mesh.has_edge(EdgeId::new(e)) {
@@ -126,14 +124,13 @@ impl Mesh {
     /// Boundary loops, components and whether there are only triangles. Costs O(mesh): a pass over the
     /// half-edges and one over the edges, in the order they are stored.
     pub fn topology(&self) -> Topology {
-        let mut counter = TopologyCounter::new(self);
-        counter.advance(self, usize::MAX).unwrap_or_default()
+        TopologyCounter::new(self).finish(self)
     }
 
     /// One half-edge of each boundary loop, the one with the smallest id, in order. Costs O(half-edges).
     pub fn boundary_loops(&self) -> Vec<HalfedgeId> {
         let mut walk = BoundaryWalk::default();
-        walk.advance(self, usize::MAX);
+        walk.advance(self, &mut Budget::unlimited());
         walk.loops
     }
 
@@ -142,7 +139,7 @@ impl Mesh {
     /// removed ids have [`NONE`]. Costs O(edges).
     pub fn components(&self) -> (Vec<u32>, usize) {
         let mut walk = ComponentWalk::new(self);
-        walk.advance(self, usize::MAX);
+        walk.advance(self, &mut Budget::unlimited());
         let mut numbers = vec![NONE; self.vertex_capacity()];
         let mut count = 0;
         for v in 0..numbers.len() {

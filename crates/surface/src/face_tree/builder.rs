@@ -4,7 +4,7 @@ use super::{FACES_PER_LEAF, FaceTree, face_bounds};
 use crate::measure::Bounds;
 use crate::morton;
 use glam::Vec3;
-use halfedge::{FaceId, Mesh, NONE};
+use halfedge::{Budget, FaceId, InParts, Mesh, NONE};
 
 /// The order of face ids is kept where leaves in that order are on average smaller than this many faces; otherwise
 /// faces are sorted along a space-filling curve.
@@ -41,22 +41,17 @@ impl FaceTreeBuilder {
         };
         Self { order, done: 0, stage }
     }
+}
 
-    /// Builds the rest of the tree. Costs O(mesh).
-    pub fn finish(mut self, mesh: &Mesh) -> FaceTree {
-        loop {
-            if let Some(tree) = self.step(mesh, usize::MAX) {
-                return tree;
-            }
-        }
-    }
+/// The budget counts faces. Each is processed once or twice. At the end of a stage a part costs O(mesh) besides, little
+/// for each face.
+impl InParts for FaceTreeBuilder {
+    type Input<'a> = &'a Mesh;
+    type Output = FaceTree;
 
-    /// Processes about this many more faces; returns the tree once it is complete. Each face is processed once or
-    /// twice. At the end of a stage it costs O(mesh) besides, little for each face.
-    pub fn step(&mut self, mesh: &Mesh, faces: usize) -> Option<FaceTree> {
+    fn step(&mut self, mesh: &Mesh, budget: &mut Budget) -> Option<FaceTree> {
         let count = self.order.len();
-        let end =
-            self.done.saturating_add(faces.max(1)).min(count).next_multiple_of(FACES_PER_LEAF).min(count);
+        let end = (self.done + budget.take(count - self.done)).next_multiple_of(FACES_PER_LEAF).min(count);
         let slice = &self.order[self.done..end];
         let bounds = |&face: &u32| face_bounds(mesh, FaceId::new(face as usize));
         let leaf_of = |chunk: &[u32]| chunk.iter().map(bounds).fold(Bounds::EMPTY, Bounds::union);
@@ -67,7 +62,7 @@ impl FaceTreeBuilder {
             Stage::Centers(centers) => centers.extend(slice.iter().map(|face| bounds(face).center())),
         }
         self.done = end;
-        if end < self.order.len() {
+        if end < count {
             return None;
         }
         let leaves = match &mut self.stage {
@@ -77,6 +72,8 @@ impl FaceTreeBuilder {
                 self.order = morton::order(self.order.iter().copied().zip(centers.iter().copied()));
                 self.done = 0;
                 self.stage = Stage::Leaves(Vec::with_capacity(self.order.len().div_ceil(FACES_PER_LEAF)));
+                // Sorting took about as long as the faces that are left would.
+                budget.take(count);
                 return None;
             }
         };

@@ -9,7 +9,7 @@ pub(crate) use triangle::{along_segment, closest_in_triangle};
 
 use crate::measure::Bounds;
 use glam::Vec3;
-use halfedge::{FaceId, HalfedgeId, Mesh, NONE};
+use halfedge::{FaceId, HalfedgeId, InParts, Mesh, NONE};
 
 /// Faces in a box at the bottom of the tree.
 const FACES_PER_LEAF: usize = 16;

@@ -3,7 +3,7 @@
 use super::stream::Stream;
 use glam::Vec3;
 use halfedge::geometry::{BitSet, PolygonTriangulator};
-use halfedge::{Element, FaceId, HalfedgeId, Mesh};
+use halfedge::{Budget, Element, FaceId, HalfedgeId, InParts, Mesh};
 use surface::normals;
 
 /// The highlights, in the order in which they are drawn over each other.
@@ -74,7 +74,7 @@ impl HighlightBuffers {
         }
     }
 
-    /// Begins a highlight, or none, that [`HighlightBuffers::upload_elements`] uploads. Costs O(elements),
+    /// Begins a highlight, or none, that [`HighlightBuffers::step`] uploads. Costs O(elements),
     /// little for each.
     pub fn begin_upload(&mut self, device: &wgpu::Device, highlight: Option<(Highlight<'_>, Vec3)>) {
         self.object = highlight.map(|(h, _)| h.object);
@@ -102,33 +102,33 @@ impl HighlightBuffers {
     pub fn is_uploading(&self) -> bool {
         self.pending.is_some()
     }
+}
 
-    /// Uploads this many more elements of the mesh that it began with; returns whether there are any left.
-    pub fn upload_elements(
-        &mut self,
-        device: &wgpu::Device,
-        queue: &wgpu::Queue,
-        mesh: &Mesh,
-        elements: usize,
-    ) -> bool {
-        let Some(pending) = &mut self.pending else { return false };
-        let shapes = pending.take(mesh, elements);
+/// Uploads the elements of the mesh that it began with.
+impl InParts for HighlightBuffers {
+    type Input<'a> = (&'a wgpu::Device, &'a wgpu::Queue, &'a Mesh);
+    type Output = ();
+
+    fn step(&mut self, (device, queue, mesh): Self::Input<'_>, budget: &mut Budget) -> Option<()> {
+        let Some(pending) = &mut self.pending else { return Some(()) };
+        let shapes = pending.take(mesh, budget);
         let is_left = pending.next < pending.ids.len();
         self.points.append(device, queue, &shapes.points);
         self.lines.append(device, queue, &shapes.lines);
         self.arrows.append(device, queue, &shapes.arrows);
         self.fill.append(device, queue, &shapes.fill);
-        if !is_left {
-            self.pending = None;
+        if is_left {
+            return None;
         }
-        is_left
+        self.pending = None;
+        Some(())
     }
 }
 
 impl Pending {
-    /// The shapes of this many more elements.
-    fn take(&mut self, mesh: &Mesh, elements: usize) -> Shapes {
-        let end = self.next.saturating_add(elements).min(self.ids.len());
+    /// The shapes of more elements, as many as the budget has.
+    fn take(&mut self, mesh: &Mesh, budget: &mut Budget) -> Shapes {
+        let end = self.next + budget.take(self.ids.len() - self.next);
         let ids = self.ids.get(self.next..end).unwrap_or_default();
         self.next = end;
         shapes(mesh, self.kind, ids, &self.marked, self.origin)

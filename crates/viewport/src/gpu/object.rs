@@ -4,7 +4,7 @@ use super::isolated::IsolatedVertices;
 use super::stream::Stream;
 use crate::buffers::{Buffers, Corners, Rebuild, Sink};
 use glam::Vec3;
-use halfedge::{Mesh, Touched};
+use halfedge::{Budget, InParts, Mesh, Touched};
 
 /// Triangles per page. An object's triangles are spread over pages, so that growing copies at most one
 /// page and no buffer exceeds what every device allows (128 MiB).
@@ -57,6 +57,17 @@ struct Next {
 
 fn origin_of(mesh: &Mesh) -> Vec3 {
     surface::measure::bounding_box(mesh).map_or(Vec3::ZERO, |b| b.center())
+}
+
+impl InParts for Next {
+    type Input<'a> = (&'a wgpu::Device, &'a wgpu::Queue, &'a Mesh);
+    type Output = ();
+
+    fn step(&mut self, (device, queue, mesh): Self::Input<'_>, budget: &mut Budget) -> Option<()> {
+        let mut upload = Upload { device, queue, pages: &mut self.pages, bytes: 0 };
+        let is_left = self.buffers.rebuild_faces(mesh, &mut self.rebuilding, budget, &mut upload);
+        (!is_left).then_some(())
+    }
 }
 
 impl Object {
@@ -116,18 +127,17 @@ impl Object {
         self.next = Some(Next { buffers, pages, rebuilding, points });
     }
 
-    /// Uploads this many more faces of an upload that has begun; returns whether that was the last of it. If
-    /// so, the new buffers are drawn from now on.
+    /// Uploads more faces of an upload that has begun, as many as the budget has; returns whether that was the
+    /// last of it. If so, the new buffers are drawn from now on.
     pub fn upload_faces(
         &mut self,
         device: &wgpu::Device,
         queue: &wgpu::Queue,
         mesh: &Mesh,
-        faces: usize,
+        budget: &mut Budget,
     ) -> bool {
         let Some(mut next) = self.next.take() else { return false };
-        let mut upload = Upload { device, queue, pages: &mut next.pages, bytes: 0 };
-        if next.buffers.rebuild_faces(mesh, &mut next.rebuilding, faces, &mut upload) {
+        if next.step((device, queue, mesh), budget).is_none() {
             self.next = Some(next);
             return false;
         }
@@ -158,7 +168,7 @@ impl Object {
         touched: &Touched,
     ) -> u64 {
         // The edit may have touched faces that an upload has written already: it is completed first.
-        self.upload_faces(device, queue, mesh, usize::MAX);
+        self.upload_faces(device, queue, mesh, &mut Budget::unlimited());
         let mut upload = Upload { device, queue, pages: &mut self.pages, bytes: 0 };
         self.buffers.update(mesh, touched, &mut upload);
         let (mut bytes, origin) = (upload.bytes, self.buffers.origin());

@@ -7,7 +7,7 @@ use super::pipelines::Pipelines;
 use super::targets::Targets;
 use super::uniforms::{DrawUniform, FrameUniform};
 use crate::Style;
-use halfedge::{Mesh, Touched};
+use halfedge::{Budget, InParts, Mesh, Touched};
 use std::collections::HashMap;
 
 /// Bytes from one draw uniform to the next: a dynamic offset that every device allows.
@@ -103,18 +103,19 @@ impl Renderer {
         self.objects.get(&id).is_some_and(Object::is_uploading)
     }
 
-    /// Uploads this many more faces of an object whose upload has begun, from its current mesh; returns
-    /// whether that was the last of it. If so, set the highlights again: the origin of positions changed.
+    /// Uploads more faces of an object whose upload has begun, from its current mesh, as many as the budget has;
+    /// returns whether that was the last of it. If so, set the highlights again: the origin of positions
+    /// changed.
     pub fn upload_faces(
         &mut self,
         device: &wgpu::Device,
         queue: &wgpu::Queue,
         id: u64,
         mesh: &Mesh,
-        faces: usize,
+        budget: &mut Budget,
     ) -> bool {
         let object = self.objects.get_mut(&id).filter(|object| object.is_uploading());
-        let done = object.is_some_and(|object| object.upload_faces(device, queue, mesh, faces));
+        let done = object.is_some_and(|object| object.upload_faces(device, queue, mesh, budget));
         self.generation += u64::from(done);
         done
     }
@@ -145,7 +146,7 @@ impl Renderer {
     ) {
         self.begin_highlight_upload(device, layer, highlight);
         if let Some(highlight) = highlight {
-            self.upload_highlight_elements(device, queue, layer, highlight.mesh, usize::MAX);
+            self.upload_highlight_elements(device, queue, layer, highlight.mesh, &mut Budget::unlimited());
         }
     }
 
@@ -166,21 +167,21 @@ impl Renderer {
         self.generation += 1;
     }
 
-    /// Uploads this many more elements of a highlight that has begun, with the same mesh; returns whether
-    /// there are any left.
+    /// Uploads more elements of a highlight that has begun, with the same mesh, as many as the budget has;
+    /// returns whether there are any left.
     pub fn upload_highlight_elements(
         &mut self,
         device: &wgpu::Device,
         queue: &wgpu::Queue,
         layer: Layer,
         mesh: &Mesh,
-        elements: usize,
+        budget: &mut Budget,
     ) -> bool {
         let marked = self.marked(layer);
         if !marked.is_uploading() {
             return false;
         }
-        let is_left = marked.upload_elements(device, queue, mesh, elements);
+        let is_left = marked.step((device, queue, mesh), budget).is_none();
         self.generation += 1;
         is_left
     }

@@ -11,7 +11,7 @@ use super::Viewport;
 use super::control_points;
 use crate::bezier::ControlPoint;
 use crate::request::{Request, Requests};
-use crate::view::{FACES_PER_FRAME, Gesture, Tool};
+use crate::view::{Gesture, Tool};
 
 /// The radius around the pointer in which a vertex or an edge is picked, in points.
 const PICK_RADIUS_POINTS: f32 = 8.0;
@@ -245,20 +245,13 @@ impl Viewport<'_> {
         self.view.boxed = Some((object.id(), found, extend));
     }
 
-    /// Continues a box selection: all of a small mesh at once, of a large one some elements per frame.
+    /// Continues to look for the elements in the box, as far as the frame's budget goes.
     fn continue_box(&mut self, ui: &Ui, out: &mut Requests) {
         let Some((id, mut boxed, extend)) = self.view.boxed.take() else { return };
         let Some(object) = self.session.editor.document().active().filter(|object| object.id() == id) else {
             return;
         };
-        let mesh = object.mesh();
-        let small = mesh.face_count().max(mesh.vertex_count()) <= FACES_PER_FRAME;
-        let found = match self.view.build_tree_step(object) {
-            true if small => Some(boxed.finish(mesh, self.view.tree(object))),
-            true => boxed.step(mesh, self.view.tree(object), FACES_PER_FRAME),
-            false => None,
-        };
-        match found {
+        match self.view.step_box(object, &mut boxed) {
             Some(ids) => {
                 let mode = if extend { SelectMode::Extend } else { SelectMode::Replace };
                 out.select(boxed.kind(), ids, mode);
