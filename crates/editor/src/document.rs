@@ -3,10 +3,9 @@
 use crate::bezier::Bezier;
 use formats::{Materials, Model, NamedMesh};
 use glam::DVec3;
-use halfedge::{Mesh, PolygonSoup};
+use halfedge::Mesh;
 use serde::Serialize;
 use std::fmt;
-use std::sync::Arc;
 
 /// An object's identity: it stays the same while the object's place in the list changes, and is
 /// never given twice in a session.
@@ -23,21 +22,15 @@ impl fmt::Display for ObjectId {
 #[derive(Clone, Debug, PartialEq)]
 pub struct Object {
     id: ObjectId,
-    /// The name lists show.
-    pub(crate) name: String,
     /// Whether the viewport draws it.
     pub(crate) visible: bool,
-    /// Shared with jobs that read it and with nothing else, so that edits don't copy it.
-    pub(crate) mesh: Arc<Mesh>,
-    /// The control points that the mesh is made from.
-    pub(crate) bezier: Option<Arc<Bezier>>,
-    /// The faces as they were in the file, where the mesh had to be made something else.
-    pub(crate) soup: Option<Arc<PolygonSoup>>,
+    /// Its mesh and name. Only jobs that read the mesh share it, so that edits don't copy it.
+    pub(crate) named: NamedMesh,
 }
 
 impl Object {
-    pub(crate) fn new(id: ObjectId, name: String, mesh: Arc<Mesh>) -> Self {
-        Self { id, name, visible: true, mesh, bezier: None, soup: None }
+    pub(crate) fn new(id: ObjectId, named: NamedMesh) -> Self {
+        Self { id, visible: true, named }
     }
 
     /// The object's identity.
@@ -47,7 +40,7 @@ impl Object {
 
     /// The name lists show.
     pub fn name(&self) -> &str {
-        &self.name
+        &self.named.name
     }
 
     /// Whether the viewport draws it.
@@ -57,18 +50,18 @@ impl Object {
 
     /// The object's mesh.
     pub fn mesh(&self) -> &Mesh {
-        &self.mesh
+        &self.named.mesh
     }
 
     /// The control points that the mesh is made from, where it is a Bezier curve or surface.
     pub fn bezier(&self) -> Option<&Bezier> {
-        self.bezier.as_deref()
+        self.named.bezier.as_deref()
     }
 
     /// Whether something was changed when the object was read, so that `repair-import` can do it
     /// another way.
     pub fn is_repairable(&self) -> bool {
-        self.soup.is_some()
+        self.named.soup.is_some()
     }
 }
 
@@ -102,13 +95,9 @@ impl Document {
 
     /// The document as files of this name hold it. Shares the meshes.
     pub fn to_model(&self, name: &str) -> Model {
-        let object = |object: &Object| NamedMesh {
-            bezier: object.bezier.clone(),
-            ..NamedMesh::new(&object.name, Arc::clone(&object.mesh))
-        };
         Model {
             name: name.to_owned(),
-            objects: self.objects.iter().map(object).collect(),
+            objects: self.objects.iter().map(|object| object.named.clone()).collect(),
             offset: self.offset,
             materials: self.materials.clone(),
         }

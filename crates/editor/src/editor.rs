@@ -16,8 +16,9 @@ use crate::changes::Changes;
 use crate::document::{Counts, Document, Object, ObjectId};
 use crate::error::CommandError;
 use crate::history::{Change, History, Step};
-use crate::ops::Output;
+
 use crate::selection::Selection;
+use formats::NamedMesh;
 use halfedge::Mesh;
 use serde::Serialize;
 use std::collections::{HashMap, VecDeque};
@@ -104,7 +105,7 @@ impl Editor {
         let mut editor = Self::new();
         let name = name.into();
         editor.document.name.clone_from(&name);
-        let object = editor.object(Output::new(name, mesh));
+        let object = editor.object(NamedMesh::new(name, mesh));
         editor.changes.added(object.id());
         editor.document.objects.push(object);
         editor

@@ -57,7 +57,7 @@ impl Change {
         Some(match self {
             Self::Journal(id, journal) => {
                 let at = find(document, id)?;
-                let mesh = Arc::make_mut(&mut document.objects.get_mut(at)?.mesh);
+                let mesh = Arc::make_mut(&mut document.objects.get_mut(at)?.named.mesh);
                 let vertices = mesh.vertex_count();
                 let back = mesh.undo(journal);
                 let touched = back.touched();
@@ -69,21 +69,21 @@ impl Change {
             }
             Self::Mesh(id, mesh) => {
                 let at = find(document, id)?;
-                let old = std::mem::replace(&mut document.objects.get_mut(at)?.mesh, mesh);
+                let old = std::mem::replace(&mut document.objects.get_mut(at)?.named.mesh, mesh);
                 changes.everything(id);
                 reshaped(id);
                 Self::Mesh(id, old)
             }
             Self::Bezier(id, bezier) => {
                 let at = find(document, id)?;
-                let old = std::mem::replace(&mut document.objects.get_mut(at)?.bezier, bezier);
+                let old = std::mem::replace(&mut document.objects.get_mut(at)?.named.bezier, bezier);
                 changes.controls(id);
                 Self::Bezier(id, old)
             }
             Self::Soup(id, soup) => {
                 let at = find(document, id)?;
                 changes.document = true;
-                Self::Soup(id, std::mem::replace(&mut document.objects.get_mut(at)?.soup, soup))
+                Self::Soup(id, std::mem::replace(&mut document.objects.get_mut(at)?.named.soup, soup))
             }
             Self::Offset(offset) => {
                 changes.document = true;
@@ -96,7 +96,7 @@ impl Change {
             Self::Name(id, name) => {
                 let at = find(document, id)?;
                 changes.document = true;
-                Self::Name(id, std::mem::replace(&mut document.objects.get_mut(at)?.name, name))
+                Self::Name(id, std::mem::replace(&mut document.objects.get_mut(at)?.named.name, name))
             }
             Self::Visible(id, visible) => {
                 let at = find(document, id)?;
@@ -112,7 +112,7 @@ impl Change {
                     return None;
                 }
                 changes.added(object.id());
-                if object.bezier.is_some() {
+                if object.bezier().is_some() {
                     changes.controls(object.id());
                 }
                 document.objects.insert(at, *object);
@@ -124,7 +124,7 @@ impl Change {
                 }
                 let object = document.objects.remove(at);
                 changes.gone(object.id());
-                if object.bezier.is_some() {
+                if object.bezier().is_some() {
                     changes.controls(object.id());
                 }
                 reshaped(object.id());
@@ -170,9 +170,9 @@ impl Change {
                 Self::Soup(_, soup) => soup.as_ref().map_or(0, |soup| soup_bytes(soup)),
                 Self::Materials(materials) => materials.bytes(),
                 Self::Insert(_, object) => {
-                    object.mesh.bytes()
-                        + object.bezier.as_ref().map_or(0, |bezier| bezier.bytes())
-                        + object.soup.as_ref().map_or(0, |soup| soup_bytes(soup))
+                    object.mesh().bytes()
+                        + object.bezier().map_or(0, |bezier| bezier.bytes())
+                        + object.named.soup.as_ref().map_or(0, |soup| soup_bytes(soup))
                 }
                 _ => 0,
             }

@@ -8,12 +8,11 @@ pub use wire::{BadBytes, Wire};
 
 use crate::bezier::fill_previews;
 use crate::error::{CommandError, Problem};
-use crate::ops::{Action, Input, Op, Output, edit_all};
+use crate::ops::{Action, Op, edit_all};
 use crate::outcome::{Before, ElementIds};
 use formats::{Format, Import, Materials, Model, NamedBytes, NamedMesh, ReadError, Repairs};
 use glam::DVec3;
 use halfedge::{Mesh, Progress};
-use std::sync::Arc;
 
 /// The number of a job of an editor.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
@@ -31,9 +30,9 @@ pub(crate) enum Work {
     /// Reads files, and repairs faces that are not a mesh as they stand.
     Import(Vec<NamedBytes>, Repairs),
     /// Runs operations on meshes; several only where they are local edits.
-    Run(Vec<Op>, Vec<Input>),
+    Run(Vec<Op>, Vec<NamedMesh>),
     /// Writes a document as files.
-    Export(ExportHead, Vec<Input>),
+    Export(ExportHead, Vec<NamedMesh>),
 }
 
 /// The parts of a document that are written besides its objects.
@@ -58,7 +57,7 @@ pub struct JobResult {
 pub(crate) enum Made {
     Import(Import),
     /// The meshes; for local edits the elements they created and removed; warnings.
-    Meshes(Vec<Output>, Option<(ElementIds, ElementIds)>, Vec<String>),
+    Meshes(Vec<NamedMesh>, Option<(ElementIds, ElementIds)>, Vec<String>),
     Files(Vec<NamedBytes>),
 }
 
@@ -160,13 +159,9 @@ impl Work {
             }
             Self::Run(ops, inputs) => run(ops, inputs, progress)?,
             Self::Export(head, inputs) => {
-                let object = |input: &Input| NamedMesh {
-                    bezier: input.bezier.clone(),
-                    ..NamedMesh::new(&input.name, Arc::clone(&input.mesh))
-                };
                 let model = Model {
                     name: head.name.clone(),
-                    objects: inputs.iter().map(object).collect(),
+                    objects: inputs.clone(),
                     offset: head.offset,
                     materials: head.materials.clone(),
                 };
@@ -179,7 +174,7 @@ impl Work {
 }
 
 /// Runs operations on meshes: a whole-mesh one on all inputs, local ones on the first.
-pub(crate) fn run(ops: &[Op], inputs: &[Input], progress: &mut Progress<'_>) -> Result<Made, Problem> {
+pub(crate) fn run(ops: &[Op], inputs: &[NamedMesh], progress: &mut Progress<'_>) -> Result<Made, Problem> {
     if let [op] = ops
         && let Action::WholeMesh(whole) = op.action()
     {
@@ -195,7 +190,7 @@ pub(crate) fn run(ops: &[Op], inputs: &[Input], progress: &mut Progress<'_>) -> 
     edit_all(ops, &mut mesh, &mut notes, progress)?;
     let touched = mesh.finish_recording().touched();
     let ids = before.compare(&mesh, &touched);
-    Ok(Made::Meshes(vec![Output::new("", mesh)], Some(ids), notes))
+    Ok(Made::Meshes(vec![NamedMesh::new("", mesh)], Some(ids), notes))
 }
 
 #[cfg(test)]
@@ -208,7 +203,7 @@ mod tests {
         let soup = PolygonSoup::new(vec![glam::Vec3::ZERO; 3], &[[0, 1, 2]]);
         let mut raw = Mesh::build(soup).expect("small").mesh.into_raw();
         raw.next.swap(0, 1);
-        let output = Output::new("", Mesh::from_raw(raw));
+        let output = NamedMesh::new("", Mesh::from_raw(raw));
         let made = Made::Meshes(vec![output], None, Vec::new());
         let mut result = JobResult { made, validated: false };
         result.validate();

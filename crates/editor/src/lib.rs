@@ -13,12 +13,10 @@ mod editor;
 mod error;
 mod history;
 mod job;
-mod json;
 pub mod ops;
 mod outcome;
 pub mod script;
 mod selection;
-mod state;
 
 pub use bezier::{Bezier, show_controls};
 pub use changes::{Changes, ObjectChange};
@@ -28,8 +26,8 @@ pub use error::{CommandError, ErrorKind};
 pub use job::{BadBytes, JobId, JobRequest, JobResult, Wire};
 pub use ops::{Command, Facts, Op, OpId, Scope, Spec};
 pub use outcome::{ElementIds, Elements, Outcome};
+pub use script::element_kind;
 pub use selection::Selection;
-pub use state::element_kind;
 
 /// The library that reads and writes files, for its types in this crate's signatures.
 pub use formats;

@@ -5,7 +5,7 @@ use crate::document::{Object, ObjectId};
 use crate::error::Problem;
 use crate::history::Change;
 use crate::job::Made;
-use crate::ops::{Action, Commit, Op, Output};
+use crate::ops::{Action, Commit, NamedMesh, Op};
 use crate::outcome::{self, Elements, Outcome};
 use crate::selection::Selection;
 use glam::DVec3;
@@ -44,7 +44,7 @@ impl Editor {
         let object = self.document.object(*object);
         commit_of(op) == Commit::Replace
             && output.name.is_empty()
-            && object.is_some_and(|object| object.bezier.is_none() && object.mesh == output.mesh)
+            && object.is_some_and(|object| object.bezier().is_none() && object.mesh() == &*output.mesh)
     }
 
     /// Puts the result of a whole-mesh operation into the document; returns the changes that undo that.
@@ -91,7 +91,7 @@ impl Editor {
         commit: Commit,
         objects: &[ObjectId],
         at: usize,
-        outputs: Vec<Output>,
+        outputs: Vec<NamedMesh>,
     ) -> Result<Vec<Change>, Problem> {
         let mut outputs = outputs.into_iter();
         let first = outputs.next().ok_or_else(|| Problem::internal("the operation made nothing"))?;
@@ -103,11 +103,11 @@ impl Editor {
                 let index = self.document.index_of(target).ok_or_else(gone)?;
                 changes.push(Change::Mesh(target, first.mesh));
                 let object = self.document.object(target).ok_or_else(gone)?;
-                if object.bezier.is_some() {
+                if object.bezier().is_some() {
                     changes.push(Change::Bezier(target, None));
                 }
                 // The object no longer corresponds to the faces that it was read from.
-                if object.soup.is_some() && (commit == Commit::Join || outputs.len() > 0) {
+                if object.is_repairable() && (commit == Commit::Join || outputs.len() > 0) {
                     changes.push(Change::Soup(target, None));
                 }
                 if !first.name.is_empty() {
@@ -154,10 +154,11 @@ impl Editor {
         Ok(changes)
     }
 
-    pub(super) fn object(&mut self, output: Output) -> Object {
+    /// A new object of a mesh.
+    pub(super) fn object(&mut self, named: NamedMesh) -> Object {
         let id = ObjectId(self.next_object);
         self.next_object += 1;
-        Object::new(id, output.name, output.mesh)
+        Object::new(id, named)
     }
 
     pub(super) fn outcome(ops: &[Op], created: Elements, removed: Elements) -> Outcome {

@@ -7,7 +7,7 @@ use crate::document::ObjectId;
 use crate::error::{CommandError, Problem};
 use crate::history::Change;
 use crate::job::{ExportHead, JobId, JobRequest, JobResult, Made, Work};
-use crate::ops::{Action, Command, Input, Op};
+use crate::ops::{Action, Command, NamedMesh, Op};
 use crate::outcome::Outcome;
 use formats::{Format, NamedBytes, Repairs};
 use halfedge::Mesh;
@@ -151,7 +151,7 @@ impl Editor {
     }
 
     /// The work of operations, in faces read or created.
-    fn work(ops: &[Op], inputs: &[Input]) -> usize {
+    fn work(ops: &[Op], inputs: &[NamedMesh]) -> usize {
         let each = ops.iter().map(|op| match op.action() {
             Action::WholeMesh(whole) => whole.cost(inputs),
             Action::Local(edit) => inputs.first().map_or(0, |input| edit.cost(&input.mesh)),

@@ -5,7 +5,6 @@ use super::{Editor, MessageKind};
 use crate::bezier::fill_previews;
 use crate::error::CommandError;
 use crate::history::Change;
-use crate::ops::Output;
 use crate::outcome::{self, Elements, Outcome};
 use crate::selection::Selection;
 use formats::Import;
@@ -42,9 +41,7 @@ impl Editor {
         changes.push(Change::Materials(model.materials));
         let size = outcome::sizes(model.objects.iter().map(|imported| imported.mesh.as_ref()));
         for (at, imported) in model.objects.into_iter().enumerate() {
-            let mut object = self.object(Output { name: imported.name, mesh: imported.mesh });
-            object.soup = imported.soup;
-            object.bezier = imported.bezier;
+            let object = self.object(imported);
             changes.push(Change::Insert(at, Box::new(object)));
         }
         changes.push(Change::Active(0));

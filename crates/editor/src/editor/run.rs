@@ -6,7 +6,7 @@ use crate::document::{Object, ObjectId};
 use crate::error::{CommandError, Problem};
 use crate::history::{Change, is_reshaping};
 use crate::job;
-use crate::ops::{Action, Command, Commit, Input, LocalEdit, Op, Place, Target, edit_all, refuse_bezier};
+use crate::ops::{Action, Command, Commit, LocalEdit, NamedMesh, Op, Place, Target, edit_all, refuse_bezier};
 use crate::outcome::{Before, Elements, Outcome};
 use crate::selection::Selection;
 use halfedge::{Journal, Mesh, Touched};
@@ -252,24 +252,15 @@ impl Editor {
     }
 
     /// The meshes of objects, shared.
-    pub(super) fn inputs(&self, objects: &[ObjectId]) -> Vec<Input> {
-        objects
-            .iter()
-            .filter_map(|&id| self.document.object(id))
-            .map(|object| Input {
-                name: object.name.clone(),
-                mesh: object.mesh.clone(),
-                bezier: object.bezier.clone(),
-                soup: object.soup.clone(),
-            })
-            .collect()
+    pub(super) fn inputs(&self, objects: &[ObjectId]) -> Vec<NamedMesh> {
+        objects.iter().filter_map(|&id| self.document.object(id)).map(|object| object.named.clone()).collect()
     }
 
     /// Makes local edits on an object in one validated transaction: all of them or none.
     pub(super) fn edit(&mut self, id: ObjectId, ops: &[Op]) -> Result<Edited, Problem> {
         let at = self.document.index_of(id).ok_or_else(object_gone)?;
         let object = self.document.objects.get_mut(at).ok_or_else(object_gone)?;
-        let mesh = Arc::make_mut(&mut object.mesh);
+        let mesh = Arc::make_mut(&mut object.named.mesh);
         let before = Before::of(mesh);
         let mut notes = Vec::new();
         let ((), journal) =

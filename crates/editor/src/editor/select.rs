@@ -33,7 +33,7 @@ impl Editor {
     ) -> Result<(), CommandError> {
         self.end_edit();
         let refuse = |text: String| CommandError::of("select", Problem::field("ids", text));
-        let Some(mesh) = self.document.active().map(|object| object.mesh.clone()) else {
+        let Some(mesh) = self.document.active().map(|object| object.named.mesh.clone()) else {
             return Err(CommandError::refused("select", "the document has no object"));
         };
         let mut selection = if mode == SelectMode::Replace || self.selection.kind() != kind {

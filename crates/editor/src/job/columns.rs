@@ -9,16 +9,12 @@ use std::io;
 use std::sync::Arc;
 
 /// Writes a mesh with its name, its control points and, if wanted, the original faces of the file.
-pub(super) fn write_named(
-    out: &mut Writer<'_>,
-    name: &str,
-    mesh: &Mesh,
-    bezier: Option<&Bezier>,
-    soup: Option<&PolygonSoup>,
-) -> io::Result<()> {
+pub(super) fn write_named(out: &mut Writer<'_>, named: &NamedMesh, with_soup: bool) -> io::Result<()> {
+    let NamedMesh { name, mesh, bezier, soup } = named;
+    let soup = soup.as_ref().filter(|_| with_soup);
     out.value(&NamedHead {
-        name: name.to_owned(),
-        bezier_is_curve: bezier.map(|bezier| bezier.curve().is_some()),
+        name: name.clone(),
+        bezier_is_curve: bezier.as_ref().map(|bezier| bezier.curve().is_some()),
         has_soup: soup.is_some(),
     })?;
     write_mesh(out, mesh)?;

@@ -3,7 +3,7 @@
 use super::columns::{read_named, write_named};
 use super::wire::{BadBytes, Reader, Wire, Writer};
 use super::{ExportHead, JobId, JobRequest, JobResult, Made, Work};
-use crate::ops::{Action, Command, Input, Op, Output};
+use crate::ops::{Action, Command, Op};
 use crate::outcome::ElementIds;
 use formats::{Format, Image, Import, ImportReport, Materials, Model, NamedBytes, NamedMesh, Repairs};
 use serde::{Deserialize, Serialize};
@@ -57,7 +57,7 @@ impl Wire for JobRequest {
             Work::Run(ops, inputs) => {
                 let values = ops.iter().map(|op| Command { object: None, op: op.clone() }.to_value());
                 out.value(&head(WorkHead::Run { ops: values.collect() }))?;
-                write_inputs(&mut out, inputs, reads_soup(ops))
+                write_meshes(&mut out, inputs, reads_soup(ops))
             }
             Work::Export(export, inputs) => {
                 out.value(&head(WorkHead::Export {
@@ -66,7 +66,7 @@ impl Wire for JobRequest {
                     offset: export.offset.to_array(),
                 }))?;
                 write_materials(&mut out, &export.materials)?;
-                write_inputs(&mut out, inputs, false)
+                write_meshes(&mut out, inputs, false)
             }
         }
     }
@@ -79,12 +79,12 @@ impl Wire for JobRequest {
             WorkHead::Run { ops } => {
                 let parse = |value| Ok(Command::from_value(value).map_err(BadBytes::new)?.op);
                 let ops = ops.into_iter().map(parse).collect::<Result<Vec<Op>, BadBytes>>()?;
-                Work::Run(ops, read_inputs(&mut from)?)
+                Work::Run(ops, read_meshes(&mut from)?)
             }
             WorkHead::Export { format, name, offset } => {
                 let materials = read_materials(&mut from)?;
                 let head = ExportHead { format, name, offset: offset.into(), materials };
-                Work::Export(head, read_inputs(&mut from)?)
+                Work::Export(head, read_meshes(&mut from)?)
             }
         };
         from.end()?;
@@ -102,18 +102,11 @@ impl Wire for JobResult {
                 let (name, offset) = (model.name.clone(), model.offset.to_array());
                 out.value(&head(MadeHead::Import { name, report: report.clone(), offset }))?;
                 write_materials(&mut out, &model.materials)?;
-                out.value(&model.objects.len())?;
-                model.objects.iter().try_for_each(|object| {
-                    let (bezier, soup) = (object.bezier.as_deref(), object.soup.as_deref());
-                    write_named(&mut out, &object.name, &object.mesh, bezier, soup)
-                })
+                write_meshes(&mut out, &model.objects, true)
             }
             Made::Meshes(outputs, ids, notes) => {
                 out.value(&head(MadeHead::Meshes { notes: notes.clone(), has_ids: ids.is_some() }))?;
-                out.value(&outputs.len())?;
-                for output in outputs {
-                    write_named(&mut out, &output.name, &output.mesh, None, None)?;
-                }
+                write_meshes(&mut out, outputs, true)?;
                 for ids in ids.iter().flat_map(|(created, removed)| [created, removed]) {
                     [&ids.vertices, &ids.edges, &ids.faces]
                         .into_iter()
@@ -139,8 +132,7 @@ impl Wire for JobResult {
                 Made::Import(Import { model, report })
             }
             MadeHead::Meshes { notes, has_ids } => {
-                let output = |NamedMesh { name, mesh, .. }| Output { name, mesh };
-                let outputs = read_meshes(&mut from)?.into_iter().map(output).collect();
+                let outputs = read_meshes(&mut from)?;
                 let ids = if has_ids { Some((read_ids(&mut from)?, read_ids(&mut from)?)) } else { None };
                 Made::Meshes(outputs, ids, notes)
             }
@@ -156,17 +148,9 @@ fn reads_soup(ops: &[Op]) -> bool {
     ops.iter().any(|op| matches!(op.action(), Action::WholeMesh(whole) if whole.reads_soup()))
 }
 
-fn write_inputs(out: &mut Writer<'_>, inputs: &[Input], with_soup: bool) -> io::Result<()> {
-    out.value(&inputs.len())?;
-    inputs.iter().try_for_each(|input| {
-        let (bezier, soup) = (input.bezier.as_deref(), input.soup.as_deref().filter(|_| with_soup));
-        write_named(out, &input.name, &input.mesh, bezier, soup)
-    })
-}
-
-fn read_inputs(from: &mut Reader<'_>) -> Result<Vec<Input>, BadBytes> {
-    let input = |NamedMesh { name, mesh, bezier, soup }| Input { name, mesh, bezier, soup };
-    Ok(read_meshes(from)?.into_iter().map(input).collect())
+fn write_meshes(out: &mut Writer<'_>, meshes: &[NamedMesh], with_soup: bool) -> io::Result<()> {
+    out.value(&meshes.len())?;
+    meshes.iter().try_for_each(|mesh| write_named(out, mesh, with_soup))
 }
 
 fn read_meshes(from: &mut Reader<'_>) -> Result<Vec<NamedMesh>, BadBytes> {

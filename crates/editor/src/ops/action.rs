@@ -6,8 +6,8 @@ use crate::bezier::Bezier;
 use crate::document::{Document, Object, ObjectId};
 use crate::error::Problem;
 use crate::history::Change;
-use halfedge::{Mesh, PolygonSoup, Progress};
-use std::sync::Arc;
+use formats::NamedMesh;
+use halfedge::{Mesh, Progress};
 
 /// An operation: a struct with the fields of its JSON.
 pub(crate) trait Operation: Clone {
@@ -71,31 +71,6 @@ pub(crate) trait LocalEdit {
     fn cost(&self, mesh: &Mesh) -> usize;
 }
 
-/// A mesh that a whole-mesh operation reads.
-#[derive(Clone, Debug, PartialEq)]
-pub(crate) struct Input {
-    pub name: String,
-    pub mesh: Arc<Mesh>,
-    /// The control points that the mesh is made from.
-    pub bezier: Option<Arc<Bezier>>,
-    /// The faces as they were in the file, where the mesh had to differ from them.
-    pub soup: Option<Arc<PolygonSoup>>,
-}
-
-/// A mesh that a whole-mesh operation made, with the name its object should have; an empty one
-/// leaves the name as it is.
-#[derive(Clone, Debug, PartialEq)]
-pub(crate) struct Output {
-    pub name: String,
-    pub mesh: Arc<Mesh>,
-}
-
-impl Output {
-    pub fn new(name: impl Into<String>, mesh: Mesh) -> Self {
-        Self { name: name.into(), mesh: Arc::new(mesh) }
-    }
-}
-
 /// Refuses to edit the mesh that shows a Bezier object: moving a control point would replace it.
 pub(crate) fn refuse_bezier(name: &str, bezier: Option<&Bezier>) -> Result<(), Problem> {
     match bezier {
@@ -133,12 +108,12 @@ pub(crate) trait WholeMesh {
 
     /// Checks what it would run on, as far as that can be refused without running. Costs O(mesh) at
     /// most.
-    fn check_inputs(&self, inputs: &[Input]) -> Result<(), Problem> {
+    fn check_inputs(&self, inputs: &[NamedMesh]) -> Result<(), Problem> {
         inputs.iter().try_for_each(|input| refuse_bezier(&input.name, input.bezier.as_deref()))
     }
 
     /// Why it would change nothing, where that is known beforehand: its menu entry is greyed.
-    fn changes_nothing(&self, inputs: &[Input]) -> Option<&'static str> {
+    fn changes_nothing(&self, inputs: &[NamedMesh]) -> Option<&'static str> {
         let _ = inputs;
         None
     }
@@ -151,10 +126,10 @@ pub(crate) trait WholeMesh {
     /// Makes the new meshes from the old ones. Warnings go to `notes`.
     fn compute(
         &self,
-        inputs: &[Input],
+        inputs: &[NamedMesh],
         notes: &mut Vec<String>,
         progress: &mut Progress<'_>,
-    ) -> Result<Vec<Output>, Problem>;
+    ) -> Result<Vec<NamedMesh>, Problem>;
 
     /// How large the result is; none where it is not worth saying.
     fn result(&self, facts: &Facts) -> Option<Estimate> {
@@ -164,7 +139,7 @@ pub(crate) trait WholeMesh {
 
     /// The work in faces read or made, at least as many as the result has: what decides whether it
     /// becomes a job. Costs O(mesh) at most.
-    fn cost(&self, inputs: &[Input]) -> usize;
+    fn cost(&self, inputs: &[NamedMesh]) -> usize;
 
     /// Which objects it reads.
     fn objects(&self, place: &Place<'_>) -> Result<Vec<ObjectId>, Problem> {

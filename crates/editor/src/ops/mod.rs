@@ -18,8 +18,7 @@ mod spec;
 mod target;
 
 pub(crate) use action::{
-    Action, Commit, DocumentEdit, Input, LocalEdit, Operation, Output, Place, WholeMesh, edit_all,
-    refuse_bezier,
+    Action, Commit, DocumentEdit, LocalEdit, Operation, Place, WholeMesh, edit_all, refuse_bezier,
 };
 pub use choice::Choice;
 pub use command::Command;
@@ -27,6 +26,7 @@ pub use facts::{Amount, Counted, Estimate, Facts};
 pub use field::{
     Arity, DefaultValue, Drag, Field, FieldKind, Fill, Selected, Suggestion, Unit, four_digits, sentence_case,
 };
+pub(crate) use formats::NamedMesh;
 use json::Fields;
 pub use refs::{EdgeRef, FaceRef, HalfedgeRef, VertexRef};
 pub use spec::{Family, Scope, Spec};

@@ -11,10 +11,10 @@ use serde::{Deserialize, Serialize};
 #[serde(deny_unknown_fields)]
 pub struct BezierInsertPoint {
     /// The index that it gets, from 0; after the last one when left out.
-    #[serde(default, with = "crate::json::whole_option")]
+    #[serde(default, with = "crate::script::json::whole_option")]
     pub index: Option<u32>,
     /// Where it is.
-    #[serde(with = "crate::json::finite3")]
+    #[serde(with = "crate::script::json::finite3")]
     pub position: [f32; 3],
 }
 

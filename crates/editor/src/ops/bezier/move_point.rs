@@ -15,19 +15,19 @@ use surface::bezier::{Curve, Patch, weld_distance};
 #[serde(deny_unknown_fields)]
 pub struct BezierMovePoint {
     /// For a curve: which control point, from 0.
-    #[serde(default, with = "crate::json::whole_option")]
+    #[serde(default, with = "crate::script::json::whole_option")]
     pub point: Option<u32>,
     /// For a surface: which patch, from 0.
-    #[serde(default, with = "crate::json::whole_option")]
+    #[serde(default, with = "crate::script::json::whole_option")]
     pub patch: Option<u32>,
     /// For a surface: which of the patch's rows, 0 to 3.
-    #[serde(default, with = "crate::json::whole_option")]
+    #[serde(default, with = "crate::script::json::whole_option")]
     pub row: Option<u32>,
     /// For a surface: which point of the row, 0 to 3.
-    #[serde(default, with = "crate::json::whole_option")]
+    #[serde(default, with = "crate::script::json::whole_option")]
     pub column: Option<u32>,
     /// The new position.
-    #[serde(with = "crate::json::finite3")]
+    #[serde(with = "crate::script::json::finite3")]
     pub position: [f32; 3],
 }
 

@@ -5,7 +5,7 @@ use crate::bezier::Bezier;
 use crate::document::Object;
 use crate::error::Problem;
 use crate::history::Change;
-use crate::ops::{Action, DefaultValue, DocumentEdit, Field, Operation, Place, Scope, Spec, Unit};
+use crate::ops::{Action, DefaultValue, DocumentEdit, Field, NamedMesh, Operation, Place, Scope, Spec, Unit};
 use halfedge::Mesh;
 use serde::{Deserialize, Serialize};
 use std::sync::Arc;
@@ -16,7 +16,7 @@ use std::sync::Arc;
 #[serde(deny_unknown_fields)]
 pub struct BezierSplit {
     /// Where: above 0 and below 1.
-    #[serde(with = "crate::json::finite")]
+    #[serde(with = "crate::script::json::finite")]
     pub t: f32,
 }
 
@@ -57,8 +57,8 @@ impl DocumentEdit for BezierSplit {
         let at = place.index()?;
         let (first, rest) = curve.split(self.t);
         let name = format!("{} 2", object.name());
-        let mut made = Object::new(place.next_object, name, Arc::new(Mesh::new()));
-        made.bezier = Some(Arc::new(Bezier::Curve(rest)));
+        let bezier = Some(Arc::new(Bezier::Curve(rest)));
+        let made = Object::new(place.next_object, NamedMesh { bezier, ..NamedMesh::new(name, Mesh::new()) });
         let mut changes = control_points::put_curve(object, first)?;
         changes.push(Change::Insert(at + 1, Box::new(made)));
         if place.document.active > at {

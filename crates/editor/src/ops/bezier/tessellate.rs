@@ -2,7 +2,7 @@
 
 use crate::bezier::Bezier;
 use crate::error::Problem;
-use crate::ops::{Action, DefaultValue, Estimate, Facts, Field, Input, Operation, Output, Scope, Spec, WholeMesh};
+use crate::ops::{Action, DefaultValue, Estimate, Facts, Field, NamedMesh, Operation, Scope, Spec, WholeMesh};
 use halfedge::Progress;
 use serde::{Deserialize, Serialize};
 use surface::bezier::{MAX_RESOLUTION, tessellate};
@@ -13,7 +13,7 @@ use surface::bezier::{MAX_RESOLUTION, tessellate};
 #[serde(deny_unknown_fields)]
 pub struct BezierTessellate {
     /// How many quads lie along a patch's side.
-    #[serde(with = "crate::json::whole")]
+    #[serde(with = "crate::script::json::whole")]
     pub resolution: u32,
 }
 
@@ -55,7 +55,7 @@ impl WholeMesh for BezierTessellate {
         Err(Problem::field("resolution", text))
     }
 
-    fn check_inputs(&self, inputs: &[Input]) -> Result<(), Problem> {
+    fn check_inputs(&self, inputs: &[NamedMesh]) -> Result<(), Problem> {
         for input in inputs {
             match input.bezier.as_deref() {
                 Some(Bezier::Surface(_)) => {}
@@ -76,10 +76,10 @@ impl WholeMesh for BezierTessellate {
 
     fn compute(
         &self,
-        inputs: &[Input],
+        inputs: &[NamedMesh],
         notes: &mut Vec<String>,
         progress: &mut Progress<'_>,
-    ) -> Result<Vec<Output>, Problem> {
+    ) -> Result<Vec<NamedMesh>, Problem> {
         let mut outputs = Vec::with_capacity(inputs.len());
         for (at, input) in inputs.iter().enumerate() {
             if progress(at as f32 / inputs.len() as f32).is_break() {
@@ -88,7 +88,7 @@ impl WholeMesh for BezierTessellate {
             let patches = input.bezier.as_deref().map_or(&[][..], Bezier::patches);
             let made = tessellate(patches, self.resolution).map_err(|e| Problem::new(e.to_string()))?;
             notes.extend(made.notes.iter().map(ToString::to_string));
-            outputs.push(Output::new("", made.mesh));
+            outputs.push(NamedMesh::new("", made.mesh));
         }
         Ok(outputs)
     }
@@ -98,8 +98,8 @@ impl WholeMesh for BezierTessellate {
         side.checked_mul(side)?.checked_mul(facts.patches).map(Estimate::faces)
     }
 
-    fn cost(&self, inputs: &[Input]) -> usize {
-        let patches = |input: &Input| input.bezier.as_deref().map_or(0, |bezier| bezier.patches().len());
+    fn cost(&self, inputs: &[NamedMesh]) -> usize {
+        let patches = |input: &NamedMesh| input.bezier.as_deref().map_or(0, |bezier| bezier.patches().len());
         let faces = (self.resolution as usize).pow(2);
         inputs.iter().map(|input| patches(input).saturating_mul(faces)).sum()
     }

@@ -16,10 +16,10 @@ pub struct BevelEdges {
     /// The edges; the selected ones when left out.
     pub edges: Option<Vec<EdgeRef>>,
     /// How far the strip goes on each side, in mesh units, 0 or more.
-    #[serde(with = "crate::json::finite")]
+    #[serde(with = "crate::script::json::finite")]
     pub width: f32,
     /// The number of faces across the strip.
-    #[serde(with = "crate::json::whole")]
+    #[serde(with = "crate::script::json::whole")]
     pub segments: u32,
 }
 

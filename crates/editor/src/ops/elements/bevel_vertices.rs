@@ -16,7 +16,7 @@ pub struct BevelVertices {
     /// The vertices; the selected ones when left out.
     pub vertices: Option<Vec<VertexRef>>,
     /// How far along each edge the cut is, in mesh units, 0 or more.
-    #[serde(with = "crate::json::finite")]
+    #[serde(with = "crate::script::json::finite")]
     pub width: f32,
 }
 

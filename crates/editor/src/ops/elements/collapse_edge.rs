@@ -13,7 +13,7 @@ pub struct CollapseEdge {
     /// The edge; each selected one in turn when left out.
     pub edge: Option<EdgeRef>,
     /// Where the vertex is along the edge's even half-edge, from 0 to 1.
-    #[serde(with = "crate::json::finite")]
+    #[serde(with = "crate::script::json::finite")]
     pub t: f32,
 }
 

@@ -16,7 +16,7 @@ pub struct ExtrudeEdges {
     /// The boundary edges; the selected ones when left out.
     pub edges: Option<Vec<EdgeRef>>,
     /// From the edges to the far sides of the quads, in mesh units.
-    #[serde(with = "crate::json::finite3")]
+    #[serde(with = "crate::script::json::finite3")]
     pub offset: [f32; 3],
 }
 

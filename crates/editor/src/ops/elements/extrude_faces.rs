@@ -16,7 +16,7 @@ pub struct ExtrudeFaces {
     /// The faces; the selected ones when left out.
     pub faces: Option<Vec<FaceRef>>,
     /// How far outward, in mesh units; negative goes inward.
-    #[serde(with = "crate::json::finite")]
+    #[serde(with = "crate::script::json::finite")]
     pub distance: f32,
     /// Whether faces that share an edge stay together.
     pub mode: Mode,

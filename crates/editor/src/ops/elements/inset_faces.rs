@@ -14,7 +14,7 @@ pub struct InsetFaces {
     /// The faces; the selected ones when left out.
     pub faces: Option<Vec<FaceRef>>,
     /// The width of the ring, in mesh units, 0 or more.
-    #[serde(with = "crate::json::finite")]
+    #[serde(with = "crate::script::json::finite")]
     pub amount: f32,
     /// Whether faces that share an edge stay together.
     pub mode: Mode,

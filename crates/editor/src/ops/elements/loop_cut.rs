@@ -13,10 +13,10 @@ pub struct LoopCut {
     /// The edge; the selected one when left out.
     pub edge: Option<EdgeRef>,
     /// How many cuts.
-    #[serde(with = "crate::json::whole")]
+    #[serde(with = "crate::script::json::whole")]
     pub cuts: u32,
     /// Where the middle of the cuts is along the edge's even half-edge, between 0 and 1.
-    #[serde(with = "crate::json::finite")]
+    #[serde(with = "crate::script::json::finite")]
     pub t: f32,
 }
 

@@ -13,7 +13,7 @@ pub struct MergeVertices {
     /// The vertices; those of the selected elements when left out.
     pub vertices: Option<Vec<VertexRef>>,
     /// Where the vertex goes; the mean of the vertices when left out.
-    #[serde(default, with = "crate::json::finite3_option")]
+    #[serde(default, with = "crate::script::json::finite3_option")]
     pub position: Option<[f32; 3]>,
 }
 

@@ -17,7 +17,7 @@ pub struct SetCrease {
     /// Vertices.
     pub vertices: Option<Vec<VertexRef>>,
     /// 0 is smooth; 10 or more is infinitely sharp.
-    #[serde(with = "crate::json::finite")]
+    #[serde(with = "crate::script::json::finite")]
     pub sharpness: f32,
 }
 

@@ -13,7 +13,7 @@ pub struct SetVertexPosition {
     /// The vertex; the selected one when left out.
     pub vertex: Option<VertexRef>,
     /// The new position, in mesh units.
-    #[serde(with = "crate::json::finite3")]
+    #[serde(with = "crate::script::json::finite3")]
     pub position: [f32; 3],
 }
 

@@ -1,7 +1,7 @@
 //! What the edits share that create their elements at size zero and then give them a size.
 
 use crate::error::Problem;
-use crate::json::shortest;
+use crate::script::json::shortest;
 use crate::ops::choice::choice;
 use halfedge::Mesh;
 use halfedge::edit::{Grouping, Live};

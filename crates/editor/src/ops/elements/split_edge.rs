@@ -16,7 +16,7 @@ pub struct SplitEdge {
     /// The edge; each selected one in turn when left out.
     pub edge: Option<EdgeRef>,
     /// Where the vertex is along the edge's even half-edge, between 0 and 1.
-    #[serde(with = "crate::json::finite")]
+    #[serde(with = "crate::script::json::finite")]
     pub t: f32,
     /// Which faces beside the edge are cut.
     pub connect: Connect,

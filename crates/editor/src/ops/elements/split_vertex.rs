@@ -18,7 +18,7 @@ pub struct SplitVertex {
     /// Two of its edges, between which its faces are divided; the two selected ones when left out.
     pub edges: Option<[EdgeRef; 2]>,
     /// Where the two vertices go: the one that keeps its id, and the new one.
-    #[serde(default, with = "crate::json::finite3_pair_option")]
+    #[serde(default, with = "crate::script::json::finite3_pair_option")]
     pub positions: Option<[[f32; 3]; 2]>,
 }
 

@@ -1,7 +1,7 @@
 //! `transform`: move, rotate and scale elements; what the gizmo sends.
 
 use crate::error::Problem;
-use crate::json::{finite, finite_option, finite3, finite3_option};
+use crate::script::json::{finite, finite_option, finite3, finite3_option};
 use crate::ops::refs::{all, count};
 use crate::ops::{
     Action, Arity, DefaultValue, Drag, EdgeRef, FaceRef, Field, FieldKind, LocalEdit, Operation, Scope, Selected,

@@ -2,7 +2,7 @@
 
 use crate::document::{Object, ObjectId};
 use crate::error::Problem;
-use crate::ops::{Action, Commit, Field, FieldKind, Input, Operation, Output, Place, Scope, Spec, WholeMesh};
+use crate::ops::{Action, Commit, Field, FieldKind, NamedMesh, Operation, Place, Scope, Spec, WholeMesh};
 use halfedge::Progress;
 use serde::{Deserialize, Serialize};
 
@@ -31,19 +31,19 @@ impl Operation for JoinObjects {
 impl WholeMesh for JoinObjects {
     fn compute(
         &self,
-        inputs: &[Input],
+        inputs: &[NamedMesh],
         _notes: &mut Vec<String>,
         progress: &mut Progress<'_>,
-    ) -> Result<Vec<Output>, Problem> {
+    ) -> Result<Vec<NamedMesh>, Problem> {
         if progress(0.0).is_break() {
             return Err(Problem::cancelled());
         }
         let mesh = surface::join_meshes(inputs.iter().map(|input| &*input.mesh))
             .map_err(|e| Problem::new(e.to_string()))?;
-        Ok(vec![Output::new("", mesh)])
+        Ok(vec![NamedMesh::new("", mesh)])
     }
 
-    fn cost(&self, inputs: &[Input]) -> usize {
+    fn cost(&self, inputs: &[NamedMesh]) -> usize {
         inputs.iter().map(|input| input.mesh.face_count()).sum()
     }
 

@@ -4,7 +4,7 @@ use crate::document::ObjectId;
 use crate::error::Problem;
 use crate::ops::json::Fields;
 use crate::ops::{
-    Action, Commit, DefaultValue, Estimate, Facts, Field, FieldKind, Input, Operation, Output, Place, Scope, Spec,
+    Action, Commit, DefaultValue, Estimate, Facts, Field, FieldKind, NamedMesh, Operation, Place, Scope, Spec,
     WholeMesh, sentence_case,
 };
 use halfedge::Progress;
@@ -106,10 +106,10 @@ impl Fields for New {
 impl WholeMesh for New {
     fn compute(
         &self,
-        _inputs: &[Input],
+        _inputs: &[NamedMesh],
         _notes: &mut Vec<String>,
         progress: &mut Progress<'_>,
-    ) -> Result<Vec<Output>, Problem> {
+    ) -> Result<Vec<NamedMesh>, Problem> {
         if progress(0.0).is_break() {
             return Err(Problem::cancelled());
         }
@@ -119,14 +119,14 @@ impl WholeMesh for New {
             )),
             other => other.into(),
         })?;
-        Ok(vec![Output::new(sentence_case(self.shape.name()), mesh)])
+        Ok(vec![NamedMesh::new(sentence_case(self.shape.name()), mesh)])
     }
 
     fn result(&self, _facts: &Facts) -> Option<Estimate> {
         usize::try_from(self.shape.face_count()).ok().map(Estimate::faces)
     }
 
-    fn cost(&self, _inputs: &[Input]) -> usize {
+    fn cost(&self, _inputs: &[NamedMesh]) -> usize {
         usize::try_from(self.shape.face_count()).unwrap_or(usize::MAX)
     }
 

@@ -2,7 +2,7 @@
 
 use crate::error::Problem;
 use crate::ops::{
-    Action, Choice, DefaultValue, Field, FieldKind, Input, Operation, Output, Scope, Spec, Unit, WholeMesh,
+    Action, Choice, DefaultValue, Field, FieldKind, NamedMesh, Operation, Scope, Spec, Unit, WholeMesh,
     refuse_bezier,
 };
 use formats::{NonManifold, Repairs};
@@ -17,7 +17,7 @@ pub struct RepairImport {
     /// What happens to faces at edges where more than two meet.
     pub non_manifold: NonManifold,
     /// Vertices this near to each other are merged, in mesh units.
-    #[serde(default, with = "crate::json::finite_option")]
+    #[serde(default, with = "crate::script::json::finite_option")]
     pub merge_by_distance: Option<f32>,
     /// Orient faces consistently.
     pub orient: bool,
@@ -69,7 +69,7 @@ impl WholeMesh for RepairImport {
         }
     }
 
-    fn check_inputs(&self, inputs: &[Input]) -> Result<(), Problem> {
+    fn check_inputs(&self, inputs: &[NamedMesh]) -> Result<(), Problem> {
         inputs.iter().try_for_each(|input| {
             refuse_bezier(&input.name, input.bezier.as_deref())?;
             match &input.soup {
@@ -89,10 +89,10 @@ impl WholeMesh for RepairImport {
 
     fn compute(
         &self,
-        inputs: &[Input],
+        inputs: &[NamedMesh],
         notes: &mut Vec<String>,
         progress: &mut Progress<'_>,
-    ) -> Result<Vec<Output>, Problem> {
+    ) -> Result<Vec<NamedMesh>, Problem> {
         let repairs = Repairs {
             non_manifold: self.non_manifold,
             merge_by_distance: self.merge_by_distance,
@@ -107,14 +107,14 @@ impl WholeMesh for RepairImport {
             let (mesh, changed) =
                 formats::rebuild(soup, &repairs).map_err(|error| Problem::new(error.to_string()))?;
             notes.extend(changed);
-            outputs.push(Output::new("", mesh));
+            outputs.push(NamedMesh::new("", mesh));
         }
         Ok(outputs)
     }
 
-    fn cost(&self, inputs: &[Input]) -> usize {
+    fn cost(&self, inputs: &[NamedMesh]) -> usize {
         // Faces that were left out may come back: those of the file count.
-        let faces = |input: &Input| input.soup.as_ref().map_or(0, |soup| soup.face_count());
+        let faces = |input: &NamedMesh| input.soup.as_ref().map_or(0, |soup| soup.face_count());
         inputs.iter().map(faces).sum()
     }
 }

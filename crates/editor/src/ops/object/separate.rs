@@ -4,7 +4,7 @@ use crate::error::Problem;
 use crate::ops::choice::choice;
 use crate::ops::refs::all;
 use crate::ops::{
-    Action, FaceRef, Field, FieldKind, Input, Operation, Output, Scope, Selected, Slot, Spec, Target,
+    Action, FaceRef, Field, FieldKind, NamedMesh, Operation, Scope, Selected, Slot, Spec, Target,
     WholeMesh,
 };
 use halfedge::{Element, FaceId, Mesh, NONE, Progress, keys};
@@ -76,7 +76,7 @@ impl Operation for Separate {
 }
 
 impl WholeMesh for Separate {
-    fn changes_nothing(&self, inputs: &[Input]) -> Option<&'static str> {
+    fn changes_nothing(&self, inputs: &[NamedMesh]) -> Option<&'static str> {
         inputs.iter().all(|input| input.mesh.face_count() == 0).then_some("The mesh has no face.")
     }
 
@@ -86,11 +86,11 @@ impl WholeMesh for Separate {
 
     fn compute(
         &self,
-        inputs: &[Input],
+        inputs: &[NamedMesh],
         _notes: &mut Vec<String>,
         progress: &mut Progress<'_>,
-    ) -> Result<Vec<Output>, Problem> {
-        let Some(Input { name, mesh, .. }) = inputs.first() else {
+    ) -> Result<Vec<NamedMesh>, Problem> {
+        let Some(NamedMesh { name, mesh, .. }) = inputs.first() else {
             return Err(Problem::new("there is no mesh to separate"));
         };
         let parts = match self.by {
@@ -120,12 +120,12 @@ impl WholeMesh for Separate {
                 None if at == 0 => String::new(),
                 None => format!("{name} {}", at + 1),
             };
-            outputs.push(Output::new(name, mesh));
+            outputs.push(NamedMesh::new(name, mesh));
         }
         Ok(outputs)
     }
 
-    fn cost(&self, inputs: &[Input]) -> usize {
+    fn cost(&self, inputs: &[NamedMesh]) -> usize {
         inputs.iter().map(|input| input.mesh.face_count()).sum()
     }
 }

@@ -1,7 +1,7 @@
 //! The frame of operations that make one mesh of each.
 
 use crate::error::Problem;
-use crate::ops::{Estimate, Facts, Input, Output, WholeMesh, refuse_bezier};
+use crate::ops::{Estimate, Facts, NamedMesh, WholeMesh, refuse_bezier};
 use halfedge::{Mesh, Progress};
 use std::ops::ControlFlow;
 
@@ -43,29 +43,29 @@ impl<T: EachMesh> WholeMesh for T {
         EachMesh::check(self)
     }
 
-    fn check_inputs(&self, inputs: &[Input]) -> Result<(), Problem> {
+    fn check_inputs(&self, inputs: &[NamedMesh]) -> Result<(), Problem> {
         inputs.iter().try_for_each(|input| {
             refuse_bezier(&input.name, input.bezier.as_deref())?;
             self.check_mesh(&input.mesh)
         })
     }
 
-    fn changes_nothing(&self, inputs: &[Input]) -> Option<&'static str> {
+    fn changes_nothing(&self, inputs: &[NamedMesh]) -> Option<&'static str> {
         let is_empty = inputs.iter().all(|input| input.mesh.face_count() == 0);
         (self.needs_faces() && is_empty).then_some("The mesh has no face.")
     }
 
     fn compute(
         &self,
-        inputs: &[Input],
+        inputs: &[NamedMesh],
         notes: &mut Vec<String>,
         progress: &mut Progress<'_>,
-    ) -> Result<Vec<Output>, Problem> {
+    ) -> Result<Vec<NamedMesh>, Problem> {
         let mut outputs = Vec::with_capacity(inputs.len());
         for (at, input) in inputs.iter().enumerate() {
             let mut part =
                 |fraction: f32| -> ControlFlow<()> { progress((at as f32 + fraction) / inputs.len() as f32) };
-            outputs.push(Output::new("", self.make(&input.mesh, notes, &mut part)?));
+            outputs.push(NamedMesh::new("", self.make(&input.mesh, notes, &mut part)?));
         }
         Ok(outputs)
     }
@@ -74,7 +74,7 @@ impl<T: EachMesh> WholeMesh for T {
         EachMesh::result(self, facts)
     }
 
-    fn cost(&self, inputs: &[Input]) -> usize {
+    fn cost(&self, inputs: &[NamedMesh]) -> usize {
         inputs.iter().map(|input| EachMesh::cost(self, &input.mesh)).fold(0, usize::saturating_add)
     }
 }

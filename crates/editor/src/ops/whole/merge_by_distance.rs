@@ -2,7 +2,7 @@
 
 use super::each_mesh::EachMesh;
 use crate::error::Problem;
-use crate::json::shortest;
+use crate::script::json::shortest;
 use crate::ops::{Action, Amount, Counted, Estimate, Facts, Field, Operation, Scope, Spec, Suggestion, Unit};
 use halfedge::{Mesh, Progress};
 use serde::{Deserialize, Serialize};
@@ -12,7 +12,7 @@ use serde::{Deserialize, Serialize};
 #[serde(deny_unknown_fields)]
 pub struct MergeByDistance {
     /// The largest distance between merged vertices, in mesh units; 0 merges those at the same position.
-    #[serde(with = "crate::json::finite")]
+    #[serde(with = "crate::script::json::finite")]
     pub distance: f32,
 }
 

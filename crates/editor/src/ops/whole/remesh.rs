@@ -3,7 +3,7 @@
 use super::each_mesh::{self, EachMesh};
 use super::simplify::triangles_at_most;
 use crate::error::Problem;
-use crate::json::{finite, finite_option, shortest};
+use crate::script::json::{finite, finite_option, shortest};
 use crate::ops::{
     Action, Amount, Counted, DefaultValue, Estimate, Facts, Field, FieldKind, Operation, Scope, Spec, Suggestion,
     Unit,
@@ -20,7 +20,7 @@ pub struct Remesh {
     #[serde(default, with = "finite_option")]
     pub edge_length: Option<f32>,
     /// The number of iterations.
-    #[serde(with = "crate::json::whole")]
+    #[serde(with = "crate::script::json::whole")]
     pub iterations: u32,
     /// Edges whose faces' normals differ by more than this are kept, in degrees.
     #[serde(with = "finite")]

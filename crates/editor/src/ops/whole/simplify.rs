@@ -2,7 +2,7 @@
 
 use super::each_mesh::EachMesh;
 use crate::error::Problem;
-use crate::json::shortest;
+use crate::script::json::shortest;
 use crate::ops::facts::corners_at_most;
 use crate::ops::{
     Action, Amount, Counted, DefaultValue, Estimate, Facts, Field, FieldKind, Operation, Scope, Spec, Suggestion,
@@ -18,13 +18,13 @@ use surface::SimplifyTarget;
 #[serde(deny_unknown_fields)]
 pub struct Simplify {
     /// The number of triangles to keep.
-    #[serde(default, with = "crate::json::whole_option")]
+    #[serde(default, with = "crate::script::json::whole_option")]
     pub faces: Option<u32>,
     /// The share of the triangles to keep, above 0 and up to 1.
-    #[serde(default, with = "crate::json::finite_option")]
+    #[serde(default, with = "crate::script::json::finite_option")]
     pub ratio: Option<f32>,
     /// The largest distance from the original surface, in mesh units.
-    #[serde(default, with = "crate::json::finite_option")]
+    #[serde(default, with = "crate::script::json::finite_option")]
     pub max_error: Option<f32>,
     /// Whether the boundary is preserved.
     pub preserve_boundary: bool,

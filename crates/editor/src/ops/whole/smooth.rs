@@ -2,7 +2,7 @@
 
 use super::each_mesh::{self, EachMesh};
 use crate::error::Problem;
-use crate::json::shortest;
+use crate::script::json::shortest;
 use crate::ops::choice::choice;
 use crate::ops::{Action, Amount, Counted, DefaultValue, Estimate, Facts, Field, Operation, Scope, Spec, Unit};
 use halfedge::{Mesh, Progress};
@@ -14,10 +14,10 @@ use surface::MAX_SMOOTH_ITERATIONS;
 #[serde(deny_unknown_fields)]
 pub struct Smooth {
     /// The number of iterations.
-    #[serde(with = "crate::json::whole")]
+    #[serde(with = "crate::script::json::whole")]
     pub iterations: u32,
     /// The fraction of the way to move in each iteration, above 0 and up to 1.
-    #[serde(with = "crate::json::finite")]
+    #[serde(with = "crate::script::json::finite")]
     pub strength: f32,
     /// How.
     pub method: SmoothMethod,

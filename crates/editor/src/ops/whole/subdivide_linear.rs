@@ -13,7 +13,7 @@ use serde::{Deserialize, Serialize};
 #[serde(deny_unknown_fields)]
 pub struct SubdivideLinear {
     /// The number of levels.
-    #[serde(with = "crate::json::whole")]
+    #[serde(with = "crate::script::json::whole")]
     pub levels: u32,
 }
 

@@ -14,7 +14,7 @@ use surface::SurfaceError;
 #[serde(deny_unknown_fields)]
 pub struct SubdivideLoop {
     /// The number of levels.
-    #[serde(with = "crate::json::whole")]
+    #[serde(with = "crate::script::json::whole")]
     pub levels: u32,
     /// What happens at the boundary.
     pub boundary: Boundary,

@@ -4,7 +4,7 @@ use crate::bezier::Bezier;
 use crate::document::{Counts, Object};
 use crate::editor::Editor;
 use crate::error::{CommandError, Problem};
-use crate::json::{number, vector};
+use crate::script::json::{number, vector};
 use glam::DVec3;
 use halfedge::{EdgeId, Element, FaceId, HalfedgeId, Mesh, VertexId, keys};
 use serde_json::{Value, json};
@@ -104,7 +104,7 @@ fn bezier_state(bezier: &Bezier) -> Value {
 }
 
 /// The name of a kind of element in JSON: `vertex`, `edge`, `halfedge` or `face`.
-pub(crate) fn element_name(kind: Element) -> &'static str {
+fn element_name(kind: Element) -> &'static str {
     match kind {
         Element::Vertex => "vertex",
         Element::Edge => "edge",
