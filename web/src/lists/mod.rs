@@ -3,3 +3,4 @@
 pub mod columns;
 pub mod index;
 pub mod row_list;
+mod scroll;

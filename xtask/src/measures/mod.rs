@@ -151,7 +151,7 @@ fn longest_file(crates: &[CrateLines]) -> Measure {
         name: "lines of the longest file".to_owned(),
         value: files.first().map_or(0, |(lines, _)| *lines),
         limit: MAX_FILE_LINES,
-        is_enforced: false,
+        is_enforced: true,
         details: files
             .into_iter()
             .filter(|(lines, _)| *lines > MAX_FILE_LINES)
