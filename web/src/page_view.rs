@@ -18,8 +18,6 @@ pub(crate) struct Page<'a> {
     pub shown: &'a Shown,
     pub view: &'a View,
     pub player: &'a Player,
-    /// The target edge length of resampling, if it was set; the default is the mean edge length.
-    pub target_edge: Option<f64>,
 }
 
 impl Deref for Page<'_> {

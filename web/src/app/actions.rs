@@ -22,13 +22,7 @@ use crate::view::Tool;
 impl App {
     /// The state that panels read.
     fn page(&self) -> Page<'_> {
-        Page {
-            session: &self.session,
-            shown: &self.shown,
-            view: &self.view,
-            player: &self.player,
-            target_edge: None,
-        }
+        Page { session: &self.session, shown: &self.shown, view: &self.view, player: &self.player }
     }
 
     /// Starts an action. If it can't be done, says why.

@@ -71,10 +71,10 @@ impl App {
 
     /// Highlights the element whose row or link is under the pointer.
     fn hover(&mut self, kind: Element, id: u32) {
-        if self.view.hovered() != Some((kind, id)) {
+        if self.view.hovered != Some((kind, id)) {
             self.session.ctx.request_repaint();
         }
-        self.view.hover_from_list(Some((kind, id)));
+        self.view.hover_from_list(kind, id);
     }
 
     /// Selects elements.

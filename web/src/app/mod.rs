@@ -121,16 +121,14 @@ impl App {
     }
 
     fn draw(&mut self, ui: &mut Ui, ctx: &Context, out: &mut Requests) {
-        let page = Page {
-            session: &self.session,
-            shown: &self.shown,
-            view: &self.view,
-            player: &self.player,
-            target_edge: self.panels.forms.target_edge(),
-        };
+        let page =
+            Page { session: &self.session, shown: &self.shown, view: &self.view, player: &self.player };
         let narrow = ui.available_width() < theme::NARROW;
         Panel::top("menu bar").frame(bar_frame(ui)).show(ui, |ui| menu_bar::show(ui, &page, narrow, out));
-        Panel::bottom("status").frame(bar_frame(ui)).show(ui, |ui| status_bar::show(ui, &page, narrow, out));
+        let target_edge = self.panels.forms.target_edge();
+        Panel::bottom("status")
+            .frame(bar_frame(ui))
+            .show(ui, |ui| status_bar::show(ui, &page, narrow, target_edge, out));
         if narrow {
             sheet::show(ui, &page, &mut self.panels, out);
         } else {
@@ -152,13 +150,8 @@ impl App {
             player: &mut self.player,
         };
         CentralPanel::no_frame().show(ui, |ui| viewport.show(ui, out));
-        let page = Page {
-            session: &self.session,
-            shown: &self.shown,
-            view: &self.view,
-            player: &self.player,
-            target_edge: None,
-        };
+        let page =
+            Page { session: &self.session, shown: &self.shown, view: &self.view, player: &self.player };
         live_bar::show(ctx, &page, out);
         self.panels.windows(ctx, &page, narrow, out);
     }

@@ -83,7 +83,7 @@ impl Script<'_> {
     fn view_state(&self) -> Value {
         let bezier = crate::bezier::active(&self.app.session.editor).map(|_| self.app.player.state());
         let (camera, style) = (&self.app.view.camera, &self.app.view.style);
-        let rect = self.app.view.rect();
+        let rect = self.app.view.rect;
         json!({
             "renderer": self.app.device().renderer,
             "rect": [rect.min.x, rect.min.y, rect.width(), rect.height()],

@@ -27,7 +27,7 @@ pub(crate) fn show(ui: &mut Ui, page: &Page<'_>, own: &mut Adjusting, out: &mut 
         return;
     };
     let spec = command.op.spec();
-    let is_shown = |field: &Field| !field.is_elements() && !matches!(field.fill, Fill::Optional(_));
+    let is_shown = |field: &Field| !field.is_target() && !matches!(field.fill, Fill::Optional(_));
     // A new shape is adjusted in its own form.
     let makes_document = command.op.id() == OpId::New;
     if spec.scope == Scope::Document || makes_document || !spec.fields.iter().any(is_shown) {

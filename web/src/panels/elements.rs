@@ -209,7 +209,7 @@ fn element_list(ui: &mut Ui, page: &Page<'_>, own: &mut Lists, out: &mut Request
     let mut state = std::mem::take(own.states.of_mut(kind));
     let index = own.index(kind);
     let id_of = |at: usize| if only { selection.nth(at) } else { index.id_of(at) };
-    let hovered = page.view.hovered().filter(|(hovered, _)| *hovered == kind).map(|(_, id)| id);
+    let hovered = page.view.hovered.filter(|(hovered, _)| *hovered == kind).map(|(_, id)| id);
     let offset = page.editor.document().offset();
     let label = plural(kind);
     let list = RowList {

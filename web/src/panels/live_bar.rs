@@ -10,7 +10,7 @@ use crate::request::{Request, Requests};
 /// Shows the bar: the name of the edit, its amount, and buttons that end it.
 pub(crate) fn show(ctx: &Context, page: &Page<'_>, out: &mut Requests) {
     let Some(live) = &page.live else { return };
-    let top = page.view.rect().center_top();
+    let top = page.view.rect.center_top();
     let (label, drag, field, mut value) = (live.id.spec().label, live.drag, live.field, live.value);
     let refused = live.refused.clone();
     let speed = page.view.drag_speed();

@@ -11,7 +11,8 @@ use crate::widgets::icons::{Icon, icon_button};
 /// Shorter jobs show no progress bar, which would only flash.
 const SECONDS_BEFORE_PROGRESS_SHOWS: f64 = 0.3;
 
-pub(crate) fn show(ui: &mut Ui, page: &Page<'_>, narrow: bool, out: &mut Requests) {
+/// Shows the bar. `target_edge` is the edge length of resampling where one is set.
+pub(crate) fn show(ui: &mut Ui, page: &Page<'_>, narrow: bool, target_edge: Option<f64>, out: &mut Requests) {
     ui.horizontal(|ui| {
         ui.spacing_mut().item_spacing.x = if narrow { 8.0 } else { 14.0 };
         match page.jobs.waited(ui.input(|input| input.time)) {
@@ -21,14 +22,14 @@ pub(crate) fn show(ui: &mut Ui, page: &Page<'_>, narrow: bool, out: &mut Request
             }
             None => {}
         }
-        counts(ui, page, narrow);
+        counts(ui, page, narrow, target_edge);
         if !narrow {
             ui.with_layout(Layout::right_to_left(Align::Center), |ui| machine(ui, page));
         }
     });
 }
 
-fn counts(ui: &mut Ui, page: &Page<'_>, narrow: bool) {
+fn counts(ui: &mut Ui, page: &Page<'_>, narrow: bool, target_edge: Option<f64>) {
     let Some(mesh) = page.editor.mesh() else {
         ui.label(RichText::new("No mesh").weak());
         return;
@@ -58,7 +59,7 @@ fn counts(ui: &mut Ui, page: &Page<'_>, narrow: bool) {
     if !narrow {
         figure(ui, "Boundary loops", number(found.map(|f| f.boundary_loops)), "Boundary loops");
         figure(ui, "Components", number(found.map(|f| f.components)), "Connected components");
-        if let Some(length) = page.target_edge {
+        if let Some(length) = target_edge {
             figure(ui, "Target edge", length.to_string(), "Target edge length of resampling");
         }
     }

@@ -13,7 +13,7 @@ pub(crate) fn show(ctx: &Context, page: &Page<'_>, narrow: bool, out: &mut Reque
     if page.toasts.iter().next().is_none() {
         return;
     }
-    let viewport = page.view.rect();
+    let viewport = page.view.rect;
     let width = if narrow { viewport.width() - 24.0 } else { 360.0 };
     Area::new(Id::unique("toasts"))
         .order(Order::Foreground)

@@ -55,7 +55,7 @@ impl Jobs {
     }
 
     /// Records that a job saves the whole document at this revision.
-    pub fn saves(&mut self, id: JobId, revision: u64) {
+    pub fn set_saved_revision(&mut self, id: JobId, revision: u64) {
         if let Some(running) = self.running.iter_mut().find(|running| running.id == id) {
             running.saves = Some(revision);
         }

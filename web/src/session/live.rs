@@ -32,7 +32,7 @@ pub(crate) struct Live {
     at: Option<Pos2>,
     follows: bool,
     /// Whether the document shows the edit.
-    shown: bool,
+    in_document: bool,
     /// Why the document does not show the edit.
     pub refused: Option<String>,
 }
@@ -43,7 +43,18 @@ impl Live {
         let drag = field.drag?;
         let value = if drag == Drag::Fraction { Vec3::splat(0.5) } else { Vec3::ZERO };
         let (typed, from, at) = (String::new(), None, None);
-        Some(Self { id, field, drag, value, typed, from, at, follows: true, shown: false, refused: None })
+        Some(Self {
+            id,
+            field,
+            drag,
+            value,
+            typed,
+            from,
+            at,
+            follows: true,
+            in_document: false,
+            refused: None,
+        })
     }
 
     fn command(&self) -> Result<Command, CommandError> {
@@ -98,13 +109,13 @@ impl Session {
             // The amount is back at zero: the document is unchanged, and the edit continues.
             self.editor.cancel_edit();
             if let Some(live) = &mut self.live {
-                (live.shown, live.refused) = (false, None);
+                (live.in_document, live.refused) = (false, None);
             }
             return;
         }
         let result = live.command().and_then(|command| self.editor.update_edit(command));
         if let Some(live) = &mut self.live {
-            live.shown = self.editor.is_editing();
+            live.in_document = self.editor.is_editing();
             live.refused = result.err().map(|error| error.reason());
         }
     }
@@ -113,7 +124,7 @@ impl Session {
     /// whether an edit is in progress.
     pub fn live_keys(&mut self, ctx: &Context) -> bool {
         let Some(live) = &mut self.live else { return false };
-        if live.shown && !self.editor.is_editing() {
+        if live.in_document && !self.editor.is_editing() {
             // An undo or a script ended the edit.
             self.live = None;
             return false;

@@ -212,7 +212,7 @@ impl Session {
         let revision = self.editor.revision();
         self.start(&request, format!("Save as {}", format.name()), None);
         if holds_all {
-            self.jobs.saves(request.id(), revision);
+            self.jobs.set_saved_revision(request.id(), revision);
         }
     }
 

@@ -27,6 +27,7 @@ pub(crate) struct View {
     pub camera: Camera,
     pub style: Style,
     pub tool: Tool,
+    /// The viewport's rectangle on the page, in points.
     pub rect: Rect,
     pub picture: Option<Picture>,
     pub gesture: Gesture,
@@ -72,21 +73,9 @@ impl View {
         }
     }
 
-    /// The viewport's rectangle on the page, in points.
-    pub fn rect(&self) -> Rect {
-        self.rect
-    }
-
-    /// The element under the pointer.
-    pub fn hovered(&self) -> Option<(Element, u32)> {
-        self.hovered
-    }
-
     /// Sets the element whose row or link is under the pointer.
-    pub fn hover_from_list(&mut self, element: Option<(Element, u32)>) {
-        if element.is_some() {
-            self.from_list = element;
-        }
+    pub fn hover_from_list(&mut self, kind: Element, id: u32) {
+        self.from_list = Some((kind, id));
     }
 
     /// The viewport's size in points, as the camera expects it.

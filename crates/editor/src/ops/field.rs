@@ -272,7 +272,7 @@ impl Field {
     }
 
     /// Whether it takes elements or objects, which no form has values for.
-    pub fn is_elements(&self) -> bool {
+    pub fn is_target(&self) -> bool {
         matches!(self.kind, FieldKind::Elements { .. } | FieldKind::Objects)
     }
 

@@ -11,6 +11,10 @@ const HEAD: &str = "\
 
 A command is a JSON object: `{\"op\": \"<name>\", ...fields}`. Every command also takes `\"object\"`, the place of an \
 object in the document's list, from 0; by default it is for the active object.
+
+Positions are relative to `document.offset` of the state, as those of elements are. It is missing, which means zero, \
+unless the model lies so far from the origin that 32-bit numbers are too coarse there; files and the page's fields have \
+the sum.
 ";
 
 /// All operations with their fields, as Markdown.

@@ -67,7 +67,7 @@ pub(crate) fn dragged_to(editor: &Editor, view: &View, anchor: Vec3, from: Pos2,
 /// The point where the line of sight through a place on the page meets the plane z = 0; none if the line is
 /// parallel to the plane.
 fn on_plane(view: &View, at: Pos2) -> Option<Vec3> {
-    let corner = view.rect().min;
+    let corner = view.rect.min;
     let ray = view.camera.ray(vec2(at.x - corner.x, at.y - corner.y), view.size());
     let along = -ray.origin.z / ray.direction.z;
     let hit = ray.origin + ray.direction * along;

@@ -28,13 +28,7 @@ pub(crate) struct Viewport<'a> {
 impl Viewport<'_> {
     /// The state that panels read.
     fn page(&self) -> Page<'_> {
-        Page {
-            session: self.session,
-            shown: self.shown,
-            view: self.view,
-            player: self.player,
-            target_edge: None,
-        }
+        Page { session: self.session, shown: self.shown, view: self.view, player: self.player }
     }
 
     /// Draws the viewport and turns gestures into requests.
