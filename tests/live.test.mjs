@@ -45,7 +45,7 @@ editorTest("an operation in a form is previewed until it is applied or dismissed
   const at = await vertex();
   const plain = await editor.screenshot();
   await choose("Smooth");
-  await editor.find(/^Previewed, not done yet/, "label");
+  await editor.find(/^This is a preview/, "label");
   assert.notDeepEqual(await vertex(), at, "the mesh is smoothed");
   assert.ok((await editor.screenshot("preview of smoothing")).difference(plain) > 0, "and drawn so");
   assert.deepEqual(await undoable(editor), before.undo);
