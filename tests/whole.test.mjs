@@ -49,7 +49,8 @@ async function startAndCancel(editor, command, label, atOnce) {
       const controls = window.meshwright.ui();
       const bar = controls.find(({ role, name }) => role === "progressIndicator" && name === label);
       const button = controls.find(({ role, name }) => role === "button" && name === `Cancel ${label}`);
-      if (job.progress > 0 && atOnce) {
+      // A page that was busy may hear of the end of a quick job together with its first progress.
+      if (atOnce) {
         window.timeToEnd();
         window.meshwright.cancel();
         return job;
