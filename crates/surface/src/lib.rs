@@ -17,6 +17,7 @@ mod morton;
 pub mod normals;
 mod pace;
 mod remesh;
+pub mod selecting;
 mod shapes;
 mod simplify;
 mod smooth;
