@@ -7,10 +7,12 @@ mod ongoing;
 mod open;
 mod run;
 mod select;
+mod select_by;
 mod start;
 
 pub use jobs::{Begun, Finished, RunningJob};
 pub use select::SelectMode;
+pub use select_by::SelectBy;
 
 use crate::changes::Changes;
 use crate::document::{Counts, Document, Object, ObjectId};

@@ -21,7 +21,7 @@ mod selection;
 pub use bezier::{Bezier, show_controls};
 pub use changes::{Changes, ObjectChange};
 pub use document::{Counts, Document, Object, ObjectId};
-pub use editor::{Begun, Editor, Finished, Message, MessageKind, RunningJob, SelectMode};
+pub use editor::{Begun, Editor, Finished, Message, MessageKind, RunningJob, SelectBy, SelectMode};
 pub use error::{CommandError, ErrorKind};
 pub use job::{BadBytes, JobId, JobRequest, JobResult, Wire};
 pub use ops::{Command, Facts, Op, OpId, Scope, Spec};

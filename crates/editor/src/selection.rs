@@ -32,6 +32,13 @@ impl Selection {
         selection
     }
 
+    /// A selection of a set of ids. The latest one is `latest` if it is in the set, else the largest.
+    pub(crate) fn of_set(kind: Element, set: BitSet, latest: Option<u32>) -> Self {
+        let latest = latest.filter(|&id| set.contains(id as usize));
+        let latest = latest.or_else(|| set.largest().map(|id| id as u32));
+        Self { kind, set, latest }
+    }
+
     /// The kind of element.
     pub fn kind(&self) -> Element {
         self.kind
