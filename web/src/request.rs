@@ -7,6 +7,7 @@ use egui::Pos2;
 use formats::Format;
 use glam::Vec3;
 use halfedge::Element;
+use surface::selecting::Line;
 
 use crate::bezier::Controls;
 use crate::input::actions::Action;
@@ -25,6 +26,10 @@ pub(crate) enum Request {
     Select { kind: Element, ids: Vec<u32>, mode: SelectMode },
     /// Extend the selection to this element of a list.
     SelectRange { kind: Element, to: u32 },
+    /// Select the line of elements through a half-edge.
+    SelectLine { kind: Element, through: u32, line: Line, mode: SelectMode },
+    /// Extend the selection by the shortest path to an element.
+    SelectPath { kind: Element, to: u32 },
     /// Clear the selection.
     Deselect,
     /// Highlight the element whose row or link is under the pointer.

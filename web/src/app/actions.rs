@@ -57,6 +57,7 @@ impl App {
                 self.session.editor.deselect();
             }
             Action::SelectInverse => self.select_inverse(),
+            Action::SelectBy(by) => self.select_further(|editor| editor.select_by(by)),
             Action::Show(kind) => {
                 self.shown.kind = kind;
                 self.shown.sheet.show_lists();
@@ -212,6 +213,21 @@ impl App {
             self.view.tool = Tool::Orbit;
         } else if self.player.controls.chosen.take().is_none() {
             self.session.editor.deselect();
+        }
+    }
+
+    /// Changes the selection by what is selected or under the pointer; says why not where it can't.
+    pub(super) fn select_further(
+        &mut self,
+        select: impl FnOnce(&mut editor::Editor) -> Result<(), editor::CommandError>,
+    ) {
+        self.session.end_live(true);
+        // Ids from a preview are meaningless once the preview is removed.
+        if self.end_preview() == Some(false) {
+            return;
+        }
+        if let Err(error) = select(&mut self.session.editor) {
+            self.session.refuse(&error);
         }
     }
 

@@ -22,6 +22,10 @@ impl App {
                 // An id that was removed meanwhile is no error for the user.
                 let _ = self.session.editor.select_range(kind, to);
             }
+            Request::SelectLine { kind, through, line, mode } => {
+                self.select_further(|editor| editor.select_line(kind, through, line, mode));
+            }
+            Request::SelectPath { kind, to } => self.select_further(|editor| editor.select_path_to(kind, to)),
             Request::Deselect => {
                 self.session.end_live(true);
                 self.session.editor.deselect();

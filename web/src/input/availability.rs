@@ -28,6 +28,7 @@ pub(crate) fn why_not(action: Action, session: &Session, kind: Element, player: 
             let count = editor.mesh().map_or(0, |mesh| mesh.count(kind));
             (count == 0).then(|| format!("The mesh has no {}.", plural(kind).to_lowercase()))
         }
+        Action::SelectBy(by) => editor.can_select_by(by).err().map(|error| error.reason()),
         Action::SelectNone if editor.selection().is_empty() => Some("Nothing is selected.".into()),
         Action::Next | Action::Twin if session.selected_halfedge().is_none() => {
             Some("Select a half-edge first.".into())

@@ -2,7 +2,7 @@
 
 use crate::input::actions::Action;
 use crate::lists::row_list;
-use editor::OpId;
+use editor::{OpId, SelectBy};
 use egui::{Context, Key, KeyboardShortcut, Modifiers};
 use halfedge::Element;
 use std::sync::LazyLock;
@@ -31,6 +31,12 @@ static PAGE_BINDINGS: &[(Action, &[KeyboardShortcut])] = &[
     (A::SelectNone, &[with(CTRL_SHIFT, Key::A)]),
     (A::SelectAll, &[with(Modifiers::COMMAND, Key::A)]),
     (A::SelectInverse, &[with(Modifiers::COMMAND, Key::I)]),
+    (
+        A::SelectBy(SelectBy::Grow),
+        &[with(Modifiers::COMMAND, Key::Equals), with(Modifiers::COMMAND, Key::Plus)],
+    ),
+    (A::SelectBy(SelectBy::Shrink), &[with(Modifiers::COMMAND, Key::Minus)]),
+    (A::SelectBy(SelectBy::Linked), &[with(Modifiers::COMMAND, Key::L)]),
     (A::GoToId, &[with(Modifiers::COMMAND, Key::G)]),
     (A::Palette, &[with(Modifiers::COMMAND, Key::K), key(Key::F3)]),
     (A::Shortcuts, &[key(Key::Questionmark), key(Key::F1)]),
@@ -106,7 +112,11 @@ pub static GESTURES: &[(&str, &str)] = &[
     ("Select", "Click"),
     ("Extend the selection", "Shift+click"),
     ("Add or remove", "Ctrl+click"),
-    ("Select with a box", "Ctrl+drag, or the box tool"),
+    ("Select a loop", "Double-click or Alt+click; with Shift, add it"),
+    ("Select a ring", "Ctrl+Alt+click; with Shift, add it"),
+    ("Add the shortest path", "Ctrl+Shift+click"),
+    ("Select with a box", "The box tool: drag; with Shift, add; with Ctrl, add or remove"),
+    ("Add or remove with a box", "Ctrl+drag"),
     ("Move a vertex", "Drag a selected vertex"),
     ("Move a control point", "Drag it, on a Bezier curve or surface"),
     ("Add a control point", "Double-click, on a Bezier curve"),

@@ -3,3 +3,4 @@
 pub mod actions;
 pub(crate) mod availability;
 pub mod keys;
+pub mod menus;

@@ -4,9 +4,10 @@ use editor::{OpId, Scope};
 use egui::{Align, Button, Layout, MenuBar, Response, RichText, Ui};
 use halfedge::Element;
 
-use crate::input::actions::{self, Action, Entry, MENUS, Menu};
+use crate::input::actions::{self, Action, Entry};
 use crate::input::availability::opens_form;
 use crate::input::keys;
+use crate::input::menus::{MENUS, Menu};
 use crate::page_view::Page;
 use crate::request::Requests;
 use crate::theme;

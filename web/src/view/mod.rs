@@ -3,7 +3,7 @@
 mod gesture;
 pub(crate) mod picture;
 
-use editor::{Changes, Editor, Object, ObjectChange, ObjectId};
+use editor::{Changes, Editor, Object, ObjectChange, ObjectId, SelectMode};
 use egui::{Rect, Vec2};
 use glam::Vec3;
 use halfedge::{Budget, Element, FaceId, InParts, Mesh, Touched};
@@ -44,7 +44,7 @@ pub(crate) struct View {
     /// The unfinished tree of a large mesh, built over several frames.
     building: Option<(ObjectId, FaceTreeBuilder)>,
     /// A box selection in progress, and whether it extends the selection.
-    pub boxed: Option<(ObjectId, BoxSelection, bool)>,
+    pub boxed: Option<(ObjectId, BoxSelection, SelectMode)>,
     /// The elements that may still be processed in this frame.
     pub budget: Budget,
     /// The number of frames until everything is framed: in the first frame the viewport has no size yet,

@@ -11,5 +11,6 @@ mod page;
 mod previews;
 mod properties;
 mod save;
+mod selecting;
 mod viewport;
 mod whole;

@@ -5,7 +5,7 @@ use egui::accesskit::Role;
 use egui::{Key, Modifiers};
 use egui_kittest::kittest::{NodeT, Queryable};
 use halfedge::Element;
-use meshwright_web::input::actions;
+use meshwright_web::input::menus;
 use serde_json::json;
 
 const CTRL: Modifiers = Modifiers::COMMAND;
@@ -48,7 +48,7 @@ fn joining_takes_two_objects_and_separating_no_selection() {
 #[test]
 fn every_menu_opens_and_lists_its_entries() {
     let mut page = Page::new();
-    for menu in actions::MENUS {
+    for menu in menus::MENUS {
         page.click(menu.title);
         for entry in menu.entries.iter().flatten() {
             assert!(page.has_part(entry.label), "{} is not in the {} menu", entry.label, menu.title);

@@ -20,7 +20,7 @@ fn nearest_vertex(page: &mut Page) -> (u32, Pos2) {
     (v.raw(), page.at(at))
 }
 
-fn click_at(page: &mut Page, at: Pos2, modifiers: Modifiers) {
+pub fn click_at(page: &mut Page, at: Pos2, modifiers: Modifiers) {
     page.harness.hover_at(at);
     page.run();
     for pressed in [true, false] {

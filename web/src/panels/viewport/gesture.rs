@@ -2,9 +2,10 @@
 
 use editor::SelectMode;
 use editor::ops::{SetVertexPosition, Transform, VertexRef};
-use egui::{CursorIcon, PointerButton, Pos2, Rect, Response, Ui};
+use egui::{CursorIcon, Modifiers, PointerButton, Pos2, Rect, Response, Ui};
 use glam::{Vec3, vec2};
 use halfedge::Element;
+use surface::selecting::Line;
 use viewport::{BoxSelection, ScreenRect};
 
 use super::Viewport;
@@ -15,6 +16,19 @@ use crate::view::{Gesture, Tool};
 
 /// The radius around the pointer in which a vertex or an edge is picked, in points.
 const PICK_RADIUS_POINTS: f32 = 8.0;
+/// The radius in which the edge is found that a line is selected through, in points.
+const LINE_RADIUS_POINTS: f32 = 40.0;
+
+/// How a click or a box with these modifiers changes the selection.
+fn select_mode(modifiers: Modifiers) -> SelectMode {
+    if modifiers.command {
+        SelectMode::Toggle
+    } else if modifiers.shift {
+        SelectMode::Extend
+    } else {
+        SelectMode::Replace
+    }
+}
 
 impl Viewport<'_> {
     pub(super) fn gestures(&mut self, ui: &Ui, response: &Response, out: &mut Requests) {
@@ -41,7 +55,7 @@ impl Viewport<'_> {
             self.continue_gesture(ui, response, pointer, out);
         }
         if response.drag_stopped() {
-            self.end_gesture(pointer.map(|at| (at, ui.input(|input| input.modifiers.shift))), out);
+            self.end_gesture(pointer.map(|at| (at, select_mode(ui.input(|input| input.modifiers)))), out);
         }
         self.continue_box(ui, out);
         self.wheel(ui, response);
@@ -59,9 +73,15 @@ impl Viewport<'_> {
         if response.double_clicked()
             && let Some(at) = pointer
             && self.control_point_at(at).is_none()
-            && let Some(insert) = control_points::add_control_point_at(&self.session.editor, self.view, at)
         {
-            out.push(Request::InsertControlPoint(insert));
+            let insert = control_points::add_control_point_at(&self.session.editor, self.view, at);
+            match insert {
+                Some(insert) => out.push(Request::InsertControlPoint(insert)),
+                None => {
+                    let shift = ui.input(|input| input.modifiers.shift);
+                    self.select_line(at, Line::Loop, shift, out);
+                }
+            }
         }
         if response.secondary_clicked()
             && let Some(at) = pointer
@@ -160,13 +180,13 @@ impl Viewport<'_> {
         }
     }
 
-    /// Ends the drag at a place, with or without Shift; without a place, cancels it.
-    fn end_gesture(&mut self, at: Option<(Pos2, bool)>, out: &mut Requests) {
+    /// Ends the drag at a place; a box selects in this mode. Without a place, cancels the drag.
+    fn end_gesture(&mut self, at: Option<(Pos2, SelectMode)>, out: &mut Requests) {
         match (std::mem::replace(&mut self.view.gesture, Gesture::None), at) {
             (Gesture::Move { .. } | Gesture::Control { .. }, Some(_)) => out.push(Request::CommitEdit),
             (Gesture::Move { .. } | Gesture::Control { .. }, None) => out.push(Request::CancelEdit),
-            (Gesture::Box { from }, Some((to, extend))) => {
-                self.start_box(Rect::from_two_pos(from, to), extend);
+            (Gesture::Box { from }, Some((to, mode))) => {
+                self.start_box(Rect::from_two_pos(from, to), mode);
             }
             _ => {}
         }
@@ -226,42 +246,51 @@ impl Viewport<'_> {
 
     /// The element of the listed kind at a place on the page.
     fn pick(&mut self, at: Pos2) -> Option<u32> {
+        self.pick_within(at, self.shown.kind, PICK_RADIUS_POINTS)
+    }
+
+    fn pick_within(&mut self, at: Pos2, kind: Element, radius: f32) -> Option<u32> {
         let object = self.session.editor.document().active().filter(|object| object.visible())?;
         let (camera, local, size) = (self.view.camera, self.view.local(at), self.view.size());
         let mesh = object.mesh();
         let tree = self.view.tree(object);
-        viewport::pick(mesh, tree, &camera, size, local, self.shown.kind, PICK_RADIUS_POINTS)
-            .map(|picked| picked.id)
+        viewport::pick(mesh, tree, &camera, size, local, kind, radius).map(|picked| picked.id)
     }
 
     /// Begins to select the visible elements of the listed kind in a box on the page.
-    fn start_box(&mut self, area: Rect, extend: bool) {
+    fn start_box(&mut self, area: Rect, mode: SelectMode) {
         let Some(object) = self.session.editor.document().active().filter(|object| object.visible()) else {
             return;
         };
         let rect = ScreenRect::between(self.view.local(area.min), self.view.local(area.max));
         let (camera, size) = (self.view.camera, self.view.size());
         let found = BoxSelection::new(&camera, size, rect, self.shown.kind, true);
-        self.view.boxed = Some((object.id(), found, extend));
+        self.view.boxed = Some((object.id(), found, mode));
     }
 
     /// Continues to look for the elements in the box, as far as the frame's budget goes.
     fn continue_box(&mut self, ui: &Ui, out: &mut Requests) {
-        let Some((id, mut boxed, extend)) = self.view.boxed.take() else { return };
+        let Some((id, mut boxed, mode)) = self.view.boxed.take() else { return };
         let Some(object) = self.session.editor.document().active().filter(|object| object.id() == id) else {
             return;
         };
         match self.view.step_box(object, &mut boxed) {
-            Some(ids) => {
-                let mode = if extend { SelectMode::Extend } else { SelectMode::Replace };
-                out.select(boxed.kind(), ids, mode);
-            }
+            Some(ids) => out.select(boxed.kind(), ids, mode),
             None => {
-                self.view.boxed = Some((id, boxed, extend));
+                self.view.boxed = Some((id, boxed, mode));
                 ui.ctx().set_cursor_icon(CursorIcon::Progress);
                 ui.ctx().request_repaint();
             }
         }
+    }
+
+    /// Selects the line of elements of the listed kind through the edge nearest to a place on the page.
+    fn select_line(&mut self, at: Pos2, line: Line, extend: bool, out: &mut Requests) {
+        let kind = self.shown.kind;
+        // A vertex or a face lies on lines in several directions: the nearest edge decides.
+        let Some(through) = self.pick_within(at, Element::Halfedge, LINE_RADIUS_POINTS) else { return };
+        let mode = if extend { SelectMode::Extend } else { SelectMode::Replace };
+        out.push(Request::SelectLine { kind, through, line, mode });
     }
 
     fn click(&mut self, ui: &Ui, at: Pos2, out: &mut Requests) {
@@ -272,17 +301,16 @@ impl Viewport<'_> {
         if point.is_some() {
             return;
         }
+        if modifiers.alt {
+            let line = if modifiers.command { Line::Ring } else { Line::Loop };
+            self.select_line(at, line, modifiers.shift, out);
+            return;
+        }
         match self.pick(at) {
-            Some(id) => {
-                let mode = if modifiers.command {
-                    SelectMode::Toggle
-                } else if modifiers.shift {
-                    SelectMode::Extend
-                } else {
-                    SelectMode::Replace
-                };
-                out.select(kind, [id], mode);
+            Some(id) if modifiers.command && modifiers.shift => {
+                out.push(Request::SelectPath { kind, to: id });
             }
+            Some(id) => out.select(kind, [id], select_mode(modifiers)),
             // With a modifier held, a near miss should not clear the selection.
             None if !modifiers.command && !modifiers.shift => out.push(Request::Deselect),
             None => {}

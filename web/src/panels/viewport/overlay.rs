@@ -57,8 +57,9 @@ fn say_in_middle(ui: &mut Ui, rect: Rect, title: &str, hint: &str) {
     let area = Rect::from_center_size(rect.center(), vec2(rect.width().min(360.0), 90.0));
     ui.scope_builder(egui::UiBuilder::new().max_rect(area), |ui| {
         ui.vertical_centered(|ui| {
-            ui.label(RichText::new(title).heading());
-            ui.add(egui::Label::new(RichText::new(hint).weak()).wrap());
+            // Clicks and drags go to the viewport beneath.
+            ui.add(egui::Label::new(RichText::new(title).heading()).selectable(false));
+            ui.add(egui::Label::new(RichText::new(hint).weak()).wrap().selectable(false));
         });
     });
 }

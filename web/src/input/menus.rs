@@ -1,0 +1,250 @@
+//! The menus of the page's own actions, in one table. The palette lists them too.
+
+use editor::SelectBy;
+use halfedge::Element;
+
+use super::actions::{Action, Entry, entry};
+
+/// A menu; an entry of `None` is a separator.
+pub struct Menu {
+    /// The title.
+    pub title: &'static str,
+    /// The entries.
+    pub entries: &'static [Option<Entry>],
+}
+
+use Action as A;
+
+/// The menus, left to right. The mesh menu continues with the editor's operations.
+pub static MENUS: &[Menu] = &[
+    Menu {
+        title: "File",
+        entries: &[
+            Some(entry(
+                A::Open,
+                "Open…",
+                "Open a mesh file. You can also drop a file on the page or paste OBJ text.",
+            )),
+            Some(entry(A::Save, "Save…", "Choose a name and a format, and see what the format can't hold.")),
+        ],
+    },
+    Menu {
+        title: "Edit",
+        entries: &[
+            Some(entry(A::Undo, "Undo", "Undo the last change.")),
+            Some(entry(A::Redo, "Redo", "Redo the last undone change.")),
+            None,
+            Some(entry(
+                A::Cancel,
+                "Cancel",
+                "Cancel a running job or a drag; if there is none, clear the selection.",
+            )),
+            Some(entry(A::Palette, "Find a command…", "List every command; type to search.")),
+        ],
+    },
+    Menu {
+        title: "Select",
+        entries: &[
+            Some(entry(A::SelectAll, "Select all", "Select every element of the kind in the list.")),
+            Some(entry(A::SelectNone, "Select none", "Clear the selection.")),
+            Some(entry(
+                A::SelectInverse,
+                "Invert selection",
+                "Select the unselected elements of the kind in the list instead.",
+            )),
+            None,
+            Some(entry(A::SelectBy(SelectBy::Grow), "Grow", "Add the neighbours of the selection.")),
+            Some(entry(
+                A::SelectBy(SelectBy::Shrink),
+                "Shrink",
+                "Deselect the elements beside unselected ones.",
+            )),
+            Some(entry(
+                A::SelectBy(SelectBy::Linked),
+                "Select linked",
+                "Add everything connected to the selection.",
+            )),
+            Some(entry(
+                A::SelectBy(SelectBy::Loops),
+                "Select loops",
+                "Extend the selection along its edge loops, face strips or half-edge loops.",
+            )),
+            Some(entry(
+                A::SelectBy(SelectBy::Rings),
+                "Select rings",
+                "Extend the selection to the edges side by side across quads.",
+            )),
+            Some(entry(
+                A::SelectBy(SelectBy::Path),
+                "Select shortest path",
+                "Add the shortest path between the two selected elements.",
+            )),
+            Some(entry(
+                A::SelectBy(SelectBy::Outline),
+                "Select outline",
+                "Select the edges around the selected faces.",
+            )),
+            None,
+            Some(entry(
+                A::SelectBy(SelectBy::Kind(Element::Vertex)),
+                "Convert to vertices",
+                "Select the vertices of the selection instead.",
+            )),
+            Some(entry(
+                A::SelectBy(SelectBy::Kind(Element::Edge)),
+                "Convert to edges",
+                "Select the edges of the selection instead.",
+            )),
+            Some(entry(
+                A::SelectBy(SelectBy::Kind(Element::Halfedge)),
+                "Convert to half-edges",
+                "Select the half-edges of the selection instead.",
+            )),
+            Some(entry(
+                A::SelectBy(SelectBy::Kind(Element::Face)),
+                "Convert to faces",
+                "Select the faces of the selection instead.",
+            )),
+            None,
+            Some(entry(A::BoxSelect, "Box select", "Drag in the viewport to select the elements in a box.")),
+            None,
+            Some(entry(A::Next, "Next half-edge", "Select the next half-edge around the face.")),
+            Some(entry(A::Twin, "Twin half-edge", "Select the half-edge on the other side of the edge.")),
+            None,
+            Some(entry(
+                A::Show(Element::Vertex),
+                "Vertices",
+                "List vertices, and select vertices by clicks in the viewport.",
+            )),
+            Some(entry(
+                A::Show(Element::Edge),
+                "Edges",
+                "List edges, and select edges by clicks in the viewport.",
+            )),
+            Some(entry(
+                A::Show(Element::Halfedge),
+                "Half-edges",
+                "List half-edges, and select half-edges by clicks in the viewport.",
+            )),
+            Some(entry(
+                A::Show(Element::Face),
+                "Faces",
+                "List faces, and select faces by clicks in the viewport.",
+            )),
+            None,
+            Some(entry(A::GoToId, "Go to id…", "Select an element by its id.")),
+            Some(entry(A::OnlySelected, "List only selected", "Show only selected elements in the list.")),
+        ],
+    },
+    Menu {
+        title: "Mesh",
+        entries: &[
+            Some(entry(
+                A::Upsample,
+                "Upsample",
+                "Subdivide once: Loop if all faces are triangles, Catmull-Clark otherwise.",
+            )),
+            Some(entry(A::Downsample, "Downsample", "Simplify to a quarter of the triangles.")),
+            Some(entry(
+                A::Resample,
+                "Resample",
+                "Remesh to the target edge length; its default is the mean edge length.",
+            )),
+            Some(entry(
+                A::LongerEdges,
+                "Longer target edges",
+                "Increase the target edge length of resampling by a tenth.",
+            )),
+            Some(entry(
+                A::ShorterEdges,
+                "Shorter target edges",
+                "Decrease the target edge length of resampling by a tenth.",
+            )),
+            Some(entry(
+                A::SlideSplit,
+                "Split edge at…",
+                "Add a vertex to the selected edge and slide it with the pointer.",
+            )),
+        ],
+    },
+    Menu {
+        title: "Bezier",
+        entries: &[
+            Some(entry(
+                A::NextLevel,
+                "Next level",
+                "Draw one more level of de Casteljau's construction; after the last, none.",
+            )),
+            Some(entry(A::Play, "Play", "Move the construction along the curve or patch.")),
+            Some(entry(
+                A::WholeCurve,
+                "Whole curve",
+                "Draw the whole curve, not only the part up to the construction.",
+            )),
+            Some(entry(
+                A::ControlNets,
+                "Control nets",
+                "Draw a surface's control points and the net between them.",
+            )),
+            None,
+            Some(entry(
+                A::AddPoint,
+                "Add control point",
+                "Add a control point after the chosen one, or double-click in the viewport to add one there.",
+            )),
+            Some(entry(A::DeletePoint, "Delete control point", "Delete the chosen control point.")),
+            Some(entry(
+                A::ElevateDegree,
+                "Elevate degree",
+                "Add one control point without changing the curve's shape.",
+            )),
+            Some(entry(
+                A::SplitCurve,
+                "Split at t",
+                "Split the curve into two that meet at the construction's point.",
+            )),
+        ],
+    },
+    Menu {
+        title: "View",
+        entries: &[
+            Some(entry(
+                A::Frame,
+                "Frame selection",
+                "Fit the selection into the view, or everything if nothing is selected.",
+            )),
+            Some(entry(A::FrameAll, "Frame all", "Fit everything into the view, from the same direction.")),
+            Some(entry(A::ResetView, "Reset view", "Restore the initial view.")),
+            Some(entry(A::Orthographic, "Parallel projection", "Draw without perspective.")),
+            None,
+            Some(entry(A::Wireframe, "Wireframe", "Draw edges over faces.")),
+            Some(entry(
+                A::Smooth,
+                "Smooth shading",
+                "Shade with normals averaged at vertices instead of one per face.",
+            )),
+            Some(entry(A::Dots, "Vertex dots", "Draw vertices as dots.")),
+            Some(entry(A::Grid, "Ground grid", "Draw a grid on the ground plane, y = 0.")),
+            Some(entry(
+                A::Overlay,
+                "Info overlay",
+                "Show the selection and the element under the pointer in the viewport.",
+            )),
+            None,
+            Some(entry(A::LeftPanel, "Element lists", "Show or hide the lists.")),
+            Some(entry(A::RightPanel, "Inspector", "Show or hide the inspector and the operations.")),
+            None,
+            Some(entry(A::SystemTheme, "System theme", "Use the system's light or dark theme.")),
+            Some(entry(A::LightTheme, "Light theme", "Use dark text on a light page.")),
+            Some(entry(A::DarkTheme, "Dark theme", "Use light text on a dark page.")),
+        ],
+    },
+    Menu {
+        title: "Help",
+        entries: &[
+            Some(entry(A::Shortcuts, "Keyboard shortcuts", "List all keys and mouse gestures.")),
+            Some(entry(A::Messages, "Messages", "List all imports, refusals and results.")),
+            Some(entry(A::About, "About Meshwright", "Show the version and the graphics device.")),
+        ],
+    },
+];
