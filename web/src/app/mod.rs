@@ -33,6 +33,8 @@ pub struct App {
     player: Player,
     panels: Panels,
     requests: Requests,
+    /// Keys that were pressed after one that opened a text field, for the field in the next frame.
+    held_events: Vec<Input>,
 }
 
 /// The yaw and pitch that look straight at the plane of flat curves.
@@ -59,6 +61,7 @@ impl App {
             player: Player::default(),
             panels,
             requests: Requests::default(),
+            held_events: Vec::new(),
         };
         app.session.open_first();
         app.session.fetch_wanted();
@@ -92,6 +95,8 @@ impl App {
         if let Some(next) = self.session.toasts.expire(now) {
             ctx.request_repaint_after_secs(next.max(0.05) as f32);
         }
+        let held = std::mem::take(&mut self.held_events);
+        ctx.input_mut(|input| drop(input.events.splice(0..0, held)));
         let mut actions =
             if self.session.live_keys(ctx) { Vec::new() } else { self.keyboard(ctx) }.into_iter();
         // A second key in one frame acts on the result of the first.
@@ -175,7 +180,12 @@ impl App {
         }
         // egui itself closes an open menu on Escape.
         let menu = egui::Popup::is_any_open(ctx);
-        keys::pressed(ctx, menu, bezier::active(&self.session.editor).is_some())
+        let (actions, held) = keys::pressed(ctx, menu, bezier::active(&self.session.editor).is_some());
+        if !held.is_empty() {
+            self.held_events = held;
+            ctx.request_repaint();
+        }
+        actions
     }
 
     /// Ends edits that end without a request: painting when the button is released, a preview when its form

@@ -3,7 +3,7 @@
 use crate::input::actions::Action;
 use crate::lists::row_list;
 use editor::{OpId, SelectBy};
-use egui::{Context, Key, KeyboardShortcut, Modifiers};
+use egui::{Context, Event, Key, KeyboardShortcut, Modifiers};
 use halfedge::Element;
 use std::sync::LazyLock;
 
@@ -155,58 +155,58 @@ pub fn tooltip(ctx: &Context, description: &str, action: Action) -> String {
     if key.is_empty() { description.to_owned() } else { format!("{description} ({key})") }
 }
 
-/// The actions whose keys were pressed this frame; consumes the keys. While the user types, only keys with
-/// Ctrl or Command that a text field doesn't use count, and Escape goes to the field. While a menu is open,
-/// Escape goes to the menu. `bezier` says that a Bezier object is active.
-pub fn pressed(ctx: &Context, menu: bool, bezier: bool) -> Vec<Action> {
+/// The actions whose keys were pressed this frame, in order and as often as they were pressed; consumes the
+/// keys. The events after a key that opens a text field belong to that field: they are removed and returned, for
+/// the next frame. While the user types, only keys with Ctrl or Command that a text field doesn't use count, and Escape
+/// goes to the field. While a menu is open, Escape goes to the menu. `bezier` says that a Bezier object is
+/// active.
+pub fn pressed(ctx: &Context, menu: bool, bezier: bool) -> (Vec<Action>, Vec<Event>) {
     let typing = ctx.text_edit_focused();
     // A focused button uses Space, and a focused list uses Home.
     let focused = ctx.memory(|memory| memory.focused());
     let on_list = focused.is_some() && focused == row_list::focused(ctx);
+    let is_theirs = |key: Key| match key {
+        Key::Space => focused.is_some() && !on_list,
+        Key::Home => focused.is_some(),
+        Key::Escape => menu,
+        _ => false,
+    };
+    let first: &[Binding] = if bezier { &BEZIER_BINDINGS } else { &[] };
+    let action_of = |key: Key, modifiers: Modifiers| {
+        let mut bindings = first.iter().chain(BINDINGS.iter());
+        bindings.find_map(|(action, keys)| {
+            let hit = (!typing || works_while_typing(*action))
+                && keys.iter().any(|k| k.logical_key == key && !is_theirs(key) && matches(modifiers, k));
+            hit.then_some(*action)
+        })
+    };
+    let (mut actions, mut later) = (Vec::new(), Vec::new());
     ctx.input_mut(|input| {
-        let first: &[Binding] = if bezier { &BEZIER_BINDINGS } else { &[] };
-        first
-            .iter()
-            .chain(BINDINGS.iter())
-            .filter(|(action, keys)| {
-                keys.iter().any(|shortcut| {
-                    if typing && !works_while_typing(*action) {
-                        return false;
-                    }
-                    let theirs = match shortcut.logical_key {
-                        Key::Space => focused.is_some() && !on_list,
-                        Key::Home => focused.is_some(),
-                        Key::Escape => menu,
-                        _ => false,
-                    };
-                    if theirs {
-                        return false;
-                    }
-                    consume(input, shortcut)
-                })
-            })
-            .map(|(action, _)| *action)
-            .collect()
-    })
+        input.events.retain(|event| {
+            if actions.last().copied().is_some_and(opens_text_field) {
+                let is_typed = matches!(event, Event::Key { .. } | Event::Text(_) | Event::Ime(_));
+                later.extend(is_typed.then(|| event.clone()));
+                return !is_typed;
+            }
+            let Event::Key { key, modifiers, pressed: true, .. } = event else { return true };
+            let action = action_of(*key, *modifiers);
+            actions.extend(action);
+            action.is_none()
+        });
+    });
+    (actions, later)
+}
+
+fn opens_text_field(action: Action) -> bool {
+    matches!(action, A::Palette | A::GoToId | A::Save | A::SaveAs(_))
 }
 
 fn works_while_typing(action: Action) -> bool {
     matches!(action, A::Open | A::Save | A::Palette)
 }
 
-/// Like egui's own function, but a plain letter doesn't also match with Ctrl or Alt, and "?" matches with
-/// the Shift that typing it takes.
-fn consume(input: &mut egui::InputState, shortcut: &KeyboardShortcut) -> bool {
-    let mut found = false;
-    input.events.retain(|event| {
-        let hit = matches!(event, egui::Event::Key { key, modifiers, pressed: true, .. }
-            if *key == shortcut.logical_key && matches(*modifiers, shortcut));
-        found |= hit;
-        !hit
-    });
-    found
-}
-
+/// Whether a shortcut has the pressed modifiers. Unlike egui's own function, a plain letter doesn't also match
+/// with Ctrl or Alt, and "?" matches with the Shift that typing it takes.
 fn matches(pressed: Modifiers, shortcut: &KeyboardShortcut) -> bool {
     let wanted = shortcut.modifiers;
     let typed_with_shift = matches!(shortcut.logical_key, Key::Questionmark);

@@ -2,13 +2,14 @@
 
 use editor::Spec;
 use editor::ops::{Arity, Choice, Facts, Field, FieldKind, Fill, Unit, sentence_case};
-use egui::{Checkbox, ComboBox, DragValue, RichText, TextEdit, Ui};
+use egui::{Checkbox, ComboBox, RichText, TextEdit, Ui};
 use serde_json::{Value, json};
 use surface::Shape;
 
 use crate::lists::columns::element_name;
 use crate::session::form::{Filled, alternatives, chosen};
 use crate::widgets::color_button::color_button;
+use crate::widgets::number_box::number_box;
 use halfedge::Element;
 
 /// The rows of those fields of an operation for which `shown` is true.
@@ -175,7 +176,7 @@ fn number(
 ) {
     let mut number = value.as_f64().unwrap_or_default();
     let mut spin = ui.add(
-        DragValue::new(&mut number).speed(speed).range(range).clamp_existing_to_range(false).max_decimals(6),
+        number_box(&mut number).speed(speed).range(range).clamp_existing_to_range(false).max_decimals(6),
     );
     if let Some(name) = name {
         spin = spin.accessible_name(name);
@@ -187,8 +188,7 @@ fn number(
 
 fn integer(ui: &mut Ui, value: &mut Value, range: std::ops::RangeInclusive<u32>, speed: f64) {
     let mut number = value.as_u64().and_then(|n| u32::try_from(n).ok()).unwrap_or_default();
-    if ui.add(DragValue::new(&mut number).speed(speed).range(range).clamp_existing_to_range(false)).changed()
-    {
+    if ui.add(number_box(&mut number).speed(speed).range(range).clamp_existing_to_range(false)).changed() {
         *value = number.into();
     }
 }
@@ -199,7 +199,7 @@ fn axes(ui: &mut Ui, label: &str, value: &mut Value) {
     let mut numbers = [at(0), at(1), at(2)];
     let mut changed = false;
     for (axis, number) in ["x", "y", "z"].iter().zip(&mut numbers) {
-        let drag = DragValue::new(number).speed(0.01).max_decimals(5);
+        let drag = number_box(number).speed(0.01).max_decimals(5);
         changed |= ui
             .add_sized([54.0, ui.spacing().interact_size.y], drag)
             .accessible_name(format!("{label} {axis}"))
@@ -273,7 +273,7 @@ fn shape_rows(ui: &mut Ui, field: &Field, filled: &mut Filled) {
     for size in shape.fields() {
         let label = ui.label(sentence_case(size.name));
         let mut value = filled.get(size.name).and_then(Value::as_f64).unwrap_or(size.default);
-        let drag = DragValue::new(&mut value).range(size.min..=size.max);
+        let drag = number_box(&mut value).range(size.min..=size.max);
         let drag = if size.whole {
             drag.speed(0.1).max_decimals(0)
         } else {

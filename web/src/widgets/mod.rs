@@ -2,3 +2,4 @@
 
 pub(crate) mod color_button;
 pub(crate) mod icons;
+pub(crate) mod number_box;

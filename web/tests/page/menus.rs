@@ -375,3 +375,47 @@ fn objects_are_listed_once_there_are_two() {
     page.click("Delete Tetrahedron");
     assert!(!page.has("Objects"));
 }
+
+#[test]
+fn keys_of_one_frame_act_in_order_and_as_often_as_they_are_pressed() {
+    let mut page = Page::new();
+    for x in 1..=5 {
+        page.command(json!({"op": "set-vertex-position", "vertex": 0, "position": [x, 0, 0]}));
+    }
+    let key = |page: &mut Page, key: Key, modifiers: Modifiers| {
+        let event = |pressed| egui::Event::Key { key, physical_key: None, pressed, repeat: false, modifiers };
+        page.harness.input_mut().events.extend([event(true), event(false)]);
+    };
+    for _ in 0..4 {
+        key(&mut page, Key::Z, Modifiers::COMMAND);
+    }
+    page.harness.step();
+    assert_eq!(page.undo_labels().len(), 1, "four steps are undone");
+    // The list is changed before everything in it is selected.
+    key(&mut page, Key::Num4, Modifiers::NONE);
+    key(&mut page, Key::A, Modifiers::COMMAND);
+    page.harness.step();
+    assert_eq!(page.selected(), (halfedge::Element::Face, (0..6).collect()));
+}
+
+#[test]
+fn letters_typed_after_a_key_that_opens_a_field_go_there() {
+    let mut page = Page::new();
+    page.select("face", &[0]);
+    let key = |page: &mut Page, key: Key, modifiers: Modifiers| {
+        let event = |pressed| egui::Event::Key { key, physical_key: None, pressed, repeat: false, modifiers };
+        page.harness.input_mut().events.extend([event(true), event(false)]);
+    };
+    // In one slow frame: clear the selection, open the palette, search for it.
+    key(&mut page, Key::Escape, Modifiers::NONE);
+    key(&mut page, Key::K, Modifiers::COMMAND);
+    for (letter, text) in [(Key::U, "u"), (Key::N, "n"), (Key::D, "d"), (Key::O, "o")] {
+        key(&mut page, letter, Modifiers::NONE);
+        page.harness.input_mut().events.push(egui::Event::Text(text.into()));
+    }
+    page.run();
+    assert!(page.selected().1.is_empty());
+    assert_eq!(page.mesh().face_count(), 6, "no letter was taken for a key");
+    let field = page.harness.get_by_role_and_label(Role::TextInput, "Find a command");
+    assert_eq!(field.value().as_deref(), Some("undo"));
+}

@@ -1,6 +1,7 @@
 //! Operations on whole meshes: keys, forms, and adjusting the last one.
 
 use crate::page::Page;
+use egui::accesskit::Role;
 use egui::{Key, Modifiers};
 use egui_kittest::kittest::{NodeT, Queryable};
 use serde_json::json;
@@ -229,4 +230,28 @@ fn a_cancelled_adjustment_restores_the_last_result() {
     page.outside.release_jobs();
     page.run();
     assert_eq!(page.mesh().face_count(), 5000);
+}
+
+#[test]
+fn a_number_counts_when_it_is_typed_and_may_be_an_expression() {
+    let mut page = Page::new();
+    page.command(json!({"op": "extrude-faces", "faces": [0], "distance": 1}));
+    let distance = |page: &mut Page| {
+        page.app().editor().last_command().expect("the extrusion").to_value()["distance"].clone()
+    };
+    page.harness.get_by_role_and_label(Role::SpinButton, "Distance").click();
+    page.run();
+    page.press_with(Modifiers::COMMAND, Key::A);
+    for letter in ["0", ".", "2"] {
+        page.harness.event(egui::Event::Text(letter.into()));
+        page.run();
+        assert_eq!(distance(&mut page), 1.0, "half a number changes nothing");
+    }
+    page.press(Key::Enter);
+    assert_eq!(distance(&mut page), 0.2);
+    page.type_into("Distance", "3/4");
+    assert_eq!(distance(&mut page), 0.75);
+    page.type_into("Distance", "three");
+    assert_eq!(distance(&mut page), 0.75, "what is no number leaves the value");
+    assert_eq!(page.undo_labels(), ["Extrude faces"]);
 }

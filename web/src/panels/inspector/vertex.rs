@@ -4,8 +4,9 @@ use super::table::{fact, facts, links, pointer};
 use crate::page_view::Page;
 use crate::request::{Request, Requests};
 use crate::theme;
+use crate::widgets::number_box::number_box;
 use editor::ops::{SetVertexPosition, VertexRef};
-use egui::{DragValue, RichText, Ui, vec2};
+use egui::{RichText, Ui, vec2};
 use glam::{DVec3, Vec3};
 use halfedge::{Element, HalfedgeId};
 
@@ -66,11 +67,10 @@ fn position_boxes(ui: &mut Ui, page: &Page<'_>, id: u32, position: Vec3, out: &m
         for ((axis, value), color) in ["x", "y", "z"].into_iter().zip(&mut moved).zip(colors) {
             ui.spacing_mut().item_spacing.x = 4.0;
             ui.label(RichText::new(axis).strong().color(color));
-            let drag = DragValue::new(value)
+            let drag = number_box(value)
                 .speed(speed)
                 .range(f64::from(f32::MIN)..=f64::from(f32::MAX))
-                .max_decimals(6)
-                .update_while_editing(false);
+                .max_decimals(6);
             let spin = ui.add_sized(vec2(width.max(40.0), ui.spacing().interact_size.y), drag);
             let spin = spin.accessible_name(format!("Position {axis}"));
             changed |= spin.changed();
