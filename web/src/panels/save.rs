@@ -20,6 +20,8 @@ pub(crate) const FORMAT_SETTING: &str = "format";
 pub(crate) struct Saving {
     stage: Stage,
     name: String,
+    /// The name of a document, and the name under which it was last saved.
+    last_saved: Option<(String, String)>,
     format: Format,
     /// What the format can't hold of the current document; none until computed.
     losses: Option<(Format, Vec<String>)>,
@@ -40,14 +42,17 @@ impl Saving {
     pub fn new(platform: &dyn Platform) -> Self {
         let format = platform.load_setting(FORMAT_SETTING).and_then(|kept| Format::from_code(&kept));
         let format = format.filter(|format| format.can_write()).unwrap_or_default();
-        Self { stage: Stage::Closed, name: String::new(), format, losses: None }
+        Self { stage: Stage::Closed, name: String::new(), last_saved: None, format, losses: None }
     }
 
-    /// Opens the dialog for a document. The format is the given one, else a Bezier format if the document
+    /// Opens the dialog for a document. The name is the one that it was last saved under, else its own. The format is the given one, else a Bezier format if the document
     /// has only control points, else the last one used.
     pub fn show(&mut self, document: &Document, format: Option<Format>) {
         self.stage = Stage::Opening;
-        self.name = document.name().to_owned();
+        self.name = match &self.last_saved {
+            Some((of, name)) if of == document.name() => name.clone(),
+            _ => document.name().to_owned(),
+        };
         let kinds = || document.objects().iter().map(|object| object.bezier().map(|b| b.curve().is_some()));
         let all = |wanted| !document.objects().is_empty() && kinds().all(|is_curve| is_curve == wanted);
         self.format = match (format, self.format) {
@@ -241,6 +246,7 @@ fn save(page: &Page<'_>, own: &mut Saving, out: &mut Requests) {
     let format = own.format;
     let Some(name) = stem(&own.name, format) else { return };
     own.stage = Stage::Closed;
+    own.last_saved = Some((page.editor.document().name().to_owned(), name.clone()));
     let holds_all = losses_of(page, own, format).is_empty();
     out.push(Request::Save { format, name, holds_all });
 }

@@ -55,6 +55,20 @@ fn every_format_is_saved_and_reads_back() {
 }
 
 #[test]
+fn the_dialog_offers_the_name_it_was_given_until_another_document_opens() {
+    let mut page = Page::new();
+    ask(&mut page, "my cube");
+    page.press(Key::Enter);
+    page.press_with(Modifiers::COMMAND, Key::S);
+    page.press(Key::Enter);
+    assert_eq!(saved(&page), ["my cube.obj", "my cube.obj"]);
+    page.open("other.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+    page.press_with(Modifiers::COMMAND, Key::S);
+    page.press(Key::Enter);
+    assert_eq!(saved(&page)[2], "other.obj");
+}
+
+#[test]
 fn typing_replaces_the_name_and_enter_saves() {
     let mut page = Page::new();
     ask(&mut page, "my cube");
