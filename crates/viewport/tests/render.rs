@@ -268,7 +268,7 @@ fn a_half_edge_is_an_arrow_on_its_faces_side() {
 }
 
 #[test]
-fn the_ground_grid_is_seen_only_where_it_is_nearer_than_the_mesh() {
+fn the_ground_grid_lies_under_the_mesh_and_never_over_it() {
     let gpu = gpu();
     let mut cube = cube();
     paint_all(&mut cube, [250, 40, 40]);
@@ -283,18 +283,29 @@ fn the_ground_grid_is_seen_only_where_it_is_nearer_than_the_mesh() {
             if with.at(x, y) == without.at(x, y) {
                 continue;
             }
-            // Pixels on an edge, or on the line where the cube cuts the ground, may show part of it.
+            // Pixels on the silhouette may show part of it.
             let shows =
                 [-1.0, 0.0, 1.0].iter().flat_map(|dx| [-1.0, 0.0, 1.0].map(|dy| vec2(*dx, dy))).any(|by| {
                     let ray = camera.ray(vec2(x as f32 + 0.5, y as f32 + 0.5) + by, VIEW);
-                    let to_ground = -f64::from(ray.origin.y) / f64::from(ray.direction.y);
-                    tree.hit(&cube, ray).is_none_or(|hit| to_ground < hit.distance)
+                    tree.hit(&cube, ray).is_none()
                 });
             assert!(shows, "{x}, {y} from pitch {pitch}: {:?} not {:?}", with.at(x, y), without.at(x, y));
             beside += usize::from(without.at(x, y) == [0, 0, 0]);
         }
         assert!(beside > 300, "{beside} pixels of grid beside the cube");
     }
+    // The cube's lowest corner is on the ground: seen from the side, no line is above it.
+    let mut camera = Camera { yaw: 0.0, pitch: 0.0, distance: 6.0, orthographic: true, ..Camera::default() };
+    camera.set_scene(surface::measure::bounding_box(&cube));
+    camera.pitch = 0.02;
+    let with = draw(&gpu, &cube, &camera, &Style { grid: true, ..bare() });
+    let without = draw(&gpu, &cube, &camera, &bare());
+    let foot = camera.project(vec3(0.0, -1.0, 0.0), VIEW).expect("in front").y;
+    let rows: Vec<u32> =
+        (0..SIZE[1]).filter(|&y| (0..SIZE[0]).any(|x| with.at(x, y) != without.at(x, y))).collect();
+    let reach = 12.0 * 6.0 * 0.02 * VIEW.y / 4.0;
+    assert!(!rows.is_empty());
+    assert!(rows.iter().all(|&y| (y as f32 - foot).abs() < reach), "{foot}: {rows:?}");
 }
 
 #[test]

@@ -224,7 +224,7 @@ pub static MENUS: &[Menu] = &[
                 "Shade with normals averaged at vertices instead of one per face.",
             )),
             Some(entry(A::Dots, "Vertex dots", "Draw vertices as dots.")),
-            Some(entry(A::Grid, "Ground grid", "Draw a grid on the ground plane, y = 0.")),
+            Some(entry(A::Grid, "Ground grid", "Draw a grid on the ground below the model.")),
             Some(entry(
                 A::Overlay,
                 "Info overlay",

@@ -72,6 +72,10 @@ impl Renderer {
         let theme = &style.theme;
         let plain = DrawUniform::new(camera, Vec3::ZERO, [0.0; 4], [0.0; 4]);
         let mut draws = vec![(Draw::Background, plain)];
+        // Behind everything: lines over a model look as if they belonged to it.
+        if style.grid {
+            draws.push((Draw::Ground, plain));
+        }
         let visible = || {
             let shown = frame.objects.iter().filter(|o| o.visible);
             shown.filter_map(|o| Some((o, self.objects.get(&o.id)?)))
@@ -83,9 +87,6 @@ impl Renderer {
                 Draw::Mesh(object),
                 DrawUniform::new(camera, object.buffers.origin(), [0.0; 4], params),
             ));
-        }
-        if style.grid {
-            draws.push((Draw::Ground, plain));
         }
         for (draw, object) in visible() {
             let origin = object.buffers.origin();

@@ -168,7 +168,7 @@ impl Pipelines {
                 "ground",
                 (&ground, "ground_vertex", "ground_fragment"),
                 &[],
-                Depth::Test,
+                Depth::Ignore,
                 over,
             ),
             mesh: maker.pipeline(

@@ -67,7 +67,8 @@ impl FrameUniform {
     }
 }
 
-/// The ground grid around the target: lines at powers of ten that suit the distance.
+/// The ground grid around the target: lines at powers of ten that suit the distance. The scene stands on the ground, so
+/// that the ground never cuts through it.
 fn grid(camera: &Camera) -> ([f32; 4], [f32; 4]) {
     let level = (camera.distance * 0.2).log10();
     let spacing = 10_f64.powf(level.floor());
@@ -75,7 +76,7 @@ fn grid(camera: &Camera) -> ([f32; 4], [f32; 4]) {
     let coarse = spacing * 100.0;
     let middle = DVec3::new(
         (camera.target.x / coarse).round() * coarse,
-        0.0,
+        camera.scene().map_or(0.0, |scene| f64::from(scene.min.y)),
         (camera.target.z / coarse).round() * coarse,
     );
     let scale = 1.0 / camera.distance;
