@@ -10,6 +10,7 @@ use crate::input::availability;
 use crate::session::Session;
 use crate::shown::Shown;
 use crate::view::{Tool, View};
+use viewport::Look;
 
 /// Everything that a panel may read.
 #[derive(Clone, Copy)]
@@ -45,6 +46,7 @@ impl Page<'_> {
             Action::Orthographic => self.view.camera.orthographic,
             Action::Wireframe => style.wireframe,
             Action::Smooth => style.smooth,
+            Action::CourseLight => style.look == Look::Course,
             Action::Dots => style.vertices,
             Action::Grid => style.grid,
             Action::Overlay => self.shown.overlay,

@@ -22,5 +22,5 @@ pub use camera::Camera;
 pub use gpu::{Frame, Highlight, Layer, ObjectChange, ObjectDraw, Renderer};
 pub use pick::{Picked, pick};
 pub use slots::Range;
-pub use style::{Style, Theme};
+pub use style::{Look, Style, Theme};
 pub use surface::measure::Bounds;

@@ -11,15 +11,35 @@ pub struct Style {
     pub wireframe: bool,
     /// Whether the active object's vertices are drawn as dots.
     pub vertices: bool,
-    /// Whether the grid of the ground plane, y = 0, is drawn.
+    /// How faces are lit.
+    pub look: Look,
+    /// Whether the grid of the ground is drawn.
     pub grid: bool,
     /// The colours.
     pub theme: Theme,
 }
 
+/// How faces are lit. All lights are fixed to the camera, so that what one looks at is lit.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Look {
+    /// A key light from the upper left, a weaker one from the right, a rim light from behind, and a sky that is
+    /// brighter than the ground.
+    #[default]
+    Studio,
+    /// One light at the camera over an ambient light of a fifth (Lambert), as in the courses' viewers.
+    Course,
+}
+
 impl Default for Style {
     fn default() -> Self {
-        Self { smooth: false, wireframe: true, vertices: false, grid: true, theme: Theme::DARK }
+        Self {
+            look: Look::Studio,
+            smooth: false,
+            wireframe: true,
+            vertices: false,
+            grid: true,
+            theme: Theme::DARK,
+        }
     }
 }
 

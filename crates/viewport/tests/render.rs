@@ -7,7 +7,7 @@ use halfedge::edit::{Connect, delete_vertices, split_edge};
 use halfedge::{Budget, EdgeId, Element, Mesh, PolygonSoup, VertexId};
 use support::gpu::{Gpu, Image, bare, close, gpu, shown};
 use support::{cube, grid, mesh, paint, paint_all, sphere};
-use viewport::{Bounds, Camera, Frame, Highlight, Layer, ObjectChange, Renderer, Style};
+use viewport::{Bounds, Camera, Frame, Highlight, Layer, Look, ObjectChange, Renderer, Style};
 
 const SIZE: [u32; 2] = [200, 160];
 const VIEW: Vec2 = Vec2::new(200.0, 160.0);
@@ -95,6 +95,28 @@ fn shading_is_lambert_over_a_floor_of_a_fifth() {
     let image = draw(&gpu, &roof, &camera, &Style { smooth: true, ..bare() });
     let at = camera.project(vec3(0.9, 0.0, 0.0), VIEW).expect("in front");
     assert!(close(image.near(at), [50; 3], 3), "{:?}", image.near(at));
+}
+
+#[test]
+fn the_studio_lights_every_side_of_a_cube_differently() {
+    let gpu = gpu();
+    let mut cube = cube();
+    paint_all(&mut cube, [200; 3]);
+    let style = Style { look: Look::Studio, ..bare() };
+    // From the front corner above, and from the opposite one: the lights go with the camera.
+    for yaw in [0.7, 0.7 + std::f64::consts::PI] {
+        let mut camera = Camera { yaw, pitch: 0.5, distance: 6.0, ..Camera::default() };
+        camera.set_scene(surface::measure::bounding_box(&cube));
+        let image = draw(&gpu, &cube, &camera, &style);
+        let side = |x: f32, y: f32, z: f32| {
+            let turned = if yaw > 1.0 { vec3(-x, y, -z) } else { vec3(x, y, z) };
+            image.near(camera.project(turned, VIEW).expect("in front"))[0]
+        };
+        let shades = [side(0.0, 1.0, 0.0), side(1.0, 0.0, 0.0), side(0.0, 0.0, 1.0)];
+        let [top, right, left] = shades.map(i32::from);
+        assert!(top > left + 20 && left > right + 20 && right > 70, "{shades:?}");
+        assert!(top <= 200, "no side is brighter than its colour");
+    }
 }
 
 #[test]

@@ -18,6 +18,7 @@ use crate::panels::operations::EDGE_LENGTH;
 use crate::panels::viewport::control_points::add_control_point;
 use crate::session::form;
 use crate::view::Tool;
+use viewport::Look;
 
 impl App {
     /// The state that panels read.
@@ -79,6 +80,10 @@ impl App {
             Action::Orthographic => self.view.camera.orthographic ^= true,
             Action::Wireframe => self.view.style.wireframe ^= true,
             Action::Smooth => self.view.style.smooth ^= true,
+            Action::CourseLight => {
+                let style = &mut self.view.style;
+                style.look = if style.look == Look::Course { Look::Studio } else { Look::Course };
+            }
             Action::Dots => self.view.style.vertices ^= true,
             Action::Grid => self.view.style.grid ^= true,
             Action::Overlay => self.shown.overlay ^= true,

@@ -56,6 +56,8 @@ pub enum Action {
     Wireframe,
     /// Switches between smooth and flat shading.
     Smooth,
+    /// Switches between the studio's lights and the courses' one at the camera.
+    CourseLight,
     /// Switches the drawing of vertices as dots.
     Dots,
     /// Switches the ground grid.

@@ -223,6 +223,11 @@ pub static MENUS: &[Menu] = &[
                 "Smooth shading",
                 "Shade with normals averaged at vertices instead of one per face.",
             )),
+            Some(entry(
+                A::CourseLight,
+                "Light at the camera",
+                "Light faces from the camera only, as the courses do.",
+            )),
             Some(entry(A::Dots, "Vertex dots", "Draw vertices as dots.")),
             Some(entry(A::Grid, "Ground grid", "Draw a grid on the ground below the model.")),
             Some(entry(

@@ -1,6 +1,6 @@
 //! The uniforms of the shaders: one per frame, and one per draw.
 
-use crate::{Camera, Style};
+use crate::{Camera, Look, Style};
 use glam::{DVec3, Vec2, Vec3};
 use halfedge::Color;
 
@@ -13,6 +13,10 @@ pub struct FrameUniform {
     /// The direction to the light and 1 for a parallel projection; the last component is 0 in perspective,
     /// where the light is at the eye.
     light: [f32; 4],
+    /// The camera's direction to the right, and 1 for the studio look, 0 for the course's.
+    right: [f32; 4],
+    /// The camera's direction upwards.
+    up: [f32; 4],
     /// Width and height in pixels, pixels per point, and the depth of the near plane.
     viewport: [f32; 4],
     background_top: [f32; 4],
@@ -48,13 +52,16 @@ pub fn rgba(color: Color, alpha: f32) -> [f32; 4] {
 
 impl FrameUniform {
     pub fn new(camera: &Camera, size: [u32; 2], pixels_per_point: f32, style: &Style) -> Self {
-        let [_, _, forward] = camera.axes();
+        let [right, up, forward] = camera.axes();
+        let is_studio = if style.look == Look::Studio { 1.0 } else { 0.0 };
         let size = Vec2::new(size[0] as f32, size[1] as f32);
         let (grid, grid_fade) = grid(camera);
         let to_light = (-forward).as_vec3().extend(if camera.orthographic { 1.0 } else { 0.0 });
         Self {
             matrix: camera.relative_view_proj(f64::from(size.x / size.y)).to_cols_array_2d(),
             light: to_light.to_array(),
+            right: right.as_vec3().extend(is_studio).to_array(),
+            up: up.as_vec3().extend(0.0).to_array(),
             viewport: [size.x, size.y, pixels_per_point, (camera.near() / camera.distance) as f32],
             background_top: rgba(style.theme.background_top, 1.0),
             background_bottom: rgba(style.theme.background_bottom, 1.0),

@@ -1,6 +1,6 @@
 //! A GPU device without a window, which reads pictures back as arrays.
 
-use viewport::{Frame, ObjectDraw, Renderer, Style};
+use viewport::{Frame, Look, ObjectDraw, Renderer, Style};
 
 pub struct Gpu {
     pub device: wgpu::Device,
@@ -57,7 +57,7 @@ pub fn close(a: [u8; 3], b: [u8; 3], by: u8) -> bool {
 
 /// A style with only faces on a flat black background.
 pub fn bare() -> Style {
-    let mut style = Style { wireframe: false, grid: false, ..Style::default() };
+    let mut style = Style { look: Look::Course, wireframe: false, grid: false, ..Style::default() };
     style.theme.background_top = halfedge::Color([0; 3]);
     style.theme.background_bottom = halfedge::Color([0; 3]);
     style

@@ -5,6 +5,8 @@
 struct Frame {
     matrix: mat4x4<f32>,
     light: vec4<f32>,
+    right: vec4<f32>,
+    up: vec4<f32>,
     viewport: vec4<f32>,
     background_top: vec4<f32>,
     background_bottom: vec4<f32>,

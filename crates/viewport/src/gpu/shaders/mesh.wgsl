@@ -1,4 +1,4 @@
-// Faces: Lambert with the light at the camera, and the wireframe over them.
+// Faces, lit by a studio's lights or by one at the camera, and the wireframe over them.
 
 struct MeshVertex {
     @builtin(position) clip: vec4<f32>,
@@ -25,6 +25,16 @@ fn mesh_vertex(
     return out;
 }
 
+// The share of its colour that a face shows under the studio's lights. They are fixed to the camera: `n` is the
+// normal to the right, up and towards the camera. Colours are sRGB, so the shares are as seen.
+fn studio(n: vec3<f32>) -> f32 {
+    let key = max(dot(n, vec3<f32>(-0.380, 0.530, 0.758)), 0.0);
+    let fill = max(dot(n, vec3<f32>(0.873, 0.0, 0.487)), 0.0);
+    let rim = max(dot(n, vec3<f32>(0.196, 0.588, -0.785)), 0.0);
+    let sky = 0.33 + 0.08 * n.y;
+    return min(sky + 0.66 * key + 0.22 * fill + 0.2 * rim, 1.0);
+}
+
 @fragment
 fn mesh_fragment(in: MeshVertex, @builtin(front_facing) front: bool) -> @location(0) vec4<f32> {
     // Sides that cross in pixels: how fast each barycentric coordinate changes per pixel. Taken
@@ -37,17 +47,24 @@ fn mesh_fragment(in: MeshVertex, @builtin(front_facing) front: bool) -> @locatio
     if frame.light.w > 0.5 {
         to_light = frame.light.xyz;
     }
-    var facing = 1.0;
+    var normal = to_light;
     let length = length(in.normal);
     if length > 0.01 {
-        facing = dot(in.normal / length, to_light);
+        normal = in.normal / length;
+        if !front {
+            normal = -normal;
+        }
     }
     var color = in.color.rgb;
     if !front {
-        facing = -facing;
         color = mix(color * 0.5, frame.back_face.rgb, 0.5);
     }
-    color = color * (0.2 + 0.8 * max(facing, 0.0));
+    var share = 0.2 + 0.8 * max(dot(normal, to_light), 0.0);
+    if frame.right.w > 0.5 {
+        let towards = cross(frame.right.xyz, frame.up.xyz);
+        share = studio(vec3<f32>(dot(normal, frame.right.xyz), dot(normal, frame.up.xyz), dot(normal, towards)));
+    }
+    color = color * share;
 
     // Side i runs from corner i to the next, opposite the corner before: where that corner's
     // coordinate is 0.
