@@ -20,7 +20,7 @@ mod style;
 pub use box_select::{BoxSelection, ScreenRect};
 pub use camera::Camera;
 pub use gpu::{Frame, Highlight, Layer, ObjectChange, ObjectDraw, Renderer};
-pub use pick::{Picked, pick};
+pub use pick::{Picked, pick, pick_nearest};
 pub use slots::Range;
 pub use style::{Look, Style, Theme};
 pub use surface::measure::Bounds;

@@ -67,6 +67,30 @@ pub fn pick(
     Some(Picked { element: kind, id, distance })
 }
 
+/// Picks like [`pick`]; where that finds nothing but a face is seen at the pixel, the vertex, edge or half-edge of this
+/// face that is nearest to the pixel, however far away: a click on a model means some element of it.
+pub fn pick_nearest(
+    mesh: &Mesh,
+    tree: &FaceTree,
+    camera: &Camera,
+    viewport: Vec2,
+    pixel: Vec2,
+    kind: Element,
+    radius: f32,
+) -> Option<Picked> {
+    if let Some(picked) = pick(mesh, tree, camera, viewport, pixel, kind, radius) {
+        return Some(picked);
+    }
+    let face = tree.hit(mesh, camera.ray(pixel, viewport))?.face;
+    let (sight, faces) = (Sight::new(mesh, tree, camera, viewport), BTreeSet::from([face]));
+    if kind == Element::Vertex {
+        return pick_vertex(&sight, &faces, pixel, f32::INFINITY);
+    }
+    let (edge, distance) = pick_edge(&sight, &faces, pixel, f32::INFINITY)?;
+    let id = if kind == Element::Halfedge { side_of(&sight, edge, Some(face)).raw() } else { edge.raw() };
+    Some(Picked { element: kind, id, distance })
+}
+
 /// The face nearest to a pixel's ray that hits none: a thin corner may lie between the rays around it.
 /// Alternates between the point of the mesh closest to the ray's point and the point of the ray closest to
 /// that one, which converges.

@@ -223,3 +223,24 @@ proptest! {
         }
     }
 }
+
+#[test]
+fn a_pixel_on_a_model_always_means_an_element() {
+    let cube = cube();
+    let tree = FaceTree::new(&cube);
+    let camera = Camera { yaw: 0.0, pitch: 0.0, distance: 6.0, ..Camera::default() };
+    let nearest = |pixel, kind| {
+        viewport::pick_nearest(&cube, &tree, &camera, VIEW, pixel, kind, 8.0).map(|picked| picked.id)
+    };
+    let middle = camera.project(vec3(0.0, 0.0, 1.0), VIEW).expect("in front");
+    let corner = (4..8).map(VertexId::new).find(|&v| cube.position(v) == vec3(1.0, 1.0, 1.0)).expect("there");
+    assert_eq!(id(&cube, &camera, middle + vec2(5.0, -7.0), Element::Vertex), None);
+    assert_eq!(nearest(middle + vec2(5.0, -7.0), Element::Vertex), Some(corner.raw()), "up and to the right");
+    let side = nearest(middle + vec2(9.0, 1.0), Element::Edge).expect("the right edge");
+    let ends = cube.ends(cube.edge(side).expect("there")).map(|v| cube.position(v));
+    assert!(ends.iter().all(|p| p.x == 1.0 && p.z == 1.0), "{ends:?}");
+    let inside = nearest(middle + vec2(9.0, 1.0), Element::Halfedge).expect("its half-edge");
+    let face = cube.halfedge(inside).and_then(|h| cube.face_of(h)).map(|f| f.raw());
+    assert_eq!(face, nearest(middle, Element::Face), "that of the face under the pointer");
+    assert_eq!(nearest(vec2(1.0, 1.0), Element::Vertex), None, "beside the model there is nothing");
+}

@@ -3,10 +3,11 @@
 use editor::SelectMode;
 use editor::ops::{SetVertexPosition, Transform, VertexRef};
 use egui::{CursorIcon, Modifiers, PointerButton, Pos2, Rect, Response, Ui};
-use glam::{Vec3, vec2};
-use halfedge::Element;
+use glam::{Vec2, Vec3, vec2};
+use halfedge::{Element, Mesh};
+use surface::FaceTree;
 use surface::selecting::Line;
-use viewport::{BoxSelection, ScreenRect};
+use viewport::{BoxSelection, Camera, Picked, ScreenRect};
 
 use super::Viewport;
 use super::control_points;
@@ -16,8 +17,9 @@ use crate::view::{Gesture, Tool};
 
 /// The radius around the pointer in which a vertex or an edge is picked, in points.
 const PICK_RADIUS_POINTS: f32 = 8.0;
-/// The radius in which the edge is found that a line is selected through, in points.
-const LINE_RADIUS_POINTS: f32 = 40.0;
+
+/// A way to find the element at a pixel.
+type Pick = fn(&Mesh, &FaceTree, &Camera, Vec2, Vec2, Element, f32) -> Option<Picked>;
 
 /// How a click or a box with these modifiers changes the selection.
 fn select_mode(modifiers: Modifiers) -> SelectMode {
@@ -85,7 +87,7 @@ impl Viewport<'_> {
         }
         if response.secondary_clicked()
             && let Some(at) = pointer
-            && let Some(id) = self.pick(at)
+            && let Some(id) = self.pick(at, self.shown.kind)
             && !self.session.editor.selection().contains(self.shown.kind, id)
         {
             out.select(self.shown.kind, [id], SelectMode::Replace);
@@ -124,7 +126,8 @@ impl Viewport<'_> {
         {
             return None;
         }
-        let id = self.pick(at)?;
+        // A drag that begins inside a face turns the view.
+        let id = self.pick_by(viewport::pick, at, Element::Vertex)?;
         let mesh = self.session.editor.mesh()?;
         self.session
             .editor
@@ -233,7 +236,7 @@ impl Viewport<'_> {
         self.player.hovered = self.control_point_at(at).map(|(point, _)| point);
         self.view.hovered = match self.player.hovered {
             Some(_) => None,
-            None => self.pick(at).map(|id| (self.shown.kind, id)),
+            None => self.pick(at, self.shown.kind).map(|id| (self.shown.kind, id)),
         };
         if (self.view.hovered.is_some() || self.player.hovered.is_some()) && self.view.tool == Tool::Orbit {
             ui.ctx().set_cursor_icon(CursorIcon::PointingHand);
@@ -244,17 +247,17 @@ impl Viewport<'_> {
         control_points::control_point_at(&self.session.editor, self.view, self.player, at)
     }
 
-    /// The element of the listed kind at a place on the page.
-    fn pick(&mut self, at: Pos2) -> Option<u32> {
-        self.pick_within(at, self.shown.kind, PICK_RADIUS_POINTS)
+    /// The element that a click at a place on the page means: on a model there is always one.
+    fn pick(&mut self, at: Pos2, kind: Element) -> Option<u32> {
+        self.pick_by(viewport::pick_nearest, at, kind)
     }
 
-    fn pick_within(&mut self, at: Pos2, kind: Element, radius: f32) -> Option<u32> {
+    fn pick_by(&mut self, pick: Pick, at: Pos2, kind: Element) -> Option<u32> {
         let object = self.session.editor.document().active().filter(|object| object.visible())?;
         let (camera, local, size) = (self.view.camera, self.view.local(at), self.view.size());
         let mesh = object.mesh();
         let tree = self.view.tree(object);
-        viewport::pick(mesh, tree, &camera, size, local, kind, radius).map(|picked| picked.id)
+        pick(mesh, tree, &camera, size, local, kind, PICK_RADIUS_POINTS).map(|picked| picked.id)
     }
 
     /// Begins to select the visible elements of the listed kind in a box on the page.
@@ -288,7 +291,7 @@ impl Viewport<'_> {
     fn select_line(&mut self, at: Pos2, line: Line, extend: bool, out: &mut Requests) {
         let kind = self.shown.kind;
         // A vertex or a face lies on lines in several directions: the nearest edge decides.
-        let Some(through) = self.pick_within(at, Element::Halfedge, LINE_RADIUS_POINTS) else { return };
+        let Some(through) = self.pick(at, Element::Halfedge) else { return };
         let mode = if extend { SelectMode::Extend } else { SelectMode::Replace };
         out.push(Request::SelectLine { kind, through, line, mode });
     }
@@ -306,7 +309,7 @@ impl Viewport<'_> {
             self.select_line(at, line, modifiers.shift, out);
             return;
         }
-        match self.pick(at) {
+        match self.pick(at, kind) {
             Some(id) if modifiers.command && modifiers.shift => {
                 out.push(Request::SelectPath { kind, to: id });
             }
