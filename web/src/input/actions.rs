@@ -123,10 +123,18 @@ pub struct Entry {
     pub label: &'static str,
     /// One sentence on what the action does.
     pub description: &'static str,
+    /// Other programs' names for it, by which the palette finds it too.
+    pub synonyms: &'static [&'static str],
+}
+
+impl Entry {
+    pub(super) const fn synonyms(self, synonyms: &'static [&'static str]) -> Self {
+        Self { synonyms, ..self }
+    }
 }
 
 pub(super) const fn entry(action: Action, label: &'static str, description: &'static str) -> Entry {
-    Entry { action, label, description }
+    Entry { action, label, description, synonyms: &[] }
 }
 
 use Action as A;
@@ -154,12 +162,13 @@ pub fn formats() -> impl Iterator<Item = Entry> {
 
 /// The entry for saving in a format.
 pub fn of_format(format: Format) -> Entry {
-    entry(A::SaveAs(format), format.save_label(), format.description())
+    entry(A::SaveAs(format), format.save_label(), format.description()).synonyms(&["export"])
 }
 
 /// The entry of an operation.
 pub fn of_operation(id: OpId) -> Entry {
-    Entry { action: A::Operation(id), label: id.spec().label, description: id.spec().description }
+    let spec = id.spec();
+    entry(A::Operation(id), spec.label, spec.description).synonyms(spec.synonyms)
 }
 
 /// The entry of an action; every action is in a menu.

@@ -20,12 +20,18 @@ pub static MENUS: &[Menu] = &[
     Menu {
         title: "File",
         entries: &[
-            Some(entry(
-                A::Open,
-                "Open…",
-                "Open a mesh file. You can also drop a file on the page or paste OBJ text.",
-            )),
-            Some(entry(A::Save, "Save…", "Choose a name and a format, and see what the format can't hold.")),
+            Some(
+                entry(
+                    A::Open,
+                    "Open…",
+                    "Open a mesh file. You can also drop a file on the page or paste OBJ text.",
+                )
+                .synonyms(&["import", "load"]),
+            ),
+            Some(
+                entry(A::Save, "Save…", "Choose a name and a format, and see what the format can't hold.")
+                    .synonyms(&["export", "download"]),
+            ),
         ],
     },
     Menu {
@@ -46,24 +52,33 @@ pub static MENUS: &[Menu] = &[
         title: "Select",
         entries: &[
             Some(entry(A::SelectAll, "Select all", "Select every element of the kind in the list.")),
-            Some(entry(A::SelectNone, "Select none", "Clear the selection.")),
+            Some(entry(A::SelectNone, "Select none", "Clear the selection.").synonyms(&["deselect"])),
             Some(entry(
                 A::SelectInverse,
                 "Invert selection",
                 "Select the unselected elements of the kind in the list instead.",
             )),
             None,
-            Some(entry(A::SelectBy(SelectBy::Grow), "Grow", "Add the neighbours of the selection.")),
-            Some(entry(
-                A::SelectBy(SelectBy::Shrink),
-                "Shrink",
-                "Deselect the elements beside unselected ones.",
-            )),
-            Some(entry(
-                A::SelectBy(SelectBy::Linked),
-                "Select linked",
-                "Add everything connected to the selection.",
-            )),
+            Some(
+                entry(A::SelectBy(SelectBy::Grow), "Grow", "Add the neighbours of the selection.")
+                    .synonyms(&["select more", "expand"]),
+            ),
+            Some(
+                entry(
+                    A::SelectBy(SelectBy::Shrink),
+                    "Shrink",
+                    "Deselect the elements beside unselected ones.",
+                )
+                .synonyms(&["select less", "contract"]),
+            ),
+            Some(
+                entry(
+                    A::SelectBy(SelectBy::Linked),
+                    "Select linked",
+                    "Add everything connected to the selection.",
+                )
+                .synonyms(&["select island", "connected"]),
+            ),
             Some(entry(
                 A::SelectBy(SelectBy::Loops),
                 "Select loops",
@@ -79,11 +94,14 @@ pub static MENUS: &[Menu] = &[
                 "Select shortest path",
                 "Add the shortest path between the two selected elements.",
             )),
-            Some(entry(
-                A::SelectBy(SelectBy::Outline),
-                "Select outline",
-                "Select the edges around the selected faces.",
-            )),
+            Some(
+                entry(
+                    A::SelectBy(SelectBy::Outline),
+                    "Select outline",
+                    "Select the edges around the selected faces.",
+                )
+                .synonyms(&["boundary of selection"]),
+            ),
             None,
             Some(entry(
                 A::SelectBy(SelectBy::Kind(Element::Vertex)),
@@ -139,12 +157,18 @@ pub static MENUS: &[Menu] = &[
     Menu {
         title: "Mesh",
         entries: &[
-            Some(entry(
-                A::Upsample,
-                "Upsample",
-                "Subdivide once: Loop if all faces are triangles, Catmull-Clark otherwise.",
-            )),
-            Some(entry(A::Downsample, "Downsample", "Simplify to a quarter of the triangles.")),
+            Some(
+                entry(
+                    A::Upsample,
+                    "Upsample",
+                    "Subdivide once: Loop if all faces are triangles, Catmull-Clark otherwise.",
+                )
+                .synonyms(&["subdivide"]),
+            ),
+            Some(
+                entry(A::Downsample, "Downsample", "Simplify to a quarter of the triangles.")
+                    .synonyms(&["decimate"]),
+            ),
             Some(entry(
                 A::Resample,
                 "Resample",
@@ -208,26 +232,38 @@ pub static MENUS: &[Menu] = &[
     Menu {
         title: "View",
         entries: &[
-            Some(entry(
-                A::Frame,
-                "Frame selection",
-                "Fit the selection into the view, or everything if nothing is selected.",
-            )),
-            Some(entry(A::FrameAll, "Frame all", "Fit everything into the view, from the same direction.")),
+            Some(
+                entry(
+                    A::Frame,
+                    "Frame selection",
+                    "Fit the selection into the view, or everything if nothing is selected.",
+                )
+                .synonyms(&["zoom to selection", "focus"]),
+            ),
+            Some(
+                entry(A::FrameAll, "Frame all", "Fit everything into the view, from the same direction.")
+                    .synonyms(&["zoom to fit", "view all"]),
+            ),
             Some(entry(A::ResetView, "Reset view", "Restore the initial view.")),
-            Some(entry(A::Orthographic, "Parallel projection", "Draw without perspective.")),
+            Some(
+                entry(A::Orthographic, "Parallel projection", "Draw without perspective.")
+                    .synonyms(&["orthographic"]),
+            ),
             None,
-            Some(entry(A::Wireframe, "Wireframe", "Draw edges over faces.")),
+            Some(entry(A::Wireframe, "Wireframe", "Draw edges over faces.").synonyms(&["edges"])),
             Some(entry(
                 A::Smooth,
                 "Smooth shading",
                 "Shade with normals averaged at vertices instead of one per face.",
             )),
-            Some(entry(
-                A::CourseLight,
-                "Light at the camera",
-                "Light faces from the camera only, as the courses do.",
-            )),
+            Some(
+                entry(
+                    A::CourseLight,
+                    "Light at the camera",
+                    "Light faces from the camera only, as the courses do.",
+                )
+                .synonyms(&["lambert", "headlight", "shading"]),
+            ),
             Some(entry(A::Dots, "Vertex dots", "Draw vertices as dots.")),
             Some(entry(A::Grid, "Ground grid", "Draw a grid on the ground below the model.")),
             Some(entry(
@@ -247,7 +283,10 @@ pub static MENUS: &[Menu] = &[
     Menu {
         title: "Help",
         entries: &[
-            Some(entry(A::Shortcuts, "Keyboard shortcuts", "List all keys and mouse gestures.")),
+            Some(
+                entry(A::Shortcuts, "Keyboard shortcuts", "List all keys and mouse gestures.")
+                    .synonyms(&["keys", "hotkeys"]),
+            ),
             Some(entry(A::Messages, "Messages", "List all imports, refusals and results.")),
             Some(entry(A::About, "About Meshwright", "Show the version and the graphics device.")),
         ],

@@ -15,12 +15,14 @@ pub(crate) struct PaletteState {
     text: String,
     at: usize,
     fresh: bool,
+    /// The actions that were chosen here, the latest first.
+    recent: Vec<Action>,
 }
 
 impl PaletteState {
     /// Opens the palette with an empty field.
     pub fn show(&mut self) {
-        *self = Self { open: true, fresh: true, ..Self::default() };
+        *self = Self { open: true, fresh: true, recent: std::mem::take(&mut self.recent), ..Self::default() };
     }
 }
 
@@ -51,7 +53,7 @@ pub(crate) fn show(ctx: &Context, page: &Page<'_>, own: &mut PaletteState, out: 
         if field.changed() {
             own.at = 0;
         }
-        let found = find(&own.text);
+        let found = find(&own.text, &own.recent);
         let last = found.len().saturating_sub(1);
         let moved = up || down;
         if down {
@@ -84,36 +86,44 @@ pub(crate) fn show(ctx: &Context, page: &Page<'_>, own: &mut PaletteState, out: 
     });
     if let Some(action) = chosen {
         own.open = false;
+        own.recent.retain(|recent| *recent != action);
+        own.recent.insert(0, action);
         out.act(action);
     } else if shown.should_close() {
         own.open = false;
     }
 }
 
-/// The actions whose names contain all typed words: first the one of exactly that name, then those that
-/// begin with the typed text.
-fn find(typed: &str) -> Vec<Entry> {
+/// The actions whose names, or names in other programs, contain all typed words: first the one of exactly that
+/// name, then those that begin with the typed text; among equals those that were chosen lately.
+fn find(typed: &str, recent: &[Action]) -> Vec<Entry> {
     let typed = typed.trim().to_lowercase();
-    let mut found: Vec<(usize, Entry)> = actions::all()
+    let mut found: Vec<((usize, usize), Entry)> = actions::all()
         .filter_map(|entry| {
             let label = entry.label.to_lowercase();
             let name = match entry.action {
                 Action::Operation(id) => id.spec().name,
                 _ => "",
             };
-            if !typed.split_whitespace().all(|word| label.contains(word) || name.contains(word)) {
-                return None;
-            }
+            let has_all = |text: &str| typed.split_whitespace().all(|word| text.contains(word));
             let rank = match () {
                 () if label.trim_end_matches('…') == typed || name == typed => 0,
                 () if label.starts_with(&typed) => 1,
                 () if label.split(' ').any(|word| word.starts_with(&typed)) => 2,
-                () => 3,
+                () if entry.synonyms.contains(&typed.as_str()) => 2,
+                () if has_all(&format!("{label} {name}")) => 3,
+                () if entry.synonyms.iter().any(|synonym| has_all(synonym)) => 4,
+                () => return None,
             };
-            Some((rank, entry))
+            let age = recent.iter().position(|action| *action == entry.action).unwrap_or(usize::MAX);
+            Some(((rank, age), entry))
         })
         .collect();
-    found.sort_by_key(|(rank, _)| *rank);
+    if typed.is_empty() {
+        found.sort_by_key(|((_, age), _)| *age);
+    } else {
+        found.sort_by_key(|(rank, _)| *rank);
+    }
     found.into_iter().map(|(_, entry)| entry).collect()
 }
 
@@ -124,16 +134,47 @@ mod tests {
 
     #[test]
     fn finds_by_label_word_and_op_name() {
-        assert_eq!(find("und").first().map(|entry| entry.action), Some(Action::Undo));
-        assert_eq!(find("grid").first().map(|entry| entry.action), Some(Action::Grid));
+        assert_eq!(find("und", &[]).first().map(|entry| entry.action), Some(Action::Undo));
+        assert_eq!(find("grid", &[]).first().map(|entry| entry.action), Some(Action::Grid));
         assert_eq!(
-            find("split-edge").first().map(|entry| entry.action),
+            find("split-edge", &[]).first().map(|entry| entry.action),
             Some(Action::Operation(OpId::SplitEdge))
         );
-        let smooth = find("smooth").first().map(|entry| entry.action);
+        let smooth = find("smooth", &[]).first().map(|entry| entry.action);
         assert_eq!(smooth, Some(Action::Operation(OpId::Smooth)), "before smooth shading");
-        assert_eq!(find("all select").first().map(|entry| entry.action), Some(Action::SelectAll));
-        assert!(find("no such thing").is_empty());
-        assert_eq!(find("").len(), actions::all().count());
+        assert_eq!(find("all select", &[]).first().map(|entry| entry.action), Some(Action::SelectAll));
+        assert!(find("no such thing", &[]).is_empty());
+        assert_eq!(find("", &[]).len(), actions::all().count());
+    }
+
+    #[test]
+    fn finds_by_the_names_of_other_programs() {
+        let operation = |id| Some(Action::Operation(id));
+        let cases = [
+            ("decimate", operation(OpId::Simplify)),
+            ("weld", operation(OpId::MergeByDistance)),
+            ("triangulate", operation(OpId::TriangulateFaces)),
+            ("flip normals", operation(OpId::FlipOrientation)),
+            ("chamfer", operation(OpId::BevelEdges)),
+            ("insert edge loop", operation(OpId::LoopCut)),
+            ("remove doubles", operation(OpId::MergeByDistance)),
+            ("export", Some(Action::Save)),
+            ("import", Some(Action::Open)),
+            ("deselect", Some(Action::SelectNone)),
+        ];
+        for (typed, action) in cases {
+            let found = find(typed, &[]);
+            assert!(found.iter().take(3).any(|entry| Some(entry.action) == action), "{typed}: {found:?}");
+        }
+    }
+
+    #[test]
+    fn lists_what_was_chosen_lately_first() {
+        let recent = [Action::Grid, Action::Operation(OpId::Simplify)];
+        let actions: Vec<Action> = find("", &recent).iter().map(|entry| entry.action).collect();
+        assert_eq!(actions[..2], recent);
+        assert_eq!(actions.len(), actions::all().count());
+        // What was typed counts more.
+        assert_eq!(find("undo", &recent).first().map(|entry| entry.action), Some(Action::Undo));
     }
 }

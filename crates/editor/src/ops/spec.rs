@@ -14,6 +14,8 @@ pub struct Spec {
     pub label: &'static str,
     /// One sentence that says what it does.
     pub description: &'static str,
+    /// Other programs' names for it, by which the palette finds it too.
+    pub synonyms: &'static [&'static str],
     /// What it works on.
     pub scope: Scope,
     /// Its default keys, as in `Shift+T`; menus show the first one.
@@ -59,7 +61,21 @@ impl Spec {
         label: &'static str,
         description: &'static str,
     ) -> Self {
-        Self { name, label, description, scope, keys: &[], family: None, previewed: false, fields: &[] }
+        Self {
+            name,
+            label,
+            description,
+            synonyms: &[],
+            scope,
+            keys: &[],
+            family: None,
+            previewed: false,
+            fields: &[],
+        }
+    }
+
+    pub(crate) const fn synonyms(self, synonyms: &'static [&'static str]) -> Self {
+        Self { synonyms, ..self }
     }
 
     pub(crate) const fn keys(self, keys: &'static [&'static str]) -> Self {

@@ -26,6 +26,7 @@ pub struct BevelEdges {
 impl Operation for BevelEdges {
     const SPEC: Spec =
         Spec::new(Scope::Elements, "bevel-edges", "Bevel edges", "Replace each edge by a strip of faces.")
+            .synonyms(&["chamfer", "fillet", "round"])
             .keys(&["B"])
             .family(Family::Bevel)
             .fields(&[

@@ -23,6 +23,7 @@ pub struct BevelVertices {
 impl Operation for BevelVertices {
     const SPEC: Spec =
         Spec::new(Scope::Elements, "bevel-vertices", "Bevel vertices", "Cut off each vertex with a face.")
+            .synonyms(&["chamfer", "cut corner"])
             .family(Family::Bevel)
             .fields(&[
                 Field::many("vertices", Element::Vertex, Selected::All, "The vertices to bevel"),

@@ -17,6 +17,7 @@ pub struct Bridge {
 impl Operation for Bridge {
     const SPEC: Spec =
         Spec::new(Scope::Elements, "bridge", "Bridge", "Join two boundary loops with a band of faces.")
+            .synonyms(&["bridge edge loops"])
             .fields(&[Field::two("halfedges", Element::Halfedge, "A boundary half-edge of each loop")]);
 
     fn elements(&mut self) -> Vec<Slot<'_>> {

@@ -21,6 +21,7 @@ impl Operation for ConnectVertices {
         "Connect vertices",
         "Cut a face from one of its corners to another.",
     )
+    .synonyms(&["cut", "connect"])
     .fields(&[Field::two("vertices", Element::Vertex, "Two corners of one face")]);
 
     fn elements(&mut self) -> Vec<Slot<'_>> {

@@ -21,6 +21,7 @@ impl Operation for DeleteVertices {
         "Delete vertices",
         "Delete vertices and the faces around them.",
     )
+    .synonyms(&["erase", "remove vertices"])
     .family(Family::Delete)
     .fields(&[Field::many("vertices", Element::Vertex, Selected::All, "The vertices to delete")]);
 

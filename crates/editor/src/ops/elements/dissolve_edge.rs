@@ -38,6 +38,7 @@ impl Operation for DissolveEdge {
         "Dissolve edge",
         "Remove edges and merge the faces beside them into one polygon.",
     )
+    .synonyms(&["remove edge"])
     .family(Family::Delete)
     .fields(&[
         Field::one("edge", Element::Edge, Selected::Each, "The edge to dissolve")

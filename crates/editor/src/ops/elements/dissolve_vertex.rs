@@ -21,6 +21,7 @@ impl Operation for DissolveVertex {
         "Dissolve vertex",
         "Remove a vertex and merge the faces around it into one polygon.",
     )
+    .synonyms(&["remove vertex"])
     .fields(&[Field::one("vertex", Element::Vertex, Selected::Each, "The vertex to dissolve")]);
 
     fn elements(&mut self) -> Vec<Slot<'_>> {

@@ -17,6 +17,7 @@ pub struct FillHole {
 impl Operation for FillHole {
     const SPEC: Spec =
         Spec::new(Scope::Elements, "fill-hole", "Fill hole", "Close a boundary loop with one polygon.")
+            .synonyms(&["cap", "make face", "close hole"])
             .fields(&[Field::one(
                 "halfedge",
                 Element::Halfedge,

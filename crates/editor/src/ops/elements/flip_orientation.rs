@@ -21,6 +21,7 @@ impl Operation for FlipOrientation {
         "Flip orientation",
         "Turn whole connected pieces inside out.",
     )
+    .synonyms(&["flip normals", "reverse normals"])
     .fields(&[Field::many("faces", Element::Face, Selected::AllOrEvery, "The faces of whole connected pieces")]);
 
     fn elements(&mut self) -> Vec<Slot<'_>> {

@@ -27,6 +27,7 @@ impl Operation for InsetFaces {
         "Inset faces",
         "Add a ring of quads inside the outline of faces.",
     )
+    .synonyms(&["offset faces"])
     .keys(&["Shift+I"])
     .fields(&[
         Field::many("faces", Element::Face, Selected::All, "The faces to inset"),

@@ -23,6 +23,7 @@ pub struct LoopCut {
 impl Operation for LoopCut {
     const SPEC: Spec =
         Spec::new(Scope::Elements, "loop-cut", "Loop cut", "Cut the ring of quads that crosses an edge.")
+            .synonyms(&["insert edge loop", "ring cut"])
             .fields(&[
                 Field::one("edge", Element::Edge, Selected::Only, "An edge that the ring crosses"),
                 Field::count("cuts", [1, 1000], "How many cuts").or(DefaultValue::Integer(1)),

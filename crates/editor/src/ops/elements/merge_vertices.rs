@@ -20,6 +20,7 @@ pub struct MergeVertices {
 impl Operation for MergeVertices {
     const SPEC: Spec =
         Spec::new(Scope::Elements, "merge-vertices", "Merge vertices", "Merge several vertices into one.")
+            .synonyms(&["weld", "merge at centre"])
             .fields(&[
                 Field::many("vertices", Element::Vertex, Selected::Vertices, "The vertices to merge"),
                 Field::required("position", FieldKind::Vector, "The position of the merged vertex")

@@ -21,6 +21,7 @@ impl Operation for RipEdges {
         "Rip edges",
         "Make edges boundary: the faces on either side come apart.",
     )
+    .synonyms(&["split edges", "detach", "tear"])
     .fields(&[Field::many("edges", Element::Edge, Selected::All, "The edges to rip")]);
 
     fn elements(&mut self) -> Vec<Slot<'_>> {

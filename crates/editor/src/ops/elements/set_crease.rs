@@ -31,6 +31,7 @@ impl Operation for SetCrease {
         "Set crease",
         "Set how sharp edges and vertices stay under subdivision.",
     )
+    .synonyms(&["sharp", "edge crease"])
     .fields(&[
         Field::many("edges", Element::Edge, Selected::All, "Edges to make sharp"),
         Field::many("vertices", Element::Vertex, Selected::All, "Vertices to make sharp"),

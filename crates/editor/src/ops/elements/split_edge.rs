@@ -41,6 +41,7 @@ impl Operation for SplitEdge {
         "Split edge",
         "Add a vertex to an edge and cut the faces beside it.",
     )
+    .synonyms(&["add vertex", "insert vertex"])
     .keys(&["S"])
     .fields(&[
         Field::one("edge", Element::Edge, Selected::Each, "The edge to split"),

@@ -91,6 +91,7 @@ const VERTICES_MOVED_PER_FACE_LINKED: usize = 16;
 impl Operation for Transform {
     const SPEC: Spec =
         Spec::new(Scope::Elements, "transform", "Transform", "Move, rotate and scale elements.")
+            .synonyms(&["move", "rotate", "scale", "grab", "translate"])
             .keys(&["G"])
             .fields(&[
                 Field::many("vertices", Element::Vertex, Selected::Vertices, "Vertices to move"),

@@ -47,6 +47,7 @@ impl Operation for TriangulateFaces {
         "Triangulate",
         "Cut polygons into triangles between their own corners.",
     )
+    .synonyms(&["triangulate"])
     .keys(&["Shift+T"])
     .fields(&[
         Field::many("faces", Element::Face, Selected::AllOrEvery, "The faces to cut"),

@@ -17,6 +17,7 @@ pub struct WeldEdges {
 impl Operation for WeldEdges {
     const SPEC: Spec =
         Spec::new(Scope::Elements, "weld-edges", "Weld edges", "Join two boundary edges into one.")
+            .synonyms(&["stitch", "sew"])
             .fields(&[Field::two("edges", Element::Edge, "Two boundary edges")]);
 
     fn elements(&mut self) -> Vec<Slot<'_>> {

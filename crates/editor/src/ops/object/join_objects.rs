@@ -21,6 +21,7 @@ impl Operation for JoinObjects {
         "Join objects",
         "Join several objects into one; no vertices are merged.",
     )
+    .synonyms(&["combine", "attach"])
     .fields(&[Field::required("objects", FieldKind::Objects, "The objects to join").optional("all objects")]);
 
     fn action(&self) -> Action<'_> {

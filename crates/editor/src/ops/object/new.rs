@@ -27,6 +27,7 @@ impl Operation for New {
         "New",
         "Start a new document with a shape, or add the shape to this one.",
     )
+    .synonyms(&["add primitive", "cube", "sphere", "torus", "cylinder", "cone", "plane", "grid", "teapot"])
     .fields(&[
         Field::required("shape", FieldKind::Shape, "Which shape"),
         Field::required("add", FieldKind::Flag, "Add it to this document instead of starting a new one")

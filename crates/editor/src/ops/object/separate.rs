@@ -43,6 +43,7 @@ impl Operation for Separate {
         "Separate",
         "Split an object into several: its connected pieces, its face groups, or some faces and the rest.",
     )
+    .synonyms(&["detach", "loose parts", "split object"])
     .fields(&[
         Field::required("by", FieldKind::Choice(By::CHOICES), "How to divide the object into parts")
             .labelled("Separate by")

@@ -23,6 +23,7 @@ impl Operation for MergeByDistance {
         "Merge by distance",
         "Merge vertices that are close to each other.",
     )
+    .synonyms(&["weld", "remove doubles"])
     .previewed()
     .fields(&[Field::number(
         "distance",

@@ -55,6 +55,7 @@ impl Operation for Remesh {
         "Remesh",
         "Make triangles with edges of one length; polygons are triangulated first.",
     )
+    .synonyms(&["isotropic", "regular triangles"])
     .previewed()
     .fields(&[
         Field::number("edge_length", Unit::Length, [1e-6, 1e6], "The length of edges, in mesh units")

@@ -55,6 +55,7 @@ impl Operation for Simplify {
         "Simplify",
         "Keep the shape with fewer triangles; polygons are triangulated first.",
     )
+    .synonyms(&["decimate", "reduce polygons"])
     .previewed()
     .fields(&[
         Field::number("ratio", Unit::ShareOfTriangles, [0.0001, 1.0], "The share of the triangles to keep")

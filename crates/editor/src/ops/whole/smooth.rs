@@ -49,6 +49,7 @@ impl Operation for Smooth {
         "Smooth",
         "Move every vertex towards the centre of its neighbours.",
     )
+    .synonyms(&["relax", "laplacian", "taubin"])
     .previewed()
     .fields(&[
         Field::count("iterations", [1, MAX_SMOOTH_ITERATIONS], "The number of iterations")

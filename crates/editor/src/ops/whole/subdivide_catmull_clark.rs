@@ -45,6 +45,7 @@ impl Operation for SubdivideCatmullClark {
         "Subdivide (Catmull-Clark)",
         "Subdivide any polygons into quads that approach a smooth surface.",
     )
+    .synonyms(&["subdivision surface", "refine"])
     .previewed()
     .fields(&[
         subdivide::levels(),

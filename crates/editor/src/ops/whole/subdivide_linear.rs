@@ -30,6 +30,7 @@ impl Operation for SubdivideLinear {
         "Subdivide (linear)",
         "Cut polygons into quads without smoothing.",
     )
+    .synonyms(&["tessellate", "refine"])
     .previewed()
     .fields(&[subdivide::levels()]);
 

@@ -45,6 +45,7 @@ impl Operation for SubdivideLoop {
         "Subdivide (Loop)",
         "Subdivide triangles into triangles that approach a smooth surface.",
     )
+    .synonyms(&["refine"])
     .previewed()
     .fields(&[
         subdivide::levels(),
