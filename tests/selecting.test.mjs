@@ -115,3 +115,47 @@ editorTest("a long list can show any row", { renderers: ["webgl2"], sizes: [SMAL
     }
   }
 });
+
+editorTest("loops, rings, paths and neighbours are selected by mouse and keys", { sizes: [SMALL] }, async (editor) => {
+  await editor.run({ op: "new", shape: "grid", columns: 6, rows: 6 });
+  const vertex = (column, row) => row * 7 + column;
+  const at = async (...ids) => editor.project(middle(await positions(editor, ids)));
+  const selected = async () => (await editor.state()).selection;
+  const clickWith = async (keys, place) => {
+    for (const key of keys) await editor.page.keyboard.down(key);
+    await editor.clickAt(place);
+    for (const key of keys) await editor.page.keyboard.up(key);
+    await editor.frames(2);
+  };
+  const count = async (kind, ids) => assert.deepEqual(
+    await selected().then(({ kind, ids }) => [kind, ids.length]), [kind, ids],
+  );
+
+  await editor.press("2");
+  const edge = await at(vertex(2, 2), vertex(3, 2));
+  await clickWith(["Alt"], edge);
+  await count("edge", 6);
+  await clickWith(["Control", "Alt"], edge);
+  await count("edge", 7);
+  await clickWith(["Alt", "Shift"], edge);
+  await count("edge", 6 + 7 - 1);
+
+  await editor.press("1");
+  await clickWith([], await at(vertex(1, 1)));
+  await clickWith(["Control", "Shift"], await at(vertex(4, 1)));
+  assert.deepEqual(await selected(), { kind: "vertex", ids: [1, 2, 3, 4].map((column) => vertex(column, 1)) });
+  await editor.press("Control+Minus");
+  await count("vertex", 0);
+  await clickWith([], await at(vertex(3, 3)));
+  await editor.press("Control+Equal");
+  await count("vertex", 9);
+  await editor.press("Control+l");
+  await count("vertex", 49);
+
+  // Inside a face the nearest vertex is meant; beside the mesh nothing is.
+  const [x, y] = await at(vertex(3, 3), vertex(4, 4));
+  const [nearX, nearY] = await at(vertex(3, 3));
+  await editor.clickAt([x + (nearX - x) * 0.2, y + (nearY - y) * 0.2]);
+  assert.deepEqual(await selected(), { kind: "vertex", ids: [vertex(3, 3)] });
+  assert.deepEqual((await editor.state()).history.undo, ["New"], "selecting is no edit");
+});

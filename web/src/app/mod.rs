@@ -40,6 +40,9 @@ pub struct App {
 /// The yaw and pitch that look straight at the plane of flat curves.
 const FROM_ABOVE: (f64, f64) = (0.0, 0.0);
 
+/// The longest time from one click of a double-click to the other.
+const MAX_DOUBLE_CLICK_SECONDS: f64 = 0.5;
+
 /// The key of the theme setting.
 const THEME_SETTING: &str = "theme";
 
@@ -47,7 +50,11 @@ impl App {
     /// An editor that contains a cube. Without `gpu` the viewport says that it can't draw.
     pub fn new(ctx: &Context, platform: Box<dyn Platform>, gpu: Option<egui_wgpu::RenderState>) -> Self {
         theme::install(ctx);
-        ctx.options_mut(|options| options.zoom_with_keyboard = false);
+        ctx.options_mut(|options| {
+            options.zoom_with_keyboard = false;
+            // As in most systems; egui's own limit is too short where frames are slow.
+            options.input_options.max_double_click_delay = MAX_DOUBLE_CLICK_SECONDS;
+        });
         ctx.set_theme(match platform.load_setting(THEME_SETTING).as_deref() {
             Some("light") => ThemePreference::Light,
             Some("dark") => ThemePreference::Dark,

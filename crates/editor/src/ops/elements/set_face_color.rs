@@ -23,10 +23,11 @@ const FACES_PAINTED_PER_FACE_LINKED: usize = 16;
 impl Operation for SetFaceColor {
     const SPEC: Spec =
         Spec::new(Scope::Elements, "set-face-color", "Paint faces", "Paint faces with a colour.")
-            .synonyms(&["paint", "colour faces"]).fields(&[
-            Field::many("faces", Element::Face, Selected::All, "The faces to paint"),
-            Field::required("color", FieldKind::Color, "The colour as #rrggbb").labelled("Colour"),
-        ]);
+            .synonyms(&["paint", "colour faces"])
+            .fields(&[
+                Field::many("faces", Element::Face, Selected::All, "The faces to paint"),
+                Field::required("color", FieldKind::Color, "The colour as #rrggbb").labelled("Colour"),
+            ]);
 
     fn elements(&mut self) -> Vec<Slot<'_>> {
         vec![Slot::Faces(&mut self.faces)]
