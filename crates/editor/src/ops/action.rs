@@ -60,7 +60,7 @@ pub(crate) trait LocalEdit {
         None
     }
 
-    /// Whether an earlier edit of the same step already did this one's work, or removed its element.
+    /// Whether an earlier edit of the same undo step has made this one unnecessary, or removed its element.
     fn is_moot(&self, mesh: &Mesh) -> bool {
         let _ = mesh;
         false
@@ -86,7 +86,7 @@ pub(crate) fn refuse_bezier(name: &str, bezier: Option<&Bezier>) -> Result<(), P
     }
 }
 
-/// What becomes of the meshes that a whole-mesh operation made.
+/// Where the meshes go that a whole-mesh operation made.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Commit {
     /// The first replaces the mesh it was made of; the others become objects after it.
@@ -106,8 +106,7 @@ pub(crate) trait WholeMesh {
         Ok(())
     }
 
-    /// Checks what it would run on, as far as that can be refused without running. Costs O(mesh) at
-    /// most.
+    /// Checks the meshes, as far as is possible without running the operation. Costs O(mesh) at most.
     fn check_inputs(&self, inputs: &[NamedMesh]) -> Result<(), Problem> {
         inputs.iter().try_for_each(|input| refuse_bezier(&input.name, input.bezier.as_deref()))
     }
@@ -131,7 +130,7 @@ pub(crate) trait WholeMesh {
         progress: &mut Progress<'_>,
     ) -> Result<Vec<NamedMesh>, Problem>;
 
-    /// How large the result is; none where it is not worth saying.
+    /// The size of the result; none where it is not worth showing.
     fn result(&self, facts: &Facts) -> Option<Estimate> {
         let _ = facts;
         None

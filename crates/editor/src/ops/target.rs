@@ -1,4 +1,4 @@
-//! What an operation is resolved against: the elements that it leaves out come from the selection.
+//! Resolving an operation: the selection fills in the elements that it leaves out.
 
 use super::field::{Arity, Field, FieldKind, Fill, Selected, plural};
 use super::{EdgeRef, FaceRef, HalfedgeRef, Operation, VertexRef};
@@ -6,7 +6,7 @@ use crate::error::Problem;
 use crate::selection::Selection;
 use halfedge::{EdgeId, Element, HalfedgeId, Mesh, VertexId};
 
-/// The mesh and the selection that an operation is for.
+/// The mesh and the selection that an operation is resolved against.
 pub(crate) struct Target<'a> {
     pub mesh: &'a Mesh,
     /// The selection; an empty one where the operation is for an object that isn't active.
@@ -43,7 +43,7 @@ impl Slot<'_> {
         }
     }
 
-    /// Puts these ids in; a slot for one element takes the first.
+    /// Sets the slot to these ids; a slot for one element takes the first.
     fn fill(self, ids: &[u32]) {
         let two = || <[u32; 2]>::try_from(ids).ok();
         match self {
@@ -61,8 +61,7 @@ impl Slot<'_> {
     }
 }
 
-/// The element fields of an operation that the selection can stand in for, with their places among
-/// its slots.
+/// The element fields of an operation that the selection can fill in, with their indices among its slots.
 fn selectable<O: Operation>() -> impl Iterator<Item = (usize, &'static Field, Element, Selected)> {
     let elements =
         O::SPEC.fields.iter().filter(|field| matches!(field.kind, FieldKind::Elements { .. })).enumerate();
@@ -74,14 +73,13 @@ fn selectable<O: Operation>() -> impl Iterator<Item = (usize, &'static Field, El
     })
 }
 
-/// Whether an operation takes what it works on from the selection: none of its elements is given.
+/// Whether an operation acts on the selection: it can, and names no elements itself.
 pub(crate) fn is_open<O: Operation>(op: &O) -> bool {
     let mut op = op.clone();
     op.takes_selection() && selectable::<O>().next().is_some() && !op.elements().iter().any(Slot::is_given)
 }
 
-/// Checks that the selection can stand in for the elements of an operation, without listing them.
-/// Costs O(1).
+/// Checks that the selection can fill in the elements of an operation, without listing them. Costs O(1).
 pub(crate) fn check_selection<O: Operation>(target: &Target<'_>) -> Result<(), Problem> {
     let Some((_, field, element, selected)) = chosen::<O>(target) else { return Ok(()) };
     let (kind, count) = (target.selection.kind(), target.selection.len());
@@ -102,8 +100,8 @@ fn chosen<O: Operation>(target: &Target<'_>) -> Option<(usize, &'static Field, E
     selectable::<O>().find(|(_, field, ..)| field.takes_selected(kind)).or_else(|| selectable::<O>().next())
 }
 
-/// Fills in from the selection what an operation leaves out. An operation on one element that several
-/// selected ones stand in for becomes several operations, made in one step.
+/// Fills in the elements that an operation leaves out with the selected ones. An operation on one element
+/// becomes one operation per selected element; together they are one undo step.
 pub(crate) fn resolve<O: Operation>(mut op: O, target: &Target<'_>) -> Result<Vec<O>, Problem> {
     let mut ops = Vec::new();
     match chosen::<O>(target).filter(|_| is_open(&op)) {
@@ -147,7 +145,7 @@ pub(crate) fn resolve<O: Operation>(mut op: O, target: &Target<'_>) -> Result<Ve
 }
 
 impl Target<'_> {
-    /// The ids of the elements of one kind that the selection stands for.
+    /// The ids of the selected elements, converted to this kind.
     fn ids(&self, element: Element, selected: Selected) -> Vec<u32> {
         let mut ids: Vec<u32> = match (element, selected) {
             (_, Selected::Vertices) => self.vertices().into_iter().map(VertexId::raw).collect(),
@@ -160,7 +158,7 @@ impl Target<'_> {
             && let [a, b] = ids.as_mut_slice()
             && let Some(latest) = self.selection.latest()
         {
-            // The one that was selected last may be of another kind than the field's.
+            // The element selected last may be of another kind than the field's.
             let alone = Selection::of(self.selection.kind(), [latest]);
             let latest = Target { mesh: self.mesh, selection: &alone }.ids(element, Selected::Only);
             if latest == [*a] {
@@ -170,7 +168,7 @@ impl Target<'_> {
         ids
     }
 
-    /// The selected vertices; for edges and faces that are selected, theirs.
+    /// The selected vertices, or the vertices of the selected edges, half-edges or faces.
     fn vertices(&self) -> Vec<VertexId> {
         let mesh = self.mesh;
         let ids = self.selection.ids();
