@@ -51,6 +51,23 @@ impl Default for Camera {
     }
 }
 
+/// A side of the scene; y is up, and the front faces +z.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Side {
+    /// From +z.
+    Front,
+    /// From -z.
+    Back,
+    /// From +x.
+    Right,
+    /// From -x.
+    Left,
+    /// From +y.
+    Top,
+    /// From -y.
+    Bottom,
+}
+
 impl Camera {
     /// Sets the scene's bounds, which determine the depth range, the limits of the zoom and
     /// [`Camera::reset`]. Call it when they change; the view stays.
@@ -85,6 +102,19 @@ impl Camera {
         self.yaw = (self.yaw - f64::from(delta.x) * per_pixel).rem_euclid(std::f64::consts::TAU);
         self.pitch =
             (self.pitch + f64::from(delta.y) * per_pixel).clamp(-MAX_PITCH_RADIANS, MAX_PITCH_RADIANS);
+    }
+
+    /// Looks at the target from a side of the scene, along an axis.
+    pub fn look_from(&mut self, side: Side) {
+        use std::f64::consts::{FRAC_PI_2, PI};
+        (self.yaw, self.pitch) = match side {
+            Side::Front => (0.0, 0.0),
+            Side::Right => (FRAC_PI_2, 0.0),
+            Side::Back => (PI, 0.0),
+            Side::Left => (PI + FRAC_PI_2, 0.0),
+            Side::Top => (0.0, MAX_PITCH_RADIANS),
+            Side::Bottom => (0.0, -MAX_PITCH_RADIANS),
+        };
     }
 
     /// Moves sideways for a drag of `delta` pixels, so that the point at the target's depth under the

@@ -18,7 +18,7 @@ mod slots;
 mod style;
 
 pub use box_select::{BoxSelection, ScreenRect};
-pub use camera::Camera;
+pub use camera::{Camera, Side};
 pub use gpu::{Frame, Highlight, Layer, ObjectChange, ObjectDraw, Renderer};
 pub use pick::{Picked, pick, pick_nearest};
 pub use slots::Range;

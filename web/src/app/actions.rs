@@ -77,6 +77,7 @@ impl App {
             Action::Frame => self.view.frame_selection(&self.session.editor),
             Action::FrameAll => self.view.frame_all(),
             Action::ResetView => self.view.reset(),
+            Action::LookFrom(side) => self.view.camera.look_from(side),
             Action::Orthographic => self.view.camera.orthographic ^= true,
             Action::Wireframe => self.view.style.wireframe ^= true,
             Action::Smooth => self.view.style.smooth ^= true,

@@ -6,6 +6,7 @@
 use editor::{OpId, Scope, SelectBy};
 use formats::Format;
 use halfedge::Element;
+use viewport::Side;
 
 use super::menus::MENUS;
 
@@ -50,6 +51,8 @@ pub enum Action {
     FrameAll,
     /// Restores the initial view.
     ResetView,
+    /// Looks from a side.
+    LookFrom(Side),
     /// Switches between parallel and perspective projection.
     Orthographic,
     /// Switches the drawing of edges over faces.

@@ -6,7 +6,9 @@ use editor::{OpId, SelectBy};
 use egui::{Context, Event, Key, KeyboardShortcut, Modifiers};
 use halfedge::Element;
 use std::sync::LazyLock;
+use viewport::Side;
 
+const ALT_SHIFT: Modifiers = Modifiers::ALT.plus(Modifiers::SHIFT);
 const CTRL_SHIFT: Modifiers = Modifiers::COMMAND.plus(Modifiers::SHIFT);
 
 const fn key(key: Key) -> KeyboardShortcut {
@@ -57,7 +59,13 @@ static PAGE_BINDINGS: &[(Action, &[KeyboardShortcut])] = &[
     (A::FrameAll, &[with(Modifiers::SHIFT, Key::Period), key(Key::Home)]),
     (A::Frame, &[key(Key::Period)]),
     (A::ResetView, &[key(Key::Space)]),
-    (A::Orthographic, &[key(Key::P)]),
+    (A::LookFrom(Side::Front), &[with(Modifiers::ALT, Key::Num1)]),
+    (A::LookFrom(Side::Back), &[with(ALT_SHIFT, Key::Num1)]),
+    (A::LookFrom(Side::Right), &[with(Modifiers::ALT, Key::Num3)]),
+    (A::LookFrom(Side::Left), &[with(ALT_SHIFT, Key::Num3)]),
+    (A::LookFrom(Side::Top), &[with(Modifiers::ALT, Key::Num7)]),
+    (A::LookFrom(Side::Bottom), &[with(ALT_SHIFT, Key::Num7)]),
+    (A::Orthographic, &[key(Key::P), with(Modifiers::ALT, Key::Num5)]),
     (A::Wireframe, &[key(Key::W)]),
     (A::Smooth, &[key(Key::M)]),
     (A::Dots, &[key(Key::V)]),
@@ -106,8 +114,8 @@ fn shortcuts(keys: &[&str]) -> Vec<KeyboardShortcut> {
 
 /// Gestures of the mouse, the trackpad and fingers, for the shortcuts window.
 pub static GESTURES: &[(&str, &str)] = &[
-    ("Orbit the view", "Drag beside the mesh, middle-drag, Alt+drag, or one finger"),
-    ("Pan the view", "Right-drag, Shift+drag, or two fingers"),
+    ("Orbit the view", "Drag beside the mesh, middle-drag, Alt+drag, one finger, or the arrow keys"),
+    ("Pan the view", "Right-drag, Shift+drag, two fingers, or Shift and the arrow keys"),
     ("Zoom", "Wheel, pinch, or Ctrl+wheel"),
     ("Select", "Click"),
     ("Extend the selection", "Shift+click"),

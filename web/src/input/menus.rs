@@ -2,6 +2,7 @@
 
 use editor::SelectBy;
 use halfedge::Element;
+use viewport::Side;
 
 use super::actions::{Action, Entry, entry};
 
@@ -245,6 +246,13 @@ pub static MENUS: &[Menu] = &[
                     .synonyms(&["zoom to fit", "view all"]),
             ),
             Some(entry(A::ResetView, "Reset view", "Restore the initial view.")),
+            None,
+            Some(entry(A::LookFrom(Side::Front), "Front view", "Look along -z, from the front.")),
+            Some(entry(A::LookFrom(Side::Back), "Back view", "Look along +z, from the back.")),
+            Some(entry(A::LookFrom(Side::Right), "Right view", "Look along -x, from the right.")),
+            Some(entry(A::LookFrom(Side::Left), "Left view", "Look along +x, from the left.")),
+            Some(entry(A::LookFrom(Side::Top), "Top view", "Look along -y, from above.")),
+            Some(entry(A::LookFrom(Side::Bottom), "Bottom view", "Look along +y, from below.")),
             Some(
                 entry(A::Orthographic, "Parallel projection", "Draw without perspective.")
                     .synonyms(&["orthographic"]),

@@ -205,3 +205,39 @@ fn all_controls_are_within_reach_on_a_telephone() {
         assert!(page.has_part(menu));
     }
 }
+
+#[test]
+fn keys_turn_and_move_the_view_and_look_from_the_sides() {
+    let mut page = Page::new();
+    let view = |page: &mut Page| {
+        let view = page.app().script().state()["view"].clone();
+        let number = |name: &str| view[name].as_f64().expect("a number");
+        (number("yaw"), number("pitch"), view["target"].to_string())
+    };
+    let start = view(&mut page);
+    page.press(Key::ArrowLeft);
+    page.press(Key::ArrowUp);
+    let turned = view(&mut page);
+    assert!(turned.0 != start.0 && turned.1 > start.1 && turned.2 == start.2, "{turned:?}");
+    page.press(Key::ArrowRight);
+    page.press(Key::ArrowDown);
+    let back = view(&mut page);
+    assert!((back.0 - start.0).abs() < 1e-9 && (back.1 - start.1).abs() < 1e-9, "{back:?}");
+    page.press_with(Modifiers::SHIFT, Key::ArrowLeft);
+    let moved = view(&mut page);
+    assert!(moved.2 != start.2 && (moved.0 - start.0).abs() < 1e-9, "{moved:?}");
+
+    let quarter = std::f64::consts::FRAC_PI_2;
+    page.press_with(Modifiers::ALT, Key::Num3);
+    assert_eq!((view(&mut page).0, view(&mut page).1), (quarter, 0.0));
+    page.press_with(Modifiers::ALT.plus(Modifiers::SHIFT), Key::Num1);
+    assert_eq!((view(&mut page).0, view(&mut page).1), (2.0 * quarter, 0.0));
+    page.press_with(Modifiers::ALT, Key::Num7);
+    assert_eq!((view(&mut page).0, view(&mut page).1), (0.0, quarter));
+    // A list keeps its arrow keys.
+    page.row("Vertex 2").click();
+    page.run();
+    page.press(Key::ArrowDown);
+    assert_eq!(page.selected().1, [3]);
+    assert_eq!(view(&mut page).1, quarter);
+}

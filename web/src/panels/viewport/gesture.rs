@@ -2,7 +2,7 @@
 
 use editor::SelectMode;
 use editor::ops::{SetVertexPosition, Transform, VertexRef};
-use egui::{CursorIcon, Modifiers, PointerButton, Pos2, Rect, Response, Ui};
+use egui::{CursorIcon, Key, Modifiers, PointerButton, Pos2, Rect, Response, Ui};
 use glam::{Vec2, Vec3, vec2};
 use halfedge::{Element, Mesh};
 use surface::FaceTree;
@@ -17,6 +17,9 @@ use crate::view::{Gesture, Tool};
 
 /// The radius around the pointer in which a vertex or an edge is picked, in points.
 const PICK_RADIUS_POINTS: f32 = 8.0;
+
+/// How far an arrow key turns or moves the view: as far as a drag of this many pixels.
+const ARROW_KEY_PIXELS: f32 = 40.0;
 
 /// A way to find the element at a pixel.
 type Pick = fn(&Mesh, &FaceTree, &Camera, Vec2, Vec2, Element, f32) -> Option<Picked>;
@@ -61,6 +64,7 @@ impl Viewport<'_> {
         }
         self.continue_box(ui, out);
         self.wheel(ui, response);
+        self.arrow_keys(ui);
         self.hover(ui, response);
         if self.session.live.is_some() && !response.is_pointer_button_down_on() {
             out.push(Request::LivePointer(response.hover_pos()));
@@ -192,6 +196,27 @@ impl Viewport<'_> {
                 self.start_box(Rect::from_two_pos(from, to), mode);
             }
             _ => {}
+        }
+    }
+
+    /// The arrow keys orbit the view, with Shift they pan it, where no list or field has the focus.
+    fn arrow_keys(&mut self, ui: &Ui) {
+        if ui.memory(|memory| memory.focused().is_some()) {
+            return;
+        }
+        let arrows = [
+            (Key::ArrowLeft, vec2(1.0, 0.0)),
+            (Key::ArrowRight, vec2(-1.0, 0.0)),
+            (Key::ArrowUp, vec2(0.0, 1.0)),
+            (Key::ArrowDown, vec2(0.0, -1.0)),
+        ];
+        let size = self.view.size();
+        for (key, way) in arrows {
+            let by = way * ARROW_KEY_PIXELS;
+            let presses = |modifiers| ui.input_mut(|input| input.count_and_consume_key(modifiers, key));
+            // Shift first: a key without modifiers also matches with Shift.
+            (0..presses(Modifiers::SHIFT)).for_each(|_| self.view.camera.pan(by, size));
+            (0..presses(Modifiers::NONE)).for_each(|_| self.view.camera.orbit(by, size));
         }
     }
 
