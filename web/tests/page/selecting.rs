@@ -160,3 +160,22 @@ fn a_box_with_control_adds_or_removes() {
     drag(&mut page, Modifiers::SHIFT);
     assert_eq!(page.selected().1.len(), 49);
 }
+
+#[test]
+fn a_click_counts_with_the_modifiers_that_were_held_then() {
+    let mut page = grid(Key::Num2);
+    let at = between(&mut page, vertex(2, 2), vertex(3, 2));
+    page.harness.hover_at(at);
+    page.run();
+    // In one slow frame: Alt is pressed, the edge is clicked, and Alt is let go.
+    let button = |pressed| egui::Event::PointerButton {
+        pos: at,
+        button: PointerButton::Primary,
+        pressed,
+        modifiers: Modifiers::ALT,
+    };
+    page.harness.input_mut().events.extend([button(true), button(false)]);
+    page.harness.step();
+    page.run();
+    assert_eq!(page.selected().1.len(), 6, "the loop is selected");
+}

@@ -2,7 +2,7 @@
 
 use editor::SelectMode;
 use editor::ops::{SetVertexPosition, Transform, VertexRef};
-use egui::{CursorIcon, Key, Modifiers, PointerButton, Pos2, Rect, Response, Ui};
+use egui::{CursorIcon, Event, Key, Modifiers, PointerButton, Pos2, Rect, Response, Ui};
 use glam::{Vec2, Vec3, vec2};
 use halfedge::{Element, Mesh};
 use surface::FaceTree;
@@ -23,6 +23,18 @@ const ARROW_KEY_PIXELS: f32 = 40.0;
 
 /// A way to find the element at a pixel.
 type Pick = fn(&Mesh, &FaceTree, &Camera, Vec2, Vec2, Element, f32) -> Option<Picked>;
+
+/// The modifiers that were held when the pointer's button was pressed or released in this frame: by the end of a slow
+/// frame they may have been let go.
+fn modifiers_of_button(ui: &Ui) -> Modifiers {
+    ui.input(|input| {
+        let of_button = input.events.iter().rev().find_map(|event| match event {
+            Event::PointerButton { modifiers, .. } => Some(*modifiers),
+            _ => None,
+        });
+        of_button.unwrap_or(input.modifiers)
+    })
+}
 
 /// How a click or a box with these modifiers changes the selection.
 fn select_mode(modifiers: Modifiers) -> SelectMode {
@@ -60,7 +72,7 @@ impl Viewport<'_> {
             self.continue_gesture(ui, response, pointer, out);
         }
         if response.drag_stopped() {
-            self.end_gesture(pointer.map(|at| (at, select_mode(ui.input(|input| input.modifiers)))), out);
+            self.end_gesture(pointer.map(|at| (at, select_mode(modifiers_of_button(ui)))), out);
         }
         self.continue_box(ui, out);
         self.wheel(ui, response);
@@ -84,7 +96,7 @@ impl Viewport<'_> {
             match insert {
                 Some(insert) => out.push(Request::InsertControlPoint(insert)),
                 None => {
-                    let shift = ui.input(|input| input.modifiers.shift);
+                    let shift = modifiers_of_button(ui).shift;
                     self.select_line(at, Line::Loop, shift, out);
                 }
             }
@@ -99,7 +111,7 @@ impl Viewport<'_> {
     }
 
     fn start_gesture(&mut self, ui: &Ui, response: &Response, from: Pos2) {
-        let modifiers = ui.input(|input| input.modifiers);
+        let modifiers = modifiers_of_button(ui);
         let primary = response.dragged_by(PointerButton::Primary);
         self.view.gesture = if response.dragged_by(PointerButton::Secondary)
             || (primary && modifiers.shift && self.view.tool == Tool::Orbit)
@@ -322,7 +334,7 @@ impl Viewport<'_> {
     }
 
     fn click(&mut self, ui: &Ui, at: Pos2, out: &mut Requests) {
-        let modifiers = ui.input(|input| input.modifiers);
+        let modifiers = modifiers_of_button(ui);
         let kind = self.shown.kind;
         let point = self.control_point_at(at).map(|(point, _)| point);
         self.player.controls.choose(point);
