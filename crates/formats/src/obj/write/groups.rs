@@ -37,13 +37,20 @@ impl<'a> Groups<'a> {
         }
     }
 
+    fn value(&self, face: usize) -> u32 {
+        self.values.and_then(|values| values.get(face)).copied().unwrap_or(NONE)
+    }
+
+    /// Whether this face is in another group than the one before: most are not.
+    #[inline]
+    pub(super) fn differs(&self, face: usize) -> bool {
+        self.value(face) != self.current
+    }
+
     /// The names of the `o` and `g` statements to write before this face, as far as they change; an empty name
     /// ends the previous one.
     pub(super) fn enter(&mut self, face: usize) -> (Option<String>, Option<String>) {
-        let value = self.values.and_then(|values| values.get(face)).copied().unwrap_or(NONE);
-        if value == self.current {
-            return (None, None);
-        }
+        let value = self.value(face);
         self.current = value;
         let nothing = (if value == NONE { String::new() } else { self.written.0.clone() }, String::new());
         let (object, group) = self.names.get(value as usize).cloned().unwrap_or(nothing);

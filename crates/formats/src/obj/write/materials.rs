@@ -70,13 +70,21 @@ impl<'a> FaceMaterials<'a> {
         }
     }
 
-    /// The name to write before this face, unless it applies already.
-    pub(super) fn enter<'m>(&mut self, face: usize, materials: &'m mut Materials) -> Option<&'m str> {
+    fn value(&self, face: usize) -> (u32, Color) {
         let value = self.values.and_then(|values| values.get(face)).copied().unwrap_or(NONE);
         let color = self.colors.and_then(|colors| colors.get(face)).copied().unwrap_or(Color::UNPAINTED);
-        if self.current == Some((value, color)) {
-            return None;
-        }
+        (value, color)
+    }
+
+    /// Whether this face has another material or colour than the one before: most have not.
+    #[inline]
+    pub(super) fn differs(&self, face: usize) -> bool {
+        self.current != Some(self.value(face))
+    }
+
+    /// The name to write before this face, unless it applies already.
+    pub(super) fn enter<'m>(&mut self, face: usize, materials: &'m mut Materials) -> Option<&'m str> {
+        let (value, color) = self.value(face);
         self.current = Some((value, color));
         let label = self.labels.get(value as usize).map_or("", String::as_str);
         let plain = label.is_empty() && color == Color::UNPAINTED;

@@ -119,10 +119,14 @@ impl Writer {
         let mut current_smoothing = 0;
         let mut corner = 0;
         for f in mesh.faces() {
-            let (object, group) = groups.enter(f.index());
-            object.into_iter().for_each(|name| self.name_line("o", &name));
-            group.into_iter().for_each(|name| self.name_line("g", &name));
-            if let Some(name) = materials.enter(f.index(), &mut self.materials) {
+            if groups.differs(f.index()) {
+                let (object, group) = groups.enter(f.index());
+                object.into_iter().for_each(|name| self.name_line("o", &name));
+                group.into_iter().for_each(|name| self.name_line("g", &name));
+            }
+            if materials.differs(f.index())
+                && let Some(name) = materials.enter(f.index(), &mut self.materials)
+            {
                 let name = name.to_owned();
                 self.name_line("usemtl", &name);
             }
