@@ -379,3 +379,18 @@ proptest! {
         prop_assert!(there < 1.0, "{} off", there);
     }
 }
+
+/// Between the corners of a unit cube this far from the origin there is no float.
+#[test]
+fn coordinates_too_coarse_for_the_edge_length_come_to_an_end() {
+    let mut far = cube();
+    for v in far.vertices().collect::<Vec<_>>() {
+        let corner = far.position(v).max(glam::Vec3::ZERO);
+        far.set_position(v, corner + glam::Vec3::splat(1e7));
+    }
+    for edge_length in [None, Some(0.3), Some(0.01)] {
+        let result = remesh(&far, &Remesh { edge_length, ..Remesh::default() }, &mut never_cancel).unwrap();
+        result.validate().expect("valid");
+        assert!((4..100).contains(&result.face_count()), "{}", result.face_count());
+    }
+}

@@ -42,6 +42,15 @@ impl Work {
         }
     }
 
+    /// Whether the middle of an edge, rounded to floats, shortens both halves: far from the origin there may be no
+    /// float between the ends, and splitting would never end.
+    pub fn has_middle(&self, h: u32) -> bool {
+        let (p, q) = (self.tri.at(self.tri.from(h)), self.tri.at(self.tri.to(h)));
+        let middle = self.tri.frame.inward(self.tri.frame.outward((p + q) * 0.5));
+        let length = p.distance_squared(q);
+        middle.distance_squared(p) < length && middle.distance_squared(q) < length
+    }
+
     /// Splits an edge in the middle; `h` becomes the half before the middle. The new vertex isn't projected yet, so
     /// that each half is shorter; on a curve it is the middle of that piece of the curve.
     pub fn split(&mut self, h: u32) {

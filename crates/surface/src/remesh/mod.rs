@@ -141,6 +141,9 @@ fn split_long(work: &mut Work, pace: &mut Pace<'_, '_>) -> Result<(), SurfaceErr
     each_edge(work, pace, |work, h| {
         while work.length_squared(h) > work.longest {
             let longest = work.longest_near(h);
+            if !work.has_middle(longest) {
+                break;
+            }
             work.split(longest);
         }
     })
