@@ -16,6 +16,17 @@ pub struct Menu {
 
 use Action as A;
 
+/// The submenu that an entry is in, which keeps long menus on small screens.
+pub fn submenu(action: Action) -> Option<&'static str> {
+    match action {
+        A::LookFrom(_) => Some("Look from"),
+        A::SelectBy(SelectBy::Kind(_)) => Some("Convert to"),
+        A::Show(_) => Some("Show"),
+        A::SystemTheme | A::LightTheme | A::DarkTheme => Some("Theme"),
+        _ => None,
+    }
+}
+
 /// The menus, left to right. The mesh menu continues with the editor's operations.
 pub static MENUS: &[Menu] = &[
     Menu {
@@ -246,7 +257,6 @@ pub static MENUS: &[Menu] = &[
                     .synonyms(&["zoom to fit", "view all"]),
             ),
             Some(entry(A::ResetView, "Reset view", "Restore the initial view.")),
-            None,
             Some(entry(A::LookFrom(Side::Front), "Front view", "Look along -z, from the front.")),
             Some(entry(A::LookFrom(Side::Back), "Back view", "Look along +z, from the back.")),
             Some(entry(A::LookFrom(Side::Right), "Right view", "Look along -x, from the right.")),

@@ -6,11 +6,12 @@
 
 use egui::{
     Align2, Color32, CornerRadius, EventFilter, FontId, Id, Key, Modifiers, Pos2, Rect, Response, Role,
-    Sense, Stroke, Ui, UiBuilder, Vec2, WidgetInfo, pos2, vec2,
+    Sense, Stroke, StrokeKind, Ui, UiBuilder, Vec2, WidgetInfo, pos2, vec2,
 };
 
 use crate::lists::columns::{Align, Column, Row};
 use crate::theme;
+use crate::widgets::color_button::swatch_outline;
 
 /// The width of the scroll bar, in points.
 const BAR_WIDTH_POINTS: f32 = 10.0;
@@ -259,7 +260,9 @@ impl RowList<'_> {
                 let [r, g, b] = color.0;
                 let swatch =
                     Rect::from_center_size(pos2(rect.min.x + 12.0, rect.center().y), Vec2::splat(10.0));
-                painter.rect_filled(swatch, CornerRadius::same(2), Color32::from_rgb(r, g, b));
+                let outline = swatch_outline(ui.visuals());
+                let fill = Color32::from_rgb(r, g, b);
+                painter.rect(swatch, CornerRadius::same(2), fill, outline, StrokeKind::Inside);
                 cell.min.x = swatch.max.x;
             }
             let (position, anchor) = place(cell, column.align);

@@ -7,7 +7,7 @@ use halfedge::Element;
 use crate::input::actions::{self, Action, Entry};
 use crate::input::availability::opens_form;
 use crate::input::keys;
-use crate::input::menus::{MENUS, Menu};
+use crate::input::menus::{MENUS, Menu, submenu};
 use crate::page_view::Page;
 use crate::request::Requests;
 use crate::theme;
@@ -102,12 +102,26 @@ fn title(ui: &mut Ui, page: &Page<'_>) {
 
 fn show_menu(ui: &mut Ui, page: &Page<'_>, menu: &Menu, out: &mut Requests) {
     ui.set_min_width(220.0);
-    for entry in menu.entries {
-        match entry {
-            None => {
-                ui.separator();
+    let submenu_of = |entry: &Option<Entry>| entry.and_then(|entry| submenu(entry.action));
+    for entries in menu.entries.chunk_by(|a, b| submenu_of(a).is_some() && submenu_of(a) == submenu_of(b)) {
+        let mut list = |ui: &mut Ui| {
+            for entry in entries {
+                match entry {
+                    None => {
+                        ui.separator();
+                    }
+                    Some(entry) => menu_item(ui, page, entry, out),
+                }
             }
-            Some(entry) => menu_item(ui, page, entry, out),
+        };
+        match entries.first().and_then(submenu_of) {
+            Some(title) => {
+                ui.menu_button(title, |ui| {
+                    ui.set_min_width(180.0);
+                    list(ui);
+                });
+            }
+            None => list(ui),
         }
     }
     match menu.title {

@@ -2,8 +2,8 @@
 
 use egui::ecolor::Hsva;
 use egui::{
-    Color32, Popup, PopupCloseBehavior, Response, Role, Sense, Slider, StrokeKind, TextEdit, Ui, WidgetInfo,
-    vec2,
+    Color32, Popup, PopupCloseBehavior, Response, Role, Sense, Slider, Stroke, StrokeKind, TextEdit, Ui,
+    Visuals, WidgetInfo, vec2,
 };
 use halfedge::Color;
 
@@ -44,6 +44,11 @@ pub fn color_button(ui: &mut Ui, name: &str, rgb: &mut [u8; 3]) -> (Response, bo
     (button, changed)
 }
 
+/// The outline of a colour, which shows it on a background of the same colour too.
+pub fn swatch_outline(visuals: &Visuals) -> Stroke {
+    Stroke::new(1.0, visuals.text_color().gamma_multiply(0.35))
+}
+
 fn swatches(ui: &mut Ui, rgb: &mut [u8; 3]) {
     ui.horizontal_wrapped(|ui| {
         ui.spacing_mut().item_spacing = vec2(4.0, 4.0);
@@ -51,7 +56,11 @@ fn swatches(ui: &mut Ui, rgb: &mut [u8; 3]) {
             let (rect, swatch) = ui.allocate_exact_size(vec2(32.0, 24.0), Sense::click());
             let name = Color(color).to_hex();
             swatch.widget_info(|| WidgetInfo::labeled(Role::Button, true, &name));
-            let stroke = ui.style().interact(&swatch).bg_stroke;
+            let stroke = if swatch.hovered() || swatch.has_focus() {
+                ui.visuals().widgets.hovered.fg_stroke
+            } else {
+                swatch_outline(ui.visuals())
+            };
             ui.painter().rect(rect, 4.0, color32(color), stroke, StrokeKind::Inside);
             if swatch.on_hover_text(name).clicked() {
                 *rgb = color;

@@ -116,6 +116,7 @@ fn menus_convert_the_selection_and_say_what_is_missing() {
         ("Convert to faces", Element::Face, 1),
     ] {
         page.click("Select");
+        page.click("Convert to");
         page.click(entry);
         let (now, ids) = page.selected();
         assert_eq!((now, ids.len()), (kind, count), "{entry}");
