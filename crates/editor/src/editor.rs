@@ -172,12 +172,12 @@ impl Editor {
 
     // History.
 
-    /// The labels of the steps that can be undone, the next one last.
+    /// The labels of the edits that can be undone, the next one last.
     pub fn undo_labels(&self) -> impl Iterator<Item = &str> {
         self.history.undo_labels()
     }
 
-    /// The labels of the steps that can be redone, the next one last.
+    /// The labels of the edits that can be redone, the next one last.
     pub fn redo_labels(&self) -> impl Iterator<Item = &str> {
         self.history.redo_labels()
     }
@@ -198,12 +198,38 @@ impl Editor {
         self.changes.history = true;
     }
 
-    /// Undoes the last step and returns its label; none if there is nothing to undo. If an edit is ongoing,
-    /// cancels that instead.
+    /// What [`Editor::undo_step`] would undo: the label of the last edit or of a change of the selection since.
+    pub fn next_undo(&self) -> Option<&str> {
+        self.history.next_undo().map(|step| step.label.as_str())
+    }
+
+    /// What [`Editor::redo_step`] would redo.
+    pub fn next_redo(&self) -> Option<&str> {
+        self.history.next_redo().map(|step| step.label.as_str())
+    }
+
+    /// Undoes the last edit and returns its label; none if there is nothing to undo. Changes of the selection since
+    /// are forgotten. If an edit is ongoing, cancels that instead.
     ///
     /// # Errors
     /// A job is running on a mesh that would change.
     pub fn undo(&mut self) -> Result<Option<String>, CommandError> {
+        if self.is_editing() {
+            return Ok(self.cancel_edit());
+        }
+        if self.undo_labels().next().is_none() {
+            return Ok(None);
+        }
+        self.history.forget_selections();
+        self.undo_step()
+    }
+
+    /// Undoes the last edit or change of the selection, whichever is later, and returns its label; none if there is
+    /// nothing to undo. If an edit is ongoing, cancels that instead.
+    ///
+    /// # Errors
+    /// A job is running on a mesh that would change.
+    pub fn undo_step(&mut self) -> Result<Option<String>, CommandError> {
         if let Some(label) = self.cancel_edit() {
             return Ok(Some(label));
         }
@@ -217,11 +243,25 @@ impl Editor {
         Ok(Some(label))
     }
 
-    /// Redoes the last undone step and returns its label; none if there is nothing to redo.
+    /// Redoes the last undone edit and returns its label; none if there is nothing to redo. Undone changes of the
+    /// selection before it are forgotten.
     ///
     /// # Errors
     /// A job is running on a mesh that would change.
     pub fn redo(&mut self) -> Result<Option<String>, CommandError> {
+        if self.redo_labels().next().is_none() {
+            self.end_edit();
+            return Ok(None);
+        }
+        self.history.forget_selections_to_redo();
+        self.redo_step()
+    }
+
+    /// Redoes the last undone edit or change of the selection and returns its label; none if there is nothing to redo.
+    ///
+    /// # Errors
+    /// A job is running on a mesh that would change.
+    pub fn redo_step(&mut self) -> Result<Option<String>, CommandError> {
         self.end_edit();
         if let Some(step) = self.history.next_redo() {
             self.refuse_while_busy("redo", &step.changes)?;

@@ -4,6 +4,9 @@
 //! changes in reverse, and their inverses form the redo step. A local edit is stored as a journal, an
 //! operation on a whole mesh as the mesh that it replaced, so undoing a step costs no more than the step
 //! itself did.
+//!
+//! A step without changes is a change of the selection. Edits don't count it: it is not among the labels, undoing an
+//! edit forgets those made since, and making one forgets no edit that could be redone.
 
 use crate::bezier::Bezier;
 use crate::changes::Changes;
@@ -204,6 +207,11 @@ pub(crate) struct Step {
 }
 
 impl Step {
+    /// Whether only the selection changed.
+    pub fn is_selection(&self) -> bool {
+        self.changes.is_empty()
+    }
+
     fn bytes(&self) -> usize {
         size_of::<Self>() + self.selection.bytes() + self.changes.iter().map(Change::bytes).sum::<usize>()
     }
@@ -231,6 +239,28 @@ impl History {
         self.bytes -= self.redo.drain(..).map(|(_, bytes)| bytes).sum::<usize>();
         self.keep_undo(step);
         self.shrink();
+    }
+
+    /// Adds a change of the selection. Forgets the changes of the selection that could be redone next, but no edits:
+    /// they fit the document whatever is selected.
+    pub fn push_selection(&mut self, step: Step) {
+        self.forget_selections_to_redo();
+        self.keep_undo(step);
+        self.shrink();
+    }
+
+    /// Forgets the changes of the selection since the last edit.
+    pub fn forget_selections(&mut self) {
+        while self.next_undo().is_some_and(Step::is_selection) {
+            self.take_undo();
+        }
+    }
+
+    /// Forgets the changes of the selection that could be redone before an edit.
+    pub fn forget_selections_to_redo(&mut self) {
+        while self.next_redo().is_some_and(Step::is_selection) {
+            self.take_redo();
+        }
     }
 
     pub fn keep_undo(&mut self, step: Step) {
@@ -265,14 +295,14 @@ impl History {
         self.redo.last().map(|(step, _)| step)
     }
 
-    /// The labels of the steps that can be undone, the next one last.
+    /// The labels of the edits that can be undone, the next one last.
     pub fn undo_labels(&self) -> impl Iterator<Item = &str> {
-        self.undo.iter().map(|(step, _)| step.label.as_str())
+        self.undo.iter().filter(|(step, _)| !step.is_selection()).map(|(step, _)| step.label.as_str())
     }
 
-    /// The labels of the steps that can be redone, the next one last.
+    /// The labels of the edits that can be redone, the next one last.
     pub fn redo_labels(&self) -> impl Iterator<Item = &str> {
-        self.redo.iter().map(|(step, _)| step.label.as_str())
+        self.redo.iter().filter(|(step, _)| !step.is_selection()).map(|(step, _)| step.label.as_str())
     }
 
     pub fn bytes(&self) -> usize {
@@ -288,13 +318,19 @@ impl History {
         self.shrink();
     }
 
-    /// Drops the oldest steps until the rest fits the limit. Keeps the latest step whatever its size, so
-    /// that the last change can always be undone.
+    /// Drops the oldest steps until the rest fits the limit. Keeps the latest edit whatever its size, so that it can
+    /// always be undone.
     fn shrink(&mut self) {
-        while self.bytes > self.limit && self.undo.len() > 1 {
-            if let Some((_, bytes)) = self.undo.pop_front() {
-                self.bytes -= bytes;
-            }
+        while self.bytes > self.limit {
+            let edits = self.undo.iter().rev().filter(|(step, _)| !step.is_selection());
+            let is_last_edit = edits.take(2).count() == 1;
+            // Nothing else is left of the steps before the last edit's selections.
+            let at = match self.undo.front() {
+                Some((step, _)) => usize::from(is_last_edit && !step.is_selection()),
+                None => return,
+            };
+            let Some((_, bytes)) = self.undo.remove(at) else { return };
+            self.bytes -= bytes;
         }
     }
 }

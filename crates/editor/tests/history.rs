@@ -457,3 +457,108 @@ fn the_first_colour_of_a_mesh_changes_its_own_face_alone() {
     run(&mut editor, json!({"op": "set-face-color", "faces": [4], "color": "#00ff00"}));
     assert_eq!(faces(&mut editor), [4]);
 }
+
+/// The labels of the edits that can be undone and redone.
+fn labels(editor: &Editor) -> [Vec<&str>; 2] {
+    [editor.undo_labels().collect(), editor.redo_labels().collect()]
+}
+
+fn selected(editor: &Editor) -> Vec<u32> {
+    editor.selection().ids().collect()
+}
+
+#[test]
+fn changes_of_the_selection_are_undone_step_by_step_but_are_no_edits() {
+    let mut editor = on_cube();
+    let pick = |editor: &mut Editor, ids: &[u32]| {
+        editor.select(Element::Face, ids.iter().copied(), SelectMode::Replace).expect("there");
+    };
+    pick(&mut editor, &[1]);
+    pick(&mut editor, &[1]);
+    pick(&mut editor, &[1, 2]);
+    run(&mut editor, json!({"op": "poke-faces", "faces": [0]}));
+    editor.select_by(editor::SelectBy::Grow).expect("faces");
+    editor.deselect();
+    assert_eq!(labels(&editor), [vec!["Poke faces"], vec![]]);
+    assert!(editor.history_bytes() > 0);
+
+    let mut undone = Vec::new();
+    while let Some(label) = editor.undo_step().expect("free") {
+        undone.push((label, selected(&editor).len()));
+    }
+    let step = |label: &str, len| (label.to_owned(), len);
+    let all = editor.mesh().expect("a mesh").face_count();
+    assert_eq!(all, 6);
+    // The selection of the same face again made no step.
+    let expected =
+        [step("Select", 8), step("Select", 2), step("Poke faces", 2), step("Select", 1), step("Select", 0)];
+    assert_eq!(undone, expected);
+    assert_eq!(labels(&editor), [vec![], vec!["Poke faces"]]);
+    for len in [1, 2, 2, 8, 0] {
+        assert!(editor.redo_step().expect("free").is_some());
+        assert_eq!(selected(&editor).len(), len);
+    }
+    assert_eq!(editor.redo_step().expect("free"), None);
+
+    // Undo for scripts goes from edit to edit.
+    assert_eq!(editor.undo().expect("free").as_deref(), Some("Poke faces"));
+    assert_eq!(selected(&editor), [1, 2]);
+    assert_eq!(editor.undo().expect("free"), None, "no edit is left");
+    assert_eq!(selected(&editor), [1, 2]);
+    assert_eq!(editor.redo().expect("free").as_deref(), Some("Poke faces"));
+    assert!(selected(&editor).is_empty(), "as it was when the edit was undone");
+}
+
+#[test]
+fn selecting_forgets_no_edit_that_could_be_redone() {
+    let mut editor = on_cube();
+    run(&mut editor, json!({"op": "split-edge", "edge": 0}));
+    editor.select(Element::Vertex, [8], SelectMode::Replace).expect("there");
+    editor.undo_step().expect("free");
+    editor.undo_step().expect("free");
+    editor.select(Element::Vertex, [3], SelectMode::Replace).expect("there");
+    assert_eq!(labels(&editor), [vec![], vec!["Split edge"]]);
+    assert_eq!(editor.redo_step().expect("free").as_deref(), Some("Split edge"));
+    validate(&editor);
+    // The change of the selection to vertex 8 was undone before something else was selected.
+    assert_eq!(editor.redo_step().expect("free").as_deref(), Some("Select"));
+    assert_eq!(selected(&editor), [8]);
+    for wanted in ["Select", "Split edge"] {
+        assert_eq!(editor.undo_step().expect("free").as_deref(), Some(wanted));
+    }
+    assert_eq!(selected(&editor), [3]);
+}
+
+#[test]
+fn selections_count_for_the_limit_and_never_push_out_the_last_edit() {
+    let mut editor = on_cube();
+    run(&mut editor, json!({"op": "new", "shape": "grid", "columns": 100, "rows": 100}));
+    run(&mut editor, json!({"op": "set-vertex-position", "vertex": 0, "position": [0, 0, 1]}));
+    let edits = editor.history_bytes();
+    for id in 0..50 {
+        editor.select(Element::Face, [9000 + id], SelectMode::Replace).expect("there");
+    }
+    assert!(editor.history_bytes() > edits + 50 * 9000 / 8, "{}", editor.history_bytes());
+    editor.set_history_limit(edits / 2);
+    assert!(editor.history_bytes() <= edits / 2);
+    assert_eq!(editor.undo_labels().last(), Some("Move vertex"));
+    editor.set_history_limit(0);
+    assert_eq!(editor.undo_labels().collect::<Vec<_>>(), ["Move vertex"]);
+    editor.select(Element::Face, [7], SelectMode::Replace).expect("there");
+    assert_eq!(editor.undo_step().expect("free").as_deref(), Some("Move vertex"));
+}
+
+#[test]
+fn an_operation_is_adjusted_whatever_was_selected_since() {
+    let mut editor = on_cube();
+    editor.select(Element::Face, [0], SelectMode::Replace).expect("there");
+    run(&mut editor, json!({"op": "inset-faces", "amount": 0.1}));
+    editor.select(Element::Face, [3], SelectMode::Replace).expect("there");
+    let wider = command(json!({"op": "inset-faces", "amount": 0.3}));
+    editor.adjust(wider.clone()).expect("the same faces");
+    assert_eq!(labels(&editor), [vec!["Inset faces"], vec![]]);
+    let mut other = on_cube();
+    other.select(Element::Face, [0], SelectMode::Replace).expect("there");
+    other.run(wider).expect("a face");
+    assert_eq!(editor.document(), other.document());
+}

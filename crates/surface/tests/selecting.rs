@@ -183,3 +183,35 @@ fn grid_and_cube() -> Mesh {
     halfedge::edit::delete_faces(&mut mesh, &[FaceId::new(5)]).expect("there");
     mesh
 }
+
+proptest! {
+    #[test]
+    fn expanding_takes_whatever_touches_the_set(
+        which in 0..3_usize,
+        from in 0..4_usize,
+        to in 0..4_usize,
+        chosen in prop::collection::btree_set(0_u32..60, 0..12),
+    ) {
+        let mesh = vec![cube(), grid(3), join_meshes([&cube(), &grid(2)]).expect("small")].swap_remove(which);
+        let [from, to] = [from, to].map(|at| Element::ALL[at]);
+        let set = set(chosen.into_iter().filter(|&id| mesh.exists(from, id)));
+        let expanded = expand(&mesh, from, to, &set);
+        let parts = |kind: Element, id: u32, part: Element| -> Vec<u32> {
+            let one: BitSet = [id as usize].into_iter().collect();
+            convert(&mesh, kind, part, &one).iter().map(|id| id as u32).collect()
+        };
+        // From smaller parts to what has any of them; else as a plain conversion.
+        let is_up = matches!(
+            (from, to),
+            (Element::Vertex, Element::Edge | Element::Halfedge | Element::Face)
+                | (Element::Edge | Element::Halfedge, Element::Face)
+        );
+        let expected: BitSet = if is_up {
+            let touches = |id: &usize| parts(to, *id as u32, from).iter().any(|&p| set.contains(p as usize));
+            ids(&all(&mesh, to)).into_iter().filter(touches).collect()
+        } else {
+            convert(&mesh, from, to, &set)
+        };
+        prop_assert_eq!(ids(&expanded), ids(&expected), "{} to {}", from, to);
+    }
+}

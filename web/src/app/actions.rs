@@ -59,10 +59,8 @@ impl App {
             }
             Action::SelectInverse => self.select_inverse(),
             Action::SelectBy(by) => self.select_further(|editor| editor.select_by(by)),
-            Action::Show(kind) => {
-                self.shown.kind = kind;
-                self.shown.sheet.show_lists();
-            }
+            Action::Show(kind) => self.show_kind(kind, false),
+            Action::Expand(kind) => self.show_kind(kind, true),
             Action::Next => self.walk(|mesh, h| mesh.next(h)),
             Action::Twin => self.walk(|_, h| h.twin()),
             Action::GoToId => {
@@ -235,6 +233,17 @@ impl App {
         if let Err(error) = select(&mut self.session.editor) {
             self.session.refuse(&error);
         }
+    }
+
+    /// Shows a kind of element and converts the selection to it.
+    fn show_kind(&mut self, kind: Element, touches: bool) {
+        if !self.session.editor.selection().is_empty() {
+            self.session.end_live(true);
+            self.end_preview();
+        }
+        self.session.editor.switch_kind(kind, touches);
+        self.shown.kind = kind;
+        self.shown.sheet.show_lists();
     }
 
     fn select_inverse(&mut self) {

@@ -33,8 +33,11 @@ pub enum Action {
     SelectInverse,
     /// Changes the selection by what is selected.
     SelectBy(SelectBy),
-    /// Shows one kind of element in the list; clicks in the viewport select that kind too.
+    /// Shows one kind of element in the list; clicks in the viewport select that kind too. The selection is converted to
+    /// what it contains of that kind.
     Show(Element),
+    /// Shows one kind of element; the selection is converted to everything of that kind that touches it.
+    Expand(Element),
     /// Selects the next half-edge around the face.
     Next,
     /// Selects the twin of the selected half-edge.

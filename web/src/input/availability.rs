@@ -15,10 +15,10 @@ pub(crate) fn why_not(action: Action, session: &Session, kind: Element, player: 
     let document = editor.document();
     let operation = |id| session.why_not_operation(id);
     match action {
-        Action::Undo if editor.undo_labels().next().is_none() && !editor.is_editing() => {
+        Action::Undo if editor.next_undo().is_none() && !editor.is_editing() => {
             Some("There is nothing to undo.".into())
         }
-        Action::Redo if editor.redo_labels().next().is_none() => {
+        Action::Redo if editor.next_redo().is_none() => {
             Some("There is nothing to redo: nothing was undone since the last edit.".into())
         }
         Action::Save | Action::SaveAs(_) if document.objects().is_empty() => {

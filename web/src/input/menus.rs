@@ -22,6 +22,7 @@ pub fn submenu(action: Action) -> Option<&'static str> {
         A::LookFrom(_) => Some("Look from"),
         A::SelectBy(SelectBy::Kind(_)) => Some("Convert to"),
         A::Show(_) => Some("Show"),
+        A::Expand(_) => Some("Expand to"),
         A::SystemTheme | A::LightTheme | A::DarkTheme => Some("Theme"),
         _ => None,
     }
@@ -49,7 +50,7 @@ pub static MENUS: &[Menu] = &[
     Menu {
         title: "Edit",
         entries: &[
-            Some(entry(A::Undo, "Undo", "Undo the last change.")),
+            Some(entry(A::Undo, "Undo", "Undo the last change, of the mesh or of the selection.")),
             Some(entry(A::Redo, "Redo", "Redo the last undone change.")),
             None,
             Some(entry(
@@ -144,22 +145,42 @@ pub static MENUS: &[Menu] = &[
             Some(entry(
                 A::Show(Element::Vertex),
                 "Vertices",
-                "List vertices, and select vertices by clicks in the viewport.",
+                "List and select vertices. The selection becomes its vertices; switch with Ctrl to expand it.",
             )),
             Some(entry(
                 A::Show(Element::Edge),
                 "Edges",
-                "List edges, and select edges by clicks in the viewport.",
+                "List and select edges. The selection becomes the edges in it; switch with Ctrl to expand it.",
             )),
             Some(entry(
                 A::Show(Element::Halfedge),
                 "Half-edges",
-                "List half-edges, and select half-edges by clicks in the viewport.",
+                "List and select half-edges. The selection becomes the half-edges in it; switch with Ctrl to expand it.",
             )),
             Some(entry(
                 A::Show(Element::Face),
                 "Faces",
-                "List faces, and select faces by clicks in the viewport.",
+                "List and select faces. The selection becomes the faces in it; switch with Ctrl to expand it.",
+            )),
+            Some(entry(
+                A::Expand(Element::Vertex),
+                "Expand to vertices",
+                "List vertices, and select every vertex of the selection.",
+            )),
+            Some(entry(
+                A::Expand(Element::Edge),
+                "Expand to edges",
+                "List edges, and select every edge that touches the selection.",
+            )),
+            Some(entry(
+                A::Expand(Element::Halfedge),
+                "Expand to half-edges",
+                "List half-edges, and select every half-edge that touches the selection.",
+            )),
+            Some(entry(
+                A::Expand(Element::Face),
+                "Expand to faces",
+                "List faces, and select every face that touches the selection.",
             )),
             None,
             Some(entry(A::GoToId, "Go to id…", "Select an element by its id.")),

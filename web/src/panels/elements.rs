@@ -122,7 +122,8 @@ fn kind_tabs(ui: &mut Ui, page: &Page<'_>, own: &mut Lists, out: &mut Requests) 
             let entry = actions::describe(Action::Show(kind));
             let tooltip = format!("{} in this object. {}", thousands(count), entry.description);
             if tab.on_hover_text(keys::tooltip(ui.ctx(), &tooltip, entry.action)).clicked() {
-                out.act(Action::Show(kind));
+                let expands = ui.input(|input| input.modifiers.command);
+                out.act(if expands { Action::Expand(kind) } else { Action::Show(kind) });
             }
         }
     });

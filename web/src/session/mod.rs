@@ -122,16 +122,16 @@ impl Session {
         self.editor.mesh()?.halfedge(id)
     }
 
-    /// Undoes the last step.
+    /// Undoes the last edit or change of the selection.
     pub fn undo(&mut self) {
-        if let Err(error) = self.editor.undo() {
+        if let Err(error) = self.editor.undo_step() {
             self.refuse(&error);
         }
     }
 
-    /// Redoes the last undone step.
+    /// Redoes the last undone edit or change of the selection.
     pub fn redo(&mut self) {
-        if let Err(error) = self.editor.redo() {
+        if let Err(error) = self.editor.redo_step() {
             self.refuse(&error);
         }
     }

@@ -3,6 +3,7 @@
 use crate::page::Page;
 use crate::viewport::click_at;
 use egui::{Key, Modifiers, PointerButton, Pos2, vec2};
+use egui_kittest::kittest::Queryable;
 use halfedge::{Element, Mesh};
 use serde_json::json;
 
@@ -179,4 +180,55 @@ fn a_click_counts_with_the_modifiers_that_were_held_then() {
     page.harness.step();
     page.run();
     assert_eq!(page.selected().1.len(), 6, "the loop is selected");
+}
+
+#[test]
+fn switching_the_kind_converts_the_selection() {
+    let mut page = grid(Key::Num4);
+    page.press(Key::Num1);
+    assert_eq!(page.selected(), (Element::Vertex, vec![]));
+    page.press(Key::Num4);
+    assert_eq!(page.selected(), (Element::Face, vec![]), "nothing stays nothing");
+    page.select("face", &[8]);
+    let [edges, vertices] = [(Element::Edge, 4), (Element::Vertex, 4)];
+    let check = |page: &mut Page, key: Key, (kind, count): (Element, usize)| {
+        page.press(key);
+        let (now, ids) = page.selected();
+        assert_eq!((now, ids.len()), (kind, count), "{key:?}");
+    };
+    check(&mut page, Key::Num2, edges);
+    check(&mut page, Key::Num1, vertices);
+    check(&mut page, Key::Num4, (Element::Face, 1));
+    check(&mut page, Key::Num1, vertices);
+    // With Ctrl, to all that touches the selection.
+    let faces = page.harness.get_by_role_and_label(egui::accesskit::Role::Tab, "Faces").rect().center();
+    click_at(&mut page, faces, Modifiers::COMMAND);
+    assert_eq!(page.selected().1.len(), 9);
+    assert!(page.undo_labels().iter().all(|label| label == "New"));
+}
+
+#[test]
+fn undo_steps_back_through_selections_and_edits() {
+    let mut page = grid(Key::Num1);
+    let at = between(&mut page, vertex(3, 3), vertex(3, 3));
+    click_at(&mut page, at, Modifiers::NONE);
+    page.press_with(Modifiers::COMMAND, Key::Equals);
+    page.press(Key::Delete);
+    let edited = page.mesh().vertex_count();
+    assert_eq!(page.undo_labels(), ["New", "Delete vertices"]);
+    page.press(Key::Num4);
+    page.press_with(Modifiers::COMMAND, Key::A);
+    let undo = |page: &mut Page| page.press_with(Modifiers::COMMAND, Key::Z);
+    undo(&mut page);
+    assert_eq!((page.selected().1.len(), page.mesh().vertex_count()), (0, edited));
+    undo(&mut page);
+    assert_eq!(page.selected().1.len(), 9, "the edit is undone");
+    undo(&mut page);
+    assert_eq!(page.selected(), (Element::Vertex, vec![vertex(3, 3)]));
+    undo(&mut page);
+    assert!(page.selected().1.is_empty());
+    for _ in 0..4 {
+        page.press_with(Modifiers::COMMAND, Key::Y);
+    }
+    assert_eq!((page.selected().1.len(), page.mesh().vertex_count()), (20, edited));
 }

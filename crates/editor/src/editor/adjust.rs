@@ -79,7 +79,7 @@ impl Editor {
                 Ok(begun)
             }
             Err(error) if !last.is_step => Err(error),
-            Err(error) => match self.redo() {
+            Err(error) => match self.redo_step() {
                 Ok(_) => {
                     self.last = Some(last);
                     Err(error)

@@ -1,12 +1,15 @@
-//! Selecting. A change of the selection is no undo step of its own, but undo restores the selection that
-//! its step began with. Selecting first ends an ongoing edit, which refers to the selection that it began
-//! with.
+//! Selecting. A change of the selection is a step for [`Editor::undo_step`], but no edit. Selecting first ends an
+//! ongoing edit, which refers to the selection that it began with.
 
 use super::Editor;
 use crate::error::{CommandError, Problem};
+use crate::history::Step;
 use crate::selection::Selection;
 use halfedge::Element;
 use std::sync::Arc;
+
+/// The label of changes of the selection in the history.
+const SELECT: &str = "Select";
 
 /// How new elements combine with the current selection.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -92,7 +95,21 @@ impl Editor {
         self.set_selection(Selection::new(self.selection.kind()));
     }
 
+    /// Selects something else, as a step for [`Editor::undo_step`].
     pub(super) fn set_selection(&mut self, selection: Selection) {
+        let before = self.selection.clone();
+        self.replace_selection(selection);
+        // Which kind of element isn't selected is no change worth a step.
+        let is_other = !Arc::ptr_eq(&before, &self.selection);
+        if is_other && before.len() + self.selection.len() > 0 {
+            let (label, revision) = (SELECT.to_owned(), self.revision);
+            self.history.push_selection(Step { label, changes: Vec::new(), selection: before, revision });
+            self.changes.history = true;
+        }
+    }
+
+    /// Selects something else as part of an edit.
+    pub(super) fn replace_selection(&mut self, selection: Selection) {
         if *self.selection != selection {
             self.selection = Arc::new(selection);
             self.changes.selection = true;
@@ -105,7 +122,7 @@ impl Editor {
         if self.selection.has_gone(object.mesh()) {
             let mut selection = (*self.selection).clone();
             selection.keep_existing(object.mesh());
-            self.set_selection(selection);
+            self.replace_selection(selection);
         }
     }
 }

@@ -24,8 +24,10 @@ pub enum SelectBy {
     Path,
     /// Selects the edges around the selected faces.
     Outline,
-    /// Selects the elements of this kind that belong to the selection instead.
+    /// Selects the elements of this kind that belong to the selection instead: those that it contains.
     Kind(Element),
+    /// Selects the elements of this kind that have any of the selected ones instead.
+    Touching(Element),
 }
 
 impl Editor {
@@ -41,7 +43,7 @@ impl Editor {
             return refuse("Select something first.");
         }
         match by {
-            SelectBy::Kind(to) if kind == to => Err(CommandError::refused(
+            SelectBy::Kind(to) | SelectBy::Touching(to) if kind == to => Err(CommandError::refused(
                 "select",
                 format!("The selection consists of {} already.", plural(kind)),
             )),
@@ -76,6 +78,7 @@ impl Editor {
             SelectBy::Loops => (kind, lines(mesh, kind, &chosen, Line::Loop)?),
             SelectBy::Rings => (kind, lines(mesh, kind, &chosen, Line::Ring)?),
             SelectBy::Kind(to) => (to, selecting::convert(mesh, kind, to, &chosen)),
+            SelectBy::Touching(to) => (to, selecting::expand(mesh, kind, to, &chosen)),
             SelectBy::Outline => (Element::Edge, selecting::outline(mesh, &chosen)),
             SelectBy::Path => {
                 let mut ends = self.selection.ids();
@@ -85,6 +88,17 @@ impl Editor {
         };
         self.set_selection(Selection::of_set(kind, found, self.selection.latest()));
         Ok(())
+    }
+
+    /// Converts the selection to another kind: to what it contains, or to all that `touches` it. An empty selection stays
+    /// empty, which is no step.
+    pub fn switch_kind(&mut self, kind: Element, touches: bool) {
+        if self.selection.is_empty() {
+            self.replace_selection(Selection::new(kind));
+        } else {
+            // Refused only where the selection is of this kind already.
+            let _ = self.select_by(if touches { SelectBy::Touching(kind) } else { SelectBy::Kind(kind) });
+        }
     }
 
     /// Selects the line of elements of a kind through a half-edge.

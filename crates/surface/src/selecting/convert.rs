@@ -36,6 +36,19 @@ pub fn convert(mesh: &Mesh, from: Element, to: Element, ids: &BitSet) -> BitSet 
     }
 }
 
+/// Converts like [`convert`], but to every edge, half-edge and face that has any of the elements: a vertex, or for faces
+/// one of their edges or half-edges. Costs O(set x valence).
+pub fn expand(mesh: &Mesh, from: Element, to: Element, ids: &BitSet) -> BitSet {
+    match (from, to) {
+        (Element::Vertex, Element::Edge | Element::Halfedge | Element::Face) => touching(mesh, to, ids),
+        (Element::Edge, Element::Face) => {
+            faces_beside(mesh, ids.iter().flat_map(|e| EdgeId::new(e).halfedges()), |_| true)
+        }
+        (Element::Halfedge, Element::Face) => faces_beside(mesh, ids.iter().map(HalfedgeId::new), |_| true),
+        _ => convert(mesh, from, to, ids),
+    }
+}
+
 /// The vertices of an element.
 fn vertices(mesh: &Mesh, kind: Element, id: usize) -> Box<dyn Iterator<Item = VertexId> + '_> {
     match kind {

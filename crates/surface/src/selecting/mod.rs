@@ -7,7 +7,7 @@ mod lines;
 mod path;
 mod spread;
 
-pub use convert::convert;
+pub use convert::{convert, expand};
 pub use lines::{Line, directions, edge_loop, face_strip, lines, outline};
 pub use path::shortest_path;
 pub use spread::{grow, linked, shrink};
