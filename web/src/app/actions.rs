@@ -42,6 +42,7 @@ impl App {
             return;
         }
         match action {
+            Action::New => self.session.new_document(),
             Action::Open => self.session.platform.open_file_dialog(),
             Action::Save => self.show_saving(None),
             Action::SaveAs(format) => self.show_saving(Some(format)),

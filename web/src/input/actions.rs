@@ -13,6 +13,8 @@ use super::menus::MENUS;
 /// Something the user can start.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Action {
+    /// Starts a new document with a cube.
+    New,
     /// Opens the file dialog.
     Open,
     /// Opens the save dialog.
@@ -146,9 +148,10 @@ pub(super) const fn entry(action: Action, label: &'static str, description: &'st
 use Action as A;
 
 /// The operations on meshes, which menus and the palette list, in the order of the editor's table. The
-/// object list itself offers the operations on objects.
+/// object list itself offers the operations on objects; a new shape is in the file menu.
 pub fn mesh_operations() -> impl Iterator<Item = OpId> {
-    OpId::ALL.iter().copied().filter(|id| matches!(id.spec().scope, Scope::Elements | Scope::Meshes))
+    let all = OpId::ALL.iter().copied().filter(|id| *id != OpId::New);
+    all.filter(|id| matches!(id.spec().scope, Scope::Elements | Scope::Meshes))
 }
 
 /// Every action: the menus' entries, then the formats and the operations.
@@ -180,7 +183,7 @@ pub fn of_operation(id: OpId) -> Entry {
 /// The entry of an action; every action is in a menu.
 pub fn describe(action: Action) -> Entry {
     match action {
-        A::Operation(id) => of_operation(id),
+        A::Operation(id) if id != OpId::New => of_operation(id),
         A::SaveAs(format) => of_format(format),
         // A test checks that no other action is missing.
         _ => menu_entries().find(|entry| entry.action == action).unwrap_or(entry(action, "", "")),

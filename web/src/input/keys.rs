@@ -26,6 +26,8 @@ use Action as A;
 
 /// The keys of the page's own actions; operations list their keys in their descriptions.
 static PAGE_BINDINGS: &[(Action, &[KeyboardShortcut])] = &[
+    // The browser keeps Ctrl+N.
+    (A::New, &[with(Modifiers::COMMAND.plus(Modifiers::ALT), Key::N)]),
     (A::Open, &[with(Modifiers::COMMAND, Key::O)]),
     (A::Save, &[with(Modifiers::COMMAND, Key::S)]),
     (A::Redo, &[with(CTRL_SHIFT, Key::Z), with(Modifiers::COMMAND, Key::Y)]),

@@ -1,6 +1,6 @@
 //! The menus of the page's own actions, in one table. The palette lists them too.
 
-use editor::SelectBy;
+use editor::{OpId, SelectBy};
 use halfedge::Element;
 use viewport::Side;
 
@@ -33,6 +33,23 @@ pub static MENUS: &[Menu] = &[
     Menu {
         title: "File",
         entries: &[
+            Some(
+                entry(
+                    A::New,
+                    "New",
+                    "Start a new document with a cube. The old one is kept: undo brings it back.",
+                )
+                .synonyms(&["new document", "clear", "start over"]),
+            ),
+            Some(
+                entry(
+                    A::Operation(OpId::New),
+                    "New shape",
+                    "Make a cube, a sphere, a torus and the like, in a new document or in this one.",
+                )
+                .synonyms(OpId::New.spec().synonyms),
+            ),
+            None,
             Some(
                 entry(
                     A::Open,

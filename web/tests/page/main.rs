@@ -12,5 +12,6 @@ mod previews;
 mod properties;
 mod save;
 mod selecting;
+mod shell;
 mod viewport;
 mod whole;

@@ -80,7 +80,7 @@ macro_rules! enumerate {
             pub const ALL: &'static [Self] = &[$(Self::$name),*];
 
             /// The operation's name, texts, keys and fields.
-            pub fn spec(self) -> &'static Spec {
+            pub const fn spec(self) -> &'static Spec {
                 match self {
                     $(Self::$name => const { &<$name as Operation>::SPEC },)*
                 }
