@@ -88,17 +88,17 @@ impl Viewport<'_> {
         {
             self.click(ui, at, out);
         }
+        // With Alt or Ctrl held, each of two quick clicks has a meaning of its own.
+        let modifiers = modifiers_of_button(ui);
         if response.double_clicked()
+            && !(modifiers.alt || modifiers.command)
             && let Some(at) = pointer
             && self.control_point_at(at).is_none()
         {
             let insert = control_points::add_control_point_at(&self.session.editor, self.view, at);
             match insert {
                 Some(insert) => out.push(Request::InsertControlPoint(insert)),
-                None => {
-                    let shift = modifiers_of_button(ui).shift;
-                    self.select_line(at, Line::Loop, shift, out);
-                }
+                None => self.select_line(at, Line::Loop, modifiers.shift, out),
             }
         }
         if response.secondary_clicked()
