@@ -10,7 +10,7 @@ use crate::input::availability;
 use crate::session::Session;
 use crate::shown::Shown;
 use crate::view::{Tool, View};
-use viewport::Look;
+use viewport::{Look, Shading};
 
 /// Everything that a panel may read.
 #[derive(Clone, Copy)]
@@ -45,7 +45,9 @@ impl Page<'_> {
             Action::BoxSelect => self.view.tool == Tool::Box,
             Action::Orthographic => self.view.camera.orthographic,
             Action::Wireframe => style.wireframe,
-            Action::Smooth => style.smooth,
+            Action::Smooth => style.shading == Shading::Smooth,
+            Action::AutoSmooth => matches!(style.shading, Shading::Auto(_)),
+            Action::ColorBy(by) => style.color_by == by,
             Action::CourseLight => style.look == Look::Course,
             Action::Dots => style.vertices,
             Action::Grid => style.grid,

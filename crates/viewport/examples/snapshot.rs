@@ -6,7 +6,7 @@ mod support;
 use halfedge::Element;
 use support::gpu::{gpu, shown};
 use support::{cube, paint, sphere};
-use viewport::{Camera, Frame, Highlight, Layer, ObjectChange, Style, Theme};
+use viewport::{Camera, Frame, Highlight, Layer, ObjectChange, Shading, Style, Theme};
 
 const TILE: u32 = 360;
 
@@ -23,7 +23,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     let cube = cube();
     let light = Style { theme: Theme::LIGHT, ..Style::default() };
     let (smooth, dots) =
-        (Style { smooth: true, wireframe: false, ..Style::default() }, Style { vertices: true, ..light });
+        (Style { shading: Shading::Smooth, wireframe: false, ..Style::default() }, Style { vertices: true, ..light });
     let tiles = [
         (&ball, Style::default(), Element::Vertex, vec![60, 61]),
         (&ball, smooth, Element::Face, vec![10, 11, 12, 20, 21, 22]),

@@ -5,11 +5,13 @@
 //! and normal, and the wireframe shader finds a corner's place in its triangle from the vertex index
 //! alone. A corner takes 24 bytes: position 12, normal 8, colour and edge flags 4.
 
+use crate::coloring::{Coloring, Columns};
+use crate::corner_normals::{LocalNormals, Shading, WholeNormals, pack};
 use crate::slots::{Range, Slots};
 use glam::Vec3;
 use halfedge::geometry::PolygonTriangulator;
-use halfedge::{Budget, FaceId, Mesh, Touched, VertexId, keys};
-use std::collections::{BTreeSet, HashMap};
+use halfedge::{Budget, FaceId, HalfedgeId, Mesh, Touched, VertexId};
+use std::collections::BTreeSet;
 use surface::normals;
 
 /// Bytes of a triangle in all streams together.
@@ -26,7 +28,7 @@ pub struct Corners {
     pub positions: Vec<[f32; 3]>,
     /// Unit normals as signed normalised integers; the last component is unused.
     pub normals: Vec<[i16; 4]>,
-    /// The face's sRGB colour; the last byte says which sides are edges of the mesh, the same for all three
+    /// The corner's sRGB colour; the last byte says which sides are edges of the mesh, the same for all three
     /// corners: bit i stands for the side from corner i to the next.
     pub colors: Vec<[u8; 4]>,
 }
@@ -64,8 +66,7 @@ pub trait Sink {
 #[derive(Clone, Debug)]
 pub struct Rebuild {
     next: usize,
-    /// The packed normals of the vertices for smooth shading; empty for flat shading.
-    normals: Vec<[i16; 4]>,
+    normals: WholeNormals,
 }
 
 /// The layout of an object's buffers: which triangles each face has, and the origin of positions.
@@ -73,7 +74,8 @@ pub struct Rebuild {
 pub struct Buffers {
     slots: Slots,
     origin: Vec3,
-    smooth: bool,
+    shading: Shading,
+    coloring: Coloring,
 }
 
 impl Buffers {
@@ -83,9 +85,14 @@ impl Buffers {
         self.origin
     }
 
-    /// Whether the normals are for smooth shading.
-    pub fn smooth(&self) -> bool {
-        self.smooth
+    /// Which normals the streams have.
+    pub fn shading(&self) -> Shading {
+        self.shading
+    }
+
+    /// What gives the streams their colours.
+    pub fn coloring(&self) -> &Coloring {
+        &self.coloring
     }
 
     /// The number of triangles to draw; unused ones among them have no area.
@@ -104,21 +111,34 @@ impl Buffers {
     }
 
     /// Writes the whole mesh relative to this origin. Costs O(mesh).
-    pub fn rebuild(&mut self, mesh: &Mesh, origin: Vec3, smooth: bool, sink: &mut dyn Sink) {
-        let mut rebuilding = self.begin_rebuild(mesh, origin, smooth, sink);
+    pub fn rebuild(
+        &mut self,
+        mesh: &Mesh,
+        origin: Vec3,
+        shading: Shading,
+        coloring: Coloring,
+        sink: &mut dyn Sink,
+    ) {
+        let mut rebuilding = self.begin_rebuild(mesh, origin, shading, coloring, sink);
         self.rebuild_faces(mesh, &mut rebuilding, &mut Budget::unlimited(), sink);
     }
 
     /// Begins a rebuild that [`Buffers::rebuild_faces`] carries out. Costs O(mesh), little for each face.
-    pub fn begin_rebuild(&mut self, mesh: &Mesh, origin: Vec3, smooth: bool, sink: &mut dyn Sink) -> Rebuild {
+    pub fn begin_rebuild(
+        &mut self,
+        mesh: &Mesh,
+        origin: Vec3,
+        shading: Shading,
+        coloring: Coloring,
+        sink: &mut dyn Sink,
+    ) -> Rebuild {
         self.origin = origin;
-        self.smooth = smooth;
+        self.shading = shading;
+        self.coloring = coloring;
         self.slots.clear(mesh.face_capacity());
         let total: usize = mesh.faces().map(|f| mesh.face_degree(f).saturating_sub(2)).sum();
         sink.reset(u32::try_from(total).unwrap_or(u32::MAX));
-        let normals: Vec<[i16; 4]> =
-            if smooth { normals::vertex_normals(mesh).into_iter().map(pack).collect() } else { Vec::new() };
-        Rebuild { next: 0, normals }
+        Rebuild { next: 0, normals: WholeNormals::new(mesh, shading) }
     }
 
     /// Writes more faces, as many as the budget has ids for; returns whether there are any left. Once all are
@@ -136,7 +156,7 @@ impl Buffers {
         for face in (*next..end).map(FaceId::new).filter(|f| mesh.has_face(*f)) {
             writer.load(face);
             let range = self.slots.acquire(face.index(), writer.triangles());
-            writer.emit(range, sink, |v| normals.get(v.index()).copied().filter(|n| *n != [0; 4]));
+            writer.emit(range, sink, &self.coloring, |corner| normals.at(mesh, corner));
         }
         writer.flush(sink);
         *next = end;
@@ -149,7 +169,7 @@ impl Buffers {
     pub fn update(&mut self, mesh: &Mesh, touched: &Touched, sink: &mut dyn Sink) {
         let faces = if touched.everything { None } else { self.affected(mesh, touched) };
         let Some(faces) = faces else {
-            return self.rebuild(mesh, self.origin, self.smooth, sink);
+            return self.rebuild_alike(mesh, sink);
         };
         let wanted = |face: FaceId| {
             if mesh.has_face(face) { mesh.face_degree(face).saturating_sub(2) as u32 } else { 0 }
@@ -167,22 +187,25 @@ impl Buffers {
         let gaps = self.slots.end() - self.slots.live();
         if count_runs(ranges) > MAX_UPDATED_RANGES || gaps > self.slots.live().max(TRIANGLES_PER_WRITE as u32)
         {
-            return self.rebuild(mesh, self.origin, self.smooth, sink);
+            return self.rebuild_alike(mesh, sink);
         }
 
-        let mut known: HashMap<VertexId, [i16; 4]> = HashMap::new();
+        let mut normals = LocalNormals::new(self.shading);
         let mut writer = Writer::new(mesh, self.origin);
         for (range, face) in placed {
             writer.load(face);
-            writer.emit(range, sink, |v| {
-                let normal = || pack(normals::vertex_normal(mesh, v));
-                self.smooth.then(|| *known.entry(v).or_insert_with(normal)).filter(|n| *n != [0; 4])
-            });
+            writer.emit(range, sink, &self.coloring, |corner| normals.at(mesh, corner));
         }
         for range in abandoned {
             writer.blank(range, sink);
         }
         writer.flush(sink);
+    }
+
+    /// Writes the whole mesh again as before.
+    fn rebuild_alike(&mut self, mesh: &Mesh, sink: &mut dyn Sink) {
+        let coloring = std::mem::take(&mut self.coloring);
+        self.rebuild(mesh, self.origin, self.shading, coloring, sink);
     }
 
     /// The faces whose triangles an edit changed, and the ids of removed faces; none if there are so many
@@ -202,7 +225,7 @@ impl Buffers {
         if faces.len() > limit {
             return None;
         }
-        if self.smooth {
+        if self.shading != Shading::Flat {
             // A corner's normal changes with any face around its vertex.
             let mut rim: BTreeSet<VertexId> = vertices.collect();
             rim.extend(halfedges.flat_map(|h| [mesh.from(h), mesh.to(h)]));
@@ -232,19 +255,14 @@ fn count_runs(ranges: impl Iterator<Item = Range>) -> usize {
         .count()
 }
 
-/// A unit vector in the stream's format. Zero stays zero, which shaders take for "no normal".
-fn pack(normal: Vec3) -> [i16; 4] {
-    let [x, y, z] = (normal * 32767.0).round().to_array().map(|c| c as i16);
-    [x, y, z, 0]
-}
-
 /// Turns faces into triangles and combines adjacent ones into one write.
 struct Writer<'m> {
     mesh: &'m Mesh,
-    colors: Option<&'m [halfedge::Color]>,
+    columns: Columns<'m>,
     origin: Vec3,
     face: Option<FaceId>,
-    vertices: Vec<VertexId>,
+    /// The half-edges that start at the face's corners.
+    corners: Vec<HalfedgeId>,
     points: Vec<Vec3>,
     triangulator: PolygonTriangulator,
     staged: Corners,
@@ -255,10 +273,10 @@ impl<'m> Writer<'m> {
     fn new(mesh: &'m Mesh, origin: Vec3) -> Self {
         Self {
             mesh,
-            colors: mesh.attribute(keys::FACE_COLOR),
+            columns: Columns::new(mesh),
             origin,
             face: None,
-            vertices: Vec::new(),
+            corners: Vec::new(),
             points: Vec::new(),
             triangulator: PolygonTriangulator::new(),
             staged: Corners::default(),
@@ -269,10 +287,10 @@ impl<'m> Writer<'m> {
     /// Takes the next face.
     fn load(&mut self, face: FaceId) {
         self.face = Some(face);
-        self.vertices.clear();
-        self.vertices.extend(self.mesh.face_vertices(face));
+        self.corners.clear();
+        self.corners.extend(self.mesh.face_halfedges(face));
         self.points.clear();
-        self.points.extend(self.vertices.iter().map(|&v| self.mesh.position(v)));
+        self.points.extend(self.corners.iter().map(|&h| self.mesh.position(self.mesh.from(h))));
     }
 
     /// The number of the face's triangles.
@@ -280,22 +298,21 @@ impl<'m> Writer<'m> {
         self.points.len().saturating_sub(2) as u32
     }
 
-    /// Writes the face with the packed normals that `vertex_normal` returns, or the face's own normal where
-    /// it returns none.
+    /// Writes the face with the packed normals that `corner_normal` returns for the half-edges at its corners, or
+    /// the face's own normal where that is zero.
     fn emit(
         &mut self,
         range: Range,
         sink: &mut dyn Sink,
-        mut vertex_normal: impl FnMut(VertexId) -> Option<[i16; 4]>,
+        coloring: &Coloring,
+        mut corner_normal: impl FnMut(HalfedgeId) -> [i16; 4],
     ) {
         self.seek(range.first, sink);
         let (mesh, face) = (self.mesh, self.face);
         let mut flat = None;
         let mut face_normal =
             || *flat.get_or_insert_with(|| face.map_or([0; 4], |f| pack(normals::face_normal(mesh, f))));
-        let color =
-            self.face.and_then(|f| self.colors?.get(f.index()).copied()).unwrap_or(keys::FACE_COLOR.default);
-        let [r, g, b] = color.0;
+        let colors = face.map(|f| coloring.face(mesh, &self.columns, f));
         let corners = self.points.len() as u32;
         let triangles: &[[u32; 3]] =
             if corners == 3 { &[[0, 1, 2]] } else { self.triangulator.triangulate(&self.points) };
@@ -306,13 +323,17 @@ impl<'m> Writer<'m> {
             let flags = flag(i, j, 1) | flag(j, k, 2) | flag(k, i, 4);
             let at = triangle.map(|i| self.points.get(i as usize).copied().unwrap_or(self.origin));
             let mut normals = [[0; 4]; 3];
-            for (normal, &corner) in normals.iter_mut().zip(triangle) {
-                let smooth = self.vertices.get(corner as usize).and_then(|&v| vertex_normal(v));
-                *normal = smooth.unwrap_or_else(&mut face_normal);
+            let mut shown = [[0; 4]; 3];
+            for ((normal, color), &corner) in normals.iter_mut().zip(&mut shown).zip(triangle) {
+                let Some(&h) = self.corners.get(corner as usize) else { continue };
+                let own = corner_normal(h);
+                *normal = if own == [0; 4] { face_normal() } else { own };
+                let [r, g, b] = colors.as_ref().map_or([0; 3], |colors| colors.at(mesh.from(h)));
+                *color = [r, g, b, flags];
             }
             self.staged.positions.extend_from_slice(&at.map(|p| (p - self.origin).to_array()));
             self.staged.normals.extend_from_slice(&normals);
-            self.staged.colors.extend_from_slice(&[[r, g, b, flags]; 3]);
+            self.staged.colors.extend_from_slice(&shown);
             written += 1;
         }
         self.staged.blank(range.count.saturating_sub(written));

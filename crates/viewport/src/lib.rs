@@ -10,6 +10,8 @@
 mod box_select;
 pub mod buffers;
 mod camera;
+mod coloring;
+mod corner_normals;
 mod gpu;
 mod occlusion;
 mod pick;
@@ -19,6 +21,8 @@ mod style;
 
 pub use box_select::{BoxSelection, ScreenRect};
 pub use camera::{Camera, Side};
+pub use coloring::{ColorBy, Coloring, MaterialColors};
+pub use corner_normals::Shading;
 pub use gpu::{Frame, Highlight, Layer, ObjectChange, ObjectDraw, Renderer};
 pub use pick::{Picked, pick, pick_nearest};
 pub use slots::Range;

@@ -1,12 +1,15 @@
 //! The viewport's style and colours.
 
+use crate::{ColorBy, Shading};
 use halfedge::Color;
 
 /// How objects are shaded, and what else is drawn. Colours are sRGB.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Style {
-    /// Whether shading interpolates area-weighted vertex normals, instead of using one normal per face.
-    pub smooth: bool,
+    /// Which normals shade faces.
+    pub shading: Shading,
+    /// What gives faces their colours.
+    pub color_by: ColorBy,
     /// Whether the active object's edges are drawn over its faces.
     pub wireframe: bool,
     /// Whether the active object's vertices are drawn as dots.
@@ -34,7 +37,8 @@ impl Default for Style {
     fn default() -> Self {
         Self {
             look: Look::Studio,
-            smooth: false,
+            shading: Shading::default(),
+            color_by: ColorBy::default(),
             wireframe: true,
             vertices: false,
             grid: true,

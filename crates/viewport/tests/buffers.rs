@@ -4,10 +4,14 @@ mod support;
 
 use glam::{Vec3, vec3};
 use halfedge::edit::{Connect, Triangulation, split_edge, triangulate_face};
-use halfedge::{Budget, EdgeId, FaceId, Mesh, Touched, VertexId};
+use halfedge::attribute::Column;
+use halfedge::{
+    Budget, Color, EdgeId, FaceId, Mesh, NONE, PolygonSoup, Touched, VertexId, keys,
+};
 use proptest::prelude::*;
 use support::{cube, grid, mesh, paint, sphere};
 use viewport::buffers::{Buffers, Corners, Sink, TRIANGLE_BYTES};
+use viewport::{ColorBy, Coloring, MaterialColors, Shading};
 
 /// The GPU's side as plain arrays.
 #[derive(Clone, Default)]
@@ -60,7 +64,7 @@ fn of_face(buffers: &Buffers, mirror: &Mirror, face: FaceId) -> Vec<Triangle> {
 fn assert_as_rebuilt(mesh: &Mesh, buffers: &Buffers, mirror: &Mirror) {
     let mut fresh = Buffers::default();
     let mut expected = Mirror::default();
-    fresh.rebuild(mesh, buffers.origin(), buffers.smooth(), &mut expected);
+    fresh.rebuild(mesh, buffers.origin(), buffers.shading(), buffers.coloring().clone(), &mut expected);
     let mut owned = vec![false; buffers.triangles() as usize];
     for face in mesh.faces() {
         assert_eq!(of_face(buffers, mirror, face), of_face(&fresh, &expected, face), "{face}");
@@ -76,10 +80,15 @@ fn assert_as_rebuilt(mesh: &Mesh, buffers: &Buffers, mirror: &Mirror) {
     }
 }
 
-fn rebuilt(mesh: &Mesh, smooth: bool) -> (Buffers, Mirror) {
+fn rebuilt(mesh: &Mesh, shading: Shading) -> (Buffers, Mirror) {
+    rebuilt_colored(mesh, shading, ColorBy::Paint)
+}
+
+fn rebuilt_colored(mesh: &Mesh, shading: Shading, by: ColorBy) -> (Buffers, Mirror) {
     let mut buffers = Buffers::default();
     let mut mirror = Mirror::default();
-    buffers.rebuild(mesh, Vec3::ZERO, smooth, &mut mirror);
+    let coloring = Coloring::new(mesh, by, &MaterialColors::new());
+    buffers.rebuild(mesh, Vec3::ZERO, shading, coloring, &mut mirror);
     mirror.written = 0;
     (buffers, mirror)
 }
@@ -97,7 +106,7 @@ fn a_quad_has_two_triangles_with_its_colour_normal_and_edges() {
     paint(&mut square, 0, [9, 8, 7]);
     let mut buffers = Buffers::default();
     let mut mirror = Mirror::default();
-    buffers.rebuild(&square, Vec3::ONE, false, &mut mirror);
+    buffers.rebuild(&square, Vec3::ONE, Shading::Flat, Coloring::default(), &mut mirror);
     let up = [0, 0, 32767, 0];
     // The first triangle's last side and the second's first are the diagonal.
     assert_eq!(
@@ -122,7 +131,7 @@ fn each_edge_of_a_face_is_marked_on_one_side_of_its_triangles() {
         })
         .collect();
     let star = mesh(points.clone(), &[(0..12).collect::<Vec<u32>>()]);
-    let (buffers, mirror) = rebuilt(&star, false);
+    let (buffers, mirror) = rebuilt(&star, Shading::Flat);
     let mut sides = Vec::new();
     for triangle in of_face(&buffers, &mirror, FaceId::new(0)) {
         for i in 0..3 {
@@ -139,12 +148,107 @@ fn each_edge_of_a_face_is_marked_on_one_side_of_its_triangles() {
 #[test]
 fn smooth_corners_have_area_weighted_vertex_normals() {
     let cube = cube();
-    let (_, mirror) = rebuilt(&cube, true);
+    let (_, mirror) = rebuilt(&cube, Shading::Smooth);
     // Three squares of one size meet at each corner: its normal is along the diagonal.
     for (position, normal) in mirror.corners.positions.iter().zip(&mirror.corners.normals) {
         let expected = (Vec3::from(*position).normalize() * 32767.0).round().to_array().map(|c| c as i16);
         assert_eq!(normal[..3], expected);
     }
+}
+
+/// A strip of squares, each turned against the one before by an angle, about the y axis.
+fn bent_strip(degrees: &[f32]) -> Mesh {
+    let (mut at, mut direction) = (Vec3::ZERO, 0.0_f32);
+    let mut columns = vec![at];
+    for turn in std::iter::once(&0.0).chain(degrees) {
+        direction += turn.to_radians();
+        at += vec3(direction.cos(), 0.0, -direction.sin());
+        columns.push(at);
+    }
+    let positions = columns.iter().flat_map(|p| [*p, *p + Vec3::Y]).collect();
+    let quad = |i: u32| [2 * i, 2 * i + 2, 2 * i + 3, 2 * i + 1];
+    mesh(positions, &(0..columns.len() as u32 - 1).map(quad).collect::<Vec<_>>())
+}
+
+#[test]
+fn automatic_smoothing_keeps_edges_hard_above_its_angle() {
+    let strip = bent_strip(&[20.0, 40.0, 29.0]);
+    let at_edge = |shading: Shading, edge: u32, face: u32| {
+        let (buffers, mirror) = rebuilt(&strip, shading);
+        let seam = strip.position(VertexId::new(2 * edge as usize + 2)).to_array();
+        let corners = of_face(&buffers, &mirror, FaceId::new(face as usize));
+        let normal = corners.iter().flatten().find(|corner| corner.0 == seam).expect("a corner").1;
+        vec3(normal[0].into(), normal[1].into(), normal[2].into()) / 32767.0
+    };
+    for (edge, degrees) in [(0, 20.0_f32), (1, 40.0), (2, 29.0)] {
+        let [a, b] = [at_edge(Shading::Auto(30.0), edge, edge), at_edge(Shading::Auto(30.0), edge, edge + 1)];
+        let apart = a.dot(b).clamp(-1.0, 1.0).acos().to_degrees();
+        let expected = if degrees < 30.0 { 0.0 } else { degrees };
+        assert!((apart - expected).abs() < 0.5, "{degrees}: {apart}");
+        let smooth = [at_edge(Shading::Smooth, edge, edge), at_edge(Shading::Smooth, edge, edge + 1)];
+        assert_eq!(smooth[0], smooth[1]);
+    }
+    // A crease that ends: around its end the faces are one, as they are without a crease.
+    let cube = cube();
+    let (_, hard) = rebuilt(&cube, Shading::Auto(89.0));
+    assert!(hard.corners.normals == rebuilt(&cube, Shading::Flat).1.corners.normals);
+    let (_, soft) = rebuilt(&cube, Shading::Auto(91.0));
+    assert!(soft.corners.normals == rebuilt(&cube, Shading::Smooth).1.corners.normals);
+}
+
+/// Without hard edges automatic smoothing is smooth shading, and at an angle of 0 it is flat.
+#[test]
+fn automatic_smoothing_is_between_flat_and_smooth() {
+    let ball = sphere(9, 7);
+    let normals = |shading| rebuilt(&ball, shading).1.corners.normals;
+    for (extreme, same) in [(Shading::Auto(180.0), Shading::Smooth), (Shading::Auto(0.0), Shading::Flat)] {
+        for (a, b) in normals(extreme).into_iter().zip(normals(same)) {
+            assert!((0..3).all(|i| a[i].abs_diff(b[i]) <= 1), "{extreme:?}: {a:?} {b:?}");
+        }
+    }
+}
+
+#[test]
+fn painted_faces_show_their_paint_and_others_their_vertices_colours() {
+    let (red, blue, kd) = (Color([250, 0, 0]), Vec3::new(0.0, 0.0, 1.0), Color([90, 91, 92]));
+    let plane = grid(3, 1, false);
+    let faces: Vec<[u32; 4]> = (0..3).map(|i| [i, i + 1, i + 5, i + 4]).collect();
+    let mut soup = PolygonSoup::new(plane.positions().to_vec(), &faces);
+    let mut materials = Column::with_values(keys::FACE_MATERIAL, vec![NONE, 0, NONE]);
+    materials.labels.push("stone".into());
+    soup.face_columns = vec![materials];
+    let mut plane = Mesh::build(soup).expect("a plane").mesh;
+    for v in 0..4 {
+        plane.set(keys::VERTEX_COLOR, v, blue);
+    }
+    plane.set(keys::FACE_COLOR, 0, red);
+    plane.set(keys::FACE_COLOR, 1, kd);
+    let grey = Color::UNPAINTED.0;
+    let shown = |by, materials: &MaterialColors| -> Vec<Vec<[u8; 3]>> {
+        let (mut buffers, mut mirror) = (Buffers::default(), Mirror::default());
+        let coloring = Coloring::new(&plane, by, materials);
+        buffers.rebuild(&plane, Vec3::ZERO, Shading::Flat, coloring, &mut mirror);
+        let colors = |f: FaceId| {
+            let corners = of_face(&buffers, &mirror, f).into_iter().flatten();
+            let mut colors: Vec<_> = corners.map(|(.., [r, g, b, _])| [r, g, b]).collect();
+            colors.sort_unstable();
+            colors.dedup();
+            colors
+        };
+        plane.faces().map(colors).collect()
+    };
+    let stone = MaterialColors::from([("stone".to_owned(), kd)]);
+    let blue = [0, 0, 255];
+    // Only the lower four vertices have colours.
+    assert_eq!(shown(ColorBy::Paint, &stone), [vec![red.0], vec![blue, kd.0], vec![blue, grey]]);
+    assert_eq!(
+        shown(ColorBy::Paint, &MaterialColors::new()),
+        [vec![red.0], vec![kd.0], vec![blue, grey]],
+        "a colour that isn't its material's is paint"
+    );
+    assert_eq!(shown(ColorBy::Face, &stone), [vec![red.0], vec![kd.0], vec![grey]]);
+    assert_eq!(shown(ColorBy::Vertex, &stone), [vec![blue, grey], vec![blue, grey], vec![blue, grey]]);
+    assert_eq!(shown(ColorBy::Uniform, &stone), [vec![grey], vec![grey], vec![grey]]);
 }
 
 #[test]
@@ -154,10 +258,10 @@ fn a_local_edit_uploads_what_its_valence_says_whatever_the_mesh() {
         let middle = VertexId::new(((n + 1) * n / 2 + n / 2) as usize);
         let edge = mesh.outgoing(middle).next().expect("an edge").edge();
         let mut sizes = Vec::new();
-        for smooth in [false, true] {
-            let (mut buffers, mut mirror) = rebuilt(&mesh, smooth);
+        for (step, shading) in [Shading::Flat, Shading::Smooth, Shading::default()].into_iter().enumerate() {
+            let (mut buffers, mut mirror) = rebuilt(&mesh, shading);
             // Different values each time: equal ones are no change.
-            let (height, color) = if smooth { (0.2, [4, 5, 6]) } else { (0.1, [1, 2, 3]) };
+            let (height, color) = (step as f32 * 0.1 + 0.1, [step as u8 + 1, 2, 3]);
             let moved = touched(&mut mesh, |mesh| mesh.set_position(middle, vec3(0.0, 0.0, height)));
             buffers.update(&mesh, &moved, &mut mirror);
             sizes.push(mirror.written);
@@ -171,7 +275,7 @@ fn a_local_edit_uploads_what_its_valence_says_whatever_the_mesh() {
             sizes.push(mirror.written);
             assert_as_rebuilt(&mesh, &buffers, &mirror);
         }
-        let (mut buffers, mut mirror) = rebuilt(&mesh, false);
+        let (mut buffers, mut mirror) = rebuilt(&mesh, Shading::Flat);
         mesh.start_recording();
         split_edge(&mut mesh, edge, 0.5, Connect::Triangles).expect("an edge");
         let journal = mesh.finish_recording();
@@ -190,15 +294,16 @@ fn a_local_edit_uploads_what_its_valence_says_whatever_the_mesh() {
     assert_eq!(sizes[0][0], 6 * TRIANGLE_BYTES);
     assert_eq!(sizes[0][1], TRIANGLE_BYTES);
     assert_eq!(sizes[0][2], 24 * TRIANGLE_BYTES);
-    assert!(sizes[0][4] <= 16 * TRIANGLE_BYTES, "{sizes:?}");
+    assert_eq!(sizes[0][4], 24 * TRIANGLE_BYTES);
+    assert!(sizes[0][6] <= 16 * TRIANGLE_BYTES, "{sizes:?}");
 }
 
 #[test]
 fn a_mesh_may_be_edited_during_a_rebuild() {
-    for smooth in [false, true] {
+    for shading in [Shading::Flat, Shading::Smooth, Shading::default()] {
         let mut mesh = grid(20, 15, true);
         let (mut buffers, mut mirror) = (Buffers::default(), Mirror::default());
-        let mut rebuilding = buffers.begin_rebuild(&mesh, Vec3::ZERO, smooth, &mut mirror);
+        let mut rebuilding = buffers.begin_rebuild(&mesh, Vec3::ZERO, shading, Coloring::default(), &mut mirror);
         let mut parts = 1;
         while parts < 5 && buffers.rebuild_faces(&mesh, &mut rebuilding, &mut Budget::new(80), &mut mirror) {
             parts += 1;
@@ -224,7 +329,7 @@ fn a_mesh_may_be_edited_during_a_rebuild() {
 #[test]
 fn an_edit_of_everything_is_a_rebuild() {
     let mut mesh = grid(100, 100, false);
-    let (mut buffers, mut mirror) = rebuilt(&mesh, false);
+    let (mut buffers, mut mirror) = rebuilt(&mesh, Shading::Flat);
     let moved = touched(&mut mesh, |mesh| {
         let up = mesh.positions().iter().map(|p| *p + Vec3::Z).collect();
         mesh.set_positions(up).expect("as many");
@@ -243,7 +348,7 @@ fn an_edit_of_everything_is_a_rebuild() {
 
 #[test]
 fn an_empty_mesh_has_no_triangles() {
-    let (mut buffers, mut mirror) = rebuilt(&Mesh::new(), true);
+    let (mut buffers, mut mirror) = rebuilt(&Mesh::new(), Shading::Smooth);
     buffers.update(&Mesh::new(), &Touched::default(), &mut mirror);
     assert_eq!((buffers.triangles(), mirror.written), (0, 0));
 }
@@ -254,6 +359,7 @@ enum Edit {
     Triangulate(u32),
     Move(u32, [f32; 3]),
     Paint(u32, [u8; 3]),
+    PaintVertex(u32, [f32; 3]),
     Undo,
     Redo,
 }
@@ -265,10 +371,19 @@ fn edits() -> impl Strategy<Value = Vec<Edit>> {
         2 => any::<u32>().prop_map(Edit::Triangulate),
         2 => (any::<u32>(), prop::array::uniform3(-2.0_f32..2.0)).prop_map(|(v, p)| Edit::Move(v, p)),
         1 => (any::<u32>(), any::<[u8; 3]>()).prop_map(|(f, c)| Edit::Paint(f, c)),
+        1 => (any::<u32>(), prop::array::uniform3(0.0_f32..1.0)).prop_map(|(v, c)| Edit::PaintVertex(v, c)),
         2 => Just(Edit::Undo),
         1 => Just(Edit::Redo),
     ];
     prop::collection::vec(edit, 1..30)
+}
+
+fn shadings() -> impl Strategy<Value = Shading> {
+    prop_oneof![Just(Shading::Flat), Just(Shading::Smooth), Just(Shading::default())]
+}
+
+fn colors() -> impl Strategy<Value = ColorBy> {
+    prop_oneof![Just(ColorBy::Paint), Just(ColorBy::Face), Just(ColorBy::Vertex), Just(ColorBy::Uniform)]
 }
 
 proptest! {
@@ -276,9 +391,9 @@ proptest! {
 
     /// After any sequence of edits, undos and redos the streams are the same as after a rebuild.
     #[test]
-    fn streams_follow_edits(edits in edits(), which in 0..3, smooth in any::<bool>()) {
+    fn streams_follow_edits(edits in edits(), which in 0..3, shading in shadings(), by in colors()) {
         let mut mesh = match which { 0 => cube(), 1 => grid(4, 3, false), _ => sphere(8, 6) };
-        let (mut buffers, mut mirror) = rebuilt(&mesh, smooth);
+        let (mut buffers, mut mirror) = rebuilt_colored(&mesh, shading, by);
         let (mut undo, mut redo) = (Vec::new(), Vec::new());
         for edit in edits {
             let touched = match edit {
@@ -312,6 +427,10 @@ proptest! {
                         Edit::Paint(f, color) => {
                             let f = f as usize % mesh.face_capacity();
                             paint(&mut mesh, f, color);
+                        }
+                        Edit::PaintVertex(v, color) => {
+                            let v = v as usize % mesh.vertex_capacity();
+                            mesh.set(keys::VERTEX_COLOR, v, Vec3::from(color));
                         }
                         Edit::Undo | Edit::Redo => {}
                     }

@@ -11,6 +11,7 @@ use proptest::prelude::*;
 use support::mesh;
 use surface::{FaceTree, Ray, Simplify, SimplifyTarget};
 use viewport::buffers::{Buffers, Corners, Sink};
+use viewport::{Coloring, Shading};
 
 type Triangle = [[u32; 3]; 3];
 
@@ -47,7 +48,7 @@ impl Sink for Drawn {
 
 fn drawn(mesh: &Mesh) -> Vec<Triangle> {
     let mut drawn = Drawn::default();
-    Buffers::default().rebuild(mesh, Vec3::ZERO, false, &mut drawn);
+    Buffers::default().rebuild(mesh, Vec3::ZERO, Shading::Flat, Coloring::default(), &mut drawn);
     sorted(drawn.0.as_chunks::<3>().0.iter().map(|t| t.map(Vec3::from_array)))
 }
 

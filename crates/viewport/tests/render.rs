@@ -7,7 +7,7 @@ use halfedge::edit::{Connect, delete_vertices, split_edge};
 use halfedge::{Budget, EdgeId, Element, Mesh, PolygonSoup, VertexId};
 use support::gpu::{Gpu, Image, bare, close, gpu, shown};
 use support::{cube, grid, mesh, paint, paint_all, sphere};
-use viewport::{Bounds, Camera, Frame, Highlight, Layer, Look, ObjectChange, Renderer, Style};
+use viewport::{Bounds, Camera, Frame, Highlight, Layer, Look, ObjectChange, Renderer, Shading, Style};
 
 const SIZE: [u32; 2] = [200, 160];
 const VIEW: Vec2 = Vec2::new(200.0, 160.0);
@@ -92,7 +92,7 @@ fn shading_is_lambert_over_a_floor_of_a_fifth() {
     );
     let mut roof = roof;
     paint_all(&mut roof, [250; 3]);
-    let image = draw(&gpu, &roof, &camera, &Style { smooth: true, ..bare() });
+    let image = draw(&gpu, &roof, &camera, &Style { shading: Shading::Smooth, ..bare() });
     let at = camera.project(vec3(0.9, 0.0, 0.0), VIEW).expect("in front");
     assert!(close(image.near(at), [50; 3], 3), "{:?}", image.near(at));
 }
@@ -448,8 +448,8 @@ fn tiny_huge_and_far_models_look_like_others() {
 #[test]
 fn an_edited_object_looks_like_a_rebuilt_one() {
     let gpu = gpu();
-    for smooth in [false, true] {
-        let style = Style { smooth, wireframe: true, vertices: true, ..bare() };
+    for shading in [Shading::Flat, Shading::Smooth] {
+        let style = Style { shading, wireframe: true, vertices: true, ..bare() };
         let camera = Camera::default();
         let mut ball = sphere(12, 8);
         paint_all(&mut ball, [0, 200, 0]);

@@ -18,7 +18,7 @@ use crate::panels::operations::EDGE_LENGTH;
 use crate::panels::viewport::control_points::add_control_point;
 use crate::session::form;
 use crate::view::Tool;
-use viewport::Look;
+use viewport::{Look, Shading};
 
 impl App {
     /// The state that panels read.
@@ -79,7 +79,12 @@ impl App {
             Action::LookFrom(side) => self.view.camera.look_from(side),
             Action::Orthographic => self.view.camera.orthographic ^= true,
             Action::Wireframe => self.view.style.wireframe ^= true,
-            Action::Smooth => self.view.style.smooth ^= true,
+            Action::Smooth | Action::AutoSmooth => {
+                let on = if action == Action::Smooth { Shading::Smooth } else { Shading::default() };
+                self.view.style.shading =
+                    if self.page().is_on(action) == Some(true) { Shading::Flat } else { on };
+            }
+            Action::ColorBy(by) => self.view.style.color_by = by,
             Action::CourseLight => {
                 let style = &mut self.view.style;
                 style.look = if style.look == Look::Course { Look::Studio } else { Look::Course };

@@ -5,6 +5,7 @@ use editor::{Command, JobId, SelectMode};
 use formats::Format;
 use halfedge::Element;
 use serde_json::{Value, json};
+use viewport::Shading;
 
 use super::App;
 use crate::platform::{DeviceInfo, NamedBytes};
@@ -93,7 +94,9 @@ impl Script<'_> {
             "distance": camera.distance,
             "orthographic": camera.orthographic,
             "wireframe": style.wireframe,
-            "smooth": style.smooth,
+            "smooth": style.shading == Shading::Smooth,
+            "auto_smooth": matches!(style.shading, Shading::Auto(_)),
+            "color_by": style.color_by.name(),
             "vertices": style.vertices,
             "grid": style.grid,
             "list": self.app.shown.kind.to_string(),

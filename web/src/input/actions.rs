@@ -6,7 +6,7 @@
 use editor::{OpId, Scope, SelectBy};
 use formats::Format;
 use halfedge::Element;
-use viewport::Side;
+use viewport::{ColorBy, Side};
 
 use super::menus::MENUS;
 
@@ -64,6 +64,10 @@ pub enum Action {
     Wireframe,
     /// Switches between smooth and flat shading.
     Smooth,
+    /// Switches between flat shading and smooth shading with hard edges.
+    AutoSmooth,
+    /// Chooses what gives faces their colours.
+    ColorBy(ColorBy),
     /// Switches between the studio's lights and the courses' one at the camera.
     CourseLight,
     /// Switches the drawing of vertices as dots.

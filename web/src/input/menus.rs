@@ -2,7 +2,7 @@
 
 use editor::{OpId, SelectBy};
 use halfedge::Element;
-use viewport::Side;
+use viewport::{ColorBy, Side};
 
 use super::actions::{Action, Entry, entry};
 
@@ -23,6 +23,7 @@ pub fn submenu(action: Action) -> Option<&'static str> {
         A::SelectBy(SelectBy::Kind(_)) => Some("Convert to"),
         A::Show(_) => Some("Show"),
         A::Expand(_) => Some("Expand to"),
+        A::ColorBy(_) => Some("Colour by"),
         A::SystemTheme | A::LightTheme | A::DarkTheme => Some("Theme"),
         _ => None,
     }
@@ -312,6 +313,32 @@ pub static MENUS: &[Menu] = &[
                 "Smooth shading",
                 "Shade with normals averaged at vertices instead of one per face.",
             )),
+            Some(
+                entry(
+                    A::AutoSmooth,
+                    "Auto smooth",
+                    "Shade smoothly, but keep edges hard where faces meet at more than 30°.",
+                )
+                .synonyms(&["shade smooth by angle", "soften edges", "hard edges"]),
+            ),
+            Some(
+                entry(
+                    A::ColorBy(ColorBy::Paint),
+                    "Paint",
+                    "Colour painted faces by their paint, the others by their vertices or material.",
+                )
+                .synonyms(&["colour by"]),
+            ),
+            Some(entry(A::ColorBy(ColorBy::Face), "Face colours", "Colour faces by their own colours only.")),
+            Some(
+                entry(
+                    A::ColorBy(ColorBy::Vertex),
+                    "Vertex colours",
+                    "Colour faces by the colours of their vertices only.",
+                )
+                .synonyms(&["colour attribute", "per-vertex colour"]),
+            ),
+            Some(entry(A::ColorBy(ColorBy::Uniform), "One colour", "Draw all faces in one colour.")),
             Some(
                 entry(
                     A::CourseLight,

@@ -110,6 +110,11 @@ impl View {
         if !changes.bezier.is_empty() {
             self.looked = None;
         }
+        if let Some(picture) = &self.picture
+            && changes.objects.iter().any(|(_, change)| !matches!(change, ObjectChange::Touched(_)))
+        {
+            picture.set_materials(editor.document().materials());
+        }
         for (id, change) in &changes.objects {
             self.looked = None;
             self.building.take_if(|(built, _)| built == id);

@@ -3,6 +3,7 @@
 use editor::{Editor, ObjectChange, ObjectId};
 use egui::{PaintCallbackInfo, Rect, Ui};
 use egui_wgpu::{Callback, CallbackResources, CallbackTrait, RenderState, ScreenDescriptor, wgpu};
+use formats::Materials;
 use halfedge::{Budget, Element, Mesh};
 use viewport::{Camera, Frame, Highlight, Layer, ObjectDraw, Renderer, Style};
 
@@ -30,6 +31,12 @@ impl Picture {
 
     pub fn gpu_bytes(&self) -> u64 {
         self.with(|renderer, _, _| renderer.gpu_bytes()).unwrap_or_default()
+    }
+
+    /// Takes the colours of the document's materials.
+    pub fn set_materials(&self, materials: &Materials) {
+        let colors = materials.list.iter().filter_map(|m| Some((m.name.clone(), m.color()?))).collect();
+        self.with(|renderer, _, _| renderer.set_materials(colors));
     }
 
     pub fn forget(&self, id: ObjectId) {

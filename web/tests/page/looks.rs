@@ -91,6 +91,46 @@ fn points_without_faces() {
     }
 }
 
+/// A square whose left side is red and whose right side is blue, by its vertices.
+const COLORED_SQUARE: &str =
+    "v -1 -1 0 1 0 0\nv 1 -1 0 0 0 1\nv 1 1 0 0 0 1\nv -1 1 0 1 0 0\nf 1 2 3 4\n";
+
+#[test]
+fn vertex_colours_are_shown_until_faces_are_painted() {
+    let mut page = Page::drawn(DESKTOP, Theme::Dark);
+    page.open("colours.obj", COLORED_SQUARE);
+    page.press_with(egui::Modifiers::ALT, egui::Key::Num1);
+    let mut sides = |page: &mut Page, name: &str| {
+        let picture = picture(page, name);
+        [-0.9, 0.9].map(|x| {
+            let at = page.at([x, 0.3, 0.0]);
+            picture.get_pixel(at.x as u32, at.y as u32).0
+        })
+    };
+    let is = |[r, _, b, _]: [u8; 4]| (r > b.saturating_add(60), b > r.saturating_add(60));
+    let shown = sides(&mut page, "vertex colours");
+    assert_eq!(shown.map(is), [(true, false), (false, true)], "red and blue: {shown:?}");
+    for (by, expected) in [
+        ("One colour", [(false, false); 2]),
+        ("Vertex colours", [(true, false), (false, true)]),
+        ("Face colours", [(false, false); 2]),
+        ("Paint", [(true, false), (false, true)]),
+    ] {
+        page.click("View");
+        page.click("Colour by");
+        page.click(by);
+        let shown = sides(&mut page, &format!("coloured by {by}"));
+        assert_eq!(shown.map(is), expected, "{by}: {shown:?}");
+    }
+    page.select("face", &[0]);
+    page.command(json!({ "op": "set-face-color", "color": "#00ff00" }));
+    page.select("face", &[]);
+    for [r, g, b, _] in sides(&mut page, "a painted face with vertex colours") {
+        // The pointer may be over the face, which adds some blue.
+        assert!(g > 150 && r < 80 && b < 130, "painted green: {r} {g} {b}");
+    }
+}
+
 #[test]
 fn a_job_without_reported_progress() {
     for (theme, size, name) in [(Theme::Dark, DESKTOP, "job dark"), (Theme::Light, PHONE, "job light phone")]

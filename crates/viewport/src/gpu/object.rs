@@ -3,6 +3,7 @@
 use super::isolated::IsolatedVertices;
 use super::stream::Stream;
 use crate::buffers::{Buffers, Corners, Rebuild, Sink};
+use crate::{ColorBy, Coloring, MaterialColors, Shading, Style};
 use glam::Vec3;
 use halfedge::{Budget, InParts, Mesh, Touched};
 
@@ -88,13 +89,14 @@ impl Object {
         device: &wgpu::Device,
         queue: &wgpu::Queue,
         mesh: &Mesh,
-        smooth: bool,
-        points: bool,
+        style: &Style,
+        materials: &MaterialColors,
     ) -> u64 {
         self.next = None;
         let mut upload = Upload { device, queue, pages: &mut self.pages, bytes: 0 };
-        self.buffers.rebuild(mesh, origin_of(mesh), smooth, &mut upload);
-        upload.bytes + self.set_points(device, queue, mesh, points)
+        let coloring = Coloring::new(mesh, style.color_by, materials);
+        self.buffers.rebuild(mesh, origin_of(mesh), style.shading, coloring, &mut upload);
+        upload.bytes + self.set_points(device, queue, mesh, style.vertices)
     }
 
     /// Uploads the dots of isolated vertices, and those of all vertices if `points` says so.
@@ -118,13 +120,14 @@ impl Object {
         device: &wgpu::Device,
         queue: &wgpu::Queue,
         mesh: &Mesh,
-        smooth: bool,
-        points: bool,
+        style: &Style,
+        materials: &MaterialColors,
     ) {
         let (mut buffers, mut pages) = (Buffers::default(), Vec::new());
         let mut upload = Upload { device, queue, pages: &mut pages, bytes: 0 };
-        let rebuilding = buffers.begin_rebuild(mesh, origin_of(mesh), smooth, &mut upload);
-        self.next = Some(Next { buffers, pages, rebuilding, points });
+        let coloring = Coloring::new(mesh, style.color_by, materials);
+        let rebuilding = buffers.begin_rebuild(mesh, origin_of(mesh), style.shading, coloring, &mut upload);
+        self.next = Some(Next { buffers, pages, rebuilding, points: style.vertices });
     }
 
     /// Uploads more faces of an upload that has begun, as many as the budget has; returns whether that was the
@@ -151,12 +154,14 @@ impl Object {
         self.next.is_some()
     }
 
-    /// Whether the buffers, or those being filled, have smooth normals, and dots of vertices.
-    pub fn looks(&self) -> (bool, bool) {
-        match &self.next {
-            Some(next) => (next.buffers.smooth(), next.points),
-            None => (self.buffers.smooth(), self.has_points),
-        }
+    /// Whether the buffers, or those being filled, are as the style wants them.
+    pub fn fits(&self, style: &Style) -> bool {
+        let (buffers, has_points) = match &self.next {
+            Some(next) => (&next.buffers, next.points),
+            None => (&self.buffers, self.has_points),
+        };
+        let looks: (Shading, ColorBy) = (buffers.shading(), buffers.coloring().by());
+        looks == (style.shading, style.color_by) && (has_points || !style.vertices)
     }
 
     /// Uploads what an edit touched; returns the number of bytes.

@@ -6,7 +6,7 @@ use super::object::Object;
 use super::pipelines::Pipelines;
 use super::targets::Targets;
 use super::uniforms::{DrawUniform, FrameUniform};
-use crate::Style;
+use crate::{MaterialColors, Style};
 use halfedge::{Budget, InParts, Mesh, Touched};
 use std::collections::HashMap;
 
@@ -30,6 +30,8 @@ pub enum ObjectChange<'a> {
 pub struct Renderer {
     pub(super) pipelines: Pipelines,
     pub(super) objects: HashMap<u64, Object>,
+    /// The colours of the document's materials.
+    materials: MaterialColors,
     pub(super) selected: HighlightBuffers,
     pub(super) hovered: HighlightBuffers,
     targets: Option<Targets>,
@@ -50,6 +52,7 @@ impl Renderer {
         Self {
             pipelines,
             objects: HashMap::new(),
+            materials: MaterialColors::new(),
             selected: HighlightBuffers::new(),
             hovered: HighlightBuffers::new(),
             targets: None,
@@ -61,9 +64,14 @@ impl Renderer {
         }
     }
 
+    /// Sets the colours of the document's materials, for objects that are uploaded from now on.
+    pub fn set_materials(&mut self, materials: MaterialColors) {
+        self.materials = materials;
+    }
+
     /// Uploads changes of an object's mesh; returns the number of bytes. The cost is in proportion to what
-    /// was touched; an object that is new, or was uploaded for a style with other normals or without dots
-    /// that are wanted now, is uploaded whole.
+    /// was touched; an object that is new, or was uploaded for a style with other normals, other colours or
+    /// without dots that are wanted now, is uploaded whole.
     pub fn sync_object(
         &mut self,
         device: &wgpu::Device,
@@ -80,7 +88,7 @@ impl Renderer {
             ObjectChange::Touched(touched) if fits && !touched.everything => {
                 object.update(device, queue, mesh, touched)
             }
-            _ => object.rebuild(device, queue, mesh, style.smooth, style.vertices),
+            _ => object.rebuild(device, queue, mesh, style, &self.materials),
         }
     }
 
@@ -95,7 +103,7 @@ impl Renderer {
         style: &Style,
     ) {
         let object = self.objects.entry(id).or_insert_with(Object::new);
-        object.begin_upload(device, queue, mesh, style.smooth, style.vertices);
+        object.begin_upload(device, queue, mesh, style, &self.materials);
     }
 
     /// Whether an upload of an object has begun and isn't complete.
@@ -123,10 +131,7 @@ impl Renderer {
     /// Whether the object's buffers suit the style. If not, call [`Renderer::sync_object`] even if the mesh
     /// is the same.
     pub fn fits_style(&self, id: u64, style: &Style) -> bool {
-        self.objects
-            .get(&id)
-            .map(Object::looks)
-            .is_some_and(|(smooth, has_points)| smooth == style.smooth && (has_points || !style.vertices))
+        self.objects.get(&id).is_some_and(|object| object.fits(style))
     }
 
     /// Removes an object.

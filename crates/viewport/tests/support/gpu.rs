@@ -1,6 +1,6 @@
 //! A GPU device without a window, which reads pictures back as arrays.
 
-use viewport::{Frame, Look, ObjectDraw, Renderer, Style};
+use viewport::{Frame, Look, ObjectDraw, Renderer, Shading, Style};
 
 pub struct Gpu {
     pub device: wgpu::Device,
@@ -55,9 +55,15 @@ pub fn close(a: [u8; 3], b: [u8; 3], by: u8) -> bool {
     (0..3).all(|i| a[i].abs_diff(b[i]) <= by)
 }
 
-/// A style with only faces on a flat black background.
+/// A style with only flat faces on a flat black background.
 pub fn bare() -> Style {
-    let mut style = Style { look: Look::Course, wireframe: false, grid: false, ..Style::default() };
+    let mut style = Style {
+        look: Look::Course,
+        shading: Shading::Flat,
+        wireframe: false,
+        grid: false,
+        ..Style::default()
+    };
     style.theme.background_top = halfedge::Color([0; 3]);
     style.theme.background_bottom = halfedge::Color([0; 3]);
     style

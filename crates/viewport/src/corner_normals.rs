@@ -1,0 +1,144 @@
+//! The normals of corners: how faces meet in the picture.
+
+use glam::{DVec3, Vec3};
+use halfedge::geometry::face_area_vector;
+use halfedge::{FaceId, HalfedgeId, Mesh, VertexId};
+use std::collections::HashMap;
+use surface::normals;
+
+/// Which normals shade faces.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Shading {
+    /// Each face has one normal.
+    Flat,
+    /// Area-weighted vertex normals are interpolated over faces.
+    Smooth,
+    /// As smooth, but edges whose faces meet at a greater angle than this, in degrees, stay hard.
+    Auto(f32),
+}
+
+impl Default for Shading {
+    fn default() -> Self {
+        Self::Auto(Self::HARD_ANGLE)
+    }
+}
+
+impl Shading {
+    /// The usual angle in degrees above which edges are hard: a cylinder of 12 sides is still round, and so is a
+    /// scan, but bevels of two steps and the edges of machine parts show.
+    pub const HARD_ANGLE: f32 = 30.0;
+}
+
+/// A unit vector in the stream's format. Zero stays zero, which shaders take for "no normal".
+pub(crate) fn pack(normal: Vec3) -> [i16; 4] {
+    let [x, y, z] = (normal * 32767.0).round().to_array().map(|c| c as i16);
+    [x, y, z, 0]
+}
+
+/// The normals of a whole mesh's corners, from values that are computed beforehand.
+#[derive(Clone, Debug)]
+pub(crate) enum WholeNormals {
+    Flat,
+    /// The packed normals of the vertices.
+    Smooth(Vec<[i16; 4]>),
+    /// The area vectors of the faces, and when an edge is hard.
+    Auto(Vec<DVec3>, Hardness),
+}
+
+impl WholeNormals {
+    /// Costs O(mesh).
+    pub fn new(mesh: &Mesh, shading: Shading) -> Self {
+        match shading {
+            Shading::Flat => Self::Flat,
+            Shading::Smooth => Self::Smooth(normals::vertex_normals(mesh).into_iter().map(pack).collect()),
+            Shading::Auto(degrees) => {
+                let area = |f| mesh.face(f).map_or(DVec3::ZERO, |face| face_area_vector(mesh, face));
+                Self::Auto((0..mesh.face_capacity() as u32).map(area).collect(), Hardness::new(degrees))
+            }
+        }
+    }
+
+    /// The packed normal of the corner at the start of a half-edge; zero where it has none of its own.
+    pub fn at(&self, mesh: &Mesh, corner: HalfedgeId) -> [i16; 4] {
+        match self {
+            Self::Flat => [0; 4],
+            Self::Smooth(packed) => packed.get(mesh.from(corner).index()).copied().unwrap_or_default(),
+            Self::Auto(areas, hardness) => {
+                let area = |f: FaceId| areas.get(f.index()).copied().unwrap_or_default();
+                pack(hardness.normal(mesh, corner, area))
+            }
+        }
+    }
+}
+
+/// The normals of corners around an edit, computed when they are asked for.
+pub(crate) struct LocalNormals {
+    shading: Shading,
+    vertices: HashMap<VertexId, [i16; 4]>,
+    areas: HashMap<FaceId, DVec3>,
+}
+
+impl LocalNormals {
+    pub fn new(shading: Shading) -> Self {
+        Self { shading, vertices: HashMap::new(), areas: HashMap::new() }
+    }
+
+    /// As [`WholeNormals::at`], to the bit.
+    pub fn at(&mut self, mesh: &Mesh, corner: HalfedgeId) -> [i16; 4] {
+        match self.shading {
+            Shading::Flat => [0; 4],
+            Shading::Smooth => {
+                let v = mesh.from(corner);
+                *self.vertices.entry(v).or_insert_with(|| pack(normals::vertex_normal(mesh, v)))
+            }
+            Shading::Auto(degrees) => {
+                let area = |f| *self.areas.entry(f).or_insert_with(|| face_area_vector(mesh, f));
+                pack(Hardness::new(degrees).normal(mesh, corner, area))
+            }
+        }
+    }
+}
+
+/// When an edge is hard: the cosine of the greatest angle between faces that are shaded as one.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Hardness {
+    cos: f64,
+}
+
+impl Hardness {
+    fn new(degrees: f32) -> Self {
+        Self { cos: f64::from(degrees).to_radians().cos() }
+    }
+
+    /// Whether faces with these area vectors meet at a hard edge. A face without area has no hard edges.
+    pub fn is_hard(self, a: DVec3, b: DVec3) -> bool {
+        a.dot(b) < self.cos * (a.length_squared() * b.length_squared()).sqrt()
+    }
+
+    /// The area-weighted mean normal of the faces around a corner up to the hard edges on both sides.
+    fn normal(self, mesh: &Mesh, corner: HalfedgeId, mut area: impl FnMut(FaceId) -> DVec3) -> Vec3 {
+        let Some(face) = mesh.face_of(corner) else { return Vec3::ZERO };
+        let own = area(face);
+        let mut sum = own;
+        // Adds the faces in one direction, from one half-edge that leaves the vertex to the next; gives the one
+        // that it ends at. Both directions end at the same edge if there is only one hard edge.
+        let mut walk = |turn: &dyn Fn(HalfedgeId) -> HalfedgeId| {
+            let (mut at, mut last) = (turn(corner), own);
+            while let Some(next) = mesh.face_of(at).filter(|_| at != corner).map(&mut area) {
+                if self.is_hard(last, next) {
+                    break;
+                }
+                sum += next;
+                if next != DVec3::ZERO {
+                    last = next;
+                }
+                at = turn(at);
+            }
+            at
+        };
+        if walk(&|h| mesh.prev(h).twin()) != corner {
+            walk(&|h| mesh.next(h.twin()));
+        }
+        sum.normalize_or_zero().as_vec3()
+    }
+}
