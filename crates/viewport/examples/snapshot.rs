@@ -22,8 +22,10 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     halfedge::edit::delete_faces(&mut bowl, &lid)?;
     let cube = cube();
     let light = Style { theme: Theme::LIGHT, ..Style::default() };
-    let (smooth, dots) =
-        (Style { shading: Shading::Smooth, wireframe: false, ..Style::default() }, Style { vertices: true, ..light });
+    let (smooth, dots) = (
+        Style { shading: Shading::Smooth, wireframe: false, ..Style::default() },
+        Style { vertices: true, ..light },
+    );
     let tiles = [
         (&ball, Style::default(), Element::Vertex, vec![60, 61]),
         (&ball, smooth, Element::Face, vec![10, 11, 12, 20, 21, 22]),

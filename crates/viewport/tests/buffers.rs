@@ -3,11 +3,9 @@
 mod support;
 
 use glam::{Vec3, vec3};
-use halfedge::edit::{Connect, Triangulation, split_edge, triangulate_face};
 use halfedge::attribute::Column;
-use halfedge::{
-    Budget, Color, EdgeId, FaceId, Mesh, NONE, PolygonSoup, Touched, VertexId, keys,
-};
+use halfedge::edit::{Connect, Triangulation, split_edge, triangulate_face};
+use halfedge::{Budget, Color, EdgeId, FaceId, Mesh, NONE, PolygonSoup, Touched, VertexId, keys};
 use proptest::prelude::*;
 use support::{cube, grid, mesh, paint, sphere};
 use viewport::buffers::{Buffers, Corners, Sink, TRIANGLE_BYTES};
@@ -303,7 +301,8 @@ fn a_mesh_may_be_edited_during_a_rebuild() {
     for shading in [Shading::Flat, Shading::Smooth, Shading::default()] {
         let mut mesh = grid(20, 15, true);
         let (mut buffers, mut mirror) = (Buffers::default(), Mirror::default());
-        let mut rebuilding = buffers.begin_rebuild(&mesh, Vec3::ZERO, shading, Coloring::default(), &mut mirror);
+        let mut rebuilding =
+            buffers.begin_rebuild(&mesh, Vec3::ZERO, shading, Coloring::default(), &mut mirror);
         let mut parts = 1;
         while parts < 5 && buffers.rebuild_faces(&mesh, &mut rebuilding, &mut Budget::new(80), &mut mirror) {
             parts += 1;

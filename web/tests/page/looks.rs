@@ -92,15 +92,14 @@ fn points_without_faces() {
 }
 
 /// A square whose left side is red and whose right side is blue, by its vertices.
-const COLORED_SQUARE: &str =
-    "v -1 -1 0 1 0 0\nv 1 -1 0 0 0 1\nv 1 1 0 0 0 1\nv -1 1 0 1 0 0\nf 1 2 3 4\n";
+const COLORED_SQUARE: &str = "v -1 -1 0 1 0 0\nv 1 -1 0 0 0 1\nv 1 1 0 0 0 1\nv -1 1 0 1 0 0\nf 1 2 3 4\n";
 
 #[test]
 fn vertex_colours_are_shown_until_faces_are_painted() {
     let mut page = Page::drawn(DESKTOP, Theme::Dark);
     page.open("colours.obj", COLORED_SQUARE);
     page.press_with(egui::Modifiers::ALT, egui::Key::Num1);
-    let mut sides = |page: &mut Page, name: &str| {
+    let sides = |page: &mut Page, name: &str| {
         let picture = picture(page, name);
         [-0.9, 0.9].map(|x| {
             let at = page.at([x, 0.3, 0.0]);
