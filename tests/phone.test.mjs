@@ -30,7 +30,7 @@ editorTest("the editor is usable on a phone", { sizes: [PHONE] }, async (editor)
   // Run an operation and undo it.
   await editor.click("Operations", "tab");
   await inside("the operations");
-  await editor.click("Upsample", "button");
+  await editor.click("Upsample (subdivide)", "button");
   await editor.idle();
   assert.equal((await editor.state()).document.faces, 24);
   await editor.click("Undo", "button");

@@ -157,5 +157,5 @@ editorTest("loops, rings, paths and neighbours are selected by mouse and keys", 
   const [nearX, nearY] = await at(vertex(3, 3));
   await editor.clickAt([x + (nearX - x) * 0.2, y + (nearY - y) * 0.2]);
   assert.deepEqual(await selected(), { kind: "vertex", ids: [vertex(3, 3)] });
-  assert.deepEqual((await editor.state()).history.undo, ["New"], "selecting is no edit");
+  assert.deepEqual((await editor.state()).history.undo, ["New shape"], "selecting is no edit");
 });

@@ -370,7 +370,7 @@ export interface Remesh {
   op: "remesh";
   /** The place of the object in the document's list; default: the active object. */
   object?: number;
-  /** The length of edges, in mesh units: a number in mesh units from 0.000001 to 1000000; default: the mean of the edges. */
+  /** The length of edges, in mesh units: a number in mesh units from 0.000001 to 1000000; default: the mean edge length. */
   edge_length?: number;
   /** The number of iterations: a whole number from 1 to 1000; default: 5. */
   iterations?: number;

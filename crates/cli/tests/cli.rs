@@ -383,7 +383,7 @@ fn bezier_files_tessellate_and_convert() {
     assert!(fails(&["convert", text(&curve), text(&mesh)], 2).contains("save it as BZC"));
     assert!(fails(&["apply", text(&curve), "--do", command], 1).contains("bounds no faces"));
     let wrong = write(&folder, "wrong.bez", "1\n1 2\n3 x");
-    assert!(fails(&["info", text(&wrong)], 2).contains("wrong.bez: line 3: “x” is not a number"));
+    assert!(fails(&["info", text(&wrong)], 2).contains("wrong.bez. Line 3: “x” is not a number"));
 }
 
 /// Three triangles at one edge, of which two disagree.
@@ -432,7 +432,7 @@ fn files_beside_a_model_are_found() {
         "the material's colour"
     );
     std::fs::remove_file(folder.join("a b.bin")).expect("there");
-    assert!(fails(&["info", text(&gltf)], 2).contains("a b.bin, which was not given"));
+    assert!(fails(&["info", text(&gltf)], 2).contains("Open it together with a b.bin, which"));
 }
 
 #[test]

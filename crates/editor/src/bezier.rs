@@ -4,7 +4,7 @@
 //! itself: for a surface it is the welded tessellation, fine enough for display; for a curve it is empty.
 //! `bezier-tessellate` replaces the control points by a mesh that every operation can edit.
 
-use crate::error::{CommandError, Problem};
+use crate::error::{CommandError, OPEN, Problem, not_opened};
 use formats::Import;
 use std::sync::Arc;
 pub use surface::bezier::Bezier;
@@ -15,7 +15,7 @@ pub use surface::bezier::Bezier;
 /// # Errors
 /// A surface has more patches than a mesh can show.
 pub fn show_controls(import: &mut Import) -> Result<(), CommandError> {
-    fill_previews(import).map_err(|problem| CommandError::of("open", problem))
+    fill_previews(import).map_err(|problem| CommandError::of(OPEN, problem))
 }
 
 pub(crate) fn fill_previews(import: &mut Import) -> Result<(), Problem> {
@@ -23,12 +23,14 @@ pub(crate) fn fill_previews(import: &mut Import) -> Result<(), Problem> {
         if let Some(bezier) = &object.bezier
             && object.mesh.vertex_count() == 0
         {
-            let mesh = bezier.preview().map_err(|error| Problem::new(error.to_string()))?;
+            let mesh = bezier
+                .preview()
+                .map_err(|error| Problem::new(not_opened(&object.name, &error.to_string())))?;
             object.mesh = Arc::new(mesh);
             if bezier.curve().is_none() {
                 let n = bezier.preview_resolution();
                 import.report.info(format!(
-                    "{} is shown by a mesh of {n} x {n} quads per patch; bezier-tessellate makes one to edit",
+                    "{} is shown by a mesh of {n} x {n} quads per patch; Tessellate makes one to edit",
                     object.name
                 ));
             }

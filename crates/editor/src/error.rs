@@ -1,9 +1,24 @@
 //! Why a command was refused.
 
+use crate::ops::{Field, OpId};
 use halfedge::Refusal;
+use halfedge::words::sentence;
 use serde::Serialize;
 use std::fmt;
 use surface::SurfaceError;
+
+/// What was attempted when files could not be opened.
+pub(crate) const OPEN: &str = "open";
+
+/// What was attempted when files could not be written.
+pub(crate) const EXPORT: &str = "export";
+
+/// That something could not be opened, and why, in sentences.
+pub(crate) fn not_opened(name: &str, why: &str) -> String {
+    format!("Could not open {name}. {}", sentence(why))
+}
+
+const NOT_SAVED: &str = "Could not save the document.";
 
 /// A command that was not carried out. The document is unchanged.
 ///
@@ -49,15 +64,35 @@ impl CommandError {
         Self { op: op.into(), field, problem: text, kind, advice }
     }
 
-    /// Why the command can't be carried out, as a sentence for a tooltip: "Select an edge first."
+    /// Why the command can't be carried out, as a sentence for a tooltip: "Select an edge first." Fields have
+    /// their labels in forms.
     pub fn reason(&self) -> String {
-        if let Some(advice) = &self.advice {
-            return advice.clone();
+        match (&self.advice, self.labels()) {
+            (Some(advice), _) => advice.clone(),
+            (None, Some((_, Some(field)))) => sentence(&format!("{field}: {}", self.problem)),
+            (None, _) => sentence(&self.problem),
         }
-        let mut letters = self.problem.chars();
-        let text: String =
-            letters.next().map_or_else(String::new, |first| first.to_uppercase().chain(letters).collect());
-        if text.ends_with(['.', '!', '?']) { text } else { format!("{text}.") }
+    }
+
+    /// What a person reads in a message: the reason, with the operation where the reason does not stand alone.
+    pub fn message(&self) -> String {
+        match (&self.advice, self.labels()) {
+            (None, Some((op, Some(field)))) => {
+                sentence(&format!("{op}, {}: {}", field.to_lowercase(), self.problem))
+            }
+            (None, Some((op, None))) => sentence(&format!("{op}: {}", self.problem)),
+            (None, None) if self.op == EXPORT => format!("{NOT_SAVED} {}", sentence(&self.problem)),
+            _ => self.reason(),
+        }
+    }
+
+    /// The labels of the operation and of its invalid field. A problem with elements names them itself, so that
+    /// the field's label would only repeat their kind.
+    fn labels(&self) -> Option<(&'static str, Option<String>)> {
+        let spec = OpId::named(&self.op)?.spec();
+        let name = self.field.as_deref().and_then(|field| field.split('[').next());
+        let field = name.and_then(|name| spec.field(name)).filter(|field| !field.is_target());
+        Some((spec.label, field.map(Field::label)))
     }
 
     /// Whether the user cancelled the command, so that there is nothing to report.
@@ -68,15 +103,12 @@ impl CommandError {
 
 impl fmt::Display for CommandError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        // No operation has these names.
-        let tried = match self.op.as_str() {
-            "open" => "Could not open",
-            "export" => "Could not save",
-            op => op,
-        };
-        match &self.field {
-            Some(field) => write!(f, "{tried}: `{field}`: {}", self.problem),
-            None => write!(f, "{tried}: {}", self.problem),
+        match (self.op.as_str(), &self.field) {
+            // No operation has these names. The problem says which file could not be opened.
+            (OPEN, _) => f.write_str(&self.problem),
+            (EXPORT, _) => write!(f, "{NOT_SAVED} {}", sentence(&self.problem)),
+            (op, Some(field)) => write!(f, "{op}: `{field}`: {}", self.problem),
+            (op, None) => write!(f, "{op}: {}", self.problem),
         }
     }
 }

@@ -7,7 +7,7 @@ mod wire;
 pub use wire::{BadBytes, Wire};
 
 use crate::bezier::fill_previews;
-use crate::error::{CommandError, Problem};
+use crate::error::{CommandError, EXPORT, OPEN, Problem, not_opened};
 use crate::ops::{Action, Op, edit_all};
 use crate::outcome::{Before, ElementIds};
 use formats::{Format, Import, Materials, Model, NamedBytes, NamedMesh, ReadError, Repairs};
@@ -100,9 +100,9 @@ impl JobRequest {
     /// The op, or `open` and `export`.
     pub fn op(&self) -> &'static str {
         match &self.work {
-            Work::Import(..) => "open",
+            Work::Import(..) => OPEN,
             Work::Run(ops, _) => ops.first().map_or("nothing", |op| op.spec().name),
-            Work::Export(..) => "export",
+            Work::Export(..) => EXPORT,
         }
     }
 
@@ -150,10 +150,8 @@ impl Work {
                     .all(|object| object.mesh.vertex_count() == 0 && object.bezier.is_none())
                     && let Some(first) = import.report.warnings().next()
                 {
-                    return Err(Problem::new(format!(
-                        "nothing in {} could be used. {first}",
-                        import.model.name
-                    )));
+                    let why = format!("nothing in it could be used. {first}");
+                    return Err(Problem::new(not_opened(&import.model.name, &why)));
                 }
                 Made::Import(import)
             }

@@ -1,6 +1,7 @@
 //! What a command did.
 
 use formats::ReportNote;
+use halfedge::words::counted;
 use halfedge::{EdgeId, FaceId, Mesh, Touched, VertexId};
 use serde::Serialize;
 
@@ -87,7 +88,7 @@ impl Elements {
     }
 
     /// "1 vertex, 3 edges and 2 faces", without the kinds whose count is 0; none if all are.
-    fn words(&self) -> Option<String> {
+    pub(crate) fn words(&self) -> Option<String> {
         let parts: Vec<String> = [
             (self.vertices, "vertex", "vertices"),
             (self.edges, "edge", "edges"),
@@ -95,7 +96,7 @@ impl Elements {
         ]
         .iter()
         .filter(|(count, ..)| *count > 0)
-        .map(|(count, one, many)| format!("{count} {}", if *count == 1 { one } else { many }))
+        .map(|(count, one, many)| counted(*count, one, many))
         .collect();
         match parts.as_slice() {
             [] => None,
@@ -113,7 +114,7 @@ pub(crate) fn sizes<'a>(meshes: impl IntoIterator<Item = &'a Mesh>) -> [usize; 3
 }
 
 /// "Split edge: 1 vertex, 3 edges and 2 faces created".
-pub(crate) fn message(label: &str, created: &Elements, removed: &Elements) -> String {
+fn message(label: &str, created: &Elements, removed: &Elements) -> String {
     match (created.words(), removed.words()) {
         (None, None) => label.to_owned(),
         (Some(made), None) => format!("{label}: {made} created"),

@@ -334,7 +334,8 @@ fn refusals_name_the_field_and_the_valid_values() {
     assert!(text.contains("no object"), "{text}");
     let mut large = open(&[("a.bzc", format!("20001 {}", "1 ".repeat(40_002)))]);
     assert!(
-        refusal(&mut large, json!({"op": "bezier-split"})).contains("20001 control points; splitting takes")
+        refusal(&mut large, json!({"op": "bezier-split"}))
+            .contains("20\u{a0}001 control points; splitting takes")
     );
 }
 

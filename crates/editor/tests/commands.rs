@@ -405,7 +405,7 @@ fn refusals_name_the_op_and_the_field() {
         (json!({"op": "new", "shape": "cube", "object": 0}), &["new", "`object`"]),
         (
             json!({"op": "new", "shape": "grid", "columns": 4096, "rows": 4096}),
-            &["new: the shape would have 16777216 faces"],
+            &["new: the shape would have 16\u{a0}777\u{a0}216 faces"],
         ),
         (json!({"op": "activate-object"}), &["activate-object", "`object`", "missing"]),
         (json!({"op": "activate-object", "object": 1}), &["activate-object", "`object`", "no object 1"]),
@@ -468,7 +468,7 @@ fn refusals_name_the_op_and_the_field() {
             json!({"op": "simplify", "preserve_boundary": 1}),
             &["`preserve_boundary`", "1 is not true or false"],
         ),
-        (json!({"op": "merge-vertices", "vertices": [0]}), &["only vertex 0 is given; give two or more"]),
+        (json!({"op": "merge-vertices", "vertices": [0]}), &["only vertex 0 is given; choose two or more"]),
         (
             json!({"op": "subdivide-catmull-clark", "levels": 99}),
             &["`levels`", "would have more than a million million faces", "use fewer levels"],

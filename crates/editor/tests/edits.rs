@@ -196,7 +196,7 @@ fn selected_elements_are_edited_one_after_the_other() {
 fn sizes_beyond_the_limit_are_clamped_with_a_warning() {
     let mut editor = on_cube();
     let outcome = run(&mut editor, json!({"op": "inset-faces", "faces": [0], "amount": 5}));
-    assert_eq!(outcome.warnings, ["`amount` was limited to 0.5: beyond that, edges would reverse"]);
+    assert_eq!(outcome.warnings, ["Amount was limited to 0.5, because beyond that edges would reverse"]);
     let outcome = run(&mut on_cube(), json!({"op": "inset-faces", "faces": [0], "amount": 0.25}));
     assert_eq!(outcome.warnings, [] as [String; 0]);
     for op in [

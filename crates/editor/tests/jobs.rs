@@ -242,10 +242,7 @@ fn a_broken_file_leaves_the_document_as_it_was_and_says_why() {
     let request = editor.begin_import(vec![NamedBytes::new("photo.jpg", [0xff, 0xd8, 0xff, 0xe0])]);
     let failed = request.run(&mut on);
     let error = editor.finish(request.id(), failed).expect_err("no model");
-    assert!(
-        error.to_string().starts_with("Could not open: ") && error.to_string().contains("photo.jpg"),
-        "{error}"
-    );
+    assert!(error.to_string().starts_with("Could not open photo.jpg. "), "{error}");
     assert_eq!(editor.messages().next_back().expect("said").text, error.to_string());
     assert_eq!(editor.document(), on_cube().document());
 }
@@ -256,7 +253,7 @@ fn a_file_with_nothing_usable_in_it_is_refused() {
     let request = editor.begin_import(vec![NamedBytes::new("bad.obj", "f 1 2 3\n")]);
     let failed = request.run(&mut on);
     let error = editor.finish(request.id(), failed).expect_err("no vertex").to_string();
-    assert!(error.contains("nothing in bad could be used") && error.contains("line 1"), "{error}");
+    assert!(error.contains("bad. Nothing in it could be used") && error.contains("line 1"), "{error}");
     assert_eq!(editor.document(), on_cube().document());
 }
 
@@ -487,7 +484,7 @@ fn a_job_that_changes_nothing_is_no_step() {
         panic!("a command")
     };
     assert!(outcome.message.ends_with("nothing changed"), "{}", outcome.message);
-    assert_eq!(labels(&editor), ["New"]);
+    assert_eq!(labels(&editor), ["New shape"]);
     // What can be adjusted is still what made the step.
     assert_eq!(editor.last_command().map(Command::name), Some("new"));
     assert_eq!(editor.document(), &before);
@@ -502,11 +499,15 @@ fn an_adjustment_whose_job_changes_nothing_is_adjusted_again() {
     let none = command(json!({"op": "merge-by-distance", "distance": 0.0}));
     let request = job(editor.adjust(none).expect("the last one"));
     editor.finish(request.id(), Ok(through_bytes(&request))).expect("waited for");
-    assert_eq!((labels(&editor), editor.document()), (vec!["New".to_owned()], &grid));
+    assert_eq!((labels(&editor), editor.document()), (vec!["New shape".to_owned()], &grid));
     let again = command(json!({"op": "merge-by-distance", "distance": 0.012}));
     let request = job(editor.adjust(again).expect("still the last one"));
     assert!(editor.cancel_job(request.id()));
-    assert_eq!((labels(&editor), editor.document()), (vec!["New".to_owned()], &grid), "the shape stays");
+    assert_eq!(
+        (labels(&editor), editor.document()),
+        (vec!["New shape".to_owned()], &grid),
+        "the shape stays"
+    );
 }
 
 #[test]
@@ -521,7 +522,7 @@ fn an_adjustment_that_fails_or_is_cancelled_leaves_the_step() {
             editor.cancel_job(request.id())
         };
         assert!(ended);
-        assert_eq!(labels(&editor), ["New", "Simplify"]);
+        assert_eq!(labels(&editor), ["New shape", "Simplify"]);
         assert_eq!(sizes(&editor)[2], 30_000);
         let last = editor.last_command().expect("as before").to_value();
         assert_eq!(last["faces"], 30_000);
@@ -538,7 +539,7 @@ fn a_cancelled_adjustment_keeps_the_step_and_what_was_done_meanwhile() {
     let hide = json!({"op": "set-object-visible", "object": 0, "visible": false});
     run(&mut editor, hide);
     assert!(editor.cancel_job(request.id()));
-    assert_eq!(labels(&editor), ["New", "Show or hide object", "Simplify"]);
+    assert_eq!(labels(&editor), ["New shape", "Show or hide object", "Simplify"]);
     assert!(!editor.document().object(cube).expect("there").visible());
     assert_eq!(sizes(&editor)[2], 30_000);
     validate(&editor);

@@ -163,11 +163,23 @@ fn every_refusal_of_a_menu_entry_is_a_sentence() {
                     let first = reason.chars().next().expect("not empty");
                     assert!(!first.is_lowercase() && reason.ends_with(['.', '!', '?']), "{reason}");
                     assert!(!reason.contains("is missing"), "{}: {reason}", id.spec().name);
+                    is_for_people(&reason);
+                    is_for_people(&error.message());
                 }
             }
         }
     }
     assert!(refused > 1000, "{refused}");
+}
+
+/// Messages on the page name operations and fields by their labels, not as in JSON.
+fn is_for_people(message: &str) {
+    assert!(!message.contains(['`', '{', '_']), "{message}");
+    assert!(message.matches(": ").count() <= 1, "one colon at most: {message}");
+    let words: Vec<&str> = message.split(|c: char| !c.is_ascii_alphanumeric() && c != '-').collect();
+    for spec in specs().filter(|spec| spec.name.contains('-')) {
+        assert!(!words.contains(&spec.name), "{message}");
+    }
 }
 
 #[test]
@@ -276,10 +288,16 @@ proptest! {
         let mut editor = Editor::with_mesh("Mesh", mesh.clone());
         let Some(cost) = editor.cost(&command) else { return Ok(()) };
         let before = editor.document().clone();
-        let Ok(outcome) = editor.run(command.clone()) else {
-            prop_assert_eq!(editor.document(), &before);
-            return Ok(());
+        let outcome = match editor.run(command.clone()) {
+            Ok(outcome) => outcome,
+            Err(error) => {
+                prop_assert_eq!(editor.document(), &before);
+                is_for_people(&error.message());
+                return Ok(());
+            }
         };
+        is_for_people(&outcome.message);
+        outcome.warnings.iter().for_each(|warning| is_for_people(warning));
         prop_assert!(outcome.created.faces <= cost, "{} faces, cost {cost}: {}", outcome.created.faces, command.to_json());
         let is_one = editor.document().objects().len() == 1;
         if let (Some(estimate), true) = (command.op.result(&facts), is_one)

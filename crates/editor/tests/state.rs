@@ -28,14 +28,14 @@ fn the_state_has_what_the_interface_says() {
         })
     );
     assert_eq!(state["selection"], json!({"kind": "halfedge", "ids": [1, 3]}));
-    assert_eq!(state["history"]["undo"], json!(["New", "Activate object"]));
+    assert_eq!(state["history"]["undo"], json!(["New shape", "Activate object"]));
     assert_eq!(state["history"]["redo"], json!(["Show or hide object"]));
     assert_eq!(state["history"]["bytes"], editor.history_bytes());
     assert_eq!((&state["jobs"], &state["messages"]), (&json!([]), &json!([])));
     let _ = editor.run(command(json!({"op": "split-edge", "edge": 99})));
     assert_eq!(
         editor.state()["messages"],
-        json!([{"kind": "error", "text": "split-edge: `edge`: there is no edge 99; ids go from 0 to 11"}])
+        json!([{"kind": "error", "text": "Split edge: there is no edge 99; ids go from 0 to 11."}])
     );
 }
 

@@ -166,7 +166,7 @@ fn seams_that_stop_simplifying_can_be_given_up() {
     let mut editor = charted();
     let kept = run(&mut editor, json!({"op": "simplify", "faces": 2}));
     assert!(sizes(&editor)[2] > 2);
-    assert!(kept.warnings.iter().any(|text| text.contains("`preserve_seams`")), "{:?}", kept.warnings);
+    assert!(kept.warnings.iter().any(|text| text.contains("“Preserve seams”")), "{:?}", kept.warnings);
     let mut editor = charted();
     let free = run(&mut editor, json!({"op": "simplify", "faces": 2, "preserve_seams": false}));
     assert_eq!((sizes(&editor)[2], free.warnings.len()), (2, 0), "{:?}", free.warnings);

@@ -1,9 +1,10 @@
 //! Why nothing was read or written.
 
 use crate::file::NamedBytes;
+use halfedge::words::sentence;
 use std::fmt;
 
-/// Why nothing was read.
+/// Why nothing was read. Displays as sentences for the user.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum ReadError {
     /// The progress callback asked to stop.
@@ -28,12 +29,17 @@ impl ReadError {
     pub(crate) fn not_a(file: &NamedBytes, format: &str, why: &str) -> Self {
         Self::file(&file.name, not_a(format, why))
     }
+
+    /// Nothing in a file can be read, because of its first fault.
+    pub(crate) fn nothing(file: &NamedBytes, fault: &str) -> Self {
+        Self::file(&file.name, format!("nothing in it can be read. The first fault is in {fault}"))
+    }
 }
 
 /// That a file is not a model of its format, why, and what to do.
 pub(crate) fn not_a(format: &str, why: &str) -> String {
     format!(
-        "this is not {format}: {why}; nothing else that Meshwright opens is in it either, so check that it is the right \
+        "it is not {format} file: {why}. It holds nothing else that Meshwright opens either. Check that it is the right \
          file, or export the model again"
     )
 }
@@ -41,9 +47,9 @@ pub(crate) fn not_a(format: &str, why: &str) -> String {
 impl fmt::Display for ReadError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Self::Cancelled => f.write_str("opening the file was cancelled"),
+            Self::Cancelled => f.write_str("Opening the file was cancelled."),
             Self::NoModel(message) => f.write_str(message),
-            Self::File { file, message } => write!(f, "{file}: {message}"),
+            Self::File { file, message } => write!(f, "Could not open {file}. {}", sentence(message)),
         }
     }
 }

@@ -8,7 +8,8 @@ use crate::model::material::Property;
 use crate::model::paint::names_in_use;
 use crate::model::texture::Texture;
 use crate::obj::mtl;
-use crate::report::{counted, counted_words};
+use crate::report::counted_words;
+use halfedge::words::{counted, thousands};
 use std::collections::HashSet;
 
 /// The losses of writing a model in this format, one sentence each; empty if the format holds everything.
@@ -80,8 +81,15 @@ fn control_point_losses(format: &FormatInfo, model: &Model) -> Vec<String> {
     let count = kept.len();
     if count > 1 {
         losses.push(match format.holds {
-            Holds::Curves => format!("{name} holds one curve: {count} curves go to {count} files"),
-            _ => format!("{name} holds one surface: the patches of {count} objects become one"),
+            Holds::Curves => format!(
+                "{name} holds one curve: {} go to {} files",
+                counted(count, "curve", "curves"),
+                thousands(count)
+            ),
+            _ => format!(
+                "{name} holds one surface: the patches of {} become one",
+                counted(count, "object", "objects")
+            ),
         });
     }
     losses

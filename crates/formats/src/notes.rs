@@ -3,7 +3,8 @@
 //! Many elements may have the same fault, and instances of a geometry repeat its faults: the report names
 //! each once, and only the first few of each kind.
 
-use crate::report::{ImportReport, counted};
+use crate::report::ImportReport;
+use halfedge::words::counted;
 use std::collections::HashSet;
 
 /// How many faults of a kind the report shows; the rest it counts.

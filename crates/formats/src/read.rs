@@ -6,12 +6,13 @@ use crate::file::{NamedBytes, base_name};
 use crate::format::reading::{Contents, Reading, Source};
 use crate::formats::Format;
 use crate::model::{Model, NamedMesh};
-use crate::report::{ImportReport, counted};
+use crate::report::ImportReport;
 use crate::soup::origin::{Bounds, Origin};
 use crate::soup::repairs::Repairs;
 use crate::text::encoding::{Encoding, decode, decode_utf16};
 use glam::DVec3;
 use halfedge::Progress;
+use halfedge::words::counted;
 use std::borrow::Cow;
 use std::collections::HashSet;
 use surface::bezier::Bezier;
@@ -121,6 +122,9 @@ fn read_one(
     reading: &mut Reading,
     progress: &mut Progress,
 ) -> Result<Contents, ReadError> {
+    if is_empty(source.file) {
+        return Err(empty(source.file));
+    }
     let (file, encoding) = in_utf8(source.file, format);
     let file = file.as_ref();
     let read = format.info().read.ok_or_else(|| {
@@ -189,6 +193,15 @@ fn described(objects: &[NamedMesh]) -> String {
     format!("{} and {}{several}", counted(vertices, "vertex", "vertices"), counted(faces, "face", "faces"))
 }
 
+/// Whether a file has no content at all.
+fn is_empty(file: &NamedBytes) -> bool {
+    file.bytes.iter().all(u8::is_ascii_whitespace)
+}
+
+fn empty(file: &NamedBytes) -> ReadError {
+    ReadError::file(&file.name, "the file is empty")
+}
+
 fn no_model(files: &[&NamedBytes]) -> ReadError {
     let notes = |file: &&NamedBytes| {
         Format::all().find_map(|format| {
@@ -203,12 +216,15 @@ fn no_model(files: &[&NamedBytes]) -> ReadError {
     // A file that belongs to no format is named first.
     let unknown = files.iter().find(|file| notes(file).is_none());
     ReadError::NoModel(match (unknown, files.first()) {
-        (None, None) => "no file was given".to_owned(),
-        (None, Some(file)) => format!("{} {}", file.name, notes(file).unwrap_or_default()),
+        (None, None) => "No file was given.".to_owned(),
+        (None, Some(file)) => format!("{} {}.", file.name, notes(file).unwrap_or_default()),
+        (Some(file), _) if is_empty(file) => return empty(file),
         (Some(file), _) => {
             let readable: Vec<&str> =
                 Format::all().filter(|format| format.can_read()).map(Format::name).collect();
-            format!("{} is not a model that Meshwright can open; it opens {}", file.name, readable.join(", "))
+            let (last, others) = readable.split_last().unwrap_or((&"no", &[]));
+            let message = format!("it holds no model that Meshwright opens: {} or {last}", others.join(", "));
+            return ReadError::file(&file.name, message);
         }
     })
 }

@@ -1,5 +1,6 @@
 //! Import reports, in one form for all formats.
 
+use halfedge::words;
 use serde::{Deserialize, Serialize};
 use std::collections::HashMap;
 use std::fmt;
@@ -112,17 +113,12 @@ impl Places {
         let numbers: Vec<String> = self.first.iter().map(usize::to_string).collect();
         format!(
             "{} {what} ({place}{} {}{})",
-            counted(self.count, one, many),
+            words::counted(self.count, one, many),
             if numbers.len() == 1 { "" } else { "s" },
             numbers.join(", "),
             if self.count > self.first.len() { ", …" } else { "" }
         )
     }
-}
-
-/// "1 face", "12 faces".
-pub(crate) fn counted(count: usize, one: &str, many: &str) -> String {
-    format!("{count} {}", if count == 1 { one } else { many })
 }
 
 /// At most `shown` words: "a, b, c, …".

@@ -87,12 +87,25 @@ fn content_without_a_model_is_refused_under_every_extension() {
             let error = read(&[NamedBytes::new(name.as_str(), bytes.clone())])
                 .map(|import| import.report.to_string());
             let error = error.expect_err(&format!("{} bytes as {name}", bytes.len())).to_string();
-            assert!(error.starts_with(&name) && error.len() > name.len() + 20, "{error}");
+            assert!(error.starts_with(&format!("Could not open {name}. ")), "{error}");
+            assert!(error.ends_with('.') && error.matches(": ").count() <= 1, "one colon at most: {error}");
             assert!(
                 Format::from_extension(extension).is_some_and(Format::is_bezier)
-                    || error.contains("check that it is the right file"),
+                    || error.contains("Check that it is the right file")
+                    || bytes.iter().all(|byte| *byte == b' '),
                 "{error}"
             );
+        }
+    }
+}
+
+#[test]
+fn an_empty_file_is_called_empty_under_every_name() {
+    for extension in extensions().into_iter().chain(["xyz", "jpg"]) {
+        for content in ["", " \r\n\t\n"] {
+            let name = format!("x.{extension}");
+            let error = read(&[NamedBytes::new(name.as_str(), content)]).expect_err("nothing in it");
+            assert_eq!(error.to_string(), format!("Could not open {name}. The file is empty."));
         }
     }
 }

@@ -44,6 +44,7 @@ pub mod edit;
 pub mod geometry;
 mod in_parts;
 mod mesh;
+pub mod words;
 
 pub use edit::Refusal;
 pub use in_parts::{Budget, InParts};

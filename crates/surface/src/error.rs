@@ -1,5 +1,6 @@
 //! Errors of whole-mesh operations.
 
+use halfedge::words::thousands;
 use halfedge::{FaceId, VertexId};
 use std::fmt;
 
@@ -60,8 +61,9 @@ impl fmt::Display for SurfaceError {
             Self::Cancelled => f.write_str("cancelled"),
             Self::TooManyFaces { faces, limit } => write!(
                 f,
-                "the result would have {} faces, more than the {limit} that fit in memory",
-                count(*faces)
+                "the result would have {} faces, more than the {} that fit in memory",
+                count(*faces),
+                thousands(limit)
             ),
             Self::NotTriangles { face, corners } => write!(
                 f,
@@ -81,5 +83,5 @@ impl std::error::Error for SurfaceError {}
 
 /// The number in digits, or in words if it is too large to matter.
 fn count(number: u64) -> String {
-    if number < 1_000_000_000_000 { number.to_string() } else { "more than a million million".to_owned() }
+    if number < 1_000_000_000_000 { thousands(number) } else { "more than a million million".to_owned() }
 }

@@ -168,7 +168,7 @@ fn simplification_stops_at_once_where_nothing_can_go() {
     let result = to(&mesh, SimplifyTarget::Ratio(0.1));
     assert_eq!(result.mesh.face_count(), 40_000);
     let why = result.shortfall().expect("falls short");
-    assert!(why.starts_with("stopped at 40000 triangles, not 4000"), "{why}");
+    assert!(why.starts_with("stopped at 40\u{a0}000 triangles, not 4\u{a0}000"), "{why}");
 }
 
 #[test]

@@ -211,18 +211,18 @@ pub static MENUS: &[Menu] = &[
             Some(
                 entry(
                     A::Upsample,
-                    "Upsample",
+                    "Upsample (subdivide)",
                     "Subdivide once: Loop if all faces are triangles, Catmull-Clark otherwise.",
                 )
                 .synonyms(&["subdivide"]),
             ),
             Some(
-                entry(A::Downsample, "Downsample", "Simplify to a quarter of the triangles.")
+                entry(A::Downsample, "Downsample (simplify)", "Simplify to a quarter of the triangles.")
                     .synonyms(&["decimate"]),
             ),
             Some(entry(
                 A::Resample,
-                "Resample",
+                "Resample (remesh)",
                 "Remesh to the target edge length; its default is the mean edge length.",
             )),
             Some(entry(

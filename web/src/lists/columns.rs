@@ -1,7 +1,7 @@
 //! The contents of the rows for each kind of element.
 
 use glam::DVec3;
-use halfedge::{Color, Element, Mesh, keys};
+use halfedge::{Color, Element, Mesh, keys, words};
 use std::fmt::Write as _;
 
 /// The alignment of a column's text.
@@ -184,25 +184,7 @@ pub fn plural(kind: Element) -> &'static str {
 
 /// A count with its noun: "1 vertex", "3 half-edges".
 pub fn counted(kind: Element, count: usize) -> String {
-    if count == 1 {
-        format!("1 {kind}")
-    } else {
-        format!("{} {}", thousands(count), plural(kind).to_lowercase())
-    }
-}
-
-/// A whole number with its thousands separated by narrow spaces: `1 234 567`.
-pub fn thousands(value: usize) -> String {
-    let digits = value.to_string();
-    let mut text = String::with_capacity(digits.len() * 2);
-    for (at, digit) in digits.chars().enumerate() {
-        if at > 0 && (digits.len() - at).is_multiple_of(3) {
-            // A no-break space.
-            text.push('\u{a0}');
-        }
-        text.push(digit);
-    }
-    text
+    words::counted(count, &kind.to_string(), kind.plural())
 }
 
 #[cfg(test)]
@@ -218,13 +200,6 @@ mod tests {
         assert_eq!(coordinate(0.5), "0.50000");
         assert_eq!(coordinate(-1234.5), "-1234.500");
         assert_eq!(coordinate(0.00001), "1.000e-5");
-    }
-
-    #[test]
-    fn thousands_are_separated() {
-        assert_eq!(thousands(7), "7");
-        assert_eq!(thousands(1000), "1\u{a0}000");
-        assert_eq!(thousands(3_000_000), "3\u{a0}000\u{a0}000");
     }
 
     #[test]

@@ -138,7 +138,7 @@ fn curve_points(ui: &mut Ui, page: &Page<'_>, points: &[Vec3], out: &mut Request
 
 /// A patch's control points as a grid to choose from, with spin boxes for the chosen one.
 fn patch_points(ui: &mut Ui, page: &Page<'_>, bezier: &Bezier, patches: usize, out: &mut Requests) {
-    ui.horizontal(|ui| {
+    let choose_patch = |ui: &mut Ui| {
         let label = ui.label(RichText::new("Patch").strong());
         let mut patch = page.player.controls.patch;
         let last = patches.saturating_sub(1);
@@ -148,8 +148,14 @@ fn patch_points(ui: &mut Ui, page: &Page<'_>, bezier: &Bezier, patches: usize, o
             let controls = Controls { patch: patch.min(last), chosen: None, ..controls };
             out.push(Request::SetControls(controls));
         }
-        ui.label(RichText::new(format!("of 0 to {last}")).weak());
-    });
+        ui.label(RichText::new(format!("of patches 0 to {last}")).weak());
+    };
+    // Of a single patch there is nothing to choose.
+    if patches > 1 {
+        ui.horizontal(choose_patch);
+    } else {
+        ui.label(RichText::new("Control points").strong());
+    }
     let patch = page.player.controls.patch;
     Grid::new("control net").spacing(vec2(4.0, 4.0)).show(ui, |ui| {
         for row in 0..4 {

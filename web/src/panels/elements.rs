@@ -6,13 +6,14 @@ use halfedge::Element;
 
 use crate::input::actions::{self, Action};
 use crate::input::keys;
-use crate::lists::columns::{columns, element_name, plural, row, thousands};
+use crate::lists::columns::{columns, element_name, plural, row};
 use crate::lists::index::RowIndex;
 use crate::lists::row_list::{Picked, RowContent, RowList, RowListState};
 use crate::page_view::Page;
 use crate::panels::menu_bar::menu_item;
 use crate::request::{Request, Requests};
 use crate::theme;
+use halfedge::words::thousands;
 
 /// The lists of the active object.
 #[derive(Default)]

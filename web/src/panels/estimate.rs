@@ -1,11 +1,12 @@
 //! The size of an operation's result, shown before the operation runs.
 
-use crate::lists::columns::{counted, thousands};
+use crate::lists::columns::counted;
 use crate::page_view::Page;
 use crate::session::form::{self, Filled};
 use editor::ops::{Amount, Counted, Estimate};
 use editor::{Command, Facts, OpId};
 use halfedge::Element;
+use halfedge::words::thousands;
 
 /// The result of a trial run, for one revision of the document.
 #[derive(Clone, Debug)]
@@ -69,6 +70,8 @@ fn words(estimate: &Estimate) -> Option<String> {
         Counted::Vertices | Counted::MovedVertices => counted(Element::Vertex, count),
     };
     Some(match (estimate.count, estimate.of) {
+        // Without anything to start from there is nothing to tell.
+        (_, Some(0)) | (Amount::About(0), _) => return None,
         (Amount::Exactly(count), _) if estimate.counted == Counted::MovedVertices => {
             format!("{} will move; counts stay the same", noun(count))
         }

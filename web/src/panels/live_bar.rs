@@ -28,7 +28,7 @@ pub(crate) fn show(ctx: &Context, page: &Page<'_>, out: &mut Requests) {
                 {
                     out.push(Request::EndLive { commit: true });
                 }
-                if ui.button("Cancel edit").on_hover_text("Cancel the edit (Escape)").clicked() {
+                if ui.button("Cancel").on_hover_text("Cancel the edit (Escape)").clicked() {
                     out.push(Request::EndLive { commit: false });
                 }
             });

@@ -4,10 +4,10 @@ use editor::ops::{ActivateObject, DeleteObject, RenameObject, SetObjectVisible};
 use editor::{Command, Object};
 use egui::{Button, RichText, ScrollArea, TextEdit, Ui, vec2};
 
-use crate::lists::columns::thousands;
 use crate::page_view::Page;
 use crate::request::Requests;
 use crate::widgets::icons::{Icon, icon_button};
+use halfedge::words::thousands;
 
 /// The object whose name is being typed.
 #[derive(Default)]

@@ -42,6 +42,9 @@ impl Previews {
     }
 }
 
+/// Why the check box is greyed where a preview would make the page wait.
+const TOO_LARGE: &str = "With these fields the operation takes too long to show before it is applied.";
+
 /// The preview's check box below a form, and why there is no preview; requests the preview when it is due.
 pub(crate) fn row(
     ui: &mut Ui,
@@ -65,8 +68,12 @@ pub(crate) fn row(
     }
     let hint = "Show what the operation makes while its fields change; only Apply does it (Escape \
                     cancels it)";
-    let on = Checkbox::new(&mut own.on, "Live preview");
-    if ui.add(on).on_hover_text(hint).changed() {
+    // A ticked box over a note that there is no preview would contradict itself.
+    let too_large = matches!(page.why_no_preview(), Some(WhyNot::TooLarge)) && page.preview().is_none();
+    let mut on = own.on && !too_large;
+    let response = ui.add_enabled(!too_large, Checkbox::new(&mut on, "Live preview"));
+    if response.on_hover_text(hint).on_disabled_hover_text(TOO_LARGE).changed() {
+        own.on = on;
         out.push(Request::EndPreview);
         is_ending = true;
         own.due = own.on;
@@ -84,9 +91,7 @@ pub(crate) fn row(
     }
     let words = match (page.why_no_preview(), page.preview()) {
         (_, Some(_)) => "This is a preview: apply it, or cancel it with Escape.",
-        (Some(WhyNot::TooLarge), _) => {
-            "No preview: with these fields the operation takes too long to run at every change."
-        }
+        (Some(WhyNot::TooLarge), _) => TOO_LARGE,
         (Some(WhyNot::Refused(reason)), _) => {
             ui.add(Label::new(RichText::new(reason).small().color(ui.visuals().warn_fg_color)).wrap());
             return;

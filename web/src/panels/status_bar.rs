@@ -3,10 +3,10 @@
 use egui::{Align, Layout, ProgressBar, Rect, RichText, Sense, Ui, Vec2, WidgetInfo, vec2};
 use halfedge::Element;
 
-use crate::lists::columns::thousands;
 use crate::page_view::Page;
 use crate::request::{Request, Requests};
 use crate::widgets::icons::{Icon, icon_button};
+use halfedge::words::thousands;
 
 /// Shorter jobs show no progress bar, which would only flash.
 const SECONDS_BEFORE_PROGRESS_SHOWS: f64 = 0.3;
@@ -60,7 +60,7 @@ fn counts(ui: &mut Ui, page: &Page<'_>, narrow: bool, target_edge: Option<f64>) 
         figure(ui, "Boundary loops", number(found.map(|f| f.boundary_loops)), "Boundary loops");
         figure(ui, "Components", number(found.map(|f| f.components)), "Connected components");
         if let Some(length) = target_edge {
-            figure(ui, "Target edge", length.to_string(), "Target edge length of resampling");
+            figure(ui, "Target edge length", length.to_string(), "Target edge length of resampling");
         }
     }
 }

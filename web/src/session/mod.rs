@@ -154,17 +154,6 @@ impl Session {
         if error.is_cancelled() {
             return;
         }
-        let label = match (OpId::named(&error.op), error.op.as_str()) {
-            (Some(id), _) => id.spec().label,
-            (None, "open") => "Open",
-            (None, "export") => "Save",
-            (None, other) => other,
-        };
-        self.toast(MessageKind::Error, sentence(&format!("{label}: {}", error.problem)), Vec::new());
+        self.toast(MessageKind::Error, error.message(), Vec::new());
     }
-}
-
-/// The text with a full stop at its end, unless it already ends like a sentence.
-pub(crate) fn sentence(text: &str) -> String {
-    if text.ends_with(['.', '!', '?']) { text.to_owned() } else { format!("{text}.") }
 }

@@ -6,11 +6,11 @@ use formats::Format;
 use super::form;
 use super::jobs::{Answer, Reply};
 use super::preview::MAX_SECONDS_PER_STEP;
-use super::sentence;
 use super::{Look, Session};
 use crate::bezier;
 use crate::input::actions::Action;
 use crate::platform::{Fetched, NamedBytes};
+use halfedge::words::sentence;
 
 /// The error that callers of a cancelled job get.
 const CANCELLED: &str = "cancelled";

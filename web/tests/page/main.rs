@@ -15,3 +15,4 @@ mod selecting;
 mod shell;
 mod viewport;
 mod whole;
+mod wording;

@@ -222,7 +222,7 @@ fn a_broken_file_changes_nothing_and_says_why() {
     assert_eq!(page.mesh(), &before);
     let messages = page.app().script().state()["messages"].to_string();
     assert!(messages.contains("line 1"), "{messages}");
-    assert!(page.has_part("Open: ") && !page.has_part("open: "), "a sentence");
+    assert!(page.has_part("Could not open ") && !page.has_part("Open: "), "a sentence");
     assert!(page.has("Dismiss message"), "and it is in view");
 }
 
@@ -293,7 +293,10 @@ fn a_page_fetches_and_opens_the_model_in_its_address() {
     page.run();
     page.run();
     assert_eq!(page.mesh().face_count(), 6);
-    assert!(page.has_part("which was not given") && page.has_part("the server answered 404."));
+    assert!(
+        page.has_part("Could not open a.gltf. Open it together with data.bin, ")
+            && page.has_part("the server answered 404.")
+    );
 
     let (mut page, job) = wanting();
     page.outside.push(Event::Fetched { job, files: Err("a.example did not answer.".to_owned()) });

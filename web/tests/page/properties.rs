@@ -125,7 +125,7 @@ fn an_edge_is_split_where_and_how_the_form_says() {
     let mut page = Page::new();
     page.select("edge", &[0]);
     page.click("Cut");
-    page.click("Cut all faces");
+    page.click("Split both faces");
     page.click("Split edge");
     // Both squares are cut to the corner halfway round.
     assert_eq!((page.mesh().vertex_count(), page.mesh().face_count()), (9, 8));
@@ -156,7 +156,7 @@ fn a_shape_is_made_with_the_sizes_of_the_form() {
         page.press(Key::Enter);
     }
     assert!(page.has("Result: 21 faces"));
-    page.click("New");
+    page.click("New shape");
     assert_eq!(page.mesh().face_count(), 21);
 }
 

@@ -62,7 +62,7 @@ fn the_selection_grows_and_shrinks_by_keys() {
     assert_eq!(page.selected(), (Element::Vertex, vec![middle]));
     page.press_with(Modifiers::COMMAND, Key::L);
     assert_eq!(page.selected().1.len(), 49);
-    assert!(page.undo_labels().iter().all(|label| label == "New"), "selecting is no edit");
+    assert!(page.undo_labels().iter().all(|label| label == "New shape"), "selecting is no edit");
 }
 
 #[test]

@@ -214,7 +214,7 @@ fn a_job_is_adjusted_from_its_original_input() {
     page.outside.release_jobs();
     page.run();
     assert_eq!(page.mesh().face_count(), 4000);
-    assert_eq!(page.undo_labels(), ["New", "Simplify"]);
+    assert_eq!(page.undo_labels(), ["New shape", "Simplify"]);
     page.press_with(Modifiers::COMMAND, Key::Z);
     assert_eq!(page.mesh().face_count(), 20_480);
 }
@@ -225,7 +225,7 @@ fn a_cancelled_adjustment_restores_the_last_result() {
     page.wait();
     page.click("Cancel Simplify");
     assert_eq!(page.mesh().face_count(), 5000);
-    assert_eq!(page.undo_labels(), ["New", "Simplify"]);
+    assert_eq!(page.undo_labels(), ["New shape", "Simplify"]);
     assert!(page.has("Adjust last operation") && page.has("Simplify"), "and it can be adjusted again");
     page.outside.release_jobs();
     page.run();

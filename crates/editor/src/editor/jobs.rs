@@ -4,7 +4,7 @@ use super::adjust::Replaced;
 use super::run::{Planned, broken};
 use super::{Editor, MessageKind};
 use crate::document::ObjectId;
-use crate::error::{CommandError, Problem};
+use crate::error::{CommandError, EXPORT, OPEN, Problem};
 use crate::history::Change;
 use crate::job::{ExportHead, JobId, JobRequest, JobResult, Made, Work};
 use crate::ops::{Action, Command, NamedMesh, Op};
@@ -90,8 +90,8 @@ enum Adjusts {
 impl WaitingFor {
     fn op(&self) -> &'static str {
         match self {
-            Self::Open => "open",
-            Self::Export => "export",
+            Self::Open => OPEN,
+            Self::Export => EXPORT,
             Self::Run(run) => run.op.spec().name,
         }
     }

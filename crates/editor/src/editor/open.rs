@@ -3,7 +3,7 @@
 use super::run::broken;
 use super::{Editor, MessageKind};
 use crate::bezier::fill_previews;
-use crate::error::CommandError;
+use crate::error::{CommandError, OPEN, Problem, not_opened};
 use crate::history::Change;
 use crate::outcome::{self, Elements, Outcome};
 use crate::selection::Selection;
@@ -16,11 +16,12 @@ impl Editor {
     /// # Errors
     /// A mesh is invalid, which no reader produces, or a Bezier surface has too many patches.
     pub fn open(&mut self, mut import: Import) -> Result<Outcome, CommandError> {
-        fill_previews(&mut import).map_err(|problem| self.report(CommandError::of("open", problem)))?;
+        fill_previews(&mut import).map_err(|problem| self.report(CommandError::of(OPEN, problem)))?;
         for object in &import.model.objects {
             object.mesh.validate().map_err(|defect| {
-                let problem = broken(&format!("{}: {defect}", object.name));
-                self.report(CommandError::of("open", problem))
+                let why = broken(&defect.to_string()).text;
+                let problem = Problem::internal(not_opened(&object.name, &why));
+                self.report(CommandError::of(OPEN, problem))
             })?;
         }
         Ok(self.open_valid(import))
@@ -52,7 +53,8 @@ impl Editor {
         self.push_step("Open".into(), back, before);
         self.saved = self.revision;
         let created = Elements::gained([0; 3], size);
-        let message = outcome::message(&format!("Open {}", model.name), &created, &Elements::default());
+        let contents = created.words().map_or_else(String::new, |words| format!(": {words}"));
+        let message = format!("Opened {}{contents}", model.name);
         let warnings: Vec<String> = report.warnings().map(str::to_owned).collect();
         self.say(MessageKind::Info, message.clone());
         for note in report.notes() {
@@ -63,6 +65,6 @@ impl Editor {
             self.say(kind, note.text.clone());
         }
         let report = report.notes().to_vec();
-        Outcome { op: "open".into(), created, removed: Elements::default(), message, warnings, report }
+        Outcome { op: OPEN.into(), created, removed: Elements::default(), message, warnings, report }
     }
 }

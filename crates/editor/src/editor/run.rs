@@ -99,7 +99,7 @@ impl Editor {
     /// Logs a refusal.
     pub(super) fn report(&mut self, error: CommandError) -> CommandError {
         if !error.is_cancelled() {
-            self.say(MessageKind::Error, error.to_string());
+            self.say(MessageKind::Error, error.message());
         }
         error
     }

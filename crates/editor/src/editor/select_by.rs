@@ -45,7 +45,7 @@ impl Editor {
         match by {
             SelectBy::Kind(to) | SelectBy::Touching(to) if kind == to => Err(CommandError::refused(
                 "select",
-                format!("The selection consists of {} already.", plural(kind)),
+                format!("The selection consists of {} already.", kind.plural()),
             )),
             SelectBy::Outline if kind != Element::Face => refuse("Select faces first."),
             SelectBy::Path if count != 2 => refuse("Select the two ends of the path first."),
@@ -53,7 +53,7 @@ impl Editor {
                 if count == 1 && matches!(kind, Element::Vertex | Element::Face) =>
             {
                 let text =
-                    format!("Select two neighbouring {} first: they give the direction.", plural(kind));
+                    format!("Select two neighbouring {} first: they give the direction.", kind.plural());
                 Err(CommandError::refused("select", text))
             }
             _ => Ok(()),
@@ -145,7 +145,7 @@ fn lines(mesh: &Mesh, kind: Element, chosen: &BitSet, line: Line) -> Result<BitS
     let through = selecting::directions(mesh, kind, chosen);
     if through.is_empty() {
         let text =
-            format!("No two of the selected {} are neighbours, which gives the direction.", plural(kind));
+            format!("No two of the selected {} are neighbours, which gives the direction.", kind.plural());
         return Err(CommandError::refused("select", text));
     }
     let mut found = selecting::lines(mesh, kind, &through, line);
@@ -160,13 +160,4 @@ fn path(mesh: &Mesh, kind: Element, from: u32, to: u32) -> Result<Vec<u32>, Comm
         let text = format!("No path leads from {kind} {from} to {kind} {to}: they are in different pieces.");
         CommandError::refused("select", text)
     })
-}
-
-fn plural(kind: Element) -> &'static str {
-    match kind {
-        Element::Vertex => "vertices",
-        Element::Edge => "edges",
-        Element::Halfedge => "half-edges",
-        Element::Face => "faces",
-    }
 }

@@ -317,7 +317,7 @@ impl Field {
 
     fn selection_words(&self, selected: Selected) -> String {
         let FieldKind::Elements { element, .. } = self.kind else { return "the selection".to_owned() };
-        let (one, many) = (element.to_string(), plural(element));
+        let (one, many) = (element.to_string(), element.plural());
         match selected {
             Selected::Each | Selected::All => format!("the selected {many}"),
             Selected::Only => format!("the selected {one}"),
@@ -357,16 +357,6 @@ impl Field {
             FieldKind::Elements { arity: Arity::One, .. } | FieldKind::ShapeSize => json!(0),
             FieldKind::Elements { .. } | FieldKind::Objects => json!([]),
         }
-    }
-}
-
-/// "vertices", "edges", "half-edges" or "faces".
-pub(crate) fn plural(element: Element) -> &'static str {
-    match element {
-        Element::Vertex => "vertices",
-        Element::Edge => "edges",
-        Element::Halfedge => "half-edges",
-        Element::Face => "faces",
     }
 }
 

@@ -1,6 +1,6 @@
 //! Resolving an operation: the selection fills in the elements that it leaves out.
 
-use super::field::{Arity, Field, FieldKind, Fill, Selected, plural};
+use super::field::{Arity, Field, FieldKind, Fill, Selected};
 use super::{EdgeRef, FaceRef, HalfedgeRef, Operation, VertexRef};
 use crate::error::Problem;
 use crate::selection::Selection;
@@ -216,19 +216,18 @@ impl Target<'_> {
 fn nothing_selected(field: &Field, element: Element, selected: Selected) -> Problem {
     let (what, advice) = match selected {
         Selected::Vertices => ("nothing".to_owned(), "Select something first.".to_owned()),
-        Selected::Two => (format!("no {element}"), format!("Select two {} first.", plural(element))),
+        Selected::Two => (format!("no {element}"), format!("Select two {} first.", element.plural())),
         _ => {
             let article = if element == Element::Edge { "an" } else { "a" };
             (format!("no {element}"), format!("Select {article} {element} first."))
         }
     };
-    Problem::field(field.name, format!("is missing, and {what} is selected that could stand in for it"))
-        .advise(advice)
+    Problem::field(field.name, format!("is missing, and {what} is selected")).advise(advice)
 }
 
 fn wrong_number(field: &Field, element: Element, selected: usize, needed: &str) -> Problem {
     let are = if selected == 1 { "1 is".to_owned() } else { format!("{selected} are") };
-    let elements = if needed == "one" { element.to_string() } else { plural(element).to_owned() };
+    let elements = if needed == "one" { element.to_string() } else { element.plural().to_owned() };
     Problem::field(field.name, format!("is missing, and {are} selected where it takes {needed} {elements}"))
         .advise(format!("Select {needed} {elements} first."))
 }

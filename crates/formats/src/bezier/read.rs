@@ -4,12 +4,13 @@ use crate::error::ReadError;
 use crate::file::NamedBytes;
 use crate::format::reading::Reading;
 use crate::model::NamedMesh;
-use crate::report::{ImportReport, counted};
+use crate::report::ImportReport;
 use crate::soup::origin::Origin;
 use crate::text::encoding::{Encoding, decode};
 use crate::text::number;
 use crate::text::scan::{Scan, Ticker};
 use glam::{DVec3, Vec3};
+use halfedge::words::{counted, thousands};
 use halfedge::{Mesh, Progress};
 use std::borrow::Cow;
 use std::sync::Arc;
@@ -146,7 +147,7 @@ pub(crate) fn read(
     let text = text(&file.bytes);
     let mut scan = Scan::new(&text, Some(b'#'));
     let Some(word) = scan.word() else {
-        return Err(fail(format!("the file is empty; {what} begins with the number of its {things}")));
+        return Err(fail(format!("it holds only comments; {what} begins with the number of its {things}")));
     };
     let first_line = scan.line_number();
     let Some(count) = whole(word).and_then(|n| usize::try_from(n).ok()).filter(|&n| n > 0) else {
@@ -239,7 +240,11 @@ fn surface(
     let (rows, _) = points.as_chunks::<4>();
     let (patches, _) = rows.as_chunks::<4>();
     if whole < count {
-        report.warn(format!("The file ends early: {whole} of {count} patches are there"));
+        report.warn(format!(
+            "The file ends early: {} of {} patches are there",
+            thousands(whole),
+            thousands(count)
+        ));
     }
     let rest = available.saturating_sub(count.saturating_mul(NUMBERS_PER_PATCH));
     left_over(rest, &counted(count, "patch", "patches"), report);

@@ -2,12 +2,12 @@
 
 use super::source::Source;
 use crate::notes::{Fault, Notes};
-use crate::report::counted;
 use crate::soup::corner_colors::CornerColors;
 use crate::soup::holes;
 use crate::soup::placement::Placement;
 use glam::{Vec2, Vec3};
 use halfedge::attribute::{AttributeType, Column, Key};
+use halfedge::words::counted;
 use halfedge::{NONE, PolygonSoup, keys};
 use std::rc::Rc;
 

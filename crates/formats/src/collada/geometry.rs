@@ -9,10 +9,10 @@ use super::scene::{Instance, mesh};
 use super::source::Source;
 use super::xml::{Document, Node};
 use crate::notes::{Fault, Notes};
-use crate::report::counted;
 use crate::soup::origin::Origin;
 use crate::soup::placement::Placement;
 use glam::{DVec3, Vec3};
+use halfedge::words::counted;
 use halfedge::{NONE, PolygonSoup};
 
 /// A geometry as an instance shows it.

@@ -3,7 +3,8 @@
 use super::effect::OWN_PROFILE;
 use super::xml::Document;
 use crate::notes::Notes;
-use crate::report::{counted, first_few};
+use crate::report::first_few;
+use halfedge::words::counted;
 
 /// Elements that stand for something left out, with what one and several are called.
 const LEFT_OUT: [(&str, &str, &str); 12] = [

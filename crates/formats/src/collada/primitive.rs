@@ -5,7 +5,7 @@ use super::numbers::numbers;
 use super::source::Source;
 use super::xml::{Document, Node};
 use crate::notes::{Fault, Notes};
-use crate::report::counted;
+use halfedge::words::counted;
 use std::collections::HashMap;
 use std::rc::Rc;
 

@@ -12,10 +12,11 @@ use crate::file::NamedBytes;
 use crate::format::reading::{Contents, Reading, Source, build};
 use crate::model::NamedMesh;
 use crate::notes::{Fault, Notes};
-use crate::report::{ImportReport, counted};
+use crate::report::ImportReport;
 use crate::soup::origin::Origin;
 use crate::soup::placement::Placement;
 use crate::text::encoding::{Encoding, decode};
+use halfedge::words::counted;
 use halfedge::{PolygonSoup, Progress};
 use std::collections::HashSet;
 
@@ -57,7 +58,7 @@ pub(crate) fn read(
     let (text, encoding) = decode(&file.bytes);
     let document = Document::read(&text, &file.name).map_err(|why| match looks_like(&file.bytes) {
         true => fail(why),
-        false => ReadError::not_a(file, "a COLLADA document", &why),
+        false => ReadError::not_a(file, "a COLLADA", &why),
     })?;
     if progress(0.3).is_break() {
         return Err(ReadError::Cancelled);
@@ -87,7 +88,7 @@ pub(crate) fn read(
         objects = reader.objects(&geometries, file, reading, &mut report, progress)?;
     }
     if objects.is_empty() {
-        return Err(fail(nothing(&document, &reader.notes)));
+        return Err(nothing(file, &document, &reader.notes));
     }
     reader.note_unused();
     left_out::note(&document, &mut reader.notes);
@@ -98,16 +99,16 @@ pub(crate) fn read(
 }
 
 /// Why a document gives no object.
-fn nothing(document: &Document, notes: &Notes) -> String {
+fn nothing(file: &NamedBytes, document: &Document, notes: &Notes) -> ReadError {
     let version = document.root().attribute("version").unwrap_or_default();
     if ["1.0", "1.1", "1.2", "1.3"].iter().any(|old| version.starts_with(old)) {
-        return format!(
-            "this is COLLADA {version}; versions 1.4 and 1.5 can be read, so export it as one of those"
-        );
+        let message =
+            format!("it is COLLADA {version}. Versions 1.4 and 1.5 can be read: export it as one of those");
+        return ReadError::file(&file.name, message);
     }
     match notes.first_fault() {
-        Some(fault) => format!("nothing in the document can be read: {fault}"),
-        None => "the document holds no mesh".to_owned(),
+        Some(fault) => ReadError::nothing(file, fault),
+        None => ReadError::file(&file.name, "it holds no mesh"),
     }
 }
 

@@ -3,8 +3,9 @@
 use super::transform;
 use super::xml::{Document, Node};
 use crate::notes::{Fault, Notes};
-use crate::report::{counted, first_few};
+use crate::report::first_few;
 use glam::DMat4;
+use halfedge::words::counted;
 use std::collections::HashSet;
 
 /// How many nodes may be visited beyond those that the document has: references repeat nodes.

@@ -6,9 +6,9 @@ use super::source::Source;
 use super::transform;
 use super::xml::{Document, Node};
 use crate::notes::{Fault, Notes};
-use crate::report::counted;
 use crate::soup::placement::{Influences, Placement, Skin};
 use glam::DMat4;
+use halfedge::words::counted;
 use std::collections::HashMap;
 use std::ops::Range;
 

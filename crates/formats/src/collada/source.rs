@@ -3,7 +3,7 @@
 use super::numbers::{Number, numbers};
 use super::xml::{Document, Node};
 use crate::notes::{Fault, Notes};
-use crate::report::counted;
+use halfedge::words::counted;
 
 /// Values in groups, one group for each index.
 pub(super) struct Source<T = f32> {

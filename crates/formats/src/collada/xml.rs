@@ -4,7 +4,7 @@
 //! expanded, so time and memory are linear in the size of the file.
 
 use super::vocabulary::{ATTRIBUTES, ELEMENTS};
-use crate::report::counted;
+use halfedge::words::counted;
 use quick_xml::events::{BytesStart, Event};
 use quick_xml::{Reader, XmlVersion};
 use std::borrow::Cow;
@@ -58,7 +58,7 @@ impl<'a> Document<'a> {
         match this.nodes.first() {
             Some(root) if root.name == "COLLADA" => Ok(this),
             _ => Err(match this.faults.first() {
-                Some(fault) => format!("nothing of it is read, as this is left out: {fault}"),
+                Some(fault) => format!("nothing of it can be read. Left out is {fault}"),
                 None => "its root is not <COLLADA>".to_owned(),
             }),
         }
@@ -80,7 +80,9 @@ impl<'a> Document<'a> {
                 Ok(event) => event,
                 Err(error) => {
                     let line = line(reader.error_position());
-                    self.faults.push(format!("everything from line {line} on: not well-formed XML: {error}"));
+                    let error = error.to_string().replace(": ", ", ");
+                    self.faults
+                        .push(format!("everything from line {line} on, not well-formed XML ({error})"));
                     break;
                 }
             };

@@ -2,11 +2,11 @@
 
 use crate::model::Model;
 use crate::model::attributes::attributes;
-use crate::report::counted;
 use crate::soup::pieces::uniform;
 use crate::soup::weld::Weld;
 use glam::{Vec2, Vec3};
 use halfedge::attribute::{AttributeType, Key};
+use halfedge::words::counted;
 use halfedge::{Color, Element, Mesh, NONE, keys};
 
 /// A part of a document that some format can't hold.
@@ -72,7 +72,7 @@ impl Part {
     pub(crate) fn loss(self, format: &str, count: usize) -> String {
         let n = |one: &str, many: &str| counted(count, one, many);
         match self {
-            Self::Objects => format!("{format} holds one mesh: {count} objects become one"),
+            Self::Objects => format!("{format} holds one mesh: {} become one", n("object", "objects")),
             Self::Polygons => {
                 format!(
                     "{format} holds triangles only: {} cut into triangles",

@@ -23,6 +23,8 @@ const DECODED_BYTES_PER_BYTE: usize = 256;
 pub(super) struct Buffers<'a> {
     document: &'a Document,
     buffers: Vec<Result<Cow<'a, [u8]>, String>>,
+    /// The names of the files with data that were not given.
+    missing: Vec<String>,
     views: Vec<OnceCell<Result<Vec<u8>, String>>>,
     draco: Vec<OnceCell<Result<DracoMesh, String>>>,
     /// How many more bytes may be decoded.
@@ -49,11 +51,14 @@ impl<'a> Buffers<'a> {
             }
         });
         let buffers: Vec<_> = buffers.collect();
+        let uris = document.items(BUFFERS).filter_map(|buffer| buffer.text("uri"));
+        let names = uris.filter(|uri| !uri.starts_with("data:")).map(percent_decoded);
         let views = document.count(BUFFER_VIEWS);
         let size: usize = buffers.iter().flatten().map(|buffer| buffer.len()).sum();
         Self {
             document,
             buffers,
+            missing: names.filter(|name| find(name, files).is_none()).collect(),
             views: (0..views).map(|_| OnceCell::new()).collect(),
             draco: (0..views).map(|_| OnceCell::new()).collect(),
             budget: Cell::new(size.saturating_mul(DECODED_BYTES_PER_BYTE).max(MIN_DECODED_BUDGET)),
@@ -63,6 +68,11 @@ impl<'a> Buffers<'a> {
     /// Total size of the buffers that could be loaded, in bytes.
     pub(super) fn size(&self) -> usize {
         self.buffers.iter().flatten().map(|buffer| buffer.len()).sum()
+    }
+
+    /// The names of the files with data that were not given.
+    pub(super) fn missing(&self) -> &[String] {
+        &self.missing
     }
 
     /// The bytes of a view, cut off at the end of its buffer.
@@ -142,7 +152,7 @@ pub(super) fn load<'a>(uri: &str, files: &'a [NamedBytes]) -> Result<Cow<'a, [u8
     let name = percent_decoded(uri);
     match find(&name, files) {
         Some(file) => Ok(Cow::Borrowed(file.bytes.as_slice())),
-        None => Err(format!("its data is in {name}, which was not given: open both files together")),
+        None => Err(format!("its data is in {name}, which was not given; open both files together")),
     }
 }
 

@@ -66,7 +66,7 @@ fn check_version(document: &Document) -> Result<(), String> {
 }
 
 fn other_version(version: &str) -> String {
-    format!("this is glTF {version}; version 2 can be read, so export the model as glTF 2.0")
+    format!("it is glTF {version}; version 2 can be read, so export the model as glTF 2.0")
 }
 
 /// The JSON and the first binary chunk of a binary file, with faults.

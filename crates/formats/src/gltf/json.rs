@@ -37,7 +37,7 @@ impl Document {
         match serde_json::from_str(text) {
             Ok(root @ Value::Object(_)) => Ok(Self(root)),
             Ok(_) => Err("its JSON is no object".to_owned()),
-            Err(error) => Err(format!("its JSON can't be read: {error}")),
+            Err(error) => Err(format!("its JSON can't be read ({error})")),
         }
     }
 

@@ -6,7 +6,8 @@ use super::names::{
 };
 use super::{draco, meshopt};
 use crate::notes::{Fault, Notes};
-use crate::report::{counted, first_few};
+use crate::report::first_few;
+use halfedge::words::counted;
 
 /// Extensions whose content is kept, or reported elsewhere.
 const KNOWN_EXTENSIONS: [&str; 6] = [

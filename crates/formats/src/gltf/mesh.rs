@@ -12,11 +12,11 @@ use super::rows::Rows;
 use super::scene::{Instance, Scene};
 use super::skin;
 use crate::notes::{Fault, Notes};
-use crate::report::counted;
 use crate::soup::origin::Origin;
 use crate::soup::placement::{Placement, Skin};
 use glam::DMat4;
 use halfedge::PolygonSoup;
+use halfedge::words::counted;
 use std::collections::{BTreeSet, HashMap};
 use std::rc::Rc;
 

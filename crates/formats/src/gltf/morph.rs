@@ -4,7 +4,8 @@ use super::json::Object;
 use super::primitive::Primitive;
 use super::rows::Rows;
 use crate::notes::{Fault, Notes};
-use crate::report::{counted, first_few};
+use crate::report::first_few;
+use halfedge::words::counted;
 
 /// The part of a target that changes one attribute.
 struct Step<'b> {

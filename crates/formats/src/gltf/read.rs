@@ -49,10 +49,14 @@ pub(super) fn read(
     }
     let MeshReader { library, mut notes, .. } = reader;
     if objects.is_empty() {
-        return Err(fail(match notes.first_fault() {
-            Some(fault) => format!("nothing in the file can be read: {fault}"),
-            None => "the file holds no mesh".to_owned(),
-        }));
+        return Err(match (buffers.missing(), notes.first_fault()) {
+            ([], Some(fault)) => ReadError::nothing(file, fault),
+            ([], None) => fail("it holds no mesh".to_owned()),
+            (missing, _) => fail(format!(
+                "open it together with {}, which holds its data and was not given",
+                missing.join(" and ")
+            )),
+        });
     }
     let materials = library.finish(&mut notes);
     left_out::note(document, &mut notes);

@@ -3,8 +3,9 @@
 use super::json::{Document, MESHES, NODES, Object, SCENES};
 use super::names::GENERATOR;
 use crate::notes::{Fault, Notes};
-use crate::report::{counted, first_few};
+use crate::report::first_few;
 use glam::DMat4;
+use halfedge::words::counted;
 
 /// A mesh that a node shows.
 pub(super) struct Instance<'d> {

@@ -6,8 +6,9 @@ use crate::file::{NamedBytes, base_name};
 use crate::format::reading::Source;
 use crate::model::material::Materials;
 use crate::model::paint::unpainted;
-use crate::report::{ImportReport, counted, first_few};
+use crate::report::{ImportReport, first_few};
 use crate::text::encoding::decode;
+use halfedge::words::counted;
 use std::collections::HashSet;
 
 /// The names of the files that an OBJ or a material library refers to: its libraries or its images.

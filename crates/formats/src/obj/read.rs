@@ -7,7 +7,7 @@ use crate::format::reading::{Contents, Reading, Source, build};
 use crate::model::labels::labelled;
 use crate::model::material::{Material, Materials};
 use crate::model::paint::unpainted;
-use crate::report::{ImportReport, counted};
+use crate::report::ImportReport;
 use crate::soup::drop_faces;
 use crate::text::commas::{AMBIGUOUS, Commas, read_commas};
 use crate::text::scan::{Scan, is_text};
@@ -50,9 +50,8 @@ pub(super) fn read(
         || !statements.troubles.missing_vertex.is_empty();
     let is_obj = has_geometry || (statements.known > 0 && statements.troubles.unknown.is_empty());
     if !is_obj {
-        let lines = counted(statements.lines, "line", "lines");
-        let why = format!("none of its {lines} is a vertex (\"v 1 2 3\") or a face (\"f 1 2 3\")");
-        return Err(ReadError::not_a(file, "an OBJ", &why));
+        let why = "no line of it is a vertex (\"v 1 2 3\") or a face (\"f 1 2 3\")";
+        return Err(ReadError::not_a(file, "an OBJ", why));
     }
     if statements.is_unreadable() {
         return Err(ReadError::not_a(file, "an OBJ", "none of its vertices is three numbers"));

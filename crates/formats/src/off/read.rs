@@ -12,6 +12,7 @@ use crate::report::ImportReport;
 use crate::text::commas::{AMBIGUOUS, Commas, read_commas};
 use crate::text::scan::Scan;
 use halfedge::Progress;
+use halfedge::words::thousands;
 
 /// The most dimensions of an `nOFF` that is read.
 const MAX_DIMENSIONS: u64 = 16;
@@ -69,7 +70,7 @@ fn read_text(
     progress: &mut Progress,
 ) -> Result<Contents, ReadError> {
     let mut scan = Scan::new(text, Some(b'#'));
-    let word = scan.word().ok_or_else(|| ReadError::not_a(file, "an OFF", "it is empty"))?;
+    let word = scan.word().ok_or_else(|| ReadError::not_a(file, "an OFF", "it holds only comments"))?;
     // The keyword may be left out: then the counts come first.
     let keyword = Keyword::parse(word).unwrap_or_default();
     scan.at -= word.len() - keyword.length;
@@ -134,7 +135,11 @@ fn note_early_end(
 ) {
     if vertices_there < vertices || faces_there < faces {
         report.warn(format!(
-            "The file ends early: {vertices_there} of {vertices} vertices and {faces_there} of {faces} faces are there"
+            "The file ends early: {} of {} vertices and {} of {} faces are there",
+            thousands(vertices_there),
+            thousands(vertices),
+            thousands(faces_there),
+            thousands(faces)
         ));
     }
 }

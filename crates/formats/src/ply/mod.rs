@@ -20,8 +20,8 @@ use crate::format::{Certainty, FormatInfo};
 use crate::model::Model;
 use crate::model::material::Property;
 use crate::model::texture::{Texture, TextureRole};
-use crate::report::counted;
 use glam::Vec3;
+use halfedge::words::counted;
 use halfedge::{Mesh, keys};
 
 /// PLY, written binary (little-endian); reads both.

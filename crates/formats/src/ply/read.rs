@@ -8,11 +8,12 @@ use super::vertices::Vertices;
 use crate::error::ReadError;
 use crate::file::NamedBytes;
 use crate::format::reading::{Contents, Reading, Source, build};
-use crate::report::{ImportReport, counted, first_few};
+use crate::report::{ImportReport, first_few};
 use crate::soup::of_vertices;
 use crate::text::commas::{AMBIGUOUS, Commas, read_commas};
 use glam::Vec2;
 use halfedge::attribute::Column;
+use halfedge::words::counted;
 use halfedge::{Color, PolygonSoup, Progress, keys};
 
 /// How many texts of `obj_info` lines a note lists.

@@ -6,9 +6,10 @@ use crate::model::images::{image, image_files, written_names};
 use crate::model::labels::labelled;
 use crate::model::material::{Material, Materials};
 use crate::model::texture::{Texture, TextureRole};
-use crate::report::{ImportReport, counted, first_few};
+use crate::report::{ImportReport, first_few};
 use crate::soup::pieces::Pieces;
 use halfedge::attribute::Column;
+use halfedge::words::counted;
 use halfedge::{Element, NONE, keys};
 use std::collections::{HashMap, HashSet};
 

@@ -4,10 +4,11 @@
 //! and orients faces consistently. Other choices change the soup before the build.
 
 use crate::model::labels::tidy_labels;
-use crate::report::{Places, counted};
+use crate::report::Places;
 use crate::text::number::shortest;
 use halfedge::attribute::Column;
 use halfedge::geometry::{MergedPoints, UnionFind, merge_points};
+use halfedge::words::counted;
 use halfedge::{Built, Mesh, NONE, PolygonSoup, TooLarge};
 use serde::{Deserialize, Serialize};
 use std::collections::{HashMap, HashSet};

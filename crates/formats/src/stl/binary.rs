@@ -4,11 +4,12 @@ use super::color::{self, Attributes};
 use super::triangles::Triangles;
 use crate::error::ReadError;
 use crate::file::NamedBytes;
-use crate::report::{ImportReport, counted};
+use crate::report::ImportReport;
 use crate::soup::origin::Origin;
 use crate::text::scan::{Ticker, is_text};
 use glam::Vec3;
 use halfedge::Progress;
+use halfedge::words::{counted, thousands};
 
 /// The size of the text at the start.
 pub(super) const HEADER_BYTES: usize = 80;
@@ -89,7 +90,11 @@ pub(super) fn read(
     let body = file.bytes.get(HEAD_BYTES..).unwrap_or_default();
     let there = (body.len() / FACET_BYTES) as u64;
     if there == 0 && count > 0 {
-        return Err(ReadError::not_a(file, "an STL", &format!("none of its {count} triangles is there")));
+        return Err(ReadError::not_a(
+            file,
+            "an STL",
+            &format!("none of its {} triangles is there", thousands(count)),
+        ));
     }
     if !is_binary(&file.bytes) {
         let why = "it has neither the words of one, \"solid\" and \"facet\", nor the numbers of triangles";
@@ -97,16 +102,21 @@ pub(super) fn read(
     }
     if count != said {
         report.warn(format!(
-            "The file does not say how many triangles it has; all {count} there are were read"
+            "The file does not say how many triangles it has; all {} there are were read",
+            thousands(count)
         ));
     }
     if there < count {
-        report.warn(format!("The file ends early: {there} of {count} triangles are there"));
+        report.warn(format!(
+            "The file ends early: {} of {} triangles are there",
+            thousands(there),
+            thousands(count)
+        ));
     }
     let more = (body.len() as u64).saturating_sub(count * FACET_BYTES as u64);
     if more > 0 {
         let bytes = counted(more as usize, "byte", "bytes");
-        report.warn(format!("{bytes} after the last of its {count} triangles left out"));
+        report.warn(format!("{bytes} after the last of its {} triangles left out", thousands(count)));
     }
     let mut triangles = Triangles::new();
     let mut ticker = Ticker::new(file.bytes.len());

@@ -14,9 +14,9 @@ mod write;
 use crate::format::loss::{self, Part};
 use crate::format::{Certainty, FormatInfo};
 use crate::model::Model;
-use crate::report::counted;
 use glam::{DVec3, Vec3};
 use halfedge::keys;
+use halfedge::words::counted;
 
 /// STL, written binary; reads both.
 pub(crate) static BINARY: FormatInfo = FormatInfo {

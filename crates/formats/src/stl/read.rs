@@ -5,8 +5,9 @@ use crate::error::ReadError;
 use crate::file::NamedBytes;
 use crate::format::reading::{Reading, build};
 use crate::model::NamedMesh;
-use crate::report::{ImportReport, counted};
+use crate::report::ImportReport;
 use halfedge::Progress;
+use halfedge::words::counted;
 
 /// Whether the bytes are an STL.
 pub(super) fn is_stl(bytes: &[u8]) -> bool {

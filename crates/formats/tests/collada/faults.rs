@@ -80,14 +80,14 @@ fn documents_with_nothing_usable_are_refused() {
         ("<COLLADA/>", "holds no mesh"),
         ("<COLLADA>&boom;</COLLADA>", "1 entity other than XML's own"),
         ("<!DOCTYPE x [<!ENTITY a \"b\">]><COLLADA>&a;</COLLADA>", "1 entity other than XML's own"),
-        ("<COLLADA><asset></COLLADA>", "everything from line 1 on: not well-formed"),
+        ("<COLLADA><asset></COLLADA>", "everything from line 1 on, not well-formed"),
         ("<COLLADA><asset>", "stops in the middle of an element"),
         (
             "<COLLADA version=\"1.3.1\"><library type=\"GEOMETRY\"/></COLLADA>",
-            "this is COLLADA 1.3.1; versions 1.4 and 1.5",
+            "It is COLLADA 1.3.1. Versions 1.4 and 1.5",
         ),
         ("<html/>", "root is not"),
-        ("", "root is not"),
+        ("", "The file is empty."),
     ] {
         let error = read_dae(text).expect_err(text);
         assert!(error.contains(expected), "{error}\n{text}");

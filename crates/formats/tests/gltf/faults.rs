@@ -181,11 +181,11 @@ fn what_cannot_be_read_at_all_says_why() {
         (text.replace("base64,", "base65,"), "not in base64"),
         (
             text.replace("\"data:", "\"x/some%20data.bin\",\"z\":\""),
-            "its data is in x/some data.bin, which was not given",
+            "Could not open a.gltf. Open it together with x/some data.bin, which holds its data and was not given.",
         ),
         (text[..text.len() / 2].to_owned(), "JSON can't be read"),
         (format!("{{\"asset\":{}", "[".repeat(100_000)), "JSON can't be read"),
-        ("[]".to_owned(), "this is not a glTF"),
+        ("[]".to_owned(), "It is not a glTF file: "),
     ] {
         let error = refused("a.gltf", text.as_bytes());
         assert!(error.contains(says), "{error} instead of {says}");

@@ -56,12 +56,12 @@ fn nonsense_is_an_error_and_says_why() {
     };
     assert_eq!(
         error("a.obj", b"hello\nworld"),
-        "a.obj: this is not an OBJ: none of its 2 lines is a vertex (\"v 1 2 3\") or a face (\"f 1 2 3\"); nothing else \
-         that Meshwright opens is in it either, so check that it is the right file, or export the model again"
+        "Could not open a.obj. It is not an OBJ file: no line of it is a vertex (\"v 1 2 3\") or a face (\"f 1 2 3\"). It \
+         holds nothing else that Meshwright opens either. Check that it is the right file, or export the model again."
     );
-    assert!(error("a.obj", b"").contains("not an OBJ: none of its 0 lines"));
+    assert!(error("a.obj", b"# only a comment\n").contains("no line of it is a vertex"));
     assert!(error("a.obj", b"v 1 2 3\nf 1\0 2 3").contains("binary"));
-    assert!(error("photo.png", b"\x89PNG").contains("photo.png is not a model"));
+    assert!(error("photo.png", b"\x89PNG").contains("photo.png. It holds no model"));
     assert!(error("a.mtl", b"newmtl a").contains("open it together with the OBJ model"));
     assert!(read(&[]).is_err());
 }

@@ -27,14 +27,14 @@ fn early_ends_and_nonsense_are_told() {
             "a.ply",
             b"ply\nformat ascii 1.0\nelement vertex 99999999999\nproperty int x\nend_header\n1 2"
         )
-        .contains("ends early: 2 of 99999999999")
+        .contains("ends early: 2 of 99\u{a0}999\u{a0}999\u{a0}999")
     );
     assert!(
-        report("a.ply", b"ply\nformat ebcdic 1.0\n").contains("line 2 of the header: the format is none of")
+        report("a.ply", b"ply\nformat ebcdic 1.0\n").contains("Line 2 of the header: the format is none of")
     );
     assert!(report("a.ply", b"hello").contains("first line is not \"ply\""));
     assert!(report("a.stl", b"hello").contains("shorter than the head"));
-    assert!(report("a.stl", &[b'x'; 84]).contains("none of its 2021161080 triangles"));
+    assert!(report("a.stl", &[b'x'; 84]).contains("none of its 2\u{a0}021\u{a0}161\u{a0}080 triangles"));
     assert!(
         report("a.stl", b"solid\nfacet\nvertex 1 2 3\nendfacet\nvertex 1").contains("none of its triangles")
     );
@@ -42,7 +42,7 @@ fn early_ends_and_nonsense_are_told() {
     assert!(report("a.off", b"OFF\nx").contains("don't come first"));
     assert!(
         report("a.off", b"OFF 2000000000 4000000000 1\n0 0 0")
-            .contains("1 of 2000000000 vertices and 0 of 4000000000")
+            .contains("1 of 2\u{a0}000\u{a0}000\u{a0}000 vertices and 0 of 4\u{a0}000\u{a0}000\u{a0}000")
     );
     assert!(report("a.off", b"OFF 3 1 1\n0 0 0 1 0 0 0 1 0\n4000000000 0 1 2").contains("1 face left out"));
 }

@@ -317,7 +317,7 @@ fn numbers_are_read_or_the_cause_is_named() {
             .replace("float z", "float c"),
     ] {
         let error = read_ply(text).expect_err("no position");
-        assert!(error.contains("none of the PLY's vertices has a position"), "{error}");
+        assert!(error.contains("None of the PLY's vertices has a position"), "{error}");
     }
 }
 

@@ -1,5 +1,6 @@
 //! Why an edit can't be made.
 
+use crate::words::thousands;
 use crate::{EdgeId, Element, FaceId, HalfedgeId, Mesh, VertexId};
 use std::fmt;
 
@@ -77,16 +78,18 @@ impl fmt::Display for Refusal {
             Self::NoSuchElement(element, id) => write!(f, "there is no {element} {id}"),
             Self::NothingGiven(element) => write!(f, "no {element} was given; select one or more"),
             Self::GivenTwice(element, id) => {
-                write!(f, "{element} {id} was given twice; give two different ones")
+                write!(f, "{element} {id} was given twice; choose two different ones")
             }
-            Self::OnlyOne(element, id) => write!(f, "only {element} {id} is given; give two or more"),
+            Self::OnlyOne(element, id) => write!(f, "only {element} {id} is given; choose two or more"),
             Self::OutOfRange { field, value, range } => {
                 write!(f, "`{field}` is {value}, but must be {range}")
             }
             Self::TooFarAway(v) => {
                 write!(f, "this would move {v} beyond the largest coordinates; move it less far")
             }
-            Self::TooManyEdges => write!(f, "the mesh would have more than {} edges", Mesh::MAX_EDGES),
+            Self::TooManyEdges => {
+                write!(f, "the mesh would have more than {} edges", thousands(Mesh::MAX_EDGES))
+            }
             Self::AlreadyJoined(a, b) => {
                 write!(f, "this would add a second edge between {a} and {b}")
             }
@@ -108,21 +111,21 @@ impl fmt::Display for Refusal {
                 write!(f, "this would leave {v} without a face; delete faces instead")
             }
             Self::BoundaryEdge(e) => {
-                write!(f, "{e} is on the boundary; give an edge with a face on both sides")
+                write!(f, "{e} is on the boundary; choose an edge with a face on both sides")
             }
             Self::NotOnBoundary(e) => {
-                write!(f, "{e} has a face on both sides; give an edge on the boundary")
+                write!(f, "{e} has a face on both sides; choose an edge on the boundary")
             }
             Self::NotABoundaryHalfedge(h) => {
-                write!(f, "{h} has a face; give a half-edge of a boundary loop")
+                write!(f, "{h} has a face; choose a half-edge of a boundary loop")
             }
             Self::JoinsBoundaries(e) => {
                 write!(f, "{e} runs from boundary to boundary; collapsing it would pinch the surface there")
             }
             Self::ValenceTooLow(v, valence) => write!(f, "{v} has only {valence} edges and can't lose one"),
-            Self::NotAtVertex(e, v) => write!(f, "{e} doesn't end at {v}; give an edge that does"),
+            Self::NotAtVertex(e, v) => write!(f, "{e} doesn't end at {v}; choose an edge that does"),
             Self::NotInOneFace(a, b) => {
-                write!(f, "no face has both {a} and {b}; give two corners of one face")
+                write!(f, "no face has both {a} and {b}; choose two corners of one face")
             }
             Self::NotADisc(face) => {
                 write!(f, "{face} and the faces it would be merged with meet in more than one place")
@@ -133,17 +136,17 @@ impl fmt::Display for Refusal {
             Self::NoRing(e) => {
                 write!(
                     f,
-                    "no quad lies beside {e}, so no ring of quads goes through it; give an edge of a quad"
+                    "no quad lies beside {e}, so no ring of quads goes through it; choose an edge of a quad"
                 )
             }
             Self::SameLoop(a, b) => {
-                write!(f, "{a} and {b} are on the same boundary loop; give one of each of two loops")
+                write!(f, "{a} and {b} are on the same boundary loop; choose one of each of two loops")
             }
             Self::StaysJoined(e) => {
                 write!(f, "ripping {e} would leave its sides joined at both ends; rip a longer line of edges")
             }
             Self::NotAWholePiece(face) => {
-                write!(f, "{face} is connected to faces that were not given; give whole connected pieces")
+                write!(f, "{face} is connected to faces that were not given; choose whole connected pieces")
             }
             Self::NoTriangulation(face) => {
                 write!(

@@ -17,6 +17,7 @@ mod work;
 use crate::SurfaceError;
 use crate::pace::Pace;
 use crate::trimesh::TriMesh;
+use halfedge::words::{counted, thousands};
 use halfedge::{Element, Mesh, Progress};
 use work::Work;
 
@@ -74,15 +75,20 @@ impl Simplified {
             return None;
         }
         let closed = self.mesh.boundary_loops().is_empty();
-        Some(if faces.checked_sub(1) == Some(wanted) && closed && wanted % 2 == 1 {
-            format!("{faces} triangles, not {wanted}: a closed mesh has an even number of them")
-        } else if faces < wanted {
-            format!("the mesh has only {faces} triangle{}", if faces == 1 { "" } else { "s" })
+        let made = counted(faces, "triangle", "triangles");
+        let is_odd = wanted % 2 == 1;
+        let is_one_more = faces.checked_sub(1) == Some(wanted);
+        let is_less = faces < wanted;
+        let wanted = thousands(wanted);
+        Some(if is_one_more && closed && is_odd {
+            format!("{made}, not {wanted}: a closed mesh has an even number of them")
+        } else if is_less {
+            format!("the mesh has only {made}")
         } else {
             let seam =
                 if self.has_seams { "break a seam of the texture coordinates or normals, " } else { "" };
             format!(
-                "stopped at {faces} triangles, not {wanted}: any further collapse would {seam}turn over or \
+                "stopped at {made}, not {wanted}: any further collapse would {seam}turn over or \
                  flatten a triangle, close a hole or glue faces together"
             )
         })

@@ -39,7 +39,7 @@ pub(crate) fn show(ui: &mut Ui, page: &Page<'_>, own: &mut InspectorState, out: 
     ui.horizontal(|ui| {
         ui.label(RichText::new(element_name(kind, id)).heading());
         if count > 1 {
-            let more = format!("and {} more", crate::lists::columns::thousands(count - 1));
+            let more = format!("and {} more", ::halfedge::words::thousands(count - 1));
             ui.label(RichText::new(more).weak()).on_hover_text(fields::selection_words(kind, count, latest));
         }
     });

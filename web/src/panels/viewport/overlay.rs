@@ -5,11 +5,12 @@ use egui::{Align2, Color32, FontId, Pos2, Rect, RichText, Stroke, StrokeKind, Ui
 use glam::DVec3;
 use halfedge::Element;
 
-use crate::lists::columns::{counted, element_name, row, thousands};
+use crate::lists::columns::{counted, element_name, row};
 use crate::page_view::Page;
 use crate::panels::fields::selection_words;
 use crate::theme;
 use crate::view::Tool;
+use halfedge::words::thousands;
 
 /// Draws the overlays.
 pub(super) fn paint(ui: &mut Ui, rect: Rect, page: &Page<'_>) {

@@ -6,6 +6,7 @@ use crate::document::Object;
 use crate::error::Problem;
 use crate::history::Change;
 use crate::ops::{Action, DefaultValue, DocumentEdit, Field, NamedMesh, Operation, Place, Scope, Spec, Unit};
+use halfedge::words::thousands;
 use halfedge::Mesh;
 use serde::{Deserialize, Serialize};
 use std::sync::Arc;
@@ -51,7 +52,9 @@ impl DocumentEdit for BezierSplit {
         let count = curve.points.len();
         if count > MAX_SPLIT_POINTS {
             return Err(Problem::new(format!(
-                "the curve has {count} control points; splitting takes too long for more than {MAX_SPLIT_POINTS}"
+                "the curve has {} control points; splitting takes too long for more than {}",
+                thousands(count),
+                thousands(MAX_SPLIT_POINTS)
             )));
         }
         let at = place.index()?;

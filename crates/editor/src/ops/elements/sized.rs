@@ -3,6 +3,7 @@
 use crate::error::Problem;
 use crate::script::json::shortest;
 use crate::ops::choice::choice;
+use crate::ops::sentence_case;
 use halfedge::Mesh;
 use halfedge::edit::{Grouping, Live};
 
@@ -44,8 +45,8 @@ pub(super) fn set_size(
     let used =
         live.slide.apply(mesh, amount).map_err(|refusal| Problem::field(field, refusal.to_string()))?;
     if used < amount {
-        let used = shortest(used);
-        notes.push(format!("`{field}` was limited to {used}: beyond that, edges would reverse"));
+        let (label, used) = (sentence_case(field), shortest(used));
+        notes.push(format!("{label} was limited to {used}, because beyond that edges would reverse"));
     }
     Ok(())
 }

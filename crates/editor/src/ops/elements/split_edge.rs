@@ -26,11 +26,11 @@ choice! {
     /// Which faces beside a split edge are cut from the new vertex.
     pub enum Connect {
         /// Triangles, to their opposite corner.
-        Triangles = "triangles" "Cut triangles",
+        Triangles = "triangles" "Split triangles too",
         /// None: both faces gain a corner.
         None = "none" "Add a vertex only",
         /// All, to the corner halfway round.
-        All = "all" "Cut all faces",
+        All = "all" "Split both faces",
     }
 }
 

@@ -8,6 +8,7 @@ use crate::ops::{
     WholeMesh, sentence_case,
 };
 use halfedge::Progress;
+use halfedge::words::thousands;
 use serde_json::{Map, Value};
 use surface::{Shape, SurfaceError};
 
@@ -24,7 +25,7 @@ impl Operation for New {
     const SPEC: Spec = Spec::new(
         Scope::Meshes,
         "new",
-        "New",
+        "New shape",
         "Start a new document with a shape, or add the shape to this one.",
     )
     .synonyms(&["add primitive", "cube", "sphere", "torus", "cylinder", "cone", "plane", "grid", "teapot"])
@@ -116,7 +117,9 @@ impl WholeMesh for New {
         }
         let mesh = self.shape.build().map_err(|error| match error {
             SurfaceError::TooManyFaces { faces, limit } => Problem::new(format!(
-                "the shape would have {faces} faces, more than the {limit} that fit; give smaller counts"
+                "the shape would have {} faces, more than the {} that fit; give smaller counts",
+                thousands(faces),
+                thousands(limit)
             )),
             other => other.into(),
         })?;

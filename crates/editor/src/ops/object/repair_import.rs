@@ -2,7 +2,7 @@
 
 use crate::error::Problem;
 use crate::ops::{
-    Action, Choice, DefaultValue, Field, FieldKind, NamedMesh, Operation, Scope, Spec, Unit, WholeMesh,
+    Action, Choice, DefaultValue, Field, FieldKind, MergeByDistance, NamedMesh, Operation, Scope, Spec, Unit, WholeMesh,
     refuse_bezier,
 };
 use formats::{NonManifold, Repairs};
@@ -76,8 +76,9 @@ impl WholeMesh for RepairImport {
                 Some(_) => Ok(()),
                 None => Err(Problem::new(format!(
                     "nothing was repaired when {} was read, so there is nothing to repair in another way; \
-                     merge-by-distance works on any mesh",
-                    input.name
+                     {} works on any mesh",
+                    input.name,
+                    MergeByDistance::SPEC.label
                 ))),
             }
         })

@@ -7,6 +7,7 @@ use crate::ops::{
     Action, FaceRef, Field, FieldKind, NamedMesh, Operation, Scope, Selected, Slot, Spec, Target,
     WholeMesh,
 };
+use halfedge::words::thousands;
 use halfedge::{Element, FaceId, Mesh, NONE, Progress, keys};
 use serde::{Deserialize, Serialize};
 use std::collections::HashMap;
@@ -100,13 +101,14 @@ impl WholeMesh for Separate {
             Some(By::Components) | None => parts_by_components(mesh),
         };
         if parts.len() < 2 {
-            return Err(Problem::field("by", "that makes only one part, which the object is already"));
+            return Err(Problem::field("by", "that makes only one part, which the object is already")
+                .advise("The object would stay in one piece: choose another way to separate it."));
         }
         if parts.len() > MAX_PARTS {
-            let count = parts.len();
+            let (count, most) = (thousands(parts.len()), thousands(MAX_PARTS));
             return Err(Problem::field(
                 "by",
-                format!("that makes {count} objects; at most {MAX_PARTS} are of use"),
+                format!("that makes {count} objects; at most {most} are of use"),
             ));
         }
         let mut outputs = Vec::with_capacity(parts.len());
@@ -147,7 +149,8 @@ impl Separate {
         let (faces, rest): (Vec<_>, Vec<_>) =
             mesh.faces().partition(|f| taken.get(f.index()).copied().unwrap_or_default());
         if faces.is_empty() || rest.is_empty() {
-            return Err(Problem::field("faces", "must be some of the object's faces, but not all of them"));
+            return Err(Problem::field("faces", "must be some of the object's faces, but not all of them")
+                .advise("Select some of the object's faces, but not all of them."));
         }
         Ok([rest, faces].map(|faces| Part { name: None, faces }).into())
     }

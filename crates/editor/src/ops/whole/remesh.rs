@@ -59,7 +59,7 @@ impl Operation for Remesh {
     .previewed()
     .fields(&[
         Field::number("edge_length", Unit::Length, [1e-6, 1e6], "The length of edges, in mesh units")
-            .unset("the mean of the edges")
+            .unset("the mean edge length")
             .suggest(Suggestion::MeanEdge),
         Field::count("iterations", [1, MAX_REMESH_ITERATIONS], "The number of iterations")
             .or(DefaultValue::Integer(ITERATIONS)),

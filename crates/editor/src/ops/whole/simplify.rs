@@ -130,7 +130,7 @@ impl EachMesh for Simplify {
         let simplified = surface::simplify(mesh, &options, progress)?;
         notes.extend(simplified.shortfall());
         if simplified.has_seams {
-            notes.push("Without “Preserve seams” (`preserve_seams`) fewer triangles are possible".to_owned());
+            notes.push("Without “Preserve seams” fewer triangles are possible".to_owned());
         }
         Ok(simplified.mesh)
     }

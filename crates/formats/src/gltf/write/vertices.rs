@@ -2,10 +2,10 @@
 
 use crate::model::Model;
 use crate::model::srgb::to_linear;
-use crate::report::counted;
 use crate::soup::hash::Unique;
 use crate::soup::weld::Weld;
 use glam::{Vec2, Vec3};
+use halfedge::words::counted;
 use halfedge::{Mesh, NONE, keys};
 
 /// The vertices to write, in the mesh's order.
