@@ -110,9 +110,9 @@ fn find(typed: &str, recent: &[Action]) -> Vec<Entry> {
                 () if label.trim_end_matches('…') == typed || name == typed => 0,
                 () if label.starts_with(&typed) => 1,
                 () if label.split(' ').any(|word| word.starts_with(&typed)) => 2,
-                () if entry.synonyms.contains(&typed.as_str()) => 2,
-                () if has_all(&format!("{label} {name}")) => 3,
-                () if entry.synonyms.iter().any(|synonym| has_all(synonym)) => 4,
+                () if entry.synonyms.contains(&typed.as_str()) => 3,
+                () if has_all(&format!("{label} {name}")) => 4,
+                () if entry.synonyms.iter().any(|synonym| has_all(synonym)) => 5,
                 () => return None,
             };
             let age = recent.iter().position(|action| *action == entry.action).unwrap_or(usize::MAX);
