@@ -204,7 +204,7 @@ fn switching_the_kind_converts_the_selection() {
     let faces = page.harness.get_by_role_and_label(egui::accesskit::Role::Tab, "Faces").rect().center();
     click_at(&mut page, faces, Modifiers::COMMAND);
     assert_eq!(page.selected().1.len(), 9);
-    assert!(page.undo_labels().iter().all(|label| label == "New"));
+    assert!(page.undo_labels().iter().all(|label| label == "New shape"));
 }
 
 #[test]
@@ -215,7 +215,7 @@ fn undo_steps_back_through_selections_and_edits() {
     page.press_with(Modifiers::COMMAND, Key::Equals);
     page.press(Key::Delete);
     let edited = page.mesh().vertex_count();
-    assert_eq!(page.undo_labels(), ["New", "Delete vertices"]);
+    assert_eq!(page.undo_labels(), ["New shape", "Delete vertices"]);
     page.press(Key::Num4);
     page.press_with(Modifiers::COMMAND, Key::A);
     let undo = |page: &mut Page| page.press_with(Modifiers::COMMAND, Key::Z);
