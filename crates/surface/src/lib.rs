@@ -28,7 +28,7 @@ mod trimesh;
 
 pub use error::SurfaceError;
 pub use extract_faces::extract_faces;
-pub use face_tree::{FaceTree, FaceTreeBuilder, Hit, Ray};
+pub use face_tree::{FaceTree, FaceTreeBuilder, FaceWalk, Hit, Ray};
 pub use join_meshes::join_meshes;
 pub use merge_by_distance::{Merged, merge_by_distance};
 pub use remesh::{MAX_REMESH_ITERATIONS, Remesh, remesh};

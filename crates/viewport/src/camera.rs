@@ -291,6 +291,7 @@ impl Camera {
 }
 
 /// A camera's projection, with everything precomputed that doesn't depend on the point.
+#[derive(Clone, Copy)]
 pub(crate) struct Projector {
     axes: [DVec3; 3],
     eye: DVec3,

@@ -7,7 +7,6 @@
 #![cfg_attr(not(test), deny(clippy::unwrap_used, clippy::expect_used, clippy::panic, clippy::unreachable))]
 #![cfg_attr(not(test), deny(clippy::indexing_slicing))]
 
-mod box_select;
 pub mod buffers;
 mod camera;
 mod coloring;
@@ -15,16 +14,19 @@ mod corner_normals;
 mod gpu;
 mod occlusion;
 mod pick;
+mod region;
+mod region_select;
 mod sight;
 mod slots;
 mod style;
 
-pub use box_select::{BoxSelection, ScreenRect};
 pub use camera::{Camera, Side};
 pub use coloring::{ColorBy, Coloring, MaterialColors};
 pub use corner_normals::Shading;
 pub use gpu::{Frame, Highlight, Layer, ObjectChange, ObjectDraw, Renderer};
-pub use pick::{Picked, pick, pick_nearest};
+pub use pick::{Aim, Picked, pick, pick_nearest};
+pub use region::{Region, ScreenRect};
+pub use region_select::RegionSelection;
 pub use slots::Range;
 pub use style::{Look, Style, Theme};
 pub use surface::measure::Bounds;

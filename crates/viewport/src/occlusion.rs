@@ -4,11 +4,11 @@
 //! depth buffer, which decides about most points: far from any silhouette a point is either on the visible
 //! surface or well behind it. Only the others need a ray.
 
-use crate::box_select::ScreenRect;
 use crate::camera::Projector;
+use crate::region::ScreenRect;
 use glam::{Vec2, Vec3};
 use halfedge::geometry::PolygonTriangulator;
-use halfedge::{Budget, FaceId, Mesh};
+use halfedge::{FaceId, Mesh};
 
 /// The most cells along the longer side of the rectangle.
 const MAX_CELLS_PER_SIDE: f32 = 1024.0;
@@ -22,9 +22,6 @@ const EMPTY_CELL: f32 = f32::NEG_INFINITY;
 /// A depth buffer that faces are being drawn into.
 pub struct Drawing {
     buffer: Occlusion,
-    /// The vertices' places in cells and nearness; none behind the eye.
-    places: Vec<Option<Vec3>>,
-    next: usize,
     /// How many more cells may be visited.
     left: usize,
 }
@@ -40,51 +37,47 @@ pub struct Occlusion {
     nearness: Vec<f32>,
 }
 
-/// The result of drawing some faces.
-pub enum Drawn {
-    /// More faces are left.
-    Partly(Drawing),
-    /// All faces are drawn; none where the buffer is of no use, because a face reaches behind the eye or
-    /// there is too much to draw.
-    Whole(Option<Occlusion>),
-}
-
 impl Drawing {
-    /// Draws more faces, as many as the budget has ids for. Costs O(faces + cells covered).
-    pub fn draw_faces(mut self, mesh: &Mesh, budget: &mut Budget) -> Drawn {
-        let end = self.next + budget.take(mesh.face_capacity() - self.next);
+    /// How far beyond the rectangle faces count, for points on its edge.
+    pub const MARGIN: f32 = 3.0;
+
+    /// Begins a depth buffer. Costs O(cells).
+    pub fn new(rect: ScreenRect) -> Self {
+        let ScreenRect { min: origin, max } = rect.expand(Self::MARGIN - 1.0);
+        let size = max - origin;
+        let scale = (MAX_CELLS_PER_SIDE / size.max_element()).min(1.0);
+        let (width, height) = ((size.x * scale).ceil() as usize, (size.y * scale).ceil() as usize);
+        let nearness = vec![EMPTY_CELL; width * height];
+        Self { buffer: Occlusion { origin, scale, width, height, nearness }, left: MAX_CELLS_VISITED }
+    }
+
+    /// Draws more faces; none where the buffer is of no use, because a face reaches behind the eye or there is too
+    /// much to draw. Costs O(faces + cells covered).
+    pub fn draw_faces(mut self, mesh: &Mesh, view: &Projector, faces: &[FaceId]) -> Option<Self> {
         let mut triangulator = PolygonTriangulator::new();
-        for face in (self.next..end).map(FaceId::new).filter(|f| mesh.has_face(*f)) {
+        for &face in faces {
             for &corners in triangulator.triangulate_face(mesh, face) {
-                let corners = corners.map(|h| self.places.get(mesh.from(h).index()).copied().flatten());
-                let [Some(a), Some(b), Some(c)] = corners else { return Drawn::Whole(None) };
-                let Some(left) = self.left.checked_sub(self.buffer.draw([a, b, c])) else {
-                    return Drawn::Whole(None);
+                let [Some(a), Some(b), Some(c)] =
+                    corners.map(|h| self.buffer.place(view, mesh.position(mesh.from(h))))
+                else {
+                    return None;
                 };
-                self.left = left;
+                self.left = self.left.checked_sub(self.buffer.draw([a, b, c]))?;
             }
         }
-        self.next = end;
-        if end < mesh.face_capacity() { Drawn::Partly(self) } else { Drawn::Whole(Some(self.buffer)) }
+        Some(self)
+    }
+
+    /// The depth buffer, with all faces drawn.
+    pub fn finish(self) -> Occlusion {
+        self.buffer
     }
 }
 
 impl Occlusion {
-    /// Begins a depth buffer that [`Drawing::draw_faces`] fills. Costs O(vertices + cells).
-    pub fn begin(mesh: &Mesh, view: &Projector, rect: ScreenRect) -> Drawing {
-        // A margin for points on the rectangle's edge.
-        let margin = Vec2::splat(2.0);
-        let (origin, size) = (rect.min - margin, rect.max - rect.min + margin * 2.0);
-        let scale = (MAX_CELLS_PER_SIDE / size.max_element()).min(1.0);
-        let (width, height) = ((size.x * scale).ceil() as usize, (size.y * scale).ceil() as usize);
-        let nearness = vec![EMPTY_CELL; width * height];
-        let buffer = Self { origin, scale, width, height, nearness };
-
-        let place = |p: Vec3| {
-            view.project(p).map(|(pixel, depth)| buffer.cell_of(pixel).extend(view.nearness(depth)))
-        };
-        let places = mesh.positions().iter().map(|&p| place(p)).collect();
-        Drawing { buffer, places, next: 0, left: MAX_CELLS_VISITED }
+    /// A point's place in cells and its nearness; none behind the eye.
+    fn place(&self, view: &Projector, point: Vec3) -> Option<Vec3> {
+        view.project(point).map(|(pixel, depth)| self.cell_of(pixel).extend(view.nearness(depth)))
     }
 
     fn cell_of(&self, pixel: Vec2) -> Vec2 {

@@ -1,16 +1,30 @@
 //! Picking: the element under the pointer.
 
 use crate::Camera;
+use crate::region::{Region, ScreenRect};
 use crate::sight::Sight;
-use glam::Vec2;
-use halfedge::{EdgeId, Element, FaceId, HalfedgeId, Mesh};
-use std::collections::BTreeSet;
+use glam::{Vec2, Vec3};
+use halfedge::{Budget, EdgeId, Element, FaceId, HalfedgeId, Mesh, VertexId};
 use surface::FaceTree;
 
-/// Rays are cast around the pointer in this many directions, at half the pick radius and at the whole radius.
-const PICK_DIRECTIONS: u16 = 8;
-/// The most faces whose elements are candidates: vertices of very high valence have many.
-const MAX_CANDIDATE_FACES: usize = 512;
+/// Elements are first looked for within this many pixels, then within twice as many, up to the tolerance: a small or
+/// distant model has all its elements within the tolerance.
+const FIRST_RADIUS: f32 = 1.0;
+/// The most faces whose elements are candidates. Where more are within a pixel, any of them will do.
+const MAX_CANDIDATE_FACES: usize = 1 << 14;
+/// The most candidates that are tested for being hidden.
+const MAX_RAYS: usize = 1 << 10;
+
+/// What to pick.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Aim {
+    /// The kind of element.
+    pub kind: Element,
+    /// How many pixels away a vertex or an edge may be.
+    pub radius: f32,
+    /// Whether hidden elements are picked too.
+    pub through: bool,
+}
 
 /// An element under the pointer.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -25,139 +39,212 @@ pub struct Picked {
 
 /// Picks the element of a kind at a pixel, if there is one.
 ///
-/// A face is picked at the pixel itself. A vertex or edge is the one nearest to the pixel on the screen,
-/// within `radius` pixels, that belongs to the faces seen there or their neighbours and isn't hidden; the
-/// pointer may be just outside the silhouette. Of an edge's two half-edges, the one of the face at the
-/// pixel is picked; outside the surface the boundary one, or that of the face that faces the camera. Pixels
-/// are in the unit of `viewport`. Costs a few dozen rays.
+/// A face is picked at the pixel itself. A vertex or edge is the one nearest to the pixel on the screen, within the
+/// radius, that isn't hidden, or with `through` whether it is hidden or not; of several in one place, the one in front.
+/// An edge counts as hidden if its point nearest to the pixel is. Of an edge's two half-edges, the one of the face at the
+/// pixel is picked; outside the surface the boundary one, or that of the face that faces the camera. Pixels are in the
+/// unit of `viewport`. Costs O(log mesh + elements within the radius), a ray for each candidate, up to 1024, and for
+/// vertices a pass over all of them that looks for isolated ones.
 pub fn pick(
     mesh: &Mesh,
     tree: &FaceTree,
     camera: &Camera,
     viewport: Vec2,
     pixel: Vec2,
-    kind: Element,
-    radius: f32,
+    aim: Aim,
 ) -> Option<Picked> {
     let sight = Sight::new(mesh, tree, camera, viewport);
-    let hit_at = |pixel| tree.hit(mesh, camera.ray(pixel, viewport));
-    let under = hit_at(pixel);
-    if kind == Element::Face {
-        return under.map(|hit| Picked { element: kind, id: hit.face.raw(), distance: hit.distance });
-    }
-    let mut faces: Vec<FaceId> = under.iter().map(|hit| hit.face).collect();
-    for ring in [0.5, 1.0] {
-        for step in 0..PICK_DIRECTIONS {
-            let angle = f32::from(step) * std::f32::consts::TAU / f32::from(PICK_DIRECTIONS);
-            faces.extend(hit_at(pixel + Vec2::from_angle(angle) * radius * ring).map(|hit| hit.face));
+    let under = || tree.hit(mesh, camera.ray(pixel, viewport));
+    match aim.kind {
+        Element::Face => under().map(|hit| Picked { element: aim.kind, id: hit.face.raw(), distance: hit.distance }),
+        Element::Vertex => nearest_vertex(&sight, pixel, aim),
+        Element::Edge => nearest_edge(&sight, pixel, aim).map(|(edge, distance)| picked_edge(edge, distance)),
+        Element::Halfedge => {
+            let (edge, distance) = nearest_edge(&sight, pixel, aim)?;
+            Some(picked_side(&sight, edge, under().map(|hit| hit.face), distance))
         }
     }
-    if under.is_none() {
-        faces.extend(closest_to_ray(&sight, pixel));
-    }
-    let faces = with_neighbors(mesh, &faces);
-    if kind == Element::Vertex {
-        return pick_vertex(&sight, &faces, pixel, radius);
-    }
-    let (edge, distance) = pick_edge(&sight, &faces, pixel, radius)?;
-    let id = match kind {
-        Element::Halfedge => side_of(&sight, edge, under.map(|hit| hit.face)).raw(),
-        _ => edge.raw(),
-    };
-    Some(Picked { element: kind, id, distance })
 }
 
 /// Picks like [`pick`]; where that finds nothing but a face is seen at the pixel, the vertex, edge or half-edge of this
-/// face that is nearest to the pixel, however far away: a click on a model means some element of it.
+/// face that is nearest to the pixel, however far away: a click on a model means some element of it. Where no face is
+/// seen at the pixel but an edge is within the radius, the face beside this edge.
 pub fn pick_nearest(
     mesh: &Mesh,
     tree: &FaceTree,
     camera: &Camera,
     viewport: Vec2,
     pixel: Vec2,
-    kind: Element,
-    radius: f32,
+    aim: Aim,
 ) -> Option<Picked> {
-    if let Some(picked) = pick(mesh, tree, camera, viewport, pixel, kind, radius) {
+    if let Some(picked) = pick(mesh, tree, camera, viewport, pixel, aim) {
         return Some(picked);
     }
+    let sight = Sight::new(mesh, tree, camera, viewport);
+    if aim.kind == Element::Face {
+        let (edge, distance) = nearest_edge(&sight, pixel, aim)?;
+        let side = side_of(&sight, edge, None);
+        let face = mesh.face_of(side).or_else(|| mesh.face_of(side.twin()))?;
+        return Some(Picked { element: aim.kind, id: face.raw(), distance });
+    }
     let face = tree.hit(mesh, camera.ray(pixel, viewport))?.face;
-    let (sight, faces) = (Sight::new(mesh, tree, camera, viewport), BTreeSet::from([face]));
-    if kind == Element::Vertex {
-        return pick_vertex(&sight, &faces, pixel, f32::INFINITY);
-    }
-    let (edge, distance) = pick_edge(&sight, &faces, pixel, f32::INFINITY)?;
-    let id = if kind == Element::Halfedge { side_of(&sight, edge, Some(face)).raw() } else { edge.raw() };
-    Some(Picked { element: kind, id, distance })
-}
-
-/// The face nearest to a pixel's ray that hits none: a thin corner may lie between the rays around it.
-/// Alternates between the point of the mesh closest to the ray's point and the point of the ray closest to
-/// that one, which converges.
-fn closest_to_ray(sight: &Sight<'_>, pixel: Vec2) -> Option<FaceId> {
-    let ray = sight.camera.ray(pixel, sight.viewport);
-    let (origin, direction) = (ray.origin.as_dvec3(), ray.direction.as_dvec3());
-    let mut along = (sight.camera.target - origin).dot(direction);
-    let mut face = None;
-    for _ in 0..8 {
-        let closest = sight.tree.closest_point(sight.mesh, (origin + direction * along).as_vec3())?;
-        face = Some(closest.face);
-        along = (closest.point.as_dvec3() - origin).dot(direction);
-    }
-    face
-}
-
-/// The faces and those that share a vertex with one of them.
-fn with_neighbors(mesh: &Mesh, faces: &[FaceId]) -> BTreeSet<FaceId> {
-    let mut all: BTreeSet<FaceId> = faces.iter().copied().collect();
-    for &face in faces {
-        for v in mesh.face_vertices(face) {
-            for neighbor in mesh.vertex_faces(v) {
-                if all.len() >= MAX_CANDIDATE_FACES {
-                    return all;
-                }
-                all.insert(neighbor);
-            }
+    let mut rays = MAX_RAYS;
+    let everywhere = Within { inner: -1.0, outer: f32::INFINITY };
+    match aim.kind {
+        Element::Vertex => {
+            let corners = mesh.face_vertices(face).filter_map(|v| place(&sight, pixel, v));
+            first_seen(corners, everywhere, |v, _| sees_vertex(&sight, v, aim), &mut rays)
+                .map(|(v, distance)| Picked { element: aim.kind, id: v.raw(), distance })
+        }
+        _ => {
+            let sides = mesh.face_halfedges(face).filter_map(|h| place_edge(&sight, pixel, h.edge()));
+            let (edge, distance) =
+                first_seen(sides, everywhere, |e, point| sees_edge(&sight, e, point, aim), &mut rays)?;
+            Some(match aim.kind {
+                Element::Halfedge => picked_side(&sight, edge, Some(face), distance),
+                _ => picked_edge(edge, distance),
+            })
         }
     }
-    all
 }
 
-fn pick_vertex(sight: &Sight<'_>, faces: &BTreeSet<FaceId>, pixel: Vec2, radius: f32) -> Option<Picked> {
+/// An element near the pixel.
+struct Candidate<T> {
+    /// How far from the pixel its nearest point is, in pixels.
+    away: f32,
+    /// That point.
+    point: Vec3,
+    /// The point's depth.
+    depth: f64,
+    element: T,
+}
+
+/// The distances from the pixel at which elements are looked for: more than `inner`, at most `outer`.
+#[derive(Clone, Copy)]
+struct Within {
+    inner: f32,
+    outer: f32,
+}
+
+fn place(sight: &Sight<'_>, pixel: Vec2, v: VertexId) -> Option<Candidate<VertexId>> {
+    let point = sight.mesh.position(v);
+    let (at, depth) = sight.view().project(point)?;
+    Some(Candidate { away: at.distance(pixel), point, depth, element: v })
+}
+
+fn place_edge(sight: &Sight<'_>, pixel: Vec2, edge: EdgeId) -> Option<Candidate<EdgeId>> {
+    let segment = sight.segment(edge)?;
+    let (t, away) = segment.nearest(pixel);
+    let point = sight.point_on(&segment, t);
+    Some(Candidate { away, point, depth: sight.view().depth(point), element: edge })
+}
+
+/// The distance of a vertex from the eye, unless it is hidden and that matters.
+fn sees_vertex(sight: &Sight<'_>, v: VertexId, aim: Aim) -> Option<f64> {
+    let point = sight.mesh.position(v);
+    if aim.through {
+        return sight.distance(point);
+    }
+    sight.sees(point, |f| sight.mesh.face_vertices(f).any(|w| w == v))
+}
+
+fn sees_edge(sight: &Sight<'_>, edge: EdgeId, point: Vec3, aim: Aim) -> Option<f64> {
+    if aim.through { sight.distance(point) } else { sight.sees_edge_at(edge, point) }
+}
+
+fn nearest_vertex(sight: &Sight<'_>, pixel: Vec2, aim: Aim) -> Option<Picked> {
     let mesh = sight.mesh;
-    let vertices: BTreeSet<_> = faces.iter().flat_map(|&f| mesh.face_vertices(f)).collect();
-    // No ray hits an isolated vertex.
+    // No ray hits an isolated vertex, and no face has it.
     let first = mesh.connectivity().vertex_halfedge.iter().enumerate();
     let alone = first.filter(|(_, h)| **h == halfedge::NONE).filter_map(|(v, _)| mesh.vertex(v as u32));
-    let near = vertices.into_iter().chain(alone).filter_map(|v| {
-        let away = sight.project(mesh.position(v))?.distance(pixel);
-        (away <= radius).then_some((away, v))
+    let alone: Vec<VertexId> = alone
+        .filter(|&v| place(sight, pixel, v).is_some_and(|candidate| candidate.away <= aim.radius))
+        .collect();
+    let found = nearest(sight, pixel, aim, |faces, within, rays| {
+        let mut vertices: Vec<VertexId> = faces.iter().flat_map(|&f| mesh.face_vertices(f)).collect();
+        vertices.extend(&alone);
+        vertices.sort_unstable();
+        vertices.dedup();
+        let candidates = vertices.into_iter().filter_map(|v| place(sight, pixel, v));
+        first_seen(candidates, within, |v, _| sees_vertex(sight, v, aim), rays)
     });
-    nearest_first(near).into_iter().find_map(|(_, v)| {
-        let seen = |f: FaceId| mesh.face_vertices(f).any(|w| w == v);
-        let distance = sight.sees(mesh.position(v), seen)?;
-        Some(Picked { element: Element::Vertex, id: v.raw(), distance })
+    found.map(|(v, distance)| Picked { element: aim.kind, id: v.raw(), distance })
+}
+
+fn nearest_edge(sight: &Sight<'_>, pixel: Vec2, aim: Aim) -> Option<(EdgeId, f64)> {
+    nearest(sight, pixel, aim, |faces, within, rays| {
+        let mut edges: Vec<EdgeId> =
+            faces.iter().flat_map(|&f| sight.mesh.face_halfedges(f)).map(HalfedgeId::edge).collect();
+        edges.sort_unstable();
+        edges.dedup();
+        let candidates = edges.into_iter().filter_map(|e| place_edge(sight, pixel, e));
+        first_seen(candidates, within, |e, point| sees_edge(sight, e, point, aim), rays)
     })
 }
 
-fn pick_edge(sight: &Sight<'_>, faces: &BTreeSet<FaceId>, pixel: Vec2, radius: f32) -> Option<(EdgeId, f64)> {
-    let mesh = sight.mesh;
-    let edges: BTreeSet<EdgeId> =
-        faces.iter().flat_map(|&f| mesh.face_halfedges(f)).map(HalfedgeId::edge).collect();
-    let near = edges.into_iter().filter_map(|e| {
-        let segment = sight.segment(e)?;
-        let (t, away) = segment.nearest(pixel);
-        (away <= radius).then(|| (away, (e, sight.point_on(&segment, t))))
-    });
-    nearest_first(near)
-        .into_iter()
-        .find_map(|(_, (edge, point))| Some((edge, sight.sees_edge_at(edge, point)?)))
+/// Looks for the nearest element in growing circles. `look` gets the faces near a circle and returns the nearest element
+/// in it.
+fn nearest<T>(
+    sight: &Sight<'_>,
+    pixel: Vec2,
+    aim: Aim,
+    mut look: impl FnMut(&[FaceId], Within, &mut usize) -> Option<T>,
+) -> Option<T> {
+    let mut within = Within { inner: -1.0, outer: FIRST_RADIUS.min(aim.radius) };
+    let mut rays = MAX_RAYS;
+    loop {
+        let area = Region::brush(pixel, pixel, within.outer).bounds();
+        let (faces, is_all) = faces_near(sight, &area);
+        if let Some(found) = look(&faces, within, &mut rays) {
+            return Some(found);
+        }
+        if within.outer >= aim.radius || !is_all || rays == 0 {
+            return None;
+        }
+        within = Within { inner: within.outer, outer: (within.outer * 2.0).min(aim.radius) };
+    }
 }
 
-fn nearest_first<T>(candidates: impl Iterator<Item = (f32, T)>) -> Vec<(f32, T)> {
-    let mut candidates: Vec<_> = candidates.collect();
-    candidates.sort_by(|a, b| a.0.total_cmp(&b.0));
-    candidates
+/// The faces whose box reaches into an area, and whether these are all of them.
+fn faces_near(sight: &Sight<'_>, area: &ScreenRect) -> (Vec<FaceId>, bool) {
+    let mut faces = Vec::new();
+    // A margin for rounding.
+    let area = area.expand(0.1);
+    let is_left = sight.tree.walk().step(
+        sight.tree,
+        sight.mesh,
+        &mut Budget::new(MAX_CANDIDATE_FACES),
+        |bounds| sight.may_overlap(bounds, &area),
+        |face| faces.push(face),
+    );
+    (faces, !is_left)
+}
+
+/// The nearest of the candidates that is seen, and its distance from the eye; takes a ray from `rays` for each.
+fn first_seen<T: Copy>(
+    candidates: impl Iterator<Item = Candidate<T>>,
+    within: Within,
+    sees: impl Fn(T, Vec3) -> Option<f64>,
+    rays: &mut usize,
+) -> Option<(T, f64)> {
+    let mut near: Vec<_> =
+        candidates.filter(|c| c.away > within.inner && c.away <= within.outer).collect();
+    near.sort_by(|a, b| a.away.total_cmp(&b.away).then(a.depth.total_cmp(&b.depth)));
+    for candidate in near {
+        *rays = rays.checked_sub(1)?;
+        if let Some(distance) = sees(candidate.element, candidate.point) {
+            return Some((candidate.element, distance));
+        }
+    }
+    None
+}
+
+fn picked_edge(edge: EdgeId, distance: f64) -> Picked {
+    Picked { element: Element::Edge, id: edge.raw(), distance }
+}
+
+fn picked_side(sight: &Sight<'_>, edge: EdgeId, under: Option<FaceId>, distance: f64) -> Picked {
+    Picked { element: Element::Halfedge, id: side_of(sight, edge, under).raw(), distance }
 }
 
 /// The half-edge of an edge to pick while the pointer is over the face `under`.

@@ -1,15 +1,18 @@
-//! A mesh as seen through a camera: shared by picking and box selection.
+//! A mesh as seen through a camera: shared by picking and region selection.
 
 use crate::Camera;
 use crate::camera::Projector;
+use crate::region::ScreenRect;
 use glam::{Vec2, Vec3};
 use halfedge::{EdgeId, FaceId, Mesh};
 use surface::FaceTree;
+use surface::measure::Bounds;
 
 /// A point counts as on a surface up to this far behind it, as a fraction of its distance from the eye.
 const SURFACE_TOLERANCE: f64 = 3e-5;
 
 /// A mesh with the camera and viewport that it is seen through.
+#[derive(Clone, Copy)]
 pub struct Sight<'a> {
     pub mesh: &'a Mesh,
     pub tree: &'a FaceTree,
@@ -37,6 +40,35 @@ impl<'a> Sight<'a> {
 
     pub fn view(&self) -> &Projector {
         &self.view
+    }
+
+    /// Whether something in this box may be seen in a rectangle; certain if not.
+    pub fn may_overlap(&self, bounds: &Bounds, rect: &ScreenRect) -> bool {
+        let Bounds { min, max } = *bounds;
+        if min.x > max.x {
+            return false;
+        }
+        let ends = [min, max];
+        let mut around = ScreenRect::around([]);
+        for corner in 0..8 {
+            let [Some(x), Some(y), Some(z)] =
+                [corner & 1, corner >> 1 & 1, corner >> 2].map(|end| ends.get(end))
+            else {
+                return true;
+            };
+            match self.project(Vec3::new(x.x, y.y, z.z)) {
+                Some(pixel) => around = ScreenRect { min: around.min.min(pixel), max: around.max.max(pixel) },
+                // The box reaches behind the eye.
+                None => return true,
+            }
+        }
+        around.overlaps(rect)
+    }
+
+    /// The distance of a point from the eye, or with a parallel projection from where its ray starts.
+    pub fn distance(&self, point: Vec3) -> Option<f64> {
+        let ray = self.camera.ray(self.project(point)?, self.viewport);
+        Some((point.as_dvec3() - ray.origin.as_dvec3()).dot(ray.direction.as_dvec3()))
     }
 
     /// The distance of a point from the eye, if nothing is in front of it but faces for which `own` is true.

@@ -8,7 +8,7 @@ use proptest::prelude::*;
 use std::collections::BTreeSet;
 use support::{cube, grid, sphere};
 use surface::FaceTree;
-use viewport::{BoxSelection, Camera, Picked, ScreenRect, pick};
+use viewport::{Aim, Camera, Picked, Region, RegionSelection, ScreenRect, pick};
 
 const VIEW: Vec2 = Vec2::new(800.0, 600.0);
 const ALL: ScreenRect = ScreenRect { min: Vec2::ZERO, max: VIEW };
@@ -21,8 +21,12 @@ fn at(camera: &Camera, p: Vec3) -> Vec2 {
     camera.project(p, VIEW).expect("in front")
 }
 
+fn aim(kind: Element, radius: f32) -> Aim {
+    Aim { kind, radius, through: false }
+}
+
 fn picked(mesh: &Mesh, camera: &Camera, pixel: Vec2, kind: Element) -> Option<Picked> {
-    pick(mesh, &FaceTree::new(mesh), camera, VIEW, pixel, kind, 8.0)
+    pick(mesh, &FaceTree::new(mesh), camera, VIEW, pixel, aim(kind, 8.0))
 }
 
 fn id(mesh: &Mesh, camera: &Camera, pixel: Vec2, kind: Element) -> Option<u32> {
@@ -107,7 +111,7 @@ fn isolated_vertices_are_picked_and_boxed() {
 
 fn inside(mesh: &Mesh, camera: &Camera, rect: ScreenRect, kind: Element, visible: bool) -> Vec<u32> {
     let tree = FaceTree::new(mesh);
-    let begun = || BoxSelection::new(camera, VIEW, rect, kind, visible);
+    let begun = || RegionSelection::new(camera, VIEW, Region::rect(rect), kind, visible);
     let all = begun().finish((mesh, &tree));
     // Some elements at a time give the same.
     let mut parts = begun();
@@ -209,10 +213,10 @@ proptest! {
         let tree = FaceTree::new(&ball);
         let camera = Camera { yaw, pitch, orthographic, ..Camera::default() };
         let visible: BTreeSet<u32> =
-            BoxSelection::new(&camera, VIEW, ALL, Element::Vertex, true).finish((&ball, &tree)).into_iter().collect();
+            RegionSelection::new(&camera, VIEW, Region::rect(ALL), Element::Vertex, true).finish((&ball, &tree)).into_iter().collect();
         for v in ball.vertices() {
             let p = ball.position(v);
-            let picked = pick(&ball, &tree, &camera, VIEW, at(&camera, p), Element::Vertex, 2.0);
+            let picked = pick(&ball, &tree, &camera, VIEW, at(&camera, p), aim(Element::Vertex, 2.0));
             if visible.contains(&v.raw()) {
                 prop_assert_eq!(picked.map(|p| p.id), Some(v.raw()));
                 let away = picked.map_or(0.0, |p| p.distance);
@@ -230,7 +234,7 @@ fn a_pixel_on_a_model_always_means_an_element() {
     let tree = FaceTree::new(&cube);
     let camera = Camera { yaw: 0.0, pitch: 0.0, distance: 6.0, ..Camera::default() };
     let nearest = |pixel, kind| {
-        viewport::pick_nearest(&cube, &tree, &camera, VIEW, pixel, kind, 8.0).map(|picked| picked.id)
+        viewport::pick_nearest(&cube, &tree, &camera, VIEW, pixel, aim(kind, 8.0)).map(|picked| picked.id)
     };
     let middle = camera.project(vec3(0.0, 0.0, 1.0), VIEW).expect("in front");
     let corner = (4..8).map(VertexId::new).find(|&v| cube.position(v) == vec3(1.0, 1.0, 1.0)).expect("there");

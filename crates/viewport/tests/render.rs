@@ -601,7 +601,8 @@ fn picks_agree_with_the_picture() {
                 [(x - 1, y), (x + 1, y), (x, y - 1), (x, y + 1)].iter().all(|&(x, y)| seen(x, y) == here);
             if clear && (x + y) % 3 == 0 {
                 let pixel = vec2(x as f32 + 0.5, y as f32 + 0.5);
-                let picked = viewport::pick(&ball, &tree, &camera, VIEW, pixel, Element::Face, 5.0);
+                let aim = viewport::Aim { kind: Element::Face, radius: 5.0, through: false };
+                let picked = viewport::pick(&ball, &tree, &camera, VIEW, pixel, aim);
                 assert_eq!(picked.map_or([false; 3], |p| bits(p.id)), here, "camera {i} at {x}, {y}");
                 compared += 1;
             }

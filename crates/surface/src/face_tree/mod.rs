@@ -3,8 +3,10 @@
 mod builder;
 mod queries;
 mod triangle;
+mod walk;
 
 pub use builder::FaceTreeBuilder;
+pub use walk::FaceWalk;
 pub(crate) use triangle::{along_segment, closest_in_triangle};
 
 use crate::measure::Bounds;
