@@ -24,6 +24,8 @@ pub(crate) enum Request {
     Refuse(CommandError),
     /// Select elements.
     Select { kind: Element, ids: Vec<u32>, mode: SelectMode },
+    /// Select or deselect elements as part of a stroke of the circle.
+    PaintSelection { kind: Element, ids: Vec<u32>, mode: SelectMode, stroke: u64 },
     /// Extend the selection to this element of a list.
     SelectRange { kind: Element, to: u32 },
     /// Select the line of elements through a half-edge.

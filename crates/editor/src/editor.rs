@@ -34,6 +34,8 @@ use std::sync::Arc;
 pub struct Editor {
     document: Document,
     selection: Arc<Selection>,
+    /// The stroke that the last change of the selection was part of.
+    stroke: Option<u64>,
     history: History,
     changes: Changes,
     ongoing: Option<ongoing::Ongoing>,
@@ -87,6 +89,7 @@ impl Editor {
         Self {
             document: Document { name: "Untitled".into(), ..Document::default() },
             selection: Arc::new(Selection::default()),
+            stroke: None,
             history: History::new(),
             changes: Changes::default(),
             ongoing: None,
@@ -275,6 +278,7 @@ impl Editor {
 
     /// Applies the changes of a step and returns the inverse step.
     fn reverse(&mut self, step: Step) -> Step {
+        self.stroke = None;
         let changes = self.apply(step.changes);
         let selection = std::mem::replace(&mut self.selection, step.selection);
         let revision = std::mem::replace(&mut self.revision, step.revision);

@@ -562,3 +562,31 @@ fn an_operation_is_adjusted_whatever_was_selected_since() {
     other.run(wider).expect("a face");
     assert_eq!(editor.document(), other.document());
 }
+
+#[test]
+fn a_stroke_of_selecting_is_one_step() {
+    let mut editor = on_cube();
+    let paint = |editor: &mut Editor, ids: &[u32], mode, stroke| {
+        editor.select_in_stroke(Element::Face, ids.iter().copied(), mode, stroke).expect("there");
+    };
+    paint(&mut editor, &[], SelectMode::Extend, 1);
+    paint(&mut editor, &[0], SelectMode::Extend, 1);
+    paint(&mut editor, &[1, 2], SelectMode::Extend, 1);
+    paint(&mut editor, &[2, 3], SelectMode::Remove, 2);
+    paint(&mut editor, &[0], SelectMode::Remove, 2);
+    assert_eq!(selected(&editor), [1]);
+    assert!(editor.undo_step().expect("free").is_some());
+    assert_eq!(selected(&editor), [0, 1, 2]);
+    // After an undo the same stroke begins another step.
+    paint(&mut editor, &[5], SelectMode::Extend, 1);
+    assert_eq!(selected(&editor), [0, 1, 2, 5]);
+    assert!(editor.undo_step().expect("free").is_some());
+    assert_eq!(selected(&editor), [0, 1, 2]);
+    assert!(editor.undo_step().expect("free").is_some());
+    assert!(selected(&editor).is_empty());
+    assert_eq!(editor.undo_step().expect("free"), None);
+
+    editor.select(Element::Vertex, [4], SelectMode::Replace).expect("there");
+    paint(&mut editor, &[0], SelectMode::Remove, 3);
+    assert_eq!((editor.selection().kind(), selected(&editor)), (Element::Vertex, vec![4]));
+}

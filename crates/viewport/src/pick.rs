@@ -56,7 +56,9 @@ pub fn pick(
     let sight = Sight::new(mesh, tree, camera, viewport);
     let under = || tree.hit(mesh, camera.ray(pixel, viewport));
     match aim.kind {
-        Element::Face => under().map(|hit| Picked { element: aim.kind, id: hit.face.raw(), distance: hit.distance }),
+        Element::Face => {
+            under().map(|hit| Picked { element: aim.kind, id: hit.face.raw(), distance: hit.distance })
+        }
         Element::Vertex => nearest_vertex(&sight, pixel, aim),
         Element::Edge => nearest_edge(&sight, pixel, aim).map(|(edge, distance)| picked_edge(edge, distance)),
         Element::Halfedge => {
@@ -227,8 +229,7 @@ fn first_seen<T: Copy>(
     sees: impl Fn(T, Vec3) -> Option<f64>,
     rays: &mut usize,
 ) -> Option<(T, f64)> {
-    let mut near: Vec<_> =
-        candidates.filter(|c| c.away > within.inner && c.away <= within.outer).collect();
+    let mut near: Vec<_> = candidates.filter(|c| c.away > within.inner && c.away <= within.outer).collect();
     near.sort_by(|a, b| a.away.total_cmp(&b.away).then(a.depth.total_cmp(&b.depth)));
     for candidate in near {
         *rays = rays.checked_sub(1)?;

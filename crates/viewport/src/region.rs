@@ -157,7 +157,8 @@ impl Lasso {
             return Self { points: Vec::new(), band: BAND_HEIGHT, bands: Vec::new() };
         }
         let count = ((height / BAND_HEIGHT).ceil() as usize).clamp(1, MAX_BANDS);
-        let mut lasso = Self { points, band: (height / count as f32).max(1e-6), bands: vec![Vec::new(); count] };
+        let mut lasso =
+            Self { points, band: (height / count as f32).max(1e-6), bands: vec![Vec::new(); count] };
         for side in 0..lasso.points.len() as u32 {
             let [a, b] = lasso.side(side);
             let rows = lasso.rows(a.y.min(b.y), a.y.max(b.y), bounds.min.y);
@@ -247,10 +248,8 @@ impl Brush {
         let along = self.to - self.from;
         let way = along.try_normalize().unwrap_or(Vec2::X);
         let turned = |p: Vec2| Vec2::new((p - self.from).dot(way), way.perp_dot(p - self.from));
-        let between = ScreenRect {
-            min: Vec2::new(0.0, -self.radius),
-            max: Vec2::new(along.length(), self.radius),
-        };
+        let between =
+            ScreenRect { min: Vec2::new(0.0, -self.radius), max: Vec2::new(along.length(), self.radius) };
         let discs = [self.from, self.to].map(|middle| clip_by_disc(segment, middle, self.radius));
         let parts = discs.into_iter().chain([between.clip(segment.map(turned))]).flatten();
         parts.reduce(|a, b| [a[0].min(b[0]), a[1].max(b[1])])
@@ -260,7 +259,8 @@ impl Brush {
 /// The part of a segment inside a disc.
 fn clip_by_disc([a, b]: [Vec2; 2], middle: Vec2, radius: f32) -> Option<Part> {
     let (along, start) = (b - a, a - middle);
-    let (square, half, rest) = (along.length_squared(), along.dot(start), start.length_squared() - radius * radius);
+    let (square, half, rest) =
+        (along.length_squared(), along.dot(start), start.length_squared() - radius * radius);
     if square == 0.0 {
         return (rest <= 0.0).then_some([0.0, 1.0]);
     }

@@ -14,6 +14,8 @@ pub struct Style {
     pub wireframe: bool,
     /// Whether the active object's vertices are drawn as dots.
     pub vertices: bool,
+    /// Whether surfaces are translucent, so that what is behind them shows.
+    pub x_ray: bool,
     /// How faces are lit.
     pub look: Look,
     /// Whether the grid of the ground is drawn.
@@ -37,6 +39,7 @@ impl Default for Style {
     fn default() -> Self {
         Self {
             look: Look::Studio,
+            x_ray: false,
             shading: Shading::default(),
             color_by: ColorBy::default(),
             wireframe: true,

@@ -127,11 +127,8 @@ fn two_balls(fine: u32) -> Mesh {
 /// How far in front of a point the frontmost face that hides it is, by trying all faces; none if no face
 /// does. `near` are the faces that have the point.
 fn hidden_by(mesh: &Mesh, camera: &Camera, point: Vec3, near: &[FaceId]) -> Option<f64> {
-    let direction = if camera.orthographic {
-        -camera.axes()[2]
-    } else {
-        (camera.eye() - point.as_dvec3()).normalize()
-    };
+    let direction =
+        if camera.orthographic { -camera.axes()[2] } else { (camera.eye() - point.as_dvec3()).normalize() };
     let mut triangulator = PolygonTriangulator::new();
     let mut front: Option<f64> = None;
     for face in mesh.faces().filter(|f| !near.contains(f)) {

@@ -20,6 +20,9 @@ use crate::session::form;
 use crate::view::Tool;
 use viewport::{Look, Shading};
 
+/// How much larger one press of a key makes the selecting circle.
+const CIRCLE_STEP: f32 = 1.25;
+
 impl App {
     /// The state that panels read.
     fn page(&self) -> Page<'_> {
@@ -70,15 +73,18 @@ impl App {
                 self.panels.lists.focus_go_to = true;
             }
             Action::OnlySelected => self.shown.only_selected ^= true,
-            Action::BoxSelect => {
-                self.view.tool = if self.view.tool == Tool::Box { Tool::Orbit } else { Tool::Box };
-            }
+            Action::BoxSelect => self.view.switch_tool(Tool::Box),
+            Action::LassoSelect => self.view.switch_tool(Tool::Lasso),
+            Action::CircleSelect => self.view.switch_tool(Tool::Circle),
+            Action::LargerCircle => self.view.scale_circle(CIRCLE_STEP),
+            Action::SmallerCircle => self.view.scale_circle(1.0 / CIRCLE_STEP),
             Action::Frame => self.view.frame_selection(&self.session.editor),
             Action::FrameAll => self.view.frame_all(),
             Action::ResetView => self.view.reset(),
             Action::LookFrom(side) => self.view.camera.look_from(side),
             Action::Orthographic => self.view.camera.orthographic ^= true,
             Action::Wireframe => self.view.style.wireframe ^= true,
+            Action::XRay => self.view.style.x_ray ^= true,
             Action::Smooth | Action::AutoSmooth => {
                 let on = if action == Action::Smooth { Shading::Smooth } else { Shading::default() };
                 self.view.style.shading =
@@ -219,7 +225,7 @@ impl App {
         }
         if let Some(id) = self.session.jobs.latest() {
             self.session.cancel_job(id);
-        } else if self.view.tool == Tool::Box {
+        } else if self.view.tool != Tool::Orbit {
             self.view.tool = Tool::Orbit;
         } else if self.player.controls.chosen.take().is_none() {
             self.session.editor.deselect();

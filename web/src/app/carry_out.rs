@@ -17,6 +17,9 @@ impl App {
             Request::Run(command) => self.session.begin(command, None),
             Request::Refuse(error) => self.session.refuse(&error),
             Request::Select { kind, ids, mode } => self.select(kind, ids, mode),
+            Request::PaintSelection { kind, ids, mode, stroke } => {
+                self.select_further(|editor| editor.select_in_stroke(kind, ids, mode, stroke));
+            }
             Request::SelectRange { kind, to } => {
                 self.session.end_live(true);
                 // An id that was removed meanwhile is no error for the user.

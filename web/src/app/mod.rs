@@ -22,7 +22,7 @@ use crate::request::Requests;
 use crate::session::{Look, Session};
 use crate::shown::Shown;
 use crate::theme;
-use crate::view::{ELEMENTS_PER_FRAME, View};
+use crate::view::{ELEMENTS_PER_FRAME, Tool, View};
 use panels::Panels;
 
 /// The editor with its user interface. Call [`App::logic`] and [`App::ui`] once per frame each.
@@ -187,7 +187,14 @@ impl App {
         }
         // egui itself closes an open menu on Escape.
         let menu = egui::Popup::is_any_open(ctx);
-        let (actions, held) = keys::pressed(ctx, menu, bezier::active(&self.session.editor).is_some());
+        let mut first: Vec<&[keys::Binding]> = Vec::new();
+        if self.view.tool == Tool::Circle {
+            first.push(&keys::CIRCLE_BINDINGS);
+        }
+        if bezier::active(&self.session.editor).is_some() {
+            first.push(&keys::BEZIER_BINDINGS);
+        }
+        let (actions, held) = keys::pressed(ctx, menu, &first);
         if !held.is_empty() {
             self.held_events = held;
             ctx.request_repaint();

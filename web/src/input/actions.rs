@@ -50,6 +50,14 @@ pub enum Action {
     OnlySelected,
     /// Makes drags in the viewport draw a selection box.
     BoxSelect,
+    /// Makes drags in the viewport draw a line around what they select.
+    LassoSelect,
+    /// Makes drags in the viewport select with a circle.
+    CircleSelect,
+    /// Makes the selecting circle larger.
+    LargerCircle,
+    /// Makes the selecting circle smaller.
+    SmallerCircle,
     /// Frames the selection, or everything if nothing is selected.
     Frame,
     /// Frames everything.
@@ -62,6 +70,8 @@ pub enum Action {
     Orthographic,
     /// Switches the drawing of edges over faces.
     Wireframe,
+    /// Switches between seeing and selecting through surfaces, and only what is in front.
+    XRay,
     /// Switches between smooth and flat shading.
     Smooth,
     /// Switches between flat shading and smooth shading with hard edges.

@@ -52,6 +52,8 @@ static PAGE_BINDINGS: &[(Action, &[KeyboardShortcut])] = &[
     (A::Next, &[key(Key::N)]),
     (A::Twin, &[key(Key::T)]),
     (A::BoxSelect, &[with(Modifiers::SHIFT, Key::B)]),
+    (A::CircleSelect, &[with(Modifiers::SHIFT, Key::C)]),
+    (A::XRay, &[with(Modifiers::ALT, Key::X)]),
     (A::Upsample, &[key(Key::U)]),
     (A::Downsample, &[key(Key::D)]),
     (A::Resample, &[key(Key::R)]),
@@ -86,6 +88,10 @@ static BEZIER_PAGE_BINDINGS: &[(Action, &[KeyboardShortcut])] = &[
     (A::DeletePoint, &[key(Key::Delete), key(Key::X)]),
 ];
 
+/// Keys with another meaning while elements are selected with the circle.
+static CIRCLE_PAGE_BINDINGS: &[(Action, &[KeyboardShortcut])] =
+    &[(A::SmallerCircle, &[key(Key::OpenBracket)]), (A::LargerCircle, &[key(Key::CloseBracket)])];
+
 /// All keys, except those with another meaning on a Bezier object.
 pub static BINDINGS: LazyLock<Vec<Binding>> = LazyLock::new(|| {
     let page = PAGE_BINDINGS.iter().map(|(action, keys)| (*action, keys.to_vec()));
@@ -97,6 +103,10 @@ pub static BINDINGS: LazyLock<Vec<Binding>> = LazyLock::new(|| {
 /// Keys with another meaning while a Bezier curve or surface is active.
 pub static BEZIER_BINDINGS: LazyLock<Vec<Binding>> =
     LazyLock::new(|| BEZIER_PAGE_BINDINGS.iter().map(|(action, keys)| (*action, keys.to_vec())).collect());
+
+/// Keys with another meaning while elements are selected with the circle.
+pub static CIRCLE_BINDINGS: LazyLock<Vec<Binding>> =
+    LazyLock::new(|| CIRCLE_PAGE_BINDINGS.iter().map(|(action, keys)| (*action, keys.to_vec())).collect());
 
 /// Parses keys as the descriptions of operations write them: "Shift+T".
 fn shortcuts(keys: &[&str]) -> Vec<KeyboardShortcut> {
@@ -125,6 +135,11 @@ pub static GESTURES: &[(&str, &str)] = &[
     ("Select a loop", "Double-click or Alt+click; with Shift, add it"),
     ("Select a ring", "Ctrl+Alt+click; with Shift, add it"),
     ("Add the shortest path", "Ctrl+Shift+click"),
+    ("Select with a lasso", "Ctrl+right-drag; with Shift, add; with Alt, add or remove"),
+    (
+        "Select with a circle",
+        "The circle tool: drag; with Ctrl or the middle button, remove; wheel for the size",
+    ),
     ("Select with a box", "The box tool: drag; with Shift, add; with Ctrl, add or remove"),
     ("Add or remove with a box", "Ctrl+drag"),
     ("Move a vertex", "Drag a selected vertex"),
@@ -137,7 +152,7 @@ pub fn of(action: Action) -> Vec<KeyboardShortcut> {
     if let A::Operation(id) = action {
         return shortcuts(id.keys());
     }
-    let mut all = BINDINGS.iter().chain(BEZIER_BINDINGS.iter());
+    let mut all = BINDINGS.iter().chain(BEZIER_BINDINGS.iter()).chain(CIRCLE_BINDINGS.iter());
     all.find(|(bound, _)| *bound == action).map_or_else(Vec::new, |(_, keys)| keys.clone())
 }
 
@@ -168,9 +183,8 @@ pub fn tooltip(ctx: &Context, description: &str, action: Action) -> String {
 /// The actions whose keys were pressed this frame, in order and as often as they were pressed; consumes the
 /// keys. The events after a key that opens a text field belong to that field: they are removed and returned, for
 /// the next frame. While the user types, only keys with Ctrl or Command that a text field doesn't use count, and Escape
-/// goes to the field. While a menu is open, Escape goes to the menu. `bezier` says that a Bezier object is
-/// active.
-pub fn pressed(ctx: &Context, menu: bool, bezier: bool) -> (Vec<Action>, Vec<Event>) {
+/// goes to the field. While a menu is open, Escape goes to the menu. The tables in `first` come before the others.
+pub fn pressed(ctx: &Context, menu: bool, first: &[&[Binding]]) -> (Vec<Action>, Vec<Event>) {
     let typing = ctx.text_edit_focused();
     // A focused button uses Space, and a focused list uses Home.
     let focused = ctx.memory(|memory| memory.focused());
@@ -181,9 +195,8 @@ pub fn pressed(ctx: &Context, menu: bool, bezier: bool) -> (Vec<Action>, Vec<Eve
         Key::Escape => menu,
         _ => false,
     };
-    let first: &[Binding] = if bezier { &BEZIER_BINDINGS } else { &[] };
     let action_of = |key: Key, modifiers: Modifiers| {
-        let mut bindings = first.iter().chain(BINDINGS.iter());
+        let mut bindings = first.iter().copied().flatten().chain(BINDINGS.iter());
         bindings.find_map(|(action, keys)| {
             let hit = (!typing || works_while_typing(*action))
                 && keys.iter().any(|k| k.logical_key == key && !is_theirs(key) && matches(modifiers, k));
@@ -233,7 +246,7 @@ mod tests {
 
     #[test]
     fn no_key_is_bound_twice() {
-        for table in [&*BINDINGS, &*BEZIER_BINDINGS] {
+        for table in [&*BINDINGS, &*BEZIER_BINDINGS, &*CIRCLE_BINDINGS] {
             let mut seen = Vec::new();
             for (action, keys) in table {
                 for key in keys {
@@ -246,7 +259,7 @@ mod tests {
 
     #[test]
     fn every_bound_action_is_in_a_menu() {
-        for (action, _) in BINDINGS.iter().chain(BEZIER_BINDINGS.iter()) {
+        for (action, _) in BINDINGS.iter().chain(BEZIER_BINDINGS.iter()).chain(CIRCLE_BINDINGS.iter()) {
             assert!(actions::all().any(|entry| entry.action == *action), "{action:?}");
         }
     }

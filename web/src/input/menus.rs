@@ -155,7 +155,20 @@ pub static MENUS: &[Menu] = &[
                 "Select the faces of the selection instead.",
             )),
             None,
-            Some(entry(A::BoxSelect, "Box select", "Drag in the viewport to select the elements in a box.")),
+            Some(
+                entry(A::BoxSelect, "Box select", "Drag in the viewport to select the elements in a box.")
+                    .synonyms(&["border select", "marquee", "rectangle"]),
+            ),
+            Some(
+                entry(A::LassoSelect, "Lasso select", "Draw a line around the elements to select.")
+                    .synonyms(&["free selection"]),
+            ),
+            Some(
+                entry(A::CircleSelect, "Circle select", "Paint over the elements to select, with a circle.")
+                    .synonyms(&["brush", "paint selection"]),
+            ),
+            Some(entry(A::LargerCircle, "Larger circle", "Make the selecting circle larger.")),
+            Some(entry(A::SmallerCircle, "Smaller circle", "Make the selecting circle smaller.")),
             None,
             Some(entry(A::Next, "Next half-edge", "Select the next half-edge around the face.")),
             Some(entry(A::Twin, "Twin half-edge", "Select the half-edge on the other side of the edge.")),
@@ -308,6 +321,12 @@ pub static MENUS: &[Menu] = &[
             ),
             None,
             Some(entry(A::Wireframe, "Wireframe", "Draw edges over faces.").synonyms(&["edges"])),
+            Some(entry(A::XRay, "X-ray", "See and select through surfaces.").synonyms(&[
+                "transparent",
+                "see through",
+                "limit selection to visible",
+                "occlude",
+            ])),
             Some(entry(
                 A::Smooth,
                 "Smooth shading",

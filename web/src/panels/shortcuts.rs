@@ -3,7 +3,7 @@
 use egui::{Context, Grid, RichText, ScrollArea, Ui, Window, vec2};
 
 use crate::input::actions;
-use crate::input::keys::{self, BEZIER_BINDINGS, BINDINGS, Binding, GESTURES};
+use crate::input::keys::{self, BEZIER_BINDINGS, BINDINGS, Binding, CIRCLE_BINDINGS, GESTURES};
 use crate::page_view::Page;
 use crate::request::{Request, Requests};
 
@@ -29,14 +29,14 @@ pub(crate) fn show(ctx: &Context, page: &Page<'_>, out: &mut Requests) {
                                 let (first, second) = BINDINGS.split_at(half);
                                 bindings(left, "keys", first);
                                 bindings(right, "more keys", second);
-                                bezier(right);
+                                special(right);
                                 right.add_space(12.0);
                                 gestures(right);
                             }
                         });
                     } else {
                         bindings(ui, "keys", &BINDINGS);
-                        bezier(ui);
+                        special(ui);
                         ui.add_space(12.0);
                         gestures(ui);
                     }
@@ -48,10 +48,14 @@ pub(crate) fn show(ctx: &Context, page: &Page<'_>, out: &mut Requests) {
     }
 }
 
-fn bezier(ui: &mut Ui) {
+/// The keys that mean something else at times.
+fn special(ui: &mut Ui) {
     ui.add_space(12.0);
     ui.label(RichText::new("On a Bezier curve or surface").strong());
     bindings(ui, "bezier keys", &BEZIER_BINDINGS);
+    ui.add_space(12.0);
+    ui.label(RichText::new("With the selecting circle").strong());
+    bindings(ui, "circle keys", &CIRCLE_BINDINGS);
 }
 
 fn bindings(ui: &mut Ui, name: &str, table: &[Binding]) {

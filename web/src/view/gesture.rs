@@ -1,6 +1,7 @@
 //! The current drag in the viewport.
 
-use egui::{Pos2, Rect};
+use editor::SelectMode;
+use egui::Pos2;
 use glam::{Vec3, vec2};
 
 use super::View;
@@ -14,6 +15,10 @@ pub(crate) enum Tool {
     Orbit,
     /// Draws a box that selects.
     Box,
+    /// Draws a line around what it selects.
+    Lasso,
+    /// Paints over what it selects with a circle.
+    Circle,
 }
 
 /// A drag in progress.
@@ -24,6 +29,17 @@ pub(crate) enum Gesture {
     Pan,
     Box {
         from: Pos2,
+    },
+    /// A line around elements; with the right button its keys mean something else.
+    Lasso {
+        points: Vec<Pos2>,
+        secondary: bool,
+    },
+    /// A stroke of the circle: where it is, and what it does with the elements under it.
+    Paint {
+        at: Pos2,
+        mode: SelectMode,
+        stroke: u64,
     },
     Move {
         from: Pos2,
@@ -41,20 +57,18 @@ pub(crate) enum Gesture {
 impl View {
     /// Cancels the drag in progress; returns whether there was one.
     pub fn cancel_gesture(&mut self) -> bool {
-        let going =
-            matches!(self.gesture, Gesture::Box { .. } | Gesture::Move { .. } | Gesture::Control { .. });
+        let going = !matches!(self.gesture, Gesture::None | Gesture::Orbit | Gesture::Pan | Gesture::Ended);
         if going {
             self.gesture = Gesture::Ended;
         }
-        self.boxed.take().is_some() || going
+        let was_looking = !self.regions.is_empty();
+        self.regions.clear();
+        was_looking || going
     }
 
-    /// The selection box being drawn.
-    pub fn selection_box(&self, to: Option<Pos2>) -> Option<Rect> {
-        match (&self.gesture, to) {
-            (Gesture::Box { from }, Some(to)) => Some(Rect::from_two_pos(*from, to).intersect(self.rect)),
-            _ => None,
-        }
+    /// Takes a tool, or puts it away.
+    pub fn switch_tool(&mut self, tool: Tool) {
+        self.tool = if self.tool == tool { Tool::Orbit } else { tool };
     }
 
     pub fn local(&self, at: Pos2) -> glam::Vec2 {

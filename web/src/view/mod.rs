@@ -7,20 +7,33 @@ use editor::{Changes, Editor, Object, ObjectChange, ObjectId, SelectMode};
 use egui::{Rect, Vec2};
 use glam::Vec3;
 use halfedge::{Budget, Element, FaceId, InParts, Mesh, Touched};
-use std::collections::HashMap;
+use std::collections::{HashMap, VecDeque};
 use surface::{FaceTree, FaceTreeBuilder};
-use viewport::{Bounds, BoxSelection, Camera, Style};
+use viewport::{Bounds, Camera, RegionSelection, Style};
 
 use crate::bezier;
 pub(crate) use gesture::{Gesture, Tool};
 use picture::Picture;
 
-/// Mesh elements processed per frame: uploaded, added to a picking tree, tested by a box selection, counted.
+/// Mesh elements processed per frame: uploaded, added to a picking tree, tested by a region selection, counted.
 /// More work is split over several frames to keep each short.
 pub(crate) const ELEMENTS_PER_FRAME: usize = 150_000;
 
 /// The number of frames until the panels have their final sizes.
 const FRAMES_UNTIL_PANELS_SETTLE: u8 = 3;
+
+/// The radius that the selecting circle begins with, and its limits, in points.
+const START_CIRCLE_RADIUS: f32 = 32.0;
+const CIRCLE_RADIUS_LIMITS: std::ops::RangeInclusive<f32> = 3.0..=400.0;
+
+/// A region of the screen whose elements are being looked for.
+pub(crate) struct Selecting {
+    pub object: ObjectId,
+    pub region: RegionSelection,
+    pub mode: SelectMode,
+    /// The stroke that it is part of.
+    pub stroke: Option<u64>,
+}
 
 /// The viewport's state.
 pub(crate) struct View {
@@ -35,16 +48,22 @@ pub(crate) struct View {
     pub hovered: Option<(Element, u32)>,
     /// The element whose row or link is under the pointer in this frame.
     from_list: Option<(Element, u32)>,
-    /// The pointer, camera and kind of the last pick, so that a still pointer costs nothing.
-    pub looked: Option<(egui::Pos2, Camera, Element)>,
+    /// The pointer, camera, kind and x-ray of the last pick, so that a still pointer costs nothing.
+    pub looked: Option<(egui::Pos2, Camera, Element, bool)>,
     /// The bounds of the objects, and which of them are drawn.
     bounds: HashMap<ObjectId, Option<Bounds>>,
     /// The picking trees, each built when the pointer is first over its object.
     trees: HashMap<ObjectId, FaceTree>,
     /// The unfinished tree of a large mesh, built over several frames.
     building: Option<(ObjectId, FaceTreeBuilder)>,
-    /// A box selection in progress, and whether it extends the selection.
-    pub boxed: Option<(ObjectId, BoxSelection, SelectMode)>,
+    /// The regions of the screen whose elements are still being looked for, in order.
+    pub regions: VecDeque<Selecting>,
+    /// The number of strokes of the circle so far.
+    pub strokes: u64,
+    /// The radius of the selecting circle, in points.
+    pub circle_radius: f32,
+    /// How far from an element a click on it may be, in points: farther for fingers.
+    pub pick_radius: f32,
     /// The elements that may still be processed in this frame.
     pub budget: Budget,
     /// The number of frames until everything is framed: in the first frame the viewport has no size yet,
@@ -67,7 +86,10 @@ impl View {
             bounds: HashMap::new(),
             trees: HashMap::new(),
             building: None,
-            boxed: None,
+            regions: VecDeque::new(),
+            strokes: 0,
+            circle_radius: START_CIRCLE_RADIUS,
+            pick_radius: 0.0,
             budget: Budget::new(ELEMENTS_PER_FRAME),
             frame_due: FRAMES_UNTIL_PANELS_SETTLE,
         }
@@ -76,6 +98,12 @@ impl View {
     /// Sets the element whose row or link is under the pointer.
     pub fn hover_from_list(&mut self, kind: Element, id: u32) {
         self.from_list = Some((kind, id));
+    }
+
+    /// Makes the selecting circle larger by a factor.
+    pub fn scale_circle(&mut self, factor: f32) {
+        let (least, most) = (CIRCLE_RADIUS_LIMITS.start(), CIRCLE_RADIUS_LIMITS.end());
+        self.circle_radius = (self.circle_radius * factor).clamp(*least, *most);
     }
 
     /// The viewport's size in points, as the camera expects it.
@@ -118,7 +146,7 @@ impl View {
         for (id, change) in &changes.objects {
             self.looked = None;
             self.building.take_if(|(built, _)| built == id);
-            self.boxed.take_if(|(boxed, ..)| boxed == id);
+            self.regions.retain(|selecting| selecting.object != *id);
             let Some(object) = editor.document().object(*id) else {
                 self.bounds.remove(id);
                 self.trees.remove(id);
@@ -205,14 +233,14 @@ impl View {
         })
     }
 
-    /// Continues a box selection; returns the ids found once it is complete.
-    pub fn step_box(&mut self, object: &Object, boxed: &mut BoxSelection) -> Option<Vec<u32>> {
+    /// Continues a region selection; returns the ids found once it is complete.
+    pub fn step_region(&mut self, object: &Object, region: &mut RegionSelection) -> Option<Vec<u32>> {
         if !self.build_tree_step(object) {
             return None;
         }
         self.tree(object);
         let tree = self.trees.get(&object.id())?;
-        boxed.step((object.mesh(), tree), &mut self.budget)
+        region.step((object.mesh(), tree), &mut self.budget)
     }
 
     /// Frames everything once the viewport has a size.

@@ -10,6 +10,7 @@ mod menus;
 mod page;
 mod previews;
 mod properties;
+mod regions;
 mod save;
 mod selecting;
 mod shell;

@@ -21,6 +21,8 @@ pub enum SelectMode {
     Extend,
     /// Deselects those of the new elements that are selected, and selects the others.
     Toggle,
+    /// Deselects the new elements.
+    Remove,
 }
 
 impl Editor {
@@ -34,28 +36,69 @@ impl Editor {
         ids: impl IntoIterator<Item = u32>,
         mode: SelectMode,
     ) -> Result<(), CommandError> {
+        let selection = self.combine(kind, ids, mode)?;
+        self.set_selection(selection);
+        Ok(())
+    }
+
+    /// Selects like [`Editor::select`], as part of a stroke: all changes with the same number, with nothing else between
+    /// them, are one step for [`Editor::undo_step`].
+    ///
+    /// # Errors
+    /// An id doesn't exist; the selection is unchanged.
+    pub fn select_in_stroke(
+        &mut self,
+        kind: Element,
+        ids: impl IntoIterator<Item = u32>,
+        mode: SelectMode,
+        stroke: u64,
+    ) -> Result<(), CommandError> {
+        let selection = self.combine(kind, ids, mode)?;
+        if self.stroke == Some(stroke) && self.history.next_undo().is_some_and(Step::is_selection) {
+            self.replace_selection(selection);
+        } else if *self.selection != selection {
+            self.set_selection(selection);
+            self.stroke = Some(stroke);
+        }
+        Ok(())
+    }
+
+    /// The selection combined with elements, after ending an ongoing edit.
+    fn combine(
+        &mut self,
+        kind: Element,
+        ids: impl IntoIterator<Item = u32>,
+        mode: SelectMode,
+    ) -> Result<Selection, CommandError> {
         self.end_edit();
-        let refuse = |text: String| CommandError::of("select", Problem::field("ids", text));
         let Some(mesh) = self.document.active().map(|object| object.named.mesh.clone()) else {
             return Err(CommandError::refused("select", "the document has no object"));
         };
-        let mut selection = if mode == SelectMode::Replace || self.selection.kind() != kind {
-            Selection::new(kind)
-        } else {
-            (*self.selection).clone()
+        let is_same_kind = self.selection.kind() == kind;
+        let mut selection = match mode {
+            SelectMode::Remove => (*self.selection).clone(),
+            SelectMode::Extend | SelectMode::Toggle if is_same_kind => (*self.selection).clone(),
+            _ => Selection::new(kind),
         };
         for id in ids {
             if !mesh.exists(kind, id) {
-                return Err(refuse(format!("there is no {kind} {id}")));
+                let problem = Problem::field("ids", format!("there is no {kind} {id}"));
+                return Err(CommandError::of("select", problem));
             }
-            if mode == SelectMode::Toggle && selection.contains(kind, id) {
-                selection.remove(id);
-            } else {
-                selection.insert(id);
+            match mode {
+                SelectMode::Remove if !is_same_kind => {}
+                SelectMode::Remove => {
+                    selection.remove(id);
+                }
+                SelectMode::Toggle if selection.contains(kind, id) => {
+                    selection.remove(id);
+                }
+                _ => {
+                    selection.insert(id);
+                }
             }
         }
-        self.set_selection(selection);
-        Ok(())
+        Ok(selection)
     }
 
     /// Extends the selection by all ids from the one selected last to this one, like a Shift-click in a
@@ -97,6 +140,7 @@ impl Editor {
 
     /// Selects something else, as a step for [`Editor::undo_step`].
     pub(super) fn set_selection(&mut self, selection: Selection) {
+        self.stroke = None;
         let before = self.selection.clone();
         self.replace_selection(selection);
         // Which kind of element isn't selected is no change worth a step.

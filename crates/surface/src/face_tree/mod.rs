@@ -6,8 +6,8 @@ mod triangle;
 mod walk;
 
 pub use builder::FaceTreeBuilder;
-pub use walk::FaceWalk;
 pub(crate) use triangle::{along_segment, closest_in_triangle};
+pub use walk::FaceWalk;
 
 use crate::measure::Bounds;
 use glam::Vec3;

@@ -2,12 +2,12 @@
 
 use editor::SelectMode;
 use editor::ops::{SetVertexPosition, Transform, VertexRef};
-use egui::{CursorIcon, Event, Key, Modifiers, PointerButton, Pos2, Rect, Response, Ui};
+use egui::{CursorIcon, Event, Key, Modifiers, PointerButton, Pos2, Response, Ui};
 use glam::{Vec2, Vec3, vec2};
 use halfedge::{Element, Mesh};
 use surface::FaceTree;
 use surface::selecting::Line;
-use viewport::{BoxSelection, Camera, Picked, ScreenRect};
+use viewport::{Aim, Camera, Picked, Region, ScreenRect};
 
 use super::Viewport;
 use super::control_points;
@@ -15,18 +15,20 @@ use crate::bezier::ControlPoint;
 use crate::request::{Request, Requests};
 use crate::view::{Gesture, Tool};
 
-/// The radius around the pointer in which a vertex or an edge is picked, in points.
-const PICK_RADIUS_POINTS: f32 = 8.0;
+/// The radius around a mouse's pointer in which a vertex or an edge is picked, in points.
+const MOUSE_RADIUS: f32 = 8.0;
+/// The radius around a finger, half of a touch target: the nearest element in it is meant.
+const FINGER_RADIUS: f32 = 22.0;
 
 /// How far an arrow key turns or moves the view: as far as a drag of this many pixels.
 const ARROW_KEY_PIXELS: f32 = 40.0;
 
 /// A way to find the element at a pixel.
-type Pick = fn(&Mesh, &FaceTree, &Camera, Vec2, Vec2, Element, f32) -> Option<Picked>;
+type Pick = fn(&Mesh, &FaceTree, &Camera, Vec2, Vec2, Aim) -> Option<Picked>;
 
 /// The modifiers that were held when the pointer's button was pressed or released in this frame: by the end of a slow
 /// frame they may have been let go.
-fn modifiers_of_button(ui: &Ui) -> Modifiers {
+pub(super) fn modifiers_of_button(ui: &Ui) -> Modifiers {
     ui.input(|input| {
         let of_button = input.events.iter().rev().find_map(|event| match event {
             Event::PointerButton { modifiers, .. } => Some(*modifiers),
@@ -36,8 +38,15 @@ fn modifiers_of_button(ui: &Ui) -> Modifiers {
     })
 }
 
-/// How a click or a box with these modifiers changes the selection.
-fn select_mode(modifiers: Modifiers) -> SelectMode {
+/// Whether the pointer is a finger: while one is down, and in the frame in which it is lifted.
+fn is_finger(ui: &Ui) -> bool {
+    ui.input(|input| {
+        input.any_touches() || input.events.iter().any(|event| matches!(event, Event::Touch { .. }))
+    })
+}
+
+/// How a click, a box or a lasso with these modifiers changes the selection.
+pub(super) fn select_mode(modifiers: Modifiers) -> SelectMode {
     if modifiers.command {
         SelectMode::Toggle
     } else if modifiers.shift {
@@ -51,6 +60,7 @@ impl Viewport<'_> {
     pub(super) fn gestures(&mut self, ui: &Ui, response: &Response, out: &mut Requests) {
         let touches = ui.input(|input| input.multi_touch());
         let pointer = response.interact_pointer_pos();
+        self.view.pick_radius = if is_finger(ui) { FINGER_RADIUS } else { MOUSE_RADIUS };
         if let Some(touch) = touches.filter(|_| response.dragged() || response.contains_pointer()) {
             // A second finger ends whatever one finger had begun.
             self.end_gesture(None, out);
@@ -60,6 +70,14 @@ impl Viewport<'_> {
             self.view.camera.pan(vec2(by.x, by.y), size);
             let center = self.view.local(touch.center_pos);
             self.view.camera.zoom(f64::from(touch.zoom_delta), center, size);
+            return;
+        }
+        if self.view.gesture == Gesture::Ended && !ui.input(|input| input.pointer.any_down()) {
+            self.view.gesture = Gesture::None;
+        }
+        if self.paint(ui, response) {
+            self.view.hovered = None;
+            self.continue_regions(ui, out);
             return;
         }
         if response.drag_started() {
@@ -72,9 +90,9 @@ impl Viewport<'_> {
             self.continue_gesture(ui, response, pointer, out);
         }
         if response.drag_stopped() {
-            self.end_gesture(pointer.map(|at| (at, select_mode(modifiers_of_button(ui)))), out);
+            self.end_gesture(pointer.map(|at| (at, modifiers_of_button(ui))), out);
         }
-        self.continue_box(ui, out);
+        self.continue_regions(ui, out);
         self.wheel(ui, response);
         self.arrow_keys(ui);
         self.hover(ui, response);
@@ -102,6 +120,7 @@ impl Viewport<'_> {
             }
         }
         if response.secondary_clicked()
+            && self.view.tool != Tool::Circle
             && let Some(at) = pointer
             && let Some(id) = self.pick(at, self.shown.kind)
             && !self.session.editor.selection().contains(self.shown.kind, id)
@@ -113,9 +132,11 @@ impl Viewport<'_> {
     fn start_gesture(&mut self, ui: &Ui, response: &Response, from: Pos2) {
         let modifiers = modifiers_of_button(ui);
         let primary = response.dragged_by(PointerButton::Primary);
-        self.view.gesture = if response.dragged_by(PointerButton::Secondary)
-            || (primary && modifiers.shift && self.view.tool == Tool::Orbit)
-        {
+        let secondary = response.dragged_by(PointerButton::Secondary);
+        let lasso = if secondary { modifiers.command } else { primary && self.view.tool == Tool::Lasso };
+        self.view.gesture = if lasso && !(primary && modifiers.alt) {
+            Gesture::Lasso { points: vec![from], secondary }
+        } else if secondary || (primary && modifiers.shift && self.view.tool == Tool::Orbit) {
             Gesture::Pan
         } else if !primary || modifiers.alt {
             Gesture::Orbit
@@ -160,6 +181,7 @@ impl Viewport<'_> {
                 self.view.camera.orbit(by, size);
                 ui.ctx().set_cursor_icon(CursorIcon::Grabbing);
             }
+            (Gesture::Lasso { .. }, _) => self.draw_lasso(ui),
             (Gesture::Pan, _) => {
                 self.view.camera.pan(by, size);
                 ui.ctx().set_cursor_icon(CursorIcon::Move);
@@ -199,13 +221,17 @@ impl Viewport<'_> {
         }
     }
 
-    /// Ends the drag at a place; a box selects in this mode. Without a place, cancels the drag.
-    fn end_gesture(&mut self, at: Option<(Pos2, SelectMode)>, out: &mut Requests) {
+    /// Ends the drag at a place, with these modifiers held. Without a place, cancels the drag.
+    fn end_gesture(&mut self, at: Option<(Pos2, Modifiers)>, out: &mut Requests) {
         match (std::mem::replace(&mut self.view.gesture, Gesture::None), at) {
             (Gesture::Move { .. } | Gesture::Control { .. }, Some(_)) => out.push(Request::CommitEdit),
             (Gesture::Move { .. } | Gesture::Control { .. }, None) => out.push(Request::CancelEdit),
-            (Gesture::Box { from }, Some((to, mode))) => {
-                self.start_box(Rect::from_two_pos(from, to), mode);
+            (Gesture::Box { from }, Some((to, modifiers))) => {
+                let (from, to) = (self.view.local(from), self.view.local(to));
+                self.select_in(Region::rect(ScreenRect::between(from, to)), select_mode(modifiers), None);
+            }
+            (Gesture::Lasso { points, secondary }, Some((_, modifiers))) => {
+                self.end_lasso(points, secondary, modifiers);
             }
             _ => {}
         }
@@ -239,7 +265,11 @@ impl Viewport<'_> {
         let Some(at) = ui.input(|input| input.pointer.hover_pos()) else { return };
         let (scroll, zoom) =
             ui.input_mut(|input| (std::mem::take(&mut input.smooth_scroll_delta), input.zoom_delta()));
-        let factor = f64::from(zoom) * (f64::from(scroll.y) / 240.0).exp();
+        if self.view.tool == Tool::Circle {
+            self.view.scale_circle((scroll.y / 240.0).exp());
+        }
+        let scrolled = if self.view.tool == Tool::Circle { 0.0 } else { f64::from(scroll.y) };
+        let factor = f64::from(zoom) * (scrolled / 240.0).exp();
         if factor != 1.0 {
             let (local, size) = (self.view.local(at), self.view.size());
             self.view.camera.zoom(factor, local, size);
@@ -259,7 +289,7 @@ impl Viewport<'_> {
             }
             return;
         };
-        let look = (at, self.view.camera, self.shown.kind);
+        let look = (at, self.view.camera, self.shown.kind, self.view.style.x_ray);
         if self.view.looked == Some(look) {
             return;
         }
@@ -292,36 +322,10 @@ impl Viewport<'_> {
     fn pick_by(&mut self, pick: Pick, at: Pos2, kind: Element) -> Option<u32> {
         let object = self.session.editor.document().active().filter(|object| object.visible())?;
         let (camera, local, size) = (self.view.camera, self.view.local(at), self.view.size());
+        let aim = Aim { kind, radius: self.view.pick_radius, through: self.view.style.x_ray };
         let mesh = object.mesh();
         let tree = self.view.tree(object);
-        pick(mesh, tree, &camera, size, local, kind, PICK_RADIUS_POINTS).map(|picked| picked.id)
-    }
-
-    /// Begins to select the visible elements of the listed kind in a box on the page.
-    fn start_box(&mut self, area: Rect, mode: SelectMode) {
-        let Some(object) = self.session.editor.document().active().filter(|object| object.visible()) else {
-            return;
-        };
-        let rect = ScreenRect::between(self.view.local(area.min), self.view.local(area.max));
-        let (camera, size) = (self.view.camera, self.view.size());
-        let found = BoxSelection::new(&camera, size, rect, self.shown.kind, true);
-        self.view.boxed = Some((object.id(), found, mode));
-    }
-
-    /// Continues to look for the elements in the box, as far as the frame's budget goes.
-    fn continue_box(&mut self, ui: &Ui, out: &mut Requests) {
-        let Some((id, mut boxed, mode)) = self.view.boxed.take() else { return };
-        let Some(object) = self.session.editor.document().active().filter(|object| object.id() == id) else {
-            return;
-        };
-        match self.view.step_box(object, &mut boxed) {
-            Some(ids) => out.select(boxed.kind(), ids, mode),
-            None => {
-                self.view.boxed = Some((id, boxed, mode));
-                ui.ctx().set_cursor_icon(CursorIcon::Progress);
-                ui.ctx().request_repaint();
-            }
-        }
+        pick(mesh, tree, &camera, size, local, aim).map(|picked| picked.id)
     }
 
     /// Selects the line of elements of the listed kind through the edge nearest to a place on the page.

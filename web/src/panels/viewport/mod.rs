@@ -4,6 +4,7 @@ mod bezier_picture;
 pub(crate) mod control_points;
 mod gesture;
 mod overlay;
+mod regions;
 
 use egui::{Sense, Ui, WidgetInfo};
 
@@ -15,7 +16,7 @@ use crate::request::Requests;
 use crate::session::Session;
 use crate::shown::Shown;
 use crate::theme;
-use crate::view::{View, picture};
+use crate::view::{Tool, View, picture};
 
 /// The state that the viewport reads and changes.
 pub(crate) struct Viewport<'a> {
@@ -49,13 +50,18 @@ impl Viewport<'_> {
         response.widget_info(|| WidgetInfo::labeled(egui::Role::Canvas, true, "Viewport"));
         ui.ctx().accesskit_node_builder(id, |node| node.set_value(under.unwrap_or_default()));
 
+        let was_circle = self.view.tool == Tool::Circle;
         self.gestures(ui, &response, out);
-        response.context_menu(|ui| match bezier::active(&self.session.editor) {
-            Some(_) => panels::bezier::menu(ui, &self.page(), out),
-            None => panels::elements::menu(ui, &self.page(), out),
-        });
+        // A right click puts the circle away instead.
+        if !was_circle {
+            response.context_menu(|ui| match bezier::active(&self.session.editor) {
+                Some(_) => panels::bezier::menu(ui, &self.page(), out),
+                None => panels::elements::menu(ui, &self.page(), out),
+            });
+        }
         picture::paint(ui, rect, &self.session.editor, self.view);
         bezier_picture::paint(ui, rect, &self.session.editor, self.view, self.player);
+        regions::show(ui, rect, &self.page());
         overlay::paint(ui, rect, &self.page());
     }
 }

@@ -1,7 +1,7 @@
-//! The overlays on the picture: the axes, the selection box, the info overlay, and what to do if there is
+//! The overlays on the picture: the axes, what the tool does, the info overlay, and what to do if there is
 //! nothing to see.
 
-use egui::{Align2, Color32, FontId, Pos2, Rect, RichText, Stroke, StrokeKind, Ui, vec2};
+use egui::{Align2, Color32, FontId, Pos2, Rect, RichText, Stroke, Ui, vec2};
 use glam::DVec3;
 use halfedge::Element;
 
@@ -14,24 +14,16 @@ use halfedge::words::thousands;
 
 /// Draws the overlays.
 pub(super) fn paint(ui: &mut Ui, rect: Rect, page: &Page<'_>) {
-    let pointer = ui.input(|input| input.pointer.latest_pos());
-    if let Some(area) = page.view.selection_box(pointer) {
-        let accent = ui.visuals().hyperlink_color;
-        ui.painter().rect(
-            area,
-            0.0,
-            accent.gamma_multiply(0.15),
-            Stroke::new(1.0, accent),
-            StrokeKind::Inside,
-        );
-    }
-    if page.view.tool == Tool::Box {
-        label(
-            ui,
-            rect.center_top() + vec2(0.0, 12.0),
-            Align2::CENTER_TOP,
-            "Box select: drag over elements; Escape ends it",
-        );
+    let help = match page.view.tool {
+        Tool::Orbit => None,
+        Tool::Box => Some("Box select: drag over elements; Shift adds, Ctrl adds or removes; Escape ends it"),
+        Tool::Lasso => Some("Lasso: draw around elements; Shift adds, Ctrl adds or removes; Escape ends it"),
+        Tool::Circle => {
+            Some("Circle select: drag to add, with Ctrl to remove; wheel or [ ] for the size; Escape ends it")
+        }
+    };
+    if let Some(help) = help {
+        label(ui, rect.center_top() + vec2(0.0, 12.0), Align2::CENTER_TOP, help);
     }
     if page.view.picture.is_none() {
         say_in_middle(
@@ -125,7 +117,8 @@ fn info(ui: &Ui, rect: Rect, page: &Page<'_>) {
 /// Text on a background plate that is readable over any picture.
 fn label(ui: &Ui, at: Pos2, anchor: Align2, text: &str) {
     let font = FontId::proportional(12.0);
-    let galley = ui.painter().layout_no_wrap(text.to_owned(), font, ui.visuals().text_color());
+    let width = ui.max_rect().width() - 32.0;
+    let galley = ui.painter().layout(text.to_owned(), font, ui.visuals().text_color(), width);
     let area = anchor.anchor_size(at, galley.size() + vec2(16.0, 10.0));
     ui.painter().rect_filled(area, 6.0, theme::palette(ui.visuals()).overlay);
     ui.painter().galley(area.min + vec2(8.0, 5.0), galley, ui.visuals().text_color());
