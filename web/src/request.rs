@@ -12,6 +12,7 @@ use surface::selecting::Line;
 use crate::bezier::Controls;
 use crate::input::actions::Action;
 use crate::session::form::Filled;
+use crate::session::toasts::Slot;
 use crate::shown::{Sheet, Window};
 
 /// A panel's request.
@@ -74,9 +75,9 @@ pub(crate) enum Request {
     /// Show a toast.
     Say { kind: MessageKind, text: String },
     /// Show or hide the details of a toast.
-    ToggleToast(usize),
+    ToggleToast(Slot),
     /// Dismiss a toast.
-    DismissToast(usize),
+    DismissToast(Slot),
 }
 
 /// The requests of a frame, in order.

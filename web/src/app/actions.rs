@@ -4,7 +4,7 @@ use editor::ops::{
     BezierDeletePoint, BezierElevateDegree, BezierInsertPoint, BezierSplit, Remesh, Simplify,
     SubdivideCatmullClark, SubdivideLoop, four_digits,
 };
-use editor::{Command, MessageKind, OpId, SelectMode};
+use editor::{Command, OpId, SelectMode};
 use egui::ThemePreference;
 use formats::Format;
 use halfedge::Element;
@@ -40,7 +40,7 @@ impl App {
         if let Some(reason) = self.page().why_not(action) {
             // Keys can start actions that menus grey out.
             if !matches!(action, Action::Cancel) {
-                self.session.toast(MessageKind::Warning, reason, Vec::new());
+                self.session.warn(reason, Vec::new());
             }
             return;
         }
@@ -105,7 +105,10 @@ impl App {
             Action::DarkTheme => self.set_theme(ThemePreference::Dark),
             Action::Shortcuts => self.shown.shortcuts ^= true,
             Action::Palette => self.panels.palette.show(),
-            Action::Messages => self.shown.messages ^= true,
+            Action::Messages => {
+                self.shown.messages ^= true;
+                self.session.toasts.errors_are_read();
+            }
             Action::About => self.shown.about ^= true,
             Action::Upsample => {
                 let command = self.upsampling();

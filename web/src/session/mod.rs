@@ -85,6 +85,9 @@ impl Session {
         self.refusals.get_mut().clear();
         self.survey.follow(&self.editor, changes);
         self.measured.get_mut().follow(&self.editor, changes);
+        if changes.document {
+            self.toasts.follow(&self.editor);
+        }
     }
 
     /// Why an operation on the selection can't be done now, as a sentence; none if it can.
@@ -139,8 +142,16 @@ impl Session {
     /// Shows a toast.
     pub fn toast(&mut self, kind: MessageKind, text: String, details: Vec<String>) {
         let now = self.ctx.input(|input| input.time);
-        self.toasts.add(now, kind, text, details);
+        self.toasts.add(now, kind, text, details, &self.editor);
         self.ctx.request_repaint();
+    }
+
+    /// Warns, in a toast and in the messages.
+    pub fn warn(&mut self, text: String, details: Vec<String>) {
+        for line in std::iter::once(&text).chain(&details) {
+            self.editor.say(MessageKind::Warning, line.clone());
+        }
+        self.toast(MessageKind::Warning, text, details);
     }
 
     /// Reports a failure, in a toast and in the messages.

@@ -1,6 +1,6 @@
 //! The preview of an operation while its form is filled in; it is not an undo step yet.
 
-use editor::{CommandError, Facts, MessageKind, OpId, Outcome};
+use editor::{CommandError, Facts, OpId, Outcome};
 use halfedge::{Element, Mesh};
 
 use super::form::{self, Filled};
@@ -77,7 +77,7 @@ impl Session {
         if let Some(Preview { outcome, .. }) = self.previewing.shown.take()
             && !outcome.warnings.is_empty()
         {
-            self.toast(MessageKind::Warning, outcome.message, outcome.warnings);
+            self.warn(outcome.message, outcome.warnings);
         }
         true
     }

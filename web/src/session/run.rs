@@ -10,7 +10,7 @@ use super::{Look, Session};
 use crate::bezier;
 use crate::input::actions::Action;
 use crate::platform::{Fetched, NamedBytes};
-use halfedge::words::sentence;
+use halfedge::words::{sentence, thousands};
 
 /// The error that callers of a cancelled job get.
 const CANCELLED: &str = "cancelled";
@@ -62,7 +62,7 @@ impl Session {
                     self.look_at_new();
                 }
                 if !outcome.warnings.is_empty() {
-                    self.toast(MessageKind::Warning, outcome.message.clone(), outcome.warnings.clone());
+                    self.warn(outcome.message.clone(), outcome.warnings.clone());
                 }
                 if let Some(reply) = reply {
                     reply(Ok(Answer::Outcome(outcome)));
@@ -130,20 +130,19 @@ impl Session {
         let finished = self.editor.finish(id, result.map_err(|error| with_notes(error, &running.notes)));
         match finished {
             Ok(Finished::Done(mut outcome)) => {
+                for note in &running.notes {
+                    self.editor.say(MessageKind::Warning, note.clone());
+                }
                 if outcome.op == "open" {
                     self.look_at_opened();
-                    self.say_opened(&outcome);
+                    self.say_opened(&outcome, &running.notes);
                 } else {
                     if OpId::named(&outcome.op) == Some(OpId::New) {
                         self.look_at_new();
                     }
                     self.toast(MessageKind::Info, outcome.message.clone(), outcome.warnings.clone());
                 }
-                for note in running.notes {
-                    self.editor.say(MessageKind::Warning, note.clone());
-                    self.toast(MessageKind::Warning, note.clone(), Vec::new());
-                    outcome.warnings.push(note);
-                }
+                outcome.warnings.extend(running.notes);
                 if let Some(reply) = running.reply {
                     reply(Ok(Answer::Outcome(outcome)));
                 }
@@ -170,19 +169,23 @@ impl Session {
         let objects = self.editor.document().objects();
         let is_flat = !objects.is_empty() && objects.iter().all(flat);
         self.look = Some(if is_flat { Look::FlatCurves } else { Look::Document });
-        // Actions offered for the previous document don't apply to this one.
-        self.toasts.withdraw();
     }
 
-    fn say_opened(&mut self, outcome: &editor::Outcome) {
-        let kind = if outcome.warnings.is_empty() { MessageKind::Info } else { MessageKind::Warning };
+    /// Says what was opened; `notes` are about files that could not be fetched.
+    fn say_opened(&mut self, outcome: &editor::Outcome, notes: &[String]) {
         let mut text = outcome.message.clone();
         match outcome.warnings.len() {
             0 => {}
             1 => text.push_str("; the import changed one thing"),
-            many => text.push_str(&format!("; the import changed {many} things")),
+            many => text.push_str(&format!("; the import changed {} things", thousands(many))),
         }
-        self.toast(kind, text, outcome.warnings.clone());
+        if let Some(first) = notes.first() {
+            text = format!("{} {first}", sentence(&text));
+        }
+        let is_clean = outcome.warnings.is_empty() && notes.is_empty();
+        let kind = if is_clean { MessageKind::Info } else { MessageKind::Warning };
+        let details = outcome.warnings.iter().chain(notes.iter().skip(1)).cloned().collect();
+        self.toast(kind, text, details);
         if self.editor.document().active().is_some_and(editor::Object::is_repairable) {
             self.toasts.offer(Action::Operation(OpId::RepairImport));
         }
@@ -204,7 +207,7 @@ impl Session {
             Ok(Begun::Done(outcome)) => {
                 self.adjusting_is_slow = self.platform.now() - started > MAX_SECONDS_PER_STEP;
                 if !outcome.warnings.is_empty() {
-                    self.toast(MessageKind::Warning, outcome.message, outcome.warnings);
+                    self.warn(outcome.message, outcome.warnings);
                 }
             }
             Ok(Begun::Job(request)) => {

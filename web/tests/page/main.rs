@@ -14,6 +14,7 @@ mod regions;
 mod save;
 mod selecting;
 mod shell;
+mod toasts;
 mod viewport;
 mod whole;
 mod wording;
