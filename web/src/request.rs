@@ -2,7 +2,7 @@
 //! frame is drawn.
 
 use editor::ops::BezierInsertPoint;
-use editor::{Command, CommandError, JobId, MessageKind, OpId, SelectMode};
+use editor::{Command, CommandError, JobId, OpId, SelectMode};
 use egui::Pos2;
 use formats::Format;
 use glam::Vec3;
@@ -67,13 +67,13 @@ pub(crate) enum Request {
     ShowSheet(Sheet),
     /// Close a window.
     Close(Window),
-    /// Save the document in a format, under a name without extension. `holds_all` says whether the format
-    /// holds everything.
-    Save { format: Format, name: String, holds_all: bool },
+    /// Save the document in a format, under a name without extension. `brings_back_all` says whether opening the
+    /// file brings back everything.
+    Save { format: Format, name: String, brings_back_all: bool },
     /// Cancel a job.
     CancelJob(JobId),
-    /// Show a toast.
-    Say { kind: MessageKind, text: String },
+    /// Show a warning.
+    Warn(String),
     /// Show or hide the details of a toast.
     ToggleToast(Slot),
     /// Dismiss a toast.

@@ -64,12 +64,12 @@ impl App {
             Request::InsertControlPoint(insert) => self.insert_control_point(insert),
             Request::ShowSheet(sheet) => self.shown.sheet = sheet,
             Request::Close(window) => self.shown.close(window),
-            Request::Save { format, name, holds_all } => {
+            Request::Save { format, name, brings_back_all } => {
                 self.session.platform.store_setting(FORMAT_SETTING, format.code());
-                self.session.save(format, name, holds_all);
+                self.session.save(format, name, brings_back_all);
             }
             Request::CancelJob(id) => self.session.cancel_job(id),
-            Request::Say { kind, text } => self.session.toast(kind, text, Vec::new()),
+            Request::Warn(text) => self.session.warn(text, Vec::new()),
             Request::ToggleToast(at) => self.session.toasts.toggle(at),
             Request::DismissToast(at) => self.session.toasts.dismiss(at),
         }

@@ -1,6 +1,7 @@
 //! Whether an action can be done now, and if not, why: menu items and buttons are greyed accordingly.
 
-use editor::OpId;
+use editor::{Document, OpId};
+use formats::Format;
 use halfedge::Element;
 
 use crate::bezier::{self, Player};
@@ -24,6 +25,7 @@ pub(crate) fn why_not(action: Action, session: &Session, kind: Element, player: 
         Action::Save | Action::SaveAs(_) if document.objects().is_empty() => {
             Some("There is nothing to save. Open a file or make a shape first.".into())
         }
+        Action::SaveAs(format) => why_not_in(format, document),
         Action::SelectAll | Action::SelectInverse | Action::GoToId => {
             let count = editor.mesh().map_or(0, |mesh| mesh.count(kind));
             (count == 0).then(|| format!("The mesh has no {}.", plural(kind).to_lowercase()))
@@ -51,6 +53,16 @@ pub(crate) fn why_not(action: Action, session: &Session, kind: Element, player: 
         Action::Operation(id) => operation(id),
         _ => None,
     }
+}
+
+/// Why a document can't be saved in a format: formats for control points hold nothing of a mesh.
+fn why_not_in(format: Format, document: &Document) -> Option<String> {
+    let holds_curves =
+        [true, false].into_iter().find(|curves| Format::for_bezier(*curves) == Some(format))?;
+    let mut kinds = document.objects().iter().filter_map(|object| Some(object.bezier()?.curve().is_some()));
+    let shape = if holds_curves { "curve" } else { "surface" };
+    let reason = || format!("{} holds a Bezier {shape}, and the document has none.", format.name());
+    (!kinds.any(|is_curve| is_curve == holds_curves)).then(reason)
 }
 
 /// Why an action can't be done with the active Bezier curve or surface.

@@ -167,11 +167,12 @@ pub fn written(ctx: &Context, shortcut: &KeyboardShortcut) -> String {
         shortcut.logical_key,
         Key::Questionmark | Key::Period | Key::OpenBracket | Key::CloseBracket | Key::Equals | Key::Minus
     );
-    if plain {
-        let symbol = shortcut.logical_key.symbol_or_name();
-        return if shortcut.modifiers.shift { format!("Shift+{symbol}") } else { symbol.to_owned() };
+    let key = shortcut.logical_key;
+    let text = ctx.format_shortcut(shortcut);
+    match text.strip_suffix(key.name()) {
+        Some(modifiers) if plain => format!("{modifiers}{}", key.symbol_or_name()),
+        _ => text,
     }
-    ctx.format_shortcut(shortcut)
 }
 
 /// A sentence followed by its key: "Undo the last change. (Ctrl+Z)".
@@ -252,6 +253,26 @@ mod tests {
                 for key in keys {
                     assert!(!seen.contains(key), "{key:?} is bound to {action:?} and to another");
                     seen.push(*key);
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn keys_are_written_with_their_modifiers() {
+        let ctx = Context::default();
+        assert_eq!(text(&ctx, A::SelectBy(SelectBy::Grow)), "Ctrl+=");
+        assert_eq!(text(&ctx, A::SelectBy(SelectBy::Shrink)), "Ctrl+−");
+        assert_eq!(text(&ctx, A::LongerEdges), "=");
+        let mut seen = std::collections::HashMap::new();
+        for (action, keys) in BINDINGS.iter() {
+            for key in keys {
+                let text = written(&ctx, key);
+                assert_eq!(text.contains("Ctrl+"), key.modifiers.command, "{text}");
+                assert_eq!(text.contains("Alt+"), key.modifiers.alt, "{text}");
+                assert_eq!(text.contains("Shift+"), key.modifiers.shift, "{text}");
+                if let Some(other) = seen.insert(text.clone(), action) {
+                    panic!("{action:?} and {other:?} are both written {text}");
                 }
             }
         }

@@ -183,10 +183,7 @@ fn go_to(page: &Page<'_>, own: &mut Lists, out: &mut Requests) {
                 n => format!("ids go from 0 to {}", thousands(n - 1)),
             };
             let typed = own.go_to.trim().to_owned();
-            out.push(Request::Say {
-                kind: editor::MessageKind::Warning,
-                text: format!("There is no {kind} “{typed}”: {range}."),
-            });
+            out.push(Request::Warn(format!("There is no {kind} “{typed}”: {range}.")));
         }
     }
 }

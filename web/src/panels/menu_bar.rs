@@ -169,7 +169,9 @@ pub(crate) fn menu_item(ui: &mut Ui, page: &Page<'_>, entry: &Entry, out: &mut R
     };
     let response = match page.is_on(entry.action) {
         Some(mut on) => {
-            ui.add_enabled(why_not.is_none(), egui::Checkbox::new(&mut on, menu_text(ui, &label, &keys)))
+            let keys = RichText::new(keys).weak();
+            let text = (RichText::new(label), egui::Atom::grow(), keys);
+            ui.add_enabled(why_not.is_none(), egui::Checkbox::new(&mut on, text)).accessible_name(entry.label)
         }
         None => {
             let button = Button::new(label);
@@ -181,17 +183,6 @@ pub(crate) fn menu_item(ui: &mut Ui, page: &Page<'_>, entry: &Entry, out: &mut R
         out.act(entry.action);
         ui.close();
     }
-}
-
-/// A toggle's name followed by its key, since check boxes have no separate place for keys.
-fn menu_text(ui: &Ui, label: &str, keys: &str) -> egui::text::LayoutJob {
-    let mut job = egui::text::LayoutJob::default();
-    let font = egui::TextStyle::Button.resolve(ui.style());
-    job.append(label, 0.0, egui::TextFormat::simple(font.clone(), egui::Color32::PLACEHOLDER));
-    if !keys.is_empty() {
-        job.append(keys, 12.0, egui::TextFormat::simple(font, ui.visuals().weak_text_color()));
-    }
-    job
 }
 
 /// Adds a tooltip: the description and the key, or why the action can't be done.

@@ -1,12 +1,14 @@
 //! The command palette: every action by name, found by typing.
 
-use egui::{Align2, Button, Context, Id, Key, Modal, Modifiers, RichText, ScrollArea, TextEdit, vec2};
+use egui::{
+    Align2, AtomExt as _, Button, Context, Id, Key, Modal, Modifiers, RichText, ScrollArea, TextEdit, vec2,
+};
 
 use crate::input::actions::{self, Action, Entry};
 use crate::input::keys;
 use crate::page_view::Page;
 use crate::panels::menu_bar::explain;
-use crate::request::Requests;
+use crate::request::{Request, Requests};
 
 /// The state of the palette while it is open.
 #[derive(Default)]
@@ -53,7 +55,7 @@ pub(crate) fn show(ctx: &Context, page: &Page<'_>, own: &mut PaletteState, out: 
         if field.changed() {
             own.at = 0;
         }
-        let found = find(&own.text, &own.recent);
+        let found = find(&own.text, &own.recent, |action| page.why_not(action));
         let last = found.len().saturating_sub(1);
         let moved = up || down;
         if down {
@@ -67,19 +69,26 @@ pub(crate) fn show(ctx: &Context, page: &Page<'_>, own: &mut PaletteState, out: 
         }
         ScrollArea::vertical().max_height(screen.height() * 0.5).auto_shrink([false, true]).show(ui, |ui| {
             ui.spacing_mut().item_spacing.y = 1.0;
-            for (row, entry) in found.iter().enumerate() {
-                let why_not = page.why_not(entry.action);
+            for (row, Found { entry, why_not }) in found.iter().enumerate() {
                 let on = row == own.at;
+                // Beside a greyed command stands what it needs.
+                let beside = match why_not {
+                    Some(reason) => RichText::new(reason).small().color(ui.visuals().warn_fg_color),
+                    None => RichText::new(keys::text(ui.ctx(), entry.action)),
+                };
                 let button = Button::selectable(on, entry.label)
-                    .shortcut_text(keys::text(ui.ctx(), entry.action))
+                    .shortcut_text(beside.atom_shrink(true))
+                    .truncate()
                     .min_size(vec2(ui.available_width(), 26.0));
-                let response = ui.add_enabled(why_not.is_none(), button);
+                let response = ui.add_enabled(why_not.is_none(), button).accessible_name(entry.label);
                 if on && moved {
                     response.scroll_to_me(None);
                 }
                 let clicked = explain(response, ui, entry, why_not.as_deref()).clicked();
-                if clicked || (on && enter && why_not.is_none()) {
-                    chosen = Some(entry.action);
+                match why_not {
+                    None if clicked || (on && enter) => chosen = Some(entry.action),
+                    Some(reason) if on && enter => out.push(Request::Warn(reason.clone())),
+                    _ => {}
                 }
             }
         });
@@ -94,37 +103,48 @@ pub(crate) fn show(ctx: &Context, page: &Page<'_>, own: &mut PaletteState, out: 
     }
 }
 
+/// An action that was found.
+#[derive(Debug)]
+struct Found {
+    entry: Entry,
+    /// Why it can't be done now.
+    why_not: Option<String>,
+}
+
 /// The actions whose names, or names in other programs, contain all typed words: first the one of exactly that
-/// name, then those that begin with the typed text; among equals those that were chosen lately.
-fn find(typed: &str, recent: &[Action]) -> Vec<Entry> {
+/// name, then those that begin with the typed text; among equals those that can be done now, then those that were
+/// chosen lately.
+fn find(typed: &str, recent: &[Action], why_not: impl Fn(Action) -> Option<String>) -> Vec<Found> {
     let typed = typed.trim().to_lowercase();
-    let mut found: Vec<((usize, usize), Entry)> = actions::all()
+    let mut found: Vec<((usize, bool, usize), Found)> = actions::all()
         .filter_map(|entry| {
-            let label = entry.label.to_lowercase();
-            let name = match entry.action {
-                Action::Operation(id) => id.spec().name,
-                _ => "",
-            };
-            let has_all = |text: &str| typed.split_whitespace().all(|word| text.contains(word));
-            let rank = match () {
-                () if label.trim_end_matches('…') == typed || name == typed => 0,
-                () if label.starts_with(&typed) => 1,
-                () if label.split(' ').any(|word| word.starts_with(&typed)) => 2,
-                () if entry.synonyms.contains(&typed.as_str()) => 3,
-                () if has_all(&format!("{label} {name}")) => 4,
-                () if entry.synonyms.iter().any(|synonym| has_all(synonym)) => 5,
-                () => return None,
-            };
+            let rank = if typed.is_empty() { 0 } else { rank(&entry, &typed)? };
+            let why_not = why_not(entry.action);
             let age = recent.iter().position(|action| *action == entry.action).unwrap_or(usize::MAX);
-            Some(((rank, age), entry))
+            Some(((rank, why_not.is_some(), age), Found { entry, why_not }))
         })
         .collect();
-    if typed.is_empty() {
-        found.sort_by_key(|((_, age), _)| *age);
-    } else {
-        found.sort_by_key(|(rank, _)| *rank);
-    }
-    found.into_iter().map(|(_, entry)| entry).collect()
+    found.sort_by_key(|(order, _)| *order);
+    found.into_iter().map(|(_, found)| found).collect()
+}
+
+/// How well an action fits the typed text, from 0; none if it doesn't.
+fn rank(entry: &Entry, typed: &str) -> Option<usize> {
+    let label = entry.label.to_lowercase();
+    let name = match entry.action {
+        Action::Operation(id) => id.spec().name,
+        _ => "",
+    };
+    let has_all = |text: &str| typed.split_whitespace().all(|word| text.contains(word));
+    Some(match () {
+        () if label.trim_end_matches('…') == typed || name == typed => 0,
+        () if label.starts_with(typed) => 1,
+        () if label.split(' ').any(|word| word.starts_with(typed)) => 2,
+        () if entry.synonyms.contains(&typed) => 3,
+        () if has_all(&format!("{label} {name}")) => 4,
+        () if entry.synonyms.iter().any(|synonym| has_all(synonym)) => 5,
+        () => return None,
+    })
 }
 
 #[cfg(test)]
@@ -132,19 +152,34 @@ mod tests {
     use super::*;
     use editor::OpId;
 
+    /// The actions that are found where everything can be done.
+    fn named(typed: &str, recent: &[Action]) -> Vec<Action> {
+        find(typed, recent, |_| None).iter().map(|found| found.entry.action).collect()
+    }
+
+    #[test]
+    fn what_can_be_done_comes_first_and_the_rest_says_why_not() {
+        let can = [Action::Undo, Action::Grid];
+        let why_not = |action| (!can.contains(&action)).then(|| "Not now.".to_owned());
+        let found = find("", &[Action::Save, Action::Grid], why_not);
+        let actions: Vec<Action> = found.iter().map(|found| found.entry.action).collect();
+        assert_eq!(actions[..3], [Action::Grid, Action::Undo, Action::Save]);
+        assert!(found[2].why_not.is_some());
+        // What was typed counts more: Enter must not do something else.
+        let found = find("redo", &[], why_not);
+        assert_eq!(found.first().map(|found| found.entry.action), Some(Action::Redo));
+    }
+
     #[test]
     fn finds_by_label_word_and_op_name() {
-        assert_eq!(find("und", &[]).first().map(|entry| entry.action), Some(Action::Undo));
-        assert_eq!(find("grid", &[]).first().map(|entry| entry.action), Some(Action::Grid));
-        assert_eq!(
-            find("split-edge", &[]).first().map(|entry| entry.action),
-            Some(Action::Operation(OpId::SplitEdge))
-        );
-        let smooth = find("smooth", &[]).first().map(|entry| entry.action);
+        assert_eq!(named("und", &[]).first().copied(), Some(Action::Undo));
+        assert_eq!(named("grid", &[]).first().copied(), Some(Action::Grid));
+        assert_eq!(named("split-edge", &[]).first().copied(), Some(Action::Operation(OpId::SplitEdge)));
+        let smooth = named("smooth", &[]).first().copied();
         assert_eq!(smooth, Some(Action::Operation(OpId::Smooth)), "before smooth shading");
-        assert_eq!(find("all select", &[]).first().map(|entry| entry.action), Some(Action::SelectAll));
-        assert!(find("no such thing", &[]).is_empty());
-        assert_eq!(find("", &[]).len(), actions::all().count());
+        assert_eq!(named("all select", &[]).first().copied(), Some(Action::SelectAll));
+        assert!(named("no such thing", &[]).is_empty());
+        assert_eq!(named("", &[]).len(), actions::all().count());
     }
 
     #[test]
@@ -163,18 +198,18 @@ mod tests {
             ("deselect", Some(Action::SelectNone)),
         ];
         for (typed, action) in cases {
-            let found = find(typed, &[]);
-            assert!(found.iter().take(3).any(|entry| Some(entry.action) == action), "{typed}: {found:?}");
+            let found = named(typed, &[]);
+            assert!(found.iter().take(3).any(|found| Some(*found) == action), "{typed}: {found:?}");
         }
     }
 
     #[test]
     fn lists_what_was_chosen_lately_first() {
         let recent = [Action::Grid, Action::Operation(OpId::Simplify)];
-        let actions: Vec<Action> = find("", &recent).iter().map(|entry| entry.action).collect();
+        let actions: Vec<Action> = named("", &recent).iter().copied().collect();
         assert_eq!(actions[..2], recent);
         assert_eq!(actions.len(), actions::all().count());
         // What was typed counts more.
-        assert_eq!(find("undo", &recent).first().map(|entry| entry.action), Some(Action::Undo));
+        assert_eq!(named("undo", &recent).first().copied(), Some(Action::Undo));
     }
 }

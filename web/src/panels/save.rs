@@ -7,7 +7,7 @@ use egui::{
 };
 use formats::Format;
 
-use crate::input::actions;
+use crate::input::actions::{self, Action};
 use crate::page_view::Page;
 use crate::platform::Platform;
 use crate::request::{Request, Requests};
@@ -75,10 +75,11 @@ impl Saving {
         }
     }
 
-    /// Chooses the format whose extension was typed.
-    fn follow_extension(&mut self) {
+    /// Chooses the format whose extension was typed, if it suits the document.
+    fn follow_extension(&mut self, page: &Page<'_>) {
         if let Some(format) = Format::from_name(&self.name)
             && format.extension() != self.format.extension()
+            && page.why_not(Action::SaveAs(format)).is_none()
         {
             self.format = format;
         }
@@ -132,10 +133,10 @@ fn form(ui: &mut Ui, page: &Page<'_>, own: &mut Saving, narrow: bool) -> bool {
     let mut save = false;
     Grid::new("save").num_columns(2).spacing(vec2(12.0, 8.0)).show(ui, |ui| {
         let label = ui.label("File name").id;
-        save = name_field(ui, own, narrow, label);
+        save = name_field(ui, page, own, narrow, label);
         ui.end_row();
         let label = ui.label("Format").id;
-        format_choice(ui, own, label);
+        format_choice(ui, page, own, label);
         ui.end_row();
     });
     ui.add(Label::new(RichText::new(actions::of_format(own.format).description).weak()).wrap());
@@ -159,14 +160,14 @@ fn form(ui: &mut Ui, page: &Page<'_>, own: &mut Saving, narrow: bool) -> bool {
 }
 
 /// The name field, followed by the extension; returns whether Enter was pressed in it.
-fn name_field(ui: &mut Ui, own: &mut Saving, narrow: bool, label: Id) -> bool {
+fn name_field(ui: &mut Ui, page: &Page<'_>, own: &mut Saving, narrow: bool, label: Id) -> bool {
     let extension = own.format.extension();
     ui.horizontal(|ui| {
         let width = ui.available_width() - 48.0;
         let field = TextEdit::singleline(&mut own.name).desired_width(width.max(80.0));
         let field = ui.add(field).labelled_by(label);
         if field.changed() {
-            own.follow_extension();
+            own.follow_extension(page);
         }
         match own.stage {
             // A telephone's on-screen keyboard would cover the dialog.
@@ -192,14 +193,18 @@ fn name_field(ui: &mut Ui, own: &mut Saving, narrow: bool, label: Id) -> bool {
     .inner
 }
 
-fn format_choice(ui: &mut Ui, own: &mut Saving, label: Id) {
+/// The formats that suit the document.
+fn format_choice(ui: &mut Ui, page: &Page<'_>, own: &mut Saving, label: Id) {
     let combo = ComboBox::from_id_salt("format")
         .selected_text(own.format.name())
         .width(ui.available_width() - 8.0)
         .height(420.0);
     let combo = combo.show_ui(ui, |ui| {
         for entry in actions::formats() {
-            let actions::Action::SaveAs(format) = entry.action else { continue };
+            let Action::SaveAs(format) = entry.action else { continue };
+            if page.why_not(entry.action).is_some() {
+                continue;
+            }
             let on = format == own.format;
             if ui.selectable_label(on, format.name()).on_hover_text(entry.description).clicked() {
                 // An extension in the name would choose its own format again.
@@ -217,14 +222,20 @@ fn format_choice(ui: &mut Ui, own: &mut Saving, label: Id) {
 fn show_losses(ui: &mut Ui, page: &Page<'_>, own: &mut Saving) {
     let format = own.format;
     let losses = losses_of(page, own, format);
-    if losses.is_empty() {
+    let (good, warning) = (theme::palette(ui.visuals()).good, ui.visuals().warn_fg_color);
+    if !format.can_read() {
+        let text = format!(
+            "Meshwright can't open {} again, so the document will still count as changed.",
+            format.name()
+        );
+        ui.add(Label::new(RichText::new(text).color(warning)).wrap());
+    } else if losses.is_empty() {
         let text = format!("{} holds everything in this document.", format.name());
-        ui.label(RichText::new(text).color(theme::palette(ui.visuals()).good));
-        return;
+        ui.label(RichText::new(text).color(good));
     }
     ScrollArea::vertical().max_height(160.0).auto_shrink([false, true]).show(ui, |ui| {
         for loss in losses {
-            let text = RichText::new(format!("{loss}.")).color(ui.visuals().warn_fg_color);
+            let text = RichText::new(format!("{loss}.")).color(warning);
             ui.add(Label::new(text).wrap());
         }
     });
@@ -247,8 +258,8 @@ fn save(page: &Page<'_>, own: &mut Saving, out: &mut Requests) {
     let Some(name) = stem(&own.name, format) else { return };
     own.stage = Stage::Closed;
     own.last_saved = Some((page.editor.document().name().to_owned(), name.clone()));
-    let holds_all = losses_of(page, own, format).is_empty();
-    out.push(Request::Save { format, name, holds_all });
+    let brings_back_all = format.can_read() && losses_of(page, own, format).is_empty();
+    out.push(Request::Save { format, name, brings_back_all });
 }
 
 #[cfg(test)]

@@ -28,7 +28,7 @@ pub struct Running {
     pub seen: Option<f64>,
     /// The caller that waits for the result besides the user.
     pub reply: Option<Reply>,
-    /// The revision of the document that is saved once the job is done, if the files hold all of it.
+    /// The revision of the document that is saved once the job is done, if opening the files brings back all of it.
     pub saves: Option<u64>,
     /// Notes to show with the result.
     pub notes: Vec<String>,

@@ -228,19 +228,19 @@ impl Session {
     }
 
     /// Starts the job that writes the document's files.
-    pub fn save(&mut self, format: Format, name: String, holds_all: bool) {
+    pub fn save(&mut self, format: Format, name: String, brings_back_all: bool) {
         // Committed first, so that the revision that counts as saved is the one in the files.
         self.end_live(true);
         self.editor.commit_edit();
         let request = self.editor.begin_export_as(format, name);
         let revision = self.editor.revision();
         self.start(&request, format!("Save as {}", format.name()), None);
-        if holds_all {
+        if brings_back_all {
             self.jobs.set_saved_revision(request.id(), revision);
         }
     }
 
-    /// Gives written files to the user. The document counts as saved if they hold all of it.
+    /// Gives written files to the user. The document counts as saved if opening them brings back all of it.
     fn saved(&mut self, files: Vec<NamedBytes>, revision: Option<u64>) {
         let names: Vec<&str> = files.iter().map(|file| file.name.as_str()).collect();
         let text = format!("Saved {}", names.join(" and "));
@@ -248,7 +248,7 @@ impl Session {
         match revision {
             Some(revision) => self.editor.mark_saved(revision),
             None => details.push(
-                "The format can't hold everything in the document, so the document still counts as changed."
+                "Opening the file would not bring back everything, so the document still counts as changed."
                     .to_owned(),
             ),
         }

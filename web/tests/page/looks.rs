@@ -46,6 +46,9 @@ fn every_kind_of_element_and_every_window() {
     page.press(egui::Key::Escape);
     page.press_with(egui::Modifiers::COMMAND, egui::Key::K);
     picture(&mut page, "palette");
+    page.find("Find a command").type_text("edge");
+    page.run();
+    picture(&mut page, "palette with greyed commands");
     page.press(egui::Key::Escape);
     page.click("Mesh");
     page.click("Edge edits");

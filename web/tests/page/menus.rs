@@ -187,6 +187,20 @@ fn the_palette_finds_and_runs() {
     assert!(!page.has("Find a command"));
 }
 
+#[test]
+fn the_palette_says_why_a_command_is_greyed_and_so_does_enter() {
+    let mut page = Page::new();
+    page.press_with(CTRL, Key::K);
+    page.find("Find a command").type_text("fill hole");
+    page.run();
+    let why = disabled(&page, Role::Button, "Fill hole");
+    assert_eq!(why, (true, Some("Select a half-edge first.".to_owned())));
+    page.press(Key::Enter);
+    assert!(page.has("Find a command"), "another command can be chosen");
+    let said = page.harness.get_by_role_and_label(Role::Alert, "Select a half-edge first.");
+    assert!(said.rect().width() > 0.0);
+}
+
 const TRIANGLE: &str = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
 
 #[test]

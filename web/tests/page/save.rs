@@ -170,3 +170,42 @@ fn coordinates_too_large_for_a_format_are_named() {
     choose(&mut page, "PLY");
     assert!(!page.has_part("32 bits for a coordinate"));
 }
+
+#[test]
+fn only_a_file_that_opens_again_counts_as_saved() {
+    for format in Format::all().filter(|format| format.can_write() && !format.is_bezier()) {
+        let mut page = Page::new();
+        page.command(json!({ "op": "triangulate-faces" }));
+        page.press_with(Modifiers::COMMAND, Key::S);
+        if page.find("Format").value().as_deref() != Some(format.name()) {
+            choose(&mut page, format.name());
+        }
+        let promises = page.has_part("holds everything");
+        assert_eq!(promises, format.can_read(), "{}", format.name());
+        page.click("Save");
+        assert_eq!(is_dirty(&mut page), !format.can_read(), "{}", format.name());
+    }
+}
+
+#[test]
+fn formats_for_control_points_are_offered_only_where_there_are_some() {
+    let mut page = Page::new();
+    page.press_with(Modifiers::COMMAND, Key::S);
+    page.click("Format");
+    assert!(page.has("PLY") && !page.has("BZC") && !page.has("BEZ"));
+    page.press(Key::Escape);
+    page.press(Key::Escape);
+    ask(&mut page, "cube.bzc");
+    page.press(Key::Enter);
+    assert_eq!(saved(&page), ["cube.bzc.obj"], "a mesh is no curve, whatever its name");
+    page.click("File");
+    page.click("Save as");
+    let entry = page.harness.get_by_label(actions::of_format(Format::for_bezier(true).expect("BZC")).label);
+    assert!(entry.accesskit_node().is_disabled());
+    let why = entry.accesskit_node().description();
+    assert_eq!(why.as_deref(), Some("BZC holds a Bezier curve, and the document has none."));
+    page.press(Key::Escape);
+    page.open("flat.bzc", "3\n0 0 5 5 10 0\n");
+    page.press_with(Modifiers::COMMAND, Key::S);
+    assert_eq!(page.find("Format").value().as_deref(), Some("BZC"));
+}
