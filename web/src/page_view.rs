@@ -10,7 +10,7 @@ use crate::input::availability;
 use crate::session::Session;
 use crate::shown::Shown;
 use crate::view::{Tool, View};
-use viewport::{Look, Shading};
+use viewport::Shading;
 
 /// Everything that a panel may read.
 #[derive(Clone, Copy)]
@@ -51,7 +51,9 @@ impl Page<'_> {
             Action::Smooth => style.shading == Shading::Smooth,
             Action::AutoSmooth => matches!(style.shading, Shading::Auto(_)),
             Action::ColorBy(by) => style.color_by == by,
-            Action::CourseLight => style.look == Look::Course,
+            Action::Look(look) => style.look == look,
+            Action::HideBacks => style.cull,
+            Action::Shadow => style.shadow,
             Action::Dots => style.vertices,
             Action::Grid => style.grid,
             Action::Overlay => self.shown.overlay,

@@ -1,6 +1,6 @@
 //! The viewport's style and colours.
 
-use crate::{ColorBy, Shading};
+use crate::{ColorBy, Matcap, Shading};
 use halfedge::Color;
 
 /// How objects are shaded, and what else is drawn. Colours are sRGB.
@@ -16,15 +16,19 @@ pub struct Style {
     pub vertices: bool,
     /// Whether surfaces are translucent, so that what is behind them shows.
     pub x_ray: bool,
-    /// How faces are lit.
+    /// How faces are shaded.
     pub look: Look,
+    /// Whether the back sides of faces are left out.
+    pub cull: bool,
     /// Whether the grid of the ground is drawn.
     pub grid: bool,
+    /// Whether objects cast a soft shadow on the ground.
+    pub shadow: bool,
     /// The colours.
     pub theme: Theme,
 }
 
-/// How faces are lit. All lights are fixed to the camera, so that what one looks at is lit.
+/// How faces are shaded. All lights are fixed to the camera, so that what one looks at is lit.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Look {
     /// A key light from the upper left, a weaker one from the right, a rim light from behind, and a sky that is
@@ -33,6 +37,61 @@ pub enum Look {
     Studio,
     /// One light at the camera over an ambient light of a fifth (Lambert), as in the courses' viewers.
     Course,
+    /// As a sphere of some material looks under studio lights.
+    Matcap(Matcap),
+    /// Stripes that the surface mirrors: they break where it isn't tangent continuous, and kink where its curvature
+    /// isn't continuous.
+    Zebra,
+    /// The colours themselves, without light.
+    Flat,
+    /// Faces like the background hide the edges behind them.
+    HiddenLine,
+    /// Normals as colours: x red, y green, z blue.
+    Normals,
+    /// Front faces blue, back faces red.
+    Orientation,
+}
+
+impl Look {
+    /// All, in the order of menus.
+    pub const ALL: [Self; 11] = [
+        Self::Studio,
+        Self::Course,
+        Self::Matcap(Matcap::Clay),
+        Self::Matcap(Matcap::Pearl),
+        Self::Matcap(Matcap::Metal),
+        Self::Matcap(Matcap::RedWax),
+        Self::Zebra,
+        Self::Flat,
+        Self::HiddenLine,
+        Self::Normals,
+        Self::Orientation,
+    ];
+
+    /// The name in scripts.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Studio => "studio",
+            Self::Course => "course",
+            Self::Matcap(Matcap::Clay) => "clay",
+            Self::Matcap(Matcap::Pearl) => "pearl",
+            Self::Matcap(Matcap::Metal) => "metal",
+            Self::Matcap(Matcap::RedWax) => "red-wax",
+            Self::Zebra => "zebra",
+            Self::Flat => "flat",
+            Self::HiddenLine => "hidden-line",
+            Self::Normals => "normals",
+            Self::Orientation => "orientation",
+        }
+    }
+
+    /// The matcap that faces show.
+    pub fn matcap(self) -> Option<Matcap> {
+        match self {
+            Self::Matcap(matcap) => Some(matcap),
+            _ => None,
+        }
+    }
 }
 
 impl Default for Style {
@@ -40,11 +99,13 @@ impl Default for Style {
         Self {
             look: Look::Studio,
             x_ray: false,
+            cull: false,
             shading: Shading::default(),
             color_by: ColorBy::default(),
             wireframe: true,
             vertices: false,
             grid: true,
+            shadow: true,
             theme: Theme::DARK,
         }
     }
@@ -61,11 +122,15 @@ pub struct Theme {
     pub edge: Color,
     /// Vertex dots.
     pub vertex: Color,
-    /// Dots of isolated vertices, which are seen against the background.
+    /// Dots of isolated vertices and hidden-line edges, which are seen against the background.
     pub isolated: Color,
     /// Lines of the ground grid.
     pub grid: Color,
-    /// The tint of back faces, mixed in at half strength after darkening.
+    /// The shadow on the ground.
+    pub shadow: Color,
+    /// How dark the shadow is where a face touches the ground, from 0 to 1.
+    pub shadow_strength: f32,
+    /// The tint of back faces, mixed in at half strength after darkening to seven tenths.
     pub back_face: Color,
     /// Selected elements.
     pub selected: Color,
@@ -82,7 +147,9 @@ impl Theme {
         vertex: Color([0x12, 0x14, 0x18]),
         isolated: Color([0xd5, 0xdb, 0xe3]),
         grid: Color([0x8a, 0x93, 0xa0]),
-        back_face: Color([0x2a, 0x36, 0x55]),
+        shadow: Color([0x05, 0x06, 0x08]),
+        shadow_strength: 0.75,
+        back_face: Color([0x50, 0x64, 0xb4]),
         selected: Color([0xff, 0x8c, 0x1a]),
         hovered: Color([0x4f, 0xd8, 0xff]),
     };
@@ -94,7 +161,9 @@ impl Theme {
         vertex: Color([0x1e, 0x22, 0x28]),
         isolated: Color([0x1e, 0x22, 0x28]),
         grid: Color([0x5d, 0x66, 0x73]),
-        back_face: Color([0x2a, 0x36, 0x55]),
+        shadow: Color([0x22, 0x2a, 0x3a]),
+        shadow_strength: 0.5,
+        back_face: Color([0x50, 0x64, 0xb4]),
         selected: Color([0xf0, 0x6a, 0x00]),
         hovered: Color([0x00, 0x8f, 0xd6]),
     };

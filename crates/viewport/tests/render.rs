@@ -5,41 +5,9 @@ mod support;
 use glam::{DVec3, Vec2, Vec3, vec2, vec3};
 use halfedge::edit::{Connect, delete_vertices, split_edge};
 use halfedge::{Budget, EdgeId, Element, Mesh, PolygonSoup, VertexId};
-use support::gpu::{Gpu, Image, bare, close, gpu, shown};
+use support::gpu::{GAMMA, Image, SIZE, VIEW, bare, close, draw, draw_with, frame, front, gpu, shown};
 use support::{cube, grid, mesh, paint, paint_all, sphere};
 use viewport::{Bounds, Camera, Frame, Highlight, Layer, Look, ObjectChange, Renderer, Shading, Style};
-
-const SIZE: [u32; 2] = [200, 160];
-const VIEW: Vec2 = Vec2::new(200.0, 160.0);
-const GAMMA: wgpu::TextureFormat = wgpu::TextureFormat::Rgba8Unorm;
-
-/// Looking along -z from (0, 0, 5).
-fn front() -> Camera {
-    Camera { yaw: 0.0, pitch: 0.0, ..Camera::default() }
-}
-
-/// One object, drawn with this style; `more` sets highlights.
-fn draw_with(
-    gpu: &Gpu,
-    mesh: &Mesh,
-    camera: &Camera,
-    style: &Style,
-    more: impl FnOnce(&mut Renderer),
-) -> Image {
-    let mut renderer = gpu.renderer();
-    renderer.sync_object(&gpu.device, &gpu.queue, 7, mesh, ObjectChange::Everything, style);
-    more(&mut renderer);
-    gpu.render(&mut renderer, &frame(camera, style), GAMMA)
-}
-
-fn draw(gpu: &Gpu, mesh: &Mesh, camera: &Camera, style: &Style) -> Image {
-    draw_with(gpu, mesh, camera, style, |_| {})
-}
-
-fn frame<'a>(camera: &'a Camera, style: &'a Style) -> Frame<'a> {
-    const OBJECT: &[viewport::ObjectDraw] = &[viewport::ObjectDraw { id: 7, visible: true, active: true }];
-    Frame { size: SIZE, pixels_per_point: 1.0, camera, objects: OBJECT, style }
-}
 
 /// A square in the xy plane turned about the y axis, one colour.
 fn tilted(degrees: f32, color: [u8; 3]) -> Mesh {
@@ -125,7 +93,7 @@ fn the_back_of_a_face_is_darker_and_tinted() {
     let image = draw(&gpu, &tilted(180.0, [200, 100, 40]), &front(), &bare());
     let tint = bare().theme.back_face.0;
     let expected = std::array::from_fn(|i| {
-        (f32::from([200_u8, 100, 40][i]) * 0.25 + f32::from(tint[i]) * 0.5).round() as u8
+        (f32::from([200_u8, 100, 40][i]) * 0.35 + f32::from(tint[i]) * 0.5).round() as u8
     });
     assert!(close(image.at(100, 80), expected, 2), "{:?} {expected:?}", image.at(100, 80));
 }

@@ -18,7 +18,7 @@ use crate::panels::operations::EDGE_LENGTH;
 use crate::panels::viewport::control_points::add_control_point;
 use crate::session::form;
 use crate::view::Tool;
-use viewport::{Look, Shading};
+use viewport::Shading;
 
 /// How much larger one press of a key makes the selecting circle.
 const CIRCLE_STEP: f32 = 1.25;
@@ -91,10 +91,9 @@ impl App {
                     if self.page().is_on(action) == Some(true) { Shading::Flat } else { on };
             }
             Action::ColorBy(by) => self.view.style.color_by = by,
-            Action::CourseLight => {
-                let style = &mut self.view.style;
-                style.look = if style.look == Look::Course { Look::Studio } else { Look::Course };
-            }
+            Action::Look(look) => self.view.style.look = look,
+            Action::HideBacks => self.view.style.cull ^= true,
+            Action::Shadow => self.view.style.shadow ^= true,
             Action::Dots => self.view.style.vertices ^= true,
             Action::Grid => self.view.style.grid ^= true,
             Action::Overlay => self.shown.overlay ^= true,

@@ -6,7 +6,7 @@
 use editor::{OpId, Scope, SelectBy};
 use formats::Format;
 use halfedge::Element;
-use viewport::{ColorBy, Side};
+use viewport::{ColorBy, Look, Side};
 
 use super::menus::MENUS;
 
@@ -78,12 +78,16 @@ pub enum Action {
     AutoSmooth,
     /// Chooses what gives faces their colours.
     ColorBy(ColorBy),
-    /// Switches between the studio's lights and the courses' one at the camera.
-    CourseLight,
+    /// Chooses how faces are shaded.
+    Look(Look),
+    /// Leaves out the backs of faces, or draws them again.
+    HideBacks,
     /// Switches the drawing of vertices as dots.
     Dots,
     /// Switches the ground grid.
     Grid,
+    /// Switches the shadow on the ground.
+    Shadow,
     /// Switches the info overlay in the viewport.
     Overlay,
     /// Shows or hides the list on the left.

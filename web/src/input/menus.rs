@@ -2,9 +2,9 @@
 
 use editor::{OpId, SelectBy};
 use halfedge::Element;
-use viewport::{ColorBy, Side};
 
 use super::actions::{Action, Entry, entry};
+use super::view_menu;
 
 /// A menu; an entry of `None` is a separator.
 pub struct Menu {
@@ -23,6 +23,7 @@ pub fn submenu(action: Action) -> Option<&'static str> {
         A::SelectBy(SelectBy::Kind(_)) => Some("Convert to"),
         A::Show(_) => Some("Show"),
         A::Expand(_) => Some("Expand to"),
+        A::Look(_) => Some("Look"),
         A::ColorBy(_) => Some("Colour by"),
         A::SystemTheme | A::LightTheme | A::DarkTheme => Some("Theme"),
         _ => None,
@@ -293,95 +294,7 @@ pub static MENUS: &[Menu] = &[
             )),
         ],
     },
-    Menu {
-        title: "View",
-        entries: &[
-            Some(
-                entry(
-                    A::Frame,
-                    "Frame selection",
-                    "Fit the selection into the view, or everything if nothing is selected.",
-                )
-                .synonyms(&["zoom to selection", "focus"]),
-            ),
-            Some(
-                entry(A::FrameAll, "Frame all", "Fit everything into the view, from the same direction.")
-                    .synonyms(&["zoom to fit", "view all"]),
-            ),
-            Some(entry(A::ResetView, "Reset view", "Restore the initial view.")),
-            Some(entry(A::LookFrom(Side::Front), "Front view", "Look along -z, from the front.")),
-            Some(entry(A::LookFrom(Side::Back), "Back view", "Look along +z, from the back.")),
-            Some(entry(A::LookFrom(Side::Right), "Right view", "Look along -x, from the right.")),
-            Some(entry(A::LookFrom(Side::Left), "Left view", "Look along +x, from the left.")),
-            Some(entry(A::LookFrom(Side::Top), "Top view", "Look along -y, from above.")),
-            Some(entry(A::LookFrom(Side::Bottom), "Bottom view", "Look along +y, from below.")),
-            Some(
-                entry(A::Orthographic, "Parallel projection", "Draw without perspective.")
-                    .synonyms(&["orthographic"]),
-            ),
-            None,
-            Some(entry(A::Wireframe, "Wireframe", "Draw edges over faces.").synonyms(&["edges"])),
-            Some(entry(A::XRay, "X-ray", "See and select through surfaces.").synonyms(&[
-                "transparent",
-                "see through",
-                "limit selection to visible",
-                "occlude",
-            ])),
-            Some(entry(
-                A::Smooth,
-                "Smooth shading",
-                "Shade with normals averaged at vertices instead of one per face.",
-            )),
-            Some(
-                entry(
-                    A::AutoSmooth,
-                    "Auto smooth",
-                    "Shade smoothly, but keep edges hard where faces meet at more than 30°.",
-                )
-                .synonyms(&["shade smooth by angle", "soften edges", "hard edges"]),
-            ),
-            Some(
-                entry(
-                    A::ColorBy(ColorBy::Paint),
-                    "Paint",
-                    "Colour painted faces by their paint, the others by their vertices or material.",
-                )
-                .synonyms(&["colour by"]),
-            ),
-            Some(entry(A::ColorBy(ColorBy::Face), "Face colours", "Colour faces by their own colours only.")),
-            Some(
-                entry(
-                    A::ColorBy(ColorBy::Vertex),
-                    "Vertex colours",
-                    "Colour faces by the colours of their vertices only.",
-                )
-                .synonyms(&["colour attribute", "per-vertex colour"]),
-            ),
-            Some(entry(A::ColorBy(ColorBy::Uniform), "One colour", "Draw all faces in one colour.")),
-            Some(
-                entry(
-                    A::CourseLight,
-                    "Light at the camera",
-                    "Light faces from the camera only, as the courses do.",
-                )
-                .synonyms(&["lambert", "headlight", "shading"]),
-            ),
-            Some(entry(A::Dots, "Vertex dots", "Draw vertices as dots.")),
-            Some(entry(A::Grid, "Ground grid", "Draw a grid on the ground below the model.")),
-            Some(entry(
-                A::Overlay,
-                "Info overlay",
-                "Show the selection and the element under the pointer in the viewport.",
-            )),
-            None,
-            Some(entry(A::LeftPanel, "Element lists", "Show or hide the lists.")),
-            Some(entry(A::RightPanel, "Inspector", "Show or hide the inspector and the operations.")),
-            None,
-            Some(entry(A::SystemTheme, "System theme", "Use the system's light or dark theme.")),
-            Some(entry(A::LightTheme, "Light theme", "Use dark text on a light page.")),
-            Some(entry(A::DarkTheme, "Dark theme", "Use light text on a dark page.")),
-        ],
-    },
+    Menu { title: "View", entries: view_menu::ENTRIES },
     Menu {
         title: "Help",
         entries: &[

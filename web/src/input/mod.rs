@@ -4,3 +4,4 @@ pub mod actions;
 pub(crate) mod availability;
 pub mod keys;
 pub mod menus;
+mod view_menu;

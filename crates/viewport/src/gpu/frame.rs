@@ -6,8 +6,11 @@ use super::renderer::{DRAW_UNIFORM_STRIDE, Renderer};
 use super::stream::Stream;
 use super::targets::Targets;
 use super::uniforms::{DrawUniform, rgba};
-use crate::{Camera, Style};
+use crate::{Camera, Look, Style};
 use glam::Vec3;
+
+/// More isolated vertices than this are drawn as small dots.
+const MANY_ISOLATED: u64 = 200;
 
 /// One object in a frame.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -50,10 +53,18 @@ pub(super) struct FrameKey {
 /// One draw of a frame.
 pub(super) enum Draw<'a> {
     Background,
-    Mesh(&'a Object),
+    Mesh(&'a Object, Sides),
     Points(&'a Stream),
     Ground,
+    Shadow,
     Highlight(&'a HighlightBuffers, Shape),
+}
+
+/// Which sides of faces are drawn.
+#[derive(Clone, Copy)]
+pub(super) enum Sides {
+    Both,
+    Front,
 }
 
 /// The kinds of primitive in a highlight.
@@ -76,15 +87,21 @@ impl Renderer {
         if style.grid {
             draws.push((Draw::Ground, plain));
         }
+        if let Some(ground) = self.ground(frame) {
+            let color = rgba(theme.shadow, theme.shadow_strength);
+            let params = [ground.half_width, 0.0, 0.0, 0.0];
+            draws.push((Draw::Shadow, DrawUniform::new(camera, ground.middle, color, params)));
+        }
         let visible = || {
             let shown = frame.objects.iter().filter(|o| o.visible);
             shown.filter_map(|o| Some((o, self.objects.get(&o.id)?)))
         };
         for (draw, object) in visible() {
-            let lines = if style.wireframe && draw.active { 1.0 } else { 0.0 };
-            let params = [0.6 * ppp, lines, 0.0, 0.0];
+            let has_lines = style.look == Look::HiddenLine || (style.wireframe && draw.active);
+            let params = [0.6 * ppp, if has_lines { 1.0 } else { 0.0 }, 0.0, 0.0];
+            let sides = if style.cull { Sides::Front } else { Sides::Both };
             draws.push((
-                Draw::Mesh(object),
+                Draw::Mesh(object, sides),
                 DrawUniform::new(camera, object.buffers.origin(), [0.0; 4], params),
             ));
         }
@@ -98,9 +115,9 @@ impl Renderer {
             if draw.active && style.vertices && object.has_points {
                 push(&object.points, theme.vertex, 2.5, 0.0);
             }
-            if object.isolated.points.len() > 0 {
-                push(&object.isolated.points, theme.isolated, 3.5, 1.0);
-            }
+            // Among very many, as scans have them, large ones would hide the surface.
+            let (radius, rim) = if object.isolated.count() > MANY_ISOLATED { (1.5, 0.0) } else { (3.5, 1.0) };
+            push(&object.isolated.points, theme.isolated, radius, rim);
         }
         for (marked, color) in [(&self.selected, theme.selected), (&self.hovered, theme.hovered)] {
             let Some((_, object)) = visible().find(|(draw, _)| Some(draw.id) == marked.object) else {
@@ -116,6 +133,34 @@ impl Renderer {
             push(Shape::Points, 1.0, [4.5 * ppp, 1.0 * ppp, 0.0, 0.0]);
         }
         draws
+    }
+
+    /// The objects that cast a shadow.
+    pub(super) fn list_casts(&self, frame: &Frame<'_>) -> Vec<(&Object, DrawUniform)> {
+        let Some(ground) = self.ground(frame) else { return Vec::new() };
+        let visible = frame.objects.iter().filter(|object| object.visible);
+        let objects = visible.filter_map(|object| self.objects.get(&object.id));
+        objects.map(|object| (object, ground.cast(object.buffers.origin()))).collect()
+    }
+
+    /// Draws the map of the shadow; `first` is the number of the first cast's uniform.
+    pub(super) fn encode_casts(
+        &self,
+        encoder: &mut wgpu::CommandEncoder,
+        casts: &[(&Object, DrawUniform)],
+        first: usize,
+    ) {
+        self.shadow.encode(encoder, &self.bind_group, |pass| {
+            for (at, (object, _)) in casts.iter().enumerate() {
+                pass.set_bind_group(0, &self.bind_group, &[((first + at) * DRAW_UNIFORM_STRIDE) as u32]);
+                for page in &object.pages {
+                    if let Some(positions) = page.positions.slice() {
+                        pass.set_vertex_buffer(0, positions);
+                        pass.draw(0..page.vertices(), 0..1);
+                    }
+                }
+            }
+        });
     }
 
     pub(super) fn encode_draws(
@@ -159,8 +204,17 @@ impl Renderer {
                     pass.set_pipeline(&p.ground);
                     pass.draw(0..6, 0..1);
                 }
-                Draw::Mesh(object) => {
-                    pass.set_pipeline(&p.mesh);
+                Draw::Shadow => {
+                    pass.set_pipeline(&p.shadow);
+                    pass.set_bind_group(1, self.shadow.map(), &[]);
+                    pass.draw(0..6, 0..1);
+                }
+                Draw::Mesh(object, sides) => {
+                    pass.set_pipeline(match sides {
+                        Sides::Both => &p.mesh,
+                        Sides::Front => &p.mesh_fronts,
+                    });
+                    pass.set_bind_group(1, &self.surface.bind_group, &[]);
                     for page in &object.pages {
                         let streams = (page.positions.slice(), page.normals.slice(), page.colors.slice());
                         if let (Some(positions), Some(normals), Some(colors)) = streams {

@@ -28,6 +28,11 @@ impl IsolatedVertices {
         Self { places: HashMap::new(), free: Vec::new(), points: Stream::new("vertices without a face") }
     }
 
+    /// The number of entries.
+    pub fn count(&self) -> u64 {
+        self.points.len() / POSITION_BYTES
+    }
+
     /// Uploads those of a whole mesh; returns the number of bytes. Costs O(vertices).
     pub fn set(&mut self, device: &wgpu::Device, queue: &wgpu::Queue, mesh: &Mesh, origin: Vec3) -> u64 {
         self.free.clear();
@@ -50,7 +55,7 @@ impl IsolatedVertices {
         let mut bytes = 0;
         for &v in touched {
             let (place, position) = if is_isolated(mesh, v) {
-                let entries = (self.points.len() / POSITION_BYTES) as u32;
+                let entries = self.count() as u32;
                 let place = match self.places.get(&v) {
                     Some(&place) => place,
                     None => self.free.pop().unwrap_or(entries),

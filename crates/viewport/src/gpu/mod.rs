@@ -6,7 +6,9 @@ mod isolated;
 mod object;
 mod pipelines;
 mod renderer;
+mod shadow;
 mod stream;
+mod surface;
 mod targets;
 mod uniforms;
 

@@ -1,5 +1,6 @@
 //! Shaders and pipelines.
 
+use super::shadow::ShadowPipelines;
 use super::targets::{COLOR_FORMAT, DEPTH_FORMAT, SAMPLES_PER_PIXEL};
 use super::uniforms::{DrawUniform, FrameUniform};
 use std::num::NonZeroU64;
@@ -9,9 +10,13 @@ use wgpu::{VertexStepMode, vertex_attr_array};
 pub struct Pipelines {
     pub uniforms: wgpu::BindGroupLayout,
     pub picture: wgpu::BindGroupLayout,
+    pub surface: wgpu::BindGroupLayout,
     pub background: wgpu::RenderPipeline,
     pub mesh: wgpu::RenderPipeline,
+    /// Without the back sides of faces.
+    pub mesh_fronts: wgpu::RenderPipeline,
     pub ground: wgpu::RenderPipeline,
+    pub shadow: wgpu::RenderPipeline,
     /// Dots that the surface hides.
     pub points: wgpu::RenderPipeline,
     pub marked_points: wgpu::RenderPipeline,
@@ -29,9 +34,11 @@ enum Depth {
     Ignore,
 }
 
+#[derive(Clone, Copy)]
 struct Maker<'a> {
     device: &'a wgpu::Device,
-    layout: wgpu::PipelineLayout,
+    layout: &'a wgpu::PipelineLayout,
+    cull: Option<wgpu::Face>,
 }
 
 impl Maker<'_> {
@@ -50,14 +57,14 @@ impl Maker<'_> {
         };
         self.device.create_render_pipeline(&wgpu::RenderPipelineDescriptor {
             label: Some(label),
-            layout: Some(&self.layout),
+            layout: Some(self.layout),
             vertex: wgpu::VertexState {
                 module,
                 entry_point: Some(vertex),
                 compilation_options: wgpu::PipelineCompilationOptions::default(),
                 buffers,
             },
-            primitive: wgpu::PrimitiveState::default(),
+            primitive: wgpu::PrimitiveState { cull_mode: self.cull, ..Default::default() },
             depth_stencil: Some(wgpu::DepthStencilState {
                 format: DEPTH_FORMAT,
                 depth_write_enabled: Some(write),
@@ -104,7 +111,7 @@ fn uniform(binding: u32, has_dynamic_offset: bool, size: usize) -> wgpu::BindGro
 }
 
 impl Pipelines {
-    pub fn new(device: &wgpu::Device, target: wgpu::TextureFormat) -> Self {
+    pub fn new(device: &wgpu::Device, target: wgpu::TextureFormat) -> (Self, ShadowPipelines) {
         let uniforms = device.create_bind_group_layout(&wgpu::BindGroupLayoutDescriptor {
             label: Some("viewport uniforms"),
             entries: &[
@@ -125,11 +132,16 @@ impl Pipelines {
                 count: None,
             }],
         });
-        let layout = device.create_pipeline_layout(&wgpu::PipelineLayoutDescriptor {
-            label: Some("viewport scene"),
-            bind_group_layouts: &[Some(&uniforms)],
-            immediate_size: 0,
-        });
+        let surface = surface_layout(device);
+        let layout = |label, groups: &[Option<&wgpu::BindGroupLayout>]| {
+            device.create_pipeline_layout(&wgpu::PipelineLayoutDescriptor {
+                label: Some(label),
+                bind_group_layouts: groups,
+                immediate_size: 0,
+            })
+        };
+        let of_scene = layout("viewport scene", &[Some(&uniforms)]);
+        let of_surfaces = layout("viewport surfaces", &[Some(&uniforms), Some(&surface)]);
         let shader = |label, source: &str| {
             device.create_shader_module(wgpu::ShaderModuleDescriptor {
                 label: Some(label),
@@ -146,7 +158,12 @@ impl Pipelines {
             "ground",
             concat!(include_str!("shaders/common.wgsl"), include_str!("shaders/ground.wgsl")),
         );
-        let maker = Maker { device, layout };
+        let shadow = shader(
+            "shadow",
+            concat!(include_str!("shaders/common.wgsl"), include_str!("shaders/shadow.wgsl")),
+        );
+        let shadow_pipelines = ShadowPipelines::new(device, &shadow, &of_scene, &of_surfaces);
+        let maker = Maker { device, layout: &of_scene, cull: None };
         let over = Some(wgpu::BlendState::ALPHA_BLENDING);
         let (corner, instance) = (VertexStepMode::Vertex, VertexStepMode::Instance);
         let one = vertex_attr_array![0 => Float32x3];
@@ -156,7 +173,18 @@ impl Pipelines {
             let stages = (&overlay, "dot_vertex", "dot_fragment");
             maker.pipeline("dots", stages, &[buffer(12, instance, &one)], depth, over)
         };
-        Self {
+        let faces = |cull| {
+            let buffers = [
+                buffer(12, corner, &one),
+                buffer(8, corner, &vertex_attr_array![1 => Snorm16x4]),
+                buffer(4, corner, &vertex_attr_array![2 => Unorm8x4]),
+            ];
+            let stages = (&mesh, "mesh_vertex", "mesh_fragment");
+            let maker = Maker { layout: &of_surfaces, cull, ..maker };
+            maker.pipeline("mesh", stages, &buffers, Depth::Write, None)
+        };
+        let on_ground = Maker { layout: &of_surfaces, ..maker };
+        let pipelines = Self {
             background: maker.pipeline(
                 "background",
                 (&ground, "background_vertex", "background_fragment"),
@@ -171,17 +199,15 @@ impl Pipelines {
                 Depth::Ignore,
                 over,
             ),
-            mesh: maker.pipeline(
-                "mesh",
-                (&mesh, "mesh_vertex", "mesh_fragment"),
-                &[
-                    buffer(12, corner, &one),
-                    buffer(8, corner, &vertex_attr_array![1 => Snorm16x4]),
-                    buffer(4, corner, &vertex_attr_array![2 => Unorm8x4]),
-                ],
-                Depth::Write,
-                None,
+            shadow: on_ground.pipeline(
+                "shadow on the ground",
+                (&shadow, "shadow_vertex", "shadow_fragment"),
+                &[],
+                Depth::Ignore,
+                over,
             ),
+            mesh: faces(None),
+            mesh_fronts: faces(Some(wgpu::Face::Back)),
             points: dot(Depth::Test),
             marked_points: dot(Depth::Ignore),
             marked_lines: maker.pipeline(
@@ -208,8 +234,32 @@ impl Pipelines {
             composite: composite(device, &picture, target),
             uniforms,
             picture,
-        }
+            surface,
+        };
+        (pipelines, shadow_pipelines)
     }
+}
+
+/// What surfaces are shaded with: a matcap's picture and a sampler.
+fn surface_layout(device: &wgpu::Device) -> wgpu::BindGroupLayout {
+    let entry = |binding, ty| wgpu::BindGroupLayoutEntry {
+        binding,
+        visibility: wgpu::ShaderStages::FRAGMENT,
+        ty,
+        count: None,
+    };
+    let picture = wgpu::BindingType::Texture {
+        sample_type: wgpu::TextureSampleType::Float { filterable: true },
+        view_dimension: wgpu::TextureViewDimension::D2,
+        multisampled: false,
+    };
+    device.create_bind_group_layout(&wgpu::BindGroupLayoutDescriptor {
+        label: Some("viewport surface"),
+        entries: &[
+            entry(0, picture),
+            entry(1, wgpu::BindingType::Sampler(wgpu::SamplerBindingType::Filtering)),
+        ],
+    })
 }
 
 fn composite(

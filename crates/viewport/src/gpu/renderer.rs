@@ -4,6 +4,8 @@ use super::frame::{Frame, FrameKey};
 use super::highlight::{Highlight, HighlightBuffers, Layer};
 use super::object::Object;
 use super::pipelines::Pipelines;
+use super::shadow::{Ground, MapKey, Shadow};
+use super::surface::Surface;
 use super::targets::Targets;
 use super::uniforms::{DrawUniform, FrameUniform};
 use crate::{MaterialColors, Style};
@@ -34,32 +36,42 @@ pub struct Renderer {
     materials: MaterialColors,
     pub(super) selected: HighlightBuffers,
     pub(super) hovered: HighlightBuffers,
+    pub(super) surface: Surface,
+    pub(super) shadow: Shadow,
     targets: Option<Targets>,
     frame_buffer: wgpu::Buffer,
     draw_buffer: wgpu::Buffer,
     pub(super) bind_group: wgpu::BindGroup,
+    /// Counts the changes of buffers.
     generation: u64,
+    /// Counts the changes of meshes among them.
+    shapes: u64,
     drawn: Option<FrameKey>,
 }
 
 impl Renderer {
     /// A renderer for render targets of this format.
     pub fn new(device: &wgpu::Device, target: wgpu::TextureFormat) -> Self {
-        let pipelines = Pipelines::new(device, target);
+        let (pipelines, of_shadow) = Pipelines::new(device, target);
         let frame_buffer = uniform_buffer(device, "viewport frame", size_of::<FrameUniform>());
         let draw_buffer = uniform_buffer(device, "viewport draws", DRAW_UNIFORM_STRIDE * 32);
         let bind_group = bind(device, &pipelines, &frame_buffer, &draw_buffer);
+        let surface = Surface::new(device, &pipelines.surface);
+        let shadow = Shadow::new(device, &pipelines.surface, of_shadow);
         Self {
             pipelines,
             objects: HashMap::new(),
             materials: MaterialColors::new(),
             selected: HighlightBuffers::new(),
             hovered: HighlightBuffers::new(),
+            surface,
+            shadow,
             targets: None,
             frame_buffer,
             draw_buffer,
             bind_group,
             generation: 0,
+            shapes: 0,
             drawn: None,
         }
     }
@@ -81,7 +93,7 @@ impl Renderer {
         change: ObjectChange<'_>,
         style: &Style,
     ) -> u64 {
-        self.generation += 1;
+        self.count_shape();
         let fits = self.fits_style(id, style);
         let object = self.objects.entry(id).or_insert_with(Object::new);
         match change {
@@ -124,8 +136,16 @@ impl Renderer {
     ) -> bool {
         let object = self.objects.get_mut(&id).filter(|object| object.is_uploading());
         let done = object.is_some_and(|object| object.upload_faces(device, queue, mesh, budget));
-        self.generation += u64::from(done);
+        if done {
+            self.count_shape();
+        }
         done
+    }
+
+    /// Notes that an object's mesh changed.
+    fn count_shape(&mut self) {
+        self.generation += 1;
+        self.shapes += 1;
     }
 
     /// Whether the object's buffers suit the style. If not, call [`Renderer::sync_object`] even if the mesh
@@ -136,7 +156,7 @@ impl Renderer {
 
     /// Removes an object.
     pub fn remove_object(&mut self, id: u64) {
-        self.generation += 1;
+        self.count_shape();
         self.objects.remove(&id);
     }
 
@@ -228,28 +248,43 @@ impl Renderer {
         if self.targets.as_ref().is_none_or(|t| t.size != size) {
             self.targets = Some(Targets::new(device, &self.pipelines.picture, size));
         }
+        if let Some(matcap) = frame.style.look.matcap() {
+            self.surface.want(device, queue, &self.pipelines.surface, matcap);
+        }
         let uniform = FrameUniform::new(frame.camera, size, frame.pixels_per_point, frame.style);
         queue.write_buffer(&self.frame_buffer, 0, bytemuck::bytes_of(&uniform));
 
-        let count = self.list_draws(frame).len();
+        let map = self.ground(frame).map(|ground| MapKey::new(ground, frame.objects, self.shapes));
+        let casts_anew = map.is_some_and(|map| self.shadow.becomes(map));
+        let count = self.list_draws(frame).len() + if casts_anew { frame.objects.len() } else { 0 };
         let needed = (count * DRAW_UNIFORM_STRIDE) as u64;
         if self.draw_buffer.size() < needed {
             self.draw_buffer = uniform_buffer(device, "viewport draws", needed.next_power_of_two() as usize);
             self.bind_group = bind(device, &self.pipelines, &self.frame_buffer, &self.draw_buffer);
         }
         let draws = self.list_draws(frame);
+        let casts = if casts_anew { self.list_casts(frame) } else { Vec::new() };
         let mut uniforms = vec![0_u8; needed as usize];
-        for ((_, uniform), place) in draws.iter().zip(uniforms.chunks_mut(DRAW_UNIFORM_STRIDE)) {
+        let all = draws.iter().map(|(_, uniform)| uniform).chain(casts.iter().map(|(_, uniform)| uniform));
+        for (uniform, place) in all.zip(uniforms.chunks_mut(DRAW_UNIFORM_STRIDE)) {
             let bytes = bytemuck::bytes_of(uniform);
             if let Some(place) = place.get_mut(..bytes.len()) {
                 place.copy_from_slice(bytes);
             }
         }
         queue.write_buffer(&self.draw_buffer, 0, &uniforms);
+        if casts_anew {
+            self.encode_casts(encoder, &casts, draws.len());
+        }
         if let Some(targets) = &self.targets {
             self.encode_draws(encoder, targets, &draws);
         }
         true
+    }
+
+    /// The ground, if a shadow on it is drawn.
+    pub(super) fn ground(&self, frame: &Frame<'_>) -> Option<Ground> {
+        frame.style.shadow.then(|| Ground::below(frame.camera)).flatten()
     }
 
     /// Draws the picture in the render pass, filling its viewport.

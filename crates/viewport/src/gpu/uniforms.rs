@@ -13,7 +13,7 @@ pub struct FrameUniform {
     /// The direction to the light and 1 for a parallel projection; the last component is 0 in perspective,
     /// where the light is at the eye.
     light: [f32; 4],
-    /// The camera's direction to the right, and 1 for the studio look, 0 for the course's.
+    /// The camera's direction to the right, and the number of the look.
     right: [f32; 4],
     /// The camera's direction upwards.
     up: [f32; 4],
@@ -44,6 +44,20 @@ pub struct DrawUniform {
     pub params: [f32; 4],
 }
 
+/// The number of a look in `mesh.wgsl`.
+fn number(look: Look) -> f32 {
+    match look {
+        Look::Course => 0.0,
+        Look::Studio => 1.0,
+        Look::Matcap(_) => 2.0,
+        Look::Zebra => 3.0,
+        Look::Flat => 4.0,
+        Look::HiddenLine => 5.0,
+        Look::Normals => 6.0,
+        Look::Orientation => 7.0,
+    }
+}
+
 /// sRGB bytes as fractions.
 pub fn rgba(color: Color, alpha: f32) -> [f32; 4] {
     let [r, g, b] = color.0.map(|c| f32::from(c) / 255.0);
@@ -53,19 +67,19 @@ pub fn rgba(color: Color, alpha: f32) -> [f32; 4] {
 impl FrameUniform {
     pub fn new(camera: &Camera, size: [u32; 2], pixels_per_point: f32, style: &Style) -> Self {
         let [right, up, forward] = camera.axes();
-        let is_studio = if style.look == Look::Studio { 1.0 } else { 0.0 };
+        let edge = if style.look == Look::HiddenLine { style.theme.isolated } else { style.theme.edge };
         let size = Vec2::new(size[0] as f32, size[1] as f32);
         let (grid, grid_fade) = grid(camera);
         let to_light = (-forward).as_vec3().extend(if camera.orthographic { 1.0 } else { 0.0 });
         Self {
             matrix: camera.relative_view_proj(f64::from(size.x / size.y)).to_cols_array_2d(),
             light: to_light.to_array(),
-            right: right.as_vec3().extend(is_studio).to_array(),
+            right: right.as_vec3().extend(number(style.look)).to_array(),
             up: up.as_vec3().extend(0.0).to_array(),
             viewport: [size.x, size.y, pixels_per_point, (camera.near() / camera.distance) as f32],
             background_top: rgba(style.theme.background_top, 1.0),
             background_bottom: rgba(style.theme.background_bottom, 1.0),
-            edge: rgba(style.theme.edge, 0.85),
+            edge: rgba(edge, 0.85),
             back_face: rgba(style.theme.back_face, 1.0),
             grid_color: rgba(style.theme.grid, 0.5),
             grid,

@@ -1,6 +1,43 @@
 //! A GPU device without a window, which reads pictures back as arrays.
 
-use viewport::{Frame, Look, ObjectDraw, Renderer, Shading, Style};
+use glam::Vec2;
+use halfedge::Mesh;
+use viewport::{Camera, Frame, Look, ObjectChange, ObjectDraw, Renderer, Shading, Style};
+
+/// The size of pictures.
+pub const SIZE: [u32; 2] = [200, 160];
+/// The same as a vector.
+pub const VIEW: Vec2 = Vec2::new(200.0, 160.0);
+/// A target that shows what is written.
+pub const GAMMA: wgpu::TextureFormat = wgpu::TextureFormat::Rgba8Unorm;
+
+/// Looking along -z from (0, 0, 5).
+pub fn front() -> Camera {
+    Camera { yaw: 0.0, pitch: 0.0, ..Camera::default() }
+}
+
+/// One object, drawn with this style; `more` sets highlights.
+pub fn draw_with(
+    gpu: &Gpu,
+    mesh: &Mesh,
+    camera: &Camera,
+    style: &Style,
+    more: impl FnOnce(&mut Renderer),
+) -> Image {
+    let mut renderer = gpu.renderer();
+    renderer.sync_object(&gpu.device, &gpu.queue, 7, mesh, ObjectChange::Everything, style);
+    more(&mut renderer);
+    gpu.render(&mut renderer, &frame(camera, style), GAMMA)
+}
+
+pub fn draw(gpu: &Gpu, mesh: &Mesh, camera: &Camera, style: &Style) -> Image {
+    draw_with(gpu, mesh, camera, style, |_| {})
+}
+
+pub fn frame<'a>(camera: &'a Camera, style: &'a Style) -> Frame<'a> {
+    const OBJECT: &[viewport::ObjectDraw] = &[viewport::ObjectDraw { id: 7, visible: true, active: true }];
+    Frame { size: SIZE, pixels_per_point: 1.0, camera, objects: OBJECT, style }
+}
 
 pub struct Gpu {
     pub device: wgpu::Device,
@@ -62,6 +99,7 @@ pub fn bare() -> Style {
         shading: Shading::Flat,
         wireframe: false,
         grid: false,
+        shadow: false,
         ..Style::default()
     };
     style.theme.background_top = halfedge::Color([0; 3]);

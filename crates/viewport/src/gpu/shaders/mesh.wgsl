@@ -1,4 +1,4 @@
-// Faces, lit by a studio's lights or by one at the camera, and the wireframe over them.
+// Faces in all looks, and the wireframe over them.
 
 struct MeshVertex {
     @builtin(position) clip: vec4<f32>,
@@ -31,8 +31,39 @@ fn studio(n: vec3<f32>) -> f32 {
     let key = max(dot(n, vec3<f32>(-0.380, 0.530, 0.758)), 0.0);
     let fill = max(dot(n, vec3<f32>(0.873, 0.0, 0.487)), 0.0);
     let rim = max(dot(n, vec3<f32>(0.196, 0.588, -0.785)), 0.0);
-    let sky = 0.33 + 0.08 * n.y;
-    return min(sky + 0.66 * key + 0.22 * fill + 0.2 * rim, 1.0);
+    let sky = 0.33 + 0.09 * n.y;
+    return min(sky + 0.56 * key + 0.20 * fill + 0.2 * rim, 1.0);
+}
+
+// The looks, as numbered in uniforms.rs.
+const COURSE: i32 = 0;
+const STUDIO: i32 = 1;
+const MATCAP: i32 = 2;
+const ZEBRA: i32 = 3;
+const HIDDEN_LINE: i32 = 5;
+const NORMALS: i32 = 6;
+const ORIENTATION: i32 = 7;
+
+// The colour of unpainted faces, which matcaps show as they are.
+const UNPAINTED: f32 = 0.7843;
+// Zebra stripes from the lowest to the highest direction.
+const STRIPES: f32 = 9.0;
+
+@group(1) @binding(0) var matcap: texture_2d<f32>;
+@group(1) @binding(1) var clamped: sampler;
+
+// To the right, up and towards the camera.
+fn in_camera(direction: vec3<f32>) -> vec3<f32> {
+    let towards = cross(frame.right.xyz, frame.up.xyz);
+    return vec3<f32>(dot(direction, frame.right.xyz), dot(direction, frame.up.xyz), dot(direction, towards));
+}
+
+// The place in a matcap for a normal seen along a direction, both in the camera's frame: beside the middle of the
+// picture, too, a normal towards the eye is in the middle.
+fn matcap_place(normal: vec3<f32>, to_eye: vec3<f32>) -> vec2<f32> {
+    let right = normalize(vec3<f32>(to_eye.z, 0.0, -to_eye.x));
+    let up = cross(to_eye, right);
+    return vec2<f32>(dot(normal, right), -dot(normal, up)) * 0.495 + 0.5;
 }
 
 @fragment
@@ -43,28 +74,47 @@ fn mesh_fragment(in: MeshVertex, @builtin(front_facing) front: bool) -> @locatio
     let dy = dpdy(in.barycentric);
     let slope = max(sqrt(dx * dx + dy * dy), vec3<f32>(1e-9));
 
-    var to_light = normalize(-in.relative);
+    var to_eye = normalize(-in.relative);
     if frame.light.w > 0.5 {
-        to_light = frame.light.xyz;
+        to_eye = frame.light.xyz;
     }
-    var normal = to_light;
+    var outward = to_eye;
     let length = length(in.normal);
     if length > 0.01 {
-        normal = in.normal / length;
-        if !front {
-            normal = -normal;
-        }
+        outward = in.normal / length;
     }
+    let normal = select(-outward, outward, front || length <= 0.01);
+    let seen = in_camera(normal);
+    let mirrored = reflect(-in_camera(to_eye), seen);
+    let stripe_at = acos(clamp(mirrored.y, -1.0, 1.0)) * (STRIPES / 3.14159265);
+    let stripe_slope = max(fwidth(stripe_at), 1e-4);
+
+    let look = i32(frame.right.w + 0.5);
     var color = in.color.rgb;
+    if look == COURSE {
+        color *= 0.2 + 0.8 * max(dot(normal, to_eye), 0.0);
+    } else if look == STUDIO {
+        color *= studio(seen);
+    } else if look == MATCAP {
+        let lit = textureSampleLevel(matcap, clamped, matcap_place(seen, in_camera(to_eye)), 0.0).rgb;
+        color = lit * color / UNPAINTED;
+    } else if look == ZEBRA {
+        let stripe = abs(fract(stripe_at) - 0.5) * 2.0;
+        let white = smoothstep(0.5 - stripe_slope, 0.5 + stripe_slope, stripe);
+        // Stripes too narrow for their pixels are grey.
+        color *= mix(0.12, 1.2, mix(white, 0.5, clamp(stripe_slope - 0.5, 0.0, 1.0)));
+    }
+    // The tint isn't lit, so that it is seen in the dark too.
     if !front {
-        color = mix(color * 0.5, frame.back_face.rgb, 0.5);
+        color = mix(color * 0.7, frame.back_face.rgb, 0.5);
     }
-    var share = 0.2 + 0.8 * max(dot(normal, to_light), 0.0);
-    if frame.right.w > 0.5 {
-        let towards = cross(frame.right.xyz, frame.up.xyz);
-        share = studio(vec3<f32>(dot(normal, frame.right.xyz), dot(normal, frame.up.xyz), dot(normal, towards)));
+    if look == HIDDEN_LINE {
+        color = mix(frame.background_top, frame.background_bottom, in.clip.y / frame.viewport.y).rgb;
+    } else if look == NORMALS {
+        color = outward * 0.5 + 0.5;
+    } else if look == ORIENTATION {
+        color = select(vec3<f32>(0.91, 0.26, 0.26), vec3<f32>(0.27, 0.50, 0.96), front) * (0.35 + 0.65 * studio(seen));
     }
-    color = color * share;
 
     // Side i runs from corner i to the next, opposite the corner before: where that corner's
     // coordinate is 0.
@@ -75,11 +125,12 @@ fn mesh_fragment(in: MeshVertex, @builtin(front_facing) front: bool) -> @locatio
         f32((flags & 4u) != 0u),
         f32((flags & 1u) != 0u),
     );
-    // Lines fade where the triangle's height is but a few of their widths: a dense mesh keeps its
-    // shading.
+    // Lines fade where the triangle's height is but a few of their widths: a dense mesh keeps its shading, and
+    // its lines make no moiré. Without shading, some of them has to stay.
     let half_width = draw.params.x;
     let height = 1.0 / slope;
-    let strength = smoothstep(vec3<f32>(half_width * 3.0), vec3<f32>(half_width * 12.0), height);
+    let least = select(0.0, 0.3, look == HIDDEN_LINE);
+    let strength = max(smoothstep(vec3<f32>(half_width * 4.0), vec3<f32>(half_width * 24.0), height), vec3<f32>(least));
     let line = (1.0 - smoothstep(vec3<f32>(half_width - 0.5), vec3<f32>(half_width + 0.5), away))
         * is_edge * strength;
     let alpha = max(line.x, max(line.y, line.z)) * draw.params.y * frame.edge.a;

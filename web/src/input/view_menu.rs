@@ -1,0 +1,161 @@
+//! The View menu.
+
+use viewport::{ColorBy, Look, Matcap, Side};
+
+use super::actions::{Action as A, Entry, entry};
+
+/// Its entries.
+pub(super) static ENTRIES: &[Option<Entry>] = &[
+    Some(
+        entry(
+            A::Frame,
+            "Frame selection",
+            "Fit the selection into the view, or everything if nothing is selected.",
+        )
+        .synonyms(&["zoom to selection", "focus"]),
+    ),
+    Some(
+        entry(A::FrameAll, "Frame all", "Fit everything into the view, from the same direction.")
+            .synonyms(&["zoom to fit", "view all"]),
+    ),
+    Some(entry(A::ResetView, "Reset view", "Restore the initial view.")),
+    Some(entry(A::LookFrom(Side::Front), "Front view", "Look along -z, from the front.")),
+    Some(entry(A::LookFrom(Side::Back), "Back view", "Look along +z, from the back.")),
+    Some(entry(A::LookFrom(Side::Right), "Right view", "Look along -x, from the right.")),
+    Some(entry(A::LookFrom(Side::Left), "Left view", "Look along +x, from the left.")),
+    Some(entry(A::LookFrom(Side::Top), "Top view", "Look along -y, from above.")),
+    Some(entry(A::LookFrom(Side::Bottom), "Bottom view", "Look along +y, from below.")),
+    Some(
+        entry(A::Orthographic, "Parallel projection", "Draw without perspective.")
+            .synonyms(&["orthographic"]),
+    ),
+    None,
+    Some(entry(A::Wireframe, "Wireframe", "Draw edges over faces.").synonyms(&["edges"])),
+    Some(entry(A::XRay, "X-ray", "See and select through surfaces.").synonyms(&[
+        "transparent",
+        "see through",
+        "limit selection to visible",
+        "occlude",
+    ])),
+    Some(entry(
+        A::Smooth,
+        "Smooth shading",
+        "Shade with normals averaged at vertices instead of one per face.",
+    )),
+    Some(
+        entry(
+            A::AutoSmooth,
+            "Auto smooth",
+            "Shade smoothly, but keep edges hard where faces meet at more than 30°.",
+        )
+        .synonyms(&["shade smooth by angle", "soften edges", "hard edges"]),
+    ),
+    Some(
+        entry(
+            A::ColorBy(ColorBy::Paint),
+            "Paint",
+            "Colour painted faces by their paint, the others by their vertices or material.",
+        )
+        .synonyms(&["colour by"]),
+    ),
+    Some(entry(A::ColorBy(ColorBy::Face), "Face colours", "Colour faces by their own colours only.")),
+    Some(
+        entry(
+            A::ColorBy(ColorBy::Vertex),
+            "Vertex colours",
+            "Colour faces by the colours of their vertices only.",
+        )
+        .synonyms(&["colour attribute", "per-vertex colour"]),
+    ),
+    Some(entry(A::ColorBy(ColorBy::Uniform), "One colour", "Draw all faces in one colour.")),
+    Some(
+        entry(A::Look(Look::Studio), "Studio lights", "Light faces with three lights fixed to the camera.")
+            .synonyms(&["look", "solid"]),
+    ),
+    Some(
+        entry(
+            A::Look(Look::Course),
+            "Light at the camera",
+            "Light faces from the camera only, as the courses do.",
+        )
+        .synonyms(&["look", "lambert", "headlight", "shading"]),
+    ),
+    Some(
+        entry(A::Look(Look::Matcap(Matcap::Clay)), "Clay", "Draw faces like terracotta.")
+            .synonyms(&["look", "matcap"]),
+    ),
+    Some(
+        entry(A::Look(Look::Matcap(Matcap::Pearl)), "Pearl", "Draw faces like white pearl.")
+            .synonyms(&["look", "matcap"]),
+    ),
+    Some(
+        entry(
+            A::Look(Look::Matcap(Matcap::Metal)),
+            "Metal",
+            "Draw faces like steel, which shows unevenness.",
+        )
+        .synonyms(&["look", "matcap", "chrome"]),
+    ),
+    Some(
+        entry(A::Look(Look::Matcap(Matcap::RedWax)), "Red wax", "Draw faces like glossy red wax.")
+            .synonyms(&["look", "matcap", "sculpting"]),
+    ),
+    Some(
+        entry(
+            A::Look(Look::Zebra),
+            "Zebra stripes",
+            "Mirror stripes on faces: they break or kink where the surface isn't smooth.",
+        )
+        .synonyms(&["look", "reflection lines", "surface check"]),
+    ),
+    Some(
+        entry(A::Look(Look::Flat), "Colours without light", "Draw faces in their colours, without light.")
+            .synonyms(&["look", "unlit", "flat colour"]),
+    ),
+    Some(
+        entry(
+            A::Look(Look::HiddenLine),
+            "Hidden line",
+            "Draw edges only, hidden by the faces in front of them.",
+        )
+        .synonyms(&["look", "technical drawing"]),
+    ),
+    Some(
+        entry(
+            A::Look(Look::Normals),
+            "Normals as colours",
+            "Colour faces by their normals: x red, y green, z blue.",
+        )
+        .synonyms(&["look"]),
+    ),
+    Some(
+        entry(
+            A::Look(Look::Orientation),
+            "Face orientation",
+            "Draw the fronts of faces blue and the backs red.",
+        )
+        .synonyms(&["look", "flipped normals", "inside out"]),
+    ),
+    Some(
+        entry(A::HideBacks, "Hide backs of faces", "Leave faces out where they are seen from the back.")
+            .synonyms(&["backface culling", "cull"]),
+    ),
+    Some(entry(A::Dots, "Vertex dots", "Draw vertices as dots.")),
+    Some(entry(A::Grid, "Ground grid", "Draw a grid on the ground below the model.")),
+    Some(
+        entry(A::Shadow, "Ground shadow", "Draw a soft shadow on the ground below the model.")
+            .synonyms(&["contact shadow", "ambient occlusion"]),
+    ),
+    Some(entry(
+        A::Overlay,
+        "Info overlay",
+        "Show the selection and the element under the pointer in the viewport.",
+    )),
+    None,
+    Some(entry(A::LeftPanel, "Element lists", "Show or hide the lists.")),
+    Some(entry(A::RightPanel, "Inspector", "Show or hide the inspector and the operations.")),
+    None,
+    Some(entry(A::SystemTheme, "System theme", "Use the system's light or dark theme.")),
+    Some(entry(A::LightTheme, "Light theme", "Use dark text on a light page.")),
+    Some(entry(A::DarkTheme, "Dark theme", "Use light text on a dark page.")),
+];
