@@ -134,6 +134,41 @@ fn vertex_colours_are_shown_until_faces_are_painted() {
 }
 
 #[test]
+fn every_look_from_the_view_menu_differs() {
+    let looks = [
+        "Studio lights",
+        "Light at the camera",
+        "Clay",
+        "Pearl",
+        "Metal",
+        "Red wax",
+        "Zebra stripes",
+        "Colours without light",
+        "Hidden line",
+        "Normals as colours",
+        "Face orientation",
+    ];
+    for (theme, name) in [(Theme::Dark, "dark"), (Theme::Light, "light")] {
+        let mut page = Page::drawn(DESKTOP, theme);
+        page.command(json!({ "op": "new", "shape": "torus" }));
+        page.press(egui::Key::W);
+        let mut seen: Vec<(&str, Vec<u8>)> = Vec::new();
+        for look in looks {
+            page.click("View");
+            page.click("Look");
+            page.click(look);
+            let drawn = picture(&mut page, &format!("look {look} {name}"));
+            // The middle of the viewport, left of the tube.
+            let pixels = (500..800).flat_map(|x| drawn.get_pixel(x, 400).0).collect();
+            for (other, before) in &seen {
+                assert_ne!(*before, pixels, "{look} looks like {other}");
+            }
+            seen.push((look, pixels));
+        }
+    }
+}
+
+#[test]
 fn a_job_without_reported_progress() {
     for (theme, size, name) in [(Theme::Dark, DESKTOP, "job dark"), (Theme::Light, PHONE, "job light phone")]
     {
