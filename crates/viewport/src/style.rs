@@ -134,6 +134,8 @@ pub struct Theme {
     pub back_face: Color,
     /// Selected elements.
     pub selected: Color,
+    /// The selected element that was selected last.
+    pub active: Color,
     /// The element under the pointer.
     pub hovered: Color,
 }
@@ -151,6 +153,7 @@ impl Theme {
         shadow_strength: 0.75,
         back_face: Color([0x50, 0x64, 0xb4]),
         selected: Color([0xff, 0x8c, 0x1a]),
+        active: Color([0xff, 0xf6, 0xe6]),
         hovered: Color([0x4f, 0xd8, 0xff]),
     };
     /// Dark lines on a light gradient.
@@ -165,6 +168,7 @@ impl Theme {
         shadow_strength: 0.5,
         back_face: Color([0x50, 0x64, 0xb4]),
         selected: Color([0xf0, 0x6a, 0x00]),
+        active: Color([0xff, 0xfa, 0xf0]),
         hovered: Color([0x00, 0x8f, 0xd6]),
     };
 }

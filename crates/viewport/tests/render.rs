@@ -4,8 +4,8 @@ mod support;
 
 use glam::{DVec3, Vec2, Vec3, vec2, vec3};
 use halfedge::edit::{Connect, delete_vertices, split_edge};
-use halfedge::{Budget, EdgeId, Element, Mesh, PolygonSoup, VertexId};
-use support::gpu::{GAMMA, Image, SIZE, VIEW, bare, close, draw, draw_with, frame, front, gpu, shown};
+use halfedge::{Budget, EdgeId, Element, FaceId, Mesh, PolygonSoup, VertexId};
+use support::gpu::{GAMMA, Gpu, Image, SIZE, VIEW, bare, close, draw, draw_with, frame, front, gpu, shown};
 use support::{cube, grid, mesh, paint, paint_all, sphere};
 use viewport::{Bounds, Camera, Frame, Highlight, Layer, Look, ObjectChange, Renderer, Shading, Style};
 
@@ -167,35 +167,155 @@ fn the_nearer_face_hides_the_farther() {
     }
 }
 
-#[test]
-fn highlights_are_drawn_over_what_hides_them() {
-    let gpu = gpu();
-    let (cube, camera, style) = (cube(), front(), bare());
-    let (selected, hovered) = (style.theme.selected.0, style.theme.hovered.0);
-    let highlight = |layer, kind, ids: &[u32]| {
-        draw_with(&gpu, &cube, &camera, &style, |renderer| {
-            let highlight = Highlight { object: 7, mesh: &cube, kind, ids };
+/// A picture of a mesh with highlights.
+fn marked(
+    gpu: &Gpu,
+    mesh: &Mesh,
+    camera: &Camera,
+    style: &Style,
+    marks: &[(Layer, Element, &[u32])],
+) -> Image {
+    draw_with(gpu, mesh, camera, style, |renderer| {
+        for &(layer, kind, ids) in marks {
+            let highlight = Highlight { object: 7, mesh, kind, ids };
             renderer.set_highlight(&gpu.device, &gpu.queue, layer, Some(highlight));
-        })
+        }
+    })
+}
+
+fn mix(a: [u8; 3], b: [u8; 3], share: f32) -> [u8; 3] {
+    std::array::from_fn(|i| (f32::from(a[i]) * (1.0 - share) + f32::from(b[i]) * share).round() as u8)
+}
+
+#[test]
+fn highlights_behind_faces_are_fainter() {
+    let gpu = gpu();
+    let (cube, style) = (cube(), bare());
+    let selected = style.theme.selected.0;
+    for orthographic in [false, true] {
+        let camera = Camera { orthographic, yaw: 0.3, pitch: 0.3, ..front() };
+        let at = |v: usize| camera.project(cube.position(VertexId::new(v)), VIEW).expect("in front");
+        let edge = |a: usize, b: usize| {
+            (
+                cube.find_edge(VertexId::new(a), VertexId::new(b)).expect("an edge").raw(),
+                (at(a) + at(b)) * 0.5,
+            )
+        };
+        let plain = draw(&gpu, &cube, &camera, &style);
+        // Vertex 0 is on the back, vertex 7 in front.
+        for (v, strength) in [(0, 0.35), (7, 1.0)] {
+            let image =
+                marked(&gpu, &cube, &camera, &style, &[(Layer::Selected, Element::Vertex, &[v, 999])]);
+            let expected = mix(plain.near(at(v as usize)), selected, strength);
+            assert!(close(image.near(at(v as usize)), expected, 8), "{v}: {:?}", image.near(at(v as usize)));
+        }
+        for ((id, middle), strength) in [(edge(0, 1), 0.35), (edge(5, 7), 1.0)] {
+            let image = marked(&gpu, &cube, &camera, &style, &[(Layer::Selected, Element::Edge, &[id])]);
+            let expected = mix(plain.near(middle), selected, strength);
+            assert!(close(image.near(middle), expected, 25), "{:?} {expected:?}", image.near(middle));
+        }
+        for (face, strength) in [(0_u32, 0.35), (1, 0.35 * 0.35)] {
+            let middle: Vec2 =
+                cube.face_vertices(FaceId::new(face as usize)).map(|v| at(v.index()) / 4.0).sum();
+            let image = marked(&gpu, &cube, &camera, &style, &[(Layer::Selected, Element::Face, &[face])]);
+            let expected = mix(plain.near(middle), selected, strength);
+            assert!(close(image.near(middle), expected, 3), "{face}: {:?} {expected:?}", image.near(middle));
+        }
+    }
+}
+
+#[test]
+fn all_of_a_highlight_on_a_surface_is_in_front() {
+    let gpu = gpu();
+    // Steep sides too, where the surface beside a line is much nearer or farther.
+    let ball = sphere(16, 12);
+    for orthographic in [false, true] {
+        let camera = Camera { orthographic, distance: 4.0, ..Camera::default() };
+        let style = bare();
+        let (selected, plain) = (style.theme.selected.0, draw(&gpu, &ball, &camera, &style));
+        let faces: Vec<u32> = (0..ball.face_capacity() as u32).collect();
+        let image = marked(&gpu, &ball, &camera, &style, &[(Layer::Selected, Element::Face, &faces)]);
+        let mut compared = 0;
+        for (x, y) in (0..SIZE[1]).flat_map(|y| (0..SIZE[0]).map(move |x| (x, y))) {
+            let (before, after) = (plain.at(x, y), image.at(x, y));
+            // Inside the ball, away from its outline.
+            let away = vec2(x as f32 + 0.5, y as f32 + 0.5).distance(VIEW * 0.5);
+            if away < 35.0 {
+                // The back side's faint fill lies beneath the front side's.
+                let expected = mix(mix(before, selected, 0.35 * 0.35), selected, 0.35);
+                assert!(close(after, expected, 4), "{x} {y}: {before:?} {after:?} {expected:?}");
+                compared += 1;
+            }
+        }
+        assert!(compared > 3000);
+    }
+}
+
+#[test]
+fn hovering_hides_neither_the_selection_nor_a_faces_colour() {
+    let gpu = gpu();
+    let (mut square, camera, style) = (grid(2, 1, false), front(), bare());
+    paint(&mut square, 0, [20, 200, 60]);
+    let theme = style.theme;
+    let at = |p: Vec3| camera.project(p, VIEW).expect("in front");
+    let ids: [&[u32]; 1] = [&[0]];
+    let look = |marks: &[(Layer, Element)], p: Vec2| {
+        let marks: Vec<_> = marks.iter().map(|&(layer, kind)| (layer, kind, ids[0])).collect();
+        marked(&gpu, &square, &camera, &style, &marks).near(p)
     };
-    let at = |v: usize| camera.project(cube.position(VertexId::new(v)), VIEW).expect("in front");
-    // Vertex 0 is on the back.
-    let image = highlight(Layer::Selected, Element::Vertex, &[0, 999]);
-    assert!(close(image.near(at(0)), selected, 2), "{:?}", image.near(at(0)));
-    let image = highlight(Layer::Hovered, Element::Vertex, &[0]);
-    assert!(close(image.near(at(0)), hovered, 2));
+    // A face: the hovered one keeps most of its colour, selected or not.
+    let middle = at(vec3(-0.5, 0.0, 0.0));
+    let plain = look(&[], middle);
+    assert!(close(look(&[(Layer::Hovered, Element::Face)], middle), mix(plain, theme.hovered.0, 0.15), 2));
+    let selected = mix(plain, theme.selected.0, 0.35);
+    assert!(close(look(&[(Layer::Selected, Element::Face)], middle), selected, 2));
+    let both = look(&[(Layer::Selected, Element::Face), (Layer::Hovered, Element::Face)], middle);
+    assert!(close(both, mix(selected, theme.hovered.0, 0.15), 2));
+    // Its outline is the hover's.
+    let side = at(vec3(-1.0, 0.0, 0.0));
+    let beside =
+        look(&[(Layer::Selected, Element::Face), (Layer::Hovered, Element::Face)], side + vec2(2.0, 0.0));
+    assert!(close(beside, theme.hovered.0, 90) && !close(selected, theme.hovered.0, 90), "{beside:?}");
+    // A vertex: the selection's dot, the active one's core, and the hover's ring around them.
+    let corner = square.position(VertexId::new(0));
+    let all = [Layer::Selected, Layer::Active, Layer::Hovered].map(|layer| (layer, Element::Vertex));
+    assert!(close(look(&all, at(corner)), theme.active.0, 3));
+    assert!(close(look(&all[..1], at(corner)), theme.selected.0, 3));
+    assert!(close(look(&all, at(corner) - vec2(5.5, 0.0)), theme.hovered.0, 40));
+    assert!(close(look(&[all[2]], at(corner)), theme.hovered.0, 3));
+}
 
-    let back_edge = cube.find_edge(VertexId::new(0), VertexId::new(1)).expect("an edge").raw();
-    let image = highlight(Layer::Selected, Element::Edge, &[back_edge]);
-    assert!(close(image.near((at(0) + at(1)) * 0.5), selected, 2));
-
-    let plain = draw(&gpu, &cube, &camera, &style);
-    let image = highlight(Layer::Hovered, Element::Face, &[1]);
-    let middle = vec2(100.0, 80.0);
-    let expected = std::array::from_fn(|i| {
-        (f32::from(plain.near(middle)[i]) * 0.6 + f32::from(hovered[i]) * 0.4).round() as u8
-    });
-    assert!(close(image.near(middle), expected, 2), "{:?} {expected:?}", image.near(middle));
+#[test]
+fn x_ray_shows_what_is_behind() {
+    let gpu = gpu();
+    let mut cube = cube();
+    paint_all(&mut cube, [200; 3]);
+    paint(&mut cube, 1, [250, 0, 0]);
+    let solid = Style { wireframe: true, vertices: true, ..bare() };
+    let x_ray = Style { x_ray: true, ..solid };
+    let camera = Camera { yaw: 0.3, pitch: 0.3, ..front() };
+    let at = |p: Vec3| camera.project(p, VIEW).expect("in front");
+    let (before, after) = (draw(&gpu, &cube, &camera, &solid), draw(&gpu, &cube, &camera, &x_ray));
+    // The red back through the grey front.
+    let middle = at(vec3(0.2, 0.2, -1.0));
+    let reddish = |image: &Image| i32::from(image.near(middle)[0]) - i32::from(image.near(middle)[1]);
+    assert!(reddish(&before) == 0 && reddish(&after) > 8, "{} {}", reddish(&before), reddish(&after));
+    // A hidden edge and the hidden vertex make a difference with x-ray only.
+    let without_lines = Style { wireframe: false, vertices: false, ..solid };
+    for hidden in [vec3(0.0, -1.0, -1.0), vec3(-1.0, -1.0, -1.0)] {
+        let difference = |x_ray| {
+            let [with, without] =
+                [solid, without_lines].map(|style| draw(&gpu, &cube, &camera, &Style { x_ray, ..style }));
+            let places = (-2..=2).flat_map(|x| (-2..=2).map(move |y| vec2(x as f32, y as f32)));
+            places.map(|by| with.near(at(hidden) + by)[0].abs_diff(without.near(at(hidden) + by)[0])).max()
+        };
+        assert_eq!(difference(false), Some(0), "{hidden} is hidden");
+        assert!(difference(true) > Some(15), "{hidden} shows: {:?}", difference(true));
+    }
+    // With one translucent face, the background shows in its known share.
+    let square = tilted(0.0, [200; 3]);
+    let image = draw(&gpu, &square, &front(), &Style { x_ray: true, ..bare() });
+    assert!(close(image.at(100, 80), [100; 3], 2), "{:?}", image.at(100, 80));
 }
 
 #[test]

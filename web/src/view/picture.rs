@@ -85,6 +85,7 @@ impl Picture {
             let selection = editor.selection();
             let ids: Vec<u32> = selection.ids().collect();
             highlight(Layer::Selected, selection.kind(), &ids);
+            highlight(Layer::Active, selection.kind(), selection.latest().as_slice());
         }
         // The hovered element may have moved in the edit that made the selection's highlight stale.
         if self.selection_stale || self.hovered != hovered {
@@ -92,7 +93,7 @@ impl Picture {
             highlight(Layer::Hovered, kind, id.as_slice());
         }
         if let Some(active) = active {
-            for layer in [Layer::Selected, Layer::Hovered] {
+            for layer in [Layer::Selected, Layer::Active, Layer::Hovered] {
                 self.with(|renderer, device, queue| {
                     let mesh = active.mesh();
                     behind |= renderer.upload_highlight_elements(device, queue, layer, mesh, budget);

@@ -21,10 +21,12 @@ fn desktop_in_both_themes() {
         let mut page = Page::drawn(DESKTOP, theme);
         page.select("vertex", &[3]);
         let with = picture(&mut page, name);
-        // The vertex is marked where it is: the selection's orange, not the cube's grey.
+        // The vertex is marked where it is: a white-hot core in the selection's orange, not the cube's grey.
         let at = page.mesh().position(page_vertex(3)).to_array();
         let at = page.at(at);
-        let pixel = with.get_pixel(at.x.round() as u32, at.y.round() as u32).0;
+        let core = with.get_pixel(at.x.round() as u32, at.y.round() as u32).0;
+        assert!(core[0] > 230 && core[2] > 200, "{name}: {core:?} at {at:?} is not the active element's");
+        let pixel = with.get_pixel((at.x - 3.0).round() as u32, at.y.round() as u32).0;
         assert!(pixel[0] > 200 && pixel[2] < 90, "{name}: {pixel:?} at {at:?} is not the selection's orange");
         page.select("face", &[0, 1]);
     }
@@ -202,4 +204,46 @@ fn telephone_in_both_themes() {
         page.click("Operations");
         picture(&mut page, &format!("{name}, operations"));
     }
+}
+
+#[test]
+fn selecting_and_x_ray() {
+    for (theme, name) in [(Theme::Dark, "dark"), (Theme::Light, "light")] {
+        let mut page = Page::drawn(DESKTOP, theme);
+        page.command(json!({ "op": "new", "shape": "torus" }));
+        page.select("face", &(40..120).collect::<Vec<_>>());
+        picture(&mut page, &format!("faces selected {name}"));
+        page.press_with(egui::Modifiers::ALT, egui::Key::X);
+        let glass = picture(&mut page, &format!("x-ray {name}"));
+        page.press_with(egui::Modifiers::ALT, egui::Key::X);
+        let solid = picture(&mut page, &format!("no x-ray {name}"));
+        assert!(glass != solid);
+        page.select("edge", &(0..60).collect::<Vec<_>>());
+        picture(&mut page, &format!("edges selected {name}"));
+
+        // A lasso and the circle while they are drawn.
+        let middle = page.find("Viewport").rect().center();
+        let place = |i: f32| middle + egui::Vec2::angled(i * 0.3) * (110.0 + 40.0 * (i * 0.9).sin());
+        page.click("Select");
+        page.click("Lasso select");
+        page.harness.hover_at(place(0.0));
+        page.harness.drag_at(place(0.0));
+        (0..18).for_each(|i| {
+            page.harness.hover_at(place(i as f32));
+            page.run();
+        });
+        picture(&mut page, &format!("lasso {name}"));
+        page.press(egui::Key::Escape);
+        page.drop(place(0.0));
+        page.press_with(egui::Modifiers::SHIFT, egui::Key::C);
+        page.harness.hover_at(middle);
+        page.run();
+        page.harness.drag_at(middle);
+        page.run();
+        picture(&mut page, &format!("circle {name}"));
+        page.drop(middle);
+    }
+    let mut page = Page::drawn(PHONE, Theme::Dark);
+    page.press_with(egui::Modifiers::SHIFT, egui::Key::C);
+    picture(&mut page, "circle telephone");
 }

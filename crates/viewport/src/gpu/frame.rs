@@ -1,7 +1,8 @@
 //! A frame's draws: listing and encoding them.
 
-use super::highlight::HighlightBuffers;
+use super::highlight::{HighlightBuffers, Layer};
 use super::object::Object;
+use super::pipelines::Marks;
 use super::renderer::{DRAW_UNIFORM_STRIDE, Renderer};
 use super::stream::Stream;
 use super::targets::Targets;
@@ -53,19 +54,38 @@ pub(super) struct FrameKey {
 /// One draw of a frame.
 pub(super) enum Draw<'a> {
     Background,
-    Mesh(&'a Object, Sides),
-    Points(&'a Stream),
+    Mesh(&'a Object, Faces),
+    Points(&'a Stream, Side),
     Ground,
     Shadow,
-    Highlight(&'a HighlightBuffers, Shape),
+    Highlight(&'a HighlightBuffers, Shape, Side),
 }
 
-/// Which sides of faces are drawn.
+/// Which faces are drawn, and how.
 #[derive(Clone, Copy)]
-pub(super) enum Sides {
-    Both,
-    Front,
+pub(super) enum Faces {
+    All,
+    Fronts,
+    /// The back sides, translucent.
+    GlassBacks,
+    GlassFronts,
+    /// All faces unseen, for the depths of those drawn as glass.
+    Veil,
 }
+
+/// Whether marks are drawn where they are behind faces, or where they are in front.
+#[derive(Clone, Copy)]
+pub(super) enum Side {
+    Behind,
+    InFront,
+}
+
+/// How much of the colours behind translucent faces shows.
+const GLASS: f32 = 0.5;
+/// How strong marks behind faces are.
+const BEHIND: f32 = 0.35;
+/// How many points nearer to the eye than they are marks count as, so that faces beside them don't hide them.
+const NEARER: f32 = 4.0;
 
 /// The kinds of primitive in a highlight.
 #[derive(Clone, Copy)]
@@ -75,6 +95,24 @@ pub(super) enum Shape {
     Arrows,
     Points,
 }
+
+/// What highlights consist of, in order: layer, shape, opacity and sizes in points. A hovered vertex or edge has a wider
+/// mark under that of the selection, a hovered face a tint and an outline: the selection's colour stays. The active
+/// element has a core of its colour within the selection's mark.
+const MARKS: [(Layer, Shape, f32, [f32; 3]); 12] = [
+    (Layer::Selected, Shape::Fill, 0.35, [0.0; 3]),
+    (Layer::Active, Shape::Fill, 0.25, [0.0; 3]),
+    (Layer::Hovered, Shape::Fill, 0.15, [0.0; 3]),
+    (Layer::Hovered, Shape::Lines, 1.0, [2.25, 0.0, 0.0]),
+    (Layer::Selected, Shape::Lines, 1.0, [1.25, 0.0, 0.0]),
+    (Layer::Active, Shape::Lines, 1.0, [0.6, 0.0, 0.0]),
+    (Layer::Hovered, Shape::Arrows, 1.0, [2.1, 4.0, 11.0]),
+    (Layer::Selected, Shape::Arrows, 1.0, [1.1, 4.0, 9.0]),
+    (Layer::Active, Shape::Arrows, 1.0, [0.5, 4.0, 5.0]),
+    (Layer::Hovered, Shape::Points, 1.0, [6.5, 0.0, 0.0]),
+    (Layer::Selected, Shape::Points, 1.0, [4.5, 1.0, 0.0]),
+    (Layer::Active, Shape::Points, 1.0, [2.5, 0.0, 0.0]),
+];
 
 impl Renderer {
     /// The draws of a frame, in order.
@@ -96,41 +134,63 @@ impl Renderer {
             let shown = frame.objects.iter().filter(|o| o.visible);
             shown.filter_map(|o| Some((o, self.objects.get(&o.id)?)))
         };
-        for (draw, object) in visible() {
-            let has_lines = style.look == Look::HiddenLine || (style.wireframe && draw.active);
-            let params = [0.6 * ppp, if has_lines { 1.0 } else { 0.0 }, 0.0, 0.0];
-            let sides = if style.cull { Sides::Front } else { Sides::Both };
-            draws.push((
-                Draw::Mesh(object, sides),
-                DrawUniform::new(camera, object.buffers.origin(), [0.0; 4], params),
-            ));
-        }
-        for (draw, object) in visible() {
-            let origin = object.buffers.origin();
-            let mut push = |points, color, radius, rim| {
-                let params = [radius * ppp, rim * ppp, 1e-3, 0.0];
-                draws
-                    .push((Draw::Points(points), DrawUniform::new(camera, origin, rgba(color, 1.0), params)));
-            };
-            if draw.active && style.vertices && object.has_points {
-                push(&object.points, theme.vertex, 2.5, 0.0);
+        let kinds: &[Faces] = match (style.x_ray, style.cull) {
+            (false, false) => &[Faces::All],
+            (false, true) => &[Faces::Fronts],
+            // Back sides first, as they are usually farther away.
+            (true, false) => &[Faces::GlassBacks, Faces::GlassFronts, Faces::Veil],
+            (true, true) => &[Faces::GlassFronts, Faces::Veil],
+        };
+        for kind in kinds {
+            for (draw, object) in visible() {
+                let has_lines = style.look == Look::HiddenLine || (style.wireframe && draw.active);
+                let translucency = if style.x_ray { GLASS } else { 0.0 };
+                let params = [0.6 * ppp, if has_lines { 1.0 } else { 0.0 }, translucency, 0.0];
+                let uniform = DrawUniform::new(camera, object.buffers.origin(), [0.0; 4], params);
+                draws.push((Draw::Mesh(object, *kind), uniform));
             }
-            // Among very many, as scans have them, large ones would hide the surface.
-            let (radius, rim) = if object.isolated.count() > MANY_ISOLATED { (1.5, 0.0) } else { (3.5, 1.0) };
-            push(&object.isolated.points, theme.isolated, radius, rim);
         }
-        for (marked, color) in [(&self.selected, theme.selected), (&self.hovered, theme.hovered)] {
-            let Some((_, object)) = visible().find(|(draw, _)| Some(draw.id) == marked.object) else {
-                continue;
+        for side in [Side::Behind, Side::InFront] {
+            let alpha = match side {
+                Side::Behind if style.x_ray => BEHIND,
+                Side::Behind => continue,
+                Side::InFront => 1.0,
             };
-            let mut push = |shape, alpha, params| {
-                let uniform = DrawUniform::new(camera, object.buffers.origin(), rgba(color, alpha), params);
-                draws.push((Draw::Highlight(marked, shape), uniform));
+            for (draw, object) in visible() {
+                let origin = object.buffers.origin();
+                let mut push = |points, color, radius, rim| {
+                    let params = [radius * ppp, rim * ppp, 0.0, NEARER * ppp];
+                    let uniform = DrawUniform::new(camera, origin, rgba(color, alpha), params);
+                    draws.push((Draw::Points(points, side), uniform));
+                };
+                if draw.active && style.vertices && object.has_points {
+                    push(&object.points, theme.vertex, 2.5, 0.0);
+                }
+                // Among very many, as scans have them, large ones would hide the surface.
+                let (radius, rim) =
+                    if object.isolated.count() > MANY_ISOLATED { (1.5, 0.0) } else { (3.5, 1.0) };
+                push(&object.isolated.points, theme.isolated, radius, rim);
+            }
+        }
+        for side in [Side::Behind, Side::InFront] {
+            let strength = match side {
+                Side::Behind => BEHIND,
+                Side::InFront => 1.0,
             };
-            push(Shape::Fill, 0.4, [0.0; 4]);
-            push(Shape::Lines, 1.0, [1.25 * ppp, 0.0, 0.0, 0.0]);
-            push(Shape::Arrows, 1.0, [1.1 * ppp, 4.0 * ppp, 9.0 * ppp, 0.0]);
-            push(Shape::Points, 1.0, [4.5 * ppp, 1.0 * ppp, 0.0, 0.0]);
+            for (layer, shape, alpha, params) in MARKS {
+                let (marked, color) = match layer {
+                    Layer::Selected => (&self.selected, theme.selected),
+                    Layer::Active => (&self.active, theme.active),
+                    Layer::Hovered => (&self.hovered, theme.hovered),
+                };
+                let object = visible().find(|(draw, _)| Some(draw.id) == marked.object);
+                let Some((_, object)) = object.filter(|_| marked.stream(shape).len() > 0) else { continue };
+                let [a, b, c] = params.map(|size| size * ppp);
+                let color = rgba(color, alpha * strength);
+                let uniform =
+                    DrawUniform::new(camera, object.buffers.origin(), color, [a, b, c, NEARER * ppp]);
+                draws.push((Draw::Highlight(marked, shape, side), uniform));
+            }
         }
         draws
     }
@@ -161,6 +221,13 @@ impl Renderer {
                 }
             }
         });
+    }
+
+    fn marks(&self, side: Side) -> &Marks {
+        match side {
+            Side::Behind => &self.pipelines.behind,
+            Side::InFront => &self.pipelines.in_front,
+        }
     }
 
     pub(super) fn encode_draws(
@@ -209,10 +276,13 @@ impl Renderer {
                     pass.set_bind_group(1, self.shadow.map(), &[]);
                     pass.draw(0..6, 0..1);
                 }
-                Draw::Mesh(object, sides) => {
-                    pass.set_pipeline(match sides {
-                        Sides::Both => &p.mesh,
-                        Sides::Front => &p.mesh_fronts,
+                Draw::Mesh(object, faces) => {
+                    pass.set_pipeline(match faces {
+                        Faces::All => &p.mesh,
+                        Faces::Fronts => &p.mesh_fronts,
+                        Faces::GlassBacks => &p.glass_backs,
+                        Faces::GlassFronts => &p.glass_fronts,
+                        Faces::Veil => &p.veil,
                     });
                     pass.set_bind_group(1, &self.surface.bind_group, &[]);
                     for page in &object.pages {
@@ -225,22 +295,23 @@ impl Renderer {
                         }
                     }
                 }
-                Draw::Points(points) => instances(&mut pass, &p.points, points, 12, 6),
-                Draw::Highlight(marked, Shape::Fill) => {
-                    if let Some(fill) = marked.fill.slice() {
-                        pass.set_pipeline(&p.marked_fill);
-                        pass.set_vertex_buffer(0, fill);
-                        pass.draw(0..(marked.fill.len() / 12) as u32, 0..1);
+                Draw::Points(points, side) => {
+                    instances(&mut pass, &self.marks(*side).points, points, 12, 6);
+                }
+                Draw::Highlight(marked, shape, side) => {
+                    let (marks, stream) = (self.marks(*side), marked.stream(*shape));
+                    match shape {
+                        Shape::Fill => {
+                            if let Some(fill) = stream.slice() {
+                                pass.set_pipeline(&marks.fill);
+                                pass.set_vertex_buffer(0, fill);
+                                pass.draw(0..(stream.len() / 12) as u32, 0..1);
+                            }
+                        }
+                        Shape::Lines => instances(&mut pass, &marks.lines, stream, 24, 6),
+                        Shape::Arrows => instances(&mut pass, &marks.arrows, stream, 36, 9),
+                        Shape::Points => instances(&mut pass, &marks.points, stream, 12, 6),
                     }
-                }
-                Draw::Highlight(marked, Shape::Lines) => {
-                    instances(&mut pass, &p.marked_lines, &marked.lines, 24, 6);
-                }
-                Draw::Highlight(marked, Shape::Arrows) => {
-                    instances(&mut pass, &p.marked_arrows, &marked.arrows, 36, 9);
-                }
-                Draw::Highlight(marked, Shape::Points) => {
-                    instances(&mut pass, &p.marked_points, &marked.points, 12, 6);
                 }
             }
         }

@@ -1,16 +1,19 @@
-//! Highlights of selected and hovered elements, drawn over everything else.
+//! Highlights of selected and hovered elements: fainter where faces hide them.
 
+use super::frame::Shape;
 use super::stream::Stream;
 use glam::Vec3;
 use halfedge::geometry::{BitSet, PolygonTriangulator};
 use halfedge::{Budget, Element, FaceId, HalfedgeId, InParts, Mesh};
 use surface::normals;
 
-/// The highlights, in the order in which they are drawn over each other.
+/// The highlights.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Layer {
     /// The selection.
     Selected,
+    /// The element that was selected last.
+    Active,
     /// The element under the pointer.
     Hovered,
 }
@@ -96,6 +99,16 @@ impl HighlightBuffers {
             }
             Pending { kind, origin, ids, next: 0, marked }
         });
+    }
+
+    /// The buffer of a kind of primitive.
+    pub fn stream(&self, shape: Shape) -> &Stream {
+        match shape {
+            Shape::Fill => &self.fill,
+            Shape::Lines => &self.lines,
+            Shape::Arrows => &self.arrows,
+            Shape::Points => &self.points,
+        }
     }
 
     /// Whether there are elements left to upload.

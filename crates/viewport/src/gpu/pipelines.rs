@@ -17,13 +17,24 @@ pub struct Pipelines {
     pub mesh_fronts: wgpu::RenderPipeline,
     pub ground: wgpu::RenderPipeline,
     pub shadow: wgpu::RenderPipeline,
-    /// Dots that the surface hides.
-    pub points: wgpu::RenderPipeline,
-    pub marked_points: wgpu::RenderPipeline,
-    pub marked_lines: wgpu::RenderPipeline,
-    pub marked_arrows: wgpu::RenderPipeline,
-    pub marked_fill: wgpu::RenderPipeline,
+    /// Translucent back sides of faces, which hide nothing.
+    pub glass_backs: wgpu::RenderPipeline,
+    pub glass_fronts: wgpu::RenderPipeline,
+    /// Faces that aren't seen, but hide what is drawn later.
+    pub veil: wgpu::RenderPipeline,
+    /// Dots, lines and fills that are behind faces.
+    pub behind: Marks,
+    /// Those that are in front.
+    pub in_front: Marks,
     pub composite: wgpu::RenderPipeline,
+}
+
+/// The pipelines of dots, and of highlights.
+pub struct Marks {
+    pub points: wgpu::RenderPipeline,
+    pub lines: wgpu::RenderPipeline,
+    pub arrows: wgpu::RenderPipeline,
+    pub fill: wgpu::RenderPipeline,
 }
 
 /// How a pipeline uses the depth buffer. Depth is reversed: greater is nearer.
@@ -31,8 +42,20 @@ pub struct Pipelines {
 enum Depth {
     Write,
     Test,
+    /// What [`Depth::Test`] leaves out.
+    Behind,
     Ignore,
 }
+
+/// Keeps the colours that are there.
+const KEEP: wgpu::BlendState = {
+    let keep = wgpu::BlendComponent {
+        src_factor: wgpu::BlendFactor::Zero,
+        dst_factor: wgpu::BlendFactor::One,
+        operation: wgpu::BlendOperation::Add,
+    };
+    wgpu::BlendState { color: keep, alpha: keep }
+};
 
 #[derive(Clone, Copy)]
 struct Maker<'a> {
@@ -53,6 +76,7 @@ impl Maker<'_> {
         let (write, compare) = match depth {
             Depth::Write => (true, wgpu::CompareFunction::Greater),
             Depth::Test => (false, wgpu::CompareFunction::GreaterEqual),
+            Depth::Behind => (false, wgpu::CompareFunction::Less),
             Depth::Ignore => (false, wgpu::CompareFunction::Always),
         };
         self.device.create_render_pipeline(&wgpu::RenderPipelineDescriptor {
@@ -169,11 +193,18 @@ impl Pipelines {
         let one = vertex_attr_array![0 => Float32x3];
         let two = vertex_attr_array![0 => Float32x3, 1 => Float32x3];
         let three = vertex_attr_array![0 => Float32x3, 1 => Float32x3, 2 => Float32x3];
-        let dot = |depth| {
-            let stages = (&overlay, "dot_vertex", "dot_fragment");
-            maker.pipeline("dots", stages, &[buffer(12, instance, &one)], depth, over)
+        let marks = |depth| {
+            let pipeline = |label, vertex, fragment, buffers| {
+                maker.pipeline(label, (&overlay, vertex, fragment), &[buffers], depth, over)
+            };
+            Marks {
+                points: pipeline("dots", "dot_vertex", "dot_fragment", buffer(12, instance, &one)),
+                lines: pipeline("lines", "line_vertex", "flat_fragment", buffer(24, instance, &two)),
+                arrows: pipeline("arrows", "arrow_vertex", "flat_fragment", buffer(36, instance, &three)),
+                fill: pipeline("fill", "fill_vertex", "flat_fragment", buffer(12, corner, &one)),
+            }
         };
-        let faces = |cull| {
+        let faces = |label, depth, blend, cull| {
             let buffers = [
                 buffer(12, corner, &one),
                 buffer(8, corner, &vertex_attr_array![1 => Snorm16x4]),
@@ -181,7 +212,7 @@ impl Pipelines {
             ];
             let stages = (&mesh, "mesh_vertex", "mesh_fragment");
             let maker = Maker { layout: &of_surfaces, cull, ..maker };
-            maker.pipeline("mesh", stages, &buffers, Depth::Write, None)
+            maker.pipeline(label, stages, &buffers, depth, blend)
         };
         let on_ground = Maker { layout: &of_surfaces, ..maker };
         let pipelines = Self {
@@ -206,31 +237,13 @@ impl Pipelines {
                 Depth::Ignore,
                 over,
             ),
-            mesh: faces(None),
-            mesh_fronts: faces(Some(wgpu::Face::Back)),
-            points: dot(Depth::Test),
-            marked_points: dot(Depth::Ignore),
-            marked_lines: maker.pipeline(
-                "marked edges",
-                (&overlay, "line_vertex", "flat_fragment"),
-                &[buffer(24, instance, &two)],
-                Depth::Ignore,
-                over,
-            ),
-            marked_arrows: maker.pipeline(
-                "marked half-edges",
-                (&overlay, "arrow_vertex", "flat_fragment"),
-                &[buffer(36, instance, &three)],
-                Depth::Ignore,
-                over,
-            ),
-            marked_fill: maker.pipeline(
-                "marked faces",
-                (&overlay, "fill_vertex", "flat_fragment"),
-                &[buffer(12, corner, &one)],
-                Depth::Ignore,
-                over,
-            ),
+            mesh: faces("mesh", Depth::Write, None, None),
+            mesh_fronts: faces("fronts", Depth::Write, None, Some(wgpu::Face::Back)),
+            glass_backs: faces("translucent backs", Depth::Ignore, over, Some(wgpu::Face::Front)),
+            glass_fronts: faces("translucent fronts", Depth::Ignore, over, Some(wgpu::Face::Back)),
+            veil: faces("depth of a translucent mesh", Depth::Write, Some(KEEP), None),
+            behind: marks(Depth::Behind),
+            in_front: marks(Depth::Test),
             composite: composite(device, &picture, target),
             uniforms,
             picture,

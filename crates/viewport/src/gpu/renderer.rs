@@ -35,6 +35,7 @@ pub struct Renderer {
     /// The colours of the document's materials.
     materials: MaterialColors,
     pub(super) selected: HighlightBuffers,
+    pub(super) active: HighlightBuffers,
     pub(super) hovered: HighlightBuffers,
     pub(super) surface: Surface,
     pub(super) shadow: Shadow,
@@ -63,6 +64,7 @@ impl Renderer {
             objects: HashMap::new(),
             materials: MaterialColors::new(),
             selected: HighlightBuffers::new(),
+            active: HighlightBuffers::new(),
             hovered: HighlightBuffers::new(),
             surface,
             shadow,
@@ -214,6 +216,7 @@ impl Renderer {
     fn marked(&mut self, layer: Layer) -> &mut HighlightBuffers {
         match layer {
             Layer::Selected => &mut self.selected,
+            Layer::Active => &mut self.active,
             Layer::Hovered => &mut self.hovered,
         }
     }

@@ -44,6 +44,17 @@ fn from_pixels(pixels: vec2<f32>, clip: vec4<f32>) -> vec4<f32> {
     return vec4<f32>(pixels / (frame.viewport.xy * 0.5) * clip.w, clip.z, clip.w);
 }
 
+// A clip position this many pixels nearer to the eye than it is: what lies on a surface is drawn in front of it.
+fn nearer(clip: vec4<f32>, pixels: f32) -> vec4<f32> {
+    let up = vec3<f32>(frame.matrix[0].y, frame.matrix[1].y, frame.matrix[2].y);
+    let along = vec3<f32>(frame.matrix[0].z, frame.matrix[1].z, frame.matrix[2].z);
+    // In units of the distance to the target; in perspective as a fraction of the depth, which the reversed depth is the
+    // inverse of.
+    let by = pixels * 2.0 / (length(up) * frame.viewport.y);
+    let is_perspective = f32(frame.light.w < 0.5);
+    return vec4<f32>(clip.xy, clip.z * (1.0 + by * is_perspective) + by * length(along), clip.w);
+}
+
 // Nothing at this clip position is drawn.
 fn nowhere() -> vec4<f32> {
     return vec4<f32>(2.0, 2.0, 0.5, 1.0);

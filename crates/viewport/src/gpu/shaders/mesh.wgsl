@@ -66,6 +66,7 @@ fn matcap_place(normal: vec3<f32>, to_eye: vec3<f32>) -> vec2<f32> {
     return vec2<f32>(dot(normal, right), -dot(normal, up)) * 0.495 + 0.5;
 }
 
+// params: half the width of lines, whether there are any, and how translucent faces are.
 @fragment
 fn mesh_fragment(in: MeshVertex, @builtin(front_facing) front: bool) -> @location(0) vec4<f32> {
     // Sides that cross in pixels: how fast each barycentric coordinate changes per pixel. Taken
@@ -104,8 +105,8 @@ fn mesh_fragment(in: MeshVertex, @builtin(front_facing) front: bool) -> @locatio
         // Stripes too narrow for their pixels are grey.
         color *= mix(0.12, 1.2, mix(white, 0.5, clamp(stripe_slope - 0.5, 0.0, 1.0)));
     }
-    // The tint isn't lit, so that it is seen in the dark too.
-    if !front {
+    // The tint isn't lit, so that it is seen in the dark too. Through translucent faces one sees backs everywhere.
+    if !front && draw.params.z == 0.0 {
         color = mix(color * 0.7, frame.back_face.rgb, 0.5);
     }
     if look == HIDDEN_LINE {
@@ -134,5 +135,5 @@ fn mesh_fragment(in: MeshVertex, @builtin(front_facing) front: bool) -> @locatio
     let line = (1.0 - smoothstep(vec3<f32>(half_width - 0.5), vec3<f32>(half_width + 0.5), away))
         * is_edge * strength;
     let alpha = max(line.x, max(line.y, line.z)) * draw.params.y * frame.edge.a;
-    return vec4<f32>(mix(color, frame.edge.rgb, alpha), 1.0);
+    return vec4<f32>(mix(color, frame.edge.rgb, alpha), 1.0 - draw.params.z * (1.0 - alpha));
 }

@@ -1,4 +1,5 @@
-// Dots, lines and arrows of a size in pixels, and the fill of highlighted faces.
+// Dots, lines and arrows of a size in pixels, and the fill of highlighted faces. The last of the params is always how many
+// pixels nearer than it is something counts as.
 
 struct Flat {
     @builtin(position) clip: vec4<f32>,
@@ -7,7 +8,7 @@ struct Flat {
 @vertex
 fn fill_vertex(@location(0) position: vec3<f32>) -> Flat {
     var out: Flat;
-    out.clip = to_clip(from_eye(position));
+    out.clip = nearer(to_clip(from_eye(position)), draw.params.w);
     return out;
 }
 
@@ -28,7 +29,7 @@ struct Dot {
     @location(0) place: vec2<f32>,
 }
 
-// params: radius, rim width, how much nearer than it is (as a fraction of its depth).
+// params: radius, rim width.
 @vertex
 fn dot_vertex(@builtin(vertex_index) index: u32, @location(0) position: vec3<f32>) -> Dot {
     var out: Dot;
@@ -39,8 +40,7 @@ fn dot_vertex(@builtin(vertex_index) index: u32, @location(0) position: vec3<f32
         out.clip = nowhere();
         return out;
     }
-    out.clip = from_pixels(to_pixels(out.clip) + out.place, out.clip);
-    out.clip.z = out.clip.z * (1.0 + draw.params.z);
+    out.clip = nearer(from_pixels(to_pixels(out.clip) + out.place, out.clip), draw.params.w);
     return out;
 }
 
@@ -117,6 +117,7 @@ fn line_vertex(
     } else {
         out.clip = from_pixels(a_pixel + shift, ends.a);
     }
+    out.clip = nearer(out.clip, draw.params.w);
     return out;
 }
 
@@ -173,5 +174,6 @@ fn arrow_vertex(
     } else {
         out.clip = from_pixels(pixel, ends.a);
     }
+    out.clip = nearer(out.clip, draw.params.w);
     return out;
 }
