@@ -236,7 +236,7 @@ export interface LoopCut {
   op: "loop-cut";
   /** The place of the object in the document's list; default: the active object. */
   object?: number;
-  /** An edge that the ring crosses: an edge by id or by `[a, b]`, the vertices at its ends; default: the selected edge. */
+  /** An edge that the ring crosses: an edge by id or by `[a, b]`, the vertices at its ends; default: the selected edges. */
   edge?: number | Pair;
   /** How many cuts: a whole number from 1 to 1000; default: 1. */
   cuts?: number;
@@ -492,7 +492,7 @@ export interface Separate {
   op: "separate";
   /** The place of the object in the document's list; default: the active object. */
   object?: number;
-  /** How to divide the object into parts: one of `"components"`, `"groups"`, `"faces"`; default: the given faces, or connected pieces. */
+  /** How to divide the object into parts: one of `"components"`, `"groups"`, `"faces"`; default: the selected faces, or connected pieces. */
   by?: "components" | "groups" | "faces";
   /** The faces that become an object: a list of faces, each by id; default: the selected faces. */
   faces?: number[];

@@ -206,7 +206,7 @@ mod tests {
     #[test]
     fn lists_what_was_chosen_lately_first() {
         let recent = [Action::Grid, Action::Operation(OpId::Simplify)];
-        let actions: Vec<Action> = named("", &recent).iter().copied().collect();
+        let actions: Vec<Action> = named("", &recent);
         assert_eq!(actions[..2], recent);
         assert_eq!(actions.len(), actions::all().count());
         // What was typed counts more.

@@ -33,13 +33,17 @@ fn unavailable_actions_are_greyed_with_a_reason() {
 }
 
 #[test]
-fn joining_takes_two_objects_and_separating_no_selection() {
+fn joining_takes_two_objects_and_separating_two_pieces_or_faces() {
     let mut page = Page::new();
     page.click("Mesh");
     let join = disabled(&page, Role::Button, "Join objects");
     assert_eq!(join, (true, Some("There is only one object, so there is nothing to join.".to_owned())));
-    assert!(!disabled(&page, Role::Button, "Separate…").0);
+    let separate = disabled(&page, Role::Button, "Separate…");
+    let why = "The mesh is one connected piece. Select the faces to separate first.";
+    assert_eq!(separate, (true, Some(why.to_owned())));
     page.press(Key::Escape);
+    page.select("face", &[0]);
+    assert!(!disabled(&page, Role::Button, "Separate…").0, "in the inspector");
     page.command(json!({"op": "new", "shape": "grid", "add": true}));
     page.click("Mesh");
     assert!(!disabled(&page, Role::Button, "Join objects").0);
@@ -194,11 +198,36 @@ fn the_palette_says_why_a_command_is_greyed_and_so_does_enter() {
     page.find("Find a command").type_text("fill hole");
     page.run();
     let why = disabled(&page, Role::Button, "Fill hole");
-    assert_eq!(why, (true, Some("Select a half-edge first.".to_owned())));
+    assert_eq!(why, (true, Some("Select an edge or a half-edge first.".to_owned())));
     page.press(Key::Enter);
     assert!(page.has("Find a command"), "another command can be chosen");
-    let said = page.harness.get_by_role_and_label(Role::Alert, "Select a half-edge first.");
+    let said = page.harness.get_by_role_and_label(Role::Alert, "Select an edge or a half-edge first.");
     assert!(said.rect().width() > 0.0);
+}
+
+#[test]
+fn a_hole_is_filled_from_an_edge_by_every_way() {
+    let page_on_edge = || {
+        let mut page = Page::new();
+        page.open("triangle.obj", TRIANGLE);
+        page.select("edge", &[0]);
+        page
+    };
+    let mut page = page_on_edge();
+    page.click("Fill hole");
+    assert_eq!(page.mesh().face_count(), 2, "by the inspector");
+    let mut page = page_on_edge();
+    page.press_with(CTRL, Key::K);
+    page.find("Find a command").type_text("fill hole");
+    page.run();
+    page.press(Key::Enter);
+    assert_eq!(page.mesh().face_count(), 2, "by the palette");
+    let mut page = page_on_edge();
+    page.click("Mesh");
+    page.click("Edge edits");
+    page.harness.get_all_by_role_and_label(Role::Button, "Fill hole").last().expect("in the menu").click();
+    page.run();
+    assert_eq!(page.mesh().face_count(), 2, "by the menu");
 }
 
 const TRIANGLE: &str = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";

@@ -3,7 +3,7 @@
 use super::adjust::Replaced;
 use super::run::{Planned, broken};
 use super::{Editor, MessageKind};
-use crate::document::ObjectId;
+use crate::document::{Object, ObjectId};
 use crate::error::{CommandError, EXPORT, OPEN, Problem};
 use crate::history::Change;
 use crate::job::{ExportHead, JobId, JobRequest, JobResult, Made, Work};
@@ -121,7 +121,7 @@ impl Editor {
         let planned = self.plan(command.clone())?;
         let (objects, ops, at) = match &planned {
             Planned::Whole { op, objects, at } => (objects.clone(), vec![op.clone()], *at),
-            Planned::Local { object, ops } => (vec![*object], ops.clone(), 0),
+            Planned::Local { object, ops, .. } => (vec![*object], ops.clone(), 0),
             Planned::Document { .. } => (Vec::new(), Vec::new(), 0),
         };
         let inputs = self.inputs(&objects);
@@ -145,7 +145,7 @@ impl Editor {
     pub fn cost(&self, command: &Command) -> Option<usize> {
         match self.plan(command.clone()).ok()? {
             Planned::Whole { op, objects, .. } => Some(Self::work(&[op], &self.inputs(&objects))),
-            Planned::Local { object, ops } => Some(Self::work(&ops, &self.inputs(&[object]))),
+            Planned::Local { object, ops, .. } => Some(Self::work(&ops, &self.inputs(&[object]))),
             Planned::Document { .. } => Some(0),
         }
     }
@@ -280,6 +280,12 @@ impl Editor {
                 return Err(self.report(CommandError::of(op.spec().name, problem)));
             }
         };
+        let is_active = objects.first() == self.document.active().map(Object::id).as_ref();
+        if let Some(ids) = outcome.created.ids.as_ref().filter(|_| is_active && command.op.is_open())
+            && let Some(selection) = self.result(std::slice::from_ref(&op), ids)
+        {
+            self.replace_selection(selection);
+        }
         if self.revision != before {
             self.remember(command);
         } else if matches!(adjusts, Adjusts::Last(_)) {

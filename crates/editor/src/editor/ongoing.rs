@@ -44,18 +44,20 @@ impl Editor {
             return self.show_preview(command, selection);
         };
         let (shown, selection, whole) = (last.command.clone(), last.selection.clone(), last.whole);
+        let selected = self.selection.clone();
         let redo = self.remove_preview(last);
         self.show_preview(command, selection.clone()).inspect_err(|_| {
             let back = self.apply(redo);
-            self.drop_gone_from_selection();
+            self.selection = selected;
+            self.changes.selection = true;
             self.ongoing = Some(Ongoing { command: shown, back, selection, whole });
         })
     }
 
     fn show_preview(&mut self, command: Command, selection: Arc<Selection>) -> Result<Outcome, Problem> {
         let (back, outcome, whole) = match self.plan(command.clone())? {
-            Planned::Local { object, ops } => {
-                let edited = self.edit(object, &ops)?;
+            Planned::Local { object, ops, selects } => {
+                let edited = self.edit(object, &ops, selects)?;
                 let outcome =
                     Outcome { warnings: edited.notes, ..Self::outcome(&ops, edited.created, edited.removed) };
                 (vec![Change::Journal(object, edited.journal)], outcome, false)

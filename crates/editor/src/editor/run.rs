@@ -7,7 +7,7 @@ use crate::error::{CommandError, Problem};
 use crate::history::{Change, is_reshaping};
 use crate::job;
 use crate::ops::{Action, Command, Commit, LocalEdit, NamedMesh, Op, Place, Target, edit_all, refuse_bezier};
-use crate::outcome::{Before, Elements, Outcome};
+use crate::outcome::{Before, ElementIds, Elements, Outcome};
 use crate::selection::Selection;
 use halfedge::{Journal, Mesh, Touched};
 use std::ops::ControlFlow;
@@ -15,9 +15,21 @@ use std::sync::Arc;
 
 /// The work that a command resolves to.
 pub(super) enum Planned {
-    Local { object: ObjectId, ops: Vec<Op> },
-    Whole { op: Op, objects: Vec<ObjectId>, at: usize },
-    Document { op: Op, changes: Vec<Change> },
+    /// `selects` says whether the result is selected: where the selection gave the elements.
+    Local {
+        object: ObjectId,
+        ops: Vec<Op>,
+        selects: bool,
+    },
+    Whole {
+        op: Op,
+        objects: Vec<ObjectId>,
+        at: usize,
+    },
+    Document {
+        op: Op,
+        changes: Vec<Change>,
+    },
 }
 
 /// The result of local edits.
@@ -80,7 +92,7 @@ impl Editor {
             return op.check_selection(&self.target(&place, &Selection::default(), &Mesh::new())?);
         }
         match self.plan(command.clone())? {
-            Planned::Local { object, ops } => {
+            Planned::Local { object, ops, .. } => {
                 let mesh = self.document.object(object).ok_or_else(object_gone)?.mesh();
                 if let Some(first) = local_edits(&ops).next().filter(|_| self.is_small(&ops, &[object])) {
                     first.can(mesh)?;
@@ -135,9 +147,9 @@ impl Editor {
         progress: &mut halfedge::Progress<'_>,
     ) -> Result<Outcome, Problem> {
         match planned {
-            Planned::Local { object, ops } => {
+            Planned::Local { object, ops, selects } => {
                 let before = self.selection.clone();
-                let done = self.edit(object, &ops)?;
+                let done = self.edit(object, &ops, selects)?;
                 let label = ops.first().map_or("", |op| op.spec().label);
                 let outcome = Self::outcome(&ops, done.created, done.removed);
                 let is_step =
@@ -181,6 +193,7 @@ impl Editor {
         }
         let (no_selection, no_mesh) = (Selection::default(), Mesh::new());
         let against = self.target(&place, &no_selection, &no_mesh)?;
+        let selects = command.op.is_open();
         let mut ops = command.op.resolve(&against)?;
         if let [op] = ops.as_slice()
             && let Action::WholeMesh(whole) = op.action()
@@ -205,7 +218,7 @@ impl Editor {
         let object = place.object()?;
         refuse_bezier(object.name(), object.bezier())?;
         self.check_idle(object.id())?;
-        Ok(Planned::Local { object: object.id(), ops })
+        Ok(Planned::Local { object: object.id(), ops, selects })
     }
 
     /// The place where a command acts.
@@ -256,8 +269,9 @@ impl Editor {
         objects.iter().filter_map(|&id| self.document.object(id)).map(|object| object.named.clone()).collect()
     }
 
-    /// Makes local edits on an object in one validated transaction: all of them or none.
-    pub(super) fn edit(&mut self, id: ObjectId, ops: &[Op]) -> Result<Edited, Problem> {
+    /// Makes local edits on an object in one validated transaction: all of them or none. Selects what they made if
+    /// `selects` is set and the object is active.
+    pub(super) fn edit(&mut self, id: ObjectId, ops: &[Op], selects: bool) -> Result<Edited, Problem> {
         let at = self.document.index_of(id).ok_or_else(object_gone)?;
         let object = self.document.objects.get_mut(at).ok_or_else(object_gone)?;
         let mesh = Arc::make_mut(&mut object.named.mesh);
@@ -277,9 +291,22 @@ impl Editor {
             self.forget_counts(id);
         }
         if self.document.active == at {
-            self.drop_gone_from_selection();
+            let result = if selects { self.result(ops, &created) } else { None };
+            match result {
+                Some(selection) => self.replace_selection(selection),
+                None => self.drop_gone_from_selection(),
+            }
         }
         Ok(Edited { journal, created: created.into(), removed: removed.into(), notes })
+    }
+}
+
+impl Editor {
+    /// What operations on the active object's elements leave selected; none if it is what was selected.
+    pub(super) fn result(&self, ops: &[Op], created: &ElementIds) -> Option<Selection> {
+        let mesh = self.mesh()?;
+        // Operations of one kind select the same of everything that their step created.
+        local_edits(ops).next()?.selects(mesh, created).filter(|selection| !selection.is_empty())
     }
 }
 

@@ -4,7 +4,7 @@ use super::{Editor, SelectMode};
 use crate::error::{CommandError, Problem};
 use crate::selection::Selection;
 use halfedge::geometry::BitSet;
-use halfedge::{Element, HalfedgeId, Mesh};
+use halfedge::{Element, FaceId, HalfedgeId, Mesh};
 use surface::selecting::{self, Line};
 
 /// A way to get a selection from the current one.
@@ -118,8 +118,20 @@ impl Editor {
                 Problem::field("ids", format!("there is no half-edge {through}")),
             ));
         };
-        let found = selecting::lines(mesh, kind, &[HalfedgeId::new(through as usize)], line);
-        let ids: Vec<u32> = found.iter().map(|id| id as u32).collect();
+        let through = HalfedgeId::new(through as usize);
+        let found = selecting::lines(mesh, kind, &[through], line);
+        let mut ids: Vec<u32> = found.iter().map(|id| id as u32).collect();
+        // The element last in the list counts as selected last: the one that was clicked.
+        let clicked = match kind {
+            Element::Vertex => Some(mesh.from(through).raw()),
+            Element::Edge => Some(through.edge().raw()),
+            Element::Halfedge => Some(through.raw()),
+            Element::Face => mesh.face_of(through).map(FaceId::raw),
+        };
+        if let Some(at) = ids.iter().position(|id| Some(*id) == clicked) {
+            let id = ids.remove(at);
+            ids.push(id);
+        }
         self.select(kind, ids, mode)
     }
 

@@ -6,8 +6,10 @@ use crate::bezier::Bezier;
 use crate::document::{Document, Object, ObjectId};
 use crate::error::Problem;
 use crate::history::Change;
+use crate::outcome::ElementIds;
+use crate::selection::Selection;
 use formats::NamedMesh;
-use halfedge::{Mesh, Progress};
+use halfedge::{EdgeId, Mesh, Progress, VertexId};
 
 /// An operation: a struct with the fields of its JSON.
 pub(crate) trait Operation: Clone {
@@ -28,6 +30,12 @@ pub(crate) trait Operation: Clone {
     /// Whether the fields ask for elements of the selection at all.
     fn takes_selection(&self) -> bool {
         true
+    }
+
+    /// Adapts operations whose elements the selection filled in, one for each selected element or one for all.
+    fn from_selection(ops: Vec<Self>, mesh: &Mesh) -> Vec<Self> {
+        let _ = mesh;
+        ops
     }
 
     /// How it is carried out.
@@ -66,9 +74,23 @@ pub(crate) trait LocalEdit {
         false
     }
 
+    /// What to select after the edit, by what was created in its undo step; none if the elements that it acted on
+    /// stay selected.
+    fn selects(&self, mesh: &Mesh, created: &ElementIds) -> Option<Selection> {
+        let _ = (mesh, created);
+        None
+    }
+
     /// The work in faces written to, at least as many as the edit creates: what decides whether it
     /// becomes a job.
     fn cost(&self, mesh: &Mesh) -> usize;
+}
+
+/// The created edges between created vertices.
+pub(crate) fn edges_between_created(mesh: &Mesh, created: &ElementIds) -> Vec<EdgeId> {
+    let is_new = |v: VertexId| created.vertices.binary_search(&v.raw()).is_ok();
+    let edges = created.edges.iter().filter_map(|&id| mesh.edge(id));
+    edges.filter(|&edge| mesh.ends(edge).into_iter().all(is_new)).collect()
 }
 
 /// Refuses to edit the mesh that shows a Bezier object: moving a control point would replace it.

@@ -18,7 +18,8 @@ mod spec;
 mod target;
 
 pub(crate) use action::{
-    Action, Commit, DocumentEdit, LocalEdit, Operation, Place, WholeMesh, edit_all, refuse_bezier,
+    Action, Commit, DocumentEdit, LocalEdit, Operation, Place, WholeMesh, edges_between_created, edit_all,
+    refuse_bezier,
 };
 pub use choice::Choice;
 pub use command::Command;

@@ -136,6 +136,7 @@ pub(crate) fn resolve<O: Operation>(mut op: O, target: &Target<'_>) -> Result<Ve
                     ops.push(op);
                 }
             }
+            ops = O::from_selection(ops, target.mesh);
         }
     }
     for op in &mut ops {
@@ -200,16 +201,19 @@ impl Target<'_> {
         edges
     }
 
-    /// The selected half-edges, or the boundary sides of selected edges.
+    /// The boundary sides of the selected edges or half-edges; for those that are not on the boundary, a half-edge.
     fn boundary_sides(&self) -> Vec<HalfedgeId> {
-        if self.selection.kind() == Element::Halfedge {
-            return self.selection.ids().filter_map(|id| self.mesh.halfedge(id)).collect();
-        }
-        let side = |e: EdgeId| {
-            let sides = e.halfedges();
-            sides.into_iter().find(|&h| self.mesh.is_boundary_halfedge(h)).unwrap_or(e.halfedge())
+        let mut sides: Vec<HalfedgeId> = match self.selection.kind() {
+            Element::Halfedge => self.selection.ids().filter_map(|id| self.mesh.halfedge(id)).collect(),
+            _ => self.edges().into_iter().map(EdgeId::halfedge).collect(),
         };
-        self.edges().into_iter().map(side).collect()
+        for side in &mut sides {
+            if self.mesh.is_boundary_halfedge(side.twin()) {
+                *side = side.twin();
+            }
+        }
+        sides.dedup();
+        sides
     }
 }
 
@@ -218,8 +222,13 @@ fn nothing_selected(field: &Field, element: Element, selected: Selected) -> Prob
         Selected::Vertices => ("nothing".to_owned(), "Select something first.".to_owned()),
         Selected::Two => (format!("no {element}"), format!("Select two {} first.", element.plural())),
         _ => {
-            let article = if element == Element::Edge { "an" } else { "a" };
-            (format!("no {element}"), format!("Select {article} {element} first."))
+            let advice = match element {
+                Element::Edge => "Select an edge first.".to_owned(),
+                // Edges can stand in for their boundary sides.
+                Element::Halfedge => "Select an edge or a half-edge first.".to_owned(),
+                Element::Vertex | Element::Face => format!("Select a {element} first."),
+            };
+            (format!("no {element}"), advice)
         }
     };
     Problem::field(field.name, format!("is missing, and {what} is selected")).advise(advice)

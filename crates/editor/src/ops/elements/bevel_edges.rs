@@ -6,6 +6,8 @@ use crate::ops::refs::{all, count};
 use crate::ops::{
     Action, DefaultValue, Drag, EdgeRef, Family, Field, LocalEdit, Operation, Scope, Selected, Slot, Spec, Unit,
 };
+use crate::outcome::ElementIds;
+use crate::selection::Selection;
 use halfedge::{Element, Mesh, edit};
 use serde::{Deserialize, Serialize};
 
@@ -60,6 +62,10 @@ impl LocalEdit for BevelEdges {
         not_negative(self.width, "width")?;
         let live = edit::bevel_edges(mesh, &all(&self.edges, "edges", mesh)?, self.segments)?;
         set_size(mesh, &live, self.width, "width", notes)
+    }
+
+    fn selects(&self, _mesh: &Mesh, created: &ElementIds) -> Option<Selection> {
+        Some(Selection::of(Element::Face, created.faces.iter().copied()))
     }
 
     fn cost(&self, mesh: &Mesh) -> usize {

@@ -6,6 +6,8 @@ use crate::ops::refs::{all, count};
 use crate::ops::{
     Action, Drag, Family, Field, LocalEdit, Operation, Scope, Selected, Slot, Spec, Unit, VertexRef,
 };
+use crate::outcome::ElementIds;
+use crate::selection::Selection;
 use halfedge::{Element, Mesh, edit};
 use serde::{Deserialize, Serialize};
 
@@ -55,6 +57,10 @@ impl LocalEdit for BevelVertices {
         not_negative(self.width, "width")?;
         let live = edit::bevel_vertices(mesh, &all(&self.vertices, "vertices", mesh)?)?;
         set_size(mesh, &live, self.width, "width", notes)
+    }
+
+    fn selects(&self, _mesh: &Mesh, created: &ElementIds) -> Option<Selection> {
+        Some(Selection::of(Element::Face, created.faces.iter().copied()))
     }
 
     fn cost(&self, mesh: &Mesh) -> usize {

@@ -2,11 +2,13 @@
 
 use super::sized::set_size;
 use crate::error::Problem;
-use crate::ops::refs::{all, count};
+use crate::ops::refs::{ElementRef, all, count};
 use crate::ops::{
-    Action, Drag, EdgeRef, Family, Field, FieldKind, LocalEdit, Operation, Scope, Selected, Slot, Spec,
+    Action, edges_between_created, Drag, EdgeRef, Family, Field, FieldKind, LocalEdit, Operation, Scope, Selected, Slot, Spec,
 };
-use halfedge::{Element, Mesh, edit};
+use crate::outcome::ElementIds;
+use crate::selection::Selection;
+use halfedge::{EdgeId, Element, Mesh, edit};
 use serde::{Deserialize, Serialize};
 
 /// Add a quad beside each of some boundary edges.
@@ -38,6 +40,17 @@ impl Operation for ExtrudeEdges {
         vec![Slot::Edges(&mut self.edges)]
     }
 
+    fn from_selection(mut ops: Vec<Self>, mesh: &Mesh) -> Vec<Self> {
+        // Of a selection that reaches into the surface, the edges on the boundary are extruded.
+        for edges in ops.iter_mut().filter_map(|op| op.edges.as_mut()) {
+            let is_boundary = |edge: &EdgeRef| edge.find(mesh, "edges").is_ok_and(|e| mesh.is_boundary_edge(e));
+            if edges.iter().any(is_boundary) {
+                edges.retain(is_boundary);
+            }
+        }
+        ops
+    }
+
     fn action(&self) -> Action<'_> {
         Action::Local(self)
     }
@@ -51,6 +64,12 @@ impl LocalEdit for ExtrudeEdges {
     fn edit(&self, mesh: &mut Mesh, notes: &mut Vec<String>) -> Result<(), Problem> {
         let live = edit::extrude_edges(mesh, &all(&self.edges, "edges", mesh)?, self.offset.into())?;
         set_size(mesh, &live, 1.0, "offset", notes)
+    }
+
+    fn selects(&self, mesh: &Mesh, created: &ElementIds) -> Option<Selection> {
+        // The far sides: the edges beside the quads have an old end.
+        let far = edges_between_created(mesh, created);
+        Some(Selection::of(Element::Edge, far.into_iter().map(EdgeId::raw)))
     }
 
     fn cost(&self, mesh: &Mesh) -> usize {

@@ -3,6 +3,7 @@
 use crate::error::Problem;
 use crate::ops::refs::one;
 use crate::ops::{Action, Field, HalfedgeRef, LocalEdit, Operation, Scope, Selected, Slot, Spec};
+use halfedge::edit::Refusal;
 use halfedge::{Element, Mesh, edit};
 use serde::{Deserialize, Serialize};
 
@@ -29,6 +30,17 @@ impl Operation for FillHole {
         vec![Slot::Halfedge(&mut self.halfedge)]
     }
 
+    fn from_selection(mut ops: Vec<Self>, mesh: &Mesh) -> Vec<Self> {
+        // Of a selection that reaches into the surface, the holes beside it are filled.
+        let is_boundary = |op: &Self| {
+            one(op.halfedge, "halfedge", mesh).is_ok_and(|h| mesh.is_boundary_halfedge(h))
+        };
+        if ops.iter().any(is_boundary) {
+            ops.retain(is_boundary);
+        }
+        ops
+    }
+
     fn action(&self) -> Action<'_> {
         Action::Local(self)
     }
@@ -36,11 +48,13 @@ impl Operation for FillHole {
 
 impl LocalEdit for FillHole {
     fn can(&self, mesh: &Mesh) -> Result<(), Problem> {
-        Ok(edit::can_fill_hole(mesh, one(self.halfedge, "halfedge", mesh)?)?)
+        let side = one(self.halfedge, "halfedge", mesh)?;
+        Ok(edit::can_fill_hole(mesh, side).map_err(|refusal| of_edge(refusal, mesh))?)
     }
 
     fn edit(&self, mesh: &mut Mesh, _notes: &mut Vec<String>) -> Result<(), Problem> {
-        edit::fill_hole(mesh, one(self.halfedge, "halfedge", mesh)?)?;
+        let side = one(self.halfedge, "halfedge", mesh)?;
+        edit::fill_hole(mesh, side).map_err(|refusal| of_edge(refusal, mesh))?;
         Ok(())
     }
 
@@ -51,5 +65,15 @@ impl LocalEdit for FillHole {
 
     fn cost(&self, _mesh: &Mesh) -> usize {
         1
+    }
+}
+
+/// Speaks of the edge where neither of its sides is on the boundary: it may be what was selected.
+fn of_edge(refusal: Refusal, mesh: &Mesh) -> Refusal {
+    match refusal {
+        Refusal::NotABoundaryHalfedge(h) if !mesh.is_boundary_edge(h.edge()) => {
+            Refusal::NotOnBoundary(h.edge())
+        }
+        other => other,
     }
 }

@@ -2,15 +2,18 @@
 
 use crate::error::Problem;
 use crate::ops::refs::one;
-use crate::ops::{Action, DefaultValue, EdgeRef, Field, LocalEdit, Operation, Scope, Selected, Slot, Spec, Unit};
-use halfedge::{Element, Mesh, edit};
+use crate::ops::{Action, edges_between_created, DefaultValue, EdgeRef, Field, LocalEdit, Operation, Scope, Selected, Slot, Spec, Unit};
+use crate::outcome::ElementIds;
+use crate::selection::Selection;
+use halfedge::geometry::BitSet;
+use halfedge::{EdgeId, Element, Mesh, VertexId, edit};
 use serde::{Deserialize, Serialize};
 
-/// Cut the ring of quads that crosses an edge.
+/// Cut the ring of quads that crosses an edge. Several edges of one ring cut it once.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct LoopCut {
-    /// The edge; the selected one when left out.
+    /// The edge; each selected one in turn when left out.
     pub edge: Option<EdgeRef>,
     /// How many cuts.
     #[serde(with = "crate::script::json::whole")]
@@ -25,7 +28,7 @@ impl Operation for LoopCut {
         Spec::new(Scope::Elements, "loop-cut", "Loop cut", "Cut the ring of quads that crosses an edge.")
             .synonyms(&["insert edge loop", "ring cut"])
             .fields(&[
-                Field::one("edge", Element::Edge, Selected::Only, "An edge that the ring crosses"),
+                Field::one("edge", Element::Edge, Selected::Each, "An edge that the ring crosses"),
                 Field::count("cuts", [1, 1000], "How many cuts").or(DefaultValue::Integer(1)),
                 Field::number(
                     "t",
@@ -41,6 +44,21 @@ impl Operation for LoopCut {
         vec![Slot::Edge(&mut self.edge)]
     }
 
+    fn from_selection(ops: Vec<Self>, mesh: &Mesh) -> Vec<Self> {
+        let mut cut: BitSet = BitSet::new();
+        let is_new = |op: &Self| {
+            let Ok(edge) = one(op.edge, "edge", mesh) else { return true };
+            if cut.contains(edge.index()) {
+                return false;
+            }
+            for h in edit::edge_ring(mesh, edge).0 {
+                cut.insert(h.edge().index());
+            }
+            true
+        };
+        ops.into_iter().filter(is_new).collect()
+    }
+
     fn action(&self) -> Action<'_> {
         Action::Local(self)
     }
@@ -54,6 +72,21 @@ impl LocalEdit for LoopCut {
     fn edit(&self, mesh: &mut Mesh, _notes: &mut Vec<String>) -> Result<(), Problem> {
         edit::loop_cut(mesh, one(self.edge, "edge", mesh)?, self.cuts, self.t)?;
         Ok(())
+    }
+
+    fn selects(&self, mesh: &Mesh, created: &ElementIds) -> Option<Selection> {
+        // The new vertices are numbered edge by edge of the ring, `cuts` on each. The edges between those of one edge
+        // are its pieces, not cuts; of the vertices where a ring crosses itself, none is beside an old one.
+        let number = |v: VertexId| created.vertices.binary_search(&v.raw()).ok();
+        let group = |v: VertexId| number(v).map(|at| at / self.cuts.max(1) as usize);
+        let first = |group: usize| mesh.vertex(*created.vertices.get(group * self.cuts as usize)?);
+        let is_beside_old = |v| mesh.outgoing(v).any(|h| number(mesh.to(h)).is_none());
+        let is_piece = |edge: &EdgeId| {
+            let [a, b] = mesh.ends(*edge).map(group);
+            a == b && a.and_then(first).is_some_and(is_beside_old)
+        };
+        let edges = edges_between_created(mesh, created).into_iter().filter(|edge| !is_piece(edge));
+        Some(Selection::of(Element::Edge, edges.map(EdgeId::raw)))
     }
 
     fn cost(&self, mesh: &Mesh) -> usize {

@@ -34,6 +34,9 @@ choice! {
     }
 }
 
+/// The most faces of a mesh whose connected pieces are counted for a greyed button.
+const MAX_FACES_COUNTED: usize = 20_000;
+
 /// More objects than this help nobody.
 const MAX_PARTS: usize = 1000;
 
@@ -48,7 +51,7 @@ impl Operation for Separate {
     .fields(&[
         Field::required("by", FieldKind::Choice(By::CHOICES), "How to divide the object into parts")
             .labelled("Separate by")
-            .unset("the given faces, or connected pieces"),
+            .unset("the selected faces, or connected pieces"),
         Field::many("faces", Element::Face, Selected::All, "The faces that become an object"),
     ]);
 
@@ -61,7 +64,15 @@ impl Operation for Separate {
     }
 
     fn complete(&mut self, target: &Target<'_>) -> Result<(), Problem> {
+        let selected = target.selection;
+        let is_some_of_faces = selected.kind() == Element::Face
+            && !selected.is_empty()
+            && selected.len() < target.mesh.face_count();
         match (self.by, &self.faces) {
+            (None, None) if is_some_of_faces => {
+                self.by = Some(By::Faces);
+                self.faces = Some(selected.ids().map(FaceRef).collect());
+            }
             (None, None) => self.by = Some(By::Components),
             (None, Some(_)) => self.by = Some(By::Faces),
             (Some(By::Components | By::Groups), Some(_)) => {
@@ -79,7 +90,17 @@ impl Operation for Separate {
 
 impl WholeMesh for Separate {
     fn changes_nothing(&self, inputs: &[NamedMesh]) -> Option<&'static str> {
-        inputs.iter().all(|input| input.mesh.face_count() == 0).then_some("The mesh has no face.")
+        let faces = || inputs.iter().map(|input| input.mesh.face_count());
+        let has_groups = || inputs.iter().any(|input| input.mesh.attribute(keys::FACE_GROUP).is_some());
+        let pieces = || inputs.iter().map(|input| input.mesh.components().1).sum::<usize>();
+        match self.by {
+            _ if faces().all(|count| count == 0) => Some("The mesh has no face."),
+            Some(By::Groups) if !has_groups() => Some("No face is in a group."),
+            Some(By::Faces | By::Groups) => None,
+            // Counting pieces takes a pass over the mesh.
+            _ if faces().sum::<usize>() > MAX_FACES_COUNTED || pieces() > 1 => None,
+            _ => Some("The mesh is one connected piece. Select the faces to separate first."),
+        }
     }
 
     fn is_for_each_object(&self) -> bool {
