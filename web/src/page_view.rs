@@ -53,6 +53,7 @@ impl Page<'_> {
             Action::ColorBy(by) => style.color_by == by,
             Action::Look(look) => style.look == look,
             Action::HideBacks => style.cull,
+            Action::Mark(mark) => style.marks.has(mark),
             Action::Shadow => style.shadow,
             Action::Dots => style.vertices,
             Action::Grid => style.grid,

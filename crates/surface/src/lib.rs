@@ -7,6 +7,7 @@
 #![cfg_attr(not(test), deny(clippy::unwrap_used, clippy::expect_used, clippy::panic, clippy::unreachable))]
 
 pub mod bezier;
+pub mod curvature;
 mod error;
 mod extract_faces;
 mod face_tree;

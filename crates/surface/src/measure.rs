@@ -74,6 +74,19 @@ pub fn surface_area(mesh: &Mesh) -> f64 {
     mesh.faces().map(|f| face_area(mesh, f)).sum()
 }
 
+/// How close a face is to a regular polygon: 1 if it is one, 0 without area. The area over the sum of the squares of its
+/// sides, relative to that of the regular polygon with as many corners.
+pub fn face_quality(mesh: &Mesh, face: FaceId) -> f64 {
+    let (mut squares, mut corners) = (0.0, 0.0);
+    for h in mesh.face_halfedges(face) {
+        squares +=
+            mesh.position(mesh.from(h)).as_dvec3().distance_squared(mesh.position(mesh.to(h)).as_dvec3());
+        corners += 1.0;
+    }
+    let regular = 0.25 / (std::f64::consts::PI / corners).tan();
+    if squares > 0.0 { (face_area(mesh, face) / squares / regular).min(1.0) } else { 0.0 }
+}
+
 /// The mean of a face's corners, which is the face point of Catmull-Clark.
 pub fn face_center(mesh: &Mesh, face: FaceId) -> DVec3 {
     mean_position(mesh, mesh.face_vertices(face))

@@ -8,6 +8,7 @@ use halfedge::geometry::PolygonTriangulator;
 use halfedge::{FaceId, Mesh};
 use proptest::prelude::*;
 use std::f64::consts::PI;
+use surface::curvature::*;
 use surface::measure::*;
 use surface::normals::*;
 use surface::*;
@@ -266,4 +267,78 @@ fn sizes_out_of_range_are_refused_by_name() {
     assert!(matches!(grid.build(), Err(SurfaceError::TooManyFaces { faces: 16_777_216, .. })));
     assert!(Shape::named("donut").is_none());
     assert_eq!(grid.get("radius"), None);
+}
+
+fn shape(name: &str, radius: f64) -> Mesh {
+    let mut shape = Shape::named(name).expect("a shape");
+    shape.set("radius", radius).expect("a radius");
+    shape.build().expect("a mesh")
+}
+
+#[test]
+fn curvatures_of_a_sphere_are_those_of_its_radius() {
+    for radius in [0.5, 3.0] {
+        let ball = shape("ico-sphere", radius);
+        for v in ball.vertices() {
+            let (mean, gauss) =
+                (mean_curvature(&ball, v) * radius, gaussian_curvature(&ball, v) * radius * radius);
+            // The twelve vertices of valence five have faces of other shapes than a share of a third suits.
+            let near = if ball.valence(v) == 6 { 0.1 } else { 0.16 };
+            assert!((mean - 1.0).abs() < near && (gauss - 1.0).abs() < near, "{v}: {mean} {gauss}");
+        }
+    }
+    // Turned inside out it is hollow, and its Gaussian curvature is the same.
+    let ball = shape("ico-sphere", 1.0);
+    let faces: Vec<Vec<u32>> = ball
+        .faces()
+        .map(|f| {
+            let mut corners: Vec<u32> = ball.face_vertices(f).map(|v| v.raw()).collect();
+            corners.reverse();
+            corners
+        })
+        .collect();
+    let hollow =
+        Mesh::build(halfedge::PolygonSoup::new(ball.positions().to_vec(), &faces)).expect("a ball").mesh;
+    for v in hollow.vertices() {
+        assert!(mean_curvature(&hollow, v) < -0.9);
+        assert!(gaussian_curvature(&hollow, v) > 0.8);
+    }
+}
+
+/// Gauss and Bonnet: the total curvature is a matter of topology.
+#[test]
+fn total_curvature_is_two_pi_times_the_euler_characteristic() {
+    for (mesh, euler) in [(shape("torus", 1.0), 0.0), (shape("ico-sphere", 2.0), 2.0)] {
+        let share = |v| {
+            let faces = mesh.vertex_faces(v);
+            faces.map(|f| face_area(&mesh, f) / mesh.face_degree(f) as f64).sum::<f64>()
+        };
+        let total: f64 = mesh.vertices().map(|v| gaussian_curvature(&mesh, v) * share(v)).sum();
+        assert!((total - 2.0 * PI * euler).abs() < 1e-4, "{total}");
+    }
+    let torus = shape("torus", 1.0);
+    let inner = torus.vertices().filter(|v| {
+        let p = torus.position(*v);
+        p.x.hypot(p.z) < 0.7
+    });
+    for v in inner {
+        assert!(gaussian_curvature(&torus, v) < 0.0, "{v} is a saddle");
+    }
+    let open = grid(3);
+    let rim = open.vertices().filter(|v| open.is_boundary_vertex(*v));
+    assert!(rim.map(|v| gaussian_curvature(&open, v)).all(f64::is_nan));
+    let inside = open.vertices().filter(|v| !open.is_boundary_vertex(*v));
+    assert!(inside.map(|v| mean_curvature(&open, v)).all(|h| h.abs() < 1e-9));
+}
+
+#[test]
+fn the_quality_of_regular_faces_is_one() {
+    for name in ["tetrahedron", "icosahedron", "dodecahedron"] {
+        let mesh = shape(name, 1.0);
+        assert!(mesh.faces().all(|f| (face_quality(&mesh, f) - 1.0).abs() < 1e-6), "{name}");
+    }
+    let sliver = mesh(&[[0., 0., 0.], [10., 0., 0.], [5., 0.1, 0.]], &[&[0, 1, 2]]);
+    assert!(face_quality(&sliver, FaceId::new(0)) < 0.03);
+    let rectangle = mesh(&[[0., 0., 0.], [2., 0., 0.], [2., 1., 0.], [0., 1., 0.]], &[&[0, 1, 2, 3]]);
+    assert!((face_quality(&rectangle, FaceId::new(0)) - 0.8).abs() < 1e-9);
 }

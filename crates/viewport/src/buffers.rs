@@ -135,6 +135,7 @@ impl Buffers {
         self.origin = origin;
         self.shading = shading;
         self.coloring = coloring;
+        self.coloring.restart();
         self.slots.clear(mesh.face_capacity());
         let total: usize = mesh.faces().map(|f| mesh.face_degree(f).saturating_sub(2)).sum();
         sink.reset(u32::try_from(total).unwrap_or(u32::MAX));
@@ -150,6 +151,9 @@ impl Buffers {
         budget: &mut Budget,
         sink: &mut dyn Sink,
     ) -> bool {
+        if self.coloring.measure(mesh, budget) {
+            return true;
+        }
         let Rebuild { next, normals } = rebuilding;
         let end = *next + budget.take(mesh.face_capacity().saturating_sub(*next));
         let mut writer = Writer::new(mesh, self.origin);
@@ -190,6 +194,7 @@ impl Buffers {
             return self.rebuild_alike(mesh, sink);
         }
 
+        self.coloring.follow(mesh, &faces);
         let mut normals = LocalNormals::new(self.shading);
         let mut writer = Writer::new(mesh, self.origin);
         for (range, face) in placed {
@@ -225,8 +230,8 @@ impl Buffers {
         if faces.len() > limit {
             return None;
         }
-        if self.shading != Shading::Flat {
-            // A corner's normal changes with any face around its vertex.
+        if self.shading != Shading::Flat || self.coloring.depends_on_neighbours() {
+            // A corner changes with any face around its vertex.
             let mut rim: BTreeSet<VertexId> = vertices.collect();
             rim.extend(halfedges.flat_map(|h| [mesh.from(h), mesh.to(h)]));
             for &face in faces.iter().filter(|f| mesh.has_face(**f)) {

@@ -1,8 +1,20 @@
-//! The colours of faces: which of a mesh's colours its corners show.
+//! The colours of faces: which of a mesh's colours, labels or measures its corners show.
 
+use crate::ramp::{Ramp, label_color};
 use glam::Vec3;
-use halfedge::{Color, Element, FaceId, Mesh, VertexId, keys};
-use std::collections::HashMap;
+use halfedge::{Budget, Color, Element, FaceId, Mesh, VertexId, keys};
+use std::collections::{BTreeSet, HashMap};
+use surface::curvature::{gaussian_curvature, mean_curvature};
+use surface::measure::face_quality;
+
+/// A vertex's curvature takes about as long as this many other elements.
+const ELEMENTS_PER_CURVATURE: usize = 4;
+/// Of so many curvatures the range of colours is found; of more, evenly spread ones are taken.
+const SAMPLED_VALUES: usize = 100_000;
+/// The share of the curvatures whose colours differ: a few extreme ones would leave no difference between the others.
+const SHARE_IN_RANGE: f64 = 0.95;
+/// Of so many faces most decide which valence is regular.
+const SAMPLED_FACES: usize = 1000;
 
 /// What gives faces their colours.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
@@ -17,11 +29,34 @@ pub enum ColorBy {
     Vertex,
     /// All faces are as if unpainted.
     Uniform,
+    /// Each material has a colour that differs from the others.
+    Material,
+    /// Each group has a colour that differs from the others.
+    Group,
+    /// The number of edges at vertices.
+    Valence,
+    /// The Gaussian curvature at vertices.
+    GaussianCurvature,
+    /// The mean curvature at vertices.
+    MeanCurvature,
+    /// How close faces are to regular polygons.
+    Quality,
 }
 
 impl ColorBy {
     /// All, in the order of menus.
-    pub const ALL: [Self; 4] = [Self::Paint, Self::Face, Self::Vertex, Self::Uniform];
+    pub const ALL: [Self; 10] = [
+        Self::Paint,
+        Self::Face,
+        Self::Vertex,
+        Self::Uniform,
+        Self::Material,
+        Self::Group,
+        Self::Valence,
+        Self::GaussianCurvature,
+        Self::MeanCurvature,
+        Self::Quality,
+    ];
 
     /// The name in scripts.
     pub fn name(self) -> &'static str {
@@ -30,6 +65,29 @@ impl ColorBy {
             Self::Face => "face",
             Self::Vertex => "vertex",
             Self::Uniform => "uniform",
+            Self::Material => "material",
+            Self::Group => "group",
+            Self::Valence => "valence",
+            Self::GaussianCurvature => "gaussian-curvature",
+            Self::MeanCurvature => "mean-curvature",
+            Self::Quality => "quality",
+        }
+    }
+
+    fn label_key(self) -> Option<halfedge::attribute::Key<u32>> {
+        match self {
+            Self::Material => Some(keys::FACE_MATERIAL),
+            Self::Group => Some(keys::FACE_GROUP),
+            _ => None,
+        }
+    }
+
+    /// The curvature that it shows.
+    fn curvature(self) -> Option<fn(&Mesh, VertexId) -> f64> {
+        match self {
+            Self::GaussianCurvature => Some(gaussian_curvature),
+            Self::MeanCurvature => Some(mean_curvature),
+            _ => None,
         }
     }
 }
@@ -37,24 +95,119 @@ impl ColorBy {
 /// The colours of the document's materials by name. A face in its material's colour isn't painted.
 pub type MaterialColors = HashMap<String, Color>;
 
+/// What colours stand for.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Legend {
+    /// Numbers.
+    Ramp(Ramp),
+    /// Labels, and faces without one in grey.
+    Labels(Vec<(String, Color)>),
+}
+
 /// The colours of a mesh's corners.
 #[derive(Clone, Debug, Default)]
 pub struct Coloring {
     by: ColorBy,
     /// The colour of each label of the mesh's materials; none for a material that the document doesn't have.
     materials: Vec<Option<Color>>,
+    /// The labels that colours stand for.
+    labels: Vec<String>,
+    /// The curvature of each vertex.
+    values: Vec<f32>,
+    /// The number of vertices whose curvature is known.
+    measured: usize,
+    ramp: Option<Ramp>,
 }
 
 impl Coloring {
-    /// How a mesh is coloured. Costs O(material labels).
+    /// How a mesh is coloured. Costs O(labels); what costs more is done in [`Coloring::measure`].
     pub fn new(mesh: &Mesh, by: ColorBy, materials: &MaterialColors) -> Self {
-        let labels = mesh.column(Element::Face, keys::FACE_MATERIAL.name).map_or(&[][..], |c| &c.labels);
-        Self { by, materials: labels.iter().map(|label| materials.get(label).copied()).collect() }
+        let labels = |key: halfedge::attribute::Key<u32>| {
+            mesh.column(Element::Face, key.name).map_or(&[][..], |column| &column.labels)
+        };
+        let of_materials = labels(keys::FACE_MATERIAL).iter().map(|label| materials.get(label).copied());
+        Self {
+            by,
+            materials: of_materials.collect(),
+            labels: by.label_key().map_or(Vec::new(), |key| labels(key).to_vec()),
+            values: Vec::new(),
+            measured: 0,
+            ramp: match by {
+                ColorBy::Valence => {
+                    let regular = regular_valence(mesh);
+                    Some(Ramp::diverging(regular - 3.0, regular + 3.0))
+                }
+                ColorBy::Quality => Some(Ramp::sequential(0.0, 1.0)),
+                _ => None,
+            },
+        }
     }
 
     /// What gives the colours.
     pub fn by(&self) -> ColorBy {
         self.by
+    }
+
+    /// What the colours stand for; none for colours of the mesh itself, and until all is measured.
+    pub fn legend(&self) -> Option<Legend> {
+        if self.by.label_key().is_some() {
+            let labels = self.labels.iter().enumerate();
+            return Some(Legend::Labels(labels.map(|(i, label)| (label.clone(), label_color(i))).collect()));
+        }
+        self.ramp.map(Legend::Ramp)
+    }
+
+    /// Whether a vertex's colour changes with its neighbours.
+    pub(crate) fn depends_on_neighbours(&self) -> bool {
+        self.by == ColorBy::Valence || self.by.curvature().is_some()
+    }
+
+    /// Begins to measure anew. The range of colours stays, so that colours don't jump.
+    pub(crate) fn restart(&mut self) {
+        self.measured = 0;
+    }
+
+    /// Measures more vertices, as many as the budget allows; returns whether there are any left.
+    pub(crate) fn measure(&mut self, mesh: &Mesh, budget: &mut Budget) -> bool {
+        let (Some(curvature), total) = (self.by.curvature(), mesh.vertex_capacity()) else { return false };
+        if self.measured >= total {
+            return false;
+        }
+        if budget.is_spent() {
+            return true;
+        }
+        self.values.resize(total, f32::NAN);
+        let elements = (total - self.measured).saturating_mul(ELEMENTS_PER_CURVATURE);
+        let end = self.measured + budget.take(elements).div_ceil(ELEMENTS_PER_CURVATURE);
+        for at in self.measured..end {
+            let value = mesh.vertex(at as u32).map_or(f64::NAN, |v| curvature(mesh, v));
+            if let Some(place) = self.values.get_mut(at) {
+                *place = value as f32;
+            }
+        }
+        self.measured = end;
+        if end < total {
+            return true;
+        }
+        if self.ramp.is_none() {
+            let end = end_of_range(&self.values);
+            self.ramp = Some(Ramp::diverging(-end, end));
+        }
+        false
+    }
+
+    /// Measures the vertices of these faces again, and the new ones.
+    pub(crate) fn follow(&mut self, mesh: &Mesh, faces: &BTreeSet<FaceId>) {
+        let Some(curvature) = self.by.curvature() else { return };
+        self.values.resize(mesh.vertex_capacity(), f32::NAN);
+        self.measured = self.values.len();
+        let faces = faces.iter().filter(|f| mesh.has_face(**f));
+        let vertices: BTreeSet<VertexId> = faces.flat_map(|f| mesh.face_vertices(*f)).collect();
+        for v in vertices {
+            if let Some(place) = self.values.get_mut(v.index()) {
+                *place = curvature(mesh, v) as f32;
+            }
+        }
     }
 
     /// Whether a face's colour was chosen for it, rather than for its material.
@@ -65,19 +218,58 @@ impl Coloring {
     }
 
     /// The colours of one face.
-    pub(crate) fn face<'m>(&self, mesh: &'m Mesh, columns: &Columns<'m>, face: FaceId) -> FaceColors<'m> {
+    pub(crate) fn face<'m>(&'m self, mesh: &'m Mesh, columns: &Columns<'m>, face: FaceId) -> FaceColors<'m> {
         let own = columns.faces.and_then(|colors| colors.get(face.index()).copied());
         let own = own.unwrap_or(Color::UNPAINTED);
+        let one = |color| FaceColors { face: color, corners: Corners::Alike };
+        let of_vertices = |color| FaceColors {
+            face: color,
+            corners: columns.vertices.map_or(Corners::Alike, Corners::Colors),
+        };
         match self.by {
-            ColorBy::Uniform => FaceColors { face: Color::UNPAINTED, vertices: None },
-            ColorBy::Face => FaceColors { face: own, vertices: None },
-            ColorBy::Vertex => FaceColors { face: Color::UNPAINTED, vertices: columns.vertices },
-            ColorBy::Paint => {
-                let vertices = columns.vertices.filter(|_| !self.is_painted(mesh, face, own));
-                FaceColors { face: own, vertices }
+            ColorBy::Uniform => one(Color::UNPAINTED),
+            ColorBy::Face => one(own),
+            ColorBy::Vertex => of_vertices(Color::UNPAINTED),
+            ColorBy::Paint if self.is_painted(mesh, face, own) => one(own),
+            ColorBy::Paint => of_vertices(own),
+            ColorBy::Material | ColorBy::Group => {
+                let label = self.by.label_key().map_or(halfedge::NONE, |key| mesh.get(key, face.index()));
+                one(if label == halfedge::NONE { Color::UNPAINTED } else { label_color(label as usize) })
+            }
+            ColorBy::Quality => {
+                one(self.ramp.map_or(Color::UNPAINTED, |ramp| ramp.color(face_quality(mesh, face) as f32)))
+            }
+            ColorBy::Valence | ColorBy::GaussianCurvature | ColorBy::MeanCurvature => {
+                let corners = match self.ramp {
+                    Some(ramp) if self.by == ColorBy::Valence => Corners::Valence(mesh, ramp),
+                    Some(ramp) => Corners::Values(&self.values, ramp),
+                    None => Corners::Alike,
+                };
+                FaceColors { face: Color::UNPAINTED, corners }
             }
         }
     }
+}
+
+/// The valence of regular vertices: six among triangles, else four.
+fn regular_valence(mesh: &Mesh) -> f32 {
+    let sample = mesh.faces().take(SAMPLED_FACES);
+    let (triangles, all) = sample.fold((0, 0), |(triangles, all), face| {
+        (triangles + usize::from(mesh.face_degree(face) == 3), all + 1)
+    });
+    if triangles * 2 > all { 6.0 } else { 4.0 }
+}
+
+/// The magnitude that most values are below; 0 if there are none.
+fn end_of_range(values: &[f32]) -> f32 {
+    let step = values.len().div_ceil(SAMPLED_VALUES).max(1);
+    let mut sample: Vec<f32> =
+        values.iter().step_by(step).map(|value| value.abs()).filter(|value| value.is_finite()).collect();
+    let last = (sample.len().saturating_sub(1) as f64 * SHARE_IN_RANGE).round() as usize;
+    if sample.is_empty() {
+        return 0.0;
+    }
+    *sample.select_nth_unstable_by(last, f32::total_cmp).1
 }
 
 /// The columns of a mesh that colours come from, looked up once.
@@ -96,13 +288,35 @@ impl<'m> Columns<'m> {
 /// The colours of one face's corners.
 pub(crate) struct FaceColors<'m> {
     face: Color,
-    vertices: Option<&'m [Vec3]>,
+    corners: Corners<'m>,
+}
+
+/// Where the colours of corners come from.
+enum Corners<'m> {
+    /// The face.
+    Alike,
+    /// The vertices' own colours; where one is missing, the face.
+    Colors(&'m [Vec3]),
+    /// The number of edges at the vertices.
+    Valence(&'m Mesh, Ramp),
+    /// A measure of the vertices.
+    Values(&'m [f32], Ramp),
 }
 
 impl FaceColors<'_> {
-    /// The colour of the corner at a vertex: the vertex's own if it counts and isn't missing, else the face's.
+    /// The colour of the corner at a vertex.
     pub fn at(&self, vertex: VertexId) -> [u8; 3] {
-        let own = self.vertices.and_then(|colors| colors.get(vertex.index())).filter(|color| !color.is_nan());
-        own.map_or(self.face.0, |color| color.to_array().map(|c| (c.clamp(0.0, 1.0) * 255.0).round() as u8))
+        match self.corners {
+            Corners::Alike => self.face.0,
+            Corners::Colors(colors) => {
+                let own = colors.get(vertex.index()).filter(|color| !color.is_nan());
+                let byte = |c: f32| (c.clamp(0.0, 1.0) * 255.0).round() as u8;
+                own.map_or(self.face.0, |color| color.to_array().map(byte))
+            }
+            Corners::Valence(mesh, ramp) => ramp.color(mesh.valence(vertex) as f32).0,
+            Corners::Values(values, ramp) => {
+                ramp.color(values.get(vertex.index()).copied().unwrap_or(f32::NAN)).0
+            }
+        }
     }
 }

@@ -106,7 +106,8 @@ pub(crate) struct Hardness {
 }
 
 impl Hardness {
-    fn new(degrees: f32) -> Self {
+    /// Edges whose faces meet at a greater angle than this are hard.
+    pub fn new(degrees: f32) -> Self {
         Self { cos: f64::from(degrees).to_radians().cos() }
     }
 

@@ -1,6 +1,6 @@
 //! The viewport's style and colours.
 
-use crate::{ColorBy, Matcap, Shading};
+use crate::{ColorBy, Mark, Marks, Matcap, Shading};
 use halfedge::Color;
 
 /// How objects are shaded, and what else is drawn. Colours are sRGB.
@@ -20,6 +20,8 @@ pub struct Style {
     pub look: Look,
     /// Whether the back sides of faces are left out.
     pub cull: bool,
+    /// What is marked.
+    pub marks: Marks,
     /// Whether the grid of the ground is drawn.
     pub grid: bool,
     /// Whether objects cast a soft shadow on the ground.
@@ -100,6 +102,7 @@ impl Default for Style {
             look: Look::Studio,
             x_ray: false,
             cull: false,
+            marks: Marks::default(),
             shading: Shading::default(),
             color_by: ColorBy::default(),
             wireframe: true,
@@ -141,6 +144,18 @@ pub struct Theme {
 }
 
 impl Theme {
+    /// The colour of marks, which are seen on faces more than on the background.
+    pub fn mark(mark: Mark) -> Color {
+        match mark {
+            Mark::Boundary => Color([0x00, 0xa3, 0x4e]),
+            Mark::Sharp => Color([0x1f, 0x5c, 0xff]),
+            Mark::Seam => Color([0xe8, 0x2c, 0x22]),
+            Mark::NonManifold => Color([0xe0, 0x12, 0xbd]),
+            Mark::FaceNormals => Color([0x10, 0x9c, 0xb8]),
+            Mark::VertexNormals => Color([0x8a, 0x5c, 0xf0]),
+        }
+    }
+
     /// Light lines on a dark gradient.
     pub const DARK: Self = Self {
         background_top: Color([0x3a, 0x3f, 0x47]),

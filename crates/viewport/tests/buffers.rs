@@ -7,9 +7,9 @@ use halfedge::attribute::Column;
 use halfedge::edit::{Connect, Triangulation, split_edge, triangulate_face};
 use halfedge::{Budget, Color, EdgeId, FaceId, Mesh, NONE, PolygonSoup, Touched, VertexId, keys};
 use proptest::prelude::*;
-use support::{cube, grid, mesh, paint, sphere};
+use support::{cube, grid, mesh, paint, sphere, torus};
 use viewport::buffers::{Buffers, Corners, Sink, TRIANGLE_BYTES};
-use viewport::{ColorBy, Coloring, MaterialColors, Shading};
+use viewport::{ColorBy, Coloring, Legend, MaterialColors, Ramp, Shading};
 
 /// The GPU's side as plain arrays.
 #[derive(Clone, Default)]
@@ -250,6 +250,63 @@ fn painted_faces_show_their_paint_and_others_their_vertices_colours() {
 }
 
 #[test]
+fn curvature_is_measured_in_parts_and_coloured_by_its_sign() {
+    let torus = torus(24, 12);
+    let colors = |by| -> Vec<([f32; 3], [u8; 4])> {
+        let (_, mirror) = rebuilt_colored(&torus, Shading::Flat, by);
+        mirror.corners.positions.into_iter().zip(mirror.corners.colors).collect()
+    };
+    for ([x, _, z], [r, _, b, _]) in colors(ColorBy::GaussianCurvature) {
+        let from_axis = x.hypot(z);
+        if from_axis > 1.1 {
+            assert!(r > b + 20, "the outside bulges: {r} {b}");
+        } else if from_axis < 0.9 {
+            assert!(b > r + 20, "the inside is a saddle: {r} {b}");
+        }
+    }
+    for (_, [r, _, b, _]) in colors(ColorBy::MeanCurvature) {
+        assert!(r > b, "a tube thinner than its hole bulges everywhere");
+    }
+
+    let (mut buffers, mut mirror) = (Buffers::default(), Mirror::default());
+    let coloring = Coloring::new(&torus, ColorBy::GaussianCurvature, &MaterialColors::new());
+    let mut rebuilding = buffers.begin_rebuild(&torus, Vec3::ZERO, Shading::Flat, coloring, &mut mirror);
+    assert_eq!(buffers.coloring().legend(), None, "nothing is measured yet");
+    let mut parts = 1;
+    while buffers.rebuild_faces(&torus, &mut rebuilding, &mut Budget::new(100), &mut mirror) {
+        parts += 1;
+    }
+    assert!(parts >= 288 * 4 / 100, "{parts}");
+    let whole = rebuilt_colored(&torus, Shading::Flat, ColorBy::GaussianCurvature);
+    assert!(mirror.corners == whole.1.corners);
+    let Some(Legend::Ramp(ramp)) = buffers.coloring().legend() else { panic!("numbers") };
+    // The outermost circle has 1 / (r R), the innermost the same of the other sign with R - r.
+    assert!(ramp.low == -ramp.high && (2.0..4.5).contains(&ramp.high), "{ramp:?}");
+}
+
+#[test]
+fn valences_and_qualities_have_colours_of_their_own() {
+    let mut plane = grid(4, 4, false);
+    halfedge::edit::delete_faces(&mut plane, &[FaceId::new(0)]).expect("a face");
+    let (_, mirror) = rebuilt_colored(&plane, Shading::Flat, ColorBy::Valence);
+    let Some(Legend::Ramp(ramp)) = Coloring::new(&plane, ColorBy::Valence, &MaterialColors::new()).legend()
+    else {
+        panic!("numbers")
+    };
+    assert_eq!((ramp.low, ramp.high), (1.0, 7.0), "four is regular among quads");
+    for v in plane.vertices() {
+        let expected = ramp.color(plane.valence(v) as f32).0;
+        let at = plane.position(v).to_array();
+        for (position, [r, g, b, _]) in mirror.corners.positions.iter().zip(&mirror.corners.colors) {
+            assert!(*position != at || [*r, *g, *b] == expected, "{v}");
+        }
+    }
+    let (_, mirror) = rebuilt_colored(&plane, Shading::Flat, ColorBy::Quality);
+    let best = Ramp::sequential(0.0, 1.0).color(1.0).0;
+    assert!(mirror.corners.colors.iter().all(|[r, g, b, _]| [*r, *g, *b] == best), "squares are regular");
+}
+
+#[test]
 fn a_local_edit_uploads_what_its_valence_says_whatever_the_mesh() {
     let sizes = [20_u32, 200].map(|n| {
         let mut mesh = grid(n, n, true);
@@ -382,7 +439,7 @@ fn shadings() -> impl Strategy<Value = Shading> {
 }
 
 fn colors() -> impl Strategy<Value = ColorBy> {
-    prop_oneof![Just(ColorBy::Paint), Just(ColorBy::Face), Just(ColorBy::Vertex), Just(ColorBy::Uniform)]
+    prop::sample::select(&ColorBy::ALL[..])
 }
 
 proptest! {

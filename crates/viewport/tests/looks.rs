@@ -205,3 +205,32 @@ fn the_shadow_follows_edits() {
     let differ = followed.pixels.iter().zip(&anew.pixels).filter(|(a, b)| a != b).count();
     assert!(differ < 8, "{differ} pixels differ");
 }
+
+#[test]
+fn marks_are_drawn_on_the_faces_that_show_and_hidden_by_others() {
+    let gpu = gpu();
+    let mut cube = cube();
+    paint_all(&mut cube, [200; 3]);
+    let style = Style { marks: viewport::Marks::default().toggled(viewport::Mark::Sharp), ..bare() };
+    let camera = Camera { yaw: 0.5, pitch: 0.4, ..front() };
+    let image = support::gpu::draw_with(&gpu, &cube, &camera, &style, |renderer| {
+        assert_eq!(renderer.mark_count(7, viewport::Mark::Sharp), 0);
+        let mut parts = 1;
+        while renderer.upload_marks(&gpu.device, &gpu.queue, 7, &cube, &style, &mut halfedge::Budget::new(5))
+        {
+            parts += 1;
+        }
+        assert!(parts > 2, "{parts}");
+        assert_eq!(renderer.mark_count(7, viewport::Mark::Sharp), 12);
+    });
+    let blue = viewport::Theme::mark(viewport::Mark::Sharp).0;
+    let at = |p: Vec3| camera.project(p, VIEW).expect("in front");
+    let is_marked = |p: Vec3| {
+        let around = (-1..=1).flat_map(|x| (-1..=1).map(move |y| vec2(x as f32, y as f32)));
+        around.map(|by| image.near(at(p) + by)).any(|color| close(color, blue, 40))
+    };
+    assert!(is_marked(vec3(1.0, 0.0, 1.0)), "the edge towards the eye");
+    assert!(!is_marked(vec3(-1.0, 0.0, -1.0)), "the edge on the far side");
+    let plain = draw(&gpu, &cube, &camera, &bare());
+    assert!(image.count(|p| close(p, blue, 40)) > 100 && plain.count(|p| close(p, blue, 40)) == 0);
+}

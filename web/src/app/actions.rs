@@ -93,6 +93,7 @@ impl App {
             Action::ColorBy(by) => self.view.style.color_by = by,
             Action::Look(look) => self.view.style.look = look,
             Action::HideBacks => self.view.style.cull ^= true,
+            Action::Mark(mark) => self.view.style.marks = self.view.style.marks.toggled(mark),
             Action::Shadow => self.view.style.shadow ^= true,
             Action::Dots => self.view.style.vertices ^= true,
             Action::Grid => self.view.style.grid ^= true,

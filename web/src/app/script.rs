@@ -102,6 +102,7 @@ impl Script<'_> {
             "look": style.look.name(),
             "back_faces": !style.cull,
             "shadow": style.shadow,
+            "marks": style.marks.iter().map(viewport::Mark::name).collect::<Vec<_>>(),
             "list": self.app.shown.kind.to_string(),
             "theme": if self.app.session.ctx.global_style().visuals.dark_mode { "dark" } else { "light" },
             "bezier": bezier,

@@ -6,7 +6,7 @@
 use editor::{OpId, Scope, SelectBy};
 use formats::Format;
 use halfedge::Element;
-use viewport::{ColorBy, Look, Side};
+use viewport::{ColorBy, Look, Mark, Side};
 
 use super::menus::MENUS;
 
@@ -84,6 +84,8 @@ pub enum Action {
     HideBacks,
     /// Switches the drawing of vertices as dots.
     Dots,
+    /// Switches marks of a kind.
+    Mark(Mark),
     /// Switches the ground grid.
     Grid,
     /// Switches the shadow on the ground.

@@ -25,6 +25,7 @@ pub fn submenu(action: Action) -> Option<&'static str> {
         A::Expand(_) => Some("Expand to"),
         A::Look(_) => Some("Look"),
         A::ColorBy(_) => Some("Colour by"),
+        A::Mark(_) => Some("Marks"),
         A::SystemTheme | A::LightTheme | A::DarkTheme => Some("Theme"),
         _ => None,
     }

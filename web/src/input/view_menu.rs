@@ -1,6 +1,6 @@
 //! The View menu.
 
-use viewport::{ColorBy, Look, Matcap, Side};
+use viewport::{ColorBy, Look, Mark, Matcap, Side};
 
 use super::actions::{Action as A, Entry, entry};
 
@@ -68,6 +68,45 @@ pub(super) static ENTRIES: &[Option<Entry>] = &[
         .synonyms(&["colour attribute", "per-vertex colour"]),
     ),
     Some(entry(A::ColorBy(ColorBy::Uniform), "One colour", "Draw all faces in one colour.")),
+    Some(entry(
+        A::ColorBy(ColorBy::Material),
+        "Material",
+        "Give each material a colour that differs from the others, with a legend.",
+    )),
+    Some(entry(
+        A::ColorBy(ColorBy::Group),
+        "Group",
+        "Give each group a colour that differs from the others, with a legend.",
+    )),
+    Some(
+        entry(
+            A::ColorBy(ColorBy::Valence),
+            "Valence",
+            "Colour vertices by their number of edges: blue has fewer than regular ones, red more.",
+        )
+        .synonyms(&["degree", "poles"]),
+    ),
+    Some(entry(
+        A::ColorBy(ColorBy::GaussianCurvature),
+        "Gaussian curvature",
+        "Colour vertices by Gaussian curvature: blue at saddles, red at bulges and hollows.",
+    )),
+    Some(
+        entry(
+            A::ColorBy(ColorBy::MeanCurvature),
+            "Mean curvature",
+            "Colour vertices by mean curvature: blue in hollows, red at bulges.",
+        )
+        .synonyms(&["convex", "concave", "cavity"]),
+    ),
+    Some(
+        entry(
+            A::ColorBy(ColorBy::Quality),
+            "Face quality",
+            "Colour faces by how close they are to regular polygons: dark ones are slivers.",
+        )
+        .synonyms(&["triangle shape", "aspect ratio", "slivers"]),
+    ),
     Some(
         entry(A::Look(Look::Studio), "Studio lights", "Light faces with three lights fixed to the camera.")
             .synonyms(&["look", "solid"]),
@@ -139,6 +178,42 @@ pub(super) static ENTRIES: &[Option<Entry>] = &[
     Some(
         entry(A::HideBacks, "Hide backs of faces", "Leave faces out where they are seen from the back.")
             .synonyms(&["backface culling", "cull"]),
+    ),
+    Some(
+        entry(A::Mark(Mark::Boundary), "Boundary edges", "Mark edges with a face on one side only in green.")
+            .synonyms(&["holes", "open edges"]),
+    ),
+    Some(
+        entry(
+            A::Mark(Mark::Sharp),
+            "Sharp edges",
+            "Mark creases, and edges whose faces meet at more than 30°, in blue.",
+        )
+        .synonyms(&["creases", "hard edges"]),
+    ),
+    Some(
+        entry(
+            A::Mark(Mark::Seam),
+            "Texture seams",
+            "Mark edges across which texture coordinates jump in red.",
+        )
+        .synonyms(&["uv seams"]),
+    ),
+    Some(
+        entry(
+            A::Mark(Mark::NonManifold),
+            "Non-manifold places",
+            "Mark edges and vertices that importing had to separate in magenta.",
+        )
+        .synonyms(&["repaired", "separated"]),
+    ),
+    Some(
+        entry(A::Mark(Mark::FaceNormals), "Face normals", "Draw the normals of faces as lines.")
+            .synonyms(&["normal lines"]),
+    ),
+    Some(
+        entry(A::Mark(Mark::VertexNormals), "Vertex normals", "Draw the normals of vertices as lines.")
+            .synonyms(&["normal lines"]),
     ),
     Some(entry(A::Dots, "Vertex dots", "Draw vertices as dots.")),
     Some(entry(A::Grid, "Ground grid", "Draw a grid on the ground below the model.")),

@@ -5,7 +5,7 @@ use egui::{PaintCallbackInfo, Rect, Ui};
 use egui_wgpu::{Callback, CallbackResources, CallbackTrait, RenderState, ScreenDescriptor, wgpu};
 use formats::Materials;
 use halfedge::{Budget, Element, Mesh};
-use viewport::{Camera, Frame, Highlight, Layer, ObjectDraw, Renderer, Style};
+use viewport::{Camera, Frame, Highlight, Layer, Legend, Mark, ObjectDraw, Renderer, Style};
 
 use super::View;
 
@@ -39,6 +39,16 @@ impl Picture {
         self.with(|renderer, _, _| renderer.set_materials(colors));
     }
 
+    /// What the colours of an object stand for.
+    pub fn legend(&self, id: ObjectId) -> Option<Legend> {
+        self.with(|renderer, _, _| renderer.legend(id.0)).flatten()
+    }
+
+    /// The number of marks of a kind on an object.
+    pub fn mark_count(&self, id: ObjectId, mark: Mark) -> u64 {
+        self.with(|renderer, _, _| renderer.mark_count(id.0, mark)).unwrap_or_default()
+    }
+
     pub fn forget(&self, id: ObjectId) {
         self.with(|renderer, _, _| renderer.remove_object(id.0));
     }
@@ -70,6 +80,9 @@ impl Picture {
                 }
                 let done = renderer.upload_faces(device, queue, id.0, mesh, budget);
                 behind |= renderer.is_uploading(id.0);
+                if object.visible() {
+                    behind |= renderer.upload_marks(device, queue, id.0, mesh, style, budget);
+                }
                 done
             });
             self.selection_stale |= done == Some(true);

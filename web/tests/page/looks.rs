@@ -136,6 +136,68 @@ fn vertex_colours_are_shown_until_faces_are_painted() {
 }
 
 #[test]
+fn colours_by_measures_and_labels_have_a_legend() {
+    for (theme, name) in [(Theme::Dark, "dark"), (Theme::Light, "light")] {
+        let mut page = Page::drawn(DESKTOP, theme);
+        page.command(json!({ "op": "new", "shape": "torus" }));
+        assert!(!page.has_part("Legend"));
+        let by = |page: &mut Page, by: &str| {
+            page.click("View");
+            page.click("Colour by");
+            page.click(by);
+            picture(page, &format!("coloured by {by} {name}"));
+        };
+        by(&mut page, "Gaussian curvature");
+        assert!(page.has_part("Legend: Gaussian curvature, 1 / unit², from -"));
+        by(&mut page, "Mean curvature");
+        by(&mut page, "Valence");
+        assert!(page.has_part("Legend: Valence, edges at a vertex, from 1 to 7"));
+        by(&mut page, "Face quality");
+        assert!(page.has_part("Legend: Face quality, 1 is regular, from 0 to 1"));
+        by(&mut page, "Group");
+        assert!(page.has_part("Legend: Group, This mesh has no groups"));
+        page.open("groups.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\ng left\nf 1 2 3\ng right\nf 1 3 4\n");
+        assert!(page.has_part("Legend: Group, left, right"));
+        picture(&mut page, &format!("two groups {name}"));
+        by(&mut page, "Paint");
+        assert!(!page.has_part("Legend"));
+    }
+}
+
+/// A cube without its top, on whose bottom edge a third face stands.
+const BROKEN_BOX: &str = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 0 0 1\nv 1 0 1\nv 1 1 1\nv 0 1 1\nv 1.5 0 1.5\nv 0.5 0 1.5\n\
+    f 4 3 2 1\nf 5 6 7 8\nf 1 2 6 5\nf 2 3 7 6\nf 4 1 5 8\nf 5 6 9 10\n";
+
+#[test]
+fn marks_are_counted_in_the_legend_and_follow_edits() {
+    for (theme, name) in [(Theme::Dark, "dark"), (Theme::Light, "light")] {
+        let mut page = Page::drawn(DESKTOP, theme);
+        page.open("box.obj", BROKEN_BOX);
+        for mark in ["Boundary edges", "Sharp edges", "Texture seams", "Non-manifold places"] {
+            page.click("View");
+            page.click("Marks");
+            page.click(mark);
+        }
+        picture(&mut page, &format!("marks {name}"));
+        assert!(page.has_part("Texture seams: 0"));
+        assert!(page.has_part("Non-manifold places: 2"));
+        assert!(page.has_part("Boundary edges: 8"));
+        page.select("face", &[0]);
+        page.command(json!({ "op": "delete-faces" }));
+        picture(&mut page, &format!("marks after an edit {name}"));
+        assert!(page.has_part("Boundary edges: 10"));
+    }
+    let mut page = Page::drawn(DESKTOP, Theme::Dark);
+    for mark in ["Face normals", "Vertex normals"] {
+        page.click("View");
+        page.click("Marks");
+        page.click(mark);
+    }
+    picture(&mut page, "normals as lines");
+    assert!(page.has_part("Face normals: 6") && page.has_part("Vertex normals: 8"));
+}
+
+#[test]
 fn every_look_from_the_view_menu_differs() {
     let looks = [
         "Studio lights",

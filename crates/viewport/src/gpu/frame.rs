@@ -7,7 +7,7 @@ use super::renderer::{DRAW_UNIFORM_STRIDE, Renderer};
 use super::stream::Stream;
 use super::targets::Targets;
 use super::uniforms::{DrawUniform, rgba};
-use crate::{Camera, Look, Style};
+use crate::{Camera, Look, Mark, Style, Theme};
 use glam::Vec3;
 
 /// More isolated vertices than this are drawn as small dots.
@@ -56,6 +56,7 @@ pub(super) enum Draw<'a> {
     Background,
     Mesh(&'a Object, Faces),
     Points(&'a Stream, Side),
+    Lines(&'a Stream, Side),
     Ground,
     Shadow,
     Highlight(&'a HighlightBuffers, Shape, Side),
@@ -156,6 +157,19 @@ impl Renderer {
                 Side::Behind => continue,
                 Side::InFront => 1.0,
             };
+            for (_, object) in visible() {
+                let found = &object.marks;
+                let uniform = |mark, [radius, rim]: [f32; 2]| {
+                    let params = [radius * ppp, rim * ppp, 0.0, NEARER * ppp];
+                    DrawUniform::new(camera, found.origin, rgba(Theme::mark(mark), alpha), params)
+                };
+                for (mark, lines) in Mark::ALL.into_iter().zip(&found.lines).filter(|(_, l)| l.len() > 0) {
+                    let is_normal = matches!(mark, Mark::FaceNormals | Mark::VertexNormals);
+                    let width = if is_normal { 0.6 } else { 1.2 };
+                    draws.push((Draw::Lines(lines, side), uniform(mark, [width, 0.0])));
+                }
+                draws.push((Draw::Points(&found.points, side), uniform(Mark::NonManifold, [4.0, 1.0])));
+            }
             for (draw, object) in visible() {
                 let origin = object.buffers.origin();
                 let mut push = |points, color, radius, rim| {
@@ -297,6 +311,9 @@ impl Renderer {
                 }
                 Draw::Points(points, side) => {
                     instances(&mut pass, &self.marks(*side).points, points, 12, 6);
+                }
+                Draw::Lines(lines, side) => {
+                    instances(&mut pass, &self.marks(*side).lines, lines, 24, 6);
                 }
                 Draw::Highlight(marked, shape, side) => {
                     let (marks, stream) = (self.marks(*side), marked.stream(*shape));

@@ -3,6 +3,7 @@
 mod frame;
 mod highlight;
 mod isolated;
+mod marks;
 mod object;
 mod pipelines;
 mod renderer;

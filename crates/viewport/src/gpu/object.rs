@@ -1,6 +1,7 @@
 //! An object's buffers on the GPU.
 
 use super::isolated::IsolatedVertices;
+use super::marks::MarkBuffers;
 use super::stream::Stream;
 use crate::buffers::{Buffers, Corners, Rebuild, Sink};
 use crate::{ColorBy, Coloring, MaterialColors, Shading, Style};
@@ -44,6 +45,7 @@ pub struct Object {
     pub has_points: bool,
     /// The dots of isolated vertices, which are always drawn.
     pub isolated: IsolatedVertices,
+    pub marks: MarkBuffers,
     /// Buffers that replace these once they are complete.
     next: Option<Next>,
 }
@@ -79,6 +81,7 @@ impl Object {
             points: Stream::new("vertices"),
             has_points: false,
             isolated: IsolatedVertices::new(),
+            marks: MarkBuffers::new(),
             next: None,
         }
     }
@@ -93,6 +96,7 @@ impl Object {
         materials: &MaterialColors,
     ) -> u64 {
         self.next = None;
+        self.marks.mesh_changed();
         let mut upload = Upload { device, queue, pages: &mut self.pages, bytes: 0 };
         let coloring = Coloring::new(mesh, style.color_by, materials);
         self.buffers.rebuild(mesh, origin_of(mesh), style.shading, coloring, &mut upload);
@@ -145,6 +149,7 @@ impl Object {
             return false;
         }
         (self.buffers, self.pages) = (next.buffers, next.pages);
+        self.marks.mesh_changed();
         self.set_points(device, queue, mesh, next.points);
         true
     }
@@ -172,6 +177,7 @@ impl Object {
         mesh: &Mesh,
         touched: &Touched,
     ) -> u64 {
+        self.marks.mesh_changed();
         // The edit may have touched faces that an upload has written already: it is completed first.
         self.upload_faces(device, queue, mesh, &mut Budget::unlimited());
         let mut upload = Upload { device, queue, pages: &mut self.pages, bytes: 0 };
@@ -198,7 +204,8 @@ impl Object {
     pub fn gpu_bytes(&self) -> u64 {
         let next = self.next.iter().flat_map(|next| &next.pages);
         let pages = self.pages.iter().chain(next).flat_map(|p| [&p.positions, &p.normals, &p.colors]);
-        pages.map(Stream::capacity).sum::<u64>() + self.points.capacity() + self.isolated.points.capacity()
+        let dots = self.points.capacity() + self.isolated.points.capacity();
+        pages.map(Stream::capacity).sum::<u64>() + dots + self.marks.gpu_bytes()
     }
 }
 

@@ -8,7 +8,7 @@ use super::shadow::{Ground, MapKey, Shadow};
 use super::surface::Surface;
 use super::targets::Targets;
 use super::uniforms::{DrawUniform, FrameUniform};
-use crate::{MaterialColors, Style};
+use crate::{Legend, Mark, MaterialColors, Style};
 use halfedge::{Budget, InParts, Mesh, Touched};
 use std::collections::HashMap;
 
@@ -154,6 +154,36 @@ impl Renderer {
     /// is the same.
     pub fn fits_style(&self, id: u64, style: &Style) -> bool {
         self.objects.get(&id).is_some_and(|object| object.fits(style))
+    }
+
+    /// Finds and uploads more of the marks that the style wants on an object, as many as the budget has elements;
+    /// returns whether there are any left. Until all are found, the last ones are drawn.
+    pub fn upload_marks(
+        &mut self,
+        device: &wgpu::Device,
+        queue: &wgpu::Queue,
+        id: u64,
+        mesh: &Mesh,
+        style: &Style,
+        budget: &mut Budget,
+    ) -> bool {
+        let Some(object) = self.objects.get_mut(&id).filter(|object| !object.is_uploading()) else {
+            return false;
+        };
+        let origin = object.buffers.origin();
+        let (changed, is_left) = object.marks.step((device, queue), mesh, origin, style.marks, budget);
+        self.generation += u64::from(changed);
+        is_left
+    }
+
+    /// The number of marks of a kind on an object.
+    pub fn mark_count(&self, id: u64, mark: Mark) -> u64 {
+        self.objects.get(&id).map_or(0, |object| object.marks.count(mark))
+    }
+
+    /// What the colours of an object stand for; none for colours of the mesh itself.
+    pub fn legend(&self, id: u64) -> Option<Legend> {
+        self.objects.get(&id)?.buffers.coloring().legend()
     }
 
     /// Removes an object.

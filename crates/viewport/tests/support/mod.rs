@@ -68,6 +68,20 @@ pub fn sphere(slices: u32, stacks: u32) -> Mesh {
     mesh(positions, &faces)
 }
 
+/// A torus around the y axis of n x m quads; its radii are 1 and 0.4.
+pub fn torus(n: u32, m: u32) -> Mesh {
+    let place = |i: u32, j: u32| {
+        let [around, tube] = [(i, n), (j, m)].map(|(i, n)| i as f32 / n as f32 * std::f32::consts::TAU);
+        let radius = 1.0 + 0.4 * tube.cos();
+        vec3(radius * around.cos(), 0.4 * tube.sin(), radius * around.sin())
+    };
+    let positions = (0..n).flat_map(|i| (0..m).map(move |j| place(i, j))).collect();
+    let at = |i: u32, j: u32| i % n * m + j % m;
+    let quad = |i, j| [at(i, j), at(i, j + 1), at(i + 1, j + 1), at(i + 1, j)];
+    let faces: Vec<[u32; 4]> = (0..n).flat_map(|i| (0..m).map(move |j| quad(i, j))).collect();
+    mesh(positions, &faces)
+}
+
 pub fn paint(mesh: &mut Mesh, face: usize, color: [u8; 3]) {
     mesh.set(keys::FACE_COLOR, face, Color(color));
 }

@@ -3,6 +3,7 @@
 mod bezier_picture;
 pub(crate) mod control_points;
 mod gesture;
+mod legend;
 mod overlay;
 mod regions;
 
@@ -62,6 +63,7 @@ impl Viewport<'_> {
         picture::paint(ui, rect, &self.session.editor, self.view);
         bezier_picture::paint(ui, rect, &self.session.editor, self.view, self.player);
         regions::show(ui, rect, &self.page());
+        legend::paint(ui, rect, &self.page());
         overlay::paint(ui, rect, &self.page());
     }
 }
