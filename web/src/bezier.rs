@@ -58,7 +58,30 @@ impl Default for Controls {
     }
 }
 
+/// One thing to change about the player.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) enum Setting {
+    /// The parameter t of a curve, or u of a patch. Stops playing.
+    T(f32),
+    /// The parameter v of a patch. Stops playing.
+    V(f32),
+    /// The patch that the construction is drawn on, with no control point chosen.
+    Patch(usize),
+    /// The chosen control point.
+    Chosen(Option<ControlPoint>),
+}
+
 impl Controls {
+    /// Changes one thing.
+    pub fn set(&mut self, setting: Setting) {
+        match setting {
+            Setting::T(t) => (self.t, self.playing) = (t, false),
+            Setting::V(v) => (self.v, self.playing) = (v, false),
+            Setting::Patch(patch) => (self.patch, self.chosen) = (patch, None),
+            Setting::Chosen(point) => self.choose(point),
+        }
+    }
+
     /// Chooses a control point and its patch.
     pub fn choose(&mut self, point: Option<ControlPoint>) {
         self.chosen = point;
@@ -285,6 +308,17 @@ impl Player {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn settings_made_in_one_frame_all_hold() {
+        let mut controls = Controls { playing: true, ..Controls::default() };
+        let point = ControlPoint::Patch { patch: 3, row: 1, column: 2 };
+        for setting in [Setting::Chosen(Some(point)), Setting::T(0.25), Setting::V(0.75)] {
+            controls.set(setting);
+        }
+        let wanted = Controls { t: 0.25, v: 0.75, patch: 3, chosen: Some(point), ..Controls::default() };
+        assert_eq!(controls, wanted);
+    }
 
     #[test]
     fn small_curves_are_drawn_whole_and_large_ones_are_sampled() {

@@ -9,7 +9,7 @@ use glam::Vec3;
 use halfedge::Element;
 use surface::selecting::Line;
 
-use crate::bezier::Controls;
+use crate::bezier::Setting;
 use crate::input::actions::Action;
 use crate::session::form::Filled;
 use crate::session::toasts::Slot;
@@ -59,8 +59,8 @@ pub(crate) enum Request {
     Apply(OpId, Filled),
     /// Run the last operation again with other fields.
     Adjust(Command),
-    /// Change what the Bezier player shows.
-    SetControls(Controls),
+    /// Change one thing about what the Bezier player shows.
+    Play(Setting),
     /// Add a control point to the active curve, and choose it.
     InsertControlPoint(BezierInsertPoint),
     /// Show another sheet of the narrow layout.

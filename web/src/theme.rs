@@ -24,6 +24,10 @@ pub struct Palette {
     pub hovered_row: Color32,
     /// The background of text over the viewport.
     pub overlay: Color32,
+    /// The background of the button that a form or dialog is for.
+    pub primary: Color32,
+    /// Text on that button.
+    pub on_primary: Color32,
     /// Success.
     pub good: Color32,
     /// The coordinate axes x, y and z.
@@ -36,6 +40,8 @@ const DARK: Palette = Palette {
     selected_text: Color32::from_rgb(0xff, 0xdf, 0xb8),
     hovered_row: Color32::from_rgb(0x22, 0x3d, 0x48),
     overlay: Color32::from_rgba_premultiplied(0x12, 0x14, 0x18, 0xd8),
+    primary: Color32::from_rgb(0x25, 0x63, 0xb8),
+    on_primary: Color32::WHITE,
     good: Color32::from_rgb(0x5f, 0xc5, 0x82),
     axes: [
         Color32::from_rgb(0xf0, 0x6a, 0x6a),
@@ -50,6 +56,8 @@ const LIGHT: Palette = Palette {
     selected_text: Color32::from_rgb(0x55, 0x2c, 0x00),
     hovered_row: Color32::from_rgb(0xd5, 0xec, 0xf8),
     overlay: Color32::from_rgba_premultiplied(0xe8, 0xea, 0xed, 0xe8),
+    primary: Color32::from_rgb(0x0b, 0x63, 0xce),
+    on_primary: Color32::WHITE,
     good: Color32::from_rgb(0x1f, 0x7f, 0x46),
     axes: [
         Color32::from_rgb(0xc2, 0x2f, 0x2f),

@@ -60,7 +60,7 @@ impl App {
                 }
             }
             Request::Adjust(command) => self.session.adjust(command),
-            Request::SetControls(controls) => self.player.controls = controls,
+            Request::Play(setting) => self.player.controls.set(setting),
             Request::InsertControlPoint(insert) => self.insert_control_point(insert),
             Request::ShowSheet(sheet) => self.shown.sheet = sheet,
             Request::Close(window) => self.shown.close(window),

@@ -5,7 +5,7 @@ use editor::{Bezier, OpId};
 use egui::{Button, Grid, Label, RichText, ScrollArea, Slider, Ui, vec2};
 use glam::Vec3;
 
-use crate::bezier::{ControlPoint, Controls, Drawn, active, levels, position};
+use crate::bezier::{ControlPoint, Controls, Drawn, Setting, active, levels, position};
 use crate::input::actions::{self, Action};
 use crate::page_view::Page;
 use crate::panels::menu_bar::{explain, menu_item};
@@ -45,26 +45,21 @@ fn construction(ui: &mut Ui, page: &Page<'_>, bezier: &Bezier, out: &mut Request
     let is_curve = bezier.curve().is_some();
     let width = (ui.available_width() - 96.0).max(60.0);
     ui.spacing_mut().slider_width = width;
-    let mut controls = page.player.controls;
-    let parameters: &mut [(&str, &mut f32)] = match is_curve {
-        true => &mut [("t", &mut controls.t)],
-        false => &mut [("u", &mut controls.t), ("v", &mut controls.v)],
-    };
-    let mut moved = false;
-    for (name, value) in parameters {
+    let Controls { t, v, .. } = page.player.controls;
+    let parameters: &[(&str, f32)] = if is_curve { &[("t", t)] } else { &[("u", t), ("v", v)] };
+    for &(name, mut value) in parameters {
         ui.horizontal(|ui| {
-            let label = ui.label(RichText::new(*name).strong());
+            let label = ui.label(RichText::new(name).strong());
             // The slider must not round the value to its decimals, as that would count as a change while
             // playing.
             let slider =
-                Slider::new(&mut **value, 0.0..=1.0).custom_formatter(|number, _| format!("{number:.3}"));
+                Slider::new(&mut value, 0.0..=1.0).custom_formatter(|number, _| format!("{number:.3}"));
             let hint = format!("The parameter {name} of the construction, from 0 to 1");
-            moved |= ui.add(slider).labelled_by(label.id).on_hover_text(hint).changed();
+            if ui.add(slider).labelled_by(label.id).on_hover_text(hint).changed() {
+                let setting = if name == "v" { Setting::V(value) } else { Setting::T(value) };
+                out.push(Request::Play(setting));
+            }
         });
-    }
-    if moved {
-        controls.playing = false;
-        out.push(Request::SetControls(controls));
     }
     let last = levels(bezier);
     ui.horizontal(|ui| {
@@ -123,7 +118,7 @@ fn curve_points(ui: &mut Ui, page: &Page<'_>, points: &[Vec3], out: &mut Request
                     let row = Button::selectable(chosen, at.to_string()).min_size(vec2(30.0, 0.0));
                     let row = ui.add(row).accessible_name(format!("Control point {at}"));
                     if row.on_hover_text("Choose this control point").clicked() {
-                        choose(page, if chosen { None } else { Some(point) }, out);
+                        choose(if chosen { None } else { Some(point) }, out);
                     }
                     control_point_boxes(ui, page, point, place, &format!("Point {at}"), out);
                 });
@@ -144,9 +139,7 @@ fn patch_points(ui: &mut Ui, page: &Page<'_>, bezier: &Bezier, patches: usize, o
         let last = patches.saturating_sub(1);
         let spin = ui.add(number_box(&mut patch).speed(0.1).range(0..=last)).labelled_by(label.id);
         if spin.on_hover_text("The patch that the construction is drawn on").changed() {
-            let controls = page.player.controls;
-            let controls = Controls { patch: patch.min(last), chosen: None, ..controls };
-            out.push(Request::SetControls(controls));
+            out.push(Request::Play(Setting::Patch(patch.min(last))));
         }
         ui.label(RichText::new(format!("of patches 0 to {last}")).weak());
     };
@@ -165,7 +158,7 @@ fn patch_points(ui: &mut Ui, page: &Page<'_>, bezier: &Bezier, patches: usize, o
                 let button = Button::selectable(chosen, format!("{row}, {column}")).min_size(vec2(48.0, 0.0));
                 let button = ui.add(button).accessible_name(format!("Control point {row}, {column}"));
                 if button.on_hover_text("Row and column of the patch; click to choose").clicked() {
-                    choose(page, if chosen { None } else { Some(point) }, out);
+                    choose(if chosen { None } else { Some(point) }, out);
                 }
             }
             ui.end_row();
@@ -212,7 +205,7 @@ fn control_point_boxes(
         out.update_edit(moved(point, to));
     }
     if done {
-        choose(page, Some(point), out);
+        choose(Some(point), out);
         out.push(Request::CommitEdit);
     }
 }
@@ -276,8 +269,6 @@ fn buttons(
 }
 
 /// Requests that a control point be chosen, or none.
-fn choose(page: &Page<'_>, point: Option<ControlPoint>, out: &mut Requests) {
-    let mut controls = page.player.controls;
-    controls.choose(point);
-    out.push(Request::SetControls(controls));
+fn choose(point: Option<ControlPoint>, out: &mut Requests) {
+    out.push(Request::Play(Setting::Chosen(point)));
 }

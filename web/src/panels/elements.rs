@@ -1,7 +1,7 @@
 //! The lists of vertices, edges, half-edges and faces.
 
 use editor::{Changes, Editor, ObjectChange, ObjectId, SelectMode};
-use egui::{Button, Key, RichText, TextEdit, Ui, vec2};
+use egui::{Button, Key, RichText, Ui, vec2};
 use halfedge::Element;
 
 use crate::input::actions::{self, Action};
@@ -13,6 +13,7 @@ use crate::page_view::Page;
 use crate::panels::menu_bar::menu_item;
 use crate::request::{Request, Requests};
 use crate::theme;
+use crate::widgets::controls::text_field;
 use halfedge::words::thousands;
 
 /// The lists of the active object.
@@ -135,7 +136,7 @@ fn list_bar(ui: &mut Ui, page: &Page<'_>, own: &mut Lists, out: &mut Requests) {
     let kind = page.shown.kind;
     ui.horizontal(|ui| {
         let hint = format!("Go to {kind} id");
-        let field = TextEdit::singleline(&mut own.go_to).hint_text(hint.as_str()).desired_width(118.0);
+        let field = text_field(&mut own.go_to).hint_text(hint.as_str()).desired_width(118.0);
         let field = ui.add(field).accessible_name("Go to id");
         let field = field.on_hover_text(keys::tooltip(
             ui.ctx(),

@@ -17,20 +17,22 @@ pub(crate) struct Tried {
     estimate: Option<Estimate>,
 }
 
-/// The size of the result of an operation with these fields, as a sentence; none if it is unknown.
+/// The size of the result of an operation with these fields, as a sentence; none if it is unknown. A quick operation
+/// is tried out for it, unless a preview is coming, which does the same work.
 pub(crate) fn show(
     page: &Page<'_>,
     own: &mut Option<Tried>,
     id: OpId,
     filled: &Filled,
     facts: &Facts,
+    preview_is_coming: bool,
 ) -> Option<String> {
     let command = form::command(id, filled).ok()?;
     let estimate = command.op.result(facts)?;
     if let Some(mesh) = page.previewed(id, filled) {
         return words(&estimate.exactly(mesh));
     }
-    if matches!(estimate.count, Amount::Exactly(_)) || page.editor.is_editing() {
+    if matches!(estimate.count, Amount::Exactly(_)) || page.editor.is_editing() || preview_is_coming {
         return words(&estimate);
     }
     match try_out(page, own, &command, estimate) {
@@ -82,4 +84,30 @@ fn words(estimate: &Estimate) -> Option<String> {
         (Amount::Unknown, Some(all)) => format!("Of {}", noun(all)),
         (Amount::Unknown, None) => return None,
     })
+}
+
+#[cfg(all(test, not(target_arch = "wasm32")))]
+mod tests {
+    use super::*;
+    use crate::bezier::Player;
+    use crate::platform::headless::{Headless, Outside};
+    use crate::session::Session;
+    use crate::shown::Shown;
+    use crate::view::View;
+
+    #[test]
+    fn what_is_previewed_is_not_tried_out_too() {
+        let mut session =
+            Session::new(&egui::Context::default(), Box::new(Headless::new(Outside::default())));
+        session.open_first();
+        let (shown, view, player) = (Shown::default(), View::new(None), Player::default());
+        let page = Page { session: &session, shown: &shown, view: &view, player: &player };
+        let (id, mut tried) = (OpId::Remesh, None);
+        let facts = page.measured_facts();
+        let filled = form::initial(id.spec(), &facts);
+        let said = show(&page, &mut tried, id, &filled, &facts, true);
+        assert!(said.is_some_and(|said| said.contains("about")) && tried.is_none());
+        let said = show(&page, &mut tried, id, &filled, &facts, false);
+        assert!(said.is_some_and(|said| !said.contains("about")) && tried.is_some());
+    }
 }

@@ -2,20 +2,22 @@
 
 use editor::Spec;
 use editor::ops::{Arity, Choice, Facts, Field, FieldKind, Fill, Unit, sentence_case};
-use egui::{Checkbox, ComboBox, RichText, TextEdit, Ui};
+use egui::{ComboBox, RichText, Ui};
 use serde_json::{Value, json};
 use surface::Shape;
 
 use crate::lists::columns::element_name;
 use crate::session::form::{Filled, alternatives, chosen};
 use crate::widgets::color_button::color_button;
+use crate::widgets::controls::{FIELD_WIDTH, check_box, form_number, text_field};
 use crate::widgets::number_box::number_box;
 use halfedge::Element;
 
-/// The rows of those fields of an operation for which `shown` is true.
+/// The rows of those fields of an operation for which `shown` is true, without those that something else fills in.
 pub fn rows(ui: &mut Ui, spec: &Spec, filled: &mut Filled, facts: &Facts, shown: impl Fn(&Field) -> bool) {
     let mut last_title = None;
-    for field in spec.fields.iter().filter(|field| shown(field)) {
+    let is_filled_in = |field: &Field| matches!(field.fill, Fill::Optional(_));
+    for field in spec.fields.iter().filter(|field| shown(field) && !is_filled_in(field)) {
         match (field.kind, field.alternative) {
             (_, Some(title)) if last_title == Some(title) => {}
             (_, Some(title)) => {
@@ -34,7 +36,7 @@ pub fn rows(ui: &mut Ui, spec: &Spec, filled: &mut Filled, facts: &Facts, shown:
 fn row(ui: &mut Ui, spec: &Spec, field: &'static Field, filled: &mut Filled, facts: &Facts) {
     let label = field.label();
     let words = field.default_words().unwrap_or_default();
-    if matches!(field.fill, Fill::Selection(_) | Fill::Optional(_)) {
+    if matches!(field.fill, Fill::Selection(_)) {
         ui.label(RichText::new(&label).weak()).on_hover_text(field.description);
         ui.label(RichText::new(words).weak());
         ui.end_row();
@@ -46,7 +48,7 @@ fn row(ui: &mut Ui, spec: &Spec, field: &'static Field, filled: &mut Filled, fac
             if let Fill::Unset(words) = field.fill {
                 let mut given = filled.contains_key(field.name);
                 let check = ui
-                    .add(Checkbox::without_text(&mut given))
+                    .add(check_box(&mut given))
                     .accessible_name(format!("Set {label}"))
                     .on_hover_text(format!("Set a value instead of using {words}"));
                 if check.changed() {
@@ -74,18 +76,19 @@ fn alternative_rows(ui: &mut Ui, spec: &Spec, title: &'static str, filled: &mut 
         return;
     };
     let label = ui.label(title);
-    let combo = ComboBox::from_id_salt(title).selected_text(field.label()).width(110.0).show_ui(ui, |ui| {
-        for other in alternatives(spec, title) {
-            let option = ui.selectable_label(other.name == field.name, other.label());
-            if option.on_hover_text(other.description).clicked() && other.name != field.name {
-                let before = filled.remove(field.name);
-                let value =
-                    converted(field, before, other, facts).unwrap_or_else(|| other.initial_value(facts));
-                filled.insert(other.name.to_owned(), value);
-                field = other;
+    let combo =
+        ComboBox::from_id_salt(title).selected_text(field.label()).width(FIELD_WIDTH).show_ui(ui, |ui| {
+            for other in alternatives(spec, title) {
+                let option = ui.selectable_label(other.name == field.name, other.label());
+                if option.on_hover_text(other.description).clicked() && other.name != field.name {
+                    let before = filled.remove(field.name);
+                    let value =
+                        converted(field, before, other, facts).unwrap_or_else(|| other.initial_value(facts));
+                    filled.insert(other.name.to_owned(), value);
+                    field = other;
+                }
             }
-        }
-    });
+        });
     combo.response.labelled_by(label.id).on_hover_text(field.description);
     ui.end_row();
     row(ui, spec, field, filled, facts);
@@ -140,13 +143,13 @@ fn edit(ui: &mut Ui, field: &Field, label: &str, value: &mut Value, facts: &Fact
         FieldKind::Choice(choices) => choice(ui, label, value, choices),
         FieldKind::Flag => {
             let mut on = value.as_bool().unwrap_or_default();
-            if ui.add(Checkbox::without_text(&mut on)).changed() {
+            if ui.add(check_box(&mut on)).changed() {
                 *value = on.into();
             }
         }
         FieldKind::Text => {
             let mut text = value.as_str().unwrap_or_default().to_owned();
-            if ui.add(TextEdit::singleline(&mut text).desired_width(140.0)).changed() {
+            if ui.add(text_field(&mut text).desired_width(FIELD_WIDTH)).changed() {
                 *value = text.into();
             }
         }
@@ -175,9 +178,9 @@ fn number(
     speed: f64,
 ) {
     let mut number = value.as_f64().unwrap_or_default();
-    let mut spin = ui.add(
-        number_box(&mut number).speed(speed).range(range).clamp_existing_to_range(false).max_decimals(6),
-    );
+    let spin =
+        number_box(&mut number).speed(speed).range(range).clamp_existing_to_range(false).max_decimals(6);
+    let mut spin = form_number(ui, spin);
     if let Some(name) = name {
         spin = spin.accessible_name(name);
     }
@@ -188,7 +191,8 @@ fn number(
 
 fn integer(ui: &mut Ui, value: &mut Value, range: std::ops::RangeInclusive<u32>, speed: f64) {
     let mut number = value.as_u64().and_then(|n| u32::try_from(n).ok()).unwrap_or_default();
-    if ui.add(number_box(&mut number).speed(speed).range(range).clamp_existing_to_range(false)).changed() {
+    let spin = number_box(&mut number).speed(speed).range(range).clamp_existing_to_range(false);
+    if form_number(ui, spin).changed() {
         *value = number.into();
     }
 }
@@ -226,7 +230,7 @@ pub fn choice_label(choices: &'static [Choice], name: &str) -> &'static str {
 fn choice(ui: &mut Ui, label: &str, value: &mut Value, choices: &'static [Choice]) {
     let chosen = value.as_str().unwrap_or_default().to_owned();
     let text = choice_label(choices, &chosen);
-    let combo = ComboBox::from_id_salt("choice").selected_text(text).width(140.0).show_ui(ui, |ui| {
+    let combo = ComboBox::from_id_salt("choice").selected_text(text).width(FIELD_WIDTH).show_ui(ui, |ui| {
         for choice in choices {
             if ui.selectable_label(chosen == choice.name, choice.label).clicked() {
                 *value = choice.name.into();
@@ -241,7 +245,7 @@ fn ids(ui: &mut Ui, value: &mut Value) {
     let listed: Vec<String> =
         value.as_array().map_or_else(Vec::new, |ids| ids.iter().map(Value::to_string).collect());
     let mut text = listed.join(" ");
-    if ui.add(TextEdit::singleline(&mut text).hint_text("0 1 2").desired_width(140.0)).changed() {
+    if ui.add(text_field(&mut text).hint_text("0 1 2").desired_width(FIELD_WIDTH)).changed() {
         let ids: Vec<u32> = text.split([' ', ',']).filter_map(|id| id.parse().ok()).collect();
         *value = json!(ids);
     }
@@ -253,7 +257,7 @@ fn shape_rows(ui: &mut Ui, field: &Field, filled: &mut Filled) {
     let label = ui.label(field.label());
     let combo = ComboBox::from_id_salt("shape")
         .selected_text(sentence_case(&name))
-        .width(140.0)
+        .width(FIELD_WIDTH)
         .height(460.0)
         .show_ui(ui, |ui| {
             for other in Shape::names() {
@@ -280,7 +284,7 @@ fn shape_rows(ui: &mut Ui, field: &Field, filled: &mut Filled) {
             let speed = (size.default * 0.01).max(1e-6);
             drag.speed(speed).max_decimals(6)
         };
-        if ui.add(drag).labelled_by(label.id).changed() {
+        if form_number(ui, drag).labelled_by(label.id).changed() {
             let value = if size.whole { json!(value.round() as u64) } else { json!(value) };
             filled.insert(size.name.into(), value);
         }

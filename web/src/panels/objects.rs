@@ -2,10 +2,11 @@
 
 use editor::ops::{ActivateObject, DeleteObject, RenameObject, SetObjectVisible};
 use editor::{Command, Object};
-use egui::{Button, RichText, ScrollArea, TextEdit, Ui, vec2};
+use egui::{Button, RichText, ScrollArea, Ui, vec2};
 
 use crate::page_view::Page;
 use crate::request::Requests;
+use crate::widgets::controls::text_field;
 use crate::widgets::icons::{Icon, icon_button};
 use halfedge::words::thousands;
 
@@ -53,7 +54,7 @@ fn object_row(ui: &mut Ui, at: usize, object: &Object, active: bool, own: &mut R
             && *row == at
         {
             let field = ui
-                .add(TextEdit::singleline(text).desired_width(ui.available_width() - 30.0))
+                .add(text_field(text).desired_width(ui.available_width() - 30.0))
                 .accessible_name("Object name");
             if own.focus {
                 own.focus = false;

@@ -3,7 +3,7 @@
 use std::collections::HashMap;
 
 use editor::{Facts, OpId, Scope};
-use egui::{Button, ComboBox, Grid, RichText, Ui, vec2};
+use egui::{ComboBox, Grid, RichText, Ui, vec2};
 use serde_json::Value;
 
 use crate::input::actions::{self, Action};
@@ -15,6 +15,7 @@ use crate::panels::fields;
 use crate::panels::preview::{self, Previews};
 use crate::request::{Request, Requests};
 use crate::session::form::{self, Filled};
+use crate::widgets::controls::primary_button;
 
 /// The field of remeshing that the keys for the target edge length change.
 pub(crate) const EDGE_LENGTH: &str = "edge_length";
@@ -88,8 +89,8 @@ pub(crate) fn show(ui: &mut Ui, page: &Page<'_>, own: &mut Forms, out: &mut Requ
     Grid::new(("form", chosen.name)).num_columns(2).spacing(vec2(10.0, 6.0)).show(ui, |ui| {
         fields::rows(ui, chosen, &mut filled, &facts, |_| true);
     });
-    preview::row(ui, page, &mut own.previews, id, &filled, filled != before, out);
-    if let Some(estimate) = estimate::show(page, &mut own.tried, id, &filled, &facts) {
+    let preview_is_coming = preview::row(ui, page, &mut own.previews, id, &filled, filled != before, out);
+    if let Some(estimate) = estimate::show(page, &mut own.tried, id, &filled, &facts, preview_is_coming) {
         ui.label(RichText::new(estimate).small().weak());
     }
     apply_button(ui, page, id, &filled, out);
@@ -99,9 +100,7 @@ pub(crate) fn show(ui: &mut Ui, page: &Page<'_>, own: &mut Forms, out: &mut Requ
 fn apply_button(ui: &mut Ui, page: &Page<'_>, id: OpId, filled: &Filled, out: &mut Requests) {
     let (spec, action) = (id.spec(), Action::Operation(id));
     let why_not = page.why_not(action);
-    let primary = ui.visuals().selection;
-    let text = RichText::new(spec.label).color(primary.stroke.color);
-    let button = Button::new(text).fill(primary.bg_fill).min_size(vec2(ui.available_width(), 28.0));
+    let button = primary_button(ui, spec.label).min_size(vec2(ui.available_width(), 28.0));
     let response = ui.vertical_centered_justified(|ui| ui.add_enabled(why_not.is_none(), button)).inner;
     let tooltip = keys::tooltip(ui.ctx(), spec.description, action);
     let reason = why_not.clone().unwrap_or_default();

@@ -1,14 +1,13 @@
 //! The command palette: every action by name, found by typing.
 
-use egui::{
-    Align2, AtomExt as _, Button, Context, Id, Key, Modal, Modifiers, RichText, ScrollArea, TextEdit, vec2,
-};
+use egui::{Align2, AtomExt as _, Button, Context, Id, Key, Modal, Modifiers, RichText, ScrollArea, vec2};
 
 use crate::input::actions::{self, Action, Entry};
 use crate::input::keys;
 use crate::page_view::Page;
 use crate::panels::menu_bar::explain;
 use crate::request::{Request, Requests};
+use crate::widgets::controls::text_field;
 
 /// The state of the palette while it is open.
 #[derive(Default)]
@@ -47,7 +46,7 @@ pub(crate) fn show(ctx: &Context, page: &Page<'_>, own: &mut PaletteState, out: 
                 input.key_pressed(Key::Enter),
             )
         });
-        let field = TextEdit::singleline(&mut own.text).hint_text("Find a command").desired_width(width);
+        let field = text_field(&mut own.text).hint_text("Find a command").desired_width(width);
         let field = ui.add(field).accessible_name("Find a command");
         if std::mem::take(&mut own.fresh) || !field.has_focus() {
             field.request_focus();

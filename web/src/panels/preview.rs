@@ -45,7 +45,8 @@ impl Previews {
 /// Why the check box is greyed where a preview would make the page wait.
 const TOO_LARGE: &str = "With these fields the operation takes too long to show before it is applied.";
 
-/// The preview's check box below a form, and why there is no preview; requests the preview when it is due.
+/// The preview's check box below a form, and why there is no preview; requests the preview when it is due. Returns
+/// whether one is coming, which then tells the size of the result too.
 pub(crate) fn row(
     ui: &mut Ui,
     page: &Page<'_>,
@@ -54,9 +55,9 @@ pub(crate) fn row(
     filled: &Filled,
     changed: bool,
     out: &mut Requests,
-) {
+) -> bool {
     if !id.spec().previewed || page.editor.mesh().is_none() {
-        return;
+        return false;
     }
     own.seen = true;
     own.due |= changed;
@@ -80,8 +81,9 @@ pub(crate) fn row(
     }
     if !own.on {
         own.due = false;
-        return;
+        return false;
     }
+    let is_coming = own.due || is_ending;
     let waits = page.previewing.is_slow && ui.input(|input| input.pointer.any_down());
     // The size of the mesh without the preview can't be counted while there is a preview.
     let counted = page.facts(id).corners.is_some();
@@ -94,9 +96,10 @@ pub(crate) fn row(
         (Some(WhyNot::TooLarge), _) => TOO_LARGE,
         (Some(WhyNot::Refused(reason)), _) => {
             ui.add(Label::new(RichText::new(reason).small().color(ui.visuals().warn_fg_color)).wrap());
-            return;
+            return is_coming;
         }
         (None, None) => "Change a field to preview it.",
     };
     ui.add(Label::new(RichText::new(words).small().weak()).wrap());
+    is_coming
 }

@@ -12,6 +12,7 @@ use crate::page_view::Page;
 use crate::platform::Platform;
 use crate::request::{Request, Requests};
 use crate::theme;
+use crate::widgets::controls::{primary_button, text_field};
 
 /// The key of the setting with the last saved format's code.
 pub(crate) const FORMAT_SETTING: &str = "format";
@@ -145,9 +146,7 @@ fn form(ui: &mut Ui, page: &Page<'_>, own: &mut Saving, narrow: bool) -> bool {
     ui.add_space(8.0);
     let ready = stem(&own.name, own.format).is_some();
     ui.horizontal(|ui| {
-        let primary = ui.visuals().selection;
-        let text = RichText::new("Save").color(primary.stroke.color);
-        let button = Button::new(text).fill(primary.bg_fill).min_size(vec2(96.0, 28.0));
+        let button = primary_button(ui, "Save").min_size(vec2(96.0, 28.0));
         let button = ui.add_enabled(ready, button);
         let hint = "Save to this browser's downloads (Enter)";
         save |= button.on_hover_text(hint).on_disabled_hover_text("Enter a file name first.").clicked();
@@ -164,7 +163,7 @@ fn name_field(ui: &mut Ui, page: &Page<'_>, own: &mut Saving, narrow: bool, labe
     let extension = own.format.extension();
     ui.horizontal(|ui| {
         let width = ui.available_width() - 48.0;
-        let field = TextEdit::singleline(&mut own.name).desired_width(width.max(80.0));
+        let field = text_field(&mut own.name).desired_width(width.max(80.0));
         let field = ui.add(field).labelled_by(label);
         if field.changed() {
             own.follow_extension(page);

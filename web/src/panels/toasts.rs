@@ -56,7 +56,9 @@ fn toast_frame(ui: &mut Ui, page: &Page<'_>, slot: Slot, toast: &Toast, width: f
                     node.set_role(Role::Alert);
                     node.set_label(toast.text.as_str());
                 });
-                ui.horizontal_wrapped(|ui| links(ui, page, slot, toast, out));
+                if has_links(page, slot, toast) {
+                    ui.horizontal_wrapped(|ui| links(ui, page, slot, toast, out));
+                }
                 if toast.open {
                     let most = page.view.rect.height() * MAX_SHARE_OF_HEIGHT;
                     egui::ScrollArea::vertical().max_height(most).show(ui, |ui| {
@@ -73,6 +75,11 @@ fn toast_frame(ui: &mut Ui, page: &Page<'_>, slot: Slot, toast: &Toast, width: f
     });
     let rect = shown.response.rect.shrink2(vec2(0.0, 5.0));
     ui.painter().vline(rect.left() + 6.0, rect.y_range(), Stroke::new(3.0, color));
+}
+
+fn has_links(page: &Page<'_>, slot: Slot, toast: &Toast) -> bool {
+    let has_earlier = slot == Slot::Error && page.toasts.earlier_errors() > 0;
+    toast.remedy.is_some() || !toast.details.is_empty() || has_earlier
 }
 
 /// What can be done about a toast, its details, and the errors before it.

@@ -1,11 +1,12 @@
 //! A colour button whose picker has named, typable controls like any other.
 
-use egui::ecolor::Hsva;
 use egui::{
-    Color32, Popup, PopupCloseBehavior, Response, Role, Sense, Slider, Stroke, StrokeKind, TextEdit, Ui,
-    Visuals, WidgetInfo, vec2,
+    Color32, Popup, PopupCloseBehavior, Response, Role, Sense, Slider, Stroke, StrokeKind, Ui, Visuals,
+    WidgetInfo, vec2,
 };
 use halfedge::Color;
+
+use super::controls::text_field;
 
 /// Initial colours: the grey of unpainted faces, then around the colour wheel.
 const SWATCHES: [[u8; 3]; 12] = [
@@ -72,19 +73,16 @@ fn swatches(ui: &mut Ui, rgb: &mut [u8; 3]) {
 fn sliders(ui: &mut Ui, rgb: &mut [u8; 3]) {
     // Grey has no hue, and black no saturation: the sliders' last values are kept beside the colour.
     let kept = ui.scope_id().with("hue");
-    let mut hsva = ui
+    let mut hsv = ui
         .data(|data| data.get_temp::<[f32; 3]>(kept))
-        .map(|[h, s, v]| Hsva::new(h, s, v, 1.0))
-        .filter(|hsva| hsva.to_srgb() == *rgb)
-        .unwrap_or_else(|| Hsva::from_srgb(*rgb));
+        .filter(|hsv| rgb_of(*hsv) == *rgb)
+        .unwrap_or_else(|| hsv_of(*rgb));
     let mut changed = false;
     ui.spacing_mut().slider_width = 110.0;
     egui::Grid::new("sliders").num_columns(2).show(ui, |ui| {
-        for (name, value, most) in [
-            ("Hue", &mut hsva.h, 360.0),
-            ("Saturation", &mut hsva.s, 100.0),
-            ("Brightness", &mut hsva.v, 100.0),
-        ] {
+        for ((name, most), value) in
+            [("Hue", 360.0), ("Saturation", 100.0), ("Brightness", 100.0)].into_iter().zip(&mut hsv)
+        {
             let label = ui.label(name);
             // Rounded before the slider rounds it; otherwise showing a colour would change it.
             let mut shown = (*value * most).round();
@@ -97,9 +95,38 @@ fn sliders(ui: &mut Ui, rgb: &mut [u8; 3]) {
         }
     });
     if changed {
-        *rgb = hsva.to_srgb();
+        *rgb = rgb_of(hsv);
     }
-    ui.data_mut(|data| data.insert_temp(kept, [hsva.h, hsva.s, hsva.v]));
+    ui.data_mut(|data| data.insert_temp(kept, hsv));
+}
+
+/// Hue, saturation and brightness of an sRGB colour, from 0 to 1 each; of the sRGB values, as in other colour pickers,
+/// not of the light that they stand for.
+fn hsv_of(rgb: [u8; 3]) -> [f32; 3] {
+    let [r, g, b] = rgb.map(|channel| f32::from(channel) / 255.0);
+    let (most, least) = (r.max(g).max(b), r.min(g).min(b));
+    let chroma = most - least;
+    if chroma == 0.0 {
+        return [0.0, 0.0, most];
+    }
+    let sixths = if most == r {
+        (g - b) / chroma
+    } else if most == g {
+        2.0 + (b - r) / chroma
+    } else {
+        4.0 + (r - g) / chroma
+    };
+    [(sixths / 6.0).rem_euclid(1.0), chroma / most, most]
+}
+
+/// The sRGB colour of a hue, a saturation and a brightness.
+fn rgb_of([hue, saturation, brightness]: [f32; 3]) -> [u8; 3] {
+    let channel = |offset: f32| {
+        let along = (offset + hue * 6.0).rem_euclid(6.0);
+        let less = saturation * along.min(4.0 - along).clamp(0.0, 1.0);
+        (brightness * (1.0 - less) * 255.0).round() as u8
+    };
+    [channel(5.0), channel(3.0), channel(1.0)]
 }
 
 fn hex(ui: &mut Ui, rgb: &mut [u8; 3]) {
@@ -107,7 +134,7 @@ fn hex(ui: &mut Ui, rgb: &mut [u8; 3]) {
     ui.horizontal(|ui| {
         let label = ui.label("Hex");
         let mut text = ui.data(|data| data.get_temp::<String>(typed)).unwrap_or_else(|| Color(*rgb).to_hex());
-        let field = ui.add(TextEdit::singleline(&mut text).desired_width(90.0)).labelled_by(label.id);
+        let field = ui.add(text_field(&mut text).desired_width(90.0)).labelled_by(label.id);
         if field.has_focus() {
             ui.data_mut(|data| data.insert_temp(typed, text));
         } else {
@@ -124,4 +151,25 @@ fn hex(ui: &mut Ui, rgb: &mut [u8; 3]) {
 
 fn color32([r, g, b]: [u8; 3]) -> Color32 {
     Color32::from_rgb(r, g, b)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn brightness_is_that_of_the_srgb_values() {
+        assert_eq!(hsv_of([0xc8; 3]).map(|value| (value * 100.0).round()), [0.0, 0.0, 78.0]);
+        assert_eq!(hsv_of([255, 0, 0]), [0.0, 1.0, 1.0]);
+        assert_eq!(hsv_of([0, 128, 128]).map(|value| (value * 360.0).round()), [180.0, 360.0, 181.0]);
+        assert_eq!(hsv_of([0, 0, 0]), [0.0, 0.0, 0.0]);
+    }
+
+    #[test]
+    fn every_colour_comes_back() {
+        for value in 0..1_u32 << 15 {
+            let rgb = [value >> 10, value >> 5 & 31, value & 31].map(|channel| (channel * 255 / 31) as u8);
+            assert_eq!(rgb_of(hsv_of(rgb)), rgb);
+        }
+    }
 }

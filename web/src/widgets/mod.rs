@@ -1,5 +1,6 @@
 //! Controls that egui lacks.
 
 pub(crate) mod color_button;
+pub(crate) mod controls;
 pub(crate) mod icons;
 pub(crate) mod number_box;

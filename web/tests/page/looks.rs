@@ -309,3 +309,42 @@ fn selecting_and_x_ray() {
     page.press_with(egui::Modifiers::SHIFT, egui::Key::C);
     picture(&mut page, "circle telephone");
 }
+
+#[test]
+fn the_chosen_patch_of_a_surface_is_marked() {
+    let patch = |x: usize| -> String {
+        (0..16).map(|i| format!("{} {} {}\n", 3 * x + i % 4, i / 4, (i % 4 * (i / 4)) % 3)).collect()
+    };
+    for (theme, name) in [(Theme::Dark, "patches dark"), (Theme::Light, "patches light")] {
+        let mut page = Page::drawn(DESKTOP, theme);
+        page.open("two.bez", &format!("2\n{}{}", patch(0), patch(1)));
+        page.type_into("Patch", "1");
+        let picture = picture(&mut page, name);
+        // Between two control points of each net, where nothing else is drawn.
+        let mut net = |x: f32| {
+            let at = page.at([x, 0.0, 0.0]);
+            picture.get_pixel(at.x.round() as u32, at.y.round() as u32).0
+        };
+        let (other, chosen) = (net(1.5), net(4.5));
+        assert!(chosen[0] > 200 && chosen[2] < 120, "{name}: {chosen:?} is the selection's orange");
+        assert!(other[2] > other[0], "{name}: {other:?} is not");
+    }
+}
+
+#[test]
+fn forms_line_up() {
+    let mut page = Page::drawn(DESKTOP, Theme::Light);
+    for operation in ["Remesh", "Repair import", "Transform"] {
+        page.choose(operation);
+        picture(&mut page, &format!("form of {operation}"));
+    }
+    page.choose("Remesh");
+    use egui::accesskit::Role;
+    let left = |page: &Page, role, label| page.harness.get_by_role_and_label(role, label).rect().left();
+    let number = page.harness.get_by_role_and_label(Role::SpinButton, "Iterations").rect();
+    let angle = page.harness.get_by_role_and_label(Role::SpinButton, "Feature angle").rect();
+    assert_eq!((number.left(), number.width()), (angle.left(), angle.width()));
+    for label in ["Stay on surface", "Set Edge length"] {
+        assert_eq!(left(&page, Role::CheckBox, label), number.left(), "{label}");
+    }
+}

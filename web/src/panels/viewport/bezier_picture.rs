@@ -101,7 +101,10 @@ pub(super) fn paint(ui: &Ui, rect: Rect, editor: &Editor, view: &View, player: &
     let Some((_, bezier)) = own else { return };
     match bezier {
         Bezier::Curve(curve) => pen.paint_curve(curve, strong, weak),
-        Bezier::Surface(patches) => pen.paint_surface(patches, weak),
+        Bezier::Surface(patches) => {
+            let marked = if patches.len() > 1 { pen.marked(ui) } else { ui.visuals().hyperlink_color };
+            pen.paint_surface(patches, marked, ui.visuals().hyperlink_color);
+        }
     }
     pen.paint_points(ui, bezier);
 }
@@ -125,13 +128,22 @@ impl Pen<'_> {
         }
     }
 
-    fn paint_surface(&self, patches: &[Patch], weak: Color32) {
+    /// The colour of what is chosen.
+    fn marked(&self, ui: &Ui) -> Color32 {
+        let [r, g, b] = theme::viewport(ui.visuals()).selected.0;
+        Color32::from_rgb(r, g, b)
+    }
+
+    /// The control nets, that of the chosen patch over the others in `marked`, and the construction.
+    fn paint_surface(&self, patches: &[Patch], marked: Color32, plain: Color32) {
         let player = self.player;
-        for (at, patch) in player.nets(patches) {
+        let mut nets: Vec<(usize, &Patch)> = player.nets(patches).collect();
+        nets.sort_by_key(|(at, _)| *at == player.controls.patch);
+        for (at, patch) in nets {
             let stroke = if at == player.controls.patch {
-                Stroke::new(1.5, weak)
+                Stroke::new(2.0, marked)
             } else {
-                Stroke::new(0.75, weak.gamma_multiply(0.6))
+                Stroke::new(1.0, plain.gamma_multiply(0.7))
             };
             let [first, second, third, fourth] = patch.rows;
             for (((a, b), c), d) in first.into_iter().zip(second).zip(third).zip(fourth) {
@@ -161,8 +173,7 @@ impl Pen<'_> {
 
     fn paint_points(&self, ui: &Ui, bezier: &Bezier) {
         let player = self.player;
-        let [r, g, b] = theme::viewport(ui.visuals()).selected.0;
-        let selected = Color32::from_rgb(r, g, b);
+        let selected = self.marked(ui);
         let points = player.points(bezier);
         let crowded = points.len() > MAX_LARGE_POINTS;
         let large = points.len() <= MAX_LARGE_CURVE_POINTS;
