@@ -12,6 +12,8 @@ pub(crate) struct Shown {
     pub left: bool,
     pub right: bool,
     pub overlay: bool,
+    /// Whether the ids of the elements around the pointer are shown.
+    pub numbers: bool,
     pub shortcuts: bool,
     pub messages: bool,
     pub about: bool,
@@ -27,6 +29,7 @@ impl Default for Shown {
             left: true,
             right: true,
             overlay: false,
+            numbers: false,
             shortcuts: false,
             messages: false,
             about: false,

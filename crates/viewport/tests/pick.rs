@@ -248,3 +248,34 @@ fn a_pixel_on_a_model_always_means_an_element() {
     assert_eq!(face, nearest(middle, Element::Face), "that of the face under the pointer");
     assert_eq!(nearest(vec2(1.0, 1.0), Element::Vertex), None, "beside the model there is nothing");
 }
+
+#[test]
+fn elements_near_a_place_are_the_visible_ones_nearest_first() {
+    let ball = sphere(24, 16);
+    let tree = FaceTree::new(&ball);
+    let size = glam::vec2(400.0, 300.0);
+    for (yaw, orthographic) in [(0.0, false), (1.0, true)] {
+        let camera = Camera { yaw, pitch: 0.2, distance: 3.0, orthographic, ..Camera::default() };
+        let middle = size * 0.5;
+        let near = viewport::elements_near((&ball, &tree), &camera, size, middle, 80.0, 1000);
+        for pair in near.windows(2) {
+            assert!(pair[0].pixel.distance(middle) <= pair[1].pixel.distance(middle));
+        }
+        // Exactly those vertices within reach that a click would take.
+        let mut found: Vec<u32> = near.iter().filter(|n| n.kind == Element::Vertex).map(|n| n.id).collect();
+        found.sort_unstable();
+        let towards = camera.eye().as_vec3();
+        let expected: Vec<u32> = ball
+            .vertices()
+            .filter(|v| camera.project(ball.position(*v), size).is_some_and(|p| p.distance(middle) <= 80.0))
+            .filter(|v| ball.position(*v).dot(towards) > 0.0)
+            .map(|v| v.raw())
+            .collect();
+        assert_eq!(found, expected);
+        assert!(near.iter().any(|n| n.kind == Element::Edge) && near.iter().any(|n| n.kind == Element::Face));
+        let few = viewport::elements_near((&ball, &tree), &camera, size, middle, 80.0, 7);
+        assert_eq!(few[..], near[..7]);
+        let beside = viewport::elements_near((&ball, &tree), &camera, size, glam::vec2(2.0, 2.0), 80.0, 9);
+        assert!(beside.is_empty());
+    }
+}

@@ -85,10 +85,13 @@ impl App {
             Action::Orthographic => self.view.camera.orthographic ^= true,
             Action::Wireframe => self.view.style.wireframe ^= true,
             Action::XRay => self.view.style.x_ray ^= true,
-            Action::Smooth | Action::AutoSmooth => {
-                let on = if action == Action::Smooth { Shading::Smooth } else { Shading::default() };
-                self.view.style.shading =
-                    if self.page().is_on(action) == Some(true) { Shading::Flat } else { on };
+            Action::Smooth | Action::AutoSmooth(_) => {
+                let is_on = self.page().is_on(action) == Some(true);
+                self.view.style.shading = match action {
+                    _ if is_on => Shading::Flat,
+                    Action::AutoSmooth(degrees) => Shading::Auto(degrees.into()),
+                    _ => Shading::Smooth,
+                };
             }
             Action::ColorBy(by) => self.view.style.color_by = by,
             Action::Look(look) => self.view.style.look = look,
@@ -98,6 +101,7 @@ impl App {
             Action::Dots => self.view.style.vertices ^= true,
             Action::Grid => self.view.style.grid ^= true,
             Action::Overlay => self.shown.overlay ^= true,
+            Action::Numbers => self.shown.numbers ^= true,
             Action::LeftPanel => self.shown.left ^= true,
             Action::RightPanel => self.shown.right ^= true,
             Action::SystemTheme => self.set_theme(ThemePreference::System),

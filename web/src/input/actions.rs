@@ -74,8 +74,8 @@ pub enum Action {
     XRay,
     /// Switches between smooth and flat shading.
     Smooth,
-    /// Switches between flat shading and smooth shading with hard edges.
-    AutoSmooth,
+    /// Switches between flat shading and smooth shading with edges that are hard above this angle, in degrees.
+    AutoSmooth(u8),
     /// Chooses what gives faces their colours.
     ColorBy(ColorBy),
     /// Chooses how faces are shaded.
@@ -92,6 +92,8 @@ pub enum Action {
     Shadow,
     /// Switches the info overlay in the viewport.
     Overlay,
+    /// Switches the ids of the elements around the pointer.
+    Numbers,
     /// Shows or hides the list on the left.
     LeftPanel,
     /// Shows or hides the inspector on the right.

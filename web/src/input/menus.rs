@@ -24,6 +24,7 @@ pub fn submenu(action: Action) -> Option<&'static str> {
         A::Show(_) => Some("Show"),
         A::Expand(_) => Some("Expand to"),
         A::Look(_) => Some("Look"),
+        A::AutoSmooth(_) => Some("Auto smooth"),
         A::ColorBy(_) => Some("Colour by"),
         A::Mark(_) => Some("Marks"),
         A::SystemTheme | A::LightTheme | A::DarkTheme => Some("Theme"),

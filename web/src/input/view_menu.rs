@@ -42,14 +42,11 @@ pub(super) static ENTRIES: &[Option<Entry>] = &[
         "Smooth shading",
         "Shade with normals averaged at vertices instead of one per face.",
     )),
-    Some(
-        entry(
-            A::AutoSmooth,
-            "Auto smooth",
-            "Shade smoothly, but keep edges hard where faces meet at more than 30°.",
-        )
-        .synonyms(&["shade smooth by angle", "soften edges", "hard edges"]),
-    ),
+    auto_smooth(15, "Auto smooth at 15°"),
+    auto_smooth(30, "Auto smooth at 30°"),
+    auto_smooth(45, "Auto smooth at 45°"),
+    auto_smooth(60, "Auto smooth at 60°"),
+    auto_smooth(80, "Auto smooth at 80°"),
     Some(
         entry(
             A::ColorBy(ColorBy::Paint),
@@ -226,6 +223,14 @@ pub(super) static ENTRIES: &[Option<Entry>] = &[
         "Info overlay",
         "Show the selection and the element under the pointer in the viewport.",
     )),
+    Some(
+        entry(
+            A::Numbers,
+            "Element numbers",
+            "Show the ids of the vertices (v), edges (e) and faces (f) around the pointer.",
+        )
+        .synonyms(&["indices", "ids"]),
+    ),
     None,
     Some(entry(A::LeftPanel, "Element lists", "Show or hide the lists.")),
     Some(entry(A::RightPanel, "Inspector", "Show or hide the inspector and the operations.")),
@@ -234,3 +239,9 @@ pub(super) static ENTRIES: &[Option<Entry>] = &[
     Some(entry(A::LightTheme, "Light theme", "Use dark text on a light page.")),
     Some(entry(A::DarkTheme, "Dark theme", "Use light text on a dark page.")),
 ];
+
+const fn auto_smooth(degrees: u8, label: &'static str) -> Option<Entry> {
+    let description = "Shade smoothly, but keep edges hard where faces meet at more than this angle.";
+    let entry = entry(A::AutoSmooth(degrees), label, description);
+    Some(entry.synonyms(&["shade smooth by angle", "soften edges", "hard edges"]))
+}

@@ -198,6 +198,31 @@ fn marks_are_counted_in_the_legend_and_follow_edits() {
 }
 
 #[test]
+fn numbers_are_shown_around_the_pointer() {
+    for (theme, name) in [(Theme::Dark, "dark"), (Theme::Light, "light")] {
+        let mut page = Page::drawn(DESKTOP, theme);
+        page.command(json!({ "op": "new", "shape": "ico-sphere" }));
+        let at = page.at([0.0, 0.0, 1.0]);
+        page.harness.hover_at(at);
+        page.run();
+        let without = picture(&mut page, &format!("no numbers {name}"));
+        page.click("View");
+        page.click("Element numbers");
+        page.harness.hover_at(at);
+        page.run();
+        let with = picture(&mut page, &format!("numbers {name}"));
+        let changed: Vec<(f32, f32)> = with
+            .enumerate_pixels()
+            .filter(|(x, y, pixel)| without.get_pixel(*x, *y) != *pixel)
+            .map(|(x, y, _)| (x as f32, y as f32))
+            .collect();
+        assert!(changed.len() > 2000, "{name}: {} pixels of numbers", changed.len());
+        let far = changed.iter().filter(|(x, y)| (egui::pos2(*x, *y) - at).length() > 200.0).count();
+        assert_eq!(far, 0, "{name}: numbers only around the pointer");
+    }
+}
+
+#[test]
 fn every_look_from_the_view_menu_differs() {
     let looks = [
         "Studio lights",

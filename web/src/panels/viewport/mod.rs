@@ -4,6 +4,7 @@ mod bezier_picture;
 pub(crate) mod control_points;
 mod gesture;
 mod legend;
+mod numbers;
 mod overlay;
 mod regions;
 
@@ -63,6 +64,9 @@ impl Viewport<'_> {
         picture::paint(ui, rect, &self.session.editor, self.view);
         bezier_picture::paint(ui, rect, &self.session.editor, self.view, self.player);
         regions::show(ui, rect, &self.page());
+        if self.shown.numbers {
+            self.numbers(ui, rect);
+        }
         legend::paint(ui, rect, &self.page());
         overlay::paint(ui, rect, &self.page());
     }

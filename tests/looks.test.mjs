@@ -1,0 +1,77 @@
+// Looks, colours and marks in the viewport, in both renderers.
+
+import assert from "node:assert/strict";
+
+import { SMALL, editorTest } from "./harness.mjs";
+
+/** Runs a command of the palette. */
+async function choose(editor, name) {
+  await editor.press("Control+k");
+  await editor.frames(3);
+  await editor.page.keyboard.type(name);
+  await editor.frames(3);
+  await editor.press("Enter");
+  await editor.frames(4);
+}
+
+/** The viewport without its rim, where the axes and the legend are. */
+async function middle(editor) {
+  const [x, y, width, height] = (await editor.state()).view.rect;
+  return [x + width * 0.3, y + height * 0.25, width * 0.4, height * 0.5].map(Math.round);
+}
+
+const LOOKS = [
+  ["Light at the camera", "course"],
+  ["Clay", "clay"],
+  ["Pearl", "pearl"],
+  ["Metal", "metal"],
+  ["Red wax", "red-wax"],
+  ["Zebra stripes", "zebra"],
+  ["Colours without light", "flat"],
+  ["Hidden line", "hidden-line"],
+  ["Normals as colours", "normals"],
+  ["Face orientation", "orientation"],
+  ["Studio lights", "studio"],
+];
+
+editorTest("each look draws the model in its own way", { sizes: [SMALL] }, async (editor) => {
+  await editor.run({ op: "new", shape: "torus" });
+  await editor.press("w");
+  await editor.page.mouse.move(5, 5);
+  const rect = await middle(editor);
+  const seen = [];
+  for (const [name, look] of LOOKS) {
+    await choose(editor, name);
+    assert.equal((await editor.state()).view.look, look);
+    const picture = await editor.screenshot(`look ${look}`);
+    for (const [other, before] of seen) {
+      assert.ok(picture.difference(before, rect) > 200, `${look} differs from ${other}`);
+    }
+    seen.push([look, picture]);
+  }
+});
+
+editorTest("vertex colours, measures and marks are drawn", { sizes: [SMALL] }, async (editor) => {
+  const square = "v -1 0 0 1 0 0\nv 1 0 0 0 0 1\nv 1 2 0 0 0 1\nv -1 2 0 1 0 0\nf 1 2 3 4\n";
+  await editor.open(["square.obj", square]);
+  await editor.press("Alt+1");
+  await editor.page.mouse.move(5, 5);
+  await editor.frames(4);
+  const colour = async (point, name) => {
+    const [x, y] = await editor.project(point);
+    return (await editor.screenshot(name)).at(Math.round(x), Math.round(y));
+  };
+  const left = await colour([-0.8, 1.2, 0], "vertex colours");
+  const right = await colour([0.8, 1.2, 0]);
+  assert.ok(left[0] > left[2] + 60 && right[2] > right[0] + 60, `red and blue: ${left}, ${right}`);
+
+  await choose(editor, "Valence");
+  assert.equal((await editor.state()).view.color_by, "valence");
+  const [r, g, b] = await colour([0, 1.2, 0], "valence");
+  assert.ok(b > r + 40, `two edges at each vertex are few: ${r} ${g} ${b}`);
+
+  await choose(editor, "Boundary edges");
+  assert.deepEqual((await editor.state()).view.marks, ["boundary"]);
+  const marked = await editor.screenshot("boundary");
+  assert.ok(marked.count(([r, g, b]) => g > 120 && r < 60 && b < 120, await middle(editor)) > 20, "a green edge");
+});
