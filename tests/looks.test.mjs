@@ -53,7 +53,7 @@ editorTest("each look draws the model in its own way", { sizes: [SMALL] }, async
 
 editorTest("vertex colours, measures and marks are drawn", { sizes: [SMALL] }, async (editor) => {
   const square = "v -1 0 0 1 0 0\nv 1 0 0 0 0 1\nv 1 2 0 0 0 1\nv -1 2 0 1 0 0\nf 1 2 3 4\n";
-  await editor.open(["square.obj", square]);
+  await editor.open("square.obj", square);
   await editor.press("Alt+1");
   await editor.page.mouse.move(5, 5);
   await editor.frames(4);

@@ -30,7 +30,7 @@ pub use corner_normals::Shading;
 pub use gpu::{Frame, Highlight, Layer, ObjectChange, ObjectDraw, Renderer};
 pub use marks::{Mark, Marks};
 pub use matcap::Matcap;
-pub use nearby::{Nearby, elements_near};
+pub use nearby::{Around, Nearby, elements_near};
 pub use pick::{Aim, Picked, pick, pick_nearest};
 pub use ramp::Ramp;
 pub use region::{Region, ScreenRect};

@@ -10,8 +10,6 @@ use surface::measure::face_center;
 
 /// The search ends after so many faces.
 const MAX_FACES: usize = 400;
-/// So many of the nearest elements are tested for faces that hide them.
-const MAX_TESTED: usize = 150;
 
 /// An element near a place on the screen.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -24,16 +22,28 @@ pub struct Nearby {
     pub pixel: Vec2,
 }
 
-/// The vertices, edges and faces within `radius` pixels of a place that nothing hides, nearest first, at most `limit`.
-/// The search spreads from the face at the place over neighbouring faces, so what it costs doesn't depend on the mesh.
+/// Which elements around a place are wanted.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Around {
+    /// The place, in pixels.
+    pub pixel: Vec2,
+    /// How far from it, in pixels.
+    pub radius: f32,
+    /// Elements less than this far apart in x and in y count once: the one nearest to the place.
+    pub gap: Vec2,
+    /// The most elements.
+    pub limit: usize,
+}
+
+/// The vertices, edges and faces around a place that nothing hides, nearest first. The search spreads from the face at
+/// the place over neighbouring faces, so what it costs doesn't depend on the mesh.
 pub fn elements_near(
     (mesh, tree): (&Mesh, &FaceTree),
     camera: &Camera,
     viewport: Vec2,
-    pixel: Vec2,
-    radius: f32,
-    limit: usize,
+    around: Around,
 ) -> Vec<Nearby> {
+    let Around { pixel, radius, gap, limit } = around;
     let Some(hit) = tree.hit(mesh, camera.ray(pixel, viewport)) else { return Vec::new() };
     let sight = Sight::new(mesh, tree, camera, viewport);
     let mut found: Vec<(f32, Nearby, Vec3)> = Vec::new();
@@ -66,12 +76,14 @@ pub fn elements_near(
         }
     }
     found.sort_by(|a, b| a.0.total_cmp(&b.0));
-    let tested = found.into_iter().take(MAX_TESTED);
-    tested
-        .filter(|(_, near, point)| is_seen(&sight, *near, *point))
-        .map(|(_, near, _)| near)
-        .take(limit)
-        .collect()
+    let mut kept: Vec<Nearby> = Vec::new();
+    for (_, near, point) in found {
+        let is_free = |other: &Nearby| (other.pixel - near.pixel).abs().cmpge(gap).any();
+        if kept.len() < limit && kept.iter().all(is_free) && is_seen(&sight, near, point) {
+            kept.push(near);
+        }
+    }
+    kept
 }
 
 fn is_seen(sight: &Sight<'_>, near: Nearby, point: Vec3) -> bool {

@@ -257,7 +257,9 @@ fn elements_near_a_place_are_the_visible_ones_nearest_first() {
     for (yaw, orthographic) in [(0.0, false), (1.0, true)] {
         let camera = Camera { yaw, pitch: 0.2, distance: 3.0, orthographic, ..Camera::default() };
         let middle = size * 0.5;
-        let near = viewport::elements_near((&ball, &tree), &camera, size, middle, 80.0, 1000);
+        let all = viewport::Around { pixel: middle, radius: 80.0, gap: glam::Vec2::ZERO, limit: 1000 };
+        let elements = |around| viewport::elements_near((&ball, &tree), &camera, size, around);
+        let near = elements(all);
         for pair in near.windows(2) {
             assert!(pair[0].pixel.distance(middle) <= pair[1].pixel.distance(middle));
         }
@@ -273,9 +275,14 @@ fn elements_near_a_place_are_the_visible_ones_nearest_first() {
             .collect();
         assert_eq!(found, expected);
         assert!(near.iter().any(|n| n.kind == Element::Edge) && near.iter().any(|n| n.kind == Element::Face));
-        let few = viewport::elements_near((&ball, &tree), &camera, size, middle, 80.0, 7);
-        assert_eq!(few[..], near[..7]);
-        let beside = viewport::elements_near((&ball, &tree), &camera, size, glam::vec2(2.0, 2.0), 80.0, 9);
+        assert_eq!(elements(viewport::Around { limit: 7, ..all })[..], near[..7]);
+        let gap = glam::vec2(30.0, 12.0);
+        let apart = elements(viewport::Around { gap, ..all });
+        assert!(apart.len() > 10 && apart.len() < near.len(), "{} of {}", apart.len(), near.len());
+        for (i, a) in apart.iter().enumerate() {
+            assert!(apart[..i].iter().all(|b| (a.pixel - b.pixel).abs().cmpge(gap).any()));
+        }
+        let beside = elements(viewport::Around { pixel: glam::vec2(2.0, 2.0), ..all });
         assert!(beside.is_empty());
     }
 }

@@ -2,7 +2,7 @@
 
 use egui::{Align2, Color32, FontId, Rect, Ui, vec2};
 use halfedge::Element;
-use viewport::elements_near;
+use viewport::{Around, elements_near};
 
 use super::Viewport;
 use crate::theme;
@@ -11,6 +11,8 @@ use crate::theme;
 const REACH: f32 = 130.0;
 /// The most numbers at once.
 const MAX_NUMBERS: usize = 60;
+/// Room for a short number.
+const GAP: glam::Vec2 = glam::Vec2::new(26.0, 14.0);
 
 impl Viewport<'_> {
     /// Draws the ids of the vertices, edges and faces around the pointer, as far as there is room for them.
@@ -24,7 +26,8 @@ impl Viewport<'_> {
         }
         let (camera, local, size) = (self.view.camera, self.view.local(at), self.view.size());
         let tree = self.view.tree(object);
-        let near = elements_near((object.mesh(), tree), &camera, size, local, REACH, MAX_NUMBERS);
+        let around = Around { pixel: local, radius: REACH, gap: GAP, limit: MAX_NUMBERS };
+        let near = elements_near((object.mesh(), tree), &camera, size, around);
         let painter = ui.painter().with_clip_rect(rect);
         let plate = theme::palette(ui.visuals()).overlay;
         let font = FontId::monospace(11.0);
