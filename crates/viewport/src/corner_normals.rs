@@ -41,8 +41,17 @@ pub(crate) enum WholeNormals {
     Flat,
     /// The packed normals of the vertices.
     Smooth(Vec<[i16; 4]>),
-    /// The area vectors of the faces, and when an edge is hard.
-    Auto(Vec<DVec3>, Hardness),
+    /// The area vectors of the faces, what is known of the vertices, and when an edge is hard.
+    Auto(Vec<DVec3>, Vec<AtVertex>, Hardness),
+}
+
+/// What the corners around a vertex have in common.
+#[derive(Clone, Copy, Debug)]
+pub(crate) enum AtVertex {
+    Unknown,
+    /// Without a hard edge all have one packed normal.
+    Smooth([i16; 4]),
+    HasHardEdge,
 }
 
 impl WholeNormals {
@@ -53,19 +62,28 @@ impl WholeNormals {
             Shading::Smooth => Self::Smooth(normals::vertex_normals(mesh).into_iter().map(pack).collect()),
             Shading::Auto(degrees) => {
                 let area = |f| mesh.face(f).map_or(DVec3::ZERO, |face| face_area_vector(mesh, face));
-                Self::Auto((0..mesh.face_capacity() as u32).map(area).collect(), Hardness::new(degrees))
+                let areas = (0..mesh.face_capacity() as u32).map(area).collect();
+                Self::Auto(areas, vec![AtVertex::Unknown; mesh.vertex_capacity()], Hardness::new(degrees))
             }
         }
     }
 
     /// The packed normal of the corner at the start of a half-edge; zero where it has none of its own.
-    pub fn at(&self, mesh: &Mesh, corner: HalfedgeId) -> [i16; 4] {
+    pub fn at(&mut self, mesh: &Mesh, corner: HalfedgeId) -> [i16; 4] {
         match self {
             Self::Flat => [0; 4],
             Self::Smooth(packed) => packed.get(mesh.from(corner).index()).copied().unwrap_or_default(),
-            Self::Auto(areas, hardness) => {
+            Self::Auto(areas, vertices, hardness) => {
                 let area = |f: FaceId| areas.get(f.index()).copied().unwrap_or_default();
-                pack(hardness.normal(mesh, corner, area))
+                let v = mesh.from(corner);
+                let Some(known) = vertices.get_mut(v.index()) else { return [0; 4] };
+                if let AtVertex::Unknown = known {
+                    *known = hardness.at_vertex(mesh, v, area);
+                }
+                match *known {
+                    AtVertex::Smooth(packed) => packed,
+                    _ => pack(hardness.normal(mesh, corner, area)),
+                }
             }
         }
     }
@@ -74,7 +92,7 @@ impl WholeNormals {
 /// The normals of corners around an edit, computed when they are asked for.
 pub(crate) struct LocalNormals {
     shading: Shading,
-    vertices: HashMap<VertexId, [i16; 4]>,
+    vertices: HashMap<VertexId, AtVertex>,
     areas: HashMap<FaceId, DVec3>,
 }
 
@@ -89,11 +107,19 @@ impl LocalNormals {
             Shading::Flat => [0; 4],
             Shading::Smooth => {
                 let v = mesh.from(corner);
-                *self.vertices.entry(v).or_insert_with(|| pack(normals::vertex_normal(mesh, v)))
+                let smooth = || AtVertex::Smooth(pack(normals::vertex_normal(mesh, v)));
+                match *self.vertices.entry(v).or_insert_with(smooth) {
+                    AtVertex::Smooth(packed) => packed,
+                    _ => [0; 4],
+                }
             }
             Shading::Auto(degrees) => {
-                let area = |f| *self.areas.entry(f).or_insert_with(|| face_area_vector(mesh, f));
-                pack(Hardness::new(degrees).normal(mesh, corner, area))
+                let (v, hardness) = (mesh.from(corner), Hardness::new(degrees));
+                let mut area = |f| *self.areas.entry(f).or_insert_with(|| face_area_vector(mesh, f));
+                match *self.vertices.entry(v).or_insert_with(|| hardness.at_vertex(mesh, v, &mut area)) {
+                    AtVertex::Smooth(packed) => packed,
+                    _ => pack(hardness.normal(mesh, corner, area)),
+                }
             }
         }
     }
@@ -114,6 +140,19 @@ impl Hardness {
     /// Whether faces with these area vectors meet at a hard edge. A face without area has no hard edges.
     pub fn is_hard(self, a: DVec3, b: DVec3) -> bool {
         a.dot(b) < self.cos * (a.length_squared() * b.length_squared()).sqrt()
+    }
+
+    /// What the corners around a vertex have in common.
+    fn at_vertex(self, mesh: &Mesh, vertex: VertexId, mut area: impl FnMut(FaceId) -> DVec3) -> AtVertex {
+        let mut sum = DVec3::ZERO;
+        for h in mesh.outgoing(vertex) {
+            let Some(left) = mesh.face_of(h).map(&mut area) else { continue };
+            sum += left;
+            if mesh.face_of(h.twin()).map(&mut area).is_some_and(|right| self.is_hard(left, right)) {
+                return AtVertex::HasHardEdge;
+            }
+        }
+        AtVertex::Smooth(pack(sum.normalize_or_zero().as_vec3()))
     }
 
     /// The area-weighted mean normal of the faces around a corner up to the hard edges on both sides.

@@ -1,12 +1,15 @@
 //! Marks: edges and vertices that one looks for, and normals, found in a mesh in parts.
 
 use glam::Vec3;
-use halfedge::geometry::face_area_vector;
+use halfedge::geometry::{BitSet, face_area_vector};
 use halfedge::{Budget, EdgeId, HalfedgeId, InParts, Mesh, VertexId, keys};
 use std::collections::{HashMap, HashSet};
 use surface::{measure, normals};
 
 use crate::corner_normals::{Hardness, Shading};
+
+/// To look up a vertex's place takes about as long as this many other elements.
+const ELEMENTS_PER_PLACE: usize = 4;
 
 /// A kind of mark.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -113,8 +116,10 @@ pub(crate) struct MarkSearch {
     stage: Stage,
     next: usize,
     found: Found,
-    /// How many vertices are in a place.
+    /// The first vertex in each place.
     places: HashMap<Place, u32>,
+    /// The vertices where others are too.
+    shared: BitSet,
     /// The faces to both sides of the edges between two places, the lesser first.
     sides: HashMap<[Place; 2], [u32; 2]>,
     /// Places with several edges, whether they could be joined or not.
@@ -135,6 +140,7 @@ impl MarkSearch {
             next: 0,
             found: Found::default(),
             places: HashMap::new(),
+            shared: BitSet::new(),
             sides: HashMap::new(),
             edged: HashSet::new(),
         }
@@ -163,7 +169,11 @@ impl MarkSearch {
         match self.stage {
             Stage::Places => {
                 if let Some(v) = mesh.vertex(id) {
-                    *self.places.entry(place(mesh.position(v))).or_default() += 1;
+                    let first = *self.places.entry(place(mesh.position(v))).or_insert(id);
+                    if first != id {
+                        self.shared.insert(first as usize);
+                        self.shared.insert(id as usize);
+                    }
                 }
             }
             Stage::Edges => {
@@ -223,10 +233,12 @@ impl MarkSearch {
         if !self.marks.has(Mark::NonManifold) {
             return None;
         }
-        let h = e.halfedge();
-        let [a, b] = [mesh.from(h), mesh.to(h)].map(|v| place(mesh.position(v)));
-        let is_shared = |place| self.places.get(&place).is_some_and(|count| *count > 1);
-        (is_shared(a) && is_shared(b) && a != b).then(|| if a < b { ([a, b], true) } else { ([b, a], false) })
+        let ends = [mesh.from(e.halfedge()), mesh.to(e.halfedge())];
+        if !ends.iter().all(|v| self.shared.contains(v.index())) {
+            return None;
+        }
+        let [a, b] = ends.map(|v| place(mesh.position(v)));
+        (a != b).then(|| if a < b { ([a, b], true) } else { ([b, a], false) })
     }
 
     fn visit_vertex(&mut self, mesh: &Mesh, v: VertexId) {
@@ -238,10 +250,9 @@ impl MarkSearch {
             self.push(Mark::VertexNormals, [self.at(mesh, v), tip.to_array()]);
         }
         // Pieces that only touch at a vertex: no edges of them run along each other there.
-        let here = place(mesh.position(v));
         if self.marks.has(Mark::NonManifold)
-            && self.places.get(&here).is_some_and(|count| *count > 1)
-            && !self.edged.contains(&here)
+            && self.shared.contains(v.index())
+            && !self.edged.contains(&place(mesh.position(v)))
         {
             self.found.points.push(self.at(mesh, v));
         }
@@ -270,7 +281,12 @@ impl InParts for MarkSearch {
     fn step(&mut self, mesh: &Mesh, budget: &mut Budget) -> Option<Found> {
         loop {
             let ids = self.ids(mesh);
-            let end = self.next + budget.take(ids.saturating_sub(self.next));
+            let cost = if self.stage == Stage::Places { ELEMENTS_PER_PLACE } else { 1 };
+            if self.stage == Stage::Places && self.next == 0 {
+                self.places.reserve(ids);
+            }
+            let wanted = ids.saturating_sub(self.next).saturating_mul(cost);
+            let end = self.next + budget.take(wanted).div_ceil(cost);
             for id in self.next..end {
                 self.visit(mesh, id as u32);
             }
