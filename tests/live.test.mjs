@@ -39,8 +39,11 @@ editorTest("an operation in a form is previewed until it is applied or dismissed
   const before = await whole(editor);
   const vertex = async () => (await editor.element("vertex", 0)).position;
   const choose = async (operation) => {
-    await editor.click("Operation", "comboBox");
-    await editor.click(operation);
+    if ((await editor.ui()).some(({ name }) => name === "All operations")) await editor.click("All operations");
+    await editor.click("Filter operations", "textInput");
+    await editor.press("Control+a");
+    await editor.page.keyboard.type(operation);
+    await editor.press("Enter");
   };
   const at = await vertex();
   const plain = await editor.screenshot();

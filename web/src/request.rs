@@ -51,6 +51,10 @@ pub(crate) enum Request {
     SetLiveAmount(Vec3),
     /// Commit or cancel the edit that follows the pointer.
     EndLive { commit: bool },
+    /// Show an operation's form.
+    OpenForm(OpId),
+    /// Show the list of operations again.
+    CloseForm,
     /// Preview an operation with these fields.
     Preview(OpId, Filled),
     /// Remove the preview.

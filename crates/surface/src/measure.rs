@@ -2,7 +2,7 @@
 
 use glam::{DVec3, Vec3};
 use halfedge::geometry::{face_area_vector, mean_position};
-use halfedge::{EdgeId, FaceId, Mesh};
+use halfedge::{Budget, EdgeId, FaceId, InParts, Mesh, VertexId};
 
 /// An axis-aligned box.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -95,16 +95,77 @@ pub fn face_center(mesh: &Mesh, face: FaceId) -> DVec3 {
 /// The volume that a closed mesh encloses; negative if its faces point inward. It has no meaning for an open mesh.
 /// Costs O(mesh).
 pub fn volume(mesh: &Mesh) -> f64 {
-    // Relative to the centre, so that a mesh far from the origin keeps its precision.
-    let origin = bounding_box(mesh).map_or(DVec3::ZERO, |bounds| bounds.center().as_dvec3());
-    let mut six_times = 0.0;
-    for face in mesh.faces() {
-        let mut corners = mesh.face_vertices(face).map(|v| mesh.position(v).as_dvec3() - origin);
-        let (Some(base), Some(mut before)) = (corners.next(), corners.next()) else { continue };
-        for here in corners {
-            six_times += base.dot(before.cross(here));
-            before = here;
+    SizeCounter::default().finish(mesh).volume
+}
+
+/// How large a mesh is.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Sizes {
+    /// The box around all vertices; none for an empty mesh.
+    pub bounds: Option<Bounds>,
+    /// The area of all faces.
+    pub area: f64,
+    /// The volume that a closed mesh encloses; see [`volume`].
+    pub volume: f64,
+    /// The number of vertices without an edge.
+    pub isolated_vertices: usize,
+}
+
+/// Measures the [`Sizes`] of a mesh over several calls, so that none takes long. Start anew after an edit.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct SizeCounter {
+    /// The next vertex, then the next face.
+    next: usize,
+    has_bounds: bool,
+    bounds: Option<Bounds>,
+    isolated_vertices: usize,
+    area: f64,
+    six_volumes: f64,
+}
+
+impl InParts for SizeCounter {
+    type Input<'a> = &'a Mesh;
+    type Output = Sizes;
+
+    fn step(&mut self, mesh: &Mesh, budget: &mut Budget) -> Option<Sizes> {
+        if !self.has_bounds {
+            let end = mesh.vertex_capacity();
+            let first = self.next;
+            self.next += budget.take(end.saturating_sub(first));
+            let vertices = (first..self.next).map(VertexId::new).filter(|&v| mesh.has_vertex(v));
+            let isolated = &mut self.isolated_vertices;
+            let bounds = Bounds::of(vertices.map(|v| {
+                *isolated += usize::from(mesh.halfedge_from(v).is_none());
+                mesh.position(v)
+            }));
+            self.bounds = self.bounds.into_iter().chain(bounds).reduce(Bounds::union);
+            if self.next < end {
+                return None;
+            }
+            (self.has_bounds, self.next) = (true, 0);
         }
+        // Relative to the centre, so that a mesh far from the origin keeps its precision.
+        let origin = self.bounds.map_or(DVec3::ZERO, |bounds| bounds.center().as_dvec3());
+        let end = mesh.face_capacity();
+        let first = self.next;
+        self.next += budget.take(end.saturating_sub(first));
+        for face in (first..self.next).map(FaceId::new).filter(|&f| mesh.has_face(f)) {
+            self.area += face_area(mesh, face);
+            self.six_volumes += six_cone_volumes(mesh, face, origin);
+        }
+        let Self { bounds, area, six_volumes, isolated_vertices, .. } = *self;
+        (self.next >= end).then_some(Sizes { bounds, area, volume: six_volumes / 6.0, isolated_vertices })
     }
-    six_times / 6.0
+}
+
+/// Six times the signed volume between a face and a point.
+fn six_cone_volumes(mesh: &Mesh, face: FaceId, apex: DVec3) -> f64 {
+    let mut corners = mesh.face_vertices(face).map(|v| mesh.position(v).as_dvec3() - apex);
+    let (Some(base), Some(mut before)) = (corners.next(), corners.next()) else { return 0.0 };
+    let mut six_times = 0.0;
+    for here in corners {
+        six_times += base.dot(before.cross(here));
+        before = here;
+    }
+    six_times
 }

@@ -5,7 +5,7 @@ mod common;
 use common::*;
 use glam::{DVec3, Vec3};
 use halfedge::geometry::PolygonTriangulator;
-use halfedge::{FaceId, Mesh};
+use halfedge::{Budget, FaceId, InParts, Mesh, PolygonSoup};
 use proptest::prelude::*;
 use std::f64::consts::PI;
 use surface::curvature::*;
@@ -341,4 +341,34 @@ fn the_quality_of_regular_faces_is_one() {
     assert!(face_quality(&sliver, FaceId::new(0)) < 0.03);
     let rectangle = mesh(&[[0., 0., 0.], [2., 0., 0.], [2., 1., 0.], [0., 1., 0.]], &[&[0, 1, 2, 3]]);
     assert!((face_quality(&rectangle, FaceId::new(0)) - 0.8).abs() < 1e-9);
+}
+
+#[test]
+fn sizes_are_the_same_in_parts() {
+    for (name, values) in [("cube", [("size", 3.0)].as_slice()), ("torus", &[]), ("grid", &[])] {
+        let mut shape = Shape::named(name).expect("a shape");
+        for (field, value) in values {
+            shape.set(field, *value).expect("in range");
+        }
+        let mesh = shape.build().expect("a mesh");
+        let whole = SizeCounter::default().finish(&mesh);
+        assert_eq!(whole.bounds, bounding_box(&mesh));
+        assert_eq!((whole.area, whole.volume), (surface_area(&mesh), volume(&mesh)));
+        let mut counter = SizeCounter::default();
+        let mut steps = 1;
+        let in_parts = loop {
+            if let Some(sizes) = counter.step(&mesh, &mut Budget::new(5)) {
+                break sizes;
+            }
+            steps += 1;
+        };
+        assert_eq!(in_parts, whole, "{name}");
+        assert!(steps > 2, "{name}: {steps}");
+    }
+    assert_eq!(SizeCounter::default().finish(&Mesh::new()), Sizes::default());
+    let points = PolygonSoup { positions: vec![Vec3::ZERO, Vec3::X], ..PolygonSoup::default() };
+    let points = Mesh::build(points).expect("a mesh of two points").mesh;
+    let sizes = SizeCounter::default().finish(&points);
+    assert_eq!((sizes.isolated_vertices, sizes.area), (2, 0.0));
+    assert_eq!(sizes.bounds, bounding_box(&points));
 }

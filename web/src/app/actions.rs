@@ -151,16 +151,19 @@ impl App {
             Action::Operation(id) if opens_form(id) && id.spec().dragged_field().is_some() => {
                 self.session.start_live(id);
             }
-            Action::Operation(id) if opens_form(id) => {
-                self.panels.forms.choose(id);
-                self.shown.right = true;
-                self.shown.sheet.show_operations();
-            }
+            Action::Operation(id) if opens_form(id) => self.open_form(id),
             Action::Operation(id) => {
                 self.session.begin_or_refuse(Command::from_fields(id, Default::default()))
             }
         }
         self.session.ctx.request_repaint();
+    }
+
+    /// Shows an operation's form, and the panel that it is in.
+    pub(super) fn open_form(&mut self, id: OpId) {
+        self.panels.forms.open(id);
+        self.shown.right = true;
+        self.shown.sheet.show_operations();
     }
 
     /// The subdivision that the Upsample action runs.
@@ -227,7 +230,7 @@ impl App {
         if self.view.cancel_gesture() | self.session.editor.cancel_edit().is_some() {
             return;
         }
-        if self.shown.close_windows() {
+        if self.shown.close_windows() || self.panels.forms.close() {
             return;
         }
         if let Some(id) = self.session.jobs.latest() {

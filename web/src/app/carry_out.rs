@@ -49,14 +49,24 @@ impl App {
             Request::CommitEditOnRelease => self.session.commit_on_release = true,
             Request::SetLiveAmount(value) => self.session.set_live_amount(value),
             Request::EndLive { commit } => self.session.end_live(commit),
+            Request::OpenForm(id) => self.open_form(id),
+            Request::CloseForm => {
+                self.panels.forms.close();
+            }
             Request::Preview(id, filled) => self.session.show_preview(id, filled),
             Request::EndPreview => {
                 self.session.forget_refused_preview();
                 self.session.end_preview();
             }
             Request::Apply(id, filled) => {
+                let jobs = self.session.jobs.iter().count();
+                let before = (self.session.editor.revision(), jobs);
                 if !self.session.apply_preview(id, &filled) {
                     self.session.begin_or_refuse(crate::session::form::command(id, &filled));
+                }
+                // "Adjust last operation" takes the place of the form. A refused form stays open.
+                if (self.session.editor.revision(), self.session.jobs.iter().count()) != before {
+                    self.panels.forms.close();
                 }
             }
             Request::Adjust(command) => self.session.adjust(command),

@@ -37,13 +37,19 @@ impl Panels {
         elements::show(ui, page, &mut self.lists, out);
     }
 
-    /// The panel on the right: the inspector, and the operations below it.
+    /// The panel on the right: the selection or the document, and the operations below it. A form comes first.
     pub fn right(&mut self, ui: &mut Ui, page: &Page<'_>, out: &mut Requests) {
         ScrollArea::vertical().auto_shrink([false, false]).show(ui, |ui| {
-            inspector::show(ui, page, &mut self.inspector, out);
-            ui.add_space(6.0);
-            ui.separator();
-            operations::show(ui, page, &mut self.forms, out);
+            ui.add_space(4.0);
+            if self.forms.is_open() {
+                operations::show(ui, page, &mut self.forms, out);
+                separator(ui);
+                inspector::show(ui, page, &mut self.inspector, out);
+            } else {
+                inspector::show(ui, page, &mut self.inspector, out);
+                separator(ui);
+                operations::show(ui, page, &mut self.forms, out);
+            }
         });
     }
 
@@ -57,4 +63,10 @@ impl Panels {
         toasts::show(ctx, page, narrow, out);
         drop_overlay::show(ctx);
     }
+}
+
+fn separator(ui: &mut Ui) {
+    ui.add_space(8.0);
+    ui.separator();
+    ui.add_space(4.0);
 }

@@ -4,7 +4,7 @@ use egui::{Button, Panel, Ui, vec2};
 
 use super::panels::Panels;
 use crate::page_view::Page;
-use crate::panels::{inspector, operations};
+use crate::panels::{inspector, operation_list, operations};
 use crate::request::{Request, Requests};
 use crate::shown::{Sheet, Tab};
 use crate::theme;
@@ -24,10 +24,13 @@ pub(crate) fn show(ui: &mut Ui, page: &Page<'_>, panels: &mut Panels, out: &mut 
                 panels.left(ui, page, out);
             }
             Tab::Inspector => {
-                egui::ScrollArea::vertical()
-                    .id_salt("sheet inspector")
-                    .auto_shrink([false, false])
-                    .show(ui, |ui| inspector::show(ui, page, &mut panels.inspector, out));
+                egui::ScrollArea::vertical().id_salt("sheet inspector").auto_shrink([false, false]).show(
+                    ui,
+                    |ui| {
+                        inspector::show(ui, page, &mut panels.inspector, out);
+                        operation_list::of_selection(ui, page, panels.forms.list(), out);
+                    },
+                );
             }
             Tab::Operations => {
                 egui::ScrollArea::vertical()

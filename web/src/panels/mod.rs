@@ -4,6 +4,7 @@
 pub(crate) mod about;
 pub(crate) mod adjust;
 pub(crate) mod bezier;
+pub(crate) mod document;
 pub(crate) mod drop_overlay;
 pub(crate) mod elements;
 pub(crate) mod estimate;
@@ -13,6 +14,7 @@ pub(crate) mod live_bar;
 pub(crate) mod menu_bar;
 pub(crate) mod messages;
 pub(crate) mod objects;
+pub(crate) mod operation_list;
 pub(crate) mod operations;
 pub(crate) mod palette;
 pub(crate) mod preview;

@@ -1,9 +1,9 @@
-//! The operations panel: choose an operation, fill in its fields, apply it.
+//! The operations panel: the list of operations, and the form of the one that is being filled in.
 
 use std::collections::HashMap;
 
-use editor::{Facts, OpId, Scope};
-use egui::{ComboBox, Grid, RichText, Ui, vec2};
+use editor::{Facts, OpId};
+use egui::{Grid, RichText, Ui, vec2};
 use serde_json::Value;
 
 use crate::input::actions::{self, Action};
@@ -12,10 +12,12 @@ use crate::page_view::Page;
 use crate::panels::adjust::{self, Adjusting};
 use crate::panels::estimate::{self, Tried};
 use crate::panels::fields;
+use crate::panels::operation_list::{self, ListState};
 use crate::panels::preview::{self, Previews};
 use crate::request::{Request, Requests};
 use crate::session::form::{self, Filled};
 use crate::widgets::controls::primary_button;
+use crate::widgets::icons::{Icon, icon_button};
 
 /// The field of remeshing that the keys for the target edge length change.
 pub(crate) const EDGE_LENGTH: &str = "edge_length";
@@ -23,7 +25,9 @@ pub(crate) const EDGE_LENGTH: &str = "edge_length";
 /// The values of all forms on the page.
 #[derive(Default)]
 pub(crate) struct Forms {
+    /// The operation whose form is open.
     chosen: Option<OpId>,
+    list: ListState,
     filled: HashMap<OpId, Filled>,
     /// The result of a trial run.
     pub tried: Option<Tried>,
@@ -33,9 +37,25 @@ pub(crate) struct Forms {
 
 impl Forms {
     /// Shows an operation's form.
-    pub fn choose(&mut self, id: OpId) {
+    pub fn open(&mut self, id: OpId) {
         self.chosen = Some(id);
         self.previews.ask();
+    }
+
+    /// Shows the list of operations again; what was filled in stays for the next time. Returns whether a form was
+    /// open.
+    pub fn close(&mut self) -> bool {
+        self.chosen.take().is_some()
+    }
+
+    /// The state of the list of operations.
+    pub fn list(&mut self) -> &mut ListState {
+        &mut self.list
+    }
+
+    /// Whether a form is open.
+    pub fn is_open(&self) -> bool {
+        self.chosen.is_some()
     }
 
     /// The values of an operation's form, once the form was shown or a key changed a value.
@@ -60,49 +80,52 @@ impl Forms {
     }
 }
 
+/// The panel: the form that is open, or else the last operation's fields and the list of operations.
 pub(crate) fn show(ui: &mut Ui, page: &Page<'_>, own: &mut Forms, out: &mut Requests) {
-    adjust::show(ui, page, &mut own.adjusting, out);
-    ui.add_space(2.0);
-    ui.label(RichText::new("Operations").strong());
-    let id = own.chosen.unwrap_or(OpId::New);
-    let chosen = id.spec();
-    let combo = ComboBox::from_id_salt("operation")
-        .selected_text(chosen.label)
-        .width(ui.available_width() - 8.0)
-        .height(420.0);
-    let combo = combo.show_ui(ui, |ui| {
-        // Whole-mesh operations come first, as they are the ones that people fill in forms for.
-        let of_scope = |scope| actions::mesh_operations().filter(move |other| other.spec().scope == scope);
-        for other in of_scope(Scope::Meshes).chain(of_scope(Scope::Elements)) {
-            let spec = other.spec();
-            if ui.selectable_label(other == id, spec.label).on_hover_text(spec.description).clicked() {
-                own.choose(other);
-            }
+    match own.chosen {
+        Some(id) => form(ui, page, own, id, out),
+        None => {
+            adjust::show(ui, page, &mut own.adjusting, out);
+            operation_list::show(ui, page, &mut own.list, out);
         }
+    }
+}
+
+fn form(ui: &mut Ui, page: &Page<'_>, own: &mut Forms, id: OpId, out: &mut Requests) {
+    let spec = id.spec();
+    let entry = actions::describe(Action::Operation(id));
+    ui.horizontal(|ui| {
+        let back = icon_button(ui, Icon::Back, "All operations", false);
+        if back.on_hover_text("Back to all operations (Escape)").clicked() {
+            out.push(Request::CloseForm);
+        }
+        ui.label(RichText::new(entry.label).heading());
     });
-    combo.response.accessible_name("Operation").on_hover_text("The operation to fill in and apply");
-    ui.add(egui::Label::new(RichText::new(chosen.description).weak()).wrap());
+    ui.add(egui::Label::new(RichText::new(entry.description).weak()).wrap());
+    ui.add_space(4.0);
 
     let facts = page.facts(id);
-    let mut filled = own.filled.remove(&id).unwrap_or_else(|| form::initial(chosen, &facts));
+    let mut filled = own.filled.remove(&id).unwrap_or_else(|| form::initial(spec, &facts));
     let before = filled.clone();
-    Grid::new(("form", chosen.name)).num_columns(2).spacing(vec2(10.0, 6.0)).show(ui, |ui| {
-        fields::rows(ui, chosen, &mut filled, &facts, |_| true);
+    Grid::new(("form", spec.name)).num_columns(2).spacing(vec2(12.0, 8.0)).show(ui, |ui| {
+        fields::rows(ui, spec, &mut filled, &facts, |_| true);
     });
     let preview_is_coming = preview::row(ui, page, &mut own.previews, id, &filled, filled != before, out);
     if let Some(estimate) = estimate::show(page, &mut own.tried, id, &filled, &facts, preview_is_coming) {
         ui.label(RichText::new(estimate).small().weak());
     }
+    ui.add_space(4.0);
     apply_button(ui, page, id, &filled, out);
     own.filled.insert(id, filled);
 }
 
 fn apply_button(ui: &mut Ui, page: &Page<'_>, id: OpId, filled: &Filled, out: &mut Requests) {
-    let (spec, action) = (id.spec(), Action::Operation(id));
+    let action = Action::Operation(id);
+    let entry = actions::describe(action);
     let why_not = page.why_not(action);
-    let button = primary_button(ui, spec.label).min_size(vec2(ui.available_width(), 28.0));
+    let button = primary_button(ui, entry.label).min_size(vec2(ui.available_width(), 32.0));
     let response = ui.vertical_centered_justified(|ui| ui.add_enabled(why_not.is_none(), button)).inner;
-    let tooltip = keys::tooltip(ui.ctx(), spec.description, action);
+    let tooltip = keys::tooltip(ui.ctx(), entry.description, action);
     let reason = why_not.clone().unwrap_or_default();
     if response.on_hover_text(tooltip).on_disabled_hover_text(reason).clicked() {
         out.push(Request::Apply(id, filled.clone()));

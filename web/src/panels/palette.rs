@@ -127,8 +127,8 @@ fn find(typed: &str, recent: &[Action], why_not: impl Fn(Action) -> Option<Strin
     found.into_iter().map(|(_, found)| found).collect()
 }
 
-/// How well an action fits the typed text, from 0; none if it doesn't.
-fn rank(entry: &Entry, typed: &str) -> Option<usize> {
+/// How well an action fits the typed text, in lower case, from 0; none if it doesn't.
+pub(crate) fn rank(entry: &Entry, typed: &str) -> Option<usize> {
     let label = entry.label.to_lowercase();
     let name = match entry.action {
         Action::Operation(id) => id.spec().name,

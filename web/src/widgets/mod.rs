@@ -3,4 +3,6 @@
 pub(crate) mod color_button;
 pub(crate) mod controls;
 pub(crate) mod icons;
+pub(crate) mod list_row;
 pub(crate) mod number_box;
+pub(crate) mod operation_icons;

@@ -43,10 +43,16 @@ fn joining_takes_two_objects_and_separating_two_pieces_or_faces() {
     assert_eq!(separate, (true, Some(why.to_owned())));
     page.press(Key::Escape);
     page.select("face", &[0]);
-    assert!(!disabled(&page, Role::Button, "Separate…").0, "in the inspector");
+    assert!(!disabled(&page, Role::Button, "Separate…").0, "in the operations panel");
     page.command(json!({"op": "new", "shape": "grid", "add": true}));
+    // In the operations panel and in the menu.
+    let enabled = |page: &Page| {
+        let nodes = page.harness.query_all_by_role_and_label(Role::Button, "Join objects");
+        nodes.filter(|node| !node.accesskit_node().is_disabled()).count()
+    };
+    assert_eq!(enabled(&page), 1);
     page.click("Mesh");
-    assert!(!disabled(&page, Role::Button, "Join objects").0);
+    assert_eq!(enabled(&page), 2);
 }
 
 #[test]

@@ -132,10 +132,20 @@ impl Page {
         self.app().editor().undo_labels().map(str::to_owned).collect()
     }
 
-    /// Chooses an operation's form.
+    /// Opens an operation's form from the list.
     pub fn choose(&mut self, operation: &str) {
-        self.click("Operation");
-        self.click(operation);
+        if self.has("All operations") {
+            self.click("All operations");
+        }
+        // The row may be below what the panel shows.
+        self.find(&format!("{operation}…")).click_accesskit();
+        self.run();
+    }
+
+    /// Shows why operations can't be done now.
+    pub fn open_not_now(&mut self) {
+        self.harness.get_by_label_contains("Not now").click_accesskit();
+        self.run();
     }
 
     /// Types a number into a field of a form.

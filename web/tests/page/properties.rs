@@ -137,6 +137,7 @@ fn a_button_that_does_not_apply_says_why() {
     let mut page = Page::new();
     page.command(json!({ "op": "new", "shape": "tetrahedron" }));
     page.select("face", &[0]);
+    page.open_not_now();
     let node = page.find("Triangulate");
     let node = node.accesskit_node();
     assert!(node.is_disabled());
@@ -146,6 +147,7 @@ fn a_button_that_does_not_apply_says_why() {
 #[test]
 fn a_shape_is_made_with_the_sizes_of_the_form() {
     let mut page = Page::new();
+    page.choose("New shape");
     page.click("Shape");
     page.click("Grid");
     for (field, value) in [("Columns", "7"), ("Rows", "3")] {
@@ -156,15 +158,14 @@ fn a_shape_is_made_with_the_sizes_of_the_form() {
         page.press(Key::Enter);
     }
     assert!(page.has("Result: 21 faces"));
-    page.click("New shape");
+    page.apply("New shape");
     assert_eq!(page.mesh().face_count(), 21);
 }
 
 #[test]
 fn a_subdivision_predicts_its_size() {
     let mut page = Page::new();
-    page.click("Operation");
-    page.click("Subdivide (Catmull-Clark)");
+    page.choose("Subdivide (Catmull-Clark)");
     page.click("Levels");
     page.harness.key_press_modifiers(Modifiers::COMMAND, Key::A);
     page.harness.event(egui::Event::Text("3".to_owned()));

@@ -194,7 +194,7 @@ fn all_controls_are_within_reach_on_a_telephone() {
     assert!(page.has("Position x"));
     nothing_is_cut_off(&page, PHONE);
     page.click("Operations");
-    assert!(page.has("Operation"));
+    assert!(page.has("Filter operations"));
     nothing_is_cut_off(&page, PHONE);
     // The open tab's own button puts the sheet away.
     page.harness.get_by_role_and_label(egui::accesskit::Role::Tab, "Operations").click();

@@ -89,6 +89,7 @@ fn simplify_takes_one_of_three_targets() {
     assert_eq!(page.mesh().face_count(), 64);
 
     page.press_with(Modifiers::COMMAND, Key::Z);
+    page.choose("Simplify");
     page.click("Simplify to");
     page.click("Max error");
     page.apply("Simplify");
@@ -128,6 +129,7 @@ fn remeshing_shows_an_estimate_or_none() {
         page.click("Live preview");
         page.click("Set Edge length");
         for (times, is_said) in [0.5, 1.0, 1.4, 6.0].into_iter().zip(is_said) {
+            page.choose("Remesh");
             page.type_into("Edge length", &format!("{:.5}", mean * times));
             let what = format!("{new} at {times} times its mean length");
             assert_eq!(page.has_part("Result: "), is_said, "{what}");
