@@ -40,7 +40,7 @@ fn after_a_saved_document_a_new_one_has_nothing_to_save() {
 
 fn facts(page: &Page) -> Vec<String> {
     let nodes = page.harness.root().children_recursive();
-    let labels = nodes.into_iter().filter_map(|node| node.accesskit_node().label().or(node.value()));
+    let labels = nodes.filter_map(|node| node.accesskit_node().label().or(node.value()));
     labels.filter(|label| label.contains(": ")).collect()
 }
 
@@ -102,7 +102,6 @@ fn listed(page: &Page) -> Vec<String> {
         .harness
         .root()
         .children_recursive()
-        .into_iter()
         .filter(|node| node.accesskit_node().raw_bounds().is_some())
         .filter(|node| node.rect().top() >= top && (left - 1.0..left + 40.0).contains(&node.rect().left()))
         .filter_map(|node| {
