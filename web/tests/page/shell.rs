@@ -165,13 +165,9 @@ fn a_row_acts_at_once_on_the_selection() {
 }
 
 #[test]
-fn an_applied_form_gives_way_to_adjusting_and_a_refused_one_stays() {
+fn an_applied_form_gives_way_to_adjusting() {
     let mut page = Page::new();
     page.choose("Smooth");
     page.apply("Smooth");
     assert!(!page.has("All operations") && page.has("Adjust last operation"));
-    page.choose("Separate");
-    page.apply("Separate");
-    assert_eq!(page.undo_labels(), ["Smooth"], "there is one piece only");
-    assert!(page.has("All operations"));
 }
