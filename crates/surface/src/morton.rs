@@ -59,6 +59,6 @@ mod tests {
     fn points_on_a_line_sort_along_it_and_ties_keep_their_order() {
         let points = [9.0, 1.0, 5.0, 1.0, 0.0].map(Vec3::splat);
         assert_eq!(order((0..).zip(points)), [4, 1, 3, 2, 0]);
-        assert_eq!(order([].into_iter()), []);
+        assert!(order([].into_iter()).is_empty());
     }
 }

@@ -78,14 +78,50 @@ impl BitSet {
 
     /// The numbers in ascending order. Costs O(largest / 64 + count) in all.
     pub fn iter(&self) -> impl Iterator<Item = usize> + '_ {
-        self.words.iter().enumerate().flat_map(|(at, &word)| {
-            let mut left = word;
+        self.iter_from(0)
+    }
+
+    /// The numbers from this one on, in ascending order. Costs O((largest - start) / 64 + count) in all.
+    pub fn iter_from(&self, start: usize) -> impl Iterator<Item = usize> + '_ {
+        self.words.iter().enumerate().skip(start / 64).flat_map(move |(at, &word)| {
+            let mut left = if at == start / 64 { word & (!0 << (start % 64)) } else { word };
             std::iter::from_fn(move || {
                 let bit = (left != 0).then(|| left.trailing_zeros() as usize)?;
                 left &= left - 1;
                 Some(at * 64 + bit)
             })
         })
+    }
+
+    /// Adds the numbers of another set. Costs O(largest / 64), as do the other operations on two sets.
+    pub fn union_with(&mut self, other: &Self) {
+        self.combine(other, |a, b| a | b);
+    }
+
+    /// Keeps the numbers that are in another set too.
+    pub fn intersect_with(&mut self, other: &Self) {
+        self.combine(other, |a, b| a & b);
+    }
+
+    /// Removes the numbers of another set.
+    pub fn subtract(&mut self, other: &Self) {
+        self.combine(other, |a, b| a & !b);
+    }
+
+    /// Removes the numbers of another set that are in this one, and adds its other numbers.
+    pub fn toggle_with(&mut self, other: &Self) {
+        self.combine(other, |a, b| a ^ b);
+    }
+
+    fn combine(&mut self, other: &Self, combined: impl Fn(u64, u64) -> u64) {
+        if self.words.len() < other.words.len() {
+            self.words.resize(other.words.len(), 0);
+        }
+        self.count = 0;
+        for (at, word) in self.words.iter_mut().enumerate() {
+            *word = combined(*word, other.words.get(at).copied().unwrap_or(0));
+            self.count += word.count_ones() as usize;
+        }
     }
 
     /// The number of members below this number. Costs O(index / 64).

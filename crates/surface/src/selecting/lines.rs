@@ -127,14 +127,3 @@ pub fn lines(mesh: &Mesh, kind: Element, through: &[HalfedgeId], line: Line) -> 
     }
     found
 }
-
-/// The edges between faces of a set and others, and boundary edges of its faces. Costs O(set x corners).
-pub fn outline(mesh: &Mesh, faces: &BitSet) -> BitSet {
-    let is_inside = |h: HalfedgeId| mesh.face_of(h).is_some_and(|f| faces.contains(f.index()));
-    faces
-        .iter()
-        .flat_map(|f| mesh.face_halfedges(FaceId::new(f)))
-        .filter(|h| !is_inside(h.twin()))
-        .map(|h| h.edge().index())
-        .collect()
-}
