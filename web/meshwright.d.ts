@@ -402,6 +402,249 @@ export interface MergeByDistance {
   distance: number;
 }
 
+/** Select elements by id. */
+export interface Select {
+  op: "select";
+  /** The place of the object in the document's list; default: the active object. */
+  object?: number;
+  /** Vertices to select: a list of vertices, each by id; exactly one of these is required. */
+  vertices?: number[];
+  /** Edges to select: a list of edges, each by id or by `[a, b]`, the vertices at its ends; exactly one of these is required. */
+  edges?: (number | Pair)[];
+  /** Half-edges to select: a list of half-edges, each by id or by `[from, to]`, its vertices; exactly one of these is required. */
+  halfedges?: (number | Pair)[];
+  /** Faces to select: a list of faces, each by id; exactly one of these is required. */
+  faces?: number[];
+  /** How what is found changes the selection: one of `"replace"`, `"extend"`, `"toggle"`, `"intersect"`; default: replace. */
+  mode?: "replace" | "extend" | "toggle" | "intersect";
+}
+
+/** Select every element of a kind. */
+export interface SelectAll {
+  op: "select-all";
+  /** The place of the object in the document's list; default: the active object. */
+  object?: number;
+  /** The kind of elements to select: one of `"vertex"`, `"edge"`, `"halfedge"`, `"face"`; default: the kind of the selection. */
+  kind?: "vertex" | "edge" | "halfedge" | "face";
+  /** How what is found changes the selection: one of `"replace"`, `"extend"`, `"toggle"`, `"intersect"`; default: replace. */
+  mode?: "replace" | "extend" | "toggle" | "intersect";
+}
+
+/** Change the selection to its neighbours, pieces, loops or rings, or to another kind of element. */
+export interface SelectRelated {
+  op: "select-related";
+  /** The place of the object in the document's list; default: the active object. */
+  object?: number;
+  /** What to select: one of `"grow"`, `"shrink"`, `"linked"`, `"loops"`, `"rings"`, `"path"`, `"outline"`, `"vertices"`, `"edges"`, `"halfedges"`, `"faces"`, `"touching-edges"`, `"touching-halfedges"`, `"touching-faces"`; default: grow. */
+  by?: "grow" | "shrink" | "linked" | "loops" | "rings" | "path" | "outline" | "vertices" | "edges" | "halfedges" | "faces" | "touching-edges" | "touching-halfedges" | "touching-faces";
+}
+
+/** Select boundary edges and half-edges, the vertices on them, or the faces beside them. */
+export interface SelectBoundary {
+  op: "select-boundary";
+  /** The place of the object in the document's list; default: the active object. */
+  object?: number;
+  /** The kind of elements to select: one of `"vertex"`, `"edge"`, `"halfedge"`, `"face"`; default: the kind of the selection. */
+  kind?: "vertex" | "edge" | "halfedge" | "face";
+  /** How what is found changes the selection: one of `"replace"`, `"extend"`, `"toggle"`, `"intersect"`; default: replace. */
+  mode?: "replace" | "extend" | "toggle" | "intersect";
+}
+
+/** Select edges whose two faces meet at more than an angle. */
+export interface SelectSharpEdges {
+  op: "select-sharp-edges";
+  /** The place of the object in the document's list; default: the active object. */
+  object?: number;
+  /** The angle: 0 is flat, 90 an edge of a cube: a number of degrees from 0 to 180; default: 30.0. */
+  angle?: number;
+  /** How what is found changes the selection: one of `"replace"`, `"extend"`, `"toggle"`, `"intersect"`; default: replace. */
+  mode?: "replace" | "extend" | "toggle" | "intersect";
+}
+
+/** Select faces by the number of their corners. */
+export interface SelectByCorners {
+  op: "select-by-corners";
+  /** The place of the object in the document's list; default: the active object. */
+  object?: number;
+  /** The number of corners: a whole number, 3 or more; default: 4. */
+  corners?: number;
+  /** How the face's number compares with it: one of `"equal"`, `"different"`, `"less"`, `"more"`; default: equal. */
+  compare?: "equal" | "different" | "less" | "more";
+  /** How what is found changes the selection: one of `"replace"`, `"extend"`, `"toggle"`, `"intersect"`; default: replace. */
+  mode?: "replace" | "extend" | "toggle" | "intersect";
+}
+
+/** Select vertices by the number of their edges. */
+export interface SelectByValence {
+  op: "select-by-valence";
+  /** The place of the object in the document's list; default: the active object. */
+  object?: number;
+  /** The number of edges: a whole number, 0 or more; default: 4. */
+  valence?: number;
+  /** How the vertex's number compares with it: one of `"equal"`, `"different"`, `"less"`, `"more"`; default: equal. */
+  compare?: "equal" | "different" | "less" | "more";
+  /** How what is found changes the selection: one of `"replace"`, `"extend"`, `"toggle"`, `"intersect"`; default: replace. */
+  mode?: "replace" | "extend" | "toggle" | "intersect";
+}
+
+/** Select faces that are smaller or larger than an area. */
+export interface SelectByArea {
+  op: "select-by-area";
+  /** The place of the object in the document's list; default: the active object. */
+  object?: number;
+  /** How the area compares: one of `"less"`, `"more"`; default: less. */
+  compare?: "less" | "more";
+  /** With what: a number in square mesh units, 0 or more; required. */
+  area: number;
+  /** How what is found changes the selection: one of `"replace"`, `"extend"`, `"toggle"`, `"intersect"`; default: replace. */
+  mode?: "replace" | "extend" | "toggle" | "intersect";
+}
+
+/** Select edges that are smaller or larger than a length. */
+export interface SelectByLength {
+  op: "select-by-length";
+  /** The place of the object in the document's list; default: the active object. */
+  object?: number;
+  /** How the length compares: one of `"less"`, `"more"`; default: less. */
+  compare?: "less" | "more";
+  /** With what: a number in mesh units, 0 or more; required. */
+  length: number;
+  /** How what is found changes the selection: one of `"replace"`, `"extend"`, `"toggle"`, `"intersect"`; default: replace. */
+  mode?: "replace" | "extend" | "toggle" | "intersect";
+}
+
+/** Select polygons with a triangle that is turned by more than an angle against the mean plane. */
+export interface SelectNonPlanar {
+  op: "select-non-planar";
+  /** The place of the object in the document's list; default: the active object. */
+  object?: number;
+  /** The angle that still counts as flat: a number of degrees from 0 to 180; default: 1.0. */
+  angle?: number;
+  /** How what is found changes the selection: one of `"replace"`, `"extend"`, `"toggle"`, `"intersect"`; default: replace. */
+  mode?: "replace" | "extend" | "toggle" | "intersect";
+}
+
+/** Select faces without area, or edges without length. */
+export interface SelectDegenerate {
+  op: "select-degenerate";
+  /** The place of the object in the document's list; default: the active object. */
+  object?: number;
+  /** The kind of elements to select: one of `"vertex"`, `"edge"`, `"halfedge"`, `"face"`; default: the kind of the selection. */
+  kind?: "vertex" | "edge" | "halfedge" | "face";
+  /** The area or length that still counts as none: a number in mesh units, 0 or more; default: 0.0. */
+  at_most?: number;
+  /** How what is found changes the selection: one of `"replace"`, `"extend"`, `"toggle"`, `"intersect"`; default: replace. */
+  mode?: "replace" | "extend" | "toggle" | "intersect";
+}
+
+/** Select vertices in no face. */
+export interface SelectIsolated {
+  op: "select-isolated";
+  /** The place of the object in the document's list; default: the active object. */
+  object?: number;
+  /** How what is found changes the selection: one of `"replace"`, `"extend"`, `"toggle"`, `"intersect"`; default: replace. */
+  mode?: "replace" | "extend" | "toggle" | "intersect";
+}
+
+/** Select faces that face the same way as the one selected last, or a direction. */
+export interface SelectFacing {
+  op: "select-facing";
+  /** The place of the object in the document's list; default: the active object. */
+  object?: number;
+  /** The direction: three numbers: `[x, y, z]`; default: the normal of the face selected last. */
+  direction?: Vector;
+  /** The largest angle between it and a face's normal: a number of degrees from 0 to 180; default: 30.0. */
+  angle?: number;
+  /** How what is found changes the selection: one of `"replace"`, `"extend"`, `"toggle"`, `"intersect"`; default: replace. */
+  mode?: "replace" | "extend" | "toggle" | "intersect";
+}
+
+/** Select elements that share a property with the one selected last. */
+export interface SelectSimilar {
+  op: "select-similar";
+  /** The place of the object in the document's list; default: the active object. */
+  object?: number;
+  /** The property: one of `"count"`, `"size"`, `"normal"`, `"color"`; default: count. */
+  by?: "count" | "size" | "normal" | "color";
+  /** How much it may differ, as a fraction: a number from 0 to 1; default: 0.009999999776482582. */
+  tolerance?: number;
+  /** How what is found changes the selection: one of `"replace"`, `"extend"`, `"toggle"`, `"intersect"`; default: replace. */
+  mode?: "replace" | "extend" | "toggle" | "intersect";
+}
+
+/** Select the elements of a named selection. */
+export interface SelectNamed {
+  op: "select-named";
+  /** The place of the object in the document's list; default: the active object. */
+  object?: number;
+  /** The name: text; required. */
+  name: string;
+  /** How what is found changes the selection: one of `"replace"`, `"extend"`, `"toggle"`, `"intersect"`; default: replace. */
+  mode?: "replace" | "extend" | "toggle" | "intersect";
+}
+
+/** Keep the selection under a name; one of that name is replaced. */
+export interface NameSelection {
+  op: "name-selection";
+  /** The place of the object in the document's list; default: the active object. */
+  object?: number;
+  /** The name: text; required. */
+  name: string;
+}
+
+/** Give a named selection another name. */
+export interface RenameNamedSelection {
+  op: "rename-named-selection";
+  /** The place of the object in the document's list; default: the active object. */
+  object?: number;
+  /** The name: text; required. */
+  name: string;
+  /** The new name: text; required. */
+  to: string;
+}
+
+/** Delete a named selection; its elements stay. */
+export interface DeleteNamedSelection {
+  op: "delete-named-selection";
+  /** The place of the object in the document's list; default: the active object. */
+  object?: number;
+  /** The name: text; required. */
+  name: string;
+}
+
+/** Hide faces, or the faces of edges and vertices, in the viewport. */
+export interface Hide {
+  op: "hide";
+  /** The place of the object in the document's list; default: the active object. */
+  object?: number;
+  /** Faces to hide: a list of faces, each by id; default: the selected faces. */
+  faces?: number[];
+  /** Edges: the faces beside them: a list of edges, each by id or by `[a, b]`, the vertices at its ends; default: the selected edges. */
+  edges?: (number | Pair)[];
+  /** Vertices: the faces around them: a list of vertices, each by id; default: the selected vertices. */
+  vertices?: number[];
+}
+
+/** Show hidden faces again. */
+export interface Reveal {
+  op: "reveal";
+  /** The place of the object in the document's list; default: the active object. */
+  object?: number;
+}
+
+/** Hide everything else; again, show everything. */
+export interface Isolate {
+  op: "isolate";
+  /** The place of the object in the document's list; default: the active object. */
+  object?: number;
+  /** Faces to keep: a list of faces, each by id; default: the selected faces. */
+  faces?: number[];
+  /** Edges: the faces beside them: a list of edges, each by id or by `[a, b]`, the vertices at its ends; default: the selected edges. */
+  edges?: (number | Pair)[];
+  /** Vertices: the faces around them: a list of vertices, each by id; default: the selected vertices. */
+  vertices?: number[];
+}
+
 /** Build the mesh again from the faces of its file, with other repairs; edits made since are lost. */
 export interface RepairImport {
   op: "repair-import";
@@ -597,6 +840,27 @@ export type Command =
   | Remesh
   | Smooth
   | MergeByDistance
+  | Select
+  | SelectAll
+  | SelectRelated
+  | SelectBoundary
+  | SelectSharpEdges
+  | SelectByCorners
+  | SelectByValence
+  | SelectByArea
+  | SelectByLength
+  | SelectNonPlanar
+  | SelectDegenerate
+  | SelectIsolated
+  | SelectFacing
+  | SelectSimilar
+  | SelectNamed
+  | NameSelection
+  | RenameNamedSelection
+  | DeleteNamedSelection
+  | Hide
+  | Reveal
+  | Isolate
   | RepairImport
   | New
   | ActivateObject
@@ -651,7 +915,17 @@ export interface Outcome {
 export interface State {
   document: {
     name: string;
-    objects: { name: string; visible: boolean; faces: number; bezier?: unknown; repairable?: boolean }[];
+    objects: {
+      name: string;
+      visible: boolean;
+      faces: number;
+      bezier?: unknown;
+      repairable?: boolean;
+      /** The number of hidden faces, where there are any. */
+      hidden?: number;
+      /** The named selections, where there are any. */
+      selections?: { name: string; kind: Kind; count: number }[];
+    }[];
     active: number;
     vertices: number;
     edges: number;

@@ -122,6 +122,7 @@ fn run_whole(editor: &mut Editor, command: Command) -> Result<Step, CommandError
     let start = Instant::now();
     match editor.begin_from(command, 0)? {
         Begun::Done(outcome) => Ok(Step { outcome, time: start.elapsed() }),
+        Begun::Selecting => Err(CommandError::refused(name, "this command selects elements of one object")),
         Begun::Job(request) => {
             let start = Instant::now();
             let result = request.run(&mut |_| ControlFlow::Continue(()));

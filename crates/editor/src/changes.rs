@@ -1,6 +1,7 @@
 //! Changes since the last call of [`crate::Editor::take_changes`], which lists and GPU buffers follow.
 
 use crate::document::ObjectId;
+use halfedge::geometry::BitSet;
 use halfedge::{Mesh, Touched};
 
 /// What changed since the last [`crate::Editor::take_changes`].
@@ -11,6 +12,8 @@ pub struct Changes {
     /// Objects whose control points changed, and Bezier objects that were added or removed, each once. The
     /// mesh of a surface changes with its control points, so a surface is in `objects` too.
     pub bezier: Vec<ObjectId>,
+    /// Objects of which faces were hidden or shown, each once, with those faces.
+    pub hidden: Vec<(ObjectId, BitSet)>,
     /// The list of objects, an object's name or visibility, or which object is active.
     pub document: bool,
     /// The selection.
@@ -66,6 +69,15 @@ impl Changes {
             Some(ObjectChange::Added) => self.objects.retain(|(object, _)| *object != id),
             Some(change) => *change = ObjectChange::Gone,
             None => self.objects.push((id, ObjectChange::Gone)),
+        }
+    }
+
+    pub(crate) fn hid(&mut self, id: ObjectId, faces: BitSet) {
+        self.document = true;
+        match self.hidden.iter_mut().find(|(object, _)| *object == id) {
+            // Some may be as they were, which does no harm.
+            Some((_, changed)) => changed.union_with(&faces),
+            None => self.hidden.push((id, faces)),
         }
     }
 

@@ -1,11 +1,14 @@
 //! What is being edited: named objects, each with a mesh.
 
 use crate::bezier::Bezier;
+use crate::selection::Selection;
 use formats::{Materials, Model, NamedMesh};
 use glam::DVec3;
 use halfedge::Mesh;
+use halfedge::geometry::BitSet;
 use serde::Serialize;
 use std::fmt;
+use std::sync::Arc;
 
 /// An object's identity: it stays the same while the object's place in the list changes, and is
 /// never given twice in a session.
@@ -26,11 +29,23 @@ pub struct Object {
     pub(crate) visible: bool,
     /// Its mesh and name. Only jobs that read the mesh share it, so that edits don't copy it.
     pub(crate) named: NamedMesh,
+    /// The faces that are hidden, which all exist.
+    pub(crate) hidden: Arc<BitSet>,
+    pub(crate) named_selections: Arc<Vec<NamedSelection>>,
+}
+
+/// A selection that is kept under a name. It loses the elements that edits remove.
+#[derive(Clone, Debug, PartialEq)]
+pub struct NamedSelection {
+    /// The name, which no other one of the object has.
+    pub name: String,
+    /// The elements.
+    pub selection: Selection,
 }
 
 impl Object {
     pub(crate) fn new(id: ObjectId, named: NamedMesh) -> Self {
-        Self { id, visible: true, named }
+        Self { id, visible: true, named, hidden: Arc::default(), named_selections: Arc::default() }
     }
 
     /// The object's identity.
@@ -51,6 +66,17 @@ impl Object {
     /// The object's mesh.
     pub fn mesh(&self) -> &Mesh {
         &self.named.mesh
+    }
+
+    /// The faces that are hidden. Edges and vertices are hidden if all their faces are, see
+    /// [`surface::selecting::is_hidden`].
+    pub fn hidden(&self) -> &Arc<BitSet> {
+        &self.hidden
+    }
+
+    /// The selections that are kept under names, in the order in which they were named.
+    pub fn named_selections(&self) -> &[NamedSelection] {
+        &self.named_selections
     }
 
     /// The control points that the mesh is made from, where it is a Bezier curve or surface.

@@ -8,11 +8,12 @@ mod open;
 mod run;
 mod select;
 mod select_by;
+mod selecting;
 mod start;
 
 pub use jobs::{Begun, Finished, RunningJob};
-pub use select::SelectMode;
 pub use select_by::SelectBy;
+pub(crate) use select_by::find_related;
 
 use crate::changes::Changes;
 use crate::document::{Counts, Document, Object, ObjectId};
@@ -39,6 +40,7 @@ pub struct Editor {
     history: History,
     changes: Changes,
     ongoing: Option<ongoing::Ongoing>,
+    selecting: Option<selecting::Selecting>,
     jobs: Vec<jobs::Waiting>,
     messages: VecDeque<Message>,
     next_object: u64,
@@ -93,6 +95,7 @@ impl Editor {
             history: History::new(),
             changes: Changes::default(),
             ongoing: None,
+            selecting: None,
             jobs: Vec::new(),
             messages: VecDeque::new(),
             next_object: 1,
@@ -217,6 +220,7 @@ impl Editor {
     /// # Errors
     /// A job is running on a mesh that would change.
     pub fn undo(&mut self) -> Result<Option<String>, CommandError> {
+        self.finish_selecting();
         if self.is_editing() {
             return Ok(self.cancel_edit());
         }
@@ -233,6 +237,7 @@ impl Editor {
     /// # Errors
     /// A job is running on a mesh that would change.
     pub fn undo_step(&mut self) -> Result<Option<String>, CommandError> {
+        self.finish_selecting();
         if let Some(label) = self.cancel_edit() {
             return Ok(Some(label));
         }

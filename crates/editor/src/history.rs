@@ -10,10 +10,11 @@
 
 use crate::bezier::Bezier;
 use crate::changes::Changes;
-use crate::document::{Document, Object, ObjectId};
+use crate::document::{Document, NamedSelection, Object, ObjectId};
 use crate::selection::Selection;
 use formats::Materials;
 use glam::DVec3;
+use halfedge::geometry::BitSet;
 use halfedge::{Journal, Mesh, PolygonSoup, Touched};
 use std::collections::VecDeque;
 use std::sync::Arc;
@@ -37,6 +38,10 @@ pub(crate) enum Change {
     Name(ObjectId, String),
     /// Shows or hides the object.
     Visible(ObjectId, bool),
+    /// Hides these faces of the object and no others.
+    Hidden(ObjectId, Arc<BitSet>),
+    /// Replaces the object's named selections.
+    NamedSelections(ObjectId, Arc<Vec<NamedSelection>>),
     /// Activates the object at this place in the list.
     Active(usize),
     /// Inserts an object at this place in the list.
@@ -106,6 +111,20 @@ impl Change {
                 changes.document = true;
                 Self::Visible(id, std::mem::replace(&mut document.objects.get_mut(at)?.visible, visible))
             }
+            Self::Hidden(id, hidden) => {
+                let at = find(document, id)?;
+                let old = std::mem::replace(&mut document.objects.get_mut(at)?.hidden, hidden.clone());
+                let mut changed = (*old).clone();
+                changed.toggle_with(&hidden);
+                changes.hid(id, changed);
+                Self::Hidden(id, old)
+            }
+            Self::NamedSelections(id, named) => {
+                let at = find(document, id)?;
+                changes.document = true;
+                let object = document.objects.get_mut(at)?;
+                Self::NamedSelections(id, std::mem::replace(&mut object.named_selections, named))
+            }
             Self::Active(at) => {
                 changes.document = true;
                 Self::Active(std::mem::replace(&mut document.active, at))
@@ -149,7 +168,9 @@ impl Change {
             | Self::Bezier(..)
             | Self::Soup(..)
             | Self::Name(..)
-            | Self::Visible(..) => true,
+            | Self::Visible(..)
+            | Self::Hidden(..)
+            | Self::NamedSelections(..) => true,
             Self::Offset(_)
             | Self::Materials(_)
             | Self::Active(_)
@@ -172,14 +193,22 @@ impl Change {
                 Self::Bezier(_, bezier) => bezier.as_ref().map_or(0, |bezier| bezier.bytes()),
                 Self::Soup(_, soup) => soup.as_ref().map_or(0, |soup| soup_bytes(soup)),
                 Self::Materials(materials) => materials.bytes(),
+                Self::Hidden(_, hidden) => hidden.bytes(),
+                Self::NamedSelections(_, named) => named_bytes(named),
                 Self::Insert(_, object) => {
                     object.mesh().bytes()
                         + object.bezier().map_or(0, |bezier| bezier.bytes())
                         + object.named.soup.as_ref().map_or(0, |soup| soup_bytes(soup))
+                        + object.hidden.bytes()
+                        + named_bytes(&object.named_selections)
                 }
                 _ => 0,
             }
     }
+}
+
+fn named_bytes(named: &[NamedSelection]) -> usize {
+    named.iter().map(|named| size_of::<NamedSelection>() + named.name.len() + named.selection.bytes()).sum()
 }
 
 /// The approximate memory of a soup in bytes, without its attributes.

@@ -20,11 +20,11 @@ mod selection;
 
 pub use bezier::{Bezier, show_controls};
 pub use changes::{Changes, ObjectChange};
-pub use document::{Counts, Document, Object, ObjectId};
-pub use editor::{Begun, Editor, Finished, Message, MessageKind, RunningJob, SelectBy, SelectMode};
+pub use document::{Counts, Document, NamedSelection, Object, ObjectId};
+pub use editor::{Begun, Editor, Finished, Message, MessageKind, RunningJob, SelectBy};
 pub use error::{CommandError, ErrorKind};
 pub use job::{BadBytes, JobId, JobRequest, JobResult, Wire};
-pub use ops::{Command, Facts, Op, OpId, Scope, Spec};
+pub use ops::{Command, Facts, Op, OpId, Scope, SelectMode, Spec};
 pub use outcome::{ElementIds, Elements, Outcome};
 pub use script::element_kind;
 pub use selection::Selection;

@@ -87,6 +87,11 @@ impl Selection {
         self.set.bytes()
     }
 
+    /// The ids as a set.
+    pub(crate) fn set(&self) -> &BitSet {
+        &self.set
+    }
+
     pub(crate) fn insert(&mut self, id: u32) {
         self.set.insert(id as usize);
         self.latest = Some(id);

@@ -98,7 +98,7 @@ fn repairing_runs_in_a_worker() {
         let mut editor = on_fin();
         match editor.begin_from(command(value), 0).expect("goes through") {
             Begun::Job(request) => request.to_bytes().len(),
-            Begun::Done(_) => panic!("a job"),
+            Begun::Done(_) | Begun::Selecting => panic!("a job"),
         }
     };
     let [smooth, repair] = [json!({"op": "smooth"}), json!({"op": "repair-import"})].map(sent);

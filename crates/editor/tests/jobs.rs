@@ -29,6 +29,7 @@ fn job(begun: Begun) -> JobRequest {
     match begun {
         Begun::Job(request) => request,
         Begun::Done(outcome) => panic!("done at once: {outcome:?}"),
+        Begun::Selecting => panic!("it selects"),
     }
 }
 

@@ -49,10 +49,7 @@ fn sharp_edges_are_those_above_an_angle() {
 #[test]
 fn a_bent_quad_is_not_planar() {
     // Folded along a diagonal, so that the planes of its triangles meet at 90 degrees: 45 from the mean.
-    let bent = build(
-        &[[0., 0., 0.], [1., 0., 1.], [1., 1., 0.], [0., 1., 1.]],
-        &[&[0, 1, 2, 3]],
-    );
+    let bent = build(&[[0., 0., 0.], [1., 0., 1.], [1., 1., 0.], [0., 1., 1.]], &[&[0, 1, 2, 3]]);
     let normal = (Vec3::new(1., 0., 1.)).cross(Vec3::new(1., 1., 0.)).as_dvec3();
     let mean = halfedge::geometry::face_area_vector(&bent, FaceId::new(0));
     let bend = normal.angle_between(mean).to_degrees();

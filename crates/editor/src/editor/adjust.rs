@@ -4,6 +4,8 @@ use super::{Begun, Editor, MessageKind};
 use crate::error::CommandError;
 use crate::history::{Change, Step};
 use crate::ops::Command;
+use crate::selection::Selection;
+use std::sync::Arc;
 
 /// The command that led to the present state.
 #[derive(Clone, Debug)]
@@ -12,6 +14,8 @@ pub(super) struct Last {
     revision: u64,
     /// Whether the command made an undo step. Some values of an adjustment may change nothing.
     is_step: bool,
+    /// The selection that it made, if it only selects.
+    selected: Option<Arc<Selection>>,
 }
 
 /// A step that a job is to replace.
@@ -27,12 +31,19 @@ pub(super) struct Replaced {
 impl Editor {
     /// Remembers the command that led to the present state.
     pub(super) fn remember(&mut self, command: Command) {
-        self.last = Some(Last { command, revision: self.revision, is_step: true });
+        self.last = Some(Last { command, revision: self.revision, is_step: true, selected: None });
+    }
+
+    /// Remembers a command that changed the selection from what it was before, or left it.
+    pub(super) fn remember_selecting(&mut self, command: Command, before: &Arc<Selection>) {
+        let is_step = *before != self.selection;
+        let selected = Some(self.selection.clone());
+        self.last = Some(Last { command, revision: self.revision, is_step, selected });
     }
 
     /// Remembers an adjustment that changed nothing, so that the next one has no step to undo.
     pub(super) fn remember_without_step(&mut self, command: Command) {
-        self.last = Some(Last { command, revision: self.revision, is_step: false });
+        self.last = Some(Last { command, revision: self.revision, is_step: false, selected: None });
     }
 
     /// The command that led to the current revision, as it was given; none if something else was done
@@ -40,7 +51,8 @@ impl Editor {
     pub fn last_command(&self) -> Option<&Command> {
         let last = self.last.as_ref()?;
         let edited = self.is_editing() && !self.is_previewing_mesh();
-        (last.revision == self.revision && !edited).then_some(&last.command)
+        let selected_more = last.selected.as_ref().is_some_and(|set| !Arc::ptr_eq(set, &self.selection));
+        (last.revision == self.revision && !edited && !selected_more).then_some(&last.command)
     }
 
     /// Runs the last command again with other fields: undoes the last step and begins the new command on
@@ -59,15 +71,19 @@ impl Editor {
             ));
         };
         self.end_edit();
-        if last.is_step {
-            self.undo()?;
+        match (last.is_step, &last.selected) {
+            (true, None) => drop(self.undo()?),
+            (true, Some(_)) => drop(self.undo_step()?),
+            (false, _) => {}
         }
         let before = self.revision;
         match self.begin(command.clone()) {
             Ok(begun) => {
                 match &begun {
-                    Begun::Done(_) if self.revision == before => self.remember_without_step(command),
-                    Begun::Done(_) => {}
+                    Begun::Done(_) if self.revision == before && last.selected.is_none() => {
+                        self.remember_without_step(command);
+                    }
+                    Begun::Done(_) | Begun::Selecting => {}
                     Begun::Job(request) => {
                         // The job keeps the step, so that nothing done meanwhile can drop it.
                         let step = if last.is_step { self.history.take_redo() } else { None };
@@ -91,6 +107,7 @@ impl Editor {
 
     /// Restores a step that an adjustment undid but could not replace.
     pub(super) fn restore(&mut self, replaced: Replaced) {
+        self.finish_selecting();
         let Replaced { step, last, before } = replaced;
         if self.revision == before {
             let back = self.reverse(step);

@@ -63,6 +63,7 @@ impl Editor {
         let removed_all = commit == Commit::NewDocument;
         let replaced = |object: &&Object| removed_all || objects.contains(&object.id());
         let before = outcome::sizes(self.document.objects.iter().filter(replaced).map(Object::mesh));
+        let gone = ids.as_ref().map(|(_, removed)| removed.clone());
         let (created, removed) = match (ids, commit) {
             (Some((created, removed)), _) => (created.into(), removed.into()),
             (None, Commit::NewDocument) => {
@@ -74,8 +75,16 @@ impl Editor {
             }
         };
         let keeps_ids = created.ids.is_some();
-        let changes = self.changes_for(commit, objects, at, outputs)?;
-        let back = self.apply(changes);
+        let mut changes = self.changes_for(commit, objects, at, outputs)?;
+        let mut notes = notes;
+        if gone.is_none() && matches!(commit, Commit::Replace | Commit::Join) {
+            changes.extend(self.forget_ids(objects, &mut notes));
+        }
+        let mut back = self.apply(changes);
+        if let (Some(gone), Some(&id)) = (gone, objects.first()) {
+            // Undone first, before the ids are back, as sets needn't exist.
+            back.extend(self.forget_removed(id, &gone));
+        }
         if keeps_ids {
             self.drop_gone_from_selection();
         } else {
@@ -84,6 +93,36 @@ impl Editor {
         }
         let outcome = Self::outcome(std::slice::from_ref(op), created, removed);
         Ok((Outcome { warnings: notes, ..outcome }, back))
+    }
+
+    /// The changes that show what is hidden of objects whose elements get new ids, and drop their named selections.
+    /// Notes say so.
+    fn forget_ids(&self, objects: &[ObjectId], notes: &mut Vec<String>) -> Vec<Change> {
+        let mut changes = Vec::new();
+        for object in objects.iter().filter_map(|&id| self.document.object(id)) {
+            if !object.hidden().is_empty() {
+                let count = object.hidden().len();
+                let (faces, are) = if count == 1 { ("face", "is") } else { ("faces", "are") };
+                notes.push(format!("{count} hidden {faces} of {} {are} shown again", object.name()));
+                changes.push(Change::Hidden(object.id(), Arc::default()));
+            }
+            if !object.named_selections().is_empty() {
+                let names: Vec<String> =
+                    object.named_selections().iter().map(|named| format!("“{}”", named.name)).collect();
+                notes.push(format!(
+                    "The elements have new ids, so these named selections were dropped: {}",
+                    names.join(", ")
+                ));
+                changes.push(Change::NamedSelections(object.id(), Arc::default()));
+            }
+        }
+        // Objects that are joined to the first are removed with theirs.
+        let first = objects.first().copied();
+        changes.retain(|change| match change {
+            Change::Hidden(id, _) | Change::NamedSelections(id, _) => Some(*id) == first,
+            _ => true,
+        });
+        changes
     }
 
     fn changes_for(
@@ -170,7 +209,7 @@ impl Editor {
 fn commit_of(op: &Op) -> Commit {
     match op.action() {
         Action::WholeMesh(whole) => whole.commit(),
-        Action::Local(_) | Action::Document(_) => Commit::Replace,
+        Action::Local(_) | Action::Document(_) | Action::Select(_) => Commit::Replace,
     }
 }
 

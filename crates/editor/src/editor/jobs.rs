@@ -23,6 +23,8 @@ const MAX_FACES_AT_ONCE: usize = 20_000;
 pub enum Begun {
     /// The command is done.
     Done(Outcome),
+    /// The command looks for elements in a large mesh: [`Editor::select_some`] continues.
+    Selecting,
     /// The command takes long: run this job anywhere and pass its result to [`Editor::finish`].
     Job(JobRequest),
 }
@@ -123,6 +125,12 @@ impl Editor {
             Planned::Whole { op, objects, at } => (objects.clone(), vec![op.clone()], *at),
             Planned::Local { object, ops, .. } => (vec![*object], ops.clone(), 0),
             Planned::Document { .. } => (Vec::new(), Vec::new(), 0),
+            Planned::Select { op, find } if find.cost(self.selected_mesh()) >= faces => {
+                let (op, find) = (op.clone(), find.clone());
+                self.start_selecting(*find, &op, Some(command));
+                return Ok(Begun::Selecting);
+            }
+            Planned::Select { .. } => (Vec::new(), Vec::new(), 0),
         };
         let inputs = self.inputs(&objects);
         let cost = Self::work(&ops, &inputs);
@@ -146,7 +154,7 @@ impl Editor {
         match self.plan(command.clone()).ok()? {
             Planned::Whole { op, objects, .. } => Some(Self::work(&[op], &self.inputs(&objects))),
             Planned::Local { object, ops, .. } => Some(Self::work(&ops, &self.inputs(&[object]))),
-            Planned::Document { .. } => Some(0),
+            Planned::Document { .. } | Planned::Select { .. } => Some(0),
         }
     }
 
@@ -155,7 +163,7 @@ impl Editor {
         let each = ops.iter().map(|op| match op.action() {
             Action::WholeMesh(whole) => whole.cost(inputs),
             Action::Local(edit) => inputs.first().map_or(0, |input| edit.cost(&input.mesh)),
-            Action::Document(_) => 0,
+            Action::Document(_) | Action::Select(_) => 0,
         });
         each.fold(0, usize::saturating_add)
     }

@@ -38,6 +38,7 @@ impl Editor {
     }
 
     fn replace_preview(&mut self, command: Command) -> Result<Outcome, Problem> {
+        self.finish_selecting();
         // Resolves the elements in the document without the preview, as the commit does.
         let Some(last) = self.ongoing.take() else {
             let selection = self.selection.clone();
@@ -60,7 +61,7 @@ impl Editor {
                 let edited = self.edit(object, &ops, selects)?;
                 let outcome =
                     Outcome { warnings: edited.notes, ..Self::outcome(&ops, edited.created, edited.removed) };
-                (vec![Change::Journal(object, edited.journal)], outcome, false)
+                (edited.back, outcome, false)
             }
             Planned::Document { op, changes } if op.spec().scope == Scope::Bezier => {
                 let back = self.apply_to_document(changes);
@@ -78,7 +79,7 @@ impl Editor {
                     (back, outcome, true)
                 }
             }
-            Planned::Whole { .. } | Planned::Document { .. } => {
+            Planned::Whole { .. } | Planned::Document { .. } | Planned::Select { .. } => {
                 return Err(Problem::new(
                     "this operation can't be dragged or previewed, because it doesn't change a single mesh",
                 ));
@@ -111,6 +112,7 @@ impl Editor {
     /// Ends the ongoing edit because something else happens: commits an edit of elements, cancels the
     /// preview of an operation on the whole mesh.
     pub(super) fn end_edit(&mut self) {
+        self.finish_selecting();
         if self.is_previewing_mesh() {
             self.cancel_edit()
         } else {

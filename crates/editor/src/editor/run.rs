@@ -2,16 +2,17 @@
 
 use super::Editor;
 use super::MessageKind;
-use crate::document::{Object, ObjectId};
+use crate::document::{NamedSelection, Object, ObjectId};
 use crate::error::{CommandError, Problem};
 use crate::history::{Change, is_reshaping};
 use crate::job;
 use crate::ops::{Action, Command, Commit, LocalEdit, NamedMesh, Op, Place, Target, edit_all, refuse_bezier};
 use crate::outcome::{Before, ElementIds, Elements, Outcome};
 use crate::selection::Selection;
-use halfedge::{Journal, Mesh, Touched};
+use halfedge::{Element, InParts, Mesh, Touched};
 use std::ops::ControlFlow;
 use std::sync::Arc;
+use surface::selecting::Finding;
 
 /// The work that a command resolves to.
 pub(super) enum Planned {
@@ -30,11 +31,16 @@ pub(super) enum Planned {
         op: Op,
         changes: Vec<Change>,
     },
+    Select {
+        op: Op,
+        find: Box<Finding>,
+    },
 }
 
 /// The result of local edits.
 pub(super) struct Edited {
-    pub journal: Journal,
+    /// The changes that undo them, in order.
+    pub back: Vec<Change>,
     pub created: Elements,
     pub removed: Elements,
     pub notes: Vec<String>,
@@ -102,9 +108,13 @@ impl Editor {
             }
             Planned::Whole { op, objects, .. } => match op.action() {
                 Action::WholeMesh(whole) => nothing_to_do(whole.changes_nothing(&self.inputs(&objects))),
-                Action::Local(_) | Action::Document(_) => Ok(()),
+                Action::Local(_) | Action::Document(_) | Action::Select(_) => Ok(()),
             },
-            Planned::Document { .. } => Ok(()),
+            Planned::Document { op, .. } => match op.action() {
+                Action::Document(edit) => nothing_to_do(edit.changes_nothing(&self.place(command))),
+                Action::Local(_) | Action::WholeMesh(_) | Action::Select(_) => Ok(()),
+            },
+            Planned::Select { .. } => Ok(()),
         }
     }
 
@@ -132,6 +142,12 @@ impl Editor {
         planned: Planned,
         progress: &mut halfedge::Progress<'_>,
     ) -> Result<Outcome, Problem> {
+        if matches!(planned, Planned::Select { .. }) {
+            let before = self.selection.clone();
+            let outcome = self.carry_out_step(planned, progress)?;
+            self.remember_selecting(command, &before);
+            return Ok(outcome);
+        }
         let before = self.revision;
         let outcome = self.carry_out_step(planned, progress)?;
         // A command that changed nothing made no step, so there is nothing to adjust.
@@ -152,8 +168,7 @@ impl Editor {
                 let done = self.edit(object, &ops, selects)?;
                 let label = ops.first().map_or("", |op| op.spec().label);
                 let outcome = Self::outcome(&ops, done.created, done.removed);
-                let is_step =
-                    self.push_step(label.to_owned(), vec![Change::Journal(object, done.journal)], before);
+                let is_step = self.push_step(label.to_owned(), done.back, before);
                 let outcome = if is_step { outcome } else { outcome.unchanged() };
                 Ok(Outcome { warnings: done.notes, ..outcome })
             }
@@ -163,10 +178,20 @@ impl Editor {
             }
             Planned::Document { op, changes } => {
                 let before = self.selection.clone();
+                let hides = matches!(changes.as_slice(), [Change::Hidden(..)]);
                 let back = self.apply_to_document(changes);
                 let label = op.spec().label.to_owned();
-                let outcome = Self::outcome(&[op], Elements::default(), Elements::default());
+                let mut outcome = Self::outcome(&[op], Elements::default(), Elements::default());
+                if let (true, Some(Change::Hidden(id, _))) = (hides, back.first()) {
+                    let count = self.document.object(*id).map_or(0, |object| object.hidden().len());
+                    let faces = if count == 1 { "face" } else { "faces" };
+                    outcome.message = format!("{label}: {count} {faces} hidden");
+                }
                 Ok(if self.push_step(label, back, before) { outcome } else { outcome.unchanged() })
+            }
+            Planned::Select { op, find } => {
+                let (kind, found) = (find.kind(), find.finish(self.selected_mesh()));
+                Ok(self.select_found(&op, kind, found))
             }
         }
     }
@@ -194,6 +219,15 @@ impl Editor {
         let (no_selection, no_mesh) = (Selection::default(), Mesh::new());
         let against = self.target(&place, &no_selection, &no_mesh)?;
         let selects = command.op.is_open();
+        if let Action::Select(edit) = command.op.action() {
+            let object = place.object()?;
+            if self.document.active().map(Object::id) != Some(object.id()) {
+                return Err(Problem::field("object", "only the active object has a selection"));
+            }
+            let find = edit.find(&against)?;
+            let find = if edit.takes_hidden() { find } else { find.shown(object.hidden()) };
+            return Ok(Planned::Select { op: command.op, find: Box::new(find) });
+        }
         let mut ops = command.op.resolve(&against)?;
         if let [op] = ops.as_slice()
             && let Action::WholeMesh(whole) = op.action()
@@ -223,7 +257,8 @@ impl Editor {
 
     /// The place where a command acts.
     fn place(&self, command: &Command) -> Place<'_> {
-        Place { document: &self.document, object: command.object, next_object: ObjectId(self.next_object) }
+        let (document, selection) = (&self.document, &self.selection);
+        Place { document, object: command.object, next_object: ObjectId(self.next_object), selection }
     }
 
     /// The mesh and selection that a command's elements refer to. Only `new` works without an object;
@@ -242,6 +277,7 @@ impl Editor {
         let is_active = object.is_some() && object.map(Object::id) == self.document.active().map(Object::id);
         Ok(Target {
             mesh: object.map_or(no_mesh, Object::mesh),
+            object,
             selection: if is_active { &self.selection } else { no_selection },
         })
     }
@@ -254,9 +290,13 @@ impl Editor {
             }
         }
         let active = self.document.active().map(Object::id);
+        let hides = changes.iter().any(|change| matches!(change, Change::Hidden(..)));
         let back = self.apply(changes);
         if self.document.active().map(Object::id) == active {
             self.drop_gone_from_selection();
+            if hides {
+                self.drop_hidden_from_selection();
+            }
         } else {
             self.selection = Arc::new(Selection::new(self.selection.kind()));
             self.changes.selection = true;
@@ -290,6 +330,11 @@ impl Editor {
         if reshaped {
             self.forget_counts(id);
         }
+        let mut back = vec![Change::Journal(id, journal)];
+        if back.iter().all(Change::is_nothing) {
+            back.clear();
+        }
+        back.extend(self.forget_removed(id, &removed));
         if self.document.active == at {
             let result = if selects { self.result(ops, &created) } else { None };
             match result {
@@ -297,7 +342,41 @@ impl Editor {
                 None => self.drop_gone_from_selection(),
             }
         }
-        Ok(Edited { journal, created: created.into(), removed: removed.into(), notes })
+        Ok(Edited { back, created: created.into(), removed: removed.into(), notes })
+    }
+
+    /// Removes elements that an edit removed from the hidden faces and the named selections; returns the changes that
+    /// undo that. Costs O(removed elements), and O(ids / 64) where one was hidden or named.
+    pub(super) fn forget_removed(&mut self, id: ObjectId, removed: &ElementIds) -> Vec<Change> {
+        let Some(object) = self.document.object(id) else { return Vec::new() };
+        let mut changes = Vec::new();
+        let was_hidden = |f: &&u32| object.hidden().contains(**f as usize);
+        if removed.faces.iter().find(was_hidden).is_some() {
+            let mut hidden = (**object.hidden()).clone();
+            removed.faces.iter().for_each(|&f| {
+                hidden.remove(f as usize);
+            });
+            changes.push(Change::Hidden(id, Arc::new(hidden)));
+        }
+        let sides: Vec<u32> = removed.edges.iter().flat_map(|e| [2 * e, 2 * e + 1]).collect();
+        let gone = |kind| match kind {
+            Element::Vertex => &removed.vertices,
+            Element::Edge => &removed.edges,
+            Element::Halfedge => &sides,
+            Element::Face => &removed.faces,
+        };
+        let loses = |named: &NamedSelection| {
+            let kind = named.selection.kind();
+            gone(kind).iter().any(|&id| named.selection.contains(kind, id))
+        };
+        if object.named_selections().iter().any(loses) {
+            let mut named = object.named_selections().to_vec();
+            for NamedSelection { selection, .. } in &mut named {
+                gone(selection.kind()).iter().for_each(|&id| selection.remove(id));
+            }
+            changes.push(Change::NamedSelections(id, Arc::new(named)));
+        }
+        self.apply(changes)
     }
 }
 
@@ -313,7 +392,7 @@ impl Editor {
 fn local_edits(ops: &[Op]) -> impl Iterator<Item = &dyn LocalEdit> {
     ops.iter().filter_map(|op| match op.action() {
         Action::Local(edit) => Some(edit),
-        Action::WholeMesh(_) | Action::Document(_) => None,
+        Action::WholeMesh(_) | Action::Document(_) | Action::Select(_) => None,
     })
 }
 

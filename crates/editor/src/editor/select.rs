@@ -4,26 +4,15 @@
 use super::Editor;
 use crate::error::{CommandError, Problem};
 use crate::history::Step;
+use crate::ops::SelectMode;
 use crate::selection::Selection;
-use halfedge::Element;
+use halfedge::geometry::BitSet;
+use halfedge::{Element, InParts};
 use std::sync::Arc;
+use surface::selecting::{Criterion, Finding};
 
 /// The label of changes of the selection in the history.
 const SELECT: &str = "Select";
-
-/// How new elements combine with the current selection.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum SelectMode {
-    /// Selects only the new elements.
-    #[default]
-    Replace,
-    /// Adds the new elements to the selection.
-    Extend,
-    /// Deselects those of the new elements that are selected, and selects the others.
-    Toggle,
-    /// Deselects the new elements.
-    Remove,
-}
 
 impl Editor {
     /// Selects elements of the active object. Elements of another kind replace the selection.
@@ -93,6 +82,7 @@ impl Editor {
                 SelectMode::Toggle if selection.contains(kind, id) => {
                     selection.remove(id);
                 }
+                SelectMode::Intersect if !self.selection.contains(kind, id) => {}
                 _ => {
                     selection.insert(id);
                 }
@@ -123,13 +113,24 @@ impl Editor {
         self.select(kind, ids, SelectMode::Extend)
     }
 
-    /// Selects every element of a kind.
+    /// Selects every element of a kind that isn't hidden.
     pub fn select_all(&mut self, kind: Element) {
+        self.select_by_criterion(Finding::by(kind, Criterion::Any));
+    }
+
+    /// Selects the elements of a kind instead that are neither selected nor hidden.
+    pub fn select_inverse(&mut self, kind: Element) {
         self.end_edit();
-        let Some(mesh) = self.mesh() else { return };
-        let ids = (0..mesh.capacity(kind) as u32).filter(|&id| mesh.exists(kind, id));
-        let selection = Selection::of(kind, ids);
-        self.set_selection(selection);
+        let of_kind = self.selection.kind() == kind;
+        let selected = if of_kind { self.selection.set().clone() } else { BitSet::new() };
+        self.select_by_criterion(Finding::outside(kind, selected));
+    }
+
+    fn select_by_criterion(&mut self, find: Finding) {
+        self.end_edit();
+        let Some(object) = self.document.active() else { return };
+        let find = find.shown(object.hidden());
+        self.start_or_finish(find);
     }
 
     /// Clears the selection; its kind stays.
@@ -158,6 +159,15 @@ impl Editor {
             self.selection = Arc::new(selection);
             self.changes.selection = true;
         }
+    }
+
+    /// Drops hidden elements from the selection.
+    pub(super) fn drop_hidden_from_selection(&mut self) {
+        let Some(object) = self.document.active() else { return };
+        let (kind, latest) = (self.selection.kind(), self.selection.latest());
+        let find = Finding::known(kind, self.selection.set().clone()).shown(object.hidden());
+        let shown = find.finish(object.mesh());
+        self.replace_selection(Selection::of_set(kind, shown, latest));
     }
 
     /// Drops removed elements from the selection.

@@ -1,11 +1,12 @@
 //! Selections that follow from the current one, or from the element under the pointer.
 
-use super::{Editor, SelectMode};
+use super::Editor;
 use crate::error::{CommandError, Problem};
+use crate::ops::{Relation, SelectMode};
 use crate::selection::Selection;
 use halfedge::geometry::BitSet;
 use halfedge::{Element, FaceId, HalfedgeId, Mesh};
-use surface::selecting::{self, Line};
+use surface::selecting::{self, Finding, Line};
 
 /// A way to get a selection from the current one.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -30,63 +31,63 @@ pub enum SelectBy {
     Touching(Element),
 }
 
+impl From<Relation> for SelectBy {
+    fn from(relation: Relation) -> Self {
+        match relation {
+            Relation::Grow => Self::Grow,
+            Relation::Shrink => Self::Shrink,
+            Relation::Linked => Self::Linked,
+            Relation::Loops => Self::Loops,
+            Relation::Rings => Self::Rings,
+            Relation::Path => Self::Path,
+            Relation::Outline => Self::Outline,
+            Relation::Vertices => Self::Kind(Element::Vertex),
+            Relation::Edges => Self::Kind(Element::Edge),
+            Relation::Halfedges => Self::Kind(Element::Halfedge),
+            Relation::Faces => Self::Kind(Element::Face),
+            Relation::TouchingEdges => Self::Touching(Element::Edge),
+            Relation::TouchingHalfedges => Self::Touching(Element::Halfedge),
+            Relation::TouchingFaces => Self::Touching(Element::Face),
+        }
+    }
+}
+
 impl Editor {
     /// Whether [`Editor::select_by`] would succeed.
     ///
     /// # Errors
     /// Why not, and what to select first. Finding that out costs O(selection x valence) at most.
     pub fn can_select_by(&self, by: SelectBy) -> Result<(), CommandError> {
-        let refuse = |text: &str| Err(CommandError::refused("select", text));
-        let selection = &self.selection;
-        let (kind, count) = (selection.kind(), selection.len());
-        if self.mesh().is_none() || selection.is_empty() {
-            return refuse("Select something first.");
-        }
-        match by {
-            SelectBy::Kind(to) | SelectBy::Touching(to) if kind == to => Err(CommandError::refused(
-                "select",
-                format!("The selection consists of {} already.", kind.plural()),
-            )),
-            SelectBy::Outline if kind != Element::Face => refuse("Select faces first."),
-            SelectBy::Path if count != 2 => refuse("Select the two ends of the path first."),
-            SelectBy::Loops | SelectBy::Rings
-                if count == 1 && matches!(kind, Element::Vertex | Element::Face) =>
-            {
-                let text =
-                    format!("Select two neighbouring {} first: they give the direction.", kind.plural());
-                Err(CommandError::refused("select", text))
-            }
-            _ => Ok(()),
-        }
+        let mesh = self.mesh().filter(|_| !self.selection.is_empty());
+        let problem = match mesh {
+            None => Some(refused("Select something first.")),
+            Some(_) => check(&self.selection, by).err(),
+        };
+        problem.map_or(Ok(()), |problem| Err(CommandError::of("select", problem)))
     }
 
-    /// Changes the selection by what is selected. Costs O(elements of the result x valence); linked elements cost
-    /// O(mesh).
+    /// Changes the selection by what is selected, at once. Costs O(elements of the result x valence).
     ///
     /// # Errors
     /// The selection isn't suited: the error says what to select first. It is unchanged then.
     pub fn select_by(&mut self, by: SelectBy) -> Result<(), CommandError> {
-        self.can_select_by(by)?;
+        self.begin_select_by(by)?;
+        self.finish_selecting();
+        Ok(())
+    }
+
+    /// Changes the selection by what is selected: at once, or if that may take long with [`Editor::select_some`].
+    ///
+    /// # Errors
+    /// As [`Editor::select_by`].
+    pub fn begin_select_by(&mut self, by: SelectBy) -> Result<(), CommandError> {
         self.end_edit();
-        let Some(mesh) = self.mesh() else { return Ok(()) };
-        let kind = self.selection.kind();
-        let chosen: BitSet = self.selection.ids().map(|id| id as usize).collect();
-        let (kind, found) = match by {
-            SelectBy::Grow => (kind, selecting::grow(mesh, kind, &chosen)),
-            SelectBy::Shrink => (kind, selecting::shrink(mesh, kind, &chosen)),
-            SelectBy::Linked => (kind, selecting::linked(mesh, kind, &chosen)),
-            SelectBy::Loops => (kind, lines(mesh, kind, &chosen, Line::Loop)?),
-            SelectBy::Rings => (kind, lines(mesh, kind, &chosen, Line::Ring)?),
-            SelectBy::Kind(to) => (to, selecting::convert(mesh, kind, to, &chosen)),
-            SelectBy::Touching(to) => (to, selecting::expand(mesh, kind, to, &chosen)),
-            SelectBy::Outline => (Element::Edge, selecting::outline(mesh, &chosen)),
-            SelectBy::Path => {
-                let mut ends = self.selection.ids();
-                let (Some(from), Some(to)) = (ends.next(), ends.next()) else { return Ok(()) };
-                (kind, path(mesh, kind, from, to)?.into_iter().map(|id| id as usize).collect())
-            }
+        let refused = |problem| CommandError::of("select", problem);
+        let Some(object) = self.document.active() else {
+            return self.can_select_by(by);
         };
-        self.set_selection(Selection::of_set(kind, found, self.selection.latest()));
+        let find = find_related(object.mesh(), &self.selection, by).map_err(refused)?;
+        self.start_or_finish(find.shown(object.hidden()));
         Ok(())
     }
 
@@ -97,7 +98,8 @@ impl Editor {
             self.replace_selection(Selection::new(kind));
         } else {
             // Refused only where the selection is of this kind already.
-            let _ = self.select_by(if touches { SelectBy::Touching(kind) } else { SelectBy::Kind(kind) });
+            let _ =
+                self.begin_select_by(if touches { SelectBy::Touching(kind) } else { SelectBy::Kind(kind) });
         }
     }
 
@@ -145,7 +147,7 @@ impl Editor {
         let (Some(mesh), Some(from)) = (self.mesh(), from) else {
             return self.select(kind, [to], SelectMode::Replace);
         };
-        let mut ids = path(mesh, kind, from, to)?;
+        let mut ids = path(mesh, kind, from, to).map_err(|problem| CommandError::of("select", problem))?;
         // The element last in the list counts as selected last.
         ids.retain(|&id| id != to);
         ids.push(to);
@@ -153,12 +155,58 @@ impl Editor {
     }
 }
 
-fn lines(mesh: &Mesh, kind: Element, chosen: &BitSet, line: Line) -> Result<BitSet, CommandError> {
+/// How to find what follows from a selection.
+pub(crate) fn find_related(mesh: &Mesh, selection: &Selection, by: SelectBy) -> Result<Finding, Problem> {
+    check(selection, by)?;
+    let (kind, chosen) = (selection.kind(), selection.set().clone());
+    Ok(match by {
+        SelectBy::Grow => Finding::grow(kind, chosen),
+        SelectBy::Shrink => Finding::shrink(kind, chosen),
+        SelectBy::Linked => Finding::linked(kind, chosen),
+        SelectBy::Loops => Finding::known(kind, lines(mesh, kind, &chosen, Line::Loop)?),
+        SelectBy::Rings => Finding::known(kind, lines(mesh, kind, &chosen, Line::Ring)?),
+        SelectBy::Kind(to) => Finding::convert(kind, to, chosen),
+        SelectBy::Touching(to) => Finding::expand(kind, to, chosen),
+        SelectBy::Outline => Finding::outline(chosen),
+        SelectBy::Path => {
+            let ends: Vec<u32> = selection.ids().collect();
+            let [from, to] = *ends.as_slice() else {
+                return Err(refused("Select the two ends of the path first."));
+            };
+            Finding::known(kind, path(mesh, kind, from, to)?.into_iter().map(|id| id as usize).collect())
+        }
+    })
+}
+
+/// What is known of a selection that isn't suited without looking at the mesh.
+fn check(selection: &Selection, by: SelectBy) -> Result<(), Problem> {
+    let (kind, count) = (selection.kind(), selection.len());
+    match by {
+        _ if count == 0 => Err(refused("Select something first.")),
+        SelectBy::Kind(to) | SelectBy::Touching(to) if kind == to => {
+            Err(refused(format!("The selection consists of {} already.", kind.plural())))
+        }
+        SelectBy::Outline if kind != Element::Face => Err(refused("Select faces first.")),
+        SelectBy::Path if count != 2 => Err(refused("Select the two ends of the path first.")),
+        SelectBy::Loops | SelectBy::Rings
+            if count == 1 && matches!(kind, Element::Vertex | Element::Face) =>
+        {
+            Err(refused(format!("Select two neighbouring {} first: they give the direction.", kind.plural())))
+        }
+        _ => Ok(()),
+    }
+}
+
+fn refused(text: impl Into<String>) -> Problem {
+    Problem::new(text)
+}
+
+fn lines(mesh: &Mesh, kind: Element, chosen: &BitSet, line: Line) -> Result<BitSet, Problem> {
     let through = selecting::directions(mesh, kind, chosen);
     if through.is_empty() {
         let text =
             format!("No two of the selected {} are neighbours, which gives the direction.", kind.plural());
-        return Err(CommandError::refused("select", text));
+        return Err(refused(text));
     }
     let mut found = selecting::lines(mesh, kind, &through, line);
     chosen.iter().for_each(|id| {
@@ -167,9 +215,9 @@ fn lines(mesh: &Mesh, kind: Element, chosen: &BitSet, line: Line) -> Result<BitS
     Ok(found)
 }
 
-fn path(mesh: &Mesh, kind: Element, from: u32, to: u32) -> Result<Vec<u32>, CommandError> {
+fn path(mesh: &Mesh, kind: Element, from: u32, to: u32) -> Result<Vec<u32>, Problem> {
     selecting::shortest_path(mesh, kind, from, to).ok_or_else(|| {
         let text = format!("No path leads from {kind} {from} to {kind} {to}: they are in different pieces.");
-        CommandError::refused("select", text)
+        refused(text)
     })
 }

@@ -1,7 +1,7 @@
 //! How operations are carried out: on a few elements, on whole meshes, or on the list of objects.
 
 use super::facts::{Estimate, Facts};
-use super::{Op, Slot, Spec, Target};
+use super::{Op, SelectMode, Slot, Spec, Target};
 use crate::bezier::Bezier;
 use crate::document::{Document, Object, ObjectId};
 use crate::error::Problem;
@@ -10,6 +10,7 @@ use crate::outcome::ElementIds;
 use crate::selection::Selection;
 use formats::NamedMesh;
 use halfedge::{EdgeId, Mesh, Progress, VertexId};
+use surface::selecting::Finding;
 
 /// An operation: a struct with the fields of its JSON.
 pub(crate) trait Operation: Clone {
@@ -50,6 +51,8 @@ pub(crate) enum Action<'a> {
     WholeMesh(&'a dyn WholeMesh),
     /// On the list of objects.
     Document(&'a dyn DocumentEdit),
+    /// On the selection.
+    Select(&'a dyn SelectEdit),
 }
 
 /// An operation on a few elements of one mesh. Called on resolved operations, whose elements are
@@ -182,6 +185,26 @@ pub(crate) trait WholeMesh {
 pub(crate) trait DocumentEdit {
     /// The changes that make the edit, in order; none where it changes nothing.
     fn changes(&self, place: &Place<'_>) -> Result<Vec<Change>, Problem>;
+
+    /// Why it would change nothing, where that is known beforehand: its menu entry is greyed.
+    fn changes_nothing(&self, place: &Place<'_>) -> Option<&'static str> {
+        let _ = place;
+        None
+    }
+}
+
+/// An operation on the selection of the active object.
+pub(crate) trait SelectEdit {
+    /// What to look for. Costs O(selection) at most.
+    fn find(&self, target: &Target<'_>) -> Result<Finding, Problem>;
+
+    /// How what is found changes the selection.
+    fn mode(&self) -> SelectMode;
+
+    /// Whether it selects hidden elements too, because it names them.
+    fn takes_hidden(&self) -> bool {
+        false
+    }
 }
 
 /// Where in a document an operation acts.
@@ -191,6 +214,8 @@ pub(crate) struct Place<'a> {
     pub object: Option<usize>,
     /// The identity of the next object that is made.
     pub next_object: ObjectId,
+    /// The selection on the active object.
+    pub selection: &'a Selection,
 }
 
 impl<'a> Place<'a> {
@@ -207,6 +232,11 @@ impl<'a> Place<'a> {
     pub fn object(&self) -> Result<&'a Object, Problem> {
         let at = self.index()?;
         self.document.objects.get(at).ok_or_else(no_object)
+    }
+
+    /// The selection, if the object is the active one.
+    pub fn selection(&self) -> Option<&'a Selection> {
+        (self.index().ok()? == self.document.active).then_some(self.selection)
     }
 
     /// Checks a place in the list.

@@ -100,7 +100,7 @@ impl Command {
         let whole = match self.op.action() {
             Action::WholeMesh(whole) => whole.is_for_each_object(),
             Action::Local(_) => self.op.is_open() && self.op.is_for_every_element(),
-            Action::Document(_) => false,
+            Action::Document(_) | Action::Select(_) => false,
         };
         self.object.is_none() && whole
     }

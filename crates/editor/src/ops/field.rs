@@ -95,6 +95,8 @@ pub enum Arity {
 pub enum Unit {
     /// A length in mesh units.
     Length,
+    /// An area in square mesh units.
+    Area,
     /// An angle in degrees.
     Degrees,
     /// A part of a whole, from 0 to 1.

@@ -18,8 +18,8 @@ mod spec;
 mod target;
 
 pub(crate) use action::{
-    Action, Commit, DocumentEdit, LocalEdit, Operation, Place, WholeMesh, edges_between_created, edit_all,
-    refuse_bezier,
+    Action, Commit, DocumentEdit, LocalEdit, Operation, Place, SelectEdit, WholeMesh, edges_between_created,
+    edit_all, refuse_bezier,
 };
 pub use choice::Choice;
 pub use command::Command;
@@ -180,6 +180,30 @@ operations! {
         smooth::Smooth,
         merge_by_distance::MergeByDistance,
     }
+    #[doc = "Operations on what is selected and what is hidden."]
+    selecting [hiding, naming] {
+        select::Select,
+        select_all::SelectAll,
+        select_related::SelectRelated,
+        select_boundary::SelectBoundary,
+        select_sharp_edges::SelectSharpEdges,
+        select_by_corners::SelectByCorners,
+        select_by_valence::SelectByValence,
+        select_by_area::SelectByArea,
+        select_by_length::SelectByLength,
+        select_non_planar::SelectNonPlanar,
+        select_degenerate::SelectDegenerate,
+        select_isolated::SelectIsolated,
+        select_facing::SelectFacing,
+        select_similar::SelectSimilar,
+        select_named::SelectNamed,
+        name_selection::NameSelection,
+        rename_named_selection::RenameNamedSelection,
+        delete_named_selection::DeleteNamedSelection,
+        hide::Hide,
+        reveal::Reveal,
+        isolate::Isolate,
+    }
     #[doc = "Operations on objects: which there are, what they are called, and what they are made of."]
     object [] {
         repair_import::RepairImport,
@@ -217,7 +241,7 @@ impl Op {
     pub fn result(&self, facts: &Facts) -> Option<Estimate> {
         match self.action() {
             Action::WholeMesh(whole) => whole.result(facts),
-            Action::Local(_) | Action::Document(_) => None,
+            Action::Local(_) | Action::Document(_) | Action::Select(_) => None,
         }
     }
 }

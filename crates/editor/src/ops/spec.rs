@@ -37,6 +37,8 @@ pub enum Scope {
     Meshes,
     /// The control points of a Bezier object: quick, can follow the pointer.
     Bezier,
+    /// What is selected and what is hidden: quick, doesn't change meshes.
+    Selection,
     /// The document: which objects there are, and what they are called.
     Document,
 }

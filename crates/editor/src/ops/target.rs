@@ -1,7 +1,8 @@
 //! Resolving an operation: the selection fills in the elements that it leaves out.
 
 use super::field::{Arity, Field, FieldKind, Fill, Selected};
-use super::{EdgeRef, FaceRef, HalfedgeRef, Operation, VertexRef};
+use super::{EdgeRef, FaceRef, HalfedgeRef, Kind, Operation, VertexRef};
+use crate::document::Object;
 use crate::error::Problem;
 use crate::selection::Selection;
 use halfedge::{EdgeId, Element, HalfedgeId, Mesh, VertexId};
@@ -11,6 +12,8 @@ pub(crate) struct Target<'a> {
     pub mesh: &'a Mesh,
     /// The selection; an empty one where the operation is for an object that isn't active.
     pub selection: &'a Selection,
+    /// The mesh's object, if there is one.
+    pub object: Option<&'a Object>,
 }
 
 /// An element field of an operation, to be filled in.
@@ -146,6 +149,20 @@ pub(crate) fn resolve<O: Operation>(mut op: O, target: &Target<'_>) -> Result<Ve
 }
 
 impl Target<'_> {
+    /// The kind of elements to select: the given one, or that of the selection.
+    pub fn kind(&self, given: Option<Kind>) -> Element {
+        given.map_or(self.selection.kind(), Kind::element)
+    }
+
+    /// The element of a kind that was selected last.
+    pub fn latest(&self, kind: Element) -> Result<u32, Problem> {
+        let latest = self.selection.latest().filter(|_| self.selection.kind() == kind);
+        latest.ok_or_else(|| {
+            let one = if kind == Element::Edge { "an edge".to_owned() } else { format!("a {kind}") };
+            Problem::new(format!("no {kind} is selected")).advise(format!("Select {one} first."))
+        })
+    }
+
     /// The ids of the selected elements, converted to this kind.
     fn ids(&self, element: Element, selected: Selected) -> Vec<u32> {
         let mut ids: Vec<u32> = match (element, selected) {
@@ -161,7 +178,7 @@ impl Target<'_> {
         {
             // The element selected last may be of another kind than the field's.
             let alone = Selection::of(self.selection.kind(), [latest]);
-            let latest = Target { mesh: self.mesh, selection: &alone }.ids(element, Selected::Only);
+            let latest = Target { selection: &alone, ..*self }.ids(element, Selected::Only);
             if latest == [*a] {
                 std::mem::swap(a, b);
             }

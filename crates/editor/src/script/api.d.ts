@@ -37,7 +37,17 @@ export interface Outcome {
 export interface State {
   document: {
     name: string;
-    objects: { name: string; visible: boolean; faces: number; bezier?: unknown; repairable?: boolean }[];
+    objects: {
+      name: string;
+      visible: boolean;
+      faces: number;
+      bezier?: unknown;
+      repairable?: boolean;
+      /** The number of hidden faces, where there are any. */
+      hidden?: number;
+      /** The named selections, where there are any. */
+      selections?: { name: string; kind: Kind; count: number }[];
+    }[];
     active: number;
     vertices: number;
     edges: number;

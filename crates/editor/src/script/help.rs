@@ -30,6 +30,6 @@ pub fn operation_help(id: OpId) -> String {
             words::when_left_out(field),
         );
     }
-    text += "\nOn the command line nothing is selected.\n";
+    text += "\nOn the command line nothing is selected until an operation selects.\n";
     text
 }

@@ -24,6 +24,14 @@ pub fn operations_reference() -> String {
         (Scope::Elements, "Local edits", "They keep the ids of elements that they don't change."),
         (Scope::Meshes, "Operations on whole meshes", "They renumber all elements; long ones run as jobs."),
         (Scope::Bezier, "Bezier curves and surfaces", "They edit control points."),
+        (
+            Scope::Selection,
+            "Selecting and hiding",
+            "They change what is selected and shown, not the mesh. Hidden elements are never selected by what they are like, \
+             but operations on whole meshes and files include them. An edit keeps hidden faces hidden and named selections \
+             as they are, without the elements that it removes; an operation that renumbers the mesh shows everything and \
+             drops the named selections.",
+        ),
         (Scope::Document, "Objects", "They edit the document's list of objects."),
     ];
     for (scope, title, note) in parts {

@@ -1,7 +1,7 @@
 //! The editor's state as JSON, as scripts on the page see it.
 
 use crate::bezier::Bezier;
-use crate::document::{Counts, Object};
+use crate::document::{Counts, NamedSelection, Object};
 use crate::editor::Editor;
 use crate::error::{CommandError, Problem};
 use crate::script::json::{number, vector};
@@ -35,7 +35,15 @@ impl Editor {
                     "faces": object.mesh().face_count(),
                 });
                 let value = with(value, "bezier", object.bezier().map(bezier_state));
-                with(value, "repairable", object.is_repairable().then_some(Value::Bool(true)))
+                let value = with(value, "repairable", object.is_repairable().then_some(Value::Bool(true)));
+                let hidden = object.hidden().len();
+                let value = with(value, "hidden", (hidden > 0).then(|| hidden.into()));
+                let named = object.named_selections();
+                with(
+                    value,
+                    "selections",
+                    (!named.is_empty()).then(|| named.iter().map(named_state).collect()),
+                )
             })
             .collect();
         let selection = self.selection();
@@ -90,6 +98,12 @@ impl Editor {
             Element::Face => face(mesh, FaceId::new(at)),
         })
     }
+}
+
+/// The name, kind and number of elements of a named selection.
+fn named_state(named: &NamedSelection) -> Value {
+    let selection = &named.selection;
+    json!({"name": named.name, "kind": element_name(selection.kind()), "count": selection.len()})
 }
 
 /// The kind of a Bezier object, with a curve's control points or the number of a surface's patches.

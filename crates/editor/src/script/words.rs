@@ -53,6 +53,7 @@ fn elements(element: Element, arity: Arity) -> String {
 fn in_unit(unit: Unit) -> &'static str {
     match unit {
         Unit::Length => " in mesh units",
+        Unit::Area => " in square mesh units",
         Unit::Degrees => " of degrees",
         Unit::Triangles => " of triangles",
         Unit::Fraction | Unit::ShareOfTriangles | Unit::Count => "",

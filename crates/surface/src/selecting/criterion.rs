@@ -111,7 +111,13 @@ impl Criterion {
     }
 
     /// Whether an existing element has the property. Costs O(valence), for a non-planar face O(corners^2) at most.
-    pub fn holds(&self, mesh: &Mesh, kind: Element, id: usize, triangulator: &mut PolygonTriangulator) -> bool {
+    pub fn holds(
+        &self,
+        mesh: &Mesh,
+        kind: Element,
+        id: usize,
+        triangulator: &mut PolygonTriangulator,
+    ) -> bool {
         match (*self, kind) {
             (Self::Any, _) => true,
             (Self::Boundary, Element::Vertex) => mesh.is_boundary_vertex(VertexId::new(id)),

@@ -117,7 +117,10 @@ impl Finding {
         use Element as E;
         let mut steps = expanded(from, to);
         // Of parts, all must be in the set.
-        if matches!((from, to), (E::Vertex, E::Edge | E::Halfedge | E::Face) | (E::Edge | E::Halfedge, E::Face)) {
+        if matches!(
+            (from, to),
+            (E::Vertex, E::Edge | E::Halfedge | E::Face) | (E::Edge | E::Halfedge, E::Face)
+        ) {
             steps.push(Step::Within(from, to));
         }
         Self::new(to, ids, steps)
@@ -191,10 +194,18 @@ impl InParts for Finding {
                 return None;
             }
             let is_done = match step {
-                Step::Every(criterion) => {
-                    every(mesh, self.kind, criterion, &mut self.triangulator, &mut self.at, &mut self.found, budget)
+                Step::Every(criterion) => every(
+                    mesh,
+                    self.kind,
+                    criterion,
+                    &mut self.triangulator,
+                    &mut self.at,
+                    &mut self.found,
+                    budget,
+                ),
+                Step::Spread => {
+                    spread(mesh, &self.current, &mut self.at, &mut self.front, &mut self.found, budget)
                 }
-                Step::Spread => spread(mesh, &self.current, &mut self.at, &mut self.front, &mut self.found, budget),
                 Step::WithoutOrigin => {
                     self.found = std::mem::take(&mut self.current);
                     self.found.subtract(&self.origin);

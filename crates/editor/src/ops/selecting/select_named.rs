@@ -1,0 +1,48 @@
+//! `select-named`: select the elements of a named selection.
+
+use super::naming::find;
+use super::select::MODE;
+use crate::error::Problem;
+use crate::ops::{Action, Field, FieldKind, Operation, Scope, SelectEdit, SelectMode, Spec, Target};
+use serde::{Deserialize, Serialize};
+use surface::selecting::Finding;
+
+/// Select the elements of a named selection.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct SelectNamed {
+    /// The name.
+    pub name: String,
+    /// How they change the selection.
+    pub mode: SelectMode,
+}
+
+impl Operation for SelectNamed {
+    const SPEC: Spec = Spec::new(
+        Scope::Selection,
+        "select-named",
+        "Select named selection",
+        "Select the elements of a named selection.",
+    )
+    .fields(&[Field::required("name", FieldKind::Text, "The name"), MODE]);
+
+    fn action(&self) -> Action<'_> {
+        Action::Select(self)
+    }
+}
+
+impl SelectEdit for SelectNamed {
+    fn find(&self, target: &Target<'_>) -> Result<Finding, Problem> {
+        let Some(object) = target.object else { return Err(Problem::new("the document has no object")) };
+        let named = object.named_selections();
+        let Some(named) = named.get(find(object, &self.name)?) else {
+            return Err(Problem::internal("a name that is listed is gone"));
+        };
+        let ids = named.selection.ids().map(|id| id as usize).collect();
+        Ok(Finding::known(named.selection.kind(), ids))
+    }
+
+    fn mode(&self) -> SelectMode {
+        self.mode
+    }
+}
