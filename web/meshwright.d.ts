@@ -403,8 +403,8 @@ export interface MergeByDistance {
 }
 
 /** Select elements by id. */
-export interface Select {
-  op: "select";
+export interface SelectElements {
+  op: "select-elements";
   /** The place of the object in the document's list; default: the active object. */
   object?: number;
   /** Vertices to select: a list of vertices, each by id; exactly one of these is required. */
@@ -415,8 +415,8 @@ export interface Select {
   halfedges?: (number | Pair)[];
   /** Faces to select: a list of faces, each by id; exactly one of these is required. */
   faces?: number[];
-  /** How what is found changes the selection: one of `"replace"`, `"extend"`, `"toggle"`, `"intersect"`; default: replace. */
-  mode?: "replace" | "extend" | "toggle" | "intersect";
+  /** How what is found changes the selection: one of `"replace"`, `"extend"`, `"toggle"`, `"remove"`, `"intersect"`; default: replace. */
+  mode?: "replace" | "extend" | "toggle" | "remove" | "intersect";
 }
 
 /** Select every element of a kind. */
@@ -426,8 +426,8 @@ export interface SelectAll {
   object?: number;
   /** The kind of elements to select: one of `"vertex"`, `"edge"`, `"halfedge"`, `"face"`; default: the kind of the selection. */
   kind?: "vertex" | "edge" | "halfedge" | "face";
-  /** How what is found changes the selection: one of `"replace"`, `"extend"`, `"toggle"`, `"intersect"`; default: replace. */
-  mode?: "replace" | "extend" | "toggle" | "intersect";
+  /** How what is found changes the selection: one of `"replace"`, `"extend"`, `"toggle"`, `"remove"`, `"intersect"`; default: replace. */
+  mode?: "replace" | "extend" | "toggle" | "remove" | "intersect";
 }
 
 /** Change the selection to its neighbours, pieces, loops or rings, or to another kind of element. */
@@ -446,8 +446,8 @@ export interface SelectBoundary {
   object?: number;
   /** The kind of elements to select: one of `"vertex"`, `"edge"`, `"halfedge"`, `"face"`; default: the kind of the selection. */
   kind?: "vertex" | "edge" | "halfedge" | "face";
-  /** How what is found changes the selection: one of `"replace"`, `"extend"`, `"toggle"`, `"intersect"`; default: replace. */
-  mode?: "replace" | "extend" | "toggle" | "intersect";
+  /** How what is found changes the selection: one of `"replace"`, `"extend"`, `"toggle"`, `"remove"`, `"intersect"`; default: replace. */
+  mode?: "replace" | "extend" | "toggle" | "remove" | "intersect";
 }
 
 /** Select edges whose two faces meet at more than an angle. */
@@ -457,8 +457,8 @@ export interface SelectSharpEdges {
   object?: number;
   /** The angle: 0 is flat, 90 an edge of a cube: a number of degrees from 0 to 180; default: 30.0. */
   angle?: number;
-  /** How what is found changes the selection: one of `"replace"`, `"extend"`, `"toggle"`, `"intersect"`; default: replace. */
-  mode?: "replace" | "extend" | "toggle" | "intersect";
+  /** How what is found changes the selection: one of `"replace"`, `"extend"`, `"toggle"`, `"remove"`, `"intersect"`; default: replace. */
+  mode?: "replace" | "extend" | "toggle" | "remove" | "intersect";
 }
 
 /** Select faces by the number of their corners. */
@@ -470,8 +470,8 @@ export interface SelectByCorners {
   corners?: number;
   /** How the face's number compares with it: one of `"equal"`, `"different"`, `"less"`, `"more"`; default: equal. */
   compare?: "equal" | "different" | "less" | "more";
-  /** How what is found changes the selection: one of `"replace"`, `"extend"`, `"toggle"`, `"intersect"`; default: replace. */
-  mode?: "replace" | "extend" | "toggle" | "intersect";
+  /** How what is found changes the selection: one of `"replace"`, `"extend"`, `"toggle"`, `"remove"`, `"intersect"`; default: replace. */
+  mode?: "replace" | "extend" | "toggle" | "remove" | "intersect";
 }
 
 /** Select vertices by the number of their edges. */
@@ -483,8 +483,8 @@ export interface SelectByValence {
   valence?: number;
   /** How the vertex's number compares with it: one of `"equal"`, `"different"`, `"less"`, `"more"`; default: equal. */
   compare?: "equal" | "different" | "less" | "more";
-  /** How what is found changes the selection: one of `"replace"`, `"extend"`, `"toggle"`, `"intersect"`; default: replace. */
-  mode?: "replace" | "extend" | "toggle" | "intersect";
+  /** How what is found changes the selection: one of `"replace"`, `"extend"`, `"toggle"`, `"remove"`, `"intersect"`; default: replace. */
+  mode?: "replace" | "extend" | "toggle" | "remove" | "intersect";
 }
 
 /** Select faces that are smaller or larger than an area. */
@@ -496,8 +496,8 @@ export interface SelectByArea {
   compare?: "less" | "more";
   /** With what: a number in square mesh units, 0 or more; required. */
   area: number;
-  /** How what is found changes the selection: one of `"replace"`, `"extend"`, `"toggle"`, `"intersect"`; default: replace. */
-  mode?: "replace" | "extend" | "toggle" | "intersect";
+  /** How what is found changes the selection: one of `"replace"`, `"extend"`, `"toggle"`, `"remove"`, `"intersect"`; default: replace. */
+  mode?: "replace" | "extend" | "toggle" | "remove" | "intersect";
 }
 
 /** Select edges that are smaller or larger than a length. */
@@ -509,8 +509,8 @@ export interface SelectByLength {
   compare?: "less" | "more";
   /** With what: a number in mesh units, 0 or more; required. */
   length: number;
-  /** How what is found changes the selection: one of `"replace"`, `"extend"`, `"toggle"`, `"intersect"`; default: replace. */
-  mode?: "replace" | "extend" | "toggle" | "intersect";
+  /** How what is found changes the selection: one of `"replace"`, `"extend"`, `"toggle"`, `"remove"`, `"intersect"`; default: replace. */
+  mode?: "replace" | "extend" | "toggle" | "remove" | "intersect";
 }
 
 /** Select polygons with a triangle that is turned by more than an angle against the mean plane. */
@@ -520,8 +520,8 @@ export interface SelectNonPlanar {
   object?: number;
   /** The angle that still counts as flat: a number of degrees from 0 to 180; default: 1.0. */
   angle?: number;
-  /** How what is found changes the selection: one of `"replace"`, `"extend"`, `"toggle"`, `"intersect"`; default: replace. */
-  mode?: "replace" | "extend" | "toggle" | "intersect";
+  /** How what is found changes the selection: one of `"replace"`, `"extend"`, `"toggle"`, `"remove"`, `"intersect"`; default: replace. */
+  mode?: "replace" | "extend" | "toggle" | "remove" | "intersect";
 }
 
 /** Select faces without area, or edges without length. */
@@ -533,8 +533,8 @@ export interface SelectDegenerate {
   kind?: "vertex" | "edge" | "halfedge" | "face";
   /** The area or length that still counts as none: a number in mesh units, 0 or more; default: 0.0. */
   at_most?: number;
-  /** How what is found changes the selection: one of `"replace"`, `"extend"`, `"toggle"`, `"intersect"`; default: replace. */
-  mode?: "replace" | "extend" | "toggle" | "intersect";
+  /** How what is found changes the selection: one of `"replace"`, `"extend"`, `"toggle"`, `"remove"`, `"intersect"`; default: replace. */
+  mode?: "replace" | "extend" | "toggle" | "remove" | "intersect";
 }
 
 /** Select vertices in no face. */
@@ -542,8 +542,8 @@ export interface SelectIsolated {
   op: "select-isolated";
   /** The place of the object in the document's list; default: the active object. */
   object?: number;
-  /** How what is found changes the selection: one of `"replace"`, `"extend"`, `"toggle"`, `"intersect"`; default: replace. */
-  mode?: "replace" | "extend" | "toggle" | "intersect";
+  /** How what is found changes the selection: one of `"replace"`, `"extend"`, `"toggle"`, `"remove"`, `"intersect"`; default: replace. */
+  mode?: "replace" | "extend" | "toggle" | "remove" | "intersect";
 }
 
 /** Select faces that face the same way as the one selected last, or a direction. */
@@ -555,8 +555,8 @@ export interface SelectFacing {
   direction?: Vector;
   /** The largest angle between it and a face's normal: a number of degrees from 0 to 180; default: 30.0. */
   angle?: number;
-  /** How what is found changes the selection: one of `"replace"`, `"extend"`, `"toggle"`, `"intersect"`; default: replace. */
-  mode?: "replace" | "extend" | "toggle" | "intersect";
+  /** How what is found changes the selection: one of `"replace"`, `"extend"`, `"toggle"`, `"remove"`, `"intersect"`; default: replace. */
+  mode?: "replace" | "extend" | "toggle" | "remove" | "intersect";
 }
 
 /** Select elements that share a property with the one selected last. */
@@ -568,8 +568,8 @@ export interface SelectSimilar {
   by?: "count" | "size" | "normal" | "color";
   /** How much it may differ, as a fraction: a number from 0 to 1; default: 0.009999999776482582. */
   tolerance?: number;
-  /** How what is found changes the selection: one of `"replace"`, `"extend"`, `"toggle"`, `"intersect"`; default: replace. */
-  mode?: "replace" | "extend" | "toggle" | "intersect";
+  /** How what is found changes the selection: one of `"replace"`, `"extend"`, `"toggle"`, `"remove"`, `"intersect"`; default: replace. */
+  mode?: "replace" | "extend" | "toggle" | "remove" | "intersect";
 }
 
 /** Select the elements of a named selection. */
@@ -579,8 +579,8 @@ export interface SelectNamed {
   object?: number;
   /** The name: text; required. */
   name: string;
-  /** How what is found changes the selection: one of `"replace"`, `"extend"`, `"toggle"`, `"intersect"`; default: replace. */
-  mode?: "replace" | "extend" | "toggle" | "intersect";
+  /** How what is found changes the selection: one of `"replace"`, `"extend"`, `"toggle"`, `"remove"`, `"intersect"`; default: replace. */
+  mode?: "replace" | "extend" | "toggle" | "remove" | "intersect";
 }
 
 /** Keep the selection under a name; one of that name is replaced. */
@@ -840,7 +840,7 @@ export type Command =
   | Remesh
   | Smooth
   | MergeByDistance
-  | Select
+  | SelectElements
   | SelectAll
   | SelectRelated
   | SelectBoundary

@@ -17,6 +17,8 @@ pub(crate) struct Shown {
     pub shortcuts: bool,
     pub messages: bool,
     pub about: bool,
+    /// The window with the named selections.
+    pub named: bool,
     /// The sheet of the narrow layout.
     pub sheet: Sheet,
 }
@@ -33,6 +35,7 @@ impl Default for Shown {
             shortcuts: false,
             messages: false,
             about: false,
+            named: false,
             sheet: Sheet::default(),
         }
     }
@@ -44,13 +47,14 @@ pub(crate) enum Window {
     Shortcuts,
     Messages,
     About,
+    Named,
 }
 
 impl Shown {
     /// Closes all open windows; returns whether there were any.
     pub fn close_windows(&mut self) -> bool {
-        let any = self.shortcuts || self.messages || self.about;
-        (self.shortcuts, self.messages, self.about) = (false, false, false);
+        let any = self.shortcuts || self.messages || self.about || self.named;
+        (self.shortcuts, self.messages, self.about, self.named) = (false, false, false, false);
         any
     }
 
@@ -60,6 +64,7 @@ impl Shown {
             Window::Shortcuts => self.shortcuts = false,
             Window::Messages => self.messages = false,
             Window::About => self.about = false,
+            Window::Named => self.named = false,
         }
     }
 }

@@ -2,6 +2,7 @@
 
 mod adjust;
 mod commit;
+mod forget;
 mod jobs;
 mod ongoing;
 mod open;
@@ -19,6 +20,7 @@ use crate::changes::Changes;
 use crate::document::{Counts, Document, Object, ObjectId};
 use crate::error::CommandError;
 use crate::history::{Change, History, Step};
+use crate::outcome::Outcome;
 
 use crate::selection::Selection;
 use formats::NamedMesh;
@@ -41,6 +43,7 @@ pub struct Editor {
     changes: Changes,
     ongoing: Option<ongoing::Ongoing>,
     selecting: Option<selecting::Selecting>,
+    selected: Option<Outcome>,
     jobs: Vec<jobs::Waiting>,
     messages: VecDeque<Message>,
     next_object: u64,
@@ -96,6 +99,7 @@ impl Editor {
             changes: Changes::default(),
             ongoing: None,
             selecting: None,
+            selected: None,
             jobs: Vec::new(),
             messages: VecDeque::new(),
             next_object: 1,

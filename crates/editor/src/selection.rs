@@ -87,6 +87,12 @@ impl Selection {
         self.set.bytes()
     }
 
+    /// Whether changing another selection to this one is worth an undo step: which kind of element isn't selected is
+    /// not.
+    pub(crate) fn is_step_from(&self, before: &Self) -> bool {
+        self != before && self.len() + before.len() > 0
+    }
+
     /// The ids as a set.
     pub(crate) fn set(&self) -> &BitSet {
         &self.set

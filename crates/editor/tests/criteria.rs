@@ -47,7 +47,7 @@ fn criteria_select_what_they_say() {
         (json!({"op": "select-degenerate", "kind": "edge", "at_most": 2}), Element::Edge, 12),
         (json!({"op": "select-isolated"}), Element::Vertex, 0),
         (json!({"op": "select-facing", "direction": [0, 0, 1], "angle": 10}), Element::Face, 1),
-        (json!({"op": "select", "edges": [[0, 1], 7]}), Element::Edge, 2),
+        (json!({"op": "select-elements", "edges": [[0, 1], 7]}), Element::Edge, 2),
         (json!({"op": "select-all", "kind": "face"}), Element::Face, 5),
         (json!({"op": "select-related", "by": "outline"}), Element::Edge, 4),
         (json!({"op": "select-related", "by": "linked"}), Element::Edge, 12),
@@ -86,9 +86,12 @@ fn similar_elements_are_like_the_latest() {
         (json!({"op": "select-similar"}), "Select a vertex first."),
         (json!({"op": "select-similar", "by": "color"}), "Select a face first."),
         (json!({"op": "select-facing"}), "Select a face first."),
-        (json!({"op": "select-facing", "direction": [0, 0, 0]}), "Has no length, so it points nowhere."),
-        (json!({"op": "select"}), "Give exactly one of `vertices`, `edges`, `halfedges` and `faces`."),
-        (json!({"op": "select", "faces": [99]}), "There is no face 99."),
+        (
+            json!({"op": "select-facing", "direction": [0, 0, 0]}),
+            "Direction: has no length, so it points nowhere.",
+        ),
+        (json!({"op": "select-elements"}), "Give one list: vertices, edges, half-edges or faces."),
+        (json!({"op": "select-elements", "faces": [99]}), "There is no face 99."),
         (json!({"op": "hide"}), "Select something first."),
     ] {
         let before = editor.selection().clone();
@@ -118,7 +121,7 @@ fn modes_combine_with_the_selection() {
         faces(&mut editor, &start);
         run(
             &mut editor,
-            json!({"op": "select", "faces": found, "mode": serde_json::to_value(mode).expect("a word")}),
+            json!({"op": "select-elements", "faces": found, "mode": serde_json::to_value(mode).expect("a word")}),
         );
         assert_eq!(ids(&editor), expected, "{mode:?} as a command");
         // Another kind starts over.
@@ -131,6 +134,8 @@ fn modes_combine_with_the_selection() {
 #[test]
 fn a_selecting_command_is_adjusted_until_something_else_is_selected() {
     let mut editor = on_cube();
+    // From nothing of one kind to nothing of another is no step.
+    editor.switch_kind(Element::Face, false);
     run(&mut editor, json!({"op": "select-sharp-edges", "angle": 120}));
     assert!(ids(&editor).is_empty());
     let adjust = |editor: &mut Editor, angle: u32| {
@@ -233,8 +238,8 @@ fn edits_keep_what_is_hidden_where_ids_stay() {
     let outcome = run(&mut editor, json!({"op": "subdivide-linear"}));
     assert!(hidden(&editor).is_empty(), "the faces have new ids");
     let count = poked.len();
-    let are = if count == 1 { "face of Cube is" } else { "faces of Cube are" };
-    assert_eq!(outcome.warnings, [format!("{count} hidden {are} shown again")]);
+    let of = if count == 1 { "face of" } else { "faces of" };
+    assert_eq!(outcome.warnings, [format!("{count} hidden {of} Cube shown again")]);
     editor.undo().expect("free");
     assert_eq!(hidden(&editor), poked);
     editor.undo().expect("free");
@@ -279,9 +284,9 @@ fn named_selections_live_with_the_document() {
 
     run(&mut editor, json!({"op": "rename-named-selection", "name": "Sides", "to": "Walls"}));
     let taken = refusal(&mut editor, json!({"op": "rename-named-selection", "name": "Walls", "to": "Seam"}));
-    assert_eq!(taken, "Another selection is called “Seam”.");
+    assert_eq!(taken, "New name: another selection is called “Seam”.");
     let unknown = refusal(&mut editor, json!({"op": "select-named", "name": "Sides"}));
-    assert_eq!(unknown, "There is no selection “Sides”; there are “Walls”, “Seam”.");
+    assert_eq!(unknown, "Name: there is no selection “Sides”; there are “Walls”, “Seam”.");
     run(&mut editor, json!({"op": "delete-named-selection", "name": "Seam"}));
     assert_eq!(named(&editor), json!([{"name": "Walls", "kind": "face", "count": 2}]));
     editor.undo().expect("free");
@@ -351,8 +356,8 @@ fn any_selecting() -> impl Strategy<Value = Value> {
     let list = || prop::collection::vec(0_u32..12, 1..5);
     let mode = || prop::sample::select(vec!["replace", "extend", "toggle", "intersect"]);
     prop_oneof![
-        (list(), mode()).prop_map(|(f, m)| json!({"op": "select", "faces": f, "mode": m})),
-        (list(), mode()).prop_map(|(v, m)| json!({"op": "select", "vertices": v, "mode": m})),
+        (list(), mode()).prop_map(|(f, m)| json!({"op": "select-elements", "faces": f, "mode": m})),
+        (list(), mode()).prop_map(|(v, m)| json!({"op": "select-elements", "vertices": v, "mode": m})),
         mode().prop_map(|m| json!({"op": "select-boundary", "mode": m})),
         mode().prop_map(|m| json!({"op": "select-all", "kind": "face", "mode": m})),
         prop::sample::select(vec!["grow", "shrink", "linked", "edges", "touching-faces"])

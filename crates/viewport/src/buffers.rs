@@ -9,9 +9,10 @@ use crate::coloring::{Coloring, Columns};
 use crate::corner_normals::{LocalNormals, Shading, WholeNormals, pack};
 use crate::slots::{Range, Slots};
 use glam::Vec3;
-use halfedge::geometry::PolygonTriangulator;
+use halfedge::geometry::{BitSet, PolygonTriangulator};
 use halfedge::{Budget, FaceId, HalfedgeId, Mesh, Touched, VertexId};
 use std::collections::BTreeSet;
+use std::sync::Arc;
 use surface::normals;
 
 /// Bytes of a triangle in all streams together.
@@ -76,9 +77,26 @@ pub struct Buffers {
     origin: Vec3,
     shading: Shading,
     coloring: Coloring,
+    /// Faces that have no triangles.
+    hidden: Arc<BitSet>,
 }
 
 impl Buffers {
+    /// Sets the faces that have no triangles, for the next rebuild; pass those that changed to [`Buffers::update`].
+    pub fn set_hidden(&mut self, faces: &Arc<BitSet>) {
+        self.hidden.clone_from(faces);
+    }
+
+    /// The faces that have no triangles.
+    pub fn hidden(&self) -> &Arc<BitSet> {
+        &self.hidden
+    }
+
+    /// Whether a face exists and isn't hidden.
+    fn shows(&self, mesh: &Mesh, face: FaceId) -> bool {
+        mesh.has_face(face) && !self.hidden.contains(face.index())
+    }
+
     /// The world position that the positions in the streams are relative to: the middle of the mesh at the
     /// last rebuild.
     pub fn origin(&self) -> Vec3 {
@@ -137,7 +155,8 @@ impl Buffers {
         self.coloring = coloring;
         self.coloring.restart();
         self.slots.clear(mesh.face_capacity());
-        let total: usize = mesh.faces().map(|f| mesh.face_degree(f).saturating_sub(2)).sum();
+        let shown = mesh.faces().filter(|f| self.shows(mesh, *f));
+        let total: usize = shown.map(|f| mesh.face_degree(f).saturating_sub(2)).sum();
         sink.reset(u32::try_from(total).unwrap_or(u32::MAX));
         Rebuild { next: 0, normals: WholeNormals::new(mesh, shading) }
     }
@@ -157,7 +176,10 @@ impl Buffers {
         let Rebuild { next, normals } = rebuilding;
         let end = *next + budget.take(mesh.face_capacity().saturating_sub(*next));
         let mut writer = Writer::new(mesh, self.origin);
-        for face in (*next..end).map(FaceId::new).filter(|f| mesh.has_face(*f)) {
+        for face in (*next..end).map(FaceId::new) {
+            if !self.shows(mesh, face) {
+                continue;
+            }
             writer.load(face);
             let range = self.slots.acquire(face.index(), writer.triangles());
             writer.emit(range, sink, &self.coloring, |corner| normals.at(mesh, corner));
@@ -175,15 +197,17 @@ impl Buffers {
         let Some(faces) = faces else {
             return self.rebuild_alike(mesh, sink);
         };
+        let (hidden, slots) = (&self.hidden, &mut self.slots);
+        let shows = |face: FaceId| mesh.has_face(face) && !hidden.contains(face.index());
         let wanted = |face: FaceId| {
-            if mesh.has_face(face) { mesh.face_degree(face).saturating_sub(2) as u32 } else { 0 }
+            if shows(face) { mesh.face_degree(face).saturating_sub(2) as u32 } else { 0 }
         };
         for &face in &faces {
-            self.slots.release(face.index(), wanted(face));
+            slots.release(face.index(), wanted(face));
         }
         let mut placed: Vec<(Range, FaceId)> = Vec::with_capacity(faces.len());
-        for &face in faces.iter().filter(|f| mesh.has_face(**f)) {
-            placed.push((self.slots.acquire(face.index(), wanted(face)), face));
+        for &face in faces.iter().filter(|f| shows(**f)) {
+            placed.push((slots.acquire(face.index(), wanted(face)), face));
         }
         placed.sort_unstable();
         let abandoned = self.slots.take_abandoned();

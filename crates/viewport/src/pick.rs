@@ -255,7 +255,8 @@ fn side_of(sight: &Sight<'_>, edge: EdgeId, under: Option<FaceId>) -> HalfedgeId
     let over = |h: &HalfedgeId| under.is_some() && mesh.face_of(*h) == under;
     let outside = |h: &HalfedgeId| mesh.is_boundary_halfedge(*h);
     let towards = |h: &HalfedgeId| {
-        mesh.face_of(*h).is_some_and(|f| {
+        let face = mesh.face_of(*h).filter(|f| !sight.tree.hidden().contains(f.index()));
+        face.is_some_and(|f| {
             let to_eye = if sight.camera.orthographic {
                 -sight.camera.axes()[2]
             } else {

@@ -7,6 +7,7 @@ use crate::sight::Sight;
 use glam::{Vec2, Vec3};
 use halfedge::geometry::{BitSet, PolygonTriangulator};
 use halfedge::{Budget, EdgeId, Element, FaceId, HalfedgeId, InParts, Mesh, NONE, VertexId};
+use surface::selecting::is_hidden;
 use surface::{FaceTree, FaceWalk};
 
 /// Isolated vertices are looked for among so many vertices at the cost of one element.
@@ -220,8 +221,11 @@ impl Through<'_> {
         })
     }
 
-    /// Whether the face of a half-edge whose edge was found, if it has one, is visible.
+    /// Whether the face of a half-edge whose edge was found, if it has one, is shown and visible.
     fn sees_side(&self, h: HalfedgeId) -> bool {
+        if is_hidden(self.sight.mesh, Element::Halfedge, h.index(), self.sight.tree.hidden()) {
+            return false;
+        }
         !self.visible_only || self.sight.mesh.face_of(h).is_none_or(|f| self.sees_face(f))
     }
 

@@ -7,6 +7,7 @@ use halfedge::attribute::Column;
 use halfedge::edit::{Connect, Triangulation, split_edge, triangulate_face};
 use halfedge::{Budget, Color, EdgeId, FaceId, Mesh, NONE, PolygonSoup, Touched, VertexId, keys};
 use proptest::prelude::*;
+use std::sync::Arc;
 use support::{cube, grid, mesh, paint, sphere, torus};
 use viewport::buffers::{Buffers, Corners, Sink, TRIANGLE_BYTES};
 use viewport::{ColorBy, Coloring, Legend, MaterialColors, Ramp, Shading};
@@ -62,12 +63,14 @@ fn of_face(buffers: &Buffers, mirror: &Mirror, face: FaceId) -> Vec<Triangle> {
 fn assert_as_rebuilt(mesh: &Mesh, buffers: &Buffers, mirror: &Mirror) {
     let mut fresh = Buffers::default();
     let mut expected = Mirror::default();
+    fresh.set_hidden(buffers.hidden());
     fresh.rebuild(mesh, buffers.origin(), buffers.shading(), buffers.coloring().clone(), &mut expected);
     let mut owned = vec![false; buffers.triangles() as usize];
     for face in mesh.faces() {
         assert_eq!(of_face(buffers, mirror, face), of_face(&fresh, &expected, face), "{face}");
         let range = buffers.range(face);
-        assert_eq!(range.count as usize, mesh.face_degree(face) - 2, "{face}");
+        let is_hidden = buffers.hidden().contains(face.index());
+        assert_eq!(range.count as usize, if is_hidden { 0 } else { mesh.face_degree(face) - 2 }, "{face}");
         for t in range.first..range.first + range.count {
             assert!(!std::mem::replace(&mut owned[t as usize], true), "triangle {t} twice");
         }
@@ -416,6 +419,8 @@ enum Edit {
     Move(u32, [f32; 3]),
     Paint(u32, [u8; 3]),
     PaintVertex(u32, [f32; 3]),
+    /// Hides a face, or shows it again.
+    Hide(u32),
     Undo,
     Redo,
 }
@@ -428,6 +433,7 @@ fn edits() -> impl Strategy<Value = Vec<Edit>> {
         2 => (any::<u32>(), prop::array::uniform3(-2.0_f32..2.0)).prop_map(|(v, p)| Edit::Move(v, p)),
         1 => (any::<u32>(), any::<[u8; 3]>()).prop_map(|(f, c)| Edit::Paint(f, c)),
         1 => (any::<u32>(), prop::array::uniform3(0.0_f32..1.0)).prop_map(|(v, c)| Edit::PaintVertex(v, c)),
+        2 => any::<u32>().prop_map(Edit::Hide),
         2 => Just(Edit::Undo),
         1 => Just(Edit::Redo),
     ];
@@ -453,6 +459,13 @@ proptest! {
         let (mut undo, mut redo) = (Vec::new(), Vec::new());
         for edit in edits {
             let touched = match edit {
+                Edit::Hide(f) => {
+                    let face = FaceId::new(f as usize % mesh.face_capacity());
+                    let mut hidden = (**buffers.hidden()).clone();
+                    hidden.toggle_with(&[face.index()].into_iter().collect());
+                    buffers.set_hidden(&Arc::new(hidden));
+                    Touched { faces: vec![face], ..Touched::default() }
+                }
                 Edit::Undo | Edit::Redo => {
                     let (from, to) = if matches!(edit, Edit::Undo) {
                         (&mut undo, &mut redo)
@@ -488,7 +501,7 @@ proptest! {
                             let v = v as usize % mesh.vertex_capacity();
                             mesh.set(keys::VERTEX_COLOR, v, Vec3::from(color));
                         }
-                        Edit::Undo | Edit::Redo => {}
+                        Edit::Undo | Edit::Redo | Edit::Hide(_) => {}
                     }
                     let journal = mesh.finish_recording();
                     let touched = journal.touched();

@@ -3,9 +3,11 @@
 mod support;
 
 use glam::{Vec2, Vec3, vec2, vec3};
+use halfedge::geometry::BitSet;
 use halfedge::{Budget, Element, FaceId, InParts, Mesh, PolygonSoup, VertexId};
 use proptest::prelude::*;
 use std::collections::BTreeSet;
+use std::sync::Arc;
 use support::{cube, grid, sphere};
 use surface::FaceTree;
 use viewport::{Aim, Camera, Picked, Region, RegionSelection, ScreenRect, pick};
@@ -285,4 +287,41 @@ fn elements_near_a_place_are_the_visible_ones_nearest_first() {
         let beside = elements(viewport::Around { pixel: glam::vec2(2.0, 2.0), ..all });
         assert!(beside.is_empty());
     }
+}
+
+#[test]
+fn hidden_faces_are_neither_picked_nor_boxed_and_hide_nothing() {
+    let (cube, camera) = (cube(), front());
+    let mut tree = FaceTree::new(&cube);
+    let front_face = id(&cube, &camera, VIEW * 0.5, Element::Face).expect("in front");
+    let ids = |ids: &[u32]| Arc::new(ids.iter().map(|&id| id as usize).collect::<BitSet>());
+    tree.set_hidden(&ids(&[front_face]));
+    let pick = |tree: &FaceTree, p: Vec3, kind| {
+        let aim = Aim { kind, radius: 8.0, through: false };
+        pick(&cube, tree, &camera, VIEW, at(&camera, p), aim).map(|picked| picked.id)
+    };
+    // Through it, the back.
+    let back = pick(&tree, Vec3::ZERO, Element::Face).expect("behind");
+    assert_ne!(back, front_face);
+    let behind = pick(&tree, vec3(1.0, 1.0, -1.0), Element::Vertex).expect("behind");
+    assert_eq!(cube.position(VertexId::new(behind as usize)), vec3(1.0, 1.0, -1.0));
+    let corner = cube.vertices().find(|&v| cube.position(v) == vec3(1.0, 1.0, 1.0)).expect("a corner");
+    assert_eq!(pick(&tree, vec3(1.0, 1.0, 1.0), Element::Vertex), Some(corner.raw()), "it has other faces");
+    let boxed = |tree: &FaceTree, kind| {
+        RegionSelection::new(&camera, VIEW, Region::rect(ALL), kind, true).finish((&cube, tree)).len()
+    };
+    assert_eq!(boxed(&tree, Element::Face), 5, "the inside of all others is seen");
+
+    // A vertex is hidden when all its faces are, an edge when both are.
+    let around: Vec<u32> = cube.vertex_faces(corner).map(FaceId::raw).collect();
+    tree.set_hidden(&ids(&around));
+    assert_ne!(pick(&tree, vec3(1.0, 1.0, 1.0), Element::Vertex), Some(corner.raw()));
+    for (kind, count) in [(Element::Vertex, 7), (Element::Edge, 9), (Element::Face, 3)] {
+        assert_eq!(boxed(&tree, kind), count, "{kind}");
+    }
+    // Updates keep what is hidden; revealed, everything is as before.
+    tree.update(&cube, cube.faces());
+    assert_eq!(boxed(&tree, Element::Face), 3);
+    tree.set_hidden(&ids(&[]));
+    assert_eq!(pick(&tree, Vec3::ZERO, Element::Face), Some(front_face));
 }

@@ -1,7 +1,7 @@
 //! Carrying out the actions that menus, keys, buttons and the palette start.
 
 use editor::ops::{
-    BezierDeletePoint, BezierElevateDegree, BezierInsertPoint, BezierSplit, Remesh, Simplify,
+    BezierDeletePoint, BezierElevateDegree, BezierInsertPoint, BezierSplit, Remesh, Reveal, Simplify,
     SubdivideCatmullClark, SubdivideLoop, four_digits,
 };
 use editor::{Command, OpId, SelectMode};
@@ -16,7 +16,7 @@ use crate::input::availability::opens_form;
 use crate::page_view::Page;
 use crate::panels::operations::EDGE_LENGTH;
 use crate::panels::viewport::control_points::add_control_point;
-use crate::session::form;
+use crate::session::{form, selecting};
 use crate::view::Tool;
 use viewport::Shading;
 
@@ -37,6 +37,10 @@ impl App {
             }
             other => other,
         };
+        // What is still being looked for comes first.
+        if !matches!(action, Action::Cancel) {
+            selecting::finish_selecting(&mut self.session);
+        }
         if let Some(reason) = self.page().why_not(action) {
             // Keys can start actions that menus grey out.
             if !matches!(action, Action::Cancel) {
@@ -61,8 +65,17 @@ impl App {
                 self.session.end_live(true);
                 self.session.editor.deselect();
             }
-            Action::SelectInverse => self.select_inverse(),
-            Action::SelectBy(by) => self.select_further(|editor| editor.select_by(by)),
+            Action::SelectInverse => {
+                self.session.end_live(true);
+                self.end_preview();
+                self.session.editor.select_inverse(self.shown.kind);
+            }
+            Action::SelectBy(by) => self.select_further(|editor| editor.begin_select_by(by)),
+            Action::Preset(preset) => {
+                let [_, _, to_eye] = self.view.camera.axes().map(|axis| -axis);
+                self.session.begin(preset.command(to_eye), None);
+            }
+            Action::NamedSelections => self.shown.named ^= true,
             Action::Show(kind) => self.show_kind(kind, false),
             Action::Expand(kind) => self.show_kind(kind, true),
             Action::Next => self.walk(|mesh, h| mesh.next(h)),
@@ -148,6 +161,10 @@ impl App {
             Action::ElevateDegree => self.session.begin(BezierElevateDegree::default().into(), None),
             Action::SplitCurve => self.session.begin(BezierSplit { t: self.player.controls.t }.into(), None),
             // An operation with an amount follows the pointer; its form stays in the operations panel.
+            // Isolating nothing ends isolating.
+            Action::Operation(OpId::Isolate) if self.session.editor.selection().is_empty() => {
+                self.session.begin(Reveal::default().into(), None);
+            }
             Action::Operation(id) if opens_form(id) && id.spec().dragged_field().is_some() => {
                 self.session.start_live(id);
             }
@@ -227,6 +244,9 @@ impl App {
 
     /// Escape: cancels the innermost thing in progress.
     fn cancel(&mut self) {
+        if selecting::cancel_selecting(&mut self.session) {
+            return;
+        }
         if self.view.cancel_gesture() | self.session.editor.cancel_edit().is_some() {
             return;
         }
@@ -266,17 +286,6 @@ impl App {
         self.session.editor.switch_kind(kind, touches);
         self.shown.kind = kind;
         self.shown.sheet.show_lists();
-    }
-
-    fn select_inverse(&mut self) {
-        self.end_preview();
-        let kind = self.shown.kind;
-        let Some(mesh) = self.session.editor.mesh() else { return };
-        let selection = self.session.editor.selection();
-        let ids: Vec<u32> = (0..mesh.capacity(kind) as u32)
-            .filter(|&id| mesh.exists(kind, id) && !selection.contains(kind, id))
-            .collect();
-        self.select(kind, ids, SelectMode::Replace);
     }
 
     fn walk(&mut self, step: impl Fn(&halfedge::Mesh, halfedge::HalfedgeId) -> halfedge::HalfedgeId) {

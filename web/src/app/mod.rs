@@ -19,7 +19,7 @@ use crate::panels::viewport::Viewport;
 use crate::panels::{live_bar, menu_bar, status_bar};
 use crate::platform::{Event, NamedBytes, Platform};
 use crate::request::Requests;
-use crate::session::{Look, Session};
+use crate::session::{Look, Session, selecting};
 use crate::shown::Shown;
 use crate::theme;
 use crate::view::{ELEMENTS_PER_FRAME, Tool, View};
@@ -97,6 +97,7 @@ impl App {
                 Event::Failed(text) => self.session.fail(text),
             }
         }
+        selecting::select_some(&mut self.session, &mut self.view.budget);
         let now = ctx.input(|input| input.time);
         self.session.jobs.note_frame(now);
         if let Some(next) = self.session.toasts.expire(now) {

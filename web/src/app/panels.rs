@@ -1,7 +1,8 @@
 //! The state and the layout of the panels.
 
 use crate::panels::{
-    about, drop_overlay, elements, inspector, messages, objects, operations, palette, save, shortcuts, toasts,
+    about, drop_overlay, elements, hidden_bar, inspector, messages, named_selections, objects, operations,
+    palette, save, shortcuts, toasts,
 };
 use egui::{Context, ScrollArea, Ui};
 
@@ -17,6 +18,7 @@ pub(crate) struct Panels {
     pub forms: operations::Forms,
     pub palette: palette::PaletteState,
     pub saving: save::Saving,
+    pub naming: named_selections::Naming,
 }
 
 impl Panels {
@@ -28,6 +30,7 @@ impl Panels {
             forms: Default::default(),
             palette: Default::default(),
             saving: save::Saving::new(platform),
+            naming: Default::default(),
         }
     }
 
@@ -55,6 +58,8 @@ impl Panels {
 
     /// The windows over the page.
     pub fn windows(&mut self, ctx: &Context, page: &Page<'_>, narrow: bool, out: &mut Requests) {
+        hidden_bar::show(ctx, page, out);
+        named_selections::show(ctx, page, &mut self.naming, out);
         palette::show(ctx, page, &mut self.palette, out);
         save::show(ctx, page, &mut self.saving, narrow, out);
         shortcuts::show(ctx, page, out);

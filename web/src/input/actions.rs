@@ -1,171 +1,12 @@
 //! Everything that menus, keys, buttons and the palette can start, in one table.
-//!
-//! An action on the document is an operation of the editor. The other actions concern the page: what is
-//! shown and what is selected.
 
-use editor::{OpId, Scope, SelectBy};
+use editor::ops::FieldKind;
+use editor::{OpId, Scope};
 use formats::Format;
-use halfedge::Element;
-use viewport::{ColorBy, Look, Mark, Side};
 
+use super::action::entry;
+pub use super::action::{Action, Entry};
 use super::menus::MENUS;
-
-/// Something the user can start.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Action {
-    /// Starts a new document with a cube.
-    New,
-    /// Opens the file dialog.
-    Open,
-    /// Opens the save dialog.
-    Save,
-    /// Opens the save dialog with this format chosen.
-    SaveAs(Format),
-    /// Undoes the last change.
-    Undo,
-    /// Redoes the last undone change.
-    Redo,
-    /// Cancels a running job or a drag; if there is none, clears the selection.
-    Cancel,
-    /// Selects every element of the kind in the list.
-    SelectAll,
-    /// Clears the selection.
-    SelectNone,
-    /// Inverts the selection.
-    SelectInverse,
-    /// Changes the selection by what is selected.
-    SelectBy(SelectBy),
-    /// Shows one kind of element in the list; clicks in the viewport select that kind too. The selection is converted to
-    /// what it contains of that kind.
-    Show(Element),
-    /// Shows one kind of element; the selection is converted to everything of that kind that touches it.
-    Expand(Element),
-    /// Selects the next half-edge around the face.
-    Next,
-    /// Selects the twin of the selected half-edge.
-    Twin,
-    /// Moves the keyboard focus to the "Go to id" field.
-    GoToId,
-    /// Shows only selected elements in the list, or all again.
-    OnlySelected,
-    /// Makes drags in the viewport draw a selection box.
-    BoxSelect,
-    /// Makes drags in the viewport draw a line around what they select.
-    LassoSelect,
-    /// Makes drags in the viewport select with a circle.
-    CircleSelect,
-    /// Makes the selecting circle larger.
-    LargerCircle,
-    /// Makes the selecting circle smaller.
-    SmallerCircle,
-    /// Frames the selection, or everything if nothing is selected.
-    Frame,
-    /// Frames everything.
-    FrameAll,
-    /// Restores the initial view.
-    ResetView,
-    /// Looks from a side.
-    LookFrom(Side),
-    /// Switches between parallel and perspective projection.
-    Orthographic,
-    /// Switches the drawing of edges over faces.
-    Wireframe,
-    /// Switches between seeing and selecting through surfaces, and only what is in front.
-    XRay,
-    /// Switches between smooth and flat shading.
-    Smooth,
-    /// Switches between flat shading and smooth shading with edges that are hard above this angle, in degrees.
-    AutoSmooth(u8),
-    /// Chooses what gives faces their colours.
-    ColorBy(ColorBy),
-    /// Chooses how faces are shaded.
-    Look(Look),
-    /// Leaves out the backs of faces, or draws them again.
-    HideBacks,
-    /// Switches the drawing of vertices as dots.
-    Dots,
-    /// Switches marks of a kind.
-    Mark(Mark),
-    /// Switches the ground grid.
-    Grid,
-    /// Switches the shadow on the ground.
-    Shadow,
-    /// Switches the info overlay in the viewport.
-    Overlay,
-    /// Switches the ids of the elements around the pointer.
-    Numbers,
-    /// Shows or hides the list on the left.
-    LeftPanel,
-    /// Shows or hides the inspector on the right.
-    RightPanel,
-    /// Follows the system's light or dark theme.
-    SystemTheme,
-    /// The light theme.
-    LightTheme,
-    /// The dark theme.
-    DarkTheme,
-    /// Opens or closes the window with all keys.
-    Shortcuts,
-    /// Opens the command palette.
-    Palette,
-    /// Opens or closes the window with all messages.
-    Messages,
-    /// Opens or closes the window about the version and the device.
-    About,
-    /// Subdivides: Loop on a triangle mesh, Catmull-Clark on others.
-    Upsample,
-    /// Simplifies to a quarter of the triangles.
-    Downsample,
-    /// Remeshes to the target edge length.
-    Resample,
-    /// Increases the target edge length of resampling.
-    LongerEdges,
-    /// Decreases the target edge length of resampling.
-    ShorterEdges,
-    /// Splits the selected edge at a point that follows the pointer.
-    SlideSplit,
-    /// Draws one more level of de Casteljau's construction.
-    NextLevel,
-    /// Switches between drawing the whole Bezier curve and drawing it up to the construction.
-    WholeCurve,
-    /// Switches the drawing of a Bezier surface's control nets.
-    ControlNets,
-    /// Starts or stops moving the construction along the Bezier curve or patch.
-    Play,
-    /// Adds a control point to the Bezier curve.
-    AddPoint,
-    /// Deletes the chosen control point.
-    DeletePoint,
-    /// Adds one control point to the Bezier curve without changing its shape.
-    ElevateDegree,
-    /// Splits the Bezier curve at the construction's parameter.
-    SplitCurve,
-    /// Starts an operation on the selection.
-    Operation(OpId),
-}
-
-/// An action as the interface presents it.
-#[derive(Clone, Copy, Debug)]
-pub struct Entry {
-    /// The action.
-    pub action: Action,
-    /// The name in menus and the palette, in sentence case.
-    pub label: &'static str,
-    /// One sentence on what the action does.
-    pub description: &'static str,
-    /// Other programs' names for it, by which the palette finds it too.
-    pub synonyms: &'static [&'static str],
-}
-
-impl Entry {
-    pub(super) const fn synonyms(self, synonyms: &'static [&'static str]) -> Self {
-        Self { synonyms, ..self }
-    }
-}
-
-pub(super) const fn entry(action: Action, label: &'static str, description: &'static str) -> Entry {
-    Entry { action, label, description, synonyms: &[] }
-}
 
 use Action as A;
 
@@ -176,9 +17,26 @@ pub fn mesh_operations() -> impl Iterator<Item = OpId> {
     all.filter(|id| matches!(id.spec().scope, Scope::Elements | Scope::Meshes))
 }
 
+/// The operations that select by what elements are like.
+pub fn criteria() -> impl Iterator<Item = OpId> {
+    // The others have entries of the page's own, which know the kind that the list shows.
+    let is_general = |id: &OpId| {
+        matches!(id, OpId::SelectElements | OpId::SelectAll | OpId::SelectRelated | OpId::SelectSimilar)
+    };
+    let has_text = |id: &OpId| id.spec().fields.iter().any(|field| field.kind == FieldKind::Text);
+    let of_scope = OpId::ALL.iter().copied().filter(|id| id.spec().scope == Scope::Selection);
+    of_scope.filter(move |id| !is_general(id) && !has_text(id) && !hiding().contains(id))
+}
+
+/// The operations that hide and show faces.
+pub fn hiding() -> [OpId; 3] {
+    [OpId::Hide, OpId::Reveal, OpId::Isolate]
+}
+
 /// Every action: the menus' entries, then the formats and the operations.
 pub fn all() -> impl Iterator<Item = Entry> {
-    menu_entries().chain(formats()).chain(mesh_operations().map(of_operation))
+    let operations = mesh_operations().chain(criteria()).chain(hiding());
+    menu_entries().chain(formats()).chain(operations.map(of_operation))
 }
 
 /// The entries of the menus, without formats and operations.

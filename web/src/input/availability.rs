@@ -30,6 +30,9 @@ pub(crate) fn why_not(action: Action, session: &Session, kind: Element, player: 
             let count = editor.mesh().map_or(0, |mesh| mesh.count(kind));
             (count == 0).then(|| format!("The mesh has no {}.", plural(kind).to_lowercase()))
         }
+        Action::Preset(preset) => {
+            editor.can(&preset.command(glam::DVec3::Z)).err().map(|error| error.reason())
+        }
         Action::SelectBy(by) => editor.can_select_by(by).err().map(|error| error.reason()),
         Action::SelectNone if editor.selection().is_empty() => Some("Nothing is selected.".into()),
         Action::Next | Action::Twin if session.selected_halfedge().is_none() => {
@@ -50,6 +53,9 @@ pub(crate) fn why_not(action: Action, session: &Session, kind: Element, player: 
         Action::Downsample => operation(OpId::Simplify),
         Action::Resample | Action::LongerEdges | Action::ShorterEdges => operation(OpId::Remesh),
         Action::SlideSplit => operation(OpId::SplitEdge),
+        Action::Operation(OpId::Isolate) if editor.selection().is_empty() => {
+            operation(OpId::Reveal).map(|_| "Select something first.".into())
+        }
         Action::Operation(id) => operation(id),
         _ => None,
     }

@@ -165,7 +165,13 @@ pub fn text(ctx: &Context, action: Action) -> String {
 pub fn written(ctx: &Context, shortcut: &KeyboardShortcut) -> String {
     let plain = matches!(
         shortcut.logical_key,
-        Key::Questionmark | Key::Period | Key::OpenBracket | Key::CloseBracket | Key::Equals | Key::Minus
+        Key::Questionmark
+            | Key::Slash
+            | Key::Period
+            | Key::OpenBracket
+            | Key::CloseBracket
+            | Key::Equals
+            | Key::Minus
     );
     let key = shortcut.logical_key;
     let text = ctx.format_shortcut(shortcut);

@@ -1,10 +1,10 @@
 //! The menus of the page's own actions, in one table. The palette lists them too.
 
 use editor::{OpId, SelectBy};
-use halfedge::Element;
 
-use super::actions::{Action, Entry, entry};
-use super::view_menu;
+use super::action::{Action, Entry, entry};
+use super::presets::Preset;
+use super::{select_menu, view_menu};
 
 /// A menu; an entry of `None` is a separator.
 pub struct Menu {
@@ -16,11 +16,23 @@ pub struct Menu {
 
 use Action as A;
 
+/// The submenu with the criteria, which continues with the editor's operations.
+pub const CRITERIA: &str = "By criterion";
+
 /// The submenu that an entry is in, which keeps long menus on small screens.
 pub fn submenu(action: Action) -> Option<&'static str> {
     match action {
         A::LookFrom(_) => Some("Look from"),
         A::SelectBy(SelectBy::Kind(_)) => Some("Convert to"),
+        A::SelectBy(SelectBy::Loops | SelectBy::Rings | SelectBy::Path | SelectBy::Outline) => {
+            Some("Loops and paths")
+        }
+        A::BoxSelect | A::LassoSelect | A::CircleSelect | A::LargerCircle | A::SmallerCircle => {
+            Some("Select tool")
+        }
+        A::Next | A::Twin => Some("Half-edge"),
+        A::Preset(Preset::Similar(_)) => Some("Similar"),
+        A::Preset(_) => Some(CRITERIA),
         A::Show(_) => Some("Show"),
         A::Expand(_) => Some("Expand to"),
         A::Look(_) => Some("Look"),
@@ -82,145 +94,7 @@ pub static MENUS: &[Menu] = &[
             Some(entry(A::Palette, "Find a command…", "List every command; type to search.")),
         ],
     },
-    Menu {
-        title: "Select",
-        entries: &[
-            Some(entry(A::SelectAll, "Select all", "Select every element of the kind in the list.")),
-            Some(entry(A::SelectNone, "Select none", "Clear the selection.").synonyms(&["deselect"])),
-            Some(entry(
-                A::SelectInverse,
-                "Invert selection",
-                "Select the unselected elements of the kind in the list instead.",
-            )),
-            None,
-            Some(
-                entry(A::SelectBy(SelectBy::Grow), "Grow", "Add the neighbours of the selection.")
-                    .synonyms(&["select more", "expand"]),
-            ),
-            Some(
-                entry(
-                    A::SelectBy(SelectBy::Shrink),
-                    "Shrink",
-                    "Deselect the elements beside unselected ones.",
-                )
-                .synonyms(&["select less", "contract"]),
-            ),
-            Some(
-                entry(
-                    A::SelectBy(SelectBy::Linked),
-                    "Select linked",
-                    "Add everything connected to the selection.",
-                )
-                .synonyms(&["select island", "connected"]),
-            ),
-            Some(entry(
-                A::SelectBy(SelectBy::Loops),
-                "Select loops",
-                "Extend the selection along its edge loops, face strips or half-edge loops.",
-            )),
-            Some(entry(
-                A::SelectBy(SelectBy::Rings),
-                "Select rings",
-                "Extend the selection to the edges side by side across quads.",
-            )),
-            Some(entry(
-                A::SelectBy(SelectBy::Path),
-                "Select shortest path",
-                "Add the shortest path between the two selected elements.",
-            )),
-            Some(
-                entry(
-                    A::SelectBy(SelectBy::Outline),
-                    "Select outline",
-                    "Select the edges around the selected faces.",
-                )
-                .synonyms(&["boundary of selection"]),
-            ),
-            None,
-            Some(entry(
-                A::SelectBy(SelectBy::Kind(Element::Vertex)),
-                "Convert to vertices",
-                "Select the vertices of the selection instead.",
-            )),
-            Some(entry(
-                A::SelectBy(SelectBy::Kind(Element::Edge)),
-                "Convert to edges",
-                "Select the edges of the selection instead.",
-            )),
-            Some(entry(
-                A::SelectBy(SelectBy::Kind(Element::Halfedge)),
-                "Convert to half-edges",
-                "Select the half-edges of the selection instead.",
-            )),
-            Some(entry(
-                A::SelectBy(SelectBy::Kind(Element::Face)),
-                "Convert to faces",
-                "Select the faces of the selection instead.",
-            )),
-            None,
-            Some(
-                entry(A::BoxSelect, "Box select", "Drag in the viewport to select the elements in a box.")
-                    .synonyms(&["border select", "marquee", "rectangle"]),
-            ),
-            Some(
-                entry(A::LassoSelect, "Lasso select", "Draw a line around the elements to select.")
-                    .synonyms(&["free selection"]),
-            ),
-            Some(
-                entry(A::CircleSelect, "Circle select", "Paint over the elements to select, with a circle.")
-                    .synonyms(&["brush", "paint selection"]),
-            ),
-            Some(entry(A::LargerCircle, "Larger circle", "Make the selecting circle larger.")),
-            Some(entry(A::SmallerCircle, "Smaller circle", "Make the selecting circle smaller.")),
-            None,
-            Some(entry(A::Next, "Next half-edge", "Select the next half-edge around the face.")),
-            Some(entry(A::Twin, "Twin half-edge", "Select the half-edge on the other side of the edge.")),
-            None,
-            Some(entry(
-                A::Show(Element::Vertex),
-                "Vertices",
-                "List and select vertices. The selection becomes its vertices; switch with Ctrl to expand it.",
-            )),
-            Some(entry(
-                A::Show(Element::Edge),
-                "Edges",
-                "List and select edges. The selection becomes the edges in it; switch with Ctrl to expand it.",
-            )),
-            Some(entry(
-                A::Show(Element::Halfedge),
-                "Half-edges",
-                "List and select half-edges. The selection becomes the half-edges in it; switch with Ctrl to expand it.",
-            )),
-            Some(entry(
-                A::Show(Element::Face),
-                "Faces",
-                "List and select faces. The selection becomes the faces in it; switch with Ctrl to expand it.",
-            )),
-            Some(entry(
-                A::Expand(Element::Vertex),
-                "Expand to vertices",
-                "List vertices, and select every vertex of the selection.",
-            )),
-            Some(entry(
-                A::Expand(Element::Edge),
-                "Expand to edges",
-                "List edges, and select every edge that touches the selection.",
-            )),
-            Some(entry(
-                A::Expand(Element::Halfedge),
-                "Expand to half-edges",
-                "List half-edges, and select every half-edge that touches the selection.",
-            )),
-            Some(entry(
-                A::Expand(Element::Face),
-                "Expand to faces",
-                "List faces, and select every face that touches the selection.",
-            )),
-            None,
-            Some(entry(A::GoToId, "Go to id…", "Select an element by its id.")),
-            Some(entry(A::OnlySelected, "List only selected", "Show only selected elements in the list.")),
-        ],
-    },
+    Menu { title: "Select", entries: select_menu::ENTRIES },
     Menu {
         title: "Mesh",
         entries: &[

@@ -1,7 +1,10 @@
 //! The actions a user can start, their keys, and whether each is available now.
 
+pub(crate) mod action;
 pub mod actions;
 pub(crate) mod availability;
 pub mod keys;
 pub mod menus;
+pub mod presets;
+mod select_menu;
 mod view_menu;

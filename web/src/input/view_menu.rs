@@ -2,7 +2,7 @@
 
 use viewport::{ColorBy, Look, Mark, Matcap, Side};
 
-use super::actions::{Action as A, Entry, entry};
+use super::action::{Action as A, Entry, entry};
 
 /// Its entries.
 pub(super) static ENTRIES: &[Option<Entry>] = &[

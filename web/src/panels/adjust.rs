@@ -1,7 +1,7 @@
 //! "Adjust last operation": the fields of the last operation. A change runs the operation again with the
 //! new fields, still as one undo step.
 
-use editor::ops::{Field, Fill};
+use editor::ops::{Field, FieldKind, Fill};
 use editor::{Command, Facts, OpId, Scope};
 use egui::{CollapsingHeader, Grid, RichText, Ui, vec2};
 
@@ -30,7 +30,8 @@ pub(crate) fn show(ui: &mut Ui, page: &Page<'_>, own: &mut Adjusting, out: &mut 
     let is_shown = |field: &Field| !field.is_target() && !matches!(field.fill, Fill::Optional(_));
     // A new shape is adjusted in its own form.
     let makes_document = command.op.id() == OpId::New;
-    if spec.scope == Scope::Document || makes_document || !spec.fields.iter().any(is_shown) {
+    let has_text = spec.fields.iter().any(|field| field.kind == FieldKind::Text);
+    if has_text || spec.scope == Scope::Document || makes_document || !spec.fields.iter().any(is_shown) {
         return;
     }
     let before = own.pending.clone().unwrap_or_else(|| command.clone());

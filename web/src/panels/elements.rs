@@ -301,6 +301,10 @@ pub(crate) fn menu(ui: &mut Ui, page: &Page<'_>, out: &mut Requests) {
         menu_item(ui, page, &actions::of_operation(id), out);
     }
     ui.separator();
+    for id in actions::hiding() {
+        menu_item(ui, page, &actions::of_operation(id), out);
+    }
+    ui.separator();
     for action in [Action::Frame, Action::SelectAll, Action::SelectNone, Action::SelectInverse] {
         menu_item(ui, page, &actions::describe(action), out);
     }

@@ -7,7 +7,7 @@ use halfedge::Element;
 use crate::input::actions::{self, Action, Entry};
 use crate::input::availability::opens_form;
 use crate::input::keys;
-use crate::input::menus::{MENUS, Menu, submenu};
+use crate::input::menus::{CRITERIA, MENUS, Menu, submenu};
 use crate::page_view::Page;
 use crate::request::Requests;
 use crate::theme;
@@ -104,7 +104,7 @@ fn show_menu(ui: &mut Ui, page: &Page<'_>, menu: &Menu, out: &mut Requests) {
     ui.set_min_width(220.0);
     let submenu_of = |entry: &Option<Entry>| entry.and_then(|entry| submenu(entry.action));
     for entries in menu.entries.chunk_by(|a, b| submenu_of(a).is_some() && submenu_of(a) == submenu_of(b)) {
-        let mut list = |ui: &mut Ui| {
+        let list = |ui: &mut Ui, out: &mut Requests| {
             for entry in entries {
                 match entry {
                     None => {
@@ -118,10 +118,13 @@ fn show_menu(ui: &mut Ui, page: &Page<'_>, menu: &Menu, out: &mut Requests) {
             Some(title) => {
                 ui.menu_button(title, |ui| {
                     ui.set_min_width(180.0);
-                    list(ui);
+                    list(ui, out);
+                    if title == CRITERIA {
+                        operations(ui, page, actions::criteria(), out);
+                    }
                 });
             }
-            None => list(ui),
+            None => list(ui, out),
         }
     }
     match menu.title {
@@ -133,8 +136,18 @@ fn show_menu(ui: &mut Ui, page: &Page<'_>, menu: &Menu, out: &mut Requests) {
                 }
             });
         }
+        "Select" => {
+            ui.separator();
+            ui.menu_button("Hide and reveal", |ui| operations(ui, page, actions::hiding(), out));
+        }
         "Mesh" => operation_menus(ui, page, out),
         _ => {}
+    }
+}
+
+fn operations(ui: &mut Ui, page: &Page<'_>, list: impl IntoIterator<Item = OpId>, out: &mut Requests) {
+    for id in list {
+        menu_item(ui, page, &actions::of_operation(id), out);
     }
 }
 

@@ -8,6 +8,7 @@ pub(crate) mod live;
 pub(crate) mod measures;
 pub(crate) mod preview;
 mod run;
+pub(crate) mod selecting;
 pub(crate) mod survey;
 pub(crate) mod toasts;
 
@@ -20,12 +21,15 @@ use halfedge::{Element, HalfedgeId};
 
 use crate::platform::Platform;
 use frame_times::FrameTimes;
-use jobs::Jobs;
+use jobs::{Jobs, Reply};
 use live::Live;
 use measures::Measured;
 use preview::Previewing;
 use survey::Survey;
 use toasts::Toasts;
+
+/// The error that callers of a cancelled job get.
+const CANCELLED: &str = "cancelled";
 
 /// What the view should show after another document was opened.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -53,6 +57,8 @@ pub(crate) struct Session {
     pub adjusting_is_slow: bool,
     /// What the view should show next.
     pub look: Option<Look>,
+    /// Who waits for a command that selects some elements at a time.
+    pub(super) selecting: Option<Reply>,
     /// Whether to commit the ongoing edit when the pointer's button is released.
     pub commit_on_release: bool,
     measured: RefCell<Measured>,
@@ -74,6 +80,7 @@ impl Session {
             previewing: Previewing::default(),
             adjusting_is_slow: false,
             look: None,
+            selecting: None,
             commit_on_release: false,
             measured: RefCell::default(),
             refusals: RefCell::default(),

@@ -1,19 +1,18 @@
 //! Running commands, opening and saving files, and the jobs for them.
 
-use editor::{Begun, Command, CommandError, Finished, JobId, JobRequest, JobResult, MessageKind, OpId};
+use editor::{
+    Begun, Command, CommandError, Finished, JobId, JobRequest, JobResult, MessageKind, OpId, Scope,
+};
 use formats::Format;
 
 use super::form;
 use super::jobs::{Answer, Reply};
 use super::preview::MAX_SECONDS_PER_STEP;
-use super::{Look, Session};
+use super::{CANCELLED, Look, Session, selecting};
 use crate::bezier;
 use crate::input::actions::Action;
 use crate::platform::{Fetched, NamedBytes};
 use halfedge::words::{sentence, thousands};
-
-/// The error that callers of a cancelled job get.
-const CANCELLED: &str = "cancelled";
 
 impl Session {
     /// Creates the document that the page starts with.
@@ -56,10 +55,14 @@ impl Session {
     /// Carries out a command, or starts its job.
     pub fn begin(&mut self, command: Command, reply: Option<Reply>) {
         let (label, is_new) = (command.op.spec().label, command.op.id() == OpId::New);
+        let (scope, revision) = (command.op.spec().scope, self.editor.revision());
         match self.editor.begin(command) {
             Ok(Begun::Done(outcome)) => {
                 if is_new {
                     self.look_at_new();
+                }
+                if scope == Scope::Selection && self.editor.revision() == revision {
+                    selecting::say_if_nothing_found(self, &outcome);
                 }
                 if !outcome.warnings.is_empty() {
                     self.warn(outcome.message.clone(), outcome.warnings.clone());
@@ -68,6 +71,7 @@ impl Session {
                     reply(Ok(Answer::Outcome(outcome)));
                 }
             }
+            Ok(Begun::Selecting) => selecting::wait(self, reply),
             Ok(Begun::Job(request)) => self.start(&request, label.to_owned(), reply),
             Err(error) => self.refused(&error, reply),
         }
@@ -210,6 +214,7 @@ impl Session {
                     self.warn(outcome.message, outcome.warnings);
                 }
             }
+            Ok(Begun::Selecting) => {}
             Ok(Begun::Job(request)) => {
                 self.adjusting_is_slow = true;
                 self.start(&request, label.to_owned(), None);

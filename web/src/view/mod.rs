@@ -176,8 +176,15 @@ impl View {
                 }
             }
             if let Some(picture) = &mut self.picture {
-                picture.sync(*id, mesh, change, &self.style, &mut self.budget);
+                picture.sync(object, change, &self.style, &mut self.budget);
             }
+        }
+        for (id, faces) in &changes.hidden {
+            self.looked = None;
+            let (Some(object), Some(picture)) = (editor.document().object(*id), &mut self.picture) else {
+                continue;
+            };
+            picture.hide(object, faces, &self.style, &mut self.budget);
         }
         for id in &changes.bezier {
             // Control points lie outside the surface, and a curve has no mesh with bounds.
@@ -227,10 +234,12 @@ impl View {
     pub fn tree(&mut self, object: &Object) -> &FaceTree {
         let (id, mesh) = (object.id(), object.mesh());
         let building = self.building.take_if(|(built, _)| *built == id);
-        self.trees.entry(id).or_insert_with(|| match building {
+        let tree = self.trees.entry(id).or_insert_with(|| match building {
             Some((_, builder)) => builder.finish(mesh),
             None => FaceTree::new(mesh),
-        })
+        });
+        tree.set_hidden(object.hidden());
+        tree
     }
 
     /// Continues a region selection; returns the ids found once it is complete.

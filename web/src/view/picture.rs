@@ -1,13 +1,17 @@
 //! The picture: keeps the renderer's buffers up to date and draws its output on the page.
 
-use editor::{Editor, ObjectChange, ObjectId};
+use editor::{Editor, Object, ObjectChange, ObjectId};
 use egui::{PaintCallbackInfo, Rect, Ui};
 use egui_wgpu::{Callback, CallbackResources, CallbackTrait, RenderState, ScreenDescriptor, wgpu};
 use formats::Materials;
-use halfedge::{Budget, Element, Mesh};
+use halfedge::geometry::BitSet;
+use halfedge::{Budget, Element, FaceId, Mesh, Touched, VertexId};
 use viewport::{Camera, Frame, Highlight, Layer, Legend, Mark, ObjectDraw, Renderer, Style};
 
 use super::View;
+
+/// With more faces than this hidden or shown, a new upload in parts is faster than changing the old one.
+const MAX_FACES_HIDDEN_AT_ONCE: usize = 10_000;
 
 /// The renderer, stored among egui's resources so that paint callbacks can access it.
 pub(crate) struct Picture {
@@ -53,14 +57,34 @@ impl Picture {
         self.with(|renderer, _, _| renderer.remove_object(id.0));
     }
 
-    pub fn sync(&self, id: ObjectId, mesh: &Mesh, change: &ObjectChange, style: &Style, budget: &mut Budget) {
-        self.with(|renderer, device, queue| match change {
-            ObjectChange::Touched(touched) => {
-                let change = viewport::ObjectChange::Touched(touched);
-                renderer.sync_object(device, queue, id.0, mesh, change, style);
+    pub fn sync(&self, object: &Object, change: &ObjectChange, style: &Style, budget: &mut Budget) {
+        self.with(|renderer, device, queue| {
+            let (id, mesh) = (object.id(), object.mesh());
+            renderer.set_hidden(id.0, object.hidden());
+            match change {
+                ObjectChange::Touched(touched) => {
+                    let change = viewport::ObjectChange::Touched(touched);
+                    renderer.sync_object(device, queue, id.0, mesh, change, style);
+                }
+                _ => upload(renderer, device, queue, id, mesh, style, budget),
             }
-            _ => upload(renderer, device, queue, id, mesh, style, budget),
         });
+    }
+
+    /// Stops or starts drawing faces that were hidden or shown: a few now, many over several frames.
+    pub fn hide(&self, object: &Object, changed: &BitSet, style: &Style, budget: &mut Budget) {
+        let mesh = object.mesh();
+        if changed.len() > MAX_FACES_HIDDEN_AT_ONCE {
+            self.sync(object, &ObjectChange::Everything, style, budget);
+            return;
+        }
+        let faces: Vec<FaceId> = changed.iter().map(FaceId::new).filter(|f| mesh.has_face(*f)).collect();
+        // The dots of their vertices come and go with them.
+        let mut vertices: Vec<VertexId> = faces.iter().flat_map(|&f| mesh.face_vertices(f)).collect();
+        vertices.sort_unstable();
+        vertices.dedup();
+        let touched = Touched { faces, vertices, ..Touched::default() };
+        self.sync(object, &ObjectChange::Touched(touched), style, budget);
     }
 
     /// Uploads what else the style or the highlights need; returns whether there is more to upload.

@@ -7,7 +7,7 @@ use egui_kittest::kittest::Queryable;
 use serde_json::json;
 
 /// Saves what the page looks like, and gives the picture.
-fn picture(page: &mut Page, name: &str) -> image::RgbaImage {
+pub fn picture(page: &mut Page, name: &str) -> image::RgbaImage {
     let picture = page.harness.render().expect("a picture");
     let folder = std::path::Path::new(env!("CARGO_TARGET_TMPDIR")).join("looks");
     std::fs::create_dir_all(&folder).expect("a folder for pictures");
@@ -312,6 +312,7 @@ fn selecting_and_x_ray() {
         let middle = page.find("Viewport").rect().center();
         let place = |i: f32| middle + egui::Vec2::angled(i * 0.3) * (110.0 + 40.0 * (i * 0.9).sin());
         page.click("Select");
+        page.click("Select tool");
         page.click("Lasso select");
         page.harness.hover_at(place(0.0));
         page.harness.drag_at(place(0.0));

@@ -3,6 +3,7 @@
 #![cfg(not(target_arch = "wasm32"))]
 
 mod bezier;
+mod hiding;
 mod lists;
 mod live;
 mod looks;

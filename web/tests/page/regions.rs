@@ -62,6 +62,7 @@ fn around(page: &mut Page, [left, top]: [u32; 2], [right, bottom]: [u32; 2]) -> 
 fn a_lasso_selects_what_it_goes_around() {
     let mut page = grid();
     page.click("Select");
+    page.click("Select tool");
     page.click("Lasso select");
     let path = around(&mut page, [1, 1], [3, 3]);
     drag_along(&mut page, &path, LEFT, Modifiers::NONE);

@@ -123,6 +123,7 @@ fn menus_convert_the_selection_and_say_what_is_missing() {
         assert_eq!((now, ids.len()), (kind, count), "{entry}");
     }
     page.click("Select");
+    page.click("Loops and paths");
     page.click("Select outline");
     assert_eq!(page.selected().0, Element::Edge);
     assert_eq!(page.selected().1.len(), 4);

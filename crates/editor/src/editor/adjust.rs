@@ -36,7 +36,7 @@ impl Editor {
 
     /// Remembers a command that changed the selection from what it was before, or left it.
     pub(super) fn remember_selecting(&mut self, command: Command, before: &Arc<Selection>) {
-        let is_step = *before != self.selection;
+        let is_step = self.selection.is_step_from(before);
         let selected = Some(self.selection.clone());
         self.last = Some(Last { command, revision: self.revision, is_step, selected });
     }

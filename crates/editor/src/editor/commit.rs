@@ -95,36 +95,6 @@ impl Editor {
         Ok((Outcome { warnings: notes, ..outcome }, back))
     }
 
-    /// The changes that show what is hidden of objects whose elements get new ids, and drop their named selections.
-    /// Notes say so.
-    fn forget_ids(&self, objects: &[ObjectId], notes: &mut Vec<String>) -> Vec<Change> {
-        let mut changes = Vec::new();
-        for object in objects.iter().filter_map(|&id| self.document.object(id)) {
-            if !object.hidden().is_empty() {
-                let count = object.hidden().len();
-                let (faces, are) = if count == 1 { ("face", "is") } else { ("faces", "are") };
-                notes.push(format!("{count} hidden {faces} of {} {are} shown again", object.name()));
-                changes.push(Change::Hidden(object.id(), Arc::default()));
-            }
-            if !object.named_selections().is_empty() {
-                let names: Vec<String> =
-                    object.named_selections().iter().map(|named| format!("“{}”", named.name)).collect();
-                notes.push(format!(
-                    "The elements have new ids, so these named selections were dropped: {}",
-                    names.join(", ")
-                ));
-                changes.push(Change::NamedSelections(object.id(), Arc::default()));
-            }
-        }
-        // Objects that are joined to the first are removed with theirs.
-        let first = objects.first().copied();
-        changes.retain(|change| match change {
-            Change::Hidden(id, _) | Change::NamedSelections(id, _) => Some(*id) == first,
-            _ => true,
-        });
-        changes
-    }
-
     fn changes_for(
         &mut self,
         commit: Commit,

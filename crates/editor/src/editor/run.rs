@@ -2,14 +2,15 @@
 
 use super::Editor;
 use super::MessageKind;
-use crate::document::{NamedSelection, Object, ObjectId};
+use crate::document::{Object, ObjectId};
 use crate::error::{CommandError, Problem};
 use crate::history::{Change, is_reshaping};
 use crate::job;
 use crate::ops::{Action, Command, Commit, LocalEdit, NamedMesh, Op, Place, Target, edit_all, refuse_bezier};
 use crate::outcome::{Before, ElementIds, Elements, Outcome};
 use crate::selection::Selection;
-use halfedge::{Element, InParts, Mesh, Touched};
+use halfedge::words::counted;
+use halfedge::{InParts, Mesh, Touched};
 use std::ops::ControlFlow;
 use std::sync::Arc;
 use surface::selecting::Finding;
@@ -184,8 +185,7 @@ impl Editor {
                 let mut outcome = Self::outcome(&[op], Elements::default(), Elements::default());
                 if let (true, Some(Change::Hidden(id, _))) = (hides, back.first()) {
                     let count = self.document.object(*id).map_or(0, |object| object.hidden().len());
-                    let faces = if count == 1 { "face" } else { "faces" };
-                    outcome.message = format!("{label}: {count} {faces} hidden");
+                    outcome.message = format!("{label}: {} hidden", counted(count, "face", "faces"));
                 }
                 Ok(if self.push_step(label, back, before) { outcome } else { outcome.unchanged() })
             }
@@ -343,40 +343,6 @@ impl Editor {
             }
         }
         Ok(Edited { back, created: created.into(), removed: removed.into(), notes })
-    }
-
-    /// Removes elements that an edit removed from the hidden faces and the named selections; returns the changes that
-    /// undo that. Costs O(removed elements), and O(ids / 64) where one was hidden or named.
-    pub(super) fn forget_removed(&mut self, id: ObjectId, removed: &ElementIds) -> Vec<Change> {
-        let Some(object) = self.document.object(id) else { return Vec::new() };
-        let mut changes = Vec::new();
-        let was_hidden = |f: &&u32| object.hidden().contains(**f as usize);
-        if removed.faces.iter().find(was_hidden).is_some() {
-            let mut hidden = (**object.hidden()).clone();
-            removed.faces.iter().for_each(|&f| {
-                hidden.remove(f as usize);
-            });
-            changes.push(Change::Hidden(id, Arc::new(hidden)));
-        }
-        let sides: Vec<u32> = removed.edges.iter().flat_map(|e| [2 * e, 2 * e + 1]).collect();
-        let gone = |kind| match kind {
-            Element::Vertex => &removed.vertices,
-            Element::Edge => &removed.edges,
-            Element::Halfedge => &sides,
-            Element::Face => &removed.faces,
-        };
-        let loses = |named: &NamedSelection| {
-            let kind = named.selection.kind();
-            gone(kind).iter().any(|&id| named.selection.contains(kind, id))
-        };
-        if object.named_selections().iter().any(loses) {
-            let mut named = object.named_selections().to_vec();
-            for NamedSelection { selection, .. } in &mut named {
-                gone(selection.kind()).iter().for_each(|&id| selection.remove(id));
-            }
-            changes.push(Change::NamedSelections(id, Arc::new(named)));
-        }
-        self.apply(changes)
     }
 }
 

@@ -144,9 +144,7 @@ impl Editor {
         self.stroke = None;
         let before = self.selection.clone();
         self.replace_selection(selection);
-        // Which kind of element isn't selected is no change worth a step.
-        let is_other = !Arc::ptr_eq(&before, &self.selection);
-        if is_other && before.len() + self.selection.len() > 0 {
+        if self.selection.is_step_from(&before) {
             let (label, revision) = (SELECT.to_owned(), self.revision);
             self.history.push_selection(Step { label, changes: Vec::new(), selection: before, revision });
             self.changes.history = true;

@@ -6,6 +6,7 @@ use crate::ops::{Action, Command, Op, SelectMode};
 use crate::outcome::{Elements, Outcome};
 use crate::selection::Selection;
 use halfedge::geometry::BitSet;
+use halfedge::words::counted;
 use halfedge::{Budget, Element, InParts, Mesh};
 use surface::selecting::Finding;
 
@@ -33,6 +34,11 @@ impl Editor {
             None => self.selecting = Some(selecting),
             Some(found) => self.select_all_found(selecting, found),
         }
+    }
+
+    /// The outcome of a command that [`Editor::select_some`] completed, once.
+    pub fn take_selected(&mut self) -> Option<Outcome> {
+        self.selected.take()
     }
 
     /// Stops looking for elements to select; returns whether it was going on.
@@ -69,7 +75,8 @@ impl Editor {
                 let before = self.selection.clone();
                 let outcome = self.select_found(&op, kind, found);
                 self.remember_selecting(command, &before);
-                self.say(MessageKind::Info, outcome.message);
+                self.say(MessageKind::Info, outcome.message.clone());
+                self.selected = Some(outcome);
             }
         }
     }
@@ -81,15 +88,10 @@ impl Editor {
             Action::Local(_) | Action::WholeMesh(_) | Action::Document(_) => SelectMode::Replace,
         };
         let count = found.len();
-        let before = self.selection.clone();
         self.put_found(kind, found, mode);
-        let name = match count {
-            1 => kind.to_string(),
-            _ => kind.plural().to_owned(),
-        };
+        let found = counted(count, &kind.to_string(), kind.plural());
         let outcome = Self::outcome(std::slice::from_ref(op), Elements::default(), Elements::default());
-        let outcome = Outcome { message: format!("{}: {count} {name} found", outcome.message), ..outcome };
-        if before == self.selection { outcome.unchanged() } else { outcome }
+        Outcome { message: format!("{}: {found} found", outcome.message), ..outcome }
     }
 
     fn put_found(&mut self, kind: Element, found: BitSet, mode: SelectMode) {

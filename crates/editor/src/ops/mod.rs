@@ -182,7 +182,7 @@ operations! {
     }
     #[doc = "Operations on what is selected and what is hidden."]
     selecting [hiding, naming] {
-        select::Select,
+        select_elements::SelectElements,
         select_all::SelectAll,
         select_related::SelectRelated,
         select_boundary::SelectBoundary,

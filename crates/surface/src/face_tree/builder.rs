@@ -83,7 +83,7 @@ impl InParts for FaceTreeBuilder {
             place[face as usize] = at as u32;
         }
         let sorted = order.len();
-        let mut tree = FaceTree { order, place, levels: vec![leaves], sorted };
+        let mut tree = FaceTree { order, place, levels: vec![leaves], sorted, hidden: Default::default() };
         tree.fit_levels();
         Some(tree)
     }

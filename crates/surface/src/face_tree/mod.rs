@@ -11,7 +11,9 @@ pub use walk::FaceWalk;
 
 use crate::measure::Bounds;
 use glam::Vec3;
+use halfedge::geometry::BitSet;
 use halfedge::{FaceId, HalfedgeId, InParts, Mesh, NONE};
+use std::sync::Arc;
 
 /// Faces in a box at the bottom of the tree.
 const FACES_PER_LEAF: usize = 16;
@@ -57,6 +59,8 @@ pub struct FaceTree {
     levels: Vec<Vec<Bounds>>,
     /// The number of faces when the order was made.
     sorted: usize,
+    /// Faces that queries leave out.
+    hidden: Arc<BitSet>,
 }
 
 fn face_bounds(mesh: &Mesh, face: FaceId) -> Bounds {
@@ -78,6 +82,16 @@ impl FaceTree {
     /// The tree of all faces. Costs O(mesh).
     pub fn new(mesh: &Mesh) -> Self {
         FaceTreeBuilder::new(mesh).finish(mesh)
+    }
+
+    /// Makes queries leave out these faces and no others. Costs O(1): boxes keep their size.
+    pub fn set_hidden(&mut self, faces: &Arc<BitSet>) {
+        self.hidden.clone_from(faces);
+    }
+
+    /// The faces that queries leave out.
+    pub fn hidden(&self) -> &Arc<BitSet> {
+        &self.hidden
     }
 
     /// Heap bytes in use.
@@ -109,7 +123,7 @@ impl FaceTree {
             dirty.push(at as usize / FACES_PER_LEAF);
         }
         if self.order.len() > self.sorted + self.sorted / 2 + 1024 {
-            *self = Self::new(mesh);
+            *self = Self { hidden: std::mem::take(&mut self.hidden), ..Self::new(mesh) };
             return;
         }
         self.fit_levels();
@@ -205,7 +219,7 @@ impl FaceTree {
             }
             let children = self.children(level, node);
             if level == 0 {
-                for f in self.faces(mesh, children) {
+                for f in self.faces(mesh, children).filter(|f| !self.hidden.contains(f.index())) {
                     bound = face(f, bound);
                 }
             } else {

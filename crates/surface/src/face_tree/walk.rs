@@ -4,7 +4,7 @@ use super::{FACES_PER_LEAF, FaceTree};
 use crate::measure::Bounds;
 use halfedge::{Budget, FaceId, Mesh};
 
-/// A walk over the faces of a tree in the boxes that a test accepts. It finds every face whose box and all the boxes
+/// A walk over the faces of a tree, without hidden ones, in the boxes that a test accepts. It finds every face whose box and all the boxes
 /// around it are accepted, and others that share a box with one.
 #[derive(Clone, Debug)]
 pub struct FaceWalk {
@@ -41,7 +41,7 @@ impl FaceWalk {
             let children = tree.children(level, node);
             if level == 0 {
                 budget.take(FACES_PER_LEAF);
-                tree.faces(mesh, children).for_each(&mut face);
+                tree.faces(mesh, children).filter(|f| !tree.hidden.contains(f.index())).for_each(&mut face);
             } else {
                 self.stack.extend(children.rev().map(|child| (level - 1, child)));
             }

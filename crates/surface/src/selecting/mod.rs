@@ -8,9 +8,11 @@ mod criterion;
 mod finding;
 mod lines;
 mod path;
+mod related;
 
 pub use convert::{convert, expand, grow, linked, outline, shrink};
 pub use criterion::{Comparison, Criterion, dihedral_angle, size};
-pub use finding::{Finding, is_hidden};
+pub use finding::Finding;
 pub use lines::{Line, directions, edge_loop, face_strip, lines};
 pub use path::shortest_path;
+pub use related::is_hidden;

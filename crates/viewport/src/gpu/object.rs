@@ -6,7 +6,10 @@ use super::stream::Stream;
 use crate::buffers::{Buffers, Corners, Rebuild, Sink};
 use crate::{ColorBy, Coloring, MaterialColors, Shading, Style};
 use glam::Vec3;
-use halfedge::{Budget, InParts, Mesh, Touched};
+use halfedge::geometry::BitSet;
+use halfedge::{Budget, Element, InParts, Mesh, Touched};
+use std::sync::Arc;
+use surface::selecting::is_hidden;
 
 /// Triangles per page. An object's triangles are spread over pages, so that growing copies at most one
 /// page and no buffer exceeds what every device allows (128 MiB).
@@ -46,6 +49,8 @@ pub struct Object {
     /// The dots of isolated vertices, which are always drawn.
     pub isolated: IsolatedVertices,
     pub marks: MarkBuffers,
+    /// Faces that aren't drawn.
+    hidden: Arc<BitSet>,
     /// Buffers that replace these once they are complete.
     next: Option<Next>,
 }
@@ -82,8 +87,15 @@ impl Object {
             has_points: false,
             isolated: IsolatedVertices::new(),
             marks: MarkBuffers::new(),
+            hidden: Arc::default(),
             next: None,
         }
+    }
+
+    /// Sets the faces that aren't drawn, for the next upload or update.
+    pub fn set_hidden(&mut self, faces: &Arc<BitSet>) {
+        self.hidden.clone_from(faces);
+        self.buffers.set_hidden(faces);
     }
 
     /// Uploads a whole mesh; returns the number of bytes.
@@ -113,9 +125,18 @@ impl Object {
             return isolated;
         }
         let positions: Vec<[f32; 3]> =
-            (0..mesh.vertex_capacity() as u32).map(|v| point(mesh, v, origin)).collect();
+            (0..mesh.vertex_capacity() as u32).map(|v| self.dot(mesh, v, origin)).collect();
         self.points.set(device, queue, &positions);
         isolated + self.points.len()
+    }
+
+    /// Where the dot of a vertex is drawn.
+    fn dot(&self, mesh: &Mesh, raw: u32, origin: Vec3) -> [f32; 3] {
+        if is_hidden(mesh, Element::Vertex, raw as usize, &self.hidden) {
+            HIDDEN_POSITION
+        } else {
+            point(mesh, raw, origin)
+        }
     }
 
     /// Begins an upload of a whole mesh that [`Object::upload_faces`] carries out.
@@ -128,6 +149,7 @@ impl Object {
         materials: &MaterialColors,
     ) {
         let (mut buffers, mut pages) = (Buffers::default(), Vec::new());
+        buffers.set_hidden(&self.hidden);
         let mut upload = Upload { device, queue, pages: &mut pages, bytes: 0 };
         let coloring = Coloring::new(mesh, style.color_by, materials);
         let rebuilding = buffers.begin_rebuild(mesh, origin_of(mesh), style.shading, coloring, &mut upload);
@@ -186,7 +208,7 @@ impl Object {
         bytes += self.isolated.follow(device, queue, mesh, origin, &touched.vertices);
         if self.has_points {
             for v in &touched.vertices {
-                let position = point(mesh, v.raw(), origin);
+                let position = self.dot(mesh, v.raw(), origin);
                 self.points.write(
                     device,
                     queue,

@@ -9,8 +9,10 @@ use super::surface::Surface;
 use super::targets::Targets;
 use super::uniforms::{DrawUniform, FrameUniform};
 use crate::{Legend, Mark, MaterialColors, Style};
+use halfedge::geometry::BitSet;
 use halfedge::{Budget, InParts, Mesh, Touched};
 use std::collections::HashMap;
+use std::sync::Arc;
 
 /// Bytes from one draw uniform to the next: a dynamic offset that every device allows.
 pub(super) const DRAW_UNIFORM_STRIDE: usize = 256;
@@ -184,6 +186,12 @@ impl Renderer {
     /// What the colours of an object stand for; none for colours of the mesh itself.
     pub fn legend(&self, id: u64) -> Option<Legend> {
         self.objects.get(&id)?.buffers.coloring().legend()
+    }
+
+    /// Hides these faces of an object and no others. It takes effect with the next upload; for a few faces, pass those
+    /// that changed to [`Renderer::sync_object`].
+    pub fn set_hidden(&mut self, id: u64, faces: &Arc<BitSet>) {
+        self.objects.entry(id).or_insert_with(Object::new).set_hidden(faces);
     }
 
     /// Removes an object.

@@ -1,6 +1,6 @@
 //! `select-all`: select every element of a kind.
 
-use super::select::MODE;
+use super::select_elements::MODE;
 use crate::error::Problem;
 use crate::ops::choice::choice;
 use crate::ops::{Action, Field, FieldKind, Operation, Scope, SelectEdit, SelectMode, Spec, Target};

@@ -1,6 +1,6 @@
 //! `select-boundary`: select elements on the boundary.
 
-use super::select::MODE;
+use super::select_elements::MODE;
 use crate::error::Problem;
 use crate::ops::{Action, Kind, Operation, Scope, SelectEdit, SelectMode, Spec, Target};
 use serde::{Deserialize, Serialize};

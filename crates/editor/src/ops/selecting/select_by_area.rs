@@ -1,6 +1,6 @@
 //! `select-by-area`: select faces by area.
 
-use super::select::MODE;
+use super::select_elements::MODE;
 use crate::error::Problem;
 use crate::ops::choice::choice;
 use crate::ops::{Action, Field, Operation, Scope, SelectEdit, SelectMode, Spec, Target, Unit};

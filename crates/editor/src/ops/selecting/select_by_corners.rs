@@ -1,6 +1,6 @@
 //! `select-by-corners`: select faces by the number of their corners.
 
-use super::select::MODE;
+use super::select_elements::MODE;
 use crate::error::Problem;
 use crate::ops::choice::choice;
 use crate::ops::{Action, DefaultValue, Field, Operation, Scope, SelectEdit, SelectMode, Spec, Target};

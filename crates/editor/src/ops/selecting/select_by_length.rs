@@ -1,6 +1,6 @@
 //! `select-by-length`: select edges by length.
 
-use super::select::MODE;
+use super::select_elements::MODE;
 use crate::error::Problem;
 use crate::ops::{
     Action, CompareSize, Field, Operation, Scope, SelectEdit, SelectMode, Spec, Suggestion, Target, Unit,

@@ -1,6 +1,6 @@
 //! `select-by-valence`: select vertices by the number of their edges.
 
-use super::select::MODE;
+use super::select_elements::MODE;
 use crate::error::Problem;
 use crate::ops::{
     Action, CompareCount, DefaultValue, Field, Operation, Scope, SelectEdit, SelectMode, Spec, Target,

@@ -1,6 +1,6 @@
 //! `select-degenerate`: select faces or edges of no size.
 
-use super::select::MODE;
+use super::select_elements::MODE;
 use crate::error::Problem;
 use crate::ops::{Action, DefaultValue, Field, Kind, Operation, Scope, SelectEdit, SelectMode, Spec, Target, Unit};
 use serde::{Deserialize, Serialize};

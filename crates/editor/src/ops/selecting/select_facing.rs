@@ -1,6 +1,6 @@
 //! `select-facing`: select faces by the side that they face.
 
-use super::select::MODE;
+use super::select_elements::MODE;
 use crate::error::Problem;
 use crate::ops::{
     Action, DefaultValue, Field, FieldKind, Operation, Scope, SelectEdit, SelectMode, Spec, Target, Unit,

@@ -1,6 +1,6 @@
 //! `select-isolated`: select vertices in no face.
 
-use super::select::MODE;
+use super::select_elements::MODE;
 use crate::error::Problem;
 use crate::ops::{Action, Operation, Scope, SelectEdit, SelectMode, Spec, Target};
 use serde::{Deserialize, Serialize};

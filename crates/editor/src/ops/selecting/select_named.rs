@@ -1,7 +1,7 @@
 //! `select-named`: select the elements of a named selection.
 
 use super::naming::find;
-use super::select::MODE;
+use super::select_elements::MODE;
 use crate::error::Problem;
 use crate::ops::{Action, Field, FieldKind, Operation, Scope, SelectEdit, SelectMode, Spec, Target};
 use serde::{Deserialize, Serialize};

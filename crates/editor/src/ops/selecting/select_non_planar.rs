@@ -1,6 +1,6 @@
 //! `select-non-planar`: select polygons that are not flat.
 
-use super::select::MODE;
+use super::select_elements::MODE;
 use crate::error::Problem;
 use crate::ops::{Action, DefaultValue, Field, Operation, Scope, SelectEdit, SelectMode, Spec, Target, Unit};
 use serde::{Deserialize, Serialize};

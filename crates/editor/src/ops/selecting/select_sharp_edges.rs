@@ -1,6 +1,6 @@
 //! `select-sharp-edges`: select edges at which faces meet at an angle.
 
-use super::select::MODE;
+use super::select_elements::MODE;
 use crate::error::Problem;
 use crate::ops::{Action, DefaultValue, Field, Operation, Scope, SelectEdit, SelectMode, Spec, Target, Unit};
 use serde::{Deserialize, Serialize};

@@ -1,6 +1,6 @@
 //! `select-similar`: select elements like the one selected last.
 
-use super::select::MODE;
+use super::select_elements::MODE;
 use crate::error::Problem;
 use crate::ops::choice::choice;
 use crate::ops::{Action, DefaultValue, Field, Operation, Scope, SelectEdit, SelectMode, Spec, Target, Unit};

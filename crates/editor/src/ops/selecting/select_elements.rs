@@ -1,4 +1,4 @@
-//! `select`: select elements by id.
+//! `select-elements`: select elements by id.
 
 use crate::error::Problem;
 use crate::ops::choice::choice;
@@ -14,7 +14,7 @@ use surface::selecting::Finding;
 /// Select elements by id.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
-pub struct Select {
+pub struct SelectElements {
     /// Vertices to select.
     pub vertices: Option<Vec<VertexRef>>,
     /// Edges to select.
@@ -52,8 +52,8 @@ const fn list(name: &'static str, element: Element, description: &'static str) -
         .alternative("Elements")
 }
 
-impl Operation for Select {
-    const SPEC: Spec = Spec::new(Scope::Selection, "select", "Select elements", "Select elements by id.").fields(&[
+impl Operation for SelectElements {
+    const SPEC: Spec = Spec::new(Scope::Selection, "select-elements", "Select elements", "Select elements by id.").fields(&[
         list("vertices", Element::Vertex, "Vertices to select"),
         list("edges", Element::Edge, "Edges to select"),
         list("halfedges", Element::Halfedge, "Half-edges to select"),
@@ -66,7 +66,7 @@ impl Operation for Select {
     }
 }
 
-impl SelectEdit for Select {
+impl SelectEdit for SelectElements {
     fn find(&self, target: &Target<'_>) -> Result<Finding, Problem> {
         let mesh = target.mesh;
         let lists = [
@@ -76,7 +76,8 @@ impl SelectEdit for Select {
             self.faces.is_some(),
         ];
         if lists.into_iter().filter(|given| *given).count() != 1 {
-            return Err(Problem::new("give exactly one of `vertices`, `edges`, `halfedges` and `faces`"));
+            return Err(Problem::new("give exactly one of `vertices`, `edges`, `halfedges` and `faces`")
+                .advise("Give one list: vertices, edges, half-edges or faces."));
         }
         let (kind, ids): (Element, BitSet) = if self.vertices.is_some() {
             (Element::Vertex, all(&self.vertices, "vertices", mesh)?.iter().map(|v| v.index()).collect())

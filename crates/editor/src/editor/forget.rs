@@ -1,0 +1,75 @@
+//! Hidden faces and named selections lose the elements that operations remove or renumber.
+
+use super::Editor;
+use crate::document::{NamedSelection, ObjectId};
+use crate::history::Change;
+use crate::outcome::ElementIds;
+use halfedge::Element;
+use halfedge::words::counted;
+use std::sync::Arc;
+
+impl Editor {
+    /// Removes elements that an edit removed from the hidden faces and the named selections; returns the changes that
+    /// undo that. Costs O(removed elements), and O(ids / 64) where one was hidden or named.
+    pub(super) fn forget_removed(&mut self, id: ObjectId, removed: &ElementIds) -> Vec<Change> {
+        let Some(object) = self.document.object(id) else { return Vec::new() };
+        let mut changes = Vec::new();
+        let was_hidden = |f: &&u32| object.hidden().contains(**f as usize);
+        if removed.faces.iter().find(was_hidden).is_some() {
+            let mut hidden = (**object.hidden()).clone();
+            removed.faces.iter().for_each(|&f| {
+                hidden.remove(f as usize);
+            });
+            changes.push(Change::Hidden(id, Arc::new(hidden)));
+        }
+        let sides: Vec<u32> = removed.edges.iter().flat_map(|e| [2 * e, 2 * e + 1]).collect();
+        let gone = |kind| match kind {
+            Element::Vertex => &removed.vertices,
+            Element::Edge => &removed.edges,
+            Element::Halfedge => &sides,
+            Element::Face => &removed.faces,
+        };
+        let loses = |named: &NamedSelection| {
+            let kind = named.selection.kind();
+            gone(kind).iter().any(|&id| named.selection.contains(kind, id))
+        };
+        if object.named_selections().iter().any(loses) {
+            let mut named = object.named_selections().to_vec();
+            for NamedSelection { selection, .. } in &mut named {
+                gone(selection.kind()).iter().for_each(|&id| selection.remove(id));
+            }
+            changes.push(Change::NamedSelections(id, Arc::new(named)));
+        }
+        self.apply(changes)
+    }
+
+    /// The changes that show what is hidden of objects whose elements get new ids, and drop their named selections.
+    /// Notes say so.
+    pub(super) fn forget_ids(&self, objects: &[ObjectId], notes: &mut Vec<String>) -> Vec<Change> {
+        let mut changes = Vec::new();
+        for object in objects.iter().filter_map(|&id| self.document.object(id)) {
+            if !object.hidden().is_empty() {
+                let count = object.hidden().len();
+                let faces = counted(count, "hidden face of", "hidden faces of");
+                notes.push(format!("{faces} {} shown again", object.name()));
+                changes.push(Change::Hidden(object.id(), Arc::default()));
+            }
+            if !object.named_selections().is_empty() {
+                let names: Vec<String> =
+                    object.named_selections().iter().map(|named| format!("“{}”", named.name)).collect();
+                notes.push(format!(
+                    "The elements have new ids, so these named selections were dropped: {}",
+                    names.join(", ")
+                ));
+                changes.push(Change::NamedSelections(object.id(), Arc::default()));
+            }
+        }
+        // Objects that are joined to the first are removed with theirs.
+        let first = objects.first().copied();
+        changes.retain(|change| match change {
+            Change::Hidden(id, _) | Change::NamedSelections(id, _) => Some(*id) == first,
+            _ => true,
+        });
+        changes
+    }
+}
