@@ -49,6 +49,14 @@ pub(crate) struct Notes {
     infos: Vec<String>,
 }
 
+/// A fault with one colon at most, since its kind stands before another.
+fn with_one_colon(text: &str) -> String {
+    match text.split_once(": ") {
+        Some((fault, reason)) => format!("{fault}: {}", reason.replace(": ", ", ")),
+        None => text.to_owned(),
+    }
+}
+
 impl Notes {
     /// Adds a fault: a clause that begins with the element it is about.
     pub(crate) fn fault(&mut self, fault: Fault, text: impl Into<String>) {
@@ -86,7 +94,9 @@ impl Notes {
             let texts: Vec<&String> =
                 self.faults.iter().filter(|(kind, _)| *kind == fault).map(|(_, text)| text).collect();
             for text in texts.iter().take(FAULTS_SHOWN) {
-                report.warn(format!("{}{text}", fault.head()));
+                let head = fault.head();
+                let text = if head.contains(':') { with_one_colon(text) } else { (*text).clone() };
+                report.warn(format!("{head}{text}"));
             }
             if texts.len() > FAULTS_SHOWN {
                 let more = counted(texts.len() - FAULTS_SHOWN, "fault", "faults");

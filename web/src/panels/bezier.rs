@@ -4,6 +4,7 @@ use editor::ops::BezierTessellate;
 use editor::{Bezier, OpId};
 use egui::{Button, Grid, Label, RichText, ScrollArea, Slider, Ui, vec2};
 use glam::Vec3;
+use halfedge::words::thousands;
 
 use crate::bezier::{ControlPoint, Controls, Drawn, Setting, active, levels, position};
 use crate::input::actions::{self, Action};
@@ -21,11 +22,13 @@ pub(crate) fn show(ui: &mut Ui, page: &Page<'_>, tessellation: &mut Option<u32>,
     let what = match bezier {
         Bezier::Curve(curve) => match curve.points.len() {
             1 => "one control point".to_owned(),
-            count => format!("{count} control points, degree {}", count.saturating_sub(1)),
+            count => {
+                format!("{} control points, degree {}", thousands(count), thousands(count.saturating_sub(1)))
+            }
         },
         Bezier::Surface(patches) => match patches.len() {
             1 => "one patch".to_owned(),
-            count => format!("{count} patches"),
+            count => format!("{} patches", thousands(count)),
         },
     };
     ui.add(Label::new(RichText::new(format!("{name}: {what}")).weak()).truncate());

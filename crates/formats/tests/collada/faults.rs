@@ -109,7 +109,7 @@ fn a_fault_in_one_primitive_leaves_the_others() {
         ),
         (
             format!("<polylist>{INPUT}<vcount>4000000000</vcount><p>0</p></polylist>"),
-            "a <polylist> has fewer numbers in its <p> than its <vcount> says: 1 face missing",
+            "a <polylist> has fewer numbers in its <p> than its <vcount> says, 1 face missing",
         ),
         ("<triangles><p>0 1 2</p></triangles>".to_owned(), "a <triangles> has no <input> for its vertices"),
         (

@@ -58,12 +58,12 @@ fn a_fault_in_a_primitive_costs_no_other() {
         (json!({ "attributes": { "POSITION": 9 } }), "accessor 9 doesn't exist"),
         (json!({ "attributes": { "POSITION": 0 }, "indices": "x" }), "its \"indices\" is not a whole number"),
         (json!({ "attributes": { "POSITION": 0 }, "mode": 7 }), "its mode 7 is unknown"),
-        (json!({ "attributes": { "POSITION": 2 } }), "accessor 2: its component type 99 is unknown"),
-        (json!({ "attributes": { "POSITION": 3 } }), "accessor 3: its type is none of"),
-        (json!({ "attributes": { "POSITION": 4 } }), "accessor 4: its data lies outside its buffer"),
-        (json!({ "attributes": { "POSITION": 5 } }), "accessor 5: buffer view 50 doesn't exist"),
-        (json!({ "attributes": { "POSITION": 6 } }), "accessor 6: its sparse \"indices\" are missing"),
-        (json!({ "attributes": { "POSITION": 7 } }), "accessor 7: its rows overlap"),
+        (json!({ "attributes": { "POSITION": 2 } }), "accessor 2, its component type 99 is unknown"),
+        (json!({ "attributes": { "POSITION": 3 } }), "accessor 3, its type is none of"),
+        (json!({ "attributes": { "POSITION": 4 } }), "accessor 4, its data lies outside its buffer"),
+        (json!({ "attributes": { "POSITION": 5 } }), "accessor 5, buffer view 50 doesn't exist"),
+        (json!({ "attributes": { "POSITION": 6 } }), "accessor 6, its sparse \"indices\" are missing"),
+        (json!({ "attributes": { "POSITION": 7 } }), "accessor 7, its rows overlap"),
         (json!({ "attributes": { "POSITION": 8 } }), "buffer 1: which was not given"),
         (json!(7), "it has no positions"),
         (json!({ "attributes": { "POSITION": 0 }, "mode": 3 }), "1 set of lines"),
@@ -100,9 +100,9 @@ fn a_fault_in_a_primitive_costs_no_other() {
 #[test]
 fn a_fault_in_an_attribute_costs_that_alone() {
     for (name, accessor, says) in [
-        ("NORMAL", json!(99), "NORMAL left out: accessor 99 doesn't exist"),
+        ("NORMAL", json!(99), "NORMAL left out, accessor 99 doesn't exist"),
         ("TEXCOORD_0", json!("x"), "its \"TEXCOORD_0\" is not a whole number"),
-        ("COLOR_0", json!(2), "COLOR_0 left out: accessor 2: its data lies outside its buffer"),
+        ("COLOR_0", json!(2), "COLOR_0 left out, accessor 2, its data lies outside its buffer"),
     ] {
         let mut doc = Doc::square();
         doc.push(
