@@ -98,7 +98,7 @@ fn a_curve_of_twenty_thousand_points_is_sampled_and_says_so() {
     let text: String = (0..20_000).map(|i| format!("\n{i} {}", i % 7)).collect();
     let mut page = Page::new();
     page.open("large.bzc", &format!("20000{text}"));
-    assert!(page.has_part("20000 control points, degree 19999"));
+    assert!(page.has_part("20\u{a0}000 control points, degree 19\u{a0}999"));
     assert!(page.has_part("one control point in 10"));
     assert!(!page.has_part("one point in"));
     page.press(Key::E);
