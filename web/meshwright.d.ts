@@ -29,6 +29,10 @@ export interface Transform {
   rotate?: { axis: Vector; degrees: number };
   /** The factor by which to scale about the pivot: a factor, or three: `[x, y, z]`; default: 1.0. */
   scale?: number | Vector;
+  /** How the axes of the scale are turned: an axis and degrees: `{"axis": [0, 0, 1], "degrees": 90}`; default: the axes of the mesh. */
+  orientation?: { axis: Vector; degrees: number };
+  /** Rotate and scale each connected part about its own middle, not about the pivot: `true` or `false`; default: false. */
+  individual?: boolean;
   /** The point that stays in place: three numbers: `[x, y, z]`; default: the centre of the vertices. */
   pivot?: Vector;
   /** Soft selection: how far along the surface other vertices move too: a number in mesh units, 0 or more; default: none. */

@@ -8,6 +8,7 @@ pub mod app;
 mod bezier;
 pub mod input;
 pub mod lists;
+mod live;
 #[cfg(target_arch = "wasm32")]
 pub mod page;
 mod page_view;
@@ -18,5 +19,6 @@ pub mod script;
 mod session;
 mod shown;
 pub mod theme;
+mod transforming;
 mod view;
 mod widgets;

@@ -3,7 +3,7 @@
 
 use editor::ops::BezierInsertPoint;
 use editor::{Command, CommandError, JobId, OpId, SelectMode};
-use egui::Pos2;
+use egui::{Modifiers, Pos2};
 use formats::Format;
 use glam::Vec3;
 use halfedge::Element;
@@ -11,6 +11,7 @@ use surface::selecting::Line;
 
 use crate::bezier::Setting;
 use crate::input::actions::Action;
+use crate::live::edit::Start;
 use crate::session::form::Filled;
 use crate::session::toasts::Slot;
 use crate::shown::{Sheet, Window};
@@ -45,8 +46,18 @@ pub(crate) enum Request {
     CancelEdit,
     /// Commit the ongoing edit when the pointer's button is released.
     CommitEditOnRelease,
+    /// Start an edit that follows the pointer.
+    StartLive(Start),
     /// Move the edit that follows the pointer to this place.
-    LivePointer(Option<Pos2>),
+    LivePointer(Option<Pos2>, Modifiers),
+    /// Go on with the edit that follows the pointer from this place, with the same amount.
+    TakeUpLive(Pos2),
+    /// Turn the wheel by so many notches during the edit that follows the pointer.
+    LiveWheel(i32),
+    /// Limit the edit that follows the pointer to an axis, or no longer.
+    LockLive(usize),
+    /// Set the count of the edit that follows the pointer.
+    SetLiveCount(u32),
     /// Set the amount of the edit that follows the pointer.
     SetLiveAmount(Vec3),
     /// Commit or cancel the edit that follows the pointer.

@@ -2,8 +2,9 @@
 
 mod support;
 
-use editor::halfedge::{Color, Element, VertexId, keys};
+use editor::halfedge::{Color, Element, Mesh, VertexId, keys};
 use editor::{Command, Editor, OpId, SelectMode};
+use glam::Vec3;
 use serde_json::{Value, json};
 use support::*;
 
@@ -259,6 +260,51 @@ fn transform_scales_rotates_and_moves() {
     let [x, y, z] = at(&editor, 1);
     assert!(x.abs() < 1e-6 && (y - 2.0).abs() < 1e-6 && z == 0.0, "{:?}", at(&editor, 1));
     assert_eq!(at(&editor, 2), [0.0, 1.0, 0.0]);
+}
+
+#[test]
+fn transform_scales_along_turned_axes() {
+    let mut editor = on_cube();
+    let before = editor.mesh().expect("a cube").positions().to_vec();
+    let turned = json!({"axis": [0, 0, 1], "degrees": 90});
+    run(
+        &mut editor,
+        json!({"op": "transform", "vertices": [0, 1, 2, 3, 4, 5, 6, 7], "scale": [3, 1, 1],
+        "orientation": turned, "pivot": [0, 0, 0]}),
+    );
+    for (old, new) in before.iter().zip(editor.mesh().expect("a cube").positions()) {
+        // The x axis of the scale is the mesh's y axis.
+        let wanted = *old * Vec3::new(1.0, 3.0, 1.0);
+        assert!(new.distance(wanted) < 1e-5, "{old} became {new}");
+    }
+    let short = json!({"op": "transform", "vertices": [0], "scale": 2, "orientation": {"axis": [0, 0, 0], "degrees": 5}});
+    let error = editor.run(Command::from_value(short).expect("a command")).expect_err("no axis");
+    assert!(error.to_string().contains("orientation.axis"), "{error}");
+}
+
+#[test]
+fn parts_are_scaled_about_their_own_middles() {
+    let mut editor = on_cube();
+    let before = editor.mesh().expect("a cube").positions().to_vec();
+    let middle = |positions: &[Vec3], mesh: &Mesh, f: u32| {
+        let corners: Vec<Vec3> =
+            mesh.face_vertices(mesh.face(f).expect("a face")).map(|v| positions[v.index()]).collect();
+        corners.iter().sum::<Vec3>() / corners.len() as f32
+    };
+    // Opposite faces share no vertex.
+    let mesh = editor.mesh().expect("a cube").clone();
+    let corners = |f| mesh.face_vertices(mesh.face(f).expect("a face")).collect::<Vec<_>>();
+    let other = (1..6).find(|f| corners(*f).iter().all(|v| !corners(0).contains(v))).expect("a face across");
+    run(&mut editor, json!({"op": "transform", "faces": [0, other], "scale": 0.5, "individual": true}));
+    let after = editor.mesh().expect("a cube").positions().to_vec();
+    for f in [0, other] {
+        let (old, new) = (middle(&before, &mesh, f), middle(&after, &mesh, f));
+        assert!(old.distance(new) < 1e-6, "the middle of a part stays");
+        for v in corners(f) {
+            let wanted = old + (before[v.index()] - old) * 0.5;
+            assert!(after[v.index()].distance(wanted) < 1e-6);
+        }
+    }
 }
 
 #[test]

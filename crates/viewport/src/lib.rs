@@ -22,6 +22,7 @@ mod region;
 mod region_select;
 mod sight;
 mod slots;
+mod snap;
 mod style;
 
 pub use camera::{Camera, Side};
@@ -36,5 +37,6 @@ pub use ramp::Ramp;
 pub use region::{Region, ScreenRect};
 pub use region_select::RegionSelection;
 pub use slots::Range;
+pub use snap::snap;
 pub use style::{Look, Style, Theme};
 pub use surface::measure::Bounds;

@@ -13,6 +13,7 @@ use super::{App, THEME_SETTING};
 use crate::bezier::{self, ControlPoint};
 use crate::input::actions::Action;
 use crate::input::availability::opens_form;
+use crate::live::edit::Start;
 use crate::page_view::Page;
 use crate::panels::operations::EDGE_LENGTH;
 use crate::panels::viewport::control_points::add_control_point;
@@ -141,7 +142,15 @@ impl App {
             }
             Action::LongerEdges => self.scale_target_edge(1.1),
             Action::ShorterEdges => self.scale_target_edge(1.0 / 1.1),
-            Action::SlideSplit => self.session.start_live(OpId::SplitEdge),
+            Action::SlideSplit => self.start_live(OpId::SplitEdge, ""),
+            Action::Move => self.start_live(OpId::Transform, "translate"),
+            Action::Rotate => self.start_live(OpId::Transform, "rotate"),
+            Action::Scale => self.start_live(OpId::Transform, "scale"),
+            Action::Snap => self.session.live_settings.snaps ^= true,
+            Action::SnapTo(to) => self.session.live_settings.snap_to = to,
+            Action::Soft => self.session.live_settings.soft ^= true,
+            Action::PivotAt(pivot) => self.session.live_settings.pivot = pivot,
+            Action::Orient(orientation) => self.session.live_settings.orientation = orientation,
             Action::NextLevel | Action::Play => {
                 if let Some((_, bezier)) = bezier::active(&self.session.editor) {
                     match action {
@@ -165,8 +174,10 @@ impl App {
             Action::Operation(OpId::Isolate) if self.session.editor.selection().is_empty() => {
                 self.session.begin(Reveal::default().into(), None);
             }
-            Action::Operation(id) if opens_form(id) && id.spec().dragged_field().is_some() => {
-                self.session.start_live(id);
+            Action::Operation(id)
+                if opens_form(id) && id.spec().dragged_field().is_some() && id != OpId::Transform =>
+            {
+                self.start_live(id, "");
             }
             Action::Operation(id) if opens_form(id) => self.open_form(id),
             Action::Operation(id) => {
@@ -181,6 +192,11 @@ impl App {
         self.panels.forms.open(id);
         self.shown.right = true;
         self.shown.sheet.show_operations();
+    }
+
+    /// Starts an edit that follows the pointer, which sets this field of the operation.
+    fn start_live(&mut self, id: OpId, field: &'static str) {
+        self.session.start_live(&Start::new(id, field), &self.view);
     }
 
     /// The subdivision that the Upsample action runs.

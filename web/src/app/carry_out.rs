@@ -12,7 +12,9 @@ impl App {
         match request {
             // Requested in every frame; a change asks for a repaint.
             Request::Hover(kind, id) => return self.hover(kind, id),
-            Request::LivePointer(at) => return self.session.live_pointer(at, &self.view),
+            Request::LivePointer(at, modifiers) => {
+                return self.session.live_pointer(at, modifiers, &mut self.view);
+            }
             Request::Act(action) => self.act(action),
             Request::Run(command) => self.session.begin(command, None),
             Request::Refuse(error) => self.session.refuse(&error),
@@ -47,7 +49,18 @@ impl App {
                 self.session.editor.cancel_edit();
             }
             Request::CommitEditOnRelease => self.session.commit_on_release = true,
-            Request::SetLiveAmount(value) => self.session.set_live_amount(value),
+            Request::StartLive(start) => self.session.start_live(&start, &self.view),
+            Request::TakeUpLive(at) => self.session.change_live(|live, _| live.take_up(at)),
+            Request::LiveWheel(notches) => {
+                let view = &self.view;
+                self.session.change_live(|live, settings| live.turn_wheel(notches, settings, view));
+            }
+            Request::LockLive(axis) => {
+                let view = &self.view;
+                self.session.change_live(|live, settings| live.lock_axis(axis, settings, view));
+            }
+            Request::SetLiveCount(count) => self.session.change_live(|live, _| live.set_count(count)),
+            Request::SetLiveAmount(value) => self.session.change_live(|live, _| live.set_amount(value)),
             Request::EndLive { commit } => self.session.end_live(commit),
             Request::OpenForm(id) => self.open_form(id),
             Request::CloseForm => {

@@ -105,8 +105,10 @@ impl App {
         }
         let held = std::mem::take(&mut self.held_events);
         ctx.input_mut(|input| drop(input.events.splice(0..0, held)));
-        let mut actions =
-            if self.session.live_keys(ctx) { Vec::new() } else { self.keyboard(ctx) }.into_iter();
+        let live = self.session.live_keys(ctx, &self.view);
+        let mut actions = self.keyboard(ctx);
+        actions.retain(|action| !live || works_during_live_edit(*action));
+        let mut actions = actions.into_iter();
         // A second key in one frame acts on the result of the first.
         loop {
             self.follow();
@@ -257,6 +259,24 @@ impl App {
             self.shown.kind = Element::Vertex;
         }
     }
+}
+
+/// Whether the key of an action counts while an edit follows the pointer: views, and edits that take its place.
+fn works_during_live_edit(action: Action) -> bool {
+    matches!(
+        action,
+        Action::Move
+            | Action::Rotate
+            | Action::Scale
+            | Action::Soft
+            | Action::Snap
+            | Action::Undo
+            | Action::Frame
+            | Action::FrameAll
+            | Action::ResetView
+            | Action::LookFrom(_)
+            | Action::Orthographic
+    )
 }
 
 fn bar_frame(ui: &Ui) -> egui::Frame {

@@ -9,6 +9,7 @@ use halfedge::Element;
 use viewport::{ColorBy, Look, Mark, Side};
 
 use super::presets::Preset;
+use crate::transforming::{Orientation, Pivot, SnapTo};
 
 /// Something the user can start.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -126,6 +127,22 @@ pub enum Action {
     LongerEdges,
     /// Decreases the target edge length of resampling.
     ShorterEdges,
+    /// Moves the selection with the pointer.
+    Move,
+    /// Rotates the selection with the pointer.
+    Rotate,
+    /// Scales the selection with the pointer.
+    Scale,
+    /// Switches snapping.
+    Snap,
+    /// Chooses what moved elements snap to.
+    SnapTo(SnapTo),
+    /// Switches soft selection, which moves the vertices around the selection too.
+    Soft,
+    /// Chooses what rotations and scales leave in place.
+    PivotAt(Pivot),
+    /// Chooses the axes of edits.
+    Orient(Orientation),
     /// Splits the selected edge at a point that follows the pointer.
     SlideSplit,
     /// Draws one more level of de Casteljau's construction.

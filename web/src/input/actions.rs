@@ -1,4 +1,4 @@
-//! Everything that menus, keys, buttons and the palette can start, in one table.
+//! Every action with its name and description, in one list for menus and the palette.
 
 use editor::ops::FieldKind;
 use editor::{OpId, Scope};

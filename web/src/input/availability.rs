@@ -56,6 +56,7 @@ pub(crate) fn why_not(action: Action, session: &Session, kind: Element, player: 
         Action::Operation(OpId::Isolate) if editor.selection().is_empty() => {
             operation(OpId::Reveal).map(|_| "Select something first.".into())
         }
+        Action::Move | Action::Rotate | Action::Scale => operation(OpId::Transform),
         Action::Operation(id) => operation(id),
         _ => None,
     }

@@ -4,7 +4,7 @@ use editor::{OpId, SelectBy};
 
 use super::action::{Action, Entry, entry};
 use super::presets::Preset;
-use super::{select_menu, view_menu};
+use super::{select_menu, transform_menu, view_menu};
 
 /// A menu; an entry of `None` is a separator.
 pub struct Menu {
@@ -39,6 +39,9 @@ pub fn submenu(action: Action) -> Option<&'static str> {
         A::AutoSmooth(_) => Some("Auto smooth"),
         A::ColorBy(_) => Some("Colour by"),
         A::Mark(_) => Some("Marks"),
+        A::PivotAt(_) => Some("Pivot"),
+        A::Orient(_) => Some("Axes"),
+        A::SnapTo(_) => Some("Snap to"),
         A::SystemTheme | A::LightTheme | A::DarkTheme => Some("Theme"),
         _ => None,
     }
@@ -95,6 +98,7 @@ pub static MENUS: &[Menu] = &[
         ],
     },
     Menu { title: "Select", entries: select_menu::ENTRIES },
+    Menu { title: "Transform", entries: transform_menu::ENTRIES },
     Menu {
         title: "Mesh",
         entries: &[

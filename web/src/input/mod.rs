@@ -7,4 +7,5 @@ pub mod keys;
 pub mod menus;
 pub mod presets;
 mod select_menu;
+mod transform_menu;
 mod view_menu;

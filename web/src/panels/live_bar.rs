@@ -1,26 +1,27 @@
 //! The bar over the viewport for an edit that follows the pointer.
 
-use editor::ops::{Drag, Field};
-use egui::{Align2, Area, Context, DragValue, Frame, Id, Order, RichText, Ui, pos2};
-use glam::Vec3;
+use editor::ops::{Drag, FieldKind};
+use egui::{Align2, Area, Context, Frame, Id, Order, RichText, Ui, pos2};
 
+use crate::live::edit::Live;
+use crate::live::lock::AXIS_NAMES;
 use crate::page_view::Page;
 use crate::request::{Request, Requests};
+use crate::widgets::number_box::number_box;
 
-/// Shows the bar: the name of the edit, its amount, and buttons that end it.
+/// Shows the bar: the name of the edit, its amount, its lock, and buttons that end it.
 pub(crate) fn show(ctx: &Context, page: &Page<'_>, out: &mut Requests) {
     let Some(live) = &page.live else { return };
     let top = page.view.rect.center_top();
-    let (label, drag, field, mut value) = (live.id.spec().label, live.drag, live.field, live.value);
-    let refused = live.refused.clone();
-    let speed = page.view.drag_speed();
-    let mut changed = false;
     let area = Area::new(Id::unique("live edit")).order(Order::Foreground).pivot(Align2::CENTER_TOP);
-    area.fixed_pos(pos2(top.x, top.y + 8.0)).show(ctx, |ui| {
+    area.fixed_pos(pos2(top.x, top.y + 8.0)).constrain_to(page.view.rect).show(ctx, |ui| {
         Frame::popup(ui.style()).show(ui, |ui| {
-            ui.horizontal(|ui| {
-                ui.label(RichText::new(label).strong());
-                changed = amounts(ui, drag, field, speed, &mut value);
+            ui.horizontal_wrapped(|ui| {
+                ui.set_max_width((page.view.rect.width() - 24.0).max(200.0));
+                ui.label(RichText::new(live.label()).strong());
+                amounts(ui, live, page.view.drag_speed(), out);
+                count(ui, live, out);
+                locks(ui, live, out);
                 if ui
                     .button("Apply")
                     .on_hover_text("Apply the edit (Enter, or a click in the viewport)")
@@ -28,39 +29,95 @@ pub(crate) fn show(ctx: &Context, page: &Page<'_>, out: &mut Requests) {
                 {
                     out.push(Request::EndLive { commit: true });
                 }
-                if ui.button("Cancel").on_hover_text("Cancel the edit (Escape)").clicked() {
+                if ui.button("Cancel").on_hover_text("Cancel the edit (Escape, or a right-click)").clicked() {
                     out.push(Request::EndLive { commit: false });
                 }
             });
-            let hint = "Move the pointer, or type a number; Enter applies, Escape cancels.";
-            match refused {
+            match &live.refused {
                 Some(reason) => ui.colored_label(ui.visuals().warn_fg_color, reason),
-                None => ui.label(RichText::new(hint).small().weak()),
+                None => ui.label(RichText::new(hint(page, live)).small().weak()),
             };
         });
     });
-    if changed {
+}
+
+/// What the pointer and the keys do.
+fn hint(page: &Page<'_>, live: &Live) -> String {
+    if page.ctx.input(|input| input.any_touches()) {
+        return "Drag in the viewport, or set the number.".to_owned();
+    }
+    let mut parts = vec!["Move the pointer or type a number"];
+    if live.takes_lock() {
+        parts.push("X, Y, Z lock an axis, with Shift a plane");
+    }
+    if live.takes_wheel(&page.live_settings) {
+        parts.push(if live.count.is_some() {
+            "the wheel sets the count"
+        } else {
+            "the wheel sets the radius"
+        });
+    }
+    parts.push("Ctrl snaps, Shift is fine");
+    format!("{}.", parts.join("; "))
+}
+
+/// The numbers of the amount.
+fn amounts(ui: &mut Ui, live: &Live, speed: f64, out: &mut Requests) {
+    let label = live.field.label();
+    let mut value = live.value;
+    let (suffix, speed) = match live.drag {
+        Drag::Rotation => ("°", 0.5),
+        Drag::Factors | Drag::Fraction => ("", 0.005),
+        Drag::Distance | Drag::Width | Drag::Offset => ("", speed),
+    };
+    let several = matches!(live.drag, Drag::Offset | Drag::Factors);
+    let shown = if several { live.lock.free_axes() } else { &[0] };
+    let before = value;
+    for (at, &axis) in shown.iter().enumerate() {
+        let Some(number) = value.as_mut().get_mut(axis) else { continue };
+        let name = if several { AXIS_NAMES.get(axis).copied().unwrap_or_default() } else { "" };
+        let prefix = if several { format!("{name} ") } else { String::new() };
+        if let Some(text) = live.typed.text(at) {
+            // As it was typed, also while it is no number yet.
+            ui.label(RichText::new(format!("{prefix}{text}")).monospace().strong());
+            continue;
+        }
+        let accessible = if several { format!("{label} {name}") } else { label.clone() };
+        let field = number_box(number).speed(speed).max_decimals(5).prefix(prefix).suffix(suffix);
+        ui.add(field).on_hover_text("Drag, or type a number").accessible_name(accessible);
+    }
+    if value != before {
         out.push(Request::SetLiveAmount(value));
     }
 }
 
-/// The spin boxes for the amount, one or three; returns whether a value changed.
-fn amounts(ui: &mut Ui, drag: Drag, field: &Field, speed: f64, value: &mut Vec3) -> bool {
+/// The operation's count.
+fn count(ui: &mut Ui, live: &Live, out: &mut Requests) {
+    let Some((field, mut count)) = live.count else { return };
+    let FieldKind::Integer { min, max, .. } = field.kind else { return };
     let label = field.label();
-    if drag != Drag::Offset {
-        let speed = if drag == Drag::Fraction { 0.005 } else { speed };
-        return ui
-            .add(DragValue::new(&mut value.x).speed(speed).max_decimals(5))
-            .on_hover_text("Drag, or type a number")
-            .accessible_name(label)
-            .changed();
+    ui.label(&label);
+    let field = number_box(&mut count).range(min..=max).speed(0.1);
+    let response = ui.add(field).accessible_name(label);
+    if response.on_hover_text("Drag, type a number, or turn the wheel over the viewport").changed() {
+        out.push(Request::SetLiveCount(count));
     }
-    let mut changed = false;
-    for (axis, number) in ["x", "y", "z"].iter().zip([&mut value.x, &mut value.y, &mut value.z]) {
-        changed |= ui
-            .add(DragValue::new(number).speed(speed).max_decimals(5))
-            .accessible_name(format!("{label} {axis}"))
-            .changed();
+}
+
+/// The buttons that limit the edit to an axis.
+fn locks(ui: &mut Ui, live: &Live, out: &mut Requests) {
+    if !live.takes_lock() {
+        return;
     }
-    changed
+    for (axis, name) in AXIS_NAMES.iter().enumerate() {
+        let on = live.lock.free_axes() == [axis];
+        let key = name.to_uppercase();
+        let hint = format!("Only along {name}; again for the selection's own axes ({key})");
+        if ui.selectable_label(on, &key).on_hover_text(hint).clicked() {
+            out.push(Request::LockLive(axis));
+        }
+    }
+    if let Some(words) = live.lock.words() {
+        ui.label(RichText::new(words).weak());
+    }
 }

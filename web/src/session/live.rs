@@ -1,92 +1,53 @@
-//! Live edits: extrude, inset, bevel, move and the place of a split follow the pointer. A click or Enter
-//! makes the edit one undo step; Escape cancels it without a trace. A number that is typed, or set in the
-//! bar over the viewport, replaces the pointer, since touch screens have no hovering pointer.
+//! Live edits: move, rotate, scale, extrude, inset, bevel and the place of a split follow the pointer. A click or
+//! Enter makes the edit one undo step; Escape or a right-click cancels it without a trace. Typed numbers replace the
+//! pointer; axis keys limit the edit to an axis or a plane.
 
-use editor::ops::{Drag, Field};
-use editor::{Command, CommandError, Facts, OpId};
-use egui::{Context, Event, Key, Pos2};
+use editor::ops::Drag;
+use editor::{Editor, OpId};
+use egui::{Context, Modifiers, Pos2};
 use glam::Vec3;
-use serde_json::{Value, json};
+use halfedge::Element;
+use halfedge::geometry::BitSet;
 
-use super::form;
+use crate::live::edit::{Live, Snap, Start};
+use crate::live::keys::Ending;
+use crate::live::place::{self, Place};
 use crate::session::Session;
+use crate::transforming::{Pivot, Settings, SnapTo};
 use crate::view::View;
 
-/// The distance that the pointer travels to slide over a whole edge, in points.
-const EDGE_TRAVEL_POINTS: f32 = 240.0;
-
-/// A live edit in progress.
-pub(crate) struct Live {
-    pub id: OpId,
-    pub field: &'static Field,
-    pub drag: Drag,
-    /// The amount; only an offset uses all three numbers.
-    pub value: Vec3,
-    /// The typed number, digit by digit.
-    typed: String,
-    /// The pointer position that the amount is measured from; none until the pointer is over the viewport,
-    /// or while a number was entered instead.
-    from: Option<Pos2>,
-    /// The last pointer position. The preview changes only when the pointer moves, even if the panels
-    /// beside the viewport change its size.
-    at: Option<Pos2>,
-    follows: bool,
-    /// Whether the document shows the edit.
-    in_document: bool,
-    /// Why the document does not show the edit.
-    pub refused: Option<String>,
-}
-
-impl Live {
-    fn new(id: OpId) -> Option<Self> {
-        let field = id.spec().dragged_field()?;
-        let drag = field.drag?;
-        let value = if drag == Drag::Fraction { Vec3::splat(0.5) } else { Vec3::ZERO };
-        let (typed, from, at) = (String::new(), None, None);
-        Some(Self {
-            id,
-            field,
-            drag,
-            value,
-            typed,
-            from,
-            at,
-            follows: true,
-            in_document: false,
-            refused: None,
-        })
-    }
-
-    fn command(&self) -> Result<Command, CommandError> {
-        let mut filled = form::initial(self.id.spec(), &Facts::default());
-        let value: Value = match self.drag {
-            Drag::Offset => json!(self.value.to_array()),
-            Drag::Distance | Drag::Width | Drag::Fraction => json!(self.value.x),
-        };
-        filled.insert(self.field.name.to_owned(), value);
-        form::command(self.id, &filled)
-    }
-
-    /// Whether the amount changes anything.
-    fn does_something(&self) -> bool {
-        self.drag == Drag::Fraction || self.value != Vec3::ZERO
-    }
-
-    fn set(&mut self, x: f32) {
-        self.value.x = match self.drag {
-            Drag::Width => x.max(0.0),
-            Drag::Fraction => x.clamp(0.01, 0.99),
-            Drag::Distance | Drag::Offset => x,
-        };
-    }
-}
+/// The radius around the pointer in which elements snap, in points.
+const SNAP_RADIUS_POINTS: f32 = 18.0;
+/// The soft selection's first radius, on the screen, in points.
+const SOFT_RADIUS_POINTS: f32 = 90.0;
 
 impl Session {
     /// Starts a live edit of the selection. Except for a split, nothing changes until the pointer moves.
-    pub fn start_live(&mut self, id: OpId) {
+    pub fn start_live(&mut self, start: &Start, view: &View) {
         self.end_live(false);
         self.end_preview();
-        self.live = Live::new(id);
+        let Some(place) = Place::of_selection(&self.editor) else { return };
+        let anchor =
+            place.pivot(if start.id == OpId::Transform { self.live_settings.pivot } else { Pivot::Middle });
+        self.live = Live::new(start, place, anchor, view);
+        let selection = self.editor.selection();
+        if self.live_settings.pivot == Pivot::Individual
+            && let Some(live) = self.live.as_mut().filter(|live| live.id == OpId::Transform)
+            && let Some(name) = match selection.kind() {
+                Element::Face => Some("faces"),
+                Element::Edge => Some("edges"),
+                Element::Vertex | Element::Halfedge => None,
+            }
+        {
+            // The parts are those of the elements, not of their vertices.
+            live.given.insert(name.to_owned(), selection.ids().collect::<Vec<u32>>().into());
+        }
+        if self.live_settings.soft
+            && self.live_settings.soft_radius.is_none()
+            && let Some(live) = &self.live
+        {
+            self.live_settings.soft_radius = Some(live.sight(view).units_per_point() * SOFT_RADIUS_POINTS);
+        }
         if self.live.as_ref().is_some_and(Live::does_something) {
             self.show_live();
         }
@@ -113,93 +74,79 @@ impl Session {
             }
             return;
         }
-        let result = live.command().and_then(|command| self.editor.update_edit(command));
+        let result = live.command(&self.live_settings).and_then(|command| self.editor.update_edit(command));
         if let Some(live) = &mut self.live {
             live.in_document = self.editor.is_editing();
             live.refused = result.err().map(|error| error.reason());
         }
     }
 
-    /// Handles the keys of a live edit, which come before all others: digits, Enter and Escape. Returns
-    /// whether an edit is in progress.
-    pub fn live_keys(&mut self, ctx: &Context) -> bool {
+    /// Handles the keys of a live edit, which come before all others. Returns whether an edit is in progress.
+    pub fn live_keys(&mut self, ctx: &Context, view: &View) -> bool {
         let Some(live) = &mut self.live else { return false };
         if live.in_document && !self.editor.is_editing() {
             // An undo or a script ended the edit.
             self.live = None;
             return false;
         }
-        let typing = ctx.text_edit_focused();
-        let (mut typed, mut done) = (false, None);
-        ctx.input_mut(|input| {
-            input.events.retain(|event| match event {
-                Event::Key { key: Key::Escape, pressed: true, .. } => {
-                    done = Some(false);
-                    false
-                }
-                Event::Key { key: Key::Enter, pressed: true, .. } if !typing => {
-                    done = Some(true);
-                    false
-                }
-                Event::Key { key: Key::Backspace, pressed: true, .. } if !typing => {
-                    typed |= live.typed.pop().is_some();
-                    false
-                }
-                Event::Text(text) if !typing && live.drag != Drag::Offset => {
-                    live.typed.extend(text.chars().filter(|c| c.is_ascii_digit() || ".-".contains(*c)));
-                    typed = true;
-                    false
-                }
-                _ => true,
-            });
-        });
-        if typed {
-            live.follows = false;
-            live.set(live.typed.parse().unwrap_or_default());
+        let (changed, ending) = live.take_keys(ctx, &self.live_settings);
+        if changed {
+            live.update(&self.live_settings, view, Snap::default());
             self.show_live();
         }
-        if let Some(apply) = done {
-            self.end_live(apply);
+        if let Some(ending) = ending {
+            self.end_live(ending == Ending::Apply);
         }
         true
     }
 
     /// Updates the amount from the pointer over the viewport.
-    pub fn live_pointer(&mut self, pointer: Option<Pos2>, view: &View) {
+    pub fn live_pointer(&mut self, pointer: Option<Pos2>, modifiers: Modifiers, view: &mut View) {
+        let settings = self.live_settings;
         let (Some(live), Some(at)) = (&mut self.live, pointer) else { return };
-        if !live.follows || live.at.replace(at) == Some(at) {
+        if !live.follow_pointer(at, view, &settings, modifiers) {
             return;
         }
-        let Some(from) = live.from else {
-            live.from = Some(at);
-            return;
-        };
-        let by = at - from;
-        let units = view.drag_speed() as f32;
+        let snaps = settings.snaps != modifiers.command;
+        let mut snap = Snap { to_steps: snaps && settings.snap_to == SnapTo::Steps, target: None };
+        if snaps && live.drag == Drag::Offset {
+            snap.target = snap_target(&self.editor, settings.snap_to, at, view);
+        }
         let before = live.value;
-        match live.drag {
-            Drag::Distance | Drag::Width => live.set((by.x - by.y) * units),
-            Drag::Fraction => live.set(0.5 + (by.x - by.y) / EDGE_TRAVEL_POINTS),
-            Drag::Offset => {
-                let anchor = view.camera.target.as_vec3();
-                let to = view.camera.drag(anchor, glam::vec2(by.x, by.y), view.size());
-                if to.is_finite() {
-                    live.value = to - anchor;
-                }
-            }
-        }
+        live.update(&settings, view, snap);
         if live.value != before {
             self.show_live();
         }
     }
 
-    /// Sets the amount of the edit, which then no longer follows the pointer.
-    pub fn set_live_amount(&mut self, value: Vec3) {
+    /// Changes the live edit and the settings it goes by, and shows the result.
+    pub fn change_live(&mut self, change: impl FnOnce(&mut Live, &mut Settings)) {
         let Some(live) = &mut self.live else { return };
-        live.follows = false;
-        live.typed.clear();
-        live.value = value;
-        live.set(value.x);
-        self.show_live();
+        let before = (live.amount(), self.live_settings);
+        change(live, &mut self.live_settings);
+        if (live.amount(), self.live_settings) != before {
+            self.show_live();
+        }
     }
+}
+
+/// The point of the mesh under the pointer that moved elements snap to.
+fn snap_target(editor: &Editor, to: SnapTo, at: Pos2, view: &mut View) -> Option<Vec3> {
+    let kind = match to {
+        SnapTo::Steps => return None,
+        SnapTo::Vertex => Element::Vertex,
+        SnapTo::Edge => Element::Edge,
+        SnapTo::Face => Element::Face,
+    };
+    let object = editor.document().active().filter(|object| object.visible())?;
+    let selection = editor.selection();
+    let mut moved = BitSet::default();
+    for id in selection.ids() {
+        for v in place::vertices(object.mesh(), selection.kind(), id) {
+            moved.insert(v.index());
+        }
+    }
+    let (camera, local, size) = (view.camera, view.local(at), view.size());
+    let tree = view.tree(object);
+    viewport::snap(object.mesh(), tree, &camera, size, local, kind, SNAP_RADIUS_POINTS, &moved)
 }

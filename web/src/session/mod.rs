@@ -19,10 +19,10 @@ use editor::{Changes, CommandError, Editor, Facts, MessageKind, OpId};
 use egui::Context;
 use halfedge::{Element, HalfedgeId};
 
+use crate::live::edit::Live;
 use crate::platform::Platform;
 use frame_times::FrameTimes;
 use jobs::{Jobs, Reply};
-use live::Live;
 use measures::Measured;
 use preview::Previewing;
 use survey::Survey;
@@ -51,6 +51,8 @@ pub(crate) struct Session {
     pub frames: FrameTimes,
     /// The edit that follows the pointer.
     pub live: Option<Live>,
+    /// How live edits behave.
+    pub live_settings: crate::transforming::Settings,
     /// The operation that is previewed while its form is filled in.
     pub previewing: Previewing,
     /// Whether the last adjustment took too long to run at every step of a spin box.
@@ -77,6 +79,7 @@ impl Session {
             survey: Survey::default(),
             frames: FrameTimes::default(),
             live: None,
+            live_settings: Default::default(),
             previewing: Previewing::default(),
             adjusting_is_slow: false,
             look: None,

@@ -41,9 +41,9 @@ pub(crate) enum Gesture {
         mode: SelectMode,
         stroke: u64,
     },
-    Move {
-        from: Pos2,
-        anchor: Vec3,
+    /// The edit that follows the pointer; the release applies it, unless a finger may touch again.
+    Live {
+        applies: bool,
     },
     Control {
         point: ControlPoint,
@@ -57,7 +57,10 @@ pub(crate) enum Gesture {
 impl View {
     /// Cancels the drag in progress; returns whether there was one.
     pub fn cancel_gesture(&mut self) -> bool {
-        let going = !matches!(self.gesture, Gesture::None | Gesture::Orbit | Gesture::Pan | Gesture::Ended);
+        let going = !matches!(
+            self.gesture,
+            Gesture::None | Gesture::Live { .. } | Gesture::Orbit | Gesture::Pan | Gesture::Ended
+        );
         if going {
             self.gesture = Gesture::Ended;
         }

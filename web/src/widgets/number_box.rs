@@ -14,7 +14,7 @@ pub fn number_box<N: Numeric>(value: &mut N) -> DragValue<'_> {
 
 /// The value of an expression of numbers, `pi`, `+`, `-`, `*`, `/`, `^` and parentheses; none if it isn't one or
 /// its value isn't finite. Written here because the crates for it bring a regex engine into the page.
-fn evaluate(text: &str) -> Option<f64> {
+pub(crate) fn evaluate(text: &str) -> Option<f64> {
     let text: String = text.chars().filter(|c| !c.is_whitespace()).collect();
     let mut parser = Parser { rest: text.chars().peekable(), depth: 0 };
     let value = parser.sum()?;

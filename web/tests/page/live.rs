@@ -3,6 +3,7 @@
 use crate::page::Page;
 use egui::{Event, Key, vec2};
 use egui_kittest::kittest::Queryable;
+use glam::Vec3;
 use halfedge::Element;
 
 fn cube_face() -> Page {
@@ -122,6 +123,298 @@ fn keys_depend_on_the_selection() {
     page.press(Key::Enter);
     let moved = page.mesh().positions().iter().zip(before.positions()).filter(|(a, b)| a != b).count();
     assert_eq!(moved, 1);
+}
+
+/// The mean position of the vertices of the mesh.
+fn middle(page: &mut Page) -> Vec3 {
+    let positions = page.mesh().positions();
+    positions.iter().sum::<Vec3>() / positions.len() as f32
+}
+
+fn all_vertices(page: &mut Page) {
+    page.select("vertex", &[0, 1, 2, 3, 4, 5, 6, 7]);
+}
+
+#[test]
+fn numbers_are_typed_along_locked_axes() {
+    let mut page = Page::new();
+    all_vertices(&mut page);
+    let start = middle(&mut page);
+    let mut moved_by = |keys: &[Key], texts: &[&str]| {
+        page.press(Key::G);
+        keys.iter().for_each(|key| page.press(*key));
+        for text in texts {
+            if *text == "Tab" { page.press(Key::Tab) } else { type_text(&mut page, text) }
+        }
+        page.press(Key::Enter);
+        let moved = middle(&mut page) - start;
+        page.press_with(egui::Modifiers::COMMAND, Key::Z);
+        assert!(middle(&mut page).distance(start) < 1e-6, "undone");
+        moved
+    };
+    assert!(moved_by(&[Key::Y], &["1", "/", "4"]).distance(Vec3::new(0.0, 0.25, 0.0)) < 1e-5);
+    assert!(moved_by(&[], &["1", "Tab", "2", "Tab", "-", "3"]).distance(Vec3::new(1.0, 2.0, -3.0)) < 1e-5);
+    assert!(
+        moved_by(&[Key::X, Key::Z], &["2"]).distance(Vec3::new(0.0, 0.0, 2.0)) < 1e-5,
+        "the last lock counts"
+    );
+}
+
+#[test]
+fn a_plane_lock_keeps_its_axis() {
+    let mut page = Page::new();
+    all_vertices(&mut page);
+    let start = middle(&mut page);
+    page.press(Key::G);
+    hover(&mut page, vec2(0.0, 0.0));
+    page.press_with(egui::Modifiers::SHIFT, Key::Y);
+    hover(&mut page, vec2(50.0, 30.0));
+    page.press(Key::Enter);
+    let moved = middle(&mut page) - start;
+    assert!(moved.y == 0.0 && moved.x.abs() > 0.05 && moved.z.abs() > 0.05, "{moved}");
+}
+
+#[test]
+fn scaling_along_y_takes_three_keys() {
+    let mut page = Page::new();
+    all_vertices(&mut page);
+    page.press_with(egui::Modifiers::SHIFT, Key::D);
+    page.press(Key::Y);
+    type_text(&mut page, ".75");
+    page.press(Key::Enter);
+    assert!(
+        page.mesh().positions().iter().all(|p| p.x.abs() == 1.0 && p.y.abs() == 0.75 && p.z.abs() == 1.0)
+    );
+    assert_eq!(page.undo_labels().len(), 1, "one step");
+}
+
+#[test]
+fn rotating_takes_degrees_and_axes() {
+    let mut page = Page::new();
+    page.select("vertex", &[7]);
+    let before = page.mesh().position(halfedge::VertexId::new(7));
+    page.command(serde_json::json!({ "op": "transform", "vertices": [7], "translate": [1, 0, 0] }));
+    page.press_with(egui::Modifiers::COMMAND, Key::Z);
+    all_vertices(&mut page);
+    page.press_with(egui::Modifiers::SHIFT, Key::R);
+    page.press(Key::Z);
+    type_text(&mut page, "90");
+    page.press(Key::Enter);
+    let after = page.mesh().position(halfedge::VertexId::new(7));
+    assert!(after.distance(Vec3::new(-before.y, before.x, before.z)) < 1e-5, "{before} became {after}");
+}
+
+#[test]
+fn the_pointer_turns_and_scales_about_the_middle() {
+    let mut page = Page::new();
+    all_vertices(&mut page);
+    let centre = page.at([0.0, 0.0, 0.0]);
+    let to = |page: &mut Page, by: egui::Vec2| {
+        page.harness.hover_at(centre + by);
+        page.run();
+    };
+    page.press_with(egui::Modifiers::SHIFT, Key::D);
+    to(&mut page, vec2(100.0, 0.0));
+    to(&mut page, vec2(0.0, 50.0));
+    page.press(Key::Enter);
+    assert!(page.mesh().positions().iter().all(|p| (p.abs() - Vec3::splat(0.5)).abs().max_element() < 1e-3));
+    page.press_with(egui::Modifiers::COMMAND, Key::Z);
+
+    page.press_with(egui::Modifiers::SHIFT, Key::R);
+    page.press(Key::Y);
+    // A whole turn, in steps: y points at the viewer's side, so counter-clockwise is positive.
+    for step in 0..=8 {
+        let angle = step as f32 * std::f32::consts::TAU / 8.0;
+        to(&mut page, vec2(angle.cos(), -angle.sin()) * 90.0);
+    }
+    assert!(page.mesh().positions().iter().all(|p| (p.abs() - Vec3::ONE).abs().max_element() < 1e-3));
+    to(&mut page, vec2(1.0, 1.0) * 60.0);
+    page.press(Key::Enter);
+    let turned = page.mesh().positions().iter().map(|p| p.x.abs()).fold(0.0, f32::max);
+    assert!((turned - 2f32.sqrt()).abs() < 2e-3, "an eighth of a turn: {turned}");
+}
+
+#[test]
+fn ctrl_snaps_turns_to_five_degrees() {
+    let mut page = Page::new();
+    all_vertices(&mut page);
+    let centre = page.at([0.0, 0.0, 0.0]);
+    page.press_with(egui::Modifiers::SHIFT, Key::R);
+    page.press(Key::Y);
+    for (at, modifiers) in [(0.0, egui::Modifiers::NONE), (0.13, egui::Modifiers::COMMAND)] {
+        let place = centre + egui::Vec2::angled(at) * 100.0;
+        page.harness.event_modifiers(Event::PointerMoved(place), modifiers);
+        page.run();
+    }
+    page.press(Key::Enter);
+    // 0.13 radians are 7.4 degrees, which is nearest to 5.
+    for p in page.mesh().positions() {
+        let degrees = p.x.abs().atan2(p.z.abs()).to_degrees();
+        assert!((degrees - 40.0).abs() < 1e-3 || (degrees - 50.0).abs() < 1e-3, "{degrees}");
+    }
+}
+
+#[test]
+fn the_amount_follows_any_direction() {
+    let mut page = cube_face();
+    for (key, modifiers) in [(Key::I, egui::Modifiers::SHIFT), (Key::B, egui::Modifiers::NONE)] {
+        for by in [vec2(-25.0, 0.0), vec2(0.0, 25.0), vec2(25.0, -5.0)] {
+            let before = page.mesh().clone();
+            let start = if key == Key::B { ("edge", [0]) } else { ("face", [0]) };
+            page.select(start.0, &start.1);
+            page.press_with(modifiers, key);
+            hover(&mut page, vec2(0.0, 0.0));
+            hover(&mut page, by);
+            page.press(Key::Enter);
+            assert_ne!(page.mesh(), &before, "{key:?} by {by}");
+            page.press_with(egui::Modifiers::COMMAND, Key::Z);
+            assert_eq!(page.mesh(), &before);
+        }
+    }
+}
+
+#[test]
+fn a_face_is_extruded_towards_where_its_normal_points_on_the_screen() {
+    let mut page = Page::new();
+    for face in 0..6 {
+        page.select("face", &[face]);
+        let mesh = page.mesh().clone();
+        let corners: Vec<Vec3> =
+            mesh.face_vertices(mesh.face(face).expect("a face")).map(|v| mesh.position(v)).collect();
+        let middle = corners.iter().sum::<Vec3>() / 4.0;
+        let (from, to) = (page.at(middle.to_array()), page.at((middle * 1.5).to_array()));
+        page.harness.hover_at(from);
+        page.run();
+        page.press(Key::E);
+        page.harness.hover_at(to);
+        page.run();
+        page.press(Key::Enter);
+        let far = page.mesh().positions().iter().map(|p| p.abs().max_element()).fold(0.0, f32::max);
+        assert!((far - 1.5).abs() < 0.15, "face {face} went to {far}");
+        page.press_with(egui::Modifiers::COMMAND, Key::Z);
+    }
+}
+
+#[test]
+fn a_right_click_cancels_without_a_menu() {
+    let mut page = cube_face();
+    let before = page.mesh().clone();
+    page.press(Key::E);
+    hover(&mut page, vec2(0.0, 0.0));
+    hover(&mut page, vec2(40.0, -40.0));
+    assert_ne!(page.mesh(), &before);
+    let at = page.harness.get_by_label("Viewport").rect().center() + vec2(40.0, -40.0);
+    for pressed in [true, false] {
+        page.harness.event(Event::PointerButton {
+            pos: at,
+            button: egui::PointerButton::Secondary,
+            pressed,
+            modifiers: egui::Modifiers::NONE,
+        });
+        page.run();
+    }
+    assert_eq!(page.mesh(), &before);
+    assert!(!page.has("Cancel") && !page.has("Extrude faces"), "neither the bar nor a menu");
+}
+
+#[test]
+fn the_wheel_sets_the_segments_of_a_bevel() {
+    let mut page = Page::new();
+    page.select("edge", &[0]);
+    page.press(Key::B);
+    type_text(&mut page, "0.2");
+    let faces = page.mesh().face_count();
+    hover(&mut page, vec2(0.0, 0.0));
+    page.harness.event(Event::MouseWheel {
+        unit: egui::MouseWheelUnit::Line,
+        delta: vec2(0.0, 1.0),
+        source: egui::MouseWheelSource::Unknown,
+        phase: egui::TouchPhase::Move,
+        modifiers: egui::Modifiers::NONE,
+    });
+    page.run();
+    assert_eq!(page.mesh().face_count(), faces + 1, "two segments");
+    page.press(Key::Enter);
+}
+
+#[test]
+fn dragging_a_selected_element_of_any_kind_moves_it() {
+    for (kind, at, moved) in
+        [("vertex", [1.0, 1.0, 1.0], 1), ("edge", [1.0, 1.0, 0.0], 2), ("face", [0.0, 1.0, 0.0], 4)]
+    {
+        let mut page = Page::new();
+        let mode = match kind {
+            "vertex" => Key::Num1,
+            "edge" => Key::Num2,
+            _ => Key::Num4,
+        };
+        page.press(mode);
+        let at = page.at(at);
+        page.harness.hover_at(at);
+        page.run();
+        page.harness.drag_at(at);
+        page.run();
+        page.drop(at);
+        let (_, ids) = page.selected();
+        assert_eq!(ids.len(), 1, "{kind}");
+        let before = page.mesh().positions().to_vec();
+        page.drag(at, at + vec2(40.0, 10.0));
+        page.drop(at + vec2(40.0, 10.0));
+        let changed = page.mesh().positions().iter().zip(&before).filter(|(a, b)| a != b).count();
+        assert_eq!(changed, moved, "{kind}");
+        assert_eq!(page.undo_labels().len(), 1, "one step for {kind}");
+    }
+}
+
+#[test]
+fn each_part_turns_about_its_own_middle() {
+    let mut page = Page::new();
+    page.app().script();
+    page.click("Transform");
+    page.harness.get_by_label("Pivot").click();
+    page.run();
+    page.harness.get_by_label_contains("Pivot: each part").click();
+    page.run();
+    // Two opposite faces.
+    page.select("face", &[0]);
+    let mesh = page.mesh().clone();
+    let corners = |f: u32| mesh.face_vertices(mesh.face(f).expect("a face")).collect::<Vec<_>>();
+    let other = (1..6).find(|f| corners(*f).iter().all(|v| !corners(0).contains(v))).expect("a face across");
+    page.select("face", &[0, other]);
+    page.press_with(egui::Modifiers::SHIFT, Key::D);
+    type_text(&mut page, "0.5");
+    page.press(Key::Enter);
+    for f in [0, other] {
+        let normal =
+            halfedge::geometry::face_area_vector(&mesh, mesh.face(f).expect("a face")).as_vec3().normalize();
+        for v in corners(f) {
+            assert!((page.mesh().position(v).dot(normal) - 1.0).abs() < 1e-5, "the face stays in its plane");
+            assert!((page.mesh().position(v).length() - 1.5f32.sqrt()).abs() < 1e-5);
+        }
+    }
+}
+
+#[test]
+fn moving_snaps_to_a_vertex() {
+    let mut page = Page::new();
+    page.click("Transform");
+    page.harness.get_by_label("Snap to").click();
+    page.run();
+    page.harness.get_by_label_contains("Snap to vertices").click();
+    page.run();
+    page.press(Key::Num1);
+    let [from, to] = [page.at([1.0, 1.0, 1.0]), page.at([1.0, 1.0, -1.0])];
+    let id = page.mesh().positions().iter().position(|p| *p == Vec3::ONE).expect("a corner") as u32;
+    page.select("vertex", &[id]);
+    page.press(Key::G);
+    page.harness.hover_at(from);
+    page.run();
+    let near = Event::PointerMoved(to + vec2(5.0, -3.0));
+    page.harness.event_modifiers(near, egui::Modifiers::COMMAND);
+    page.run();
+    page.press(Key::Enter);
+    let at = page.mesh().position(halfedge::VertexId::new(id as usize));
+    assert_eq!(at, Vec3::new(1.0, 1.0, -1.0));
 }
 
 #[test]

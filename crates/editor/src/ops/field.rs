@@ -176,14 +176,18 @@ pub enum Suggestion {
 /// How a field follows the pointer.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Drag {
-    /// A length: right and up is more.
+    /// A length along the normal of the selection.
     Distance,
-    /// A length of 0 or more.
+    /// A length of 0 or more: the farther from where the pointer began, the more.
     Width,
     /// A fraction of an edge, from its middle.
     Fraction,
-    /// A vector in the plane of the view.
+    /// A vector in the plane of the view, or along an axis.
     Offset,
+    /// A rotation about the direction of view, or about an axis.
+    Rotation,
+    /// A factor for all axes, or one for each.
+    Factors,
 }
 
 impl Field {

@@ -101,7 +101,7 @@ impl Spec {
         self.fields.iter().find(|field| field.name == name)
     }
 
-    /// The field that follows the pointer.
+    /// The first field that follows the pointer.
     pub fn dragged_field(&self) -> Option<&'static Field> {
         self.fields.iter().find(|field| field.drag.is_some())
     }

@@ -1,7 +1,6 @@
 //! Gestures in the viewport: orbit, pan, zoom, select, and drag vertices.
 
-use editor::SelectMode;
-use editor::ops::{SetVertexPosition, Transform, VertexRef};
+use editor::{OpId, SelectMode};
 use egui::{CursorIcon, Event, Key, Modifiers, PointerButton, Pos2, Response, Ui};
 use glam::{Vec2, Vec3, vec2};
 use halfedge::{Element, Mesh};
@@ -12,6 +11,8 @@ use viewport::{Aim, Camera, Picked, Region, ScreenRect};
 use super::Viewport;
 use super::control_points;
 use crate::bezier::ControlPoint;
+use crate::live::edit::Start;
+use crate::live::place::vertices;
 use crate::request::{Request, Requests};
 use crate::view::{Gesture, Tool};
 
@@ -56,6 +57,28 @@ pub(super) fn select_mode(modifiers: Modifiers) -> SelectMode {
     }
 }
 
+/// Whether the pointer is a finger.
+fn by_finger(ui: &Ui) -> bool {
+    ui.input(|input| {
+        input.any_touches() || input.events.iter().any(|event| matches!(event, Event::Touch { .. }))
+    })
+}
+
+/// The direction of a turn of the wheel: 1 away from the user, -1 towards.
+fn notches(event: &Event) -> i32 {
+    match event {
+        Event::MouseWheel { delta, .. } if delta.y > 0.0 => 1,
+        Event::MouseWheel { delta, .. } if delta.y < 0.0 => -1,
+        _ => 0,
+    }
+}
+
+/// The mean of an element's vertices.
+fn mean_of_element(mesh: &Mesh, kind: Element, id: u32) -> Option<Vec3> {
+    let positions: Vec<Vec3> = vertices(mesh, kind, id).map(|v| mesh.position(v)).collect();
+    (!positions.is_empty()).then(|| positions.iter().sum::<Vec3>() / positions.len() as f32)
+}
+
 impl Viewport<'_> {
     pub(super) fn gestures(&mut self, ui: &Ui, response: &Response, out: &mut Requests) {
         let touches = ui.input(|input| input.multi_touch());
@@ -83,7 +106,7 @@ impl Viewport<'_> {
         if response.drag_started() {
             let from = ui.input(|input| input.pointer.press_origin()).or(pointer);
             if let Some(from) = from {
-                self.start_gesture(ui, response, from);
+                self.start_gesture(ui, response, from, out);
             }
         }
         if response.dragged() {
@@ -93,14 +116,21 @@ impl Viewport<'_> {
             self.end_gesture(pointer.map(|at| (at, modifiers_of_button(ui))), out);
         }
         self.continue_regions(ui, out);
-        self.wheel(ui, response);
+        self.wheel(ui, response, out);
         self.arrow_keys(ui);
         self.hover(ui, response);
         if self.session.live.is_some() && !response.is_pointer_button_down_on() {
-            out.push(Request::LivePointer(response.hover_pos()));
+            out.push(Request::LivePointer(response.hover_pos(), ui.input(|input| input.modifiers)));
         }
-        if response.clicked() && self.session.live.is_some() {
-            out.push(Request::EndLive { commit: true });
+        if self.session.live.is_some() && response.secondary_clicked() {
+            out.push(Request::EndLive { commit: false });
+            return;
+        }
+        if self.session.live.is_some() && response.clicked() {
+            // A finger that taps may go on to drag: buttons end its edits.
+            if !by_finger(ui) {
+                out.push(Request::EndLive { commit: true });
+            }
         } else if response.clicked()
             && let Some(at) = pointer
         {
@@ -129,9 +159,17 @@ impl Viewport<'_> {
         }
     }
 
-    fn start_gesture(&mut self, ui: &Ui, response: &Response, from: Pos2) {
+    fn start_gesture(&mut self, ui: &Ui, response: &Response, from: Pos2, out: &mut Requests) {
         let modifiers = modifiers_of_button(ui);
         let primary = response.dragged_by(PointerButton::Primary);
+        if primary && self.session.live.is_some() {
+            let by_finger = by_finger(ui);
+            if by_finger {
+                out.push(Request::TakeUpLive(from));
+            }
+            self.view.gesture = Gesture::Live { applies: !by_finger };
+            return;
+        }
         let secondary = response.dragged_by(PointerButton::Secondary);
         let lasso = if secondary { modifiers.command } else { primary && self.view.tool == Tool::Lasso };
         self.view.gesture = if lasso && !(primary && modifiers.alt) {
@@ -147,30 +185,27 @@ impl Viewport<'_> {
             Gesture::Control { point, from, anchor }
         } else {
             match self.movable(from) {
-                Some(anchor) => Gesture::Move { from, anchor },
+                Some(anchor) => {
+                    let start = Start::new(OpId::Transform, "translate");
+                    out.push(Request::StartLive(Start { from: Some(from), anchor: Some(anchor), ..start }));
+                    Gesture::Live { applies: true }
+                }
                 None => Gesture::Orbit,
             }
         };
     }
 
-    /// The position of the selected vertex under the pointer: dragging it moves the selection.
+    /// The point under the pointer of a selected element: dragging it moves the selection.
     fn movable(&mut self, at: Pos2) -> Option<Vec3> {
-        let selection = self.session.editor.selection();
-        if self.session.live.is_some()
-            || self.shown.kind != Element::Vertex
-            || selection.kind() != Element::Vertex
-            || selection.is_empty()
-        {
+        let (kind, selection) = (self.shown.kind, self.session.editor.selection());
+        if selection.kind() != kind || selection.is_empty() {
             return None;
         }
-        // A drag that begins inside a face turns the view.
-        let id = self.pick_by(viewport::pick, at, Element::Vertex)?;
+        // A drag that begins inside a face, beside a selected vertex or edge, turns the view.
+        let id = self.pick_by(viewport::pick, at, kind)?;
         let mesh = self.session.editor.mesh()?;
-        self.session
-            .editor
-            .selection()
-            .contains(Element::Vertex, id)
-            .then(|| mesh.vertex(id).map(|v| mesh.position(v)))?
+        let is_selected = self.session.editor.selection().contains(kind, id);
+        is_selected.then(|| mean_of_element(mesh, kind, id))?
     }
 
     fn continue_gesture(&mut self, ui: &Ui, response: &Response, pointer: Option<Pos2>, out: &mut Requests) {
@@ -194,38 +229,19 @@ impl Viewport<'_> {
                     out.update_edit(control_points::moved(point, to));
                 }
             }
-            // Without a movement there is nothing to change.
-            (&Gesture::Move { from, anchor }, Some(at)) if response.drag_delta() != egui::Vec2::ZERO => {
-                let delta = vec2(at.x - from.x, at.y - from.y);
-                let to = self.view.camera.drag(anchor, delta, size);
-                if to.is_finite() {
-                    self.move_selected(to, to - anchor, out);
-                }
+            (Gesture::Live { .. }, Some(at)) => {
+                out.push(Request::LivePointer(Some(at), ui.input(|input| input.modifiers)));
             }
             _ => {}
-        }
-    }
-
-    /// Previews a move of the selected vertices along with the one under the pointer.
-    fn move_selected(&self, to: Vec3, by: Vec3, out: &mut Requests) {
-        let selection = self.session.editor.selection();
-        match (selection.len(), selection.latest()) {
-            (1, Some(id)) => {
-                out.update_edit(SetVertexPosition { vertex: Some(VertexRef(id)), position: to.to_array() });
-            }
-            _ => {
-                let vertices = selection.ids().map(VertexRef).collect();
-                let translate = by.to_array();
-                out.update_edit(Transform { vertices: Some(vertices), translate, ..Transform::default() });
-            }
         }
     }
 
     /// Ends the drag at a place, with these modifiers held. Without a place, cancels the drag.
     fn end_gesture(&mut self, at: Option<(Pos2, Modifiers)>, out: &mut Requests) {
         match (std::mem::replace(&mut self.view.gesture, Gesture::None), at) {
-            (Gesture::Move { .. } | Gesture::Control { .. }, Some(_)) => out.push(Request::CommitEdit),
-            (Gesture::Move { .. } | Gesture::Control { .. }, None) => out.push(Request::CancelEdit),
+            (Gesture::Live { applies: true }, at) => out.push(Request::EndLive { commit: at.is_some() }),
+            (Gesture::Control { .. }, Some(_)) => out.push(Request::CommitEdit),
+            (Gesture::Control { .. }, None) => out.push(Request::CancelEdit),
             (Gesture::Box { from }, Some((to, modifiers))) => {
                 let (from, to) = (self.view.local(from), self.view.local(to));
                 self.select_in(Region::rect(ScreenRect::between(from, to)), select_mode(modifiers), None);
@@ -258,13 +274,21 @@ impl Viewport<'_> {
         }
     }
 
-    fn wheel(&mut self, ui: &Ui, response: &Response) {
+    fn wheel(&mut self, ui: &Ui, response: &Response, out: &mut Requests) {
         if !response.contains_pointer() {
             return;
         }
         let Some(at) = ui.input(|input| input.pointer.hover_pos()) else { return };
         let (scroll, zoom) =
             ui.input_mut(|input| (std::mem::take(&mut input.smooth_scroll_delta), input.zoom_delta()));
+        if self.session.live.as_ref().is_some_and(|live| live.takes_wheel(&self.session.live_settings)) {
+            // Smooth scrolling goes on for several frames after a notch: only the notch counts.
+            let notches = ui.input(|input| input.events.iter().map(notches).sum());
+            if notches != 0 {
+                out.push(Request::LiveWheel(notches));
+            }
+            return;
+        }
         if self.view.tool == Tool::Circle {
             self.view.scale_circle((scroll.y / 240.0).exp());
         }

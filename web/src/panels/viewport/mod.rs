@@ -54,8 +54,8 @@ impl Viewport<'_> {
 
         let was_circle = self.view.tool == Tool::Circle;
         self.gestures(ui, &response, out);
-        // A right click puts the circle away instead.
-        if !was_circle {
+        // A right click puts the circle away, or cancels the edit that follows the pointer.
+        if !was_circle && self.session.live.is_none() {
             response.context_menu(|ui| match bezier::active(&self.session.editor) {
                 Some(_) => panels::bezier::menu(ui, &self.page(), out),
                 None => panels::elements::menu(ui, &self.page(), out),

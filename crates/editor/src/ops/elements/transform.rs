@@ -9,10 +9,11 @@ use crate::ops::{
 };
 use glam::{Affine3A, Mat3A, Quat, Vec3};
 use halfedge::edit::Refusal;
-use halfedge::geometry::mean_position;
+use halfedge::geometry::{UnionFind, mean_position};
 use halfedge::{Element, Mesh, VertexId};
 use serde::de::{Deserializer, Error};
 use serde::{Deserialize, Serialize, Serializer};
+use std::collections::BTreeMap;
 
 /// Scale and rotate elements about a pivot, then move them.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, Default)]
@@ -31,6 +32,11 @@ pub struct Transform {
     pub rotate: Option<Rotate>,
     /// By how much to scale about the pivot.
     pub scale: Scale,
+    /// How the axes of the scale are turned; they are the mesh's when left out.
+    pub orientation: Option<Rotate>,
+    /// Rotate and scale each connected part of the elements about its own middle, not all about the pivot.
+    #[serde(default)]
+    pub individual: bool,
     /// What stays in place when scaling and rotating; the mean of the moved vertices when left out.
     #[serde(default, with = "finite3_option")]
     pub pivot: Option<[f32; 3]>,
@@ -92,7 +98,6 @@ impl Operation for Transform {
     const SPEC: Spec =
         Spec::new(Scope::Elements, "transform", "Transform", "Move, rotate and scale elements.")
             .synonyms(&["move", "rotate", "scale", "grab", "translate"])
-            .keys(&["G"])
             .fields(&[
                 Field::many("vertices", Element::Vertex, Selected::Vertices, "Vertices to move"),
                 Field::required("edges", EDGES, "Edges whose ends to move").optional("none"),
@@ -101,9 +106,19 @@ impl Operation for Transform {
                     .or(DefaultValue::Vector([0.0; 3]))
                     .drag(Drag::Offset),
                 Field::required("rotate", FieldKind::Rotation, "How to rotate about the pivot")
-                    .unset("no rotation"),
+                    .unset("no rotation")
+                    .drag(Drag::Rotation),
                 Field::required("scale", FieldKind::Factors, "The factor by which to scale about the pivot")
-                    .or(DefaultValue::Factor(1.0)),
+                    .or(DefaultValue::Factor(1.0))
+                    .drag(Drag::Factors),
+                Field::required("orientation", FieldKind::Rotation, "How the axes of the scale are turned")
+                    .unset("the axes of the mesh"),
+                Field::required(
+                    "individual",
+                    FieldKind::Flag,
+                    "Rotate and scale each connected part about its own middle, not about the pivot",
+                )
+                .or(DefaultValue::Flag(false)),
                 Field::required("pivot", FieldKind::Vector, "The point that stays in place")
                     .unset("the centre of the vertices"),
                 Field::number(
@@ -132,20 +147,28 @@ impl LocalEdit for Transform {
 
     fn edit(&self, mesh: &mut Mesh, _notes: &mut Vec<String>) -> Result<(), Problem> {
         let vertices = self.moved(mesh)?;
-        let map = self.map(self.pivot(mesh, &vertices))?;
-        let weights = match self.falloff {
-            None => vertices.into_iter().map(|v| (v, 1.0)).collect(),
-            Some(radius) if radius > 0.0 => surface::soft_selection(mesh, &vertices, radius),
-            Some(radius) => {
-                return Err(Problem::field(
-                    "falloff",
-                    format!("{radius} is out of range; it must be above 0"),
-                ));
-            }
-        };
-        for (v, weight) in weights {
-            let old = mesh.position(v);
-            let new = old + (map.transform_point3(old) - old) * weight;
+        let parts = if self.individual { self.connected_parts(mesh, &vertices)? } else { vec![vertices] };
+        let mut moves = Vec::new();
+        for part in parts {
+            let map = self.map(self.pivot(mesh, &part))?;
+            let weights = match self.falloff {
+                None => part.into_iter().map(|v| (v, 1.0)).collect(),
+                Some(radius) if radius > 0.0 => surface::soft_selection(mesh, &part, radius),
+                Some(radius) => {
+                    return Err(Problem::field(
+                        "falloff",
+                        format!("{radius} is out of range; it must be above 0"),
+                    ));
+                }
+            };
+            moves.extend(weights.into_iter().map(|(v, weight)| {
+                let old = mesh.position(v);
+                (v, (map.transform_point3(old) - old) * weight)
+            }));
+        }
+        // Within the radius of several parts, a vertex follows each of them.
+        for (v, by) in moves {
+            let new = mesh.position(v) + by;
             if !new.is_finite() {
                 return Err(Problem::new(format!("{v} would get a position that is not finite")));
             }
@@ -176,7 +199,36 @@ impl Transform {
     }
 
     fn pivot(&self, mesh: &Mesh, vertices: &[VertexId]) -> Vec3 {
-        self.pivot.map_or_else(|| mean_position(mesh, vertices.iter().copied()).as_vec3(), Vec3::from)
+        let given = self.pivot.filter(|_| !self.individual);
+        given.map_or_else(|| mean_position(mesh, vertices.iter().copied()).as_vec3(), Vec3::from)
+    }
+
+    /// The moved vertices in parts, each in order of id: a given edge or face connects its vertices, and given
+    /// vertices are connected by the edges between them.
+    fn connected_parts(&self, mesh: &Mesh, vertices: &[VertexId]) -> Result<Vec<Vec<VertexId>>, Problem> {
+        let mut sets = UnionFind::new(vertices.len());
+        let mut connect = |a: VertexId, b: VertexId| {
+            if let (Ok(a), Ok(b)) = (vertices.binary_search(&a), vertices.binary_search(&b)) {
+                sets.union(a as u32, b as u32);
+            }
+        };
+        let mut given = all(&self.vertices, "vertices", mesh)?;
+        given.sort_unstable();
+        for &v in &given {
+            mesh.neighbors(v).filter(|to| given.binary_search(to).is_ok()).for_each(|to| connect(v, to));
+        }
+        for e in all(&self.edges, "edges", mesh)? {
+            let [a, b] = mesh.ends(e);
+            connect(a, b);
+        }
+        for f in all(&self.faces, "faces", mesh)? {
+            mesh.face_halfedges(f).for_each(|h| connect(mesh.from(h), mesh.to(h)));
+        }
+        let mut parts: BTreeMap<u32, Vec<VertexId>> = BTreeMap::new();
+        for (at, &v) in vertices.iter().enumerate() {
+            parts.entry(sets.find(at as u32)).or_default().push(v);
+        }
+        Ok(parts.into_values().collect())
     }
 
     /// Scale, then rotate, about the pivot; then move.
@@ -186,16 +238,22 @@ impl Transform {
             // Exactly what was asked for, whatever the pivot.
             return Ok(Affine3A::from_translation(translate));
         }
-        let rotation = match self.rotate {
-            None => Quat::IDENTITY,
-            Some(Rotate { axis, degrees }) => {
-                let axis = Vec3::from(axis)
-                    .try_normalize()
-                    .ok_or_else(|| Problem::field("rotate.axis", "is too short to give a direction"))?;
-                Quat::from_axis_angle(axis, degrees.to_radians())
-            }
-        };
-        let matrix = Mat3A::from_quat(rotation) * Mat3A::from_diagonal(self.scale.0.into());
+        let rotation = Mat3A::from_quat(quaternion(self.rotate, "rotate.axis")?);
+        let mut scale = Mat3A::from_diagonal(self.scale.0.into());
+        if self.orientation.is_some() {
+            let axes = Mat3A::from_quat(quaternion(self.orientation, "orientation.axis")?);
+            scale = axes * scale * axes.transpose();
+        }
+        let matrix = rotation * scale;
         Ok(Affine3A::from_mat3_translation(matrix.into(), translate + pivot - matrix * pivot))
     }
+}
+
+/// The rotation as a quaternion; `field` is what an error names.
+fn quaternion(rotate: Option<Rotate>, field: &str) -> Result<Quat, Problem> {
+    let Some(Rotate { axis, degrees }) = rotate else { return Ok(Quat::IDENTITY) };
+    let axis = Vec3::from(axis)
+        .try_normalize()
+        .ok_or_else(|| Problem::field(field, "is too short to give a direction"))?;
+    Ok(Quat::from_axis_angle(axis, degrees.to_radians()))
 }

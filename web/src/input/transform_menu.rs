@@ -1,0 +1,80 @@
+//! The Transform menu: moving, rotating and scaling with the pointer, and how they do it.
+
+use super::action::{Action as A, Entry, entry};
+use crate::transforming::{Orientation, Pivot, SnapTo};
+
+/// Its entries.
+pub(super) static ENTRIES: &[Option<Entry>] = &[
+    Some(
+        entry(A::Move, "Move", "Move the selection with the pointer, or by typed numbers.")
+            .synonyms(&["grab", "translate"]),
+    ),
+    Some(
+        entry(A::Rotate, "Rotate", "Rotate the selection with the pointer, or by typed degrees.")
+            .synonyms(&["turn"]),
+    ),
+    Some(
+        entry(A::Scale, "Scale", "Scale the selection with the pointer, or by a typed factor.")
+            .synonyms(&["size"]),
+    ),
+    None,
+    Some(
+        entry(A::Snap, "Snap", "Snap moves, turns and sizes; holding Ctrl does the opposite.")
+            .synonyms(&["magnet"]),
+    ),
+    Some(entry(
+        A::SnapTo(SnapTo::Steps),
+        "Snap to steps",
+        "Snap to round steps of length, 5 degrees or a tenth.",
+    )),
+    Some(entry(
+        A::SnapTo(SnapTo::Vertex),
+        "Snap to vertices",
+        "Snap what moves to the vertex under the pointer.",
+    )),
+    Some(entry(A::SnapTo(SnapTo::Edge), "Snap to edges", "Snap what moves to the edge under the pointer.")),
+    Some(entry(A::SnapTo(SnapTo::Face), "Snap to faces", "Snap what moves to the face under the pointer.")),
+    Some(
+        entry(A::Soft, "Soft selection", "Vertices near the selection move too; the wheel changes how far.")
+            .synonyms(&["proportional editing"]),
+    ),
+    Some(entry(
+        A::PivotAt(Pivot::Middle),
+        "Pivot: median",
+        "Rotate and scale about the mean of the selected vertices.",
+    )),
+    Some(entry(
+        A::PivotAt(Pivot::Bounds),
+        "Pivot: bounding box",
+        "Rotate and scale about the middle of the selection's bounding box.",
+    )),
+    Some(entry(
+        A::PivotAt(Pivot::Active),
+        "Pivot: last selected",
+        "Rotate and scale about the element selected last.",
+    )),
+    Some(
+        entry(
+            A::PivotAt(Pivot::Individual),
+            "Pivot: each part",
+            "Rotate and scale each connected part about its own middle.",
+        )
+        .synonyms(&["individual origins"]),
+    ),
+    Some(entry(A::PivotAt(Pivot::Origin), "Pivot: origin", "Rotate and scale about the origin.")),
+    Some(entry(
+        A::Orient(Orientation::Global),
+        "Global axes",
+        "Move, rotate and scale along the axes of the mesh.",
+    )),
+    Some(entry(
+        A::Orient(Orientation::Normal),
+        "Normal axes",
+        "Move, rotate and scale along the selection's normal and across it.",
+    )),
+    Some(entry(
+        A::Orient(Orientation::View),
+        "View axes",
+        "Move, rotate and scale along the axes of the view.",
+    )),
+];

@@ -1,0 +1,337 @@
+//! The state of an edit that follows the pointer, and how the pointer and typed numbers set its amount.
+
+use editor::ops::{Drag, Field, FieldKind, Unit};
+use editor::{Command, CommandError, Facts, OpId};
+use egui::{Modifiers, Pos2};
+use glam::{Mat3, Quat, Vec3};
+use serde_json::{Value, json};
+
+use super::lock::{Lock, axes_of_normal};
+use super::place::Place;
+use super::pointer::{Sight, length_step, rounded};
+use super::typed::Typed;
+use crate::session::form::{self, Filled};
+use crate::transforming::{Orientation, Pivot, Settings};
+use crate::view::View;
+
+/// With Shift held, the pointer counts as moving at this part of its speed.
+const FINE_SPEED: f32 = 0.1;
+/// One notch of the wheel makes the soft selection's radius this much larger.
+const RADIUS_STEP: f32 = 1.15;
+/// The steps that rotations, factors and fractions snap to.
+const SNAP_DEGREES: f32 = 5.0;
+const SNAP_FACTOR: f32 = 0.1;
+const SNAP_FRACTION: f32 = 0.05;
+
+/// What a live edit starts with.
+#[derive(Clone, Debug)]
+pub(crate) struct Start {
+    pub id: OpId,
+    /// The field that follows the pointer; the operation's first such field if there is none of this name.
+    pub field: &'static str,
+    pub lock: Lock,
+    /// Where the pointer began; none to begin where it is seen first.
+    pub from: Option<Pos2>,
+    /// The point that stays under the pointer; none for the pivot.
+    pub anchor: Option<Vec3>,
+}
+
+impl Start {
+    /// An edit that begins where the pointer is.
+    pub fn new(id: OpId, field: &'static str) -> Self {
+        Self { id, field, lock: Lock::Free, from: None, anchor: None }
+    }
+}
+
+/// A live edit in progress.
+pub(crate) struct Live {
+    pub id: OpId,
+    pub field: &'static Field,
+    pub drag: Drag,
+    /// The numbers along the lock's axes; an amount that is one number is the first.
+    pub value: Vec3,
+    pub lock: Lock,
+    pub typed: Typed,
+    /// The operation's count that the wheel changes, by its field's name.
+    pub count: Option<(&'static Field, u32)>,
+    place: Place,
+    anchor: Vec3,
+    /// Right, up and towards the viewer, as the view was last seen.
+    view_axes: Mat3,
+    /// Elements named in the command, where the vertices of the selection don't say enough.
+    pub(crate) given: Filled,
+    /// The degrees that the pointer has turned about the middle.
+    turned: f32,
+    /// The pointer position that the amount is measured from; none until the pointer is over the viewport.
+    from: Option<Pos2>,
+    /// Where the pointer would be had it always moved at full speed.
+    at: Pos2,
+    /// The last pointer position. The preview changes only when the pointer moves, even if the panels
+    /// beside the viewport change its size.
+    seen: Option<Pos2>,
+    pub(crate) follows: bool,
+    /// Whether the document shows the edit.
+    pub(crate) in_document: bool,
+    /// Why the document does not show the edit.
+    pub refused: Option<String>,
+}
+
+impl Live {
+    pub(crate) fn new(start: &Start, place: Place, anchor: Vec3, view: &View) -> Option<Self> {
+        let spec = start.id.spec();
+        let field = spec.field(start.field).filter(|field| field.drag.is_some()).or(spec.dragged_field())?;
+        let drag = field.drag?;
+        let [right, up, forward] = view.camera.axes().map(|axis| axis.as_vec3());
+        let count = spec.fields.iter().find_map(|field| match (field.kind, field.default_value()) {
+            (FieldKind::Integer { unit: Unit::Count, .. }, Some(value)) => {
+                Some((field, value.as_u64()? as u32))
+            }
+            _ => None,
+        });
+        Some(Self {
+            id: start.id,
+            field,
+            drag,
+            value: at_rest(drag),
+            lock: start.lock,
+            typed: Typed::default(),
+            count,
+            place,
+            anchor: start.anchor.unwrap_or(anchor),
+            view_axes: Mat3::from_cols(right, up, -forward),
+            given: Filled::new(),
+            turned: 0.0,
+            from: start.from,
+            at: start.from.unwrap_or_default(),
+            seen: start.from,
+            follows: true,
+            in_document: false,
+            refused: None,
+        })
+    }
+
+    /// The name in the bar and the messages.
+    pub fn label(&self) -> &'static str {
+        match (self.id, self.drag) {
+            (OpId::Transform, Drag::Offset) => "Move",
+            (OpId::Transform, Drag::Rotation) => "Rotate",
+            (OpId::Transform, Drag::Factors) => "Scale",
+            _ => self.id.spec().label,
+        }
+    }
+
+    /// The directions of x, y and z for the lock.
+    fn axes(&self, settings: &Settings) -> Mat3 {
+        match self.lock.orientation(settings.orientation) {
+            Orientation::Global => Mat3::IDENTITY,
+            Orientation::Normal => axes_of_normal(self.place.normal),
+            Orientation::View => self.view_axes,
+        }
+    }
+
+    /// The axis of a rotation.
+    fn axis(&self, settings: &Settings) -> Vec3 {
+        match self.lock {
+            Lock::Free => self.view_axes.z_axis,
+            Lock::Along(axis, _) | Lock::Across(axis, _) => self.axes(settings).col(axis.min(2)),
+        }
+    }
+
+    pub(crate) fn command(&self, settings: &Settings) -> Result<Command, CommandError> {
+        let mut filled = form::initial(self.id.spec(), &Facts::default());
+        let value: Value = match self.drag {
+            Drag::Offset => json!((self.axes(settings) * self.value).to_array()),
+            Drag::Rotation => json!({ "axis": self.axis(settings).to_array(), "degrees": self.value.x }),
+            Drag::Factors => json!(self.value.to_array()),
+            Drag::Distance | Drag::Width | Drag::Fraction => json!(self.value.x),
+        };
+        filled.insert(self.field.name.to_owned(), value);
+        if let Some((field, count)) = self.count {
+            filled.insert(field.name.to_owned(), count.into());
+        }
+        if self.id == OpId::Transform {
+            self.fill_transform(settings, &mut filled);
+        }
+        filled.extend(self.given.clone());
+        form::command(self.id, &filled)
+    }
+
+    fn fill_transform(&self, settings: &Settings, filled: &mut Filled) {
+        if self.drag != Drag::Offset {
+            match settings.pivot {
+                Pivot::Middle => {}
+                Pivot::Individual => drop(filled.insert("individual".to_owned(), true.into())),
+                pivot => drop(filled.insert("pivot".to_owned(), json!(self.place.pivot(pivot).to_array()))),
+            }
+        }
+        let turned =
+            self.lock != Lock::Free && self.lock.orientation(settings.orientation) != Orientation::Global;
+        if self.drag == Drag::Factors && turned {
+            let (axis, radians) = Quat::from_mat3(&self.axes(settings)).to_axis_angle();
+            let orientation = json!({ "axis": axis.to_array(), "degrees": radians.to_degrees() });
+            filled.insert("orientation".to_owned(), orientation);
+        }
+        if let Some(radius) = settings.soft_radius.filter(|_| settings.soft) {
+            filled.insert("falloff".to_owned(), radius.into());
+        }
+    }
+
+    /// Whether the amount changes anything.
+    pub(crate) fn does_something(&self) -> bool {
+        self.drag == Drag::Fraction || self.value != at_rest(self.drag)
+    }
+
+    /// Sets the amount from the pointer, or from what is typed.
+    pub(crate) fn update(&mut self, settings: &Settings, view: &View, snap: Snap) {
+        if !self.typed.is_empty() {
+            self.follows = false;
+            return self.set_typed();
+        }
+        self.follows = true;
+        let Some(from) = self.from else { return };
+        let [from, at] = [from, self.at].map(|place| view.local(place));
+        let (sight, by) = (self.sight(view), at - from);
+        let step = length_step(sight.units_per_point());
+        let snapped = |value: f32, step: f32| if snap.to_steps { rounded(value, step) } else { value };
+        self.value = match self.drag {
+            Drag::Offset => {
+                let axes = self.axes(settings);
+                let offset = match snap.target {
+                    Some(target) => self.lock.limited(axes.transpose() * (target - self.anchor)),
+                    None => sight.offset(self.lock, axes, from, at),
+                };
+                if !offset.is_finite() {
+                    return;
+                }
+                Vec3::from(offset.to_array().map(|number| snapped(number, step)))
+            }
+            Drag::Rotation => Vec3::X * snapped(self.turned, SNAP_DEGREES),
+            Drag::Factors => self.factors(snapped(sight.factor(from, at), SNAP_FACTOR)),
+            Drag::Distance => Vec3::X * snapped(sight.along(self.place.normal, by), step),
+            Drag::Width => Vec3::X * snapped(by.length() * sight.units_per_point(), step),
+            Drag::Fraction => {
+                Vec3::X * snapped(0.5 + sight.fraction(self.place.edge, by), SNAP_FRACTION).clamp(0.01, 0.99)
+            }
+        };
+    }
+
+    pub(crate) fn sight<'a>(&self, view: &'a View) -> Sight<'a> {
+        Sight { camera: &view.camera, size: view.size(), anchor: self.anchor }
+    }
+
+    fn factors(&self, factor: f32) -> Vec3 {
+        let mut factors = Vec3::ONE;
+        for &axis in self.lock.free_axes() {
+            factors.as_mut().get_mut(axis).into_iter().for_each(|number| *number = factor);
+        }
+        factors
+    }
+
+    fn set_typed(&mut self) {
+        let rest = at_rest(self.drag);
+        self.value = match self.drag {
+            Drag::Offset => {
+                let mut offset = Vec3::ZERO;
+                for (at, &axis) in self.lock.free_axes().iter().enumerate() {
+                    let typed = self.typed.value(at).unwrap_or_default();
+                    offset.as_mut().get_mut(axis).into_iter().for_each(|number| *number = typed);
+                }
+                offset
+            }
+            Drag::Factors => self.factors(self.typed.value(0).unwrap_or(1.0)),
+            Drag::Width => Vec3::X * self.typed.value(0).unwrap_or(rest.x).max(0.0),
+            Drag::Fraction => Vec3::X * self.typed.value(0).unwrap_or(rest.x).clamp(0.01, 0.99),
+            Drag::Distance | Drag::Rotation => Vec3::X * self.typed.value(0).unwrap_or(rest.x),
+        };
+    }
+
+    /// Moves the pointer; returns whether it moved. Rotations add up.
+    pub(crate) fn follow_pointer(
+        &mut self,
+        to: Pos2,
+        view: &View,
+        settings: &Settings,
+        modifiers: Modifiers,
+    ) -> bool {
+        let Some(seen) = self.seen.replace(to).filter(|_| self.from.is_some()) else {
+            (self.from, self.at) = (Some(to), to);
+            return false;
+        };
+        if seen == to || !self.follows {
+            return false;
+        }
+        let speed = if modifiers.shift { FINE_SPEED } else { 1.0 };
+        let before = self.at;
+        self.at += (to - seen) * speed;
+        if self.drag == Drag::Rotation {
+            // Turns add up, so that there can be more than one. Fine ones are taken around the middle too.
+            let [from, to] = [seen, to].map(|place| view.local(place));
+            self.turned += self.sight(view).turn(self.axis(settings), from, to) * speed;
+        }
+        before != self.at
+    }
+
+    /// What the command depends on.
+    pub(crate) fn amount(&self) -> (Vec3, Lock, Option<u32>) {
+        (self.value, self.lock, self.count.map(|(_, count)| count))
+    }
+
+    /// Turns the wheel: a count, or the radius of the soft selection.
+    pub fn turn_wheel(&mut self, notches: i32, settings: &mut Settings, view: &View) {
+        if let Some((field, count)) = &mut self.count {
+            let FieldKind::Integer { min, max, .. } = field.kind else { return };
+            *count = count.saturating_add_signed(notches).clamp(min, max);
+        } else if let Some(radius) = &mut settings.soft_radius {
+            let unit = self.sight(view).units_per_point();
+            *radius = (*radius * RADIUS_STEP.powi(notches)).clamp(unit, unit * 1e5);
+        }
+    }
+
+    /// Sets the amount, which then no longer follows the pointer.
+    pub fn set_amount(&mut self, value: Vec3) {
+        self.follows = false;
+        self.typed = Typed::default();
+        self.value = match self.drag {
+            Drag::Width => value.max(Vec3::ZERO),
+            Drag::Fraction => Vec3::X * value.x.clamp(0.01, 0.99),
+            Drag::Distance | Drag::Offset | Drag::Rotation | Drag::Factors => value,
+        };
+    }
+
+    /// Sets the count.
+    pub fn set_count(&mut self, to: u32) {
+        self.count.iter_mut().for_each(|(_, count)| *count = to);
+    }
+
+    /// Limits the edit to an axis, as its key does.
+    pub fn lock_axis(&mut self, axis: usize, settings: &Settings, view: &View) {
+        if self.takes_lock() {
+            self.lock = self.lock.after_key(axis, false, settings.orientation);
+            self.typed.limit(self.number_count());
+            self.update(settings, view, Snap::default());
+        }
+    }
+
+    /// Goes on from another place with the same amount, as when a finger touches again.
+    pub fn take_up(&mut self, to: Pos2) {
+        let by = to - self.at;
+        self.from = Some(self.from.map_or(to, |from| from + by));
+        (self.at, self.seen) = (to, Some(to));
+    }
+}
+
+/// What the amount snaps to.
+#[derive(Clone, Copy, Default)]
+pub(crate) struct Snap {
+    pub to_steps: bool,
+    pub target: Option<Vec3>,
+}
+
+/// The amount that changes nothing; a split begins in the middle.
+fn at_rest(drag: Drag) -> Vec3 {
+    match drag {
+        Drag::Fraction => Vec3::X * 0.5,
+        Drag::Factors => Vec3::ONE,
+        Drag::Distance | Drag::Width | Drag::Offset | Drag::Rotation => Vec3::ZERO,
+    }
+}

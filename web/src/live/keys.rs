@@ -1,0 +1,89 @@
+//! The keys of an edit that follows the pointer.
+
+use editor::OpId;
+use editor::ops::Drag;
+use egui::{Context, Event, Key};
+
+use super::edit::Live;
+use crate::transforming::Settings;
+
+/// How keys end an edit.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Ending {
+    Apply,
+    Cancel,
+}
+
+impl Live {
+    /// Takes the keys that mean something to the edit out of the frame's input. Returns whether they changed the
+    /// amount, and how they end the edit.
+    pub(crate) fn take_keys(&mut self, ctx: &Context, settings: &Settings) -> (bool, Option<Ending>) {
+        let typing = ctx.text_edit_focused();
+        let (mut changed, mut ending) = (false, None);
+        ctx.input_mut(|input| {
+            input.events.retain(|event| {
+                let taken = match event {
+                    Event::Key { key, pressed: true, modifiers, .. } => match key {
+                        Key::Escape => {
+                            ending = Some(Ending::Cancel);
+                            true
+                        }
+                        _ if typing || modifiers.command || modifiers.alt => false,
+                        Key::Enter => {
+                            ending = Some(Ending::Apply);
+                            true
+                        }
+                        Key::Backspace => {
+                            changed |= self.typed.pop();
+                            true
+                        }
+                        Key::Tab => {
+                            self.typed.next(self.number_count());
+                            true
+                        }
+                        _ => match axis_of(*key).filter(|_| self.takes_lock()) {
+                            Some(axis) => {
+                                self.lock = self.lock.after_key(axis, modifiers.shift, settings.orientation);
+                                self.typed.limit(self.number_count());
+                                changed = true;
+                                true
+                            }
+                            None => false,
+                        },
+                    },
+                    Event::Text(text) if !typing => {
+                        changed |= self.typed.push(text);
+                        true
+                    }
+                    _ => false,
+                };
+                !taken
+            });
+        });
+        (changed, ending)
+    }
+
+    /// Whether axis keys limit the edit.
+    pub(crate) fn takes_lock(&self) -> bool {
+        matches!(self.drag, Drag::Offset | Drag::Rotation | Drag::Factors)
+    }
+
+    /// Whether the wheel changes the edit instead of the view.
+    pub(crate) fn takes_wheel(&self, settings: &Settings) -> bool {
+        self.count.is_some() || (self.id == OpId::Transform && settings.soft)
+    }
+
+    /// How many numbers can be typed.
+    pub(crate) fn number_count(&self) -> usize {
+        if self.drag == Drag::Offset { self.lock.free_axes().len() } else { 1 }
+    }
+}
+
+fn axis_of(key: Key) -> Option<usize> {
+    match key {
+        Key::X => Some(0),
+        Key::Y => Some(1),
+        Key::Z => Some(2),
+        _ => None,
+    }
+}

@@ -1,0 +1,8 @@
+//! The edit that follows the pointer: its state, its keys, and how the pointer and typed numbers set its amount.
+
+pub(crate) mod edit;
+pub(crate) mod keys;
+pub(crate) mod lock;
+pub(crate) mod place;
+mod pointer;
+mod typed;

@@ -1,0 +1,64 @@
+//! How edits that follow the pointer behave: what they turn about, along which axes, and what they snap to.
+
+/// What rotations and scales leave in place.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Pivot {
+    /// The mean of the selected vertices.
+    #[default]
+    Middle,
+    /// The middle of the selection's bounding box.
+    Bounds,
+    /// The element selected last.
+    Active,
+    /// The middle of each connected part, for that part.
+    Individual,
+    /// The origin.
+    Origin,
+}
+
+/// The directions of x, y and z.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Orientation {
+    /// The mesh's axes.
+    #[default]
+    Global,
+    /// z along the selection's normal.
+    Normal,
+    /// x to the right, y up, z towards the viewer.
+    View,
+}
+
+impl Orientation {
+    /// The orientation that a second press of an axis key switches to.
+    pub(crate) fn other(self) -> Self {
+        if self == Self::Global { Self::Normal } else { Self::Global }
+    }
+}
+
+/// What moved elements snap to.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum SnapTo {
+    /// Round steps: of length, of 5 degrees, of a tenth.
+    #[default]
+    Steps,
+    /// The vertex under the pointer.
+    Vertex,
+    /// The edge under the pointer.
+    Edge,
+    /// The face under the pointer.
+    Face,
+}
+
+/// The settings, which last from one edit to the next.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub(crate) struct Settings {
+    pub pivot: Pivot,
+    pub orientation: Orientation,
+    /// Whether edits snap; holding Ctrl does the opposite.
+    pub snaps: bool,
+    pub snap_to: SnapTo,
+    /// Whether vertices near the selection move too.
+    pub soft: bool,
+    /// How far along the surface they do, in mesh units; none until an edit needs it.
+    pub soft_radius: Option<f32>,
+}
