@@ -12,7 +12,7 @@ use halfedge::Element;
 use super::{App, THEME_SETTING};
 use crate::bezier::{self, ControlPoint};
 use crate::input::actions::Action;
-use crate::input::availability::opens_form;
+use crate::input::availability::{follows_pointer, opens_form};
 use crate::live::edit::Start;
 use crate::page_view::Page;
 use crate::panels::operations::EDGE_LENGTH;
@@ -174,11 +174,7 @@ impl App {
             Action::Operation(OpId::Isolate) if self.session.editor.selection().is_empty() => {
                 self.session.begin(Reveal::default().into(), None);
             }
-            Action::Operation(id)
-                if opens_form(id) && id.spec().dragged_field().is_some() && id != OpId::Transform =>
-            {
-                self.start_live(id, "");
-            }
+            Action::Operation(id) if follows_pointer(id) => self.start_live(id, ""),
             Action::Operation(id) if opens_form(id) => self.open_form(id),
             Action::Operation(id) => {
                 self.session.begin_or_refuse(Command::from_fields(id, Default::default()))

@@ -92,6 +92,12 @@ fn why_not_bezier(action: Action, session: &Session, player: &Player) -> Option<
     }
 }
 
+/// Whether an operation starts an edit that follows the pointer. One with several amounts that could follow it has an
+/// action for each, and opens its form.
+pub(crate) fn follows_pointer(id: OpId) -> bool {
+    opens_form(id) && id.spec().fields.iter().filter(|field| field.drag.is_some()).count() == 1
+}
+
 /// Whether an operation's button opens a form or starts an edit that follows the pointer instead of
 /// acting at once.
 pub(crate) fn opens_form(id: OpId) -> bool {

@@ -9,7 +9,7 @@ use egui::{CollapsingHeader, Key, Label, RichText, TextEdit, Ui};
 use halfedge::Element;
 
 use crate::input::actions::{self, Action};
-use crate::input::availability::opens_form;
+use crate::input::availability::{follows_pointer, opens_form};
 use crate::input::keys;
 use crate::lists::columns::plural;
 use crate::page_view::Page;
@@ -271,6 +271,6 @@ fn fills_form(id: OpId) -> bool {
     let is_filled_in = |field: &Field| !matches!(field.fill, Fill::Selection(_) | Fill::Optional(_));
     match spec.scope {
         Scope::Meshes => spec.fields.iter().any(is_filled_in),
-        _ => opens_form(id) && spec.dragged_field().is_none(),
+        _ => opens_form(id) && !follows_pointer(id),
     }
 }

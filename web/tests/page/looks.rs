@@ -363,6 +363,7 @@ fn the_chosen_patch_of_a_surface_is_marked() {
 #[test]
 fn forms_line_up() {
     let mut page = Page::drawn(DESKTOP, Theme::Light);
+    page.select("vertex", &[0]);
     for operation in ["Remesh", "Smooth", "Transform"] {
         page.choose(operation);
         picture(&mut page, &format!("form of {operation}"));
