@@ -159,3 +159,94 @@ editorTest("loops, rings, paths and neighbours are selected by mouse and keys", 
   assert.deepEqual(await selected(), { kind: "vertex", ids: [vertex(3, 3)] });
   assert.deepEqual((await editor.state()).history.undo, ["New shape"], "selecting is no edit");
 });
+
+/** Drags with a button along places, with keys held. */
+async function dragAlong(editor, places, { button = "left", keys = [] } = {}) {
+  const { mouse, keyboard } = editor.page;
+  await mouse.move(...places[0]);
+  await editor.frames(2);
+  for (const key of keys) await keyboard.down(key);
+  await mouse.down({ button });
+  for (const place of places) {
+    await mouse.move(...place);
+    await editor.frames(1);
+  }
+  await mouse.up({ button });
+  for (const key of keys) await keyboard.up(key);
+  await editor.frames(3);
+}
+
+editorTest("a lasso and a circle select, with x-ray through the surface too", { sizes: [SMALL] }, async (editor) => {
+  const count = async () => (await editor.state()).selection.ids.length;
+  const ids = [0, 1, 2, 3, 4, 5, 6, 7];
+  await editor.press("1");
+  const places = await Promise.all((await positions(editor, ids)).map((position) => editor.project(position)));
+  const centre = [0, 1].map((axis) => places.reduce((sum, place) => sum + place[axis], 0) / places.length);
+  const reach = Math.max(...places.map(([x, y]) => Math.hypot(x - centre[0], y - centre[1]))) + 12;
+  const circle = (middle, radius) => Array.from({ length: 25 }, (_, step) => {
+    const angle = step / 24 * 2 * Math.PI;
+    return [middle[0] + radius * Math.cos(angle), middle[1] + radius * Math.sin(angle)];
+  });
+  const lasso = { button: "right", keys: ["Control"] };
+  await dragAlong(editor, circle(centre, reach), lasso);
+  assert.equal(await count(), 7, "the eighth vertex is behind the cube");
+  const selected = (await editor.state()).selection.ids;
+  const hidden = ids.find((id) => !selected.includes(id));
+
+  // One vertex alone, and a second one added.
+  await dragAlong(editor, circle(places[selected[0]], 14), lasso);
+  assert.deepEqual((await editor.state()).selection.ids, [selected[0]]);
+  await dragAlong(editor, circle(places[selected[1]], 14), { button: "right", keys: ["Control", "Shift"] });
+  assert.equal(await count(), 2);
+
+  await editor.page.mouse.move(5, 5);
+  await editor.frames(3);
+  const solid = await editor.screenshot();
+  await editor.press("Alt+x");
+  await editor.frames(3);
+  const glass = await editor.screenshot("x-ray");
+  assert.ok(glass.difference(solid, around(places[hidden], 16)) > 3, "the hidden edges show");
+  await dragAlong(editor, circle(centre, reach), lasso);
+  assert.equal(await count(), 8);
+  await editor.clickAt(places[hidden]);
+  assert.deepEqual((await editor.state()).selection.ids, [hidden]);
+  await editor.press("Alt+x");
+
+  // The circle adds along its way; with Ctrl it removes; a stroke is one step.
+  await editor.press("Escape");
+  await editor.press("Shift+C");
+  await dragAlong(editor, [places[selected[0]], places[selected[1]]]);
+  assert.ok(await count() >= 2);
+  const painted = await count();
+  await dragAlong(editor, [places[selected[0]], places[selected[0]]], { keys: ["Control"] });
+  assert.equal(await count(), painted - 1);
+  await editor.press("Control+z");
+  assert.equal(await count(), painted);
+  await editor.press("Escape");
+});
+
+editorTest("a double-click selects a loop, in slow frames too", { sizes: [SMALL] }, async (editor) => {
+  await editor.run({ op: "new", shape: "grid", columns: 6, rows: 6 });
+  await editor.press("2");
+  const vertex = (column, row) => row * 7 + column;
+  const [x, y] = await editor.project(middle(await positions(editor, [vertex(2, 2), vertex(3, 2)])));
+  await editor.page.mouse.move(x, y);
+  await editor.frames(2);
+  // Every frame takes longer than the two clicks may be apart.
+  await editor.page.evaluate(() => {
+    const busy = () => {
+      const end = performance.now() + 700;
+      while (performance.now() < end);
+      if (!window.isIdle) requestAnimationFrame(busy);
+    };
+    requestAnimationFrame(busy);
+  });
+  const session = await editor.context.newCDPSession(editor.page);
+  const send = (type, clickCount) =>
+    session.send("Input.dispatchMouseEvent", { type, x, y, button: "left", buttons: 1, clickCount });
+  await Promise.all([send("mousePressed", 1), send("mouseReleased", 1), send("mousePressed", 2), send("mouseReleased", 2)]);
+  await editor.page.evaluate(() => { window.isIdle = true; });
+  await session.detach();
+  await editor.until("the loop is selected", async () => (await editor.state()).selection.ids.length === 6);
+  assert.equal((await editor.state()).selection.kind, "edge");
+});

@@ -5,6 +5,7 @@ pub mod actions;
 pub(crate) mod availability;
 pub mod keys;
 pub mod menus;
+pub mod pacing;
 pub mod presets;
 mod select_menu;
 mod transform_menu;

@@ -5,16 +5,18 @@ use std::cell::RefMut;
 
 use eframe::WebRunner;
 use wasm_bindgen::prelude::*;
-use web_sys::{BeforeUnloadEvent, HtmlCanvasElement};
+use web_sys::{BeforeUnloadEvent, HtmlCanvasElement, PointerEvent};
 
 use super::{graphics, notice};
 use crate::app::App;
+use crate::input::pacing::Pacing;
 use crate::platform::browser::Browser;
 use crate::script::ui_tree::UiTree;
 
 /// The editor as an eframe app.
 pub struct PageApp {
     app: App,
+    pacing: Pacing,
     ready: Ready,
 }
 
@@ -32,7 +34,11 @@ impl PageApp {
         let graphics = context.wgpu_render_state.clone();
         let browser = Browser::new(ctx, graphics::device_info(graphics.as_ref()));
         // The first frame computes the layout; the second draws with it.
-        Self { app: App::new(ctx, Box::new(browser), graphics), ready: Ready::In(2) }
+        Self {
+            app: App::new(ctx, Box::new(browser), graphics),
+            pacing: Pacing::default(),
+            ready: Ready::In(2),
+        }
     }
 
     fn tell_ready(&mut self, ctx: &egui::Context) {
@@ -55,6 +61,12 @@ impl PageApp {
 }
 
 impl eframe::App for PageApp {
+    fn raw_input_hook(&mut self, ctx: &egui::Context, raw_input: &mut egui::RawInput) {
+        if self.pacing.pace(raw_input, time_of_button()) {
+            ctx.request_repaint();
+        }
+    }
+
     fn logic(&mut self, ctx: &egui::Context, _frame: &mut eframe::Frame) {
         self.app.logic(ctx);
         self.tell_ready(ctx);
@@ -67,6 +79,14 @@ impl eframe::App for PageApp {
     fn as_any_mut(&mut self) -> Option<&mut dyn Any> {
         Some(self)
     }
+}
+
+/// When the button was pressed or released whose event is being handled, in seconds since the page's start. eframe runs a
+/// frame within the handler of such an event.
+fn time_of_button() -> Option<f64> {
+    let event = web_sys::window()?.event();
+    let event = event.dyn_ref::<PointerEvent>()?;
+    matches!(event.type_().as_str(), "pointerdown" | "pointerup").then(|| event.time_stamp() / 1000.0)
 }
 
 /// Gives scripts and browser events access to the editor between two frames.

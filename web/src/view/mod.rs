@@ -62,6 +62,8 @@ pub(crate) struct View {
     pub strokes: u64,
     /// The radius of the selecting circle, in points.
     pub circle_radius: f32,
+    /// The modifiers of the last click.
+    pub clicked_with: Option<egui::Modifiers>,
     /// How far from an element a click on it may be, in points: farther for fingers.
     pub pick_radius: f32,
     /// The elements that may still be processed in this frame.
@@ -89,6 +91,7 @@ impl View {
             regions: VecDeque::new(),
             strokes: 0,
             circle_radius: START_CIRCLE_RADIUS,
+            clicked_with: None,
             pick_radius: 0.0,
             budget: Budget::new(ELEMENTS_PER_FRAME),
             frame_due: FRAMES_UNTIL_PANELS_SETTLE,

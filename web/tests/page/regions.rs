@@ -263,3 +263,19 @@ fn a_finger_need_not_be_exact() {
     page.run();
     assert_eq!(page.selected().1, [vertex(0, 0)]);
 }
+
+#[test]
+fn only_two_clicks_with_the_same_keys_are_a_double_click() {
+    let mut page = grid();
+    // A frame of a test is a quarter of a second, and two clicks take several.
+    page.harness.ctx.options_mut(|options| options.input_options.max_double_click_delay = 3.0);
+    let at = place(&mut page, vertex(3, 3));
+    click_at(&mut page, at, Modifiers::NONE);
+    click_at(&mut page, at, Modifiers::SHIFT);
+    assert_eq!(page.selected().1, [vertex(3, 3)], "Shift is held for the second click only");
+    page.press(Key::Escape);
+    page.wait();
+    click_at(&mut page, at, Modifiers::NONE);
+    click_at(&mut page, at, Modifiers::NONE);
+    assert_eq!(page.selected().1.len(), 7, "the loop through the vertex");
+}

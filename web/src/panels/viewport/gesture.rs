@@ -39,6 +39,26 @@ pub(super) fn modifiers_of_button(ui: &Ui) -> Modifiers {
     })
 }
 
+/// Whether this is the second click of a double-click: both with the same modifiers. `before` has those of the last click.
+fn is_double(ui: &Ui, response: &Response, before: &mut Option<Modifiers>) -> bool {
+    let is_double = response.double_clicked();
+    if response.clicked() {
+        let releases = ui.input(|input| {
+            let clicks = input.events.iter().filter_map(|event| match event {
+                Event::PointerButton {
+                    button: PointerButton::Primary, pressed: false, modifiers, ..
+                } => Some(*modifiers),
+                _ => None,
+            });
+            clicks.collect::<Vec<_>>()
+        });
+        let clicks: Vec<Modifiers> = before.iter().copied().chain(releases).collect();
+        *before = clicks.last().copied();
+        return is_double && matches!(clicks.as_slice(), [.., first, second] if first == second);
+    }
+    is_double
+}
+
 /// Whether the pointer is a finger: while one is down, and in the frame in which it is lifted.
 fn is_finger(ui: &Ui) -> bool {
     ui.input(|input| {
@@ -138,7 +158,7 @@ impl Viewport<'_> {
         }
         // With Alt or Ctrl held, each of two quick clicks has a meaning of its own.
         let modifiers = modifiers_of_button(ui);
-        if response.double_clicked()
+        if is_double(ui, response, &mut self.view.clicked_with)
             && !(modifiers.alt || modifiers.command)
             && let Some(at) = pointer
             && self.control_point_at(at).is_none()
