@@ -113,7 +113,7 @@ mod tests {
                 now += 1.0;
                 let mut raw = RawInput { time: Some(now), events, ..RawInput::default() };
                 pacing.pace(&mut raw, pressed);
-                let id = egui::Id::new("area");
+                let id = egui::Id::unique("area");
                 let mut output = ctx.run_ui(raw, |ui| {
                     let area = ui.interact(ui.max_rect(), id, egui::Sense::click());
                     doubles += usize::from(area.double_clicked());
