@@ -181,14 +181,15 @@ editorTest("a lasso and a circle select, with x-ray through the surface too", { 
   const ids = [0, 1, 2, 3, 4, 5, 6, 7];
   await editor.press("1");
   const places = await Promise.all((await positions(editor, ids)).map((position) => editor.project(position)));
-  const centre = [0, 1].map((axis) => places.reduce((sum, place) => sum + place[axis], 0) / places.length);
-  const reach = Math.max(...places.map(([x, y]) => Math.hypot(x - centre[0], y - centre[1]))) + 12;
+  const [left, top, width, height] = (await editor.state()).view.rect;
+  const [x0, y0, x1, y1] = [left + 4, top + 4, left + width - 4, top + height - 4];
+  const everything = [[x0, y0], [(x0 + x1) / 2, y0], [x1, y0], [x1, y1], [x0, y1]];
   const circle = (middle, radius) => Array.from({ length: 25 }, (_, step) => {
     const angle = step / 24 * 2 * Math.PI;
     return [middle[0] + radius * Math.cos(angle), middle[1] + radius * Math.sin(angle)];
   });
   const lasso = { button: "right", keys: ["Control"] };
-  await dragAlong(editor, circle(centre, reach), lasso);
+  await dragAlong(editor, everything, lasso);
   assert.equal(await count(), 7, "the eighth vertex is behind the cube");
   const selected = (await editor.state()).selection.ids;
   const hidden = ids.find((id) => !selected.includes(id));
@@ -206,7 +207,7 @@ editorTest("a lasso and a circle select, with x-ray through the surface too", { 
   await editor.frames(3);
   const glass = await editor.screenshot("x-ray");
   assert.ok(glass.difference(solid, around(places[hidden], 16)) > 3, "the hidden edges show");
-  await dragAlong(editor, circle(centre, reach), lasso);
+  await dragAlong(editor, everything, lasso);
   assert.equal(await count(), 8);
   await editor.clickAt(places[hidden]);
   assert.deepEqual((await editor.state()).selection.ids, [hidden]);

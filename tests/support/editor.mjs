@@ -10,6 +10,8 @@ import { Picture } from "./picture.mjs";
 
 const START_LIMIT_MS = 120_000;
 const WAIT_LIMIT_MS = 30_000;
+/** More than the longest time between the clicks of a double-click. */
+const DOUBLE_CLICK_MS = 600;
 
 export class Editor {
   #expected = [];
@@ -137,7 +139,12 @@ export class Editor {
       await this.page.mouse.move(x, y);
       // egui finds the hovered widget in the frame before.
       await this.frames(2);
+      // A second click at the same place right after the first would make a double-click.
+      const [lastX, lastY, lastTime] = this.lastClick ?? [0, 0, 0];
+      const wait = lastTime + DOUBLE_CLICK_MS - Date.now();
+      if (Math.hypot(x - lastX, y - lastY) < 8 && wait > 0) await new Promise((resolve) => setTimeout(resolve, wait));
       await this.page.mouse.click(x, y);
+      this.lastClick = [x, y, Date.now()];
     }
     await this.frames();
   }

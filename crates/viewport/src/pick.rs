@@ -11,7 +11,7 @@ use surface::FaceTree;
 /// distant model has all its elements within the tolerance.
 const FIRST_RADIUS: f32 = 1.0;
 /// The most faces whose elements are candidates. Where more are within a pixel, any of them will do.
-const MAX_CANDIDATE_FACES: usize = 1 << 14;
+const MAX_CANDIDATE_FACES: usize = 1 << 12;
 /// The most candidates that are tested for being hidden.
 const MAX_RAYS: usize = 1 << 10;
 

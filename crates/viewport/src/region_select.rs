@@ -7,11 +7,17 @@ use crate::sight::Sight;
 use glam::{Vec2, Vec3};
 use halfedge::geometry::{BitSet, PolygonTriangulator};
 use halfedge::{Budget, EdgeId, Element, FaceId, HalfedgeId, InParts, Mesh, NONE, VertexId};
+use std::cell::Cell;
 use surface::selecting::is_hidden;
 use surface::{FaceTree, FaceWalk};
 
 /// Isolated vertices are looked for among so many vertices at the cost of one element.
 const VERTICES_SEARCHED_PER_ELEMENT: usize = 16;
+
+/// A ray costs as much as testing so many elements.
+const ELEMENTS_PER_RAY: usize = 4;
+/// Faces whose elements are tested before the rays are counted.
+const FACES_PER_COUNT: usize = 256;
 
 /// A mesh seen through a region.
 struct Through<'a> {
@@ -21,6 +27,8 @@ struct Through<'a> {
     visible_only: bool,
     /// Decides about most points without a ray.
     occlusion: Option<&'a Occlusion>,
+    /// The number of rays so far.
+    rays: Cell<usize>,
 }
 
 /// A region selection that tests some elements at a time, so that a frame stays short. The mesh must not change
@@ -77,7 +85,7 @@ impl RegionSelection {
     }
 }
 
-/// It reads the mesh and its tree. The budget counts faces found and elements tested; the result is the ids found, in
+/// It reads the mesh and its tree. The budget counts faces found, elements tested and, four times, rays; the result is the ids found, in
 /// ascending order.
 impl InParts for RegionSelection {
     type Input<'a> = (&'a Mesh, &'a FaceTree);
@@ -112,8 +120,9 @@ impl InParts for RegionSelection {
                     }
                 }
                 Stage::Testing(occlusion, next) => {
-                    let end = next + budget.take(self.faces.len() - next);
-                    self.test(&sight(), occlusion.as_ref(), next..end);
+                    let end = next + budget.take((self.faces.len() - next).min(FACES_PER_COUNT));
+                    let rays = self.test(&sight(), occlusion.as_ref(), next..end);
+                    budget.take(rays * ELEMENTS_PER_RAY);
                     match end == self.faces.len() {
                         false => Stage::Testing(occlusion, end),
                         true if self.kind == Element::Vertex => Stage::Isolated(occlusion, 0),
@@ -145,11 +154,22 @@ impl InParts for RegionSelection {
 
 impl RegionSelection {
     fn through<'a>(&'a self, sight: &'a Sight<'a>, occlusion: Option<&'a Occlusion>) -> Through<'a> {
-        Through { sight: *sight, region: &self.region, visible_only: self.visible_only, occlusion }
+        Through {
+            sight: *sight,
+            region: &self.region,
+            visible_only: self.visible_only,
+            occlusion,
+            rays: Cell::new(0),
+        }
     }
 
-    /// Tests the elements of some faces that haven't been tested yet.
-    fn test(&mut self, sight: &Sight<'_>, occlusion: Option<&Occlusion>, faces: std::ops::Range<usize>) {
+    /// Tests the elements of some faces that haven't been tested yet; returns the number of rays that it took.
+    fn test(
+        &mut self,
+        sight: &Sight<'_>,
+        occlusion: Option<&Occlusion>,
+        faces: std::ops::Range<usize>,
+    ) -> usize {
         let mesh = sight.mesh;
         let (mut tested, mut found) = (std::mem::take(&mut self.tested), std::mem::take(&mut self.found));
         let through = self.through(sight, occlusion);
@@ -184,7 +204,9 @@ impl RegionSelection {
                 }
             }
         }
+        let rays = through.rays.get();
         (self.tested, self.found) = (tested, found);
+        rays
     }
 
     fn take_found(&mut self) -> Vec<u32> {
@@ -203,8 +225,12 @@ impl Through<'_> {
 
     /// Whether a point counts as visible; `by_ray` decides where the depth buffer can't.
     fn sees(&self, point: Vec3, by_ray: impl FnOnce() -> bool) -> bool {
+        let count_and_cast = || {
+            self.rays.set(self.rays.get() + 1);
+            by_ray()
+        };
         !self.visible_only
-            || self.occlusion.and_then(|o| o.sees(self.sight.view(), point)).unwrap_or_else(by_ray)
+            || self.occlusion.and_then(|o| o.sees(self.sight.view(), point)).unwrap_or_else(count_and_cast)
     }
 
     fn has_edge(&self, edge: EdgeId) -> bool {
