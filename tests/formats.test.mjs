@@ -189,7 +189,7 @@ editorTest("?model= opens a file of another site", once, async (_, t) => {
   });
   await asking(t, shelf({ "/one.gltf": gltf.json }), "one.gltf", async (editor) => {
     editor.expectErrors(/404/);
-    await alert(editor, /my data\.bin, which was not given.*the server answered 404/s);
+    await alert(editor, /my data\.bin, which holds its data and was not given.*the server answered 404/s);
     assert.equal((await editor.state()).document.faces, 6, "the cube stays");
     editor.assertNoErrors();
   });
