@@ -57,6 +57,7 @@ impl Page<'_> {
             Action::Shadow => style.shadow,
             Action::Dots => style.vertices,
             Action::Grid => style.grid,
+            Action::Gizmo(gizmo) => self.live_settings.gizmo == gizmo,
             Action::Snap => self.live_settings.snaps,
             Action::SnapTo(to) => self.live_settings.snap_to == to,
             Action::Soft => self.live_settings.soft,

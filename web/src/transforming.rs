@@ -49,9 +49,21 @@ pub enum SnapTo {
     Face,
 }
 
+/// What the handles at the selection do.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Gizmo {
+    /// There are none.
+    #[default]
+    Off,
+    Move,
+    Rotate,
+    Scale,
+}
+
 /// The settings, which last from one edit to the next.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(crate) struct Settings {
+    pub gizmo: Gizmo,
     pub pivot: Pivot,
     pub orientation: Orientation,
     /// Whether edits snap; holding Ctrl does the opposite.

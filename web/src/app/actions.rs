@@ -14,6 +14,7 @@ use crate::bezier::{self, ControlPoint};
 use crate::input::actions::Action;
 use crate::input::availability::{follows_pointer, opens_form};
 use crate::live::edit::Start;
+use crate::live::place::Place;
 use crate::page_view::Page;
 use crate::panels::operations::EDGE_LENGTH;
 use crate::panels::viewport::control_points::add_control_point;
@@ -146,6 +147,10 @@ impl App {
             Action::Move => self.start_live(OpId::Transform, "translate"),
             Action::Rotate => self.start_live(OpId::Transform, "rotate"),
             Action::Scale => self.start_live(OpId::Transform, "scale"),
+            Action::Gizmo(gizmo) => {
+                self.session.live_settings.gizmo = gizmo;
+                self.session.place = Place::of_selection(&self.session.editor);
+            }
             Action::Snap => self.session.live_settings.snaps ^= true,
             Action::SnapTo(to) => self.session.live_settings.snap_to = to,
             Action::Soft => self.session.live_settings.soft ^= true,

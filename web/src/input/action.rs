@@ -9,7 +9,7 @@ use halfedge::Element;
 use viewport::{ColorBy, Look, Mark, Side};
 
 use super::presets::Preset;
-use crate::transforming::{Orientation, Pivot, SnapTo};
+use crate::transforming::{Gizmo, Orientation, Pivot, SnapTo};
 
 /// Something the user can start.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -133,6 +133,8 @@ pub enum Action {
     Rotate,
     /// Scales the selection with the pointer.
     Scale,
+    /// Chooses the handles at the selection.
+    Gizmo(Gizmo),
     /// Switches snapping.
     Snap,
     /// Chooses what moved elements snap to.

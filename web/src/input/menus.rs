@@ -39,6 +39,7 @@ pub fn submenu(action: Action) -> Option<&'static str> {
         A::AutoSmooth(_) => Some("Auto smooth"),
         A::ColorBy(_) => Some("Colour by"),
         A::Mark(_) => Some("Marks"),
+        A::Gizmo(_) => Some("Gizmo"),
         A::PivotAt(_) => Some("Pivot"),
         A::Orient(_) => Some("Axes"),
         A::SnapTo(_) => Some("Snap to"),

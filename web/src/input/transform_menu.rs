@@ -1,7 +1,7 @@
 //! The Transform menu: moving, rotating and scaling with the pointer, and how they do it.
 
 use super::action::{Action as A, Entry, entry};
-use crate::transforming::{Orientation, Pivot, SnapTo};
+use crate::transforming::{Gizmo, Orientation, Pivot, SnapTo};
 
 /// Its entries.
 pub(super) static ENTRIES: &[Option<Entry>] = &[
@@ -18,6 +18,13 @@ pub(super) static ENTRIES: &[Option<Entry>] = &[
             .synonyms(&["size"]),
     ),
     None,
+    Some(
+        entry(A::Gizmo(Gizmo::Move), "Move gizmo", "Show handles that move the selection.")
+            .synonyms(&["arrows"]),
+    ),
+    Some(entry(A::Gizmo(Gizmo::Rotate), "Rotate gizmo", "Show rings that rotate the selection.")),
+    Some(entry(A::Gizmo(Gizmo::Scale), "Scale gizmo", "Show handles that scale the selection.")),
+    Some(entry(A::Gizmo(Gizmo::Off), "No gizmo", "Show no handles at the selection.")),
     Some(
         entry(A::Snap, "Snap", "Snap moves, turns and sizes; holding Ctrl does the opposite.")
             .synonyms(&["magnet"]),

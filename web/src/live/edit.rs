@@ -5,8 +5,9 @@ use editor::{Command, CommandError, Facts, OpId};
 use egui::{Modifiers, Pos2};
 use glam::{Mat3, Quat, Vec3};
 use serde_json::{Value, json};
+use viewport::Camera;
 
-use super::lock::{Lock, axes_of_normal};
+use super::lock::{Lock, axes_of};
 use super::place::Place;
 use super::pointer::{Sight, length_step, rounded};
 use super::typed::Typed;
@@ -56,8 +57,8 @@ pub(crate) struct Live {
     pub count: Option<(&'static Field, u32)>,
     place: Place,
     anchor: Vec3,
-    /// Right, up and towards the viewer, as the view was last seen.
-    view_axes: Mat3,
+    /// The view when the edit began, whose axes it keeps.
+    camera: Camera,
     /// Elements named in the command, where the vertices of the selection don't say enough.
     pub(crate) given: Filled,
     /// The degrees that the pointer has turned about the middle.
@@ -81,7 +82,6 @@ impl Live {
         let spec = start.id.spec();
         let field = spec.field(start.field).filter(|field| field.drag.is_some()).or(spec.dragged_field())?;
         let drag = field.drag?;
-        let [right, up, forward] = view.camera.axes().map(|axis| axis.as_vec3());
         let count = spec.fields.iter().find_map(|field| match (field.kind, field.default_value()) {
             (FieldKind::Integer { unit: Unit::Count, .. }, Some(value)) => {
                 Some((field, value.as_u64()? as u32))
@@ -98,7 +98,7 @@ impl Live {
             count,
             place,
             anchor: start.anchor.unwrap_or(anchor),
-            view_axes: Mat3::from_cols(right, up, -forward),
+            camera: view.camera,
             given: Filled::new(),
             turned: 0.0,
             from: start.from,
@@ -122,17 +122,18 @@ impl Live {
 
     /// The directions of x, y and z for the lock.
     fn axes(&self, settings: &Settings) -> Mat3 {
-        match self.lock.orientation(settings.orientation) {
-            Orientation::Global => Mat3::IDENTITY,
-            Orientation::Normal => axes_of_normal(self.place.normal),
-            Orientation::View => self.view_axes,
-        }
+        axes_of(self.lock.orientation(settings.orientation), self.place.normal, &self.camera)
+    }
+
+    /// The normal of what is edited.
+    pub(crate) fn normal(&self) -> Vec3 {
+        self.place.normal
     }
 
     /// The axis of a rotation.
     fn axis(&self, settings: &Settings) -> Vec3 {
         match self.lock {
-            Lock::Free => self.view_axes.z_axis,
+            Lock::Free => -self.camera.axes()[2].as_vec3(),
             Lock::Along(axis, _) | Lock::Across(axis, _) => self.axes(settings).col(axis.min(2)),
         }
     }

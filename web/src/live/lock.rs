@@ -1,6 +1,7 @@
 //! What an edit is limited to: an axis, or the plane across one.
 
 use glam::{Mat3, Vec3};
+use viewport::Camera;
 
 use crate::transforming::Orientation;
 
@@ -81,8 +82,20 @@ impl Lock {
     }
 }
 
+/// The directions of x, y and z in an orientation.
+pub(crate) fn axes_of(orientation: Orientation, normal: Vec3, camera: &Camera) -> Mat3 {
+    match orientation {
+        Orientation::Global => Mat3::IDENTITY,
+        Orientation::Normal => axes_of_normal(normal),
+        Orientation::View => {
+            let [right, up, forward] = camera.axes().map(|axis| axis.as_vec3());
+            Mat3::from_cols(right, up, -forward)
+        }
+    }
+}
+
 /// The axes with z along a normal; x is horizontal where that is possible.
-pub(crate) fn axes_of_normal(normal: Vec3) -> Mat3 {
+fn axes_of_normal(normal: Vec3) -> Mat3 {
     let Some(z) = normal.try_normalize() else { return Mat3::IDENTITY };
     let x = Vec3::Y.cross(z).try_normalize().filter(|_| z.y.abs() < 0.999).unwrap_or(Vec3::X);
     let x = (x - z * x.dot(z)).normalize_or(z.any_orthonormal_vector());

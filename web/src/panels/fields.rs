@@ -130,15 +130,16 @@ fn edit(ui: &mut Ui, field: &Field, label: &str, value: &mut Value, facts: &Fact
                 axes(ui, &format!("{label} {}", at + 1), vector);
             }
         }
-        FieldKind::Rotation => {
+        // Two rows: one would widen the panel.
+        FieldKind::Rotation => drop(ui.vertical(|ui| {
             if let Some(axis) = value.get_mut("axis") {
-                axes(ui, &format!("{label} axis"), axis);
+                ui.horizontal(|ui| axes(ui, &format!("{label} axis"), axis));
             }
             if let Some(degrees) = value.get_mut("degrees") {
                 let speed = speed(Unit::Degrees, degrees, facts);
                 number(ui, Some("Degrees"), degrees, -360.0..=360.0, speed);
             }
-        }
+        })),
         FieldKind::Color => color(ui, label, value),
         FieldKind::Choice(choices) => choice(ui, label, value, choices),
         FieldKind::Flag => {
@@ -197,13 +198,16 @@ fn integer(ui: &mut Ui, value: &mut Value, range: std::ops::RangeInclusive<u32>,
     }
 }
 
+/// The decimals that three boxes in a row have room for.
+const MAX_AXIS_DECIMALS: usize = 4;
+
 fn axes(ui: &mut Ui, label: &str, value: &mut Value) {
     // A single number stands for all three.
     let at = |i: usize| value.get(i).unwrap_or(&*value).as_f64().unwrap_or_default();
     let mut numbers = [at(0), at(1), at(2)];
     let mut changed = false;
     for (axis, number) in ["x", "y", "z"].iter().zip(&mut numbers) {
-        let drag = number_box(number).speed(0.01).max_decimals(5);
+        let drag = number_box(number).speed(0.01).max_decimals(MAX_AXIS_DECIMALS);
         changed |= ui
             .add_sized([54.0, ui.spacing().interact_size.y], drag)
             .accessible_name(format!("{label} {axis}"))

@@ -29,6 +29,7 @@ impl Session {
         let Some(place) = Place::of_selection(&self.editor) else { return };
         let anchor =
             place.pivot(if start.id == OpId::Transform { self.live_settings.pivot } else { Pivot::Middle });
+        self.place = Some(place);
         self.live = Live::new(start, place, anchor, view);
         let selection = self.editor.selection();
         if self.live_settings.pivot == Pivot::Individual

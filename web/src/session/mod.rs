@@ -20,7 +20,9 @@ use egui::Context;
 use halfedge::{Element, HalfedgeId};
 
 use crate::live::edit::Live;
+use crate::live::place::Place;
 use crate::platform::Platform;
+use crate::transforming::Gizmo;
 use frame_times::FrameTimes;
 use jobs::{Jobs, Reply};
 use measures::Measured;
@@ -51,6 +53,8 @@ pub(crate) struct Session {
     pub frames: FrameTimes,
     /// The edit that follows the pointer.
     pub live: Option<Live>,
+    /// Where the selection is, while the gizmo is shown or an edit follows the pointer.
+    pub place: Option<Place>,
     /// How live edits behave.
     pub live_settings: crate::transforming::Settings,
     /// The operation that is previewed while its form is filled in.
@@ -79,6 +83,7 @@ impl Session {
             survey: Survey::default(),
             frames: FrameTimes::default(),
             live: None,
+            place: None,
             live_settings: Default::default(),
             previewing: Previewing::default(),
             adjusting_is_slow: false,
@@ -93,6 +98,10 @@ impl Session {
     /// Forgets what no longer applies after a change.
     pub fn follow(&mut self, changes: &Changes) {
         self.refusals.get_mut().clear();
+        if changes.selection || changes.document || !changes.objects.is_empty() {
+            let is_needed = self.live_settings.gizmo != Gizmo::Off || self.live.is_some();
+            self.place = is_needed.then(|| Place::of_selection(&self.editor)).flatten();
+        }
         self.survey.follow(&self.editor, changes);
         self.measured.get_mut().follow(&self.editor, changes);
         if changes.document {

@@ -456,6 +456,8 @@ fn the_adjust_panel_does_not_resize_the_viewport() {
         serde_json::json!({ "op": "bevel-edges", "edges": [0], "width": 0.1 }),
         serde_json::json!({ "op": "extrude-faces", "faces": [0], "distance": 0.1 }),
         serde_json::json!({ "op": "transform", "vertices": [5], "translate": [0.1, 0.2, 0.3] }),
+        serde_json::json!({ "op": "transform", "vertices": [5], "scale": [0.51556, 1.23456, 1],
+            "rotate": { "axis": [0.5155548, -0.4077604, 0.753567], "degrees": -123.4567 } }),
         serde_json::json!({ "op": "subdivide-catmull-clark" }),
         serde_json::json!({ "op": "smooth" }),
         serde_json::json!({ "op": "triangulate-faces" }),
@@ -490,4 +492,76 @@ fn the_last_operation_can_be_adjusted() {
     page.press_with(egui::Modifiers::COMMAND, Key::Z);
     assert_eq!(page.mesh().face_count(), 6);
     assert!(!page.has_part("Adjust last operation"), "an undo is nothing to adjust");
+}
+
+/// Chooses an entry of a submenu of the Transform menu.
+fn transform_menu(page: &mut Page, submenu: &str, entry: &str) {
+    page.click("Transform");
+    page.click(submenu);
+    page.harness.get_by_label_contains(entry).click();
+    page.run();
+}
+
+#[test]
+fn the_gizmo_moves_along_the_axis_of_its_arrow() {
+    let mut page = Page::new();
+    all_vertices(&mut page);
+    transform_menu(&mut page, "Gizmo", "Move gizmo");
+    let start = middle(&mut page);
+    // From the middle of the arrow along x, twice as far.
+    let [centre, right] = [page.at([0.0, 0.0, 0.0]), page.at([1.0, 0.0, 0.0])];
+    let way = (right - centre).normalized();
+    let from = centre + way * 50.0;
+    page.drag(from, from + way * 60.0 + vec2(way.y, -way.x) * 25.0);
+    page.drop(from + way * 60.0 + vec2(way.y, -way.x) * 25.0);
+    let moved = middle(&mut page) - start;
+    assert!(moved.x > 0.2 && moved.y == 0.0 && moved.z == 0.0, "{moved}");
+    assert_eq!(page.undo_labels().len(), 1, "one step");
+    // Beside the gizmo, a drag still turns the view.
+    let before = page.mesh().clone();
+    page.drag(centre + vec2(250.0, 200.0), centre + vec2(200.0, 150.0));
+    page.drop(centre + vec2(200.0, 150.0));
+    assert_eq!(page.mesh(), &before);
+}
+
+#[test]
+fn the_gizmos_ring_rotates_and_its_boxes_scale() {
+    let mut page = Page::new();
+    all_vertices(&mut page);
+    let centre = page.at([0.0, 0.0, 0.0]);
+    transform_menu(&mut page, "Gizmo", "Rotate gizmo");
+    let ring = 84.0 * 1.15;
+    let (from, to) = (centre + vec2(ring, 0.0), centre + vec2(0.0, ring));
+    page.drag(from, to);
+    page.drop(to);
+    let forward = page.mesh().positions().iter().map(|p| p.length()).fold(0.0, f32::max);
+    assert!((forward - 3f32.sqrt()).abs() < 1e-4, "a rotation keeps lengths");
+    assert!(page.mesh().positions().iter().any(|p| (p.x.abs() - 1.0).abs() > 0.1));
+    page.press_with(egui::Modifiers::COMMAND, Key::Z);
+
+    transform_menu(&mut page, "Gizmo", "Scale gizmo");
+    let up = (page.at([0.0, 1.0, 0.0]) - centre).normalized();
+    page.drag(centre + up * 60.0, centre + up * 120.0);
+    page.drop(centre + up * 120.0);
+    assert!(page.mesh().positions().iter().all(|p| p.x.abs() == 1.0 && p.z.abs() == 1.0));
+    let tall = page.mesh().positions().iter().map(|p| p.y.abs()).fold(0.0, f32::max);
+    assert!((tall - 2.0).abs() < 0.05, "twice as far is twice as tall: {tall}");
+}
+
+#[test]
+fn gizmos_and_locks_look_right() {
+    for (theme, name) in [(egui::Theme::Dark, "dark"), (egui::Theme::Light, "light")] {
+        let mut page = Page::drawn(crate::page::DESKTOP, theme);
+        page.select("face", &[0, 3]);
+        for entry in ["Move gizmo", "Rotate gizmo", "Scale gizmo"] {
+            transform_menu(&mut page, "Gizmo", entry);
+            crate::looks::picture(&mut page, &format!("{entry} {name}"));
+        }
+        page.press(Key::G);
+        hover(&mut page, vec2(0.0, 0.0));
+        page.press(Key::X);
+        hover(&mut page, vec2(40.0, -30.0));
+        crate::looks::picture(&mut page, &format!("moving along x {name}"));
+        page.press(Key::Escape);
+    }
 }

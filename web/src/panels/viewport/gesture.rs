@@ -10,6 +10,7 @@ use viewport::{Aim, Camera, Picked, Region, ScreenRect};
 
 use super::Viewport;
 use super::control_points;
+use super::gizmo;
 use crate::bezier::ControlPoint;
 use crate::live::edit::Start;
 use crate::live::place::vertices;
@@ -17,7 +18,7 @@ use crate::request::{Request, Requests};
 use crate::view::{Gesture, Tool};
 
 /// The radius around a mouse's pointer in which a vertex or an edge is picked, in points.
-const MOUSE_RADIUS: f32 = 8.0;
+pub(super) const MOUSE_RADIUS: f32 = 8.0;
 /// The radius around a finger, half of a touch target: the nearest element in it is meant.
 const FINGER_RADIUS: f32 = 22.0;
 
@@ -75,13 +76,6 @@ pub(super) fn select_mode(modifiers: Modifiers) -> SelectMode {
     } else {
         SelectMode::Replace
     }
-}
-
-/// Whether the pointer is a finger.
-fn by_finger(ui: &Ui) -> bool {
-    ui.input(|input| {
-        input.any_touches() || input.events.iter().any(|event| matches!(event, Event::Touch { .. }))
-    })
 }
 
 /// The direction of a turn of the wheel: 1 away from the user, -1 towards.
@@ -148,7 +142,7 @@ impl Viewport<'_> {
         }
         if self.session.live.is_some() && response.clicked() {
             // A finger that taps may go on to drag: buttons end its edits.
-            if !by_finger(ui) {
+            if !is_finger(ui) {
                 out.push(Request::EndLive { commit: true });
             }
         } else if response.clicked()
@@ -183,11 +177,18 @@ impl Viewport<'_> {
         let modifiers = modifiers_of_button(ui);
         let primary = response.dragged_by(PointerButton::Primary);
         if primary && self.session.live.is_some() {
-            let by_finger = by_finger(ui);
+            let by_finger = is_finger(ui);
             if by_finger {
                 out.push(Request::TakeUpLive(from));
             }
             self.view.gesture = Gesture::Live { applies: !by_finger };
+            return;
+        }
+        let handle = gizmo::handle_at(&self.page(), from, self.view.pick_radius)
+            .filter(|_| primary && !modifiers.any());
+        if let Some(handle) = handle {
+            out.push(Request::StartLive(handle.start(from)));
+            self.view.gesture = Gesture::Live { applies: true };
             return;
         }
         let secondary = response.dragged_by(PointerButton::Secondary);

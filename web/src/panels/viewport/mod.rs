@@ -3,6 +3,7 @@
 mod bezier_picture;
 pub(crate) mod control_points;
 mod gesture;
+mod gizmo;
 mod legend;
 mod numbers;
 mod overlay;
@@ -63,6 +64,7 @@ impl Viewport<'_> {
         }
         picture::paint(ui, rect, &self.session.editor, self.view);
         bezier_picture::paint(ui, rect, &self.session.editor, self.view, self.player);
+        gizmo::paint(ui, rect, &self.page());
         regions::show(ui, rect, &self.page());
         if self.shown.numbers {
             self.numbers(ui, rect);
