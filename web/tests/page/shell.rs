@@ -125,7 +125,7 @@ fn operations_on_the_selection_come_first_and_refused_ones_last_with_their_reaso
     let rows = listed(&page);
     let at =
         |text: &str| rows.iter().position(|row| row == text).unwrap_or_else(|| panic!("{text}: {rows:?}"));
-    assert_eq!((at("Selected face"), at("Transform"), at("Extrude faces")), (0, 1, 2));
+    assert_eq!((at("Selected face"), at("Transform…"), at("Extrude faces")), (0, 1, 2));
     assert!(at("Extrude faces") < at("Delete faces") && at("Delete faces") < at("Whole mesh"));
     assert!(rows.last().is_some_and(|row| row.starts_with("Not now")), "{rows:?}");
     assert!(!page.has("Flip edge"));
