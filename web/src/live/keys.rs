@@ -1,4 +1,4 @@
-//! The keys of an edit that follows the pointer.
+//! The keys and the wheel of an edit that follows the pointer.
 
 use editor::OpId;
 use editor::ops::Drag;
@@ -85,5 +85,14 @@ fn axis_of(key: Key) -> Option<usize> {
         Key::Y => Some(1),
         Key::Z => Some(2),
         _ => None,
+    }
+}
+
+/// The direction of a turn of the wheel: 1 away from the user, -1 towards.
+pub(crate) fn notches_of(event: &Event) -> i32 {
+    match event {
+        Event::MouseWheel { delta, .. } if delta.y > 0.0 => 1,
+        Event::MouseWheel { delta, .. } if delta.y < 0.0 => -1,
+        _ => 0,
     }
 }

@@ -75,6 +75,12 @@ pub(crate) fn vertices(mesh: &Mesh, kind: Element, id: u32) -> Box<dyn Iterator<
     }
 }
 
+/// The mean of an element's vertices; none if there is no such element.
+pub(crate) fn mean_position(mesh: &Mesh, kind: Element, id: u32) -> Option<Vec3> {
+    let positions: Vec<Vec3> = vertices(mesh, kind, id).map(|v| mesh.position(v)).collect();
+    (!positions.is_empty()).then(|| positions.iter().sum::<Vec3>() / positions.len() as f32)
+}
+
 /// The faces at an element.
 fn faces(mesh: &Mesh, kind: Element, id: u32) -> Box<dyn Iterator<Item = FaceId> + '_> {
     match kind {

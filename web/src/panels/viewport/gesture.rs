@@ -13,12 +13,13 @@ use super::control_points;
 use super::gizmo;
 use crate::bezier::ControlPoint;
 use crate::live::edit::Start;
-use crate::live::place::vertices;
+use crate::live::keys::notches_of;
+use crate::live::place::mean_position;
 use crate::request::{Request, Requests};
 use crate::view::{Gesture, Tool};
 
 /// The radius around a mouse's pointer in which a vertex or an edge is picked, in points.
-pub(super) const MOUSE_RADIUS: f32 = 8.0;
+const MOUSE_RADIUS: f32 = 8.0;
 /// The radius around a finger, half of a touch target: the nearest element in it is meant.
 const FINGER_RADIUS: f32 = 22.0;
 
@@ -76,21 +77,6 @@ pub(super) fn select_mode(modifiers: Modifiers) -> SelectMode {
     } else {
         SelectMode::Replace
     }
-}
-
-/// The direction of a turn of the wheel: 1 away from the user, -1 towards.
-fn notches(event: &Event) -> i32 {
-    match event {
-        Event::MouseWheel { delta, .. } if delta.y > 0.0 => 1,
-        Event::MouseWheel { delta, .. } if delta.y < 0.0 => -1,
-        _ => 0,
-    }
-}
-
-/// The mean of an element's vertices.
-fn mean_of_element(mesh: &Mesh, kind: Element, id: u32) -> Option<Vec3> {
-    let positions: Vec<Vec3> = vertices(mesh, kind, id).map(|v| mesh.position(v)).collect();
-    (!positions.is_empty()).then(|| positions.iter().sum::<Vec3>() / positions.len() as f32)
 }
 
 impl Viewport<'_> {
@@ -226,7 +212,7 @@ impl Viewport<'_> {
         let id = self.pick_by(viewport::pick, at, kind)?;
         let mesh = self.session.editor.mesh()?;
         let is_selected = self.session.editor.selection().contains(kind, id);
-        is_selected.then(|| mean_of_element(mesh, kind, id))?
+        is_selected.then(|| mean_position(mesh, kind, id))?
     }
 
     fn continue_gesture(&mut self, ui: &Ui, response: &Response, pointer: Option<Pos2>, out: &mut Requests) {
@@ -304,7 +290,7 @@ impl Viewport<'_> {
             ui.input_mut(|input| (std::mem::take(&mut input.smooth_scroll_delta), input.zoom_delta()));
         if self.session.live.as_ref().is_some_and(|live| live.takes_wheel(&self.session.live_settings)) {
             // Smooth scrolling goes on for several frames after a notch: only the notch counts.
-            let notches = ui.input(|input| input.events.iter().map(notches).sum());
+            let notches = ui.input(|input| input.events.iter().map(notches_of).sum());
             if notches != 0 {
                 out.push(Request::LiveWheel(notches));
             }

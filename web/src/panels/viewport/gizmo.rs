@@ -77,9 +77,8 @@ pub(super) fn paint(ui: &Ui, rect: Rect, page: &Page<'_>) {
     }
     let pointer =
         ui.input(|input| input.pointer.hover_pos()).filter(|_| !ui.input(|input| input.pointer.any_down()));
-    let hovered = pointer
-        .filter(|at| rect.contains(*at))
-        .and_then(|at| handle_at(page, at, super::gesture::MOUSE_RADIUS));
+    let hovered =
+        pointer.filter(|at| rect.contains(*at)).and_then(|at| handle_at(page, at, page.view.pick_radius));
     for (handle, outline) in handles(page) {
         let color = match handle.lock {
             Lock::Free => ui.visuals().strong_text_color(),
