@@ -15,7 +15,7 @@ use surface::{FaceTree, FaceWalk};
 const VERTICES_SEARCHED_PER_ELEMENT: usize = 16;
 
 /// A ray costs as much as testing so many elements.
-const ELEMENTS_PER_RAY: usize = 4;
+const ELEMENTS_PER_RAY: usize = 16;
 /// Faces whose elements are tested before the rays are counted.
 const FACES_PER_COUNT: usize = 256;
 
@@ -85,7 +85,7 @@ impl RegionSelection {
     }
 }
 
-/// It reads the mesh and its tree. The budget counts faces found, elements tested and, four times, rays; the result is the ids found, in
+/// It reads the mesh and its tree. The budget counts faces found, elements tested and, sixteen times, rays; the result is the ids found, in
 /// ascending order.
 impl InParts for RegionSelection {
     type Input<'a> = (&'a Mesh, &'a FaceTree);
