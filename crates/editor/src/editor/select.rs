@@ -163,8 +163,12 @@ impl Editor {
     pub(super) fn drop_hidden_from_selection(&mut self) {
         let Some(object) = self.document.active() else { return };
         let (kind, latest) = (self.selection.kind(), self.selection.latest());
-        let find = Finding::known(kind, self.selection.set().clone()).shown(object.hidden());
-        let shown = find.finish(object.mesh());
+        let mut shown = self.selection.set().clone();
+        if kind == Element::Face {
+            shown.subtract(object.hidden());
+        } else {
+            shown = Finding::known(kind, shown).shown(object.hidden()).finish(object.mesh());
+        }
         self.replace_selection(Selection::of_set(kind, shown, latest));
     }
 

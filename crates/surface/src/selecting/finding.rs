@@ -51,6 +51,23 @@ enum Step {
     Shown(Element, Arc<BitSet>),
 }
 
+impl Step {
+    /// What reading an element costs, in elements: how long it takes beside the cheapest.
+    fn weight(&self) -> usize {
+        match self {
+            Self::Spread => 4,
+            Self::Around => 3,
+            Self::Every(Criterion::NonPlanar { .. }) => 8,
+            Self::Every(Criterion::Sharp { .. }) => 4,
+            Self::Every(
+                Criterion::Any | Criterion::Boundary | Criterion::Isolated | Criterion::Colored { .. },
+            ) => 1,
+            Self::Every(_) => 2,
+            _ => 1,
+        }
+    }
+}
+
 impl Finding {
     fn new(kind: Element, origin: BitSet, steps: Vec<Step>) -> Self {
         let current = origin.clone();
@@ -166,7 +183,7 @@ fn expanded(from: Element, to: Element) -> Vec<Step> {
     }
 }
 
-/// The result is the set found. The budget counts the elements that steps read.
+/// The result is the set found. The budget counts the elements that steps read, those of slow steps several times.
 impl InParts for Finding {
     type Input<'a> = &'a Mesh;
     type Output = BitSet;
@@ -176,6 +193,9 @@ impl InParts for Finding {
             if budget.is_spent() {
                 return None;
             }
+            let weight = step.weight();
+            let part = budget.left().div_ceil(weight);
+            let mut left = Budget::new(part);
             let is_done = match step {
                 Step::Every(criterion) => every(
                     mesh,
@@ -184,10 +204,10 @@ impl InParts for Finding {
                     &mut self.triangulator,
                     &mut self.at,
                     &mut self.found,
-                    budget,
+                    &mut left,
                 ),
                 Step::Spread => {
-                    spread(mesh, &self.current, &mut self.at, &mut self.front, &mut self.found, budget)
+                    spread(mesh, &self.current, &mut self.at, &mut self.front, &mut self.found, &mut left)
                 }
                 Step::WithoutOrigin => {
                     self.found = std::mem::take(&mut self.current);
@@ -199,8 +219,11 @@ impl InParts for Finding {
                     self.found.subtract(&self.current);
                     true
                 }
-                step => each(mesh, step, &self.origin, &self.current, &mut self.at, &mut self.found, budget),
+                step => {
+                    each(mesh, step, &self.origin, &self.current, &mut self.at, &mut self.found, &mut left)
+                }
             };
+            budget.take((part - left.left()).saturating_mul(weight));
             if !is_done {
                 return None;
             }

@@ -24,7 +24,7 @@ pub(super) fn faces_of(
         let selection = selection.ok_or_else(|| {
             Problem::new("nothing is given and nothing is selected").advise("Select something first.")
         })?;
-        return Ok(touching(selection.kind(), selection.ids().map(|id| id as usize).collect()));
+        return Ok(touching(selection.kind(), selection.set().clone()));
     }
     let mut found: BitSet = all(faces, "faces", mesh)?.iter().map(|f| f.index()).collect();
     let edges: BitSet = all(edges, "edges", mesh)?.iter().map(|e| e.index()).collect();

@@ -38,8 +38,7 @@ impl SelectEdit for SelectNamed {
         let Some(named) = named.get(find(object, &self.name)?) else {
             return Err(Problem::internal("a name that is listed is gone"));
         };
-        let ids = named.selection.ids().map(|id| id as usize).collect();
-        Ok(Finding::known(named.selection.kind(), ids))
+        Ok(Finding::known(named.selection.kind(), named.selection.set().clone()))
     }
 
     fn mode(&self) -> SelectMode {
