@@ -2,8 +2,10 @@
 
 use glam::Vec3;
 use halfedge::geometry::{BitSet, face_area_vector};
-use halfedge::{Budget, EdgeId, HalfedgeId, InParts, Mesh, VertexId, keys};
+use halfedge::{Budget, EdgeId, Element, HalfedgeId, InParts, Mesh, VertexId, keys};
 use std::collections::{HashMap, HashSet};
+use std::sync::Arc;
+use surface::selecting::is_hidden;
 use surface::{measure, normals};
 
 use crate::corner_normals::{Hardness, Shading};
@@ -124,6 +126,8 @@ pub(crate) struct MarkSearch {
     sides: HashMap<[Place; 2], [u32; 2]>,
     /// Places with several edges, whether they could be joined or not.
     edged: HashSet<Place>,
+    /// Faces that are hidden with what belongs to no others.
+    hidden: Arc<BitSet>,
 }
 
 impl MarkSearch {
@@ -143,7 +147,17 @@ impl MarkSearch {
             shared: BitSet::new(),
             sides: HashMap::new(),
             edged: HashSet::new(),
+            hidden: Arc::default(),
         }
+    }
+
+    /// Finds no marks of hidden elements: these faces, and edges and vertices of no others.
+    pub fn without(self, hidden: &Arc<BitSet>) -> Self {
+        Self { hidden: hidden.clone(), ..self }
+    }
+
+    fn shows(&self, mesh: &Mesh, kind: Element, id: usize) -> bool {
+        !is_hidden(mesh, kind, id, &self.hidden)
     }
 
     /// The kinds that are searched for.
@@ -182,7 +196,7 @@ impl MarkSearch {
                 }
             }
             Stage::Crowded => {
-                if let Some(e) = mesh.edge(id)
+                if let Some(e) = mesh.edge(id).filter(|e| self.shows(mesh, Element::Edge, e.index()))
                     && self.shared(mesh, e).and_then(|(key, _)| self.sides.get(&key)).is_some_and(is_crowded)
                 {
                     self.push(Mark::NonManifold, self.line(mesh, e));
@@ -194,7 +208,7 @@ impl MarkSearch {
                 }
             }
             Stage::Faces => {
-                if let Some(f) = mesh.face(id) {
+                if let Some(f) = mesh.face(id).filter(|f| self.shows(mesh, Element::Face, f.index())) {
                     let middle = (measure::face_center(mesh, f) - self.origin.as_dvec3()).as_vec3();
                     let tip = middle + normals::face_normal(mesh, f) * self.length;
                     self.push(Mark::FaceNormals, [middle.to_array(), tip.to_array()]);
@@ -205,13 +219,14 @@ impl MarkSearch {
 
     fn visit_edge(&mut self, mesh: &Mesh, e: EdgeId) {
         let line = self.line(mesh, e);
-        if self.marks.has(Mark::Boundary) && mesh.is_boundary_edge(e) {
+        let shows = self.shows(mesh, Element::Edge, e.index());
+        if shows && self.marks.has(Mark::Boundary) && mesh.is_boundary_edge(e) {
             self.push(Mark::Boundary, line);
         }
-        if self.marks.has(Mark::Sharp) && is_sharp(mesh, e) {
+        if shows && self.marks.has(Mark::Sharp) && is_sharp(mesh, e) {
             self.push(Mark::Sharp, line);
         }
-        if self.marks.has(Mark::Seam) && is_seam(mesh, e) {
+        if shows && self.marks.has(Mark::Seam) && is_seam(mesh, e) {
             self.push(Mark::Seam, line);
         }
         if let Some((key, is_forward)) = self.shared(mesh, e) {
@@ -242,7 +257,7 @@ impl MarkSearch {
     }
 
     fn visit_vertex(&mut self, mesh: &Mesh, v: VertexId) {
-        if mesh.halfedge_from(v).is_none() {
+        if mesh.halfedge_from(v).is_none() || !self.shows(mesh, Element::Vertex, v.index()) {
             return;
         }
         if self.marks.has(Mark::VertexNormals) {
@@ -347,6 +362,20 @@ mod tests {
 
     fn lines(mesh: &Mesh, mark: Mark) -> usize {
         found(mesh, mark).lines[mark as usize].len()
+    }
+
+    #[test]
+    fn hidden_elements_are_not_marked() {
+        let mesh = folded(90.0);
+        let count = |hidden: &[usize], mark: Mark| {
+            let hidden = Arc::new(hidden.iter().copied().collect());
+            let search = MarkSearch::new(&mesh, Marks::default().toggled(mark), Vec3::ZERO).without(&hidden);
+            search.finish(&mesh).lines[mark as usize].len()
+        };
+        for (hidden, expected) in [(&[][..], [6, 1, 2, 6]), (&[0], [3, 1, 1, 4]), (&[0, 1], [0; 4])] {
+            let marks = [Mark::Boundary, Mark::Sharp, Mark::FaceNormals, Mark::VertexNormals];
+            assert_eq!(marks.map(|mark| count(hidden, mark)), expected, "{hidden:?}");
+        }
     }
 
     /// Two squares that share an edge, the second turned up by an angle.

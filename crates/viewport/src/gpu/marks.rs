@@ -3,7 +3,9 @@
 use super::stream::Stream;
 use crate::marks::{Mark, MarkSearch, Marks};
 use glam::Vec3;
+use halfedge::geometry::BitSet;
 use halfedge::{Budget, InParts, Mesh};
+use std::sync::Arc;
 
 /// Bytes of a line.
 pub const LINE_BYTES: u64 = 24;
@@ -16,6 +18,7 @@ pub struct MarkBuffers {
     pub origin: Vec3,
     pub lines: [Stream; Mark::ALL.len()],
     pub points: Stream,
+    hidden: Arc<BitSet>,
     /// Whether the mesh has changed since the buffers, or the search, began.
     is_stale: bool,
     search: Option<(MarkSearch, Vec3)>,
@@ -28,9 +31,15 @@ impl MarkBuffers {
             origin: Vec3::ZERO,
             lines: Mark::ALL.map(|_| Stream::new("marked edges")),
             points: Stream::new("marked vertices"),
+            hidden: Arc::default(),
             is_stale: false,
             search: None,
         }
+    }
+
+    /// Sets the hidden faces, whose marks aren't drawn.
+    pub fn set_hidden(&mut self, faces: &Arc<BitSet>) {
+        self.hidden.clone_from(faces);
     }
 
     /// Notes that the mesh changed.
@@ -51,7 +60,7 @@ impl MarkBuffers {
         let aims_at = self.search.as_ref().map_or(self.has, |(search, _)| search.marks());
         if self.is_stale || aims_at != wanted {
             self.is_stale = false;
-            self.search = Some((MarkSearch::new(mesh, wanted, origin), origin));
+            self.search = Some((MarkSearch::new(mesh, wanted, origin).without(&self.hidden), origin));
         }
         let Some((search, origin)) = &mut self.search else { return (false, false) };
         let Some(found) = search.step(mesh, budget) else { return (false, true) };

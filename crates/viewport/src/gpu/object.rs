@@ -96,6 +96,7 @@ impl Object {
     pub fn set_hidden(&mut self, faces: &Arc<BitSet>) {
         self.hidden.clone_from(faces);
         self.buffers.set_hidden(faces);
+        self.marks.set_hidden(faces);
     }
 
     /// Uploads a whole mesh; returns the number of bytes.
