@@ -74,15 +74,24 @@ editorTest("each edit by hand is one undo step, and undo restores the exact stat
   await stepped("an upsampling of triangles");
   await editor.screenshot("subdivided");
 
-  // Undo everything, then redo everything.
+  // Undo everything, then redo everything. Keys go through changes of the selection too.
+  const pressUntil = async (key, edits) => {
+    for (let presses = 0; (await labels(editor)).length !== edits; presses += 1) {
+      assert.ok(presses < 4, `${key} changes something`);
+      await editor.press(key);
+    }
+  };
   for (let step = steps.length - 2; step >= 0; step -= 1) {
-    await editor.press("Control+z");
+    await pressUntil("Control+z", step);
     assert.deepEqual(await whole(editor), steps[step], `after undo to step ${step}`);
   }
   assert.equal((await editor.state()).document.dirty, false);
+  assert.equal((await editor.find("Undo", "button")).disabled, false, "vertex 7 was selected first");
+  await editor.press("Control+z");
+  assert.deepEqual((await editor.state()).selection.ids, []);
   assert.equal((await editor.find("Undo", "button")).disabled, true);
   for (let step = 1; step < steps.length; step += 1) {
-    if (step % 2) await editor.press("Control+Shift+z");
+    if (step % 2) await pressUntil("Control+Shift+z", step);
     else await editor.redo();
     assert.deepEqual(await whole(editor), steps[step], `after redo to step ${step}`);
   }

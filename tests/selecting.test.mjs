@@ -251,3 +251,52 @@ editorTest("a double-click selects a loop, in slow frames too", { sizes: [SMALL]
   await editor.until("the loop is selected", async () => (await editor.state()).selection.ids.length === 6);
   assert.equal((await editor.state()).selection.kind, "edge");
 });
+
+editorTest("criteria, hiding and switching work by menus and keys, and undo steps through them", { sizes: [SMALL] }, async (editor) => {
+  await editor.run({ op: "new", shape: "torus" });
+  const { faces } = (await editor.state()).document;
+  const selected = async () => {
+    const { kind, ids } = (await editor.state()).selection;
+    return [kind, ids.length];
+  };
+  const hidden = async () => (await editor.state()).document.objects[0].hidden ?? 0;
+
+  await editor.click("Select", "button");
+  await editor.click("By criterion", "button");
+  await editor.click("Select quads", "button");
+  assert.deepEqual(await selected(), ["face", faces]);
+  await editor.press("2");
+  assert.deepEqual(await selected(), ["edge", 2 * faces]);
+  await editor.press("Control+z");
+  await editor.press("Control+z");
+  assert.deepEqual((await selected())[1], 0);
+  assert.deepEqual((await editor.state()).history.undo, ["New shape"], "selecting is no edit");
+
+  await editor.press("4");
+  await editor.page.mouse.move(5, 5);
+  await editor.frames(3);
+  const before = await editor.screenshot();
+  await editor.select("face", Array.from({ length: 300 }, (_, id) => id));
+  await editor.press("h");
+  assert.deepEqual([await hidden(), ...(await selected())], [300, "face", 0]);
+  await editor.frames(3);
+  const rect = (await editor.state()).view.rect;
+  const after = await editor.screenshot("faces hidden");
+  assert.ok(after.difference(before, rect) > 500, "hidden faces aren't drawn");
+  await editor.press("Control+a");
+  assert.deepEqual(await selected(), ["face", faces - 300]);
+  await editor.click("Reveal", "button");
+  assert.equal(await hidden(), 0);
+  await editor.run({ op: "select-elements", faces: [5, 6] });
+  await editor.press("/");
+  assert.equal(await hidden(), faces - 2);
+  await editor.press("/");
+  assert.equal(await hidden(), 0);
+
+  const outcome = await editor.run({ op: "select-sharp-edges", angle: 10, mode: "extend" });
+  assert.match(outcome.message, /^Select sharp edges: .* edges found$/);
+  await editor.run({ op: "name-selection", name: "Sharp" });
+  const count = (await selected())[1];
+  const [object] = (await editor.state()).document.objects;
+  assert.deepEqual(object.selections, [{ name: "Sharp", kind: "edge", count }]);
+});
