@@ -147,7 +147,7 @@ pub static GESTURES: &[(&str, &str)] = &[
     ),
     ("Select with a box", "The box tool: drag; with Shift, add; with Ctrl, add or remove"),
     ("Add or remove with a box", "Ctrl+drag"),
-    ("Move a vertex", "Drag a selected vertex"),
+    ("Move the selection", "Drag a selected element, or a handle of the gizmo"),
     ("Move a control point", "Drag it, on a Bezier curve or surface"),
     ("Add a control point", "Double-click, on a Bezier curve"),
 ];
