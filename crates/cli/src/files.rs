@@ -4,7 +4,7 @@ use crate::Failure;
 use editor::Document;
 use formats::{Format, Import, NamedBytes, Repairs};
 use std::ops::ControlFlow;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
 
 /// A file that was read, and the time it took.
@@ -94,7 +94,8 @@ pub fn output_format(path: &Path, given: Option<Format>) -> Result<Format, Failu
     }
 }
 
-/// Writes a document, and prints on standard error what the format can't hold.
+/// Writes a document, and prints on standard error what the format can't hold. Existing files are replaced only when
+/// every new one is written: a full disk destroys nothing.
 pub fn write(path: &Path, format: Format, document: &Document) -> Result<(), Failure> {
     let stem = path.file_stem().map_or_else(String::new, |stem| stem.to_string_lossy().into_owned());
     let model = document.to_model(&stem);
@@ -103,6 +104,7 @@ pub fn write(path: &Path, format: Format, document: &Document) -> Result<(), Fai
     }
     let files = formats::write(format, &model)
         .map_err(|error| Failure::File(format!("{}: {error}", path.display())))?;
+    let mut written = Unfinished(Vec::new());
     for (at, file) in files.iter().enumerate() {
         let place = if at == 0 { path.to_owned() } else { path.with_file_name(&file.name) };
         let failed =
@@ -116,7 +118,39 @@ pub fn write(path: &Path, format: Format, document: &Document) -> Result<(), Fai
         if let Some(folder) = place.parent().filter(|_| file.name.contains('/')) {
             std::fs::create_dir_all(folder).map_err(failed)?;
         }
-        std::fs::write(&place, &file.bytes).map_err(failed)?;
+        if place.is_dir() {
+            return Err(failed(std::io::Error::from(std::io::ErrorKind::IsADirectory)));
+        }
+        let mut name = place.file_name().unwrap_or_default().to_owned();
+        name.push(".part");
+        let part = place.with_file_name(name);
+        written.0.push((part.clone(), place.clone()));
+        std::fs::write(&part, &file.bytes).map_err(failed)?;
     }
-    Ok(())
+    written.finish()
+}
+
+/// Files under temporary names, with the names that they get; removed if they don't.
+struct Unfinished(Vec<(PathBuf, PathBuf)>);
+
+impl Unfinished {
+    fn finish(mut self) -> Result<(), Failure> {
+        // Companion files first, so that the main file never refers to one that is missing.
+        while let Some((part, place)) = self.0.pop() {
+            if let Err(error) = std::fs::rename(&part, &place) {
+                self.0.push((part, place.clone()));
+                return Err(Failure::File(format!("{} can't be written: {error}", place.display())));
+            }
+        }
+        Ok(())
+    }
+}
+
+impl Drop for Unfinished {
+    fn drop(&mut self) {
+        for (part, _) in &self.0 {
+            // It may not exist; there is nothing more to do about one that can't be removed.
+            let _ = std::fs::remove_file(part);
+        }
+    }
 }

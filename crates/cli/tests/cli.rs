@@ -180,6 +180,28 @@ fn a_format_can_be_chosen_whatever_the_extension() {
 }
 
 #[test]
+fn files_are_replaced_only_when_all_are_written() {
+    let folder = folder("replaced");
+    let cube = write(&folder, "cube.obj", &format!("mtllib cube.mtl\nusemtl red\n{CUBE}"));
+    write(&folder, "cube.mtl", "newmtl red\nKd 1 0 0\n");
+    let old = write(&folder, "out.obj", "v 1 2 3\n");
+    // The material library can't be written where a folder has its name.
+    std::fs::create_dir(folder.join("out.mtl")).expect("a folder");
+    let output = run(&["convert", text(&cube), text(&old)]);
+    assert_eq!(output.status.code(), Some(2));
+    assert!(String::from_utf8_lossy(&output.stderr).contains("out.mtl can't be written"));
+    assert_eq!(std::fs::read_to_string(&old).expect("still there"), "v 1 2 3\n");
+    std::fs::remove_dir(folder.join("out.mtl")).expect("the folder");
+    assert_eq!(run(&["convert", text(&cube), text(&old)]).status.code(), Some(0));
+    let mut names: Vec<_> = std::fs::read_dir(&folder)
+        .expect("a folder")
+        .map(|entry| entry.expect("an entry").file_name().into_string().expect("text"))
+        .collect();
+    names.sort();
+    assert_eq!(names, ["cube.mtl", "cube.obj", "out.mtl", "out.obj"], "no temporary files are left");
+}
+
+#[test]
 fn refused_commands_exit_with_1_and_write_nothing() {
     let folder = folder("refused");
     let cube = write(&folder, "cube.obj", CUBE);

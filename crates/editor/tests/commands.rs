@@ -263,6 +263,26 @@ fn transform_scales_rotates_and_moves() {
 }
 
 #[test]
+fn levels_have_a_limit_on_meshes_without_faces_too() {
+    let mut editor = Editor::with_mesh("Points", Mesh::new());
+    for op in ["subdivide-linear", "subdivide-catmull-clark", "subdivide-loop"] {
+        let command = Command::from_value(json!({"op": op, "levels": u32::MAX})).expect("a command");
+        let error = editor.run(command).expect_err("too many levels").to_string();
+        assert!(error.contains("`levels`"), "{error}");
+    }
+}
+
+#[test]
+fn a_long_axis_is_a_direction_too() {
+    let mut editor = on_cube();
+    let before = editor.mesh().expect("a cube").positions().to_vec();
+    let turn = json!({"axis": [0, 0, 1e38], "degrees": 90});
+    run(&mut editor, json!({"op": "transform", "vertices": [1], "rotate": turn, "pivot": [0, 0, 0]}));
+    let [old, new] = [before[1], editor.mesh().expect("a cube").position(VertexId::new(1))];
+    assert!(new.distance(Vec3::new(-old.y, old.x, old.z)) < 1e-5, "{old} became {new}");
+}
+
+#[test]
 fn transform_scales_along_turned_axes() {
     let mut editor = on_cube();
     let before = editor.mesh().expect("a cube").positions().to_vec();

@@ -252,8 +252,11 @@ impl Transform {
 /// The rotation as a quaternion; `field` is what an error names.
 fn quaternion(rotate: Option<Rotate>, field: &str) -> Result<Quat, Problem> {
     let Some(Rotate { axis, degrees }) = rotate else { return Ok(Quat::IDENTITY) };
+    // The square of a large axis overflows in single precision.
+    let long = || Some(Vec3::from(axis).as_dvec3().try_normalize()?.as_vec3());
     let axis = Vec3::from(axis)
         .try_normalize()
+        .or_else(long)
         .ok_or_else(|| Problem::field(field, "is too short to give a direction"))?;
     Ok(Quat::from_axis_angle(axis, degrees.to_radians()))
 }

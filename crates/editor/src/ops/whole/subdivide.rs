@@ -27,6 +27,9 @@ impl From<Boundary> for BoundaryRule {
 /// The highest level that forms offer; a result that is too large is refused whatever the level.
 const MAX_FORM_LEVELS: u32 = 12;
 
+/// The most levels. Meshes with faces reach their own limit long before; those without have none.
+const MAX_LEVELS: u32 = 1000;
+
 /// The default number of levels.
 pub(super) const LEVELS: u32 = 1;
 
@@ -44,6 +47,9 @@ pub(super) const fn boundary() -> Field {
 pub(super) fn check_levels(levels: u32) -> Result<(), Problem> {
     if levels == 0 {
         return Err(Problem::field("levels", "0 does nothing; it must be 1 or more"));
+    }
+    if levels > MAX_LEVELS {
+        return Err(Problem::field("levels", format!("{levels} levels make too many faces; use fewer levels")));
     }
     Ok(())
 }
