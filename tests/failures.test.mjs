@@ -75,7 +75,7 @@ editorTest("settings are kept across visits", once, async (editor) => {
   const theme = async () => (await editor.state()).view.theme;
   const first = await theme();
   const other = first === "dark" ? "Light theme" : "Dark theme";
-  await editor.click("View", "button");
+  await editor.click("Edit", "button");
   await editor.click("Theme", "button");
   await editor.click(other);
   await editor.until("the theme changes", async () => (await theme()) !== first);

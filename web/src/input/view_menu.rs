@@ -234,10 +234,6 @@ pub(super) static ENTRIES: &[Option<Entry>] = &[
     None,
     Some(entry(A::LeftPanel, "Element lists", "Show or hide the lists.")),
     Some(entry(A::RightPanel, "Inspector", "Show or hide the inspector and the operations.")),
-    None,
-    Some(entry(A::SystemTheme, "System theme", "Use the system's light or dark theme.")),
-    Some(entry(A::LightTheme, "Light theme", "Use dark text on a light page.")),
-    Some(entry(A::DarkTheme, "Dark theme", "Use light text on a dark page.")),
 ];
 
 const fn auto_smooth(degrees: u8, label: &'static str) -> Option<Entry> {

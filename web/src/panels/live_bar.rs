@@ -9,6 +9,9 @@ use crate::page_view::Page;
 use crate::request::{Request, Requests};
 use crate::widgets::number_box::number_box;
 
+/// The width of a viewport that has room for a hint.
+const MIN_WIDTH_FOR_HINT_POINTS: f32 = 620.0;
+
 /// Shows the bar: the name of the edit, its amount, its lock, and buttons that end it.
 pub(crate) fn show(ctx: &Context, page: &Page<'_>, out: &mut Requests) {
     let Some(live) = &page.live else { return };
@@ -35,6 +38,8 @@ pub(crate) fn show(ctx: &Context, page: &Page<'_>, out: &mut Requests) {
             });
             match &live.refused {
                 Some(reason) => ui.colored_label(ui.visuals().warn_fg_color, reason),
+                // In a narrow viewport the bar would hide what is edited.
+                None if page.view.rect.width() < MIN_WIDTH_FOR_HINT_POINTS => return,
                 None => ui.label(RichText::new(hint(page, live)).small().weak()),
             };
         });

@@ -565,3 +565,18 @@ fn gizmos_and_locks_look_right() {
         page.press(Key::Escape);
     }
 }
+
+#[test]
+fn a_move_follows_back_and_forth() {
+    let mut page = Page::new();
+    page.select("vertex", &[7]);
+    hover(&mut page, vec2(-200.0, -100.0));
+    page.press(Key::G);
+    for step in 1..=4 {
+        hover(&mut page, vec2(-200.0, -100.0) + vec2(30.0, -30.0) * (step as f32 / 4.0));
+    }
+    let far = page.mesh().clone();
+    hover(&mut page, vec2(-185.0, -115.0));
+    assert_ne!(page.mesh(), &far);
+    page.press(Key::Escape);
+}
