@@ -40,7 +40,8 @@ impl Panels {
         elements::show(ui, page, &mut self.lists, out);
     }
 
-    /// The panel on the right: the selection or the document, and the operations below it. A form comes first.
+    /// The panel on the right: the selection or the document, and the operations below it. A form and the last operation's
+    /// fields come first.
     pub fn right(&mut self, ui: &mut Ui, page: &Page<'_>, out: &mut Requests) {
         ScrollArea::vertical().auto_shrink([false, false]).show(ui, |ui| {
             ui.add_space(4.0);
@@ -49,6 +50,8 @@ impl Panels {
                 separator(ui);
                 inspector::show(ui, page, &mut self.inspector, out);
             } else {
+                // First, so that it is in view however much there is to say about the result.
+                operations::adjust(ui, page, &mut self.forms, out);
                 inspector::show(ui, page, &mut self.inspector, out);
                 separator(ui);
                 operations::show(ui, page, &mut self.forms, out);

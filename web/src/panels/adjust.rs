@@ -30,8 +30,15 @@ pub(crate) fn show(ui: &mut Ui, page: &Page<'_>, own: &mut Adjusting, out: &mut 
     let is_shown = |field: &Field| !field.is_target() && !matches!(field.fill, Fill::Optional(_));
     // A new shape is adjusted in its own form.
     let makes_document = command.op.id() == OpId::New;
+    // The inspector has these fields, and must not move away while they change.
+    let in_inspector = matches!(command.op.id(), OpId::SetFaceColor | OpId::SetVertexPosition);
     let has_text = spec.fields.iter().any(|field| field.kind == FieldKind::Text);
-    if has_text || spec.scope == Scope::Document || makes_document || !spec.fields.iter().any(is_shown) {
+    if has_text
+        || spec.scope == Scope::Document
+        || makes_document
+        || in_inspector
+        || !spec.fields.iter().any(is_shown)
+    {
         return;
     }
     let before = own.pending.clone().unwrap_or_else(|| command.clone());

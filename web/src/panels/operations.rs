@@ -80,14 +80,18 @@ impl Forms {
     }
 }
 
-/// The panel: the form that is open, or else the last operation's fields and the list of operations.
+/// The last operation's fields, unless a form is open.
+pub(crate) fn adjust(ui: &mut Ui, page: &Page<'_>, own: &mut Forms, out: &mut Requests) {
+    if own.chosen.is_none() {
+        adjust::show(ui, page, &mut own.adjusting, out);
+    }
+}
+
+/// The panel: the form that is open, or else the list of operations.
 pub(crate) fn show(ui: &mut Ui, page: &Page<'_>, own: &mut Forms, out: &mut Requests) {
     match own.chosen {
         Some(id) => form(ui, page, own, id, out),
-        None => {
-            adjust::show(ui, page, &mut own.adjusting, out);
-            operation_list::show(ui, page, &mut own.list, out);
-        }
+        None => operation_list::show(ui, page, &mut own.list, out),
     }
 }
 

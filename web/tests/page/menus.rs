@@ -413,7 +413,7 @@ fn a_job_shows_its_progress_and_can_be_cancelled() {
 #[test]
 fn the_theme_is_kept() {
     let mut page = Page::new();
-    page.click("View");
+    page.click("Edit");
     page.click("Theme");
     page.click("Light theme");
     assert_eq!(page.outside.setting("theme").as_deref(), Some("light"));
