@@ -127,7 +127,14 @@ export class Editor {
 
   /** Clicks the middle of a control found by name. */
   async click(name, role) {
-    const { rect: [x, y, width, height] } = await this.find(name, role);
+    // What a script just changed may still move the control.
+    let rect;
+    await this.until(`${name} stays in place`, async () => {
+      const before = rect?.join();
+      rect = (await this.find(name, role)).rect;
+      return rect.join() === before;
+    });
+    const [x, y, width, height] = rect;
     await this.clickAt([x + width / 2, y + height / 2]);
   }
 
