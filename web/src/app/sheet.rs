@@ -33,10 +33,13 @@ pub(crate) fn show(ui: &mut Ui, page: &Page<'_>, panels: &mut Panels, out: &mut 
                 );
             }
             Tab::Operations => {
-                egui::ScrollArea::vertical()
-                    .id_salt("sheet operations")
-                    .auto_shrink([false, false])
-                    .show(ui, |ui| operations::show(ui, page, &mut panels.forms, out));
+                egui::ScrollArea::vertical().id_salt("sheet operations").auto_shrink([false, false]).show(
+                    ui,
+                    |ui| {
+                        operations::adjust(ui, page, &mut panels.forms, out);
+                        operations::show(ui, page, &mut panels.forms, out);
+                    },
+                );
             }
         }
     });

@@ -185,3 +185,13 @@ fn a_telephone_previews_in_its_sheet() {
     page.run();
     assert_eq!(page.mesh().face_count(), 320, "another tab is in its place");
 }
+
+#[test]
+fn a_telephone_adjusts_the_last_operation_in_its_sheet() {
+    let mut page = Page::sized(PHONE);
+    page.command(json!({ "op": "bevel-edges", "edges": [0], "width": 0.2 }));
+    page.click("Operations");
+    page.type_into("Segments", "3");
+    assert_eq!(page.mesh().face_count(), 9, "three segments");
+    assert_eq!(page.undo_labels().len(), 1, "in place of itself");
+}
