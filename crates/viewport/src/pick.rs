@@ -4,6 +4,7 @@ use crate::Camera;
 use crate::region::{Region, ScreenRect};
 use crate::sight::Sight;
 use glam::{Vec2, Vec3};
+use halfedge::geometry::BitSet;
 use halfedge::{Budget, EdgeId, Element, FaceId, HalfedgeId, Mesh, VertexId};
 use surface::FaceTree;
 
@@ -59,10 +60,16 @@ pub fn pick(
         Element::Face => {
             under().map(|hit| Picked { element: aim.kind, id: hit.face.raw(), distance: hit.distance })
         }
-        Element::Vertex => nearest_vertex(&sight, pixel, aim),
-        Element::Edge => nearest_edge(&sight, pixel, aim).map(|(edge, distance)| picked_edge(edge, distance)),
+        Element::Vertex => nearest_vertex(&sight, pixel, aim, &Still::All).map(|(v, distance)| Picked {
+            element: aim.kind,
+            id: v.raw(),
+            distance,
+        }),
+        Element::Edge => {
+            nearest_edge(&sight, pixel, aim, &Still::All).map(|(edge, distance)| picked_edge(edge, distance))
+        }
         Element::Halfedge => {
-            let (edge, distance) = nearest_edge(&sight, pixel, aim)?;
+            let (edge, distance) = nearest_edge(&sight, pixel, aim, &Still::All)?;
             Some(picked_side(&sight, edge, under().map(|hit| hit.face), distance))
         }
     }
@@ -84,7 +91,7 @@ pub fn pick_nearest(
     }
     let sight = Sight::new(mesh, tree, camera, viewport);
     if aim.kind == Element::Face {
-        let (edge, distance) = nearest_edge(&sight, pixel, aim)?;
+        let (edge, distance) = nearest_edge(&sight, pixel, aim, &Still::All)?;
         let side = side_of(&sight, edge, None);
         let face = mesh.face_of(side).or_else(|| mesh.face_of(side.twin()))?;
         return Some(Picked { element: aim.kind, id: face.raw(), distance });
@@ -95,13 +102,17 @@ pub fn pick_nearest(
     match aim.kind {
         Element::Vertex => {
             let corners = mesh.face_vertices(face).filter_map(|v| place(&sight, pixel, v));
-            first_seen(corners, everywhere, |v, _| sees_vertex(&sight, v, aim), &mut rays)
+            first_seen(corners, everywhere, |v, _| sees_vertex(&sight, v, aim, &Still::All), &mut rays)
                 .map(|(v, distance)| Picked { element: aim.kind, id: v.raw(), distance })
         }
         _ => {
             let sides = mesh.face_halfedges(face).filter_map(|h| place_edge(&sight, pixel, h.edge()));
-            let (edge, distance) =
-                first_seen(sides, everywhere, |e, point| sees_edge(&sight, e, point, aim), &mut rays)?;
+            let (edge, distance) = first_seen(
+                sides,
+                everywhere,
+                |e, point| sees_edge(&sight, e, point, aim, &Still::All),
+                &mut rays,
+            )?;
             Some(match aim.kind {
                 Element::Halfedge => picked_side(&sight, edge, Some(face), distance),
                 _ => picked_edge(edge, distance),
@@ -141,20 +152,51 @@ fn place_edge(sight: &Sight<'_>, pixel: Vec2, edge: EdgeId) -> Option<Candidate<
     Some(Candidate { away, point, depth: sight.view().depth(point), element: edge })
 }
 
+/// The elements that are picked: all of them or, while some move, the others. What moves hides nothing.
+pub(crate) enum Still<'a> {
+    All,
+    /// Those without any of these vertices.
+    Without(&'a BitSet),
+}
+
+impl Still<'_> {
+    pub fn vertex(&self, v: VertexId) -> bool {
+        match self {
+            Self::All => true,
+            Self::Without(moved) => !moved.contains(v.index()),
+        }
+    }
+
+    pub fn face(&self, mesh: &Mesh, f: FaceId) -> bool {
+        match self {
+            Self::All => true,
+            Self::Without(_) => mesh.face_vertices(f).all(|v| self.vertex(v)),
+        }
+    }
+}
+
 /// The distance of a vertex from the eye, unless it is hidden and that matters.
-fn sees_vertex(sight: &Sight<'_>, v: VertexId, aim: Aim) -> Option<f64> {
-    let point = sight.mesh.position(v);
+fn sees_vertex(sight: &Sight<'_>, v: VertexId, aim: Aim, still: &Still<'_>) -> Option<f64> {
+    let (mesh, point) = (sight.mesh, sight.mesh.position(v));
     if aim.through {
         return sight.distance(point);
     }
-    sight.sees(point, |f| sight.mesh.face_vertices(f).any(|w| w == v))
+    sight.sees(point, |f| mesh.face_vertices(f).any(|w| w == v) || !still.face(mesh, f))
 }
 
-fn sees_edge(sight: &Sight<'_>, edge: EdgeId, point: Vec3, aim: Aim) -> Option<f64> {
-    if aim.through { sight.distance(point) } else { sight.sees_edge_at(edge, point) }
+fn sees_edge(sight: &Sight<'_>, edge: EdgeId, point: Vec3, aim: Aim, still: &Still<'_>) -> Option<f64> {
+    if aim.through {
+        return sight.distance(point);
+    }
+    sight.sees_edge_at(edge, point, |f| !still.face(sight.mesh, f))
 }
 
-fn nearest_vertex(sight: &Sight<'_>, pixel: Vec2, aim: Aim) -> Option<Picked> {
+pub(crate) fn nearest_vertex(
+    sight: &Sight<'_>,
+    pixel: Vec2,
+    aim: Aim,
+    still: &Still<'_>,
+) -> Option<(VertexId, f64)> {
     let mesh = sight.mesh;
     // No ray hits an isolated vertex, and no face has it.
     let first = mesh.connectivity().vertex_halfedge.iter().enumerate();
@@ -162,26 +204,37 @@ fn nearest_vertex(sight: &Sight<'_>, pixel: Vec2, aim: Aim) -> Option<Picked> {
     let alone: Vec<VertexId> = alone
         .filter(|&v| place(sight, pixel, v).is_some_and(|candidate| candidate.away <= aim.radius))
         .collect();
-    let found = nearest(sight, pixel, aim, |faces, within, rays| {
+    nearest(sight, pixel, aim, |faces, within, rays| {
         let mut vertices: Vec<VertexId> = faces.iter().flat_map(|&f| mesh.face_vertices(f)).collect();
         vertices.extend(&alone);
         vertices.sort_unstable();
         vertices.dedup();
-        let candidates = vertices.into_iter().filter_map(|v| place(sight, pixel, v));
-        first_seen(candidates, within, |v, _| sees_vertex(sight, v, aim), rays)
-    });
-    found.map(|(v, distance)| Picked { element: aim.kind, id: v.raw(), distance })
+        let wanted = vertices.into_iter().filter(|v| still.vertex(*v));
+        let candidates = wanted.filter_map(|v| place(sight, pixel, v));
+        first_seen(candidates, within, |v, _| sees_vertex(sight, v, aim, still), rays)
+    })
 }
 
-fn nearest_edge(sight: &Sight<'_>, pixel: Vec2, aim: Aim) -> Option<(EdgeId, f64)> {
+pub(crate) fn nearest_edge(
+    sight: &Sight<'_>,
+    pixel: Vec2,
+    aim: Aim,
+    still: &Still<'_>,
+) -> Option<(EdgeId, f64)> {
     nearest(sight, pixel, aim, |faces, within, rays| {
         let mut edges: Vec<EdgeId> =
             faces.iter().flat_map(|&f| sight.mesh.face_halfedges(f)).map(HalfedgeId::edge).collect();
         edges.sort_unstable();
         edges.dedup();
-        let candidates = edges.into_iter().filter_map(|e| place_edge(sight, pixel, e));
-        first_seen(candidates, within, |e, point| sees_edge(sight, e, point, aim), rays)
+        let wanted = edges.into_iter().filter(|e| sight.mesh.ends(*e).into_iter().all(|v| still.vertex(v)));
+        let candidates = wanted.filter_map(|e| place_edge(sight, pixel, e));
+        first_seen(candidates, within, |e, point| sees_edge(sight, e, point, aim, still), rays)
     })
+}
+
+/// The point of an edge that is nearest to the pixel on the screen; none behind the eye.
+pub(crate) fn point_of_edge(sight: &Sight<'_>, pixel: Vec2, edge: EdgeId) -> Option<Vec3> {
+    place_edge(sight, pixel, edge).map(|candidate| candidate.point)
 }
 
 /// Looks for the nearest element in growing circles. `look` gets the faces near a circle and returns the nearest element

@@ -242,7 +242,7 @@ impl Through<'_> {
         parts.into_iter().any(|[enter, leave]| {
             [0.5, 0.25, 0.75].into_iter().any(|part| {
                 let point = self.sight.point_on(&segment, enter + (leave - enter) * part);
-                self.sees(point, || self.sight.sees_edge_at(edge, point).is_some())
+                self.sees(point, || self.sight.sees_edge_at(edge, point, |_| false).is_some())
             })
         })
     }

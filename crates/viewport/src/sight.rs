@@ -82,9 +82,11 @@ impl<'a> Sight<'a> {
         (!hidden).then_some(away)
     }
 
-    pub fn sees_edge_at(&self, edge: EdgeId, point: Vec3) -> Option<f64> {
+    /// The distance of a point of an edge from the eye, if nothing is in front of it but the edge's faces and those for
+    /// which `clear` is true.
+    pub fn sees_edge_at(&self, edge: EdgeId, point: Vec3, clear: impl Fn(FaceId) -> bool) -> Option<f64> {
         let beside = edge.halfedges().map(|h| self.mesh.face_of(h));
-        self.sees(point, |f| beside.contains(&Some(f)))
+        self.sees(point, |f| beside.contains(&Some(f)) || clear(f))
     }
 
     /// The part of an edge that is in front of the eye.

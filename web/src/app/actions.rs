@@ -174,11 +174,11 @@ impl App {
             Action::DeletePoint => self.delete_control_point(),
             Action::ElevateDegree => self.session.begin(BezierElevateDegree::default().into(), None),
             Action::SplitCurve => self.session.begin(BezierSplit { t: self.player.controls.t }.into(), None),
-            // An operation with an amount follows the pointer; its form stays in the operations panel.
             // Isolating nothing ends isolating.
             Action::Operation(OpId::Isolate) if self.session.editor.selection().is_empty() => {
                 self.session.begin(Reveal::default().into(), None);
             }
+            // An operation with an amount follows the pointer; its form stays in the operations panel.
             Action::Operation(id) if follows_pointer(id) => self.start_live(id, ""),
             Action::Operation(id) if opens_form(id) => self.open_form(id),
             Action::Operation(id) => {

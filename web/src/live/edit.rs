@@ -4,6 +4,7 @@ use editor::ops::{Drag, Field, FieldKind, Unit};
 use editor::{Command, CommandError, Facts, OpId};
 use egui::{Modifiers, Pos2};
 use glam::{Mat3, Quat, Vec3};
+use halfedge::geometry::BitSet;
 use serde_json::{Value, json};
 use viewport::Camera;
 
@@ -59,6 +60,8 @@ pub(crate) struct Live {
     anchor: Vec3,
     /// The view when the edit began, whose axes it keeps.
     camera: Camera,
+    /// The vertices that move, by index; found when the edit first snaps to others.
+    pub(crate) moved: Option<BitSet>,
     /// Elements named in the command, where the vertices of the selection don't say enough.
     pub(crate) given: Filled,
     /// The degrees that the pointer has turned about the middle.
@@ -99,6 +102,7 @@ impl Live {
             place,
             anchor: start.anchor.unwrap_or(anchor),
             camera: view.camera,
+            moved: None,
             given: Filled::new(),
             turned: 0.0,
             from: start.from,
@@ -121,13 +125,8 @@ impl Live {
     }
 
     /// The directions of x, y and z for the lock.
-    fn axes(&self, settings: &Settings) -> Mat3 {
+    pub(crate) fn axes(&self, settings: &Settings) -> Mat3 {
         axes_of(self.lock.orientation(settings.orientation), self.place.normal, &self.camera)
-    }
-
-    /// The normal of what is edited.
-    pub(crate) fn normal(&self) -> Vec3 {
-        self.place.normal
     }
 
     /// The axis of a rotation.
@@ -194,7 +193,7 @@ impl Live {
         let (sight, by) = (self.sight(view), at - from);
         let step = length_step(sight.units_per_point());
         let snapped = |value: f32, step: f32| if snap.to_steps { rounded(value, step) } else { value };
-        self.value = match self.drag {
+        let value = match self.drag {
             Drag::Offset => {
                 let axes = self.axes(settings);
                 let offset = match snap.target {
@@ -210,9 +209,17 @@ impl Live {
             Drag::Factors => self.factors(snapped(sight.factor(from, at), SNAP_FACTOR)),
             Drag::Distance => Vec3::X * snapped(sight.along(self.place.normal, by), step),
             Drag::Width => Vec3::X * snapped(by.length() * sight.units_per_point(), step),
-            Drag::Fraction => {
-                Vec3::X * snapped(0.5 + sight.fraction(self.place.edge, by), SNAP_FRACTION).clamp(0.01, 0.99)
-            }
+            Drag::Fraction => Vec3::X * snapped(0.5 + sight.fraction(self.place.edge, by), SNAP_FRACTION),
+        };
+        self.set_value(value);
+    }
+
+    /// Sets the amount, within its range.
+    fn set_value(&mut self, value: Vec3) {
+        self.value = match self.drag {
+            Drag::Width => value.max(Vec3::ZERO),
+            Drag::Fraction => Vec3::X * value.x.clamp(0.01, 0.99),
+            Drag::Distance | Drag::Offset | Drag::Rotation | Drag::Factors => value,
         };
     }
 
@@ -221,29 +228,17 @@ impl Live {
     }
 
     fn factors(&self, factor: f32) -> Vec3 {
-        let mut factors = Vec3::ONE;
-        for &axis in self.lock.free_axes() {
-            factors.as_mut().get_mut(axis).into_iter().for_each(|number| *number = factor);
-        }
-        factors
+        self.lock.fill(Vec3::ONE, |_, _| factor)
     }
 
     fn set_typed(&mut self) {
         let rest = at_rest(self.drag);
-        self.value = match self.drag {
-            Drag::Offset => {
-                let mut offset = Vec3::ZERO;
-                for (at, &axis) in self.lock.free_axes().iter().enumerate() {
-                    let typed = self.typed.value(at).unwrap_or_default();
-                    offset.as_mut().get_mut(axis).into_iter().for_each(|number| *number = typed);
-                }
-                offset
-            }
-            Drag::Factors => self.factors(self.typed.value(0).unwrap_or(1.0)),
-            Drag::Width => Vec3::X * self.typed.value(0).unwrap_or(rest.x).max(0.0),
-            Drag::Fraction => Vec3::X * self.typed.value(0).unwrap_or(rest.x).clamp(0.01, 0.99),
-            Drag::Distance | Drag::Rotation => Vec3::X * self.typed.value(0).unwrap_or(rest.x),
-        };
+        let first = self.typed.value(0).unwrap_or(rest.x);
+        self.set_value(match self.drag {
+            Drag::Offset => self.lock.fill(rest, |_, at| self.typed.value(at).unwrap_or_default()),
+            Drag::Factors => self.factors(first),
+            Drag::Width | Drag::Fraction | Drag::Distance | Drag::Rotation => Vec3::X * first,
+        });
     }
 
     /// Moves the pointer; returns whether it moved. Rotations add up.
@@ -292,11 +287,7 @@ impl Live {
     pub fn set_amount(&mut self, value: Vec3) {
         self.follows = false;
         self.typed = Typed::default();
-        self.value = match self.drag {
-            Drag::Width => value.max(Vec3::ZERO),
-            Drag::Fraction => Vec3::X * value.x.clamp(0.01, 0.99),
-            Drag::Distance | Drag::Offset | Drag::Rotation | Drag::Factors => value,
-        };
+        self.set_value(value);
     }
 
     /// Sets the count.
@@ -304,11 +295,16 @@ impl Live {
         self.count.iter_mut().for_each(|(_, count)| *count = to);
     }
 
+    /// Sets the lock after an axis key.
+    pub(crate) fn press_axis(&mut self, axis: usize, plane: bool, settings: &Settings) {
+        self.lock = self.lock.after_key(axis, plane, settings.orientation);
+        self.typed.limit(self.number_count());
+    }
+
     /// Limits the edit to an axis, as its key does.
     pub fn lock_axis(&mut self, axis: usize, settings: &Settings, view: &View) {
         if self.takes_lock() {
-            self.lock = self.lock.after_key(axis, false, settings.orientation);
-            self.typed.limit(self.number_count());
+            self.press_axis(axis, false, settings);
             self.update(settings, view, Snap::default());
         }
     }

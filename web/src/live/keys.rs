@@ -43,8 +43,7 @@ impl Live {
                         }
                         _ => match axis_of(*key).filter(|_| self.takes_lock()) {
                             Some(axis) => {
-                                self.lock = self.lock.after_key(axis, modifiers.shift, settings.orientation);
-                                self.typed.limit(self.number_count());
+                                self.press_axis(axis, modifiers.shift, settings);
                                 changed = true;
                                 true
                             }

@@ -52,15 +52,20 @@ impl Lock {
         }
     }
 
+    /// The numbers at rest, with those of the axes that may change replaced. `number` is given an axis and how many of
+    /// these come before it.
+    pub fn fill(self, rest: Vec3, mut number: impl FnMut(usize, usize) -> f32) -> Vec3 {
+        let mut numbers = rest.to_array();
+        for (at, &axis) in self.free_axes().iter().enumerate() {
+            numbers.get_mut(axis).into_iter().for_each(|to| *to = number(axis, at));
+        }
+        numbers.into()
+    }
+
     /// An offset along the axes, without what the lock keeps out.
     pub fn limited(self, offset: Vec3) -> Vec3 {
-        let mut limited = Vec3::ZERO;
-        for &axis in self.free_axes() {
-            if let (Some(to), Some(from)) = (limited.as_mut().get_mut(axis), offset.as_ref().get(axis)) {
-                *to = *from;
-            }
-        }
-        limited
+        let offset = offset.to_array();
+        self.fill(Vec3::ZERO, |axis, _| offset.get(axis).copied().unwrap_or_default())
     }
 
     /// What the bar says: "along x", "in the y-z plane of the normal".

@@ -2,8 +2,9 @@
 
 use editor::Editor;
 use glam::{DVec3, Vec3};
-use halfedge::geometry::{BitSet, face_area_vector};
-use halfedge::{Element, FaceId, Mesh, VertexId};
+use halfedge::geometry::{BitSet, face_area_vector, mean_position};
+use halfedge::{EdgeId, Element, FaceId, HalfedgeId, Mesh, VertexId};
+use surface::selecting::vertices;
 
 use crate::transforming::Pivot;
 
@@ -31,23 +32,27 @@ impl Place {
         let (mut sum, mut count, mut normal) = (DVec3::ZERO, 0usize, DVec3::ZERO);
         let (mut min, mut max) = (Vec3::INFINITY, Vec3::NEG_INFINITY);
         for id in selection.ids() {
-            for v in vertices(mesh, kind, id) {
+            vertices(mesh, kind, id as usize, |v| {
                 if seen.insert(v.index()) {
                     let at = mesh.position(v);
                     (sum, count, min, max) = (sum + at.as_dvec3(), count + 1, min.min(at), max.max(at));
                 }
-            }
-            normal += faces(mesh, kind, id).map(|f| face_area_vector(mesh, f)).sum::<DVec3>();
+            });
+            faces(mesh, kind, id, |f| normal += face_area_vector(mesh, f));
         }
-        let of_latest: Vec<Vec3> = vertices(mesh, kind, latest).map(|v| mesh.position(v)).collect();
-        let edge = match of_latest.as_slice() {
-            [from, to] => *to - *from,
-            _ => Vec3::ZERO,
+        let edge = match kind {
+            Element::Edge => mesh.edge(latest),
+            Element::Halfedge => mesh.halfedge(latest).map(|h| h.edge()),
+            Element::Vertex | Element::Face => None,
         };
+        let edge = edge.map_or(Vec3::ZERO, |e| {
+            let [from, to] = mesh.ends(e).map(|v| mesh.position(v));
+            to - from
+        });
         (count > 0).then(|| Self {
             middle: (sum / count as f64).as_vec3(),
             bounds_middle: min.midpoint(max),
-            active: of_latest.iter().sum::<Vec3>() / of_latest.len().max(1) as f32,
+            active: mean_of_element(mesh, kind, latest),
             origin: -editor.document().offset().as_vec3(),
             normal: normal.normalize_or_zero().as_vec3(),
             edge,
@@ -65,30 +70,34 @@ impl Place {
     }
 }
 
-/// The vertices of an element; of an edge, from the start of its even half-edge.
-pub(crate) fn vertices(mesh: &Mesh, kind: Element, id: u32) -> Box<dyn Iterator<Item = VertexId> + '_> {
-    match kind {
-        Element::Vertex => Box::new(mesh.vertex(id).into_iter()),
-        Element::Edge => Box::new(mesh.edge(id).into_iter().flat_map(|e| mesh.ends(e))),
-        Element::Halfedge => Box::new(mesh.halfedge(id).into_iter().flat_map(|h| [mesh.from(h), mesh.to(h)])),
-        Element::Face => Box::new(mesh.face(id).into_iter().flat_map(|f| mesh.face_vertices(f))),
-    }
+/// The mean of the vertices of an element that exists.
+pub(crate) fn mean_of_element(mesh: &Mesh, kind: Element, id: u32) -> Vec3 {
+    let mut all = Vec::new();
+    vertices(mesh, kind, id as usize, |v| all.push(v));
+    mean_position(mesh, all).as_vec3()
 }
 
-/// The mean of an element's vertices; none if there is no such element.
-pub(crate) fn mean_position(mesh: &Mesh, kind: Element, id: u32) -> Option<Vec3> {
-    let positions: Vec<Vec3> = vertices(mesh, kind, id).map(|v| mesh.position(v)).collect();
-    (!positions.is_empty()).then(|| positions.iter().sum::<Vec3>() / positions.len() as f32)
-}
-
-/// The faces at an element.
-fn faces(mesh: &Mesh, kind: Element, id: u32) -> Box<dyn Iterator<Item = FaceId> + '_> {
+/// Visits the faces at an element.
+fn faces(mesh: &Mesh, kind: Element, id: u32, visit: impl FnMut(FaceId)) {
+    let at = id as usize;
     match kind {
-        Element::Vertex => Box::new(mesh.vertex(id).into_iter().flat_map(|v| mesh.vertex_faces(v))),
+        Element::Vertex => mesh.vertex_faces(VertexId::new(at)).for_each(visit),
         Element::Edge => {
-            Box::new(mesh.edge(id).into_iter().flat_map(|e| e.halfedges()).filter_map(|h| mesh.face_of(h)))
+            EdgeId::new(at).halfedges().into_iter().filter_map(|h| mesh.face_of(h)).for_each(visit)
         }
-        Element::Halfedge => Box::new(mesh.halfedge(id).into_iter().filter_map(|h| mesh.face_of(h))),
-        Element::Face => Box::new(mesh.face(id).into_iter()),
+        Element::Halfedge => mesh.face_of(HalfedgeId::new(at)).into_iter().for_each(visit),
+        Element::Face => std::iter::once(FaceId::new(at)).for_each(visit),
     }
+}
+
+/// The vertices of the selection, by index.
+pub(crate) fn selected_vertices(editor: &Editor) -> BitSet {
+    let (mut all, selection) = (BitSet::default(), editor.selection());
+    let Some(mesh) = editor.mesh() else { return all };
+    for id in selection.ids() {
+        vertices(mesh, selection.kind(), id as usize, |v| {
+            all.insert(v.index());
+        });
+    }
+    all
 }

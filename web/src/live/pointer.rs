@@ -78,20 +78,12 @@ impl Sight<'_> {
         match lock {
             Lock::Free => axes.transpose() * free,
             Lock::Along(axis, _) => {
-                let mut offset = Vec3::ZERO;
-                if let Some(number) = offset.as_mut().get_mut(axis) {
-                    *number = self.along(axes.col(axis.min(2)), to - from);
-                }
-                offset
+                lock.fill(Vec3::ZERO, |_, _| self.along(axes.col(axis.min(2)), to - from))
             }
             Lock::Across(axis, _) => {
                 let normal = axes.col(axis.min(2));
                 let in_plane = self.on_plane(normal, from, to).unwrap_or(free - normal * free.dot(normal));
-                let mut offset = axes.transpose() * in_plane;
-                if let Some(number) = offset.as_mut().get_mut(axis) {
-                    *number = 0.0;
-                }
-                offset
+                lock.limited(axes.transpose() * in_plane)
             }
         }
     }

@@ -62,7 +62,7 @@ fn hint(page: &Page<'_>, live: &Live) -> String {
             "the wheel sets the radius"
         });
     }
-    parts.push("Ctrl snaps, Shift is fine");
+    parts.push("Ctrl snaps, Shift slows the pointer");
     format!("{}.", parts.join("; "))
 }
 

@@ -7,7 +7,6 @@ use editor::{Editor, OpId};
 use egui::{Context, Modifiers, Pos2};
 use glam::Vec3;
 use halfedge::Element;
-use halfedge::geometry::BitSet;
 
 use crate::live::edit::{Live, Snap, Start};
 use crate::live::keys::Ending;
@@ -15,6 +14,7 @@ use crate::live::place::{self, Place};
 use crate::session::Session;
 use crate::transforming::{Pivot, Settings, SnapTo};
 use crate::view::View;
+use viewport::Aim;
 
 /// The radius around the pointer in which elements snap, in points.
 const SNAP_RADIUS_POINTS: f32 = 18.0;
@@ -111,7 +111,7 @@ impl Session {
         let snaps = settings.snaps != modifiers.command;
         let mut snap = Snap { to_steps: snaps && settings.snap_to == SnapTo::Steps, target: None };
         if snaps && live.drag == Drag::Offset {
-            snap.target = snap_target(&self.editor, settings.snap_to, at, view);
+            snap.target = snap_target(&self.editor, live, settings.snap_to, at, view);
         }
         let before = live.value;
         live.update(&settings, view, snap);
@@ -132,7 +132,7 @@ impl Session {
 }
 
 /// The point of the mesh under the pointer that moved elements snap to.
-fn snap_target(editor: &Editor, to: SnapTo, at: Pos2, view: &mut View) -> Option<Vec3> {
+fn snap_target(editor: &Editor, live: &mut Live, to: SnapTo, at: Pos2, view: &mut View) -> Option<Vec3> {
     let kind = match to {
         SnapTo::Steps => return None,
         SnapTo::Vertex => Element::Vertex,
@@ -140,14 +140,8 @@ fn snap_target(editor: &Editor, to: SnapTo, at: Pos2, view: &mut View) -> Option
         SnapTo::Face => Element::Face,
     };
     let object = editor.document().active().filter(|object| object.visible())?;
-    let selection = editor.selection();
-    let mut moved = BitSet::default();
-    for id in selection.ids() {
-        for v in place::vertices(object.mesh(), selection.kind(), id) {
-            moved.insert(v.index());
-        }
-    }
     let (camera, local, size) = (view.camera, view.local(at), view.size());
-    let tree = view.tree(object);
-    viewport::snap(object.mesh(), tree, &camera, size, local, kind, SNAP_RADIUS_POINTS, &moved)
+    let aim = Aim { kind, radius: SNAP_RADIUS_POINTS, through: false };
+    let moved = live.moved.get_or_insert_with(|| place::selected_vertices(editor));
+    viewport::snap((object.mesh(), view.tree(object)), &camera, size, local, aim, moved)
 }

@@ -8,6 +8,7 @@ use egui::{Rect, Vec2};
 use glam::Vec3;
 use halfedge::{Budget, Element, FaceId, InParts, Mesh, Touched};
 use std::collections::{HashMap, VecDeque};
+use surface::selecting::vertices;
 use surface::{FaceTree, FaceTreeBuilder};
 use viewport::{Bounds, Camera, RegionSelection, Style};
 
@@ -272,7 +273,10 @@ impl View {
     pub fn frame_selection(&mut self, editor: &Editor) {
         let selection = editor.selection();
         let Some(mesh) = editor.mesh().filter(|_| !selection.is_empty()) else { return self.frame_all() };
-        let points = selection.ids().flat_map(|id| corners(mesh, selection.kind(), id));
+        let mut points = Vec::new();
+        for id in selection.ids() {
+            vertices(mesh, selection.kind(), id as usize, |v| points.push(mesh.position(v)));
+        }
         if let Some(bounds) = Bounds::of(points) {
             self.camera.frame(bounds, self.aspect());
         }
@@ -297,22 +301,4 @@ fn touched_faces(mesh: &Mesh, touched: &Touched) -> Vec<FaceId> {
     faces.sort_unstable();
     faces.dedup();
     faces
-}
-
-/// The positions of an element's vertices.
-fn corners(mesh: &Mesh, kind: Element, id: u32) -> Vec<Vec3> {
-    match kind {
-        Element::Vertex => mesh.vertex(id).map(|v| vec![mesh.position(v)]).unwrap_or_default(),
-        Element::Edge => {
-            mesh.edge(id).map(|e| mesh.ends(e).map(|v| mesh.position(v)).to_vec()).unwrap_or_default()
-        }
-        Element::Halfedge => mesh
-            .halfedge(id)
-            .map(|h| [mesh.from(h), mesh.to(h)].map(|v| mesh.position(v)).to_vec())
-            .unwrap_or_default(),
-        Element::Face => mesh
-            .face(id)
-            .map(|f| mesh.face_vertices(f).map(|v| mesh.position(v)).collect())
-            .unwrap_or_default(),
-    }
 }

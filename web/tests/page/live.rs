@@ -419,6 +419,35 @@ fn moving_snaps_to_a_vertex() {
 }
 
 #[test]
+fn moving_snaps_to_edges_and_faces_but_not_to_what_moves() {
+    let corner = |page: &mut Page| {
+        page.mesh().positions().iter().position(|p| *p == Vec3::ONE).expect("a corner") as u32
+    };
+    // Near the edge along z through (1, -1), and on the face at z = 1.
+    for (entry, place) in [("Snap to edges", [1.0, -1.0, 0.25]), ("Snap to faces", [-0.5, -0.5, 1.0])] {
+        let mut page = Page::new();
+        transform_menu(&mut page, "Snap to", entry);
+        let (from, to) = (page.at([1.0, 1.0, 1.0]), page.at(place));
+        let id = corner(&mut page);
+        page.select("vertex", &[id]);
+        page.press(Key::G);
+        page.harness.hover_at(from);
+        page.run();
+        page.harness.event_modifiers(Event::PointerMoved(to), egui::Modifiers::COMMAND);
+        page.run();
+        page.press(Key::Enter);
+        let at = page.mesh().position(halfedge::VertexId::new(id as usize));
+        if entry == "Snap to edges" {
+            assert!(at.distance(Vec3::from(place)) < 0.02, "{at}");
+        } else {
+            // That face has the moved corner, and hides nothing: the face behind it counts.
+            assert!((at - Vec3::from(place)).length() > 0.5, "{at}");
+            assert!(at.x == -1.0 || at.y == -1.0 || at.z == -1.0, "on a face that stays: {at}");
+        }
+    }
+}
+
+#[test]
 fn a_split_slides_along_its_edge() {
     let mut page = Page::new();
     page.select("edge", &[0]);

@@ -15,4 +15,4 @@ pub use criterion::{Comparison, Criterion, dihedral_angle, size};
 pub use finding::Finding;
 pub use lines::{Line, directions, edge_loop, face_strip, lines};
 pub use path::shortest_path;
-pub use related::is_hidden;
+pub use related::{is_hidden, vertices};

@@ -22,8 +22,9 @@ pub(super) enum Part {
     FaceOf,
 }
 
-/// Visits the vertices of an element.
-pub(super) fn vertices(mesh: &Mesh, kind: Element, id: usize, visit: impl FnMut(VertexId)) {
+/// Visits the vertices of an element that exists; those of an edge or a half-edge from the start of the edge's even
+/// half-edge.
+pub fn vertices(mesh: &Mesh, kind: Element, id: usize, visit: impl FnMut(VertexId)) {
     match kind {
         Element::Vertex => std::iter::once(VertexId::new(id)).for_each(visit),
         Element::Edge => mesh.ends(EdgeId::new(id)).into_iter().for_each(visit),

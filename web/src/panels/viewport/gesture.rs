@@ -14,7 +14,7 @@ use super::gizmo;
 use crate::bezier::ControlPoint;
 use crate::live::edit::Start;
 use crate::live::keys::notches_of;
-use crate::live::place::mean_position;
+use crate::live::place::mean_of_element;
 use crate::request::{Request, Requests};
 use crate::view::{Gesture, Tool};
 
@@ -212,7 +212,7 @@ impl Viewport<'_> {
         let id = self.pick_by(viewport::pick, at, kind)?;
         let mesh = self.session.editor.mesh()?;
         let is_selected = self.session.editor.selection().contains(kind, id);
-        is_selected.then(|| mean_position(mesh, kind, id))?
+        is_selected.then(|| mean_of_element(mesh, kind, id))
     }
 
     fn continue_gesture(&mut self, ui: &Ui, response: &Response, pointer: Option<Pos2>, out: &mut Requests) {

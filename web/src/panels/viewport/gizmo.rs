@@ -54,14 +54,13 @@ impl Handle {
 
 /// The handle at a place on the page, within a radius in points.
 pub(super) fn handle_at(page: &Page<'_>, at: Pos2, radius: f32) -> Option<Handle> {
-    let mut best: Option<(f32, Handle)> = None;
-    for (handle, outline) in handles(page) {
-        let away = outline.distance(at);
-        if away <= radius && best.is_none_or(|(other, _)| away < other) {
-            best = Some((away, handle));
-        }
-    }
-    best.map(|(_, handle)| handle)
+    nearest(&handles(page), at, radius)
+}
+
+fn nearest(handles: &[(Handle, Outline)], at: Pos2, radius: f32) -> Option<Handle> {
+    let away = handles.iter().map(|(handle, outline)| (outline.distance(at), *handle));
+    let near = away.filter(|(away, _)| *away <= radius);
+    near.min_by(|a, b| a.0.total_cmp(&b.0)).map(|(_, handle)| handle)
 }
 
 /// Draws the gizmo, or the marks of the edit in progress.
@@ -77,9 +76,10 @@ pub(super) fn paint(ui: &Ui, rect: Rect, page: &Page<'_>) {
     }
     let pointer =
         ui.input(|input| input.pointer.hover_pos()).filter(|_| !ui.input(|input| input.pointer.any_down()));
+    let handles = handles(page);
     let hovered =
-        pointer.filter(|at| rect.contains(*at)).and_then(|at| handle_at(page, at, page.view.pick_radius));
-    for (handle, outline) in handles(page) {
+        pointer.filter(|at| rect.contains(*at)).and_then(|at| nearest(&handles, at, page.view.pick_radius));
+    for (handle, outline) in handles {
         let color = match handle.lock {
             Lock::Free => ui.visuals().strong_text_color(),
             Lock::Along(axis, _) | Lock::Across(axis, _) => {
@@ -95,7 +95,7 @@ pub(super) fn paint(ui: &Ui, rect: Rect, page: &Page<'_>) {
     }
 }
 
-/// The gizmo's handles, with the ones in front last.
+/// The gizmo's handles, in the order in which they are drawn.
 fn handles(page: &Page<'_>) -> Vec<(Handle, Outline)> {
     let gizmo = page.live_settings.gizmo;
     let (Some(place), Some(frame)) = (page.place, Frame::new(page)) else { return Vec::new() };
@@ -208,7 +208,8 @@ impl Outline {
                 if sides.iter().all(|s| *s >= 0.0) || sides.iter().all(|s| *s <= 0.0) {
                     return -0.5;
                 }
-                to_line(corners, at)
+                let closed: Vec<Pos2> = corners.iter().chain(corners.first()).copied().collect();
+                to_line(&closed, at)
             }
         }
     }
@@ -268,8 +269,7 @@ fn paint_lock(page: &Page<'_>, painter: &egui::Painter, colors: [Color32; 3]) {
     if live.lock == Lock::Free {
         return;
     }
-    let orientation = live.lock.orientation(page.live_settings.orientation);
-    let axes = axes_of(orientation, live.normal(), &page.view.camera);
+    let axes = live.axes(&page.live_settings);
     for &axis in live.lock.free_axes() {
         // Long, but short enough to stay in front of the eye.
         let reach = [1.0, 2.0, 4.0, 8.0, 16.0, 32.0];
