@@ -15,7 +15,7 @@ editorTest("the editor is usable on a phone", { sizes: [PHONE] }, async (editor)
   };
   const buttons = (await editor.ui()).filter((node) => ["button", "tab", "listBoxOption"].includes(node.role));
   for (const { name, rect } of buttons.slice(0, -1)) {
-    assert.ok(rect[3] >= 28, `${name} is ${rect[3]} high, too small for a finger`);
+    assert.ok(rect[3] >= 43.5, `${name} is ${rect[3]} high, too small for a finger`);
   }
   await inside("at the start");
 
@@ -57,6 +57,9 @@ editorTest("the editor is usable on a phone", { sizes: [PHONE] }, async (editor)
   await editor.until("the file is open", async () => (await editor.state()).document.faces === 100);
   await editor.click("Menu", "button");
   await editor.find("File", "button");
+  for (const { name, rect } of (await editor.ui()).filter((node) => node.role === "button")) {
+    assert.ok(rect[3] >= 43.5 && !/Ctrl\+/.test(name), `${name} is ${rect[3]} high`);
+  }
   await inside("the menu");
   await editor.screenshot("menu");
 });

@@ -62,10 +62,40 @@ editorTest("fingers orbit, pan and zoom the view", { renderers: ["webgl2"], size
   assert.deepEqual((await editor.state()).selection.ids, [], "and selects nothing");
 });
 
+editorTest("taps add to the selection while add is on", { renderers: ["webgl2"], sizes: [PHONE] }, async (editor) => {
+  await editor.click("Face mode", "button");
+  const middle = async (id) => {
+    const corners = await Promise.all((await editor.element("face", id)).corners.map(async (corner) =>
+      (await editor.element("vertex", corner)).position));
+    return editor.project([0, 1, 2].map((axis) => corners.reduce((sum, p) => sum + p[axis] / corners.length, 0)));
+  };
+  const selected = async () => (await editor.state()).selection.ids;
+  // Two faces that are seen: a tap on their middles selects them.
+  const seen = [];
+  for (const id of [0, 1, 2, 3, 4, 5]) {
+    await editor.clickAt(await middle(id));
+    if ((await selected())[0] === id) seen.push(id);
+  }
+  assert.ok(seen.length >= 2, `faces ${seen} are seen`);
+  const [first, second] = seen;
+  await editor.clickAt(await middle(first));
+  await editor.click("Add to selection", "button");
+  await editor.clickAt(await middle(second));
+  assert.deepEqual(await selected(), [first, second].sort());
+  await editor.clickAt(await beside(editor));
+  assert.deepEqual(await selected(), [first, second].sort(), "a near miss keeps the selection");
+  await editor.clickAt(await middle(first));
+  assert.deepEqual(await selected(), [second], "a tap on a selected one removes it");
+  await editor.click("Add to selection", "button");
+  await editor.clickAt(await middle(first));
+  assert.deepEqual(await selected(), [first]);
+});
+
 const small = { renderers: ["webgl2"], sizes: [SMALL] };
 editorTest("the mouse and the trackpad orbit, pan, zoom and frame", small, async (editor) => {
   const [x, y, width, height] = (await view(editor)).rect;
-  const free = [x + 40, y + height - 40];
+  // Beside the tool bar.
+  const free = [x + 70, y + height - 40];
   const to = [free[0] + 90, free[1] - 40];
 
   const first = await view(editor);

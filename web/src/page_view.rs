@@ -2,13 +2,16 @@
 
 use std::ops::Deref;
 
+use editor::OpId;
 use egui::ThemePreference;
+use halfedge::Element;
 
 use crate::bezier::Player;
 use crate::input::actions::Action;
 use crate::input::availability;
 use crate::session::Session;
 use crate::shown::Shown;
+use crate::transforming::Gizmo;
 use crate::view::{Tool, View};
 use viewport::Shading;
 
@@ -35,6 +38,22 @@ impl Page<'_> {
         availability::why_not(action, self.session, self.shown.kind, self.player)
     }
 
+    /// The kind of element that is selected, or that a click would select.
+    pub fn selecting_kind(&self) -> Element {
+        let selection = self.editor.selection();
+        if selection.is_empty() { self.shown.kind } else { selection.kind() }
+    }
+
+    /// Whether the edit that follows the pointer is this action's.
+    pub fn is_live(&self, action: Action) -> bool {
+        let id = match action {
+            Action::Operation(id) => id,
+            Action::SlideSplit => OpId::SplitEdge,
+            _ => return false,
+        };
+        self.live.as_ref().is_some_and(|live| live.id == id)
+    }
+
     /// Whether a toggle is on; none for actions that are not toggles.
     pub fn is_on(&self, action: Action) -> Option<bool> {
         let style = &self.view.style;
@@ -42,6 +61,9 @@ impl Page<'_> {
         Some(match action {
             Action::Show(kind) => self.shown.kind == kind,
             Action::OnlySelected => self.shown.only_selected,
+            Action::SelectTool => {
+                self.view.tool == Tool::Orbit && self.live_settings.gizmo == Gizmo::Off && self.live.is_none()
+            }
             Action::BoxSelect => self.view.tool == Tool::Box,
             Action::LassoSelect => self.view.tool == Tool::Lasso,
             Action::CircleSelect => self.view.tool == Tool::Circle,
@@ -65,6 +87,9 @@ impl Page<'_> {
             Action::Orient(orientation) => self.live_settings.orientation == orientation,
             Action::Overlay => self.shown.overlay,
             Action::Numbers => self.shown.numbers,
+            Action::AddToSelection => self.shown.adds,
+            Action::Arrange(arrangement) => self.shown.arrangement == arrangement,
+            Action::InterfaceScale(percent) => self.shown.scale_percent == percent,
             Action::LeftPanel => self.shown.left,
             Action::RightPanel => self.shown.right,
             Action::WholeCurve => self.player.controls.whole,

@@ -1,6 +1,17 @@
 //! Which parts of the page are open.
 
 use halfedge::Element;
+use serde::{Deserialize, Serialize};
+
+/// Arrangements of the page.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+pub enum Arrangement {
+    /// Tools and viewport first.
+    Model,
+    /// The lists and the half-edge inspector open.
+    #[default]
+    Study,
+}
 
 /// Which parts of the page are open, and the kind of element that it shows.
 #[derive(Clone, Debug)]
@@ -19,6 +30,16 @@ pub(crate) struct Shown {
     pub about: bool,
     /// The window with the named selections.
     pub named: bool,
+    /// Whether clicks and taps add to the selection, or remove from it.
+    pub adds: bool,
+    /// Whether the window is too narrow for panels beside the viewport.
+    pub narrow: bool,
+    /// Whether controls are for fingers: on a telephone, or once a finger touched the page.
+    pub touch: bool,
+    /// How the page is arranged.
+    pub arrangement: Arrangement,
+    /// The size of texts and controls that the user chose, in percent.
+    pub scale_percent: u16,
     /// The sheet of the narrow layout.
     pub sheet: Sheet,
 }
@@ -36,6 +57,11 @@ impl Default for Shown {
             messages: false,
             about: false,
             named: false,
+            adds: false,
+            narrow: false,
+            touch: false,
+            arrangement: Arrangement::default(),
+            scale_percent: 100,
             sheet: Sheet::default(),
         }
     }
@@ -70,7 +96,7 @@ impl Shown {
 }
 
 /// The tabs in the sheet of the narrow layout.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 pub(crate) enum Tab {
     /// The lists.
     #[default]
@@ -82,7 +108,7 @@ pub(crate) enum Tab {
 }
 
 /// The sheet of the narrow layout: which tab it shows, and whether it is closed.
-#[derive(Clone, Copy, Debug, Default)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 pub(crate) struct Sheet {
     pub tab: Tab,
     pub closed: bool,

@@ -1,15 +1,18 @@
 //! The colours, sizes and spacing of both themes.
 
 use egui::{
-    Color32, Context, CornerRadius, FontFamily, FontId, Margin, Shadow, Stroke, Style, TextStyle, Theme, Ui,
+    Color32, Context, CornerRadius, FontFamily, FontId, Margin, Shadow, Stroke, Style, TextStyle, Theme,
     Visuals, vec2,
 };
 
 /// Below this width, in points, the side panels become a sheet at the bottom and controls grow for fingers.
 pub const NARROW: f32 = 720.0;
 
+/// The least width of the page, in points: the interface is scaled up no further.
+pub const MIN_PAGE_WIDTH: f32 = 380.0;
+
 /// The least width and height of a touch target, in points.
-pub const TOUCH_TARGET: f32 = 36.0;
+pub const TOUCH_TARGET: f32 = 44.0;
 
 /// The colours that egui's styles have no field for.
 #[derive(Clone, Copy, Debug)]
@@ -107,11 +110,27 @@ fn sizes(style: &mut Style) {
     style.interaction.tooltip_delay = 0.35;
 }
 
-/// Enlarges controls for fingers.
-pub fn for_fingers(ui: &mut Ui) {
-    let spacing = ui.spacing_mut();
-    spacing.interact_size = vec2(TOUCH_TARGET, TOUCH_TARGET);
-    spacing.button_padding = vec2(10.0, 8.0);
+/// Sizes controls for fingers, or for a mouse.
+pub fn set_touch(ctx: &Context, touch: bool) {
+    if is_for_touch(ctx) == touch {
+        return;
+    }
+    ctx.all_styles_mut(|style| {
+        sizes(style);
+        if touch {
+            let spacing = &mut style.spacing;
+            spacing.interact_size = vec2(TOUCH_TARGET, TOUCH_TARGET);
+            spacing.button_padding = vec2(12.0, 8.0);
+            spacing.icon_width = 20.0;
+            spacing.icon_width_inner = 12.0;
+        }
+    });
+    ctx.request_repaint();
+}
+
+/// Whether controls are sized for fingers. Then there are no keys, and texts name none.
+pub fn is_for_touch(ctx: &Context) -> bool {
+    ctx.global_style().spacing.interact_size.y >= TOUCH_TARGET
 }
 
 fn visuals(theme: Theme) -> Visuals {

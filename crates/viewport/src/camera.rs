@@ -33,6 +33,9 @@ pub struct Camera {
     pub fov_y: f64,
     /// Whether the projection is parallel.
     pub orthographic: bool,
+    /// The share of the viewport's width and height that framed things fill at most, above 0. The rest is for
+    /// what lies over the picture.
+    pub frame_share: DVec2,
     /// The bounds of all objects; see [`Camera::set_scene`].
     pub scene_bounds: Option<Bounds>,
 }
@@ -46,6 +49,7 @@ impl Default for Camera {
             distance: 5.0,
             fov_y: START_FOV_RADIANS,
             orthographic: false,
+            frame_share: DVec2::ONE,
             scene_bounds: None,
         }
     }
@@ -149,8 +153,10 @@ impl Camera {
         // A line seen from its end needs some distance too. A single point has no size: the scene's is used.
         let scene = self.scene().map_or(0.0, radius);
         let least = [1.2 * radius(bounds), 0.15 * scene].into_iter().find(|&d| d > 0.0).unwrap_or(5.0);
-        let tan_y = (self.fov_y * 0.5).tan();
-        let tan_x = tan_y * f64::from(aspect.clamp(1e-3, 1e3));
+        let share = self.frame_share.clamp(DVec2::splat(0.05), DVec2::ONE);
+        let tan_full = (self.fov_y * 0.5).tan();
+        let tan_x = tan_full * f64::from(aspect.clamp(1e-3, 1e3)) * share.x;
+        let tan_y = tan_full * share.y;
         let [right, up, forward] = self.axes();
         let size = (bounds.max.as_dvec3() - bounds.min.as_dvec3()) * 0.5;
         // The distance at which each corner of the box is inside the picture.

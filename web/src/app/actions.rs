@@ -19,6 +19,7 @@ use crate::page_view::Page;
 use crate::panels::operations::EDGE_LENGTH;
 use crate::panels::viewport::control_points::add_control_point;
 use crate::session::{form, selecting};
+use crate::transforming::Gizmo;
 use crate::view::Tool;
 use viewport::Shading;
 
@@ -33,12 +34,7 @@ impl App {
 
     /// Starts an action. If it can't be done, says why.
     pub(super) fn act(&mut self, action: Action) {
-        let action = match action {
-            Action::Operation(id) => {
-                Action::Operation(id.for_selection(self.session.editor.selection().kind()))
-            }
-            other => other,
-        };
+        let action = action.for_selection(self.session.editor.selection().kind());
         // What is still being looked for comes first.
         if !matches!(action, Action::Cancel) {
             selecting::finish_selecting(&mut self.session);
@@ -88,6 +84,10 @@ impl App {
                 self.panels.lists.focus_go_to = true;
             }
             Action::OnlySelected => self.shown.only_selected ^= true,
+            Action::SelectTool => {
+                self.view.tool = Tool::Orbit;
+                self.session.live_settings.gizmo = Gizmo::Off;
+            }
             Action::BoxSelect => self.view.switch_tool(Tool::Box),
             Action::LassoSelect => self.view.switch_tool(Tool::Lasso),
             Action::CircleSelect => self.view.switch_tool(Tool::Circle),
@@ -119,6 +119,9 @@ impl App {
             Action::Numbers => self.shown.numbers ^= true,
             Action::LeftPanel => self.shown.left ^= true,
             Action::RightPanel => self.shown.right ^= true,
+            Action::AddToSelection => self.shown.adds ^= true,
+            Action::Arrange(arrangement) => self.arrange(arrangement),
+            Action::InterfaceScale(percent) => self.set_scale(percent),
             Action::SystemTheme => self.set_theme(ThemePreference::System),
             Action::LightTheme => self.set_theme(ThemePreference::Light),
             Action::DarkTheme => self.set_theme(ThemePreference::Dark),
@@ -148,6 +151,7 @@ impl App {
             Action::Rotate => self.start_live(OpId::Transform, "rotate"),
             Action::Scale => self.start_live(OpId::Transform, "scale"),
             Action::Gizmo(gizmo) => {
+                self.view.tool = Tool::Orbit;
                 self.session.live_settings.gizmo = gizmo;
                 self.session.place = Place::of_selection(&self.session.editor);
             }

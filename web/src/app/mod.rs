@@ -3,6 +3,7 @@
 
 mod actions;
 mod carry_out;
+mod layout;
 mod panels;
 mod script;
 mod sheet;
@@ -16,14 +17,16 @@ use crate::input::actions::Action;
 use crate::input::keys;
 use crate::page_view::Page;
 use crate::panels::viewport::Viewport;
-use crate::panels::{live_bar, menu_bar, status_bar};
-use crate::platform::{Event, NamedBytes, Platform};
+use crate::panels::{live_bar, menu_bar, status_bar, tool_bar};
+use crate::platform::{DeviceInfo, Event, NamedBytes, Platform};
 use crate::request::Requests;
 use crate::session::{Look, Session, selecting};
 use crate::shown::Shown;
 use crate::theme;
 use crate::view::{ELEMENTS_PER_FRAME, Tool, View};
+use layout::Layout;
 use panels::Panels;
+use script::Script;
 
 /// The editor with its user interface. Call [`App::logic`] and [`App::ui`] once per frame each.
 pub struct App {
@@ -33,6 +36,9 @@ pub struct App {
     player: Player,
     panels: Panels,
     requests: Requests,
+    layout: Layout,
+    /// Whether fingers were used last, not a mouse.
+    fingers: bool,
     /// Keys that were pressed after one that opened a text field, for the field in the next frame.
     held_events: Vec<Input>,
 }
@@ -61,6 +67,8 @@ impl App {
             _ => ThemePreference::System,
         });
         let panels = Panels::new(&*platform);
+        let layout = Layout::load(&*platform);
+        let scale_percent = layout::load_scale(&*platform);
         let mut app = Self {
             session: Session::new(ctx, platform),
             shown: Shown::default(),
@@ -68,8 +76,12 @@ impl App {
             player: Player::default(),
             panels,
             requests: Requests::default(),
+            layout,
+            fingers: false,
             held_events: Vec::new(),
         };
+        app.shown.scale_percent = scale_percent;
+        app.apply_layout();
         app.session.open_first();
         app.session.fetch_wanted();
         app
@@ -85,8 +97,19 @@ impl App {
         &self.session.ctx
     }
 
+    /// The interface for script calls.
+    pub fn script(&mut self) -> Script<'_> {
+        Script { app: self }
+    }
+
+    /// The graphics device.
+    pub fn device(&self) -> DeviceInfo {
+        self.session.platform.device()
+    }
+
     /// Handles what happened since the last frame. Draws nothing.
     pub fn logic(&mut self, ctx: &Context) {
+        self.fit(ctx);
         self.view.budget = Budget::new(ELEMENTS_PER_FRAME);
         for event in self.session.platform.poll(ctx) {
             match event {
@@ -138,7 +161,8 @@ impl App {
     fn draw(&mut self, ui: &mut Ui, ctx: &Context, out: &mut Requests) {
         let page =
             Page { session: &self.session, shown: &self.shown, view: &self.view, player: &self.player };
-        let narrow = ui.available_width() < theme::NARROW;
+        let narrow = self.shown.narrow;
+        let mut widths = self.layout.widths;
         Panel::top("menu bar").frame(bar_frame(ui)).show(ui, |ui| menu_bar::show(ui, &page, narrow, out));
         let target_edge = self.panels.forms.target_edge();
         Panel::bottom("status")
@@ -147,28 +171,31 @@ impl App {
         if narrow {
             sheet::show(ui, &page, &mut self.panels, out);
         } else {
+            let [left, right] = self.layout.widths;
             if self.shown.left {
-                Panel::left("elements").default_size(332.0).size_range(240.0..=560.0).show(ui, |ui| {
-                    self.panels.left(ui, &page, out);
-                });
+                let panel = Panel::left("elements").default_size(left).size_range(240.0..=560.0);
+                let shown = panel.show(ui, |ui| self.panels.left(ui, &page, out));
+                widths[0] = shown.response.rect.width().round();
             }
             if self.shown.right {
-                Panel::right("inspector").default_size(300.0).size_range(220.0..=460.0).show(ui, |ui| {
-                    self.panels.right(ui, &page, out);
-                });
+                let panel = Panel::right("inspector").default_size(right).size_range(220.0..=460.0);
+                let shown = panel.show(ui, |ui| self.panels.right(ui, &page, out));
+                widths[1] = shown.response.rect.width().round();
             }
         }
-        let viewport = Viewport {
-            session: &self.session,
-            shown: &self.shown,
-            view: &mut self.view,
-            player: &mut self.player,
-        };
-        CentralPanel::no_frame().show(ui, |ui| viewport.show(ui, out));
+        let covered = CentralPanel::no_frame().show(ui, |ui| {
+            let (view, player) = (&mut self.view, &mut self.player);
+            Viewport { session: &self.session, shown: &self.shown, view, player }.show(ui, out);
+            let page =
+                Page { session: &self.session, shown: &self.shown, view: &self.view, player: &self.player };
+            tool_bar::show(ui, &page, narrow, out)
+        });
+        self.view.set_covered(covered.inner);
         let page =
             Page { session: &self.session, shown: &self.shown, view: &self.view, player: &self.player };
         live_bar::show(ctx, &page, out);
         self.panels.windows(ctx, &page, narrow, out);
+        self.keep_layout(widths);
     }
 
     /// Opens pasted text; returns the actions of the pressed keys.

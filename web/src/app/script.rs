@@ -8,24 +8,12 @@ use serde_json::{Value, json};
 use viewport::Shading;
 
 use super::App;
-use crate::platform::{DeviceInfo, NamedBytes};
+use crate::platform::NamedBytes;
 use crate::session::jobs::Reply;
-
-impl App {
-    /// The interface for script calls.
-    pub fn script(&mut self) -> Script<'_> {
-        Script { app: self }
-    }
-
-    /// The graphics device.
-    pub fn device(&self) -> DeviceInfo {
-        self.session.platform.device()
-    }
-}
 
 /// Script calls between two frames. When they are done, everything is updated to what they changed.
 pub struct Script<'a> {
-    app: &'a mut App,
+    pub(super) app: &'a mut App,
 }
 
 impl Drop for Script<'_> {
@@ -84,7 +72,8 @@ impl Script<'_> {
     fn view_state(&self) -> Value {
         let bezier = crate::bezier::active(&self.app.session.editor).map(|_| self.app.player.state());
         let (camera, style) = (&self.app.view.camera, &self.app.view.style);
-        let rect = self.app.view.rect;
+        // In CSS pixels, as everything that scripts are told about places.
+        let rect = self.app.view.rect * self.app.session.ctx.zoom_factor();
         json!({
             "renderer": self.app.device().renderer,
             "rect": [rect.min.x, rect.min.y, rect.width(), rect.height()],

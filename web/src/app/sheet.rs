@@ -14,7 +14,6 @@ pub(crate) fn show(ui: &mut Ui, page: &Page<'_>, panels: &mut Panels, out: &mut 
     let panel = Panel::bottom("sheet").resizable(false);
     let panel = if page.shown.sheet.closed { panel } else { panel.exact_size(tall) };
     panel.show(ui, |ui| {
-        theme::for_fingers(ui);
         sheet_tabs(ui, page, out);
         if page.shown.sheet.closed {
             return;
@@ -32,6 +31,8 @@ pub(crate) fn show(ui: &mut Ui, page: &Page<'_>, panels: &mut Panels, out: &mut 
                     },
                 );
             }
+            // A form has its own area that scrolls.
+            Tab::Operations if panels.forms.is_open() => operations::show(ui, page, &mut panels.forms, out),
             Tab::Operations => {
                 egui::ScrollArea::vertical().id_salt("sheet operations").auto_shrink([false, false]).show(
                     ui,

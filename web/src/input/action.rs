@@ -9,6 +9,7 @@ use halfedge::Element;
 use viewport::{ColorBy, Look, Mark, Side};
 
 use super::presets::Preset;
+use crate::shown::Arrangement;
 use crate::transforming::{Gizmo, Orientation, Pivot, SnapTo};
 
 /// Something the user can start.
@@ -30,6 +31,8 @@ pub enum Action {
     Cancel,
     /// Selects every element of the kind in the list.
     SelectAll,
+    /// Makes clicks and taps add to the selection, or remove from it.
+    AddToSelection,
     /// Clears the selection.
     SelectNone,
     /// Inverts the selection.
@@ -53,6 +56,8 @@ pub enum Action {
     GoToId,
     /// Shows only selected elements in the list, or all again.
     OnlySelected,
+    /// Makes clicks select, and drags beside the mesh turn the view.
+    SelectTool,
     /// Makes drags in the viewport draw a selection box.
     BoxSelect,
     /// Makes drags in the viewport draw a line around what they select.
@@ -103,6 +108,10 @@ pub enum Action {
     LeftPanel,
     /// Shows or hides the inspector on the right.
     RightPanel,
+    /// Arranges the page for modelling or for studying meshes.
+    Arrange(Arrangement),
+    /// Scales the interface, in percent.
+    InterfaceScale(u16),
     /// Follows the system's light or dark theme.
     SystemTheme,
     /// The light theme.
@@ -165,6 +174,16 @@ pub enum Action {
     SplitCurve,
     /// Starts an operation on the selection.
     Operation(OpId),
+}
+
+impl Action {
+    /// The action for a selection of this kind: of a family of operations, the member that works on it.
+    pub fn for_selection(self, kind: Element) -> Self {
+        match self {
+            Self::Operation(id) => Self::Operation(id.for_selection(kind)),
+            other => other,
+        }
+    }
 }
 
 /// An action as the interface presents it.

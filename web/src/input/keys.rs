@@ -2,6 +2,7 @@
 
 use crate::input::actions::Action;
 use crate::lists::row_list;
+use crate::theme;
 use editor::{OpId, SelectBy};
 use egui::{Context, Event, Key, KeyboardShortcut, Modifiers};
 use halfedge::Element;
@@ -51,6 +52,7 @@ static PAGE_BINDINGS: &[(Action, &[KeyboardShortcut])] = &[
     (A::Show(Element::Face), &[key(Key::Num4)]),
     (A::Next, &[key(Key::N)]),
     (A::Twin, &[key(Key::T)]),
+    (A::SelectTool, &[with(Modifiers::SHIFT, Key::Q)]),
     (A::BoxSelect, &[with(Modifiers::SHIFT, Key::B)]),
     (A::CircleSelect, &[with(Modifiers::SHIFT, Key::C)]),
     (A::XRay, &[with(Modifiers::ALT, Key::X)]),
@@ -161,8 +163,11 @@ pub fn of(action: Action) -> Vec<KeyboardShortcut> {
     all.find(|(bound, _)| *bound == action).map_or_else(Vec::new, |(_, keys)| keys.clone())
 }
 
-/// The first key of an action as the platform writes it; empty if there is none.
+/// The first key of an action as the platform writes it; empty if there is none, and on a touch screen.
 pub fn text(ctx: &Context, action: Action) -> String {
+    if theme::is_for_touch(ctx) {
+        return String::new();
+    }
     of(action).first().map(|shortcut| written(ctx, shortcut)).unwrap_or_default()
 }
 

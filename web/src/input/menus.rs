@@ -27,9 +27,12 @@ pub fn submenu(action: Action) -> Option<&'static str> {
         A::SelectBy(SelectBy::Loops | SelectBy::Rings | SelectBy::Path | SelectBy::Outline) => {
             Some("Loops and paths")
         }
-        A::BoxSelect | A::LassoSelect | A::CircleSelect | A::LargerCircle | A::SmallerCircle => {
-            Some("Select tool")
-        }
+        A::SelectTool
+        | A::BoxSelect
+        | A::LassoSelect
+        | A::CircleSelect
+        | A::LargerCircle
+        | A::SmallerCircle => Some("Select tool"),
         A::Next | A::Twin => Some("Half-edge"),
         A::Preset(Preset::Similar(_)) => Some("Similar"),
         A::Preset(_) => Some(CRITERIA),
@@ -43,6 +46,8 @@ pub fn submenu(action: Action) -> Option<&'static str> {
         A::PivotAt(_) => Some("Pivot"),
         A::Orient(_) => Some("Axes"),
         A::SnapTo(_) => Some("Snap to"),
+        A::Arrange(_) => Some("Layout"),
+        A::InterfaceScale(_) => Some("Interface scale"),
         A::SystemTheme | A::LightTheme | A::DarkTheme => Some("Theme"),
         _ => None,
     }

@@ -8,5 +8,6 @@ pub mod menus;
 pub mod pacing;
 pub mod presets;
 mod select_menu;
+pub mod tools;
 mod transform_menu;
 mod view_menu;

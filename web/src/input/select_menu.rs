@@ -10,6 +10,11 @@ use super::presets::Preset;
 /// The entries; `None` is a separator.
 pub(super) const ENTRIES: &[Option<Entry>] = &[
     Some(entry(A::SelectAll, "Select all", "Select every element of the kind in the list.")),
+    Some(entry(
+        A::AddToSelection,
+        "Add to selection",
+        "Let clicks and taps add to the selection, or remove from it.",
+    )),
     Some(entry(A::SelectNone, "Select none", "Clear the selection.").synonyms(&["deselect"])),
     Some(entry(
         A::SelectInverse,
@@ -124,6 +129,11 @@ pub(super) const ENTRIES: &[Option<Entry>] = &[
             .synonyms(&["vertex groups", "selection sets", "save selection"]),
     ),
     None,
+    Some(entry(
+        A::SelectTool,
+        "Select by clicking",
+        "Click in the viewport to select; drag beside the mesh to turn the view.",
+    )),
     Some(
         entry(A::BoxSelect, "Box select", "Drag in the viewport to select the elements in a box.")
             .synonyms(&["border select", "marquee", "rectangle"]),

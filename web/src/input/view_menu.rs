@@ -3,6 +3,12 @@
 use viewport::{ColorBy, Look, Mark, Matcap, Side};
 
 use super::action::{Action as A, Entry, entry};
+use crate::shown::Arrangement;
+
+const fn scale(percent: u16, label: &'static str) -> Option<Entry> {
+    let entry = entry(A::InterfaceScale(percent), label, "Scale texts and controls to this size.");
+    Some(entry.synonyms(&["interface scale", "ui scale", "zoom"]))
+}
 
 /// Its entries.
 pub(super) static ENTRIES: &[Option<Entry>] = &[
@@ -234,6 +240,23 @@ pub(super) static ENTRIES: &[Option<Entry>] = &[
     None,
     Some(entry(A::LeftPanel, "Element lists", "Show or hide the lists.")),
     Some(entry(A::RightPanel, "Inspector", "Show or hide the inspector and the operations.")),
+    None,
+    Some(entry(
+        A::Arrange(Arrangement::Model),
+        "Model layout",
+        "Tools and viewport first: the lists are closed. Again: as at first.",
+    )),
+    Some(entry(
+        A::Arrange(Arrangement::Study),
+        "Study layout",
+        "Lists, inspector, info overlay and element numbers, shaded as in the courses. Again: as at first.",
+    )),
+    scale(80, "80 %"),
+    scale(90, "90 %"),
+    scale(100, "100 %"),
+    scale(110, "110 %"),
+    scale(125, "125 %"),
+    scale(150, "150 %"),
 ];
 
 const fn auto_smooth(degrees: u8, label: &'static str) -> Option<Entry> {

@@ -100,7 +100,10 @@ impl Lists {
 }
 
 pub(crate) fn show(ui: &mut Ui, page: &Page<'_>, own: &mut Lists, out: &mut Requests) {
-    kind_tabs(ui, page, own, out);
+    // In a narrow window the toggles over the viewport are near enough.
+    if !page.shown.narrow {
+        kind_tabs(ui, page, own, out);
+    }
     list_bar(ui, page, own, out);
     element_list(ui, page, own, out);
 }
@@ -216,7 +219,7 @@ fn element_list(ui: &mut Ui, page: &Page<'_>, own: &mut Lists, out: &mut Request
         label,
         columns: columns(kind),
         rows,
-        row_height: if ui.spacing().interact_size.y >= theme::TOUCH_TARGET { 30.0 } else { 20.0 },
+        row_height: if page.shown.touch { theme::TOUCH_TARGET } else { 20.0 },
     };
     let output = list.show(ui, &mut state, |at| {
         let id = id_of(at)?;
@@ -253,7 +256,7 @@ fn pick_row(page: &Page<'_>, kind: Element, picked: Picked, id: u32, out: &mut R
         // If the list shows only the selection, every row in between is selected already.
         out.push(Request::SelectRange { kind, to: id });
     } else {
-        let mode = if picked.toggle { SelectMode::Toggle } else { SelectMode::Replace };
+        let mode = if picked.toggle || page.shown.adds { SelectMode::Toggle } else { SelectMode::Replace };
         // In a list of the selection, a plain click would empty the list under the pointer.
         if page.shown.only_selected && mode == SelectMode::Replace {
             out.select(kind, [id], SelectMode::Extend);

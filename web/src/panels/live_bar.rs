@@ -15,7 +15,7 @@ const MIN_WIDTH_FOR_HINT_POINTS: f32 = 620.0;
 /// Shows the bar: the name of the edit, its amount, its lock, and buttons that end it.
 pub(crate) fn show(ctx: &Context, page: &Page<'_>, out: &mut Requests) {
     let Some(live) = &page.live else { return };
-    let top = page.view.rect.center_top();
+    let top = page.view.free_rect().center_top();
     let area = Area::new(Id::unique("live edit")).order(Order::Foreground).pivot(Align2::CENTER_TOP);
     area.fixed_pos(pos2(top.x, top.y + 8.0)).constrain_to(page.view.rect).show(ctx, |ui| {
         Frame::popup(ui.style()).show(ui, |ui| {

@@ -1,7 +1,7 @@
 //! The bar at the top: the menus, the toolbar and the document's name.
 
 use editor::{OpId, Scope};
-use egui::{Align, Button, Layout, MenuBar, Response, RichText, Ui};
+use egui::{Align, Button, Layout, MenuBar, Response, RichText, ScrollArea, Ui};
 use halfedge::Element;
 
 use crate::input::actions::{self, Action, Entry};
@@ -10,8 +10,10 @@ use crate::input::keys;
 use crate::input::menus::{CRITERIA, MENUS, Menu, submenu};
 use crate::page_view::Page;
 use crate::request::Requests;
-use crate::theme;
 use crate::widgets::icons::{Icon, icon_button};
+
+/// The part of the window's height that a menu leaves free, in points.
+const MENU_MARGIN_POINTS: f32 = 64.0;
 
 /// The toolbar's buttons; `None` is a gap.
 const TOOLS: &[Option<(Icon, Action)>] = &[
@@ -22,20 +24,12 @@ const TOOLS: &[Option<(Icon, Action)>] = &[
     Some((Icon::Redo, Action::Redo)),
     None,
     Some((Icon::Frame, Action::Frame)),
-    Some((Icon::BoxSelect, Action::BoxSelect)),
-    None,
-    Some((Icon::Wireframe, Action::Wireframe)),
-    Some((Icon::Smooth, Action::Smooth)),
-    Some((Icon::Info, Action::Overlay)),
     None,
     Some((Icon::Subdivide, Action::Upsample)),
     Some((Icon::Search, Action::Palette)),
 ];
 
 pub(crate) fn show(ui: &mut Ui, page: &Page<'_>, narrow: bool, out: &mut Requests) {
-    if narrow {
-        theme::for_fingers(ui);
-    }
     MenuBar::new().ui(ui, |ui| {
         if narrow {
             let button = icon_button(ui, Icon::Menu, "Menu", false).on_hover_text("All menus");
@@ -53,8 +47,8 @@ pub(crate) fn show(ui: &mut Ui, page: &Page<'_>, narrow: bool, out: &mut Request
                     Action::Undo,
                     Action::Redo,
                     Action::Frame,
-                    Action::BoxSelect,
                     Action::Upsample,
+                    Action::Palette,
                 ],
                 out,
             );
@@ -100,7 +94,16 @@ fn title(ui: &mut Ui, page: &Page<'_>) {
     ui.add(egui::Label::new(RichText::new(name).strong()).truncate()).on_hover_text(hint);
 }
 
+/// A menu's entries, which scroll where the window is too low for all of them.
 fn show_menu(ui: &mut Ui, page: &Page<'_>, menu: &Menu, out: &mut Requests) {
+    let height = ui.ctx().content_rect().height() - MENU_MARGIN_POINTS;
+    ScrollArea::vertical()
+        .max_height(height)
+        .min_scrolled_height(height)
+        .show(ui, |ui| menu_entries(ui, page, menu, out));
+}
+
+fn menu_entries(ui: &mut Ui, page: &Page<'_>, menu: &Menu, out: &mut Requests) {
     ui.set_min_width(220.0);
     let submenu_of = |entry: &Option<Entry>| entry.and_then(|entry| submenu(entry.action));
     for entries in menu.entries.chunk_by(|a, b| submenu_of(a).is_some() && submenu_of(a) == submenu_of(b)) {

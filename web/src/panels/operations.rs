@@ -3,7 +3,7 @@
 use std::collections::HashMap;
 
 use editor::{Facts, OpId};
-use egui::{Grid, RichText, Ui, vec2};
+use egui::{Button, Grid, RichText, ScrollArea, Ui, vec2};
 use serde_json::Value;
 
 use crate::input::actions::{self, Action};
@@ -16,6 +16,7 @@ use crate::panels::operation_list::{self, ListState};
 use crate::panels::preview::{self, Previews};
 use crate::request::{Request, Requests};
 use crate::session::form::{self, Filled};
+use crate::theme;
 use crate::widgets::controls::primary_button;
 use crate::widgets::icons::{Icon, icon_button};
 
@@ -27,6 +28,8 @@ pub(crate) const EDGE_LENGTH: &str = "edge_length";
 pub(crate) struct Forms {
     /// The operation whose form is open.
     chosen: Option<OpId>,
+    /// The height of the form's end in the last frame, in points.
+    end_height: f32,
     list: ListState,
     filled: HashMap<OpId, Filled>,
     /// The result of a trial run.
@@ -105,22 +108,62 @@ fn form(ui: &mut Ui, page: &Page<'_>, own: &mut Forms, id: OpId, out: &mut Reque
         }
         ui.label(RichText::new(entry.label).heading());
     });
-    ui.add(egui::Label::new(RichText::new(entry.description).weak()).wrap());
-    ui.add_space(4.0);
-
     let facts = page.facts(id);
     let mut filled = own.filled.remove(&id).unwrap_or_else(|| form::initial(spec, &facts));
     let before = filled.clone();
-    Grid::new(("form", spec.name)).num_columns(2).spacing(vec2(12.0, 8.0)).show(ui, |ui| {
-        fields::rows(ui, spec, &mut filled, &facts, |_| true);
-    });
-    let preview_is_coming = preview::row(ui, page, &mut own.previews, id, &filled, filled != before, out);
-    if let Some(estimate) = estimate::show(page, &mut own.tried, id, &filled, &facts, preview_is_coming) {
+    let mut rows = |ui: &mut Ui| {
+        ui.add(egui::Label::new(RichText::new(entry.description).weak()).wrap());
+        ui.add_space(4.0);
+        Grid::new(("form", spec.name)).num_columns(2).spacing(vec2(12.0, 8.0)).show(ui, |ui| {
+            fields::rows(ui, spec, &mut filled, &facts, |_| true);
+        });
+    };
+    if page.shown.narrow {
+        // Only the fields scroll: the result and the buttons stay in sight.
+        let height = (ui.available_height() - own.end_height).max(theme::TOUCH_TARGET);
+        let area = ScrollArea::vertical().id_salt("fields").max_height(height).auto_shrink([false, true]);
+        area.show(ui, |ui| rows(ui));
+        let end = ui.scope(|ui| form_end(ui, page, own, id, (&filled, filled != before), out));
+        let end_height = end.response.rect.height() + ui.spacing().item_spacing.y;
+        if (end_height - own.end_height).abs() > 0.5 {
+            own.end_height = end_height;
+            ui.ctx().request_repaint();
+        }
+    } else {
+        rows(ui);
+        form_end(ui, page, own, id, (&filled, filled != before), out);
+    }
+    own.filled.insert(id, filled);
+}
+
+/// The end of a form: the preview, the size of the result, and the button that applies it. `filled` is what is filled
+/// in, and whether that has changed.
+fn form_end(
+    ui: &mut Ui,
+    page: &Page<'_>,
+    own: &mut Forms,
+    id: OpId,
+    (filled, has_changed): (&Filled, bool),
+    out: &mut Requests,
+) {
+    let facts = page.facts(id);
+    let preview_is_coming = preview::row(ui, page, &mut own.previews, id, filled, has_changed, out);
+    if let Some(estimate) = estimate::show(page, &mut own.tried, id, filled, &facts, preview_is_coming) {
         ui.label(RichText::new(estimate).small().weak());
     }
     ui.add_space(4.0);
-    apply_button(ui, page, id, &filled, out);
-    own.filled.insert(id, filled);
+    if page.shown.narrow {
+        let width = (ui.available_width() - ui.spacing().item_spacing.x) / 2.0;
+        ui.horizontal_top(|ui| {
+            let cancel = Button::new("Cancel").min_size(vec2(width, 0.0));
+            if ui.add(cancel).on_hover_text("Close the form without applying it").clicked() {
+                out.push(Request::CloseForm);
+            }
+            ui.vertical(|ui| apply_button(ui, page, id, filled, out));
+        });
+    } else {
+        apply_button(ui, page, id, filled, out);
+    }
 }
 
 fn apply_button(ui: &mut Ui, page: &Page<'_>, id: OpId, filled: &Filled, out: &mut Requests) {

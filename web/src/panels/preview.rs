@@ -92,6 +92,7 @@ pub(crate) fn row(
         out.push(Request::Preview(id, filled.clone()));
     }
     let words = match (page.why_no_preview(), page.preview()) {
+        (_, Some(_)) if page.shown.touch => "This is a preview: apply it, or cancel it.",
         (_, Some(_)) => "This is a preview: apply it, or cancel it with Escape.",
         (Some(WhyNot::TooLarge), _) => TOO_LARGE,
         (Some(WhyNot::Refused(reason)), _) => {

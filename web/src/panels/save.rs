@@ -115,9 +115,6 @@ pub(crate) fn show(ctx: &Context, page: &Page<'_>, own: &mut Saving, narrow: boo
     let area = Modal::default_area(id).anchor(Align2::CENTER_TOP, vec2(0.0, screen.height() * 0.12));
     let shown = Modal::new(id).area(area).show(ctx, |ui| {
         ui.set_width(width);
-        if narrow {
-            theme::for_fingers(ui);
-        }
         form(ui, page, own, narrow)
     });
     if shown.inner {

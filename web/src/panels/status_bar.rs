@@ -1,9 +1,14 @@
-//! The bar at the bottom: counts, jobs, renderer and frame time.
+//! The bar at the bottom: what can be done now, counts, and jobs.
 
-use egui::{Align, Layout, ProgressBar, Rect, RichText, Sense, Ui, Vec2, WidgetInfo, vec2};
+use egui::{
+    Align, Galley, Layout, ProgressBar, Rect, RichText, Role, Sense, StrokeKind, TextStyle, Ui, Vec2,
+    WidgetInfo, pos2, vec2,
+};
 use halfedge::Element;
 
+use crate::lists::columns::plural;
 use crate::page_view::Page;
+use crate::panels::hints::{By, Hint, hints};
 use crate::request::{Request, Requests};
 use crate::widgets::icons::{Icon, icon_button};
 use halfedge::words::thousands;
@@ -11,75 +16,94 @@ use halfedge::words::thousands;
 /// Shorter jobs show no progress bar, which would only flash.
 const SECONDS_BEFORE_PROGRESS_SHOWS: f64 = 0.3;
 
+/// The kinds of elements that are counted where there is little room.
+const NARROW_COUNTS: [Element; 2] = [Element::Vertex, Element::Face];
+
+/// The height of the bar, in points. Only a job has a button in it.
+const HEIGHT_POINTS: f32 = 24.0;
+
 /// Shows the bar. `target_edge` is the edge length of resampling where one is set.
 pub(crate) fn show(ui: &mut Ui, page: &Page<'_>, narrow: bool, target_edge: Option<f64>, out: &mut Requests) {
-    ui.horizontal(|ui| {
-        ui.spacing_mut().item_spacing.x = if narrow { 8.0 } else { 14.0 };
-        match page.jobs.waited(ui.input(|input| input.time)) {
-            Some(waited) if waited >= SECONDS_BEFORE_PROGRESS_SHOWS => job_progress(ui, page, narrow, out),
-            Some(waited) => {
-                ui.ctx().request_repaint_after_secs((SECONDS_BEFORE_PROGRESS_SHOWS - waited) as f32)
-            }
-            None => {}
-        }
+    let size = vec2(ui.available_width(), HEIGHT_POINTS);
+    ui.allocate_ui_with_layout(size, Layout::right_to_left(Align::Center), |ui| {
+        ui.spacing_mut().item_spacing.x = 12.0;
         counts(ui, page, narrow, target_edge);
-        if !narrow {
-            ui.with_layout(Layout::right_to_left(Align::Center), |ui| machine(ui, page));
-        }
+        ui.with_layout(Layout::left_to_right(Align::Center), |ui| {
+            match page.jobs.waited(ui.input(|input| input.time)) {
+                Some(waited) if waited >= SECONDS_BEFORE_PROGRESS_SHOWS => {
+                    job_progress(ui, page, narrow, out);
+                }
+                Some(waited) => {
+                    ui.ctx().request_repaint_after_secs((SECONDS_BEFORE_PROGRESS_SHOWS - waited) as f32);
+                }
+                None => {}
+            }
+            show_hints(ui, page);
+        });
     });
+}
+
+/// Shows what buttons, fingers and keys do now, as many of the hints as there is room for.
+fn show_hints(ui: &mut Ui, page: &Page<'_>) {
+    const GAP: f32 = 16.0;
+    const ICON: f32 = 16.0;
+    let modifiers = ui.input(|input| input.modifiers);
+    let font = TextStyle::Small.resolve(ui.style());
+    let visuals = ui.visuals();
+    let (strong, weak) = (visuals.text_color(), visuals.weak_text_color());
+    let (area, response) = ui.allocate_exact_size(ui.available_size(), Sense::hover());
+    let painter = ui.painter().with_clip_rect(area);
+    let (mut x, mut said) = (area.left(), Vec::new());
+    for Hint { by, does } in hints(page, modifiers) {
+        let key = painter.layout_no_wrap(by.words().to_owned(), font.clone(), strong);
+        let text = painter.layout_no_wrap(does.to_string(), font.clone(), weak);
+        let by_width = match by {
+            By::Mouse(..) => ICON,
+            By::Key(_) => key.size().x + 8.0,
+            By::Touch(_) => key.size().x,
+        };
+        let width = by_width + 4.0 + text.size().x;
+        if x + width > area.right() {
+            break;
+        }
+        let place = Rect::from_min_size(pos2(x, area.top()), vec2(by_width, area.height()));
+        let top_of = |galley: &Galley| area.center().y - galley.size().y / 2.0;
+        match by {
+            By::Mouse(icon, _) => icon.paint(&painter, place, strong),
+            By::Key(_) => {
+                let cap = place.with_min_y(top_of(&key) - 1.0).with_max_y(top_of(&key) + key.size().y + 1.0);
+                let stroke = ui.visuals().widgets.inactive.bg_stroke;
+                painter.rect(cap, 3.0, ui.visuals().widgets.inactive.bg_fill, stroke, StrokeKind::Inside);
+                painter.galley(pos2(x + 4.0, top_of(&key)), key, strong);
+            }
+            By::Touch(_) => painter.galley(pos2(x, top_of(&key)), key, strong),
+        }
+        painter.galley(pos2(x + by_width + 4.0, top_of(&text)), text, weak);
+        said.push(format!("{}: {does}", by.words()));
+        x += width + GAP;
+    }
+    response.widget_info(|| WidgetInfo::labeled(Role::Label, true, said.join("; ")));
 }
 
 fn counts(ui: &mut Ui, page: &Page<'_>, narrow: bool, target_edge: Option<f64>) {
     let Some(mesh) = page.editor.mesh() else {
-        ui.label(RichText::new("No mesh").weak());
+        ui.label(RichText::new("No mesh").small().weak());
         return;
     };
+    // From right to left.
     let figure = |ui: &mut Ui, short: &str, value: String, meaning: &str| {
-        ui.horizontal(|ui| {
-            ui.spacing_mut().item_spacing.x = 4.0;
-            ui.label(RichText::new(short).small().weak());
-            let number = ui.label(RichText::new(&value).small());
-            number.clone().accessible_name(format!("{meaning}: {value}"));
-            number.on_hover_text(meaning);
-        });
+        let number = ui.label(RichText::new(&value).small());
+        ui.ctx().accesskit_node_builder(number.id, |node| node.set_value(format!("{meaning}: {value}")));
+        number.on_hover_text(meaning);
+        ui.add_space(-8.0);
+        ui.label(RichText::new(short).small().weak());
     };
-    let count = |kind| thousands(mesh.count(kind));
-    figure(ui, "V", count(Element::Vertex), "Vertices");
-    figure(ui, "E", count(Element::Edge), "Edges");
-    figure(ui, "F", count(Element::Face), "Faces");
-    figure(ui, "H", count(Element::Halfedge), "Half-edges");
-    let found = page.survey.found();
-    let number = |value: Option<usize>| value.map_or_else(|| "…".to_owned(), thousands);
-    figure(
-        ui,
-        "Euler",
-        mesh.euler_characteristic().to_string(),
-        "Euler characteristic: vertices − edges + faces",
-    );
-    if !narrow {
-        figure(ui, "Boundary loops", number(found.map(|f| f.boundary_loops)), "Boundary loops");
-        figure(ui, "Components", number(found.map(|f| f.components)), "Connected components");
-        if let Some(length) = target_edge {
-            figure(ui, "Target edge length", length.to_string(), "Target edge length of resampling");
-        }
+    if let Some(length) = target_edge.filter(|_| !narrow) {
+        figure(ui, "Target edge length", length.to_string(), "Target edge length of resampling");
     }
-}
-
-fn machine(ui: &mut Ui, page: &Page<'_>) {
-    let device = page.platform.device();
-    let renderer = match device.renderer.as_str() {
-        "webgpu" => "WebGPU",
-        "webgl2" => "WebGL2",
-        other => other,
-    };
-    let time = format!("{:.1} ms", page.frames.median());
-    ui.label(RichText::new(time).small().weak()).on_hover_text(format!(
-        "Median processor time per frame; the longest was {:.1} ms",
-        page.frames.worst()
-    ));
-    if !renderer.is_empty() {
-        ui.label(RichText::new(renderer).small().weak())
-            .on_hover_text(format!("Drawn with {renderer}. {}", device.adapter));
+    let all = [(Element::Halfedge, "H"), (Element::Face, "F"), (Element::Edge, "E"), (Element::Vertex, "V")];
+    for (kind, short) in all.into_iter().filter(|(kind, _)| !narrow || NARROW_COUNTS.contains(kind)) {
+        figure(ui, short, thousands(mesh.count(kind)), plural(kind));
     }
 }
 
@@ -112,7 +136,7 @@ fn indeterminate_bar(ui: &mut Ui, size: Vec2, text: &str) {
     const SECONDS: f64 = 1.6;
     const LENGTH: f32 = 0.3;
     let (rect, response) = ui.allocate_exact_size(size, Sense::hover());
-    response.widget_info(|| WidgetInfo::labeled(egui::Role::ProgressIndicator, true, text));
+    response.widget_info(|| WidgetInfo::labeled(Role::ProgressIndicator, true, text));
     let turn = ui.input(|input| input.time / SECONDS).fract() * std::f64::consts::TAU;
     let start = (0.5 - 0.5 * turn.cos()) as f32 * (1.0 - LENGTH) * size.x;
     let part = Rect::from_min_size(rect.min + vec2(start, 0.0), vec2(LENGTH * size.x, size.y));

@@ -18,7 +18,7 @@ pub(crate) fn show(ctx: &Context, page: &Page<'_>, narrow: bool, out: &mut Reque
     if page.toasts.visible().next().is_none() {
         return;
     }
-    let viewport = page.view.rect;
+    let viewport = page.view.free_rect();
     let width = if narrow { viewport.width() - 24.0 } else { 360.0 };
     let id = Id::unique("toasts");
     // An area is placed by its size in the last frame: where that no longer holds, it is measured first.

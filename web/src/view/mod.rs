@@ -4,6 +4,7 @@ mod gesture;
 pub(crate) mod picture;
 
 use editor::{Changes, Editor, Object, ObjectChange, ObjectId, SelectMode};
+use egui::epaint::MarginF32;
 use egui::{Rect, Vec2};
 use glam::Vec3;
 use halfedge::{Budget, Element, FaceId, InParts, Mesh, Touched};
@@ -19,6 +20,12 @@ use picture::Picture;
 /// Mesh elements processed per frame: uploaded, added to a picking tree, tested by a region selection, counted.
 /// More work is split over several frames to keep each short.
 pub(crate) const ELEMENTS_PER_FRAME: usize = 150_000;
+
+/// The distance between framed things and the bars over the viewport, in points.
+const BAR_GAP_POINTS: f32 = 8.0;
+
+/// Framed things fill at least this share of the viewport, whatever the bars cover.
+const MIN_FRAME_SHARE: f32 = 0.5;
 
 /// The number of frames until the panels have their final sizes.
 const FRAMES_UNTIL_PANELS_SETTLE: u8 = 3;
@@ -43,6 +50,8 @@ pub(crate) struct View {
     pub tool: Tool,
     /// The viewport's rectangle on the page, in points.
     pub rect: Rect,
+    /// How much of each side of the viewport lies under bars, in points.
+    pub covered: MarginF32,
     pub picture: Option<Picture>,
     pub gesture: Gesture,
     /// The element under the pointer, in the viewport or in a list.
@@ -81,6 +90,7 @@ impl View {
             style: Style::default(),
             tool: Tool::Orbit,
             rect: Rect::NOTHING,
+            covered: MarginF32::ZERO,
             picture: gpu.map(Picture::new),
             gesture: Gesture::None,
             hovered: None,
@@ -113,6 +123,22 @@ impl View {
     /// The viewport's size in points, as the camera expects it.
     pub fn size(&self) -> glam::Vec2 {
         glam::vec2(self.rect.width(), self.rect.height())
+    }
+
+    /// The part of the viewport that no bar covers, in points.
+    pub fn free_rect(&self) -> Rect {
+        self.rect - self.covered
+    }
+
+    /// Sets how much of the viewport bars cover. Things are framed beside the bars, in the middle of the viewport.
+    pub fn set_covered(&mut self, covered: MarginF32) {
+        self.covered = covered;
+        let share = |covered: f32, size: f32| {
+            f64::from((1.0 - 2.0 * (covered + BAR_GAP_POINTS) / size.max(1.0)).max(MIN_FRAME_SHARE))
+        };
+        let (across, down) = (covered.left.max(covered.right), covered.top.max(covered.bottom));
+        self.camera.frame_share =
+            glam::dvec2(share(across, self.rect.width()), share(down, self.rect.height()));
     }
 
     fn aspect(&self) -> f32 {

@@ -6,3 +6,4 @@ pub(crate) mod icons;
 pub(crate) mod list_row;
 pub(crate) mod number_box;
 pub(crate) mod operation_icons;
+pub(crate) mod tool_button;

@@ -26,7 +26,7 @@ fn desktop_in_both_themes() {
         let at = page.at(at);
         let core = with.get_pixel(at.x.round() as u32, at.y.round() as u32).0;
         assert!(core[0] > 230 && core[2] > 200, "{name}: {core:?} at {at:?} is not the active element's");
-        let pixel = with.get_pixel((at.x - 3.0).round() as u32, at.y.round() as u32).0;
+        let pixel = with.get_pixel((at.x - 4.0).round() as u32, at.y.round() as u32).0;
         assert!(pixel[0] > 200 && pixel[2] < 90, "{name}: {pixel:?} at {at:?} is not the selection's orange");
         page.select("face", &[0, 1]);
     }
@@ -376,5 +376,17 @@ fn forms_line_up() {
     assert_eq!((number.left(), number.width()), (angle.left(), angle.width()));
     for label in ["Stay on surface", "Set Edge length"] {
         assert_eq!(left(&page, Role::CheckBox, label), number.left(), "{label}");
+    }
+}
+
+#[test]
+fn the_bars_at_several_sizes() {
+    for (theme, shade) in [(Theme::Dark, "dark"), (Theme::Light, "light")] {
+        for (size, name) in [(egui::vec2(1920.0, 1080.0), "large"), (DESKTOP, "desktop"), (PHONE, "phone")] {
+            let mut page = Page::drawn(size, theme);
+            page.press(egui::Key::Num4);
+            page.select("face", &[1]);
+            picture(&mut page, &format!("bars {name} {shade}"));
+        }
     }
 }

@@ -2,6 +2,7 @@
 //! reader would, and pictures drawn by a software renderer.
 #![cfg(not(target_arch = "wasm32"))]
 
+mod bars;
 mod bezier;
 mod hiding;
 mod lists;

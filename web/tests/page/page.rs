@@ -61,8 +61,18 @@ impl Page {
         Self::build(size, theme, true, &[])
     }
 
-    fn build(size: Vec2, theme: egui::Theme, drawn: bool, addresses: &[&str]) -> Self {
+    /// A page that finds a setting of an earlier visit.
+    pub fn with_setting(size: Vec2, key: &str, value: &str) -> Self {
         let outside = Outside::default();
+        outside.set_setting(key, value);
+        Self::build_in(outside, size, egui::Theme::Dark, false, &[])
+    }
+
+    fn build(size: Vec2, theme: egui::Theme, drawn: bool, addresses: &[&str]) -> Self {
+        Self::build_in(Outside::default(), size, theme, drawn, addresses)
+    }
+
+    fn build_in(outside: Outside, size: Vec2, theme: egui::Theme, drawn: bool, addresses: &[&str]) -> Self {
         addresses.iter().for_each(|address| outside.want(address));
         let mut builder =
             Harness::builder().with_size(size).with_theme(theme).with_max_steps(24).with_render_cursor(false);

@@ -197,7 +197,7 @@ fn a_circle_paints_the_selection() {
 fn with_x_ray_everything_selects_through_the_surface() {
     let mut page = Page::new();
     let area: Rect = page.find("Viewport").rect();
-    let (from, to) = (area.left_top() + vec2(10.0, 10.0), area.right_bottom() - vec2(10.0, 10.0));
+    let (from, to) = (area.left_bottom() + vec2(10.0, -10.0), area.right_top() + vec2(-10.0, 10.0));
     page.select("vertex", &[0]);
     let hidden = hidden_vertex(&mut page);
     let at = place(&mut page, hidden);

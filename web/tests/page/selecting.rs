@@ -136,7 +136,7 @@ fn menus_convert_the_selection_and_say_what_is_missing() {
 fn a_box_with_control_adds_or_removes() {
     let mut page = grid(Key::Num1);
     let area = page.find("Viewport").rect();
-    let (from, to) = (area.left_top() + vec2(10.0, 10.0), area.right_bottom() - vec2(10.0, 10.0));
+    let (from, to) = (area.left_bottom() + vec2(10.0, -10.0), area.right_top() + vec2(-10.0, 10.0));
     page.select("vertex", &[vertex(3, 3), vertex(0, 0)]);
     let drag = |page: &mut Page, modifiers: Modifiers| {
         page.harness.hover_at(from);

@@ -48,7 +48,7 @@ fn a_click_selects_the_visible_element_and_the_list_shows_it() {
     click_at(&mut page, at + vec2(0.0, -30.0), Modifiers::COMMAND);
     assert_eq!(page.selected().1, faces, "and takes away");
 
-    let corner = page.harness.get_by_label("Viewport").rect().left_top() + vec2(20.0, 20.0);
+    let corner = page.harness.get_by_label("Viewport").rect().left_bottom() + vec2(20.0, -20.0);
     click_at(&mut page, corner, Modifiers::SHIFT);
     assert_eq!(page.selected().1, faces, "a near miss with shift keeps the selection");
     click_at(&mut page, corner, Modifiers::NONE);
@@ -116,7 +116,7 @@ fn dragging_beside_the_mesh_turns_the_view_and_space_resets_it() {
         (view["yaw"].as_f64(), view["distance"].as_f64(), view["target"].to_string())
     };
     let start = view(&mut page);
-    let corner = page.find("Viewport").rect().left_top() + vec2(30.0, 30.0);
+    let corner = page.find("Viewport").rect().left_bottom() + vec2(30.0, -50.0);
     page.drag(corner, corner + vec2(80.0, 20.0));
     page.drop(corner + vec2(80.0, 20.0));
     let turned = view(&mut page);
@@ -143,8 +143,8 @@ fn a_box_selects_visible_elements() {
     let mut page = Page::new();
     let area = page.find("Viewport").rect();
     page.press_with(Modifiers::SHIFT, Key::B);
-    page.drag(area.left_top() + vec2(10.0, 10.0), area.right_bottom() - vec2(10.0, 10.0));
-    page.drop(area.right_bottom() - vec2(10.0, 10.0));
+    page.drag(area.left_bottom() + vec2(10.0, -10.0), area.right_top() + vec2(-10.0, 10.0));
+    page.drop(area.right_top() + vec2(-10.0, 10.0));
     assert_eq!(page.selected().1.len(), 7, "the eighth vertex of a cube is behind it");
     page.press(Key::Escape);
     assert_eq!(page.selected().1.len(), 7, "Escape first ends the tool");
@@ -185,10 +185,10 @@ fn all_controls_are_within_reach_on_a_telephone() {
     let view = page.find("Viewport").rect();
     assert!(view.width() >= 380.0 && view.height() >= 280.0, "the viewport has {view:?}");
     nothing_is_cut_off(&page, PHONE);
-    for tab in ["Vertices", "Edges", "Half-edges", "Faces"] {
-        assert!(page.has(tab));
+    for mode in ["Vertex mode", "Edge mode", "Half-edge mode", "Face mode"] {
+        assert!(page.has(mode));
     }
-    assert!(page.row("Vertex 0").rect().height() >= 28.0, "rows are tall enough for fingers");
+    assert!(page.row("Vertex 0").rect().height() >= 44.0, "rows are tall enough for fingers");
     page.select("vertex", &[1]);
     page.click("Inspector");
     assert!(page.has("Position x"));

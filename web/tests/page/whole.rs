@@ -21,7 +21,7 @@ fn promise(page: &Page) -> String {
 
 fn target_edge(page: &Page) -> Option<f64> {
     let start = "Target edge length of resampling: ";
-    let mut labels = page.harness.root().children_recursive().map(|node| node.accesskit_node().label());
+    let mut labels = page.harness.root().children_recursive().map(|node| node.value());
     labels.find_map(|label| label?.strip_prefix(start)?.parse().ok())
 }
 

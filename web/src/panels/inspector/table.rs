@@ -2,12 +2,12 @@
 
 use editor::SelectMode;
 use editor::ops::Connect;
-use egui::{Grid, Label, RichText, Ui, vec2};
+use egui::{Button, Grid, Label, Response, RichText, Role, Ui, Vec2, vec2};
 use halfedge::Element;
 
 use crate::lists::columns::element_name;
 use crate::request::{Request, Requests};
-use crate::theme::TOUCH_TARGET;
+use crate::theme;
 
 /// Values being entered in the inspector.
 #[derive(Default)]
@@ -48,7 +48,7 @@ pub(super) fn pointer(
 /// A link that selects an element; the viewport highlights the element while the pointer is over the link.
 pub(super) fn link(ui: &mut Ui, out: &mut Requests, name: &str, kind: Element, id: u32) {
     let text = element_name(kind, id);
-    let link = ui.link(&text).on_hover_text(format!("Select {}", text.to_lowercase()));
+    let link = link_button(ui, RichText::new(&text)).on_hover_text(format!("Select {}", text.to_lowercase()));
     link.clone().accessible_name(format!("{name}: {text}"));
     if link.hovered() {
         out.push(Request::Hover(kind, id));
@@ -56,6 +56,18 @@ pub(super) fn link(ui: &mut Ui, out: &mut Requests, name: &str, kind: Element, i
     if link.clicked() {
         out.select(kind, [id], SelectMode::Replace);
     }
+}
+
+/// A link, which is large enough for a finger on a touch screen.
+fn link_button(ui: &mut Ui, text: RichText) -> Response {
+    if !theme::is_for_touch(ui.ctx()) {
+        return ui.link(text);
+    }
+    let text = text.color(ui.visuals().hyperlink_color);
+    let button = Button::new(text).frame(false).min_size(Vec2::splat(theme::TOUCH_TARGET));
+    let response = ui.add(button);
+    ui.ctx().accesskit_node_builder(response.id, |node| node.set_role(Role::Link));
+    response
 }
 
 /// Links to several elements, in lines as wide as the panel.
@@ -66,7 +78,7 @@ pub(super) fn links(ui: &mut Ui, out: &mut Requests, name: &str, kind: Element, 
     ui.horizontal_wrapped(|ui| {
         ui.spacing_mut().item_spacing = vec2(6.0, 2.0);
         for &id in ids.iter().take(MAX_LINKS) {
-            let link = ui.link(RichText::new(id.to_string()).monospace());
+            let link = link_button(ui, RichText::new(id.to_string()).monospace());
             link.clone().accessible_name(element_name(kind, id));
             if link.hovered() {
                 out.push(Request::Hover(kind, id));
@@ -83,7 +95,7 @@ pub(super) fn links(ui: &mut Ui, out: &mut Requests, name: &str, kind: Element, 
 
 /// The table of the inspector.
 pub(super) fn facts(ui: &mut Ui, name: &str, add: impl FnOnce(&mut Ui)) {
-    let row = if ui.spacing().interact_size.y < TOUCH_TARGET { 18.0 } else { 28.0 };
+    let row = if theme::is_for_touch(ui.ctx()) { 28.0 } else { 18.0 };
     Grid::new(name)
         .num_columns(2)
         .spacing(vec2(14.0, 4.0))

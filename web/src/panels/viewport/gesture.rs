@@ -113,7 +113,8 @@ impl Viewport<'_> {
             self.continue_gesture(ui, response, pointer, out);
         }
         if response.drag_stopped() {
-            self.end_gesture(pointer.map(|at| (at, modifiers_of_button(ui))), out);
+            let modifiers = self.with_add(modifiers_of_button(ui), Modifiers::SHIFT);
+            self.end_gesture(pointer.map(|at| (at, modifiers)), out);
         }
         self.continue_regions(ui, out);
         self.wheel(ui, response, out);
@@ -282,7 +283,8 @@ impl Viewport<'_> {
     }
 
     fn wheel(&mut self, ui: &Ui, response: &Response, out: &mut Requests) {
-        if !response.contains_pointer() {
+        // Not over a bar that lies on the viewport.
+        if !response.hovered() {
             return;
         }
         let Some(at) = ui.input(|input| input.pointer.hover_pos()) else { return };
@@ -369,7 +371,7 @@ impl Viewport<'_> {
     }
 
     fn click(&mut self, ui: &Ui, at: Pos2, out: &mut Requests) {
-        let modifiers = modifiers_of_button(ui);
+        let modifiers = self.with_add(modifiers_of_button(ui), Modifiers::COMMAND);
         let kind = self.shown.kind;
         let point = self.control_point_at(at).map(|(point, _)| point);
         self.player.controls.choose(point);

@@ -69,7 +69,7 @@ impl Viewport<'_> {
         if self.shown.numbers {
             self.numbers(ui, rect);
         }
-        legend::paint(ui, rect, &self.page());
+        legend::paint(ui, self.view.free_rect(), &self.page());
         overlay::paint(ui, rect, &self.page());
     }
 }

@@ -1,7 +1,7 @@
 //! The overlays on the picture: the axes, what the tool does, the info overlay, and what to do if there is
 //! nothing to see.
 
-use egui::{Align2, Color32, FontId, Pos2, Rect, RichText, Stroke, Ui, vec2};
+use egui::{Align2, Color32, FontId, Pos2, Rect, RichText, Role, Sense, Stroke, Ui, WidgetInfo, vec2};
 use glam::DVec3;
 use halfedge::Element;
 
@@ -9,22 +9,10 @@ use crate::lists::columns::{counted, element_name, row};
 use crate::page_view::Page;
 use crate::panels::fields::selection_words;
 use crate::theme;
-use crate::view::Tool;
 use halfedge::words::thousands;
 
 /// Draws the overlays.
 pub(super) fn paint(ui: &mut Ui, rect: Rect, page: &Page<'_>) {
-    let help = match page.view.tool {
-        Tool::Orbit => None,
-        Tool::Box => Some("Box select: drag over elements; Shift adds, Ctrl adds or removes; Escape ends it"),
-        Tool::Lasso => Some("Lasso: draw around elements; Shift adds, Ctrl adds or removes; Escape ends it"),
-        Tool::Circle => {
-            Some("Circle select: drag to add, with Ctrl to remove; wheel or [ ] for the size; Escape ends it")
-        }
-    };
-    if let Some(help) = help {
-        label(ui, rect.center_top() + vec2(0.0, 12.0), Align2::CENTER_TOP, help);
-    }
     if page.view.picture.is_none() {
         say_in_middle(
             ui,
@@ -40,9 +28,10 @@ pub(super) fn paint(ui: &mut Ui, rect: Rect, page: &Page<'_>) {
             "Drop an OBJ file here, press Ctrl+O, paste OBJ text, or create a shape.",
         );
     }
-    axes(ui, rect, page);
+    let free = page.view.free_rect();
+    axes(ui, free, page);
     if page.shown.overlay {
-        info(ui, rect, page);
+        info(ui, free, page);
     }
 }
 
@@ -95,12 +84,14 @@ fn info(ui: &Ui, rect: Rect, page: &Page<'_>) {
     let selection = page.editor.selection();
     lines.push(selection_words(selection.kind(), selection.len(), selection.latest()));
     if let Some(mesh) = mesh {
-        let loops =
-            page.survey.found().map_or_else(|| "…".to_owned(), |found| thousands(found.boundary_loops));
+        let found = page.survey.found();
+        let number = |value: Option<usize>| value.map_or_else(|| "…".to_owned(), thousands);
         lines.push(format!(
-            "{}, Euler characteristic {}, boundary loops {loops}",
+            "{}, Euler characteristic {}, boundary loops {}, components {}",
             counted(Element::Face, mesh.face_count()),
-            mesh.euler_characteristic()
+            mesh.euler_characteristic(),
+            number(found.map(|found| found.boundary_loops)),
+            number(found.map(|found| found.components)),
         ));
     }
     let camera = &page.view.camera;
@@ -111,15 +102,30 @@ fn info(ui: &Ui, rect: Rect, page: &Page<'_>) {
         camera.pitch.to_degrees(),
         camera.distance
     ));
-    label(ui, rect.left_top() + vec2(12.0, 12.0), Align2::LEFT_TOP, &lines.join("\n"));
+    lines.push(format!(
+        "Frame: {:.1} ms, at most {:.1} ms{}",
+        page.frames.median(),
+        page.frames.worst(),
+        match page.platform.device().renderer.as_str() {
+            "webgpu" => ", WebGPU",
+            "webgl2" => ", WebGL2",
+            _ => "",
+        }
+    ));
+    let text = lines.join("\n");
+    let area = label(ui, rect.left_top() + vec2(12.0, 12.0), Align2::LEFT_TOP, &text);
+    let id = ui.scope_id().with("info overlay");
+    let response = ui.interact(area, id, Sense::hover());
+    response.widget_info(|| WidgetInfo::labeled(Role::Label, true, &text));
 }
 
-/// Text on a background plate that is readable over any picture.
-fn label(ui: &Ui, at: Pos2, anchor: Align2, text: &str) {
+/// Text on a background plate that is readable over any picture; returns where the plate is.
+fn label(ui: &Ui, at: Pos2, anchor: Align2, text: &str) -> Rect {
     let font = FontId::proportional(12.0);
     let width = ui.max_rect().width() - 32.0;
     let galley = ui.painter().layout(text.to_owned(), font, ui.visuals().text_color(), width);
     let area = anchor.anchor_size(at, galley.size() + vec2(16.0, 10.0));
     ui.painter().rect_filled(area, 6.0, theme::palette(ui.visuals()).overlay);
     ui.painter().galley(area.min + vec2(8.0, 5.0), galley, ui.visuals().text_color());
+    area
 }

@@ -22,6 +22,11 @@ const GAP: f32 = 4.0;
 const ROW_HEIGHT: f32 = 2.0;
 
 impl Viewport<'_> {
+    /// The modifiers, or while clicks add to the selection and none is held, the one that stands for that.
+    pub(super) fn with_add(&self, modifiers: Modifiers, add: Modifiers) -> Modifiers {
+        if self.shown.adds && modifiers.is_none() { add } else { modifiers }
+    }
+
     /// Begins to look for the elements of the listed kind in a region: those that are visible, or with x-ray all.
     pub(super) fn select_in(&mut self, region: Region, mode: SelectMode, stroke: Option<u64>) {
         let Some(object) = self.session.editor.document().active().filter(|object| object.visible()) else {
@@ -84,7 +89,7 @@ impl Viewport<'_> {
         }
         let modifiers = modifiers_of_button(ui);
         // Even where the button is up again by the end of a slow frame.
-        let is_here = response.is_pointer_button_down_on() || response.contains_pointer();
+        let is_here = response.is_pointer_button_down_on() || response.hovered();
         let pressed = |button| place_of_press(ui, button).filter(|at| is_here && response.rect.contains(*at));
         let middle = pressed(PointerButton::Middle);
         let begins = middle.or_else(|| pressed(PointerButton::Primary)).filter(|_| !modifiers.alt);

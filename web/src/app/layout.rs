@@ -1,0 +1,186 @@
+//! How the page is arranged and scaled, kept for later visits.
+
+use egui::{Context, Event as Input};
+use serde::{Deserialize, Serialize};
+use viewport::Look;
+
+use super::App;
+use crate::platform::Platform;
+use crate::shown::{Arrangement, Sheet, Shown};
+use crate::theme;
+
+/// The key of the setting with the arrangement.
+const LAYOUT_SETTING: &str = "layout";
+/// The key of the setting with the interface's scale in percent.
+const SCALE_SETTING: &str = "scale";
+
+/// The scales in percent that a setting may hold.
+const SCALES_PERCENT: std::ops::RangeInclusive<u16> = 50..=300;
+
+/// What is open in an arrangement.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+struct Open {
+    left: bool,
+    right: bool,
+    overlay: bool,
+    numbers: bool,
+    course_light: bool,
+}
+
+/// The arrangements and the sizes of panels, as they are kept.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub(super) struct Layout {
+    arrangement: Arrangement,
+    model: Open,
+    study: Open,
+    sheet: Sheet,
+    /// The widths of the panels on the left and on the right, in points.
+    pub widths: [f32; 2],
+}
+
+impl Default for Layout {
+    /// That of the first visit: the study layout's panels, in the studio's light.
+    fn default() -> Self {
+        Self {
+            arrangement: Arrangement::default(),
+            model: initial(Arrangement::Model),
+            study: Open {
+                overlay: false,
+                numbers: false,
+                course_light: false,
+                ..initial(Arrangement::Study)
+            },
+            sheet: Sheet::default(),
+            widths: [332.0, 300.0],
+        }
+    }
+}
+
+fn initial(arrangement: Arrangement) -> Open {
+    let study = arrangement == Arrangement::Study;
+    Open { left: study, right: true, overlay: study, numbers: study, course_light: study }
+}
+
+impl Layout {
+    /// The layout of the last visit.
+    pub fn load(platform: &dyn Platform) -> Self {
+        let kept = platform.load_setting(LAYOUT_SETTING);
+        let kept: Option<Self> = kept.and_then(|kept| serde_json::from_str(&kept).ok());
+        kept.filter(|kept| kept.widths.iter().all(|width| (1.0..=4096.0).contains(width))).unwrap_or_default()
+    }
+
+    fn open(&mut self, arrangement: Arrangement) -> &mut Open {
+        match arrangement {
+            Arrangement::Model => &mut self.model,
+            Arrangement::Study => &mut self.study,
+        }
+    }
+}
+
+/// The scale of the last visit, in percent.
+pub(super) fn load_scale(platform: &dyn Platform) -> u16 {
+    let kept = platform.load_setting(SCALE_SETTING).and_then(|kept| kept.parse().ok());
+    kept.filter(|percent| SCALES_PERCENT.contains(percent)).unwrap_or(100)
+}
+
+/// The zoom for a scale, in a window of a width in CSS pixels. A page scaled up so far that it fits no longer
+/// would be of no use.
+fn zoom(scale_percent: u16, window_width: f32) -> f32 {
+    let most = (window_width / theme::MIN_PAGE_WIDTH).max(1.0);
+    (f32::from(scale_percent) / 100.0).min(most)
+}
+
+impl App {
+    /// Arranges the page; where it is arranged like this already, as at first.
+    pub(super) fn arrange(&mut self, arrangement: Arrangement) {
+        if self.shown.arrangement == arrangement {
+            *self.layout.open(arrangement) = initial(arrangement);
+        }
+        self.shown.arrangement = arrangement;
+        self.layout.arrangement = arrangement;
+        self.apply_layout();
+    }
+
+    /// Opens and closes panels as the layout says.
+    pub(super) fn apply_layout(&mut self) {
+        let arrangement = self.layout.arrangement;
+        let open = *self.layout.open(arrangement);
+        let shown = &mut self.shown;
+        (shown.arrangement, shown.sheet) = (arrangement, self.layout.sheet);
+        (shown.left, shown.right) = (open.left, open.right);
+        (shown.overlay, shown.numbers) = (open.overlay, open.numbers);
+        let look = &mut self.view.style.look;
+        if open.course_light {
+            *look = Look::Course;
+        } else if *look == Look::Course {
+            *look = Look::Studio;
+        }
+    }
+
+    /// Keeps what is open for later visits, if it has changed.
+    pub(super) fn keep_layout(&mut self, widths: [f32; 2]) {
+        let Shown { arrangement, left, right, overlay, numbers, sheet, .. } = self.shown;
+        let mut layout = Layout { arrangement, sheet, widths, ..self.layout };
+        let course_light = self.view.style.look == Look::Course;
+        *layout.open(arrangement) = Open { left, right, overlay, numbers, course_light };
+        // While a panel is being dragged, its width changes in every frame.
+        let dragging = self.session.ctx.input(|input| input.pointer.any_down());
+        if layout == self.layout || dragging {
+            return;
+        }
+        self.layout = layout;
+        if let Ok(text) = serde_json::to_string(&layout) {
+            self.session.platform.store_setting(LAYOUT_SETTING, &text);
+        }
+    }
+
+    /// Scales texts and controls, and keeps the scale for later visits.
+    pub(super) fn set_scale(&mut self, percent: u16) {
+        self.shown.scale_percent = percent;
+        self.session.platform.store_setting(SCALE_SETTING, &percent.to_string());
+    }
+
+    /// Fits the sizes of controls to the window, and to the mouse or the fingers that were used last.
+    pub(super) fn fit(&mut self, ctx: &Context) {
+        let width = ctx.content_rect().width();
+        let zoom = zoom(self.shown.scale_percent, width * ctx.zoom_factor());
+        if (zoom - ctx.zoom_factor()).abs() > 1e-3 {
+            ctx.set_zoom_factor(zoom);
+            ctx.request_repaint();
+        }
+        let (by_finger, by_mouse, is_down) = ctx.input(|input| {
+            let any = |wanted: fn(&Input) -> bool| input.events.iter().any(wanted);
+            let moves = any(|event| matches!(event, Input::PointerMoved(_) | Input::MouseMoved(_)));
+            let touches = any(|event| matches!(event, Input::Touch { .. }));
+            (touches, moves, input.pointer.any_down() || input.any_touches())
+        });
+        if by_finger || by_mouse {
+            self.fingers = by_finger;
+        }
+        self.shown.narrow = width < theme::NARROW;
+        let touch = self.fingers || self.shown.narrow;
+        if touch != self.shown.touch {
+            // Nothing moves under a finger that is about to tap it.
+            if by_finger || is_down {
+                ctx.request_repaint();
+            } else {
+                self.shown.touch = touch;
+            }
+        }
+        theme::set_touch(ctx, self.shown.touch);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_page_is_scaled_up_no_further_than_fits() {
+        assert_eq!(zoom(150, 1280.0), 1.5);
+        assert_eq!(zoom(80, 390.0), 0.8);
+        assert_eq!(zoom(150, 380.0), 1.0);
+        assert_eq!(zoom(150, 320.0), 1.0);
+        assert_eq!(zoom(150, 475.0), 1.25);
+    }
+}
