@@ -9,6 +9,8 @@ use halfedge::Element;
 use crate::bezier::Player;
 use crate::input::actions::Action;
 use crate::input::availability;
+use crate::input::key_map::KeyPreset;
+use crate::input::keys;
 use crate::session::Session;
 use crate::shown::Shown;
 use crate::transforming::Gizmo;
@@ -54,6 +56,11 @@ impl Page<'_> {
         self.live.as_ref().is_some_and(|live| live.id == id)
     }
 
+    /// The preset of keys in effect; `Action::UseKeys` takes another.
+    pub fn key_preset(&self) -> KeyPreset {
+        keys::map(&self.ctx).preset()
+    }
+
     /// Whether a toggle is on; none for actions that are not toggles.
     pub fn is_on(&self, action: Action) -> Option<bool> {
         let style = &self.view.style;
@@ -95,6 +102,7 @@ impl Page<'_> {
             Action::WholeCurve => self.player.controls.whole,
             Action::ControlNets => self.player.controls.nets,
             Action::Play => self.player.controls.playing,
+            Action::UseKeys(preset) => self.key_preset() == preset,
             Action::SystemTheme => theme == ThemePreference::System,
             Action::LightTheme => theme == ThemePreference::Light,
             Action::DarkTheme => theme == ThemePreference::Dark,

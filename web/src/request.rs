@@ -11,6 +11,7 @@ use surface::selecting::Line;
 
 use crate::bezier::Setting;
 use crate::input::actions::Action;
+use crate::input::shortcut::Shortcut;
 use crate::live::edit::Start;
 use crate::session::form::Filled;
 use crate::session::toasts::Slot;
@@ -87,12 +88,25 @@ pub(crate) enum Request {
     Save { format: Format, name: String, brings_back_all: bool },
     /// Cancel a job.
     CancelJob(JobId),
+    /// Change the keys of actions, and store the changes.
+    ChangeKeys(Vec<KeyChange>),
     /// Show a warning.
     Warn(String),
     /// Show or hide the details of a toast.
     ToggleToast(Slot),
     /// Dismiss a toast.
     DismissToast(Slot),
+}
+
+/// A change of the keys of the chosen preset.
+#[derive(Clone, Debug)]
+pub(crate) enum KeyChange {
+    /// Give an action these keys.
+    Set(Action, Vec<Shortcut>),
+    /// Give an action the preset's keys again.
+    Reset(Action),
+    /// Give every action the preset's keys again.
+    ResetAll,
 }
 
 /// The requests of a frame, in order.

@@ -9,7 +9,7 @@ use egui::ThemePreference;
 use formats::Format;
 use halfedge::Element;
 
-use super::{App, THEME_SETTING};
+use super::{App, THEME_SETTING, keys};
 use crate::bezier::{self, ControlPoint};
 use crate::input::actions::Action;
 use crate::input::availability::{follows_pointer, opens_form};
@@ -125,6 +125,7 @@ impl App {
             Action::SystemTheme => self.set_theme(ThemePreference::System),
             Action::LightTheme => self.set_theme(ThemePreference::Light),
             Action::DarkTheme => self.set_theme(ThemePreference::Dark),
+            Action::UseKeys(preset) => keys::choose(&mut self.session, preset),
             Action::Shortcuts => self.shown.shortcuts ^= true,
             Action::Palette => self.panels.palette.show(),
             Action::Messages => {

@@ -3,7 +3,7 @@
 use editor::SelectMode;
 use halfedge::Element;
 
-use super::App;
+use super::{App, keys};
 use crate::panels::save::FORMAT_SETTING;
 use crate::request::Request;
 
@@ -91,6 +91,7 @@ impl App {
                 self.session.platform.store_setting(FORMAT_SETTING, format.code());
                 self.session.save(format, name, brings_back_all);
             }
+            Request::ChangeKeys(changes) => keys::change(&mut self.session, changes),
             Request::CancelJob(id) => self.session.cancel_job(id),
             Request::Warn(text) => self.session.warn(text, Vec::new()),
             Request::ToggleToast(at) => self.session.toasts.toggle(at),

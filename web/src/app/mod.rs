@@ -3,6 +3,7 @@
 
 mod actions;
 mod carry_out;
+mod keys;
 mod layout;
 mod panels;
 mod script;
@@ -14,7 +15,9 @@ use halfedge::{Budget, Element};
 
 use crate::bezier::{self, Player};
 use crate::input::actions::Action;
-use crate::input::keys;
+use crate::input::key_map::When;
+use crate::input::keys::KeyReader;
+use crate::input::shortcut::Shortcut;
 use crate::page_view::Page;
 use crate::panels::viewport::Viewport;
 use crate::panels::{live_bar, menu_bar, status_bar, tool_bar};
@@ -82,6 +85,7 @@ impl App {
         };
         app.shown.scale_percent = scale_percent;
         app.apply_layout();
+        keys::load(&mut app.session);
         app.session.open_first();
         app.session.fetch_wanted();
         app
@@ -128,6 +132,7 @@ impl App {
         }
         let held = std::mem::take(&mut self.held_events);
         ctx.input_mut(|input| drop(input.events.splice(0..0, held)));
+        self.panels.key_editor.take_key(ctx, self.shown.shortcuts);
         let live = self.session.live_keys(ctx, &self.view);
         let mut actions = self.keyboard(ctx);
         actions.retain(|action| !live || works_during_live_edit(*action));
@@ -136,7 +141,9 @@ impl App {
         loop {
             self.follow();
             let Some(action) = actions.next() else { break };
+            self.session.by_key = true;
             self.act(action);
+            self.session.by_key = false;
         }
     }
 
@@ -212,24 +219,36 @@ impl App {
                 self.session.open_files(vec![NamedBytes::new("Pasted.obj", text.into_bytes())], None);
             }
         }
-        if self.panels.palette.open || self.panels.saving.is_open() {
-            return Vec::new();
-        }
-        // egui itself closes an open menu on Escape.
-        let menu = egui::Popup::is_any_open(ctx);
-        let mut first: Vec<&[keys::Binding]> = Vec::new();
-        if self.view.tool == Tool::Circle {
-            first.push(&keys::CIRCLE_BINDINGS);
-        }
-        if bezier::active(&self.session.editor).is_some() {
-            first.push(&keys::BEZIER_BINDINGS);
-        }
-        let (actions, held) = keys::pressed(ctx, menu, &first);
+        let Some(reader) = self.key_reader(ctx) else { return Vec::new() };
+        let (actions, held) = reader.take(ctx);
         if !held.is_empty() {
             self.held_events = held;
             ctx.request_repaint();
         }
         actions
+    }
+
+    /// What keys mean now; none while a dialog takes them.
+    fn key_reader(&self, ctx: &Context) -> Option<KeyReader> {
+        if self.panels.palette.open || self.panels.saving.is_open() {
+            return None;
+        }
+        let mut cases = vec![When::Always];
+        if bezier::active(&self.session.editor).is_some() {
+            cases.insert(0, When::Bezier);
+        }
+        if self.view.tool == Tool::Circle {
+            cases.insert(0, When::Circle);
+        }
+        // egui itself closes an open menu on Escape.
+        Some(KeyReader::new(ctx, egui::Popup::is_any_open(ctx), cases))
+    }
+
+    /// Whether the editor acts on a key, so that the browser must not.
+    pub fn takes_key(&self, shortcut: Shortcut) -> bool {
+        let ctx = &self.session.ctx;
+        self.panels.key_editor.is_listening(self.shown.shortcuts)
+            || self.key_reader(ctx).is_some_and(|reader| reader.action_of(shortcut).is_some())
     }
 
     /// Ends edits that end without a request: painting when the button is released, a preview when its form

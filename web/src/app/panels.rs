@@ -19,6 +19,7 @@ pub(crate) struct Panels {
     pub palette: palette::PaletteState,
     pub saving: save::Saving,
     pub naming: named_selections::Naming,
+    pub key_editor: shortcuts::KeyEditor,
 }
 
 impl Panels {
@@ -31,6 +32,7 @@ impl Panels {
             palette: Default::default(),
             saving: save::Saving::new(platform),
             naming: Default::default(),
+            key_editor: Default::default(),
         }
     }
 
@@ -65,7 +67,7 @@ impl Panels {
         named_selections::show(ctx, page, &mut self.naming, out);
         palette::show(ctx, page, &mut self.palette, out);
         save::show(ctx, page, &mut self.saving, narrow, out);
-        shortcuts::show(ctx, page, out);
+        shortcuts::show(ctx, page, &mut self.key_editor, narrow, out);
         messages::show(ctx, page, out);
         about::show(ctx, page, out);
         toasts::show(ctx, page, narrow, out);

@@ -8,6 +8,7 @@ use serde_json::{Value, json};
 use viewport::Shading;
 
 use super::App;
+use crate::input::keys;
 use crate::platform::NamedBytes;
 use crate::session::jobs::Reply;
 
@@ -74,6 +75,16 @@ impl Script<'_> {
         let (camera, style) = (&self.app.view.camera, &self.app.view.style);
         // In CSS pixels, as everything that scripts are told about places.
         let rect = self.app.view.rect * self.app.session.ctx.zoom_factor();
+        let keys = keys::map(&self.app.session.ctx);
+        let changed: serde_json::Map<String, Value> = keys
+            .bindings()
+            .iter()
+            .filter(|binding| binding.is_changed)
+            .map(|binding| {
+                let keys: Vec<String> = binding.keys.iter().map(|key| key.text()).collect();
+                (binding.action.name(), keys.into())
+            })
+            .collect();
         json!({
             "renderer": self.app.device().renderer,
             "rect": [rect.min.x, rect.min.y, rect.width(), rect.height()],
@@ -98,6 +109,8 @@ impl Script<'_> {
             "marks": style.marks.iter().map(viewport::Mark::name).collect::<Vec<_>>(),
             "list": self.app.shown.kind.to_string(),
             "theme": if self.app.session.ctx.global_style().visuals.dark_mode { "dark" } else { "light" },
+            "keys": keys.preset().name(),
+            "changed_keys": changed,
             "bezier": bezier,
             "frame_ms": { "median": self.app.session.frames.median(), "worst": self.app.session.frames.worst() },
         })

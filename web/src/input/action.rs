@@ -8,6 +8,7 @@ use formats::Format;
 use halfedge::Element;
 use viewport::{ColorBy, Look, Mark, Side};
 
+use super::key_map::KeyPreset;
 use super::presets::Preset;
 use crate::shown::Arrangement;
 use crate::transforming::{Gizmo, Orientation, Pivot, SnapTo};
@@ -118,6 +119,8 @@ pub enum Action {
     LightTheme,
     /// The dark theme.
     DarkTheme,
+    /// Takes a preset of keys, and keeps it for later visits.
+    UseKeys(KeyPreset),
     /// Opens or closes the window with all keys.
     Shortcuts,
     /// Opens the command palette.
@@ -183,6 +186,22 @@ impl Action {
             Self::Operation(id) => Self::Operation(id.for_selection(kind)),
             other => other,
         }
+    }
+
+    /// The name in settings: the variant's, in kebab case; an operation's name in commands after `operation-`.
+    pub(crate) fn name(self) -> String {
+        if let Self::Operation(id) = self {
+            return format!("operation-{}", id.spec().name);
+        }
+        let mut name = String::new();
+        for letter in format!("{self:?}").chars() {
+            let begins_word = letter.is_ascii_uppercase() || !letter.is_ascii_alphanumeric();
+            if begins_word && !name.is_empty() && !name.ends_with('-') {
+                name.push('-');
+            }
+            name.extend(letter.is_ascii_alphanumeric().then(|| letter.to_ascii_lowercase()));
+        }
+        name.trim_end_matches('-').to_owned()
     }
 }
 

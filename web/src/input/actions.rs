@@ -75,6 +75,20 @@ mod tests {
     use super::*;
 
     #[test]
+    fn names_for_settings_are_unique() {
+        let mut seen = std::collections::HashMap::new();
+        for entry in all() {
+            let name = entry.action.name();
+            assert!(name.bytes().all(|byte| byte.is_ascii_alphanumeric() || byte == b'-'), "{name}");
+            if let Some(other) = seen.insert(name.clone(), entry.action) {
+                panic!("{:?} and {other:?} are both called {name}", entry.action);
+            }
+        }
+        assert_eq!(A::Show(halfedge::Element::Vertex).name(), "show-vertex");
+        assert_eq!(A::Operation(OpId::LoopCut).name(), "operation-loop-cut");
+    }
+
+    #[test]
     fn every_entry_says_what_it_is() {
         for entry in all() {
             assert!(!entry.label.is_empty() && entry.description.ends_with('.'), "{entry:?}");

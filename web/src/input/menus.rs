@@ -3,6 +3,7 @@
 use editor::{OpId, SelectBy};
 
 use super::action::{Action, Entry, entry};
+use super::key_map::KeyPreset;
 use super::presets::Preset;
 use super::{select_menu, transform_menu, view_menu};
 
@@ -48,10 +49,14 @@ pub fn submenu(action: Action) -> Option<&'static str> {
         A::SnapTo(_) => Some("Snap to"),
         A::Arrange(_) => Some("Layout"),
         A::InterfaceScale(_) => Some("Interface scale"),
+        A::UseKeys(_) => Some("Keys"),
         A::SystemTheme | A::LightTheme | A::DarkTheme => Some("Theme"),
         _ => None,
     }
 }
+
+/// Other names for the presets of keys.
+const KEYS: &[&str] = &["keymap", "shortcuts", "hotkeys", "preset"];
 
 /// The menus, left to right. The mesh menu continues with the editor's operations.
 pub static MENUS: &[Menu] = &[
@@ -102,6 +107,30 @@ pub static MENUS: &[Menu] = &[
             )),
             Some(entry(A::Palette, "Find a command…", "List every command; type to search.")),
             None,
+            Some(
+                entry(
+                    A::UseKeys(KeyPreset::Course),
+                    "Course keys",
+                    "Single letters for the operations of the courses; a drag beside the mesh orbits.",
+                )
+                .synonyms(KEYS),
+            ),
+            Some(
+                entry(
+                    A::UseKeys(KeyPreset::Blender),
+                    "Blender keys",
+                    "Keys and mouse as in Blender: the middle button orbits, a drag beside the mesh selects in a box.",
+                )
+                .synonyms(KEYS),
+            ),
+            Some(
+                entry(
+                    A::UseKeys(KeyPreset::Maya),
+                    "Maya keys",
+                    "Keys and mouse as in Maya: Alt and the buttons move the view, a drag selects in a box.",
+                )
+                .synonyms(KEYS),
+            ),
             Some(entry(A::SystemTheme, "System theme", "Use the system's light or dark theme.")),
             Some(entry(A::LightTheme, "Light theme", "Use dark text on a light page.")),
             Some(entry(A::DarkTheme, "Dark theme", "Use light text on a dark page.")),
@@ -189,8 +218,12 @@ pub static MENUS: &[Menu] = &[
         title: "Help",
         entries: &[
             Some(
-                entry(A::Shortcuts, "Keyboard shortcuts", "List all keys and mouse gestures.")
-                    .synonyms(&["keys", "hotkeys"]),
+                entry(
+                    A::Shortcuts,
+                    "Keyboard shortcuts",
+                    "List all keys and mouse gestures, find a key, and change it.",
+                )
+                .synonyms(&["keys", "hotkeys", "keymap", "preferences"]),
             ),
             Some(entry(A::Messages, "Messages", "List all imports, refusals and results.")),
             Some(entry(A::About, "About Meshwright", "Show the version and the graphics device.")),

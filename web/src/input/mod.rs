@@ -3,11 +3,16 @@
 pub(crate) mod action;
 pub mod actions;
 pub(crate) mod availability;
+pub mod key_map;
+pub mod key_reference;
+mod key_table;
 pub mod keys;
 pub mod menus;
+pub mod mouse;
 pub mod pacing;
 pub mod presets;
 mod select_menu;
+pub mod shortcut;
 pub mod tools;
 mod transform_menu;
 mod view_menu;

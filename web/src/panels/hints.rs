@@ -2,8 +2,13 @@
 
 use std::borrow::Cow;
 
-use egui::Modifiers;
+use editor::SelectMode;
+use egui::{Modifiers, PointerButton};
+use halfedge::Element;
+use surface::selecting::Line;
 
+use crate::input::keys;
+use crate::input::mouse::MouseAction;
 use crate::page_view::Page;
 use crate::view::{Gesture, Tool};
 use crate::widgets::icons::Icon;
@@ -52,6 +57,11 @@ pub(crate) fn hints(page: &Page<'_>, modifiers: Modifiers) -> Vec<Hint> {
     if page.shown.touch {
         return by_touch(page);
     }
+    let mouse = keys::map(&page.ctx).mouse();
+    let within = |by| {
+        let held = if by == SHIFT { Modifiers::SHIFT } else { Modifiers::COMMAND };
+        hint(by, mode_words(mouse.mode_within(held)))
+    };
     if let Some(live) = &page.live {
         let lock = live.takes_lock().then(|| hint(By::Key("X Y Z"), "Lock to an axis"));
         let all = [hint(LEFT, "Apply"), hint(RIGHT, "Cancel"), hint(By::Key("0-9"), "Type the amount")];
@@ -59,32 +69,34 @@ pub(crate) fn hints(page: &Page<'_>, modifiers: Modifiers) -> Vec<Hint> {
         return all.into_iter().chain(lock).chain(more).collect();
     }
     match page.view.gesture {
-        Gesture::Box { .. } | Gesture::Lasso { .. } => vec![
-            hint(LEFT, "Release to select"),
-            hint(SHIFT, "Add"),
-            hint(CTRL, "Add or remove"),
-            hint(ESCAPE, "Cancel"),
-        ],
+        Gesture::Box { .. } | Gesture::Lasso { .. } => {
+            vec![hint(LEFT, "Release to select"), within(SHIFT), within(CTRL), hint(ESCAPE, "Cancel")]
+        }
         Gesture::Live { .. } | Gesture::Control { .. } => {
             vec![hint(LEFT, "Release to place"), hint(ESCAPE, "Cancel")]
         }
         Gesture::Paint { .. } => vec![hint(LEFT, "Release to end"), hint(ESCAPE, "Cancel")],
-        Gesture::None | Gesture::Orbit | Gesture::Pan | Gesture::Ended => by_mouse(page, modifiers),
+        Gesture::None | Gesture::Orbit | Gesture::Pan | Gesture::Zoom | Gesture::Ended => {
+            by_mouse(page, modifiers)
+        }
     }
 }
 
 /// The hints while no button is down.
 fn by_mouse(page: &Page<'_>, modifiers: Modifiers) -> Vec<Hint> {
-    let what = page.shown.kind;
+    let mouse = keys::map(&page.ctx).mouse();
+    let mode = |held| mode_words(mouse.mode_within(held));
     let draws = |what| {
-        vec![
-            hint(LEFT, what),
-            hint(MIDDLE, "Orbit"),
-            hint(RIGHT, "Menu, drag to pan"),
-            hint(SHIFT, "Add"),
-            hint(CTRL, "Add or remove"),
+        let drag = drag_words(mouse.drag(PointerButton::Middle, Modifiers::NONE));
+        let middle = drag.map(|words| hint(MIDDLE, format!("Drag to {words}")));
+        let first = [hint(LEFT, what)].into_iter().chain(middle);
+        let more = [
+            hint(RIGHT, "Menu"),
+            hint(SHIFT, mode(Modifiers::SHIFT)),
+            hint(CTRL, mode(Modifiers::COMMAND)),
             hint(ESCAPE, "End the tool"),
-        ]
+        ];
+        first.chain(more).collect()
     };
     match page.view.tool {
         Tool::Orbit => {}
@@ -100,37 +112,90 @@ fn by_mouse(page: &Page<'_>, modifiers: Modifiers) -> Vec<Hint> {
             ];
         }
     }
-    match (modifiers.command, modifiers.shift, modifiers.alt) {
-        (true, true, _) => return vec![hint(LEFT, format!("Add the path to this {what}"))],
-        (true, _, true) => return vec![hint(LEFT, "Select a ring")],
-        (true, ..) => return vec![hint(LEFT, format!("Add or remove this {what}, drag a box"))],
-        (_, _, true) => {
-            return vec![hint(LEFT, "Select a loop, drag to orbit"), hint(SHIFT, "Add the loop")];
-        }
-        (_, true, _) => return vec![hint(LEFT, format!("Add this {what}, drag to pan"))],
-        _ => {}
+    let drag = |button| drag_words(mouse.drag(button, modifiers)).map(|words| format!("drag to {words}"));
+    let joined = |parts: [Option<String>; 2]| {
+        let text = parts.into_iter().flatten().collect::<Vec<_>>().join(", ");
+        (!text.is_empty()).then(|| capitalized(&text))
+    };
+    let buttons = |click: [Option<String>; 3]| {
+        let [left, middle, right] = click;
+        let all = [
+            (LEFT, joined([left, drag(PointerButton::Primary)])),
+            (MIDDLE, joined([drag(PointerButton::Middle), middle])),
+            (RIGHT, joined([right, drag(PointerButton::Secondary)])),
+        ];
+        all.into_iter().filter_map(|(by, does)| Some(hint(by, does?))).collect::<Vec<_>>()
+    };
+    let what = page.shown.kind;
+    if modifiers.command || modifiers.shift || modifiers.alt {
+        return buttons([mouse.click(modifiers).map(|action| click_words(action, what)), None, None]);
+    }
+    if page.player.hovered.is_some() {
+        return vec![hint(LEFT, "Choose or drag this control point")];
     }
     let selection = page.editor.selection();
-    let left = if page.player.hovered.is_some() {
-        Cow::Borrowed("Choose or drag this control point")
-    } else {
-        match page.view.hovered {
-            Some((kind, id)) if selection.contains(kind, id) => {
-                format!("Select only this {kind}, drag to move").into()
-            }
-            Some((kind, _)) => format!("Select this {kind}, drag to orbit").into(),
-            None if selection.is_empty() => Cow::Borrowed("Drag to orbit"),
-            None => Cow::Borrowed("Deselect, drag to orbit"),
+    let (wheel, menu) = (Some("wheel to zoom".to_owned()), Some("menu".to_owned()));
+    let mut hints = match page.view.hovered {
+        Some((kind, id)) if selection.contains(kind, id) => {
+            let mut hints = buttons([None, wheel, menu]);
+            hints.retain(|hint| hint.by != LEFT);
+            hints.insert(0, hint(LEFT, format!("Select only this {kind}, drag to move")));
+            hints
         }
+        Some((kind, _)) => buttons([Some(format!("select this {kind}")), wheel, menu]),
+        None => buttons([(!selection.is_empty()).then(|| "deselect".to_owned()), wheel, menu]),
     };
-    vec![
-        hint(LEFT, left),
-        hint(MIDDLE, "Orbit, wheel to zoom"),
-        hint(RIGHT, "Menu, drag to pan"),
-        hint(SHIFT, "Add"),
-        hint(CTRL, "Add or remove"),
-        hint(ALT, "Loop"),
-    ]
+    for (by, held) in [(SHIFT, Modifiers::SHIFT), (CTRL, Modifiers::COMMAND), (ALT, Modifiers::ALT)] {
+        let words = match mouse.click(held) {
+            Some(MouseAction::Select(mode)) => Some(mode_words(mode)),
+            Some(MouseAction::Line(..)) => Some("Loop"),
+            Some(MouseAction::Path) => Some("Path"),
+            _ => mouse.drag(PointerButton::Primary, held).map(|_| "Move the view"),
+        };
+        hints.extend(words.map(|words| hint(by, words)));
+    }
+    hints
+}
+
+/// How a box or a click changes the selection.
+fn mode_words(mode: SelectMode) -> &'static str {
+    match mode {
+        SelectMode::Replace => "Select",
+        SelectMode::Extend => "Add",
+        SelectMode::Toggle => "Add or remove",
+        SelectMode::Remove => "Remove",
+        SelectMode::Intersect => "Keep only these",
+    }
+}
+
+/// What a click on an element does.
+fn click_words(action: MouseAction, what: Element) -> String {
+    match action {
+        MouseAction::Select(mode) => format!("{} this {what}", mode_words(mode).to_lowercase()),
+        MouseAction::Path => format!("add the path to this {what}"),
+        MouseAction::Line(Line::Loop, SelectMode::Extend) => "add a loop".to_owned(),
+        MouseAction::Line(Line::Loop, _) => "select a loop".to_owned(),
+        MouseAction::Line(Line::Ring, SelectMode::Extend) => "add a ring".to_owned(),
+        MouseAction::Line(Line::Ring, _) => "select a ring".to_owned(),
+        _ => String::new(),
+    }
+}
+
+/// What a drag does, after "drag to".
+fn drag_words(action: Option<MouseAction>) -> Option<&'static str> {
+    Some(match action? {
+        MouseAction::Orbit => "orbit",
+        MouseAction::Pan => "pan",
+        MouseAction::Zoom => "zoom",
+        MouseAction::Box => "select in a box",
+        MouseAction::Lasso(_) => "draw a lasso",
+        _ => return None,
+    })
+}
+
+fn capitalized(text: &str) -> String {
+    let mut letters = text.chars();
+    letters.next().map(|first| first.to_uppercase().to_string()).unwrap_or_default() + letters.as_str()
 }
 
 /// The hints for fingers.

@@ -22,6 +22,7 @@ struct Inner {
     downloads: Vec<NamedBytes>,
     dialogs: usize,
     settings: HashMap<String, String>,
+    parameters: HashMap<String, String>,
     /// Jobs held back so that a test can examine their progress.
     held: Option<Vec<(u64, Vec<u8>)>>,
     cancelled: Vec<u64>,
@@ -53,6 +54,11 @@ impl Outside {
     /// Stores a setting, like an earlier visit.
     pub fn set_setting(&self, key: &str, value: &str) {
         self.inner.borrow_mut().settings.insert(key.to_owned(), value.to_owned());
+    }
+
+    /// Gives the page's address a parameter.
+    pub fn set_parameter(&self, name: &str, value: &str) {
+        self.inner.borrow_mut().parameters.insert(name.to_owned(), value.to_owned());
     }
 
     /// Holds back jobs from now on.
@@ -125,6 +131,10 @@ impl Platform for Headless {
 
     fn wanted(&self) -> Vec<String> {
         self.outside.inner.borrow().wanted.clone()
+    }
+
+    fn parameter(&self, name: &str) -> Option<String> {
+        self.outside.inner.borrow().parameters.get(name).cloned()
     }
 
     fn fetch(&mut self, job: u64, addresses: Vec<String>) {

@@ -75,6 +75,9 @@ pub trait Platform {
     /// address.
     fn wanted(&self) -> Vec<String>;
 
+    /// A parameter of the page's own address: of `?keys=maya`, `keys` is `maya`.
+    fn parameter(&self, name: &str) -> Option<String>;
+
     /// Fetches files from the addresses, as the first part of a job.
     fn fetch(&mut self, job: u64, addresses: Vec<String>);
 

@@ -65,6 +65,8 @@ pub(crate) struct Session {
     pub look: Option<Look>,
     /// Who waits for a command that selects some elements at a time.
     pub(super) selecting: Option<Reply>,
+    /// Whether a key started the action that is being carried out.
+    pub by_key: bool,
     /// Whether to commit the ongoing edit when the pointer's button is released.
     pub commit_on_release: bool,
     measured: RefCell<Measured>,
@@ -89,6 +91,7 @@ impl Session {
             adjusting_is_slow: false,
             look: None,
             selecting: None,
+            by_key: false,
             commit_on_release: false,
             measured: RefCell::default(),
             refusals: RefCell::default(),

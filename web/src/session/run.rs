@@ -64,8 +64,15 @@ impl Session {
                 if scope == Scope::Selection && self.editor.revision() == revision {
                     selecting::say_if_nothing_found(self, &outcome);
                 }
+                // A slip of the finger must not change a whole mesh without a word.
+                let says = self.by_key && scope == Scope::Meshes && self.editor.revision() != revision;
                 if !outcome.warnings.is_empty() {
                     self.warn(outcome.message.clone(), outcome.warnings.clone());
+                } else if says {
+                    self.toast(MessageKind::Info, outcome.message.clone(), Vec::new());
+                }
+                if says {
+                    self.toasts.offer(Action::Undo);
                 }
                 if let Some(reply) = reply {
                     reply(Ok(Answer::Outcome(outcome)));
@@ -131,6 +138,7 @@ impl Session {
     pub fn job_done(&mut self, job: u64, result: Result<JobResult, CommandError>) {
         let Some(running) = self.jobs.take(job) else { return };
         let id = JobId(job);
+        let revision = self.editor.revision();
         let finished = self.editor.finish(id, result.map_err(|error| with_notes(error, &running.notes)));
         match finished {
             Ok(Finished::Done(mut outcome)) => {
@@ -145,6 +153,9 @@ impl Session {
                         self.look_at_new();
                     }
                     self.toast(MessageKind::Info, outcome.message.clone(), outcome.warnings.clone());
+                    if self.editor.revision() != revision {
+                        self.toasts.offer(Action::Undo);
+                    }
                 }
                 outcome.warnings.extend(running.notes);
                 if let Some(reply) = running.reply {

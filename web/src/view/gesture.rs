@@ -7,10 +7,10 @@ use glam::{Vec3, vec2};
 use super::View;
 use crate::bezier::ControlPoint;
 
-/// What a drag with the primary button beside the mesh does.
+/// What a drag with the primary button beside the mesh does, in place of what it does in the preset of keys.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub(crate) enum Tool {
-    /// Turns the view.
+    /// What the preset says.
     #[default]
     Orbit,
     /// Draws a box that selects.
@@ -27,6 +27,7 @@ pub(crate) enum Gesture {
     None,
     Orbit,
     Pan,
+    Zoom,
     Box {
         from: Pos2,
     },
@@ -59,7 +60,12 @@ impl View {
     pub fn cancel_gesture(&mut self) -> bool {
         let going = !matches!(
             self.gesture,
-            Gesture::None | Gesture::Live { .. } | Gesture::Orbit | Gesture::Pan | Gesture::Ended
+            Gesture::None
+                | Gesture::Live { .. }
+                | Gesture::Orbit
+                | Gesture::Pan
+                | Gesture::Zoom
+                | Gesture::Ended
         );
         if going {
             self.gesture = Gesture::Ended;

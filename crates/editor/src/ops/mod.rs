@@ -2,7 +2,7 @@
 //!
 //! One operation per file, named after it. Each is a small struct whose fields are those of the JSON
 //! object `{"op": "<name>", ...fields}`, with a [`Spec`] that everything else is made from: menus, the
-//! palette, forms, keys, greying, previews, the operations reference and `meshwright --help`.
+//! palette, forms, greying, previews, the operations reference and `meshwright --help`.
 //!
 //! To add one: write its file in the folder of its group, and name it in `operations!` below. Its place
 //! there is its place in menus.
@@ -80,7 +80,7 @@ macro_rules! enumerate {
             /// Every operation, in the order menus list them.
             pub const ALL: &'static [Self] = &[$(Self::$name),*];
 
-            /// The operation's name, texts, keys and fields.
+            /// The operation's name, texts and fields.
             pub const fn spec(self) -> &'static Spec {
                 match self {
                     $(Self::$name => const { &<$name as Operation>::SPEC },)*

@@ -1,11 +1,11 @@
 //! The description of an operation, from which everything about it is made: menus, the palette,
-//! forms, keys, previews, the operations reference and `meshwright --help`.
+//! forms, previews, the operations reference and `meshwright --help`.
 
 use super::OpId;
 use super::field::{Field, FieldKind, Fill};
 use halfedge::Element;
 
-/// An operation's name, texts, keys and fields.
+/// An operation's name, texts and fields.
 #[derive(Clone, Copy, Debug)]
 pub struct Spec {
     /// The name in JSON.
@@ -18,10 +18,10 @@ pub struct Spec {
     pub synonyms: &'static [&'static str],
     /// What it works on.
     pub scope: Scope,
-    /// Its default keys, as in `Shift+T`; menus show the first one.
-    pub keys: &'static [&'static str],
-    /// The operations that share its keys, one for each kind of element.
+    /// The operations that do the same to other kinds of elements.
     pub family: Option<Family>,
+    /// Another family that it stands in for, without being of it.
+    pub also: Option<Family>,
     /// Whether its form shows the result while its fields are filled in.
     pub previewed: bool,
     /// Its fields, without `op` and `object`.
@@ -43,8 +43,7 @@ pub enum Scope {
     Document,
 }
 
-/// Operations that do the same to different kinds of elements and share their keys. The member
-/// that declares the keys stands for the family.
+/// Operations that do the same to different kinds of elements: a key of one starts the one that suits the selection.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Family {
     /// Extrude faces or edges.
@@ -53,10 +52,12 @@ pub enum Family {
     Bevel,
     /// Delete faces or vertices, dissolve edges.
     Delete,
+    /// Dissolve vertices or edges.
+    Dissolve,
 }
 
 impl Spec {
-    /// An operation without keys and fields.
+    /// An operation without fields.
     pub(crate) const fn new(
         scope: Scope,
         name: &'static str,
@@ -69,8 +70,8 @@ impl Spec {
             description,
             synonyms: &[],
             scope,
-            keys: &[],
             family: None,
+            also: None,
             previewed: false,
             fields: &[],
         }
@@ -80,12 +81,17 @@ impl Spec {
         Self { synonyms, ..self }
     }
 
-    pub(crate) const fn keys(self, keys: &'static [&'static str]) -> Self {
-        Self { keys, ..self }
-    }
-
     pub(crate) const fn family(self, family: Family) -> Self {
         Self { family: Some(family), ..self }
+    }
+
+    pub(crate) const fn also(self, family: Family) -> Self {
+        Self { also: Some(family), ..self }
+    }
+
+    /// Whether it is of a family, or stands in for it.
+    pub fn is_of(&self, family: Family) -> bool {
+        self.family == Some(family) || self.also == Some(family)
     }
 
     pub(crate) const fn previewed(self) -> Self {
@@ -136,20 +142,8 @@ impl OpId {
     /// family, or where no member works on that kind.
     pub fn for_selection(self, kind: Element) -> Self {
         let spec = self.spec();
-        if spec.family.is_none() || spec.applies_to(kind) {
-            return self;
-        }
-        let mut family = Self::ALL.iter().filter(|id| id.spec().family == spec.family);
-        family.find(|id| id.spec().applies_to(kind)).copied().unwrap_or(self)
-    }
-
-    /// The default keys: its own, or those of its family.
-    pub fn keys(self) -> &'static [&'static str] {
-        let spec = self.spec();
-        if !spec.keys.is_empty() || spec.family.is_none() {
-            return spec.keys;
-        }
-        let mut family = Self::ALL.iter().map(|id| id.spec()).filter(|other| other.family == spec.family);
-        family.find(|other| !other.keys.is_empty()).map_or(&[], |other| other.keys)
+        let Some(family) = spec.family.filter(|_| !spec.applies_to(kind)) else { return self };
+        let mut members = Self::ALL.iter().filter(|id| id.spec().is_of(family));
+        members.find(|id| id.spec().applies_to(kind)).copied().unwrap_or(self)
     }
 }

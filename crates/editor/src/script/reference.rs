@@ -47,10 +47,6 @@ pub fn operations_reference() -> String {
 fn operation(id: OpId) -> String {
     let spec = id.spec();
     let mut text = format!("\n### `{}`\n\n{}\n", spec.name, spec.description);
-    let keys: Vec<String> = id.keys().iter().map(|key| format!("`{key}`")).collect();
-    if !keys.is_empty() {
-        let _ = write!(text, "\nKeys: {}.\n", keys.join(", "));
-    }
     if spec.fields.is_empty() {
         return text;
     }

@@ -1,7 +1,7 @@
 //! Gestures in the viewport: orbit, pan, zoom, select, and drag vertices.
 
-use editor::{OpId, SelectMode};
-use egui::{CursorIcon, Event, Key, Modifiers, PointerButton, Pos2, Response, Ui};
+use editor::{OpId, SelectBy, SelectMode};
+use egui::{CursorIcon, Modifiers, PointerButton, Pos2, Response, Ui};
 use glam::{Vec2, Vec3, vec2};
 use halfedge::{Element, Mesh};
 use surface::FaceTree;
@@ -11,7 +11,11 @@ use viewport::{Aim, Camera, Picked, Region, ScreenRect};
 use super::Viewport;
 use super::control_points;
 use super::gizmo;
+use super::pointer::{arrow_keys, is_double, is_finger, modifiers_of_button};
 use crate::bezier::ControlPoint;
+use crate::input::actions::Action;
+use crate::input::keys;
+use crate::input::mouse::{Mouse, MouseAction};
 use crate::live::edit::Start;
 use crate::live::keys::notches_of;
 use crate::live::place::mean_of_element;
@@ -23,59 +27,21 @@ const MOUSE_RADIUS: f32 = 8.0;
 /// The radius around a finger, half of a touch target: the nearest element in it is meant.
 const FINGER_RADIUS: f32 = 22.0;
 
-/// How far an arrow key turns or moves the view: as far as a drag of this many pixels.
-const ARROW_KEY_PIXELS: f32 = 40.0;
+/// A drag that zooms makes things larger by the factor e over this distance, in points.
+const ZOOM_DRAG_POINTS: f32 = 200.0;
 
 /// A way to find the element at a pixel.
 type Pick = fn(&Mesh, &FaceTree, &Camera, Vec2, Vec2, Aim) -> Option<Picked>;
 
-/// The modifiers that were held when the pointer's button was pressed or released in this frame: by the end of a slow
-/// frame they may have been let go.
-pub(super) fn modifiers_of_button(ui: &Ui) -> Modifiers {
-    ui.input(|input| {
-        let of_button = input.events.iter().rev().find_map(|event| match event {
-            Event::PointerButton { modifiers, .. } => Some(*modifiers),
-            _ => None,
-        });
-        of_button.unwrap_or(input.modifiers)
-    })
-}
-
-/// Whether this is the second click of a double-click: both with the same modifiers. `before` has those of the last click.
-fn is_double(ui: &Ui, response: &Response, before: &mut Option<Modifiers>) -> bool {
-    let is_double = response.double_clicked();
-    if response.clicked() {
-        let releases = ui.input(|input| {
-            let clicks = input.events.iter().filter_map(|event| match event {
-                Event::PointerButton {
-                    button: PointerButton::Primary, pressed: false, modifiers, ..
-                } => Some(*modifiers),
-                _ => None,
-            });
-            clicks.collect::<Vec<_>>()
-        });
-        let clicks: Vec<Modifiers> = before.iter().copied().chain(releases).collect();
-        *before = clicks.last().copied();
-        return is_double && matches!(clicks.as_slice(), [.., first, second] if first == second);
-    }
-    is_double
-}
-
-/// Whether the pointer is a finger: while one is down, and in the frame in which it is lifted.
-fn is_finger(ui: &Ui) -> bool {
-    ui.input(|input| {
-        input.any_touches() || input.events.iter().any(|event| matches!(event, Event::Touch { .. }))
-    })
-}
-
-/// How a click, a box or a lasso with these modifiers changes the selection.
-pub(super) fn select_mode(modifiers: Modifiers) -> SelectMode {
-    if modifiers.command {
-        SelectMode::Toggle
-    } else if modifiers.shift {
-        SelectMode::Extend
-    } else {
-        SelectMode::Replace
+/// The gesture that a drag begins which is not on anything that it could move.
+fn gesture_of(action: Option<MouseAction>, from: Pos2) -> Gesture {
+    match action {
+        Some(MouseAction::Orbit) => Gesture::Orbit,
+        Some(MouseAction::Pan) => Gesture::Pan,
+        Some(MouseAction::Zoom) => Gesture::Zoom,
+        Some(MouseAction::Box) => Gesture::Box { from },
+        Some(MouseAction::Lasso(_)) => Gesture::Lasso { points: vec![from], secondary: true },
+        _ => Gesture::Ended,
     }
 }
 
@@ -113,12 +79,11 @@ impl Viewport<'_> {
             self.continue_gesture(ui, response, pointer, out);
         }
         if response.drag_stopped() {
-            let modifiers = self.with_add(modifiers_of_button(ui), Modifiers::SHIFT);
-            self.end_gesture(pointer.map(|at| (at, modifiers)), out);
+            self.end_gesture(pointer.map(|at| (at, modifiers_of_button(ui))), out);
         }
         self.continue_regions(ui, out);
         self.wheel(ui, response, out);
-        self.arrow_keys(ui);
+        arrow_keys(ui, self.view);
         self.hover(ui, response);
         if self.session.live.is_some() && !response.is_pointer_button_down_on() {
             out.push(Request::LivePointer(response.hover_pos(), ui.input(|input| input.modifiers)));
@@ -137,17 +102,16 @@ impl Viewport<'_> {
         {
             self.click(ui, at, out);
         }
-        // With Alt or Ctrl held, each of two quick clicks has a meaning of its own.
-        let modifiers = modifiers_of_button(ui);
         if is_double(ui, response, &mut self.view.clicked_with)
-            && !(modifiers.alt || modifiers.command)
             && let Some(at) = pointer
             && self.control_point_at(at).is_none()
+            // Where a double-click means nothing, each of two quick clicks has a meaning of its own.
+            && let Some(action) = self.mouse().double_click(modifiers_of_button(ui), self.shown.kind)
         {
             let insert = control_points::add_control_point_at(&self.session.editor, self.view, at);
             match insert {
                 Some(insert) => out.push(Request::InsertControlPoint(insert)),
-                None => self.select_line(at, Line::Loop, modifiers.shift, out),
+                None => self.select_by(action, at, out),
             }
         }
         if response.secondary_clicked()
@@ -178,29 +142,48 @@ impl Viewport<'_> {
             self.view.gesture = Gesture::Live { applies: true };
             return;
         }
-        let secondary = response.dragged_by(PointerButton::Secondary);
-        let lasso = if secondary { modifiers.command } else { primary && self.view.tool == Tool::Lasso };
-        self.view.gesture = if lasso && !(primary && modifiers.alt) {
-            Gesture::Lasso { points: vec![from], secondary }
-        } else if secondary || (primary && modifiers.shift && self.view.tool == Tool::Orbit) {
-            Gesture::Pan
-        } else if !primary || modifiers.alt {
-            Gesture::Orbit
-        } else if modifiers.command || self.view.tool == Tool::Box {
-            Gesture::Box { from }
-        } else if let Some((point, anchor)) = self.control_point_at(from) {
-            self.player.controls.choose(Some(point));
-            Gesture::Control { point, from, anchor }
-        } else {
-            match self.movable(from) {
-                Some(anchor) => {
-                    let start = Start::new(OpId::Transform, "translate");
-                    out.push(Request::StartLive(Start { from: Some(from), anchor: Some(anchor), ..start }));
-                    Gesture::Live { applies: true }
-                }
-                None => Gesture::Orbit,
+        // With Alt held, a tool gives way to the view.
+        let tool = if primary && !modifiers.alt { self.view.tool } else { Tool::Orbit };
+        self.view.gesture = match tool {
+            Tool::Lasso => Gesture::Lasso { points: vec![from], secondary: false },
+            Tool::Box => Gesture::Box { from },
+            _ if primary && !modifiers.any() => self.start_plain_drag(ui, from, out),
+            _ => {
+                let buttons = [PointerButton::Primary, PointerButton::Secondary, PointerButton::Middle];
+                let button = buttons.into_iter().find(|button| response.dragged_by(*button));
+                let action = button.and_then(|button| self.mouse().drag(button, modifiers));
+                gesture_of(action, from)
             }
         };
+    }
+
+    /// A drag with the first button and no modifier: it moves what it begins on.
+    fn start_plain_drag(&mut self, ui: &Ui, from: Pos2, out: &mut Requests) -> Gesture {
+        if let Some((point, anchor)) = self.control_point_at(from) {
+            self.player.controls.choose(Some(point));
+            return Gesture::Control { point, from, anchor };
+        }
+        if let Some(anchor) = self.movable(from) {
+            let start = Start::new(OpId::Transform, "translate");
+            out.push(Request::StartLive(Start { from: Some(from), anchor: Some(anchor), ..start }));
+            return Gesture::Live { applies: true };
+        }
+        // One finger has no other way to turn the view.
+        if is_finger(ui) {
+            return Gesture::Orbit;
+        }
+        gesture_of(self.mouse().drag(PointerButton::Primary, Modifiers::NONE), from)
+    }
+
+    /// How a box or a lasso with these modifiers changes the selection.
+    fn mode_within(&self, modifiers: Modifiers) -> SelectMode {
+        let adds = self.shown.adds && modifiers.is_none();
+        if adds { SelectMode::Extend } else { self.mouse().mode_within(modifiers) }
+    }
+
+    /// What clicks and drags do in the preset of keys.
+    fn mouse(&self) -> &'static Mouse {
+        keys::map(&self.session.ctx).mouse()
     }
 
     /// The point under the pointer of a selected element: dragging it moves the selection.
@@ -229,6 +212,11 @@ impl Viewport<'_> {
                 self.view.camera.pan(by, size);
                 ui.ctx().set_cursor_icon(CursorIcon::Move);
             }
+            (Gesture::Zoom, _) => {
+                let middle = size * 0.5;
+                self.view.camera.zoom(f64::from((by.x - by.y) / ZOOM_DRAG_POINTS).exp(), middle, size);
+                ui.ctx().set_cursor_icon(CursorIcon::ZoomIn);
+            }
             (&Gesture::Control { point, from, anchor }, Some(at))
                 if response.drag_delta() != egui::Vec2::ZERO =>
             {
@@ -252,33 +240,19 @@ impl Viewport<'_> {
             (Gesture::Control { .. }, None) => out.push(Request::CancelEdit),
             (Gesture::Box { from }, Some((to, modifiers))) => {
                 let (from, to) = (self.view.local(from), self.view.local(to));
-                self.select_in(Region::rect(ScreenRect::between(from, to)), select_mode(modifiers), None);
+                let mode = self.mode_within(modifiers);
+                self.select_in(Region::rect(ScreenRect::between(from, to)), mode, None);
             }
             (Gesture::Lasso { points, secondary }, Some((_, modifiers))) => {
-                self.end_lasso(points, secondary, modifiers);
+                // With the right button, Ctrl is what makes it a lasso.
+                let mode = match self.mouse().drag(PointerButton::Secondary, modifiers).filter(|_| secondary) {
+                    Some(MouseAction::Lasso(mode)) => mode,
+                    _ if secondary => SelectMode::Replace,
+                    _ => self.mode_within(modifiers),
+                };
+                self.end_lasso(points, mode);
             }
             _ => {}
-        }
-    }
-
-    /// The arrow keys orbit the view, with Shift they pan it, where no list or field has the focus.
-    fn arrow_keys(&mut self, ui: &Ui) {
-        if ui.memory(|memory| memory.focused().is_some()) {
-            return;
-        }
-        let arrows = [
-            (Key::ArrowLeft, vec2(1.0, 0.0)),
-            (Key::ArrowRight, vec2(-1.0, 0.0)),
-            (Key::ArrowUp, vec2(0.0, 1.0)),
-            (Key::ArrowDown, vec2(0.0, -1.0)),
-        ];
-        let size = self.view.size();
-        for (key, way) in arrows {
-            let by = way * ARROW_KEY_PIXELS;
-            let presses = |modifiers| ui.input_mut(|input| input.count_and_consume_key(modifiers, key));
-            // Shift first: a key without modifiers also matches with Shift.
-            (0..presses(Modifiers::SHIFT)).for_each(|_| self.view.camera.pan(by, size));
-            (0..presses(Modifiers::NONE)).for_each(|_| self.view.camera.orbit(by, size));
         }
     }
 
@@ -362,35 +336,45 @@ impl Viewport<'_> {
     }
 
     /// Selects the line of elements of the listed kind through the edge nearest to a place on the page.
-    fn select_line(&mut self, at: Pos2, line: Line, extend: bool, out: &mut Requests) {
+    fn select_line(&mut self, at: Pos2, line: Line, mode: SelectMode, out: &mut Requests) {
         let kind = self.shown.kind;
         // A vertex or a face lies on lines in several directions: the nearest edge decides.
         let Some(through) = self.pick(at, Element::Halfedge) else { return };
-        let mode = if extend { SelectMode::Extend } else { SelectMode::Replace };
         out.push(Request::SelectLine { kind, through, line, mode });
     }
 
     fn click(&mut self, ui: &Ui, at: Pos2, out: &mut Requests) {
-        let modifiers = self.with_add(modifiers_of_button(ui), Modifiers::COMMAND);
-        let kind = self.shown.kind;
+        let modifiers = modifiers_of_button(ui);
         let point = self.control_point_at(at).map(|(point, _)| point);
         self.player.controls.choose(point);
         if point.is_some() {
             return;
         }
-        if modifiers.alt {
-            let line = if modifiers.command { Line::Ring } else { Line::Loop };
-            self.select_line(at, line, modifiers.shift, out);
-            return;
+        let adds = self.shown.adds && modifiers.is_none();
+        let toggles = adds.then_some(MouseAction::Select(SelectMode::Toggle));
+        if let Some(action) = toggles.or_else(|| self.mouse().click(modifiers)) {
+            self.select_by(action, at, out);
         }
-        match self.pick(at, kind) {
-            Some(id) if modifiers.command && modifiers.shift => {
-                out.push(Request::SelectPath { kind, to: id });
+    }
+
+    /// Selects what a click on a place of the page means.
+    fn select_by(&mut self, action: MouseAction, at: Pos2, out: &mut Requests) {
+        let kind = self.shown.kind;
+        match action {
+            MouseAction::Line(line, mode) => self.select_line(at, line, mode, out),
+            MouseAction::Linked => out.act(Action::SelectBy(SelectBy::Linked)),
+            MouseAction::Path => {
+                if let Some(to) = self.pick(at, kind) {
+                    out.push(Request::SelectPath { kind, to });
+                }
             }
-            Some(id) => out.select(kind, [id], select_mode(modifiers)),
-            // With a modifier held, a near miss should not clear the selection.
-            None if !modifiers.command && !modifiers.shift => out.push(Request::Deselect),
-            None => {}
+            MouseAction::Select(mode) => match self.pick(at, kind) {
+                Some(id) => out.select(kind, [id], mode),
+                // With a modifier held, a near miss should not clear the selection.
+                None if mode == SelectMode::Replace => out.push(Request::Deselect),
+                None => {}
+            },
+            _ => {}
         }
     }
 }

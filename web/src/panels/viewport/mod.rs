@@ -7,6 +7,7 @@ mod gizmo;
 mod legend;
 mod numbers;
 mod overlay;
+mod pointer;
 mod regions;
 
 use egui::{Sense, Ui, WidgetInfo};

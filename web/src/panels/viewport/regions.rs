@@ -2,13 +2,13 @@
 
 use editor::SelectMode;
 use egui::{
-    Color32, CursorIcon, Event, Modifiers, PointerButton, Pos2, Rect, Response, Shape, Stroke, StrokeKind,
+    Color32, CursorIcon, Event, PointerButton, Pos2, Rect, Response, Shape, Stroke, StrokeKind,
     Ui, pos2,
 };
 use viewport::{Region, RegionSelection};
 
 use super::Viewport;
-use super::gesture::{modifiers_of_button, select_mode};
+use super::pointer::modifiers_of_button;
 use crate::page_view::Page;
 use crate::request::{Request, Requests};
 use crate::view::{Gesture, Selecting, Tool, View};
@@ -22,11 +22,6 @@ const GAP: f32 = 4.0;
 const ROW_HEIGHT: f32 = 2.0;
 
 impl Viewport<'_> {
-    /// The modifiers, or while clicks add to the selection and none is held, the one that stands for that.
-    pub(super) fn with_add(&self, modifiers: Modifiers, add: Modifiers) -> Modifiers {
-        if self.shown.adds && modifiers.is_none() { add } else { modifiers }
-    }
-
     /// Begins to look for the elements of the listed kind in a region: those that are visible, or with x-ray all.
     pub(super) fn select_in(&mut self, region: Region, mode: SelectMode, stroke: Option<u64>) {
         let Some(object) = self.session.editor.document().active().filter(|object| object.visible()) else {
@@ -71,8 +66,7 @@ impl Viewport<'_> {
     }
 
     /// Selects what a lasso goes around.
-    pub(super) fn end_lasso(&mut self, points: Vec<Pos2>, secondary: bool, modifiers: Modifiers) {
-        let mode = lasso_mode(modifiers, secondary);
+    pub(super) fn end_lasso(&mut self, points: Vec<Pos2>, mode: SelectMode) {
         let points = points.into_iter().map(|at| self.view.local(at)).collect();
         self.select_in(Region::lasso(points), mode, None);
     }
@@ -122,13 +116,6 @@ impl Viewport<'_> {
         let region = Region::brush(self.view.local(from), self.view.local(to), self.view.circle_radius);
         self.select_in(region, mode, Some(stroke));
     }
-}
-
-/// How a lasso with these modifiers changes the selection. With the right button Ctrl is what makes it a lasso, and Alt
-/// takes its place.
-fn lasso_mode(modifiers: Modifiers, secondary: bool) -> SelectMode {
-    let command = if secondary { modifiers.alt } else { modifiers.command };
-    select_mode(Modifiers { command, ..modifiers })
 }
 
 /// Where a button was pressed since the last frame.

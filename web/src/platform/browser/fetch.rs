@@ -20,10 +20,15 @@ const MAX_FETCHED_BYTES: usize = 2 << 30;
 /// The share of the job's progress that fetching takes; opening takes the rest.
 const FETCH_SHARE: f64 = 0.5;
 
+/// The parameters of the page's address.
+pub fn parameters() -> Option<UrlSearchParams> {
+    let search = web_sys::window()?.location().search().ok()?;
+    UrlSearchParams::new_with_str(&search).ok()
+}
+
 /// The values of `model` in the page's address.
 pub fn wanted() -> Option<Vec<String>> {
-    let search = web_sys::window()?.location().search().ok()?;
-    let all = UrlSearchParams::new_with_str(&search).ok()?.get_all("model");
+    let all = parameters()?.get_all("model");
     // An empty `?model=` asks for nothing; it must not fetch the page itself.
     Some(all.iter().filter_map(|value| value.as_string()).filter(|value| !value.trim().is_empty()).collect())
 }

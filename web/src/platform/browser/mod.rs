@@ -55,6 +55,10 @@ impl Platform for Browser {
         fetch::wanted().unwrap_or_default()
     }
 
+    fn parameter(&self, name: &str) -> Option<String> {
+        fetch::parameters()?.get(name)
+    }
+
     fn fetch(&mut self, job: u64, addresses: Vec<String>) {
         self.fetches.start(job, addresses);
     }

@@ -29,7 +29,6 @@ impl Operation for BevelEdges {
     const SPEC: Spec =
         Spec::new(Scope::Elements, "bevel-edges", "Bevel edges", "Replace each edge by a strip of faces.")
             .synonyms(&["chamfer", "fillet", "round"])
-            .keys(&["B"])
             .family(Family::Bevel)
             .fields(&[
                 Field::many("edges", Element::Edge, Selected::All, "The edges to bevel"),

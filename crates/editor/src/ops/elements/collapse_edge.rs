@@ -24,7 +24,6 @@ impl Operation for CollapseEdge {
         "Collapse edge",
         "Merge the two ends of an edge into one vertex.",
     )
-    .keys(&["C"])
     .fields(&[
         Field::one("edge", Element::Edge, Selected::Each, "The edge to collapse"),
         Field::number("t", Unit::Fraction, [0.0, 1.0], "The position of the vertex along the edge")

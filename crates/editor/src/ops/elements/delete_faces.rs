@@ -22,7 +22,6 @@ impl Operation for DeleteFaces {
         "Delete faces, and vertices that are left with no face.",
     )
     .synonyms(&["erase", "remove faces"])
-    .keys(&["Delete", "X"])
     .family(Family::Delete)
     .fields(&[Field::many("faces", Element::Face, Selected::All, "The faces to delete")]);
 

@@ -40,6 +40,7 @@ impl Operation for DissolveEdge {
     )
     .synonyms(&["remove edge"])
     .family(Family::Delete)
+    .also(Family::Dissolve)
     .fields(&[
         Field::one("edge", Element::Edge, Selected::Each, "The edge to dissolve")
             .optional("those of `edges`"),

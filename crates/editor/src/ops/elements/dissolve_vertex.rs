@@ -2,7 +2,7 @@
 
 use crate::error::Problem;
 use crate::ops::refs::one;
-use crate::ops::{Action, Field, LocalEdit, Operation, Scope, Selected, Slot, Spec, VertexRef};
+use crate::ops::{Action, Family, Field, LocalEdit, Operation, Scope, Selected, Slot, Spec, VertexRef};
 use halfedge::{Element, Mesh, edit};
 use serde::{Deserialize, Serialize};
 
@@ -22,6 +22,7 @@ impl Operation for DissolveVertex {
         "Remove a vertex and merge the faces around it into one polygon.",
     )
     .synonyms(&["remove vertex"])
+    .family(Family::Dissolve)
     .fields(&[Field::one("vertex", Element::Vertex, Selected::Each, "The vertex to dissolve")]);
 
     fn elements(&mut self) -> Vec<Slot<'_>> {

@@ -29,7 +29,6 @@ impl Operation for ExtrudeFaces {
         "Extrude faces",
         "Move faces outward and build walls behind them.",
     )
-    .keys(&["E"])
     .family(Family::Extrude)
     .fields(&[
         Field::many("faces", Element::Face, Selected::All, "The faces to extrude"),

@@ -21,7 +21,6 @@ impl Operation for FlipEdge {
         "Flip edge",
         "Turn an edge one step counter-clockwise within its two faces.",
     )
-    .keys(&["F"])
     .fields(&[Field::one("edge", Element::Edge, Selected::Each, "The edge to flip")]);
 
     fn elements(&mut self) -> Vec<Slot<'_>> {

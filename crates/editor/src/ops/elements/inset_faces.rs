@@ -28,7 +28,6 @@ impl Operation for InsetFaces {
         "Add a ring of quads inside the outline of faces.",
     )
     .synonyms(&["offset faces"])
-    .keys(&["Shift+I"])
     .fields(&[
         Field::many("faces", Element::Face, Selected::All, "The faces to inset"),
         Field::number("amount", Unit::Length, [0.0, f32::MAX as f64], "The width of the ring, in mesh units")

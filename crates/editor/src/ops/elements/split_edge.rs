@@ -42,7 +42,6 @@ impl Operation for SplitEdge {
         "Add a vertex to an edge and cut the faces beside it.",
     )
     .synonyms(&["add vertex", "insert vertex"])
-    .keys(&["S"])
     .fields(&[
         Field::one("edge", Element::Edge, Selected::Each, "The edge to split"),
         Field::number("t", Unit::Fraction, [0.0, 1.0], "The position along the edge, between its ends")

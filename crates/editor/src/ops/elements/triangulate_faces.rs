@@ -48,7 +48,6 @@ impl Operation for TriangulateFaces {
         "Cut polygons into triangles between their own corners.",
     )
     .synonyms(&["triangulate"])
-    .keys(&["Shift+T"])
     .fields(&[
         Field::many("faces", Element::Face, Selected::AllOrEvery, "The faces to cut"),
         Method::field(

@@ -30,7 +30,6 @@ impl Operation for Hide {
         "Hide faces, or the faces of edges and vertices, in the viewport.",
     )
     .synonyms(&["hide selected"])
-    .keys(&["H"])
     .fields(&[
         Field::many("faces", Element::Face, Selected::All, "Faces to hide"),
         Field::many("edges", Element::Edge, Selected::All, "Edges: the faces beside them"),

@@ -30,7 +30,6 @@ impl Operation for Isolate {
         "Hide everything else; again, show everything.",
     )
     .synonyms(&["local view", "hide unselected", "solo"])
-    .keys(&["/"])
     .fields(&[
         Field::many("faces", Element::Face, Selected::All, "Faces to keep"),
         Field::many("edges", Element::Edge, Selected::All, "Edges: the faces beside them"),

@@ -14,8 +14,7 @@ pub struct Reveal {}
 impl Operation for Reveal {
     const SPEC: Spec =
         Spec::new(Scope::Selection, "reveal", "Reveal", "Show hidden faces again.")
-            .synonyms(&["unhide", "show hidden", "show all"])
-            .keys(&["Alt+H"]);
+            .synonyms(&["unhide", "show hidden", "show all"]);
 
     fn action(&self) -> Action<'_> {
         Action::Document(self)

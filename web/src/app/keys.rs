@@ -1,0 +1,62 @@
+//! Choosing a preset of keys and changing keys: the settings behind them.
+
+use crate::input::key_map::KeyPreset;
+use crate::input::keys;
+use crate::request::KeyChange;
+use crate::session::Session;
+
+/// The key of the setting that names the preset, and of the parameter in the page's address.
+const PRESET: &str = "keys";
+/// The key of the setting with the changed keys of all presets.
+const CHANGES: &str = "changed-keys";
+
+/// Puts the keys of the page's address or of an earlier visit into effect.
+pub(super) fn load(session: &mut Session) {
+    let mut map = (*keys::map(&session.ctx)).clone();
+    if let Some(stored) = session.platform.load_setting(CHANGES)
+        && let Err(error) = map.take_changes(&stored)
+    {
+        session.warn(
+            "The changed keys of earlier visits can't be read, so all keys are those of the preset.".to_owned(),
+            vec![error.to_string()],
+        );
+    }
+    let stored = session.platform.load_setting(PRESET);
+    let mut preset = stored.as_deref().and_then(KeyPreset::named).unwrap_or_default();
+    if let Some(wanted) = session.platform.parameter(PRESET) {
+        match KeyPreset::named(&wanted) {
+            Some(named) => preset = named,
+            None => {
+                let names = KeyPreset::ALL.map(KeyPreset::name).join(", ");
+                session.warn(
+                    format!("The address asks for keys that don't exist ({wanted:?}): use one of {names}."),
+                    Vec::new(),
+                );
+            }
+        }
+    }
+    map.set_preset(preset);
+    keys::set_map(&session.ctx, map);
+}
+
+/// Takes a preset, and keeps it for later visits.
+pub(super) fn choose(session: &mut Session, preset: KeyPreset) {
+    let mut map = (*keys::map(&session.ctx)).clone();
+    map.set_preset(preset);
+    keys::set_map(&session.ctx, map);
+    session.platform.store_setting(PRESET, preset.name());
+}
+
+/// Changes keys of the preset in effect, and keeps them for later visits.
+pub(super) fn change(session: &mut Session, changes: Vec<KeyChange>) {
+    let mut map = (*keys::map(&session.ctx)).clone();
+    for change in changes {
+        match change {
+            KeyChange::Set(action, keys) => map.set_keys(action, &keys),
+            KeyChange::Reset(action) => map.reset(action),
+            KeyChange::ResetAll => map.reset_all(),
+        }
+    }
+    session.platform.store_setting(CHANGES, &map.changes_to_json());
+    keys::set_map(&session.ctx, map);
+}

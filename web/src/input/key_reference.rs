@@ -1,0 +1,124 @@
+//! `docs/keys.md`: the keys and gestures of all presets, from the tables.
+
+use std::fmt::Write;
+
+use super::actions::{self, Action};
+use super::key_map::{KeyMap, KeyPreset, When};
+use super::menus;
+use super::mouse;
+
+const HEAD: &str = "\
+# Keys
+
+<!-- Made from the tables in web/src/input; `MESHWRIGHT_UPDATE=1 cargo test -p meshwright-web --lib key_reference` \
+rewrites it. -->
+
+There are three presets of keys: Course (the default), Blender and Maya. Edit > Keys chooses one and keeps it for later \
+visits; `?keys=blender` in the page's address chooses one for this visit. Help > Keyboard shortcuts changes the keys of \
+the chosen preset. Ctrl is Command on a Mac, and Alt is Option.
+
+While an edit follows the pointer, digits type its amount, X, Y and Z lock an axis (with Shift a plane), Tab goes to the \
+next number, Enter applies and Escape cancels, in all presets.
+
+Ctrl+R, Ctrl+B, Ctrl+D and Ctrl+H are the browser's own while a list, a field or a button has the focus.
+";
+
+/// The groups of actions: menus, and what is special to Bezier curves and the circle.
+pub fn groups() -> Vec<(&'static str, Vec<Action>)> {
+    let is_in = |action: &Action, when| When::of(*action) == when;
+    let all: Vec<Action> = actions::all().map(|entry| entry.action).collect();
+    let of_menu = |title: &str| {
+        let menu = menus::MENUS.iter().find(|menu| menu.title == title);
+        let entries = menu.map_or(&[][..], |menu| menu.entries).iter().flatten();
+        entries.map(|entry| entry.action).collect::<Vec<_>>()
+    };
+    let mut groups: Vec<(&'static str, Vec<Action>)> = Vec::new();
+    let mut listed: Vec<Action> = Vec::new();
+    for menu in menus::MENUS {
+        let mut actions = of_menu(menu.title);
+        match menu.title {
+            "Select" => actions.extend(actions::criteria().chain(actions::hiding()).map(Action::Operation)),
+            "Mesh" => actions.extend(actions::mesh_operations().map(Action::Operation)),
+            "File" => actions.extend(actions::formats().map(|entry| entry.action)),
+            _ => {}
+        }
+        actions.retain(|action| !listed.contains(action) && !is_in(action, When::Circle));
+        listed.extend(&actions);
+        let title = if menu.title == "Bezier" { "On a Bezier curve or surface" } else { menu.title };
+        groups.push((title, actions));
+    }
+    let circle = all.into_iter().filter(|action| is_in(action, When::Circle));
+    groups.push(("With the selecting circle", circle.collect()));
+    groups
+}
+
+/// The document.
+pub fn reference() -> String {
+    let mut text = HEAD.to_owned();
+    let maps = KeyPreset::ALL.map(KeyMap::new);
+    let heads = KeyPreset::ALL.map(KeyPreset::label);
+    for (title, actions) in groups() {
+        let keys = |action: &Action| {
+            maps.each_ref().map(|map| {
+                let keys = map.own_keys(*action).iter().map(|key| format!("`{}`", key.text()));
+                keys.collect::<Vec<_>>().join(" ")
+            })
+        };
+        let rows = actions.iter().map(|action| (actions::describe(*action).label, keys(action)));
+        table(&mut text, title, heads, rows.filter(|(_, keys)| keys.iter().any(|keys| !keys.is_empty())));
+    }
+    table(&mut text, "Mouse", heads, mouse::described().map(|(name, cells)| (name, cells.map(str::to_owned))));
+    text += "\nA drag that begins on a selected element, a control point or a handle of the gizmo moves it. In all presets:\n\n";
+    for (what, how) in mouse::SHARED_GESTURES {
+        // Writing to a string can't fail.
+        let _ = writeln!(text, "- {what}: {how}");
+    }
+    text
+}
+
+fn table<'a>(
+    text: &mut String,
+    title: &str,
+    [a, b, c]: [&str; KeyPreset::COUNT],
+    rows: impl Iterator<Item = (&'a str, [String; KeyPreset::COUNT])>,
+) {
+    let mut rows = rows.peekable();
+    if rows.peek().is_none() {
+        return;
+    }
+    let _ = writeln!(text, "\n## {title}\n\n| Action | {a} | {b} | {c} |\n|---|---|---|---|");
+    for (label, [a, b, c]) in rows {
+        let _ = writeln!(text, "| {label} | {a} | {b} | {c} |");
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Compares `docs/keys.md` with what it should hold; with `MESHWRIGHT_UPDATE=1` writes it.
+    #[cfg(not(target_arch = "wasm32"))]
+    #[test]
+    fn the_reference_of_the_keys_is_up_to_date() {
+        let path = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("../docs/keys.md");
+        if std::env::var_os("MESHWRIGHT_UPDATE").is_some() {
+            std::fs::write(&path, reference()).expect("a folder to write to");
+        }
+        let held = std::fs::read_to_string(&path).unwrap_or_default().replace("\r\n", "\n");
+        assert!(
+            held == reference(),
+            "docs/keys.md is out of date; run `MESHWRIGHT_UPDATE=1 cargo test -p meshwright-web --lib key_reference`"
+        );
+    }
+
+    #[test]
+    fn every_action_is_in_one_group() {
+        let mut listed: Vec<Action> = groups().into_iter().flat_map(|(_, actions)| actions).collect();
+        for entry in actions::all() {
+            let count = listed.iter().filter(|action| **action == entry.action).count();
+            assert_eq!(count, 1, "{:?}", entry.action);
+        }
+        listed.retain(|action| actions::all().all(|entry| entry.action != *action));
+        assert!(listed.is_empty(), "{listed:?}");
+    }
+}

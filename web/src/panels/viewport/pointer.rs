@@ -1,0 +1,69 @@
+//! What the viewport reads of the pointer, and the keys that move the view.
+
+use egui::{Event, Key, Modifiers, PointerButton, Response, Ui};
+use glam::vec2;
+
+use crate::view::View;
+
+/// How far an arrow key turns or moves the view: as far as a drag of this many pixels.
+const ARROW_KEY_PIXELS: f32 = 40.0;
+
+/// The modifiers that were held when the pointer's button was pressed or released in this frame: by the end of a slow
+/// frame they may have been let go.
+pub(super) fn modifiers_of_button(ui: &Ui) -> Modifiers {
+    ui.input(|input| {
+        let of_button = input.events.iter().rev().find_map(|event| match event {
+            Event::PointerButton { modifiers, .. } => Some(*modifiers),
+            _ => None,
+        });
+        of_button.unwrap_or(input.modifiers)
+    })
+}
+
+/// Whether this is the second click of a double-click: both with the same modifiers. `before` has those of the last click.
+pub(super) fn is_double(ui: &Ui, response: &Response, before: &mut Option<Modifiers>) -> bool {
+    let is_double = response.double_clicked();
+    if response.clicked() {
+        let releases = ui.input(|input| {
+            let clicks = input.events.iter().filter_map(|event| match event {
+                Event::PointerButton {
+                    button: PointerButton::Primary, pressed: false, modifiers, ..
+                } => Some(*modifiers),
+                _ => None,
+            });
+            clicks.collect::<Vec<_>>()
+        });
+        let clicks: Vec<Modifiers> = before.iter().copied().chain(releases).collect();
+        *before = clicks.last().copied();
+        return is_double && matches!(clicks.as_slice(), [.., first, second] if first == second);
+    }
+    is_double
+}
+
+/// Whether the pointer is a finger: while one is down, and in the frame in which it is lifted.
+pub(super) fn is_finger(ui: &Ui) -> bool {
+    ui.input(|input| {
+        input.any_touches() || input.events.iter().any(|event| matches!(event, Event::Touch { .. }))
+    })
+}
+
+/// The arrow keys orbit the view, with Shift they pan it, where no list or field has the focus.
+pub(super) fn arrow_keys(ui: &Ui, view: &mut View) {
+    if ui.memory(|memory| memory.focused().is_some()) {
+        return;
+    }
+    let arrows = [
+        (Key::ArrowLeft, vec2(1.0, 0.0)),
+        (Key::ArrowRight, vec2(-1.0, 0.0)),
+        (Key::ArrowUp, vec2(0.0, 1.0)),
+        (Key::ArrowDown, vec2(0.0, -1.0)),
+    ];
+    let size = view.size();
+    for (key, way) in arrows {
+        let by = way * ARROW_KEY_PIXELS;
+        let presses = |modifiers| ui.input_mut(|input| input.count_and_consume_key(modifiers, key));
+        // Shift first: a key without modifiers also matches with Shift.
+        (0..presses(Modifiers::SHIFT)).for_each(|_| view.camera.pan(by, size));
+        (0..presses(Modifiers::NONE)).for_each(|_| view.camera.orbit(by, size));
+    }
+}
