@@ -9,7 +9,7 @@ use halfedge::Element;
 use crate::bezier::Player;
 use crate::input::actions::Action;
 use crate::input::availability;
-use crate::input::key_map::KeyPreset;
+use crate::input::key_preset::KeyPreset;
 use crate::input::keys;
 use crate::session::Session;
 use crate::shown::Shown;

@@ -28,7 +28,7 @@ const CIRCLE_STEP: f32 = 1.25;
 
 impl App {
     /// The state that panels read.
-    fn page(&self) -> Page<'_> {
+    pub(super) fn page(&self) -> Page<'_> {
         Page { session: &self.session, shown: &self.shown, view: &self.view, player: &self.player }
     }
 

@@ -1,9 +1,14 @@
-//! Choosing a preset of keys and changing keys: the settings behind them.
+//! What keys mean now, and the settings behind them: the preset and the changed keys.
 
-use crate::input::key_map::KeyPreset;
-use crate::input::keys;
+use super::Panels;
+use crate::bezier;
+use crate::input::key_map::When;
+use crate::input::key_preset::KeyPreset;
+use crate::input::keys::{self, KeyReader};
+use crate::page_view::Page;
 use crate::request::KeyChange;
 use crate::session::Session;
+use crate::view::Tool;
 
 /// The key of the setting that names the preset, and of the parameter in the page's address.
 const PRESET: &str = "keys";
@@ -17,7 +22,8 @@ pub(super) fn load(session: &mut Session) {
         && let Err(error) = map.take_changes(&stored)
     {
         session.warn(
-            "The changed keys of earlier visits can't be read, so all keys are those of the preset.".to_owned(),
+            "The changed keys of earlier visits can't be read, so all keys are those of the preset."
+                .to_owned(),
             vec![error.to_string()],
         );
     }
@@ -59,4 +65,20 @@ pub(super) fn change(session: &mut Session, changes: Vec<KeyChange>) {
     }
     session.platform.store_setting(CHANGES, &map.changes_to_json());
     keys::set_map(&session.ctx, map);
+}
+
+/// What keys mean now; none while a dialog takes them.
+pub(super) fn reader(page: &Page<'_>, panels: &Panels) -> Option<KeyReader> {
+    if panels.palette.open || panels.saving.is_open() {
+        return None;
+    }
+    let mut cases = vec![When::Always];
+    if bezier::active(&page.editor).is_some() {
+        cases.insert(0, When::Bezier);
+    }
+    if page.view.tool == Tool::Circle {
+        cases.insert(0, When::Circle);
+    }
+    // egui itself closes an open menu on Escape.
+    Some(KeyReader::new(&page.ctx, egui::Popup::is_any_open(&page.ctx), cases))
 }

@@ -13,10 +13,8 @@ use editor::Editor;
 use egui::{CentralPanel, Context, Event as Input, Panel, ThemePreference, Ui};
 use halfedge::{Budget, Element};
 
-use crate::bezier::{self, Player};
+use crate::bezier::Player;
 use crate::input::actions::Action;
-use crate::input::key_map::When;
-use crate::input::keys::KeyReader;
 use crate::input::shortcut::Shortcut;
 use crate::page_view::Page;
 use crate::panels::viewport::Viewport;
@@ -26,7 +24,7 @@ use crate::request::Requests;
 use crate::session::{Look, Session, selecting};
 use crate::shown::Shown;
 use crate::theme;
-use crate::view::{ELEMENTS_PER_FRAME, Tool, View};
+use crate::view::{ELEMENTS_PER_FRAME, View};
 use layout::Layout;
 use panels::Panels;
 use script::Script;
@@ -219,7 +217,7 @@ impl App {
                 self.session.open_files(vec![NamedBytes::new("Pasted.obj", text.into_bytes())], None);
             }
         }
-        let Some(reader) = self.key_reader(ctx) else { return Vec::new() };
+        let Some(reader) = keys::reader(&self.page(), &self.panels) else { return Vec::new() };
         let (actions, held) = reader.take(ctx);
         if !held.is_empty() {
             self.held_events = held;
@@ -228,27 +226,14 @@ impl App {
         actions
     }
 
-    /// What keys mean now; none while a dialog takes them.
-    fn key_reader(&self, ctx: &Context) -> Option<KeyReader> {
-        if self.panels.palette.open || self.panels.saving.is_open() {
-            return None;
-        }
-        let mut cases = vec![When::Always];
-        if bezier::active(&self.session.editor).is_some() {
-            cases.insert(0, When::Bezier);
-        }
-        if self.view.tool == Tool::Circle {
-            cases.insert(0, When::Circle);
-        }
-        // egui itself closes an open menu on Escape.
-        Some(KeyReader::new(ctx, egui::Popup::is_any_open(ctx), cases))
-    }
-
     /// Whether the editor acts on a key, so that the browser must not.
     pub fn takes_key(&self, shortcut: Shortcut) -> bool {
-        let ctx = &self.session.ctx;
-        self.panels.key_editor.is_listening(self.shown.shortcuts)
-            || self.key_reader(ctx).is_some_and(|reader| reader.action_of(shortcut).is_some())
+        let acts = || {
+            keys::reader(&self.page(), &self.panels)
+                .is_some_and(|reader| reader.action_of(shortcut).is_some())
+        };
+        let listens = self.panels.key_editor.is_listening(self.shown.shortcuts);
+        self.session.ctx.input(|input| input.focused) && (listens || acts())
     }
 
     /// Ends edits that end without a request: painting when the button is released, a preview when its form

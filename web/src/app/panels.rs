@@ -67,7 +67,7 @@ impl Panels {
         named_selections::show(ctx, page, &mut self.naming, out);
         palette::show(ctx, page, &mut self.palette, out);
         save::show(ctx, page, &mut self.saving, narrow, out);
-        shortcuts::show(ctx, page, &mut self.key_editor, narrow, out);
+        shortcuts::show(ctx, page, &mut self.key_editor, out);
         messages::show(ctx, page, out);
         about::show(ctx, page, out);
         toasts::show(ctx, page, narrow, out);

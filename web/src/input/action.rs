@@ -8,7 +8,7 @@ use formats::Format;
 use halfedge::Element;
 use viewport::{ColorBy, Look, Mark, Side};
 
-use super::key_map::KeyPreset;
+use super::key_preset::KeyPreset;
 use super::presets::Preset;
 use crate::shown::Arrangement;
 use crate::transforming::{Gizmo, Orientation, Pivot, SnapTo};

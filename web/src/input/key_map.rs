@@ -4,61 +4,10 @@ use std::collections::BTreeMap;
 use std::sync::LazyLock;
 
 use super::actions::{self, Action};
+use super::key_preset::KeyPreset;
 use super::key_table;
 use super::mouse::Mouse;
 use super::shortcut::Shortcut;
-
-/// A set of keys and of gestures of the mouse.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum KeyPreset {
-    /// Single letters for the operations of geometry courses.
-    #[default]
-    Course,
-    /// As in Blender.
-    Blender,
-    /// As in Maya.
-    Maya,
-}
-
-impl KeyPreset {
-    /// The number of presets.
-    pub(super) const COUNT: usize = 3;
-
-    /// The presets, in the order of the columns of the tables.
-    pub const ALL: [Self; Self::COUNT] = [Self::Course, Self::Blender, Self::Maya];
-
-    /// The name in addresses, settings and the state.
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::Course => "course",
-            Self::Blender => "blender",
-            Self::Maya => "maya",
-        }
-    }
-
-    /// The name that users see.
-    pub fn label(self) -> &'static str {
-        match self {
-            Self::Course => "Course",
-            Self::Blender => "Blender",
-            Self::Maya => "Maya",
-        }
-    }
-
-    /// The preset of a name.
-    pub fn named(name: &str) -> Option<Self> {
-        Self::ALL.into_iter().find(|preset| preset.name().eq_ignore_ascii_case(name))
-    }
-
-    /// Its column of a table.
-    pub(super) fn of<T: Copy>(self, [course, blender, maya]: [T; Self::COUNT]) -> T {
-        match self {
-            Self::Course => course,
-            Self::Blender => blender,
-            Self::Maya => maya,
-        }
-    }
-}
 
 /// When a key means something. Keys of the special cases come before those that always count.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -104,8 +53,11 @@ pub struct Binding {
 /// version doesn't know stays for the one that does.
 type Changes = BTreeMap<String, BTreeMap<String, Vec<String>>>;
 
+/// A column of the table.
+type Column = Vec<(Action, Vec<Shortcut>)>;
+
 /// The keys of each preset, without changes.
-static DEFAULTS: LazyLock<[Vec<(Action, Vec<Shortcut>)>; KeyPreset::COUNT]> = LazyLock::new(|| {
+static DEFAULTS: LazyLock<[Column; KeyPreset::COUNT]> = LazyLock::new(|| {
     KeyPreset::ALL.map(|preset| {
         let keys = |row: &key_table::Row| (row.0, Shortcut::parse_all(preset.of(row.1)));
         key_table::ROWS.iter().map(keys).collect()
@@ -193,17 +145,16 @@ impl KeyMap {
 
     /// The action of a key: that of the first of the cases in which it means something.
     pub fn action_of(&self, pressed: Shortcut, cases: &[When]) -> Option<Action> {
-        let find = |shortcut: Shortcut| {
-            cases.iter().find_map(|&when| self.actions_of(shortcut, when).next())
-        };
+        let find = |shortcut: Shortcut| cases.iter().find_map(|&when| self.actions_of(shortcut, when).next());
         find(pressed).or_else(|| find(pressed.off_the_pad()?))
     }
 
     /// The actions that a key starts in a case: more than one only where changes disagree with a new version's preset.
     pub fn actions_of(&self, shortcut: Shortcut, when: When) -> impl Iterator<Item = Action> {
-        let bound = self.bindings.iter().filter(move |binding| {
-            binding.keys.contains(&shortcut) && When::of(binding.action) == when
-        });
+        let bound = self
+            .bindings
+            .iter()
+            .filter(move |binding| binding.keys.contains(&shortcut) && When::of(binding.action) == when);
         bound.map(|binding| binding.action)
     }
 
@@ -294,7 +245,10 @@ mod tests {
     fn every_row_is_of_an_action_in_a_menu_and_every_key_can_be_read() {
         for (at, (action, columns)) in key_table::ROWS.iter().enumerate() {
             assert!(actions::all().any(|entry| entry.action == *action), "{action:?}");
-            assert!(key_table::ROWS.iter().skip(at + 1).all(|row| row.0 != *action), "{action:?} is there twice");
+            assert!(
+                key_table::ROWS.iter().skip(at + 1).all(|row| row.0 != *action),
+                "{action:?} is there twice"
+            );
             assert!(columns.iter().any(|column| !column.is_empty()), "{action:?} has no key");
             for text in columns.iter().flat_map(|column| column.split(' ')).filter(|text| !text.is_empty()) {
                 assert_eq!(Shortcut::parse(text).map(Shortcut::text).as_deref(), Some(text), "{action:?}");
@@ -371,7 +325,8 @@ mod tests {
     #[test]
     fn what_another_version_stored_is_kept() {
         let mut map = KeyMap::new(KeyPreset::Course);
-        let stored = r#"{"course":{"knife-of-the-future":["K"],"undo":["Ctrl+Unknown","Ctrl+U"]},"other":{}}"#;
+        let stored =
+            r#"{"course":{"knife-of-the-future":["K"],"undo":["Ctrl+Unknown","Ctrl+U"]},"other":{}}"#;
         map.take_changes(stored).expect("known form");
         assert_eq!(map.own_keys(Action::Undo), [key("Ctrl+U")]);
         map.reset(Action::Undo);

@@ -3,7 +3,8 @@
 use std::fmt::Write;
 
 use super::actions::{self, Action};
-use super::key_map::{KeyMap, KeyPreset, When};
+use super::key_map::{KeyMap, When};
+use super::key_preset::KeyPreset;
 use super::menus;
 use super::mouse;
 
@@ -67,7 +68,12 @@ pub fn reference() -> String {
         let rows = actions.iter().map(|action| (actions::describe(*action).label, keys(action)));
         table(&mut text, title, heads, rows.filter(|(_, keys)| keys.iter().any(|keys| !keys.is_empty())));
     }
-    table(&mut text, "Mouse", heads, mouse::described().map(|(name, cells)| (name, cells.map(str::to_owned))));
+    table(
+        &mut text,
+        "Mouse",
+        heads,
+        mouse::described().map(|(name, cells)| (name, cells.map(str::to_owned))),
+    );
     text += "\nA drag that begins on a selected element, a control point or a handle of the gizmo moves it. In all presets:\n\n";
     for (what, how) in mouse::SHARED_GESTURES {
         // Writing to a string can't fail.

@@ -5,7 +5,7 @@ use halfedge::Element;
 use viewport::{ColorBy, Look, Side};
 
 use super::action::Action as A;
-use super::key_map::KeyPreset;
+use super::key_preset::KeyPreset;
 use crate::transforming::Gizmo;
 
 /// An action with its keys in each preset, with spaces between several; menus show the first.

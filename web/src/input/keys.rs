@@ -20,7 +20,9 @@ fn place() -> Id {
 
 /// The keys in effect.
 pub fn map(ctx: &Context) -> Arc<KeyMap> {
-    ctx.data_mut(|data| data.get_temp_mut_or_insert_with(place(), || Arc::new(KeyMap::new(Default::default()))).clone())
+    ctx.data_mut(|data| {
+        data.get_temp_mut_or_insert_with(place(), || Arc::new(KeyMap::new(Default::default()))).clone()
+    })
 }
 
 /// Puts other keys into effect.
@@ -64,7 +66,14 @@ impl KeyReader {
     pub fn new(ctx: &Context, menu: bool, cases: Vec<When>) -> Self {
         let focused = ctx.memory(|memory| memory.focused());
         let on_list = focused.is_some() && focused == row_list::focused(ctx);
-        Self { map: map(ctx), cases, typing: ctx.text_edit_focused(), menu, on_control: focused.is_some(), on_list }
+        Self {
+            map: map(ctx),
+            cases,
+            typing: ctx.text_edit_focused(),
+            menu,
+            on_control: focused.is_some(),
+            on_list,
+        }
     }
 
     /// The action that a key starts.
@@ -125,7 +134,7 @@ fn works_while_typing(action: Action) -> bool {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::input::key_map::KeyPreset;
+    use crate::input::key_preset::KeyPreset;
     use editor::SelectBy;
 
     #[test]

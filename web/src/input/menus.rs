@@ -3,7 +3,7 @@
 use editor::{OpId, SelectBy};
 
 use super::action::{Action, Entry, entry};
-use super::key_map::KeyPreset;
+use super::key_preset::KeyPreset;
 use super::presets::Preset;
 use super::{select_menu, transform_menu, view_menu};
 

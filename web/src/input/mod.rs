@@ -4,6 +4,7 @@ pub(crate) mod action;
 pub mod actions;
 pub(crate) mod availability;
 pub mod key_map;
+pub mod key_preset;
 pub mod key_reference;
 mod key_table;
 pub mod keys;

@@ -6,7 +6,7 @@ use halfedge::Element;
 use std::sync::LazyLock;
 use surface::selecting::Line;
 
-use super::key_map::KeyPreset;
+use super::key_preset::KeyPreset;
 
 /// What a gesture does.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -71,7 +71,10 @@ pub static SHARED_GESTURES: &[(&str, &str)] = &[
     ("Pan the view", "Shift and the arrow keys, or two fingers"),
     ("Move the selection", "drag a selected element, or a handle of the gizmo"),
     ("Open a menu", "right-click"),
-    ("Select with a circle", "the circle tool: drag; with Ctrl or the middle button, remove; wheel for the size"),
+    (
+        "Select with a circle",
+        "the circle tool: drag; with Ctrl or the middle button, remove; wheel for the size",
+    ),
     ("Select with a box or a lasso", "the tool: drag"),
     ("Move a control point", "drag it, on a Bezier curve or surface"),
     ("Add a control point", "double-click, on a Bezier curve"),
@@ -197,7 +200,8 @@ mod tests {
     fn every_preset_has_the_gestures_that_one_cannot_do_without() {
         for preset in KeyPreset::ALL {
             let rows = &Mouse::of(preset).rows;
-            for action in [M::Orbit, M::Pan, M::Zoom, M::Box, M::Select(Replace), M::Select(Toggle), M::Path] {
+            for action in [M::Orbit, M::Pan, M::Zoom, M::Box, M::Select(Replace), M::Select(Toggle), M::Path]
+            {
                 assert!(rows.iter().any(|(_, bound)| *bound == action), "{preset:?} has no {action:?}");
             }
         }

@@ -132,9 +132,19 @@ mod tests {
 
     #[test]
     fn shortcuts_are_read_as_they_are_written() {
-        for text in
-            ["Z", "Ctrl+Alt+Shift+Z", "Ctrl+-", "Ctrl++", "Numpad5", "Ctrl+Numpad+", "?", ".", "F12", "Home", "Left"]
-        {
+        for text in [
+            "Z",
+            "Ctrl+Alt+Shift+Z",
+            "Ctrl+-",
+            "Ctrl++",
+            "Numpad5",
+            "Ctrl+Numpad+",
+            "?",
+            ".",
+            "F12",
+            "Home",
+            "Left",
+        ] {
             assert_eq!(Shortcut::parse(text).map(Shortcut::text).as_deref(), Some(text));
         }
         assert_eq!(Shortcut::parse("Shift+Ctrl+Z"), Shortcut::parse("Ctrl+Shift+Z"));
@@ -142,7 +152,10 @@ mod tests {
             assert_eq!(Shortcut::parse(text), None, "{text:?}");
         }
         let ctx = Context::default();
-        assert_eq!(Shortcut::parse("Ctrl+Numpad1").map(|key| key.written(&ctx)).as_deref(), Some("Ctrl+Numpad 1"));
+        assert_eq!(
+            Shortcut::parse("Ctrl+Numpad1").map(|key| key.written(&ctx)).as_deref(),
+            Some("Ctrl+Numpad 1")
+        );
     }
 
     #[test]

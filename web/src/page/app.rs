@@ -7,6 +7,7 @@ use eframe::WebRunner;
 use wasm_bindgen::prelude::*;
 use web_sys::{BeforeUnloadEvent, HtmlCanvasElement, PointerEvent};
 
+use super::browser_keys::Pressed;
 use super::{graphics, notice};
 use crate::app::App;
 use crate::input::pacing::Pacing;
@@ -17,6 +18,7 @@ use crate::script::ui_tree::UiTree;
 pub struct PageApp {
     app: App,
     pacing: Pacing,
+    pressed: Pressed,
     ready: Ready,
 }
 
@@ -28,7 +30,7 @@ enum Ready {
 }
 
 impl PageApp {
-    pub fn new(context: &eframe::CreationContext<'_>) -> Self {
+    pub fn new(context: &eframe::CreationContext<'_>, pressed: Pressed) -> Self {
         let ctx = &context.egui_ctx;
         ctx.add_plugin(UiTree::default());
         let graphics = context.wgpu_render_state.clone();
@@ -37,6 +39,7 @@ impl PageApp {
         Self {
             app: App::new(ctx, Box::new(browser), graphics),
             pacing: Pacing::default(),
+            pressed,
             ready: Ready::In(2),
         }
     }
@@ -62,6 +65,7 @@ impl PageApp {
 
 impl eframe::App for PageApp {
     fn raw_input_hook(&mut self, ctx: &egui::Context, raw_input: &mut egui::RawInput) {
+        self.pressed.mark(raw_input);
         if self.pacing.pace(raw_input, time_of_button()) {
             ctx.request_repaint();
         }

@@ -1,6 +1,7 @@
 //! The page: the editor on its canvas, and the notices of index.html while there is no editor.
 
 mod app;
+mod browser_keys;
 mod graphics;
 mod notice;
 
@@ -11,6 +12,7 @@ use web_sys::HtmlCanvasElement;
 use crate::script;
 pub(crate) use app::Handle;
 use app::PageApp;
+use browser_keys::Pressed;
 use graphics::Choice;
 
 /// Runs the editor on the canvas with the id `meshwright`, with WebGPU or else WebGL2. If neither works,
@@ -39,16 +41,19 @@ pub fn start() {
 async fn start_on(canvas: HtmlCanvasElement, choice: Choice) -> Result<(), JsValue> {
     let runner = WebRunner::new();
     let handle = Handle::new(runner.clone(), canvas.clone());
+    let pressed = Pressed::default();
+    let marked = pressed.clone();
     runner
         .start(
             canvas.clone(),
             graphics::options(choice),
-            Box::new(|context| Ok(Box::new(PageApp::new(context)))),
+            Box::new(|context| Ok(Box::new(PageApp::new(context, marked)))),
         )
         .await?;
     // Keys then work before the first click.
     canvas.focus()?;
     script::install(&handle)?;
+    browser_keys::listen(handle.clone(), pressed)?;
     app::ask_before_leaving(handle)
 }
 

@@ -86,17 +86,21 @@ pub(crate) fn hints(page: &Page<'_>, modifiers: Modifiers) -> Vec<Hint> {
 fn by_mouse(page: &Page<'_>, modifiers: Modifiers) -> Vec<Hint> {
     let mouse = keys::map(&page.ctx).mouse();
     let mode = |held| mode_words(mouse.mode_within(held));
+    let with_drag = |words: &str, button| {
+        let drag = drag_words(mouse.drag(button, Modifiers::NONE));
+        [words].into_iter().chain(drag).filter(|part| !part.is_empty()).collect::<Vec<_>>().join(", ")
+    };
     let draws = |what| {
-        let drag = drag_words(mouse.drag(PointerButton::Middle, Modifiers::NONE));
-        let middle = drag.map(|words| hint(MIDDLE, format!("Drag to {words}")));
-        let first = [hint(LEFT, what)].into_iter().chain(middle);
-        let more = [
-            hint(RIGHT, "Menu"),
+        let middle = capitalized(&with_drag("", PointerButton::Middle));
+        let all = [
+            hint(LEFT, what),
+            hint(MIDDLE, middle),
+            hint(RIGHT, with_drag("Menu", PointerButton::Secondary)),
             hint(SHIFT, mode(Modifiers::SHIFT)),
             hint(CTRL, mode(Modifiers::COMMAND)),
             hint(ESCAPE, "End the tool"),
         ];
-        first.chain(more).collect()
+        all.into_iter().filter(|hint| !hint.does.is_empty()).collect()
     };
     match page.view.tool {
         Tool::Orbit => {}
@@ -112,7 +116,7 @@ fn by_mouse(page: &Page<'_>, modifiers: Modifiers) -> Vec<Hint> {
             ];
         }
     }
-    let drag = |button| drag_words(mouse.drag(button, modifiers)).map(|words| format!("drag to {words}"));
+    let drag = |button| drag_words(mouse.drag(button, modifiers)).map(str::to_owned);
     let joined = |parts: [Option<String>; 2]| {
         let text = parts.into_iter().flatten().collect::<Vec<_>>().join(", ");
         (!text.is_empty()).then(|| capitalized(&text))
@@ -181,13 +185,13 @@ fn click_words(action: MouseAction, what: Element) -> String {
     }
 }
 
-/// What a drag does, after "drag to".
+/// What a drag does.
 fn drag_words(action: Option<MouseAction>) -> Option<&'static str> {
     Some(match action? {
-        MouseAction::Orbit => "orbit",
-        MouseAction::Pan => "pan",
-        MouseAction::Zoom => "zoom",
-        MouseAction::Box => "select in a box",
+        MouseAction::Orbit => "drag to orbit",
+        MouseAction::Pan => "drag to pan",
+        MouseAction::Zoom => "drag to zoom",
+        MouseAction::Box => "drag a box",
         MouseAction::Lasso(_) => "draw a lasso",
         _ => return None,
     })

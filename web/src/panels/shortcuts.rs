@@ -3,12 +3,12 @@
 use egui::{Align, Button, Context, Event, Key, Layout, RichText, ScrollArea, Ui, Window, vec2};
 
 use crate::input::actions::{self, Action};
-use crate::input::key_map::{KeyMap, KeyPreset, When};
+use crate::input::key_map::{KeyMap, When};
+use crate::input::key_preset::KeyPreset;
 use crate::input::shortcut::Shortcut;
 use crate::input::{key_reference, keys, mouse};
 use crate::page_view::Page;
 use crate::request::{KeyChange, Request, Requests};
-use crate::theme;
 use crate::widgets::controls::text_field;
 use crate::widgets::icons::{Icon, icon_button};
 
@@ -39,8 +39,7 @@ enum Listening {
 impl KeyEditor {
     /// Whether the next key is the window's. `is_open` says whether the window is.
     pub fn is_listening(&self, is_open: bool) -> bool {
-        is_open
-            && matches!(self.listening, Some(Listening::Find | Listening::Bind { pressed: None, .. }))
+        is_open && matches!(self.listening, Some(Listening::Find | Listening::Bind { pressed: None, .. }))
     }
 
     /// Takes the next key out of the frame's input if the window waits for it. Escape ends the waiting.
@@ -49,7 +48,9 @@ impl KeyEditor {
             self.listening = None;
             return;
         }
-        if self.listening.is_some() && ctx.input_mut(|input| input.consume_key(Default::default(), Key::Escape)) {
+        if self.listening.is_some()
+            && ctx.input_mut(|input| input.consume_key(Default::default(), Key::Escape))
+        {
             self.listening = None;
             return;
         }
@@ -60,7 +61,10 @@ impl KeyEditor {
             let pressed = input.events.iter().find_map(Shortcut::of_event);
             // A key also types text, cuts or copies.
             input.events.retain(|event| {
-                !matches!(event, Event::Key { .. } | Event::Text(_) | Event::Cut | Event::Copy | Event::Paste(_))
+                !matches!(
+                    event,
+                    Event::Key { .. } | Event::Text(_) | Event::Cut | Event::Copy | Event::Paste(_)
+                )
             });
             pressed
         });
@@ -75,7 +79,7 @@ impl KeyEditor {
     }
 }
 
-pub(crate) fn show(ctx: &Context, page: &Page<'_>, own: &mut KeyEditor, narrow: bool, out: &mut Requests) {
+pub(crate) fn show(ctx: &Context, page: &Page<'_>, own: &mut KeyEditor, out: &mut Requests) {
     if !page.shown.shortcuts {
         return;
     }
@@ -89,15 +93,13 @@ pub(crate) fn show(ctx: &Context, page: &Page<'_>, own: &mut KeyEditor, narrow: 
         .pivot(egui::Align2::CENTER_CENTER)
         .fixed_pos(screen.center())
         .show(ctx, |ui| {
-            if narrow {
-                theme::for_fingers(ui);
-            }
             ui.set_width(MAX_WIDTH_POINTS.min(screen.width() - 48.0));
             let map = keys::map(ctx);
             head(ui, &map, own, out);
             ui.separator();
             let most = screen.height() * MAX_SHARE_OF_HEIGHT;
-            ScrollArea::vertical().max_height(most).auto_shrink([false, true]).show(ui, |ui| {
+            let area = ScrollArea::vertical().max_height(most).min_scrolled_height(most);
+            area.auto_shrink([false, false]).show(ui, |ui| {
                 let any = list(ui, &map, own, out);
                 let any = mouse_list(ui, &map, own) || any;
                 if !any {
@@ -132,7 +134,12 @@ fn with_key(map: &KeyMap, action: Action, replaces: Option<Shortcut>, key: Short
         None => all.push(key),
     }
     let mut seen = Vec::new();
-    all.retain(|key| !seen.contains(key) && { seen.push(*key); true });
+    all.retain(|key| {
+        !seen.contains(key) && {
+            seen.push(*key);
+            true
+        }
+    });
     all
 }
 
@@ -141,7 +148,8 @@ fn head(ui: &mut Ui, map: &KeyMap, own: &mut KeyEditor, out: &mut Requests) {
     ui.horizontal_wrapped(|ui| {
         for preset in KeyPreset::ALL {
             let entry = actions::describe(Action::UseKeys(preset));
-            let button = ui.selectable_label(map.preset() == preset, preset.label()).accessible_name(entry.label);
+            let button =
+                ui.selectable_label(map.preset() == preset, preset.label()).accessible_name(entry.label);
             if button.on_hover_text(entry.description).clicked() {
                 out.act(entry.action);
             }
@@ -166,12 +174,14 @@ fn head(ui: &mut Ui, map: &KeyMap, own: &mut KeyEditor, out: &mut Requests) {
             Some(key) => format!("Key: {}", key.written(ui.ctx())),
             None => "Find by key".to_owned(),
         };
-        let find = ui.selectable_label(finds || own.key.is_some(), text).accessible_name("Find by key");
+        let find =
+            ui.add(Button::new(text).selected(finds || own.key.is_some())).accessible_name("Find by key");
         if find.on_hover_text("Press a key and see what it does; click again to list all").clicked() {
             own.listening = (!finds && own.key.is_none()).then_some(Listening::Find);
             own.key = None;
         }
-        ui.checkbox(&mut own.only_changed, "Changed only").on_hover_text("List only actions whose keys were changed");
+        ui.checkbox(&mut own.only_changed, "Changed only")
+            .on_hover_text("List only actions whose keys were changed");
     });
 }
 
@@ -188,14 +198,17 @@ fn list(ui: &mut Ui, map: &KeyMap, own: &mut KeyEditor, out: &mut Requests) -> b
                 let keys = keys.iter().map(|key| key.written(ui.ctx()).to_lowercase());
                 keys.chain(names.map(str::to_lowercase)).any(|text| text.contains(&typed))
             };
-            own.key.is_none_or(|key| keys.contains(&key) || key.off_the_pad().is_some_and(|key| keys.contains(&key)))
-                && (!own.only_changed || map.is_changed(*action))
+            own.key.is_none_or(|key| {
+                keys.contains(&key) || key.off_the_pad().is_some_and(|key| keys.contains(&key))
+            }) && (!own.only_changed || map.is_changed(*action))
                 && (typed.is_empty() || is_named())
         });
         if listed.is_empty() {
             continue;
         }
         any = true;
+        // Those that have keys come first, whatever is changed.
+        listed.sort_by_key(|action| map.default_keys(*action).is_empty());
         ui.add_space(6.0);
         ui.label(RichText::new(title).strong());
         for action in listed {
@@ -231,7 +244,12 @@ fn row(ui: &mut Ui, map: &KeyMap, action: Action, own: &mut KeyEditor, out: &mut
                 return;
             }
             let name = format!("Add a key to {}", entry.label);
-            if ui.add(Button::new("+").min_size(vec2(22.0, 0.0))).on_hover_text(&name).accessible_name(&name).clicked() {
+            if ui
+                .add(Button::new("+").min_size(vec2(22.0, 0.0)))
+                .on_hover_text(&name)
+                .accessible_name(&name)
+                .clicked()
+            {
                 own.listening = Some(Listening::Bind { action, replaces: None, pressed: None });
             }
             for key in map.own_keys(action).iter().rev() {

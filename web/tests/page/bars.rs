@@ -131,7 +131,7 @@ fn the_status_line_says_what_the_buttons_do() {
     page.press(Key::Escape);
     page.harness.event(egui::Event::ModifiersChanged(Modifiers::COMMAND));
     page.run();
-    assert!(page.has("Left button: Add or remove this face, drag a box"));
+    assert!(page.has_part("Left button: Add or remove this face, drag a box; "));
     page.harness.event(egui::Event::ModifiersChanged(Modifiers::NONE));
     page.select("face", &[0]);
     page.click("Tool: Extrude");

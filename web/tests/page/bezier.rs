@@ -217,7 +217,7 @@ fn playing_moves_t_until_it_is_paused() {
         assert_eq!(player(&mut page, "playing"), playing);
     }
     page.press(Key::Questionmark);
-    assert!(page.has("K"), "the list of keys has it");
+    assert!(page.has("Play: K"), "the list of keys has it");
 }
 
 #[test]

@@ -5,6 +5,7 @@
 mod bars;
 mod bezier;
 mod hiding;
+mod keys;
 mod lists;
 mod live;
 mod looks;

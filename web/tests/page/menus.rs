@@ -36,9 +36,9 @@ fn unavailable_actions_are_greyed_with_a_reason() {
 fn joining_takes_two_objects_and_separating_two_pieces_or_faces() {
     let mut page = Page::new();
     page.click("Mesh");
-    let join = disabled(&page, Role::Button, "Join objects");
+    let join = disabled(&page, Role::Button, "Join objects Ctrl+J");
     assert_eq!(join, (true, Some("There is only one object, so there is nothing to join.".to_owned())));
-    let separate = disabled(&page, Role::Button, "Separate…");
+    let separate = disabled(&page, Role::Button, "Separate… Shift+P");
     let why = "The mesh is one connected piece. Select the faces to separate first.";
     assert_eq!(separate, (true, Some(why.to_owned())));
     page.press(Key::Escape);
@@ -47,8 +47,12 @@ fn joining_takes_two_objects_and_separating_two_pieces_or_faces() {
     page.command(json!({"op": "new", "shape": "grid", "add": true}));
     // In the operations panel and in the menu.
     let enabled = |page: &Page| {
-        let nodes = page.harness.query_all_by_role_and_label(Role::Button, "Join objects");
-        nodes.filter(|node| !node.accesskit_node().is_disabled()).count()
+        let nodes = page.harness.query_all_by_label_contains("Join objects");
+        nodes
+            .filter(|node| {
+                node.accesskit_node().role() == Role::Button && !node.accesskit_node().is_disabled()
+            })
+            .count()
     };
     assert_eq!(enabled(&page), 1);
     page.click("Mesh");

@@ -68,6 +68,13 @@ impl Page {
         Self::build_in(outside, size, egui::Theme::Dark, false, &[])
     }
 
+    /// A page whose address has a parameter.
+    pub fn with_parameter(name: &str, value: &str) -> Self {
+        let outside = Outside::default();
+        outside.set_parameter(name, value);
+        Self::build_in(outside, DESKTOP, egui::Theme::Dark, false, &[])
+    }
+
     fn build(size: Vec2, theme: egui::Theme, drawn: bool, addresses: &[&str]) -> Self {
         Self::build_in(Outside::default(), size, theme, drawn, addresses)
     }

@@ -28,7 +28,7 @@ fn place(page: &mut Page, v: u32) -> Pos2 {
 }
 
 /// Drags along a path with a button and modifiers held all the way.
-fn drag_along(page: &mut Page, path: &[Pos2], button: PointerButton, modifiers: Modifiers) {
+pub fn drag_along(page: &mut Page, path: &[Pos2], button: PointerButton, modifiers: Modifiers) {
     let [first, .., last] = path else { panic!("a path") };
     page.harness.hover_at(*first);
     page.run();

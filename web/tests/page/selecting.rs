@@ -35,16 +35,19 @@ fn between(page: &mut Page, a: u32, b: u32) -> Pos2 {
     page.at(((p + q) * 0.5).to_array())
 }
 
-fn double_click_at(page: &mut Page, at: Pos2) {
+pub fn double_click_at(page: &mut Page, at: Pos2, modifiers: Modifiers) {
     page.harness.hover_at(at);
     page.run();
     // A frame of a test is a quarter of a second, and a double click takes three.
     page.harness.ctx.options_mut(|options| options.input_options.max_double_click_delay = 0.8);
+    page.harness.event(egui::Event::ModifiersChanged(modifiers));
+    page.harness.step();
     for pressed in [true, false, true, false] {
-        let (button, modifiers) = (PointerButton::Primary, Modifiers::NONE);
+        let button = PointerButton::Primary;
         page.harness.event(egui::Event::PointerButton { pos: at, button, pressed, modifiers });
         page.harness.step();
     }
+    page.harness.event(egui::Event::ModifiersChanged(Modifiers::NONE));
     page.run();
 }
 
@@ -81,7 +84,7 @@ fn a_click_with_alt_selects_a_loop_and_with_control_a_ring() {
     click_at(&mut page, at, Modifiers::ALT.plus(Modifiers::SHIFT));
     assert_eq!(page.selected().1.len(), 6 + 7 - 1, "Shift adds the loop");
     page.press(Key::Escape);
-    double_click_at(&mut page, at);
+    double_click_at(&mut page, at, Modifiers::NONE);
     assert_eq!(page.selected(), (Element::Edge, row), "so does a double-click");
 
     // Of vertices and faces too.

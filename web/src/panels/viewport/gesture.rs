@@ -245,7 +245,8 @@ impl Viewport<'_> {
             }
             (Gesture::Lasso { points, secondary }, Some((_, modifiers))) => {
                 // With the right button, Ctrl is what makes it a lasso.
-                let mode = match self.mouse().drag(PointerButton::Secondary, modifiers).filter(|_| secondary) {
+                let mode = match self.mouse().drag(PointerButton::Secondary, modifiers).filter(|_| secondary)
+                {
                     Some(MouseAction::Lasso(mode)) => mode,
                     _ if secondary => SelectMode::Replace,
                     _ => self.mode_within(modifiers),

@@ -2,8 +2,7 @@
 
 use editor::SelectMode;
 use egui::{
-    Color32, CursorIcon, Event, PointerButton, Pos2, Rect, Response, Shape, Stroke, StrokeKind,
-    Ui, pos2,
+    Color32, CursorIcon, Event, PointerButton, Pos2, Rect, Response, Shape, Stroke, StrokeKind, Ui, pos2,
 };
 use viewport::{Region, RegionSelection};
 
