@@ -185,37 +185,41 @@ fn head(ui: &mut Ui, map: &KeyMap, own: &mut KeyEditor, out: &mut Requests) {
     });
 }
 
-/// Lists the actions, grouped; returns whether there are any.
+/// Lists the actions in groups, those without a key in the preset last; returns whether there are any.
 fn list(ui: &mut Ui, map: &KeyMap, own: &mut KeyEditor, out: &mut Requests) -> bool {
     let typed = own.text.trim().to_lowercase();
-    let mut any = false;
-    for (title, mut listed) in key_reference::groups() {
-        listed.retain(|action| {
-            let keys = map.own_keys(*action);
-            let is_named = || {
-                let entry = actions::describe(*action);
-                let names = std::iter::once(entry.label).chain(entry.synonyms.iter().copied());
-                let keys = keys.iter().map(|key| key.written(ui.ctx()).to_lowercase());
-                keys.chain(names.map(str::to_lowercase)).any(|text| text.contains(&typed))
-            };
-            own.key.is_none_or(|key| {
-                keys.contains(&key) || key.off_the_pad().is_some_and(|key| keys.contains(&key))
-            }) && (!own.only_changed || map.is_changed(*action))
-                && (typed.is_empty() || is_named())
-        });
-        if listed.is_empty() {
-            continue;
-        }
-        any = true;
-        // Those that have keys come first, whatever is changed.
-        listed.sort_by_key(|action| map.default_keys(*action).is_empty());
+    let mut groups = key_reference::groups();
+    let mut keyless = Vec::new();
+    for (_, group) in &mut groups {
+        group.retain(|action| is_listed(ui, map, own, *action, &typed));
+        keyless.extend(group.extract_if(.., |action| map.default_keys(*action).is_empty()));
+    }
+    groups.push(("Without a key in this preset", keyless));
+    groups.retain(|(_, group)| !group.is_empty());
+    for (title, group) in &groups {
         ui.add_space(6.0);
-        ui.label(RichText::new(title).strong());
-        for action in listed {
-            row(ui, map, action, own, out);
+        ui.label(RichText::new(*title).strong());
+        for action in group {
+            row(ui, map, *action, own, out);
         }
     }
-    any
+    !groups.is_empty()
+}
+
+/// Whether an action is among those that the user looks for; `typed` is in lower case.
+fn is_listed(ui: &Ui, map: &KeyMap, own: &KeyEditor, action: Action, typed: &str) -> bool {
+    let keys = map.own_keys(action);
+    let has_key =
+        |key: Shortcut| keys.contains(&key) || key.off_the_pad().is_some_and(|key| keys.contains(&key));
+    let is_named = || {
+        let entry = actions::describe(action);
+        let names = std::iter::once(entry.label).chain(entry.synonyms.iter().copied()).map(str::to_lowercase);
+        let keys = keys.iter().map(|key| key.written(ui.ctx()).to_lowercase());
+        keys.chain(names).any(|text| text.contains(typed))
+    };
+    own.key.is_none_or(has_key)
+        && (!own.only_changed || map.is_changed(action))
+        && (typed.is_empty() || is_named())
 }
 
 /// An action with its keys.

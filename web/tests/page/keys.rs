@@ -445,7 +445,7 @@ fn keys_are_changed_in_the_window_and_kept() {
     page.click("Changed only");
     assert!(page.has("Bevel edges") && !page.has("Undo: Ctrl+Z"));
     page.click("Reset the keys of Bevel edges");
-    assert!(page.has("B also starts Downsample (simplify)."), "a conflict is shown by name");
+    assert!(page.has("B also starts Bevel edges."), "a conflict is shown by name");
     page.click("Reset all");
     assert_eq!(view(&mut page, "changed_keys"), json!({}));
     assert!(page.has("Nothing matches."));
