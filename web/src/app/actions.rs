@@ -77,6 +77,7 @@ impl App {
             Action::Show(kind) => self.show_kind(kind, false),
             Action::Expand(kind) => self.show_kind(kind, true),
             Action::Next => self.walk(|mesh, h| mesh.next(h)),
+            Action::Previous => self.walk(|mesh, h| mesh.prev(h)),
             Action::Twin => self.walk(|_, h| h.twin()),
             Action::GoToId => {
                 self.shown.left = true;

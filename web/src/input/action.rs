@@ -51,6 +51,8 @@ pub enum Action {
     Expand(Element),
     /// Selects the next half-edge around the face.
     Next,
+    /// Selects the half-edge before the selected one around the face.
+    Previous,
     /// Selects the twin of the selected half-edge.
     Twin,
     /// Moves the keyboard focus to the "Go to id" field.

@@ -35,7 +35,7 @@ pub(crate) fn why_not(action: Action, session: &Session, kind: Element, player: 
         }
         Action::SelectBy(by) => editor.can_select_by(by).err().map(|error| error.reason()),
         Action::SelectNone if editor.selection().is_empty() => Some("Nothing is selected.".into()),
-        Action::Next | Action::Twin if session.selected_halfedge().is_none() => {
+        Action::Next | Action::Previous | Action::Twin if session.selected_halfedge().is_none() => {
             Some("Select a half-edge first.".into())
         }
         Action::Frame | Action::FrameAll if document.objects().is_empty() => {

@@ -40,6 +40,7 @@ pub(super) static ROWS: &[Row] = &[
     (A::LargerCircle,                      ["]",                         "Numpad+ ]",                "]"]),
     (A::SmallerCircle,                     ["[",                         "Numpad- [",                "["]),
     (A::Next,                              ["N",                         "Alt+N",                    "N"]),
+    (A::Previous,                          ["Shift+N",                   "Alt+Shift+N",              "Shift+N"]),
     (A::Twin,                              ["T",                         "Alt+T",                    "T"]),
     (A::GoToId,                            ["Ctrl+G",                    "Ctrl+G",                   "Ctrl+G"]),
     (A::OnlySelected,                      ["O",                         "",                         ""]),

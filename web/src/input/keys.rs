@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use egui::{Context, Event, Id, Key};
 
-use crate::input::actions::Action;
+use crate::input::actions::{self, Action};
 use crate::input::key_map::{KeyMap, When};
 use crate::input::shortcut::Shortcut;
 use crate::lists::row_list;
@@ -43,6 +43,16 @@ pub fn text(ctx: &Context, action: Action) -> String {
 pub fn tooltip(ctx: &Context, description: &str, action: Action) -> String {
     let key = text(ctx, action);
     if key.is_empty() { description.to_owned() } else { format!("{description} ({key})") }
+}
+
+/// How to start an action, within a sentence: "press Ctrl+O", or without a key "choose Open…".
+pub fn how_to(ctx: &Context, action: Action) -> String {
+    let key = text(ctx, action);
+    if key.is_empty() {
+        format!("choose {}", actions::describe(action).label)
+    } else {
+        format!("press {key}")
+    }
 }
 
 /// What keys mean now.
@@ -145,6 +155,8 @@ mod tests {
         assert_eq!(text(&ctx, A::LongerEdges), "=");
         assert_eq!(text(&ctx, A::Expand(halfedge::Element::Face)), "");
         assert_eq!(tooltip(&ctx, "Undo.", A::Undo), "Undo. (Ctrl+Z)");
+        assert_eq!(how_to(&ctx, A::Open), "press Ctrl+O");
+        assert_eq!(how_to(&ctx, A::About), "choose About Meshwright");
         set_map(&ctx, KeyMap::new(KeyPreset::Blender));
         assert_eq!(text(&ctx, A::SelectBy(SelectBy::Grow)), "Ctrl+Numpad +");
         for preset in KeyPreset::ALL {

@@ -150,6 +150,7 @@ pub(super) const ENTRIES: &[Option<Entry>] = &[
     Some(entry(A::SmallerCircle, "Smaller circle", "Make the selecting circle smaller.")),
     None,
     Some(entry(A::Next, "Next half-edge", "Select the next half-edge around the face.")),
+    Some(entry(A::Previous, "Previous half-edge", "Select the half-edge before this one around the face.")),
     Some(entry(A::Twin, "Twin half-edge", "Select the half-edge on the other side of the edge.")),
     None,
     Some(entry(

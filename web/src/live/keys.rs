@@ -41,6 +41,8 @@ impl Live {
                             self.typed.next(self.number_count());
                             true
                         }
+                        // What they type is text: they must not move the view too.
+                        _ if types_number(*key) => true,
                         _ => match axis_of(*key).filter(|_| self.takes_lock()) {
                             Some(axis) => {
                                 self.press_axis(axis, modifiers.shift, settings);
@@ -76,6 +78,12 @@ impl Live {
     pub(crate) fn number_count(&self) -> usize {
         if self.drag == Drag::Offset { self.lock.free_axes().len() } else { 1 }
     }
+}
+
+/// Whether a key types a part of a number.
+fn types_number(key: Key) -> bool {
+    let is_digit = key.name().bytes().all(|byte| byte.is_ascii_digit());
+    is_digit || matches!(key, Key::Period | Key::Plus | Key::Minus | Key::Slash)
 }
 
 fn axis_of(key: Key) -> Option<usize> {

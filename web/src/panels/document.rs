@@ -7,6 +7,8 @@ use egui::{Align2, Color32, Label, RichText, Role, Sense, TextStyle, Ui, WidgetI
 use halfedge::words::thousands;
 use halfedge::{Element, Mesh, Topology};
 
+use crate::input::actions::Action;
+use crate::input::keys;
 use crate::lists::columns::counted;
 use crate::page_view::Page;
 use crate::theme;
@@ -24,7 +26,8 @@ fn contents(ui: &mut Ui, page: &Page<'_>) {
     let document = page.editor.document();
     let Some(object) = document.active() else {
         ui.label(RichText::new("Empty document").heading());
-        let hint = "Drop a file on the page, press Ctrl+O, or choose New shape below.";
+        let open = keys::how_to(ui.ctx(), Action::Open);
+        let hint = format!("Drop a file on the page, {open}, or choose New shape below.");
         ui.add(Label::new(RichText::new(hint).weak()).wrap());
         return;
     };

@@ -148,6 +148,27 @@ fn the_number_pad_looks_from_the_sides() {
 }
 
 #[test]
+fn a_number_that_is_typed_during_an_edit_moves_no_view() {
+    for (preset, digit, point) in [("blender", "Numpad1", "Numpad."), ("course", "1", ".")] {
+        let mut page = with_keys(preset);
+        page.select("vertex", &[0]);
+        press(&mut page, "G");
+        press(&mut page, "X");
+        let before = (number(&mut page, "yaw"), number(&mut page, "distance"));
+        for (key, text) in [(digit, "1"), (point, "."), (digit, "1")] {
+            press(&mut page, key);
+            type_text(&mut page, text);
+        }
+        assert_eq!((number(&mut page, "yaw"), number(&mut page, "distance")), before);
+        let from = page.mesh().position(VertexId::new(0)).x;
+        press(&mut page, "Enter");
+        press(&mut page, "Ctrl+Z");
+        let moved = from - page.mesh().position(VertexId::new(0)).x;
+        assert!((moved - 1.1).abs() < 1e-5, "{preset}: {moved}");
+    }
+}
+
+#[test]
 fn keys_of_maya_do_what_they_do_there() {
     let mut page = with_keys("maya");
     page.select("face", &[0]);
@@ -172,6 +193,11 @@ fn keys_of_maya_do_what_they_do_there() {
     assert!(page.has_part("1 face is hidden") || page.has_part("hidden"));
     press(&mut page, "Shift+H");
     assert!(!page.has_part("1 face is hidden"));
+    page.select("halfedge", &[0]);
+    let mesh = page.mesh();
+    let before = mesh.prev(halfedge::HalfedgeId::new(0)).raw();
+    press(&mut page, "Shift+N");
+    assert_eq!(page.selected().1, [before]);
     press(&mut page, "4");
     assert_eq!(view(&mut page, "look"), "hidden-line");
     press(&mut page, "5");

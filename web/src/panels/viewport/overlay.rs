@@ -5,6 +5,8 @@ use egui::{Align2, Color32, FontId, Pos2, Rect, RichText, Role, Sense, Stroke, U
 use glam::DVec3;
 use halfedge::Element;
 
+use crate::input::actions::Action;
+use crate::input::keys;
 use crate::lists::columns::{counted, element_name, row};
 use crate::page_view::Page;
 use crate::panels::fields::selection_words;
@@ -21,12 +23,9 @@ pub(super) fn paint(ui: &mut Ui, rect: Rect, page: &Page<'_>) {
             "The viewport can't draw here; lists and inspector still work.",
         );
     } else if page.editor.document().objects().is_empty() {
-        say_in_middle(
-            ui,
-            rect,
-            "Nothing to see yet",
-            "Drop an OBJ file here, press Ctrl+O, paste OBJ text, or create a shape.",
-        );
+        let open = keys::how_to(ui.ctx(), Action::Open);
+        let hint = format!("Drop an OBJ file here, {open}, paste OBJ text, or create a shape.");
+        say_in_middle(ui, rect, "Nothing to see yet", &hint);
     }
     let free = page.view.free_rect();
     axes(ui, free, page);
