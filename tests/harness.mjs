@@ -68,24 +68,24 @@ export function registerTests() {
 if (basename(process.argv[1]) !== "run.mjs") setImmediate(registerTests);
 
 /** Opens the page without waiting for the editor; the caller closes it. */
-export async function openPage({ renderer = "webgpu", size = DESKTOP, query = "", label } = {}) {
+export async function openPage({ renderer = "webgpu", size = DESKTOP, query = "", label, welcome } = {}) {
   server ??= serve(site, BASE);
-  return Editor.open((await server).url + query, { renderer, size, label });
+  return Editor.open((await server).url + query, { renderer, size, label, welcome });
 }
 
 /**
  * Adds a test for each renderer and size: `body(editor, t)` gets an editor that is ready.
- * Options: `renderers`, `sizes`, `query` (appended to the URL), and those of node:test, such as `skip`.
+ * Options: `renderers`, `sizes`, `query` (appended to the URL), `welcome` (a first visit, with the welcome view), and those of node:test, such as `skip`.
  */
 export function editorTest(name, ...rest) {
   const body = rest.pop();
-  const { renderers = RENDERERS, sizes = [DESKTOP], query, ...options } = rest.pop() ?? {};
+  const { renderers = RENDERERS, sizes = [DESKTOP], query, welcome, ...options } = rest.pop() ?? {};
   const chosen = process.env.MESHWRIGHT_RENDERERS?.split(",");
   for (const renderer of renderers.filter((renderer) => !chosen || chosen.includes(renderer))) {
     for (const size of sizes) {
       const label = `${name} (${renderer}, ${size.name})`;
       browserTest(renderer, label, options, async (t) => {
-        const editor = await openPage({ renderer, size, query, label });
+        const editor = await openPage({ renderer, size, query, label, welcome });
         try {
           await editor.ready();
           await body(editor, t);

@@ -17,13 +17,15 @@ export class Editor {
   #expected = [];
 
   /** Opens the page at `url` in a fresh profile. */
-  static async open(url, { renderer, size, label = "" }) {
+  static async open(url, { renderer, size, label = "", welcome = false }) {
     const browser = await browserWith(renderer);
     const context = await browser.newContext({
       viewport: { width: size.width, height: size.height },
       hasTouch: size.touch ?? false,
       acceptDownloads: true,
     });
+    // Most tests are about what comes after the welcome view.
+    if (!welcome) await context.addInitScript(() => localStorage.setItem("meshwright.welcome", "off"));
     const editor = new Editor();
     const page = await context.newPage();
     page.setDefaultTimeout(WAIT_LIMIT_MS);

@@ -92,6 +92,7 @@ impl Page<'_> {
             Action::Soft => self.live_settings.soft,
             Action::PivotAt(pivot) => self.live_settings.pivot == pivot,
             Action::Orient(orientation) => self.live_settings.orientation == orientation,
+            Action::Welcome => self.shown.welcome,
             Action::Overlay => self.shown.overlay,
             Action::Numbers => self.shown.numbers,
             Action::AddToSelection => self.shown.adds,

@@ -13,6 +13,7 @@ use crate::bezier::Setting;
 use crate::input::actions::Action;
 use crate::input::shortcut::Shortcut;
 use crate::live::edit::Start;
+use crate::panels::welcome::Sample;
 use crate::session::form::Filled;
 use crate::session::toasts::Slot;
 use crate::shown::{Sheet, Window};
@@ -67,6 +68,14 @@ pub(crate) enum Request {
     OpenForm(OpId),
     /// Show the list of operations again.
     CloseForm,
+    /// Close the welcome view.
+    CloseWelcome,
+    /// Show the welcome view when the page opens, or don't.
+    WelcomeAtStart(bool),
+    /// Open a sample model.
+    OpenSample(Sample),
+    /// Start a new document with the shape of this name.
+    StartWithShape(&'static str),
     /// Preview an operation with these fields.
     Preview(OpId, Filled),
     /// Remove the preview.

@@ -23,6 +23,8 @@ pub(crate) struct Shown {
     pub left: bool,
     pub right: bool,
     pub overlay: bool,
+    /// The welcome view over the viewport.
+    pub welcome: bool,
     /// Whether the ids of the elements around the pointer are shown.
     pub numbers: bool,
     pub shortcuts: bool,
@@ -52,6 +54,7 @@ impl Default for Shown {
             left: true,
             right: true,
             overlay: false,
+            welcome: false,
             numbers: false,
             shortcuts: false,
             messages: false,

@@ -39,6 +39,10 @@ impl App {
         if !matches!(action, Action::Cancel) {
             selecting::finish_selecting(&mut self.session);
         }
+        // Opening dismisses it when a file is picked; it offers the keys itself.
+        if !matches!(action, Action::Welcome | Action::Open | Action::UseKeys(_)) {
+            self.shown.welcome = false;
+        }
         if let Some(reason) = self.page().why_not(action) {
             // Keys can start actions that menus grey out.
             if !matches!(action, Action::Cancel) {
@@ -47,7 +51,7 @@ impl App {
             return;
         }
         match action {
-            Action::New => self.session.new_document(),
+            Action::New => self.session.new_document(form::first_shape()),
             Action::Open => self.session.platform.open_file_dialog(),
             Action::Save => self.show_saving(None),
             Action::SaveAs(format) => self.show_saving(Some(format)),
@@ -127,6 +131,7 @@ impl App {
             Action::LightTheme => self.set_theme(ThemePreference::Light),
             Action::DarkTheme => self.set_theme(ThemePreference::Dark),
             Action::UseKeys(preset) => keys::choose(&mut self.session, preset),
+            Action::Welcome => self.shown.welcome ^= true,
             Action::Shortcuts => self.shown.shortcuts ^= true,
             Action::Palette => self.panels.palette.show(),
             Action::Messages => {

@@ -5,7 +5,9 @@ use halfedge::Element;
 
 use super::{App, keys};
 use crate::panels::save::FORMAT_SETTING;
+use crate::panels::welcome::WELCOME_SETTING;
 use crate::request::Request;
+use crate::session::form;
 
 impl App {
     pub(super) fn carry_out(&mut self, request: Request) {
@@ -62,6 +64,14 @@ impl App {
             Request::SetLiveCount(count) => self.session.change_live(|live, _| live.set_count(count)),
             Request::SetLiveAmount(value) => self.session.change_live(|live, _| live.set_amount(value)),
             Request::EndLive { commit } => self.session.end_live(commit),
+            Request::CloseWelcome => self.shown.welcome = false,
+            Request::WelcomeAtStart(on) => {
+                let welcome = &mut self.panels.welcome;
+                welcome.at_start = on;
+                self.session.platform.store_setting(WELCOME_SETTING, welcome.setting());
+            }
+            Request::OpenSample(sample) => self.session.open_files(vec![sample.file()], None),
+            Request::StartWithShape(name) => self.session.new_document(form::shape(name)),
             Request::OpenForm(id) => self.open_form(id),
             Request::CloseForm => {
                 self.panels.forms.close();

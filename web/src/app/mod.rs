@@ -18,7 +18,7 @@ use crate::input::actions::Action;
 use crate::input::shortcut::Shortcut;
 use crate::page_view::Page;
 use crate::panels::viewport::Viewport;
-use crate::panels::{live_bar, menu_bar, status_bar, tool_bar};
+use crate::panels::{live_bar, menu_bar, status_bar, tool_bar, welcome};
 use crate::platform::{DeviceInfo, Event, NamedBytes, Platform};
 use crate::request::Requests;
 use crate::session::{Look, Session, selecting};
@@ -42,6 +42,8 @@ pub struct App {
     fingers: bool,
     /// Keys that were pressed after one that opened a text field, for the field in the next frame.
     held_events: Vec<Input>,
+    /// Whether the document that the page starts with has not been followed yet.
+    starting: bool,
 }
 
 /// The yaw and pitch that look straight at the plane of flat curves.
@@ -80,12 +82,15 @@ impl App {
             layout,
             fingers: false,
             held_events: Vec::new(),
+            starting: true,
         };
         app.shown.scale_percent = scale_percent;
         app.apply_layout();
         keys::load(&mut app.session);
         app.session.open_first();
         app.session.fetch_wanted();
+        // A page that opens a file has something to start from already.
+        app.shown.welcome = app.panels.welcome.at_start && app.session.jobs.iter().next().is_none();
         app
     }
 
@@ -188,6 +193,7 @@ impl App {
                 widths[1] = shown.response.rect.width().round();
             }
         }
+        self.view.covered_below = if self.shown.welcome { self.panels.welcome.covers } else { 0.0 };
         let covered = CentralPanel::no_frame().show(ui, |ui| {
             let (view, player) = (&mut self.view, &mut self.player);
             Viewport { session: &self.session, shown: &self.shown, view, player }.show(ui, out);
@@ -205,6 +211,9 @@ impl App {
 
     /// Opens pasted text; returns the actions of the pressed keys.
     fn keyboard(&mut self, ctx: &Context) -> Vec<Action> {
+        if welcome::is_dismissed_by_key(ctx) {
+            self.shown.welcome = false;
+        }
         if !ctx.text_edit_focused() {
             let pasted = ctx.input_mut(|input| {
                 let at = input.events.iter().position(|event| matches!(event, Input::Paste(_)))?;
@@ -258,6 +267,9 @@ impl App {
             return;
         }
         self.session.ctx.request_repaint();
+        if !changes.is_empty() {
+            self.shown.welcome &= std::mem::take(&mut self.starting);
+        }
         let selection = self.session.editor.selection();
         if changes.selection && !selection.is_empty() {
             // Whatever made the selection (a click, an undo or a script), the list shows its kind.

@@ -2,7 +2,7 @@
 
 use crate::panels::{
     about, drop_overlay, elements, hidden_bar, inspector, messages, named_selections, objects, operations,
-    palette, save, shortcuts, toasts,
+    palette, save, shortcuts, toasts, welcome,
 };
 use egui::{Context, ScrollArea, Ui};
 
@@ -20,6 +20,7 @@ pub(crate) struct Panels {
     pub saving: save::Saving,
     pub naming: named_selections::Naming,
     pub key_editor: shortcuts::KeyEditor,
+    pub welcome: welcome::Welcome,
 }
 
 impl Panels {
@@ -33,6 +34,7 @@ impl Panels {
             saving: save::Saving::new(platform),
             naming: Default::default(),
             key_editor: Default::default(),
+            welcome: welcome::Welcome::new(platform),
         }
     }
 
@@ -65,6 +67,7 @@ impl Panels {
     pub fn windows(&mut self, ctx: &Context, page: &Page<'_>, narrow: bool, out: &mut Requests) {
         hidden_bar::show(ctx, page, out);
         named_selections::show(ctx, page, &mut self.naming, out);
+        welcome::show(ctx, page, &mut self.welcome, out);
         palette::show(ctx, page, &mut self.palette, out);
         save::show(ctx, page, &mut self.saving, narrow, out);
         shortcuts::show(ctx, page, &mut self.key_editor, out);

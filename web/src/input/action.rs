@@ -123,6 +123,8 @@ pub enum Action {
     DarkTheme,
     /// Takes a preset of keys, and keeps it for later visits.
     UseKeys(KeyPreset),
+    /// Shows or hides the welcome view.
+    Welcome,
     /// Opens or closes the window with all keys.
     Shortcuts,
     /// Opens the command palette.

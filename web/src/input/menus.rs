@@ -218,6 +218,10 @@ pub static MENUS: &[Menu] = &[
         title: "Help",
         entries: &[
             Some(
+                entry(A::Welcome, "Welcome", "Show where to start: files, sample models and shapes.")
+                    .synonyms(&["home", "start", "samples", "examples"]),
+            ),
+            Some(
                 entry(
                     A::Shortcuts,
                     "Keyboard shortcuts",

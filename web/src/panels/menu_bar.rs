@@ -17,6 +17,7 @@ const MENU_MARGIN_POINTS: f32 = 64.0;
 
 /// The toolbar's buttons; `None` is a gap.
 const TOOLS: &[Option<(Icon, Action)>] = &[
+    Some((Icon::Home, Action::Welcome)),
     Some((Icon::Open, Action::Open)),
     Some((Icon::Save, Action::Save)),
     None,

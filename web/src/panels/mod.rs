@@ -27,3 +27,4 @@ pub(crate) mod status_bar;
 pub(crate) mod toasts;
 pub(crate) mod tool_bar;
 pub(crate) mod viewport;
+pub(crate) mod welcome;

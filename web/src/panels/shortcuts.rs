@@ -143,17 +143,21 @@ fn with_key(map: &KeyMap, action: Action, replaces: Option<Shortcut>, key: Short
     all
 }
 
+/// A choice of the preset of keys.
+pub(crate) fn key_presets(ui: &mut Ui, chosen: KeyPreset, out: &mut Requests) {
+    for preset in KeyPreset::ALL {
+        let entry = actions::describe(Action::UseKeys(preset));
+        let button = ui.selectable_label(chosen == preset, preset.label()).accessible_name(entry.label);
+        if button.on_hover_text(entry.description).clicked() {
+            out.act(entry.action);
+        }
+    }
+}
+
 /// The presets, and what is listed.
 fn head(ui: &mut Ui, map: &KeyMap, own: &mut KeyEditor, out: &mut Requests) {
     ui.horizontal_wrapped(|ui| {
-        for preset in KeyPreset::ALL {
-            let entry = actions::describe(Action::UseKeys(preset));
-            let button =
-                ui.selectable_label(map.preset() == preset, preset.label()).accessible_name(entry.label);
-            if button.on_hover_text(entry.description).clicked() {
-                out.act(entry.action);
-            }
-        }
+        key_presets(ui, map.preset(), out);
         ui.separator();
         let reset = ui.add_enabled(map.has_changes(), Button::new("Reset all"));
         let reset = reset

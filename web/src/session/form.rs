@@ -25,6 +25,18 @@ pub fn command(id: OpId, filled: &Filled) -> Result<Command, CommandError> {
     Command::from_fields(id, filled.clone())
 }
 
+/// The command that makes the document of a new page.
+pub fn first_shape() -> Result<Command, CommandError> {
+    command(OpId::New, &initial(OpId::New.spec(), &Facts::default()))
+}
+
+/// The command that makes a document with the shape of this name.
+pub fn shape(name: &str) -> Result<Command, CommandError> {
+    let mut filled = initial(OpId::New.spec(), &Facts::default());
+    filled.insert("shape".to_owned(), name.into());
+    command(OpId::New, &filled)
+}
+
 /// Whether any field of a form depends on the size of the mesh, which must then be measured.
 pub fn needs_measures(spec: &Spec) -> bool {
     use editor::ops::Suggestion::{MeanEdge, OfDiagonal};

@@ -18,17 +18,17 @@ impl Session {
     /// Creates the document that the page starts with.
     pub fn open_first(&mut self) {
         // The initial shape can't be refused; if it were, the page would start empty and say how to go on.
-        let _ = first_shape().and_then(|command| self.editor.start_with(command));
+        let _ = form::first_shape().and_then(|command| self.editor.start_with(command));
         self.look = Some(Look::Document);
     }
 
     /// Replaces the document by a new one, as one undo step. If the old one was saved there is nothing to lose, and
     /// the new one counts as saved too.
-    pub fn new_document(&mut self) {
+    pub fn new_document(&mut self, command: Result<Command, CommandError>) {
         self.end_live(true);
         let old = self.editor.document().name().to_owned();
         let (was_saved, before) = (!self.editor.is_dirty(), self.editor.revision());
-        self.begin_or_refuse(first_shape());
+        self.begin_or_refuse(command);
         let revision = self.editor.revision();
         if revision == before {
             return;
@@ -272,11 +272,6 @@ impl Session {
         self.toast(MessageKind::Info, text, details);
         self.platform.download(files);
     }
-}
-
-/// The command that makes the document of a new page.
-fn first_shape() -> Result<Command, CommandError> {
-    form::command(OpId::New, &form::initial(OpId::New.spec(), &editor::Facts::default()))
 }
 
 /// Adds notes to an error: if a file could not be read without a companion file, why that is missing.

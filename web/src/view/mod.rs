@@ -26,6 +26,8 @@ const BAR_GAP_POINTS: f32 = 8.0;
 
 /// Framed things fill at least this share of the viewport, whatever the bars cover.
 const MIN_FRAME_SHARE: f32 = 0.5;
+/// Where the welcome view leaves a smaller share of the viewport's height, it counts as covering nothing.
+const MIN_FREE_SHARE: f32 = 0.2;
 
 /// The number of frames until the panels have their final sizes.
 const FRAMES_UNTIL_PANELS_SETTLE: u8 = 3;
@@ -78,6 +80,8 @@ pub(crate) struct View {
     pub pick_radius: f32,
     /// The elements that may still be processed in this frame.
     pub budget: Budget,
+    /// The height of what the welcome view covers at the bottom, in points.
+    pub covered_below: f32,
     /// The number of frames until everything is framed: in the first frame the viewport has no size yet,
     /// and panels get theirs in the second.
     pub frame_due: u8,
@@ -105,6 +109,7 @@ impl View {
             clicked_with: None,
             pick_radius: 0.0,
             budget: Budget::new(ELEMENTS_PER_FRAME),
+            covered_below: 0.0,
             frame_due: FRAMES_UNTIL_PANELS_SETTLE,
         }
     }
@@ -292,6 +297,17 @@ impl View {
         match self.camera.scene() {
             Some(scene) if self.rect.is_positive() => self.camera.frame(scene, self.aspect()),
             _ => self.frame_due = FRAMES_UNTIL_PANELS_SETTLE,
+        }
+    }
+
+    /// Frames everything in the part of the viewport that bars and the welcome view leave free.
+    pub fn frame_start(&mut self) {
+        self.frame_all();
+        let (size, below) = (self.size(), self.covered_below);
+        let free = 1.0 - (self.covered.top + below) / size.y;
+        if below > 0.0 && free > MIN_FREE_SHARE {
+            self.camera.zoom(f64::from(free), size * 0.5, size);
+            self.camera.pan(glam::vec2(0.0, 0.5 * (self.covered.top - below)), size);
         }
     }
 

@@ -390,3 +390,21 @@ fn the_bars_at_several_sizes() {
         }
     }
 }
+
+#[test]
+fn a_first_visit() {
+    for (theme, name) in [(Theme::Dark, "welcome dark"), (Theme::Light, "welcome light")] {
+        for size in [DESKTOP, egui::vec2(1920.0, 1080.0), PHONE] {
+            let mut page = Page::welcoming_drawn(size, theme);
+            let with = picture(&mut page, &format!("{name} {}", size.x));
+            let tile = page.harness.get_by_label("Start with Mug").rect();
+            // The mug's glaze is in its picture.
+            let is_glaze = |[r, g, b, _]: [u8; 4]| g > r.saturating_add(30) && b > r.saturating_add(30);
+            let (left, top) = (tile.left() as u32, tile.top() as u32);
+            let across = left..left + tile.width() as u32;
+            let pixels = across.flat_map(|x| (top..top + tile.height() as u32).map(move |y| (x, y)));
+            let glazed = pixels.filter(|&(x, y)| is_glaze(with.get_pixel(x, y).0)).count();
+            assert!(glazed > 200, "{name} {size}: {glazed} pixels of the mug");
+        }
+    }
+}

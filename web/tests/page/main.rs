@@ -19,5 +19,6 @@ mod selecting;
 mod shell;
 mod toasts;
 mod viewport;
+mod welcome;
 mod whole;
 mod wording;

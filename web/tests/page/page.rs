@@ -51,6 +51,23 @@ impl Page {
         Self::build(size, egui::Theme::Dark, false, &[])
     }
 
+    /// The page on a first visit, with the welcome view.
+    pub fn welcoming(size: Vec2) -> Self {
+        Self::build_with(Outside::default(), size, egui::Theme::Dark, false)
+    }
+
+    /// [`Page::welcoming`] that draws.
+    pub fn welcoming_drawn(size: Vec2, theme: egui::Theme) -> Self {
+        Self::build_with(Outside::default(), size, theme, true)
+    }
+
+    /// A first visit whose address names a file.
+    pub fn welcoming_wanting(address: &str) -> Self {
+        let outside = Outside::default();
+        outside.want(address);
+        Self::build_with(outside, DESKTOP, egui::Theme::Dark, false)
+    }
+
     /// A page whose address names files to open with.
     pub fn wanting(addresses: &[&str]) -> Self {
         Self::build(DESKTOP, egui::Theme::Dark, false, addresses)
@@ -81,6 +98,12 @@ impl Page {
 
     fn build_in(outside: Outside, size: Vec2, theme: egui::Theme, drawn: bool, addresses: &[&str]) -> Self {
         addresses.iter().for_each(|address| outside.want(address));
+        // Most tests are about what comes after it.
+        outside.set_setting("welcome", "off");
+        Self::build_with(outside, size, theme, drawn)
+    }
+
+    fn build_with(outside: Outside, size: Vec2, theme: egui::Theme, drawn: bool) -> Self {
         let mut builder =
             Harness::builder().with_size(size).with_theme(theme).with_max_steps(24).with_render_cursor(false);
         let mut state = State { app: None, gpu: None, outside: outside.clone() };

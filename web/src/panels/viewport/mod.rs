@@ -43,7 +43,7 @@ impl Viewport<'_> {
         self.view.style.theme = theme::viewport(ui.visuals());
         if self.view.frame_due > 0 {
             self.view.frame_due -= 1;
-            self.view.frame_all();
+            self.view.frame_start();
             ui.ctx().request_repaint();
         }
         // Not focusable: its keys are the page's keys.

@@ -47,7 +47,7 @@ fn say_in_middle(ui: &mut Ui, rect: Rect, title: &str, hint: &str) {
 
 /// The directions of x, y and z as the camera sees them.
 fn axes(ui: &Ui, rect: Rect, page: &Page<'_>) {
-    if rect.width() < 160.0 || rect.height() < 120.0 {
+    if rect.width() < 160.0 || rect.height() < 120.0 || page.shown.welcome {
         return;
     }
     const LENGTH: f32 = 24.0;
