@@ -57,7 +57,7 @@ export interface SplitEdge {
   object?: number;
   /** The edge to split: an edge by id or by `[a, b]`, the vertices at its ends; default: the selected edges. */
   edge?: number | Pair;
-  /** The position along the edge, between its ends: a number from 0 to 1; default: 0.5. */
+  /** The position along the edge, between its ends: a number above 0 and below 1; default: 0.5. */
   t?: number;
   /** Which of the faces beside the edge are cut: one of `"triangles"`, `"none"`, `"all"`; default: triangles. */
   connect?: "triangles" | "none" | "all";
@@ -105,13 +105,15 @@ export interface SplitVertex {
   positions?: [Vector, Vector];
 }
 
-/** Remove a vertex and merge the faces around it into one polygon. */
+/** Remove vertices and merge the faces around each into one polygon. */
 export interface DissolveVertex {
   op: "dissolve-vertex";
   /** The place of the object in the document's list; default: the active object. */
   object?: number;
-  /** The vertex to dissolve: a vertex by id; default: the selected vertices. */
+  /** The vertex to dissolve: a vertex by id; default: those of `vertices`. */
   vertex?: number;
+  /** The vertices to dissolve, one after the other: a list of vertices, each by id; default: the selected vertices. */
+  vertices?: number[];
 }
 
 /** Remove edges and merge the faces beside them into one polygon. */
@@ -244,7 +246,7 @@ export interface LoopCut {
   edge?: number | Pair;
   /** How many cuts: a whole number from 1 to 1000; default: 1. */
   cuts?: number;
-  /** The position of the middle of the cuts along the edge: a number from 0 to 1; default: 0.5. */
+  /** The position of the middle of the cuts along the edge: a number above 0 and below 1; default: 0.5. */
   t?: number;
 }
 
@@ -374,11 +376,11 @@ export interface Remesh {
   op: "remesh";
   /** The place of the object in the document's list; default: the active object. */
   object?: number;
-  /** The length of edges, in mesh units: a number in mesh units from 0.000001 to 1000000; default: the mean edge length. */
+  /** The length of edges, in mesh units: a number in mesh units above 0; default: about the mean length. */
   edge_length?: number;
   /** The number of iterations: a whole number from 1 to 1000; default: 5. */
   iterations?: number;
-  /** Keep edges that are sharper than this many degrees: a number of degrees from 0 to 180; default: 45.0. */
+  /** Keep edges that are sharper than this many degrees: a number of degrees above 0, up to 180; default: 45.0. */
   feature_angle?: number;
   /** Project vertices back onto the surface: `true` or `false`; default: true. */
   project?: boolean;
@@ -803,7 +805,7 @@ export interface BezierSplit {
   op: "bezier-split";
   /** The place of the object in the document's list; default: the active object. */
   object?: number;
-  /** The parameter at which to split: a number from 0 to 1; default: 0.5. */
+  /** The parameter at which to split: a number above 0 and below 1; default: 0.5. */
   t?: number;
 }
 

@@ -19,11 +19,7 @@ struct Step {
 pub fn run(task: &Apply) -> Result<(), Failure> {
     let format = task.output.as_deref().map(|path| files::output_format(path, task.format)).transpose()?;
     let mut read = files::read(&task.input, &task.repairs)?;
-    if !task.json {
-        for warning in read.import.report.warnings() {
-            eprintln!("{}: {warning}", task.input.display());
-        }
-    }
+    let notes = if task.json { String::new() } else { report::notes(&task.input, &read.import.report) };
     let counts = report::import_counts(&read.import);
     let mut times: Vec<Vec<Duration>> = vec![Vec::new(); task.commands.len()];
     let mut last = None;
@@ -56,7 +52,7 @@ pub fn run(task: &Apply) -> Result<(), Failure> {
         answer.insert("output".into(), json!(output));
         return report::print(&format!("{}\n", Value::Object(answer)));
     }
-    let mut text = format!("input:  {}\n", report::counts_line(counts));
+    let mut text = format!("{notes}input:  {}\n", report::counts_line(counts));
     for step in &steps {
         for warning in &step.outcome.warnings {
             eprintln!("{}: {warning}", step.outcome.op);

@@ -3,6 +3,7 @@
 use crate::Failure;
 use editor::{Command, OpId, script};
 use formats::{Format, NonManifold, Repairs};
+use halfedge::words::sentence;
 use lexopt::prelude::*;
 use std::ffi::OsString;
 use std::path::PathBuf;
@@ -142,11 +143,13 @@ pub fn parse(args: impl IntoIterator<Item = OsString>) -> Result<Task, Failure> 
                 given.format = Some(format(&code)?);
             }
             Long("repeat") => {
-                let times = parser.value().map_err(usage)?.parse::<usize>().map_err(usage)?;
-                if times == 0 {
-                    return Err(Failure::Usage("--repeat: 0 is too few; give 1 or more".into()));
-                }
-                given.repeat = Some(times);
+                let text = parser.value().map_err(usage)?;
+                let times =
+                    text.to_str().and_then(|text| text.parse().ok()).filter(|&times: &usize| times > 0);
+                given.repeat = Some(times.ok_or_else(|| {
+                    let text = text.to_string_lossy();
+                    Failure::Usage(format!("--repeat: {text} is not a whole number of 1 or more"))
+                })?);
             }
             Long("non-manifold") => {
                 let choice = parser.value().map_err(usage)?;
@@ -161,12 +164,13 @@ pub fn parse(args: impl IntoIterator<Item = OsString>) -> Result<Task, Failure> 
                 };
             }
             Long("merge-by-distance") => {
-                let distance = parser.value().map_err(usage)?.parse::<f32>().map_err(usage)?;
-                if !(distance.is_finite() && distance >= 0.0) {
-                    let text = format!("--merge-by-distance: {distance} is not a distance of 0 or more");
-                    return Err(Failure::Usage(text));
-                }
-                given.repairs.merge_by_distance = Some(distance);
+                let text = parser.value().map_err(usage)?;
+                let distance = text.to_str().and_then(|text| text.parse::<f32>().ok());
+                let distance = distance.filter(|distance| distance.is_finite() && *distance >= 0.0);
+                given.repairs.merge_by_distance = Some(distance.ok_or_else(|| {
+                    let text = text.to_string_lossy();
+                    Failure::Usage(format!("--merge-by-distance: {text} is not a number of 0 or more"))
+                })?);
             }
             Long("no-orient") => given.repairs.orient = false,
             Value(word) => given.words.push(word),
@@ -266,8 +270,9 @@ fn format(code: &str) -> Result<Format, Failure> {
 
 /// Parses a command. Text that is not JSON is wrong usage; JSON that is not a command is refused.
 fn command(text: &str) -> Result<Command, Failure> {
-    let value: serde_json::Value = serde_json::from_str(text)
-        .map_err(|error| Failure::Usage(format!("--do: this is not JSON: {text}: {error}")))?;
+    let value: serde_json::Value = serde_json::from_str(text).map_err(|error| {
+        Failure::Usage(format!("--do: this is not JSON: {text}\n{}", sentence(&formats::json_fault(&error))))
+    })?;
     let instead = match value.get("op").and_then(serde_json::Value::as_str) {
         Some("open") => Some("open is not an operation; name the input file as the first argument of apply"),
         Some("export") => Some("export is not an operation; name the output file with -o"),

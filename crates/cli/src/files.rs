@@ -95,15 +95,18 @@ pub fn output_format(path: &Path, given: Option<Format>) -> Result<Format, Failu
 }
 
 /// Writes a document, and prints on standard error what the format can't hold. Existing files are replaced only when
-/// every new one is written: a full disk destroys nothing.
+/// every new one is written: a full disk destroys nothing. A companion file of the model's own name, such as its material
+/// library, is replaced only along with the model: without one, it belongs to something else.
 pub fn write(path: &Path, format: Format, document: &Document) -> Result<(), Failure> {
     let stem = path.file_stem().map_or_else(String::new, |stem| stem.to_string_lossy().into_owned());
     let model = document.to_model(&stem);
-    for loss in formats::losses(format, &model) {
+    // Names are compared with that of the document: the output file may have any other.
+    for loss in formats::losses(format, &document.to_model(document.name())) {
         eprintln!("{}: {loss}", path.display());
     }
     let files = formats::write(format, &model)
         .map_err(|error| Failure::File(format!("{}: {error}", path.display())))?;
+    let is_new = !path.exists();
     let mut written = Unfinished(Vec::new());
     for (at, file) in files.iter().enumerate() {
         let place = if at == 0 { path.to_owned() } else { path.with_file_name(&file.name) };
@@ -111,7 +114,16 @@ pub fn write(path: &Path, format: Format, document: &Document) -> Result<(), Fai
             |error: std::io::Error| Failure::File(format!("{} can't be written: {error}", place.display()));
         // Files that don't have the model's name, such as images, may belong to another model.
         let is_own = Path::new(&file.name).file_stem().is_some_and(|own| own.to_string_lossy() == stem);
-        if !is_own && std::fs::read(&place).is_ok_and(|bytes| bytes != file.bytes) {
+        let is_other = at > 0 && (is_new || !is_own) && std::fs::read(&place).is_ok_and(|b| b != file.bytes);
+        if is_other && is_own {
+            return Err(Failure::File(format!(
+                "{} exists but {} does not, so it belongs to something else and is not replaced. Nothing was written: choose \
+                 another name for the output, or move that file away",
+                place.display(),
+                path.display()
+            )));
+        }
+        if is_other {
             eprintln!("{}: not written: a different file with this name exists", place.display());
             continue;
         }

@@ -3,9 +3,10 @@
 use crate::Failure;
 use crate::files::Read;
 use editor::{Counts, Document};
-use formats::Import;
+use formats::{Import, ImportReport, ReportNote, Severity};
 use serde_json::{Map, Value, json};
 use std::io::Write;
+use std::path::Path;
 
 /// Prints text on standard output. A closed pipe is no failure.
 pub fn print(text: &str) -> Result<(), Failure> {
@@ -15,6 +16,19 @@ pub fn print(text: &str) -> Result<(), Failure> {
         }
         _ => Ok(()),
     }
+}
+
+/// Prints the warnings of an import report on standard error, and gives the other notes as text: what was read, and
+/// what was left out that doesn't affect the mesh.
+pub fn notes(path: &Path, report: &ImportReport) -> String {
+    let mut others = String::new();
+    for ReportNote { severity, text } in report.notes() {
+        match severity {
+            Severity::Warning => eprintln!("{}: {text}", path.display()),
+            Severity::Info => others += &format!("{}: {text}\n", path.display()),
+        }
+    }
+    others
 }
 
 /// The total counts of the meshes of an import.

@@ -18,6 +18,18 @@ pub(crate) fn not_opened(name: &str, why: &str) -> String {
     format!("Could not open {name}. {}", sentence(why))
 }
 
+/// Whether a problem has its field as the subject: "is missing", "has no length".
+fn is_predicate(problem: &str) -> bool {
+    let first = problem.split(' ').next();
+    first.is_some_and(|word| ["is", "has", "must", "goes", "does"].contains(&word))
+}
+
+/// A field and its problem: "Direction has no length", "Edges: there is no edge 7".
+fn about(field: &str, problem: &str) -> String {
+    let colon = if is_predicate(problem) { "" } else { ":" };
+    format!("{field}{colon} {problem}")
+}
+
 const NOT_SAVED: &str = "Could not save the document.";
 
 /// A command that was not carried out. The document is unchanged.
@@ -69,7 +81,7 @@ impl CommandError {
     pub fn reason(&self) -> String {
         match (&self.advice, self.labels()) {
             (Some(advice), _) => advice.clone(),
-            (None, Some((_, Some(field)))) => sentence(&format!("{field}: {}", self.problem)),
+            (None, Some((_, Some(field)))) => sentence(&about(&field, &self.problem)),
             (None, _) => sentence(&self.problem),
         }
     }
@@ -77,9 +89,10 @@ impl CommandError {
     /// What a person reads in a message: the reason, with the operation where the reason does not stand alone.
     pub fn message(&self) -> String {
         match (&self.advice, self.labels()) {
-            (None, Some((op, Some(field)))) => {
-                sentence(&format!("{op}, {}: {}", field.to_lowercase(), self.problem))
-            }
+            (None, Some((op, Some(field)))) => sentence(&match is_predicate(&self.problem) {
+                true => format!("{op}: {} {}", field.to_lowercase(), self.problem),
+                false => format!("{op}, {}: {}", field.to_lowercase(), self.problem),
+            }),
             (None, Some((op, None))) => sentence(&format!("{op}: {}", self.problem)),
             (None, None) if self.op == EXPORT => format!("{NOT_SAVED} {}", sentence(&self.problem)),
             _ => self.reason(),
@@ -107,7 +120,7 @@ impl fmt::Display for CommandError {
             // No operation has these names. The problem says which file could not be opened.
             (OPEN, _) => f.write_str(&self.problem),
             (EXPORT, _) => write!(f, "{NOT_SAVED} {}", sentence(&self.problem)),
-            (op, Some(field)) => write!(f, "{op}: `{field}`: {}", self.problem),
+            (op, Some(field)) => write!(f, "{op}: {}", about(&format!("`{field}`"), &self.problem)),
             (op, None) => write!(f, "{op}: {}", self.problem),
         }
     }

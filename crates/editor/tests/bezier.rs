@@ -282,13 +282,13 @@ fn opening_and_saving_go_through_a_worker() {
 fn refusals_name_the_field_and_the_valid_values() {
     let p = json!([0, 0, 0]);
     let curve: &[(Value, &str)] = &[
-        (json!({"op": "bezier-move-point", "position": p}), "`point`: is missing"),
+        (json!({"op": "bezier-move-point", "position": p}), "`point` is missing"),
         (
             json!({"op": "bezier-move-point", "point": 4, "position": p}),
             "`point`: there is no control point 4; they go from 0 to 3",
         ),
         (json!({"op": "bezier-move-point", "point": -1, "position": p}), "`point`: -1 is not a whole number"),
-        (json!({"op": "bezier-move-point", "point": 0, "row": 0, "position": p}), "`row`: is for surfaces"),
+        (json!({"op": "bezier-move-point", "point": 0, "row": 0, "position": p}), "`row` is for surfaces"),
         (json!({"op": "bezier-move-point", "point": 0, "position": [0, 1e300, 0]}), "`position"),
         (
             json!({"op": "bezier-insert-point", "index": 5, "position": p}),
@@ -314,8 +314,8 @@ fn refusals_name_the_field_and_the_valid_values() {
             json!({"op": "bezier-move-point", "patch": 0, "row": 4, "column": 0, "position": p}),
             "`row`: there is no row 4",
         ),
-        (json!({"op": "bezier-move-point", "patch": 0, "row": 0, "position": p}), "`column`: is missing"),
-        (json!({"op": "bezier-move-point", "point": 0, "position": p}), "`point`: is for curves"),
+        (json!({"op": "bezier-move-point", "patch": 0, "row": 0, "position": p}), "`column` is missing"),
+        (json!({"op": "bezier-move-point", "point": 0, "position": p}), "`point` is for curves"),
         (json!({"op": "bezier-insert-point", "position": p}), "flat is a Bezier surface"),
         (json!({"op": "bezier-elevate-degree"}), "this operation is for curves"),
         (

@@ -502,18 +502,21 @@ fn refusals_name_the_op_and_the_field() {
             json!({"op": "transform", "vertices": [0], "rotate": {"axis": [0, 0, 1]}}),
             &["transform", "`rotate.degrees`", "missing"],
         ),
-        (json!({"op": "transform", "vertices": [0], "falloff": 0}), &["transform", "`falloff`", "above 0"]),
+        (
+            json!({"op": "transform", "vertices": [0], "falloff": -1}),
+            &["transform", "`falloff`", "0 or more"],
+        ),
         (
             json!({"op": "transform", "vertices": [7], "scale": 1e38, "translate": [3e38, 0, 0], "pivot": [-9, 0, 0]}),
             &["transform", "finite"],
         ),
         (
             json!({"op": "set-vertex-position", "vertex": 0, "position": [0, 0, 0, 0]}),
-            &["`position`", "a list of 4 values is too long"],
+            &["`position`", "is a list of 4 values, which is too long"],
         ),
         (
             json!({"op": "set-vertex-position", "vertex": 0, "position": [0, 0]}),
-            &["`position`", "a list of 2 values; expected 3"],
+            &["`position`", "is a list of 2 values where 3 are expected"],
         ),
         (
             json!({"op": "set-vertex-position", "vertex": 0, "position": {}}),

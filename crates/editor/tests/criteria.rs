@@ -88,7 +88,7 @@ fn similar_elements_are_like_the_latest() {
         (json!({"op": "select-facing"}), "Select a face first."),
         (
             json!({"op": "select-facing", "direction": [0, 0, 0]}),
-            "Direction: has no length, so it points nowhere.",
+            "Direction has no length, so it points nowhere.",
         ),
         (json!({"op": "select-elements"}), "Give one list: vertices, edges, half-edges or faces."),
         (json!({"op": "select-elements", "faces": [99]}), "There is no face 99."),

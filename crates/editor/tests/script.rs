@@ -48,7 +48,7 @@ fn every_operation_and_field_is_described() {
 #[test]
 fn fields_are_described_with_values_and_defaults() {
     let split = script::operation_help(OpId::SplitEdge);
-    assert!(split.contains("a number from 0 to 1; default: 0.5"), "{split}");
+    assert!(split.contains("a number above 0 and below 1; default: 0.5"), "{split}");
     assert!(split.contains("an edge by id or by [a, b], the vertices at its ends"), "{split}");
     assert!(split.contains("one of \"triangles\", "), "{split}");
     let simplify = script::operation_help(OpId::Simplify);

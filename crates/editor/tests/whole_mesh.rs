@@ -102,7 +102,7 @@ fn refusals_name_the_field() {
         (json!({"op": "simplify", "faces": -1}), &["`faces`", "-1"]),
         (json!({"op": "simplify", "faces": 3, "preserve_boundary": 1}), &["`preserve_boundary`"]),
         (json!({"op": "smooth", "iterations": 0}), &["`iterations`", "1 to 10000"]),
-        (json!({"op": "smooth", "strength": 0}), &["`strength`"]),
+        (json!({"op": "smooth", "strength": -0.5}), &["`strength`"]),
         (json!({"op": "smooth", "strength": 1.5}), &["`strength`"]),
         (json!({"op": "smooth", "method": "hard"}), &["`method`", "hard", "taubin"]),
         (json!({"op": "remesh", "edge_length": 0}), &["`edge_length`"]),

@@ -32,7 +32,7 @@ impl ReadError {
 
     /// Nothing in a file can be read, because of its first fault.
     pub(crate) fn nothing(file: &NamedBytes, fault: &str) -> Self {
-        Self::file(&file.name, format!("nothing in it can be read. The first fault is in {fault}"))
+        Self::file(&file.name, format!("nothing in it can be read. The first fault: {fault}"))
     }
 }
 

@@ -43,5 +43,6 @@ pub use read::{Import, read, read_with};
 pub use report::{ImportReport, ReportNote, Severity};
 pub use soup::repairs::{NonManifold, Repairs, rebuild};
 pub use surface::bezier::Bezier;
+pub use text::json_fault::json_fault;
 pub use text::number::shortest;
 pub use write::write;

@@ -3,10 +3,10 @@
 use crate::format::loss::Part;
 use crate::format::{FormatInfo, Holds};
 use crate::formats::Format;
-use crate::model::Model;
 use crate::model::material::Property;
 use crate::model::paint::names_in_use;
 use crate::model::texture::Texture;
+use crate::model::{Model, NamedMesh};
 use crate::obj::mtl;
 use crate::report::counted_words;
 use halfedge::words::{counted, thousands};
@@ -20,6 +20,7 @@ pub fn losses(format: Format, model: &Model) -> Vec<String> {
         return control_point_losses(info, model);
     }
     let name = format.name();
+    let object_name = name_loss(info, &model.objects.iter().collect::<Vec<_>>(), model);
     let control_points = model.objects.iter().filter(|object| object.bezier.is_some()).map(|object| {
         let own = &object.name;
         if object.is_curve() {
@@ -35,7 +36,16 @@ pub fn losses(format: Format, model: &Model) -> Vec<String> {
         let enough = if part == Part::Objects { 2 } else { 1 };
         (count >= enough).then(|| part.loss(name, count))
     });
-    control_points.chain(parts).chain(material_loss(info, &meshes)).chain((info.losses)(&meshes)).collect()
+    let others = parts.chain(material_loss(info, &meshes)).chain((info.losses)(&meshes));
+    control_points.chain(object_name).chain(others).collect()
+}
+
+/// The loss of the name of an object that is alone in its file.
+fn name_loss(format: &FormatInfo, objects: &[&NamedMesh], model: &Model) -> Option<String> {
+    let [object] = objects else { return None };
+    (!format.keeps_name && object.name != model.name).then(|| {
+        format!("{} names a single object after its file: the name \"{}\" is lost", format.name, object.name)
+    })
 }
 
 /// The properties of used materials that the format doesn't hold.
@@ -78,6 +88,7 @@ fn control_point_losses(format: &FormatInfo, model: &Model) -> Vec<String> {
         .partition(|object| object.bezier.as_ref().is_some_and(|bezier| is_kept(bezier.curve().is_some())));
     let lost = lost.iter().map(|object| format!("{name} holds only {holds}: {} is left out", object.name));
     let mut losses: Vec<String> = lost.collect();
+    losses.extend(name_loss(format, &kept, model));
     let count = kept.len();
     if count > 1 {
         losses.push(match format.holds {
@@ -98,7 +109,6 @@ fn control_point_losses(format: &FormatInfo, model: &Model) -> Vec<String> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::model::NamedMesh;
     use glam::{Vec2, Vec3};
     use halfedge::{Color, Mesh, PolygonSoup, keys};
 
@@ -108,9 +118,16 @@ mod tests {
         let mut mesh = Mesh::build(PolygonSoup::new(corners, &[[0, 1, 2, 3]])).expect("small").mesh;
         let losses = |code: &str, meshes: &[&Mesh]| {
             let objects = meshes.iter().map(|&mesh| NamedMesh::new("a", mesh.clone())).collect();
-            losses(Format::from_code(code).expect("a format"), &Model { objects, ..Model::default() })
+            let name = "a".to_owned();
+            losses(Format::from_code(code).expect("a format"), &Model { name, objects, ..Model::default() })
         };
         assert_eq!(losses("obj", &[&mesh]), [""; 0]);
+        for (code, lost) in [("obj", true), ("ply", true), ("stl-text", true), ("glb", false), ("dae", false)]
+        {
+            let model = Model { name: "b".to_owned(), ..Model::of_mesh("a", mesh.clone()) };
+            let losses = super::losses(Format::from_code(code).expect("a format"), &model).join("\n");
+            assert_eq!(losses.contains("the name \"a\" is lost"), lost, "{code}: {losses}");
+        }
         mesh.set(keys::FACE_COLOR, 0, Color([1, 2, 3]));
         mesh.set(keys::EDGE_CREASE, 2, 3.0);
         // On a boundary half-edge: of no face, so not a loss.

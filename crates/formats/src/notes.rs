@@ -49,10 +49,12 @@ pub(crate) struct Notes {
     infos: Vec<String>,
 }
 
-/// A fault with one colon at most, since its kind stands before another.
+/// A fault with one colon at most, since its kind stands before another. The reason of what is behind the colon
+/// follows in brackets.
 fn with_one_colon(text: &str) -> String {
-    match text.split_once(": ") {
-        Some((fault, reason)) => format!("{fault}: {}", reason.replace(": ", ", ")),
+    let Some((element, fault)) = text.split_once(": ") else { return text.to_owned() };
+    match fault.split_once(": ") {
+        Some((fault, reason)) => format!("{element}: {fault} ({})", reason.replace(": ", ", ")),
         None => text.to_owned(),
     }
 }

@@ -53,7 +53,7 @@ pub fn read_with(
     let mut reading = Reading { repairs: *repairs, ..Reading::default() };
     let import = read_all(files, &mut reading, progress)?;
     let Some(offset) = Bounds::of(&import.model.objects).offset() else { return Ok(import) };
-    // Far away: read again in double precision, and see whether that gains digits.
+    // Far away: read again in double precision, and see that it loses no digits.
     let mut reading = Reading { origin: Some(Origin::new(offset)), ..reading };
     let mut precise = read_all(files, &mut reading, progress)?;
     if !reading.origin.is_some_and(|origin| Bounds::of(&precise.model.objects).is_worth(&origin)) {

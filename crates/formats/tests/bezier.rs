@@ -217,7 +217,8 @@ fn losses_name_what_a_format_cannot_hold() {
         formats::losses(by_code("bez"), &model(&objects)),
         [
             "BEZ holds only Bezier surfaces: mesh is left out",
-            "BEZ holds only Bezier surfaces: curve is left out"
+            "BEZ holds only Bezier surfaces: curve is left out",
+            "BEZ names a single object after its file: the name \"surface\" is lost",
         ]
     );
     assert_eq!(

@@ -83,7 +83,7 @@ fn digits_survive_reading_and_writing_in_every_format() {
     assert!(lost.contains("positions so far from the origin are rounded"), "{lost}");
     let files = formats::write(by_code("stl"), &renamed(&import, "roof")).expect("small");
     let back = read(&files).expect("its own");
-    assert_eq!(back.model.offset, DVec3::ZERO, "32 bits have no more digits to keep");
+    assert_ne!(back.model.offset, DVec3::ZERO, "32 bits have no more digits to keep, but edits do");
     let json = formats::write(by_code("json"), &renamed(&import, "roof")).expect("small").remove(0);
     let value: serde_json::Value = serde_json::from_slice(&json.bytes).expect("JSON");
     let x = value["positions"][0][0].as_f64().expect("a number");
@@ -91,11 +91,21 @@ fn digits_survive_reading_and_writing_in_every_format() {
 }
 
 #[test]
-fn what_32_bits_hold_stays_where_it_is() {
-    // Far away, but whole numbers.
+fn what_32_bits_hold_is_kept_exactly_and_leaves_room_for_edits() {
+    // Far away, but whole numbers: there are digits for what an edit adds.
     let import = read_text("a.obj", "v 5000000 0 0\nv 5000001 0 0\nv 5000000 1 0\nf 1 2 3\n");
+    let x = |import: &Import, v: usize| f64::from(mesh(import).positions()[v].x) + import.model.offset.x;
+    assert_eq!((x(&import, 0), x(&import, 1)), (5_000_000.0, 5_000_001.0));
+    let spacing = mesh(&import).positions().iter().map(|p| p.x.next_up() - p.x).fold(0.0, f32::max);
+    assert!(spacing < 1e-6, "{spacing}");
+    // A map of a hundred kilometers.
+    let map = "v 5000000 0 0\nv 5100000 0 0\nv 5000000 1000 0\nf 1 2 3\n";
+    let import = read_text("map.obj", map);
+    assert_eq!((x(&import, 0), x(&import, 1)), (5_000_000.0, 5_100_000.0));
+    // A vertex that no face uses would lose digits by an offset, and faces gain none by it.
+    let import = read_text("a.obj", "v 5000000 0 0\nv 5000001 0 0\nv 5000000 1 0\nv 0.1 0 0\nf 1 2 3\n");
     assert_eq!(import.model.offset, DVec3::ZERO);
-    assert_eq!(mesh(&import).positions()[1].x, 5_000_001.0);
+    assert_eq!(mesh(&import).positions()[3].x, 0.1);
     // Near, whatever the digits.
     let import = read_text("a.obj", "v 0.1 0 0\nv 1.1 0 0\nv 0.1 1 0\nf 1 2 3\n");
     assert_eq!(import.model.offset, DVec3::ZERO);

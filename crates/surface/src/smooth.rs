@@ -13,7 +13,7 @@ pub const MAX_SMOOTH_ITERATIONS: u32 = 10_000;
 pub struct Smooth {
     /// The number of iterations, up to [`MAX_SMOOTH_ITERATIONS`].
     pub iterations: u32,
-    /// How far a vertex moves towards the mean of its neighbours in an iteration: above 0, up to 1.
+    /// How far a vertex moves towards the mean of its neighbours in an iteration: from 0, which moves nothing, to 1.
     pub strength: f64,
     /// The method of an iteration.
     pub method: SmoothMethod,
@@ -40,10 +40,13 @@ const TAUBIN_PASS_BAND: f64 = 0.1;
 /// # Errors
 /// [`SurfaceError::BadField`]; [`SurfaceError::Cancelled`].
 pub fn smooth(mesh: &Mesh, options: &Smooth, progress: &mut Progress<'_>) -> Result<Mesh, SurfaceError> {
-    if !(options.strength > 0.0 && options.strength <= 1.0) {
-        return Err(SurfaceError::field("strength", "above 0 and at most 1"));
+    if !(0.0..=1.0).contains(&options.strength) {
+        return Err(SurfaceError::field("strength", "from 0 to 1"));
     }
     check_iterations(options.iterations, MAX_SMOOTH_ITERATIONS)?;
+    if options.strength == 0.0 {
+        return Ok(mesh.clone());
+    }
     let mut pace = Pace::new(progress);
     pace.at(0.0)?;
     let compact = mesh.to_compact().into_owned();

@@ -19,7 +19,7 @@ pub fn soft_selection(mesh: &Mesh, selected: &[VertexId], radius: f32) -> Vec<(V
             continue;
         }
         for w in mesh.neighbors(vertex) {
-            let distance = mesh.position(w).distance(mesh.position(source));
+            let distance = mesh.position(w).as_dvec3().distance(mesh.position(source).as_dvec3()) as f32;
             if distance < radius && distances.get(&w).is_none_or(|&known| distance < known) {
                 distances.insert(w, distance);
                 front.push(Reverse((distance.to_bits(), w, source)));

@@ -61,11 +61,13 @@ fn taubin_keeps_the_volume_that_laplacian_loses() {
 }
 
 #[test]
-fn smoothing_refuses_no_strength() {
-    for strength in [0.0, -1.0, 1.5, f64::NAN] {
+fn smoothing_takes_a_strength_from_0_to_1() {
+    let still = Smooth { iterations: 3, strength: 0.0, method: SmoothMethod::Taubin };
+    assert!(smooth(&cube(), &still, &mut never_cancel).expect("in range") == cube());
+    for strength in [-1.0, 1.5, f64::NAN] {
         let options = Smooth { iterations: 1, strength, method: SmoothMethod::Laplacian };
-        let refused = smooth(&cube(), &options, &mut never_cancel).expect_err("no strength");
-        assert_eq!(refused.to_string(), "strength must be above 0 and at most 1");
+        let refused = smooth(&cube(), &options, &mut never_cancel).expect_err("out of range");
+        assert_eq!(refused.to_string(), "strength must be from 0 to 1");
     }
 }
 

@@ -224,7 +224,7 @@ impl App {
 
     fn scale_target_edge(&mut self, factor: f64) {
         let facts = self.session.facts(OpId::Remesh);
-        let now = self.panels.forms.target_edge().or(facts.mean_edge);
+        let now = self.panels.forms.target_edge().or(facts.remeshed_edge());
         let Some(length) = now.filter(|length| *length > 0.0) else { return };
         let length = four_digits((length * factor).clamp(1e-6, 1e6));
         self.panels.forms.fill(OpId::Remesh, &facts, EDGE_LENGTH, length.into());

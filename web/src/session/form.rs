@@ -39,8 +39,8 @@ pub fn shape(name: &str) -> Result<Command, CommandError> {
 
 /// Whether any field of a form depends on the size of the mesh, which must then be measured.
 pub fn needs_measures(spec: &Spec) -> bool {
-    use editor::ops::Suggestion::{MeanEdge, OfDiagonal};
-    spec.fields.iter().any(|field| matches!(field.suggestion, MeanEdge | OfDiagonal(_)))
+    use editor::ops::Suggestion::{MeanEdge, OfDiagonal, RemeshedEdge};
+    spec.fields.iter().any(|field| matches!(field.suggestion, MeanEdge | RemeshedEdge | OfDiagonal(_)))
 }
 
 /// The alternative that is filled in, of those with this title.

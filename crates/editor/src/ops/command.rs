@@ -19,8 +19,9 @@ impl Command {
     /// # Errors
     /// Names the op, and the field where one is missing, unknown, of the wrong type or not finite.
     pub fn from_json(text: &str) -> Result<Self, CommandError> {
-        let value = serde_json::from_str(text)
-            .map_err(|error| CommandError::refused("command", format!("this is not JSON: {error}")))?;
+        let value = serde_json::from_str(text).map_err(|error| {
+            CommandError::refused("command", format!("this is not JSON: {}", formats::json_fault(&error)))
+        })?;
         Self::from_value(value)
     }
 

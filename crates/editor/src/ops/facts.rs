@@ -45,6 +45,13 @@ impl Facts {
         }
     }
 
+    /// The length of edges that remeshing takes by itself, where that is known.
+    pub fn remeshed_edge(&self) -> Option<f64> {
+        let mean = self.mean_edge?;
+        let fitted = self.area.zip(self.triangles());
+        Some(fitted.map_or(mean, |(area, triangles)| surface::Remesh::fitted_length(mean, area, triangles)))
+    }
+
     /// How many triangles the faces can be cut into, where that is known.
     pub fn triangles(&self) -> Option<usize> {
         self.corners?.checked_sub(2 * self.faces)

@@ -2,6 +2,7 @@
 
 use super::choice::Choice;
 use super::facts::Facts;
+use super::wording::{four_digits, sentence_case};
 use halfedge::Element;
 use serde_json::{Value, json};
 
@@ -20,6 +21,8 @@ pub struct Field {
     pub fill: Fill,
     /// What a form starts with where the field has no default value.
     pub suggestion: Suggestion,
+    /// Which ends of the range of a number are taken.
+    pub ends: Ends,
     /// How it follows the pointer.
     pub drag: Option<Drag>,
     /// The title of its group of alternatives. Exactly one of a group is given; they are listed
@@ -37,7 +40,8 @@ pub enum FieldKind {
         /// How many it takes.
         arity: Arity,
     },
-    /// A number; `min` and `max` are for forms and help, and operations check their own fields.
+    /// A number; `min` and `max` are for forms and help, and operations check their own fields. Whether the ends
+    /// themselves are taken is in [`Field::ends`].
     Number {
         /// What it measures.
         unit: Unit,
@@ -77,6 +81,17 @@ pub enum FieldKind {
     Shape,
     /// A size that some shapes have: the form of the shape shows it.
     ShapeSize,
+}
+
+/// Which ends of the range of a number a field takes.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Ends {
+    /// Both.
+    Both,
+    /// The largest value, and what is above the smallest.
+    Upper,
+    /// Only what lies between.
+    Neither,
 }
 
 /// How many elements a field takes.
@@ -167,6 +182,8 @@ pub enum Suggestion {
     Number(f64),
     /// The mean length of the mesh's edges.
     MeanEdge,
+    /// The length of edges that remeshing takes for the mesh.
+    RemeshedEdge,
     /// This part of the diagonal of the mesh's bounding box.
     OfDiagonal(f64),
     /// This part of the mesh's triangles.
@@ -193,7 +210,7 @@ pub enum Drag {
 impl Field {
     const fn new(name: &'static str, kind: FieldKind, fill: Fill, description: &'static str) -> Self {
         let (suggestion, drag, alternative) = (Suggestion::None, None, None);
-        Self { name, label: "", description, kind, fill, suggestion, drag, alternative }
+        Self { name, label: "", description, kind, fill, suggestion, ends: Ends::Both, drag, alternative }
     }
 
     /// A field that must be given.
@@ -250,6 +267,16 @@ impl Field {
 
     pub(crate) const fn unset(self, words: &'static str) -> Self {
         Self { fill: Fill::Unset(words), ..self }
+    }
+
+    /// The smallest value of the range is not taken, only what is above it.
+    pub(crate) const fn above_min(self) -> Self {
+        Self { ends: Ends::Upper, ..self }
+    }
+
+    /// The ends of the range are not taken, only what lies between.
+    pub(crate) const fn between(self) -> Self {
+        Self { ends: Ends::Neither, ..self }
     }
 
     pub(crate) const fn optional(self, words: &'static str) -> Self {
@@ -342,6 +369,7 @@ impl Field {
             Suggestion::None => None,
             Suggestion::Number(number) => Some(number),
             Suggestion::MeanEdge => facts.mean_edge,
+            Suggestion::RemeshedEdge => facts.remeshed_edge(),
             Suggestion::OfDiagonal(part) => facts.diagonal.map(|diagonal| diagonal * part),
             Suggestion::OfTriangles(part) => facts.triangles().map(|count| (count as f64 * part).round()),
         };
@@ -363,45 +391,5 @@ impl Field {
             FieldKind::Elements { arity: Arity::One, .. } | FieldKind::ShapeSize => json!(0),
             FieldKind::Elements { .. } | FieldKind::Objects => json!([]),
         }
-    }
-}
-
-/// A name in JSON as people read it: `tube_radius` is "Tube radius", `uv-sphere` "UV sphere".
-pub fn sentence_case(name: &str) -> String {
-    let words = name.replace(['_', '-'], " ").replace("uv ", "UV ");
-    let mut letters = words.chars();
-    letters.next().map_or_else(String::new, |first| first.to_uppercase().chain(letters).collect())
-}
-
-/// A length to suggest, rounded to four significant digits: 0 for one that is not above 0.
-pub fn four_digits(length: f64) -> f64 {
-    if !length.is_finite() || length <= 0.0 {
-        return 0.0;
-    }
-    let unit = 10_f64.powi(length.log10().floor() as i32 - 3);
-    let steps = (length / unit).round();
-    // Dividing by a whole power of ten gives the number that is written with these digits.
-    if unit < 1.0 { steps / (1.0 / unit).round() } else { steps * unit }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn suggested_lengths_have_four_digits() {
-        let cases = [(0.123456, 0.1235), (2.0, 2.0), (98765.4, 98770.0), (1.23456e-5, 1.235e-5), (0.0, 0.0)];
-        for (length, wanted) in cases {
-            assert_eq!(four_digits(length), wanted);
-        }
-        assert_eq!(four_digits(f64::NAN), 0.0);
-        assert_eq!(four_digits(-1.0), 0.0);
-    }
-
-    #[test]
-    fn names_are_read_as_words() {
-        assert_eq!(sentence_case("feature_angle"), "Feature angle");
-        assert_eq!(sentence_case("uv-sphere"), "UV sphere");
-        assert_eq!(sentence_case(""), "");
     }
 }

@@ -71,15 +71,17 @@ fn from_fields<T: DeserializeOwned>(fields: Map<String, Value>) -> Result<T, Pro
 }
 
 /// What serde says about a value that doesn't fit, without the names of Rust's types.
-fn in_plain_words(text: &str) -> Option<String> {
+pub(crate) fn in_plain_words(text: &str) -> Option<String> {
+    // A type that reads its own parts adds no place, but the reader does not know that.
+    let text = text.split(" at line ").next().unwrap_or(text);
     if let Some(rest) = text.strip_prefix("invalid length ") {
         let (length, expected) = rest.split_once(", expected ")?;
         return Some(match expected.strip_prefix("an array of length ") {
-            Some(wanted) => format!("a list of {length} values; expected {wanted}"),
+            Some(wanted) => format!("is a list of {length} values where {wanted} are expected"),
             None if expected == "fewer elements in array" => {
-                format!("a list of {length} values is too long")
+                format!("is a list of {length} values, which is too long")
             }
-            None => format!("a list of {length} values; expected {expected}"),
+            None => format!("is a list of {length} values; expected {}", plain(expected)),
         });
     }
     let rest = text.strip_prefix("invalid type: ").or_else(|| text.strip_prefix("invalid value: "))?;
@@ -92,16 +94,24 @@ fn in_plain_words(text: &str) -> Option<String> {
         ("string", value) => value,
         _ => given,
     };
-    let expected = match expected {
+    Some(match expected.strip_prefix("an array of length ") {
+        Some(length) => format!("{given} is not a list of {length} numbers"),
+        None => format!("{given} is not {}", plain(expected)),
+    })
+}
+
+/// What serde expects, without the names of Rust's types.
+fn plain(expected: &str) -> &str {
+    match expected {
         "f64" | "f32" => "a number",
+        "usize" | "u64" | "u32" => "a whole number of 0 or more",
         "a sequence" => "a list",
         "a boolean" => "true or false",
         "a map" => "an object",
-        "unit" | "unit variant" => "a name alone",
-        other => match other.strip_prefix("an array of length ") {
-            Some(length) => return Some(format!("{given} is not a list of {length} numbers")),
-            None => other,
-        },
-    };
-    Some(format!("{given} is not {expected}"))
+        "a string" => "text in quotes",
+        "string or map" | "map with a single key" | "unit" | "unit variant" | "variant identifier" => {
+            "one of its words, in quotes"
+        }
+        other => other,
+    }
 }

@@ -16,6 +16,7 @@ mod json;
 mod refs;
 mod spec;
 mod target;
+mod wording;
 
 pub(crate) use action::{
     Action, Commit, DocumentEdit, LocalEdit, Operation, Place, SelectEdit, WholeMesh, edges_between_created,
@@ -24,14 +25,14 @@ pub(crate) use action::{
 pub use choice::Choice;
 pub use command::Command;
 pub use facts::{Amount, Counted, Estimate, Facts};
-pub use field::{
-    Arity, DefaultValue, Drag, Field, FieldKind, Fill, Selected, Suggestion, Unit, four_digits, sentence_case,
-};
+pub use field::{Arity, DefaultValue, Drag, Ends, Field, FieldKind, Fill, Selected, Suggestion, Unit};
 pub(crate) use formats::NamedMesh;
 use json::Fields;
+pub(crate) use json::in_plain_words;
 pub use refs::{EdgeRef, FaceRef, HalfedgeRef, VertexRef};
 pub use spec::{Family, Scope, Spec};
 pub(crate) use target::{Slot, Target};
+pub use wording::{four_digits, sentence_case};
 
 use crate::error::Problem;
 use serde_json::{Map, Value};

@@ -1,6 +1,6 @@
 //! Descriptions of fields in words.
 
-use crate::ops::{Arity, Field, FieldKind, Unit};
+use crate::ops::{Arity, Ends, Field, FieldKind, Unit};
 use halfedge::Element;
 use std::fmt::Display;
 use surface::Shape;
@@ -12,11 +12,11 @@ pub(super) fn values(field: &Field) -> String {
         FieldKind::Number { unit, min, max } => {
             let min = (min > f64::from(f32::MIN)).then_some(min);
             let max = (max < f64::from(f32::MAX)).then_some(max);
-            format!("a number{}{}", in_unit(unit), range(min, max))
+            format!("a number{}{}", in_unit(unit), range(min, max, field.ends))
         }
         FieldKind::Integer { unit, min, max } => {
             let max = (max < u32::MAX).then_some(max);
-            format!("a whole number{}{}", in_unit(unit), range(Some(min), max))
+            format!("a whole number{}{}", in_unit(unit), range(Some(min), max, Ends::Both))
         }
         FieldKind::Vector => "three numbers: `[x, y, z]`".to_owned(),
         FieldKind::VectorPair => "two positions: `[[x, y, z], [x, y, z]]`".to_owned(),
@@ -60,12 +60,16 @@ fn in_unit(unit: Unit) -> &'static str {
     }
 }
 
-fn range<T: Display>(min: Option<T>, max: Option<T>) -> String {
-    match (min, max) {
-        (Some(min), Some(max)) => format!(" from {min} to {max}"),
-        (Some(min), None) => format!(", {min} or more"),
-        (None, Some(max)) => format!(", {max} or less"),
-        (None, None) => String::new(),
+fn range<T: Display>(min: Option<T>, max: Option<T>, ends: Ends) -> String {
+    match (min, max, ends) {
+        (Some(min), Some(max), Ends::Both) => format!(" from {min} to {max}"),
+        (Some(min), Some(max), Ends::Upper) => format!(" above {min}, up to {max}"),
+        (Some(min), Some(max), Ends::Neither) => format!(" above {min} and below {max}"),
+        (Some(min), None, Ends::Both) => format!(", {min} or more"),
+        (Some(min), None, _) => format!(" above {min}"),
+        (None, Some(max), Ends::Both | Ends::Upper) => format!(", {max} or less"),
+        (None, Some(max), Ends::Neither) => format!(" below {max}"),
+        (None, None, _) => String::new(),
     }
 }
 

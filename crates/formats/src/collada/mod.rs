@@ -37,6 +37,7 @@ pub(crate) static FORMAT: FormatInfo = FormatInfo {
     read: Some(read::read),
     write: Some(|model| Ok(write::write(model))),
     companions: read::companions,
+    keeps_name: true,
     lacks: &[Part::Groups, Part::Smoothing, Part::Creases, Part::Attributes],
     keeps_property: write::keeps,
     // Meshes have one set of texture coordinates.

@@ -6,6 +6,7 @@ use crate::soup::pieces::uniform;
 use crate::soup::weld::Weld;
 use glam::{Vec2, Vec3};
 use halfedge::attribute::{AttributeType, Key};
+use halfedge::geometry::MeshTriangulator;
 use halfedge::words::counted;
 use halfedge::{Color, Element, Mesh, NONE, keys};
 
@@ -146,6 +147,25 @@ pub(crate) fn merged_vertices(format: &str, model: &Model) -> Option<String> {
             "{format} holds triangles without shared vertices: {} at the same place as another will be one with it \
              when the file is opened",
             counted(merged, "vertex", "vertices")
+        )
+    })
+}
+
+/// The loss in a format of triangles where those of polygons can't form a mesh: two would join the same vertices.
+pub(crate) fn conflicting_triangles(format: &str, model: &Model) -> Option<String> {
+    let conflicts = model.objects.iter().map(|object| {
+        let mut triangulator = MeshTriangulator::new(&object.mesh);
+        object.mesh.faces().for_each(|f| {
+            triangulator.triangulate_face(f);
+        });
+        triangulator.conflicts()
+    });
+    let count: usize = conflicts.sum();
+    (count > 0).then(|| {
+        format!(
+            "{format} holds triangles only: those of {} overlap others along an edge, so some will be left out or separated \
+             when the file is opened. Divide these polygons with new vertices first",
+            counted(count, "polygon", "polygons")
         )
     })
 }

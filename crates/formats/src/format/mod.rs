@@ -41,6 +41,9 @@ pub(crate) struct FormatInfo {
     pub companions: fn(&NamedBytes) -> Vec<String>,
     /// Makes one file that opens by itself of those written; `None` where there are none.
     pub single_file: fn(Vec<NamedBytes>) -> Option<NamedBytes>,
+    /// Whether it has a place for the name of an object that is alone in its file. In other formats the file's name
+    /// stands for it.
+    pub keeps_name: bool,
     /// The parts of a document that it has no place for.
     pub lacks: &'static [Part],
     /// Whether it has a place for a property of a material.
@@ -77,6 +80,7 @@ impl FormatInfo {
         companion_extensions: &[],
         companions: |_| Vec::new(),
         single_file: |files| files.into_iter().next(),
+        keeps_name: false,
         lacks: &[],
         keeps_property: |property| property == Property::BaseColor,
         keeps_placement: |_| true,

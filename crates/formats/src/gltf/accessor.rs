@@ -10,7 +10,7 @@ use std::borrow::Cow;
 /// # Errors
 /// When the buffer has none, or the accessor can't be read.
 pub(super) fn rows<'b>(document: &Document, buffers: &'b Buffers, index: usize) -> Result<Rows<'b>, String> {
-    read(document.item(ACCESSORS, index)?, buffers).map_err(|why| format!("accessor {index}: {why}"))
+    read(document.item(ACCESSORS, index)?, buffers).map_err(|why| format!("in accessor {index}, {why}"))
 }
 
 fn read<'b>(accessor: Object, buffers: &'b Buffers) -> Result<Rows<'b>, String> {

@@ -66,7 +66,11 @@ fn check_version(document: &Document) -> Result<(), String> {
 }
 
 fn other_version(version: &str) -> String {
-    format!("it is glTF {version}; version 2 can be read, so export the model as glTF 2.0")
+    let found = match version.trim() {
+        "" => "it doesn't say which version of glTF it is".to_owned(),
+        version => format!("it is glTF {version}"),
+    };
+    format!("{found}. Meshwright reads version 2: export the model as glTF 2.0")
 }
 
 /// The JSON and the first binary chunk of a binary file, with faults.

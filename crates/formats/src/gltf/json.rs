@@ -1,5 +1,6 @@
 //! Access to the JSON of a document, field by field, so that a fault in one field costs only what needs it.
 
+use crate::text::json_fault::json_fault;
 use glam::{DMat4, DQuat};
 use serde_json::Value;
 
@@ -37,7 +38,7 @@ impl Document {
         match serde_json::from_str(text) {
             Ok(root @ Value::Object(_)) => Ok(Self(root)),
             Ok(_) => Err("its JSON is no object".to_owned()),
-            Err(error) => Err(format!("its JSON can't be read ({error})")),
+            Err(error) => Err(format!("its JSON can't be read, because {}", json_fault(&error))),
         }
     }
 

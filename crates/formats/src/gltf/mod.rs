@@ -59,6 +59,7 @@ const COMMON: FormatInfo = FormatInfo {
     read: Some(read::read),
     companion_extensions: &[("bin", "holds only data: open it together with the glTF model it belongs to")],
     companions: buffers::companions,
+    keeps_name: true,
     lacks: &[Part::Polygons, Part::Groups, Part::Smoothing, Part::Creases, Part::Attributes],
     keeps_property: write::keeps,
     // Meshes have one set of texture coordinates.

@@ -28,6 +28,11 @@ impl Names {
         self.names.get(number as usize).map(String::as_str)
     }
 
+    /// All names, in order.
+    pub(crate) fn iter(&self) -> impl Iterator<Item = &str> {
+        self.names.iter().map(String::as_str)
+    }
+
     /// [`labelled`] with these names.
     pub(crate) fn column(&self, key: Key<u32>, values: Vec<u32>) -> Column {
         labelled(key, values, &self.names)

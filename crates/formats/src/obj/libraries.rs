@@ -61,7 +61,8 @@ pub(crate) fn read(named: &[String], source: &Source, report: &mut ImportReport)
     }
     if used.is_empty() && !named.is_empty() {
         report.info(format!(
-            "The colours of its materials are in {}, which was not given: open both files together to see them",
+            "The colours of its materials are in {}, which was not given, so its name is not kept either: open both \
+             files together to have them",
             named.join(", ")
         ));
     }

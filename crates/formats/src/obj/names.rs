@@ -1,5 +1,7 @@
 //! Group names as labels of a mesh and back, and names as text of a line.
 
+use std::collections::HashSet;
+
 /// The label of faces with these `o` and `g` names.
 pub(crate) fn group_label(object: &str, group: &str) -> Option<String> {
     match (object.is_empty(), group.is_empty()) {
@@ -16,6 +18,22 @@ pub(crate) fn group_lines(label: &str) -> (&str, &str) {
         Some(rest) => rest.split_once("; g ").unwrap_or((rest, "")),
         None => ("", label),
     }
+}
+
+/// The group that a file is in before its first `g`: programs write it where it has no faces.
+const DEFAULT_GROUP: &str = "default";
+
+/// The `o` and `g` names that no face has, by all labels and those of faces.
+pub(crate) fn names_without_faces<'a>(
+    all: impl Iterator<Item = &'a str>,
+    used: impl Iterator<Item = &'a str>,
+) -> Vec<&'a str> {
+    let mut seen: HashSet<&str> = used.map(group_lines).flat_map(|(object, group)| [object, group]).collect();
+    seen.extend(["", DEFAULT_GROUP]);
+    all.map(group_lines)
+        .flat_map(|(object, group)| [object, group])
+        .filter(|name| seen.insert(name))
+        .collect()
 }
 
 /// A name that can be written on a line: without control characters, without anything that reads as a comment,
@@ -49,6 +67,13 @@ mod tests {
             assert_eq!(group_lines(&label), (object, group));
         }
         assert_eq!(group_label("", ""), None);
+    }
+
+    #[test]
+    fn names_without_faces_are_found_once() {
+        let all = ["default", "o a", "o a; g x", "o b", "o b; g x", "y", "o c", "o c; g y", "z"];
+        assert_eq!(names_without_faces(all.into_iter(), ["o b; g x"].into_iter()), ["a", "y", "c", "z"]);
+        assert_eq!(names_without_faces([""; 0].into_iter(), [""; 0].into_iter()), [""; 0]);
     }
 
     #[test]

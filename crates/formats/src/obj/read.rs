@@ -1,13 +1,14 @@
 //! Reading an OBJ: statements to polygon soup with attributes, to a mesh, with a report.
 
 use super::libraries;
+use super::names::names_without_faces;
 use super::statements::Statements;
 use crate::error::ReadError;
 use crate::format::reading::{Contents, Reading, Source, build};
 use crate::model::labels::labelled;
 use crate::model::material::{Material, Materials};
 use crate::model::paint::unpainted;
-use crate::report::ImportReport;
+use crate::report::{ImportReport, first_few};
 use crate::soup::drop_faces;
 use crate::text::commas::{AMBIGUOUS, Commas, read_commas};
 use crate::text::scan::{Scan, is_text};
@@ -50,11 +51,11 @@ pub(super) fn read(
         || !statements.troubles.missing_vertex.is_empty();
     let is_obj = has_geometry || (statements.known > 0 && statements.troubles.unknown.is_empty());
     if !is_obj {
-        let why = "no line of it is a vertex (\"v 1 2 3\") or a face (\"f 1 2 3\")";
+        let why = "it has no line for a vertex (\"v 1 2 3\") or a face (\"f 1 2 3\")";
         return Err(ReadError::not_a(file, "an OBJ", why));
     }
     if statements.is_unreadable() {
-        return Err(ReadError::not_a(file, "an OBJ", "none of its vertices is three numbers"));
+        return Err(ReadError::not_a(file, "an OBJ", "none of its vertices has three numbers (\"v 1 2 3\")"));
     }
     statements.troubles.report(&mut report);
     let (soup, materials) = soup(&mut statements, source, &mut report);
@@ -100,9 +101,14 @@ fn soup(statements: &mut Statements, source: &Source, report: &mut ImportReport)
         &statements.normals,
         soup.corners.len(),
     ));
-    if let Some(groups) = statements.groups.expand(faces, NONE) {
-        soup.face_columns.push(statements.group_names.column(keys::FACE_GROUP, groups));
+    let groups = statements.groups.expand(faces, NONE);
+    let groups = groups.map(|groups| statements.group_names.column(keys::FACE_GROUP, groups));
+    let used = groups.iter().flat_map(|column| &column.labels).map(String::as_str);
+    let empty = names_without_faces(statements.group_names.iter(), used);
+    if !empty.is_empty() {
+        report.info(format!("Groups and objects without faces are left out: {}", first_few(&empty, 6)));
     }
+    soup.face_columns.extend(groups);
     let given = libraries::read(&statements.libraries, source, report);
     let names = materials(statements, faces, &given.list, &mut soup.face_columns);
     if let Some(smoothing) = statements.smoothing.expand(faces, 0) {

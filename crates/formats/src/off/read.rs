@@ -47,7 +47,7 @@ pub(super) fn read(
         }
     }
     if contents.is_unreadable() {
-        return Err(ReadError::not_a(file, "an OFF", "none of its vertices is three numbers"));
+        return Err(ReadError::not_a(file, "an OFF", "none of its vertices has three numbers"));
     }
     let soup = contents.finish(&mut report);
     let part = &mut |part| progress(0.5 + part * 0.5);

@@ -3,33 +3,44 @@
 //! A position is three `f32`. Far from the origin, as map coordinates are, those are too coarse: at
 //! five million they are half a unit apart. So a file whose model lies far away for its size is
 //! read a second time with coordinates in `f64`, from which an offset is subtracted before they are
-//! rounded. Writers add it again.
+//! rounded. Writers add it again. Files whose numbers fit `f32` get an offset too: the results of edits
+//! don't fit.
 
 use crate::model::NamedMesh;
 use glam::{DVec3, Vec3};
 use halfedge::{Mesh, VertexId};
 
-/// What positions are relative to, and whether that gains anything.
+/// What positions are relative to, and how much they are rounded with and without it.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Origin {
     /// What is subtracted from every position.
     pub offset: DVec3,
     /// The largest rounding of a coordinate without the offset.
-    pub lost: f64,
+    lost: f64,
+    /// The largest rounding of a coordinate with the offset.
+    rounded: f64,
 }
 
 impl Origin {
     pub(crate) fn new(offset: DVec3) -> Self {
-        Self { offset, lost: 0.0 }
+        Self { offset, lost: 0.0, rounded: 0.0 }
     }
 
     /// A position relative to the offset.
     pub(crate) fn place(&mut self, position: DVec3) -> Vec3 {
+        let placed = (position - self.offset).as_vec3();
         let lost = (position - position.as_vec3().as_dvec3()).abs().max_element();
-        if lost.is_finite() {
+        let rounded = (position - self.offset - placed.as_dvec3()).abs().max_element();
+        if lost.is_finite() && rounded.is_finite() {
             self.lost = self.lost.max(lost);
+            self.rounded = self.rounded.max(rounded);
         }
-        (position - self.offset).as_vec3()
+        placed
+    }
+
+    /// Whether no digits of the file are lost by the offset. Vertices in no face may lie far from it.
+    pub(crate) fn is_sound(&self) -> bool {
+        self.rounded <= self.lost
     }
 }
 
@@ -44,8 +55,12 @@ impl Bounds {
     /// 24 bits of a coordinate say nothing about its shape.
     const FAR: f64 = 256.0;
 
-    /// Rounding of coordinates that doesn't matter, as a part of the model's size.
-    const TOLERANCE: f64 = 1e-6;
+    /// Coordinates this large are on a map, not in a model's own space: `f32` are 1/64 or more apart there.
+    const MAP: f64 = 131_072.0;
+
+    /// A map is far away if it lies this many times its size from the origin. An edit of a tenth of a unit, five
+    /// million away, is kept in a map of 600 thousand units.
+    const FAR_ON_MAP: f64 = 8.0;
 
     /// The bounds of all vertices of faces and all control points; of all vertices where there are none:
     /// faces far from the origin may have been lost to rounding.
@@ -82,20 +97,25 @@ impl Bounds {
         if !(size.is_finite() && size >= 0.0) {
             return None;
         }
-        // A power of two, so that multiples of it are exact.
-        let step = if size > 0.0 { size.log2().floor().min(0.0).exp2() } else { 1.0 };
         let along = |low: f64, high: f64| {
             let middle = low + (high - low) / 2.0;
-            if middle.abs() > size * Self::FAR { (middle / step).round() * step } else { 0.0 }
+            let far = if middle.abs() >= Self::MAP { Self::FAR_ON_MAP } else { Self::FAR };
+            if middle.abs() <= size * far {
+                return 0.0;
+            }
+            // A power of two, so that multiples of it are exact; not finer than the coordinates, so that
+            // the differences from the offset are exact too.
+            let spacing = middle.abs().log2().floor() - f64::from(f32::MANTISSA_DIGITS - 1);
+            let step = if size > 0.0 { size.log2().floor().min(spacing.max(0.0)).exp2() } else { 1.0 };
+            (middle / step).round() * step
         };
         let offset = DVec3::from_array([0, 1, 2].map(|i| along(self.low[i], self.high[i])));
         (offset != DVec3::ZERO && offset.is_finite()).then_some(offset)
     }
 
-    /// Whether rounding without the offset would have lost more than is tolerable of a model with these
-    /// bounds, which were read with the offset.
+    /// Whether a model with these bounds, which was read with the offset, keeps it.
     pub(crate) fn is_worth(&self, origin: &Origin) -> bool {
-        self.size() > 0.0 && origin.lost > self.size() * Self::TOLERANCE
+        self.size() > 0.0 && origin.is_sound()
     }
 }
 
@@ -114,6 +134,8 @@ mod tests {
         assert_eq!(offset([5e5, -3.0, 9.0], [5e5 + 10.0, 4.0, 11.0]), Some(DVec3::new(500_005.0, 0.0, 0.0)));
         assert_eq!(offset([1e3; 3], [1e3 + 0.01; 3]), Some(DVec3::splat(1e3 + 0.0078125)));
         assert_eq!(offset([7.0; 3], [7.0; 3]), Some(DVec3::splat(7.0)), "a point");
+        assert_eq!(offset([5e6; 3], [5.1e6; 3]), Some(DVec3::splat(5_050_000.0)), "a large part of a map");
+        assert_eq!(offset([4e6; 3], [5e6; 3]), None, "most of a map");
         assert_eq!(offset([0.0; 3], [0.0; 3]), None);
         assert_eq!(offset([f64::INFINITY; 3], [f64::NEG_INFINITY; 3]), None);
         assert_eq!(offset([-3e38; 3], [3e38; 3]), None);
@@ -123,8 +145,12 @@ mod tests {
     fn what_would_be_lost_is_measured() {
         let mut origin = Origin::new(DVec3::splat(5_000_000.0));
         assert_eq!(origin.place(DVec3::splat(5_000_001.0)), Vec3::ONE);
-        assert_eq!(origin.lost, 0.0);
+        assert_eq!((origin.lost, origin.rounded), (0.0, 0.0));
+        assert!(origin.is_sound(), "numbers that fit, but edits wouldn't");
         assert_eq!(origin.place(DVec3::new(5_000_000.125, 5e6, 5e6)), Vec3::new(0.125, 0.0, 0.0));
-        assert_eq!(origin.lost, 0.125);
+        assert_eq!((origin.lost, origin.rounded), (0.125, 0.0));
+        let mut origin = Origin::new(DVec3::splat(5_000_000.0));
+        origin.place(DVec3::new(f64::from(0.4_f32), 5e6, 5e6));
+        assert!(!origin.is_sound(), "{origin:?}");
     }
 }

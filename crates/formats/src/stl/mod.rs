@@ -42,8 +42,12 @@ pub(crate) static BINARY: FormatInfo = FormatInfo {
         Part::Attributes,
     ],
     losses: |model| {
-        let merged = loss::merged_vertices("STL", model);
-        merged.into_iter().chain(rounded_positions(model)).chain(rounded_colors(model)).collect()
+        let triangles = loss::conflicting_triangles("STL", model).into_iter();
+        triangles
+            .chain(loss::merged_vertices("STL", model))
+            .chain(rounded_positions(model))
+            .chain(rounded_colors(model))
+            .collect()
     },
     ..COMMON
 };
@@ -67,7 +71,10 @@ pub(crate) static TEXT: FormatInfo = FormatInfo {
         Part::Creases,
         Part::Attributes,
     ],
-    losses: |model| loss::merged_vertices("STL (text)", model).into_iter().collect(),
+    losses: |model| {
+        let triangles = loss::conflicting_triangles("STL (text)", model).into_iter();
+        triangles.chain(loss::merged_vertices("STL (text)", model)).collect()
+    },
     ..COMMON
 };
 

@@ -147,6 +147,8 @@ struct Reader<'a> {
     unknown: usize,
     /// How many solids have no name.
     nameless: usize,
+    /// Whether a solid has started and not ended.
+    in_solid: bool,
 }
 
 impl<'a> Reader<'a> {
@@ -164,6 +166,7 @@ impl<'a> Reader<'a> {
             bad: Places::default(),
             unknown: 0,
             nameless: 0,
+            in_solid: false,
         }
     }
 
@@ -183,12 +186,14 @@ impl<'a> Reader<'a> {
                 Word::Other => self.end_triangle(),
                 Word::Solid => {
                     self.end_facet();
+                    self.in_solid = true;
                     self.solid = String::from_utf8_lossy(solid_name(&mut self.scan)).into_owned();
                     self.nameless += usize::from(self.solid.is_empty());
                     self.color = None;
                 }
                 Word::EndSolid => {
                     self.end_facet();
+                    self.in_solid = false;
                     self.scan.skip_line();
                     self.solid.clear();
                     self.color = None;
@@ -254,7 +259,15 @@ impl<'a> Reader<'a> {
             report.warn(self.bad.sentence("triangle", "triangles", what, "number"));
         }
         if is_cut {
-            report.warn("The file ends in the middle of a triangle, which was left out");
+            report.warn(
+                "The file ends in the middle of a triangle, which was left out: it was cut off, so more triangles may be \
+                 missing. Get the whole file, or check the model for holes",
+            );
+        } else if self.in_solid {
+            report.warn(
+                "The file ends without `endsolid`: it may have been cut off, so triangles may be missing. Check the model for \
+                 holes",
+            );
         }
         if self.nameless > 1 {
             report.info(format!("{} solids have no name and are not told apart", self.nameless));

@@ -7,7 +7,7 @@ use crate::file::NamedBytes;
 use crate::model::{Model, NamedMesh};
 use crate::text::print::{push_floats, push_position};
 use glam::{DVec3, Vec3};
-use halfedge::geometry::PolygonTriangulator;
+use halfedge::geometry::MeshTriangulator;
 use halfedge::{Element, FaceId, keys};
 
 /// Writes a binary STL, with colours of faces in VisCAM's convention.
@@ -107,16 +107,14 @@ fn end_solid(out: &mut Vec<u8>, name: Option<String>) {
 
 /// All faces cut into triangles, with their unit normals; zero where a triangle has no area.
 fn for_each_triangle(model: &Model, mut take: impl FnMut(&NamedMesh, FaceId, Vec3, &[Vec3; 3])) {
-    let mut points = Vec::new();
-    let mut triangulator = PolygonTriangulator::new();
-    for (object, f) in model.objects.iter().flat_map(|object| object.mesh.faces().map(move |f| (object, f))) {
-        points.clear();
-        points.extend(object.mesh.face_vertices(f).map(|v| object.mesh.position(v)));
-        for corners in triangulator.triangulate(&points) {
-            let corner =
-                |i: usize| corners.get(i).and_then(|&c| points.get(c as usize)).copied().unwrap_or_default();
-            let [a, b, c] = [corner(0), corner(1), corner(2)];
-            take(object, f, (b - a).cross(c - a).normalize_or_zero(), &[a, b, c]);
+    for object in &model.objects {
+        let mesh = &object.mesh;
+        let mut triangulator = MeshTriangulator::new(mesh);
+        for f in mesh.faces() {
+            for corners in triangulator.triangulate_face(f) {
+                let [a, b, c] = corners.map(|h| mesh.position(mesh.from(h)));
+                take(object, f, (b - a).cross(c - a).normalize_or_zero(), &[a, b, c]);
+            }
         }
     }
 }

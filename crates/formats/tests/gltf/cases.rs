@@ -55,7 +55,7 @@ fn default_weights_apply_to_morph_targets() {
 #[test]
 fn version_1_is_refused_by_name() {
     let error = read(&[case_file("gltf-version-1.gltf")]).expect_err("another version").to_string();
-    assert!(error.contains("glTF 1.0; version 2 can be read"), "{error}");
+    assert!(error.contains("glTF 1.0. Meshwright reads version 2"), "{error}");
 }
 
 #[test]

@@ -60,7 +60,7 @@ fn a_fault_in_a_primitive_costs_no_other() {
         (json!({ "attributes": { "POSITION": 0 }, "mode": 7 }), "its mode 7 is unknown"),
         (json!({ "attributes": { "POSITION": 2 } }), "accessor 2, its component type 99 is unknown"),
         (json!({ "attributes": { "POSITION": 3 } }), "accessor 3, its type is none of"),
-        (json!({ "attributes": { "POSITION": 4 } }), "accessor 4, its data lies outside its buffer"),
+        (json!({ "attributes": { "POSITION": 4 } }), "in accessor 4, its data lies outside its buffer"),
         (json!({ "attributes": { "POSITION": 5 } }), "accessor 5, buffer view 50 doesn't exist"),
         (json!({ "attributes": { "POSITION": 6 } }), "accessor 6, its sparse \"indices\" are missing"),
         (json!({ "attributes": { "POSITION": 7 } }), "accessor 7, its rows overlap"),
@@ -100,9 +100,9 @@ fn a_fault_in_a_primitive_costs_no_other() {
 #[test]
 fn a_fault_in_an_attribute_costs_that_alone() {
     for (name, accessor, says) in [
-        ("NORMAL", json!(99), "NORMAL left out, accessor 99 doesn't exist"),
+        ("NORMAL", json!(99), "NORMAL left out (accessor 99 doesn't exist)"),
         ("TEXCOORD_0", json!("x"), "its \"TEXCOORD_0\" is not a whole number"),
-        ("COLOR_0", json!(2), "COLOR_0 left out, accessor 2, its data lies outside its buffer"),
+        ("COLOR_0", json!(2), "COLOR_0 left out (in accessor 2, its data lies outside its buffer)"),
     ] {
         let mut doc = Doc::square();
         doc.push(
@@ -168,9 +168,9 @@ fn what_cannot_be_read_at_all_says_why() {
             }),
             "promises more",
         ),
-        (change(&|json| json["asset"]["version"] = json!("1.1")), "glTF 1.1; version 2 can be read"),
-        (change(&|json| json["asset"] = json!({ "version": "3.0" })), "glTF 3.0; version 2 can be read"),
-        (change(&|json| json["asset"] = json!({ "version": 1.0 })), "glTF 1.0; version 2 can be read"),
+        (change(&|json| json["asset"]["version"] = json!("1.1")), "glTF 1.1. Meshwright reads version 2"),
+        (change(&|json| json["asset"] = json!({ "version": "3.0" })), "glTF 3.0. Meshwright reads version 2"),
+        (change(&|json| json["asset"] = json!({ "version": 1.0 })), "glTF 1.0. Meshwright reads version 2"),
     ] {
         assert!(error.contains(says), "{error} instead of {says}");
     }
@@ -190,7 +190,7 @@ fn what_cannot_be_read_at_all_says_why() {
         let error = refused("a.gltf", text.as_bytes());
         assert!(error.contains(says), "{error} instead of {says}");
     }
-    assert!(refused("a.glb", b"glTF\x01\0\0\0").contains("glTF 1.0; version 2 can be read"));
+    assert!(refused("a.glb", b"glTF\x01\0\0\0").contains("glTF 1.0. Meshwright reads version 2"));
     assert!(refused("a.glb", b"glTF\x02\0").contains("ends in its header"));
     assert!(refused("a.glb", b"glTF\x02\0\0\0\x10\0\0\0").contains("has no JSON chunk"));
 }

@@ -125,7 +125,7 @@ fn faults_in_a_material_are_named() {
     doc.json["meshes"][0]["primitives"][0]["material"] = json!(4);
     doc.json["materials"] = json!([{ "name": "spare" }]);
     let report = open(&doc).report.to_string();
-    assert!(report.contains("its material is left out, material 4 doesn't exist"), "{report}");
+    assert!(report.contains("its material is left out (material 4 doesn't exist)"), "{report}");
     assert!(report.contains("Materials that no face uses are left out: material \"spare\""), "{report}");
 }
 

@@ -172,7 +172,7 @@ fn a_target_that_cannot_be_read_is_named() {
     let import = open(&doc);
     assert_eq!(positions(&import)[1].z, 0.0);
     assert!(
-        import.report.to_string().contains("morph target 0 doesn't count, accessor 66"),
+        import.report.to_string().contains("morph target 0 doesn't count (accessor 66"),
         "{}",
         import.report
     );

@@ -56,10 +56,10 @@ fn nonsense_is_an_error_and_says_why() {
     };
     assert_eq!(
         error("a.obj", b"hello\nworld"),
-        "Could not open a.obj. It is not an OBJ file: no line of it is a vertex (\"v 1 2 3\") or a face (\"f 1 2 3\"). It \
+        "Could not open a.obj. It is not an OBJ file: it has no line for a vertex (\"v 1 2 3\") or a face (\"f 1 2 3\"). It \
          holds nothing else that Meshwright opens either. Check that it is the right file, or export the model again."
     );
-    assert!(error("a.obj", b"# only a comment\n").contains("no line of it is a vertex"));
+    assert!(error("a.obj", b"# only a comment\n").contains("it has no line for a vertex"));
     assert!(error("a.obj", b"v 1 2 3\nf 1\0 2 3").contains("binary"));
     assert!(error("photo.png", b"\x89PNG").contains("photo.png. It holds no model"));
     assert!(error("a.mtl", b"newmtl a").contains("open it together with the OBJ model"));
@@ -96,7 +96,7 @@ fn decimal_commas_are_read_where_they_are_nothing_else() {
 #[test]
 fn a_file_without_a_readable_vertex_is_refused() {
     let message = error("v a b c\nv 1 2\nv x\nf 1 2 3\n");
-    assert!(message.contains("none of its vertices is three numbers"), "{message}");
+    assert!(message.contains("none of its vertices has three numbers"), "{message}");
     // One is enough, and so is none.
     assert_eq!(mesh(&read_obj("v a b c\nv 1 2 3\n")).vertex_count(), 2);
     assert_eq!(mesh(&read_obj("o nothing\n")).vertex_count(), 0);

@@ -89,9 +89,9 @@ fn normals_and_texture_coordinates_round_trip_where_there_is_a_place_for_them() 
     for format in POLYGONS.map(by_code) {
         let same = dressed(Some(true), Some(true));
         assert!(back(format, &same) == same, "{format:?}");
-        assert_eq!(formats::losses(format, &model("", &[("a", &same)])), [""; 0], "{format:?}");
+        assert_eq!(formats::losses(format, &model("a", &[("a", &same)])), [""; 0], "{format:?}");
         let split = dressed(Some(false), Some(false));
-        let lost = formats::losses(format, &model("", &[("a", &split)])).join("\n");
+        let lost = formats::losses(format, &model("a", &[("a", &split)])).join("\n");
         assert!(lost.contains("holds one normal for each vertex: those of 11 corners are lost"), "{lost}");
         assert_eq!(lost.contains("one texture coordinate"), format == by_code("off"), "{lost}");
         let kept = dressed(None, (format != by_code("off")).then_some(false));

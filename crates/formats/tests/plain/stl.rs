@@ -20,7 +20,7 @@ fn triangles_round_trip_through_stl_with_vertices_merged() {
         let again = self::back(format, &back);
         assert!(again == back, "{format:?}: triangles keep their order and so do vertices");
     }
-    assert_eq!(formats::losses(by_code("stl"), &model("", &[("a", &cube)])).len(), 1);
+    assert_eq!(formats::losses(by_code("stl"), &model("a", &[("a", &cube)])).len(), 1);
 }
 
 #[test]
@@ -96,8 +96,9 @@ fn words_are_read_as_programs_spell_them() {
         text.replace('\n', "\r"),
         text.replace("solid MOULD", "solid MOULD of a facet normal to 3 things"),
     ] {
+        let is_whole = ["end solid", "end_solid"].iter().any(|end| other.contains(end));
         let other = read_stl(other.as_str()).unwrap_or_else(|error| panic!("{error}\n{other}"));
-        assert!(other.report.is_clean(), "{}", other.report);
+        assert_eq!(other.report.is_clean(), is_whole, "{}", other.report);
         assert!(mesh_of(&other).to_soup().corners == mesh_of(&import).to_soup().corners, "{}", other.report);
     }
     // Polygons are read, although the format has none.

@@ -44,12 +44,13 @@ impl Slide {
         let mut limit = f32::INFINITY;
         for slide in &vertices {
             for v in mesh.neighbors(slide.vertex) {
-                let along = mesh.position(v) - slide.from;
+                // The square of a length may be out of the range of single precision.
+                let along = mesh.position(v).as_dvec3() - slide.from.as_dvec3();
                 let length = along.length();
                 let other = by.get(&v).copied().unwrap_or_default();
-                let shrinks = (slide.by - other).dot(along) / length;
+                let shrinks = (slide.by - other).as_dvec3().dot(along) / length;
                 if length > 0.0 && shrinks > 0.0 {
-                    limit = limit.min(length / shrinks);
+                    limit = limit.min((length / shrinks) as f32);
                 }
             }
         }

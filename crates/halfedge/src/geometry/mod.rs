@@ -13,5 +13,5 @@ pub use bit_set::BitSet;
 pub use mean_position::mean_position;
 pub(crate) use mean_value::mean_value_weights;
 pub use merge_points::{MergedPoints, PointMerger, merge_points};
-pub use triangulate::PolygonTriangulator;
+pub use triangulate::{MeshTriangulator, PolygonTriangulator};
 pub use union_find::UnionFind;

@@ -283,3 +283,55 @@ fn poking_and_connecting() {
     assert_eq!(can_connect_vertices(&mesh, v(1), v(2)), Err(Refusal::NotInOneFace(v(1), v(2))));
     assert_eq!(can_connect_vertices(&mesh, v(0), v(3)), Err(Refusal::AlreadyJoined(v(0), v(3))));
 }
+
+/// The faces as loops of vertices, each from its smallest vertex, sorted.
+fn loops(mesh: &Mesh) -> Vec<Vec<halfedge::VertexId>> {
+    let mut loops: Vec<_> = mesh
+        .faces()
+        .map(|f| {
+            let mut corners: Vec<_> = mesh.face_vertices(f).collect();
+            let least = (0..corners.len()).min_by_key(|&i| corners[i]).unwrap();
+            corners.rotate_left(least);
+            corners
+        })
+        .collect();
+    loops.sort();
+    loops
+}
+
+/// Dissolves vertices one by one; None where one is refused.
+fn one_by_one(mesh: &Mesh, vertices: &[halfedge::VertexId]) -> Option<Mesh> {
+    let mut mesh = mesh.clone();
+    for &vertex in vertices {
+        if mesh.has_vertex(vertex) {
+            dissolve_vertex(&mut mesh, vertex).ok()?;
+        }
+    }
+    Some(mesh)
+}
+
+#[test]
+fn dissolving_around_many_vertices_merges_what_one_by_one_merges() {
+    let mut random = Random::new(7);
+    let mut compared = 0;
+    for round in 0..400 {
+        let mesh = match round % 4 {
+            0 => zoo::grid(5, 5),
+            1 => zoo::cube(),
+            2 => zoo::coin(8),
+            _ => zoo::complete_torus(),
+        };
+        let chance = 1 + random.below(4);
+        let mut vertices: Vec<_> = mesh.vertices().filter(|_| random.below(5) < chance).collect();
+        vertices.sort_by_cached_key(|_| random.below(1000));
+        let Some(expected) = one_by_one(&mesh, &vertices) else { continue };
+        let mut merged = mesh.clone();
+        let made = dissolve_around(&mut merged, &vertices).unwrap();
+        merged.validate().unwrap();
+        assert_eq!(made.counts_after(&mesh), counts(&merged));
+        let merged = one_by_one(&merged, &vertices).expect("what is left");
+        assert_eq!(loops(&merged), loops(&expected), "{vertices:?}");
+        compared += 1;
+    }
+    assert!(compared > 100, "{compared}");
+}

@@ -47,14 +47,18 @@ impl Patch {
         let (position, dv) = cubic(rows.map(|row| row.0), v);
         // The derivative along u is a cubic in v of the rows' derivatives; its derivative is the mixed one.
         let (du, mixed) = cubic(rows.map(|row| row.1), v);
-        let size = self.size();
+        // Lengths are squared twice, so they are brought near 1, by a power of two to keep every bit.
+        let scale = self.size().log2().floor().clamp(-126.0, 126.0);
+        let shrink = |n: Vec3| n * (-scale).exp2();
+        let (size, du_near, dv_near, mixed) =
+            (self.size() * (-scale).exp2(), shrink(du), shrink(dv), shrink(mixed));
         let unit = |n: Vec3| (n.length() > 1e-6 * size * size).then(|| n.normalize());
         // Where a derivative vanishes (a side is a single point), its direction nearby is that of the mixed
         // derivative, inward.
         let inward = |t: f32| if t > 0.5 { -1.0 } else { 1.0 };
-        let normal = unit(du.cross(dv))
-            .or_else(|| unit((mixed * inward(v)).cross(dv)))
-            .or_else(|| unit(du.cross(mixed * inward(u))))
+        let normal = unit(du_near.cross(dv_near))
+            .or_else(|| unit((mixed * inward(v)).cross(dv_near)))
+            .or_else(|| unit(du_near.cross(mixed * inward(u))))
             .unwrap_or_default();
         PatchPoint { position, du, dv, normal }
     }

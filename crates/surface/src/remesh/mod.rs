@@ -34,7 +34,7 @@ pub const MAX_REMESH_ITERATIONS: u32 = 1000;
 /// Options of remeshing.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Remesh {
-    /// The length of edges in mesh units; the mean length of the input's edges if none.
+    /// The length of edges in mesh units; [`Remesh::default_length`] if none.
     pub edge_length: Option<f64>,
     /// The number of iterations, up to [`MAX_REMESH_ITERATIONS`].
     pub iterations: u32,
@@ -50,11 +50,34 @@ impl Default for Remesh {
     }
 }
 
+/// The area of an equilateral triangle as a part of its side's square, sqrt(3) / 4.
+const EQUILATERAL_AREA: f64 = 0.433;
+
+/// The most by which the default length of edges differs from the one that keeps the number of triangles.
+const MAX_LENGTH_CHANGE: f64 = 2.0;
+
 impl Remesh {
+    /// The length of edges that is taken by default; see [`Remesh::fitted_length`]. Costs O(mesh).
+    pub fn default_length(mesh: &Mesh) -> f64 {
+        let triangles: usize = mesh.faces().map(|f| mesh.face_degree(f).saturating_sub(2)).sum();
+        let mean = crate::measure::mean_edge_length(mesh);
+        Self::fitted_length(mean, crate::measure::surface_area(mesh), triangles)
+    }
+
+    /// The mean length of edges, kept within a factor of two of the length of as many equilateral triangles as the faces
+    /// can be cut into. The mean alone says little of a mesh with large polygons: the sides of a disc of a thousand
+    /// corners are so short that triangles of that size would be hundreds of times as many.
+    pub fn fitted_length(mean: f64, area: f64, triangles: usize) -> f64 {
+        let even = (area / (triangles as f64 * EQUILATERAL_AREA)).sqrt();
+        if !(even > 0.0 && even.is_finite()) {
+            return mean;
+        }
+        mean.clamp(even / MAX_LENGTH_CHANGE, even * MAX_LENGTH_CHANGE)
+    }
+
     /// The approximate number of equilateral triangles with this edge length on a surface of this area.
     pub fn expected(area: f64, edge_length: f64) -> f64 {
-        // The area of an equilateral triangle is sqrt(3) / 4 times its side's square.
-        area / (edge_length * edge_length * 0.433)
+        area / (edge_length * edge_length * EQUILATERAL_AREA)
     }
 }
 
@@ -74,7 +97,7 @@ const MAX_REMESHED_TRIANGLES: u64 = 8_000_000;
 /// [`SurfaceError::BadField`]; [`SurfaceError::TooManyFaces`] for an edge length that is too short;
 /// [`SurfaceError::Cancelled`].
 pub fn remesh(mesh: &Mesh, options: &Remesh, progress: &mut Progress<'_>) -> Result<Mesh, SurfaceError> {
-    let length = options.edge_length.unwrap_or_else(|| crate::measure::mean_edge_length(mesh));
+    let length = options.edge_length.unwrap_or_else(|| Remesh::default_length(mesh));
     if !(options.feature_angle > 0.0 && options.feature_angle <= 180.0) {
         return Err(SurfaceError::field("feature_angle", "above 0 and at most 180 degrees"));
     }

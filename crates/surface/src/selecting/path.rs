@@ -22,7 +22,7 @@ pub fn shortest_path(mesh: &Mesh, kind: Element, from: u32, to: u32) -> Option<V
             |v| ends.contains(&v),
             |v, visit| {
                 for w in mesh.neighbors(v) {
-                    visit(w, mesh.position(v).distance(mesh.position(w)));
+                    visit(w, distance(mesh.position(v), mesh.position(w)));
                 }
             },
         )
@@ -56,7 +56,7 @@ pub fn shortest_path(mesh: &Mesh, kind: Element, from: u32, to: u32) -> Option<V
                 |f, visit| {
                     let here = center(f);
                     for next in mesh.face_halfedges(f).filter_map(|h| mesh.face_of(h.twin())) {
-                        visit(next, here.distance(center(next)));
+                        visit(next, distance(here, center(next)));
                     }
                 },
             )?;
@@ -66,6 +66,11 @@ pub fn shortest_path(mesh: &Mesh, kind: Element, from: u32, to: u32) -> Option<V
     ids.sort_unstable();
     ids.dedup();
     Some(ids)
+}
+
+/// The distance of two points, whose square may be out of the range of single precision.
+fn distance(a: Vec3, b: Vec3) -> f32 {
+    a.as_dvec3().distance(b.as_dvec3()) as f32
 }
 
 /// The nodes from a start to the nearest goal, in order. `steps` visits the nodes next to one, with their distances.

@@ -32,6 +32,7 @@ impl Operation for BezierSplit {
         "Split a Bezier curve into two of the same degree.",
     )
     .fields(&[Field::number("t", Unit::Fraction, [0.0, 1.0], "The parameter at which to split")
+        .between()
         .labelled("Position (0 to 1)")
         .or(DefaultValue::Number(0.5))]);
 

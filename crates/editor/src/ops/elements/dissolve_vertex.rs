@@ -1,17 +1,30 @@
-//! `dissolve-vertex`: remove a vertex and merge its faces.
+//! `dissolve-vertex`: remove vertices and merge their faces.
 
 use crate::error::Problem;
-use crate::ops::refs::one;
+use crate::ops::refs::{all, count, one};
 use crate::ops::{Action, Family, Field, LocalEdit, Operation, Scope, Selected, Slot, Spec, VertexRef};
-use halfedge::{Element, Mesh, edit};
+use halfedge::edit::{self, Refusal};
+use halfedge::{Element, Mesh, VertexId};
 use serde::{Deserialize, Serialize};
 
-/// Remove a vertex and merge the faces around it into one polygon.
+/// Remove vertices and merge the faces around each into one polygon.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct DissolveVertex {
-    /// The vertex; each selected one in turn when left out.
+    /// One vertex.
     pub vertex: Option<VertexRef>,
+    /// Several vertices, each in turn; the selected ones when both are left out.
+    pub vertices: Option<Vec<VertexRef>>,
+}
+
+impl DissolveVertex {
+    fn find(&self, mesh: &Mesh) -> Result<Vec<VertexId>, Problem> {
+        let mut vertices = all(&self.vertices, "vertices", mesh)?;
+        if self.vertex.is_some() || self.vertices.is_none() {
+            vertices.push(one(self.vertex, "vertex", mesh)?);
+        }
+        if vertices.is_empty() { Err(Refusal::NothingGiven(Element::Vertex).into()) } else { Ok(vertices) }
+    }
 }
 
 impl Operation for DissolveVertex {
@@ -19,14 +32,18 @@ impl Operation for DissolveVertex {
         Scope::Elements,
         "dissolve-vertex",
         "Dissolve vertex",
-        "Remove a vertex and merge the faces around it into one polygon.",
+        "Remove vertices and merge the faces around each into one polygon.",
     )
     .synonyms(&["remove vertex"])
     .family(Family::Dissolve)
-    .fields(&[Field::one("vertex", Element::Vertex, Selected::Each, "The vertex to dissolve")]);
+    .fields(&[
+        Field::one("vertex", Element::Vertex, Selected::Each, "The vertex to dissolve")
+            .optional("those of `vertices`"),
+        Field::many("vertices", Element::Vertex, Selected::All, "The vertices to dissolve, one after the other"),
+    ]);
 
     fn elements(&mut self) -> Vec<Slot<'_>> {
-        vec![Slot::Vertex(&mut self.vertex)]
+        vec![Slot::Vertex(&mut self.vertex), Slot::Vertices(&mut self.vertices)]
     }
 
     fn action(&self) -> Action<'_> {
@@ -36,19 +53,30 @@ impl Operation for DissolveVertex {
 
 impl LocalEdit for DissolveVertex {
     fn can(&self, mesh: &Mesh) -> Result<(), Problem> {
-        Ok(edit::can_dissolve_vertex(mesh, one(self.vertex, "vertex", mesh)?)?)
+        let refused = match self.find(mesh)?.as_slice() {
+            &[vertex] => edit::can_dissolve_vertex(mesh, vertex),
+            vertices => edit::can_dissolve_around(mesh, vertices),
+        };
+        Ok(refused?)
     }
 
     fn edit(&self, mesh: &mut Mesh, _notes: &mut Vec<String>) -> Result<(), Problem> {
-        edit::dissolve_vertex(mesh, one(self.vertex, "vertex", mesh)?)?;
+        let vertices = self.find(mesh)?;
+        if let &[vertex] = vertices.as_slice() {
+            edit::dissolve_vertex(mesh, vertex)?;
+            return Ok(());
+        }
+        edit::dissolve_around(mesh, &vertices)?;
+        for vertex in vertices {
+            if mesh.has_vertex(vertex) {
+                edit::dissolve_vertex(mesh, vertex)
+                    .map_err(|refusal| Problem::new(format!("{vertex} can't be dissolved, because {refusal}")))?;
+            }
+        }
         Ok(())
     }
 
-    fn is_moot(&self, mesh: &Mesh) -> bool {
-        one(self.vertex, "vertex", mesh).is_err()
-    }
-
     fn cost(&self, _mesh: &Mesh) -> usize {
-        1
+        count(&self.vertices, 1)
     }
 }

@@ -37,6 +37,7 @@ impl Operation for LoopCut {
                     "The position of the middle of the cuts along the edge",
                 )
                 .labelled("Position (0 to 1)")
+                .between()
                 .or(DefaultValue::Number(0.5)),
             ]);
 

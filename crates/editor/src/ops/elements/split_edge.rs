@@ -46,6 +46,7 @@ impl Operation for SplitEdge {
         Field::one("edge", Element::Edge, Selected::Each, "The edge to split"),
         Field::number("t", Unit::Fraction, [0.0, 1.0], "The position along the edge, between its ends")
             .labelled("Position (0 to 1)")
+            .between()
             .or(DefaultValue::Number(0.5))
             .drag(Drag::Fraction),
         Connect::field("connect", "Which of the faces beside the edge are cut"),

@@ -1,7 +1,9 @@
 //! `transform`: move, rotate and scale elements; what the gizmo sends.
 
 use crate::error::Problem;
-use crate::script::json::{finite, finite_option, finite3, finite3_option};
+use super::sized::not_negative;
+use crate::script::json::{finite, finite_option, finite3, finite3_option, shortest};
+use crate::ops::in_plain_words;
 use crate::ops::refs::{all, count};
 use crate::ops::{
     Action, Arity, DefaultValue, Drag, EdgeRef, FaceRef, Field, FieldKind, LocalEdit, Operation, Scope, Selected,
@@ -48,7 +50,7 @@ pub struct Transform {
 
 /// A rotation about an axis, counter-clockwise as seen from its tip.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
+#[serde(deny_unknown_fields, expecting = "an axis and degrees, as in `{\"axis\": [0, 0, 1], \"degrees\": 90}`")]
 pub struct Rotate {
     /// The axis; its length doesn't matter.
     #[serde(with = "finite3")]
@@ -84,7 +86,11 @@ impl<'de> Deserialize<'de> for Scale {
             serde_json::Value::Array(_) => finite3::deserialize(value),
             value => finite::deserialize(value).map(|factor| [factor; 3]),
         };
-        factors.map(Self).map_err(|error| D::Error::custom(format!("expected a factor or three: {error}")))
+        factors.map(Self).map_err(|error| {
+            let text = error.to_string();
+            let text = in_plain_words(&text).unwrap_or(text);
+            D::Error::custom(format!("{text}; a factor or a list of three is expected"))
+        })
     }
 }
 
@@ -141,39 +147,43 @@ impl Operation for Transform {
 
 impl LocalEdit for Transform {
     fn can(&self, mesh: &Mesh) -> Result<(), Problem> {
+        self.check()?;
         let vertices = self.moved(mesh)?;
         self.map(self.pivot(mesh, &vertices)).map(drop)
     }
 
-    fn edit(&self, mesh: &mut Mesh, _notes: &mut Vec<String>) -> Result<(), Problem> {
+    fn edit(&self, mesh: &mut Mesh, notes: &mut Vec<String>) -> Result<(), Problem> {
+        self.check()?;
         let vertices = self.moved(mesh)?;
         let parts = if self.individual { self.connected_parts(mesh, &vertices)? } else { vec![vertices] };
         let mut moves = Vec::new();
         for part in parts {
             let map = self.map(self.pivot(mesh, &part))?;
             let weights = match self.falloff {
-                None => part.into_iter().map(|v| (v, 1.0)).collect(),
                 Some(radius) if radius > 0.0 => surface::soft_selection(mesh, &part, radius),
-                Some(radius) => {
-                    return Err(Problem::field(
-                        "falloff",
-                        format!("{radius} is out of range; it must be above 0"),
-                    ));
-                }
+                _ => part.into_iter().map(|v| (v, 1.0)).collect(),
             };
             moves.extend(weights.into_iter().map(|(v, weight)| {
                 let old = mesh.position(v);
-                (v, (map.transform_point3(old) - old) * weight)
+                let by = if self.is_translation() {
+                    Vec3::from(self.translate)
+                } else {
+                    map.transform_point3(old) - old
+                };
+                (v, by * weight)
             }));
         }
+        let mut rounding = Rounding::default();
         // Within the radius of several parts, a vertex follows each of them.
         for (v, by) in moves {
             let new = mesh.position(v) + by;
             if !new.is_finite() {
                 return Err(Problem::new(format!("{v} would get a position that is not finite")));
             }
+            rounding.add(mesh.position(v), by, new);
             mesh.set_position(v, new);
         }
+        notes.extend(rounding.note());
         Ok(())
     }
 
@@ -183,7 +193,50 @@ impl LocalEdit for Transform {
     }
 }
 
+/// How far single precision rounds the moves of vertices.
+#[derive(Default)]
+struct Rounding {
+    /// The coarsest spacing of coordinates where a move was rounded.
+    spacing: f32,
+}
+
+impl Rounding {
+    /// The part of a move by which rounding may change it unnoticed.
+    const TOLERANCE: f32 = 0.01;
+
+    fn add(&mut self, old: Vec3, by: Vec3, new: Vec3) {
+        let error = (new.as_dvec3() - old.as_dvec3() - by.as_dvec3()).abs().max_element();
+        if error > f64::from(by.abs().max_element() * Self::TOLERANCE) {
+            let far = old.abs().max_element().max(new.abs().max_element());
+            self.spacing = self.spacing.max(far.next_up() - far);
+        }
+    }
+
+    fn note(&self) -> Option<String> {
+        (self.spacing > 0.0).then(|| {
+            format!(
+                "Some vertices moved by more or less than asked, because so far from the origin positions are {} apart. Move \
+                 the model closer to the origin to edit it finely",
+                shortest(self.spacing)
+            )
+        })
+    }
+}
+
 impl Transform {
+    /// Refuses fields that can't be carried out, or not together.
+    fn check(&self) -> Result<(), Problem> {
+        not_negative(self.falloff.unwrap_or(0.0), "falloff")?;
+        match self.pivot {
+            Some(_) if self.individual => Err(Problem::field(
+                "pivot",
+                "does not go with `individual`, which turns each part about its own middle: leave one of them out",
+            )
+            .advise("Pivot does not go with individual parts, which turn about their own middles. Leave one of them out.")),
+            _ => Ok(()),
+        }
+    }
+
     /// The vertices of the given elements, each once, in order of id.
     fn moved(&self, mesh: &Mesh) -> Result<Vec<VertexId>, Problem> {
         let mut vertices = all(&self.vertices, "vertices", mesh)?;
@@ -199,8 +252,7 @@ impl Transform {
     }
 
     fn pivot(&self, mesh: &Mesh, vertices: &[VertexId]) -> Vec3 {
-        let given = self.pivot.filter(|_| !self.individual);
-        given.map_or_else(|| mean_position(mesh, vertices.iter().copied()).as_vec3(), Vec3::from)
+        self.pivot.map_or_else(|| mean_position(mesh, vertices.iter().copied()).as_vec3(), Vec3::from)
     }
 
     /// The moved vertices in parts, each in order of id: a given edge or face connects its vertices, and given
@@ -231,10 +283,14 @@ impl Transform {
         Ok(parts.into_values().collect())
     }
 
+    fn is_translation(&self) -> bool {
+        self.rotate.is_none() && self.scale == Scale::default()
+    }
+
     /// Scale, then rotate, about the pivot; then move.
     fn map(&self, pivot: Vec3) -> Result<Affine3A, Problem> {
         let translate = Vec3::from(self.translate);
-        if self.rotate.is_none() && self.scale == Scale::default() {
+        if self.is_translation() {
             // Exactly what was asked for, whatever the pivot.
             return Ok(Affine3A::from_translation(translate));
         }

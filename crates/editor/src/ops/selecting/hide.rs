@@ -1,12 +1,11 @@
 //! `hide`: hide faces in the viewport.
 
-use super::hiding::faces_of;
+use super::hiding::{faces_of, fields};
 use crate::error::Problem;
 use crate::history::Change;
 use crate::ops::{
-    Action, DocumentEdit, EdgeRef, FaceRef, Field, Operation, Place, Scope, Selected, Slot, Spec, VertexRef,
+    Action, DocumentEdit, EdgeRef, FaceRef, Field, Operation, Place, Scope, Slot, Spec, VertexRef,
 };
-use halfedge::Element;
 use serde::{Deserialize, Serialize};
 use std::sync::Arc;
 
@@ -22,6 +21,8 @@ pub struct Hide {
     pub vertices: Option<Vec<VertexRef>>,
 }
 
+const FIELDS: [Field; 3] = fields("Faces to hide");
+
 impl Operation for Hide {
     const SPEC: Spec = Spec::new(
         Scope::Selection,
@@ -30,11 +31,7 @@ impl Operation for Hide {
         "Hide faces, or the faces of edges and vertices, in the viewport.",
     )
     .synonyms(&["hide selected"])
-    .fields(&[
-        Field::many("faces", Element::Face, Selected::All, "Faces to hide"),
-        Field::many("edges", Element::Edge, Selected::All, "Edges: the faces beside them"),
-        Field::many("vertices", Element::Vertex, Selected::All, "Vertices: the faces around them"),
-    ]);
+    .fields(&FIELDS);
 
     fn elements(&mut self) -> Vec<Slot<'_>> {
         vec![Slot::Faces(&mut self.faces), Slot::Edges(&mut self.edges), Slot::Vertices(&mut self.vertices)]

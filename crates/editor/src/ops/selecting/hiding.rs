@@ -1,11 +1,21 @@
 //! The faces that hiding and isolating mean.
 
 use crate::error::Problem;
-use crate::ops::refs::all;
-use crate::ops::{EdgeRef, FaceRef, Place, VertexRef};
+use crate::ops::refs::{all, count};
+use crate::ops::{EdgeRef, FaceRef, Field, Place, Selected, VertexRef};
 use halfedge::geometry::BitSet;
+use halfedge::edit::Refusal;
 use halfedge::{Element, InParts};
 use surface::selecting::Finding;
+
+/// The fields of an operation on faces that are named by themselves or by their edges or vertices.
+pub(super) const fn fields(faces: &'static str) -> [Field; 3] {
+    [
+        Field::many("faces", Element::Face, Selected::All, faces),
+        Field::many("edges", Element::Edge, Selected::All, "Edges: the faces beside them"),
+        Field::many("vertices", Element::Vertex, Selected::All, "Vertices: the faces around them"),
+    ]
+}
 
 /// The faces that are given, or that have one of the given edges or vertices; where nothing is given, those that are
 /// selected or touch the selection.
@@ -25,6 +35,9 @@ pub(super) fn faces_of(
             Problem::new("nothing is given and nothing is selected").advise("Select something first.")
         })?;
         return Ok(touching(selection.kind(), selection.set().clone()));
+    }
+    if count(faces, 0) + count(edges, 0) + count(vertices, 0) == 0 {
+        return Err(Refusal::NothingGiven(Element::Face).into());
     }
     let mut found: BitSet = all(faces, "faces", mesh)?.iter().map(|f| f.index()).collect();
     let edges: BitSet = all(edges, "edges", mesh)?.iter().map(|e| e.index()).collect();

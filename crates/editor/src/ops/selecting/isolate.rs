@@ -1,12 +1,11 @@
 //! `isolate`: hide everything else.
 
-use super::hiding::faces_of;
+use super::hiding::{faces_of, fields};
 use crate::error::Problem;
 use crate::history::Change;
 use crate::ops::{
-    Action, DocumentEdit, EdgeRef, FaceRef, Field, Operation, Place, Scope, Selected, Slot, Spec, VertexRef,
+    Action, DocumentEdit, EdgeRef, FaceRef, Field, Operation, Place, Scope, Slot, Spec, VertexRef,
 };
-use halfedge::Element;
 use serde::{Deserialize, Serialize};
 use std::sync::Arc;
 
@@ -22,6 +21,8 @@ pub struct Isolate {
     pub vertices: Option<Vec<VertexRef>>,
 }
 
+const FIELDS: [Field; 3] = fields("Faces to keep");
+
 impl Operation for Isolate {
     const SPEC: Spec = Spec::new(
         Scope::Selection,
@@ -30,11 +31,7 @@ impl Operation for Isolate {
         "Hide everything else; again, show everything.",
     )
     .synonyms(&["local view", "hide unselected", "solo"])
-    .fields(&[
-        Field::many("faces", Element::Face, Selected::All, "Faces to keep"),
-        Field::many("edges", Element::Edge, Selected::All, "Edges: the faces beside them"),
-        Field::many("vertices", Element::Vertex, Selected::All, "Vertices: the faces around them"),
-    ]);
+    .fields(&FIELDS);
 
     fn elements(&mut self) -> Vec<Slot<'_>> {
         vec![Slot::Faces(&mut self.faces), Slot::Edges(&mut self.edges), Slot::Vertices(&mut self.vertices)]

@@ -16,7 +16,8 @@ use surface::{MAX_REMESH_ITERATIONS, SurfaceError, measure};
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Remesh {
-    /// The length of edges, in mesh units; the mean of the mesh's when left out.
+    /// The length of edges, in mesh units; when left out, the mean of the mesh's, or where that would make far more or
+    /// far fewer triangles than the mesh has, one that doesn't.
     #[serde(default, with = "finite_option")]
     pub edge_length: Option<f32>,
     /// The number of iterations.
@@ -58,9 +59,10 @@ impl Operation for Remesh {
     .synonyms(&["isotropic", "regular triangles"])
     .previewed()
     .fields(&[
-        Field::number("edge_length", Unit::Length, [1e-6, 1e6], "The length of edges, in mesh units")
-            .unset("the mean edge length")
-            .suggest(Suggestion::MeanEdge),
+        Field::number("edge_length", Unit::Length, [0.0, f32::MAX as f64], "The length of edges, in mesh units")
+            .above_min()
+            .unset("about the mean length")
+            .suggest(Suggestion::RemeshedEdge),
         Field::count("iterations", [1, MAX_REMESH_ITERATIONS], "The number of iterations")
             .or(DefaultValue::Integer(ITERATIONS)),
         Field::number(
@@ -69,6 +71,7 @@ impl Operation for Remesh {
             [0.0, 180.0],
             "Keep edges that are sharper than this many degrees",
         )
+        .above_min()
         .or(DefaultValue::Number(FEATURE_ANGLE_DEGREES as f64)),
         Field::required("project", FieldKind::Flag, "Project vertices back onto the surface")
             .labelled("Stay on surface")
@@ -107,7 +110,7 @@ impl EachMesh for Remesh {
 
     fn result(&self, facts: &Facts) -> Option<Estimate> {
         let (area, mean_edge) = (facts.area?, facts.mean_edge?);
-        let length = self.edge_length.map_or(mean_edge, shortest);
+        let length = self.edge_length.map_or(facts.remeshed_edge()?, shortest);
         let expected = surface::Remesh::expected(area, length);
         let is_known = length <= MAX_COARSENING_ESTIMATED * mean_edge && expected.is_finite();
         let count = if is_known { Amount::About(expected.round() as usize) } else { Amount::Unknown };
@@ -115,8 +118,9 @@ impl EachMesh for Remesh {
     }
 
     fn cost(&self, mesh: &Mesh) -> usize {
-        let length = self.edge_length.map_or_else(|| measure::mean_edge_length(mesh), shortest);
-        let made = surface::Remesh::expected(measure::surface_area(mesh), length);
+        let area = measure::surface_area(mesh);
+        let length = self.edge_length.map_or_else(|| surface::Remesh::default_length(mesh), shortest);
+        let made = surface::Remesh::expected(area, length);
         // A number that is too large becomes the largest one.
         let triangles = triangles_at_most(mesh).saturating_add(made as usize);
         triangles.saturating_mul(4).saturating_mul(self.iterations as usize)

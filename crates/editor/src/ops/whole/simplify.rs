@@ -101,7 +101,7 @@ impl Simplify {
             (None, None, Some(error)) => Ok(SimplifyTarget::MaxError(shortest(error))),
             (None, None, None) => Err(Problem::field(
                 "ratio",
-                "is missing: how far? Give one of `faces`, `ratio` and `max_error`",
+                "is missing: give one of `faces`, `ratio` and `max_error`",
             )),
             (Some(_), _, _) => {
                 Err(Problem::field("faces", "goes without `ratio` and `max_error`: give one of them"))

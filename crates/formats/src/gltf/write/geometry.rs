@@ -5,7 +5,7 @@ use super::fields::set;
 use super::material::MaterialWriter;
 use super::vertices::{Vertices, has_coincident};
 use crate::gltf::names::VERTEX_ID;
-use halfedge::geometry::PolygonTriangulator;
+use halfedge::geometry::MeshTriangulator;
 use halfedge::{Color, Element, Mesh, keys};
 use serde_json::{Value, json};
 use std::collections::HashMap;
@@ -58,8 +58,7 @@ fn triangles(
     let labels =
         mesh.column(Element::Face, keys::FACE_MATERIAL.name).map_or(&[][..], |column| &column.labels);
     let colors = mesh.attribute(keys::FACE_COLOR);
-    let (mut points, mut corners) = (Vec::new(), Vec::new());
-    let mut triangulator = PolygonTriangulator::new();
+    let mut triangulator = MeshTriangulator::new(mesh);
     for f in mesh.faces() {
         let label = labels.get(mesh.get(keys::FACE_MATERIAL, f.index()) as usize).map_or("", String::as_str);
         let color = colors.and_then(|colors| colors.get(f.index())).copied();
@@ -69,15 +68,9 @@ fn triangles(
             order.push((material, Vec::new()));
             order.len() - 1
         });
-        points.clear();
-        corners.clear();
-        for h in mesh.face_halfedges(f) {
-            points.push(mesh.position(mesh.from(h)));
-            corners.push(vertices.of_corner.get(h.index()).copied().unwrap_or(0));
-        }
         if let Some((_, indices)) = order.get_mut(place) {
-            let triangles = triangulator.triangulate(&points);
-            indices.extend(triangles.iter().flatten().filter_map(|&c| corners.get(c as usize)));
+            let corners = triangulator.triangulate_face(f).iter().flatten();
+            indices.extend(corners.map(|h| vertices.of_corner.get(h.index()).copied().unwrap_or(0)));
         }
     }
     order

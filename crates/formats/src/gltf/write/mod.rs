@@ -9,6 +9,7 @@ mod vertices;
 use super::names::{BIN_CHUNK, GENERATOR, JSON_CHUNK, MAGIC};
 use crate::error::WriteError;
 use crate::file::NamedBytes;
+use crate::format::loss;
 use crate::model::Model;
 use crate::model::images::media_type;
 use crate::text::print::{percent_decoded, percent_encoded};
@@ -121,5 +122,9 @@ fn document(model: &Model, materials: &mut MaterialWriter, uri: Option<&str>) ->
 
 /// What else than polygons, groups and the like is lost of a model.
 pub(super) fn losses(model: &Model) -> Vec<String> {
-    vertices::losses(model).into_iter().chain(material::losses(model)).collect()
+    loss::conflicting_triangles("glTF", model)
+        .into_iter()
+        .chain(vertices::losses(model))
+        .chain(material::losses(model))
+        .collect()
 }

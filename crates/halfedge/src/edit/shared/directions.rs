@@ -21,7 +21,11 @@ impl Mesh {
 
     /// The unit vector along a half-edge; zero for one without length.
     pub(crate) fn direction(&self, h: HalfedgeId) -> Vec3 {
-        (self.position(self.to(h)) - self.position(self.from(h))).normalize_or_zero()
+        let [from, to] = [self.position(self.from(h)), self.position(self.to(h))];
+        // Squares of very large and very small lengths are out of the range of single precision.
+        (to - from)
+            .try_normalize()
+            .unwrap_or_else(|| (to.as_dvec3() - from.as_dvec3()).normalize_or_zero().as_vec3())
     }
 }
 

@@ -4,6 +4,7 @@
 //! `triangulate-faces` all follow it, so that they agree on the surface of a non-planar polygon.
 
 mod clip_ears;
+mod mesh;
 mod optimal;
 mod touching;
 
@@ -11,6 +12,7 @@ use crate::geometry::polygon_area_vector;
 use crate::{FaceId, HalfedgeId, Mesh};
 use clip_ears::EarClipper;
 use glam::{DVec3, Vec3};
+pub use mesh::MeshTriangulator;
 
 /// Larger polygons aren't cut into a fan: its triangles would be thin, and the first corner would have very
 /// many edges.
@@ -54,22 +56,35 @@ impl PolygonTriangulator {
     /// x concave corners) if the face doesn't touch or cross itself, else up to O(corners²), and
     /// O(corners³) for up to 128 corners.
     pub fn triangulate_face(&mut self, mesh: &Mesh, face: FaceId) -> &[[HalfedgeId; 3]] {
+        self.triangulate_face_with(mesh, face, |_, _| true);
+        &self.side_triangles
+    }
+
+    /// Cuts a face into `side_triangles`, with cuts only between corners that `allowed` accepts, given by the half-edges
+    /// that leave them; returns whether that was possible.
+    fn triangulate_face_with(
+        &mut self,
+        mesh: &Mesh,
+        face: FaceId,
+        allowed: impl Fn(HalfedgeId, HalfedgeId) -> bool,
+    ) -> bool {
         self.sides.clear();
         self.sides.extend(mesh.face_halfedges(face));
         self.side_triangles.clear();
         if let &[a, b, c] = self.sides.as_slice() {
             self.side_triangles.push([a, b, c]);
-            return &self.side_triangles;
+            return true;
         }
         let mut corners = std::mem::take(&mut self.corners);
         corners.clear();
         corners.extend(self.sides.iter().map(|&h| mesh.position(mesh.from(h))));
-        self.triangulate(&corners);
-        self.corners = corners;
+        let sides = std::mem::take(&mut self.sides);
+        let is_cut = self.cut(&corners, true, |i, j| allowed(sides[i as usize], sides[j as usize]));
+        (self.corners, self.sides) = (corners, sides);
         for triangle in &self.triangles {
             self.side_triangles.push(triangle.map(|i| self.sides[i as usize]));
         }
-        &self.side_triangles
+        is_cut
     }
 
     /// The triangles of a polygon, as indices of its corners; none for fewer than three corners. Costs as
