@@ -118,3 +118,36 @@ fn patches_at_a_single_point_stay_there() {
         assert!(made.mesh.positions().iter().all(|p| p.is_finite() && (p - point).length() < 1e-6));
     }
 }
+
+/// A patch with a pole, whose derivatives and normals are not those of a plane.
+fn bent_patch(factor: f32) -> Patch {
+    let at = |i: usize, j: usize| {
+        let along = if j == 0 { 0.0 } else { i as f32 - 1.5 };
+        Vec3::new(along, j as f32 - 1.5, ((i * j) % 3) as f32) * factor
+    };
+    Patch { rows: std::array::from_fn(|j| std::array::from_fn(|i| at(i, j))) }
+}
+
+/// Squares of very large and very small lengths are out of the range of single precision.
+#[test]
+fn surfaces_of_any_size_have_the_same_shape() {
+    let normals = |mesh: &Mesh| -> Vec<Vec3> {
+        mesh.halfedges()
+            .filter(|&h| !mesh.is_boundary_halfedge(h))
+            .map(|h| mesh.get(keys::CORNER_NORMAL, h.index()))
+            .collect()
+    };
+    let near = tessellate(&[bent_patch(1.0)], 4).expect("small").mesh;
+    assert!(normals(&near).iter().all(|normal| normal.is_normalized()));
+    for exponent in [70_i8, 126, -70, -110] {
+        let factor = f32::from(exponent).exp2();
+        let far = tessellate(&[bent_patch(factor)], 4).expect("small").mesh;
+        assert_eq!(far.face_count(), near.face_count());
+        assert_eq!(normals(&far), normals(&near), "2^{exponent}");
+        for (a, b) in far.positions().iter().zip(near.positions()) {
+            assert_eq!(*a / factor, *b, "2^{exponent}");
+        }
+    }
+    let tiny = tessellate(&[bent_patch(1e-40)], 4).expect("small").mesh;
+    assert_eq!(tiny.face_count(), near.face_count());
+}

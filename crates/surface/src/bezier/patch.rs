@@ -43,15 +43,17 @@ pub(super) fn cubic(p: [Vec3; 4], t: f32) -> (Vec3, Vec3) {
 impl Patch {
     /// The point at (u, v), each from 0 to 1, by de Casteljau's construction.
     pub fn point(&self, u: f32, v: f32) -> PatchPoint {
-        let rows = self.rows.map(|row| cubic(row, u));
-        let (position, dv) = cubic(rows.map(|row| row.0), v);
+        // Derivatives are multiplied and squared, so lengths are brought near 1, by a power of two to keep every bit.
+        let size = self.size();
+        let scale = (size.log2().floor() as f32).clamp(-126.0, 126.0).exp2();
+        let near = self.rows.map(|row| row.map(|point| point / scale));
+        let rows = near.map(|row| cubic(row, u));
+        let (position, dv) = cubic(self.rows.map(|row| cubic(row, u).0), v);
+        let dv_near = cubic(rows.map(|row| row.0), v).1;
         // The derivative along u is a cubic in v of the rows' derivatives; its derivative is the mixed one.
-        let (du, mixed) = cubic(rows.map(|row| row.1), v);
-        // Lengths are squared twice, so they are brought near 1, by a power of two to keep every bit.
-        let scale = self.size().log2().floor().clamp(-126.0, 126.0);
-        let shrink = |n: Vec3| n * (-scale).exp2();
-        let (size, du_near, dv_near, mixed) =
-            (self.size() * (-scale).exp2(), shrink(du), shrink(dv), shrink(mixed));
+        let (du_near, mixed) = cubic(rows.map(|row| row.1), v);
+        let du = du_near * scale;
+        let size = (size / f64::from(scale)) as f32;
         let unit = |n: Vec3| (n.length() > 1e-6 * size * size).then(|| n.normalize());
         // Where a derivative vanishes (a side is a single point), its direction nearby is that of the mixed
         // derivative, inward.
@@ -74,11 +76,11 @@ impl Patch {
     }
 
     /// The longest side of the control points' bounding box.
-    pub(super) fn size(&self) -> f32 {
+    pub(super) fn size(&self) -> f64 {
         let points = self.rows.as_flattened();
         let low = points.iter().copied().fold(Vec3::INFINITY, Vec3::min);
         let high = points.iter().copied().fold(Vec3::NEG_INFINITY, Vec3::max);
-        (high - low).max_element()
+        (high.as_dvec3() - low.as_dvec3()).max_element()
     }
 }
 

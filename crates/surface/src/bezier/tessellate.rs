@@ -159,6 +159,6 @@ pub fn weld_distance(patches: &[Patch]) -> f32 {
     let points = || patches.iter().flat_map(|patch| patch.rows.as_flattened());
     let low = points().copied().fold(Vec3::INFINITY, Vec3::min);
     let high = points().copied().fold(Vec3::NEG_INFINITY, Vec3::max);
-    let distance = (1e-6 * (high - low).max_element()).max(f32::MIN_POSITIVE);
-    if distance.is_finite() { distance } else { 1.0 }
+    let distance = (1e-6 * (high.as_dvec3() - low.as_dvec3()).max_element()) as f32;
+    if distance >= 0.0 { distance } else { 0.0 }
 }

@@ -99,7 +99,7 @@ impl BezierMovePoint {
         let near = weld_distance(patches);
         let mut patches = patches.to_vec();
         for point in patches.iter_mut().flat_map(|patch| patch.rows.as_flattened_mut()) {
-            if point.distance(from) <= near {
+            if point.as_dvec3().distance(from.as_dvec3()) <= f64::from(near) {
                 *point = self.position.into();
             }
         }
