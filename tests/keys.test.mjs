@@ -6,16 +6,16 @@ import { SMALL, editorTest } from "./harness.mjs";
 
 const sizes = [SMALL];
 
-/** Notes for each key whether the browser was kept from acting on it. */
+/** Notes the page's keys; the answer tells whether the browser was kept from acting on one. */
 async function watchKeys(editor) {
   await editor.page.evaluate(() => {
-    window.kept = {};
+    window.seen = {};
+    // The event on the canvas goes no further, so it is looked at later.
     window.addEventListener("keydown", (event) => {
-      const ctrl = event.ctrlKey ? "Control+" : "";
-      window.kept[ctrl + event.key] = event.defaultPrevented;
-    });
+      window.seen[(event.ctrlKey ? "Control+" : "") + event.key] = event;
+    }, true);
   });
-  return (key) => editor.page.evaluate((key) => window.kept[key], key);
+  return (key) => editor.page.evaluate((key) => window.seen[key]?.defaultPrevented, key);
 }
 
 /** Presses a key of the number pad with NumLock on, which Playwright's own keyboard has off. */
@@ -79,7 +79,6 @@ editorTest("the keys and the mouse of Blender", { sizes, query: "?keys=blender" 
 
   // In a list, Ctrl+R is the browser's.
   await editor.click("Vertex 2", "listBoxOption");
-  await editor.page.evaluate(() => { window.kept = {}; });
   await editor.press("Control+b");
   assert.equal(await kept("Control+b"), false);
   await editor.page.keyboard.press("Control+d");

@@ -4,7 +4,7 @@ use editor::ops::{
     BezierDeletePoint, BezierElevateDegree, BezierInsertPoint, BezierSplit, Remesh, Reveal, Simplify,
     SubdivideCatmullClark, SubdivideLoop, four_digits,
 };
-use editor::{Command, OpId, SelectMode};
+use editor::{Command, OpId, SelectBy, SelectMode};
 use egui::ThemePreference;
 use formats::Format;
 use halfedge::Element;
@@ -73,6 +73,13 @@ impl App {
                 self.session.editor.select_inverse(self.shown.kind);
             }
             Action::SelectBy(by) => self.select_further(|editor| editor.begin_select_by(by)),
+            Action::LinkedUnder => match self.view.hovered {
+                Some((kind, id)) => {
+                    self.select(kind, [id], SelectMode::Extend);
+                    self.select_further(|editor| editor.begin_select_by(SelectBy::Linked));
+                }
+                None => self.session.warn("Point at an element first.".to_owned(), Vec::new()),
+            },
             Action::Preset(preset) => {
                 let [_, _, to_eye] = self.view.camera.axes().map(|axis| -axis);
                 self.session.begin(preset.command(to_eye), None);

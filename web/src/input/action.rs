@@ -40,6 +40,8 @@ pub enum Action {
     SelectInverse,
     /// Changes the selection by what is selected.
     SelectBy(SelectBy),
+    /// Adds everything connected to the element under the pointer.
+    LinkedUnder,
     /// Selects by a command with its fields filled in.
     Preset(Preset),
     /// Opens or closes the window with the named selections.

@@ -35,6 +35,11 @@ pub(super) const ENTRIES: &[Option<Entry>] = &[
             .synonyms(&["select island", "connected"]),
     ),
     Some(entry(
+        A::LinkedUnder,
+        "Select linked under the pointer",
+        "Add everything connected to the element under the pointer, by a key.",
+    )),
+    Some(entry(
         A::SelectBy(SelectBy::Loops),
         "Select loops",
         "Extend the selection along its edge loops, face strips or half-edge loops.",

@@ -354,6 +354,12 @@ fn clicks_select_as_each_preset_says() {
     click_at(&mut page, b, CTRL);
     assert_eq!(page.selected().1, [8, 9, 10, 11], "Ctrl adds the path");
 
+    page.harness.hover_at(b);
+    page.run();
+    press(&mut page, "Alt+A");
+    press(&mut page, "L");
+    assert_eq!(page.selected().1.len(), 49, "everything linked to what is under the pointer");
+
     let mut page = grid("maya", "edge");
     let edge = place(&mut page, &[16, 17]);
     double_click_at(&mut page, edge, Modifiers::NONE);
