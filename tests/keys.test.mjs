@@ -71,8 +71,8 @@ editorTest("the keys and the mouse of Blender", { sizes, query: "?keys=blender" 
   const before = await view(editor);
   const from = await beside(editor);
   const { rect: [x, y] } = before;
-  await editor.drag(from, [x + 80, y + 70]);
-  assert.ok((await editor.state()).selection.ids.length >= 6, "a box");
+  await editor.drag(from, [x + 58, y + 70]);
+  assert.equal((await editor.state()).selection.ids.length, 7, "a box around what is visible");
   assert.equal((await view(editor)).yaw, before.yaw);
   await editor.drag(from, [from[0] - 60, from[1] - 20], { button: "middle" });
   assert.notEqual((await view(editor)).yaw, before.yaw);
