@@ -2,7 +2,7 @@
 
 use egui::{
     Color32, Context, CornerRadius, FontFamily, FontId, Margin, Shadow, Stroke, Style, TextStyle, Theme,
-    Visuals, vec2,
+    Visuals, style::ScrollAnimation, vec2,
 };
 
 /// Below this width, in points, the side panels become a sheet at the bottom and controls grow for fingers.
@@ -31,6 +31,8 @@ pub struct Palette {
     pub primary: Color32,
     /// Text on that button.
     pub on_primary: Color32,
+    /// The ring around the widget with the keyboard focus.
+    pub focus: Color32,
     /// Success.
     pub good: Color32,
     /// The coordinate axes x, y and z.
@@ -45,6 +47,7 @@ const DARK: Palette = Palette {
     overlay: Color32::from_rgba_premultiplied(0x12, 0x14, 0x18, 0xd8),
     primary: Color32::from_rgb(0x25, 0x63, 0xb8),
     on_primary: Color32::WHITE,
+    focus: Color32::from_rgb(0x4c, 0x9a, 0xff),
     good: Color32::from_rgb(0x5f, 0xc5, 0x82),
     axes: [
         Color32::from_rgb(0xf0, 0x6a, 0x6a),
@@ -61,11 +64,12 @@ const LIGHT: Palette = Palette {
     overlay: Color32::from_rgba_premultiplied(0xe8, 0xea, 0xed, 0xe8),
     primary: Color32::from_rgb(0x0b, 0x63, 0xce),
     on_primary: Color32::WHITE,
+    focus: Color32::from_rgb(0x0b, 0x63, 0xce),
     good: Color32::from_rgb(0x1f, 0x7f, 0x46),
     axes: [
-        Color32::from_rgb(0xc2, 0x2f, 0x2f),
-        Color32::from_rgb(0x3a, 0x80, 0x1c),
-        Color32::from_rgb(0x2b, 0x5f, 0xc4),
+        Color32::from_rgb(0xb0, 0x25, 0x25),
+        Color32::from_rgb(0x2f, 0x6d, 0x15),
+        Color32::from_rgb(0x24, 0x55, 0xb3),
     ],
 };
 
@@ -87,6 +91,15 @@ pub fn install(ctx: &Context) {
         sizes(&mut style);
         ctx.set_style_of(theme, style);
     }
+}
+
+/// Stops or restores what moves by itself: fading, sliding and smooth scrolling.
+pub fn reduce_motion(ctx: &Context, reduces: bool) {
+    let default = Style::default();
+    ctx.all_styles_mut(|style| {
+        style.animation_time = if reduces { 0.0 } else { default.animation_time };
+        style.scroll_animation = if reduces { ScrollAnimation::none() } else { default.scroll_animation };
+    });
 }
 
 fn sizes(style: &mut Style) {
@@ -151,7 +164,7 @@ fn visuals(theme: Theme) -> Visuals {
     visuals.faint_bg_color = grey(0x262a31, 0xf1f3f6);
     visuals.code_bg_color = grey(0x2c3139, 0xe9ecf0);
     visuals.window_stroke = Stroke::new(1.0, line);
-    visuals.weak_text_color = Some(grey(0x97a0ab, 0x5c6570));
+    visuals.weak_text_color = Some(grey(0xa9b2bd, 0x58616c));
     visuals.warn_fg_color = grey(0xf0b35a, 0x9a5b00);
     visuals.error_fg_color = grey(0xff8080, 0xb3261e);
     visuals.hyperlink_color = accent;

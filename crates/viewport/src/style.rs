@@ -174,7 +174,7 @@ impl Theme {
     /// Dark lines on a light gradient.
     pub const LIGHT: Self = Self {
         background_top: Color([0xf4, 0xf6, 0xf9]),
-        background_bottom: Color([0xc9, 0xd0, 0xd9]),
+        background_bottom: Color([0xdd, 0xe2, 0xe9]),
         edge: Color([0x1e, 0x22, 0x28]),
         vertex: Color([0x1e, 0x22, 0x28]),
         isolated: Color([0x1e, 0x22, 0x28]),
@@ -182,8 +182,8 @@ impl Theme {
         shadow: Color([0x22, 0x2a, 0x3a]),
         shadow_strength: 0.5,
         back_face: Color([0x50, 0x64, 0xb4]),
-        selected: Color([0xf0, 0x6a, 0x00]),
+        selected: Color([0xd4, 0x58, 0x00]),
         active: Color([0xff, 0xfa, 0xf0]),
-        hovered: Color([0x00, 0x8f, 0xd6]),
+        hovered: Color([0x00, 0x82, 0xc4]),
     };
 }

@@ -87,6 +87,8 @@ impl App {
             Action::NamedSelections => self.shown.named ^= true,
             Action::Show(kind) => self.show_kind(kind, false),
             Action::Expand(kind) => self.show_kind(kind, true),
+            Action::NextElement => self.step(true),
+            Action::PreviousElement => self.step(false),
             Action::Next => self.walk(|mesh, h| mesh.next(h)),
             Action::Previous => self.walk(|mesh, h| mesh.prev(h)),
             Action::Twin => self.walk(|_, h| h.twin()),
@@ -321,6 +323,25 @@ impl App {
         self.session.editor.switch_kind(kind, touches);
         self.shown.kind = kind;
         self.shown.sheet.show_lists();
+    }
+
+    /// Selects the element with the next or the previous id, of the kind in the list.
+    fn step(&mut self, forward: bool) {
+        let kind = self.shown.kind;
+        let selection = self.session.editor.selection();
+        let at = selection.latest().filter(|_| selection.kind() == kind);
+        let Some(mesh) = self.session.editor.mesh() else { return };
+        let (capacity, exists) = (mesh.capacity(kind) as u32, |id: &u32| mesh.exists(kind, *id));
+        let next = if forward {
+            let after = at.map_or(0, |id| id + 1);
+            (after..capacity).chain(0..after).find(exists)
+        } else {
+            let before = at.unwrap_or(capacity);
+            (0..before).rev().chain((before..capacity).rev()).find(exists)
+        };
+        if let Some(id) = next {
+            self.select(kind, [id], SelectMode::Replace);
+        }
     }
 
     fn walk(&mut self, step: impl Fn(&halfedge::Mesh, halfedge::HalfedgeId) -> halfedge::HalfedgeId) {

@@ -10,7 +10,7 @@ mod script;
 mod sheet;
 
 use editor::Editor;
-use egui::{CentralPanel, Context, Event as Input, Panel, ThemePreference, Ui};
+use egui::{CentralPanel, Context, Event as Input, Panel, Sense, ThemePreference, Ui};
 use halfedge::{Budget, Element};
 
 use crate::bezier::Player;
@@ -24,7 +24,8 @@ use crate::request::Requests;
 use crate::session::{Look, Session, selecting};
 use crate::shown::Shown;
 use crate::theme;
-use crate::view::{ELEMENTS_PER_FRAME, View};
+use crate::view::{self, ELEMENTS_PER_FRAME, View};
+use crate::widgets::focus_ring;
 use layout::Layout;
 use panels::Panels;
 use script::Script;
@@ -40,6 +41,8 @@ pub struct App {
     layout: Layout,
     /// Whether fingers were used last, not a mouse.
     fingers: bool,
+    /// Whether the user wants less motion.
+    less_motion: bool,
     /// Keys that were pressed after one that opened a text field, for the field in the next frame.
     held_events: Vec<Input>,
     /// Whether the document that the page starts with has not been followed yet.
@@ -81,6 +84,7 @@ impl App {
             requests: Requests::default(),
             layout,
             fingers: false,
+            less_motion: false,
             held_events: Vec::new(),
             starting: true,
         };
@@ -118,6 +122,10 @@ impl App {
     pub fn logic(&mut self, ctx: &Context) {
         self.fit(ctx);
         self.view.budget = Budget::new(ELEMENTS_PER_FRAME);
+        let less_motion = self.session.platform.reduces_motion();
+        if std::mem::replace(&mut self.less_motion, less_motion) != less_motion {
+            theme::reduce_motion(ctx, less_motion);
+        }
         for event in self.session.platform.poll(ctx) {
             match event {
                 Event::JobProgress { job, fraction } => self.session.jobs.progress(job, fraction),
@@ -174,6 +182,8 @@ impl App {
         let narrow = self.shown.narrow;
         let mut widths = self.layout.widths;
         Panel::top("menu bar").frame(bar_frame(ui)).show(ui, |ui| menu_bar::show(ui, &page, narrow, out));
+        // The viewport is drawn after the panels around it, but Tab and reading come to it first.
+        let in_viewport = ui.interact(self.view.rect, view::widget_id(), Sense::click_and_drag());
         let target_edge = self.panels.forms.target_edge();
         Panel::bottom("status")
             .frame(bar_frame(ui))
@@ -196,7 +206,7 @@ impl App {
         self.view.covered_below = if self.shown.welcome { self.panels.welcome.covers } else { 0.0 };
         let covered = CentralPanel::no_frame().show(ui, |ui| {
             let (view, player) = (&mut self.view, &mut self.player);
-            Viewport { session: &self.session, shown: &self.shown, view, player }.show(ui, out);
+            Viewport { session: &self.session, shown: &self.shown, view, player }.show(ui, in_viewport, out);
             let page =
                 Page { session: &self.session, shown: &self.shown, view: &self.view, player: &self.player };
             tool_bar::show(ui, &page, narrow, out)
@@ -207,6 +217,7 @@ impl App {
         live_bar::show(ctx, &page, out);
         self.panels.windows(ctx, &page, narrow, out);
         self.keep_layout(widths);
+        focus_ring::show(ctx);
     }
 
     /// Opens pasted text; returns the actions of the pressed keys.

@@ -48,6 +48,10 @@ pub(crate) fn show(ui: &mut Ui, page: &Page<'_>, panels: &mut Panels, out: &mut 
 
 fn sheet_tabs(ui: &mut Ui, page: &Page<'_>, out: &mut Requests) {
     ui.horizontal(|ui| {
+        ui.ctx().accesskit_node_builder(ui.unique_id(), |node| {
+            node.set_role(egui::Role::TabList);
+            node.set_label("Panels");
+        });
         ui.spacing_mut().item_spacing.x = 2.0;
         let width = (ui.available_width() - 3.0 * 2.0) / 3.0;
         for (tab, label, hint) in [

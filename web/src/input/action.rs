@@ -51,6 +51,10 @@ pub enum Action {
     Show(Element),
     /// Shows one kind of element; the selection is converted to everything of that kind that touches it.
     Expand(Element),
+    /// Selects the element after the selected one, of the kind in the list.
+    NextElement,
+    /// Selects the element before the selected one.
+    PreviousElement,
     /// Selects the next half-edge around the face.
     Next,
     /// Selects the half-edge before the selected one around the face.

@@ -26,7 +26,11 @@ pub(crate) fn why_not(action: Action, session: &Session, kind: Element, player: 
             Some("There is nothing to save. Open a file or make a shape first.".into())
         }
         Action::SaveAs(format) => why_not_in(format, document),
-        Action::SelectAll | Action::SelectInverse | Action::GoToId => {
+        Action::SelectAll
+        | Action::SelectInverse
+        | Action::GoToId
+        | Action::NextElement
+        | Action::PreviousElement => {
             let count = editor.mesh().map_or(0, |mesh| mesh.count(kind));
             (count == 0).then(|| format!("The mesh has no {}.", plural(kind).to_lowercase()))
         }

@@ -40,6 +40,8 @@ pub(super) static ROWS: &[Row] = &[
     (A::CircleSelect,                      ["Shift+C",                   "C",                        "Shift+C"]),
     (A::LargerCircle,                      ["]",                         "Numpad+ ]",                "]"]),
     (A::SmallerCircle,                     ["[",                         "Numpad- [",                "["]),
+    (A::NextElement,                       ["PageDown",                  "PageDown",                 "PageDown"]),
+    (A::PreviousElement,                   ["PageUp",                    "PageUp",                   "PageUp"]),
     (A::Next,                              ["N",                         "Alt+N",                    "N"]),
     (A::Previous,                          ["Shift+N",                   "Alt+Shift+N",              "Shift+N"]),
     (A::Twin,                              ["T",                         "Alt+T",                    "T"]),

@@ -10,6 +10,7 @@ use crate::input::key_map::{KeyMap, When};
 use crate::input::shortcut::Shortcut;
 use crate::lists::row_list;
 use crate::theme;
+use crate::view;
 
 use Action as A;
 
@@ -64,7 +65,7 @@ pub struct KeyReader {
     typing: bool,
     /// Whether a menu is open.
     menu: bool,
-    /// Whether a control has the focus.
+    /// Whether a control has the focus, and not the viewport.
     on_control: bool,
     /// Whether a list has it.
     on_list: bool,
@@ -74,7 +75,7 @@ impl KeyReader {
     /// What keys mean in `cases`. While the user types, only keys with Ctrl or Command that a text field doesn't use
     /// count, and Escape goes to the field. While a menu is open, Escape goes to the menu.
     pub fn new(ctx: &Context, menu: bool, cases: Vec<When>) -> Self {
-        let focused = ctx.memory(|memory| memory.focused());
+        let focused = ctx.memory(|memory| memory.focused()).filter(|id| *id != view::widget_id());
         let on_list = focused.is_some() && focused == row_list::focused(ctx);
         Self {
             map: map(ctx),
@@ -88,10 +89,10 @@ impl KeyReader {
 
     /// The action that a key starts.
     pub fn action_of(&self, shortcut: Shortcut) -> Option<Action> {
-        // A focused button uses Space, and a focused list uses Home.
+        // A focused button uses Space, a focused list Home and the paging keys, and Shift+Tab goes to the control before.
         let is_theirs = match shortcut.key {
             Key::Space => self.on_control && !self.on_list,
-            Key::Home => self.on_control,
+            Key::Home | Key::PageUp | Key::PageDown | Key::Tab => self.on_control,
             Key::Escape => self.menu,
             _ => false,
         };

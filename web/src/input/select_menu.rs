@@ -154,6 +154,16 @@ pub(super) const ENTRIES: &[Option<Entry>] = &[
     Some(entry(A::LargerCircle, "Larger circle", "Make the selecting circle larger.")),
     Some(entry(A::SmallerCircle, "Smaller circle", "Make the selecting circle smaller.")),
     None,
+    Some(entry(
+        A::NextElement,
+        "Next element",
+        "Select the element after the selected one; after the last comes the first.",
+    )),
+    Some(entry(
+        A::PreviousElement,
+        "Previous element",
+        "Select the element before the selected one; before the first comes the last.",
+    )),
     Some(entry(A::Next, "Next half-edge", "Select the next half-edge around the face.")),
     Some(entry(A::Previous, "Previous half-edge", "Select the half-edge before this one around the face.")),
     Some(entry(A::Twin, "Twin half-edge", "Select the half-edge on the other side of the edge.")),

@@ -122,6 +122,7 @@ impl RowList<'_> {
         let bar = Rect::from_min_max(pos2(body.max.x, outer.min.y), outer.max);
         let list = ui.interact(body, id, Sense::click_and_drag());
         list.widget_info(|| WidgetInfo::labeled(Role::ListBox, ui.is_enabled(), self.label));
+        ui.ctx().accesskit_node_builder(id, egui::accesskit::Node::set_multiselectable);
 
         let in_view = f64::from(body.height() / self.row_height).max(1.0);
         let furthest = (self.rows as f64 - in_view).max(0.0);
@@ -164,6 +165,10 @@ impl RowList<'_> {
             last = row + 1;
             let Some(shown) = content(row) else { continue };
             let rect = Rect::from_min_size(pos2(body.min.x, y), vec2(body.width(), self.row_height));
+            if state.cursor == Some(row) {
+                let row = id.with(shown.row.id).accesskit_id();
+                ui.ctx().accesskit_node_builder(id, |node| node.set_active_descendant(row));
+            }
             self.row(&mut rows_ui, rect, id, row, &shown, (&font, char_width), &mut output);
         }
         output.in_view = first..last;

@@ -8,11 +8,12 @@ use wasm_bindgen::prelude::*;
 use web_sys::{BeforeUnloadEvent, HtmlCanvasElement, PointerEvent};
 
 use super::browser_keys::Pressed;
+use super::mirror::Mirroring;
 use super::{graphics, notice};
+use crate::access::tree::UiTree;
 use crate::app::App;
 use crate::input::pacing::Pacing;
 use crate::platform::browser::Browser;
-use crate::script::ui_tree::UiTree;
 
 /// The editor as an eframe app.
 pub struct PageApp {
@@ -33,6 +34,7 @@ impl PageApp {
     pub fn new(context: &eframe::CreationContext<'_>, pressed: Pressed) -> Self {
         let ctx = &context.egui_ctx;
         ctx.add_plugin(UiTree::default());
+        ctx.add_plugin(Mirroring);
         let graphics = context.wgpu_render_state.clone();
         let browser = Browser::new(ctx, graphics::device_info(graphics.as_ref()));
         // The first frame computes the layout; the second draws with it.

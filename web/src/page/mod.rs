@@ -3,6 +3,7 @@
 mod app;
 mod browser_keys;
 mod graphics;
+mod mirror;
 mod notice;
 
 use eframe::WebRunner;
@@ -54,6 +55,9 @@ async fn start_on(canvas: HtmlCanvasElement, choice: Choice) -> Result<(), JsVal
     canvas.focus()?;
     script::install(&handle)?;
     browser_keys::listen(handle.clone(), pressed)?;
+    if let Some(app) = handle.app() {
+        mirror::install(app.ctx(), &canvas)?;
+    }
     app::ask_before_leaving(handle)
 }
 

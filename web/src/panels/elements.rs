@@ -112,6 +112,10 @@ pub(crate) fn show(ui: &mut Ui, page: &Page<'_>, own: &mut Lists, out: &mut Requ
 fn kind_tabs(ui: &mut Ui, page: &Page<'_>, own: &mut Lists, out: &mut Requests) {
     ui.add_space(4.0);
     ui.horizontal(|ui| {
+        ui.ctx().accesskit_node_builder(ui.unique_id(), |node| {
+            node.set_role(egui::Role::TabList);
+            node.set_label("Kinds of element");
+        });
         ui.spacing_mut().item_spacing.x = 2.0;
         let width = ((ui.available_width() - 3.0 * 2.0) / 4.0).floor();
         for kind in Element::ALL {

@@ -1,7 +1,8 @@
 //! The bar at the top: the menus, the toolbar and the document's name.
 
 use editor::{OpId, Scope};
-use egui::{Align, Button, Layout, MenuBar, Response, RichText, ScrollArea, Ui};
+use egui::accesskit::HasPopup;
+use egui::{Align, Button, Layout, MenuBar, Response, RichText, Role, ScrollArea, Ui};
 use halfedge::Element;
 
 use crate::input::actions::{self, Action, Entry};
@@ -32,11 +33,15 @@ const TOOLS: &[Option<(Icon, Action)>] = &[
 
 pub(crate) fn show(ui: &mut Ui, page: &Page<'_>, narrow: bool, out: &mut Requests) {
     MenuBar::new().ui(ui, |ui| {
+        ui.ctx().accesskit_node_builder(ui.unique_id(), |node| {
+            node.set_role(Role::Toolbar);
+            node.set_label("Menus and tools");
+        });
         if narrow {
             let button = icon_button(ui, Icon::Menu, "Menu", false).on_hover_text("All menus");
             egui::Popup::menu(&button).show(|ui| {
                 for menu in MENUS {
-                    ui.menu_button(menu.title, |ui| show_menu(ui, page, menu, out));
+                    opens_menu(ui, menu.title, |ui| show_menu(ui, page, menu, out));
                 }
             });
             toolbar(
@@ -55,7 +60,7 @@ pub(crate) fn show(ui: &mut Ui, page: &Page<'_>, narrow: bool, out: &mut Request
             );
         } else {
             for menu in MENUS {
-                ui.menu_button(menu.title, |ui| show_menu(ui, page, menu, out));
+                opens_menu(ui, menu.title, |ui| show_menu(ui, page, menu, out));
             }
             ui.separator();
             toolbar(ui, page, &[], out);
@@ -95,6 +100,15 @@ fn title(ui: &mut Ui, page: &Page<'_>) {
     ui.add(egui::Label::new(RichText::new(name).strong()).truncate()).on_hover_text(hint);
 }
 
+/// A button that opens a menu.
+fn opens_menu(ui: &mut Ui, title: &str, contents: impl FnOnce(&mut Ui)) {
+    let button = ui.menu_button(title, contents);
+    ui.ctx().accesskit_node_builder(button.response.id, |node| {
+        node.set_has_popup(HasPopup::Menu);
+        node.set_expanded(button.inner.is_some());
+    });
+}
+
 /// A menu's entries, which scroll where the window is too low for all of them.
 fn show_menu(ui: &mut Ui, page: &Page<'_>, menu: &Menu, out: &mut Requests) {
     let height = ui.ctx().content_rect().height() - MENU_MARGIN_POINTS;
@@ -120,7 +134,7 @@ fn menu_entries(ui: &mut Ui, page: &Page<'_>, menu: &Menu, out: &mut Requests) {
         };
         match entries.first().and_then(submenu_of) {
             Some(title) => {
-                ui.menu_button(title, |ui| {
+                opens_menu(ui, title, |ui| {
                     ui.set_min_width(180.0);
                     list(ui, out);
                     if title == CRITERIA {
@@ -133,7 +147,7 @@ fn menu_entries(ui: &mut Ui, page: &Page<'_>, menu: &Menu, out: &mut Requests) {
     }
     match menu.title {
         "File" => {
-            ui.menu_button("Save as", |ui| {
+            opens_menu(ui, "Save as", |ui| {
                 ui.set_min_width(200.0);
                 for entry in actions::formats() {
                     menu_item(ui, page, &entry, out);
@@ -165,7 +179,7 @@ fn operation_menus(ui: &mut Ui, page: &Page<'_>, out: &mut Requests) {
     for (kind, title) in
         [(Element::Vertex, "Vertex edits"), (Element::Edge, "Edge edits"), (Element::Face, "Face edits")]
     {
-        ui.menu_button(title, |ui| {
+        opens_menu(ui, title, |ui| {
             ui.set_min_width(220.0);
             let is_listed = |id: &OpId| id.spec().element().unwrap_or(Element::Face) == kind;
             for id in of_scope(Scope::Elements).filter(is_listed) {

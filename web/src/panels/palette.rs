@@ -1,6 +1,8 @@
 //! The command palette: every action by name, found by typing.
 
-use egui::{Align2, AtomExt as _, Button, Context, Id, Key, Modal, Modifiers, RichText, ScrollArea, vec2};
+use egui::{
+    Align2, AtomExt as _, Button, Context, Id, Key, Modal, Modifiers, RichText, Role, ScrollArea, vec2,
+};
 
 use crate::input::actions::{self, Action, Entry};
 use crate::input::keys;
@@ -68,11 +70,17 @@ pub(crate) fn show(ctx: &Context, page: &Page<'_>, own: &mut PaletteState, out: 
         }
         ScrollArea::vertical().max_height(screen.height() * 0.5).auto_shrink([false, true]).show(ui, |ui| {
             ui.spacing_mut().item_spacing.y = 1.0;
+            ui.ctx().accesskit_node_builder(ui.unique_id(), |node| {
+                node.set_role(Role::ListBox);
+                node.set_label("Commands");
+            });
+            let on_selection = ui.visuals().selection.stroke.color;
             for (row, Found { entry, why_not }) in found.iter().enumerate() {
                 let on = row == own.at;
                 // Beside a greyed command stands what it needs.
                 let beside = match why_not {
                     Some(reason) => RichText::new(reason).small().color(ui.visuals().warn_fg_color),
+                    None if on => RichText::new(keys::text(ui.ctx(), entry.action)).color(on_selection),
                     None => RichText::new(keys::text(ui.ctx(), entry.action)),
                 };
                 let button = Button::selectable(on, entry.label)
@@ -80,6 +88,12 @@ pub(crate) fn show(ctx: &Context, page: &Page<'_>, own: &mut PaletteState, out: 
                     .truncate()
                     .min_size(vec2(ui.available_width(), 26.0));
                 let response = ui.add_enabled(why_not.is_none(), button).accessible_name(entry.label);
+                ui.ctx().accesskit_node_builder(response.id, |node| node.set_role(Role::ListBoxOption));
+                if on {
+                    // The keyboard stays in the field, but means this row.
+                    let row = response.id.accesskit_id();
+                    ui.ctx().accesskit_node_builder(field.id, |node| node.set_active_descendant(row));
+                }
                 if on && moved {
                     response.scroll_to_me(None);
                 }

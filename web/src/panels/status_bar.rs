@@ -120,7 +120,7 @@ fn job_progress(ui: &mut Ui, page: &Page<'_>, narrow: bool, out: &mut Requests) 
                 .text(RichText::new(&text).small());
             ui.add_sized(size, bar).accessible_name(text);
         } else {
-            indeterminate_bar(ui, size, &text);
+            indeterminate_bar(ui, size, &text, page.session.platform.reduces_motion());
         }
         if icon_button(ui, Icon::Close, &format!("Cancel {}", job.label), false)
             .on_hover_text("Cancel (Escape)")
@@ -131,13 +131,14 @@ fn job_progress(ui: &mut Ui, page: &Page<'_>, narrow: bool, out: &mut Requests) 
     }
 }
 
-/// A bar for a job that has not reported progress: a segment moves to and fro.
-fn indeterminate_bar(ui: &mut Ui, size: Vec2, text: &str) {
+/// A bar for a job that has not reported progress: a segment moves to and fro, or stands in the middle.
+fn indeterminate_bar(ui: &mut Ui, size: Vec2, text: &str, is_still: bool) {
     const SECONDS: f64 = 1.6;
     const LENGTH: f32 = 0.3;
     let (rect, response) = ui.allocate_exact_size(size, Sense::hover());
     response.widget_info(|| WidgetInfo::labeled(Role::ProgressIndicator, true, text));
-    let turn = ui.input(|input| input.time / SECONDS).fract() * std::f64::consts::TAU;
+    let time = if is_still { SECONDS / 4.0 } else { ui.input(|input| input.time) };
+    let turn = (time / SECONDS).fract() * std::f64::consts::TAU;
     let start = (0.5 - 0.5 * turn.cos()) as f32 * (1.0 - LENGTH) * size.x;
     let part = Rect::from_min_size(rect.min + vec2(start, 0.0), vec2(LENGTH * size.x, size.y));
     let visuals = ui.visuals();
@@ -148,6 +149,8 @@ fn indeterminate_bar(ui: &mut Ui, size: Vec2, text: &str) {
     let galley = ui.painter().layout(text.to_owned(), font, visuals.text_color(), size.x - 12.0);
     let at = rect.left_center() + vec2(6.0, -galley.size().y / 2.0);
     ui.painter().with_clip_rect(rect).galley(at, galley, visuals.text_color());
-    // Frequent enough for visible motion, but no more: the worker needs the processor.
-    ui.ctx().request_repaint_after_secs(0.05);
+    if !is_still {
+        // Frequent enough for visible motion, but no more: the worker needs the processor.
+        ui.ctx().request_repaint_after_secs(0.05);
+    }
 }

@@ -1,6 +1,7 @@
 //! Short messages in a corner of the viewport: imports, refusals and failures.
 
 use editor::MessageKind;
+use egui::accesskit::Live;
 use egui::{Align2, Area, Context, Frame, Id, Margin, Order, RichText, Role, Stroke, Ui, vec2};
 use halfedge::words::counted;
 
@@ -54,6 +55,10 @@ fn toast_frame(ui: &mut Ui, page: &Page<'_>, slot: Slot, toast: &Toast, width: f
                 let text = ui.add(egui::Label::new(&toast.text).wrap());
                 ui.ctx().accesskit_node_builder(text.id, |node| {
                     node.set_role(Role::Alert);
+                    node.set_live(match toast.kind {
+                        MessageKind::Error => Live::Assertive,
+                        MessageKind::Info | MessageKind::Warning => Live::Polite,
+                    });
                     node.set_label(toast.text.as_str());
                 });
                 if has_links(page, slot, toast) {

@@ -27,6 +27,7 @@ struct Inner {
     held: Option<Vec<(u64, Vec<u8>)>>,
     cancelled: Vec<u64>,
     wanted: Vec<String>,
+    reduces_motion: bool,
     fetches: Vec<(u64, Vec<String>)>,
 }
 
@@ -59,6 +60,11 @@ impl Outside {
     /// Gives the page's address a parameter.
     pub fn set_parameter(&self, name: &str, value: &str) {
         self.inner.borrow_mut().parameters.insert(name.to_owned(), value.to_owned());
+    }
+
+    /// Asks for less motion, or no longer.
+    pub fn reduce_motion(&self, reduces: bool) {
+        self.inner.borrow_mut().reduces_motion = reduces;
     }
 
     /// Holds back jobs from now on.
@@ -163,6 +169,10 @@ impl Platform for Headless {
 
     fn store_setting(&mut self, key: &str, value: &str) {
         self.outside.inner.borrow_mut().settings.insert(key.to_owned(), value.to_owned());
+    }
+
+    fn reduces_motion(&self) -> bool {
+        self.outside.inner.borrow().reduces_motion
     }
 
     fn device(&self) -> DeviceInfo {

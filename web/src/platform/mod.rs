@@ -96,6 +96,9 @@ pub trait Platform {
     /// Stores a small setting for later visits.
     fn store_setting(&mut self, key: &str, value: &str);
 
+    /// Whether the user has asked the system for less motion; may change at any time.
+    fn reduces_motion(&self) -> bool;
+
     /// The graphics device.
     fn device(&self) -> DeviceInfo;
 

@@ -1,11 +1,9 @@
-//! The widgets on the screen, as `meshwright.ui()` lists them, read from the accessibility tree that egui
-//! builds for every frame and that eframe drops on the web.
+//! The widgets on the screen, as `meshwright.ui()` lists them.
 
-use std::collections::HashMap;
-
-use egui::accesskit::{Node, NodeId, Role, Toggled, TreeUpdate};
-use egui::{Context, FullOutput, Plugin, Rect, pos2};
+use egui::accesskit::{Node, Role, Toggled};
 use serde::Serialize;
+
+use crate::access::tree::{UiTree, Value};
 
 /// A widget that a user or a screen reader can distinguish from others.
 #[derive(Clone, Debug, PartialEq, Serialize)]
@@ -27,126 +25,27 @@ pub struct UiNode {
     pub selected: Option<bool>,
 }
 
-/// The value of a [`UiNode`].
-#[derive(Clone, Debug, PartialEq, Serialize)]
-#[serde(untagged)]
-pub enum Value {
-    /// The value of a spin box or a slider.
-    Number(f64),
-    /// The text of a text field.
-    Text(String),
-}
-
-/// Keeps the accessibility tree of the latest frame.
-///
-/// Add it with [`Context::add_plugin`] and read it with [`UiTree::nodes`]. Costs as much as AccessKit: some
-/// microseconds for each widget on the screen.
-#[derive(Default)]
-pub struct UiTree {
-    tree: Option<TreeUpdate>,
-    /// The visible part of each widget, by node.
-    visible: HashMap<NodeId, Rect>,
-    screen: Option<Rect>,
-    zoom: f32,
-}
-
-impl Plugin for UiTree {
-    fn debug_name(&self) -> &'static str {
-        "ui tree"
-    }
-
-    fn setup(&mut self, ctx: &Context) {
-        ctx.enable_accesskit();
-    }
-
-    fn output_hook(&mut self, ctx: &Context, output: &mut FullOutput) {
-        // Nothing else on the web uses the tree, so it can be taken. A frame without a tree keeps the last
-        // one.
-        let Some(tree) = output.platform_output.accesskit_update.take() else {
-            return;
-        };
-        self.tree = Some(tree);
-        self.zoom = ctx.zoom_factor();
-        self.screen = Some(ctx.content_rect());
-        self.visible.clear();
-        ctx.viewport(|viewport| {
-            for (_, widgets) in viewport.prev_pass.widgets.layers() {
-                self.visible
-                    .extend(widgets.iter().map(|widget| (widget.id.accesskit_id(), widget.interact_rect)));
-            }
-        });
-    }
-}
-
-impl UiTree {
-    /// The widgets on the screen in reading order; `canvas` is the canvas's corner on the page in CSS
-    /// pixels. Costs O(nodes).
-    pub fn nodes(&self, canvas: [f32; 2]) -> Vec<UiNode> {
-        let (Some(tree), Some(screen)) = (&self.tree, self.screen) else {
-            return Vec::new();
-        };
-        let by_id: HashMap<NodeId, &Node> = tree.nodes.iter().map(|(id, node)| (*id, node)).collect();
-        let mut found = Vec::new();
-        // Depth first, so that rows come in order, and containers before their contents.
-        let mut stack: Vec<NodeId> = tree.tree.iter().map(|info| info.root).collect();
-        while let Some(id) = stack.pop() {
-            let Some(node) = by_id.get(&id) else { continue };
-            stack.extend(node.children().iter().rev());
-            if is_scaffolding(node.role()) || node.is_hidden() {
-                continue;
-            }
-            let Some(bounds) = node.bounds() else { continue };
-            let bounds = Rect::from_min_max(
-                pos2(bounds.x0 as f32, bounds.y0 as f32),
-                pos2(bounds.x1 as f32, bounds.y1 as f32),
-            );
-            let rect =
-                self.visible.get(&id).map_or(bounds, |visible| visible.intersect(bounds)).intersect(screen);
-            if !rect.is_positive() {
-                continue;
-            }
-            let (name, value) = name_and_value(node, &by_id);
-            let zoom = self.zoom;
-            found.push(UiNode {
-                role: camel_case(node.role()),
-                name,
-                value,
-                description: node.description().map(str::to_owned),
-                rect: [
-                    canvas[0] + rect.left() * zoom,
-                    canvas[1] + rect.top() * zoom,
-                    rect.width() * zoom,
-                    rect.height() * zoom,
-                ],
-                disabled: node.is_disabled(),
-                selected: node.is_selected().or_else(|| toggled(node)),
-            });
-        }
-        found
-    }
-}
-
-/// Nodes that only contain others, or are parts of another's text.
-fn is_scaffolding(role: Role) -> bool {
-    matches!(role, Role::GenericContainer | Role::TextRun | Role::Unknown | Role::Window | Role::Pane)
-}
-
-fn name_and_value(node: &Node, by_id: &HashMap<NodeId, &Node>) -> (String, Option<Value>) {
-    let text = node.value().map(str::to_owned);
-    // egui puts the text of a plain label into its value.
-    if matches!(node.role(), Role::Label | Role::Alert | Role::Status | Role::Heading) {
-        return match node.label() {
-            Some(name) => (name.to_owned(), text.map(Value::Text)),
-            None => (text.unwrap_or_default(), None),
-        };
-    }
-    let own = node.label().map(str::to_owned);
-    let name = own.unwrap_or_else(|| {
-        let labels = node.labelled_by().iter().filter_map(|id| by_id.get(id));
-        let texts: Vec<&str> = labels.filter_map(|label| label.label().or_else(|| label.value())).collect();
-        texts.join(" ")
-    });
-    (name, node.numeric_value().map(Value::Number).or(text.map(Value::Text)))
+/// The widgets on the screen in reading order; `canvas` is the canvas's corner on the page in CSS pixels. Costs
+/// O(nodes).
+pub fn nodes(tree: &UiTree, canvas: [f32; 2]) -> Vec<UiNode> {
+    let read = tree.read().into_iter();
+    let widgets = read.filter(|widget| widget.node.bounds().is_some() && widget.node.role() != Role::Window);
+    widgets
+        .map(|widget| UiNode {
+            role: camel_case(widget.node.role()),
+            name: widget.name,
+            value: widget.value,
+            description: widget.node.description().map(str::to_owned),
+            rect: [
+                canvas[0] + widget.rect.left(),
+                canvas[1] + widget.rect.top(),
+                widget.rect.width(),
+                widget.rect.height(),
+            ],
+            disabled: widget.node.is_disabled(),
+            selected: widget.node.is_selected().or_else(|| toggled(widget.node)),
+        })
+        .collect()
 }
 
 fn toggled(node: &Node) -> Option<bool> {
@@ -166,7 +65,7 @@ fn camel_case(role: Role) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use egui::{RawInput, vec2};
+    use egui::{Context, RawInput, Rect, vec2};
 
     fn frame(ctx: &Context, contents: impl FnMut(&mut egui::Ui)) -> Vec<UiNode> {
         let input = RawInput {
@@ -179,7 +78,7 @@ mod tests {
         });
         // Nothing is painted here.
         output.textures_delta.clear();
-        ctx.plugin::<UiTree>().lock().nodes([100.0, 10.0])
+        nodes(&ctx.plugin::<UiTree>().lock(), [100.0, 10.0])
     }
 
     fn context() -> Context {

@@ -13,7 +13,8 @@ use js_sys::{Array, ArrayBuffer, Object, Reflect, Uint8Array};
 use wasm_bindgen::prelude::*;
 
 use super::js::{Answer, Settle, error, method, promise, to_js, to_json};
-use super::ui_tree::UiTree;
+use super::ui_tree;
+use crate::access::tree::UiTree;
 use crate::app::App;
 use crate::page::Handle;
 use crate::platform::NamedBytes;
@@ -108,7 +109,7 @@ pub(crate) fn install(handle: &Handle) -> Result<(), JsValue> {
     let at = handle.clone();
     method(api, "ui", move |_, _| {
         let tree = app(&at)?.ctx().plugin::<UiTree>();
-        let nodes = tree.lock().nodes(at.corner());
+        let nodes = ui_tree::nodes(&tree.lock(), at.corner());
         to_js(&nodes)
     })
 }

@@ -5,7 +5,7 @@ pub(crate) mod picture;
 
 use editor::{Changes, Editor, Object, ObjectChange, ObjectId, SelectMode};
 use egui::epaint::MarginF32;
-use egui::{Rect, Vec2};
+use egui::{Id, Rect, Vec2};
 use glam::Vec3;
 use halfedge::{Budget, Element, FaceId, InParts, Mesh, Touched};
 use std::collections::{HashMap, VecDeque};
@@ -43,6 +43,11 @@ pub(crate) struct Selecting {
     pub mode: SelectMode,
     /// The stroke that it is part of.
     pub stroke: Option<u64>,
+}
+
+/// The viewport's id on the page. The page's keys work while it has the focus.
+pub(crate) fn widget_id() -> Id {
+    Id::unique("viewport")
 }
 
 /// The viewport's state.

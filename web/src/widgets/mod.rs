@@ -2,6 +2,7 @@
 
 pub(crate) mod color_button;
 pub(crate) mod controls;
+pub(crate) mod focus_ring;
 pub(crate) mod icons;
 pub(crate) mod list_row;
 pub(crate) mod number_box;

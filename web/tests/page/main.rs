@@ -2,9 +2,13 @@
 //! reader would, and pictures drawn by a software renderer.
 #![cfg(not(target_arch = "wasm32"))]
 
+mod access;
 mod bars;
 mod bezier;
+mod contrast;
+mod document;
 mod hiding;
+mod keyboard;
 mod keys;
 mod lists;
 mod live;

@@ -207,7 +207,7 @@ fn the_palette_says_why_a_command_is_greyed_and_so_does_enter() {
     page.press_with(CTRL, Key::K);
     page.find("Find a command").type_text("fill hole");
     page.run();
-    let why = disabled(&page, Role::Button, "Fill hole");
+    let why = disabled(&page, Role::ListBoxOption, "Fill hole");
     assert_eq!(why, (true, Some("Select an edge or a half-edge first.".to_owned())));
     page.press(Key::Enter);
     assert!(page.has("Find a command"), "another command can be chosen");

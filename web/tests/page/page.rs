@@ -5,6 +5,7 @@ use egui::{Key, Modifiers, Rect, Ui, UiBuilder, Vec2};
 use egui_kittest::wgpu::{WgpuTestRenderer, create_render_state, default_wgpu_setup};
 use egui_kittest::{Harness, Node, kittest::Queryable};
 use halfedge::{Element, Mesh};
+use meshwright_web::access::tree::UiTree;
 use meshwright_web::app::App;
 use meshwright_web::platform::headless::{Headless, Outside};
 use meshwright_web::platform::{Event, NamedBytes};
@@ -31,7 +32,10 @@ pub const PHONE: Vec2 = Vec2::new(390.0, 844.0);
 fn frame(ui: &mut Ui, state: &mut State) {
     let ctx = ui.ctx().clone();
     let State { app, gpu, outside } = state;
-    let app = app.get_or_insert_with(|| App::new(&ctx, Box::new(Headless::new(outside.clone())), gpu.take()));
+    let app = app.get_or_insert_with(|| {
+        ctx.add_plugin(UiTree::default());
+        App::new(&ctx, Box::new(Headless::new(outside.clone())), gpu.take())
+    });
     app.logic(&ctx);
     // The harness adds a margin of its own; the page fills its window.
     let window: Rect = ctx.content_rect();
@@ -71,6 +75,11 @@ impl Page {
     /// A page whose address names files to open with.
     pub fn wanting(addresses: &[&str]) -> Self {
         Self::build(DESKTOP, egui::Theme::Dark, false, addresses)
+    }
+
+    /// A page in a theme, without graphics.
+    pub fn themed(size: Vec2, theme: egui::Theme) -> Self {
+        Self::build(size, theme, false, &[])
     }
 
     /// A page that draws, for pictures.

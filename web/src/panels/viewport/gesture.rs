@@ -97,7 +97,7 @@ impl Viewport<'_> {
             if !is_finger(ui) {
                 out.push(Request::EndLive { commit: true });
             }
-        } else if response.clicked()
+        } else if response.clicked_by(PointerButton::Primary)
             && let Some(at) = pointer
         {
             self.click(ui, at, out);

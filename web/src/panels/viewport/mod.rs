@@ -10,12 +10,16 @@ mod overlay;
 mod pointer;
 mod regions;
 
-use egui::{Sense, Ui, WidgetInfo};
+use editor::Editor;
+use egui::accesskit::Live;
+use egui::{EventFilter, Response, Ui, WidgetInfo};
+use halfedge::Element;
 
 use crate::bezier::{self, Player};
-use crate::lists::columns::element_name;
+use crate::lists::columns::{counted, element_name};
 use crate::page_view::Page;
 use crate::panels;
+use crate::panels::fields::selection_words;
 use crate::request::Requests;
 use crate::session::Session;
 use crate::shown::Shown;
@@ -30,6 +34,16 @@ pub(crate) struct Viewport<'a> {
     pub player: &'a mut Player,
 }
 
+/// The picture in words: the active object and the selection.
+fn description(editor: &Editor) -> String {
+    let Some(object) = editor.document().active() else { return "The document is empty".to_owned() };
+    let mesh = object.mesh();
+    let counts = [Element::Vertex, Element::Edge, Element::Face].map(|kind| counted(kind, mesh.count(kind)));
+    let selection = editor.selection();
+    let selected = selection_words(selection.kind(), selection.len(), selection.latest());
+    format!("{}: {}. {selected}", object.name(), counts.join(", "))
+}
+
 impl Viewport<'_> {
     /// The state that panels read.
     fn page(&self) -> Page<'_> {
@@ -37,22 +51,33 @@ impl Viewport<'_> {
     }
 
     /// Draws the viewport and turns gestures into requests.
-    pub fn show(mut self, ui: &mut Ui, out: &mut Requests) {
+    pub fn show(mut self, ui: &mut Ui, response: Response, out: &mut Requests) {
         let rect = ui.available_rect_before_wrap();
-        self.view.rect = rect;
+        if self.view.rect != rect {
+            // The response is of the last frame's rectangle.
+            self.view.rect = rect;
+            ui.ctx().request_repaint();
+        }
         self.view.style.theme = theme::viewport(ui.visuals());
         if self.view.frame_due > 0 {
             self.view.frame_due -= 1;
             self.view.frame_start();
             ui.ctx().request_repaint();
         }
-        // Not focusable: its keys are the page's keys.
-        let id = ui.scope_id().with("viewport");
-        let response = ui.interact(rect, id, Sense::CLICK | Sense::DRAG);
+        let id = response.id;
+        if response.has_focus() {
+            // The arrow keys turn the view; Tab and Escape leave it.
+            let arrows = EventFilter { horizontal_arrows: true, vertical_arrows: true, ..Default::default() };
+            ui.memory_mut(|memory| memory.set_focus_lock_filter(id, arrows));
+        }
         ui.advance_cursor_after_rect(rect);
         let under = self.view.hovered.map(|(kind, id)| element_name(kind, id));
         response.widget_info(|| WidgetInfo::labeled(egui::Role::Canvas, true, "Viewport"));
-        ui.ctx().accesskit_node_builder(id, |node| node.set_value(under.unwrap_or_default()));
+        ui.ctx().accesskit_node_builder(id, |node| {
+            node.set_value(under.unwrap_or_default());
+            node.set_description(description(&self.session.editor));
+            node.set_live(Live::Polite);
+        });
 
         let was_circle = self.view.tool == Tool::Circle;
         self.gestures(ui, &response, out);

@@ -3,7 +3,7 @@
 use egui::{Event, Key, Modifiers, PointerButton, Response, Ui};
 use glam::vec2;
 
-use crate::view::View;
+use crate::view::{View, widget_id};
 
 /// How far an arrow key turns or moves the view: as far as a drag of this many pixels.
 const ARROW_KEY_PIXELS: f32 = 40.0;
@@ -49,7 +49,7 @@ pub(super) fn is_finger(ui: &Ui) -> bool {
 
 /// The arrow keys orbit the view, with Shift they pan it, where no list or field has the focus.
 pub(super) fn arrow_keys(ui: &Ui, view: &mut View) {
-    if ui.memory(|memory| memory.focused().is_some()) {
+    if ui.memory(|memory| memory.focused().is_some_and(|id| id != widget_id())) {
         return;
     }
     let arrows = [

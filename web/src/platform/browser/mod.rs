@@ -22,18 +22,24 @@ pub struct Browser {
     fetches: Fetches,
     picker: FilePicker,
     device: DeviceInfo,
+    /// The user's wish for less motion, which the browser keeps up to date.
+    less_motion: Option<web_sys::MediaQueryList>,
 }
 
 impl Browser {
     /// Starts the worker at once, so that the first job need not wait for it.
     pub fn new(ctx: &egui::Context, device: DeviceInfo) -> Self {
         let inbox = Inbox::new(ctx);
+        let window = web_sys::window();
+        let less_motion =
+            window.and_then(|window| window.match_media("(prefers-reduced-motion: reduce)").ok().flatten());
         Self {
             jobs: Jobs::new(inbox.clone()),
             fetches: Fetches::new(inbox.clone()),
             picker: FilePicker::new(inbox.clone()),
             inbox,
             device,
+            less_motion,
         }
     }
 }
@@ -90,6 +96,10 @@ impl Platform for Browser {
         if let Some(storage) = storage() {
             let _ = storage.set_item(&setting_key(key), value);
         }
+    }
+
+    fn reduces_motion(&self) -> bool {
+        self.less_motion.as_ref().is_some_and(web_sys::MediaQueryList::matches)
     }
 
     fn device(&self) -> DeviceInfo {
