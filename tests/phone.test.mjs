@@ -20,25 +20,25 @@ editorTest("the editor is usable on a phone", { sizes: [PHONE] }, async (editor)
   await inside("at the start");
 
   // Select in the list, edit in the inspector.
-  await editor.click("Vertex 3", "listBoxOption");
+  await editor.byRole("option", "Vertex 3");
   assert.deepEqual((await editor.state()).selection, { kind: "vertex", ids: [3] });
-  await editor.click("Inspector", "tab");
+  await editor.byRole("tab", "Inspector");
   await editor.find("Position x", "spinButton");
   await inside("the inspector");
   await editor.screenshot("inspector");
 
   // Run an operation and undo it.
-  await editor.click("Operations", "tab");
+  await editor.byRole("tab", "Operations");
   await inside("the operations");
-  await editor.click("Upsample (subdivide)", "button");
+  await editor.byRole("button", "Upsample (subdivide)");
   await editor.idle();
   assert.equal((await editor.state()).document.faces, 24);
-  await editor.click("Undo", "button");
+  await editor.byRole("button", "Undo");
   assert.equal((await editor.state()).document.faces, 6);
 
   // With the sheet closed, the viewport fills the screen, and a tap in it selects.
   const [, , , before] = (await editor.state()).view.rect;
-  await editor.click("Operations", "tab");
+  await editor.byRole("tab", "Operations");
   const [, , wide, tall] = (await editor.state()).view.rect;
   assert.ok(wide >= width - 2 && tall > before + 200, `the viewport is ${wide} × ${tall}`);
   await editor.select("face", [0]);
@@ -55,7 +55,7 @@ editorTest("the editor is usable on a phone", { sizes: [PHONE] }, async (editor)
   // Open a file and the menu.
   await editor.drop({ name: "sheet.obj", content: grid(10, 10) });
   await editor.until("the file is open", async () => (await editor.state()).document.faces === 100);
-  await editor.click("Menu", "button");
+  await editor.byRole("button", "Menu");
   await editor.find("File", "button");
   for (const { name, rect } of (await editor.ui()).filter((node) => node.role === "button")) {
     assert.ok(rect[3] >= 43.5 && !/Ctrl\+/.test(name), `${name} is ${rect[3]} high`);

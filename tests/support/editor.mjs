@@ -140,6 +140,14 @@ export class Editor {
     await this.clickAt([x + width / 2, y + height / 2]);
   }
 
+  /** Clicks a control that is found by its role and name as a screen reader knows them. */
+  async byRole(role, name) {
+    const control = this.page.getByRole(role, { name, exact: typeof name === "string" });
+    await control.waitFor();
+    const { x, y, width, height } = await control.boundingBox();
+    await this.clickAt([x + width / 2, y + height / 2]);
+  }
+
   /** Clicks at a point of the page, or taps on a touch screen. */
   async clickAt([x, y]) {
     if (this.size.touch) {
