@@ -14,7 +14,9 @@ editorTest("the editor is usable on a phone", { sizes: [PHONE] }, async (editor)
     }
   };
   const buttons = (await editor.ui()).filter((node) => ["button", "tab", "listBoxOption"].includes(node.role));
-  for (const { name, rect } of buttons.slice(0, -1)) {
+  // The edge of the sheet cuts the list's last row.
+  const last = buttons.findLast((node) => node.role === "listBoxOption");
+  for (const { name, rect } of buttons.filter((node) => node !== last)) {
     assert.ok(rect[3] >= 43.5, `${name} is ${rect[3]} high, too small for a finger`);
   }
   await inside("at the start");

@@ -74,6 +74,9 @@ impl Page<'_> {
             Action::BoxSelect => self.view.tool == Tool::Box,
             Action::LassoSelect => self.view.tool == Tool::Lasso,
             Action::CircleSelect => self.view.tool == Tool::Circle,
+            Action::LoopCutTool => {
+                self.view.tool == Tool::LoopCut || self.is_live(Action::Operation(OpId::LoopCut))
+            }
             Action::Orthographic => self.view.camera.orthographic,
             Action::Wireframe => style.wireframe,
             Action::XRay => style.x_ray,

@@ -105,6 +105,7 @@ impl App {
             Action::BoxSelect => self.view.switch_tool(Tool::Box),
             Action::LassoSelect => self.view.switch_tool(Tool::Lasso),
             Action::CircleSelect => self.view.switch_tool(Tool::Circle),
+            Action::LoopCutTool => self.view.switch_tool(Tool::LoopCut),
             Action::LargerCircle => self.view.scale_circle(CIRCLE_STEP),
             Action::SmallerCircle => self.view.scale_circle(1.0 / CIRCLE_STEP),
             Action::Frame => self.view.frame_selection(&self.session.editor),

@@ -8,6 +8,7 @@ use crate::panels::save::FORMAT_SETTING;
 use crate::panels::welcome::WELCOME_SETTING;
 use crate::request::Request;
 use crate::session::form;
+use crate::view::Tool;
 
 impl App {
     pub(super) fn carry_out(&mut self, request: Request) {
@@ -51,7 +52,13 @@ impl App {
                 self.session.editor.cancel_edit();
             }
             Request::CommitEditOnRelease => self.session.commit_on_release = true,
-            Request::StartLive(start) => self.session.start_live(&start, &self.view),
+            Request::StartLive(start) => {
+                if start.ring.is_some() {
+                    // One cut, as with other operations: the next click selects.
+                    self.view.tool = Tool::Orbit;
+                }
+                self.session.start_live(&start, &self.view);
+            }
             Request::TakeUpLive(at) => self.session.change_live(|live, _| live.take_up(at)),
             Request::LiveWheel(notches) => {
                 let view = &self.view;

@@ -73,6 +73,8 @@ pub enum Action {
     LassoSelect,
     /// Makes drags in the viewport select with a circle.
     CircleSelect,
+    /// Makes a click in the viewport cut the ring of quads there.
+    LoopCutTool,
     /// Makes the selecting circle larger.
     LargerCircle,
     /// Makes the selecting circle smaller.

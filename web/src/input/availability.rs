@@ -56,6 +56,10 @@ pub(crate) fn why_not(action: Action, session: &Session, kind: Element, player: 
         Action::Upsample => operation(OpId::SubdivideCatmullClark),
         Action::Downsample => operation(OpId::Simplify),
         Action::Resample | Action::LongerEdges | Action::ShorterEdges => operation(OpId::Remesh),
+        Action::LoopCutTool => {
+            let edges = editor.mesh().map_or(0, |mesh| mesh.count(Element::Edge));
+            (edges == 0).then(|| "There are no faces to cut. Open a file or make a shape first.".into())
+        }
         Action::SlideSplit => operation(OpId::SplitEdge),
         Action::Operation(OpId::Isolate) if editor.selection().is_empty() => {
             operation(OpId::Reveal).map(|_| "Select something first.".into())

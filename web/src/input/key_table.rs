@@ -64,7 +64,7 @@ pub(super) static ROWS: &[Row] = &[
     (A::Operation(OpId::InsetFaces),       ["Shift+I",                   "I",                        "Shift+I"]),
     (A::Operation(OpId::BevelEdges),       ["B",                         "Ctrl+B",                   "Ctrl+B"]),
     (A::Operation(OpId::BevelVertices),    ["Ctrl+Shift+B",              "Ctrl+Shift+B",             "Ctrl+Shift+B"]),
-    (A::Operation(OpId::LoopCut),          ["L",                         "Ctrl+R",                   "Ctrl+Shift+L"]),
+    (A::LoopCutTool,                       ["L",                         "Ctrl+R",                   "Ctrl+Shift+L"]),
     (A::Operation(OpId::ConnectVertices),  ["J",                         "J",                        "J"]),
     (A::Operation(OpId::SplitEdge),        ["S",                         "",                         ""]),
     (A::SlideSplit,                        ["Shift+S",                   "",                         ""]),

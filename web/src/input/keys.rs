@@ -183,7 +183,7 @@ mod tests {
             ..KeyReader::new(&ctx, false, vec![When::Always])
         };
         let key = |text| Shortcut::parse(text).expect("a key");
-        let cut = Some(A::Operation(editor::OpId::LoopCut));
+        let cut = Some(A::LoopCutTool);
         assert_eq!(reader(false, false).action_of(key("Ctrl+R")), cut);
         assert_eq!(reader(true, false).action_of(key("Ctrl+R")), None);
         assert_eq!(reader(true, false).action_of(key("Ctrl+Z")), Some(A::Undo));

@@ -168,6 +168,14 @@ pub static MENUS: &[Menu] = &[
                 "Shorter target edges",
                 "Decrease the target edge length of resampling by a tenth.",
             )),
+            Some(
+                entry(
+                    A::LoopCutTool,
+                    "Loop cut at the pointer",
+                    "Point at an edge: a click cuts the ring of quads across it and slides the cut. The wheel sets the number of cuts.",
+                )
+                .synonyms(&["insert edge loop", "ring cut"]),
+            ),
             Some(entry(
                 A::SlideSplit,
                 "Split edge at…",

@@ -44,7 +44,7 @@ pub static TOOLS: &[&[ToolEntry]] = &[
         operation(Icon::Extrude, "Extrude", OpId::ExtrudeFaces),
         operation(Icon::Inset, "Inset", OpId::InsetFaces),
         operation(Icon::Bevel, "Bevel", OpId::BevelEdges),
-        operation(Icon::LoopCut, "Loop cut", OpId::LoopCut),
+        tool(Icon::LoopCut, "Loop cut", Action::LoopCutTool),
     ],
     &[
         tool(Icon::Split, "Split", Action::SlideSplit),

@@ -15,6 +15,7 @@ use super::typed::Typed;
 use crate::session::form::{self, Filled};
 use crate::transforming::{Orientation, Pivot, Settings};
 use crate::view::View;
+use crate::view::ring::RingCut;
 
 /// With Shift held, the pointer counts as moving at this part of its speed.
 const FINE_SPEED: f32 = 0.1;
@@ -36,12 +37,19 @@ pub(crate) struct Start {
     pub from: Option<Pos2>,
     /// The point that stays under the pointer; none for the pivot.
     pub anchor: Option<Vec3>,
+    /// The ring to cut, in place of those through the selection.
+    pub ring: Option<RingCut>,
 }
 
 impl Start {
     /// An edit that begins where the pointer is.
     pub fn new(id: OpId, field: &'static str) -> Self {
-        Self { id, field, lock: Lock::Free, from: None, anchor: None }
+        Self { id, field, lock: Lock::Free, from: None, anchor: None, ring: None }
+    }
+
+    /// A loop cut that slides along an edge of its ring.
+    pub fn ring_cut(cut: RingCut) -> Self {
+        Self { ring: Some(cut), ..Self::new(OpId::LoopCut, "") }
     }
 }
 
@@ -85,12 +93,17 @@ impl Live {
         let spec = start.id.spec();
         let field = spec.field(start.field).filter(|field| field.drag.is_some()).or(spec.dragged_field())?;
         let drag = field.drag?;
-        let count = spec.fields.iter().find_map(|field| match (field.kind, field.default_value()) {
+        let mut count = spec.fields.iter().find_map(|field| match (field.kind, field.default_value()) {
             (FieldKind::Integer { unit: Unit::Count, .. }, Some(value)) => {
                 Some((field, value.as_u64()? as u32))
             }
             _ => None,
         });
+        let mut given = Filled::new();
+        if let Some(cut) = start.ring {
+            given.insert("edge".to_owned(), cut.edge.into());
+            count.iter_mut().for_each(|(_, count)| *count = cut.cuts);
+        }
         Some(Self {
             id: start.id,
             field,
@@ -103,7 +116,7 @@ impl Live {
             anchor: start.anchor.unwrap_or(anchor),
             camera: view.camera,
             moved: None,
-            given: Filled::new(),
+            given,
             turned: 0.0,
             from: start.from,
             at: start.from.unwrap_or_default(),

@@ -45,10 +45,7 @@ impl Place {
             Element::Halfedge => mesh.halfedge(latest).map(|h| h.edge()),
             Element::Vertex | Element::Face => None,
         };
-        let edge = edge.map_or(Vec3::ZERO, |e| {
-            let [from, to] = mesh.ends(e).map(|v| mesh.position(v));
-            to - from
-        });
+        let edge = edge.map_or(Vec3::ZERO, |e| along(mesh, e));
         (count > 0).then(|| Self {
             middle: (sum / count as f64).as_vec3(),
             bounds_middle: min.midpoint(max),
@@ -56,6 +53,23 @@ impl Place {
             origin: -editor.document().offset().as_vec3(),
             normal: normal.normalize_or_zero().as_vec3(),
             edge,
+        })
+    }
+
+    /// The place of an edge; none if there is no edge with this id.
+    pub fn of_edge(editor: &Editor, id: u32) -> Option<Self> {
+        let mesh = editor.mesh()?;
+        let edge = mesh.edge(id)?;
+        let middle = mean_of_element(mesh, Element::Edge, id);
+        let mut normal = DVec3::ZERO;
+        faces(mesh, Element::Edge, id, |f| normal += face_area_vector(mesh, f));
+        Some(Self {
+            middle,
+            bounds_middle: middle,
+            active: middle,
+            origin: -editor.document().offset().as_vec3(),
+            normal: normal.normalize_or_zero().as_vec3(),
+            edge: along(mesh, edge),
         })
     }
 
@@ -68,6 +82,12 @@ impl Place {
             Pivot::Origin => self.origin,
         }
     }
+}
+
+/// The direction and length of an edge, from its even half-edge's start.
+fn along(mesh: &Mesh, edge: EdgeId) -> Vec3 {
+    let [from, to] = mesh.ends(edge).map(|v| mesh.position(v));
+    to - from
 }
 
 /// The mean of the vertices of an element that exists.

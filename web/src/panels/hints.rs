@@ -105,6 +105,14 @@ fn by_mouse(page: &Page<'_>, modifiers: Modifiers) -> Vec<Hint> {
     match page.view.tool {
         Tool::Orbit => {}
         Tool::Box => return draws("Drag a box to select"),
+        Tool::LoopCut => {
+            return vec![
+                hint(LEFT, "Cut, then slide"),
+                hint(MIDDLE, "Wheel: number of cuts"),
+                hint(RIGHT, "End the tool"),
+                hint(ESCAPE, "End the tool"),
+            ];
+        }
         Tool::Lasso => return draws("Draw around what to select"),
         Tool::Circle => {
             return vec![
@@ -207,9 +215,14 @@ fn by_touch(page: &Page<'_>) -> Vec<Hint> {
     if page.live.is_some() {
         return vec![hint(By::Touch("Drag"), "Set the amount"), hint(By::Touch("Two fingers"), "Pan, zoom")];
     }
-    let tap = if page.shown.adds { "Add or remove" } else { "Select" };
+    let tap = match page.view.tool {
+        Tool::LoopCut => "Cut a ring",
+        _ if page.shown.adds => "Add or remove",
+        _ => "Select",
+    };
     let drag = match page.view.tool {
         Tool::Orbit => "Orbit",
+        Tool::LoopCut => "Cut and slide",
         Tool::Box => "Select in a box",
         Tool::Lasso => "Draw around",
         Tool::Circle => "Paint over",

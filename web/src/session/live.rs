@@ -26,10 +26,16 @@ impl Session {
     pub fn start_live(&mut self, start: &Start, view: &View) {
         self.end_live(false);
         self.end_preview();
-        let Some(place) = Place::of_selection(&self.editor) else { return };
+        let place = match start.ring {
+            Some(cut) => Place::of_edge(&self.editor, cut.edge),
+            None => Place::of_selection(&self.editor),
+        };
+        let Some(place) = place else { return };
         let anchor =
             place.pivot(if start.id == OpId::Transform { self.live_settings.pivot } else { Pivot::Middle });
-        self.place = Some(place);
+        if start.ring.is_none() {
+            self.place = Some(place);
+        }
         self.live = Live::new(start, place, anchor, view);
         let selection = self.editor.selection();
         if self.live_settings.pivot == Pivot::Individual

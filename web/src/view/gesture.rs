@@ -19,6 +19,8 @@ pub(crate) enum Tool {
     Lasso,
     /// Paints over what it selects with a circle.
     Circle,
+    /// Cuts the ring of quads under the pointer.
+    LoopCut,
 }
 
 /// A drag in progress.

@@ -2,6 +2,7 @@
 
 mod gesture;
 pub(crate) mod picture;
+pub(crate) mod ring;
 
 use editor::{Changes, Editor, Object, ObjectChange, ObjectId, SelectMode};
 use egui::epaint::MarginF32;
@@ -16,6 +17,7 @@ use viewport::{Bounds, Camera, RegionSelection, Style};
 use crate::bezier;
 pub(crate) use gesture::{Gesture, Tool};
 use picture::Picture;
+use ring::ShownRing;
 
 /// Mesh elements processed per frame: uploaded, added to a picking tree, tested by a region selection, counted.
 /// More work is split over several frames to keep each short.
@@ -79,6 +81,10 @@ pub(crate) struct View {
     pub strokes: u64,
     /// The radius of the selecting circle, in points.
     pub circle_radius: f32,
+    /// The number of loop cuts that a click makes.
+    pub ring_cuts: u32,
+    /// Where they would be.
+    pub ring: ShownRing,
     /// The modifiers of the last click.
     pub clicked_with: Option<egui::Modifiers>,
     /// How far from an element a click on it may be, in points: farther for fingers.
@@ -111,6 +117,8 @@ impl View {
             regions: VecDeque::new(),
             strokes: 0,
             circle_radius: START_CIRCLE_RADIUS,
+            ring_cuts: 1,
+            ring: ShownRing::default(),
             clicked_with: None,
             pick_radius: 0.0,
             budget: Budget::new(ELEMENTS_PER_FRAME),

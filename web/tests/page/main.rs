@@ -18,6 +18,7 @@ mod page;
 mod previews;
 mod properties;
 mod regions;
+mod ring_cut;
 mod save;
 mod selecting;
 mod shell;

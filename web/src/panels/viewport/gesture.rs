@@ -11,7 +11,8 @@ use viewport::{Aim, Camera, Picked, Region, ScreenRect};
 use super::Viewport;
 use super::control_points;
 use super::gizmo;
-use super::pointer::{arrow_keys, is_double, is_finger, modifiers_of_button};
+use super::pointer::{arrow_keys, gesture_of, is_double, is_finger, modifiers_of_button};
+use super::ring_cut;
 use crate::bezier::ControlPoint;
 use crate::input::actions::Action;
 use crate::input::keys;
@@ -32,18 +33,6 @@ const ZOOM_DRAG_POINTS: f32 = 200.0;
 
 /// A way to find the element at a pixel.
 type Pick = fn(&Mesh, &FaceTree, &Camera, Vec2, Vec2, Aim) -> Option<Picked>;
-
-/// The gesture that a drag begins which is not on anything that it could move.
-fn gesture_of(action: Option<MouseAction>, from: Pos2) -> Gesture {
-    match action {
-        Some(MouseAction::Orbit) => Gesture::Orbit,
-        Some(MouseAction::Pan) => Gesture::Pan,
-        Some(MouseAction::Zoom) => Gesture::Zoom,
-        Some(MouseAction::Box) => Gesture::Box { from },
-        Some(MouseAction::Lasso(_)) => Gesture::Lasso { points: vec![from], secondary: true },
-        _ => Gesture::Ended,
-    }
-}
 
 impl Viewport<'_> {
     pub(super) fn gestures(&mut self, ui: &Ui, response: &Response, out: &mut Requests) {
@@ -86,10 +75,16 @@ impl Viewport<'_> {
         arrow_keys(ui, self.view);
         self.hover(ui, response);
         if self.session.live.is_some() && !response.is_pointer_button_down_on() {
-            out.push(Request::LivePointer(response.hover_pos(), ui.input(|input| input.modifiers)));
+            // Bars over the viewport don't stop it.
+            let at = ui.input(|input| input.pointer.latest_pos()).filter(|at| response.rect.contains(*at));
+            out.push(Request::LivePointer(at, ui.input(|input| input.modifiers)));
         }
         if self.session.live.is_some() && response.secondary_clicked() {
             out.push(Request::EndLive { commit: false });
+            return;
+        }
+        if self.view.tool == Tool::LoopCut && response.secondary_clicked() {
+            self.view.tool = Tool::Orbit;
             return;
         }
         if self.session.live.is_some() && response.clicked() {
@@ -147,6 +142,13 @@ impl Viewport<'_> {
         self.view.gesture = match tool {
             Tool::Lasso => Gesture::Lasso { points: vec![from], secondary: false },
             Tool::Box => Gesture::Box { from },
+            Tool::LoopCut => match ring_cut::start_at(self, from) {
+                Some(start) => {
+                    out.push(Request::StartLive(start));
+                    Gesture::Live { applies: !is_finger(ui) }
+                }
+                None => Gesture::Orbit,
+            },
             _ if primary && !modifiers.any() => self.start_plain_drag(ui, from, out),
             _ => {
                 let buttons = [PointerButton::Primary, PointerButton::Secondary, PointerButton::Middle];
@@ -273,6 +275,10 @@ impl Viewport<'_> {
             }
             return;
         }
+        if self.view.tool == Tool::LoopCut && !ui.input(|input| input.modifiers.command) {
+            let notches = ui.input(|input| input.events.iter().map(notches_of).sum());
+            return ring_cut::turn_wheel(self.view, notches);
+        }
         if self.view.tool == Tool::Circle {
             self.view.scale_circle((scroll.y / 240.0).exp());
         }
@@ -297,7 +303,8 @@ impl Viewport<'_> {
             }
             return;
         };
-        let look = (at, self.view.camera, self.shown.kind, self.view.style.x_ray);
+        let kind = if self.view.tool == Tool::LoopCut { Element::Edge } else { self.shown.kind };
+        let look = (at, self.view.camera, kind, self.view.style.x_ray);
         if self.view.looked == Some(look) {
             return;
         }
@@ -311,8 +318,9 @@ impl Viewport<'_> {
         self.player.hovered = self.control_point_at(at).map(|(point, _)| point);
         self.view.hovered = match self.player.hovered {
             Some(_) => None,
-            None => self.pick(at, self.shown.kind).map(|id| (self.shown.kind, id)),
+            None => self.pick(at, kind).map(|id| (kind, id)),
         };
+        ring_cut::follow_hovered(self);
         if (self.view.hovered.is_some() || self.player.hovered.is_some()) && self.view.tool == Tool::Orbit {
             ui.ctx().set_cursor_icon(CursorIcon::PointingHand);
         }
@@ -323,7 +331,7 @@ impl Viewport<'_> {
     }
 
     /// The element that a click at a place on the page means: on a model there is always one.
-    fn pick(&mut self, at: Pos2, kind: Element) -> Option<u32> {
+    pub(super) fn pick(&mut self, at: Pos2, kind: Element) -> Option<u32> {
         self.pick_by(viewport::pick_nearest, at, kind)
     }
 
@@ -345,6 +353,12 @@ impl Viewport<'_> {
     }
 
     fn click(&mut self, ui: &Ui, at: Pos2, out: &mut Requests) {
+        if self.view.tool == Tool::LoopCut {
+            if let Some(start) = ring_cut::start_at(self, at) {
+                out.push(Request::StartLive(start));
+            }
+            return;
+        }
         let modifiers = modifiers_of_button(ui);
         let point = self.control_point_at(at).map(|(point, _)| point);
         self.player.controls.choose(point);

@@ -9,6 +9,7 @@ mod numbers;
 mod overlay;
 mod pointer;
 mod regions;
+pub(crate) mod ring_cut;
 
 use editor::Editor;
 use egui::accesskit::Live;
@@ -79,10 +80,10 @@ impl Viewport<'_> {
             node.set_live(Live::Polite);
         });
 
-        let was_circle = self.view.tool == Tool::Circle;
+        let ends_tool = matches!(self.view.tool, Tool::Circle | Tool::LoopCut);
         self.gestures(ui, &response, out);
-        // A right click puts the circle away, or cancels the edit that follows the pointer.
-        if !was_circle && self.session.live.is_none() {
+        // A right click puts the tool away, or cancels the edit that follows the pointer.
+        if !ends_tool && self.session.live.is_none() {
             response.context_menu(|ui| match bezier::active(&self.session.editor) {
                 Some(_) => panels::bezier::menu(ui, &self.page(), out),
                 None => panels::elements::menu(ui, &self.page(), out),
@@ -92,6 +93,7 @@ impl Viewport<'_> {
         bezier_picture::paint(ui, rect, &self.session.editor, self.view, self.player);
         gizmo::paint(ui, rect, &self.page());
         regions::show(ui, rect, &self.page());
+        ring_cut::paint(ui, &self.page());
         if self.shown.numbers {
             self.numbers(ui, rect);
         }

@@ -1,9 +1,10 @@
 //! What the viewport reads of the pointer, and the keys that move the view.
 
-use egui::{Event, Key, Modifiers, PointerButton, Response, Ui};
+use egui::{Event, Key, Modifiers, PointerButton, Pos2, Response, Ui};
 use glam::vec2;
 
-use crate::view::{View, widget_id};
+use crate::input::mouse::MouseAction;
+use crate::view::{Gesture, View, widget_id};
 
 /// How far an arrow key turns or moves the view: as far as a drag of this many pixels.
 const ARROW_KEY_PIXELS: f32 = 40.0;
@@ -38,6 +39,18 @@ pub(super) fn is_double(ui: &Ui, response: &Response, before: &mut Option<Modifi
         return is_double && matches!(clicks.as_slice(), [.., first, second] if first == second);
     }
     is_double
+}
+
+/// The gesture that a drag begins which is not on anything that it could move.
+pub(super) fn gesture_of(action: Option<MouseAction>, from: Pos2) -> Gesture {
+    match action {
+        Some(MouseAction::Orbit) => Gesture::Orbit,
+        Some(MouseAction::Pan) => Gesture::Pan,
+        Some(MouseAction::Zoom) => Gesture::Zoom,
+        Some(MouseAction::Box) => Gesture::Box { from },
+        Some(MouseAction::Lasso(_)) => Gesture::Lasso { points: vec![from], secondary: true },
+        _ => Gesture::Ended,
+    }
 }
 
 /// Whether the pointer is a finger: while one is down, and in the frame in which it is lifted.

@@ -2,7 +2,7 @@
 
 use crate::error::Problem;
 use crate::ops::refs::one;
-use crate::ops::{Action, edges_between_created, DefaultValue, EdgeRef, Field, LocalEdit, Operation, Scope, Selected, Slot, Spec, Unit};
+use crate::ops::{Action, DefaultValue, Drag, edges_between_created, EdgeRef, Field, LocalEdit, Operation, Scope, Selected, Slot, Spec, Unit};
 use crate::outcome::ElementIds;
 use crate::selection::Selection;
 use halfedge::geometry::BitSet;
@@ -38,7 +38,8 @@ impl Operation for LoopCut {
                 )
                 .labelled("Position (0 to 1)")
                 .between()
-                .or(DefaultValue::Number(0.5)),
+                .or(DefaultValue::Number(0.5))
+                .drag(Drag::Fraction),
             ]);
 
     fn elements(&mut self) -> Vec<Slot<'_>> {

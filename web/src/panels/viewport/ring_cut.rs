@@ -1,0 +1,55 @@
+//! The loop cut at the pointer: the ring of quads under the pointer shows where it would be cut, the wheel sets the
+//! number of cuts, and a click or a drag cuts and slides.
+
+use egui::{Pos2, Stroke, Ui};
+use halfedge::Element;
+
+use super::Viewport;
+use crate::live::edit::Start;
+use crate::page_view::Page;
+use crate::view::ring::{RingCut, ShownRing, lines};
+use crate::view::{Tool, View};
+
+/// The most cuts that the wheel sets; forms take more.
+const MAX_CUTS: u32 = 100;
+
+/// The cut of the ring through an edge at a place on the page: the start of an edit that slides it from there.
+pub(super) fn start_at(viewport: &mut Viewport<'_>, at: Pos2) -> Option<Start> {
+    let edge = viewport.pick(at, Element::Edge)?;
+    let cut = RingCut { edge, cuts: viewport.view.ring_cuts };
+    Some(Start { from: Some(at), ..Start::ring_cut(cut) })
+}
+
+/// Shows the cuts through the edge under the pointer.
+pub(super) fn follow_hovered(viewport: &mut Viewport<'_>) {
+    let view = &mut *viewport.view;
+    let edge = match view.hovered {
+        Some((Element::Edge, edge)) if view.tool == Tool::LoopCut => Some(edge),
+        _ => None,
+    };
+    let cut = edge.map(|edge| RingCut { edge, cuts: view.ring_cuts });
+    let lines = cut.zip(viewport.session.editor.mesh()).and_then(|(cut, mesh)| lines(mesh, cut));
+    view.ring = ShownRing { cut, lines: lines.unwrap_or_default() };
+}
+
+/// Changes the number of cuts by notches of the wheel.
+pub(super) fn turn_wheel(view: &mut View, notches: i32) {
+    view.ring_cuts = view.ring_cuts.saturating_add_signed(notches).clamp(1, MAX_CUTS);
+    // The pointer finds its edge again, and the cuts through it.
+    view.looked = None;
+}
+
+/// Draws the cuts, also where they lie behind the model: they go around it.
+pub(super) fn paint(ui: &Ui, page: &Page<'_>) {
+    let hovered = page.view.ring.cut.map(|cut| (Element::Edge, cut.edge));
+    if page.view.tool != Tool::LoopCut || page.live.is_some() || hovered != page.view.hovered {
+        return;
+    }
+    let painter = ui.painter().with_clip_rect(page.view.rect);
+    let stroke = Stroke::new(2.0, ui.visuals().hyperlink_color);
+    for line in &page.view.ring.lines {
+        if let [Some(from), Some(to)] = line.map(|point| page.view.project(point)) {
+            painter.line_segment([from, to], stroke);
+        }
+    }
+}

@@ -1,0 +1,140 @@
+//! The loop cut at the pointer: it shows its ring, takes its count from the wheel, and slides after a click.
+
+use crate::page::{DESKTOP, Page};
+use egui::{Event, Key, Modifiers, MouseWheelUnit, PointerButton, Pos2, TouchPhase, vec2};
+use halfedge::Element;
+
+/// The middle of a visible vertical edge of the cube.
+const ON_EDGE: [f32; 3] = [1.0, 0.0, 1.0];
+
+fn hover(page: &mut Page, at: Pos2) {
+    page.harness.hover_at(at);
+    page.run();
+}
+
+fn click(page: &mut Page, at: Pos2) {
+    for pressed in [true, false] {
+        let button = PointerButton::Primary;
+        page.harness.event(Event::PointerButton { pos: at, button, pressed, modifiers: Modifiers::NONE });
+        page.run();
+    }
+}
+
+fn turn_wheel(page: &mut Page, by: f32) {
+    page.harness.event(Event::MouseWheel {
+        unit: MouseWheelUnit::Line,
+        delta: vec2(0.0, by),
+        phase: TouchPhase::Move,
+        source: egui::MouseWheelSource::Wheel,
+        modifiers: Modifiers::NONE,
+    });
+    page.run();
+}
+
+/// The page with the tool over an edge of the cube.
+fn pointing() -> (Page, Pos2) {
+    let mut page = Page::new();
+    let at = page.at(ON_EDGE);
+    hover(&mut page, at);
+    page.press(Key::L);
+    hover(&mut page, at + vec2(1.0, 0.0));
+    (page, at)
+}
+
+#[test]
+fn a_click_cuts_and_the_pointer_slides() {
+    let (mut page, at) = pointing();
+    assert_eq!(page.mesh().face_count(), 6, "pointing changes nothing");
+    click(&mut page, at);
+    assert_eq!(page.mesh().face_count(), 10, "four quads are cut in two");
+    let before = page.mesh().clone();
+    hover(&mut page, at + vec2(0.0, 40.0));
+    assert_ne!(page.mesh(), &before, "the cut slides along the edge");
+    click(&mut page, at + vec2(0.0, 40.0));
+    assert_eq!(page.undo_labels().last().map(String::as_str), Some("Loop cut"));
+    assert_eq!(page.selected().0, Element::Edge);
+    assert_eq!(page.selected().1.len(), 4, "the new loop is selected");
+    page.press_with(Modifiers::COMMAND, Key::Z);
+    assert_eq!(page.mesh().face_count(), 6);
+}
+
+#[test]
+fn the_wheel_sets_the_number_of_cuts_and_does_not_zoom() {
+    let (mut page, at) = pointing();
+    let edge_before = page.at(ON_EDGE);
+    turn_wheel(&mut page, 1.0);
+    turn_wheel(&mut page, 1.0);
+    turn_wheel(&mut page, -1.0);
+    assert_eq!(page.at(ON_EDGE), edge_before, "the view stays");
+    click(&mut page, at);
+    assert_eq!(page.mesh().face_count(), 6 + 4 * 2);
+    page.press(Key::Enter);
+    assert_eq!(page.undo_labels().len(), 1);
+}
+
+#[test]
+fn a_drag_cuts_and_slides_in_one() {
+    let (mut page, at) = pointing();
+    page.drag(at, at + vec2(0.0, 60.0));
+    page.drop(at + vec2(0.0, 60.0));
+    assert_eq!(page.mesh().face_count(), 10);
+    assert_eq!(page.undo_labels().len(), 1);
+    let heights: Vec<f32> = page.mesh().positions().iter().skip(8).map(|at| at.y).collect();
+    assert!(heights.iter().all(|y| *y < -0.1), "{heights:?}");
+}
+
+#[test]
+fn escape_and_a_right_click_end_the_tool_and_one_cut_does_too() {
+    for by_key in [true, false] {
+        let (mut page, at) = pointing();
+        if by_key {
+            page.press(Key::Escape);
+        } else {
+            let button = PointerButton::Secondary;
+            for pressed in [true, false] {
+                page.harness.event(Event::PointerButton {
+                    pos: at,
+                    button,
+                    pressed,
+                    modifiers: Modifiers::NONE,
+                });
+                page.run();
+            }
+        }
+        click(&mut page, at);
+        assert_eq!((page.mesh().face_count(), page.undo_labels().len()), (6, 0));
+    }
+    let (mut page, at) = pointing();
+    click(&mut page, at);
+    page.press(Key::Escape);
+    assert_eq!(page.mesh().face_count(), 6, "a cancelled cut leaves no trace");
+    click(&mut page, at);
+    assert_eq!(page.mesh().face_count(), 6, "the next click selects");
+    assert_eq!(page.selected().1.len(), 1);
+}
+
+#[test]
+fn an_empty_document_says_why_there_is_nothing_to_cut() {
+    let mut page = Page::new();
+    page.command(serde_json::json!({ "op": "delete-faces", "faces": [0, 1, 2, 3, 4, 5] }));
+    page.press(Key::L);
+    assert!(page.has_part("There are no faces to cut."));
+}
+
+#[test]
+fn the_ring_is_drawn() {
+    let mut page = Page::drawn(DESKTOP, egui::Theme::Dark);
+    let at = page.at(ON_EDGE);
+    hover(&mut page, at);
+    page.press(Key::L);
+    hover(&mut page, at + vec2(1.0, 0.0));
+    turn_wheel(&mut page, 1.0);
+    // A bar over the viewport takes the pointer away from the model.
+    let beside = page.find("Edge mode").rect().center();
+    hover(&mut page, beside);
+    let without = crate::looks::picture(&mut page, "loop cut, beside the model");
+    hover(&mut page, at);
+    let with = crate::looks::picture(&mut page, "loop cut at the pointer");
+    let changed = with.pixels().zip(without.pixels()).filter(|(a, b)| a != b).count();
+    assert!(changed > 300, "{changed} pixels");
+}
