@@ -7,7 +7,7 @@ use egui::ThemePreference;
 use halfedge::Element;
 
 use crate::bezier::Player;
-use crate::input::actions::Action;
+use crate::input::actions::{Action, Entry};
 use crate::input::availability;
 use crate::input::key_preset::KeyPreset;
 use crate::input::keys;
@@ -38,6 +38,18 @@ impl Page<'_> {
     /// Why an action can't be done now, as a sentence that says what to do first; none if it can.
     pub fn why_not(&self, action: Action) -> Option<String> {
         availability::why_not(action, self.session, self.shown.kind, self.player)
+    }
+
+    /// What an action is called now: undo and redo name their step.
+    pub fn label_of(&self, entry: &Entry) -> String {
+        let step = match entry.action {
+            // An ongoing edit is cancelled instead.
+            Action::Undo if self.editor.is_editing() => None,
+            Action::Undo => self.editor.next_undo(),
+            Action::Redo => self.editor.next_redo(),
+            _ => None,
+        };
+        step.map_or_else(|| entry.label.to_owned(), |step| format!("{} {step}", entry.label))
     }
 
     /// The kind of element that is selected, or that a click would select.
@@ -96,6 +108,7 @@ impl Page<'_> {
             Action::PivotAt(pivot) => self.live_settings.pivot == pivot,
             Action::Orient(orientation) => self.live_settings.orientation == orientation,
             Action::Welcome => self.shown.welcome,
+            Action::History => self.shown.shows_history(),
             Action::Overlay => self.shown.overlay,
             Action::Numbers => self.shown.numbers,
             Action::AddToSelection => self.shown.adds,

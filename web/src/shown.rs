@@ -22,6 +22,8 @@ pub(crate) struct Shown {
     pub only_selected: bool,
     pub left: bool,
     pub right: bool,
+    /// Whether the list of steps is open, in the panel on the right.
+    pub history: bool,
     pub overlay: bool,
     /// The welcome view over the viewport.
     pub welcome: bool,
@@ -53,6 +55,7 @@ impl Default for Shown {
             only_selected: false,
             left: true,
             right: true,
+            history: true,
             overlay: false,
             welcome: false,
             numbers: false,
@@ -87,6 +90,26 @@ impl Shown {
         any
     }
 
+    /// Whether the list of steps is shown.
+    pub fn shows_history(&self) -> bool {
+        if self.narrow {
+            self.sheet.tab == Tab::History && !self.sheet.closed
+        } else {
+            self.history && self.right
+        }
+    }
+
+    /// Shows or hides the list of steps, with the panel that it is in.
+    pub fn toggle_history(&mut self) {
+        let shows = !self.shows_history();
+        if self.narrow {
+            self.sheet = Sheet { tab: Tab::History, closed: !shows };
+        } else {
+            self.history = shows;
+            self.right |= shows;
+        }
+    }
+
     /// Closes one window.
     pub fn close(&mut self, window: Window) {
         match window {
@@ -108,6 +131,8 @@ pub(crate) enum Tab {
     Inspector,
     /// The operations.
     Operations,
+    /// The steps.
+    History,
 }
 
 /// The sheet of the narrow layout: which tab it shows, and whether it is closed.

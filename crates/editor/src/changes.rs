@@ -127,6 +127,7 @@ fn element_count(touched: &Touched) -> usize {
 
 fn merge<T: Ord>(into: &mut Vec<T>, more: Vec<T>) {
     into.extend(more);
-    into.sort_unstable();
+    // The stable sort merges lists that are sorted already in linear time.
+    into.sort();
     into.dedup();
 }

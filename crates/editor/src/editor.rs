@@ -4,6 +4,7 @@ mod adjust;
 mod commit;
 mod forget;
 mod jobs;
+mod jump;
 mod ongoing;
 mod open;
 mod run;

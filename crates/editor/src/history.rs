@@ -253,6 +253,8 @@ pub(crate) struct History {
     redo: Vec<(Step, usize)>,
     bytes: usize,
     limit: usize,
+    /// Whether no edit was dropped because of the limit.
+    pub is_whole: bool,
 }
 
 impl History {
@@ -260,7 +262,13 @@ impl History {
     pub const DEFAULT_LIMIT_BYTES: usize = 512 << 20;
 
     pub fn new() -> Self {
-        Self { undo: VecDeque::new(), redo: Vec::new(), bytes: 0, limit: Self::DEFAULT_LIMIT_BYTES }
+        Self {
+            undo: VecDeque::new(),
+            redo: Vec::new(),
+            bytes: 0,
+            limit: Self::DEFAULT_LIMIT_BYTES,
+            is_whole: true,
+        }
     }
 
     /// Adds a step that was just made and forgets the steps that could be redone.
@@ -324,6 +332,16 @@ impl History {
         self.redo.last().map(|(step, _)| step)
     }
 
+    /// The steps from the next one to undo to the last of so many edits.
+    pub fn steps_back(&self, edits: usize) -> impl Iterator<Item = &Step> {
+        up_to(self.undo.iter().rev(), edits)
+    }
+
+    /// The steps from the next one to redo to the last of so many edits.
+    pub fn steps_forward(&self, edits: usize) -> impl Iterator<Item = &Step> {
+        up_to(self.redo.iter().rev(), edits)
+    }
+
     /// The labels of the edits that can be undone, the next one last.
     pub fn undo_labels(&self) -> impl Iterator<Item = &str> {
         self.undo.iter().filter(|(step, _)| !step.is_selection()).map(|(step, _)| step.label.as_str())
@@ -358,8 +376,21 @@ impl History {
                 Some((step, _)) => usize::from(is_last_edit && !step.is_selection()),
                 None => return,
             };
-            let Some((_, bytes)) = self.undo.remove(at) else { return };
+            let Some((step, bytes)) = self.undo.remove(at) else { return };
+            self.is_whole &= step.is_selection();
             self.bytes -= bytes;
         }
     }
+}
+
+/// The steps up to the last of so many edits.
+fn up_to<'a>(
+    steps: impl Iterator<Item = &'a (Step, usize)>,
+    mut edits: usize,
+) -> impl Iterator<Item = &'a Step> {
+    steps.map(|(step, _)| step).take_while(move |step| {
+        let is_wanted = edits > 0;
+        edits -= usize::from(is_wanted && !step.is_selection());
+        is_wanted
+    })
 }

@@ -57,6 +57,7 @@ impl App {
             Action::SaveAs(format) => self.show_saving(Some(format)),
             Action::Undo => self.session.undo(),
             Action::Redo => self.session.redo(),
+            Action::History => self.shown.toggle_history(),
             Action::Cancel => self.cancel(),
             Action::SelectAll => {
                 self.session.end_live(true);

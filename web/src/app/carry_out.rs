@@ -100,6 +100,13 @@ impl App {
                 }
             }
             Request::Adjust(command) => self.session.adjust(command),
+            Request::JumpTo(edits) => {
+                self.end_preview();
+                self.session.end_live(false);
+                if let Err(error) = self.session.editor.jump_to(edits) {
+                    self.session.refuse(&error);
+                }
+            }
             Request::Play(setting) => self.player.controls.set(setting),
             Request::InsertControlPoint(insert) => self.insert_control_point(insert),
             Request::ShowSheet(sheet) => self.shown.sheet = sheet,

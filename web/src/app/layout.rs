@@ -25,6 +25,12 @@ struct Open {
     overlay: bool,
     numbers: bool,
     course_light: bool,
+    #[serde(default = "initially_open")]
+    history: bool,
+}
+
+fn initially_open() -> bool {
+    true
 }
 
 /// The arrangements and the sizes of panels, as they are kept.
@@ -36,6 +42,13 @@ pub(super) struct Layout {
     sheet: Sheet,
     /// The widths of the panels on the left and on the right, in points.
     pub widths: [f32; 2],
+    /// The height of the list of steps, in points.
+    #[serde(default = "initial_history_height")]
+    pub history_height: f32,
+}
+
+fn initial_history_height() -> f32 {
+    176.0
 }
 
 impl Default for Layout {
@@ -52,13 +65,14 @@ impl Default for Layout {
             },
             sheet: Sheet::default(),
             widths: [332.0, 300.0],
+            history_height: initial_history_height(),
         }
     }
 }
 
 fn initial(arrangement: Arrangement) -> Open {
     let study = arrangement == Arrangement::Study;
-    Open { left: study, right: true, overlay: study, numbers: study, course_light: study }
+    Open { left: study, right: true, overlay: study, numbers: study, course_light: study, history: true }
 }
 
 impl Layout {
@@ -66,7 +80,14 @@ impl Layout {
     pub fn load(platform: &dyn Platform) -> Self {
         let kept = platform.load_setting(LAYOUT_SETTING);
         let kept: Option<Self> = kept.and_then(|kept| serde_json::from_str(&kept).ok());
-        kept.filter(|kept| kept.widths.iter().all(|width| (1.0..=4096.0).contains(width))).unwrap_or_default()
+        let are_sizes = |kept: &Self| kept.sizes().iter().all(|size| (1.0..=4096.0).contains(size));
+        kept.filter(are_sizes).unwrap_or_default()
+    }
+
+    /// The sizes of all panels.
+    fn sizes(&self) -> [f32; 3] {
+        let [left, right] = self.widths;
+        [left, right, self.history_height]
     }
 
     fn open(&mut self, arrangement: Arrangement) -> &mut Open {
@@ -107,7 +128,7 @@ impl App {
         let open = *self.layout.open(arrangement);
         let shown = &mut self.shown;
         (shown.arrangement, shown.sheet) = (arrangement, self.layout.sheet);
-        (shown.left, shown.right) = (open.left, open.right);
+        (shown.left, shown.right, shown.history) = (open.left, open.right, open.history);
         (shown.overlay, shown.numbers) = (open.overlay, open.numbers);
         let look = &mut self.view.style.look;
         if open.course_light {
@@ -119,10 +140,11 @@ impl App {
 
     /// Keeps what is open for later visits, if it has changed.
     pub(super) fn keep_layout(&mut self, widths: [f32; 2]) {
-        let Shown { arrangement, left, right, overlay, numbers, sheet, .. } = self.shown;
-        let mut layout = Layout { arrangement, sheet, widths, ..self.layout };
+        let Shown { arrangement, left, right, overlay, numbers, history, sheet, .. } = self.shown;
+        let history_height = self.panels.history.height.unwrap_or(self.layout.history_height);
+        let mut layout = Layout { arrangement, sheet, widths, history_height, ..self.layout };
         let course_light = self.view.style.look == Look::Course;
-        *layout.open(arrangement) = Open { left, right, overlay, numbers, course_light };
+        *layout.open(arrangement) = Open { left, right, overlay, numbers, course_light, history };
         // While a panel is being dragged, its width changes in every frame.
         let dragging = self.session.ctx.input(|input| input.pointer.any_down());
         if layout == self.layout || dragging {

@@ -199,7 +199,9 @@ impl App {
             }
             if self.shown.right {
                 let panel = Panel::right("inspector").default_size(right).size_range(220.0..=460.0);
-                let shown = panel.show(ui, |ui| self.panels.right(ui, &page, out));
+                let shown = panel.show(ui, |ui| {
+                    self.panels.right(ui, &page, self.layout.history_height, out);
+                });
                 widths[1] = shown.response.rect.width().round();
             }
         }
@@ -291,6 +293,7 @@ impl App {
         }
         self.session.follow(&changes);
         self.panels.saving.follow(&changes);
+        self.panels.history.follow(&self.session.editor, &changes);
         self.player.follow(&self.session.editor, &changes);
         self.view.follow(&self.session.editor, changes);
         if let Some(look) = look {

@@ -1,8 +1,8 @@
 //! The state and the layout of the panels.
 
 use crate::panels::{
-    about, drop_overlay, elements, hidden_bar, inspector, messages, named_selections, objects, operations,
-    palette, save, shortcuts, toasts, welcome,
+    about, drop_overlay, elements, hidden_bar, history, inspector, messages, named_selections, objects,
+    operations, palette, save, shortcuts, toasts, welcome,
 };
 use egui::{Context, ScrollArea, Ui};
 
@@ -18,6 +18,7 @@ pub(crate) struct Panels {
     pub forms: operations::Forms,
     pub palette: palette::PaletteState,
     pub saving: save::Saving,
+    pub history: history::HistoryList,
     pub naming: named_selections::Naming,
     pub key_editor: shortcuts::KeyEditor,
     pub welcome: welcome::Welcome,
@@ -32,6 +33,7 @@ impl Panels {
             forms: Default::default(),
             palette: Default::default(),
             saving: save::Saving::new(platform),
+            history: Default::default(),
             naming: Default::default(),
             key_editor: Default::default(),
             welcome: welcome::Welcome::new(platform),
@@ -44,9 +46,10 @@ impl Panels {
         elements::show(ui, page, &mut self.lists, out);
     }
 
-    /// The panel on the right: the selection or the document, and the operations below it. A form and the last operation's
-    /// fields come first.
-    pub fn right(&mut self, ui: &mut Ui, page: &Page<'_>, out: &mut Requests) {
+    /// The panel on the right: the selection or the document, the operations below it, and the list of steps at the bottom.
+    /// A form and the last operation's fields come first.
+    pub fn right(&mut self, ui: &mut Ui, page: &Page<'_>, history_height: f32, out: &mut Requests) {
+        self.history.show(ui, page, history_height, out);
         ScrollArea::vertical().auto_shrink([false, false]).show(ui, |ui| {
             ui.add_space(4.0);
             if self.forms.is_open() {

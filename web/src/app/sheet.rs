@@ -42,6 +42,7 @@ pub(crate) fn show(ui: &mut Ui, page: &Page<'_>, panels: &mut Panels, out: &mut 
                     },
                 );
             }
+            Tab::History => panels.history.list(ui, page, out),
         }
     });
 }
@@ -53,11 +54,12 @@ fn sheet_tabs(ui: &mut Ui, page: &Page<'_>, out: &mut Requests) {
             node.set_label("Panels");
         });
         ui.spacing_mut().item_spacing.x = 2.0;
-        let width = (ui.available_width() - 3.0 * 2.0) / 3.0;
+        let width = (ui.available_width() - 4.0 * 2.0) / 4.0;
         for (tab, label, hint) in [
             (Tab::Lists, "Elements", "Vertices, edges, half-edges and faces"),
             (Tab::Inspector, "Inspector", "The selected element"),
             (Tab::Operations, "Operations", "New shapes, subdivision and more"),
+            (Tab::History, "History", "The steps, to go back or forth to one"),
         ] {
             let on = page.shown.sheet.tab == tab && !page.shown.sheet.closed;
             let button = Button::selectable(on, label);

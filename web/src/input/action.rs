@@ -28,6 +28,8 @@ pub enum Action {
     Undo,
     /// Redoes the last undone change.
     Redo,
+    /// Shows or hides the list of steps.
+    History,
     /// Cancels a running job or a drag; if there is none, clears the selection.
     Cancel,
     /// Selects every element of the kind in the list.

@@ -99,6 +99,10 @@ pub static MENUS: &[Menu] = &[
         entries: &[
             Some(entry(A::Undo, "Undo", "Undo the last change, of the mesh or of the selection.")),
             Some(entry(A::Redo, "Redo", "Redo the last undone change.")),
+            Some(
+                entry(A::History, "History", "List the steps by name; a click goes back or forth to one.")
+                    .synonyms(&["undo history", "steps", "go back"]),
+            ),
             None,
             Some(entry(
                 A::Cancel,

@@ -86,7 +86,7 @@ fn toolbar(ui: &mut Ui, page: &Page<'_>, only: &[Action], out: &mut Requests) {
         let why_not = page.why_not(action);
         let on = page.is_on(action).unwrap_or(false);
         let button = ui.add_enabled_ui(why_not.is_none(), |ui| icon_button(ui, icon, entry.label, on)).inner;
-        if explain(button, ui, &entry, why_not.as_deref()).clicked() {
+        if explain_as(&page.label_of(&entry), button, ui, &entry, why_not.as_deref()).clicked() {
             out.act(action);
         }
     }
@@ -196,7 +196,7 @@ pub(crate) fn menu_item(ui: &mut Ui, page: &Page<'_>, entry: &Entry, out: &mut R
     let label = match entry.action {
         // An entry that opens a form ends with an ellipsis.
         Action::Operation(id) if opens_form(id) => format!("{}…", entry.label),
-        _ => entry.label.to_owned(),
+        _ => page.label_of(entry),
     };
     let response = match page.is_on(entry.action) {
         Some(mut on) => {
@@ -210,7 +210,7 @@ pub(crate) fn menu_item(ui: &mut Ui, page: &Page<'_>, entry: &Entry, out: &mut R
             ui.add_enabled(why_not.is_none(), button)
         }
     };
-    if explain(response, ui, entry, why_not.as_deref()).clicked() {
+    if explain_as(&page.label_of(entry), response, ui, entry, why_not.as_deref()).clicked() {
         out.act(entry.action);
         ui.close();
     }
@@ -218,19 +218,23 @@ pub(crate) fn menu_item(ui: &mut Ui, page: &Page<'_>, entry: &Entry, out: &mut R
 
 /// Adds a tooltip: the description and the key, or why the action can't be done.
 pub(crate) fn explain(response: Response, ui: &Ui, entry: &Entry, why_not: Option<&str>) -> Response {
+    explain_as(entry.label, response, ui, entry, why_not)
+}
+
+/// The same for an action that is called otherwise now.
+fn explain_as(label: &str, response: Response, ui: &Ui, entry: &Entry, why_not: Option<&str>) -> Response {
     if let Some(reason) = why_not {
         let reason = reason.to_owned();
         ui.ctx().accesskit_node_builder(response.id, |node| node.set_description(reason.clone()));
         return response.on_disabled_hover_ui(|ui| {
-            ui.label(RichText::new(entry.label).strong());
+            ui.label(RichText::new(label).strong());
             ui.label(entry.description);
             ui.colored_label(ui.visuals().warn_fg_color, reason);
         });
     }
     response.on_hover_ui(|ui| {
         let keys = keys::text(ui.ctx(), entry.action);
-        let title =
-            if keys.is_empty() { entry.label.to_owned() } else { format!("{} ({keys})", entry.label) };
+        let title = if keys.is_empty() { label.to_owned() } else { format!("{label} ({keys})") };
         ui.label(RichText::new(title).strong());
         ui.label(entry.description);
     })

@@ -11,6 +11,7 @@ pub(crate) mod estimate;
 pub(crate) mod fields;
 pub(crate) mod hidden_bar;
 pub(crate) mod hints;
+pub(crate) mod history;
 pub(crate) mod inspector;
 pub(crate) mod live_bar;
 pub(crate) mod menu_bar;

@@ -102,7 +102,7 @@ fn tab_leads_through_the_bar_the_viewport_the_lists_and_the_right_panel() {
     let mut page = Page::new();
     let mut document = Document::default();
     let mut order = Vec::new();
-    for _ in 0..60 {
+    for _ in 0..80 {
         page.press(Key::Tab);
         document.follow(&page);
         let node = &document.nodes[&document.focus.expect("a focus")];

@@ -8,6 +8,7 @@ mod bezier;
 mod contrast;
 mod document;
 mod hiding;
+mod history;
 mod keyboard;
 mod keys;
 mod lists;

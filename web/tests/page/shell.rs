@@ -108,7 +108,8 @@ fn listed(page: &Page) -> Vec<String> {
             let accesskit = node.accesskit_node();
             Some((node.rect().top(), accesskit.label().or_else(|| accesskit.value())?))
         })
-        .filter(|(_, text)| !text.is_empty())
+        // Below the list is the closed history.
+        .filter(|(_, text)| !text.is_empty() && text != "History panel")
         .collect();
     rows.sort_by(|a, b| a.0.total_cmp(&b.0));
     // A label has its text in a node of its own.
@@ -119,6 +120,7 @@ fn listed(page: &Page) -> Vec<String> {
 #[test]
 fn operations_on_the_selection_come_first_and_refused_ones_last_with_their_reasons() {
     let mut page = Page::new();
+    page.click("History panel");
     let rows = listed(&page);
     assert_eq!(rows.first().map(String::as_str), Some("Whole mesh"), "{rows:?}");
     page.select("face", &[0]);
@@ -141,6 +143,7 @@ fn operations_on_the_selection_come_first_and_refused_ones_last_with_their_reaso
 #[test]
 fn the_filter_finds_operations_by_other_names_and_enter_starts_the_first() {
     let mut page = Page::new();
+    page.click("History panel");
     page.click("Filter operations");
     page.harness.event(egui::Event::Text("decimate".to_owned()));
     page.run();

@@ -353,7 +353,10 @@ impl Editor {
     }
 
     /// Refuses changes of objects that a job is running on.
-    pub(super) fn check_busy(&self, changes: &[Change]) -> Result<(), Problem> {
+    pub(super) fn check_busy<'a>(
+        &self,
+        changes: impl IntoIterator<Item = &'a Change>,
+    ) -> Result<(), Problem> {
         let mut ids: Vec<ObjectId> = self.document.objects().iter().map(|object| object.id()).collect();
         for change in changes {
             let id = match change {

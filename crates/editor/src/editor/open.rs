@@ -50,7 +50,7 @@ impl Editor {
         let back = self.apply(changes);
         self.selection = Arc::new(Selection::new(before.kind()));
         self.changes.selection = true;
-        self.push_step("Open".into(), back, before);
+        self.push_step(format!("Open {}", model.name), back, before);
         self.saved = self.revision;
         let created = Elements::gained([0; 3], size);
         let contents = created.words().map_or_else(String::new, |words| format!(": {words}"));
