@@ -72,6 +72,36 @@ pub enum Side {
     Bottom,
 }
 
+impl Side {
+    /// Every side.
+    pub const ALL: [Self; 6] = [Self::Front, Self::Back, Self::Right, Self::Left, Self::Top, Self::Bottom];
+
+    /// The side across.
+    pub fn opposite(self) -> Self {
+        match self {
+            Self::Front => Self::Back,
+            Self::Back => Self::Front,
+            Self::Right => Self::Left,
+            Self::Left => Self::Right,
+            Self::Top => Self::Bottom,
+            Self::Bottom => Self::Top,
+        }
+    }
+
+    /// The yaw and pitch of a camera that looks from this side.
+    fn angles(self) -> (f64, f64) {
+        use std::f64::consts::{FRAC_PI_2, PI};
+        match self {
+            Self::Front => (0.0, 0.0),
+            Self::Right => (FRAC_PI_2, 0.0),
+            Self::Back => (PI, 0.0),
+            Self::Left => (PI + FRAC_PI_2, 0.0),
+            Self::Top => (0.0, MAX_PITCH_RADIANS),
+            Self::Bottom => (0.0, -MAX_PITCH_RADIANS),
+        }
+    }
+}
+
 impl Camera {
     /// Sets the scene's bounds, which determine the depth range, the limits of the zoom and
     /// [`Camera::reset`]. Call it when they change; the view stays.
@@ -110,15 +140,20 @@ impl Camera {
 
     /// Looks at the target from a side of the scene, along an axis.
     pub fn look_from(&mut self, side: Side) {
-        use std::f64::consts::{FRAC_PI_2, PI};
-        (self.yaw, self.pitch) = match side {
-            Side::Front => (0.0, 0.0),
-            Side::Right => (FRAC_PI_2, 0.0),
-            Side::Back => (PI, 0.0),
-            Side::Left => (PI + FRAC_PI_2, 0.0),
-            Side::Top => (0.0, MAX_PITCH_RADIANS),
-            Side::Bottom => (0.0, -MAX_PITCH_RADIANS),
-        };
+        (self.yaw, self.pitch) = side.angles();
+    }
+
+    /// The direction from the target to a camera that looks from a side.
+    pub fn direction_of(&self, side: Side) -> DVec3 {
+        let (yaw, pitch) = side.angles();
+        let [_, _, forward] = Self { yaw, pitch, ..*self }.axes();
+        -forward
+    }
+
+    /// Whether the camera looks from a side, along an axis.
+    pub fn is_from(&self, side: Side) -> bool {
+        let [_, _, forward] = self.axes();
+        -forward.dot(self.direction_of(side)) > 1.0 - 1e-9
     }
 
     /// Moves sideways for a drag of `delta` pixels, so that the point at the target's depth under the

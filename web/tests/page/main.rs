@@ -3,6 +3,7 @@
 #![cfg(not(target_arch = "wasm32"))]
 
 mod access;
+mod axis_widget;
 mod bars;
 mod bezier;
 mod contrast;

@@ -1,5 +1,6 @@
 //! The viewport: the picture and the gestures in it.
 
+mod axis_widget;
 mod bezier_picture;
 pub(crate) mod control_points;
 mod gesture;
@@ -99,5 +100,6 @@ impl Viewport<'_> {
         }
         legend::paint(ui, self.view.free_rect(), &self.page());
         overlay::paint(ui, rect, &self.page());
+        axis_widget::show(ui, self.shown, self.view, out);
     }
 }

@@ -1,8 +1,7 @@
-//! The overlays on the picture: the axes, what the tool does, the info overlay, and what to do if there is
+//! The overlays on the picture: what the tool does, the info overlay, and what to do if there is
 //! nothing to see.
 
-use egui::{Align2, Color32, FontId, Pos2, Rect, RichText, Role, Sense, Stroke, Ui, WidgetInfo, vec2};
-use glam::DVec3;
+use egui::{Align2, FontId, Pos2, Rect, RichText, Role, Sense, Ui, WidgetInfo, vec2};
 use halfedge::Element;
 
 use crate::input::actions::Action;
@@ -28,7 +27,6 @@ pub(super) fn paint(ui: &mut Ui, rect: Rect, page: &Page<'_>) {
         say_in_middle(ui, rect, "Nothing to see yet", &hint);
     }
     let free = page.view.free_rect();
-    axes(ui, free, page);
     if page.shown.overlay {
         info(ui, free, page);
     }
@@ -43,32 +41,6 @@ fn say_in_middle(ui: &mut Ui, rect: Rect, title: &str, hint: &str) {
             ui.add(egui::Label::new(RichText::new(hint).weak()).wrap().selectable(false));
         });
     });
-}
-
-/// The directions of x, y and z as the camera sees them.
-fn axes(ui: &Ui, rect: Rect, page: &Page<'_>) {
-    if rect.width() < 160.0 || rect.height() < 120.0 || page.shown.welcome {
-        return;
-    }
-    const LENGTH: f32 = 24.0;
-    let center = rect.right_bottom() - vec2(LENGTH + 20.0, LENGTH + 20.0);
-    let [right, up, forward] = page.view.camera.axes();
-    let colors = theme::palette(ui.visuals()).axes;
-    let mut arms: Vec<(f64, Pos2, &str, Color32)> = [("x", DVec3::X), ("y", DVec3::Y), ("z", DVec3::Z)]
-        .into_iter()
-        .zip(colors)
-        .map(|((name, axis), color)| {
-            let tip = center + vec2(axis.dot(right) as f32, -axis.dot(up) as f32) * LENGTH;
-            (axis.dot(forward), tip, name, color)
-        })
-        .collect();
-    // Distant arms first, so that nearer ones cover them.
-    arms.sort_by(|a, b| b.0.total_cmp(&a.0));
-    for (_, tip, name, color) in arms {
-        ui.painter().line_segment([center, tip], Stroke::new(2.0, color));
-        let out = (tip - center).normalized() * 9.0;
-        ui.painter().text(tip + out, Align2::CENTER_CENTER, name, FontId::proportional(12.0), color);
-    }
 }
 
 /// Describes the element under the pointer, the selection and the view.
