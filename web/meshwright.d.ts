@@ -37,6 +37,8 @@ export interface Transform {
   pivot?: Vector;
   /** Soft selection: how far along the surface other vertices move too: a number in mesh units, 0 or more; default: none. */
   falloff?: number;
+  /** The axis along which vertices at the mirror images move too: one of `"none"`, `"x"`, `"y"`, `"z"`; default: none. */
+  symmetry?: "none" | "x" | "y" | "z";
 }
 
 /** Paint faces with a colour. */

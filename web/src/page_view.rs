@@ -106,6 +106,7 @@ impl Page<'_> {
             Action::SnapTo(to) => self.live_settings.snap_to == to,
             Action::Soft => self.live_settings.soft,
             Action::PivotAt(pivot) => self.live_settings.pivot == pivot,
+            Action::Mirror(symmetry) => self.live_settings.symmetry == symmetry,
             Action::Orient(orientation) => self.live_settings.orientation == orientation,
             Action::Welcome => self.shown.welcome,
             Action::History => self.shown.shows_history(),

@@ -1,5 +1,7 @@
 //! How edits that follow the pointer behave: what they turn about, along which axes, and what they snap to.
 
+pub use editor::ops::Symmetry;
+
 /// What rotations and scales leave in place.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Pivot {
@@ -71,6 +73,8 @@ pub(crate) struct Settings {
     pub snap_to: SnapTo,
     /// Whether vertices near the selection move too.
     pub soft: bool,
+    /// Whether what lies at the mirror image moves too.
+    pub symmetry: Symmetry,
     /// How far along the surface they do, in mesh units; none until an edit needs it.
     pub soft_radius: Option<f32>,
 }

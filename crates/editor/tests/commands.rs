@@ -303,6 +303,54 @@ fn transform_scales_along_turned_axes() {
 }
 
 #[test]
+fn symmetric_transforms_move_mirror_images_too() {
+    let mut editor = Editor::default();
+    run(&mut editor, json!({"op": "new", "shape": "cube"}));
+    let before = editor.mesh().expect("a cube").positions().to_vec();
+    let at = |x: f32, y: f32, z: f32| {
+        before.iter().position(|p| *p == Vec3::new(x, y, z)).expect("a corner of the cube")
+    };
+    let (right, left) = (at(1.0, 1.0, 1.0), at(-1.0, 1.0, 1.0));
+    let by = Vec3::new(0.25, 0.5, -0.125);
+    let translate = by.to_array();
+    run(
+        &mut editor,
+        json!({"op": "transform", "vertices": [right], "translate": translate, "symmetry": "x"}),
+    );
+    for (v, old) in before.iter().enumerate() {
+        let wanted = match v {
+            _ if v == right => *old + by,
+            _ if v == left => *old + by * Vec3::new(-1.0, 1.0, 1.0),
+            _ => *old,
+        };
+        assert_eq!(editor.mesh().expect("a cube").positions()[v], wanted, "vertex {v}");
+    }
+    editor.undo().expect("a step");
+    assert_eq!(editor.mesh().expect("a cube").positions(), before);
+
+    // The one that moves farther leads; here both move equally, and the one on the positive side does.
+    run(
+        &mut editor,
+        json!({"op": "transform", "vertices": [left, right], "translate": translate, "symmetry": "x"}),
+    );
+    let after = editor.mesh().expect("a cube").positions().to_vec();
+    assert_eq!(after[right], before[right] + by);
+    assert_eq!(after[left], before[left] + by * Vec3::new(-1.0, 1.0, 1.0));
+    editor.undo().expect("a step");
+
+    // A vertex in the plane stays in it.
+    run(&mut editor, json!({"op": "split-edge", "edge": [left, right], "connect": "none"}));
+    let middle = before.len();
+    assert_eq!(editor.mesh().expect("a mesh").positions()[middle].x, 0.0);
+    run(
+        &mut editor,
+        json!({"op": "transform", "vertices": [middle], "translate": translate, "symmetry": "x"}),
+    );
+    let moved = editor.mesh().expect("a mesh").positions()[middle];
+    assert_eq!(moved, Vec3::new(0.0, 1.5, 0.875));
+}
+
+#[test]
 fn parts_are_scaled_about_their_own_middles() {
     let mut editor = on_cube();
     let before = editor.mesh().expect("a cube").positions().to_vec();

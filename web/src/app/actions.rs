@@ -177,6 +177,7 @@ impl App {
             Action::SnapTo(to) => self.session.live_settings.snap_to = to,
             Action::Soft => self.session.live_settings.soft ^= true,
             Action::PivotAt(pivot) => self.session.live_settings.pivot = pivot,
+            Action::Mirror(symmetry) => self.session.live_settings.symmetry = symmetry,
             Action::Orient(orientation) => self.session.live_settings.orientation = orientation,
             Action::NextLevel | Action::Play => {
                 if let Some((_, bezier)) = bezier::active(&self.session.editor) {

@@ -11,7 +11,7 @@ use viewport::{ColorBy, Look, Mark, Side};
 use super::key_preset::KeyPreset;
 use super::presets::Preset;
 use crate::shown::Arrangement;
-use crate::transforming::{Gizmo, Orientation, Pivot, SnapTo};
+use crate::transforming::{Gizmo, Orientation, Pivot, SnapTo, Symmetry};
 
 /// Something the user can start.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -171,6 +171,8 @@ pub enum Action {
     PivotAt(Pivot),
     /// Chooses the axes of edits.
     Orient(Orientation),
+    /// Sets the axis along which moves, rotations and scales are mirrored.
+    Mirror(Symmetry),
     /// Splits the selected edge at a point that follows the pointer.
     SlideSplit,
     /// Draws one more level of de Casteljau's construction.

@@ -46,6 +46,7 @@ pub fn submenu(action: Action) -> Option<&'static str> {
         A::Gizmo(_) => Some("Gizmo"),
         A::PivotAt(_) => Some("Pivot"),
         A::Orient(_) => Some("Axes"),
+        A::Mirror(_) => Some("Symmetry"),
         A::SnapTo(_) => Some("Snap to"),
         A::Arrange(_) => Some("Layout"),
         A::InterfaceScale(_) => Some("Interface scale"),

@@ -1,7 +1,10 @@
 //! The Transform menu: moving, rotating and scaling with the pointer, and how they do it.
 
 use super::action::{Action as A, Entry, entry};
-use crate::transforming::{Gizmo, Orientation, Pivot, SnapTo};
+use crate::transforming::{Gizmo, Orientation, Pivot, SnapTo, Symmetry};
+
+/// Other names for symmetry.
+const MIRROR: &[&str] = &["mirror editing"];
 
 /// Its entries.
 pub(super) static ENTRIES: &[Option<Entry>] = &[
@@ -84,4 +87,32 @@ pub(super) static ENTRIES: &[Option<Entry>] = &[
         "View axes",
         "Move, rotate and scale along the axes of the view.",
     )),
+    Some(
+        entry(A::Mirror(Symmetry::None), "No symmetry", "Move, rotate and scale the selection only.")
+            .synonyms(MIRROR),
+    ),
+    Some(
+        entry(
+            A::Mirror(Symmetry::X),
+            "Symmetry along x",
+            "Move, rotate and scale what lies at the mirror image across x = 0 too.",
+        )
+        .synonyms(MIRROR),
+    ),
+    Some(
+        entry(
+            A::Mirror(Symmetry::Y),
+            "Symmetry along y",
+            "Move, rotate and scale what lies at the mirror image across y = 0 too.",
+        )
+        .synonyms(MIRROR),
+    ),
+    Some(
+        entry(
+            A::Mirror(Symmetry::Z),
+            "Symmetry along z",
+            "Move, rotate and scale what lies at the mirror image across z = 0 too.",
+        )
+        .synonyms(MIRROR),
+    ),
 ];

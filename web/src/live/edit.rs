@@ -13,7 +13,7 @@ use super::place::Place;
 use super::pointer::{Sight, length_step, rounded};
 use super::typed::Typed;
 use crate::session::form::{self, Filled};
-use crate::transforming::{Orientation, Pivot, Settings};
+use crate::transforming::{Orientation, Pivot, Settings, Symmetry};
 use crate::view::View;
 use crate::view::ring::RingCut;
 
@@ -183,6 +183,9 @@ impl Live {
             let (axis, radians) = Quat::from_mat3(&self.axes(settings)).to_axis_angle();
             let orientation = json!({ "axis": axis.to_array(), "degrees": radians.to_degrees() });
             filled.insert("orientation".to_owned(), orientation);
+        }
+        if settings.symmetry != Symmetry::None {
+            filled.insert("symmetry".to_owned(), json!(settings.symmetry));
         }
         if let Some(radius) = settings.soft_radius.filter(|_| settings.soft) {
             filled.insert("falloff".to_owned(), radius.into());

@@ -1,6 +1,7 @@
 //! The bar over the viewport for an edit that follows the pointer.
 
-use editor::ops::{Drag, FieldKind};
+use editor::OpId;
+use editor::ops::{Drag, FieldKind, Symmetry};
 use egui::{Align2, Area, Context, Frame, Id, Order, RichText, Ui, pos2};
 
 use crate::live::edit::Live;
@@ -52,6 +53,13 @@ fn hint(page: &Page<'_>, live: &Live) -> String {
         return "Drag in the viewport, or set the number.".to_owned();
     }
     let mut parts = vec!["Move the pointer or type a number"];
+    match page.live_settings.symmetry {
+        _ if live.id != OpId::Transform => {}
+        Symmetry::None => {}
+        Symmetry::X => parts.push("mirrored along x"),
+        Symmetry::Y => parts.push("mirrored along y"),
+        Symmetry::Z => parts.push("mirrored along z"),
+    }
     if live.takes_lock() {
         parts.push("X, Y, Z lock an axis, with Shift a plane");
     }

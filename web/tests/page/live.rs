@@ -609,3 +609,24 @@ fn a_move_follows_back_and_forth() {
     assert_ne!(page.mesh(), &far);
     page.press(Key::Escape);
 }
+
+#[test]
+fn with_symmetry_the_mirror_image_follows_the_pointer() {
+    let mut page = Page::new();
+    let before = page.mesh().positions().to_vec();
+    let corner = |x: f32| before.iter().position(|p| *p == Vec3::new(x, 1.0, 1.0)).expect("a corner");
+    let (right, left) = (corner(1.0), corner(-1.0));
+    page.click("Transform");
+    page.click("Symmetry");
+    page.click("Symmetry along x");
+    page.select("vertex", &[right as u32]);
+    page.press(Key::G);
+    hover(&mut page, vec2(0.0, 0.0));
+    hover(&mut page, vec2(40.0, 30.0));
+    assert!(page.has_part("mirrored along x"));
+    let during = page.mesh().positions().to_vec();
+    assert_ne!(during[right], before[right]);
+    assert_eq!(during[left], during[right] * Vec3::new(-1.0, 1.0, 1.0));
+    page.press(Key::Escape);
+    assert_eq!(page.mesh().positions(), before);
+}
