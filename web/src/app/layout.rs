@@ -98,6 +98,12 @@ impl Layout {
     }
 }
 
+fn store(layout: &Layout, platform: &mut dyn Platform) {
+    if let Ok(text) = serde_json::to_string(layout) {
+        platform.store_setting(LAYOUT_SETTING, &text);
+    }
+}
+
 /// The scale of the last visit, in percent.
 pub(super) fn load_scale(platform: &dyn Platform) -> u16 {
     let kept = platform.load_setting(SCALE_SETTING).and_then(|kept| kept.parse().ok());
@@ -120,6 +126,7 @@ impl App {
         self.shown.arrangement = arrangement;
         self.layout.arrangement = arrangement;
         self.apply_layout();
+        store(&self.layout, &mut *self.session.platform);
     }
 
     /// Opens and closes panels as the layout says.
@@ -151,9 +158,7 @@ impl App {
             return;
         }
         self.layout = layout;
-        if let Ok(text) = serde_json::to_string(&layout) {
-            self.session.platform.store_setting(LAYOUT_SETTING, &text);
-        }
+        store(&layout, &mut *self.session.platform);
     }
 
     /// Scales texts and controls, and keeps the scale for later visits.

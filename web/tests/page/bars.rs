@@ -205,6 +205,8 @@ fn layouts_open_and_close_panels_and_come_back() {
     assert!(page.has("Go to id") && !page.has_part("Frame: "), "lists are open at first");
     choose(&mut page, "Model layout");
     assert!(!page.has("Go to id"), "lists are closed");
+    let kept = page.outside.setting("layout").expect("it is kept");
+    assert!(!Page::with_setting(DESKTOP, "layout", &kept).has("Go to id"), "{kept}");
     page.press(Key::CloseBracket);
     choose(&mut page, "Study layout");
     assert!(page.has("Go to id") && page.has("Filter operations"));
