@@ -84,6 +84,8 @@ pub(crate) enum Request {
     Apply(OpId, Filled),
     /// Run the last operation again with other fields.
     Adjust(Command),
+    /// Undo the last edit, and what was selected since.
+    UndoEdit,
     /// Go to the state right after so many edits of the history.
     JumpTo(usize),
     /// Change one thing about what the Bezier player shows.

@@ -100,6 +100,13 @@ impl App {
                 }
             }
             Request::Adjust(command) => self.session.adjust(command),
+            Request::UndoEdit => {
+                self.session.end_live(false);
+                self.end_preview();
+                if let Err(error) = self.session.editor.undo() {
+                    self.session.refuse(&error);
+                }
+            }
             Request::JumpTo(edits) => {
                 self.end_preview();
                 self.session.end_live(false);

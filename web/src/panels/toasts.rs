@@ -8,7 +8,7 @@ use halfedge::words::counted;
 use crate::input::actions::{self, Action};
 use crate::page_view::Page;
 use crate::request::{Request, Requests};
-use crate::session::toasts::{Slot, Toast};
+use crate::session::toasts::{Remedy, Slot, Toast};
 use crate::theme;
 use crate::widgets::icons::{Icon, icon_button};
 
@@ -84,15 +84,33 @@ fn toast_frame(ui: &mut Ui, page: &Page<'_>, slot: Slot, toast: &Toast, width: f
 
 fn has_links(page: &Page<'_>, slot: Slot, toast: &Toast) -> bool {
     let has_earlier = slot == Slot::Error && page.toasts.earlier_errors() > 0;
-    toast.remedy.is_some() || !toast.details.is_empty() || has_earlier
+    remedy(page, toast).is_some() || !toast.details.is_empty() || has_earlier
+}
+
+/// What a toast offers now: after another edit, undo would undo that one.
+fn remedy(page: &Page<'_>, toast: &Toast) -> Option<Remedy> {
+    let is_current = |revision| page.editor.revision() == revision;
+    toast.remedy.filter(|remedy| match remedy {
+        Remedy::Act(_) => true,
+        Remedy::UndoEdit { revision } => is_current(*revision),
+    })
 }
 
 /// What can be done about a toast, its details, and the errors before it.
 fn links(ui: &mut Ui, page: &Page<'_>, slot: Slot, toast: &Toast, out: &mut Requests) {
-    if let Some(entry) = toast.remedy.map(actions::describe)
-        && ui.link(entry.label).on_hover_text(entry.description).clicked()
-    {
-        out.act(entry.action);
+    match remedy(page, toast) {
+        Some(Remedy::Act(action)) => {
+            let entry = actions::describe(action);
+            if ui.link(entry.label).on_hover_text(entry.description).clicked() {
+                out.act(action);
+            }
+        }
+        Some(Remedy::UndoEdit { .. })
+            if ui.link("Undo").on_hover_text("Undo this, and what was selected since").clicked() =>
+        {
+            out.push(Request::UndoEdit);
+        }
+        _ => {}
     }
     if !toast.details.is_empty() {
         let label = if toast.open { "Hide details" } else { "Details" };

@@ -8,6 +8,7 @@ use formats::Format;
 use super::form;
 use super::jobs::{Answer, Reply};
 use super::preview::MAX_SECONDS_PER_STEP;
+use super::toasts::Remedy;
 use super::{CANCELLED, Look, Session, selecting};
 use crate::bezier;
 use crate::input::actions::Action;
@@ -41,7 +42,7 @@ impl Session {
             format!("New document. {old} is kept: undo brings it back."),
             Vec::new(),
         );
-        self.toasts.offer(Action::Undo);
+        self.toasts.offer(Remedy::UndoEdit { revision: self.editor.revision() });
     }
 
     /// Carries out a command, or shows why there is none.
@@ -72,7 +73,7 @@ impl Session {
                     self.toast(MessageKind::Info, outcome.message.clone(), Vec::new());
                 }
                 if says {
-                    self.toasts.offer(Action::Undo);
+                    self.toasts.offer(Remedy::UndoEdit { revision: self.editor.revision() });
                 }
                 if let Some(reply) = reply {
                     reply(Ok(Answer::Outcome(outcome)));
@@ -154,7 +155,7 @@ impl Session {
                     }
                     self.toast(MessageKind::Info, outcome.message.clone(), outcome.warnings.clone());
                     if self.editor.revision() != revision {
-                        self.toasts.offer(Action::Undo);
+                        self.toasts.offer(Remedy::UndoEdit { revision: self.editor.revision() });
                     }
                 }
                 outcome.warnings.extend(running.notes);
@@ -202,7 +203,7 @@ impl Session {
         let details = outcome.warnings.iter().chain(notes.iter().skip(1)).cloned().collect();
         self.toast(kind, text, details);
         if self.editor.document().active().is_some_and(editor::Object::is_repairable) {
-            self.toasts.offer(Action::Operation(OpId::RepairImport));
+            self.toasts.offer(Remedy::Act(Action::Operation(OpId::RepairImport)));
         }
     }
 

@@ -12,12 +12,21 @@ pub(crate) struct Toast {
     pub text: String,
     pub details: Vec<String>,
     pub open: bool,
-    /// An action that helps.
-    pub remedy: Option<Action>,
+    /// What helps.
+    pub remedy: Option<Remedy>,
     /// The time at which it disappears, on egui's clock; none if the user has to close it.
     until: Option<f64>,
     /// The objects of the document that it is about.
     objects: Vec<ObjectId>,
+}
+
+/// What a toast offers.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Remedy {
+    /// An action.
+    Act(Action),
+    /// To undo the edit that led to this revision of the document, while that is the current one.
+    UndoEdit { revision: u64 },
 }
 
 /// A place for a toast.
@@ -77,8 +86,8 @@ impl Toasts {
         }
     }
 
-    /// Offers an action in the small toast.
-    pub(crate) fn offer(&mut self, remedy: Action) {
+    /// Offers a remedy in the small toast.
+    pub(crate) fn offer(&mut self, remedy: Remedy) {
         if let Some(toast) = &mut self.small {
             toast.remedy = Some(remedy);
             self.changes += 1;

@@ -534,10 +534,17 @@ fn an_operation_on_the_whole_mesh_that_a_key_started_says_so() {
     let mut page = Page::new();
     press(&mut page, "U");
     assert_eq!(page.mesh().face_count(), 24);
+    // Undo in the message is about the operation, whatever was selected since.
+    page.select("face", &[3]);
     let undo = page.harness.get_by_role_and_label(Role::Link, "Undo");
     undo.click();
     page.run();
     assert_eq!(page.mesh().face_count(), 6);
+    assert!(page.harness.query_by_role_and_label(Role::Link, "Undo").is_none(), "it is undone");
+    // After another edit, undo would undo that one.
+    press(&mut page, "U");
+    page.command(json!({ "op": "poke-faces", "faces": [0] }));
+    assert!(page.harness.query_by_role_and_label(Role::Link, "Undo").is_none());
     // Whoever chose it in a menu knows.
     let mut page = Page::new();
     page.click("Mesh");
