@@ -17,8 +17,9 @@ use crate::live::edit::Start;
 use crate::live::place::Place;
 use crate::page_view::Page;
 use crate::panels::operations::EDGE_LENGTH;
+use crate::panels::viewport::ZOOM_PER_NOTCH;
 use crate::panels::viewport::control_points::add_control_point;
-use crate::session::{form, selecting};
+use crate::session::{form, live, selecting};
 use crate::transforming::Gizmo;
 use crate::view::Tool;
 use viewport::Shading;
@@ -112,6 +113,8 @@ impl App {
             Action::Frame => self.view.frame_selection(&self.session.editor),
             Action::FrameAll => self.view.frame_all(),
             Action::ResetView => self.view.reset(),
+            Action::ZoomIn => self.view.zoom_step(ZOOM_PER_NOTCH),
+            Action::ZoomOut => self.view.zoom_step(1.0 / ZOOM_PER_NOTCH),
             Action::LookFrom(side) => self.view.camera.look_from(side),
             Action::Orthographic => self.view.camera.orthographic ^= true,
             Action::Wireframe => self.view.style.wireframe ^= true,
@@ -175,7 +178,7 @@ impl App {
             }
             Action::Snap => self.session.live_settings.snaps ^= true,
             Action::SnapTo(to) => self.session.live_settings.snap_to = to,
-            Action::Soft => self.session.live_settings.soft ^= true,
+            Action::Soft => live::toggle_soft(&mut self.session, &self.view),
             Action::PivotAt(pivot) => self.session.live_settings.pivot = pivot,
             Action::Mirror(symmetry) => self.session.live_settings.symmetry = symmetry,
             Action::Orient(orientation) => self.session.live_settings.orientation = orientation,

@@ -331,6 +331,8 @@ fn works_during_live_edit(action: Action) -> bool {
             | Action::Frame
             | Action::FrameAll
             | Action::ResetView
+            | Action::ZoomIn
+            | Action::ZoomOut
             | Action::LookFrom(_)
             | Action::Orthographic
     )

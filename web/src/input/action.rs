@@ -87,6 +87,10 @@ pub enum Action {
     FrameAll,
     /// Restores the initial view.
     ResetView,
+    /// Comes closer by one notch of the wheel.
+    ZoomIn,
+    /// Goes back by one notch of the wheel.
+    ZoomOut,
     /// Looks from a side.
     LookFrom(Side),
     /// Switches between parallel and perspective projection.

@@ -93,6 +93,8 @@ pub(super) static ROWS: &[Row] = &[
     (A::Frame,                             [".",                         "Numpad. .",                "F"]),
     (A::FrameAll,                          ["Shift+. Home",              "Home",                     "A"]),
     (A::ResetView,                         ["Space",                     "Shift+C",                  "Home"]),
+    (A::ZoomIn,                            ["Alt+= Numpad+",             "Numpad+ Alt+=",            "= Numpad+ Alt+="]),
+    (A::ZoomOut,                           ["Alt+- Numpad-",             "Numpad- Alt+-",            "- Numpad- Alt+-"]),
     (A::LookFrom(Side::Front),             ["Alt+1 Numpad1",             "Numpad1 Alt+1",            "Numpad1 Alt+1"]),
     (A::LookFrom(Side::Back),              ["Alt+Shift+1 Ctrl+Numpad1",  "Ctrl+Numpad1 Alt+Shift+1", "Ctrl+Numpad1 Alt+Shift+1"]),
     (A::LookFrom(Side::Right),             ["Alt+3 Numpad3",             "Numpad3 Alt+3",            "Numpad3 Alt+3"]),

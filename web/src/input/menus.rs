@@ -23,6 +23,7 @@ pub const CRITERIA: &str = "By criterion";
 /// The submenu that an entry is in, which keeps long menus on small screens.
 pub fn submenu(action: Action) -> Option<&'static str> {
     match action {
+        A::FrameAll | A::ZoomIn | A::ZoomOut => Some("Zoom"),
         A::LookFrom(_) => Some("Look from"),
         A::SelectBy(SelectBy::Kind(_)) => Some("Convert to"),
         A::SelectBy(SelectBy::Loops | SelectBy::Rings | SelectBy::Path | SelectBy::Outline) => {

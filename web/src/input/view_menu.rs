@@ -24,6 +24,13 @@ pub(super) static ENTRIES: &[Option<Entry>] = &[
         entry(A::FrameAll, "Frame all", "Fit everything into the view, from the same direction.")
             .synonyms(&["zoom to fit", "view all"]),
     ),
+    Some(
+        entry(A::ZoomIn, "Zoom in", "Come closer to the middle of the view.").synonyms(&["closer", "larger"]),
+    ),
+    Some(
+        entry(A::ZoomOut, "Zoom out", "Go back from the middle of the view.")
+            .synonyms(&["farther", "smaller"]),
+    ),
     Some(entry(A::ResetView, "Reset view", "Restore the initial view.")),
     Some(entry(A::LookFrom(Side::Front), "Front view", "Look along -z, from the front.")),
     Some(entry(A::LookFrom(Side::Back), "Back view", "Look along +z, from the back.")),

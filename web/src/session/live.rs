@@ -50,10 +50,9 @@ impl Session {
             live.given.insert(name.to_owned(), selection.ids().collect::<Vec<u32>>().into());
         }
         if self.live_settings.soft
-            && self.live_settings.soft_radius.is_none()
             && let Some(live) = &self.live
         {
-            self.live_settings.soft_radius = Some(live.sight(view).units_per_point() * SOFT_RADIUS_POINTS);
+            fit_soft_radius(&mut self.live_settings, live, view);
         }
         if self.live.as_ref().is_some_and(Live::does_something) {
             self.show_live();
@@ -135,6 +134,22 @@ impl Session {
             self.show_live();
         }
     }
+}
+
+/// Switches soft selection; an edit in progress shows it at once.
+pub(crate) fn toggle_soft(session: &mut Session, view: &View) {
+    if session.live.is_none() {
+        session.live_settings.soft ^= true;
+    }
+    session.change_live(|live, settings| {
+        settings.soft ^= true;
+        fit_soft_radius(settings, live, view);
+    });
+}
+
+/// Sets the soft selection's radius where there is none yet.
+fn fit_soft_radius(settings: &mut Settings, live: &Live, view: &View) {
+    settings.soft_radius.get_or_insert_with(|| live.sight(view).units_per_point() * SOFT_RADIUS_POINTS);
 }
 
 /// The point of the mesh under the pointer that moved elements snap to.

@@ -337,6 +337,12 @@ impl View {
         }
     }
 
+    /// Zooms by a factor, to the middle.
+    pub fn zoom_step(&mut self, factor: f64) {
+        let size = self.size();
+        self.camera.zoom(factor, size * 0.5, size);
+    }
+
     /// Restores the initial view.
     pub fn reset(&mut self) {
         self.camera.orthographic = false;

@@ -630,3 +630,23 @@ fn with_symmetry_the_mirror_image_follows_the_pointer() {
     page.press(Key::Escape);
     assert_eq!(page.mesh().positions(), before);
 }
+
+#[test]
+fn soft_selection_switched_during_an_edit_shows_at_once() {
+    let mut page = Page::new();
+    page.command(serde_json::json!({ "op": "new", "shape": "grid", "columns": 8, "rows": 8 }));
+    page.select("vertex", &[40]);
+    page.press(Key::G);
+    hover(&mut page, vec2(0.0, 0.0));
+    hover(&mut page, vec2(0.0, -60.0));
+    let hard = page.mesh().clone();
+    page.press_with(egui::Modifiers::SHIFT, Key::O);
+    let soft = page.mesh().clone();
+    let moved =
+        |mesh: &halfedge::Mesh| mesh.vertices().filter(|&v| mesh.position(v) != hard.position(v)).count();
+    assert!(moved(&soft) > 3, "the vertices around it follow: {}", moved(&soft));
+    page.press_with(egui::Modifiers::SHIFT, Key::O);
+    assert_eq!(page.mesh(), &hard);
+    page.press(Key::Enter);
+    assert_eq!(page.mesh(), &hard);
+}

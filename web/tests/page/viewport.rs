@@ -241,3 +241,67 @@ fn keys_turn_and_move_the_view_and_look_from_the_sides() {
     assert_eq!(page.selected().1, [3]);
     assert_eq!(view(&mut page).1, quarter);
 }
+
+/// How much nearer the eye is after events of a wheel or a trackpad over a place.
+fn zoomed_by(events: &[egui::Event]) -> f64 {
+    let mut page = Page::new();
+    let at = page.find("Viewport").rect().center() + vec2(60.0, 40.0);
+    page.harness.hover_at(at);
+    page.run();
+    let distance =
+        |page: &mut Page| page.app().script().state()["view"]["distance"].as_f64().expect("a distance");
+    let before = distance(&mut page);
+    for event in events {
+        page.harness.event(event.clone());
+    }
+    page.run();
+    before / distance(&mut page)
+}
+
+fn wheel(unit: egui::MouseWheelUnit, y: f32) -> egui::Event {
+    egui::Event::MouseWheel {
+        unit,
+        delta: vec2(0.0, y),
+        phase: egui::TouchPhase::Move,
+        source: egui::MouseWheelSource::Unknown,
+        modifiers: Modifiers::NONE,
+    }
+}
+
+#[test]
+fn a_notch_of_the_wheel_zooms_by_an_eighth_in_every_browser() {
+    use egui::MouseWheelUnit::{Line, Page as Whole, Point};
+    let close = |value: f64, wanted: f64| (value / wanted - 1.0).abs() < 1e-3;
+    for (unit, notch) in [(Point, 120.0), (Line, 3.0), (Whole, 1.0)] {
+        assert!(close(zoomed_by(&[wheel(unit, notch)]), 1.12), "{unit:?}");
+        assert!(close(zoomed_by(&[wheel(unit, -notch)]), 1.0 / 1.12), "{unit:?}");
+        let four = vec![wheel(unit, notch); 4];
+        assert!(close(zoomed_by(&four), 1.12f64.powi(4)), "{unit:?}: four notches in a slow frame");
+        assert!(close(zoomed_by(&[wheel(unit, 50.0 * notch)]), 1.12f64.powi(3)), "{unit:?}: capped");
+    }
+    let trackpad = vec![wheel(Point, 4.0); 30];
+    assert!(close(zoomed_by(&trackpad), 1.12), "small steps add up to the same");
+    assert!(close(zoomed_by(&[egui::Event::Zoom(1.05)]), 1.05), "a pinch");
+    assert!(close(zoomed_by(&[egui::Event::Zoom(40.0)]), 1.5), "a pinch is capped too");
+}
+
+#[test]
+fn the_wheel_keeps_what_is_under_the_pointer_in_place() {
+    let mut page = Page::new();
+    let middle = page.find("Viewport").rect().center();
+    page.press_with(Modifiers::ALT, Key::Num1);
+    let corner = [1.0, 1.0, 0.0];
+    let before = page.at(corner);
+    page.harness.hover_at(before);
+    page.run();
+    page.harness.event(wheel(egui::MouseWheelUnit::Point, 240.0));
+    page.run();
+    assert!(page.at(corner).distance(before) < 1.0);
+    // Keys zoom to the middle by as much.
+    let at = page.at(corner) - middle;
+    page.press_with(Modifiers::ALT, Key::Equals);
+    let nearer = page.at(corner) - middle;
+    assert!((nearer.length() / at.length() - 1.12).abs() < 0.01, "{nearer:?} {at:?}");
+    page.press_with(Modifiers::ALT, Key::Minus);
+    assert!((page.at(corner) - middle - at).length() < 0.1);
+}

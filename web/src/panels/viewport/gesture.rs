@@ -1,7 +1,7 @@
 //! Gestures in the viewport: orbit, pan, zoom, select, and drag vertices.
 
 use editor::{OpId, SelectBy, SelectMode};
-use egui::{CursorIcon, Modifiers, PointerButton, Pos2, Response, Ui};
+use egui::{CursorIcon, Event, Modifiers, PointerButton, Pos2, Response, Ui};
 use glam::{Vec2, Vec3, vec2};
 use halfedge::{Element, Mesh};
 use surface::FaceTree;
@@ -11,7 +11,7 @@ use viewport::{Aim, Camera, Picked, Region, ScreenRect};
 use super::Viewport;
 use super::control_points;
 use super::gizmo;
-use super::pointer::{arrow_keys, gesture_of, is_double, is_finger, modifiers_of_button};
+use super::pointer::{arrow_keys, gesture_of, is_double, is_finger, modifiers_of_button, zoom_of};
 use super::ring_cut;
 use crate::bezier::ControlPoint;
 use crate::input::actions::Action;
@@ -265,8 +265,7 @@ impl Viewport<'_> {
             return;
         }
         let Some(at) = ui.input(|input| input.pointer.hover_pos()) else { return };
-        let (scroll, zoom) =
-            ui.input_mut(|input| (std::mem::take(&mut input.smooth_scroll_delta), input.zoom_delta()));
+        let scroll = ui.input_mut(|input| std::mem::take(&mut input.smooth_scroll_delta));
         if self.session.live.as_ref().is_some_and(|live| live.takes_wheel(&self.session.live_settings)) {
             // Smooth scrolling goes on for several frames after a notch: only the notch counts.
             let notches = ui.input(|input| input.events.iter().map(notches_of).sum());
@@ -282,8 +281,12 @@ impl Viewport<'_> {
         if self.view.tool == Tool::Circle {
             self.view.scale_circle((scroll.y / 240.0).exp());
         }
-        let scrolled = if self.view.tool == Tool::Circle { 0.0 } else { f64::from(scroll.y) };
-        let factor = f64::from(zoom) * (scrolled / 240.0).exp();
+        // The wheel sets the circle's size; with Ctrl it zooms all the same.
+        let is_for_circle = self.view.tool == Tool::Circle && !ui.input(|input| input.modifiers.command);
+        let factor: f64 = ui.input(|input| {
+            let zooms = |event: &&Event| !is_for_circle || matches!(event, Event::Zoom(_));
+            input.events.iter().filter(zooms).map(zoom_of).product()
+        });
         if factor != 1.0 {
             let (local, size) = (self.view.local(at), self.view.size());
             self.view.camera.zoom(factor, local, size);

@@ -17,6 +17,8 @@ use egui::accesskit::Live;
 use egui::{EventFilter, Response, Ui, WidgetInfo};
 use halfedge::Element;
 
+pub(crate) use pointer::ZOOM_PER_NOTCH;
+
 use crate::bezier::{self, Player};
 use crate::lists::columns::{counted, element_name};
 use crate::page_view::Page;

@@ -1,6 +1,6 @@
 //! What the viewport reads of the pointer, and the keys that move the view.
 
-use egui::{Event, Key, Modifiers, PointerButton, Pos2, Response, Ui};
+use egui::{Event, Key, Modifiers, MouseWheelUnit, PointerButton, Pos2, Response, Ui};
 use glam::vec2;
 
 use crate::input::mouse::MouseAction;
@@ -8,6 +8,32 @@ use crate::view::{Gesture, View, widget_id};
 
 /// How far an arrow key turns or moves the view: as far as a drag of this many pixels.
 const ARROW_KEY_PIXELS: f32 = 40.0;
+
+/// The zoom of one notch of a wheel.
+pub(crate) const ZOOM_PER_NOTCH: f64 = 1.12;
+/// The most notches that count of one event: some wheels and browsers report many at once.
+const MAX_NOTCHES_PER_EVENT: f32 = 3.0;
+/// What browsers report of one notch: pixels, or lines. Trackpads report parts of it.
+const NOTCH_POINTS: f32 = 120.0;
+const NOTCH_LINES: f32 = 3.0;
+/// The most that one event of a pinch zooms.
+const MAX_ZOOM_PER_PINCH: f64 = 1.5;
+
+/// How much larger an event of a wheel or a trackpad makes things.
+pub(super) fn zoom_of(event: &Event) -> f64 {
+    match event {
+        Event::MouseWheel { unit, delta, .. } => {
+            let notches = match unit {
+                MouseWheelUnit::Point => delta.y / NOTCH_POINTS,
+                MouseWheelUnit::Line => delta.y / NOTCH_LINES,
+                MouseWheelUnit::Page => delta.y,
+            };
+            ZOOM_PER_NOTCH.powf(notches.clamp(-MAX_NOTCHES_PER_EVENT, MAX_NOTCHES_PER_EVENT).into())
+        }
+        Event::Zoom(factor) => f64::from(*factor).clamp(1.0 / MAX_ZOOM_PER_PINCH, MAX_ZOOM_PER_PINCH),
+        _ => 1.0,
+    }
+}
 
 /// The modifiers that were held when the pointer's button was pressed or released in this frame: by the end of a slow
 /// frame they may have been let go.
