@@ -29,7 +29,7 @@ fn mesh(editor: &Editor) -> &Mesh {
 
 #[test]
 fn texture_coordinates_follow_edits_in_the_plane() {
-    let edits: [Value; 18] = [
+    let edits: [Value; 20] = [
         json!({"op": "inset-faces", "faces": [4], "amount": 0.2}),
         json!({"op": "inset-faces", "faces": [3, 4, 7], "amount": 0.1, "mode": "individual"}),
         json!({"op": "bevel-edges", "edges": [[5, 6]], "width": 0.2}),
@@ -43,6 +43,8 @@ fn texture_coordinates_follow_edits_in_the_plane() {
         json!({"op": "extrude-faces", "faces": [4, 5], "distance": 0.5}),
         json!({"op": "extrude-edges", "edges": [[0, 1], [1, 2]], "offset": [0.2, -0.7, 0.0]}),
         json!({"op": "loop-cut", "edge": [5, 6], "cuts": 3, "t": 0.3}),
+        json!({"op": "slide-edges", "edges": [[5, 6], [6, 10]], "amount": 0.3}),
+        json!({"op": "slide-vertices", "vertices": [5, 6], "direction": [1, 2, 0], "amount": 0.3}),
         json!({"op": "split-edge", "edge": [5, 6], "t": 0.3, "connect": "all"}),
         json!({"op": "poke-faces", "faces": [0, 4]}),
         json!({"op": "dissolve-edge", "edge": [5, 6]}),

@@ -71,6 +71,8 @@ fn each_edit_changes_the_counts_as_it_should() {
         (json!({"op": "extrude-edges", "edges": [rim], "offset": [0, 1, 0]}), [2, 3, 1]),
         (json!({"op": "inset-faces", "faces": [5], "amount": 0.25}), [4, 8, 4]),
         (json!({"op": "loop-cut", "edge": inner, "cuts": 2}), [10, 18, 8]),
+        (json!({"op": "slide-edges", "edges": [[5, 6], [6, 7]], "amount": -0.5}), [0, 0, 0]),
+        (json!({"op": "slide-vertices", "vertices": [6, 7], "amount": 0.5}), [0, 0, 0]),
         (json!({"op": "fill-hole", "halfedge": hole}), [0, 0, 1]),
         (json!({"op": "merge-vertices", "vertices": [6, 7]}), [-1, -1, 0]),
         (json!({"op": "flip-orientation"}), [0, 0, 0]),
@@ -121,6 +123,52 @@ fn edits_that_need_a_closed_mesh_or_several_pieces() {
     assert_eq!(change(&mut editor, json!({"op": "rip-edges", "edges": line})), [2, 2, 0]);
     let open: Vec<u32> = editor.mesh().expect("it").edges().map(|e| e.raw()).collect();
     assert_eq!(open.len(), 42);
+}
+
+#[test]
+fn edges_slide_to_the_left_of_the_first_and_vertices_along_a_direction() {
+    let row = |editor: &Editor| {
+        let mesh = editor.mesh().expect("it");
+        [10, 11, 12, 13, 14].map(|v| mesh.position(VertexId::new(v)))
+    };
+    let slid = |value: Value| {
+        let mut editor = on_grid();
+        let before = row(&editor);
+        let outcome = run(&mut editor, value);
+        let after = row(&editor);
+        let moves: Vec<glam::Vec3> = after.iter().zip(before).map(|(a, b)| *a - b).collect();
+        (moves, outcome.warnings)
+    };
+    let forth = json!([[10, 11], [11, 12], [12, 13], [13, 14]]);
+    let back = json!([[14, 13], [13, 12], [12, 11], [11, 10]]);
+    let (left, notes) = slid(json!({"op": "slide-edges", "edges": forth, "amount": 0.5}));
+    assert!(notes.is_empty() && left.iter().all(|by| by.length() > 0.01));
+    let (right, _) = slid(json!({"op": "slide-edges", "edges": forth, "amount": -0.5}));
+    assert!(left.iter().zip(&right).all(|(a, b)| (*a + *b).length() < 1e-5), "{left:?} {right:?}");
+    let (other, _) = slid(json!({"op": "slide-edges", "edges": back, "amount": -0.5}));
+    assert_eq!(other, left, "left of the way there is right of the way back");
+    let way = left[0].to_array();
+    let all = [10, 11, 12, 13, 14];
+    let (by_vertex, _) =
+        slid(json!({"op": "slide-vertices", "vertices": all, "direction": way, "amount": 0.5}));
+    assert_eq!(by_vertex, left);
+    // The selection stands in for elements.
+    let mut editor = on_grid();
+    let two = [edge(&editor, 10, 11), edge(&editor, 11, 12)];
+    editor.select(Element::Edge, two, SelectMode::Replace).expect("they exist");
+    run(&mut editor, json!({"op": "slide-edges", "amount": 0.5}));
+    let text = refusal(&mut on_grid(), json!({"op": "slide-edges", "edges": forth, "amount": 2}));
+    assert_eq!(text, "slide-edges: `amount`: 2 is out of range; it must be from -1 to 1");
+    let text = refusal(
+        &mut on_grid(),
+        json!({"op": "slide-edges", "edges": [[11, 12], [12, 13], [12, 7]], "amount": 0.1}),
+    );
+    assert!(text.contains("three or more of the given edges meet at vertex 12"), "{text}");
+    let text = refusal(
+        &mut on_grid(),
+        json!({"op": "slide-vertices", "vertices": [0], "direction": [0, 0, 0], "amount": 0.1}),
+    );
+    assert!(text.contains("`direction`") && text.contains("is too short to give a direction"), "{text}");
 }
 
 #[test]

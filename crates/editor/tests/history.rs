@@ -42,6 +42,10 @@ fn any_edit() -> impl Strategy<Value = Value> {
             .prop_map(|(e, w, s)| json!({"op": "bevel-edges", "edges": e, "width": w, "segments": s})),
         (ids(), 0f32..1.0).prop_map(|(v, w)| json!({"op": "bevel-vertices", "vertices": v, "width": w})),
         (id.clone(), 1u32..3).prop_map(|(e, c)| json!({"op": "loop-cut", "edge": e, "cuts": c})),
+        (ids(), -1f32..1.0).prop_map(|(e, a)| json!({"op": "slide-edges", "edges": e, "amount": a})),
+        (ids(), -1f32..1.0).prop_map(
+            |(v, a)| json!({"op": "slide-vertices", "vertices": v, "direction": [1, 2, 0], "amount": a})
+        ),
         (0u32..80).prop_map(|h| json!({"op": "fill-hole", "halfedge": h})),
         prop::array::uniform2(0u32..80).prop_map(|h| json!({"op": "bridge", "halfedges": h})),
         ids().prop_map(|v| json!({"op": "merge-vertices", "vertices": v})),

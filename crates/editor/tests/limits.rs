@@ -233,6 +233,8 @@ fn results_do_not_depend_on_the_size_of_the_model() {
             json!({"op": "transform", "vertices": [13], "scale": 2, "rotate": {"axis": [1, 1, 1], "degrees": 30}, "falloff": 1.5}),
         ),
         ("", json!({"op": "loop-cut", "edge": [0, 1], "cuts": 3})),
+        ("", json!({"op": "slide-edges", "edges": [[13, 14], [14, 18]], "amount": 0.25})),
+        ("", json!({"op": "slide-vertices", "vertices": [0, 13], "direction": [1, 1, 0.5], "amount": 0.25})),
         ("", json!({"op": "triangulate-faces"})),
         ("", json!({"op": "poke-faces", "faces": [0, 7]})),
         ("", json!({"op": "subdivide-catmull-clark", "levels": 2})),

@@ -58,6 +58,8 @@ fn the_member_of_a_family_that_suits_the_selection_stands_for_it() {
     }
     assert_eq!(OpId::DeleteFaces.for_selection(Element::Halfedge), OpId::DissolveEdge);
     assert_eq!(OpId::BevelEdges.for_selection(Element::Vertex), OpId::BevelVertices);
+    assert_eq!(OpId::SlideEdges.for_selection(Element::Vertex), OpId::SlideVertices);
+    assert_eq!(OpId::SlideEdges.for_selection(Element::Halfedge), OpId::SlideEdges);
     assert_eq!(OpId::DissolveVertex.for_selection(Element::Edge), OpId::DissolveEdge);
     assert_eq!(OpId::DissolveEdge.for_selection(Element::Vertex), OpId::DeleteVertices);
     assert_eq!(OpId::SplitEdge.for_selection(Element::Vertex), OpId::SplitEdge);

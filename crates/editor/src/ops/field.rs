@@ -114,7 +114,7 @@ pub enum Unit {
     Area,
     /// An angle in degrees.
     Degrees,
-    /// A part of a whole, from 0 to 1.
+    /// A part of a whole: from 0 to 1, or from -1 to 1 where there are two ways.
     Fraction,
     /// A count.
     Count,
@@ -199,6 +199,8 @@ pub enum Drag {
     Width,
     /// A fraction of an edge, from its middle.
     Fraction,
+    /// A fraction from -1 to 1 of the way to the neighbours on one side or the other, which begins at 0.
+    Slide,
     /// A vector in the plane of the view, or along an axis.
     Offset,
     /// A rotation about the direction of view, or about an axis.

@@ -163,6 +163,8 @@ operations! {
         bevel_edges::BevelEdges,
         bevel_vertices::BevelVertices,
         loop_cut::LoopCut,
+        slide_edges::SlideEdges,
+        slide_vertices::SlideVertices,
         fill_hole::FillHole,
         bridge::Bridge,
         merge_vertices::MergeVertices,

@@ -54,6 +54,8 @@ pub enum Family {
     Delete,
     /// Dissolve vertices or edges.
     Dissolve,
+    /// Slide edges or vertices.
+    Slide,
 }
 
 impl Spec {

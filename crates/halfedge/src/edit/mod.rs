@@ -5,7 +5,8 @@
 //! around the edit, never to the mesh.
 //!
 //! Edits that can be dragged come in two halves: the edit makes its topology at size zero and returns a [`Slide`],
-//! which moves the vertices by any amount.
+//! which moves the vertices by any amount. Those that move vertices and nothing else, along a [`Rail`] each, take the
+//! amount at once.
 //!
 //! Attribute values follow: corners and vertices that an edit makes or moves get the values that their faces have
 //! there; each edit's text says how. Seams of texture coordinates stay, and none appear.
@@ -36,6 +37,8 @@ mod rip_edges;
 mod set_crease;
 mod shared;
 mod slide;
+mod slide_edges;
+mod slide_vertices;
 mod split_edge;
 mod split_vertex;
 mod triangulate;
@@ -64,8 +67,10 @@ pub use poke_faces::{can_poke_faces, poke_faces};
 pub use refusal::Refusal;
 pub use rip_edges::{can_rip_edges, rip_edges};
 pub use set_crease::{can_set_crease, set_crease};
-pub use shared::Grouping;
+pub use shared::{Grouping, Rail, check_amount};
 pub use slide::{Live, Slide, SlideVertex};
+pub use slide_edges::{can_slide_edges, edge_rails, slide_edges};
+pub use slide_vertices::{can_slide_vertices, slide_vertices, vertex_rails};
 pub use split_edge::{Connect, EdgeSplit, can_split_edge, split_edge};
 pub use split_vertex::{can_split_vertex, split_vertex};
 pub use triangulate::{Triangulated, Triangulation, can_triangulate_face, triangulate_face};

@@ -62,6 +62,12 @@ pub enum Refusal {
     NoOutline(FaceId),
     /// No quad lies beside the edge, so no ring of quads goes through it.
     NoRing(EdgeId),
+    /// Three or more of the given edges meet at this vertex.
+    Branches(VertexId),
+    /// No vertex of this edge, or of the other given ones, has anything to slide along.
+    NoRail(EdgeId),
+    /// The direction has no length.
+    NoDirection,
     /// Both half-edges lie on the same boundary loop.
     SameLoop(HalfedgeId, HalfedgeId),
     /// Ripping this edge would leave its two sides joined at both ends.
@@ -139,6 +145,16 @@ impl fmt::Display for Refusal {
                     "no quad lies beside {e}, so no ring of quads goes through it; choose an edge of a quad"
                 )
             }
+            Self::Branches(v) => {
+                write!(
+                    f,
+                    "three or more of the given edges meet at {v}; choose lines of edges that don't branch"
+                )
+            }
+            Self::NoRail(e) => {
+                write!(f, "no other edge leads away from {e} to slide along; choose an edge that others meet")
+            }
+            Self::NoDirection => write!(f, "the direction is too short; give one with a length"),
             Self::SameLoop(a, b) => {
                 write!(f, "{a} and {b} are on the same boundary loop; choose one of each of two loops")
             }

@@ -16,5 +16,6 @@ mod random;
 mod refusals;
 mod rings;
 mod sew;
+mod slide_along;
 mod touching;
 mod zoo;

@@ -56,6 +56,9 @@ fn reached() -> Vec<Refusal> {
         can_dissolve_edges(&zoo::pillow(), &[EdgeId::new(0)]),
         can_inset_faces(&cube, &all, Grouping::Region),
         can_loop_cut(&triangle, EdgeId::new(0), 1, 0.5),
+        can_slide_edges(&cube, &[(0, 1), (0, 2), (0, 4)].map(|(a, b)| he(&cube, a, b).edge()), 0.5),
+        can_slide_edges(&zoo::coin(5), &[EdgeId::new(0)], 0.5),
+        can_slide_vertices(&cube, &[v(0)], Vec3::ZERO, 0.5),
         can_bridge(&frame, [loops[0], frame.next(loops[0])]),
         can_rip_edges(&cube, &[EdgeId::new(0)]),
         can_merge_vertices(&cube, &[VertexId::new(0)], None),
@@ -93,6 +96,9 @@ fn name(refusal: &Refusal) -> &'static str {
         Refusal::NotADisc(_) => "not a disc",
         Refusal::NoOutline(_) => "no outline",
         Refusal::NoRing(_) => "no ring",
+        Refusal::Branches(_) => "branches",
+        Refusal::NoRail(_) => "no rail",
+        Refusal::NoDirection => "no direction",
         Refusal::SameLoop(..) => "same loop",
         Refusal::StaysJoined(_) => "stays joined",
         Refusal::NotAWholePiece(_) => "not a whole piece",
@@ -105,7 +111,7 @@ fn every_reason_occurs_and_is_explained() {
     let mut names: Vec<&str> = reached().iter().map(name).collect();
     names.sort_unstable();
     names.dedup();
-    assert_eq!(names.len(), 27, "{names:?}");
+    assert_eq!(names.len(), 30, "{names:?}");
     for refusal in reached() {
         let words = refusal.to_string();
         assert!(words.len() > 15, "{words}");
@@ -141,6 +147,9 @@ fn elements_that_do_not_exist_are_refused_by_every_edit() {
             can_bevel_edges(&mesh, &[EdgeId::new(9999)], 1),
             can_bevel_vertices(&mesh, &[VertexId::new(9999)]),
             can_loop_cut(&mesh, EdgeId::new(9999), 1, 0.5),
+            can_slide_edges(&mesh, &[EdgeId::new(9999)], 0.5),
+            can_slide_edges(&mesh, &[e, EdgeId::new(9999)], 0.5),
+            can_slide_vertices(&mesh, &[VertexId::new(9999)], Vec3::X, 0.5),
             can_fill_hole(&mesh, EdgeId::new(9999).halfedge()),
             can_bridge(&mesh, [EdgeId::new(9999).halfedge(); 2]),
             can_merge_vertices(&mesh, &[VertexId::new(9999)], None),

@@ -1,4 +1,4 @@
-//! What the edits share that create their elements at size zero and then give them a size.
+//! What edits with an amount share.
 
 use crate::error::Problem;
 use crate::script::json::shortest;
@@ -49,4 +49,9 @@ pub(super) fn set_size(
         notes.push(format!("{label} was limited to {used}, because beyond that edges would reverse"));
     }
     Ok(())
+}
+
+/// Says why a slide by an amount other than zero has moved nothing.
+pub(super) fn nothing_moved(moved: usize, amount: f32, why: &str) -> Option<String> {
+    (moved == 0 && amount != 0.0).then(|| format!("Nothing moved: {why}"))
 }

@@ -81,6 +81,27 @@ pub(super) fn edit_many(mesh: &mut Mesh, random: &mut Random, kind: Kind, all: &
                 |made| Said::made(made).same_topology(),
             )
         }
+        Kind::SlideEdges => {
+            let edges = some(random, &all.edges);
+            let amount = t * 2.0 - 1.0;
+            check_and_edit(
+                mesh,
+                |m| can_slide_edges(m, &edges, amount),
+                |m| slide_edges(m, &edges, amount),
+                |_| unchanged(),
+            )
+        }
+        Kind::SlideVertices => {
+            let vertices = some(random, &all.vertices);
+            let direction = Vec3::new(random.unit() - 0.5, 0.2, random.unit() - 0.5);
+            let amount = t * 2.0 - 1.0;
+            check_and_edit(
+                mesh,
+                |m| can_slide_vertices(m, &vertices, direction, amount),
+                |m| slide_vertices(m, &vertices, direction, amount),
+                |_| unchanged(),
+            )
+        }
         Kind::FillHole => {
             let side = random.pick(&loops).unwrap_or(edge.halfedge());
             check_and_edit(

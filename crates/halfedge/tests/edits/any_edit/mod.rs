@@ -27,6 +27,8 @@ pub enum Kind {
     BevelEdges,
     BevelVertices,
     LoopCut,
+    SlideEdges,
+    SlideVertices,
     FillHole,
     Bridge,
     MergeVertices,
@@ -37,7 +39,7 @@ pub enum Kind {
 }
 
 impl Kind {
-    pub const ALL: [Self; 25] = [
+    pub const ALL: [Self; 27] = [
         Self::SplitEdge,
         Self::FlipEdge,
         Self::CollapseEdge,
@@ -56,6 +58,8 @@ impl Kind {
         Self::BevelEdges,
         Self::BevelVertices,
         Self::LoopCut,
+        Self::SlideEdges,
+        Self::SlideVertices,
         Self::FillHole,
         Self::Bridge,
         Self::MergeVertices,
