@@ -252,6 +252,30 @@ export interface LoopCut {
   t?: number;
 }
 
+/** Move lines of edges over the surface, along the edges beside them. */
+export interface SlideEdges {
+  op: "slide-edges";
+  /** The place of the object in the document's list; default: the active object. */
+  object?: number;
+  /** The edges, in lines that don't branch; left is that of the first edge's direction: a list of edges, each by id or by `[a, b]`, the vertices at its ends; default: the selected edges. */
+  edges?: (number | Pair)[];
+  /** How far: 1 is to the neighbours on the left, -1 to those on the right: a number from -1 to 1; required. */
+  amount: number;
+}
+
+/** Move each vertex along the one of its edges that points most in a direction. */
+export interface SlideVertices {
+  op: "slide-vertices";
+  /** The place of the object in the document's list; default: the active object. */
+  object?: number;
+  /** The vertices to slide: a list of vertices, each by id; default: the selected vertices. */
+  vertices?: number[];
+  /** Each vertex takes its edge that points most in this direction: three numbers: `[x, y, z]`; default: [1.0,0.0,0.0]. */
+  direction?: Vector;
+  /** How far: 1 is to the edges' other ends; below 0 is the other way: a number from -1 to 1; required. */
+  amount: number;
+}
+
 /** Close a boundary loop with one polygon. */
 export interface FillHole {
   op: "fill-hole";
@@ -834,6 +858,8 @@ export type Command =
   | BevelEdges
   | BevelVertices
   | LoopCut
+  | SlideEdges
+  | SlideVertices
   | FillHole
   | Bridge
   | MergeVertices

@@ -13,7 +13,7 @@ use super::{App, THEME_SETTING, keys};
 use crate::bezier::{self, ControlPoint};
 use crate::input::actions::Action;
 use crate::input::availability::{follows_pointer, opens_form};
-use crate::live::edit::Start;
+use crate::live::edit::{Live, Start};
 use crate::live::place::Place;
 use crate::page_view::Page;
 use crate::panels::operations::EDGE_LENGTH;
@@ -35,6 +35,10 @@ impl App {
 
     /// Starts an action. If it can't be done, says why.
     pub(super) fn act(&mut self, action: Action) {
+        // The key of a move, pressed again while it goes on, slides.
+        let is_moving = self.session.by_key && self.session.live.as_ref().is_some_and(Live::is_move);
+        let action =
+            if is_moving && action == Action::Move { Action::Operation(OpId::SlideEdges) } else { action };
         let action = action.for_selection(self.session.editor.selection().kind());
         // What is still being looked for comes first.
         if !matches!(action, Action::Cancel) {

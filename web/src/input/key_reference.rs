@@ -19,7 +19,8 @@ visits; `?keys=blender` in the page's address chooses one for this visit. Help >
 the chosen preset. Ctrl is Command on a Mac, and Alt is Option.
 
 While an edit follows the pointer, digits type its amount, X, Y and Z lock an axis (with Shift a plane), Tab goes to the \
-next number, Enter applies and Escape cancels, in all presets.
+next number, Enter applies and Escape cancels, in all presets. The key of Move, pressed again during a move, slides the \
+selection along its neighbours (G G).
 
 Ctrl+R, Ctrl+B, Ctrl+D and Ctrl+H are the browser's own while a list, a field or a button has the focus.
 ";

@@ -65,6 +65,8 @@ pub(super) static ROWS: &[Row] = &[
     (A::Operation(OpId::BevelEdges),       ["B",                         "Ctrl+B",                   "Ctrl+B"]),
     (A::Operation(OpId::BevelVertices),    ["Ctrl+Shift+B",              "Ctrl+Shift+B",             "Ctrl+Shift+B"]),
     (A::LoopCutTool,                       ["L",                         "Ctrl+R",                   "Ctrl+Shift+L"]),
+    // In Blender, G during a move slides too.
+    (A::Operation(OpId::SlideEdges),       ["Shift+V",                   "Shift+V",                  "Shift+V"]),
     (A::Operation(OpId::ConnectVertices),  ["J",                         "J",                        "J"]),
     (A::Operation(OpId::SplitEdge),        ["S",                         "",                         ""]),
     (A::SlideSplit,                        ["Shift+S",                   "",                         ""]),

@@ -45,6 +45,7 @@ pub static TOOLS: &[&[ToolEntry]] = &[
         operation(Icon::Inset, "Inset", OpId::InsetFaces),
         operation(Icon::Bevel, "Bevel", OpId::BevelEdges),
         tool(Icon::LoopCut, "Loop cut", Action::LoopCutTool),
+        operation(Icon::Slide, "Slide", OpId::SlideEdges),
     ],
     &[
         tool(Icon::Split, "Split", Action::SlideSplit),

@@ -11,6 +11,7 @@ use viewport::Camera;
 use super::lock::{Lock, axes_of};
 use super::place::Place;
 use super::pointer::{Sight, length_step, rounded};
+use super::slide::Track;
 use super::typed::Typed;
 use crate::session::form::{self, Filled};
 use crate::transforming::{Orientation, Pivot, Settings, Symmetry};
@@ -25,6 +26,7 @@ const RADIUS_STEP: f32 = 1.15;
 const SNAP_DEGREES: f32 = 5.0;
 const SNAP_FACTOR: f32 = 0.1;
 const SNAP_FRACTION: f32 = 0.05;
+const SNAP_SLIDE: f32 = 0.1;
 
 /// What a live edit starts with.
 #[derive(Clone, Debug)]
@@ -66,6 +68,10 @@ pub(crate) struct Live {
     pub count: Option<(&'static Field, u32)>,
     place: Place,
     anchor: Vec3,
+    /// What a slide goes along.
+    track: Option<Track>,
+    /// The direction in which vertices slide.
+    way: Vec3,
     /// The view when the edit began, whose axes it keeps.
     camera: Camera,
     /// The vertices that move, by index; found when the edit first snaps to others.
@@ -89,7 +95,13 @@ pub(crate) struct Live {
 }
 
 impl Live {
-    pub(crate) fn new(start: &Start, place: Place, anchor: Vec3, view: &View) -> Option<Self> {
+    pub(crate) fn new(
+        start: &Start,
+        place: Place,
+        anchor: Vec3,
+        track: Option<Track>,
+        view: &View,
+    ) -> Option<Self> {
         let spec = start.id.spec();
         let field = spec.field(start.field).filter(|field| field.drag.is_some()).or(spec.dragged_field())?;
         let drag = field.drag?;
@@ -113,7 +125,9 @@ impl Live {
             typed: Typed::default(),
             count,
             place,
-            anchor: start.anchor.unwrap_or(anchor),
+            anchor: start.anchor.or(track.as_ref().map(|track| track.at)).unwrap_or(anchor),
+            way: track.as_ref().map(Track::first_way).unwrap_or_default(),
+            track,
             camera: view.camera,
             moved: None,
             given,
@@ -125,6 +139,11 @@ impl Live {
             in_document: false,
             refused: None,
         })
+    }
+
+    /// Whether it moves the selection.
+    pub fn is_move(&self) -> bool {
+        (self.id, self.drag) == (OpId::Transform, Drag::Offset)
     }
 
     /// The name in the bar and the messages.
@@ -156,14 +175,18 @@ impl Live {
             Drag::Offset => json!((self.axes(settings) * self.value).to_array()),
             Drag::Rotation => json!({ "axis": self.axis(settings).to_array(), "degrees": self.value.x }),
             Drag::Factors => json!(self.value.to_array()),
-            Drag::Distance | Drag::Width | Drag::Fraction => json!(self.value.x),
+            Drag::Distance | Drag::Width | Drag::Fraction | Drag::Slide => json!(self.value.x),
         };
         filled.insert(self.field.name.to_owned(), value);
         if let Some((field, count)) = self.count {
             filled.insert(field.name.to_owned(), count.into());
         }
-        if self.id == OpId::Transform {
-            self.fill_transform(settings, &mut filled);
+        match self.id {
+            OpId::Transform => self.fill_transform(settings, &mut filled),
+            OpId::SlideVertices => {
+                filled.insert("direction".to_owned(), json!(self.way.to_array()));
+            }
+            _ => {}
         }
         filled.extend(self.given.clone());
         form::command(self.id, &filled)
@@ -225,6 +248,13 @@ impl Live {
             Drag::Factors => self.factors(snapped(sight.factor(from, at), SNAP_FACTOR)),
             Drag::Distance => Vec3::X * snapped(sight.along(self.place.normal, by), step),
             Drag::Width => Vec3::X * snapped(by.length() * sight.units_per_point(), step),
+            Drag::Slide => {
+                let Some(track) = &self.track else { return };
+                let (amount, way) = track.amount(sight, by);
+                let amount = snapped(amount, SNAP_SLIDE);
+                self.way = way.unwrap_or(self.way);
+                Vec3::X * amount
+            }
             Drag::Fraction => Vec3::X * snapped(0.5 + sight.fraction(self.place.edge, by), SNAP_FRACTION),
         };
         self.set_value(value);
@@ -235,6 +265,7 @@ impl Live {
         self.value = match self.drag {
             Drag::Width => value.max(Vec3::ZERO),
             Drag::Fraction => Vec3::X * value.x.clamp(0.01, 0.99),
+            Drag::Slide => Vec3::X * value.x.clamp(-1.0, 1.0),
             Drag::Distance | Drag::Offset | Drag::Rotation | Drag::Factors => value,
         };
     }
@@ -253,7 +284,7 @@ impl Live {
         self.set_value(match self.drag {
             Drag::Offset => self.lock.fill(rest, |_, at| self.typed.value(at).unwrap_or_default()),
             Drag::Factors => self.factors(first),
-            Drag::Width | Drag::Fraction | Drag::Distance | Drag::Rotation => Vec3::X * first,
+            Drag::Width | Drag::Fraction | Drag::Slide | Drag::Distance | Drag::Rotation => Vec3::X * first,
         });
     }
 
@@ -284,8 +315,8 @@ impl Live {
     }
 
     /// What the command depends on.
-    pub(crate) fn amount(&self) -> (Vec3, Lock, Option<u32>) {
-        (self.value, self.lock, self.count.map(|(_, count)| count))
+    pub(crate) fn amount(&self) -> (Vec3, Vec3, Lock, Option<u32>) {
+        (self.value, self.way, self.lock, self.count.map(|(_, count)| count))
     }
 
     /// Turns the wheel: a count, or the radius of the soft selection.
@@ -345,6 +376,6 @@ fn at_rest(drag: Drag) -> Vec3 {
     match drag {
         Drag::Fraction => Vec3::X * 0.5,
         Drag::Factors => Vec3::ONE,
-        Drag::Distance | Drag::Width | Drag::Offset | Drag::Rotation => Vec3::ZERO,
+        Drag::Distance | Drag::Width | Drag::Slide | Drag::Offset | Drag::Rotation => Vec3::ZERO,
     }
 }

@@ -5,4 +5,5 @@ pub(crate) mod keys;
 pub(crate) mod lock;
 pub(crate) mod place;
 mod pointer;
+pub(crate) mod slide;
 mod typed;

@@ -4,6 +4,8 @@ use editor::OpId;
 use editor::ops::{Drag, FieldKind, Symmetry};
 use egui::{Align2, Area, Context, Frame, Id, Order, RichText, Ui, pos2};
 
+use crate::input::actions::Action;
+use crate::input::keys;
 use crate::live::edit::Live;
 use crate::live::lock::AXIS_NAMES;
 use crate::page_view::Page;
@@ -70,8 +72,18 @@ fn hint(page: &Page<'_>, live: &Live) -> String {
             "the wheel sets the radius"
         });
     }
+    let slides = slide_hint(page, live);
+    parts.extend(slides.as_deref());
     parts.push("Ctrl snaps, Shift slows the pointer");
     format!("{}.", parts.join("; "))
+}
+
+/// What the key of a move does while it goes on, if the selection can slide.
+fn slide_hint(page: &Page<'_>, live: &Live) -> Option<String> {
+    let slide = Action::Operation(OpId::SlideEdges).for_selection(page.editor.selection().kind());
+    let key = keys::text(&page.ctx, Action::Move);
+    let can = live.is_move() && !key.is_empty() && page.why_not(slide).is_none();
+    can.then(|| format!("{key} slides"))
 }
 
 /// The numbers of the amount.
@@ -80,7 +92,7 @@ fn amounts(ui: &mut Ui, live: &Live, speed: f64, out: &mut Requests) {
     let mut value = live.value;
     let (suffix, speed) = match live.drag {
         Drag::Rotation => ("°", 0.5),
-        Drag::Factors | Drag::Fraction => ("", 0.005),
+        Drag::Factors | Drag::Fraction | Drag::Slide => ("", 0.005),
         Drag::Distance | Drag::Width | Drag::Offset => ("", speed),
     };
     let several = matches!(live.drag, Drag::Offset | Drag::Factors);

@@ -1,4 +1,4 @@
-//! Live edits: move, rotate, scale, extrude, inset, bevel and the place of a split follow the pointer. A click or
+//! Live edits: move, rotate, scale, extrude, inset, bevel, slide and the place of a split follow the pointer. A click or
 //! Enter makes the edit one undo step; Escape or a right-click cancels it without a trace. Typed numbers replace the
 //! pointer; axis keys limit the edit to an axis or a plane.
 
@@ -11,6 +11,7 @@ use halfedge::Element;
 use crate::live::edit::{Live, Snap, Start};
 use crate::live::keys::Ending;
 use crate::live::place::{self, Place};
+use crate::live::slide::Track;
 use crate::session::Session;
 use crate::transforming::{Pivot, Settings, SnapTo};
 use crate::view::View;
@@ -31,12 +32,17 @@ impl Session {
             None => Place::of_selection(&self.editor),
         };
         let Some(place) = place else { return };
+        let pointer = self.ctx.input(|input| input.pointer.latest_pos());
+        let track = match Track::of_selection(&self.editor, start.id, view, pointer) {
+            Ok(track) => track,
+            Err(refusal) => return self.warn(format!("This can't slide: {refusal}."), Vec::new()),
+        };
         let anchor =
             place.pivot(if start.id == OpId::Transform { self.live_settings.pivot } else { Pivot::Middle });
         if start.ring.is_none() {
             self.place = Some(place);
         }
-        self.live = Live::new(start, place, anchor, view);
+        self.live = Live::new(start, place, anchor, track, view);
         let selection = self.editor.selection();
         if self.live_settings.pivot == Pivot::Individual
             && let Some(live) = self.live.as_mut().filter(|live| live.id == OpId::Transform)
@@ -118,9 +124,9 @@ impl Session {
         if snaps && live.drag == Drag::Offset {
             snap.target = snap_target(&self.editor, live, settings.snap_to, at, view);
         }
-        let before = live.value;
+        let before = live.amount();
         live.update(&settings, view, snap);
-        if live.value != before {
+        if live.amount() != before {
             self.show_live();
         }
     }

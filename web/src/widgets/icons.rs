@@ -71,6 +71,8 @@ pub enum Icon {
     Bevel,
     /// A line through a square.
     LoopCut,
+    /// A line with arrows to both sides.
+    Slide,
     /// A point on a line.
     Split,
     /// A square with its diagonal.
@@ -286,6 +288,7 @@ impl Icon {
             ],
             Self::Bevel => &[&[(8.5, 2.5), (13.5, 2.5), (13.5, 13.5), (2.5, 13.5), (2.5, 8.5)]],
             Self::LoopCut => &[SQUARE, &[(5.0, 8.0), (8.0, 5.0)], &[(8.0, 11.0), (11.0, 8.0)]],
+            Self::Slide => &[&[(4.5, 6.1), (2.0, 8.0), (4.5, 9.9)], &[(11.5, 6.1), (14.0, 8.0), (11.5, 9.9)]],
             Self::Split => &[&[(1.8, 14.2), (5.9, 10.1)], &[(10.1, 5.9), (14.2, 1.8)]],
             Self::Connect => &[SQUARE],
             Self::MouseLeft | Self::MouseMiddle | Self::MouseRight => MOUSE,
@@ -298,7 +301,7 @@ impl Icon {
             Self::Edge => Some(&[(2.5, 2.5), (2.5, 13.5)]),
             Self::Halfedge => Some(&[(1.5, 8.2), (14.5, 8.2)]),
             Self::Bevel => Some(&[(2.5, 8.5), (8.5, 2.5)]),
-            Self::LoopCut => Some(&[(8.0, 1.5), (8.0, 14.5)]),
+            Self::LoopCut | Self::Slide => Some(&[(8.0, 1.5), (8.0, 14.5)]),
             Self::Connect => Some(&[(2.5, 13.5), (13.5, 2.5)]),
             _ => None,
         }

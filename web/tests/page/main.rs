@@ -24,6 +24,7 @@ mod ring_cut;
 mod save;
 mod selecting;
 mod shell;
+mod slide;
 mod toasts;
 mod viewport;
 mod welcome;
