@@ -17,6 +17,8 @@ use crate::theme;
 const MIN_ROW_HEIGHT: f32 = 24.0;
 /// The least height of the open panel, in points.
 const MIN_HEIGHT: f32 = 96.0;
+/// In a lower column, in points, the panel stays closed until it is opened: it would leave too little for the rest.
+const MIN_COLUMN_HEIGHT: f32 = 560.0;
 /// The largest share of the column's height that the panel takes.
 const MAX_SHARE: f32 = 0.6;
 /// From the left edge of a row to the dots of the steps, in points.
@@ -35,6 +37,10 @@ pub(crate) struct HistoryList {
     is_whole: bool,
     /// The panel's height in points, once it was open.
     pub height: Option<f32>,
+    /// Whether the column is too low for the panel.
+    is_low: bool,
+    /// Whether it was opened in a low column.
+    opened_in_low: bool,
     /// Whether the current step has to be scrolled into view.
     reveals: bool,
     /// The scroll position in the last frame, in points.
@@ -69,25 +75,38 @@ impl HistoryList {
     pub fn show(&mut self, ui: &mut Ui, page: &Page<'_>, height: f32, out: &mut Requests) {
         let most = (ui.available_height() * MAX_SHARE).max(MIN_HEIGHT);
         let frame = egui::Frame::new();
-        if page.shown.history {
+        self.is_low = ui.available_height() < MIN_COLUMN_HEIGHT;
+        let open = page.shown.history && !self.is_held_closed();
+        if open {
             let panel = Panel::bottom("history").frame(frame).resizable(true);
             let panel = panel.default_size(height.min(most)).size_range(MIN_HEIGHT..=most);
             let shown = panel.show(ui, |ui| {
                 ui.add_space(4.0);
-                self.header(ui, page, out);
+                self.header(ui, open, out);
                 self.list(ui, page, out);
             });
             self.height = Some(shown.response.rect.height().round());
         } else {
             Panel::bottom("closed history").frame(frame).resizable(false).show(ui, |ui| {
                 ui.add_space(4.0);
-                self.header(ui, page, out);
+                self.header(ui, open, out);
             });
         }
     }
 
-    fn header(&self, ui: &mut Ui, page: &Page<'_>, out: &mut Requests) {
-        let open = page.shown.history;
+    /// Whether the column is too low for the panel, and it was not opened there.
+    fn is_held_closed(&self) -> bool {
+        self.is_low && !self.opened_in_low
+    }
+
+    /// Opens the panel if the column's height holds it closed; returns whether it did.
+    pub fn open_in_low_column(&mut self) -> bool {
+        let opens = self.is_held_closed();
+        self.opened_in_low |= opens;
+        opens
+    }
+
+    fn header(&self, ui: &mut Ui, open: bool, out: &mut Requests) {
         let height = ui.spacing().interact_size.y.max(MIN_ROW_HEIGHT);
         let (rect, response) = ui.allocate_exact_size(vec2(ui.available_width(), height), Sense::click());
         response.widget_info(|| WidgetInfo::labeled(Role::Button, true, "History panel"));

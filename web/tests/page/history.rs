@@ -179,3 +179,15 @@ fn pictures_of_the_list() {
         picture(&mut page, &format!("history {name}"));
     }
 }
+
+#[test]
+fn in_a_low_window_the_panel_is_closed_until_it_is_opened() {
+    let mut page = Page::sized(egui::vec2(880.0, 540.0));
+    assert!(page.has("Filter operations") && !page.has_row("Start: New document"));
+    page.click("History panel");
+    assert!(page.has_row("Start: New document"));
+    page.click("History panel");
+    assert!(!page.has_row("Start: New document"));
+    page.click("History panel");
+    assert!(page.has_row("Start: New document"));
+}
