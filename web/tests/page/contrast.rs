@@ -258,6 +258,7 @@ fn every_text_that_is_drawn_stands_out_in_both_themes() {
         look(&mut page, "two faces");
         if size == DESKTOP {
             page.harness.get_by_role_and_label(egui::Role::Button, "Undo").hover();
+            page.wait();
             look(&mut page, "a hovered tool with its tooltip");
             page.row("Face 1").hover();
             page.run();
@@ -267,6 +268,18 @@ fn every_text_that_is_drawn_stands_out_in_both_themes() {
                 look(&mut page, menu);
                 page.press(Key::Escape);
             }
+            for entry in ["Valence", "Group"] {
+                page.click("View");
+                page.click("Colour by");
+                page.click(entry);
+                look(&mut page, entry);
+            }
+            page.click("View");
+            page.click("Element numbers");
+            let at = page.at([0.0, 0.0, 1.0]);
+            page.harness.hover_at(at);
+            page.run();
+            look(&mut page, "element numbers");
             page.press(Key::E);
             look(&mut page, "an edit that follows the pointer");
             page.press(Key::Escape);
