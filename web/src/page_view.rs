@@ -89,6 +89,7 @@ impl Page<'_> {
             Action::LoopCutTool => {
                 self.view.tool == Tool::LoopCut || self.is_live(Action::Operation(OpId::LoopCut))
             }
+            Action::UpAxis(up) => self.view.camera.up == up,
             Action::Orthographic => self.view.camera.orthographic,
             Action::Wireframe => style.wireframe,
             Action::XRay => style.x_ray,

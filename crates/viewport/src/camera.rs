@@ -1,14 +1,15 @@
 //! The orbit camera, and the mapping between the mesh and the screen.
 //!
 //! Everything is computed in double precision and relative to the eye, so that a model of 1e-4
-//! units and one 1e6 units from the origin both keep the precision of their coordinates. The up axis
-//! is y, as in the OBJ files of most programs; angles are in radians; in pixels, y points down.
+//! units and one 1e6 units from the origin both keep the precision of their coordinates. Angles are in radians; in pixels,
+//! y points down.
 
+use crate::{Side, UpAxis};
 use glam::{DVec2, DVec3, Mat4, Vec2, Vec3, dvec3};
 use surface::{Ray, measure::Bounds};
 
 /// The steepest pitch: straight up or down.
-const MAX_PITCH_RADIANS: f64 = std::f64::consts::FRAC_PI_2;
+pub(crate) const MAX_PITCH_RADIANS: f64 = std::f64::consts::FRAC_PI_2;
 /// The near plane's distance from the eye, as a fraction of the distance to the target.
 const NEAR_FRACTION: f64 = 0.02;
 /// The initial direction of view: a little from the right and above.
@@ -31,6 +32,8 @@ pub struct Camera {
     /// Vertical field of view, in radians. The orthographic view shows as much as the perspective one
     /// does at the target.
     pub fov_y: f64,
+    /// Which axis points upwards.
+    pub up: UpAxis,
     /// Whether the projection is parallel.
     pub orthographic: bool,
     /// The share of the viewport's width and height that framed things fill at most, above 0. The rest is for
@@ -48,56 +51,10 @@ impl Default for Camera {
             pitch: START_PITCH_RADIANS,
             distance: 5.0,
             fov_y: START_FOV_RADIANS,
+            up: UpAxis::Y,
             orthographic: false,
             frame_share: DVec2::ONE,
             scene_bounds: None,
-        }
-    }
-}
-
-/// A side of the scene; y is up, and the front faces +z.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Side {
-    /// From +z.
-    Front,
-    /// From -z.
-    Back,
-    /// From +x.
-    Right,
-    /// From -x.
-    Left,
-    /// From +y.
-    Top,
-    /// From -y.
-    Bottom,
-}
-
-impl Side {
-    /// Every side.
-    pub const ALL: [Self; 6] = [Self::Front, Self::Back, Self::Right, Self::Left, Self::Top, Self::Bottom];
-
-    /// The side across.
-    pub fn opposite(self) -> Self {
-        match self {
-            Self::Front => Self::Back,
-            Self::Back => Self::Front,
-            Self::Right => Self::Left,
-            Self::Left => Self::Right,
-            Self::Top => Self::Bottom,
-            Self::Bottom => Self::Top,
-        }
-    }
-
-    /// The yaw and pitch of a camera that looks from this side.
-    fn angles(self) -> (f64, f64) {
-        use std::f64::consts::{FRAC_PI_2, PI};
-        match self {
-            Self::Front => (0.0, 0.0),
-            Self::Right => (FRAC_PI_2, 0.0),
-            Self::Back => (PI, 0.0),
-            Self::Left => (PI + FRAC_PI_2, 0.0),
-            Self::Top => (0.0, MAX_PITCH_RADIANS),
-            Self::Bottom => (0.0, -MAX_PITCH_RADIANS),
         }
     }
 }
@@ -120,7 +77,7 @@ impl Camera {
         let (sin_pitch, cos_pitch) = self.pitch.sin_cos();
         let back = dvec3(sin_yaw * cos_pitch, sin_pitch, cos_yaw * cos_pitch);
         let right = dvec3(cos_yaw, 0.0, -sin_yaw);
-        [right, back.cross(right), -back]
+        [right, back.cross(right), -back].map(|axis| self.up.to_scene(axis))
     }
 
     /// The camera's position.

@@ -9,7 +9,7 @@ use egui::ThemePreference;
 use formats::Format;
 use halfedge::Element;
 
-use super::{App, THEME_SETTING, keys};
+use super::{App, THEME_SETTING, keys, layout};
 use crate::bezier::{self, ControlPoint};
 use crate::input::actions::Action;
 use crate::input::availability::{follows_pointer, opens_form};
@@ -122,6 +122,7 @@ impl App {
             Action::ZoomIn => self.view.zoom_step(ZOOM_PER_NOTCH),
             Action::ZoomOut => self.view.zoom_step(1.0 / ZOOM_PER_NOTCH),
             Action::LookFrom(side) => self.view.camera.look_from(side),
+            Action::UpAxis(up) => layout::set_up_axis(&mut self.session, &mut self.view, up),
             Action::Orthographic => self.view.camera.orthographic ^= true,
             Action::Wireframe => self.view.style.wireframe ^= true,
             Action::XRay => self.view.style.x_ray ^= true,

@@ -2,17 +2,22 @@
 
 use egui::{Context, Event as Input};
 use serde::{Deserialize, Serialize};
-use viewport::Look;
+use viewport::{Look, UpAxis};
 
 use super::App;
 use crate::platform::Platform;
+use crate::session::Session;
 use crate::shown::{Arrangement, Sheet, Shown};
 use crate::theme;
+use crate::view::View;
 
 /// The key of the setting with the arrangement.
 const LAYOUT_SETTING: &str = "layout";
 /// The key of the setting with the interface's scale in percent.
 const SCALE_SETTING: &str = "scale";
+
+/// The key of the setting with the axis that points upwards.
+const UP_AXIS_SETTING: &str = "up-axis";
 
 /// The scales in percent that a setting may hold.
 const SCALES_PERCENT: std::ops::RangeInclusive<u16> = 50..=300;
@@ -108,6 +113,24 @@ fn store(layout: &Layout, platform: &mut dyn Platform) {
 pub(super) fn load_scale(platform: &dyn Platform) -> u16 {
     let kept = platform.load_setting(SCALE_SETTING).and_then(|kept| kept.parse().ok());
     kept.filter(|percent| SCALES_PERCENT.contains(percent)).unwrap_or(100)
+}
+
+/// The up axis of the last visit.
+pub(super) fn load_up_axis(platform: &dyn Platform) -> UpAxis {
+    match platform.load_setting(UP_AXIS_SETTING).as_deref() {
+        Some("z") => UpAxis::Z,
+        _ => UpAxis::Y,
+    }
+}
+
+/// Shows the scene with this axis upwards, and keeps it for later visits.
+pub(super) fn set_up_axis(session: &mut Session, view: &mut View, up: UpAxis) {
+    view.camera.up = up;
+    let name = match up {
+        UpAxis::Y => "y",
+        UpAxis::Z => "z",
+    };
+    session.platform.store_setting(UP_AXIS_SETTING, name);
 }
 
 /// The zoom for a scale, in a window of a width in CSS pixels. A page scaled up so far that it fits no longer

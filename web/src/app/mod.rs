@@ -29,6 +29,7 @@ use crate::widgets::focus_ring;
 use layout::Layout;
 use panels::Panels;
 use script::Script;
+use viewport::{Side, UpAxis};
 
 /// The editor with its user interface. Call [`App::logic`] and [`App::ui`] once per frame each.
 pub struct App {
@@ -48,9 +49,6 @@ pub struct App {
     /// Whether the document that the page starts with has not been followed yet.
     starting: bool,
 }
-
-/// The yaw and pitch that look straight at the plane of flat curves.
-const FROM_ABOVE: (f64, f64) = (0.0, 0.0);
 
 /// The longest time from one click of a double-click to the other.
 const MAX_DOUBLE_CLICK_SECONDS: f64 = 0.5;
@@ -75,6 +73,7 @@ impl App {
         let panels = Panels::new(&*platform);
         let layout = Layout::load(&*platform);
         let scale_percent = layout::load_scale(&*platform);
+        let up_axis = layout::load_up_axis(&*platform);
         let mut app = Self {
             session: Session::new(ctx, platform),
             shown: Shown::default(),
@@ -89,6 +88,7 @@ impl App {
             starting: true,
         };
         app.shown.scale_percent = scale_percent;
+        app.view.camera.up = up_axis;
         app.apply_layout();
         keys::load(&mut app.session);
         app.session.open_first();
@@ -303,9 +303,14 @@ impl App {
 
     /// Sets the view for a document that was opened or created.
     fn look(&mut self, look: Look) {
-        let was_from_above = (self.view.camera.yaw, self.view.camera.pitch) == FROM_ABOVE;
+        // The side from which the plane of flat curves is seen from straight above.
+        let above = match self.view.camera.up {
+            UpAxis::Y => Side::Front,
+            UpAxis::Z => Side::Top,
+        };
+        let was_from_above = self.view.camera.is_from(above);
         if look == Look::FlatCurves {
-            (self.view.camera.yaw, self.view.camera.pitch) = FROM_ABOVE;
+            self.view.camera.look_from(above);
         } else if was_from_above {
             // From straight above, an object that isn't flat hides its depth.
             self.view.reset();

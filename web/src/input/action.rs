@@ -6,7 +6,7 @@
 use editor::{OpId, SelectBy};
 use formats::Format;
 use halfedge::Element;
-use viewport::{ColorBy, Look, Mark, Side};
+use viewport::{ColorBy, Look, Mark, Side, UpAxis};
 
 use super::key_preset::KeyPreset;
 use super::presets::Preset;
@@ -93,6 +93,8 @@ pub enum Action {
     ZoomOut,
     /// Looks from a side.
     LookFrom(Side),
+    /// Chooses the axis that points upwards in the view.
+    UpAxis(UpAxis),
     /// Switches between parallel and perspective projection.
     Orthographic,
     /// Switches the drawing of edges over faces.

@@ -25,6 +25,7 @@ pub fn submenu(action: Action) -> Option<&'static str> {
     match action {
         A::FrameAll | A::ZoomIn | A::ZoomOut => Some("Zoom"),
         A::LookFrom(_) => Some("Look from"),
+        A::UpAxis(_) => Some("Up axis"),
         A::SelectBy(SelectBy::Kind(_)) => Some("Convert to"),
         A::SelectBy(SelectBy::Loops | SelectBy::Rings | SelectBy::Path | SelectBy::Outline) => {
             Some("Loops and paths")

@@ -1,6 +1,6 @@
 //! The View menu.
 
-use viewport::{ColorBy, Look, Mark, Matcap, Side};
+use viewport::{ColorBy, Look, Mark, Matcap, Side, UpAxis};
 
 use super::action::{Action as A, Entry, entry};
 use crate::shown::Arrangement;
@@ -32,12 +32,24 @@ pub(super) static ENTRIES: &[Option<Entry>] = &[
             .synonyms(&["farther", "smaller"]),
     ),
     Some(entry(A::ResetView, "Reset view", "Restore the initial view.")),
-    Some(entry(A::LookFrom(Side::Front), "Front view", "Look along -z, from the front.")),
-    Some(entry(A::LookFrom(Side::Back), "Back view", "Look along +z, from the back.")),
-    Some(entry(A::LookFrom(Side::Right), "Right view", "Look along -x, from the right.")),
-    Some(entry(A::LookFrom(Side::Left), "Left view", "Look along +x, from the left.")),
-    Some(entry(A::LookFrom(Side::Top), "Top view", "Look along -y, from above.")),
-    Some(entry(A::LookFrom(Side::Bottom), "Bottom view", "Look along +y, from below.")),
+    Some(entry(A::LookFrom(Side::Front), "Front view", "Look from the front, along an axis.")),
+    Some(entry(A::LookFrom(Side::Back), "Back view", "Look from the back, along an axis.")),
+    Some(entry(A::LookFrom(Side::Right), "Right view", "Look from the right, along an axis.")),
+    Some(entry(A::LookFrom(Side::Left), "Left view", "Look from the left, along an axis.")),
+    Some(entry(A::LookFrom(Side::Top), "Top view", "Look from above, along an axis.")),
+    Some(entry(A::LookFrom(Side::Bottom), "Bottom view", "Look from below, along an axis.")),
+    Some(
+        entry(A::UpAxis(UpAxis::Y), "Y up", "Show the scene with y pointing upwards. Coordinates stay.")
+            .synonyms(&["orientation", "vertical"]),
+    ),
+    Some(
+        entry(
+            A::UpAxis(UpAxis::Z),
+            "Z up",
+            "Show the scene with z pointing upwards, as in Blender and CAD programs. Coordinates stay.",
+        )
+        .synonyms(&["orientation", "vertical"]),
+    ),
     Some(
         entry(A::Orthographic, "Parallel projection", "Draw without perspective.")
             .synonyms(&["orthographic"]),

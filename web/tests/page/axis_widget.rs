@@ -109,3 +109,35 @@ fn pictures_of_the_widget() {
         picture(&mut page, &format!("axis widget {name}"));
     }
 }
+
+#[test]
+fn the_up_axis_turns_the_view_but_not_the_mesh() {
+    let mut page = Page::drawn(DESKTOP, Theme::Dark);
+    let before = page.mesh().clone();
+    page.click("View");
+    page.click("Up axis");
+    page.click("Z up");
+    page.command(serde_json::json!({ "op": "transform", "vertices": [4, 5, 6, 7], "translate": [0, 0, 1] }));
+    picture(&mut page, "z up");
+    assert_eq!(page.mesh().vertex_count(), before.vertex_count());
+    for (name, direction) in [
+        ("View from above", [0.0, 0.0, 1.0]),
+        ("View from the front", [0.0, -1.0, 0.0]),
+        ("View from the right", [1.0, 0.0, 0.0]),
+    ] {
+        page.find(name).focus();
+        page.run();
+        page.press(Key::Enter);
+        assert!(is_from(&mut page, direction), "{name}");
+    }
+    let up = page.at([0.0, 0.0, 1.0]) - page.at([0.0; 3]);
+    assert!(up.y < -10.0 && up.x.abs() < 1.0, "z points upwards: {up:?}");
+    assert_eq!(page.outside.setting("up-axis").as_deref(), Some("z"));
+    let mut page = Page::with_setting(DESKTOP, "up-axis", "z");
+    page.press_with(Modifiers::ALT, Key::Num7);
+    assert!(is_from(&mut page, [0.0, 0.0, 1.0]), "kept for later visits");
+    // Flat curves are seen from straight above their plane all the same.
+    page.press_with(Modifiers::ALT, Key::Num1);
+    page.open("arc.bzc", "4\n0 0 1 2 3 2 4 0\n");
+    assert!(page.at([0.0; 3]).distance(page.at([0.0, 1.0, 0.0])) > 10.0, "not from its edge");
+}

@@ -3,8 +3,8 @@
 
 use super::frame::ObjectDraw;
 use super::surface::{bind_picture, picture_texture};
-use super::uniforms::DrawUniform;
-use crate::{Bounds, Camera};
+use super::uniforms::{DrawUniform, number_of_axis};
+use crate::{Bounds, Camera, UpAxis};
 use glam::Vec3;
 
 /// Pixels on each side of the map.
@@ -17,6 +17,7 @@ const MARGIN: f32 = 1.4;
 pub struct Ground {
     pub middle: Vec3,
     pub half_width: f32,
+    pub up: UpAxis,
 }
 
 impl Ground {
@@ -24,12 +25,14 @@ impl Ground {
     /// below the ground.
     pub fn below(camera: &Camera) -> Option<Self> {
         let scene: Bounds = camera.scene()?;
-        let size = scene.max - scene.min;
-        let half_width = size.x.max(size.z) * 0.5 * MARGIN;
-        let center = scene.center();
-        let middle = Vec3::new(center.x, scene.min.y, center.z);
-        let is_seen = camera.eye().y > f64::from(middle.y) || camera.orthographic && camera.pitch > 0.0;
-        (half_width.is_normal() && is_seen).then_some(Self { middle, half_width })
+        let up = camera.up;
+        let size = up.to_upright((scene.max - scene.min).as_dvec3()).abs();
+        let half_width = size.x.max(size.z) as f32 * 0.5 * MARGIN;
+        let (center, lowest) = (scene.center().as_dvec3(), up.to_upright(scene.min.as_dvec3()).y);
+        let middle = up.to_scene(up.to_upright(center).with_y(lowest)).as_vec3();
+        let is_above = up.to_upright(camera.eye()).y > lowest;
+        let is_seen = is_above || camera.orthographic && camera.pitch > 0.0;
+        (half_width.is_normal() && is_seen).then_some(Self { middle, half_width, up })
     }
 
     /// The uniform of an object that casts a shadow.
@@ -38,7 +41,7 @@ impl Ground {
         DrawUniform {
             offset: offset.extend(1.0 / self.half_width).to_array(),
             color: [0.0; 4],
-            params: [0.0; 4],
+            params: [number_of_axis(self.up), 0.0, 0.0, 0.0],
         }
     }
 }

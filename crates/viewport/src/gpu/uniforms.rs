@@ -1,6 +1,6 @@
 //! The uniforms of the shaders: one per frame, and one per draw.
 
-use crate::{Camera, Look, Style};
+use crate::{Camera, Look, Style, UpAxis};
 use glam::{DVec3, Vec2, Vec3};
 use halfedge::Color;
 
@@ -15,7 +15,7 @@ pub struct FrameUniform {
     light: [f32; 4],
     /// The camera's direction to the right, and the number of the look.
     right: [f32; 4],
-    /// The camera's direction upwards.
+    /// The camera's direction upwards, and 1 where z is the scene's up axis.
     up: [f32; 4],
     /// Width and height in pixels, pixels per point, and the depth of the near plane.
     viewport: [f32; 4],
@@ -58,6 +58,14 @@ fn number(look: Look) -> f32 {
     }
 }
 
+/// The number of an up axis in the shaders.
+pub fn number_of_axis(up: UpAxis) -> f32 {
+    match up {
+        UpAxis::Y => 0.0,
+        UpAxis::Z => 1.0,
+    }
+}
+
 /// sRGB bytes as fractions.
 pub fn rgba(color: Color, alpha: f32) -> [f32; 4] {
     let [r, g, b] = color.0.map(|c| f32::from(c) / 255.0);
@@ -75,7 +83,7 @@ impl FrameUniform {
             matrix: camera.relative_view_proj(f64::from(size.x / size.y)).to_cols_array_2d(),
             light: to_light.to_array(),
             right: right.as_vec3().extend(number(style.look)).to_array(),
-            up: up.as_vec3().extend(0.0).to_array(),
+            up: up.as_vec3().extend(number_of_axis(camera.up)).to_array(),
             viewport: [size.x, size.y, pixels_per_point, (camera.near() / camera.distance) as f32],
             background_top: rgba(style.theme.background_top, 1.0),
             background_bottom: rgba(style.theme.background_bottom, 1.0),
@@ -95,14 +103,15 @@ fn grid(camera: &Camera) -> ([f32; 4], [f32; 4]) {
     let spacing = 10_f64.powf(level.floor());
     // The middle is where coarse lines cross, so that lines stay put while the target moves.
     let coarse = spacing * 100.0;
+    let target = camera.up.to_upright(camera.target);
     let middle = DVec3::new(
-        (camera.target.x / coarse).round() * coarse,
-        camera.scene().map_or(0.0, |scene| f64::from(scene.min.y)),
-        (camera.target.z / coarse).round() * coarse,
+        (target.x / coarse).round() * coarse,
+        camera.scene().map_or(0.0, |scene| camera.up.to_upright(scene.min.as_dvec3()).y),
+        (target.z / coarse).round() * coarse,
     );
     let scale = 1.0 / camera.distance;
-    let relative = ((middle - camera.eye()) * scale).as_vec3();
-    let to_target = ((camera.target - middle) * scale).as_vec3();
+    let relative = ((camera.up.to_scene(middle) - camera.eye()) * scale).as_vec3();
+    let to_target = ((target - middle) * scale).as_vec3();
     (
         relative.extend((spacing * scale) as f32).to_array(),
         [12.0, (level - level.floor()) as f32, to_target.x, to_target.z],

@@ -26,6 +26,11 @@ struct Draw {
 @group(0) @binding(0) var<uniform> frame: Frame;
 @group(0) @binding(1) var<uniform> draw: Draw;
 
+// A vector of the scene, from one whose y points upwards.
+fn to_scene(v: vec3<f32>) -> vec3<f32> {
+    return select(v, vec3<f32>(v.x, -v.z, v.y), frame.up.w > 0.5);
+}
+
 // A position of the object's buffers, relative to the eye.
 fn from_eye(position: vec3<f32>) -> vec3<f32> {
     return (position + draw.offset.xyz) * draw.offset.w;

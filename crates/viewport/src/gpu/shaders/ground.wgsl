@@ -34,7 +34,7 @@ fn ground_vertex(@builtin(vertex_index) index: u32) -> Ground {
     let corner = vec2<f32>(select(-1.0, 1.0, right), select(-1.0, 1.0, top)) * frame.grid_fade.x;
     let place = corner + frame.grid_fade.zw;
     var out: Ground;
-    out.clip = to_clip(frame.grid.xyz + vec3<f32>(place.x, 0.0, place.y));
+    out.clip = to_clip(frame.grid.xyz + to_scene(vec3<f32>(place.x, 0.0, place.y)));
     out.place = place / frame.grid.w;
     out.from_target = corner / frame.grid_fade.x;
     return out;

@@ -7,10 +7,11 @@ struct Cast {
     @location(0) height: f32,
 }
 
-// draw: the object's origin relative to the middle of the map, and 2 / the map's width.
+// draw: the object's origin relative to the middle of the map, and 2 / the map's width; params: 1 where z points upwards.
 @vertex
 fn cast_vertex(@location(0) position: vec3<f32>) -> Cast {
-    let place = from_eye(position);
+    let p = from_eye(position);
+    let place = select(p, vec3<f32>(p.x, p.z, -p.y), draw.params.x > 0.5);
     var out: Cast;
     out.clip = vec4<f32>(place.x, place.z, 0.5, 1.0);
     out.height = place.y;
@@ -70,7 +71,7 @@ fn shadow_vertex(@builtin(vertex_index) index: u32) -> Place {
     let far = index == 2u || index == 4u || index == 5u;
     let corner = vec2<f32>(select(-1.0, 1.0, right), select(-1.0, 1.0, far));
     var out: Place;
-    out.clip = to_clip(from_eye(vec3<f32>(corner.x, 0.0, corner.y) * draw.params.x));
+    out.clip = to_clip(from_eye(to_scene(vec3<f32>(corner.x, 0.0, corner.y)) * draw.params.x));
     out.uv = vec2<f32>(corner.x, -corner.y) * 0.5 + 0.5;
     return out;
 }
