@@ -33,7 +33,8 @@ const view = async (editor) => (await editor.state()).view;
 /** A place beside the cube, and how far one can drag from there. */
 async function beside(editor) {
   const { rect: [x, y, width, height] } = await view(editor);
-  return [x + width - 60, y + height - 40];
+  // Above the axes in the corner.
+  return [x + width - 60, y + height - 130];
 }
 
 editorTest("the keys and the mouse of Blender", { sizes, query: "?keys=blender" }, async (editor) => {
