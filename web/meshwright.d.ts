@@ -285,13 +285,15 @@ export interface FillHole {
   halfedge?: number | Pair;
 }
 
-/** Join two boundary loops with a band of faces. */
+/** Join two boundary loops, or two faces that it replaces, with a band of faces. */
 export interface Bridge {
   op: "bridge";
   /** The place of the object in the document's list; default: the active object. */
   object?: number;
   /** A boundary half-edge of each loop: a list of two half-edges, each by id or by `[from, to]`, its vertices; default: the two selected half-edges. */
   halfedges?: [number | Pair, number | Pair];
+  /** Two faces to replace: a list of two faces, each by id; default: the two selected faces. */
+  faces?: [number, number];
 }
 
 /** Merge several vertices into one. */

@@ -48,6 +48,7 @@ fn any_edit() -> impl Strategy<Value = Value> {
         ),
         (0u32..80).prop_map(|h| json!({"op": "fill-hole", "halfedge": h})),
         prop::array::uniform2(0u32..80).prop_map(|h| json!({"op": "bridge", "halfedges": h})),
+        prop::array::uniform2(0u32..20).prop_map(|f| json!({"op": "bridge", "faces": f})),
         ids().prop_map(|v| json!({"op": "merge-vertices", "vertices": v})),
         pair().prop_map(|e| json!({"op": "weld-edges", "edges": e})),
         ids().prop_map(|e| json!({"op": "rip-edges", "edges": e})),

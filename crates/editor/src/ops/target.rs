@@ -28,6 +28,7 @@ pub(crate) enum Slot<'a> {
     TwoVertices(&'a mut Option<[VertexRef; 2]>),
     TwoEdges(&'a mut Option<[EdgeRef; 2]>),
     TwoHalfedges(&'a mut Option<[HalfedgeRef; 2]>),
+    TwoFaces(&'a mut Option<[FaceRef; 2]>),
 }
 
 impl Slot<'_> {
@@ -43,6 +44,7 @@ impl Slot<'_> {
             Self::TwoVertices(slot) => slot.is_some(),
             Self::TwoEdges(slot) => slot.is_some(),
             Self::TwoHalfedges(slot) => slot.is_some(),
+            Self::TwoFaces(slot) => slot.is_some(),
         }
     }
 
@@ -60,6 +62,7 @@ impl Slot<'_> {
             Self::TwoVertices(slot) => *slot = two().map(|ids| ids.map(VertexRef)),
             Self::TwoEdges(slot) => *slot = two().map(|ids| ids.map(EdgeRef::Id)),
             Self::TwoHalfedges(slot) => *slot = two().map(|ids| ids.map(HalfedgeRef::Id)),
+            Self::TwoFaces(slot) => *slot = two().map(|ids| ids.map(FaceRef)),
         }
     }
 }

@@ -70,6 +70,8 @@ pub enum Refusal {
     NoDirection,
     /// Both half-edges lie on the same boundary loop.
     SameLoop(HalfedgeId, HalfedgeId),
+    /// Both faces have this vertex.
+    FacesTouch(FaceId, FaceId, VertexId),
     /// Ripping this edge would leave its two sides joined at both ends.
     StaysJoined(EdgeId),
     /// Neighbours of this face were not given, and the edit is for whole pieces.
@@ -157,6 +159,9 @@ impl fmt::Display for Refusal {
             Self::NoDirection => write!(f, "the direction is too short; give one with a length"),
             Self::SameLoop(a, b) => {
                 write!(f, "{a} and {b} are on the same boundary loop; choose one of each of two loops")
+            }
+            Self::FacesTouch(a, b, v) => {
+                write!(f, "{a} and {b} both have {v}; choose two faces without a common vertex")
             }
             Self::StaysJoined(e) => {
                 write!(f, "ripping {e} would leave its sides joined at both ends; rip a longer line of edges")

@@ -60,6 +60,7 @@ fn reached() -> Vec<Refusal> {
         can_slide_edges(&zoo::coin(5), &[EdgeId::new(0)], 0.5),
         can_slide_vertices(&cube, &[v(0)], Vec3::ZERO, 0.5),
         can_bridge(&frame, [loops[0], frame.next(loops[0])]),
+        can_bridge_faces(&cube, [all[0], all[2]]),
         can_rip_edges(&cube, &[EdgeId::new(0)]),
         can_merge_vertices(&cube, &[VertexId::new(0)], None),
         can_flip_orientation(&cube, &all[1..]),
@@ -100,6 +101,7 @@ fn name(refusal: &Refusal) -> &'static str {
         Refusal::NoRail(_) => "no rail",
         Refusal::NoDirection => "no direction",
         Refusal::SameLoop(..) => "same loop",
+        Refusal::FacesTouch(..) => "faces touch",
         Refusal::StaysJoined(_) => "stays joined",
         Refusal::NotAWholePiece(_) => "not a whole piece",
         Refusal::NoTriangulation(_) => "no triangulation",
@@ -111,7 +113,7 @@ fn every_reason_occurs_and_is_explained() {
     let mut names: Vec<&str> = reached().iter().map(name).collect();
     names.sort_unstable();
     names.dedup();
-    assert_eq!(names.len(), 30, "{names:?}");
+    assert_eq!(names.len(), 31, "{names:?}");
     for refusal in reached() {
         let words = refusal.to_string();
         assert!(words.len() > 15, "{words}");
@@ -152,6 +154,7 @@ fn elements_that_do_not_exist_are_refused_by_every_edit() {
             can_slide_vertices(&mesh, &[VertexId::new(9999)], Vec3::X, 0.5),
             can_fill_hole(&mesh, EdgeId::new(9999).halfedge()),
             can_bridge(&mesh, [EdgeId::new(9999).halfedge(); 2]),
+            can_bridge_faces(&mesh, [FaceId::new(9999); 2]),
             can_merge_vertices(&mesh, &[VertexId::new(9999)], None),
             can_weld_edges(&mesh, [EdgeId::new(9999), e]),
             can_rip_edges(&mesh, &[EdgeId::new(9999)]),

@@ -67,6 +67,41 @@ fn loops_of_any_lengths_are_bridged() {
 }
 
 #[test]
+fn two_faces_become_a_handle_or_join_two_pieces() {
+    // A passage between opposite faces of a cube whose other faces are inset, so that nothing joins them.
+    let mut mesh = zoo::cube();
+    let faces: Vec<FaceId> = mesh.faces().collect();
+    let inset = inset_faces(&mut mesh, &faces, Grouping::Individual).unwrap();
+    inset.slide.apply(&mut mesh, 0.25).unwrap();
+    let [one, other] = [faces[0], faces[1]];
+    let sides = |mesh: &Mesh, f| mesh.face_vertices(f).collect::<Vec<_>>();
+    let ends: Vec<_> = sides(&mesh, one).into_iter().chain(sides(&mesh, other)).collect();
+    let before = counts(&mesh);
+    let made = bridge_faces(&mut mesh, [one, other]).unwrap();
+    assert_eq!((made.removed_faces.len(), made.faces.len(), made.edges.len()), (2, 4, 4));
+    assert!(made.vertices.is_empty() && made.removed_vertices.is_empty() && made.removed_edges.is_empty());
+    assert_eq!(counts(&mesh), [before[0], before[1] + 4, before[2] + 2]);
+    assert_eq!((mesh.euler_characteristic(), mesh.boundary_loops().len()), (0, 0));
+    assert!(made.faces.iter().flat_map(|&f| sides(&mesh, f)).all(|v| ends.contains(&v)));
+
+    // Two single triangles, whose sides are boundary edges, become a prism without lids.
+    let mut mesh = lids(3, 3);
+    let [one, other] = [FaceId::new(0), FaceId::new(1)];
+    bridge_faces(&mut mesh, [one, other]).unwrap();
+    assert_eq!(counts(&mesh)[2], 3);
+    assert_eq!(mesh.boundary_loops().len(), 2);
+
+    let cube = zoo::cube();
+    assert_eq!(
+        can_bridge_faces(&cube, [one, one]),
+        Err(Refusal::GivenTwice(halfedge::Element::Face, one.raw()))
+    );
+    // Edges already join opposite faces of a cube where the band would.
+    let across = cube.faces().find(|&f| sides(&cube, f).iter().all(|v| !sides(&cube, one).contains(v)));
+    assert!(matches!(can_bridge_faces(&cube, [one, across.unwrap()]), Err(Refusal::SideTaken(..))));
+}
+
+#[test]
 fn bridges_that_fail() {
     // A narrow frame has edges already where the band would.
     let mesh = zoo::frame();

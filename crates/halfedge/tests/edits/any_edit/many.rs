@@ -111,6 +111,15 @@ pub(super) fn edit_many(mesh: &mut Mesh, random: &mut Random, kind: Kind, all: &
                 |made| Said { euler: Some(1), loops: Some(-1), ..Said::made(made) },
             )
         }
+        Kind::Bridge if random.below(2) == 0 => {
+            let faces = [0, 0].map(|_| random.pick(&all.faces).unwrap_or(FaceId::new(0)));
+            check_and_edit(
+                mesh,
+                |m| can_bridge_faces(m, faces),
+                |m| bridge_faces(m, faces),
+                |made| Said { euler: Some(-2), loops: Some(0), ..Said::made(made) },
+            )
+        }
         Kind::Bridge => {
             let sides = [random.pick(&loops), random.pick(&loops)].map(|h| h.unwrap_or(edge.halfedge()));
             check_and_edit(
