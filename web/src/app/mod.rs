@@ -17,14 +17,14 @@ use crate::bezier::Player;
 use crate::input::actions::Action;
 use crate::input::shortcut::Shortcut;
 use crate::page_view::Page;
-use crate::panels::viewport::Viewport;
+use crate::panels::viewport::{Viewport, ring_cut};
 use crate::panels::{live_bar, menu_bar, status_bar, tool_bar, welcome};
 use crate::platform::{DeviceInfo, Event, NamedBytes, Platform};
 use crate::request::Requests;
 use crate::session::{Look, Session, selecting};
 use crate::shown::Shown;
 use crate::theme;
-use crate::view::{self, ELEMENTS_PER_FRAME, View};
+use crate::view::{self, ELEMENTS_PER_FRAME, Tool, View};
 use crate::widgets::focus_ring;
 use layout::Layout;
 use panels::Panels;
@@ -240,6 +240,9 @@ impl App {
             }
         }
         let Some(reader) = keys::reader(&self.page(), &self.panels) else { return Vec::new() };
+        if self.view.tool == Tool::LoopCut && self.session.live.is_none() && !ctx.text_edit_focused() {
+            ring_cut::take_digits(ctx, &mut self.view);
+        }
         let (actions, held) = reader.take(ctx);
         if !held.is_empty() {
             self.held_events = held;

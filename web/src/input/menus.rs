@@ -179,7 +179,7 @@ pub static MENUS: &[Menu] = &[
                 entry(
                     A::LoopCutTool,
                     "Loop cut at the pointer",
-                    "Point at an edge: a click cuts the ring of quads across it and slides the cut. The wheel sets the number of cuts.",
+                    "Point at an edge: a click cuts the ring of quads across it and slides the cut. The wheel or a typed number sets the number of cuts.",
                 )
                 .synonyms(&["insert edge loop", "ring cut"]),
             ),

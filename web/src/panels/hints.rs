@@ -108,7 +108,7 @@ fn by_mouse(page: &Page<'_>, modifiers: Modifiers) -> Vec<Hint> {
         Tool::LoopCut => {
             return vec![
                 hint(LEFT, "Cut, then slide"),
-                hint(MIDDLE, "Wheel: number of cuts"),
+                hint(MIDDLE, "Wheel or digits: number of cuts"),
                 hint(RIGHT, "End the tool"),
                 hint(ESCAPE, "End the tool"),
             ];

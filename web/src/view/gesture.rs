@@ -80,6 +80,7 @@ impl View {
     /// Takes a tool, or puts it away.
     pub fn switch_tool(&mut self, tool: Tool) {
         self.tool = if self.tool == tool { Tool::Orbit } else { tool };
+        self.ring_typed = 0;
     }
 
     pub fn local(&self, at: Pos2) -> glam::Vec2 {

@@ -83,6 +83,8 @@ pub(crate) struct View {
     pub circle_radius: f32,
     /// The number of loop cuts that a click makes.
     pub ring_cuts: u32,
+    /// The number of cuts as typed so far; 0 if nothing is typed.
+    pub ring_typed: u32,
     /// Where they would be.
     pub ring: ShownRing,
     /// The modifiers of the last click.
@@ -118,6 +120,7 @@ impl View {
             strokes: 0,
             circle_radius: START_CIRCLE_RADIUS,
             ring_cuts: 1,
+            ring_typed: 0,
             ring: ShownRing::default(),
             clicked_with: None,
             pick_radius: 0.0,

@@ -73,6 +73,33 @@ fn the_wheel_sets_the_number_of_cuts_and_does_not_zoom() {
 }
 
 #[test]
+fn digits_set_the_number_of_cuts_and_leave_the_mode() {
+    let (mut page, at) = pointing();
+    let digit = |page: &mut Page, key: Key, text: &str| {
+        page.harness.key_press(key);
+        page.harness.event(Event::Text(text.to_owned()));
+        page.run();
+    };
+    // In the keys of the courses, 1 and 2 are modes too.
+    digit(&mut page, Key::Num1, "1");
+    digit(&mut page, Key::Num2, "2");
+    page.press(Key::Backspace);
+    digit(&mut page, Key::Num1, "1");
+    assert_eq!(page.app().script().state()["view"]["list"], "vertex");
+    turn_wheel(&mut page, 1.0);
+    click(&mut page, at);
+    page.press(Key::Enter);
+    assert_eq!(page.mesh().face_count(), 6 + 4 * 12, "11 and a notch of the wheel");
+    // The next number starts afresh.
+    page.press(Key::L);
+    hover(&mut page, at + vec2(2.0, 0.0));
+    digit(&mut page, Key::Num3, "3");
+    click(&mut page, at);
+    page.press(Key::Enter);
+    assert_eq!(page.mesh().face_count(), 6 + 4 * 12 + 4 * 3);
+}
+
+#[test]
 fn a_drag_cuts_and_slides_in_one() {
     let (mut page, at) = pointing();
     page.drag(at, at + vec2(0.0, 60.0));

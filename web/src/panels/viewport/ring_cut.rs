@@ -1,7 +1,7 @@
-//! The loop cut at the pointer: the ring of quads under the pointer shows where it would be cut, the wheel sets the
-//! number of cuts, and a click or a drag cuts and slides.
+//! The loop cut at the pointer: the ring of quads under the pointer shows where it would be cut, the wheel or a typed
+//! number sets the number of cuts, and a click or a drag cuts and slides.
 
-use egui::{Pos2, Stroke, Ui};
+use egui::{Context, Event, Key, Pos2, Stroke, Ui};
 use halfedge::Element;
 
 use super::Viewport;
@@ -10,7 +10,7 @@ use crate::page_view::Page;
 use crate::view::ring::{RingCut, ShownRing, lines};
 use crate::view::{Tool, View};
 
-/// The most cuts that the wheel sets; forms take more.
+/// The most cuts that the wheel and the keys set; forms take more.
 const MAX_CUTS: u32 = 100;
 
 /// The cut of the ring through an edge at a place on the page: the start of an edit that slides it from there.
@@ -34,9 +34,51 @@ pub(super) fn follow_hovered(viewport: &mut Viewport<'_>) {
 
 /// Changes the number of cuts by notches of the wheel.
 pub(super) fn turn_wheel(view: &mut View, notches: i32) {
-    view.ring_cuts = view.ring_cuts.saturating_add_signed(notches).clamp(1, MAX_CUTS);
+    if notches != 0 {
+        view.ring_typed = 0;
+        set_cuts(view, view.ring_cuts.saturating_add_signed(notches));
+    }
+}
+
+fn set_cuts(view: &mut View, cuts: u32) {
+    view.ring_cuts = cuts.clamp(1, MAX_CUTS);
     // The pointer finds its edge again, and the cuts through it.
     view.looked = None;
+}
+
+/// Takes the digits out of the frame's input: they type the number of cuts.
+pub(crate) fn take_digits(ctx: &Context, view: &mut View) {
+    let mut typed = view.ring_typed;
+    ctx.input_mut(|input| {
+        input.events.retain(|event| match event {
+            Event::Text(text) => match text.parse::<u32>() {
+                Ok(digit) => {
+                    typed = typed.saturating_mul(10).saturating_add(digit);
+                    // Beyond the most cuts, the digit begins another number.
+                    if typed > MAX_CUTS {
+                        typed = digit;
+                    }
+                    false
+                }
+                Err(_) => true,
+            },
+            Event::Key { key: Key::Backspace, pressed: true, .. } => {
+                typed /= 10;
+                false
+            }
+            // What they type is text: they must not do anything else.
+            Event::Key { key, modifiers, .. } => modifiers.any() || !is_digit(*key),
+            _ => true,
+        });
+    });
+    if typed != view.ring_typed {
+        view.ring_typed = typed;
+        set_cuts(view, typed);
+    }
+}
+
+fn is_digit(key: Key) -> bool {
+    key.name().bytes().all(|byte| byte.is_ascii_digit())
 }
 
 /// Draws the cuts, also where they lie behind the model: they go around it.
