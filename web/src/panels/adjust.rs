@@ -27,15 +27,18 @@ pub(crate) fn show(ui: &mut Ui, page: &Page<'_>, own: &mut Adjusting, out: &mut 
         return;
     };
     let spec = command.op.spec();
-    let is_shown = |field: &Field| !field.is_target() && !matches!(field.fill, Fill::Optional(_));
-    // A new shape is adjusted in its own form.
-    let makes_document = command.op.id() == OpId::New;
+    // Which document a new shape is in was decided when it was made.
+    let is_place = |field: &Field| command.op.id() == OpId::New && field.name == "add";
+    let is_shown =
+        |field: &Field| !field.is_target() && !matches!(field.fill, Fill::Optional(_)) && !is_place(field);
     // The inspector has these fields, and must not move away while they change.
     let in_inspector = matches!(command.op.id(), OpId::SetFaceColor | OpId::SetVertexPosition);
     let has_text = spec.fields.iter().any(|field| field.kind == FieldKind::Text);
-    if has_text
+    // The cube that the page opens with is no step.
+    let is_start = command.op.id() == OpId::New && page.editor.undo_labels().next().is_none();
+    if is_start
+        || has_text
         || spec.scope == Scope::Document
-        || makes_document
         || in_inspector
         || !spec.fields.iter().any(is_shown)
     {

@@ -61,6 +61,20 @@ fn it_covers_no_part_of_the_model_or_the_lists() {
 }
 
 #[test]
+fn the_sizes_of_a_new_shape_can_be_adjusted() {
+    let mut page = Page::welcoming(DESKTOP);
+    page.click("Start with Cylinder");
+    assert_eq!(page.mesh().face_count(), 34);
+    page.type_into("Segments", "16");
+    assert_eq!(page.mesh().face_count(), 18);
+    page.type_into("Rings", "4");
+    assert_eq!(page.mesh().face_count(), 2 + 4 * 16);
+    assert_eq!(page.undo_labels(), ["New shape"], "one step");
+    page.press_with(Modifiers::COMMAND, Key::Z);
+    assert_eq!((page.mesh().face_count(), page.undo_labels().len()), (6, 0));
+}
+
+#[test]
 fn a_click_on_the_model_closes_it_and_selects() {
     for size in [DESKTOP, PHONE] {
         let mut page = Page::welcoming(size);
