@@ -17,6 +17,34 @@ pub fn mesh_operations() -> impl Iterator<Item = OpId> {
     all.filter(|id| matches!(id.spec().scope, Scope::Elements | Scope::Meshes))
 }
 
+/// Sorts operations: the most used first and the destructive last.
+pub fn sort_by_use(ids: &mut [OpId]) {
+    const FIRST: [OpId; 10] = [
+        OpId::Transform,
+        OpId::ExtrudeFaces,
+        OpId::ExtrudeEdges,
+        OpId::InsetFaces,
+        OpId::BevelEdges,
+        OpId::BevelVertices,
+        OpId::LoopCut,
+        OpId::Bridge,
+        OpId::FillHole,
+        OpId::ConnectVertices,
+    ];
+    const LAST: [OpId; 6] = [
+        OpId::CollapseEdge,
+        OpId::CollapseFace,
+        OpId::DissolveVertex,
+        OpId::DissolveEdge,
+        OpId::DeleteFaces,
+        OpId::DeleteVertices,
+    ];
+    ids.sort_by_key(|id| {
+        let first = FIRST.iter().position(|first| first == id).unwrap_or(FIRST.len());
+        (LAST.contains(id), first)
+    });
+}
+
 /// The operations that select by what elements are like.
 pub fn criteria() -> impl Iterator<Item = OpId> {
     // The others have entries of the page's own, which know the kind that the list shows.

@@ -162,33 +162,10 @@ fn found(text: &str) -> Vec<OpId> {
     found.into_iter().map(|(_, id)| id).collect()
 }
 
-/// Those of the operations that belong to a group, the most used first and the destructive last.
+/// Those of the operations that belong to a group, by use.
 fn in_group(page: &Page<'_>, ids: &[OpId], group: Group) -> Vec<OpId> {
-    const FIRST: [OpId; 10] = [
-        OpId::Transform,
-        OpId::ExtrudeFaces,
-        OpId::ExtrudeEdges,
-        OpId::InsetFaces,
-        OpId::BevelEdges,
-        OpId::BevelVertices,
-        OpId::LoopCut,
-        OpId::Bridge,
-        OpId::FillHole,
-        OpId::ConnectVertices,
-    ];
-    const LAST: [OpId; 6] = [
-        OpId::CollapseEdge,
-        OpId::CollapseFace,
-        OpId::DissolveVertex,
-        OpId::DissolveEdge,
-        OpId::DeleteFaces,
-        OpId::DeleteVertices,
-    ];
     let mut ids: Vec<OpId> = ids.iter().copied().filter(|id| group_of(page, *id) == group).collect();
-    ids.sort_by_key(|id| {
-        let first = FIRST.iter().position(|first| first == id).unwrap_or(FIRST.len());
-        (LAST.contains(id), first)
-    });
+    actions::sort_by_use(&mut ids);
     ids
 }
 
