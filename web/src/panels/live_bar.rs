@@ -23,7 +23,8 @@ pub(crate) fn show(ctx: &Context, page: &Page<'_>, out: &mut Requests) {
     area.fixed_pos(pos2(top.x, top.y + 8.0)).constrain_to(page.view.rect).show(ctx, |ui| {
         Frame::popup(ui.style()).show(ui, |ui| {
             ui.horizontal_wrapped(|ui| {
-                ui.set_max_width((page.view.rect.width() - 24.0).max(200.0));
+                // Beside the tools.
+                ui.set_max_width((page.view.free_rect().width() - 24.0).max(200.0));
                 ui.label(RichText::new(live.label()).strong());
                 amounts(ui, live, page.view.drag_speed(), out);
                 count(ui, live, out);

@@ -156,7 +156,9 @@ fn form_end(
         let width = (ui.available_width() - ui.spacing().item_spacing.x) / 2.0;
         ui.horizontal_top(|ui| {
             let cancel = Button::new("Cancel").min_size(vec2(width, 0.0));
-            if ui.add(cancel).on_hover_text("Close the form without applying it").clicked() {
+            // In a column as the other button is, which centres its text.
+            let cancel = ui.vertical(|ui| ui.add(cancel)).inner;
+            if cancel.on_hover_text("Close the form without applying it").clicked() {
                 out.push(Request::CloseForm);
             }
             ui.vertical(|ui| apply_button(ui, page, id, filled, out));

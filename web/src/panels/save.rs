@@ -3,7 +3,8 @@
 use editor::{Changes, Document};
 use egui::text_selection::CCursorRange;
 use egui::{
-    Align2, Button, ComboBox, Context, Grid, Id, Key, Label, Modal, RichText, ScrollArea, TextEdit, Ui, vec2,
+    Align2, Button, ComboBox, Context, Frame, Grid, Id, Key, Label, Modal, RichText, ScrollArea, TextEdit,
+    Ui, vec2,
 };
 use formats::Format;
 
@@ -110,10 +111,12 @@ pub(crate) fn show(ctx: &Context, page: &Page<'_>, own: &mut Saving, narrow: boo
         return;
     }
     let screen = ctx.content_rect();
-    let width = 400.0_f32.min(screen.width() - 48.0);
+    let margin = if narrow { 12 } else { 16 };
+    let width = 400.0_f32.min(screen.width() - 2.0 * f32::from(margin) - 16.0);
     let id = Id::unique("save");
     let area = Modal::default_area(id).anchor(Align2::CENTER_TOP, vec2(0.0, screen.height() * 0.12));
-    let shown = Modal::new(id).area(area).show(ctx, |ui| {
+    let frame = Frame::popup(&ctx.global_style()).inner_margin(margin);
+    let shown = Modal::new(id).area(area).frame(frame).show(ctx, |ui| {
         ui.set_width(width);
         form(ui, page, own, narrow)
     });
