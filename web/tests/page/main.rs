@@ -16,6 +16,7 @@ mod lists;
 mod live;
 mod looks;
 mod menus;
+mod mug;
 mod page;
 mod previews;
 mod properties;
