@@ -23,6 +23,7 @@ mod properties;
 mod regions;
 mod ring_cut;
 mod save;
+mod screens;
 mod selecting;
 mod shell;
 mod slide;
