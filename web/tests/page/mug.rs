@@ -111,8 +111,9 @@ impl Hands {
 
     /// Clicks the button with this label, in an open menu if there is one there.
     fn choose(&mut self, label: &str) {
-        let last = self.page.harness.query_all_by_label(label).last();
-        let at = last.expect("a button").rect().center();
+        let layer = |at: &Pos2| self.page.harness.ctx.layer_id_at(*at).map(|layer| layer.order);
+        let places = self.page.harness.query_all_by_label(label).map(|node| node.rect().center());
+        let at = places.max_by_key(layer).expect("a button");
         self.click_window(label, at, PointerButton::Primary, Modifiers::NONE);
     }
 
