@@ -52,11 +52,12 @@ impl Bridge {
 
 impl LocalEdit for Bridge {
     fn can(&self, mesh: &Mesh) -> Result<(), Problem> {
-        Ok(if self.is_of_faces()? {
-            edit::can_bridge_faces(mesh, two(self.faces, "faces", mesh)?)?
+        if self.is_of_faces()? {
+            edit::can_bridge_faces(mesh, two(self.faces, "faces", mesh)?)?;
         } else {
-            edit::can_bridge(mesh, two(self.halfedges, "halfedges", mesh)?)?
-        })
+            edit::can_bridge(mesh, two(self.halfedges, "halfedges", mesh)?)?;
+        }
+        Ok(())
     }
 
     fn edit(&self, mesh: &mut Mesh, _notes: &mut Vec<String>) -> Result<(), Problem> {
