@@ -33,7 +33,10 @@ async function start(editor, { key, kind, ids, by: [x, y] }) {
   await editor.frames(1);
 }
 
-editorTest("an operation in a form is previewed until it is applied or dismissed", { sizes: [SMALL] }, async (editor) => {
+/** High enough for the list of operations below the fields of the last one. */
+const HIGH = { ...SMALL, name: "high", height: 1000 };
+
+editorTest("an operation in a form is previewed until it is applied or dismissed", { sizes: [HIGH] }, async (editor) => {
   await editor.run({ op: "new", shape: "ico-sphere", subdivisions: 2 });
   await editor.page.mouse.move(5, 5);
   const before = await whole(editor);
