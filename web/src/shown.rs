@@ -24,6 +24,8 @@ pub(crate) struct Shown {
     pub right: bool,
     /// Whether the list of steps is open, in the panel on the right.
     pub history: bool,
+    /// The same in a low window.
+    pub history_in_low: bool,
     pub overlay: bool,
     /// The welcome view over the viewport.
     pub welcome: bool,
@@ -38,6 +40,8 @@ pub(crate) struct Shown {
     pub adds: bool,
     /// Whether the window is too narrow for panels beside the viewport.
     pub narrow: bool,
+    /// Whether the window is so low that the list of steps has to be opened.
+    pub low: bool,
     /// Whether controls are for fingers: on a telephone, or once a finger touched the page.
     pub touch: bool,
     /// How the page is arranged.
@@ -56,6 +60,7 @@ impl Default for Shown {
             left: true,
             right: true,
             history: true,
+            history_in_low: false,
             overlay: false,
             welcome: false,
             numbers: false,
@@ -65,6 +70,7 @@ impl Default for Shown {
             named: false,
             adds: false,
             narrow: false,
+            low: false,
             touch: false,
             arrangement: Arrangement::default(),
             scale_percent: 100,
@@ -95,7 +101,7 @@ impl Shown {
         if self.narrow {
             self.sheet.tab == Tab::History && !self.sheet.closed
         } else {
-            self.history && self.right
+            self.right && if self.low { self.history_in_low } else { self.history }
         }
     }
 
@@ -105,7 +111,8 @@ impl Shown {
         if self.narrow {
             self.sheet = Sheet { tab: Tab::History, closed: !shows };
         } else {
-            self.history = shows;
+            let open = if self.low { &mut self.history_in_low } else { &mut self.history };
+            *open = shows;
             self.right |= shows;
         }
     }

@@ -62,8 +62,6 @@ impl App {
             Action::SaveAs(format) => self.show_saving(Some(format)),
             Action::Undo => self.session.undo(),
             Action::Redo => self.session.redo(),
-            // In a low column the panel is closed although it is on.
-            Action::History if self.shown.history && self.panels.history.open_in_low_column() => {}
             Action::History => self.shown.toggle_history(),
             Action::Cancel => self.cancel(),
             Action::SelectAll => {

@@ -208,6 +208,7 @@ impl App {
             self.fingers = by_finger;
         }
         self.shown.narrow = width < theme::NARROW;
+        self.shown.low = ctx.content_rect().height() < theme::LOW;
         let touch = self.fingers || self.shown.narrow;
         if touch != self.shown.touch {
             // Nothing moves under a finger that is about to tap it.

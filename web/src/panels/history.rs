@@ -4,7 +4,7 @@ use editor::{Changes, Editor};
 use egui::collapsing_header::paint_default_icon;
 use egui::{
     Align2, Color32, EventFilter, Key, Label, Modifiers, Panel, Rect, Response, RichText, Role, ScrollArea,
-    Sense, Stroke, StrokeKind, TextStyle, Ui, UiBuilder, WidgetInfo, pos2, vec2,
+    Sense, Stroke, TextStyle, Ui, UiBuilder, WidgetInfo, pos2, vec2,
 };
 
 use crate::input::actions::{self, Action};
@@ -17,8 +17,6 @@ use crate::theme;
 const MIN_ROW_HEIGHT: f32 = 24.0;
 /// The least height of the open panel, in points.
 const MIN_HEIGHT: f32 = 96.0;
-/// In a lower column, in points, the panel stays closed until it is opened: it would leave too little for the rest.
-const MIN_COLUMN_HEIGHT: f32 = 560.0;
 /// The largest share of the column's height that the panel takes.
 const MAX_SHARE: f32 = 0.6;
 /// From the left edge of a row to the dots of the steps, in points.
@@ -37,10 +35,6 @@ pub(crate) struct HistoryList {
     is_whole: bool,
     /// The panel's height in points, once it was open.
     pub height: Option<f32>,
-    /// Whether the column is too low for the panel.
-    is_low: bool,
-    /// Whether it was opened in a low column.
-    opened_in_low: bool,
     /// Whether the current step has to be scrolled into view.
     reveals: bool,
     /// The scroll position in the last frame, in points.
@@ -75,8 +69,7 @@ impl HistoryList {
     pub fn show(&mut self, ui: &mut Ui, page: &Page<'_>, height: f32, out: &mut Requests) {
         let most = (ui.available_height() * MAX_SHARE).max(MIN_HEIGHT);
         let frame = egui::Frame::new();
-        self.is_low = ui.available_height() < MIN_COLUMN_HEIGHT;
-        let open = page.shown.history && !self.is_held_closed();
+        let open = page.shown.shows_history();
         if open {
             let panel = Panel::bottom("history").frame(frame).resizable(true);
             let panel = panel.default_size(height.min(most)).size_range(MIN_HEIGHT..=most);
@@ -94,24 +87,11 @@ impl HistoryList {
         }
     }
 
-    /// Whether the column is too low for the panel, and it was not opened there.
-    fn is_held_closed(&self) -> bool {
-        self.is_low && !self.opened_in_low
-    }
-
-    /// Opens the panel if the column's height holds it closed; returns whether it did.
-    pub fn open_in_low_column(&mut self) -> bool {
-        let opens = self.is_held_closed();
-        self.opened_in_low |= opens;
-        opens
-    }
-
     fn header(&self, ui: &mut Ui, open: bool, out: &mut Requests) {
         let height = ui.spacing().interact_size.y.max(MIN_ROW_HEIGHT);
         let (rect, response) = ui.allocate_exact_size(vec2(ui.available_width(), height), Sense::click());
         response.widget_info(|| WidgetInfo::labeled(Role::Button, true, "History panel"));
         ui.ctx().accesskit_node_builder(response.id, |node| node.set_expanded(open));
-        focus_ring(ui, rect, response.has_focus());
         let icon = response.clone().with_new_rect(Rect::from_center_size(
             pos2(rect.left() + 8.0, rect.center().y),
             vec2(10.0, 10.0),
@@ -163,7 +143,6 @@ impl HistoryList {
             shown.state.clamped_offset().y
         });
         self.offset = scrolled.inner;
-        focus_ring(ui, body, list.has_focus() && !page.shown.touch);
         if self.names.is_empty() {
             let below = body.with_min_y(body.top() + height + 4.0).shrink2(vec2(8.0, 0.0));
             let hint = if page.shown.touch {
@@ -287,12 +266,5 @@ impl HistoryList {
             (self.done + down).saturating_sub(up).min(self.names.len())
         });
         (to != self.done).then_some(to)
-    }
-}
-
-fn focus_ring(ui: &Ui, rect: Rect, focused: bool) {
-    if focused {
-        let stroke = Stroke::new(1.5, ui.visuals().hyperlink_color);
-        ui.painter().rect_stroke(rect.shrink(1.0), 4.0, stroke, StrokeKind::Inside);
     }
 }

@@ -85,9 +85,9 @@ pub(super) fn show(ui: &Ui, shown: &Shown, view: &mut View, out: &mut Requests) 
         ui.painter().circle_filled(center, radius, fill);
     }
     let meant = pointer.filter(|_| over.is_some() && turned_by.is_none()).and_then(nearest);
-    for (ball, response) in balls.iter().zip(&responses) {
+    for ball in &balls {
         let is_meant = meant.is_some_and(|meant| meant.side == ball.side);
-        ball.paint(ui, center, &sizes, is_meant, response.has_focus());
+        ball.paint(ui, center, &sizes, is_meant);
     }
     if let (Some(ball), Some(over)) = (meant, over) {
         let side = looked_from(&view.camera, ball.side);
@@ -125,7 +125,7 @@ impl Ball {
         response
     }
 
-    fn paint(&self, ui: &Ui, center: Pos2, sizes: &Sizes, hovered: bool, focused: bool) {
+    fn paint(&self, ui: &Ui, center: Pos2, sizes: &Sizes, hovered: bool) {
         let palette = theme::palette(ui.visuals());
         let Some(&color) = palette.axes.get(self.axis) else { return };
         let painter = ui.painter();
@@ -160,9 +160,6 @@ impl Ball {
             let name = if self.positive { name.to_owned() } else { format!("−{name}") };
             let font = FontId::proportional(if self.positive { 13.0 } else { 11.0 });
             painter.text(self.at, Align2::CENTER_CENTER, name, font, text);
-        }
-        if focused {
-            painter.circle_stroke(self.at, sizes.ball + 3.0, Stroke::new(1.5, ui.visuals().hyperlink_color));
         }
     }
 }

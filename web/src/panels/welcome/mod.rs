@@ -8,7 +8,7 @@ use std::collections::HashMap;
 
 use egui::{
     Align, Align2, Area, Checkbox, Color32, ColorImage, Context, Event, Frame, Id, Key, Label, Layout,
-    Margin, Order, Rect, RichText, Role, ScrollArea, Sense, Stroke, StrokeKind, TextStyle, TextureHandle,
+    Margin, Order, Rect, RichText, Role, ScrollArea, Sense, StrokeKind, TextStyle, TextureHandle,
     TextureOptions, Ui, Vec2, WidgetInfo, pos2, vec2,
 };
 
@@ -212,12 +212,8 @@ impl Tile {
         response.widget_info(|| WidgetInfo::labeled(Role::Button, true, &name));
         if ui.is_rect_visible(rect) {
             let visuals = ui.style().interact(&response);
-            let stroke = match response.has_focus() {
-                true => Stroke::new(2.0, ui.visuals().hyperlink_color),
-                false => visuals.bg_stroke,
-            };
             let fill = if response.hovered() { visuals.weak_bg_fill } else { ui.visuals().faint_bg_color };
-            ui.painter().rect(rect, 8.0, fill, stroke, StrokeKind::Inside);
+            ui.painter().rect(rect, 8.0, fill, visuals.bg_stroke, StrokeKind::Inside);
             let picture = Rect::from_min_size(rect.min, self.size).shrink2(vec2(4.0, 2.0));
             if let Some(texture) = own.picture(ui, self.key, figure, picture) {
                 let all = Rect::from_min_max(pos2(0.0, 0.0), pos2(1.0, 1.0));
