@@ -21,11 +21,15 @@ pub fn counted(count: usize, one: &str, many: &str) -> String {
     format!("{} {}", thousands(count), if count == 1 { one } else { many })
 }
 
+/// The text with a capital at its start.
+pub fn capitalized(text: &str) -> String {
+    let mut letters = text.chars();
+    letters.next().map_or_else(String::new, |first| first.to_uppercase().chain(letters).collect())
+}
+
 /// The text with a capital at its start and a full stop at its end, unless it ends like a sentence already.
 pub fn sentence(text: &str) -> String {
-    let mut letters = text.chars();
-    let mut text: String =
-        letters.next().map_or_else(String::new, |first| first.to_uppercase().chain(letters).collect());
+    let mut text = capitalized(text);
     if !text.ends_with(['.', '!', '?']) {
         text.push('.');
     }

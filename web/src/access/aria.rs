@@ -58,7 +58,7 @@ impl Element {
 /// Stands in for a role where there is nothing to read.
 const HIDDEN: &str = "hidden";
 
-/// The elements of widgets, in their order. Positions are from the corner of the canvas.
+/// The elements of widgets, in their order, without their places.
 pub fn elements(widgets: &[Widget<'_>]) -> Vec<Element> {
     let kinds = Kinds::of(widgets);
     let mut elements: Vec<Element> =
@@ -172,9 +172,8 @@ fn kind(node: &Node, around: &str) -> &'static str {
 }
 
 fn element(widget: &Widget<'_>, kind: &'static str) -> Element {
-    let (node, rect) = (widget.node, widget.rect);
+    let node = widget.node;
     let mut element = Element { tag: "div", ..Element::default() };
-    element.rect = [rect.left(), rect.top(), rect.width(), rect.height()].map(|length| length.round() as i32);
     element.announcement = announcement(widget);
     let value = widget.value.as_ref().map(words);
     let mut description = vec![node.description().map(str::to_owned)];

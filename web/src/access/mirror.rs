@@ -185,7 +185,7 @@ impl Mirror {
     }
 }
 
-/// Changes positions to those in the containers, and gives containers without a size that of their contents.
+/// Places elements in their containers, and gives containers without a size that of their contents.
 fn place_inside(widgets: &[Widget<'_>], elements: &mut [Element]) {
     let mut areas: Vec<Rect> = widgets.iter().map(|widget| widget.rect).collect();
     for (at, widget) in widgets.iter().enumerate().rev() {

@@ -1,6 +1,6 @@
 //! Carrying out requests, all in one place.
 
-use editor::SelectMode;
+use editor::{CommandError, Editor, SelectMode};
 use halfedge::Element;
 
 use super::{App, keys};
@@ -100,20 +100,8 @@ impl App {
                 }
             }
             Request::Adjust(command) => self.session.adjust(command),
-            Request::UndoEdit => {
-                self.session.end_live(false);
-                self.end_preview();
-                if let Err(error) = self.session.editor.undo() {
-                    self.session.refuse(&error);
-                }
-            }
-            Request::JumpTo(edits) => {
-                self.end_preview();
-                self.session.end_live(false);
-                if let Err(error) = self.session.editor.jump_to(edits) {
-                    self.session.refuse(&error);
-                }
-            }
+            Request::UndoEdit => go_in_history(self, |editor| editor.undo().map(drop)),
+            Request::JumpTo(edits) => go_in_history(self, |editor| editor.jump_to(edits)),
             Request::Play(setting) => self.player.controls.set(setting),
             Request::InsertControlPoint(insert) => self.insert_control_point(insert),
             Request::ShowSheet(sheet) => self.shown.sheet = sheet,
@@ -157,5 +145,14 @@ impl App {
     pub(super) fn end_preview(&mut self) -> Option<bool> {
         self.panels.forms.previews.end();
         self.session.end_preview()
+    }
+}
+
+/// Goes to another state of the document; cancels what is being edited.
+fn go_in_history(app: &mut App, go: impl FnOnce(&mut Editor) -> Result<(), CommandError>) {
+    app.end_preview();
+    app.session.end_live(false);
+    if let Err(error) = go(&mut app.session.editor) {
+        app.session.refuse(&error);
     }
 }

@@ -27,30 +27,26 @@ Ctrl+R, Ctrl+B, Ctrl+D and Ctrl+H are the browser's own while a list, a field or
 
 /// The groups of actions: menus, and what is special to Bezier curves and the circle.
 pub fn groups() -> Vec<(&'static str, Vec<Action>)> {
-    let is_in = |action: &Action, when| When::of(*action) == when;
-    let all: Vec<Action> = actions::all().map(|entry| entry.action).collect();
-    let of_menu = |title: &str| {
-        let menu = menus::MENUS.iter().find(|menu| menu.title == title);
-        let entries = menu.map_or(&[][..], |menu| menu.entries).iter().flatten();
-        entries.map(|entry| entry.action).collect::<Vec<_>>()
-    };
     let mut groups: Vec<(&'static str, Vec<Action>)> = Vec::new();
     let mut listed: Vec<Action> = Vec::new();
     for menu in menus::MENUS {
-        let mut actions = of_menu(menu.title);
+        let mut actions: Vec<Action> = menu.entries.iter().flatten().map(|entry| entry.action).collect();
         match menu.title {
             "Select" => actions.extend(actions::criteria().chain(actions::hiding()).map(Action::Operation)),
             "Mesh" => actions.extend(actions::mesh_operations().map(Action::Operation)),
             "File" => actions.extend(actions::formats().map(|entry| entry.action)),
             _ => {}
         }
-        actions.retain(|action| !listed.contains(action) && !is_in(action, When::Circle));
+        actions.retain(|action| !listed.contains(action) && When::of(*action) != When::Circle);
         listed.extend(&actions);
         let title = if menu.title == "Bezier" { "On a Bezier curve or surface" } else { menu.title };
         groups.push((title, actions));
     }
-    let circle = all.into_iter().filter(|action| is_in(action, When::Circle));
-    groups.push(("With the selecting circle", circle.collect()));
+    let all = actions::all().map(|entry| entry.action);
+    groups.push((
+        "With the selecting circle",
+        all.filter(|action| When::of(*action) == When::Circle).collect(),
+    ));
     groups
 }
 

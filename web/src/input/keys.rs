@@ -100,7 +100,7 @@ impl KeyReader {
             return None;
         }
         let action = self.map.action_of(shortcut, &self.cases)?;
-        (!self.typing || (works_while_typing(action) && has_modifier(shortcut))).then_some(action)
+        (!self.typing || (works_while_typing(action) && types_no_text(shortcut))).then_some(action)
     }
 
     /// The actions whose keys were pressed this frame, in order and as often as they were pressed; consumes the keys. The
@@ -130,7 +130,7 @@ fn is_of_browser(shortcut: Shortcut) -> bool {
 }
 
 /// Whether a key types no text.
-fn has_modifier(shortcut: Shortcut) -> bool {
+fn types_no_text(shortcut: Shortcut) -> bool {
     shortcut.ctrl || shortcut.alt || matches!(shortcut.key, Key::F3)
 }
 

@@ -63,8 +63,7 @@ impl Shortcut {
     /// The same key of the main block, for keys of the number pad that mean the same there. Its digits are keys of their
     /// own.
     pub fn off_the_pad(self) -> Option<Self> {
-        let is_digit = self.key.name().bytes().all(|byte| byte.is_ascii_digit());
-        (self.pad && !is_digit).then_some(Self { pad: false, ..self })
+        (self.pad && !is_digit(self.key)).then_some(Self { pad: false, ..self })
     }
 
     /// The shortcut as settings and documentation write it.
@@ -91,6 +90,11 @@ impl Shortcut {
         [part(self.ctrl, ctrl), part(self.alt, alt), part(self.shift, "Shift+"), part(self.pad, pad), key]
             .concat()
     }
+}
+
+/// Whether a key types a digit.
+pub fn is_digit(key: Key) -> bool {
+    key.name().bytes().all(|byte| byte.is_ascii_digit())
 }
 
 /// Whether a key is only held with others.

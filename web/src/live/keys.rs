@@ -5,6 +5,7 @@ use editor::ops::Drag;
 use egui::{Context, Event, Key};
 
 use super::edit::Live;
+use crate::input::shortcut::is_digit;
 use crate::transforming::Settings;
 
 /// How keys end an edit.
@@ -82,8 +83,7 @@ impl Live {
 
 /// Whether a key types a part of a number.
 fn types_number(key: Key) -> bool {
-    let is_digit = key.name().bytes().all(|byte| byte.is_ascii_digit());
-    is_digit || matches!(key, Key::Period | Key::Plus | Key::Minus | Key::Slash)
+    is_digit(key) || matches!(key, Key::Period | Key::Plus | Key::Minus | Key::Slash)
 }
 
 fn axis_of(key: Key) -> Option<usize> {

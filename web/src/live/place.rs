@@ -25,13 +25,23 @@ pub(crate) struct Place {
 impl Place {
     /// The place of the selection; none if it is empty. Costs a pass over the selected elements.
     pub fn of_selection(editor: &Editor) -> Option<Self> {
-        let (mesh, selection) = (editor.mesh()?, editor.selection());
-        let kind = selection.kind();
-        let latest = selection.latest()?;
+        let selection = editor.selection();
+        Self::of(editor, selection.kind(), selection.ids(), selection.latest()?)
+    }
+
+    /// The place of an edge; none if there is no edge with this id.
+    pub fn of_edge(editor: &Editor, id: u32) -> Option<Self> {
+        editor.mesh()?.edge(id)?;
+        Self::of(editor, Element::Edge, [id], id)
+    }
+
+    /// The place of elements that exist, of which one is the latest.
+    fn of(editor: &Editor, kind: Element, ids: impl IntoIterator<Item = u32>, latest: u32) -> Option<Self> {
+        let mesh = editor.mesh()?;
         let mut seen = BitSet::default();
         let (mut sum, mut count, mut normal) = (DVec3::ZERO, 0usize, DVec3::ZERO);
         let (mut min, mut max) = (Vec3::INFINITY, Vec3::NEG_INFINITY);
-        for id in selection.ids() {
+        for id in ids {
             vertices(mesh, kind, id as usize, |v| {
                 if seen.insert(v.index()) {
                     let at = mesh.position(v);
@@ -45,7 +55,10 @@ impl Place {
             Element::Halfedge => mesh.halfedge(latest).map(|h| h.edge()),
             Element::Vertex | Element::Face => None,
         };
-        let edge = edge.map_or(Vec3::ZERO, |e| along(mesh, e));
+        let edge = edge.map_or(Vec3::ZERO, |e| {
+            let [from, to] = mesh.ends(e).map(|v| mesh.position(v));
+            to - from
+        });
         (count > 0).then(|| Self {
             middle: (sum / count as f64).as_vec3(),
             bounds_middle: min.midpoint(max),
@@ -53,23 +66,6 @@ impl Place {
             origin: -editor.document().offset().as_vec3(),
             normal: normal.normalize_or_zero().as_vec3(),
             edge,
-        })
-    }
-
-    /// The place of an edge; none if there is no edge with this id.
-    pub fn of_edge(editor: &Editor, id: u32) -> Option<Self> {
-        let mesh = editor.mesh()?;
-        let edge = mesh.edge(id)?;
-        let middle = mean_of_element(mesh, Element::Edge, id);
-        let mut normal = DVec3::ZERO;
-        faces(mesh, Element::Edge, id, |f| normal += face_area_vector(mesh, f));
-        Some(Self {
-            middle,
-            bounds_middle: middle,
-            active: middle,
-            origin: -editor.document().offset().as_vec3(),
-            normal: normal.normalize_or_zero().as_vec3(),
-            edge: along(mesh, edge),
         })
     }
 
@@ -82,12 +78,6 @@ impl Place {
             Pivot::Origin => self.origin,
         }
     }
-}
-
-/// The direction and length of an edge, from its even half-edge's start.
-fn along(mesh: &Mesh, edge: EdgeId) -> Vec3 {
-    let [from, to] = mesh.ends(edge).map(|v| mesh.position(v));
-    to - from
 }
 
 /// The mean of the vertices of an element that exists.

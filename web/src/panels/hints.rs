@@ -5,6 +5,7 @@ use std::borrow::Cow;
 use editor::SelectMode;
 use egui::{Modifiers, PointerButton};
 use halfedge::Element;
+use halfedge::words::capitalized;
 use surface::selecting::Line;
 
 use crate::input::keys;
@@ -86,21 +87,17 @@ pub(crate) fn hints(page: &Page<'_>, modifiers: Modifiers) -> Vec<Hint> {
 fn by_mouse(page: &Page<'_>, modifiers: Modifiers) -> Vec<Hint> {
     let mouse = keys::map(&page.ctx).mouse();
     let mode = |held| mode_words(mouse.mode_within(held));
-    let with_drag = |words: &str, button| {
-        let drag = drag_words(mouse.drag(button, Modifiers::NONE));
-        [words].into_iter().chain(drag).filter(|part| !part.is_empty()).collect::<Vec<_>>().join(", ")
-    };
+    let drag = |button, held| drag_words(mouse.drag(button, held));
     let draws = |what| {
-        let middle = capitalized(&with_drag("", PointerButton::Middle));
-        let all = [
-            hint(LEFT, what),
-            hint(MIDDLE, middle),
-            hint(RIGHT, with_drag("Menu", PointerButton::Secondary)),
-            hint(SHIFT, mode(Modifiers::SHIFT)),
-            hint(CTRL, mode(Modifiers::COMMAND)),
-            hint(ESCAPE, "End the tool"),
+        let held = Modifiers::NONE;
+        let others = [
+            (MIDDLE, joined([drag(PointerButton::Middle, held), None])),
+            (RIGHT, joined([Some("menu"), drag(PointerButton::Secondary, held)])),
+            (SHIFT, Some(mode(Modifiers::SHIFT).to_owned())),
+            (CTRL, Some(mode(Modifiers::COMMAND).to_owned())),
+            (ESCAPE, Some("End the tool".to_owned())),
         ];
-        all.into_iter().filter(|hint| !hint.does.is_empty()).collect()
+        std::iter::once(hint(LEFT, what)).chain(hints_of(others)).collect()
     };
     match page.view.tool {
         Tool::Orbit => {}
@@ -124,39 +121,33 @@ fn by_mouse(page: &Page<'_>, modifiers: Modifiers) -> Vec<Hint> {
             ];
         }
     }
-    let drag = |button| drag_words(mouse.drag(button, modifiers)).map(str::to_owned);
-    let joined = |parts: [Option<String>; 2]| {
-        let text = parts.into_iter().flatten().collect::<Vec<_>>().join(", ");
-        (!text.is_empty()).then(|| capitalized(&text))
-    };
-    let buttons = |click: [Option<String>; 3]| {
-        let [left, middle, right] = click;
+    let buttons = |left, [middle, right]: [Option<&str>; 2]| {
+        let drag = |button| drag(button, modifiers);
         let all = [
-            (LEFT, joined([left, drag(PointerButton::Primary)])),
+            (LEFT, left),
             (MIDDLE, joined([drag(PointerButton::Middle), middle])),
             (RIGHT, joined([right, drag(PointerButton::Secondary)])),
         ];
-        all.into_iter().filter_map(|(by, does)| Some(hint(by, does?))).collect::<Vec<_>>()
+        hints_of(all).collect::<Vec<_>>()
     };
+    let dragged = |click: Option<&str>| joined([click, drag(PointerButton::Primary, modifiers)]);
     let what = page.shown.kind;
     if modifiers.command || modifiers.shift || modifiers.alt {
-        return buttons([mouse.click(modifiers).map(|action| click_words(action, what)), None, None]);
+        let click = mouse.click(modifiers).map(|action| click_words(action, what));
+        return buttons(dragged(click.as_deref()), [None, None]);
     }
     if page.player.hovered.is_some() {
         return vec![hint(LEFT, "Choose or drag this control point")];
     }
     let selection = page.editor.selection();
-    let (wheel, menu) = (Some("wheel to zoom".to_owned()), Some("menu".to_owned()));
-    let mut hints = match page.view.hovered {
+    let left = match page.view.hovered {
         Some((kind, id)) if selection.contains(kind, id) => {
-            let mut hints = buttons([None, wheel, menu]);
-            hints.retain(|hint| hint.by != LEFT);
-            hints.insert(0, hint(LEFT, format!("Select only this {kind}, drag to move")));
-            hints
+            Some(format!("Select only this {kind}, drag to move"))
         }
-        Some((kind, _)) => buttons([Some(format!("select this {kind}")), wheel, menu]),
-        None => buttons([(!selection.is_empty()).then(|| "deselect".to_owned()), wheel, menu]),
+        Some((kind, _)) => dragged(Some(&format!("select this {kind}"))),
+        None => dragged((!selection.is_empty()).then_some("deselect")),
     };
+    let mut hints = buttons(left, [Some("wheel to zoom"), Some("menu")]);
     for (by, held) in [(SHIFT, Modifiers::SHIFT), (CTRL, Modifiers::COMMAND), (ALT, Modifiers::ALT)] {
         let words = match mouse.click(held) {
             Some(MouseAction::Select(mode)) => Some(mode_words(mode)),
@@ -167,6 +158,17 @@ fn by_mouse(page: &Page<'_>, modifiers: Modifiers) -> Vec<Hint> {
         hints.extend(words.map(|words| hint(by, words)));
     }
     hints
+}
+
+/// What a click and a drag of one button do, as one text; none if they do nothing.
+fn joined(parts: [Option<&str>; 2]) -> Option<String> {
+    let text = parts.into_iter().flatten().filter(|part| !part.is_empty()).collect::<Vec<_>>().join(", ");
+    (!text.is_empty()).then(|| capitalized(&text))
+}
+
+/// The hints of those that do something.
+fn hints_of<const N: usize>(all: [(By, Option<String>); N]) -> impl Iterator<Item = Hint> {
+    all.into_iter().filter_map(|(by, does)| Some(hint(by, does?)))
 }
 
 /// How a box or a click changes the selection.
@@ -203,11 +205,6 @@ fn drag_words(action: Option<MouseAction>) -> Option<&'static str> {
         MouseAction::Lasso(_) => "draw a lasso",
         _ => return None,
     })
-}
-
-fn capitalized(text: &str) -> String {
-    let mut letters = text.chars();
-    letters.next().map(|first| first.to_uppercase().to_string()).unwrap_or_default() + letters.as_str()
 }
 
 /// The hints for fingers.

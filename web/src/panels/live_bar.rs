@@ -56,13 +56,10 @@ fn hint(page: &Page<'_>, live: &Live) -> String {
         return "Drag in the viewport, or set the number.".to_owned();
     }
     let mut parts = vec!["Move the pointer or type a number"];
-    match page.live_settings.symmetry {
-        _ if live.id != OpId::Transform => {}
-        Symmetry::None => {}
-        Symmetry::X => parts.push("mirrored along x"),
-        Symmetry::Y => parts.push("mirrored along y"),
-        Symmetry::Z => parts.push("mirrored along z"),
-    }
+    let symmetry = page.live_settings.symmetry;
+    let is_mirrored = live.id == OpId::Transform && symmetry != Symmetry::None;
+    let mirrored = is_mirrored.then(|| format!("mirrored {}", symmetry.label().to_lowercase()));
+    parts.extend(mirrored.as_deref());
     if live.takes_lock() {
         parts.push("X, Y, Z lock an axis, with Shift a plane");
     }

@@ -123,7 +123,7 @@ fn form(ui: &mut Ui, page: &Page<'_>, own: &mut Forms, id: OpId, out: &mut Reque
         let height = (ui.available_height() - own.end_height).max(theme::TOUCH_TARGET);
         let area = ScrollArea::vertical().id_salt("fields").max_height(height).auto_shrink([false, true]);
         area.show(ui, |ui| rows(ui));
-        let end = ui.scope(|ui| form_end(ui, page, own, id, (&filled, filled != before), out));
+        let end = ui.scope(|ui| form_end(ui, page, own, id, &facts, (&filled, filled != before), out));
         let end_height = end.response.rect.height() + ui.spacing().item_spacing.y;
         if (end_height - own.end_height).abs() > 0.5 {
             own.end_height = end_height;
@@ -131,7 +131,7 @@ fn form(ui: &mut Ui, page: &Page<'_>, own: &mut Forms, id: OpId, out: &mut Reque
         }
     } else {
         rows(ui);
-        form_end(ui, page, own, id, (&filled, filled != before), out);
+        form_end(ui, page, own, id, &facts, (&filled, filled != before), out);
     }
     own.filled.insert(id, filled);
 }
@@ -143,12 +143,12 @@ fn form_end(
     page: &Page<'_>,
     own: &mut Forms,
     id: OpId,
+    facts: &Facts,
     (filled, has_changed): (&Filled, bool),
     out: &mut Requests,
 ) {
-    let facts = page.facts(id);
     let preview_is_coming = preview::row(ui, page, &mut own.previews, id, filled, has_changed, out);
-    if let Some(estimate) = estimate::show(page, &mut own.tried, id, filled, &facts, preview_is_coming) {
+    if let Some(estimate) = estimate::show(page, &mut own.tried, id, filled, facts, preview_is_coming) {
         ui.label(RichText::new(estimate).small().weak());
     }
     ui.add_space(4.0);

@@ -128,18 +128,14 @@ fn holders(map: &KeyMap, action: Action, key: Shortcut) -> Vec<Action> {
 
 /// The keys of an action with one more, or with one in place of another.
 fn with_key(map: &KeyMap, action: Action, replaces: Option<Shortcut>, key: Shortcut) -> Vec<Shortcut> {
-    let mut all = map.own_keys(action).to_vec();
-    match all.iter_mut().find(|old| Some(**old) == replaces) {
-        Some(old) => *old = key,
-        None => all.push(key),
+    let kept = map
+        .own_keys(action)
+        .iter()
+        .filter(|old| Some(**old) == replaces || replaces.is_none() || **old != key);
+    let mut all: Vec<Shortcut> = kept.map(|old| if Some(*old) == replaces { key } else { *old }).collect();
+    if !all.contains(&key) {
+        all.push(key);
     }
-    let mut seen = Vec::new();
-    all.retain(|key| {
-        !seen.contains(key) && {
-            seen.push(*key);
-            true
-        }
-    });
     all
 }
 

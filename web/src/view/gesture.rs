@@ -23,6 +23,13 @@ pub(crate) enum Tool {
     LoopCut,
 }
 
+impl Tool {
+    /// Whether a right-click puts the tool away, in place of opening a menu.
+    pub fn ends_on_right_click(self) -> bool {
+        matches!(self, Self::Circle | Self::LoopCut)
+    }
+}
+
 /// A drag in progress.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) enum Gesture {
@@ -80,7 +87,7 @@ impl View {
     /// Takes a tool, or puts it away.
     pub fn switch_tool(&mut self, tool: Tool) {
         self.tool = if self.tool == tool { Tool::Orbit } else { tool };
-        self.ring_typed = 0;
+        self.ring.typed = 0;
     }
 
     pub fn local(&self, at: Pos2) -> glam::Vec2 {

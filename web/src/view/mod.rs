@@ -17,7 +17,7 @@ use viewport::{Bounds, Camera, RegionSelection, Style};
 use crate::bezier;
 pub(crate) use gesture::{Gesture, Tool};
 use picture::Picture;
-use ring::ShownRing;
+use ring::RingTool;
 
 /// Mesh elements processed per frame: uploaded, added to a picking tree, tested by a region selection, counted.
 /// More work is split over several frames to keep each short.
@@ -81,12 +81,8 @@ pub(crate) struct View {
     pub strokes: u64,
     /// The radius of the selecting circle, in points.
     pub circle_radius: f32,
-    /// The number of loop cuts that a click makes.
-    pub ring_cuts: u32,
-    /// The number of cuts as typed so far; 0 if nothing is typed.
-    pub ring_typed: u32,
-    /// Where they would be.
-    pub ring: ShownRing,
+    /// The loop cut at the pointer.
+    pub ring: RingTool,
     /// The modifiers of the last click.
     pub clicked_with: Option<egui::Modifiers>,
     /// How far from an element a click on it may be, in points: farther for fingers.
@@ -119,9 +115,7 @@ impl View {
             regions: VecDeque::new(),
             strokes: 0,
             circle_radius: START_CIRCLE_RADIUS,
-            ring_cuts: 1,
-            ring_typed: 0,
-            ring: ShownRing::default(),
+            ring: RingTool::default(),
             clicked_with: None,
             pick_radius: 0.0,
             budget: Budget::new(ELEMENTS_PER_FRAME),

@@ -16,6 +16,23 @@ pub(crate) struct RingCut {
     pub cuts: u32,
 }
 
+/// The state of the tool that cuts the ring of quads under the pointer.
+#[derive(Clone, Debug)]
+pub(crate) struct RingTool {
+    /// The number of cuts that a click makes.
+    pub cuts: u32,
+    /// The number of cuts as typed so far; 0 if nothing is typed.
+    pub typed: u32,
+    /// Where the cuts would be.
+    pub shown: ShownRing,
+}
+
+impl Default for RingTool {
+    fn default() -> Self {
+        Self { cuts: 1, typed: 0, shown: ShownRing::default() }
+    }
+}
+
 /// The cuts that a click would make.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(crate) struct ShownRing {

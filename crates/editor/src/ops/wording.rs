@@ -1,10 +1,10 @@
 //! Names and numbers as forms show them.
 
+use halfedge::words::capitalized;
+
 /// A name in JSON as people read it: `tube_radius` is "Tube radius", `uv-sphere` "UV sphere".
 pub fn sentence_case(name: &str) -> String {
-    let words = name.replace(['_', '-'], " ").replace("uv ", "UV ");
-    let mut letters = words.chars();
-    letters.next().map_or_else(String::new, |first| first.to_uppercase().chain(letters).collect())
+    capitalized(&name.replace(['_', '-'], " ").replace("uv ", "UV "))
 }
 
 /// A length to suggest, rounded to four significant digits: 0 for one that is not above 0.

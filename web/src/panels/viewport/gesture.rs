@@ -53,6 +53,13 @@ impl Viewport<'_> {
         if self.view.gesture == Gesture::Ended && !ui.input(|input| input.pointer.any_down()) {
             self.view.gesture = Gesture::None;
         }
+        if self.view.tool.ends_on_right_click() && self.session.live.is_none() && response.secondary_clicked()
+        {
+            self.view.tool = Tool::Orbit;
+            (self.view.hovered, self.view.looked) = (None, None);
+            self.continue_regions(ui, out);
+            return;
+        }
         if self.paint(ui, response) {
             self.view.hovered = None;
             self.continue_regions(ui, out);
@@ -83,10 +90,6 @@ impl Viewport<'_> {
             out.push(Request::EndLive { commit: false });
             return;
         }
-        if self.view.tool == Tool::LoopCut && response.secondary_clicked() {
-            self.view.tool = Tool::Orbit;
-            return;
-        }
         if self.session.live.is_some() && response.clicked() {
             // A finger that taps may go on to drag: buttons end its edits.
             if !is_finger(ui) {
@@ -110,7 +113,6 @@ impl Viewport<'_> {
             }
         }
         if response.secondary_clicked()
-            && self.view.tool != Tool::Circle
             && let Some(at) = pointer
             && let Some(id) = self.pick(at, self.shown.kind)
             && !self.session.editor.selection().contains(self.shown.kind, id)
@@ -266,16 +268,15 @@ impl Viewport<'_> {
         }
         let Some(at) = ui.input(|input| input.pointer.hover_pos()) else { return };
         let scroll = ui.input_mut(|input| std::mem::take(&mut input.smooth_scroll_delta));
+        // Smooth scrolling goes on for several frames after a notch: where notches are counted, only the notch counts.
+        let notches: i32 = ui.input(|input| input.events.iter().map(notches_of).sum());
         if self.session.live.as_ref().is_some_and(|live| live.takes_wheel(&self.session.live_settings)) {
-            // Smooth scrolling goes on for several frames after a notch: only the notch counts.
-            let notches = ui.input(|input| input.events.iter().map(notches_of).sum());
             if notches != 0 {
                 out.push(Request::LiveWheel(notches));
             }
             return;
         }
         if self.view.tool == Tool::LoopCut && !ui.input(|input| input.modifiers.command) {
-            let notches = ui.input(|input| input.events.iter().map(notches_of).sum());
             return ring_cut::turn_wheel(self.view, notches);
         }
         if self.view.tool == Tool::Circle {

@@ -28,7 +28,7 @@ use crate::request::Requests;
 use crate::session::Session;
 use crate::shown::Shown;
 use crate::theme;
-use crate::view::{Tool, View, picture};
+use crate::view::{View, picture};
 
 /// The state that the viewport reads and changes.
 pub(crate) struct Viewport<'a> {
@@ -83,7 +83,7 @@ impl Viewport<'_> {
             node.set_live(Live::Polite);
         });
 
-        let ends_tool = matches!(self.view.tool, Tool::Circle | Tool::LoopCut);
+        let ends_tool = self.view.tool.ends_on_right_click();
         self.gestures(ui, &response, out);
         // A right click puts the tool away, or cancels the edit that follows the pointer.
         if !ends_tool && self.session.live.is_none() {

@@ -70,15 +70,10 @@ impl Viewport<'_> {
         self.select_in(Region::lasso(points), mode, None);
     }
 
-    /// Paints with the circle from the moment a button is pressed; returns whether it does. A right click puts the circle
-    /// away.
+    /// Paints with the circle from the moment a button is pressed; returns whether it does.
     pub(super) fn paint(&mut self, ui: &Ui, response: &Response) -> bool {
         if self.view.tool != Tool::Circle || self.session.live.is_some() {
             return false;
-        }
-        if response.secondary_clicked() {
-            self.view.tool = Tool::Orbit;
-            return true;
         }
         let modifiers = modifiers_of_button(ui);
         // Even where the button is up again by the end of a slow frame.
