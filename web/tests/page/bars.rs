@@ -75,14 +75,7 @@ fn nothing_goes_through_a_bar() {
     page.drop(gap + vec2(100.0, 30.0));
     page.harness.hover_at(gap);
     page.run();
-    page.harness.event(egui::Event::MouseWheel {
-        unit: egui::MouseWheelUnit::Point,
-        delta: vec2(0.0, 120.0),
-        phase: egui::TouchPhase::Move,
-        source: egui::MouseWheelSource::Wheel,
-        modifiers: Modifiers::NONE,
-    });
-    page.run();
+    page.turn_wheel(egui::MouseWheelUnit::Point, 120.0);
     assert_eq!(state(&mut page), before, "neither a drag nor the wheel changed the view");
 }
 

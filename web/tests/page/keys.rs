@@ -27,11 +27,6 @@ fn press(page: &mut Page, text: &str) {
     page.run();
 }
 
-fn type_text(page: &mut Page, text: &str) {
-    page.harness.event(Event::Text(text.to_owned()));
-    page.run();
-}
-
 fn with_keys(preset: &str) -> Page {
     Page::with_setting(DESKTOP, "keys", preset)
 }
@@ -79,7 +74,7 @@ fn keys_of_blender_do_what_they_do_there() {
     page.select("face", &[0, 1, 2, 3, 4, 5]);
     press(&mut page, "S");
     press(&mut page, "Y");
-    type_text(&mut page, ".75");
+    page.type_text(".75");
     press(&mut page, "Enter");
     let tallest = page.mesh().positions().iter().map(|p| p.y).fold(0.0, f32::max);
     assert!((tallest - 0.75).abs() < 1e-5 || (tallest - 0.375).abs() < 1e-5, "{tallest}");
@@ -87,12 +82,12 @@ fn keys_of_blender_do_what_they_do_there() {
 
     page.select("face", &[0]);
     press(&mut page, "E");
-    type_text(&mut page, "1");
+    page.type_text("1");
     press(&mut page, "Enter");
     assert_eq!(page.mesh().face_count(), 10);
     press(&mut page, "Ctrl+Z");
     press(&mut page, "I");
-    type_text(&mut page, ".1");
+    page.type_text(".1");
     press(&mut page, "Enter");
     assert_eq!(page.mesh().face_count(), 10);
     press(&mut page, "Ctrl+Z");
@@ -102,7 +97,7 @@ fn keys_of_blender_do_what_they_do_there() {
     press(&mut page, "Escape");
     page.select("edge", &[0]);
     press(&mut page, "Ctrl+B");
-    type_text(&mut page, ".1");
+    page.type_text(".1");
     press(&mut page, "Enter");
     assert_eq!(page.undo_labels().last().map(String::as_str), Some("Bevel edges"));
     press(&mut page, "Ctrl+Z");
@@ -156,7 +151,7 @@ fn a_number_that_is_typed_during_an_edit_moves_no_view() {
         let before = (number(&mut page, "yaw"), number(&mut page, "distance"));
         for (key, text) in [(digit, "1"), (point, "."), (digit, "1")] {
             press(&mut page, key);
-            type_text(&mut page, text);
+            page.type_text(text);
         }
         assert_eq!((number(&mut page, "yaw"), number(&mut page, "distance")), before);
         let from = page.mesh().position(VertexId::new(0)).x;
@@ -178,7 +173,7 @@ fn keys_of_maya_do_what_they_do_there() {
         assert!(is_on(&page, tool), "{key}");
     }
     press(&mut page, "Ctrl+E");
-    type_text(&mut page, "1");
+    page.type_text("1");
     press(&mut page, "Enter");
     assert_eq!(page.mesh().face_count(), 10);
     press(&mut page, "Z");
@@ -212,7 +207,7 @@ fn look_for(page: &mut Page, text: &str) {
     page.press_with(Modifiers::COMMAND, Key::A);
     page.press(Key::Delete);
     if !text.is_empty() {
-        type_text(page, text);
+        page.type_text(text);
     }
 }
 

@@ -163,13 +163,7 @@ fn three_million_rows_scroll_exactly() {
     harness.hover_at(list.center());
     harness.run();
     let before = tops(&harness, ROWS - 10, ROWS - 10)[0];
-    harness.event(egui::Event::MouseWheel {
-        unit: egui::MouseWheelUnit::Point,
-        delta: Vec2::new(0.0, 50.0),
-        phase: egui::TouchPhase::Move,
-        source: egui::MouseWheelSource::Wheel,
-        modifiers: Modifiers::NONE,
-    });
+    harness.event(crate::page::wheel(egui::MouseWheelUnit::Point, 50.0));
     harness.run();
     let after = tops(&harness, ROWS - 10, ROWS - 10)[0];
     assert!((after - before - 50.0).abs() < 0.5, "scrolled by {}", after - before);

@@ -12,18 +12,6 @@ fn cube_face() -> Page {
     page
 }
 
-/// The pointer over the middle of the viewport, then this far from there.
-fn hover(page: &mut Page, by: egui::Vec2) {
-    let middle = page.harness.get_by_label("Viewport").rect().center();
-    page.harness.hover_at(middle + by);
-    page.run();
-}
-
-fn type_text(page: &mut Page, text: &str) {
-    page.harness.event(Event::Text(text.to_owned()));
-    page.run();
-}
-
 #[test]
 fn extruding_follows_the_pointer_and_is_one_step() {
     let mut page = cube_face();
@@ -31,17 +19,17 @@ fn extruding_follows_the_pointer_and_is_one_step() {
     let steps = page.undo_labels();
     page.press(Key::E);
     assert_eq!(page.mesh(), &before, "nothing moves before the pointer does");
-    hover(&mut page, vec2(0.0, 0.0));
-    hover(&mut page, vec2(40.0, 0.0));
+    page.hover_off_middle(vec2(0.0, 0.0));
+    page.hover_off_middle(vec2(40.0, 0.0));
     assert_eq!(page.mesh().face_count(), 10);
     let near = page.mesh().clone();
-    hover(&mut page, vec2(80.0, 0.0));
+    page.hover_off_middle(vec2(80.0, 0.0));
     assert_ne!(page.mesh(), &near, "the distance follows");
     assert_eq!(page.mesh().face_count(), 10, "and replaces the one before");
     page.press(Key::Enter);
     assert_eq!(page.undo_labels().len(), steps.len() + 1);
     let done = page.mesh().clone();
-    hover(&mut page, vec2(-80.0, 0.0));
+    page.hover_off_middle(vec2(-80.0, 0.0));
     assert_eq!(page.mesh(), &done, "Enter ends it");
     page.press_with(egui::Modifiers::COMMAND, Key::Z);
     assert_eq!(page.mesh(), &before);
@@ -51,8 +39,8 @@ fn extruding_follows_the_pointer_and_is_one_step() {
 fn the_preview_changes_only_when_the_pointer_moves() {
     let mut page = cube_face();
     page.press_with(egui::Modifiers::SHIFT, Key::I);
-    hover(&mut page, vec2(0.0, 0.0));
-    hover(&mut page, vec2(15.0, 0.0));
+    page.hover_off_middle(vec2(0.0, 0.0));
+    page.hover_off_middle(vec2(15.0, 0.0));
     let shown = page.mesh().clone();
     // A panel that takes or leaves a pixel makes the picture, and so a point's worth of it, another.
     let size = page.harness.ctx.content_rect().size();
@@ -69,8 +57,8 @@ fn escape_leaves_no_trace() {
     let before = page.mesh().clone();
     let steps = page.undo_labels();
     page.press_with(egui::Modifiers::SHIFT, Key::I);
-    hover(&mut page, vec2(0.0, 0.0));
-    hover(&mut page, vec2(15.0, 0.0));
+    page.hover_off_middle(vec2(0.0, 0.0));
+    page.hover_off_middle(vec2(15.0, 0.0));
     assert_ne!(page.mesh(), &before);
     page.press(Key::Escape);
     assert_eq!(page.mesh(), &before);
@@ -84,7 +72,7 @@ fn a_typed_number_is_the_amount() {
     let mut page = cube_face();
     page.press(Key::E);
     for digit in ["0", ".", "2", "5", "7"] {
-        type_text(&mut page, digit);
+        page.type_text(digit);
     }
     page.press(Key::Backspace);
     page.press(Key::Enter);
@@ -97,11 +85,11 @@ fn a_typed_number_is_the_amount() {
 fn the_buttons_do_what_the_keys_do() {
     let mut page = cube_face();
     page.press(Key::E);
-    type_text(&mut page, "1");
+    page.type_text("1");
     page.click("Cancel");
     assert_eq!(page.mesh().face_count(), 6);
     page.press(Key::E);
-    type_text(&mut page, "1");
+    page.type_text("1");
     page.click("Apply");
     assert_eq!(page.mesh().face_count(), 10);
 }
@@ -111,15 +99,15 @@ fn keys_depend_on_the_selection() {
     let mut page = Page::new();
     page.select("vertex", &[0]);
     page.press(Key::B);
-    type_text(&mut page, ".2");
+    page.type_text(".2");
     page.press(Key::Enter);
     assert_eq!((page.mesh().vertex_count(), page.mesh().face_count()), (10, 7));
 
     page.select("vertex", &[1]);
     page.press(Key::G);
-    hover(&mut page, vec2(0.0, 0.0));
+    page.hover_off_middle(vec2(0.0, 0.0));
     let before = page.mesh().clone();
-    hover(&mut page, vec2(30.0, 20.0));
+    page.hover_off_middle(vec2(30.0, 20.0));
     page.press(Key::Enter);
     let moved = page.mesh().positions().iter().zip(before.positions()).filter(|(a, b)| a != b).count();
     assert_eq!(moved, 1);
@@ -144,7 +132,7 @@ fn numbers_are_typed_along_locked_axes() {
         page.press(Key::G);
         keys.iter().for_each(|key| page.press(*key));
         for text in texts {
-            if *text == "Tab" { page.press(Key::Tab) } else { type_text(&mut page, text) }
+            if *text == "Tab" { page.press(Key::Tab) } else { page.type_text(text) }
         }
         page.press(Key::Enter);
         let moved = middle(&mut page) - start;
@@ -166,9 +154,9 @@ fn a_plane_lock_keeps_its_axis() {
     all_vertices(&mut page);
     let start = middle(&mut page);
     page.press(Key::G);
-    hover(&mut page, vec2(0.0, 0.0));
+    page.hover_off_middle(vec2(0.0, 0.0));
     page.press_with(egui::Modifiers::SHIFT, Key::Y);
-    hover(&mut page, vec2(50.0, 30.0));
+    page.hover_off_middle(vec2(50.0, 30.0));
     page.press(Key::Enter);
     let moved = middle(&mut page) - start;
     assert!(moved.y == 0.0 && moved.x.abs() > 0.05 && moved.z.abs() > 0.05, "{moved}");
@@ -180,7 +168,7 @@ fn scaling_along_y_takes_three_keys() {
     all_vertices(&mut page);
     page.press_with(egui::Modifiers::SHIFT, Key::D);
     page.press(Key::Y);
-    type_text(&mut page, ".75");
+    page.type_text(".75");
     page.press(Key::Enter);
     assert!(
         page.mesh().positions().iter().all(|p| p.x.abs() == 1.0 && p.y.abs() == 0.75 && p.z.abs() == 1.0)
@@ -198,7 +186,7 @@ fn rotating_takes_degrees_and_axes() {
     all_vertices(&mut page);
     page.press_with(egui::Modifiers::SHIFT, Key::R);
     page.press(Key::Z);
-    type_text(&mut page, "90");
+    page.type_text("90");
     page.press(Key::Enter);
     let after = page.mesh().position(halfedge::VertexId::new(7));
     assert!(after.distance(Vec3::new(-before.y, before.x, before.z)) < 1e-5, "{before} became {after}");
@@ -263,8 +251,8 @@ fn the_amount_follows_any_direction() {
             let start = if key == Key::B { ("edge", [0]) } else { ("face", [0]) };
             page.select(start.0, &start.1);
             page.press_with(modifiers, key);
-            hover(&mut page, vec2(0.0, 0.0));
-            hover(&mut page, by);
+            page.hover_off_middle(vec2(0.0, 0.0));
+            page.hover_off_middle(by);
             page.press(Key::Enter);
             assert_ne!(page.mesh(), &before, "{key:?} by {by}");
             page.press_with(egui::Modifiers::COMMAND, Key::Z);
@@ -300,8 +288,8 @@ fn a_right_click_cancels_without_a_menu() {
     let mut page = cube_face();
     let before = page.mesh().clone();
     page.press(Key::E);
-    hover(&mut page, vec2(0.0, 0.0));
-    hover(&mut page, vec2(40.0, -40.0));
+    page.hover_off_middle(vec2(0.0, 0.0));
+    page.hover_off_middle(vec2(40.0, -40.0));
     assert_ne!(page.mesh(), &before);
     let at = page.harness.get_by_label("Viewport").rect().center() + vec2(40.0, -40.0);
     for pressed in [true, false] {
@@ -323,17 +311,10 @@ fn the_wheel_sets_the_segments_of_a_bevel() {
     let mut page = Page::new();
     page.select("edge", &[0]);
     page.press(Key::B);
-    type_text(&mut page, "0.2");
+    page.type_text("0.2");
     let faces = page.mesh().face_count();
-    hover(&mut page, vec2(0.0, 0.0));
-    page.harness.event(Event::MouseWheel {
-        unit: egui::MouseWheelUnit::Line,
-        delta: vec2(0.0, 1.0),
-        source: egui::MouseWheelSource::Unknown,
-        phase: egui::TouchPhase::Move,
-        modifiers: egui::Modifiers::NONE,
-    });
-    page.run();
+    page.hover_off_middle(vec2(0.0, 0.0));
+    page.turn_wheel(egui::MouseWheelUnit::Line, 1.0);
     assert_eq!(page.mesh().face_count(), faces + 1, "two segments");
     page.press(Key::Enter);
 }
@@ -383,7 +364,7 @@ fn each_part_turns_about_its_own_middle() {
     let other = (1..6).find(|f| corners(*f).iter().all(|v| !corners(0).contains(v))).expect("a face across");
     page.select("face", &[0, other]);
     page.press_with(egui::Modifiers::SHIFT, Key::D);
-    type_text(&mut page, "0.5");
+    page.type_text("0.5");
     page.press(Key::Enter);
     for f in [0, other] {
         let normal =
@@ -454,8 +435,8 @@ fn a_split_slides_along_its_edge() {
     page.press_with(egui::Modifiers::SHIFT, Key::S);
     assert_eq!(page.mesh().vertex_count(), 9, "in the middle at first");
     let middle = page.mesh().positions().last().copied();
-    hover(&mut page, vec2(0.0, 0.0));
-    hover(&mut page, vec2(40.0, 0.0));
+    page.hover_off_middle(vec2(0.0, 0.0));
+    page.hover_off_middle(vec2(40.0, 0.0));
     assert_ne!(page.mesh().positions().last().copied(), middle);
     page.press(Key::Enter);
     assert_eq!(page.undo_labels().last().map(String::as_str), Some("Split edge"));
@@ -468,7 +449,7 @@ fn a_refused_live_edit_says_why_and_changes_nothing() {
     let before = page.mesh().clone();
     page.select("edge", &[0]);
     page.press(Key::B);
-    type_text(&mut page, "0.1");
+    page.type_text("0.1");
     assert_eq!(page.mesh(), &before);
     assert!(page.has_part("boundary"), "the reason is on the screen");
     page.press(Key::Escape);
@@ -587,9 +568,9 @@ fn gizmos_and_locks_look_right() {
             crate::looks::picture(&mut page, &format!("{entry} {name}"));
         }
         page.press(Key::G);
-        hover(&mut page, vec2(0.0, 0.0));
+        page.hover_off_middle(vec2(0.0, 0.0));
         page.press(Key::X);
-        hover(&mut page, vec2(40.0, -30.0));
+        page.hover_off_middle(vec2(40.0, -30.0));
         crate::looks::picture(&mut page, &format!("moving along x {name}"));
         page.press(Key::Escape);
     }
@@ -599,13 +580,13 @@ fn gizmos_and_locks_look_right() {
 fn a_move_follows_back_and_forth() {
     let mut page = Page::new();
     page.select("vertex", &[7]);
-    hover(&mut page, vec2(-200.0, -100.0));
+    page.hover_off_middle(vec2(-200.0, -100.0));
     page.press(Key::G);
     for step in 1..=4 {
-        hover(&mut page, vec2(-200.0, -100.0) + vec2(30.0, -30.0) * (step as f32 / 4.0));
+        page.hover_off_middle(vec2(-200.0, -100.0) + vec2(30.0, -30.0) * (step as f32 / 4.0));
     }
     let far = page.mesh().clone();
-    hover(&mut page, vec2(-185.0, -115.0));
+    page.hover_off_middle(vec2(-185.0, -115.0));
     assert_ne!(page.mesh(), &far);
     page.press(Key::Escape);
 }
@@ -621,8 +602,8 @@ fn with_symmetry_the_mirror_image_follows_the_pointer() {
     page.click("Symmetry along x");
     page.select("vertex", &[right as u32]);
     page.press(Key::G);
-    hover(&mut page, vec2(0.0, 0.0));
-    hover(&mut page, vec2(40.0, 30.0));
+    page.hover_off_middle(vec2(0.0, 0.0));
+    page.hover_off_middle(vec2(40.0, 30.0));
     assert!(page.has_part("mirrored along x"));
     let during = page.mesh().positions().to_vec();
     assert_ne!(during[right], before[right]);
@@ -637,8 +618,8 @@ fn soft_selection_switched_during_an_edit_shows_at_once() {
     page.command(serde_json::json!({ "op": "new", "shape": "grid", "columns": 8, "rows": 8 }));
     page.select("vertex", &[40]);
     page.press(Key::G);
-    hover(&mut page, vec2(0.0, 0.0));
-    hover(&mut page, vec2(0.0, -60.0));
+    page.hover_off_middle(vec2(0.0, 0.0));
+    page.hover_off_middle(vec2(0.0, -60.0));
     let hard = page.mesh().clone();
     page.press_with(egui::Modifiers::SHIFT, Key::O);
     let soft = page.mesh().clone();

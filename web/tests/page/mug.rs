@@ -1,7 +1,7 @@
 //! A mug, modelled with the mouse and the keys of Blender.
 
 use crate::page::{DESKTOP, Page};
-use egui::{Event, Modifiers, MouseWheelUnit, PointerButton, Pos2, Theme, TouchPhase, vec2};
+use egui::{Event, Modifiers, PointerButton, Pos2, Theme, vec2};
 use egui_kittest::kittest::Queryable;
 use glam::Vec3;
 use halfedge::Mesh;
@@ -131,14 +131,7 @@ impl Hands {
 
     fn wheel(&mut self) {
         self.count("wheel");
-        self.page.harness.event(Event::MouseWheel {
-            unit: MouseWheelUnit::Line,
-            delta: vec2(0.0, 1.0),
-            source: egui::MouseWheelSource::Wheel,
-            phase: TouchPhase::Move,
-            modifiers: Modifiers::NONE,
-        });
-        self.page.run();
+        self.page.turn_wheel(egui::MouseWheelUnit::Line, 1.0);
     }
 
     /// Checks that what was done since the last step is one step of this name, and draws it.

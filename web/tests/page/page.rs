@@ -255,6 +255,30 @@ impl Page {
         egui::pos2(x, y)
     }
 
+    /// Moves the pointer to a place.
+    pub fn hover(&mut self, at: egui::Pos2) {
+        self.harness.hover_at(at);
+        self.run();
+    }
+
+    /// Moves the pointer to the middle of the viewport, and this far from there.
+    pub fn hover_off_middle(&mut self, by: Vec2) {
+        let middle = self.find("Viewport").rect().center();
+        self.hover(middle + by);
+    }
+
+    /// Types text.
+    pub fn type_text(&mut self, text: &str) {
+        self.harness.event(egui::Event::Text(text.to_owned()));
+        self.run();
+    }
+
+    /// Turns the wheel; upwards is away from the user.
+    pub fn turn_wheel(&mut self, unit: egui::MouseWheelUnit, upwards: f32) {
+        self.harness.event(wheel(unit, upwards));
+        self.run();
+    }
+
     /// Presses the first button at one place and lets it go at another.
     pub fn drag(&mut self, from: egui::Pos2, to: egui::Pos2) {
         self.harness.hover_at(from);
@@ -270,5 +294,16 @@ impl Page {
     pub fn drop(&mut self, at: egui::Pos2) {
         self.harness.drop_at(at);
         self.run();
+    }
+}
+
+/// The event of a turn of the wheel; upwards is away from the user.
+pub fn wheel(unit: egui::MouseWheelUnit, upwards: f32) -> egui::Event {
+    egui::Event::MouseWheel {
+        unit,
+        delta: egui::vec2(0.0, upwards),
+        phase: egui::TouchPhase::Move,
+        source: egui::MouseWheelSource::Wheel,
+        modifiers: egui::Modifiers::NONE,
     }
 }

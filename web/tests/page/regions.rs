@@ -153,14 +153,7 @@ fn a_circle_paints_the_selection() {
         if larger {
             page.harness.hover_at(middle);
             page.run();
-            page.harness.event(Event::MouseWheel {
-                unit: egui::MouseWheelUnit::Point,
-                delta: vec2(0.0, 400.0),
-                phase: egui::TouchPhase::Move,
-                source: egui::MouseWheelSource::Wheel,
-                modifiers: Modifiers::NONE,
-            });
-            page.run();
+            page.turn_wheel(egui::MouseWheelUnit::Point, 400.0);
         }
         click_at(&mut page, middle, Modifiers::NONE);
         sizes.push(page.selected().1.len());

@@ -1,16 +1,11 @@
 //! The loop cut at the pointer: it shows its ring, takes its count from the wheel, and slides after a click.
 
 use crate::page::{DESKTOP, Page};
-use egui::{Event, Key, Modifiers, MouseWheelUnit, PointerButton, Pos2, TouchPhase, vec2};
+use egui::{Event, Key, Modifiers, PointerButton, Pos2, vec2};
 use halfedge::Element;
 
 /// The middle of a visible vertical edge of the cube.
 const ON_EDGE: [f32; 3] = [1.0, 0.0, 1.0];
-
-fn hover(page: &mut Page, at: Pos2) {
-    page.harness.hover_at(at);
-    page.run();
-}
 
 fn click(page: &mut Page, at: Pos2) {
     for pressed in [true, false] {
@@ -21,23 +16,16 @@ fn click(page: &mut Page, at: Pos2) {
 }
 
 fn turn_wheel(page: &mut Page, by: f32) {
-    page.harness.event(Event::MouseWheel {
-        unit: MouseWheelUnit::Line,
-        delta: vec2(0.0, by),
-        phase: TouchPhase::Move,
-        source: egui::MouseWheelSource::Wheel,
-        modifiers: Modifiers::NONE,
-    });
-    page.run();
+    page.turn_wheel(egui::MouseWheelUnit::Line, by);
 }
 
 /// The page with the tool over an edge of the cube.
 fn pointing() -> (Page, Pos2) {
     let mut page = Page::new();
     let at = page.at(ON_EDGE);
-    hover(&mut page, at);
+    page.hover(at);
     page.press(Key::L);
-    hover(&mut page, at + vec2(1.0, 0.0));
+    page.hover(at + vec2(1.0, 0.0));
     (page, at)
 }
 
@@ -48,7 +36,7 @@ fn a_click_cuts_and_the_pointer_slides() {
     click(&mut page, at);
     assert_eq!(page.mesh().face_count(), 10, "four quads are cut in two");
     let before = page.mesh().clone();
-    hover(&mut page, at + vec2(0.0, 40.0));
+    page.hover(at + vec2(0.0, 40.0));
     assert_ne!(page.mesh(), &before, "the cut slides along the edge");
     click(&mut page, at + vec2(0.0, 40.0));
     assert_eq!(page.undo_labels().last().map(String::as_str), Some("Loop cut"));
@@ -92,7 +80,7 @@ fn digits_set_the_number_of_cuts_and_leave_the_mode() {
     assert_eq!(page.mesh().face_count(), 6 + 4 * 12, "11 and a notch of the wheel");
     // The next number starts afresh.
     page.press(Key::L);
-    hover(&mut page, at + vec2(2.0, 0.0));
+    page.hover(at + vec2(2.0, 0.0));
     digit(&mut page, Key::Num3, "3");
     click(&mut page, at);
     page.press(Key::Enter);
@@ -152,15 +140,15 @@ fn an_empty_document_says_why_there_is_nothing_to_cut() {
 fn the_ring_is_drawn() {
     let mut page = Page::drawn(DESKTOP, egui::Theme::Dark);
     let at = page.at(ON_EDGE);
-    hover(&mut page, at);
+    page.hover(at);
     page.press(Key::L);
-    hover(&mut page, at + vec2(1.0, 0.0));
+    page.hover(at + vec2(1.0, 0.0));
     turn_wheel(&mut page, 1.0);
     // A bar over the viewport takes the pointer away from the model.
     let beside = page.find("Edge mode").rect().center();
-    hover(&mut page, beside);
+    page.hover(beside);
     let without = crate::looks::picture(&mut page, "loop cut, beside the model");
-    hover(&mut page, at);
+    page.hover(at);
     let with = crate::looks::picture(&mut page, "loop cut at the pointer");
     let changed = with.pixels().zip(without.pixels()).filter(|(a, b)| a != b).count();
     assert!(changed > 300, "{changed} pixels");

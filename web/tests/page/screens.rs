@@ -5,7 +5,6 @@
 use crate::looks::picture;
 use crate::page::{DESKTOP, PHONE, Page};
 use egui::{Key, Modifiers, Theme, Vec2, vec2};
-use egui_kittest::kittest::Queryable;
 use image::codecs::png::{CompressionType, FilterType, PngEncoder};
 use image::{Rgb, RgbImage, RgbaImage};
 use serde_json::json;
@@ -78,12 +77,6 @@ fn start(page: &mut Page, command: &str) {
     page.press(Key::Enter);
 }
 
-fn hover(page: &mut Page, by: Vec2) {
-    let middle = page.harness.get_by_label("Viewport").rect().center();
-    page.harness.hover_at(middle + by);
-    page.run();
-}
-
 fn with_mode(page: &mut Page, key: Key, kind: &str, ids: &[u32]) {
     page.press(key);
     page.select(kind, ids);
@@ -113,9 +106,9 @@ const SCREENS: [Screen; 15] = [
     ("live edit", |page| {
         with_mode(page, Key::Num4, "face", &[3]);
         page.press(Key::G);
-        hover(page, Vec2::ZERO);
+        page.hover_off_middle(Vec2::ZERO);
         page.press(Key::X);
-        hover(page, vec2(60.0, -20.0));
+        page.hover_off_middle(vec2(60.0, -20.0));
     }),
     ("loop cut", |page| {
         let on_edge = page.at([1.0, 0.0, 1.0]);

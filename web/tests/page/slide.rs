@@ -7,16 +7,6 @@ use halfedge::edit::edge_rails;
 use halfedge::{EdgeId, Element, VertexId};
 use serde_json::json;
 
-fn hover(page: &mut Page, at: Pos2) {
-    page.harness.hover_at(at);
-    page.run();
-}
-
-fn type_text(page: &mut Page, text: &str) {
-    page.harness.event(Event::Text(text.to_owned()));
-    page.run();
-}
-
 fn press_button(page: &mut Page, at: Pos2, button: PointerButton) {
     for pressed in [true, false] {
         page.harness.event(Event::PointerButton { pos: at, button, pressed, modifiers: Modifiers::NONE });
@@ -65,29 +55,29 @@ fn edges_follow_the_pointer_to_either_side_and_are_one_step() {
     let (before, selected, steps) = (page.mesh().clone(), page.selected(), page.undo_labels());
     let from = place(&mut page, v);
     let start = on_screen(&mut page, from);
-    hover(&mut page, start);
+    page.hover(start);
     page.press_with(Modifiers::SHIFT, Key::V);
     assert_eq!(page.mesh(), &before, "nothing moves before the pointer does");
-    hover(&mut page, start + vec2(1.0, 0.0));
+    page.hover(start + vec2(1.0, 0.0));
     for end in ends {
         let goal = from.lerp(end, 0.5);
         let at = on_screen(&mut page, goal);
-        hover(&mut page, at);
+        page.hover(at);
         let now = place(&mut page, v);
         assert!(now.distance(goal) < 0.12, "{now}, not {goal}");
         let past = on_screen(&mut page, from + (end - from) * 1.3);
-        hover(&mut page, past);
+        page.hover(past);
         assert_eq!(place(&mut page, v), end, "no farther than the neighbour");
     }
     let at = on_screen(&mut page, from.lerp(ends[0], 0.5));
-    hover(&mut page, at);
+    page.hover(at);
     let shown = page.mesh().clone();
     press_button(&mut page, at, PointerButton::Primary);
     assert_eq!(page.mesh(), &shown, "a click accepts");
     assert_eq!(page.undo_labels().len(), steps.len() + 1);
     assert_eq!(page.undo_labels().last().map(String::as_str), Some("Slide edges"));
     assert_eq!(page.selected(), selected, "the edges stay selected");
-    hover(&mut page, start);
+    page.hover(start);
     assert_eq!(page.mesh(), &shown);
     page.press_with(Modifiers::COMMAND, Key::Z);
     assert_eq!(page.mesh(), &before);
@@ -100,7 +90,7 @@ fn a_typed_number_is_exact_and_cancelling_leaves_no_trace() {
     let from = place(&mut page, v);
     for (text, expected) in [(".25", from.lerp(left, 0.25)), ("-.5", from.lerp(right, 0.5)), ("3", left)] {
         page.press_with(Modifiers::SHIFT, Key::V);
-        text.chars().for_each(|letter| type_text(&mut page, &letter.to_string()));
+        text.chars().for_each(|letter| page.type_text(&letter.to_string()));
         page.press(Key::Enter);
         assert_eq!(place(&mut page, v), expected, "after {text}");
         page.press_with(Modifiers::COMMAND, Key::Z);
@@ -109,10 +99,10 @@ fn a_typed_number_is_exact_and_cancelling_leaves_no_trace() {
     let start = on_screen(&mut page, from);
     let at = on_screen(&mut page, from.lerp(left, 0.5));
     for by_key in [true, false] {
-        hover(&mut page, start);
+        page.hover(start);
         page.press_with(Modifiers::SHIFT, Key::V);
-        hover(&mut page, start);
-        hover(&mut page, at);
+        page.hover(start);
+        page.hover(at);
         assert_ne!(page.mesh(), &before);
         if by_key {
             page.press(Key::Escape);
@@ -131,17 +121,17 @@ fn ctrl_snaps_to_tenths_and_shift_slows() {
     let from = place(&mut page, v);
     let start = on_screen(&mut page, from);
     let at = on_screen(&mut page, from.lerp(left, 0.53));
-    hover(&mut page, start);
+    page.hover(start);
     page.press_with(Modifiers::SHIFT, Key::V);
-    hover(&mut page, start);
+    page.hover(start);
     page.harness.event_modifiers(Event::PointerMoved(at), Modifiers::COMMAND);
     page.run();
     let part = (place(&mut page, v) - from).length() / (left - from).length();
     assert!((part * 10.0 - (part * 10.0).round()).abs() < 1e-4 && part > 0.3, "{part}");
     page.press(Key::Escape);
-    hover(&mut page, start);
+    page.hover(start);
     page.press_with(Modifiers::SHIFT, Key::V);
-    hover(&mut page, start);
+    page.hover(start);
     page.harness.event_modifiers(Event::PointerMoved(at), Modifiers::SHIFT);
     page.run();
     let part = (place(&mut page, v) - from).length() / (left - from).length();
@@ -159,14 +149,14 @@ fn a_vertex_takes_the_edge_that_the_pointer_goes_along() {
         mesh.neighbors(v).map(|to| mesh.position(to)).collect()
     };
     let start = on_screen(&mut page, Vec3::ONE);
-    hover(&mut page, start);
+    page.hover(start);
     page.press_with(Modifiers::SHIFT, Key::V);
-    hover(&mut page, start);
+    page.hover(start);
     assert_eq!(ends.len(), 3);
     for end in ends {
         let goal = Vec3::ONE.lerp(end, 0.5);
         let at = on_screen(&mut page, goal);
-        hover(&mut page, at);
+        page.hover(at);
         let now = place(&mut page, v);
         assert!(now.distance(goal) < 0.2, "{now}, not {goal}");
         assert!(
@@ -184,17 +174,17 @@ fn the_move_key_again_slides_what_can_slide() {
     let (mut page, v, [left, _]) = with_loop(Page::with_parameter("keys", "Blender"));
     let from = place(&mut page, v);
     let start = on_screen(&mut page, from);
-    hover(&mut page, start);
+    page.hover(start);
     page.press(Key::G);
-    hover(&mut page, start + vec2(0.0, 1.0));
-    hover(&mut page, start + vec2(13.0, -37.0));
+    page.hover(start + vec2(0.0, 1.0));
+    page.hover(start + vec2(13.0, -37.0));
     let moved = place(&mut page, v);
     assert!((moved - from).cross(left - from).length() > 1e-3, "a move leaves the edges");
     assert!(page.has_part("G slides"));
     page.press(Key::G);
-    hover(&mut page, start);
+    page.hover(start);
     let at = on_screen(&mut page, from.lerp(left, 0.5));
-    hover(&mut page, at);
+    page.hover(at);
     let now = place(&mut page, v);
     assert!((now - from).cross(left - from).length() < 1e-5, "{now} is not on its rail");
     page.press(Key::Enter);
@@ -203,8 +193,8 @@ fn the_move_key_again_slides_what_can_slide() {
     // Faces can't slide: the move goes on.
     page.select("face", &[0]);
     page.press(Key::G);
-    hover(&mut page, start);
-    hover(&mut page, start + vec2(20.0, 0.0));
+    page.hover(start);
+    page.hover(start + vec2(20.0, 0.0));
     let moved = page.mesh().clone();
     page.press(Key::G);
     assert_eq!(page.mesh(), &moved);
@@ -217,13 +207,13 @@ fn every_preset_and_the_tool_bar_start_it() {
     for preset in ["Course", "Blender", "Maya"] {
         let (mut page, v, [left, _]) = with_loop(Page::with_parameter("keys", preset));
         page.press_with(Modifiers::SHIFT, Key::V);
-        type_text(&mut page, "1");
+        page.type_text("1");
         page.press(Key::Enter);
         assert_eq!(place(&mut page, v), left, "{preset}");
     }
     let (mut page, v, [left, _]) = with_loop(Page::new());
     page.click("Tool: Slide");
-    type_text(&mut page, "1");
+    page.type_text("1");
     page.click("Apply");
     assert_eq!(place(&mut page, v), left);
 }
@@ -245,12 +235,12 @@ fn a_slide_is_drawn_with_its_amount() {
     let (mut page, v, [left, _]) = with_loop(Page::drawn(DESKTOP, egui::Theme::Dark));
     let from = place(&mut page, v);
     let start = on_screen(&mut page, from);
-    hover(&mut page, start);
+    page.hover(start);
     page.press_with(Modifiers::SHIFT, Key::V);
-    hover(&mut page, start);
+    page.hover(start);
     let before = crate::looks::picture(&mut page, "slide, at rest");
     let at = on_screen(&mut page, from.lerp(left, 0.6));
-    hover(&mut page, at);
+    page.hover(at);
     let after = crate::looks::picture(&mut page, "slide, a loop on a cube");
     let changed = after.pixels().zip(before.pixels()).filter(|(a, b)| a != b).count();
     assert!(changed > 300, "{changed} pixels");

@@ -1,6 +1,6 @@
 //! The viewport's gestures, and what fits on the screen.
 
-use crate::page::{DESKTOP, PHONE, Page};
+use crate::page::{DESKTOP, PHONE, Page, wheel};
 use egui::{Key, Modifiers, Pos2, Rect, pos2, vec2};
 use egui_kittest::kittest::{NodeT, Queryable};
 use halfedge::{Element, VertexId};
@@ -124,14 +124,7 @@ fn dragging_beside_the_mesh_turns_the_view_and_space_resets_it() {
 
     page.harness.hover_at(corner);
     page.run();
-    page.harness.event(egui::Event::MouseWheel {
-        unit: egui::MouseWheelUnit::Point,
-        delta: vec2(0.0, 120.0),
-        phase: egui::TouchPhase::Move,
-        source: egui::MouseWheelSource::Wheel,
-        modifiers: Modifiers::NONE,
-    });
-    page.run();
+    page.turn_wheel(egui::MouseWheelUnit::Point, 120.0);
     assert!(view(&mut page).1 < turned.1, "the wheel comes closer");
     page.press(Key::Space);
     assert_eq!(view(&mut page), start);
@@ -256,16 +249,6 @@ fn zoomed_by(events: &[egui::Event]) -> f64 {
     }
     page.run();
     before / distance(&mut page)
-}
-
-fn wheel(unit: egui::MouseWheelUnit, y: f32) -> egui::Event {
-    egui::Event::MouseWheel {
-        unit,
-        delta: vec2(0.0, y),
-        phase: egui::TouchPhase::Move,
-        source: egui::MouseWheelSource::Unknown,
-        modifiers: Modifiers::NONE,
-    }
 }
 
 #[test]
