@@ -270,7 +270,7 @@ export interface SlideVertices {
   object?: number;
   /** The vertices to slide: a list of vertices, each by id; default: the selected vertices. */
   vertices?: number[];
-  /** Each vertex takes its edge that points most in this direction: three numbers: `[x, y, z]`; default: [1.0,0.0,0.0]. */
+  /** Each vertex moves along the edge that points most in this direction: three numbers: `[x, y, z]`; default: [1.0,0.0,0.0]. */
   direction?: Vector;
   /** How far: 1 is to the edges' other ends; below 0 is the other way: a number from -1 to 1; required. */
   amount: number;

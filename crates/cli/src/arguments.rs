@@ -7,6 +7,7 @@ use halfedge::words::sentence;
 use lexopt::prelude::*;
 use std::ffi::OsString;
 use std::path::PathBuf;
+use std::str::FromStr;
 
 /// The text that `--help` prints before the list of operations, with `{codes}` in place of the codes of
 /// the formats.
@@ -143,13 +144,9 @@ pub fn parse(args: impl IntoIterator<Item = OsString>) -> Result<Task, Failure> 
                 given.format = Some(format(&code)?);
             }
             Long("repeat") => {
-                let text = parser.value().map_err(usage)?;
-                let times =
-                    text.to_str().and_then(|text| text.parse().ok()).filter(|&times: &usize| times > 0);
-                given.repeat = Some(times.ok_or_else(|| {
-                    let text = text.to_string_lossy();
-                    Failure::Usage(format!("--repeat: {text} is not a whole number of 1 or more"))
-                })?);
+                let is_valid = |times: &usize| *times > 0;
+                given.repeat =
+                    Some(number(&mut parser, "--repeat", "a whole number of 1 or more", is_valid)?);
             }
             Long("non-manifold") => {
                 let choice = parser.value().map_err(usage)?;
@@ -164,13 +161,9 @@ pub fn parse(args: impl IntoIterator<Item = OsString>) -> Result<Task, Failure> 
                 };
             }
             Long("merge-by-distance") => {
-                let text = parser.value().map_err(usage)?;
-                let distance = text.to_str().and_then(|text| text.parse::<f32>().ok());
-                let distance = distance.filter(|distance| distance.is_finite() && *distance >= 0.0);
-                given.repairs.merge_by_distance = Some(distance.ok_or_else(|| {
-                    let text = text.to_string_lossy();
-                    Failure::Usage(format!("--merge-by-distance: {text} is not a number of 0 or more"))
-                })?);
+                let is_valid = |distance: &f32| distance.is_finite() && *distance >= 0.0;
+                given.repairs.merge_by_distance =
+                    Some(number(&mut parser, "--merge-by-distance", "a number of 0 or more", is_valid)?);
             }
             Long("no-orient") => given.repairs.orient = false,
             Value(word) => given.words.push(word),
@@ -266,6 +259,18 @@ fn format(code: &str) -> Result<Format, Failure> {
             codes()
         ))
     })
+}
+
+/// The value of an option that takes a number; `wanted` says which.
+fn number<T: FromStr>(
+    parser: &mut lexopt::Parser,
+    option: &str,
+    wanted: &str,
+    is_valid: impl Fn(&T) -> bool,
+) -> Result<T, Failure> {
+    let text = parser.value().map_err(usage)?;
+    let number = text.to_str().and_then(|text| text.parse().ok()).filter(is_valid);
+    number.ok_or_else(|| Failure::Usage(format!("{option}: {} is not {wanted}", text.to_string_lossy())))
 }
 
 /// Parses a command. Text that is not JSON is wrong usage; JSON that is not a command is refused.

@@ -99,11 +99,12 @@ pub fn output_format(path: &Path, given: Option<Format>) -> Result<Format, Failu
 /// library, is replaced only along with the model: without one, it belongs to something else.
 pub fn write(path: &Path, format: Format, document: &Document) -> Result<(), Failure> {
     let stem = path.file_stem().map_or_else(String::new, |stem| stem.to_string_lossy().into_owned());
-    let model = document.to_model(&stem);
+    let mut model = document.to_model(document.name());
     // Names are compared with that of the document: the output file may have any other.
-    for loss in formats::losses(format, &document.to_model(document.name())) {
+    for loss in formats::losses(format, &model) {
         eprintln!("{}: {loss}", path.display());
     }
+    model.name.clone_from(&stem);
     let files = formats::write(format, &model)
         .map_err(|error| Failure::File(format!("{}: {error}", path.display())))?;
     let is_new = !path.exists();

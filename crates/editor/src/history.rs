@@ -332,12 +332,12 @@ impl History {
         self.redo.last().map(|(step, _)| step)
     }
 
-    /// The steps from the next one to undo to the last of so many edits.
+    /// The steps from the next one to undo to the last of this many edits.
     pub fn steps_back(&self, edits: usize) -> impl Iterator<Item = &Step> {
         up_to(self.undo.iter().rev(), edits)
     }
 
-    /// The steps from the next one to redo to the last of so many edits.
+    /// The steps from the next one to redo to the last of this many edits.
     pub fn steps_forward(&self, edits: usize) -> impl Iterator<Item = &Step> {
         up_to(self.redo.iter().rev(), edits)
     }
@@ -383,7 +383,7 @@ impl History {
     }
 }
 
-/// The steps up to the last of so many edits.
+/// The steps up to the last of this many edits.
 fn up_to<'a>(
     steps: impl Iterator<Item = &'a (Step, usize)>,
     mut edits: usize,

@@ -50,7 +50,9 @@ pub fn mirror_images(mesh: &Mesh, vertices: &[VertexId], axis: usize) -> Vec<Opt
 /// The mirror image of a point or a movement across the plane through the origin that an axis (0 to 2) is normal to.
 pub fn mirrored(point: Vec3, axis: usize) -> Vec3 {
     let mut image = point.to_array();
-    image.iter_mut().skip(axis).take(1).for_each(|coordinate| *coordinate = -*coordinate);
+    if let Some(coordinate) = image.get_mut(axis) {
+        *coordinate = -*coordinate;
+    }
     image.into()
 }
 

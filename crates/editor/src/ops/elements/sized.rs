@@ -3,7 +3,7 @@
 use crate::error::Problem;
 use crate::script::json::shortest;
 use crate::ops::choice::choice;
-use crate::ops::sentence_case;
+use crate::ops::{Drag, Field, Suggestion, Unit, sentence_case};
 use halfedge::Mesh;
 use halfedge::edit::{Grouping, Live};
 
@@ -49,6 +49,14 @@ pub(super) fn set_size(
         notes.push(format!("{label} was limited to {used}, because beyond that edges would reverse"));
     }
     Ok(())
+}
+
+/// The amount of a slide.
+pub(super) const fn slide_amount(description: &'static str) -> Field {
+    Field::number("amount", Unit::Fraction, [-1.0, 1.0], description)
+        .labelled("Amount (-1 to 1)")
+        .suggest(Suggestion::Number(0.5))
+        .drag(Drag::Slide)
 }
 
 /// Says why a slide by an amount other than zero has moved nothing.

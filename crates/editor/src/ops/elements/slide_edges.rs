@@ -1,10 +1,10 @@
 //! `slide-edges`: move lines of edges along their neighbours.
 
-use super::sized::nothing_moved;
+use super::sized::{nothing_moved, slide_amount};
 use crate::error::Problem;
 use crate::ops::refs::{all, count};
 use crate::ops::{
-    Action, Drag, EdgeRef, Family, Field, LocalEdit, Operation, Scope, Selected, Slot, Spec, Suggestion, Unit,
+    Action, EdgeRef, Family, Field, LocalEdit, Operation, Scope, Selected, Slot, Spec,
 };
 use halfedge::{EdgeId, Element, Mesh, edit};
 use serde::{Deserialize, Serialize};
@@ -37,15 +37,7 @@ impl Operation for SlideEdges {
             Selected::All,
             "The edges, in lines that don't branch; left is that of the first edge's direction",
         ),
-        Field::number(
-            "amount",
-            Unit::Fraction,
-            [-1.0, 1.0],
-            "How far: 1 is to the neighbours on the left, -1 to those on the right",
-        )
-        .labelled("Amount (-1 to 1)")
-        .suggest(Suggestion::Number(0.5))
-        .drag(Drag::Slide),
+        slide_amount("How far: 1 is to the neighbours on the left, -1 to those on the right"),
     ]);
 
     fn elements(&mut self) -> Vec<Slot<'_>> {

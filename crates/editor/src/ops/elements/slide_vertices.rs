@@ -1,11 +1,10 @@
 //! `slide-vertices`: move vertices along their edges.
 
-use super::sized::nothing_moved;
+use super::sized::{nothing_moved, slide_amount};
 use crate::error::Problem;
 use crate::ops::refs::{all, count};
 use crate::ops::{
-    Action, DefaultValue, Drag, Family, Field, FieldKind, LocalEdit, Operation, Scope, Selected, Slot, Spec, Suggestion, Unit,
-    VertexRef,
+    Action, DefaultValue, Family, Field, FieldKind, LocalEdit, Operation, Scope, Selected, Slot, Spec, VertexRef,
 };
 use crate::script::json::finite3;
 use halfedge::edit::Refusal;
@@ -40,18 +39,10 @@ impl Operation for SlideVertices {
         Field::required(
             "direction",
             FieldKind::Vector,
-            "Each vertex takes its edge that points most in this direction",
+            "Each vertex moves along the edge that points most in this direction",
         )
         .or(DefaultValue::Vector([1.0, 0.0, 0.0])),
-        Field::number(
-            "amount",
-            Unit::Fraction,
-            [-1.0, 1.0],
-            "How far: 1 is to the edges' other ends; below 0 is the other way",
-        )
-        .labelled("Amount (-1 to 1)")
-        .suggest(Suggestion::Number(0.5))
-        .drag(Drag::Slide),
+        slide_amount("How far: 1 is to the edges' other ends; below 0 is the other way"),
     ]);
 
     fn elements(&mut self) -> Vec<Slot<'_>> {
