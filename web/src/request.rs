@@ -86,7 +86,7 @@ pub(crate) enum Request {
     Adjust(Command),
     /// Undo the last edit, and what was selected since.
     UndoEdit,
-    /// Go to the state right after so many edits of the history.
+    /// Go to the state right after this many edits of the history.
     JumpTo(usize),
     /// Change one thing about what the Bezier player shows.
     Play(Setting),

@@ -1,4 +1,4 @@
-//! The page for people who don't use eyes or a mouse: the accessibility tree, and its mirror in the document.
+//! The page for screen readers and other assistive technology: the accessibility tree, and its mirror in the document.
 
 pub mod aria;
 pub mod mirror;

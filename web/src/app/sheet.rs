@@ -59,7 +59,7 @@ fn sheet_tabs(ui: &mut Ui, page: &Page<'_>, out: &mut Requests) {
             (Tab::Lists, "Elements", "Vertices, edges, half-edges and faces"),
             (Tab::Inspector, "Inspector", "The selected element"),
             (Tab::Operations, "Operations", "New shapes, subdivision and more"),
-            (Tab::History, "History", "The steps, to go back or forth to one"),
+            (Tab::History, "History", "The steps by name; tap one to go to it"),
         ] {
             let on = page.shown.sheet.tab == tab && !page.shown.sheet.closed;
             let button = Button::selectable(on, label);

@@ -103,7 +103,7 @@ pub static MENUS: &[Menu] = &[
             Some(entry(A::Undo, "Undo", "Undo the last change, of the mesh or of the selection.")),
             Some(entry(A::Redo, "Redo", "Redo the last undone change.")),
             Some(
-                entry(A::History, "History", "List the steps by name; a click goes back or forth to one.")
+                entry(A::History, "History", "List the steps by name; click one to go to it.")
                     .synonyms(&["undo history", "steps", "go back"]),
             ),
             None,

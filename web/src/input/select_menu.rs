@@ -37,7 +37,7 @@ pub(super) const ENTRIES: &[Option<Entry>] = &[
     Some(entry(
         A::LinkedUnder,
         "Select linked under the pointer",
-        "Add everything connected to the element under the pointer, by a key.",
+        "Add everything connected to the element under the pointer. Start it with a key.",
     )),
     Some(entry(
         A::SelectBy(SelectBy::Loops),

@@ -25,10 +25,11 @@ pub(super) static ENTRIES: &[Option<Entry>] = &[
             .synonyms(&["zoom to fit", "view all"]),
     ),
     Some(
-        entry(A::ZoomIn, "Zoom in", "Come closer to the middle of the view.").synonyms(&["closer", "larger"]),
+        entry(A::ZoomIn, "Zoom in", "Enlarge what is in the middle of the view.")
+            .synonyms(&["closer", "larger"]),
     ),
     Some(
-        entry(A::ZoomOut, "Zoom out", "Go back from the middle of the view.")
+        entry(A::ZoomOut, "Zoom out", "Show more around the middle of the view.")
             .synonyms(&["farther", "smaller"]),
     ),
     Some(entry(A::ResetView, "Reset view", "Restore the initial view.")),
@@ -263,12 +264,12 @@ pub(super) static ENTRIES: &[Option<Entry>] = &[
     Some(entry(
         A::Arrange(Arrangement::Model),
         "Model layout",
-        "Tools and viewport first: the lists are closed. Again: as at first.",
+        "Put tools and viewport first, and close the lists. Choose it again to restore its panels.",
     )),
     Some(entry(
         A::Arrange(Arrangement::Study),
         "Study layout",
-        "Lists, inspector, info overlay and element numbers, shaded as in the courses. Again: as at first.",
+        "Open lists, inspector, info overlay and element numbers, shaded as in the courses. Choose it again to restore its panels.",
     )),
     scale(80, "80 %"),
     scale(90, "90 %"),

@@ -110,7 +110,7 @@ fn by_mouse(page: &Page<'_>, modifiers: Modifiers) -> Vec<Hint> {
                 hint(ESCAPE, "End the tool"),
             ];
         }
-        Tool::Lasso => return draws("Draw around what to select"),
+        Tool::Lasso => return draws("Draw around elements"),
         Tool::Circle => {
             return vec![
                 hint(LEFT, "Drag to add"),

@@ -156,7 +156,7 @@ impl HistoryList {
         }
     }
 
-    /// The name of the state after so many edits.
+    /// The name of the state after this many edits.
     fn name(&self, at: usize) -> &str {
         match at.checked_sub(1) {
             Some(edit) => self.names.get(edit).map_or("", String::as_str),

@@ -157,7 +157,7 @@ fn head(ui: &mut Ui, map: &KeyMap, own: &mut KeyEditor, out: &mut Requests) {
         ui.separator();
         let reset = ui.add_enabled(map.has_changes(), Button::new("Reset all"));
         let reset = reset
-            .on_hover_text(format!("Give every action its key of the {} preset again", map.preset().label()))
+            .on_hover_text(format!("Restore all keys of the {} preset", map.preset().label()))
             .on_disabled_hover_text("No key of this preset has been changed.");
         if reset.clicked() {
             own.listening = None;
@@ -287,7 +287,7 @@ fn waiting(ui: &mut Ui, map: &KeyMap, action: Action, own: &mut KeyEditor, out: 
         && let Some(old) = replaces
     {
         let text = old.written(ui.ctx());
-        if ui.button("Remove").on_hover_text(format!("Let {text} do nothing")).clicked() {
+        if ui.button("Remove").on_hover_text(format!("Remove {text} from this action")).clicked() {
             let mut keys = map.own_keys(action).to_vec();
             keys.retain(|key| *key != old);
             own.listening = None;
@@ -306,7 +306,7 @@ fn conflict(ui: &mut Ui, map: &KeyMap, action: Action, own: &mut KeyEditor, out:
     let key = pressed.written(ui.ctx());
     ui.horizontal_wrapped(|ui| {
         ui.colored_label(ui.visuals().warn_fg_color, format!("{key} starts {}.", names.join(" and ")));
-        let take = ui.button("Take it over").on_hover_text(format!("Let {key} start this instead"));
+        let take = ui.button("Take it over").on_hover_text(format!("Use {key} for this action instead"));
         if take.clicked() {
             let mut changes: Vec<KeyChange> = Vec::new();
             for other in others {
@@ -318,7 +318,7 @@ fn conflict(ui: &mut Ui, map: &KeyMap, action: Action, own: &mut KeyEditor, out:
             out.push(Request::ChangeKeys(changes));
             own.listening = None;
         }
-        let again = ui.button("Press another").on_hover_text("Choose a key that is free");
+        let again = ui.button("Press another").on_hover_text("Choose another key");
         if again.clicked() {
             own.listening = Some(Listening::Bind { action, replaces, pressed: None });
         }

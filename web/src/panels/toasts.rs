@@ -106,7 +106,10 @@ fn links(ui: &mut Ui, page: &Page<'_>, slot: Slot, toast: &Toast, out: &mut Requ
             }
         }
         Some(Remedy::UndoEdit { .. })
-            if ui.link("Undo").on_hover_text("Undo this, and what was selected since").clicked() =>
+            if ui
+                .link("Undo")
+                .on_hover_text("Undo this edit and later changes of the selection")
+                .clicked() =>
         {
             out.push(Request::UndoEdit);
         }

@@ -163,7 +163,7 @@ fn strip(ui: &mut Ui, own: &mut Welcome, out: &mut Requests) {
 fn footer(ui: &mut Ui, page: &Page<'_>, own: &mut Welcome, out: &mut Requests) {
     ui.horizontal(|ui| {
         ui.label(RichText::new("Keys").small().weak())
-            .on_hover_text("Whose keys and mouse buttons to use; Edit > Keys changes it later");
+            .on_hover_text("The keys and mouse buttons to use; change them later in Edit > Keys");
         key_presets(ui, page.key_preset(), out);
         ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
             let mut at_start = own.at_start;
@@ -187,7 +187,7 @@ fn sample_tile(ui: &mut Ui, own: &mut Welcome, sample: Sample, size: Vec2, out: 
 
 fn shape_tile(ui: &mut Ui, own: &mut Welcome, name: &'static str, size: Vec2, out: &mut Requests) {
     let label = shape_name(name);
-    let hint = format!("A new document with this shape: {}.", label.to_lowercase());
+    let hint = "Start a new document with this shape.".to_owned();
     let tile = Tile { key: name, label, hint, size };
     if tile.show(ui, own, || shape_figure(name)) {
         out.push(Request::StartWithShape(name));

@@ -34,7 +34,7 @@ pub(crate) const SAMPLES: [Sample; 5] = [
     },
     Sample {
         name: "Fox",
-        description: "A fox of few polygons, extruded from one box.",
+        description: "A low-poly fox, extruded from one box.",
         model: Model::Off(include_str!("../../../samples/fox.off")),
     },
     Sample {
