@@ -4,7 +4,7 @@ use editor::{Changes, Editor};
 use egui::collapsing_header::paint_default_icon;
 use egui::{
     Align2, Color32, EventFilter, Key, Label, Modifiers, Panel, Rect, Response, RichText, Role, ScrollArea,
-    Sense, Stroke, TextStyle, Ui, UiBuilder, WidgetInfo, pos2, vec2,
+    Sense, Stroke, TextStyle, Ui, UiBuilder, WidgetInfo, pos2, style::ScrollAnimation, vec2,
 };
 
 use crate::input::actions::{self, Action};
@@ -24,7 +24,7 @@ const DOTS_FROM_LEFT: f32 = 14.0;
 const DOT_RADIUS: f32 = 3.5;
 const CURRENT_DOT_RADIUS: f32 = 5.0;
 
-/// The names of the steps, and where the list is scrolled to.
+/// The names of the steps, and how the panel shows them.
 #[derive(Default)]
 pub(crate) struct HistoryList {
     /// The edits, the oldest first; those that can be redone are last.
@@ -37,8 +37,6 @@ pub(crate) struct HistoryList {
     pub height: Option<f32>,
     /// Whether the current step has to be scrolled into view.
     reveals: bool,
-    /// The scroll position in the last frame, in points.
-    offset: f32,
 }
 
 /// Where a step is in time.
@@ -126,23 +124,23 @@ impl HistoryList {
         }
         let height = ui.spacing().interact_size.y.max(MIN_ROW_HEIGHT);
         let rows = self.names.len() + 1;
-        let mut area = ScrollArea::vertical().id_salt("steps").auto_shrink([false, false]);
-        if std::mem::take(&mut self.reveals) {
-            let top = self.done as f32 * height;
-            let least = (top + height - body.height()).max(0.0);
-            area = area.vertical_scroll_offset(self.offset.clamp(least, top.max(least)));
-        }
+        let reveals = std::mem::take(&mut self.reveals);
+        let area = ScrollArea::vertical().id_salt("steps").auto_shrink([false, false]);
         let builder = UiBuilder::new().max_rect(body).accessibility_parent(id);
-        let scrolled = ui.scope_builder(builder, |ui| {
+        ui.scope_builder(builder, |ui| {
             ui.spacing_mut().item_spacing.y = 0.0;
-            let shown = area.show_rows(ui, height, rows, |ui, range| {
+            area.show_rows(ui, height, rows, |ui, range| {
+                if reveals {
+                    let first = ui.max_rect().with_max_y(ui.max_rect().top() + height);
+                    let rows_below = self.done as f32 - range.start as f32;
+                    let current = first.translate(vec2(0.0, rows_below * height));
+                    ui.scroll_to_rect_animation(current, None, ScrollAnimation::none());
+                }
                 for at in range {
                     self.row(ui, at, height, &list, out);
                 }
             });
-            shown.state.clamped_offset().y
         });
-        self.offset = scrolled.inner;
         if self.names.is_empty() {
             let below = body.with_min_y(body.top() + height + 4.0).shrink2(vec2(8.0, 0.0));
             let hint = if page.shown.touch {

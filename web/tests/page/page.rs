@@ -114,7 +114,7 @@ impl Page {
 
     fn build_with(outside: Outside, size: Vec2, theme: egui::Theme, drawn: bool) -> Self {
         let mut builder =
-            Harness::builder().with_size(size).with_theme(theme).with_max_steps(40).with_render_cursor(false);
+            Harness::builder().with_size(size).with_theme(theme).with_max_steps(24).with_render_cursor(false);
         let mut state = State { app: None, gpu: None, outside: outside.clone() };
         if drawn {
             let gpu = create_render_state(default_wgpu_setup(), egui_wgpu::RendererOptions::PREDICTABLE);
