@@ -5,6 +5,7 @@ mod commit;
 mod forget;
 mod jobs;
 mod jump;
+mod logged;
 mod ongoing;
 mod open;
 mod run;
@@ -22,6 +23,7 @@ use crate::document::{Counts, Document, Object, ObjectId};
 use crate::error::CommandError;
 use crate::history::{Change, History, Step};
 use crate::outcome::Outcome;
+use crate::recovery::{Event, Log};
 
 use crate::selection::Selection;
 use formats::NamedMesh;
@@ -53,6 +55,10 @@ pub struct Editor {
     revision: u64,
     last_revision: u64,
     saved: u64,
+    /// The number of the next step of the history.
+    next_step: u64,
+    /// What is done, if it is logged.
+    pub(crate) log: Option<Log>,
     /// The command that can be adjusted.
     last: Option<adjust::Last>,
     /// The counts of each object's mesh, kept until the mesh changes.
@@ -108,6 +114,8 @@ impl Editor {
             revision: 0,
             last_revision: 0,
             saved: 0,
+            next_step: 0,
+            log: None,
             last: None,
             counts: Default::default(),
         }
@@ -172,6 +180,7 @@ impl Editor {
     pub fn mark_saved(&mut self, revision: u64) {
         self.saved = revision;
         self.changes.document = true;
+        self.log(Event::Saved(revision));
     }
 
     /// The counts of an object's mesh, computed on the first request after a change.
@@ -232,8 +241,11 @@ impl Editor {
         if self.undo_labels().next().is_none() {
             return Ok(None);
         }
+        if let Some(edit) = self.history.steps_back(1).last() {
+            self.refuse_while_busy("undo", &edit.changes)?;
+        }
         self.history.forget_selections();
-        self.undo_step()
+        self.undo_one(Event::Undo)
     }
 
     /// Undoes the last edit or change of the selection, whichever is later, and returns its label; none if there is
@@ -246,13 +258,18 @@ impl Editor {
         if let Some(label) = self.cancel_edit() {
             return Ok(Some(label));
         }
+        self.undo_one(Event::UndoStep)
+    }
+
+    fn undo_one(&mut self, event: Event) -> Result<Option<String>, CommandError> {
         if let Some(step) = self.history.next_undo() {
             self.refuse_while_busy("undo", &step.changes)?;
         }
         let Some(step) = self.history.take_undo() else { return Ok(None) };
-        let label = step.label.clone();
+        let (label, number) = (step.label.clone(), step.number);
         let back = self.reverse(step);
         self.history.keep_redo(back);
+        self.log_reversed(number, event);
         Ok(Some(label))
     }
 
@@ -262,12 +279,15 @@ impl Editor {
     /// # Errors
     /// A job is running on a mesh that would change.
     pub fn redo(&mut self) -> Result<Option<String>, CommandError> {
+        self.end_edit();
         if self.redo_labels().next().is_none() {
-            self.end_edit();
             return Ok(None);
         }
+        if let Some(edit) = self.history.steps_forward(1).last() {
+            self.refuse_while_busy("redo", &edit.changes)?;
+        }
         self.history.forget_selections_to_redo();
-        self.redo_step()
+        self.redo_one(Event::Redo)
     }
 
     /// Redoes the last undone edit or change of the selection and returns its label; none if there is nothing to redo.
@@ -276,13 +296,18 @@ impl Editor {
     /// A job is running on a mesh that would change.
     pub fn redo_step(&mut self) -> Result<Option<String>, CommandError> {
         self.end_edit();
+        self.redo_one(Event::RedoStep)
+    }
+
+    fn redo_one(&mut self, event: Event) -> Result<Option<String>, CommandError> {
         if let Some(step) = self.history.next_redo() {
             self.refuse_while_busy("redo", &step.changes)?;
         }
         let Some(step) = self.history.take_redo() else { return Ok(None) };
-        let label = step.label.clone();
+        let (label, number) = (step.label.clone(), step.number);
         let back = self.reverse(step);
         self.history.keep_undo(back);
+        self.log_reversed(number, event);
         Ok(Some(label))
     }
 
@@ -294,7 +319,7 @@ impl Editor {
         let revision = std::mem::replace(&mut self.revision, step.revision);
         self.changes.selection = true;
         self.changes.history = true;
-        Step { label: step.label, changes, selection, revision }
+        Step { label: step.label, changes, selection, revision, number: step.number }
     }
 
     /// Applies changes in order; returns their inverses in the order in which to apply them.
@@ -323,7 +348,8 @@ impl Editor {
         let revision = self.revision;
         self.last_revision += 1;
         self.revision = self.last_revision;
-        self.history.push(Step { label, changes: back, selection: before, revision });
+        let number = self.number_step();
+        self.history.push(Step { label, changes: back, selection: before, revision, number });
         self.changes.history = true;
         self.changes.document = true;
         true

@@ -159,24 +159,24 @@ impl Change {
         })
     }
 
-    /// Whether the change affects a single object identified by id, so that it still fits after changes to
+    /// The only object that the change affects, if it is identified by id: such a change still fits after changes to
     /// other objects.
-    pub fn is_of_one_object(&self) -> bool {
+    pub fn object(&self) -> Option<ObjectId> {
         match self {
-            Self::Journal(..)
-            | Self::Mesh(..)
-            | Self::Bezier(..)
-            | Self::Soup(..)
-            | Self::Name(..)
-            | Self::Visible(..)
-            | Self::Hidden(..)
-            | Self::NamedSelections(..) => true,
+            Self::Journal(id, _)
+            | Self::Mesh(id, _)
+            | Self::Bezier(id, _)
+            | Self::Soup(id, _)
+            | Self::Name(id, _)
+            | Self::Visible(id, _)
+            | Self::Hidden(id, _)
+            | Self::NamedSelections(id, _) => Some(*id),
             Self::Offset(_)
             | Self::Materials(_)
             | Self::Active(_)
             | Self::Insert(..)
             | Self::Remove(_)
-            | Self::DocumentName(_) => false,
+            | Self::DocumentName(_) => None,
         }
     }
 
@@ -233,6 +233,8 @@ pub(crate) struct Step {
     pub selection: Arc<Selection>,
     /// The revision to restore with them; documents of equal revision are equal.
     pub revision: u64,
+    /// The number of steps that were made before it; it keeps the number when it is undone.
+    pub number: u64,
 }
 
 impl Step {
@@ -322,6 +324,12 @@ impl History {
         let (step, bytes) = self.redo.pop()?;
         self.bytes -= bytes;
         Some(step)
+    }
+
+    /// Takes all steps that can be redone, the next one last.
+    pub fn take_all_redo(&mut self) -> Vec<Step> {
+        self.bytes -= self.redo.iter().map(|(_, bytes)| bytes).sum::<usize>();
+        self.redo.drain(..).map(|(step, _)| step).collect()
     }
 
     pub fn next_undo(&self) -> Option<&Step> {

@@ -1,8 +1,8 @@
 //! Jobs: work that takes long, as plain data that can be sent to a worker and back.
 
-mod columns;
-mod messages;
-mod wire;
+pub(crate) mod columns;
+pub(crate) mod messages;
+pub(crate) mod wire;
 
 pub use wire::{BadBytes, Wire};
 

@@ -1,9 +1,12 @@
 //! Adjusting the last operation: replacing its result by that of the same operation with other fields.
 
+use super::jobs::MAX_FACES_AT_ONCE;
 use super::{Begun, Editor, MessageKind};
+use crate::document::ObjectId;
 use crate::error::CommandError;
-use crate::history::{Change, Step};
+use crate::history::Step;
 use crate::ops::Command;
+use crate::recovery::Event;
 use crate::selection::Selection;
 use std::sync::Arc;
 
@@ -23,9 +26,20 @@ pub(super) struct Last {
 pub(super) struct Replaced {
     /// The step that redoes the change.
     step: Step,
+    /// The steps that could be redone after it, the next one last.
+    later: Vec<Step>,
     last: Last,
     /// The document's revision before the step.
     before: u64,
+    /// What [`Editor::place_in_history`] was when the step was taken out.
+    place: (u64, Option<u64>),
+}
+
+impl Replaced {
+    /// Whether the step changes an object, which must stay as it is until the step is restored or dropped.
+    pub(super) fn needs(&self, id: ObjectId) -> bool {
+        self.step.changes.iter().any(|change| change.object() == Some(id))
+    }
 }
 
 impl Editor {
@@ -64,6 +78,14 @@ impl Editor {
     /// # Errors
     /// There is no last command, or the new one is refused; the document is unchanged.
     pub fn adjust(&mut self, command: Command) -> Result<Begun, CommandError> {
+        self.adjust_from(command, MAX_FACES_AT_ONCE)
+    }
+
+    /// [`Editor::adjust`] with another threshold: a command becomes a job from this many faces of work.
+    ///
+    /// # Errors
+    /// As [`Editor::adjust`].
+    pub fn adjust_from(&mut self, command: Command, faces: usize) -> Result<Begun, CommandError> {
         let Some(last) = self.last.clone().filter(|_| self.last_command().is_some()) else {
             return Err(CommandError::refused(
                 command.name(),
@@ -77,7 +99,7 @@ impl Editor {
             (false, _) => {}
         }
         let before = self.revision;
-        match self.begin(command.clone()) {
+        match self.begin_from(command.clone(), faces) {
             Ok(begun) => {
                 match &begun {
                     Begun::Done(_) if self.revision == before && last.selected.is_none() => {
@@ -85,9 +107,12 @@ impl Editor {
                     }
                     Begun::Done(_) | Begun::Selecting => {}
                     Begun::Job(request) => {
-                        // The job keeps the step, so that nothing done meanwhile can drop it.
+                        // The job keeps the step, so that nothing done meanwhile can drop it, and what could be
+                        // redone after it, which fits no document without it.
                         let step = if last.is_step { self.history.take_redo() } else { None };
-                        let replaced = step.map(|step| Replaced { step, last, before });
+                        let later = if step.is_some() { self.history.take_all_redo() } else { Vec::new() };
+                        let place = self.place_in_history();
+                        let replaced = step.map(|step| Replaced { step, later, last, before, place });
                         self.set_adjusts(request.id(), replaced);
                         self.changes.history = true;
                     }
@@ -105,26 +130,40 @@ impl Editor {
         }
     }
 
+    /// The number of the next step and of the one that would be undone: the same if nothing was done or undone.
+    fn place_in_history(&self) -> (u64, Option<u64>) {
+        (self.next_step, self.history.next_undo().map(|step| step.number))
+    }
+
     /// Restores a step that an adjustment undid but could not replace.
     pub(super) fn restore(&mut self, replaced: Replaced) {
-        self.finish_selecting();
-        let Replaced { step, last, before } = replaced;
+        self.end_edit();
+        let Replaced { step, later, last, before, place } = replaced;
         if self.revision == before {
+            let number = step.number;
+            let is_next = self.place_in_history() == place;
+            // What was undone since was done before the step.
+            self.history.take_all_redo();
             let back = self.reverse(step);
             self.history.keep_undo(back);
+            if is_next {
+                later.into_iter().for_each(|step| self.history.keep_redo(step));
+            }
+            self.log_reversed(number, if is_next { Event::RedoStep } else { Event::Break });
             self.last = Some(last);
             return;
         }
-        // Other objects changed meanwhile. The job's own objects did not, but places in the list of objects
-        // may now refer to others.
+        // Other objects changed meanwhile. Those of the step did not, but places in the list of objects may now
+        // refer to others.
         let label = step.label.clone();
         let selection = self.selection.clone();
-        let back = if step.changes.iter().all(Change::is_of_one_object) {
+        let back = if step.changes.iter().all(|change| change.object().is_some()) {
             self.apply(step.changes)
         } else {
             Vec::new()
         };
         self.drop_gone_from_selection();
+        self.log(Event::Break);
         if !self.push_step(label.clone(), back, selection) {
             self.say(
                 MessageKind::Warning,

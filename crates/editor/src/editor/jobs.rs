@@ -9,6 +9,8 @@ use crate::history::Change;
 use crate::job::{ExportHead, JobId, JobRequest, JobResult, Made, Work};
 use crate::ops::{Action, Command, NamedMesh, Op};
 use crate::outcome::Outcome;
+use crate::recovery::Event;
+use crate::selection::Selection;
 use formats::{Format, NamedBytes, Repairs};
 use halfedge::Mesh;
 use std::ops::ControlFlow;
@@ -16,7 +18,7 @@ use std::sync::Arc;
 
 /// Operations below this amount of work, in faces, run at once: they take less time than a frame, and less
 /// than sending the mesh to a worker.
-const MAX_FACES_AT_ONCE: usize = 20_000;
+pub(super) const MAX_FACES_AT_ONCE: usize = 20_000;
 
 /// The result of beginning a command.
 #[derive(Debug)]
@@ -67,9 +69,11 @@ enum WaitingFor {
 
 /// A command that runs as a job.
 #[derive(Debug)]
-struct Run {
+pub(super) struct Run {
     /// The command as it was given.
     command: Command,
+    /// What was selected then.
+    selection: Arc<Selection>,
     /// The first of the operations that the command resolved to.
     op: Op,
     /// The objects that the job reads.
@@ -78,6 +82,28 @@ struct Run {
     at: usize,
     /// The command that the job adjusts.
     adjusts: Adjusts,
+}
+
+impl Run {
+    /// Whether an object must stay as it is until the job ends.
+    fn needs(&self, id: ObjectId) -> bool {
+        let replaced = match &self.adjusts {
+            Adjusts::Last(Some(replaced)) => replaced.needs(id),
+            Adjusts::Nothing | Adjusts::Last(None) => false,
+        };
+        replaced || self.objects.contains(&id)
+    }
+
+    /// A command whose job is run again.
+    pub(super) fn again(
+        command: Command,
+        selection: Arc<Selection>,
+        op: Op,
+        objects: Vec<ObjectId>,
+        at: usize,
+    ) -> Self {
+        Self { command, selection, op, objects, at, adjusts: Adjusts::Nothing }
+    }
 }
 
 /// What a job adjusts.
@@ -137,7 +163,8 @@ impl Editor {
         let first = ops.first().cloned();
         match first {
             Some(op) if cost >= faces => {
-                let run = Run { command, op, objects, at, adjusts: Adjusts::Nothing };
+                let selection = self.selection.clone();
+                let run = Run { command, selection, op, objects, at, adjusts: Adjusts::Nothing };
                 let id = self.wait_for(WaitingFor::Run(Box::new(run)));
                 Ok(Begun::Job(JobRequest { id, work: Work::Run(ops, inputs) }))
             }
@@ -278,8 +305,9 @@ impl Editor {
     }
 
     /// Commits the result of a command's job.
-    fn finish_run(&mut self, run: Run, made: Made) -> Result<Finished, CommandError> {
-        let Run { command, op, objects, at, adjusts } = run;
+    pub(super) fn finish_run(&mut self, run: Run, made: Made) -> Result<Finished, CommandError> {
+        let Run { command, selection, op, objects, at, adjusts } = run;
+        let places = objects.iter().filter_map(|&id| self.document.index_of(id)).collect();
         let before = self.revision;
         let outcome = match self.commit_whole(&op, &objects, at, made) {
             Ok(outcome) => outcome,
@@ -295,6 +323,7 @@ impl Editor {
             self.replace_selection(selection);
         }
         if self.revision != before {
+            self.log(Event::Job { command: command.clone(), selection, objects: places, at });
             self.remember(command);
         } else if matches!(adjusts, Adjusts::Last(_)) {
             self.remember_without_step(command);
@@ -338,7 +367,7 @@ impl Editor {
     /// Refuses a change of an object that a job is running on.
     pub(super) fn check_idle(&self, id: ObjectId) -> Result<(), Problem> {
         let busy = self.jobs.iter().find_map(|job| match &job.kind {
-            WaitingFor::Run(run) if run.objects.contains(&id) => Some(run.op.spec().label),
+            WaitingFor::Run(run) if run.needs(id) => Some(run.op.spec().label),
             _ => None,
         });
         match busy {

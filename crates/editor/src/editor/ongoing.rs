@@ -7,6 +7,7 @@ use crate::error::{CommandError, Problem};
 use crate::history::Change;
 use crate::ops::{Action, Command, Commit, Op, Scope};
 use crate::outcome::{Elements, Outcome};
+use crate::recovery::Event;
 use crate::selection::Selection;
 use std::ops::ControlFlow;
 use std::sync::Arc;
@@ -100,6 +101,11 @@ impl Editor {
         redo
     }
 
+    /// The last command of the ongoing edit.
+    pub(crate) fn ongoing_command(&self) -> Option<&Command> {
+        self.ongoing.as_ref().map(|ongoing| &ongoing.command)
+    }
+
     /// Whether an edit is ongoing.
     pub fn is_editing(&self) -> bool {
         self.ongoing.is_some()
@@ -132,7 +138,10 @@ impl Editor {
         }
         let label = ongoing.command.op.spec().label.to_owned();
         if self.push_step(label.clone(), ongoing.back, ongoing.selection) {
+            self.log(Event::Edit(ongoing.command.clone()));
             self.remember(ongoing.command);
+        } else {
+            self.log_cancelled();
         }
         Some(label)
     }
@@ -142,6 +151,7 @@ impl Editor {
         let ongoing = self.ongoing.take()?;
         let label = ongoing.command.op.spec().label.to_owned();
         self.remove_preview(ongoing);
+        self.log_cancelled();
         Some(label)
     }
 }

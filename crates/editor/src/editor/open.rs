@@ -6,6 +6,7 @@ use crate::bezier::fill_previews;
 use crate::error::{CommandError, OPEN, Problem, not_opened};
 use crate::history::Change;
 use crate::outcome::{self, Elements, Outcome};
+use crate::recovery::Event;
 use crate::selection::Selection;
 use formats::Import;
 use std::sync::Arc;
@@ -52,6 +53,7 @@ impl Editor {
         self.changes.selection = true;
         self.push_step(format!("Open {}", model.name), back, before);
         self.saved = self.revision;
+        self.log(Event::Break);
         let created = Elements::gained([0; 3], size);
         let contents = created.words().map_or_else(String::new, |words| format!(": {words}"));
         let message = format!("Opened {}{contents}", model.name);

@@ -8,6 +8,7 @@ use crate::history::{Change, is_reshaping};
 use crate::job;
 use crate::ops::{Action, Command, Commit, LocalEdit, NamedMesh, Op, Place, Target, edit_all, refuse_bezier};
 use crate::outcome::{Before, ElementIds, Elements, Outcome};
+use crate::recovery::Event;
 use crate::selection::Selection;
 use halfedge::words::counted;
 use halfedge::{InParts, Mesh, Touched};
@@ -146,6 +147,7 @@ impl Editor {
         if matches!(planned, Planned::Select { .. }) {
             let before = self.selection.clone();
             let outcome = self.carry_out_step(planned, progress)?;
+            self.log(Event::Run(command.clone()));
             self.remember_selecting(command, &before);
             return Ok(outcome);
         }
@@ -153,6 +155,7 @@ impl Editor {
         let outcome = self.carry_out_step(planned, progress)?;
         // A command that changed nothing made no step, so there is nothing to adjust.
         if self.revision != before {
+            self.log(Event::Run(command.clone()));
             self.remember(command);
         }
         Ok(outcome)

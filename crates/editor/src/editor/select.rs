@@ -27,6 +27,7 @@ impl Editor {
     ) -> Result<(), CommandError> {
         let selection = self.combine(kind, ids, mode)?;
         self.set_selection(selection);
+        self.log_selection(false);
         Ok(())
     }
 
@@ -45,9 +46,11 @@ impl Editor {
         let selection = self.combine(kind, ids, mode)?;
         if self.stroke == Some(stroke) && self.history.next_undo().is_some_and(Step::is_selection) {
             self.replace_selection(selection);
+            self.log_selection(true);
         } else if *self.selection != selection {
             self.set_selection(selection);
             self.stroke = Some(stroke);
+            self.log_selection(false);
         }
         Ok(())
     }
@@ -137,6 +140,7 @@ impl Editor {
     pub fn deselect(&mut self) {
         self.end_edit();
         self.set_selection(Selection::new(self.selection.kind()));
+        self.log_selection(false);
     }
 
     /// Selects something else, as a step for [`Editor::undo_step`].
@@ -145,8 +149,9 @@ impl Editor {
         let before = self.selection.clone();
         self.replace_selection(selection);
         if self.selection.is_step_from(&before) {
-            let (label, revision) = (SELECT.to_owned(), self.revision);
-            self.history.push_selection(Step { label, changes: Vec::new(), selection: before, revision });
+            let (label, revision, number) = (SELECT.to_owned(), self.revision, self.number_step());
+            let step = Step { label, changes: Vec::new(), selection: before, revision, number };
+            self.history.push_selection(step);
             self.changes.history = true;
         }
     }

@@ -94,8 +94,10 @@ impl Editor {
     /// Converts the selection to another kind: to what it contains, or to all that `touches` it. An empty selection stays
     /// empty, which is no step.
     pub fn switch_kind(&mut self, kind: Element, touches: bool) {
+        self.end_edit();
         if self.selection.is_empty() {
             self.replace_selection(Selection::new(kind));
+            self.log_selection(true);
         } else {
             // Refused only where the selection is of this kind already.
             let _ =

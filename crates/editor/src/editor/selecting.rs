@@ -4,6 +4,7 @@
 use super::{Editor, MessageKind};
 use crate::ops::{Action, Command, Op, SelectMode};
 use crate::outcome::{Elements, Outcome};
+use crate::recovery::Event;
 use crate::selection::Selection;
 use halfedge::geometry::BitSet;
 use halfedge::words::counted;
@@ -70,10 +71,14 @@ impl Editor {
     fn select_all_found(&mut self, selecting: Selecting, found: BitSet) {
         let kind = selecting.find.kind();
         match selecting.command {
-            None => self.put_found(kind, found, SelectMode::Replace),
+            None => {
+                self.put_found(kind, found, SelectMode::Replace);
+                self.log_selection(false);
+            }
             Some((op, command)) => {
                 let before = self.selection.clone();
                 let outcome = self.select_found(&op, kind, found);
+                self.log(Event::Run(command.clone()));
                 self.remember_selecting(command, &before);
                 self.say(MessageKind::Info, outcome.message.clone());
                 self.selected = Some(outcome);

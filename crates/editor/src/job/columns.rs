@@ -9,7 +9,7 @@ use std::io;
 use std::sync::Arc;
 
 /// Writes a mesh with its name, its control points and, if wanted, the original faces of the file.
-pub(super) fn write_named(out: &mut Writer<'_>, named: &NamedMesh, with_soup: bool) -> io::Result<()> {
+pub(crate) fn write_named(out: &mut Writer<'_>, named: &NamedMesh, with_soup: bool) -> io::Result<()> {
     let NamedMesh { name, mesh, bezier, soup } = named;
     let soup = soup.as_ref().filter(|_| with_soup);
     out.value(&NamedHead {
@@ -24,7 +24,7 @@ pub(super) fn write_named(out: &mut Writer<'_>, named: &NamedMesh, with_soup: bo
     soup.map_or(Ok(()), |soup| write_soup(out, soup))
 }
 
-pub(super) fn read_named(from: &mut Reader<'_>) -> Result<NamedMesh, BadBytes> {
+pub(crate) fn read_named(from: &mut Reader<'_>) -> Result<NamedMesh, BadBytes> {
     let NamedHead { name, bezier_is_curve, has_soup } = from.value()?;
     let mesh = read_mesh(from)?;
     let bezier = match bezier_is_curve {

@@ -169,7 +169,7 @@ fn read_files(from: &mut Reader<'_>) -> Result<Vec<NamedBytes>, BadBytes> {
     names.into_iter().map(|name| Ok(NamedBytes { name, bytes: from.column()? })).collect()
 }
 
-fn write_materials(out: &mut Writer<'_>, materials: &Materials) -> io::Result<()> {
+pub(crate) fn write_materials(out: &mut Writer<'_>, materials: &Materials) -> io::Result<()> {
     let images = materials.images.iter().map(|image| Image {
         name: image.name.clone(),
         media_type: image.media_type.clone(),
@@ -180,7 +180,7 @@ fn write_materials(out: &mut Writer<'_>, materials: &Materials) -> io::Result<()
     materials.images.iter().filter_map(|image| image.bytes.as_ref()).try_for_each(|bytes| out.column(bytes))
 }
 
-fn read_materials(from: &mut Reader<'_>) -> Result<Materials, BadBytes> {
+pub(crate) fn read_materials(from: &mut Reader<'_>) -> Result<Materials, BadBytes> {
     let (list, mut images, has_bytes): (_, Vec<Image>, Vec<bool>) = from.value()?;
     for (image, has_bytes) in images.iter_mut().zip(has_bytes) {
         if has_bytes {

@@ -16,7 +16,7 @@ use std::io::{self, Read, Write};
 pub struct BadBytes(String);
 
 impl BadBytes {
-    pub(super) fn new(reason: impl fmt::Display) -> Self {
+    pub(crate) fn new(reason: impl fmt::Display) -> Self {
         Self(reason.to_string())
     }
 }
@@ -90,7 +90,7 @@ impl Write for Counter {
 }
 
 /// Writes blocks.
-pub(super) struct Writer<'a> {
+pub(crate) struct Writer<'a> {
     out: &'a mut dyn Write,
 }
 
@@ -112,7 +112,7 @@ impl<'a> Writer<'a> {
 }
 
 /// Reads blocks, never more than the given number of bytes.
-pub(super) struct Reader<'a> {
+pub(crate) struct Reader<'a> {
     from: &'a mut dyn Read,
     left: usize,
 }

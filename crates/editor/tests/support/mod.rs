@@ -1,6 +1,8 @@
 //! Helpers for the tests of this crate.
 #![allow(dead_code, reason = "each test file uses its own part")]
 
+pub mod random;
+
 use editor::halfedge::{Mesh, PolygonSoup};
 use editor::{Command, Editor, Outcome};
 use glam::Vec3;

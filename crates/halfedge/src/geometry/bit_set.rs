@@ -146,6 +146,17 @@ impl BitSet {
         None
     }
 
+    /// The bits: number `n` is bit `n % 64` of word `n / 64`.
+    pub fn words(&self) -> &[u64] {
+        &self.words
+    }
+
+    /// The set with these bits: see [`BitSet::words`].
+    pub fn from_words(words: Vec<u64>) -> Self {
+        let count = words.iter().map(|word| word.count_ones() as usize).sum();
+        Self { words, count }
+    }
+
     /// The largest number. Costs O(largest ever / 64).
     pub fn largest(&self) -> Option<usize> {
         let at = self.words.iter().rposition(|&word| word != 0)?;

@@ -1,0 +1,220 @@
+//! A document as bytes.
+
+use super::sets::{read_selection, read_set, write_selection, write_set};
+use crate::document::{Document, NamedSelection, Object, ObjectId};
+use crate::editor::Editor;
+use crate::job::columns::{read_named, write_named};
+use crate::job::messages::{read_materials, write_materials};
+use crate::job::wire::{BadBytes, Reader, Wire, Writer};
+use crate::selection::Selection;
+use halfedge::Element;
+use serde::{Deserialize, Serialize};
+use std::io::{self, Read, Write};
+use std::sync::Arc;
+
+/// A document with its selection and all that an editor numbers, without its history.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Snapshot {
+    document: Document,
+    selection: Arc<Selection>,
+    numbers: Numbers,
+}
+
+/// Where an editor goes on counting.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+pub(crate) struct Numbers {
+    pub next_object: u64,
+    pub revision: u64,
+    pub last_revision: u64,
+    pub saved: u64,
+}
+
+#[derive(Serialize, Deserialize)]
+struct Head {
+    name: String,
+    offset: [f64; 3],
+    active: usize,
+    numbers: Numbers,
+    objects: Vec<ObjectHead>,
+}
+
+#[derive(Serialize, Deserialize)]
+struct ObjectHead {
+    id: u64,
+    visible: bool,
+    named_selections: Vec<String>,
+}
+
+const SNAPSHOT_MARK: [u8; 8] = *b"MWsnap\0\x01";
+
+impl Wire for Snapshot {
+    fn write_to(&self, out: &mut dyn Write) -> io::Result<()> {
+        write(&self.document, &self.selection, self.numbers, out)
+    }
+
+    fn read_from(from: &mut dyn Read, len: usize) -> Result<Self, BadBytes> {
+        let mut from = Reader::start(from, len, SNAPSHOT_MARK)?;
+        let Head { name, offset, active, numbers, objects } = from.value()?;
+        let materials = read_materials(&mut from)?;
+        let objects =
+            objects.into_iter().map(|head| read_object(&mut from, head)).collect::<Result<_, _>>()?;
+        let selection = Arc::new(read_selection(&mut from)?);
+        from.end()?;
+        let document = Document { name, objects, active, offset: offset.into(), materials };
+        check(&document, &selection, numbers)?;
+        Ok(Self { document, selection, numbers })
+    }
+}
+
+fn write(
+    document: &Document,
+    selection: &Selection,
+    numbers: Numbers,
+    out: &mut dyn Write,
+) -> io::Result<()> {
+    let mut out = Writer::start(out, SNAPSHOT_MARK)?;
+    let objects = document.objects.iter().map(|object| ObjectHead {
+        id: object.id().0,
+        visible: object.visible,
+        named_selections: object.named_selections().iter().map(|named| named.name.clone()).collect(),
+    });
+    out.value(&Head {
+        name: document.name.clone(),
+        offset: document.offset.to_array(),
+        active: document.active,
+        numbers,
+        objects: objects.collect(),
+    })?;
+    write_materials(&mut out, &document.materials)?;
+    for object in &document.objects {
+        write_named(&mut out, &object.named, true)?;
+        write_set(&mut out, &object.hidden)?;
+        object.named_selections().iter().try_for_each(|named| write_selection(&mut out, &named.selection))?;
+    }
+    write_selection(&mut out, selection)
+}
+
+/// Checks what else an editor relies on.
+fn check(document: &Document, selection: &Selection, numbers: Numbers) -> Result<(), BadBytes> {
+    let mut ids: Vec<u64> = document.objects.iter().map(|object| object.id().0).collect();
+    ids.sort_unstable();
+    ids.dedup();
+    let is_wrong = ids.len() < document.objects.len()
+        || ids.last().is_some_and(|&id| id >= numbers.next_object)
+        || document.active >= document.objects.len().max(1)
+        || numbers.revision.max(numbers.saved) > numbers.last_revision
+        || !document.offset.is_finite()
+        || document.active().map_or(!selection.is_empty(), |object| selection.has_gone(object.mesh()));
+    if is_wrong { Err(BadBytes::new("the document does not fit together")) } else { Ok(()) }
+}
+
+fn read_object(from: &mut Reader<'_>, head: ObjectHead) -> Result<Object, BadBytes> {
+    let named = read_named(from)?;
+    named.mesh.validate().map_err(|defect| BadBytes::new(format!("{}: {defect}", named.name)))?;
+    let mut object = Object::new(ObjectId(head.id), named);
+    object.visible = head.visible;
+    object.hidden = Arc::new(read_set(from)?);
+    let named = head.named_selections.into_iter();
+    let named = named.map(|name| Ok(NamedSelection { name, selection: read_selection(from)? }));
+    object.named_selections = Arc::new(named.collect::<Result<_, BadBytes>>()?);
+    let mesh = object.mesh();
+    let has_gone = object.hidden.iter().any(|face| !mesh.exists(Element::Face, face as u32))
+        || object.named_selections().iter().any(|named| named.selection.has_gone(mesh));
+    if has_gone { Err(BadBytes::new("a set holds elements that do not exist")) } else { Ok(object) }
+}
+
+/// A snapshot being copied in parts, so that no frame of the page takes long: a million triangles take about 100 MB.
+#[derive(Debug)]
+pub struct SnapshotCopy {
+    numbers: Numbers,
+    selection: Arc<Selection>,
+    done_bytes: usize,
+    total_bytes: usize,
+}
+
+impl SnapshotCopy {
+    /// Begins to copy the document as it is now; none while an edit is ongoing, whose preview is no part of the document.
+    /// Costs O(objects and materials).
+    pub fn begin(editor: &Editor) -> Option<Self> {
+        if editor.is_editing() || editor.is_selecting() {
+            return None;
+        }
+        let mut copy = Self {
+            numbers: editor.numbers(),
+            selection: editor.shared_selection().clone(),
+            done_bytes: 0,
+            total_bytes: 0,
+        };
+        let mut counter = Window { skip: usize::MAX, room: 0, seen: 0, out: &mut |_| {} };
+        // Writing to a window can't fail.
+        let _ = write(editor.document(), &copy.selection, copy.numbers, &mut counter);
+        copy.total_bytes = counter.seen;
+        Some(copy)
+    }
+
+    /// The length of the whole snapshot.
+    pub fn total_bytes(&self) -> usize {
+        self.total_bytes
+    }
+
+    /// Whether the snapshot is complete.
+    pub fn is_done(&self) -> bool {
+        self.done_bytes == self.total_bytes
+    }
+
+    /// Gives the next bytes, at most this many, to `out`, in pieces; they follow those of the previous call. Returns false
+    /// if the document or the selection changed since: what was copied is worthless then, begin again. Ends the log of the
+    /// editor with the last part, and begins it again. Costs O(bytes + objects).
+    pub fn step(&mut self, editor: &mut Editor, bytes: usize, out: &mut dyn FnMut(&[u8])) -> bool {
+        let is_same =
+            editor.numbers() == self.numbers && Arc::ptr_eq(editor.shared_selection(), &self.selection);
+        if !is_same || editor.is_editing() || editor.is_selecting() {
+            return false;
+        }
+        let mut window = Window { skip: self.done_bytes, room: bytes, seen: 0, out };
+        let _ = write(editor.document(), &self.selection, self.numbers, &mut window);
+        self.done_bytes = self.total_bytes.min(self.done_bytes.saturating_add(bytes));
+        if self.is_done() {
+            editor.restart_log();
+        }
+        true
+    }
+}
+
+/// Passes on some of the bytes that are written to it.
+struct Window<'a> {
+    /// The bytes to leave out at the beginning.
+    skip: usize,
+    /// The bytes to pass on after those.
+    room: usize,
+    /// The bytes that were written.
+    seen: usize,
+    out: &'a mut dyn FnMut(&[u8]),
+}
+
+impl Write for Window<'_> {
+    fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
+        self.seen += bytes.len();
+        let left_out = self.skip.min(bytes.len());
+        self.skip -= left_out;
+        let rest = bytes.get(left_out..).unwrap_or_default();
+        let wanted = rest.get(..self.room.min(rest.len())).unwrap_or_default();
+        if !wanted.is_empty() {
+            self.room -= wanted.len();
+            (self.out)(wanted);
+        }
+        Ok(bytes.len())
+    }
+
+    fn flush(&mut self) -> io::Result<()> {
+        Ok(())
+    }
+}
+
+impl Snapshot {
+    /// An editor on the snapshot's document, without a history, ready for [`Editor::replay`].
+    pub fn into_editor(self) -> Editor {
+        let Self { document, selection, numbers } = self;
+        Editor::restored(document, selection, numbers)
+    }
+}
