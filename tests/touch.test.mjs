@@ -3,6 +3,7 @@
 import assert from "node:assert/strict";
 
 import { PHONE, SMALL, editorTest } from "./harness.mjs";
+import { fingers } from "./support/fingers.mjs";
 
 const view = async (editor) => (await editor.state()).view;
 
@@ -10,26 +11,6 @@ const view = async (editor) => (await editor.state()).view;
 async function beside(editor) {
   const { rect: [x, y, width, height] } = await view(editor);
   return [x + width / 2, y + height - 60];
-}
-
-/** Moves fingers, each along [from, to]. */
-async function fingers(editor, ...ways) {
-  const session = await editor.context.newCDPSession(editor.page);
-  const at = (part) => ways.map(([from, to], id) => ({
-    id,
-    x: from[0] + (to[0] - from[0]) * part,
-    y: from[1] + (to[1] - from[1]) * part,
-  }));
-  const send = (type, touchPoints) => session.send("Input.dispatchTouchEvent", { type, touchPoints });
-  // A finger that rests for half a second opens the context menu, so the first move comes at once.
-  await send("touchStart", at(0));
-  for (let step = 1; step <= 6; step += 1) {
-    await send("touchMove", at(step / 6));
-    await editor.frames(1);
-  }
-  await send("touchEnd", []);
-  await editor.frames(3);
-  await session.detach();
 }
 
 const near = (a, b, by = 1e-6) => Math.abs(a - b) <= by;

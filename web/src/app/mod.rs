@@ -145,9 +145,7 @@ impl App {
         ctx.input_mut(|input| drop(input.events.splice(0..0, held)));
         self.panels.key_editor.take_key(ctx, self.shown.shortcuts);
         let live = self.session.live_keys(ctx, &self.view);
-        let mut actions = self.keyboard(ctx);
-        actions.retain(|action| !live || works_during_live_edit(*action));
-        let mut actions = actions.into_iter();
+        let mut actions = self.keyboard(ctx, live).into_iter();
         // A second key in one frame acts on the result of the first.
         loop {
             self.follow();
@@ -222,8 +220,8 @@ impl App {
         focus_ring::show(ctx);
     }
 
-    /// Opens pasted text; returns the actions of the pressed keys.
-    fn keyboard(&mut self, ctx: &Context) -> Vec<Action> {
+    /// Opens pasted text; returns the actions of the pressed keys, during a live edit only those that work then.
+    fn keyboard(&mut self, ctx: &Context, live: bool) -> Vec<Action> {
         if welcome::is_dismissed_by_key(ctx) {
             self.shown.welcome = false;
         }
@@ -243,7 +241,7 @@ impl App {
         if self.view.tool == Tool::LoopCut && self.session.live.is_none() && !ctx.text_edit_focused() {
             ring_cut::take_digits(ctx, &mut self.view);
         }
-        let (actions, held) = reader.take(ctx);
+        let (actions, held) = reader.take(ctx, |action| !live || works_during_live_edit(action));
         if !held.is_empty() {
             self.held_events = held;
             ctx.request_repaint();

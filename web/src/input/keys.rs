@@ -6,6 +6,7 @@ use std::sync::Arc;
 use egui::{Context, Event, Id, Key};
 
 use crate::input::actions::{self, Action};
+use crate::input::availability::follows_pointer;
 use crate::input::key_map::{KeyMap, When};
 use crate::input::shortcut::Shortcut;
 use crate::lists::row_list;
@@ -103,19 +104,20 @@ impl KeyReader {
         (!self.typing || (works_while_typing(action) && types_no_text(shortcut))).then_some(action)
     }
 
-    /// The actions whose keys were pressed this frame, in order and as often as they were pressed; consumes the keys. The
-    /// events after a key that opens a text field belong to that field: they are removed and returned, for the next frame.
-    pub fn take(&self, ctx: &Context) -> (Vec<Action>, Vec<Event>) {
+    /// The actions that count whose keys were pressed this frame, in order and as often as they were pressed; consumes the
+    /// keys. The events after a key that opens a text field or starts an edit that takes keys belong to that: they are
+    /// removed and returned, for the next frame.
+    pub fn take(&self, ctx: &Context, counts: impl Fn(Action) -> bool) -> (Vec<Action>, Vec<Event>) {
         let (mut actions, mut later) = (Vec::new(), Vec::new());
         ctx.input_mut(|input| {
             input.events.retain(|event| {
-                if actions.last().copied().is_some_and(opens_text_field) {
+                if actions.last().copied().is_some_and(takes_keys) {
                     let is_typed = matches!(event, Event::Key { .. } | Event::Text(_) | Event::Ime(_));
                     later.extend(is_typed.then(|| event.clone()));
                     return !is_typed;
                 }
                 let action = Shortcut::of_event(event).and_then(|shortcut| self.action_of(shortcut));
-                actions.extend(action);
+                actions.extend(action.filter(|action| counts(*action)));
                 action.is_none()
             });
         });
@@ -134,8 +136,14 @@ fn types_no_text(shortcut: Shortcut) -> bool {
     shortcut.ctrl || shortcut.alt || matches!(shortcut.key, Key::F3)
 }
 
-fn opens_text_field(action: Action) -> bool {
-    matches!(action, A::Palette | A::GoToId | A::Save | A::SaveAs(_))
+/// Whether the keys after an action's mean something else than before: it opens a text field or starts a live edit.
+fn takes_keys(action: Action) -> bool {
+    match action {
+        A::Palette | A::GoToId | A::Save | A::SaveAs(_) => true,
+        A::Move | A::Rotate | A::Scale | A::SlideSplit => true,
+        A::Operation(id) => follows_pointer(id),
+        _ => false,
+    }
 }
 
 fn works_while_typing(action: Action) -> bool {

@@ -16,13 +16,16 @@ pub(crate) enum Ending {
 }
 
 impl Live {
-    /// Takes the keys that mean something to the edit out of the frame's input. Returns whether they changed the
-    /// amount, and how they end the edit.
+    /// Takes the keys that mean something to the edit out of the frame's input, up to one that ends it. Returns whether
+    /// they changed the amount, and how they end the edit.
     pub(crate) fn take_keys(&mut self, ctx: &Context, settings: &Settings) -> (bool, Option<Ending>) {
         let typing = ctx.text_edit_focused();
         let (mut changed, mut ending) = (false, None);
         ctx.input_mut(|input| {
             input.events.retain(|event| {
+                if ending.is_some() {
+                    return true;
+                }
                 let taken = match event {
                     Event::Key { key, pressed: true, modifiers, .. } => match key {
                         Key::Escape => {

@@ -93,7 +93,8 @@ impl Session {
         }
     }
 
-    /// Handles the keys of a live edit, which come before all others. Returns whether an edit is in progress.
+    /// Handles the keys of a live edit, which come before all others. Returns whether an edit is in progress
+    /// after them.
     pub fn live_keys(&mut self, ctx: &Context, view: &View) -> bool {
         let Some(live) = &mut self.live else { return false };
         if live.in_document && !self.editor.is_editing() {
@@ -109,7 +110,7 @@ impl Session {
         if let Some(ending) = ending {
             self.end_live(ending == Ending::Apply);
         }
-        true
+        self.live.is_some()
     }
 
     /// Updates the amount from the pointer over the viewport.

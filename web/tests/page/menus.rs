@@ -482,3 +482,52 @@ fn letters_typed_after_a_key_that_opens_a_field_go_there() {
     let field = page.harness.get_by_role_and_label(Role::TextInput, "Find a command");
     assert_eq!(field.value().as_deref(), Some("undo"));
 }
+
+/// Types keys, each with the text that it types, within one frame.
+fn type_at_once(page: &mut Page, keys: &[(Key, Modifiers, &str)]) {
+    for &(key, modifiers, text) in keys {
+        let event = |pressed| egui::Event::Key { key, physical_key: None, pressed, repeat: false, modifiers };
+        let events = &mut page.harness.input_mut().events;
+        events.push(event(true));
+        events.extend((!text.is_empty()).then(|| egui::Event::Text(text.into())));
+        events.push(event(false));
+    }
+    page.run();
+}
+
+#[test]
+fn keys_after_one_that_starts_or_ends_a_live_edit_mean_what_they_mean_then() {
+    let none = Modifiers::NONE;
+    let palette =
+        [(Key::K, Modifiers::COMMAND, ""), (Key::S, none, "s"), (Key::U, none, "u"), (Key::D, none, "d")];
+    let searched = |page: &mut Page| {
+        assert_eq!(page.mesh().face_count(), 6, "no letter was taken for a key");
+        let field = page.harness.get_by_role_and_label(Role::TextInput, "Find a command");
+        assert_eq!(field.value().as_deref(), Some("sud"));
+    };
+    // The edit began in an earlier frame.
+    let mut page = Page::new();
+    page.select("face", &[0]);
+    page.press(Key::E);
+    let escape = (Key::Escape, none, "");
+    type_at_once(&mut page, &[&[escape], &palette[..]].concat());
+    searched(&mut page);
+    // All in one frame.
+    let mut page = Page::new();
+    page.select("face", &[0]);
+    type_at_once(&mut page, &[&[(Key::E, none, "e"), escape], &palette[..]].concat());
+    searched(&mut page);
+
+    // A move, typed at once, and undone in the same frame.
+    let mut page = Page::new();
+    page.select("vertex", &[0]);
+    let before = page.mesh().clone();
+    let x = before.positions()[0].x;
+    let moves = [(Key::G, none, "g"), (Key::X, none, "x"), (Key::Num2, none, "2"), (Key::Enter, none, "")];
+    type_at_once(&mut page, &moves);
+    assert_eq!(page.mesh().positions()[0].x, x + 2.0);
+    assert_eq!(page.undo_labels().len(), 1);
+    let back = [moves.as_slice(), &[(Key::Z, Modifiers::COMMAND, ""), (Key::Z, Modifiers::COMMAND, "")]];
+    type_at_once(&mut page, &back.concat());
+    assert_eq!(page.mesh(), &before);
+}

@@ -71,7 +71,8 @@ impl Viewport<'_> {
                 self.start_gesture(ui, response, from, out);
             }
         }
-        if response.dragged() {
+        // In a slow frame the last movement and the release come together.
+        if response.dragged() || response.drag_stopped() {
             self.continue_gesture(ui, response, pointer, out);
         }
         if response.drag_stopped() {
@@ -222,7 +223,7 @@ impl Viewport<'_> {
                 ui.ctx().set_cursor_icon(CursorIcon::ZoomIn);
             }
             (&Gesture::Control { point, from, anchor }, Some(at))
-                if response.drag_delta() != egui::Vec2::ZERO =>
+                if response.drag_delta() != egui::Vec2::ZERO || response.drag_stopped() =>
             {
                 let to = control_points::dragged_to(&self.session.editor, self.view, anchor, from, at);
                 if to.is_finite() {
