@@ -15,7 +15,7 @@ use crate::session::Session;
 use crate::shown::Shown;
 use crate::transforming::Gizmo;
 use crate::view::{Tool, View};
-use viewport::Shading;
+use viewport::{Rotation, Shading};
 
 /// Everything that a panel may read.
 #[derive(Clone, Copy)]
@@ -91,6 +91,10 @@ impl Page<'_> {
             }
             Action::UpAxis(up) => self.view.camera.up == up,
             Action::Orthographic => self.view.camera.orthographic,
+            Action::Camera(style) => keys::map(&self.ctx).own_camera() == Some(style),
+            Action::CameraOfKeys => keys::map(&self.ctx).own_camera().is_none(),
+            Action::FreeRotation => self.view.turning.rotation == Rotation::Trackball,
+            Action::OrbitAbout(about) => self.view.turning.about == about,
             Action::Wireframe => style.wireframe,
             Action::XRay => style.x_ray,
             Action::Smooth => style.shading == Shading::Smooth,

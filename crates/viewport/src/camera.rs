@@ -27,6 +27,8 @@ pub struct Camera {
     pub yaw: f64,
     /// Angle above the horizon, in radians from -pi/2 to pi/2.
     pub pitch: f64,
+    /// How far the picture's right side is tilted upwards, in radians; 0 keeps the up axis upright.
+    pub roll: f64,
     /// The distance from the eye to the target, in mesh units.
     pub distance: f64,
     /// Vertical field of view, in radians. The orthographic view shows as much as the perspective one
@@ -49,6 +51,7 @@ impl Default for Camera {
             target: DVec3::ZERO,
             yaw: START_YAW_RADIANS,
             pitch: START_PITCH_RADIANS,
+            roll: 0.0,
             distance: 5.0,
             fov_y: START_FOV_RADIANS,
             up: UpAxis::Y,
@@ -77,7 +80,10 @@ impl Camera {
         let (sin_pitch, cos_pitch) = self.pitch.sin_cos();
         let back = dvec3(sin_yaw * cos_pitch, sin_pitch, cos_yaw * cos_pitch);
         let right = dvec3(cos_yaw, 0.0, -sin_yaw);
-        [right, back.cross(right), -back].map(|axis| self.up.to_scene(axis))
+        let up = back.cross(right);
+        let (sin_roll, cos_roll) = self.roll.sin_cos();
+        let (right, up) = (right * cos_roll + up * sin_roll, up * cos_roll - right * sin_roll);
+        [right, up, -back].map(|axis| self.up.to_scene(axis))
     }
 
     /// The camera's position.
@@ -98,6 +104,7 @@ impl Camera {
     /// Looks at the target from a side of the scene, along an axis.
     pub fn look_from(&mut self, side: Side) {
         (self.yaw, self.pitch) = side.angles();
+        self.roll = 0.0;
     }
 
     /// The direction from the target to a camera that looks from a side.
@@ -167,6 +174,7 @@ impl Camera {
         let start = Self::default();
         self.yaw = start.yaw;
         self.pitch = start.pitch;
+        self.roll = start.roll;
         self.fov_y = start.fov_y;
         match self.scene() {
             Some(scene) => self.frame(scene, aspect),

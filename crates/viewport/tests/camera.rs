@@ -2,7 +2,7 @@
 
 use glam::{DVec3, Vec2, Vec3, vec2, vec3};
 use proptest::prelude::*;
-use viewport::{Bounds, Camera};
+use viewport::{Bounds, Camera, Rotation, UpAxis};
 
 const VIEW: Vec2 = Vec2::new(800.0, 600.0);
 
@@ -169,4 +169,70 @@ fn scenes_without_a_size_can_be_framed() {
     assert_eq!(camera.target, start.target);
     camera.zoom(f64::NAN, Vec2::ZERO, VIEW);
     assert_eq!(camera.distance, start.distance);
+}
+
+/// How the direction to the eye and the picture's right side differ from another camera's.
+fn differs(a: &Camera, b: &Camera) -> f64 {
+    a.axes().iter().zip(b.axes()).map(|(a, b)| a.distance(b)).fold(0.0, f64::max)
+}
+
+proptest! {
+    /// The point that a camera turns about stays where it is in the picture.
+    #[test]
+    fn turning_leaves_its_center_in_place(
+        camera in camera(),
+        x in 100.0_f32..700.0,
+        y in 100.0_f32..500.0,
+        by in prop::array::uniform2(-300.0_f32..300.0),
+        free in any::<bool>(),
+    ) {
+        let rotation = if free { Rotation::Trackball } else { Rotation::Turntable };
+        let ray = camera.ray(vec2(x, y), VIEW);
+        let depth = if camera.orthographic { 41.0 } else { 1.2 } * camera.distance;
+        let center = ray.origin.as_dvec3() + ray.direction.as_dvec3() * depth;
+        let mut turned = camera;
+        turned.turn(rotation, Some(center), Vec2::from(by), VIEW);
+        let seen = turned.project(center.as_vec3(), VIEW).expect("in front");
+        prop_assert!(seen.distance(vec2(x, y)) < 0.1, "{seen}");
+        prop_assert!((turned.distance - camera.distance).abs() < 1e-9 * camera.distance);
+    }
+
+    /// Free turns go over the poles, about the picture's own axes, and back.
+    #[test]
+    fn free_turns_can_be_undone(camera in camera(), by in prop::array::uniform2(-500.0_f32..500.0)) {
+        let by = Vec2::from(by);
+        let mut turned = camera;
+        turned.turn(Rotation::Trackball, None, by, VIEW);
+        let angle = by.as_dvec2().length() * std::f64::consts::PI / 600.0;
+        let [_, _, before] = camera.axes();
+        let [right, up, after] = turned.axes();
+        prop_assert!((before.dot(after) - angle.cos()).abs() < 1e-9, "by the angle of the drag");
+        prop_assert!(right.dot(up).abs() < 1e-12 && right.cross(up).distance(-after) < 1e-12);
+        turned.turn(Rotation::Trackball, None, -by, VIEW);
+        prop_assert!(differs(&turned, &camera) < 1e-6);
+    }
+
+    /// A camera that looks along a direction has the up axis upright.
+    #[test]
+    fn looking_along_a_direction(camera in camera(), way in prop::array::uniform3(-1.0_f64..1.0), z in any::<bool>()) {
+        let way = DVec3::from(way);
+        prop_assume!(way.length() > 0.1);
+        let mut camera = Camera { roll: 1.0, up: if z { UpAxis::Z } else { UpAxis::Y }, ..camera };
+        camera.look_along(way);
+        let [right, _, forward] = camera.axes();
+        prop_assert!(forward.distance(way.normalize()) < 1e-6);
+        prop_assert!(right.dot(camera.up.to_scene(DVec3::Y)).abs() < 1e-9);
+    }
+}
+
+#[test]
+fn small_free_turns_are_like_those_of_a_turntable_at_the_horizon() {
+    let start = Camera { pitch: 0.0, ..Camera::default() };
+    for by in [vec2(3.0, 0.0), vec2(0.0, -3.0)] {
+        let (mut free, mut table) = (start, start);
+        free.turn(Rotation::Trackball, None, by, VIEW);
+        table.turn(Rotation::Turntable, None, by, VIEW);
+        assert!(differs(&free, &table) < 1e-9, "{by}");
+        assert!(differs(&free, &start) > 1e-3);
+    }
 }

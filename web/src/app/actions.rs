@@ -9,7 +9,7 @@ use egui::ThemePreference;
 use formats::Format;
 use halfedge::Element;
 
-use super::{App, THEME_SETTING, keys, layout};
+use super::{App, THEME_SETTING, camera, keys, layout};
 use crate::bezier::{self, ControlPoint};
 use crate::input::actions::Action;
 use crate::input::availability::{follows_pointer, opens_form};
@@ -121,7 +121,17 @@ impl App {
             Action::ZoomOut => self.view.zoom_step(1.0 / ZOOM_PER_NOTCH),
             Action::LookFrom(side) => self.view.camera.look_from(side),
             Action::UpAxis(up) => layout::set_up_axis(&mut self.session, &mut self.view, up),
+            Action::AlignView => {
+                if !self.view.align(&self.session.editor) {
+                    let text = "The selection faces no side. Select a face, or elements beside faces.";
+                    self.session.warn(text.to_owned(), Vec::new());
+                }
+            }
             Action::Orthographic => self.view.camera.orthographic ^= true,
+            Action::Camera(style) => camera::choose(&mut self.session, &mut self.view, Some(style)),
+            Action::CameraOfKeys => camera::choose(&mut self.session, &mut self.view, None),
+            Action::FreeRotation => camera::toggle_rotation(&mut self.session, &mut self.view),
+            Action::OrbitAbout(about) => camera::orbit_about(&mut self.session, &mut self.view, about),
             Action::Wireframe => self.view.style.wireframe ^= true,
             Action::XRay => self.view.style.x_ray ^= true,
             Action::Smooth | Action::AutoSmooth(_) => {

@@ -2,6 +2,7 @@
 //! everything follows what changed.
 
 mod actions;
+mod camera;
 mod carry_out;
 mod keys;
 mod layout;
@@ -91,6 +92,7 @@ impl App {
         app.view.camera.up = up_axis;
         app.apply_layout();
         keys::load(&mut app.session);
+        camera::load(&mut app.session, &mut app.view);
         app.session.open_first();
         app.session.fetch_wanted();
         // A page that opens a file has something to start from already.
@@ -341,6 +343,7 @@ fn works_during_live_edit(action: Action) -> bool {
             | Action::ZoomOut
             | Action::LookFrom(_)
             | Action::Orthographic
+            | Action::AlignView
     )
 }
 

@@ -8,6 +8,7 @@ use formats::Format;
 use halfedge::Element;
 use viewport::{ColorBy, Look, Mark, Side, UpAxis};
 
+use super::camera_style::{CameraStyle, OrbitAbout};
 use super::key_preset::KeyPreset;
 use super::presets::Preset;
 use crate::shown::Arrangement;
@@ -95,8 +96,18 @@ pub enum Action {
     LookFrom(Side),
     /// Chooses the axis that points upwards in the view.
     UpAxis(UpAxis),
+    /// Looks at the selection against its normal.
+    AlignView,
     /// Switches between parallel and perspective projection.
     Orthographic,
+    /// Moves the camera with the gestures of a style.
+    Camera(CameraStyle),
+    /// Moves the camera with the gestures that belong to the preset of keys.
+    CameraOfKeys,
+    /// Switches between turning the view about the up axis and turning it freely.
+    FreeRotation,
+    /// Chooses what the view turns about.
+    OrbitAbout(OrbitAbout),
     /// Switches the drawing of edges over faces.
     Wireframe,
     /// Switches between seeing and selecting through surfaces, and only what is in front.

@@ -42,6 +42,7 @@ pub(crate) fn why_not(action: Action, session: &Session, kind: Element, player: 
         Action::Next | Action::Previous | Action::Twin if session.selected_halfedge().is_none() => {
             Some("Select a half-edge first.".into())
         }
+        Action::AlignView if editor.selection().is_empty() => Some("Select something first.".into()),
         Action::Frame | Action::FrameAll if document.objects().is_empty() => {
             Some("There is nothing to look at. Open a file or make a shape first.".into())
         }

@@ -4,6 +4,7 @@ use std::collections::BTreeMap;
 use std::sync::LazyLock;
 
 use super::actions::{self, Action};
+use super::camera_style::CameraStyle;
 use super::key_preset::KeyPreset;
 use super::key_table;
 use super::mouse::Mouse;
@@ -68,6 +69,8 @@ static DEFAULTS: LazyLock<[Column; KeyPreset::COUNT]> = LazyLock::new(|| {
 #[derive(Clone, Debug, Default)]
 pub struct KeyMap {
     preset: KeyPreset,
+    /// The style of the camera, where it isn't that of the preset.
+    camera: Option<CameraStyle>,
     changes: Changes,
     /// The actions that have keys, or had some before a change; the changed ones first.
     bindings: Vec<Binding>,
@@ -92,9 +95,24 @@ impl KeyMap {
         self.rebuild();
     }
 
+    /// Moves the camera in a style of its own, or in that of the preset.
+    pub fn set_camera(&mut self, style: Option<CameraStyle>) {
+        self.camera = style;
+    }
+
+    /// The style that was chosen for the camera; none if it is that of the preset.
+    pub fn own_camera(&self) -> Option<CameraStyle> {
+        self.camera
+    }
+
+    /// The style in which the camera is moved.
+    pub fn camera(&self) -> CameraStyle {
+        self.camera.unwrap_or(CameraStyle::of(self.preset))
+    }
+
     /// What clicks and drags do.
     pub fn mouse(&self) -> &'static Mouse {
-        Mouse::of(self.preset)
+        Mouse::of(self.preset, self.camera())
     }
 
     /// The actions that have keys, or had some before a change.

@@ -3,6 +3,7 @@
 use std::fmt::Write;
 
 use super::actions::{self, Action};
+use super::camera_style::CameraStyle;
 use super::key_map::{KeyMap, When};
 use super::key_preset::KeyPreset;
 use super::menus;
@@ -23,6 +24,13 @@ next number, Enter applies and Escape cancels, in all presets. The key of Move, 
 selection along its neighbours (G G).
 
 Ctrl+R, Ctrl+B, Ctrl+D and Ctrl+H are the browser's own while a list, a field or a button has the focus.
+";
+
+const CAMERA_NOTES: &str = "
+Each preset moves the camera as its program does; View > Camera style chooses another style, and keeps it for later \
+visits. A style's gestures come before those of the preset; where it leaves the first button free, a drag selects in a \
+box. The CAD style turns about the point under the pointer, the others about the middle of the view; the same menu \
+changes that. `scroll` is two fingers on a trackpad; a wheel zooms in every style.
 ";
 
 /// The groups of actions: menus, and what is special to Bezier curves and the circle.
@@ -71,6 +79,13 @@ pub fn reference() -> String {
         heads,
         mouse::described().map(|(name, cells)| (name, cells.map(str::to_owned))),
     );
+    table(
+        &mut text,
+        "Camera",
+        CameraStyle::ALL.map(CameraStyle::label),
+        mouse::camera_described().map(|(name, cells)| (name, cells.map(str::to_owned))),
+    );
+    text += CAMERA_NOTES;
     text += "\nA drag that begins on a selected element, a control point or a handle of the gizmo moves it. In all presets:\n\n";
     for (what, how) in mouse::SHARED_GESTURES {
         // Writing to a string can't fail.
@@ -79,19 +94,20 @@ pub fn reference() -> String {
     text
 }
 
-fn table<'a>(
+fn table<'a, const COLUMNS: usize>(
     text: &mut String,
     title: &str,
-    [a, b, c]: [&str; KeyPreset::COUNT],
-    rows: impl Iterator<Item = (&'a str, [String; KeyPreset::COUNT])>,
+    heads: [&str; COLUMNS],
+    rows: impl Iterator<Item = (&'a str, [String; COLUMNS])>,
 ) {
     let mut rows = rows.peekable();
     if rows.peek().is_none() {
         return;
     }
-    let _ = writeln!(text, "\n## {title}\n\n| Action | {a} | {b} | {c} |\n|---|---|---|---|");
-    for (label, [a, b, c]) in rows {
-        let _ = writeln!(text, "| {label} | {a} | {b} | {c} |");
+    let _ =
+        writeln!(text, "\n## {title}\n\n| Action | {} |\n|{}", heads.join(" | "), "---|".repeat(COLUMNS + 1));
+    for (label, cells) in rows {
+        let _ = writeln!(text, "| {label} | {} |", cells.join(" | "));
     }
 }
 

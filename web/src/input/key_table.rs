@@ -103,6 +103,7 @@ pub(super) static ROWS: &[Row] = &[
     (A::LookFrom(Side::Left),              ["Alt+Shift+3 Ctrl+Numpad3",  "Ctrl+Numpad3 Alt+Shift+3", "Ctrl+Numpad3 Alt+Shift+3"]),
     (A::LookFrom(Side::Top),               ["Alt+7 Numpad7",             "Numpad7 Alt+7",            "Numpad7 Alt+7"]),
     (A::LookFrom(Side::Bottom),            ["Alt+Shift+7 Ctrl+Numpad7",  "Ctrl+Numpad7 Alt+Shift+7", "Ctrl+Numpad7 Alt+Shift+7"]),
+    (A::AlignView,                         ["Shift+Numpad7",             "Shift+Numpad7",            "Shift+Numpad7"]),
     (A::Orthographic,                      ["P Alt+5 Numpad5",           "Numpad5 Alt+5",            "Numpad5"]),
     (A::Wireframe,                         ["W",                         "Z Shift+Z",                "Alt+5"]),
     (A::XRay,                              ["Alt+X",                     "Alt+Z",                    "Alt+X"]),

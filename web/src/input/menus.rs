@@ -24,8 +24,9 @@ pub const CRITERIA: &str = "By criterion";
 pub fn submenu(action: Action) -> Option<&'static str> {
     match action {
         A::FrameAll | A::ZoomIn | A::ZoomOut => Some("Zoom"),
-        A::LookFrom(_) => Some("Look from"),
+        A::ResetView | A::LookFrom(_) | A::AlignView => Some("Look from"),
         A::UpAxis(_) => Some("Up axis"),
+        A::Camera(_) | A::CameraOfKeys | A::FreeRotation | A::OrbitAbout(_) => Some("Camera style"),
         A::SelectBy(SelectBy::Kind(_)) => Some("Convert to"),
         A::SelectBy(SelectBy::Loops | SelectBy::Rings | SelectBy::Path | SelectBy::Outline) => {
             Some("Loops and paths")

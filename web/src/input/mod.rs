@@ -3,6 +3,7 @@
 pub(crate) mod action;
 pub mod actions;
 pub(crate) mod availability;
+pub mod camera_style;
 pub mod key_map;
 pub mod key_preset;
 pub mod key_reference;
@@ -12,6 +13,7 @@ pub mod menus;
 pub mod mouse;
 pub mod pacing;
 pub mod presets;
+pub(crate) mod scroll;
 mod select_menu;
 pub mod shortcut;
 pub mod tools;

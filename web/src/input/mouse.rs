@@ -6,6 +6,7 @@ use halfedge::Element;
 use std::sync::LazyLock;
 use surface::selecting::Line;
 
+use super::camera_style::CameraStyle;
 use super::key_preset::KeyPreset;
 
 /// What a gesture does.
@@ -35,15 +36,21 @@ pub enum MouseAction {
 
 use MouseAction as M;
 
-/// An action, its name, and its gestures in each preset, with commas between several.
-type Row = (MouseAction, &'static str, [&'static str; KeyPreset::COUNT]);
+/// An action, its name, and its gestures in each column, with commas between several.
+type Row<const COLUMNS: usize> = (MouseAction, &'static str, [&'static str; COLUMNS]);
+
+/// The gestures that move the camera, in each style. They come before those of the preset of keys.
+#[rustfmt::skip]
+static CAMERA_ROWS: &[Row<{ CameraStyle::COUNT }>] = &[
+    // Action  Name               Course                                        Blender                              Maya               CAD                                             Trackpad
+    (M::Orbit, "Orbit the view", ["drag, Alt+drag, middle-drag",               "middle-drag, Alt+drag",             "Alt+drag",        "right-drag, Shift+middle-drag, Alt+drag",      "scroll, middle-drag, Alt+drag"]),
+    (M::Pan,   "Pan the view",   ["right-drag, Shift+drag, Shift+middle-drag", "Shift+middle-drag, Alt+Shift+drag", "Alt+middle-drag", "middle-drag, Alt+Shift+drag",                  "Shift+scroll, Shift+middle-drag, Alt+Shift+drag"]),
+    (M::Zoom,  "Zoom",           ["Ctrl+middle-drag",                          "Ctrl+middle-drag, Ctrl+Alt+drag",   "Alt+right-drag",  "Ctrl+middle-drag, Ctrl+Alt+drag",              "Ctrl+scroll, Ctrl+middle-drag, Ctrl+Alt+drag"]),
+];
 
 #[rustfmt::skip]
-static ROWS: &[Row] = &[
+static ROWS: &[Row<{ KeyPreset::COUNT }>] = &[
     // Action              Name                          Course                                     Blender                                  Maya
-    (M::Orbit,             "Orbit the view",            ["drag, Alt+drag, middle-drag",            "middle-drag, Alt+drag",                 "Alt+drag"]),
-    (M::Pan,               "Pan the view",              ["right-drag, Shift+drag, Shift+middle-drag", "Shift+middle-drag, Alt+Shift+drag",   "Alt+middle-drag"]),
-    (M::Zoom,              "Zoom",                      ["Ctrl+middle-drag",                       "Ctrl+middle-drag, Ctrl+Alt+drag",       "Alt+right-drag"]),
     (M::Select(Replace),   "Select",                    ["click",                                  "click",                                 "click"]),
     (M::Select(Extend),    "Add to the selection",      ["Shift+click",                            "",                                      "Ctrl+Shift+click"]),
     (M::Select(Toggle),    "Add or remove",             ["Ctrl+click",                             "Shift+click",                           "Shift+click"]),
@@ -89,6 +96,8 @@ enum Gesture {
         on_face: bool,
     },
     Drag(PointerButton),
+    /// Two fingers on a trackpad.
+    Scroll,
     /// Nothing but the modifiers.
     Held,
 }
@@ -96,20 +105,25 @@ enum Gesture {
 /// A gesture with the modifiers that are held: Ctrl, Alt and Shift.
 type Held = ([bool; 3], Gesture);
 
-/// What clicks and drags do in a preset.
+/// What clicks and drags do in a preset of keys and a style of the camera.
 #[derive(Debug)]
 pub struct Mouse {
-    /// The preset's column of the table.
+    /// The style's column of the table, then the preset's.
     rows: Vec<(Held, MouseAction)>,
 }
 
-static PRESETS: LazyLock<[Mouse; KeyPreset::COUNT]> = LazyLock::new(|| {
+static MICE: LazyLock<[[Mouse; CameraStyle::COUNT]; KeyPreset::COUNT]> = LazyLock::new(|| {
     KeyPreset::ALL.map(|preset| {
-        let gestures = ROWS.iter().flat_map(|(action, _, columns)| {
-            let texts = preset.of(*columns).split(", ").filter(|text| !text.is_empty());
-            texts.filter_map(|text| Some((parse(text)?, *action)))
-        });
-        Mouse { rows: gestures.collect() }
+        CameraStyle::ALL.map(|style| {
+            let of_style =
+                CAMERA_ROWS.iter().map(|(action, _, columns)| (*action, style.of_columns(*columns)));
+            let of_preset = ROWS.iter().map(|(action, _, columns)| (*action, preset.of(*columns)));
+            let gestures = of_style.chain(of_preset).flat_map(|(action, text)| {
+                let texts = text.split(", ").filter(|text| !text.is_empty());
+                texts.filter_map(move |text| Some((parse(text)?, action)))
+            });
+            Mouse { rows: gestures.collect() }
+        })
     })
 });
 
@@ -127,6 +141,7 @@ fn parse(text: &str) -> Option<Held> {
             "double-click on a face" => gesture = Gesture::DoubleClick { on_face: true },
             "drag" => gesture = Gesture::Drag(PointerButton::Primary),
             "middle-drag" => gesture = Gesture::Drag(PointerButton::Middle),
+            "scroll" => gesture = Gesture::Scroll,
             "right-drag" => gesture = Gesture::Drag(PointerButton::Secondary),
             _ => return None,
         }
@@ -135,10 +150,10 @@ fn parse(text: &str) -> Option<Held> {
 }
 
 impl Mouse {
-    /// The gestures of a preset.
-    pub fn of(preset: KeyPreset) -> &'static Self {
-        let [course, blender, maya] = &*PRESETS;
-        preset.of([course, blender, maya])
+    /// The gestures of a preset and a style of the camera.
+    pub fn of(preset: KeyPreset, style: CameraStyle) -> &'static Self {
+        let [course, blender, maya] = &*MICE;
+        style.of_columns(preset.of([course, blender, maya]).each_ref())
     }
 
     fn find(&self, modifiers: Modifiers, gesture: Gesture) -> Option<MouseAction> {
@@ -159,9 +174,16 @@ impl Mouse {
         special.or_else(|| self.find(modifiers, Gesture::DoubleClick { on_face: false }))
     }
 
-    /// What a drag with a button does, where it begins on nothing that can be dragged.
+    /// What a drag with a button does, where it begins on nothing that can be dragged. Where the camera leaves the first
+    /// button free, it selects in a box.
     pub fn drag(&self, button: PointerButton, modifiers: Modifiers) -> Option<MouseAction> {
-        self.find(modifiers, Gesture::Drag(button))
+        let is_free = button == PointerButton::Primary && !modifiers.alt;
+        self.find(modifiers, Gesture::Drag(button)).or(is_free.then_some(MouseAction::Box))
+    }
+
+    /// What two fingers on a trackpad do; none where they do what the wheel does.
+    pub fn scroll(&self, modifiers: Modifiers) -> Option<MouseAction> {
+        self.find(modifiers, Gesture::Scroll)
     }
 
     /// How a box or a lasso with these modifiers changes the selection.
@@ -178,38 +200,69 @@ pub fn described() -> impl Iterator<Item = (&'static str, [&'static str; KeyPres
     ROWS.iter().map(|(_, name, columns)| (*name, *columns))
 }
 
+/// The movements of the camera, with the gestures of each style.
+pub fn camera_described() -> impl Iterator<Item = (&'static str, [&'static str; CameraStyle::COUNT])> {
+    CAMERA_ROWS.iter().map(|(_, name, columns)| (*name, *columns))
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
 
+    /// Every preset with every style.
+    fn all() -> impl Iterator<Item = (KeyPreset, CameraStyle, &'static Mouse)> {
+        let styles = |preset| CameraStyle::ALL.map(|style| (preset, style, Mouse::of(preset, style)));
+        KeyPreset::ALL.into_iter().flat_map(styles)
+    }
+
     #[test]
     fn every_gesture_can_be_read_and_means_one_thing() {
-        for preset in KeyPreset::ALL {
-            let texts = ROWS.iter().flat_map(|(_, _, columns)| preset.of(*columns).split(", "));
-            let count = texts.filter(|text| !text.is_empty()).count();
-            let rows = &Mouse::of(preset).rows;
-            assert_eq!(rows.len(), count, "{preset:?}: a gesture can't be read");
+        for (preset, style, mouse) in all() {
+            let of_style =
+                CAMERA_ROWS.iter().flat_map(|(_, _, columns)| style.of_columns(*columns).split(", "));
+            let of_preset = ROWS.iter().flat_map(|(_, _, columns)| preset.of(*columns).split(", "));
+            let count = of_style.chain(of_preset).filter(|text| !text.is_empty()).count();
+            let rows = &mouse.rows;
+            assert_eq!(rows.len(), count, "{preset:?}, {style:?}: a gesture can't be read");
             for (at, (gesture, action)) in rows.iter().enumerate() {
-                let again = rows.iter().skip(at + 1).find(|(other, _)| other == gesture);
-                assert!(again.is_none(), "{preset:?}: {gesture:?} does {action:?} and {again:?}");
+                let Some((_, again)) = rows.iter().skip(at + 1).find(|(other, _)| other == gesture) else {
+                    continue;
+                };
+                // Another program's camera may take a drag that draws a box.
+                let is_taken = style != CameraStyle::of(preset) && *again == M::Box;
+                assert!(is_taken, "{preset:?}, {style:?}: {gesture:?} does {action:?} and {again:?}");
             }
         }
     }
 
     #[test]
     fn every_preset_has_the_gestures_that_one_cannot_do_without() {
-        for preset in KeyPreset::ALL {
-            let rows = &Mouse::of(preset).rows;
+        for (preset, style, mouse) in all() {
             for action in [M::Orbit, M::Pan, M::Zoom, M::Box, M::Select(Replace), M::Select(Toggle), M::Path]
             {
-                assert!(rows.iter().any(|(_, bound)| *bound == action), "{preset:?} has no {action:?}");
+                let has = mouse.rows.iter().any(|(_, bound)| *bound == action);
+                assert!(has, "{preset:?} with {style:?} has no {action:?}");
             }
         }
     }
 
     #[test]
+    fn a_free_first_button_selects_in_a_box() {
+        let course =
+            |style| Mouse::of(KeyPreset::Course, style).drag(PointerButton::Primary, Modifiers::NONE);
+        assert_eq!(course(CameraStyle::Course), Some(M::Orbit));
+        assert_eq!(course(CameraStyle::Cad), Some(M::Box));
+        let cad = Mouse::of(KeyPreset::Course, CameraStyle::Cad);
+        assert_eq!(cad.drag(PointerButton::Secondary, Modifiers::NONE), Some(M::Orbit));
+        assert_eq!(cad.drag(PointerButton::Primary, Modifiers::ALT), Some(M::Orbit));
+        assert_eq!(cad.scroll(Modifiers::NONE), None);
+        let trackpad = Mouse::of(KeyPreset::Blender, CameraStyle::Trackpad);
+        assert_eq!(trackpad.scroll(Modifiers::SHIFT), Some(M::Pan));
+    }
+
+    #[test]
     fn gestures_on_faces_come_first() {
-        let maya = Mouse::of(KeyPreset::Maya);
+        let maya = Mouse::of(KeyPreset::Maya, CameraStyle::Maya);
         assert_eq!(maya.double_click(Modifiers::NONE, Element::Face), Some(M::Linked));
         assert_eq!(maya.double_click(Modifiers::NONE, Element::Edge), Some(M::Line(Line::Loop, Replace)));
         assert_eq!(maya.double_click(Modifiers::SHIFT, Element::Face), Some(M::Path));

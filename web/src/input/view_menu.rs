@@ -3,12 +3,16 @@
 use viewport::{ColorBy, Look, Mark, Matcap, Side, UpAxis};
 
 use super::action::{Action as A, Entry, entry};
+use super::camera_style::{CameraStyle, OrbitAbout};
 use crate::shown::Arrangement;
 
 const fn scale(percent: u16, label: &'static str) -> Option<Entry> {
     let entry = entry(A::InterfaceScale(percent), label, "Scale texts and controls to this size.");
     Some(entry.synonyms(&["interface scale", "ui scale", "zoom"]))
 }
+
+/// Other words for the styles of the camera.
+const NAVIGATION: &[&str] = &["navigation", "orbit", "mouse"];
 
 /// Its entries.
 pub(super) static ENTRIES: &[Option<Entry>] = &[
@@ -40,6 +44,14 @@ pub(super) static ENTRIES: &[Option<Entry>] = &[
     Some(entry(A::LookFrom(Side::Top), "Top view", "Look from above, along an axis.")),
     Some(entry(A::LookFrom(Side::Bottom), "Bottom view", "Look from below, along an axis.")),
     Some(
+        entry(
+            A::AlignView,
+            "Align view to selection",
+            "Look straight at the selected faces, or at the faces around the selection.",
+        )
+        .synonyms(&["align view to active", "look at", "normal to", "face view"]),
+    ),
+    Some(
         entry(A::UpAxis(UpAxis::Y), "Y up", "Show the scene with y pointing upwards. Coordinates stay.")
             .synonyms(&["orientation", "vertical"]),
     ),
@@ -54,6 +66,82 @@ pub(super) static ENTRIES: &[Option<Entry>] = &[
     Some(
         entry(A::Orthographic, "Parallel projection", "Draw without perspective.")
             .synonyms(&["orthographic"]),
+    ),
+    Some(
+        entry(
+            A::CameraOfKeys,
+            "Camera of the keys",
+            "Move the camera as the program does whose keys are chosen.",
+        )
+        .synonyms(NAVIGATION),
+    ),
+    Some(
+        entry(
+            A::Camera(CameraStyle::Course),
+            "Course camera",
+            "Orbit with a drag beside the mesh, pan with the right button.",
+        )
+        .synonyms(NAVIGATION),
+    ),
+    Some(
+        entry(
+            A::Camera(CameraStyle::Blender),
+            "Blender camera",
+            "Orbit with the middle button, with Shift pan, with Ctrl zoom.",
+        )
+        .synonyms(NAVIGATION),
+    ),
+    Some(
+        entry(
+            A::Camera(CameraStyle::Maya),
+            "Maya camera",
+            "With Alt held, orbit with the left button, pan with the middle one, zoom with the right one.",
+        )
+        .synonyms(NAVIGATION),
+    ),
+    Some(
+        entry(
+            A::Camera(CameraStyle::Cad),
+            "CAD camera",
+            "Orbit about the point under the pointer with the right button, pan with the middle one.",
+        )
+        .synonyms(&["navigation", "orbit", "mouse", "solidworks", "fusion", "onshape"]),
+    ),
+    Some(
+        entry(
+            A::Camera(CameraStyle::Trackpad),
+            "Trackpad camera",
+            "Orbit with two fingers on the trackpad, with Shift pan, with Ctrl or a pinch zoom.",
+        )
+        .synonyms(&["navigation", "orbit", "touchpad", "laptop", "scroll", "emulate 3 button mouse"]),
+    ),
+    Some(
+        entry(
+            A::FreeRotation,
+            "Free rotation",
+            "Turn the view over the poles, about its own axes, instead of keeping the up axis upright.",
+        )
+        .synonyms(&["trackball", "turntable", "roll", "tumble"]),
+    ),
+    Some(
+        entry(A::OrbitAbout(OrbitAbout::View), "Orbit about the middle", "Turn the view about its middle.")
+            .synonyms(&["center of the view", "pivot"]),
+    ),
+    Some(
+        entry(
+            A::OrbitAbout(OrbitAbout::Selection),
+            "Orbit about the selection",
+            "Turn the view about the middle of the selection, or of the view if nothing is selected.",
+        )
+        .synonyms(&["orbit around selection", "pivot"]),
+    ),
+    Some(
+        entry(
+            A::OrbitAbout(OrbitAbout::Pointer),
+            "Orbit about the pointer",
+            "Turn the view about the point of the surface where the drag begins.",
+        )
+        .synonyms(&["auto depth", "pivot"]),
     ),
     None,
     Some(entry(A::Wireframe, "Wireframe", "Draw edges over faces.").synonyms(&["edges"])),

@@ -148,6 +148,9 @@ fn by_mouse(page: &Page<'_>, modifiers: Modifiers) -> Vec<Hint> {
         None => dragged((!selection.is_empty()).then_some("deselect")),
     };
     let mut hints = buttons(left, [Some("wheel to zoom"), Some("menu")]);
+    if mouse.scroll(Modifiers::NONE) == Some(MouseAction::Orbit) {
+        hints.push(hint(By::Touch("Two fingers"), "Orbit, with Shift pan, with Ctrl zoom"));
+    }
     for (by, held) in [(SHIFT, Modifiers::SHIFT), (CTRL, Modifiers::COMMAND), (ALT, Modifiers::ALT)] {
         let words = match mouse.click(held) {
             Some(MouseAction::Select(mode)) => Some(mode_words(mode)),

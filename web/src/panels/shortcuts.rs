@@ -332,7 +332,8 @@ fn mouse_list(ui: &mut Ui, map: &KeyMap, own: &KeyEditor) -> bool {
     }
     let typed = own.text.trim().to_lowercase();
     let own_gestures = mouse::described().map(|(name, columns)| (name, map.preset().of(columns)));
-    let all = own_gestures.chain(mouse::SHARED_GESTURES.iter().copied());
+    let of_camera = mouse::camera_described().map(|(name, columns)| (name, map.camera().of_columns(columns)));
+    let all = of_camera.chain(own_gestures).chain(mouse::SHARED_GESTURES.iter().copied());
     let is_listed = |(name, how): &(&str, &str)| {
         !how.is_empty() && (name.to_lowercase().contains(&typed) || how.to_lowercase().contains(&typed))
     };

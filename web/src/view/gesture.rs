@@ -90,6 +90,12 @@ impl View {
         self.ring.typed = 0;
     }
 
+    /// Turns the view for a drag of so many points.
+    pub fn turn(&mut self, by: glam::Vec2) {
+        let size = self.size();
+        self.camera.turn(self.turning.rotation, self.turning.center, by, size);
+    }
+
     pub fn local(&self, at: Pos2) -> glam::Vec2 {
         vec2(at.x - self.rect.min.x, at.y - self.rect.min.y)
     }

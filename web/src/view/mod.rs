@@ -3,6 +3,7 @@
 mod gesture;
 pub(crate) mod picture;
 pub(crate) mod ring;
+mod turning;
 
 use editor::{Changes, Editor, Object, ObjectChange, ObjectId, SelectMode};
 use egui::epaint::MarginF32;
@@ -15,9 +16,11 @@ use surface::{FaceTree, FaceTreeBuilder};
 use viewport::{Bounds, Camera, RegionSelection, Style};
 
 use crate::bezier;
+use crate::live::place::Place;
 pub(crate) use gesture::{Gesture, Tool};
 use picture::Picture;
 use ring::RingTool;
+use turning::Turning;
 
 /// Mesh elements processed per frame: uploaded, added to a picking tree, tested by a region selection, counted.
 /// More work is split over several frames to keep each short.
@@ -56,6 +59,7 @@ pub(crate) fn widget_id() -> Id {
 pub(crate) struct View {
     pub camera: Camera,
     pub style: Style,
+    pub turning: Turning,
     pub tool: Tool,
     /// The viewport's rectangle on the page, in points.
     pub rect: Rect,
@@ -101,6 +105,7 @@ impl View {
         Self {
             camera: Camera::default(),
             style: Style::default(),
+            turning: Turning::default(),
             tool: Tool::Orbit,
             rect: Rect::NOTHING,
             covered: MarginF32::ZERO,
@@ -338,6 +343,15 @@ impl View {
     pub fn zoom_step(&mut self, factor: f64) {
         let size = self.size();
         self.camera.zoom(factor, size * 0.5, size);
+    }
+
+    /// Looks at the selection against its normal; returns whether it has one.
+    pub fn align(&mut self, editor: &Editor) -> bool {
+        let place = Place::of_selection(editor).filter(|place| place.normal.length_squared() > 0.0);
+        let Some(place) = place else { return false };
+        self.camera.look_along(-place.normal.as_dvec3());
+        self.camera.target = place.middle.as_dvec3();
+        true
     }
 
     /// Restores the initial view.

@@ -6,6 +6,7 @@ mod access;
 mod axis_widget;
 mod bars;
 mod bezier;
+mod camera;
 mod contrast;
 mod document;
 mod hiding;

@@ -6,7 +6,7 @@ use egui_kittest::kittest::{NodeT, Queryable};
 use halfedge::{Element, VertexId};
 
 /// The vertex of the cube that is nearest to the eye, and where it is in the window.
-fn nearest_vertex(page: &mut Page) -> (u32, Pos2) {
+pub fn nearest_vertex(page: &mut Page) -> (u32, Pos2) {
     let view = page.app().script().state()["view"].clone();
     let number = |name: &str| view[name].as_f64().expect("a number");
     let (yaw, pitch) = (number("yaw"), number("pitch"));

@@ -60,8 +60,8 @@ pub(super) fn show(ui: &Ui, shown: &Shown, view: &mut View, out: &mut Requests) 
     let turns = responses.iter().chain([&back]).find(|response| response.dragged());
     let turned_by = turns.map(Response::drag_delta);
     if let Some(by) = turned_by {
-        let size = view.size();
-        view.camera.orbit(glam::vec2(by.x, by.y), size);
+        view.turning.center = None;
+        view.turn(glam::vec2(by.x, by.y));
         ui.ctx().set_cursor_icon(CursorIcon::Grabbing);
     }
     // A click means the nearest ball, wherever it is: those for fingers overlap.

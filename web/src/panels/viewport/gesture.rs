@@ -1,7 +1,7 @@
 //! Gestures in the viewport: orbit, pan, zoom, select, and drag vertices.
 
 use editor::{OpId, SelectBy, SelectMode};
-use egui::{CursorIcon, Event, Modifiers, PointerButton, Pos2, Response, Ui};
+use egui::{CursorIcon, Modifiers, PointerButton, Pos2, Response, Ui};
 use glam::{Vec2, Vec3, vec2};
 use halfedge::{Element, Mesh};
 use surface::FaceTree;
@@ -11,14 +11,14 @@ use viewport::{Aim, Camera, Picked, Region, ScreenRect};
 use super::Viewport;
 use super::control_points;
 use super::gizmo;
-use super::pointer::{arrow_keys, gesture_of, is_double, is_finger, modifiers_of_button, zoom_of};
+use super::navigate;
+use super::pointer::{arrow_keys, gesture_of, is_double, is_finger, modifiers_of_button};
 use super::ring_cut;
 use crate::bezier::ControlPoint;
 use crate::input::actions::Action;
 use crate::input::keys;
 use crate::input::mouse::{Mouse, MouseAction};
 use crate::live::edit::Start;
-use crate::live::keys::notches_of;
 use crate::live::place::mean_of_element;
 use crate::request::{Request, Requests};
 use crate::view::{Gesture, Tool};
@@ -27,9 +27,6 @@ use crate::view::{Gesture, Tool};
 const MOUSE_RADIUS: f32 = 8.0;
 /// The radius around a finger, half of a touch target: the nearest element in it is meant.
 const FINGER_RADIUS: f32 = 22.0;
-
-/// A drag that zooms makes things larger by the factor e over this distance, in points.
-const ZOOM_DRAG_POINTS: f32 = 200.0;
 
 /// A way to find the element at a pixel.
 type Pick = fn(&Mesh, &FaceTree, &Camera, Vec2, Vec2, Aim) -> Option<Picked>;
@@ -69,6 +66,9 @@ impl Viewport<'_> {
             let from = ui.input(|input| input.pointer.press_origin()).or(pointer);
             if let Some(from) = from {
                 self.start_gesture(ui, response, from, out);
+                if self.view.gesture == Gesture::Orbit {
+                    navigate::begin_orbit(self, from);
+                }
             }
         }
         // In a slow frame the last movement and the release come together.
@@ -79,7 +79,7 @@ impl Viewport<'_> {
             self.end_gesture(pointer.map(|at| (at, modifiers_of_button(ui))), out);
         }
         self.continue_regions(ui, out);
-        self.wheel(ui, response, out);
+        navigate::wheel(self, ui, response, out);
         arrow_keys(ui, self.view);
         self.hover(ui, response);
         if self.session.live.is_some() && !response.is_pointer_button_down_on() {
@@ -205,23 +205,10 @@ impl Viewport<'_> {
     }
 
     fn continue_gesture(&mut self, ui: &Ui, response: &Response, pointer: Option<Pos2>, out: &mut Requests) {
-        let size = self.view.size();
         let by = vec2(response.drag_delta().x, response.drag_delta().y);
+        navigate::drag(ui, self.view, by);
         match (&self.view.gesture, pointer) {
-            (Gesture::Orbit, _) => {
-                self.view.camera.orbit(by, size);
-                ui.ctx().set_cursor_icon(CursorIcon::Grabbing);
-            }
             (Gesture::Lasso { .. }, _) => self.draw_lasso(ui),
-            (Gesture::Pan, _) => {
-                self.view.camera.pan(by, size);
-                ui.ctx().set_cursor_icon(CursorIcon::Move);
-            }
-            (Gesture::Zoom, _) => {
-                let middle = size * 0.5;
-                self.view.camera.zoom(f64::from((by.x - by.y) / ZOOM_DRAG_POINTS).exp(), middle, size);
-                ui.ctx().set_cursor_icon(CursorIcon::ZoomIn);
-            }
             (&Gesture::Control { point, from, anchor }, Some(at))
                 if response.drag_delta() != egui::Vec2::ZERO || response.drag_stopped() =>
             {
@@ -259,39 +246,6 @@ impl Viewport<'_> {
                 self.end_lasso(points, mode);
             }
             _ => {}
-        }
-    }
-
-    fn wheel(&mut self, ui: &Ui, response: &Response, out: &mut Requests) {
-        // Not over a bar that lies on the viewport.
-        if !response.hovered() {
-            return;
-        }
-        let Some(at) = ui.input(|input| input.pointer.hover_pos()) else { return };
-        let scroll = ui.input_mut(|input| std::mem::take(&mut input.smooth_scroll_delta));
-        // Smooth scrolling goes on for several frames after a notch: where notches are counted, only the notch counts.
-        let notches: i32 = ui.input(|input| input.events.iter().map(notches_of).sum());
-        if self.session.live.as_ref().is_some_and(|live| live.takes_wheel(&self.session.live_settings)) {
-            if notches != 0 {
-                out.push(Request::LiveWheel(notches));
-            }
-            return;
-        }
-        if self.view.tool == Tool::LoopCut && !ui.input(|input| input.modifiers.command) {
-            return ring_cut::turn_wheel(self.view, notches);
-        }
-        if self.view.tool == Tool::Circle {
-            self.view.scale_circle((scroll.y / 240.0).exp());
-        }
-        // The wheel sets the circle's size; with Ctrl it zooms all the same.
-        let is_for_circle = self.view.tool == Tool::Circle && !ui.input(|input| input.modifiers.command);
-        let factor: f64 = ui.input(|input| {
-            let zooms = |event: &&Event| !is_for_circle || matches!(event, Event::Zoom(_));
-            input.events.iter().filter(zooms).map(zoom_of).product()
-        });
-        if factor != 1.0 {
-            let (local, size) = (self.view.local(at), self.view.size());
-            self.view.camera.zoom(factor, local, size);
         }
     }
 

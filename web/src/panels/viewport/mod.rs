@@ -6,6 +6,7 @@ pub(crate) mod control_points;
 mod gesture;
 mod gizmo;
 mod legend;
+mod navigate;
 mod numbers;
 mod overlay;
 mod pointer;

@@ -103,6 +103,6 @@ pub(super) fn arrow_keys(ui: &Ui, view: &mut View) {
         let presses = |modifiers| ui.input_mut(|input| input.count_and_consume_key(modifiers, key));
         // Shift first: a key without modifiers also matches with Shift.
         (0..presses(Modifiers::SHIFT)).for_each(|_| view.camera.pan(by, size));
-        (0..presses(Modifiers::NONE)).for_each(|_| view.camera.orbit(by, size));
+        (0..presses(Modifiers::NONE)).for_each(|_| view.turn(by));
     }
 }

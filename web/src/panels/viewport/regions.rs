@@ -19,6 +19,8 @@ const DASH: f32 = 6.0;
 const GAP: f32 = 4.0;
 /// The height of the rows that a lasso is filled with.
 const ROW_HEIGHT: f32 = 2.0;
+/// The radius of the mark at the point that the view turns about.
+const CENTER_RADIUS: f32 = 4.0;
 
 impl Viewport<'_> {
     /// Begins to look for the elements of the listed kind in a region: those that are visible, or with x-ray all.
@@ -135,6 +137,7 @@ fn path_of_pointer(ui: &Ui) -> Vec<Pos2> {
 
 /// Draws the box, the lasso or the circle.
 pub(super) fn show(ui: &Ui, rect: Rect, page: &Page<'_>) {
+    paint_center(ui, page);
     let painter = ui.painter().with_clip_rect(rect);
     let accent = ui.visuals().hyperlink_color;
     let (fill, line) = (accent.gamma_multiply(0.15), Stroke::new(1.0, accent));
@@ -191,4 +194,14 @@ fn lasso_fill(view: &View, points: &[Pos2], fill: Color32) -> Vec<Shape> {
             Shape::rect_filled(Rect::from_min_max(place(from, top), place(to, top + ROW_HEIGHT)), 0.0, fill)
         })
         .collect()
+}
+
+/// Marks the point that the view is being turned about.
+fn paint_center(ui: &Ui, page: &Page<'_>) {
+    let center = page.view.turning.center.filter(|_| page.view.gesture == Gesture::Orbit);
+    let Some(at) = center.and_then(|center| page.view.project(center.as_vec3())) else { return };
+    let painter = ui.painter().with_clip_rect(page.view.rect);
+    // Two rings show on any background.
+    painter.circle_stroke(at, CENTER_RADIUS + 1.0, Stroke::new(1.0, Color32::from_black_alpha(160)));
+    painter.circle_stroke(at, CENTER_RADIUS, Stroke::new(1.5, ui.visuals().hyperlink_color));
 }
