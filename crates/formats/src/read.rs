@@ -6,7 +6,7 @@ use crate::file::{NamedBytes, base_name};
 use crate::format::reading::{Contents, Reading, Source};
 use crate::formats::Format;
 use crate::model::{Model, NamedMesh};
-use crate::report::ImportReport;
+use crate::report::{ImportReport, first_few};
 use crate::soup::origin::{Bounds, Origin};
 use crate::soup::repairs::Repairs;
 use crate::text::encoding::{Encoding, decode, decode_utf16};
@@ -112,6 +112,13 @@ fn read_all(
         if !is_used {
             all_notes.warn(format!("{} was left out: it is not a model that Meshwright can open", file.name));
         }
+    }
+    let missing = model.materials.missing_images();
+    if !missing.is_empty() {
+        all_notes.info(format!(
+            "Image files that its materials refer to were not given: {}",
+            first_few(&missing, 6)
+        ));
     }
     Ok(Import { model, report: all_notes })
 }

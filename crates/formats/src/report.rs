@@ -122,7 +122,7 @@ impl Places {
 }
 
 /// At most `shown` words: "a, b, c, …".
-pub(crate) fn first_few(words: &[impl AsRef<str>], shown: usize) -> String {
+pub fn first_few(words: &[impl AsRef<str>], shown: usize) -> String {
     let few: Vec<&str> = words.iter().take(shown).map(AsRef::as_ref).collect();
     few.join(", ") + if words.len() > shown { ", …" } else { "" }
 }

@@ -34,9 +34,9 @@ impl<'d, 'a> Library<'d, 'a> {
         Self { document, files, materials: MaterialCollector::default(), known: HashMap::new() }
     }
 
-    /// The materials that faces have. Names the images and materials that the document doesn't get.
+    /// The materials that faces have. Names those that the document doesn't get.
     pub(super) fn finish(self, notes: &mut Notes) -> Materials {
-        let materials = self.materials.finish(notes);
+        let materials = self.materials.finish();
         let unused = self.document.all("material").filter(|node| !self.known.contains_key(&node.index));
         let unused: Vec<&str> = unused.map(Node::label).collect();
         if !unused.is_empty() {

@@ -38,7 +38,7 @@ impl<'b, 'a> Library<'b, 'a> {
         Self { document, textures, materials: MaterialCollector::default(), known: HashMap::new() }
     }
 
-    /// The materials that faces use. Notes unused materials and missing images.
+    /// The materials that faces use. Notes unused materials.
     pub(super) fn finish(self, notes: &mut Notes) -> Materials {
         let unused = (0..self.document.count(MATERIALS)).filter(|index| !self.known.contains_key(index));
         let unused: Vec<String> = unused.map(|index| self.document.label(MATERIALS, index)).collect();
@@ -46,7 +46,7 @@ impl<'b, 'a> Library<'b, 'a> {
             notes.info(format!("Materials that no face uses are left out: {}", first_few(&unused, 6)));
         }
         self.textures.note_filters(notes);
-        self.materials.finish(notes)
+        self.materials.finish()
     }
 
     /// The material with this index.

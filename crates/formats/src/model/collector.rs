@@ -4,8 +4,6 @@ use crate::model::labels::Names;
 use crate::model::material::{Material, Materials};
 use crate::model::paint::unpainted;
 use crate::model::texture::Image;
-use crate::notes::Notes;
-use crate::report::first_few;
 use halfedge::attribute::Column;
 use halfedge::{Color, NONE, keys};
 use std::collections::HashMap;
@@ -74,20 +72,12 @@ impl MaterialCollector {
         name
     }
 
-    /// The collected materials. Notes images whose data is missing.
-    pub(crate) fn finish(mut self, notes: &mut Notes) -> Materials {
+    /// The collected materials.
+    pub(crate) fn finish(mut self) -> Materials {
         for (name, material) in std::mem::take(&mut self.plain) {
             if !self.numbers.contains_key(&name) {
                 self.add_named(&name, material);
             }
-        }
-        let absent = self.materials.images.iter().filter(|image| image.bytes.is_none());
-        let absent: Vec<&str> = absent.map(|image| image.name.as_str()).collect();
-        if !absent.is_empty() {
-            notes.info(format!(
-                "Image files that its materials refer to were not given: {}",
-                first_few(&absent, 6)
-            ));
         }
         self.materials
     }
@@ -142,7 +132,7 @@ mod tests {
         assert_eq!(collector.add("wood", rich(red)).name, "wood");
         assert_eq!(collector.add(&painted("", red), colored(red)).name, "");
         assert_eq!(collector.add(&painted("tin", red), rich(red)).name, "tin");
-        let names = collector.finish(&mut Notes::default()).list;
+        let names = collector.finish().list;
         let names: Vec<_> = names.iter().map(|material| (material.name.as_str(), material.color())).collect();
         assert_eq!(names, [("wood", Some(red)), ("tin", Some(red))]);
     }

@@ -1,6 +1,7 @@
 //! Image files that materials use.
 
 use crate::file::{NamedBytes, find, with_slashes};
+use crate::model::material::Materials;
 use crate::model::texture::Image;
 use std::collections::{BTreeSet, HashSet};
 
@@ -39,6 +40,33 @@ pub(crate) fn media_type(name: &str, bytes: &[u8]) -> Option<String> {
         },
     };
     Some(format!("image/{kind}"))
+}
+
+/// Whether a file is an image, by its content or else by its name.
+pub fn is_image(file: &NamedBytes) -> bool {
+    media_type(&file.name, &file.bytes).is_some()
+}
+
+impl Materials {
+    /// Gives images their contents from the files that they name, also in place of other contents; returns the names of
+    /// the files that were taken. Files are found by their paths or else by their names, in upper or lower case.
+    pub fn take_images(&mut self, files: &[NamedBytes]) -> Vec<String> {
+        let mut taken = Vec::new();
+        for image in &mut self.images {
+            let Some(file) = find(&image.name, files).filter(|file| is_image(file)) else { continue };
+            image.media_type = media_type(&file.name, &file.bytes);
+            image.bytes = Some(file.bytes.as_slice().into());
+            if !taken.contains(&file.name) {
+                taken.push(file.name.clone());
+            }
+        }
+        taken
+    }
+
+    /// The names of the images whose contents are not known.
+    pub fn missing_images(&self) -> Vec<&str> {
+        self.images.iter().filter(|image| image.bytes.is_none()).map(|image| image.name.as_str()).collect()
+    }
 }
 
 /// The usual extension of image files of a media type.

@@ -85,14 +85,6 @@ pub(crate) fn in_use(given: Materials, names: &[String], report: &mut ImportRepo
              {parameters}"
         ));
     }
-    let absent = used.images.iter().filter(|image| image.bytes.is_none());
-    let absent: Vec<&str> = absent.map(|image| image.name.as_str()).collect();
-    if !absent.is_empty() {
-        report.info(format!(
-            "Image files that its materials refer to were not given: {}",
-            first_few(&absent, 6)
-        ));
-    }
     if !unused.is_empty() {
         let names: Vec<&str> = unused.iter().map(|material| material.name.as_str()).collect();
         report.info(format!("Materials that no face uses are left out: {}", first_few(&names, 6)));
