@@ -16,6 +16,8 @@ pub struct Changes {
     pub hidden: Vec<(ObjectId, BitSet)>,
     /// The list of objects, an object's name or visibility, or which object is active.
     pub document: bool,
+    /// The document's materials or their images.
+    pub materials: bool,
     /// The selection.
     pub selection: bool,
     /// What undo and redo would do.

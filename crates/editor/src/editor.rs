@@ -3,6 +3,7 @@
 mod adjust;
 mod commit;
 mod forget;
+mod images;
 mod jobs;
 mod jump;
 mod logged;

@@ -13,6 +13,9 @@ pub(crate) const OPEN: &str = "open";
 /// What was attempted when files could not be written.
 pub(crate) const EXPORT: &str = "export";
 
+/// What was attempted when an image could not be decoded.
+pub(crate) const DECODE: &str = "decode";
+
 /// That something could not be opened, and why, in sentences.
 pub(crate) fn not_opened(name: &str, why: &str) -> String {
     format!("Could not open {name}. {}", sentence(why))

@@ -98,7 +98,7 @@ impl Change {
                 Self::Offset(std::mem::replace(&mut document.offset, offset))
             }
             Self::Materials(materials) => {
-                changes.document = true;
+                (changes.document, changes.materials) = (true, true);
                 Self::Materials(std::mem::replace(&mut document.materials, materials))
             }
             Self::Name(id, name) => {

@@ -7,10 +7,10 @@ pub(crate) mod wire;
 pub use wire::{BadBytes, Wire};
 
 use crate::bezier::fill_previews;
-use crate::error::{CommandError, EXPORT, OPEN, Problem, not_opened};
+use crate::error::{CommandError, DECODE, EXPORT, OPEN, Problem, not_opened};
 use crate::ops::{Action, Op, edit_all};
 use crate::outcome::{Before, ElementIds};
-use formats::{Format, Import, Materials, Model, NamedBytes, NamedMesh, ReadError, Repairs};
+use formats::{Format, Image, Import, Materials, Model, NamedBytes, NamedMesh, Picture, ReadError, Repairs};
 use glam::DVec3;
 use halfedge::{Mesh, Progress};
 
@@ -33,6 +33,8 @@ pub(crate) enum Work {
     Run(Vec<Op>, Vec<NamedMesh>),
     /// Writes a document as files.
     Export(ExportHead, Vec<NamedMesh>),
+    /// Decodes an image, with at most this many pixels on a side.
+    Decode(Image, u32),
 }
 
 /// The parts of a document that are written besides its objects.
@@ -59,6 +61,7 @@ pub(crate) enum Made {
     /// The meshes; for local edits the elements they created and removed; warnings.
     Meshes(Vec<NamedMesh>, Option<(ElementIds, ElementIds)>, Vec<String>),
     Files(Vec<NamedBytes>),
+    Picture(Picture),
 }
 
 impl Made {
@@ -76,7 +79,7 @@ impl Made {
         match self {
             Self::Import(import) => import.model.objects.iter().try_for_each(|o| check(&o.name, &o.mesh)),
             Self::Meshes(outputs, ..) => outputs.iter().try_for_each(|o| check(&o.name, &o.mesh)),
-            Self::Files(_) => Ok(()),
+            Self::Files(_) | Self::Picture(_) => Ok(()),
         }
     }
 }
@@ -97,12 +100,13 @@ impl JobRequest {
         self.id
     }
 
-    /// The op, or `open` and `export`.
+    /// The op, or `open`, `export` and `decode`.
     pub fn op(&self) -> &'static str {
         match &self.work {
             Work::Import(..) => OPEN,
             Work::Run(ops, _) => ops.first().map_or("nothing", |op| op.spec().name),
             Work::Export(..) => EXPORT,
+            Work::Decode(..) => DECODE,
         }
     }
 
@@ -165,6 +169,9 @@ impl Work {
                 };
                 let files = formats::write(head.format, &model);
                 Made::Files(files.map_err(|error| Problem::new(error.to_string()))?)
+            }
+            Self::Decode(image, largest) => {
+                Made::Picture(Picture::decode(image, *largest, progress).map_err(Problem::new)?)
             }
         };
         Ok(JobResult { made, validated: false })

@@ -4,14 +4,14 @@ use super::adjust::Replaced;
 use super::run::{Planned, broken};
 use super::{Editor, MessageKind};
 use crate::document::{Object, ObjectId};
-use crate::error::{CommandError, EXPORT, OPEN, Problem};
+use crate::error::{CommandError, DECODE, EXPORT, OPEN, Problem};
 use crate::history::Change;
 use crate::job::{ExportHead, JobId, JobRequest, JobResult, Made, Work};
 use crate::ops::{Action, Command, NamedMesh, Op};
 use crate::outcome::Outcome;
 use crate::recovery::Event;
 use crate::selection::Selection;
-use formats::{Format, NamedBytes, Repairs};
+use formats::{Format, Image, NamedBytes, Picture, Repairs};
 use halfedge::Mesh;
 use std::ops::ControlFlow;
 use std::sync::Arc;
@@ -42,6 +42,8 @@ pub enum Finished {
     Done(Outcome),
     /// Files were written and are ready to be saved.
     Exported(Vec<NamedBytes>),
+    /// An image was decoded.
+    Decoded(Picture),
 }
 
 /// A job that has begun and has not finished.
@@ -49,7 +51,7 @@ pub enum Finished {
 pub struct RunningJob {
     /// The job's id.
     pub id: JobId,
-    /// The operation's name, or `open` or `export`.
+    /// The operation's name, or `open`, `export` or `decode`.
     pub op: &'static str,
 }
 
@@ -64,6 +66,7 @@ pub(super) struct Waiting {
 enum WaitingFor {
     Open,
     Export,
+    Decode,
     Run(Box<Run>),
 }
 
@@ -120,6 +123,7 @@ impl WaitingFor {
         match self {
             Self::Open => OPEN,
             Self::Export => EXPORT,
+            Self::Decode => DECODE,
             Self::Run(run) => run.op.spec().name,
         }
     }
@@ -254,6 +258,12 @@ impl Editor {
         JobRequest { id, work: Work::Export(head, self.inputs(&objects)) }
     }
 
+    /// A job that decodes an image of the document's materials, with at most `largest` pixels on a side. It changes
+    /// nothing; [`Editor::finish`] gives the picture, or in words why there is none.
+    pub fn begin_decode(&mut self, image: &Image, largest: u32) -> JobRequest {
+        JobRequest { id: self.wait_for(WaitingFor::Decode), work: Work::Decode(image.clone(), largest) }
+    }
+
     fn wait_for(&mut self, kind: WaitingFor) -> JobId {
         let id = JobId(self.next_job);
         self.next_job += 1;
@@ -279,8 +289,8 @@ impl Editor {
         };
         let job = self.jobs.remove(at);
         self.changes.jobs = true;
-        // Writing a file changes nothing, so an ongoing edit continues.
-        if !matches!(job.kind, WaitingFor::Export) {
+        // These change nothing, so an ongoing edit continues.
+        if !matches!(job.kind, WaitingFor::Export | WaitingFor::Decode) {
             self.end_edit();
         }
         let name = job.kind.op();
@@ -294,6 +304,8 @@ impl Editor {
         match (job.kind, made) {
             (WaitingFor::Open, Ok(Made::Import(import))) => Ok(Finished::Done(self.open_valid(import))),
             (WaitingFor::Export, Ok(Made::Files(files))) => Ok(Finished::Exported(files)),
+            (WaitingFor::Decode, Ok(Made::Picture(picture))) => Ok(Finished::Decoded(picture)),
+            (WaitingFor::Decode, Err(error)) => Err(error),
             (WaitingFor::Run(run), Ok(made @ Made::Meshes(..))) => self.finish_run(*run, made),
             (kind, made) => {
                 if let WaitingFor::Run(run) = kind {

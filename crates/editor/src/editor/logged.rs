@@ -24,7 +24,7 @@ impl Editor {
                 changes.controls(object.id());
             }
         });
-        changes.selection = true;
+        (changes.selection, changes.materials) = (true, true);
         Self { document, selection, changes, next_object, revision, last_revision, saved, ..Self::new() }
     }
 

@@ -5,7 +5,9 @@ use super::wire::{BadBytes, Reader, Wire, Writer};
 use super::{ExportHead, JobId, JobRequest, JobResult, Made, Work};
 use crate::ops::{Action, Command, Op};
 use crate::outcome::ElementIds;
-use formats::{Format, Image, Import, ImportReport, Materials, Model, NamedBytes, NamedMesh, Repairs};
+use formats::{
+    Format, Image, Import, ImportReport, Materials, Model, NamedBytes, NamedMesh, Picture, Repairs,
+};
 use serde::{Deserialize, Serialize};
 use std::io::{self, Read, Write};
 
@@ -26,6 +28,8 @@ enum WorkHead {
     Run { ops: Vec<serde_json::Value> },
     /// The materials and the meshes follow.
     Export { format: Format, name: String, offset: [f64; 3] },
+    /// The image's contents follow, if it has any.
+    Decode { image: Image, has_bytes: bool, largest: u32 },
 }
 
 #[derive(Serialize, Deserialize)]
@@ -43,6 +47,8 @@ enum MadeHead {
     Meshes { notes: Vec<String>, has_ids: bool },
     /// The files follow.
     Files,
+    /// The pixels follow.
+    Picture { size: [u32; 2], original: [u32; 2] },
 }
 
 impl Wire for JobRequest {
@@ -68,6 +74,11 @@ impl Wire for JobRequest {
                 write_materials(&mut out, &export.materials)?;
                 write_meshes(&mut out, inputs, false)
             }
+            Work::Decode(image, largest) => {
+                let (has_bytes, largest) = (image.bytes.is_some(), *largest);
+                out.value(&head(WorkHead::Decode { image: without_bytes(image), has_bytes, largest }))?;
+                image.bytes.iter().try_for_each(|bytes| out.column(bytes))
+            }
         }
     }
 
@@ -85,6 +96,10 @@ impl Wire for JobRequest {
                 let materials = read_materials(&mut from)?;
                 let head = ExportHead { format, name, offset: offset.into(), materials };
                 Work::Export(head, read_meshes(&mut from)?)
+            }
+            WorkHead::Decode { mut image, has_bytes, largest } => {
+                image.bytes = if has_bytes { Some(from.column()?.into()) } else { None };
+                Work::Decode(image, largest)
             }
         };
         from.end()?;
@@ -118,6 +133,10 @@ impl Wire for JobResult {
                 out.value(&head(MadeHead::Files))?;
                 write_files(&mut out, files)
             }
+            Made::Picture(Picture { size, pixels, original }) => {
+                out.value(&head(MadeHead::Picture { size: *size, original: *original }))?;
+                out.column(pixels)
+            }
         }
     }
 
@@ -137,6 +156,9 @@ impl Wire for JobResult {
                 Made::Meshes(outputs, ids, notes)
             }
             MadeHead::Files => Made::Files(read_files(&mut from)?),
+            MadeHead::Picture { size, original } => {
+                Made::Picture(Picture { size, pixels: from.column()?, original })
+            }
         };
         from.end()?;
         Ok(Self { made, validated })
@@ -169,12 +191,12 @@ fn read_files(from: &mut Reader<'_>) -> Result<Vec<NamedBytes>, BadBytes> {
     names.into_iter().map(|name| Ok(NamedBytes { name, bytes: from.column()? })).collect()
 }
 
+fn without_bytes(image: &Image) -> Image {
+    Image { name: image.name.clone(), media_type: image.media_type.clone(), bytes: None }
+}
+
 pub(crate) fn write_materials(out: &mut Writer<'_>, materials: &Materials) -> io::Result<()> {
-    let images = materials.images.iter().map(|image| Image {
-        name: image.name.clone(),
-        media_type: image.media_type.clone(),
-        bytes: None,
-    });
+    let images = materials.images.iter().map(without_bytes);
     let has_bytes: Vec<bool> = materials.images.iter().map(|image| image.bytes.is_some()).collect();
     out.value(&(&materials.list, images.collect::<Vec<_>>(), has_bytes))?;
     materials.images.iter().filter_map(|image| image.bytes.as_ref()).try_for_each(|bytes| out.column(bytes))

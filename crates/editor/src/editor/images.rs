@@ -1,0 +1,52 @@
+//! Images that come after the model that names them.
+
+use super::{Editor, MessageKind};
+use crate::error::{CommandError, OPEN};
+use crate::history::Change;
+use crate::outcome::{Elements, Outcome};
+use crate::recovery::Event;
+use formats::{NamedBytes, first_few, is_image};
+
+impl Editor {
+    /// Gives images to the materials that name them, also in place of those they have, as one undo step.
+    ///
+    /// # Errors
+    /// A file is no image, or no material names any of them.
+    pub fn take_images(&mut self, files: &[NamedBytes]) -> Result<Outcome, CommandError> {
+        let mut materials = self.document.materials.clone();
+        let taken = materials.take_images(files);
+        let names = |files: &[&str]| first_few(files, 6);
+        if taken.is_empty() {
+            let all: Vec<&str> = files.iter().map(|file| file.name.as_str()).collect();
+            let problem = match files.iter().find(|file| !is_image(file)) {
+                Some(other) => format!("{} is no image", other.name),
+                None => format!(
+                    "No material names {}: an image goes with a model whose material names its file",
+                    names(&all)
+                ),
+            };
+            return Err(self.report(CommandError::refused(OPEN, problem)));
+        }
+        self.end_edit();
+        let before = self.selection.clone();
+        let back = self.apply(vec![Change::Materials(materials)]);
+        let taken: Vec<&str> = taken.iter().map(String::as_str).collect();
+        let message = format!("Added {} to the materials that name it", names(&taken));
+        self.push_step(format!("Add {}", names(&taken)), back, before);
+        self.log(Event::Break);
+        self.say(MessageKind::Info, message.clone());
+        let left_out = files.iter().filter(|file| !taken.contains(&file.name.as_str()));
+        let warnings = left_out.map(|file| format!("{} was left out: no material names it", file.name));
+        Ok(Outcome {
+            op: ADD_IMAGES.into(),
+            created: Elements::default(),
+            removed: Elements::default(),
+            message,
+            warnings: warnings.collect(),
+            report: Vec::new(),
+        })
+    }
+}
+
+/// What outcomes call it.
+const ADD_IMAGES: &str = "add-images";
