@@ -3,22 +3,21 @@
 //! This module knows no GPU: it writes to a [`Sink`], which uploads in the page and is a plain array in
 //! tests. Triangles are not indexed: each has three corners of its own, so that a face has its own colour
 //! and normal, and the wireframe shader finds a corner's place in its triangle from the vertex index
-//! alone. A corner takes 24 bytes: position 12, normal 8, colour and edge flags 4.
+//! alone. A corner takes 24 bytes: position 12, normal and texture 8, colour and edge flags 4; with texture coordinates
+//! 8 more.
 
-use crate::coloring::{Coloring, Columns};
-use crate::corner_normals::{LocalNormals, Shading, WholeNormals, pack};
+use crate::coloring::Coloring;
+use crate::corner_normals::{LocalNormals, Shading, WholeNormals};
+use crate::face_writer::{FaceWriter, TRIANGLES_PER_WRITE};
 use crate::slots::{Range, Slots};
 use glam::Vec3;
-use halfedge::geometry::{BitSet, PolygonTriangulator};
-use halfedge::{Budget, FaceId, HalfedgeId, Mesh, Touched, VertexId};
+use halfedge::geometry::BitSet;
+use halfedge::{Budget, FaceId, Mesh, Touched, VertexId};
 use std::collections::BTreeSet;
 use std::sync::Arc;
-use surface::normals;
 
-/// Bytes of a triangle in all streams together.
+/// Bytes of a triangle without texture coordinates in all streams together.
 pub const TRIANGLE_BYTES: usize = 3 * (12 + 8 + 4);
-/// Triangles written to the sink at once.
-const TRIANGLES_PER_WRITE: usize = 1 << 14;
 /// With more separate ranges than this to write, a rebuild is faster than an update.
 const MAX_UPDATED_RANGES: usize = 4096;
 
@@ -27,11 +26,13 @@ const MAX_UPDATED_RANGES: usize = 4096;
 pub struct Corners {
     /// Positions relative to the object's origin.
     pub positions: Vec<[f32; 3]>,
-    /// Unit normals as signed normalised integers; the last component is unused.
+    /// Unit normals as signed normalised integers. The last component says which texture the face shows.
     pub normals: Vec<[i16; 4]>,
     /// The corner's sRGB colour; the last byte says which sides are edges of the mesh, the same for all three
     /// corners: bit i stands for the side from corner i to the next.
     pub colors: Vec<[u8; 4]>,
+    /// Texture coordinates, v from the top; empty unless they are wanted.
+    pub uvs: Vec<[f32; 2]>,
 }
 
 impl Corners {
@@ -40,25 +41,29 @@ impl Corners {
         self.positions.len() / 3
     }
 
-    fn clear(&mut self) {
+    pub(crate) fn clear(&mut self) {
         self.positions.clear();
         self.normals.clear();
         self.colors.clear();
+        self.uvs.clear();
     }
 
     /// Adds triangles without area.
-    fn blank(&mut self, triangles: u32) {
+    pub(crate) fn blank(&mut self, triangles: u32, with_uvs: bool) {
         let corners = self.positions.len() + triangles as usize * 3;
         self.positions.resize(corners, [0.0; 3]);
         self.normals.resize(corners, [0; 4]);
         self.colors.resize(corners, [0; 4]);
+        if with_uvs {
+            self.uvs.resize(corners, [0.0; 2]);
+        }
     }
 }
 
 /// Receives the vertex streams.
 pub trait Sink {
     /// Discards everything that was written; this many triangles will follow.
-    fn reset(&mut self, triangles: u32);
+    fn reset(&mut self, triangles: u32, with_uvs: bool);
     /// Writes triangles at an index, which may be past the current end.
     fn write(&mut self, first_triangle: u32, corners: &Corners);
 }
@@ -153,11 +158,11 @@ impl Buffers {
         self.origin = origin;
         self.shading = shading;
         self.coloring = coloring;
-        self.coloring.restart();
+        self.coloring.restart(mesh);
         self.slots.clear(mesh.face_capacity());
         let shown = mesh.faces().filter(|f| self.shows(mesh, *f));
         let total: usize = shown.map(|f| mesh.face_degree(f).saturating_sub(2)).sum();
-        sink.reset(u32::try_from(total).unwrap_or(u32::MAX));
+        sink.reset(u32::try_from(total).unwrap_or(u32::MAX), self.coloring.has_uvs());
         Rebuild { next: 0, normals: WholeNormals::new(mesh, shading) }
     }
 
@@ -175,14 +180,14 @@ impl Buffers {
         }
         let Rebuild { next, normals } = rebuilding;
         let end = *next + budget.take(mesh.face_capacity().saturating_sub(*next));
-        let mut writer = Writer::new(mesh, self.origin);
+        let mut writer = FaceWriter::new(mesh, self.origin, &self.coloring);
         for face in (*next..end).map(FaceId::new) {
             if !self.shows(mesh, face) {
                 continue;
             }
             writer.load(face);
             let range = self.slots.acquire(face.index(), writer.triangles());
-            writer.emit(range, sink, &self.coloring, |corner| normals.at(mesh, corner));
+            writer.emit(range, sink, |corner| normals.at(mesh, corner));
         }
         writer.flush(sink);
         *next = end;
@@ -193,7 +198,8 @@ impl Buffers {
     /// faces around their corners. Costs O(valence) for a local edit. An edit of much of the mesh, or one
     /// that leaves more gaps than triangles, causes a rebuild.
     pub fn update(&mut self, mesh: &Mesh, touched: &Touched, sink: &mut dyn Sink) {
-        let faces = if touched.everything { None } else { self.affected(mesh, touched) };
+        let is_whole = touched.everything || self.coloring.misses_uvs(mesh);
+        let faces = if is_whole { None } else { self.affected(mesh, touched) };
         let Some(faces) = faces else {
             return self.rebuild_alike(mesh, sink);
         };
@@ -220,10 +226,10 @@ impl Buffers {
 
         self.coloring.follow(mesh, &faces);
         let mut normals = LocalNormals::new(self.shading);
-        let mut writer = Writer::new(mesh, self.origin);
+        let mut writer = FaceWriter::new(mesh, self.origin, &self.coloring);
         for (range, face) in placed {
             writer.load(face);
-            writer.emit(range, sink, &self.coloring, |corner| normals.at(mesh, corner));
+            writer.emit(range, sink, |corner| normals.at(mesh, corner));
         }
         for range in abandoned {
             writer.blank(range, sink);
@@ -282,112 +288,4 @@ fn count_runs(ranges: impl Iterator<Item = Range>) -> usize {
             starts
         })
         .count()
-}
-
-/// Turns faces into triangles and combines adjacent ones into one write.
-struct Writer<'m> {
-    mesh: &'m Mesh,
-    columns: Columns<'m>,
-    origin: Vec3,
-    face: Option<FaceId>,
-    /// The half-edges that start at the face's corners.
-    corners: Vec<HalfedgeId>,
-    points: Vec<Vec3>,
-    triangulator: PolygonTriangulator,
-    staged: Corners,
-    staged_first: u32,
-}
-
-impl<'m> Writer<'m> {
-    fn new(mesh: &'m Mesh, origin: Vec3) -> Self {
-        Self {
-            mesh,
-            columns: Columns::new(mesh),
-            origin,
-            face: None,
-            corners: Vec::new(),
-            points: Vec::new(),
-            triangulator: PolygonTriangulator::new(),
-            staged: Corners::default(),
-            staged_first: 0,
-        }
-    }
-
-    /// Takes the next face.
-    fn load(&mut self, face: FaceId) {
-        self.face = Some(face);
-        self.corners.clear();
-        self.corners.extend(self.mesh.face_halfedges(face));
-        self.points.clear();
-        self.points.extend(self.corners.iter().map(|&h| self.mesh.position(self.mesh.from(h))));
-    }
-
-    /// The number of the face's triangles.
-    fn triangles(&self) -> u32 {
-        self.points.len().saturating_sub(2) as u32
-    }
-
-    /// Writes the face with the packed normals that `corner_normal` returns for the half-edges at its corners, or
-    /// the face's own normal where that is zero.
-    fn emit(
-        &mut self,
-        range: Range,
-        sink: &mut dyn Sink,
-        coloring: &Coloring,
-        mut corner_normal: impl FnMut(HalfedgeId) -> [i16; 4],
-    ) {
-        self.seek(range.first, sink);
-        let (mesh, face) = (self.mesh, self.face);
-        let mut flat = None;
-        let mut face_normal =
-            || *flat.get_or_insert_with(|| face.map_or([0; 4], |f| pack(normals::face_normal(mesh, f))));
-        let colors = face.map(|f| coloring.face(mesh, &self.columns, f));
-        let corners = self.points.len() as u32;
-        let triangles: &[[u32; 3]] =
-            if corners == 3 { &[[0, 1, 2]] } else { self.triangulator.triangulate(&self.points) };
-        let mut written = 0;
-        for triangle in triangles {
-            let [i, j, k] = *triangle;
-            let flag = |a: u32, b: u32, bit: u8| if (a + 1) % corners == b { bit } else { 0 };
-            let flags = flag(i, j, 1) | flag(j, k, 2) | flag(k, i, 4);
-            let at = triangle.map(|i| self.points.get(i as usize).copied().unwrap_or(self.origin));
-            let mut normals = [[0; 4]; 3];
-            let mut shown = [[0; 4]; 3];
-            for ((normal, color), &corner) in normals.iter_mut().zip(&mut shown).zip(triangle) {
-                let Some(&h) = self.corners.get(corner as usize) else { continue };
-                let own = corner_normal(h);
-                *normal = if own == [0; 4] { face_normal() } else { own };
-                let [r, g, b] = colors.as_ref().map_or([0; 3], |colors| colors.at(mesh.from(h)));
-                *color = [r, g, b, flags];
-            }
-            self.staged.positions.extend_from_slice(&at.map(|p| (p - self.origin).to_array()));
-            self.staged.normals.extend_from_slice(&normals);
-            self.staged.colors.extend_from_slice(&shown);
-            written += 1;
-        }
-        self.staged.blank(range.count.saturating_sub(written));
-    }
-
-    /// Writes triangles without area.
-    fn blank(&mut self, range: Range, sink: &mut dyn Sink) {
-        self.seek(range.first, sink);
-        self.staged.blank(range.count);
-    }
-
-    /// Continues at a triangle; flushes first unless that triangle is the next one.
-    fn seek(&mut self, triangle: u32, sink: &mut dyn Sink) {
-        let end = self.staged_first as usize + self.staged.triangles();
-        if triangle as usize != end || self.staged.triangles() >= TRIANGLES_PER_WRITE {
-            self.flush(sink);
-            self.staged_first = triangle;
-        }
-    }
-
-    fn flush(&mut self, sink: &mut dyn Sink) {
-        if self.staged.triangles() > 0 {
-            sink.write(self.staged_first, &self.staged);
-            self.staged_first += self.staged.triangles() as u32;
-            self.staged.clear();
-        }
-    }
 }

@@ -1,9 +1,12 @@
 //! The colours of faces: which of a mesh's colours, labels or measures its corners show.
 
+use crate::Materials;
+use crate::materials::{FaceTexture, TEXTURES_PER_DRAW};
 use crate::ramp::{Ramp, label_color};
-use glam::Vec3;
-use halfedge::{Budget, Color, Element, FaceId, Mesh, VertexId, keys};
-use std::collections::{BTreeSet, HashMap};
+use glam::{Vec2, Vec3};
+use halfedge::{Budget, Color, Element, FaceId, HalfedgeId, Mesh, VertexId, keys};
+use std::collections::BTreeSet;
+use std::sync::Arc;
 use surface::curvature::{gaussian_curvature, mean_curvature};
 use surface::measure::face_quality;
 
@@ -92,9 +95,6 @@ impl ColorBy {
     }
 }
 
-/// The colours of the document's materials by name. A face in its material's colour isn't painted.
-pub type MaterialColors = HashMap<String, Color>;
-
 /// What colours stand for.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Legend {
@@ -104,12 +104,18 @@ pub enum Legend {
     Labels(Vec<(String, Color)>),
 }
 
-/// The colours of a mesh's corners.
+/// The colours and textures of a mesh's corners.
 #[derive(Clone, Debug, Default)]
 pub struct Coloring {
     by: ColorBy,
-    /// The colour of each label of the mesh's materials; none for a material that the document doesn't have.
-    materials: Vec<Option<Color>>,
+    /// The looks of the document's materials.
+    materials: Arc<Materials>,
+    /// The colour and the texture of each label of the mesh's materials; none for a material that the document
+    /// doesn't have.
+    of_labels: Vec<(Option<Color>, Option<u16>)>,
+    /// Whether texture coordinates are wanted, and whether the mesh has any.
+    wants_uvs: bool,
+    has_uvs: bool,
     /// The labels that colours stand for.
     labels: Vec<String>,
     /// The curvature of each vertex.
@@ -120,15 +126,19 @@ pub struct Coloring {
 }
 
 impl Coloring {
-    /// How a mesh is coloured. Costs O(labels); what costs more is done in [`Coloring::measure`].
-    pub fn new(mesh: &Mesh, by: ColorBy, materials: &MaterialColors) -> Self {
+    /// How a mesh is coloured, and textured if `wants_uvs`. Costs O(labels); what costs more is done in
+    /// [`Coloring::measure`].
+    pub fn new(mesh: &Mesh, by: ColorBy, wants_uvs: bool, materials: &Arc<Materials>) -> Self {
         let labels = |key: halfedge::attribute::Key<u32>| {
             mesh.column(Element::Face, key.name).map_or(&[][..], |column| &column.labels)
         };
-        let of_materials = labels(keys::FACE_MATERIAL).iter().map(|label| materials.get(label).copied());
+        let of_label = |label: &String| (materials.color(label), materials.texture(label));
         Self {
             by,
-            materials: of_materials.collect(),
+            materials: materials.clone(),
+            of_labels: labels(keys::FACE_MATERIAL).iter().map(of_label).collect(),
+            wants_uvs,
+            has_uvs: wants_uvs && has_uvs(mesh),
             labels: by.label_key().map_or(Vec::new(), |key| labels(key).to_vec()),
             values: Vec::new(),
             measured: 0,
@@ -148,6 +158,28 @@ impl Coloring {
         self.by
     }
 
+    /// Whether the colours are still as the document's materials have them and textures are there if wanted.
+    pub(crate) fn fits(&self, by: ColorBy, wants_uvs: bool, materials: &Arc<Materials>) -> bool {
+        let is_current = !wants_uvs || Arc::ptr_eq(&self.materials, materials);
+        (self.by, self.wants_uvs) == (by, wants_uvs) && is_current
+    }
+
+    /// Whether corners have texture coordinates.
+    pub(crate) fn has_uvs(&self) -> bool {
+        self.has_uvs
+    }
+
+    /// Whether texture coordinates are wanted that the mesh has only had since an edit.
+    pub(crate) fn misses_uvs(&self, mesh: &Mesh) -> bool {
+        self.wants_uvs && !self.has_uvs && has_uvs(mesh)
+    }
+
+    /// The passes in which the mesh's textures are drawn; the first one draws faces without a texture too.
+    pub(crate) fn passes(&self) -> BTreeSet<usize> {
+        let textures = self.of_labels.iter().filter_map(|(_, texture)| *texture);
+        textures.map(|texture| usize::from(texture) / TEXTURES_PER_DRAW).chain([0]).collect()
+    }
+
     /// What the colours stand for; none for colours of the mesh itself, and until all is measured.
     pub fn legend(&self) -> Option<Legend> {
         if self.by.label_key().is_some() {
@@ -163,8 +195,9 @@ impl Coloring {
     }
 
     /// Begins to measure anew. The range of colours stays, so that colours don't jump.
-    pub(crate) fn restart(&mut self) {
+    pub(crate) fn restart(&mut self, mesh: &Mesh) {
         self.measured = 0;
+        self.has_uvs = self.wants_uvs && has_uvs(mesh);
     }
 
     /// Measures more vertices, as many as the budget allows; returns whether there are any left.
@@ -212,9 +245,29 @@ impl Coloring {
 
     /// Whether a face's colour was chosen for it, rather than for its material.
     fn is_painted(&self, mesh: &Mesh, face: FaceId, color: Color) -> bool {
-        let material = mesh.get(keys::FACE_MATERIAL, face.index()) as usize;
-        let unpainted = self.materials.get(material).copied().flatten().unwrap_or(Color::UNPAINTED);
-        color != unpainted
+        color != self.of_face(mesh, face).0.unwrap_or(Color::UNPAINTED)
+    }
+
+    /// The colour and the texture of a face's material.
+    fn of_face(&self, mesh: &Mesh, face: FaceId) -> (Option<Color>, Option<u16>) {
+        let label = mesh.get(keys::FACE_MATERIAL, face.index()) as usize;
+        self.of_labels.get(label).copied().unwrap_or_default()
+    }
+
+    /// The texture of a face whose corners these are.
+    pub(crate) fn texture(
+        &self,
+        mesh: &Mesh,
+        face: FaceId,
+        uvs: &[Vec2],
+        corners: &[HalfedgeId],
+    ) -> FaceTexture {
+        let is_placed = |h: &HalfedgeId| uvs.get(h.index()).is_some_and(|uv| !uv.is_nan());
+        if !self.has_uvs || !corners.iter().all(is_placed) {
+            return FaceTexture::NONE;
+        }
+        let (color, texture) = self.of_face(mesh, face);
+        FaceTexture::of(color, texture)
     }
 
     /// The colours of one face.
@@ -251,6 +304,10 @@ impl Coloring {
     }
 }
 
+fn has_uvs(mesh: &Mesh) -> bool {
+    mesh.attribute(keys::CORNER_UV).is_some()
+}
+
 /// The valence of regular vertices: six among triangles, else four.
 fn regular_valence(mesh: &Mesh) -> f32 {
     let sample = mesh.faces().take(SAMPLED_FACES);
@@ -272,16 +329,22 @@ fn end_of_range(values: &[f32]) -> f32 {
     *sample.select_nth_unstable_by(last, f32::total_cmp).1
 }
 
-/// The columns of a mesh that colours come from, looked up once.
+/// The columns of a mesh that colours and textures come from, looked up once.
 #[derive(Clone, Copy)]
 pub(crate) struct Columns<'m> {
     faces: Option<&'m [Color]>,
     vertices: Option<&'m [Vec3]>,
+    /// Texture coordinates; empty where the mesh has none.
+    pub uvs: &'m [Vec2],
 }
 
 impl<'m> Columns<'m> {
     pub fn new(mesh: &'m Mesh) -> Self {
-        Self { faces: mesh.attribute(keys::FACE_COLOR), vertices: mesh.attribute(keys::VERTEX_COLOR) }
+        Self {
+            faces: mesh.attribute(keys::FACE_COLOR),
+            vertices: mesh.attribute(keys::VERTEX_COLOR),
+            uvs: mesh.attribute(keys::CORNER_UV).unwrap_or_default(),
+        }
     }
 }
 

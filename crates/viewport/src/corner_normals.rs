@@ -29,7 +29,7 @@ impl Shading {
     pub const HARD_ANGLE: f32 = 30.0;
 }
 
-/// A unit vector in the stream's format. Zero stays zero, which shaders take for "no normal".
+/// A unit vector in the stream's format, without a texture. Zero stays zero, which shaders take for "no normal".
 pub(crate) fn pack(normal: Vec3) -> [i16; 4] {
     let [x, y, z] = (normal * 32767.0).round().to_array().map(|c| c as i16);
     [x, y, z, 0]

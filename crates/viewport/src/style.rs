@@ -37,6 +37,8 @@ pub enum Look {
     /// brighter than the ground.
     #[default]
     Studio,
+    /// The pictures of materials in soft studio light. Faces without one show their colour.
+    Texture,
     /// One light at the camera over an ambient light of a fifth (Lambert), as in the courses' viewers.
     Course,
     /// As a sphere of some material looks under studio lights.
@@ -52,12 +54,15 @@ pub enum Look {
     Normals,
     /// Front faces blue, back faces red.
     Orientation,
+    /// A chequered pattern where faces have texture coordinates: how these stretch and turn.
+    Checker,
 }
 
 impl Look {
     /// All, in the order of menus.
-    pub const ALL: [Self; 11] = [
+    pub const ALL: [Self; 13] = [
         Self::Studio,
+        Self::Texture,
         Self::Course,
         Self::Matcap(Matcap::Clay),
         Self::Matcap(Matcap::Pearl),
@@ -68,12 +73,14 @@ impl Look {
         Self::HiddenLine,
         Self::Normals,
         Self::Orientation,
+        Self::Checker,
     ];
 
     /// The name in scripts.
     pub fn name(self) -> &'static str {
         match self {
             Self::Studio => "studio",
+            Self::Texture => "texture",
             Self::Course => "course",
             Self::Matcap(Matcap::Clay) => "clay",
             Self::Matcap(Matcap::Pearl) => "pearl",
@@ -84,6 +91,7 @@ impl Look {
             Self::HiddenLine => "hidden-line",
             Self::Normals => "normals",
             Self::Orientation => "orientation",
+            Self::Checker => "uv-checker",
         }
     }
 
@@ -92,6 +100,18 @@ impl Look {
         match self {
             Self::Matcap(matcap) => Some(matcap),
             _ => None,
+        }
+    }
+}
+
+impl Style {
+    /// Whether faces show what lies at their texture coordinates. Textures belong to the paint: colours that stand for
+    /// something else take their place.
+    pub(crate) fn wants_uvs(&self) -> bool {
+        match self.look {
+            Look::Texture => self.color_by == ColorBy::Paint,
+            Look::Checker => true,
+            _ => false,
         }
     }
 }

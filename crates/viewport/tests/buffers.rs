@@ -10,7 +10,7 @@ use proptest::prelude::*;
 use std::sync::Arc;
 use support::{cube, grid, mesh, paint, sphere, torus};
 use viewport::buffers::{Buffers, Corners, Sink, TRIANGLE_BYTES};
-use viewport::{ColorBy, Coloring, Legend, MaterialColors, Ramp, Shading};
+use viewport::{ColorBy, Coloring, Legend, MaterialLook, Materials, Ramp, Shading, Texture};
 
 /// The GPU's side as plain arrays.
 #[derive(Clone, Default)]
@@ -21,7 +21,7 @@ struct Mirror {
 }
 
 impl Sink for Mirror {
-    fn reset(&mut self, _triangles: u32) {
+    fn reset(&mut self, _triangles: u32, _with_uvs: bool) {
         self.corners = Corners::default();
         self.resets += 1;
     }
@@ -34,6 +34,10 @@ impl Sink for Mirror {
             all.positions.resize(end, [f32::NAN; 3]);
             all.normals.resize(end, [0; 4]);
             all.colors.resize(end, [0; 4]);
+        }
+        if !corners.uvs.is_empty() {
+            all.uvs.resize(all.positions.len(), [f32::NAN; 2]);
+            all.uvs[start..end].copy_from_slice(&corners.uvs);
         }
         all.positions[start..end].copy_from_slice(&corners.positions);
         all.normals[start..end].copy_from_slice(&corners.normals);
@@ -58,6 +62,12 @@ fn of_face(buffers: &Buffers, mirror: &Mirror, face: FaceId) -> Vec<Triangle> {
     (range.first..range.first + range.count).map(|t| mirror.triangle(t)).collect()
 }
 
+fn uvs_of_face<'m>(buffers: &Buffers, mirror: &'m Mirror, face: FaceId) -> &'m [[f32; 2]] {
+    let range = buffers.range(face);
+    let corners = range.first as usize * 3..(range.first + range.count) as usize * 3;
+    if mirror.corners.uvs.is_empty() { &[] } else { &mirror.corners.uvs[corners] }
+}
+
 /// Checks that each face has the triangles of a rebuild, that no two faces share one, and that no other triangle
 /// has an area.
 fn assert_as_rebuilt(mesh: &Mesh, buffers: &Buffers, mirror: &Mirror) {
@@ -68,6 +78,7 @@ fn assert_as_rebuilt(mesh: &Mesh, buffers: &Buffers, mirror: &Mirror) {
     let mut owned = vec![false; buffers.triangles() as usize];
     for face in mesh.faces() {
         assert_eq!(of_face(buffers, mirror, face), of_face(&fresh, &expected, face), "{face}");
+        assert_eq!(uvs_of_face(buffers, mirror, face), uvs_of_face(&fresh, &expected, face), "{face}");
         let range = buffers.range(face);
         let is_hidden = buffers.hidden().contains(face.index());
         assert_eq!(range.count as usize, if is_hidden { 0 } else { mesh.face_degree(face) - 2 }, "{face}");
@@ -88,7 +99,7 @@ fn rebuilt(mesh: &Mesh, shading: Shading) -> (Buffers, Mirror) {
 fn rebuilt_colored(mesh: &Mesh, shading: Shading, by: ColorBy) -> (Buffers, Mirror) {
     let mut buffers = Buffers::default();
     let mut mirror = Mirror::default();
-    let coloring = Coloring::new(mesh, by, &MaterialColors::new());
+    let coloring = Coloring::new(mesh, by, false, &Arc::default());
     buffers.rebuild(mesh, Vec3::ZERO, shading, coloring, &mut mirror);
     mirror.written = 0;
     (buffers, mirror)
@@ -225,9 +236,9 @@ fn painted_faces_show_their_paint_and_others_their_vertices_colours() {
     plane.set(keys::FACE_COLOR, 0, red);
     plane.set(keys::FACE_COLOR, 1, kd);
     let grey = Color::UNPAINTED.0;
-    let shown = |by, materials: &MaterialColors| -> Vec<Vec<[u8; 3]>> {
+    let shown = |by, materials: &Arc<Materials>| -> Vec<Vec<[u8; 3]>> {
         let (mut buffers, mut mirror) = (Buffers::default(), Mirror::default());
-        let coloring = Coloring::new(&plane, by, materials);
+        let coloring = Coloring::new(&plane, by, false, materials);
         buffers.rebuild(&plane, Vec3::ZERO, Shading::Flat, coloring, &mut mirror);
         let colors = |f: FaceId| {
             let corners = of_face(&buffers, &mirror, f).into_iter().flatten();
@@ -238,12 +249,13 @@ fn painted_faces_show_their_paint_and_others_their_vertices_colours() {
         };
         plane.faces().map(colors).collect()
     };
-    let stone = MaterialColors::from([("stone".to_owned(), kd)]);
+    let stone = MaterialLook { name: "stone".to_owned(), color: Some(kd), texture: None };
+    let stone = Arc::new(Materials::new([stone]));
     let blue = [0, 0, 255];
     // Only the lower four vertices have colours.
     assert_eq!(shown(ColorBy::Paint, &stone), [vec![red.0], vec![blue, kd.0], vec![blue, grey]]);
     assert_eq!(
-        shown(ColorBy::Paint, &MaterialColors::new()),
+        shown(ColorBy::Paint, &Arc::default()),
         [vec![red.0], vec![kd.0], vec![blue, grey]],
         "a colour that isn't its material's is paint"
     );
@@ -272,7 +284,7 @@ fn curvature_is_measured_in_parts_and_coloured_by_its_sign() {
     }
 
     let (mut buffers, mut mirror) = (Buffers::default(), Mirror::default());
-    let coloring = Coloring::new(&torus, ColorBy::GaussianCurvature, &MaterialColors::new());
+    let coloring = Coloring::new(&torus, ColorBy::GaussianCurvature, false, &Arc::default());
     let mut rebuilding = buffers.begin_rebuild(&torus, Vec3::ZERO, Shading::Flat, coloring, &mut mirror);
     assert_eq!(buffers.coloring().legend(), None, "nothing is measured yet");
     let mut parts = 1;
@@ -292,7 +304,7 @@ fn valences_and_qualities_have_colours_of_their_own() {
     let mut plane = grid(4, 4, false);
     halfedge::edit::delete_faces(&mut plane, &[FaceId::new(0)]).expect("a face");
     let (_, mirror) = rebuilt_colored(&plane, Shading::Flat, ColorBy::Valence);
-    let Some(Legend::Ramp(ramp)) = Coloring::new(&plane, ColorBy::Valence, &MaterialColors::new()).legend()
+    let Some(Legend::Ramp(ramp)) = Coloring::new(&plane, ColorBy::Valence, false, &Arc::default()).legend()
     else {
         panic!("numbers")
     };
@@ -515,4 +527,54 @@ proptest! {
             assert_as_rebuilt(&mesh, &buffers, &mirror);
         }
     }
+}
+
+/// A plane whose faces have texture coordinates, and all but the last a material with a picture.
+fn textured_plane() -> (Mesh, Arc<Materials>) {
+    let mut plane = grid(5, 4, false);
+    for h in plane.halfedges().collect::<Vec<_>>() {
+        let at = plane.position(plane.from(h));
+        plane.set(keys::CORNER_UV, h.index(), at.truncate() * 0.5);
+    }
+    let mut labels = vec![0; plane.face_capacity()];
+    labels[19] = NONE;
+    plane.insert_column(
+        halfedge::Element::Face,
+        Column { labels: vec!["wood".to_owned()], ..Column::with_values(keys::FACE_MATERIAL, labels) },
+    );
+    let wood = MaterialLook { name: "wood".to_owned(), color: None, texture: Some(Texture::new(1)) };
+    (plane, Arc::new(Materials::new([wood])))
+}
+
+#[test]
+fn texture_coordinates_and_marks_follow_edits() {
+    let (mut plane, materials) = textured_plane();
+    let (mut buffers, mut mirror) = (Buffers::default(), Mirror::default());
+    let coloring = Coloring::new(&plane, ColorBy::Paint, true, &materials);
+    buffers.rebuild(&plane, Vec3::ZERO, Shading::Flat, coloring, &mut mirror);
+    let of = |buffers: &Buffers, mirror: &Mirror, face| {
+        let [(_, normal, [r, ..]), ..] = of_face(buffers, mirror, FaceId::new(face))[0];
+        (normal[3], r)
+    };
+    assert_eq!(of(&buffers, &mirror, 0), (2, 255), "the picture in no other colour");
+    assert_eq!(of(&buffers, &mirror, 19), (1, Color::UNPAINTED.0[0]), "no picture");
+    assert_eq!(uvs_of_face(&buffers, &mirror, FaceId::new(0))[0], [-0.5, 1.5], "v from the top");
+    let resets = mirror.resets;
+    let edits: [&dyn Fn(&mut Mesh); 4] = [
+        &|mesh| drop(split_edge(mesh, EdgeId::new(3), 0.25, Connect::All)),
+        &|mesh| paint(mesh, 2, [1, 2, 3]),
+        &|mesh| {
+            let corner = mesh.face_halfedges(FaceId::new(7)).next().expect("a corner");
+            mesh.set(keys::CORNER_UV, corner.index(), glam::vec2(f32::NAN, 0.0));
+        },
+        &|mesh| drop(triangulate_face(mesh, FaceId::new(8), Triangulation::Fan)),
+    ];
+    for edit in edits {
+        let touched = touched(&mut plane, edit);
+        buffers.update(&plane, &touched, &mut mirror);
+        assert_as_rebuilt(&plane, &buffers, &mirror);
+    }
+    assert_eq!(of(&buffers, &mirror, 2), (2, 1), "paint colours the picture");
+    assert_eq!(of(&buffers, &mirror, 7).0, 0, "a corner has no coordinates");
+    assert_eq!(mirror.resets, resets, "local edits write what they changed");
 }

@@ -37,7 +37,7 @@ fn of_mesh(mesh: &Mesh) -> Vec<Triangle> {
 struct Drawn(Vec<[f32; 3]>);
 
 impl Sink for Drawn {
-    fn reset(&mut self, _triangles: u32) {
+    fn reset(&mut self, _triangles: u32, _with_uvs: bool) {
         self.0.clear();
     }
 

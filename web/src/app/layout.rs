@@ -173,7 +173,7 @@ impl App {
         let Shown { arrangement, left, right, overlay, numbers, history, sheet, .. } = self.shown;
         let history_height = self.panels.history.height.unwrap_or(self.layout.history_height);
         let mut layout = Layout { arrangement, sheet, widths, history_height, ..self.layout };
-        let course_light = self.view.style.look == Look::Course;
+        let course_light = self.view.textures.chosen_look(&self.view.style) == Look::Course;
         *layout.open(arrangement) = Open { left, right, overlay, numbers, course_light, history };
         // While a panel is being dragged, its width changes in every frame.
         let dragging = self.session.ctx.input(|input| input.pointer.any_down());

@@ -9,6 +9,7 @@ mod layout;
 mod panels;
 mod script;
 mod sheet;
+mod textures;
 
 use editor::Editor;
 use egui::{CentralPanel, Context, Event as Input, Panel, Sense, ThemePreference, Ui};
@@ -299,6 +300,7 @@ impl App {
         self.panels.history.follow(&self.session.editor, &changes);
         self.player.follow(&self.session.editor, &changes);
         self.view.follow(&self.session.editor, changes);
+        textures::go_on(&mut self.session, &mut self.view);
         if let Some(look) = look {
             self.look(look);
         }

@@ -11,6 +11,7 @@ use super::App;
 use crate::input::keys;
 use crate::platform::NamedBytes;
 use crate::session::jobs::Reply;
+use crate::view::textures::State;
 
 /// Script calls between two frames. When they are done, everything is updated to what they changed.
 pub struct Script<'a> {
@@ -105,6 +106,7 @@ impl Script<'_> {
             "grid": style.grid,
             "numbers": self.app.shown.numbers,
             "look": style.look.name(),
+            "textures": self.textures(),
             "back_faces": !style.cull,
             "shadow": style.shadow,
             "marks": style.marks.iter().map(viewport::Mark::name).collect::<Vec<_>>(),
@@ -116,6 +118,22 @@ impl Script<'_> {
             "bezier": bezier,
             "frame_ms": { "median": self.app.session.frames.median(), "worst": self.app.session.frames.worst() },
         })
+    }
+
+    /// The images of the document's materials, as far as they are shown or missing.
+    fn textures(&self) -> Vec<Value> {
+        let images = self.app.session.editor.document().materials().images.iter();
+        let told = images.filter_map(|image| {
+            let (state, size) = match (&image.bytes, self.app.view.textures.state(image)) {
+                (None, _) => ("missing", None),
+                (Some(_), None) => return None,
+                (_, Some(State::Waiting | State::Decoding(_))) => ("loading", None),
+                (_, Some(State::Shown(size))) => ("shown", Some(size)),
+                (_, Some(State::Failed(_))) => ("failed", None),
+            };
+            Some(json!({ "image": image.name, "state": state, "size": size }))
+        });
+        told.collect()
     }
 
     /// One element of the active object.

@@ -8,6 +8,8 @@ use crate::bezier::{self, Player};
 use crate::input::actions::Action;
 use crate::lists::columns::plural;
 use crate::session::Session;
+use crate::view::textures;
+use viewport::Look;
 
 /// Why an action can't be done now, as a sentence that says what to do first; none if it can. `kind` is
 /// the kind of element that the list shows.
@@ -45,6 +47,13 @@ pub(crate) fn why_not(action: Action, session: &Session, kind: Element, player: 
         Action::AlignView if editor.selection().is_empty() => Some("Select something first.".into()),
         Action::Frame | Action::FrameAll if document.objects().is_empty() => {
             Some("There is nothing to look at. Open a file or make a shape first.".into())
+        }
+        Action::Look(Look::Texture) if !textures::has_textures(document) => Some(
+            "No material here has an image. Open a model together with its images, or drop those that it misses on the page."
+                .into(),
+        ),
+        Action::Look(Look::Checker) if !textures::has_uvs(document) => {
+            Some("The model has no texture coordinates.".into())
         }
         Action::NextLevel | Action::Play | Action::ControlNets => why_not_bezier(action, session, player),
         Action::WholeCurve

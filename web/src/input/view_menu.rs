@@ -224,6 +224,14 @@ pub(super) static ENTRIES: &[Option<Entry>] = &[
     ),
     Some(
         entry(
+            A::Look(Look::Texture),
+            "Textures",
+            "Draw the images of materials on faces, in soft studio light.",
+        )
+        .synonyms(&["look", "material preview", "image", "map", "uv"]),
+    ),
+    Some(
+        entry(
             A::Look(Look::Course),
             "Light at the camera",
             "Light faces from the camera only, as the courses do.",
@@ -285,6 +293,14 @@ pub(super) static ENTRIES: &[Option<Entry>] = &[
             "Draw the fronts of faces blue and the backs red.",
         )
         .synonyms(&["look", "flipped normals", "inside out"]),
+    ),
+    Some(
+        entry(
+            A::Look(Look::Checker),
+            "UV checker",
+            "Draw a chequered pattern at texture coordinates: redder to the right, greener to the top.",
+        )
+        .synonyms(&["look", "texture coordinates", "test grid", "distortion", "unwrap"]),
     ),
     Some(
         entry(A::HideBacks, "Hide backs of faces", "Leave faces out where they are seen from the back.")

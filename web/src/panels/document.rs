@@ -12,8 +12,12 @@ use crate::input::keys;
 use crate::lists::columns::counted;
 use crate::page_view::Page;
 use crate::theme;
+use crate::view::textures::State;
 
 const ROW_HEIGHT: f32 = 20.0;
+
+/// The number of images listed.
+const MAX_IMAGES: usize = 12;
 
 /// Shown for a fact that is still being counted.
 const COUNTING: &str = "…";
@@ -54,6 +58,39 @@ fn contents(ui: &mut Ui, page: &Page<'_>) {
         fact(ui, name, &thousands(mesh.count(kind)), "How many the object has");
     }
     shape(ui, page, mesh, topology);
+    images(ui, page);
+}
+
+/// The images of materials, with what they lack.
+fn images(ui: &mut Ui, page: &Page<'_>) {
+    let all = &page.editor.document().materials().images;
+    let told: Vec<_> = all
+        .iter()
+        .filter_map(|image| match (&image.bytes, page.view.textures.state(image)) {
+            (None, _) => {
+                Some((image, "missing".to_owned(), "Drop the file on the page: a material names it", true))
+            }
+            (_, Some(State::Shown([w, h]))) => {
+                Some((image, format!("{w} × {h}"), "The image of a material, and its size in pixels", false))
+            }
+            (_, Some(State::Failed(_))) => {
+                Some((image, "not shown".to_owned(), "Help > Messages says why. The file is kept", true))
+            }
+            (_, Some(_)) => Some((image, COUNTING.to_owned(), "The image is being loaded", false)),
+            (Some(_), None) => None,
+        })
+        .collect();
+    if told.is_empty() {
+        return;
+    }
+    heading(ui, "Images");
+    for (image, value, meaning, warns) in told.iter().take(MAX_IMAGES) {
+        let color = warns.then_some(ui.visuals().warn_fg_color);
+        fact_in(ui, image.file_name(), value, meaning, color);
+    }
+    if let Some(more) = told.len().checked_sub(MAX_IMAGES).filter(|more| *more > 0) {
+        fact(ui, "More images", &thousands(more), "The images that are not listed here");
+    }
 }
 
 fn size(ui: &mut Ui, page: &Page<'_>, object: &Object, closed: bool) {

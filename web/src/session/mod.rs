@@ -15,8 +15,9 @@ pub(crate) mod toasts;
 use std::cell::RefCell;
 use std::collections::HashMap;
 
-use editor::{Changes, CommandError, Editor, Facts, MessageKind, OpId};
+use editor::{Changes, CommandError, Editor, Facts, JobId, MessageKind, OpId};
 use egui::Context;
+use formats::Picture;
 use halfedge::{Element, HalfedgeId};
 
 use crate::live::edit::Live;
@@ -63,6 +64,8 @@ pub(crate) struct Session {
     pub adjusting_is_slow: bool,
     /// What the view should show next.
     pub look: Option<Look>,
+    /// Images that were decoded since the last frame, or why they can't be.
+    pub decoded: Vec<(JobId, Result<Picture, String>)>,
     /// Who waits for a command that selects some elements at a time.
     pub(super) selecting: Option<Reply>,
     /// Whether a key started the action that is being carried out.
@@ -90,6 +93,7 @@ impl Session {
             previewing: Previewing::default(),
             adjusting_is_slow: false,
             look: None,
+            decoded: Vec::new(),
             selecting: None,
             by_key: false,
             commit_on_release: false,

@@ -3,7 +3,7 @@
 use editor::{
     Begun, Command, CommandError, Finished, JobId, JobRequest, JobResult, MessageKind, OpId, Scope,
 };
-use formats::Format;
+use formats::{Format, first_few, is_image};
 
 use super::form;
 use super::jobs::{Answer, Reply};
@@ -85,8 +85,12 @@ impl Session {
         }
     }
 
-    /// Replaces the document by files, which the worker reads.
+    /// Replaces the document by files, which the worker reads. Images alone go to the materials that name them.
     pub fn open_files(&mut self, files: Vec<NamedBytes>, reply: Option<Reply>) {
+        let is_image = |file: &NamedBytes| is_image(file) && Format::detect(file).is_none();
+        if !files.is_empty() && files.iter().all(is_image) {
+            return take_images(self, &files, reply);
+        }
         let label = match files.as_slice() {
             [] => return,
             [file] => format!("Open {}", file.name),
@@ -140,6 +144,7 @@ impl Session {
         let Some(running) = self.jobs.take(job) else { return };
         let id = JobId(job);
         let revision = self.editor.revision();
+        let decodes = self.editor.jobs().any(|job| job.id == id && job.op == "decode");
         let finished = self.editor.finish(id, result.map_err(|error| with_notes(error, &running.notes)));
         match finished {
             Ok(Finished::Done(mut outcome)) => {
@@ -167,6 +172,8 @@ impl Session {
                 Some(reply) => reply(Ok(Answer::Files(files))),
                 None => self.saved(files, running.saves),
             },
+            Ok(Finished::Decoded(picture)) => self.decoded.push((id, Ok(picture))),
+            Err(error) if decodes => self.decoded.push((id, Err(error.problem))),
             Err(error) => self.refused(&error, running.reply),
         }
     }
@@ -190,6 +197,7 @@ impl Session {
     /// Says what was opened; `notes` are about files that could not be fetched.
     fn say_opened(&mut self, outcome: &editor::Outcome, notes: &[String]) {
         let mut text = outcome.message.clone();
+        let missing = self.editor.document().materials().missing_images();
         match outcome.warnings.len() {
             0 => {}
             1 => text.push_str("; the import changed one thing"),
@@ -197,8 +205,14 @@ impl Session {
         }
         if let Some(first) = notes.first() {
             text = format!("{} {first}", sentence(&text));
+        } else if !missing.is_empty() {
+            text = format!(
+                "{} Images are missing: drop {} on the page.",
+                sentence(&text),
+                first_few(&missing, 3)
+            );
         }
-        let is_clean = outcome.warnings.is_empty() && notes.is_empty();
+        let is_clean = outcome.warnings.is_empty() && notes.is_empty() && missing.is_empty();
         let kind = if is_clean { MessageKind::Info } else { MessageKind::Warning };
         let details = outcome.warnings.iter().chain(notes.iter().skip(1)).cloned().collect();
         self.toast(kind, text, details);
@@ -272,6 +286,20 @@ impl Session {
         self.editor.say(MessageKind::Info, text.clone());
         self.toast(MessageKind::Info, text, details);
         self.platform.download(files);
+    }
+}
+
+/// Gives images to the materials that name them.
+fn take_images(session: &mut Session, files: &[NamedBytes], reply: Option<Reply>) {
+    session.end_live(true);
+    match session.editor.take_images(files) {
+        Ok(outcome) => {
+            session.toast(MessageKind::Info, outcome.message.clone(), outcome.warnings.clone());
+            if let Some(reply) = reply {
+                reply(Ok(Answer::Outcome(outcome)));
+            }
+        }
+        Err(error) => session.refused(&error, reply),
     }
 }
 

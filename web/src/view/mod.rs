@@ -3,6 +3,7 @@
 mod gesture;
 pub(crate) mod picture;
 pub(crate) mod ring;
+pub(crate) mod textures;
 mod turning;
 
 use editor::{Changes, Editor, Object, ObjectChange, ObjectId, SelectMode};
@@ -20,6 +21,7 @@ use crate::live::place::Place;
 pub(crate) use gesture::{Gesture, Tool};
 use picture::Picture;
 use ring::RingTool;
+use textures::Textures;
 use turning::Turning;
 
 /// Mesh elements processed per frame: uploaded, added to a picking tree, tested by a region selection, counted.
@@ -66,6 +68,7 @@ pub(crate) struct View {
     /// How much of each side of the viewport lies under bars, in points.
     pub covered: MarginF32,
     pub picture: Option<Picture>,
+    pub textures: Textures,
     pub gesture: Gesture,
     /// The element under the pointer, in the viewport or in a list.
     pub hovered: Option<(Element, u32)>,
@@ -110,6 +113,7 @@ impl View {
             rect: Rect::NOTHING,
             covered: MarginF32::ZERO,
             picture: gpu.map(Picture::new),
+            textures: Textures::default(),
             gesture: Gesture::None,
             hovered: None,
             from_list: None,
@@ -188,10 +192,8 @@ impl View {
         if !changes.bezier.is_empty() {
             self.looked = None;
         }
-        if let Some(picture) = &self.picture
-            && changes.objects.iter().any(|(_, change)| !matches!(change, ObjectChange::Touched(_)))
-        {
-            picture.set_materials(editor.document().materials());
+        if changes.materials {
+            textures::follow_materials(self, editor.document());
         }
         for (id, change) in &changes.objects {
             self.looked = None;

@@ -3,15 +3,17 @@
 use editor::{Editor, Object, ObjectChange, ObjectId};
 use egui::{PaintCallbackInfo, Rect, Ui};
 use egui_wgpu::{Callback, CallbackResources, CallbackTrait, RenderState, ScreenDescriptor, wgpu};
-use formats::Materials;
 use halfedge::geometry::BitSet;
 use halfedge::{Budget, Element, FaceId, Mesh, Touched, VertexId};
-use viewport::{Camera, Frame, Highlight, Layer, Legend, Mark, ObjectDraw, Renderer, Style};
+use viewport::{Camera, Frame, Highlight, Layer, Legend, Mark, Materials, ObjectDraw, Renderer, Style};
 
 use super::View;
 
 /// With more faces than this hidden or shown, a new upload in parts is faster than changing the old one.
 const MAX_FACES_HIDDEN_AT_ONCE: usize = 10_000;
+
+/// Bytes of pictures that are uploaded in a frame.
+const PICTURE_BYTES_PER_FRAME: usize = 4 << 20;
 
 /// The renderer, stored among egui's resources so that paint callbacks can access it.
 pub(crate) struct Picture {
@@ -37,10 +39,24 @@ impl Picture {
         self.with(|renderer, _, _| renderer.gpu_bytes()).unwrap_or_default()
     }
 
-    /// Takes the colours of the document's materials.
-    pub fn set_materials(&self, materials: &Materials) {
-        let colors = materials.list.iter().filter_map(|m| Some((m.name.clone(), m.color()?))).collect();
-        self.with(|renderer, _, _| renderer.set_materials(colors));
+    /// Takes the looks of the document's materials.
+    pub fn set_materials(&self, materials: Materials) {
+        self.with(|renderer, _, _| renderer.set_materials(materials));
+    }
+
+    /// Takes a picture that materials show, and uploads it over several frames.
+    pub fn set_picture(&self, number: u64, shown: viewport::Picture) {
+        self.with(|renderer, device, _| renderer.set_picture(device, number, shown));
+    }
+
+    /// Forgets the pictures of which this doesn't hold.
+    pub fn retain_pictures(&self, is_kept: impl Fn(u64) -> bool) {
+        self.with(|renderer, _, _| renderer.retain_pictures(is_kept));
+    }
+
+    /// The longest side of a picture that the device allows, in pixels.
+    pub fn largest_side(&self) -> u32 {
+        self.gpu.device.limits().max_texture_dimension_2d
     }
 
     /// What the colours of an object stand for.
@@ -95,7 +111,9 @@ impl Picture {
         hovered: Option<(Element, u32)>,
         budget: &mut Budget,
     ) -> bool {
-        let mut behind = false;
+        let pictures =
+            self.with(|renderer, _, queue| renderer.upload_pictures(queue, PICTURE_BYTES_PER_FRAME));
+        let mut behind = pictures == Some(true);
         for object in editor.document().objects() {
             let (id, mesh) = (object.id(), object.mesh());
             let done = self.with(|renderer, device, queue| {

@@ -28,6 +28,7 @@ mod screens;
 mod selecting;
 mod shell;
 mod slide;
+mod textures;
 mod toasts;
 mod viewport;
 mod welcome;

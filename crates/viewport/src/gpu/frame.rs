@@ -7,6 +7,7 @@ use super::renderer::{DRAW_UNIFORM_STRIDE, Renderer};
 use super::stream::Stream;
 use super::targets::Targets;
 use super::uniforms::{DrawUniform, rgba};
+use crate::materials::TEXTURES_PER_DRAW;
 use crate::{Camera, Look, Mark, Style, Theme};
 use glam::Vec3;
 
@@ -55,6 +56,8 @@ pub(super) struct FrameKey {
 pub(super) enum Draw<'a> {
     Background,
     Mesh(&'a Object, Faces),
+    /// The faces that show the textures of a pass.
+    Textured(&'a Object, Faces, usize),
     Points(&'a Stream, Side),
     Lines(&'a Stream, Side),
     Ground,
@@ -146,9 +149,19 @@ impl Renderer {
             for (draw, object) in visible() {
                 let has_lines = style.look == Look::HiddenLine || (style.wireframe && draw.active);
                 let translucency = if style.x_ray { GLASS } else { 0.0 };
-                let params = [0.6 * ppp, if has_lines { 1.0 } else { 0.0 }, translucency, 0.0];
-                let uniform = DrawUniform::new(camera, object.buffers.origin(), [0.0; 4], params);
-                draws.push((Draw::Mesh(object, *kind), uniform));
+                let mut push = |draw, first_texture| {
+                    let lines = if has_lines { 1.0 } else { 0.0 };
+                    let params = [0.6 * ppp, lines, translucency, first_texture];
+                    draws.push((draw, DrawUniform::new(camera, object.buffers.origin(), [0.0; 4], params)));
+                };
+                let is_textured = style.wants_uvs() && object.buffers.coloring().has_uvs();
+                if !is_textured || matches!(kind, Faces::Veil) {
+                    push(Draw::Mesh(object, *kind), 0.0);
+                    continue;
+                }
+                for pass in object.buffers.coloring().passes() {
+                    push(Draw::Textured(object, *kind, pass), (pass * TEXTURES_PER_DRAW) as f32);
+                }
             }
         }
         for side in [Side::Behind, Side::InFront] {
@@ -300,13 +313,21 @@ impl Renderer {
                     });
                     pass.set_bind_group(1, &self.surface.bind_group, &[]);
                     for page in &object.pages {
-                        let streams = (page.positions.slice(), page.normals.slice(), page.colors.slice());
-                        if let (Some(positions), Some(normals), Some(colors)) = streams {
-                            pass.set_vertex_buffer(0, positions);
-                            pass.set_vertex_buffer(1, normals);
-                            pass.set_vertex_buffer(2, colors);
-                            pass.draw(0..page.vertices(), 0..1);
-                        }
+                        page.draw(&mut pass, false);
+                    }
+                }
+                Draw::Textured(object, faces, number) => {
+                    let textured = self.textures.pipelines.as_ref().zip(self.textures.passes.get(*number));
+                    let Some((pipelines, textures)) = textured else { continue };
+                    pass.set_pipeline(match faces {
+                        Faces::All | Faces::Veil => &pipelines.all,
+                        Faces::Fronts => &pipelines.fronts,
+                        Faces::GlassBacks => &pipelines.glass_backs,
+                        Faces::GlassFronts => &pipelines.glass_fronts,
+                    });
+                    pass.set_bind_group(1, textures, &[]);
+                    for page in &object.pages {
+                        page.draw(&mut pass, true);
                     }
                 }
                 Draw::Points(points, side) => {

@@ -11,8 +11,10 @@ mod shadow;
 mod stream;
 mod surface;
 mod targets;
+mod textures;
 mod uniforms;
 
 pub use frame::{Frame, ObjectDraw};
 pub use highlight::{Highlight, Layer};
 pub use renderer::{ObjectChange, Renderer};
+pub use textures::Picture;

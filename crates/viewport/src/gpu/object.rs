@@ -4,7 +4,7 @@ use super::isolated::IsolatedVertices;
 use super::marks::MarkBuffers;
 use super::stream::Stream;
 use crate::buffers::{Buffers, Corners, Rebuild, Sink};
-use crate::{ColorBy, Coloring, MaterialColors, Shading, Style};
+use crate::{Coloring, Materials, Style};
 use glam::Vec3;
 use halfedge::geometry::BitSet;
 use halfedge::{Budget, Element, InParts, Mesh, Touched};
@@ -22,6 +22,8 @@ pub struct Page {
     pub positions: Stream,
     pub normals: Stream,
     pub colors: Stream,
+    /// Texture coordinates; empty unless the look shows what lies at them.
+    pub uvs: Stream,
 }
 
 impl Page {
@@ -30,12 +32,24 @@ impl Page {
             positions: Stream::new("triangle positions"),
             normals: Stream::new("triangle normals"),
             colors: Stream::new("triangle colours"),
+            uvs: Stream::new("triangle texture coordinates"),
         }
     }
 
     /// The number of vertices to draw.
     pub fn vertices(&self) -> u32 {
         (self.positions.len() / 12) as u32
+    }
+
+    /// Draws the triangles, with their texture coordinates if `with_uvs`.
+    pub fn draw(&self, pass: &mut wgpu::RenderPass<'_>, with_uvs: bool) {
+        let streams = [&self.positions, &self.normals, &self.colors, &self.uvs];
+        let count = if with_uvs { 4 } else { 3 };
+        for (slot, stream) in (0..count).zip(streams) {
+            let Some(slice) = stream.slice() else { return };
+            pass.set_vertex_buffer(slot, slice);
+        }
+        pass.draw(0..self.vertices(), 0..1);
     }
 }
 
@@ -106,12 +120,12 @@ impl Object {
         queue: &wgpu::Queue,
         mesh: &Mesh,
         style: &Style,
-        materials: &MaterialColors,
+        materials: &Arc<Materials>,
     ) -> u64 {
         self.next = None;
         self.marks.mesh_changed();
         let mut upload = Upload { device, queue, pages: &mut self.pages, bytes: 0 };
-        let coloring = Coloring::new(mesh, style.color_by, materials);
+        let coloring = Coloring::new(mesh, style.color_by, style.wants_uvs(), materials);
         self.buffers.rebuild(mesh, origin_of(mesh), style.shading, coloring, &mut upload);
         upload.bytes + self.set_points(device, queue, mesh, style.vertices)
     }
@@ -147,12 +161,12 @@ impl Object {
         queue: &wgpu::Queue,
         mesh: &Mesh,
         style: &Style,
-        materials: &MaterialColors,
+        materials: &Arc<Materials>,
     ) {
         let (mut buffers, mut pages) = (Buffers::default(), Vec::new());
         buffers.set_hidden(&self.hidden);
         let mut upload = Upload { device, queue, pages: &mut pages, bytes: 0 };
-        let coloring = Coloring::new(mesh, style.color_by, materials);
+        let coloring = Coloring::new(mesh, style.color_by, style.wants_uvs(), materials);
         let rebuilding = buffers.begin_rebuild(mesh, origin_of(mesh), style.shading, coloring, &mut upload);
         self.next = Some(Next { buffers, pages, rebuilding, points: style.vertices });
     }
@@ -183,13 +197,13 @@ impl Object {
     }
 
     /// Whether the buffers, or those being filled, are as the style wants them.
-    pub fn fits(&self, style: &Style) -> bool {
+    pub fn fits(&self, style: &Style, materials: &Arc<Materials>) -> bool {
         let (buffers, has_points) = match &self.next {
             Some(next) => (&next.buffers, next.points),
             None => (&self.buffers, self.has_points),
         };
-        let looks: (Shading, ColorBy) = (buffers.shading(), buffers.coloring().by());
-        looks == (style.shading, style.color_by) && (has_points || !style.vertices)
+        let is_colored = buffers.coloring().fits(style.color_by, style.wants_uvs(), materials);
+        is_colored && buffers.shading() == style.shading && (has_points || !style.vertices)
     }
 
     /// Uploads what an edit touched; returns the number of bytes.
@@ -226,7 +240,7 @@ impl Object {
     /// Bytes of GPU memory.
     pub fn gpu_bytes(&self) -> u64 {
         let next = self.next.iter().flat_map(|next| &next.pages);
-        let pages = self.pages.iter().chain(next).flat_map(|p| [&p.positions, &p.normals, &p.colors]);
+        let pages = self.pages.iter().chain(next).flat_map(|p| [&p.positions, &p.normals, &p.colors, &p.uvs]);
         let dots = self.points.capacity() + self.isolated.points.capacity();
         pages.map(Stream::capacity).sum::<u64>() + dots + self.marks.gpu_bytes()
     }
@@ -246,7 +260,7 @@ struct Upload<'a> {
 }
 
 impl Sink for Upload<'_> {
-    fn reset(&mut self, triangles: u32) {
+    fn reset(&mut self, triangles: u32, with_uvs: bool) {
         self.pages.truncate(triangles.div_ceil(TRIANGLES_PER_PAGE) as usize);
         for at in 0..triangles.div_ceil(TRIANGLES_PER_PAGE) {
             let here = u64::from((triangles - at * TRIANGLES_PER_PAGE).min(TRIANGLES_PER_PAGE));
@@ -257,16 +271,18 @@ impl Sink for Upload<'_> {
                 page.positions.reset(self.device, here * 36);
                 page.normals.reset(self.device, here * 24);
                 page.colors.reset(self.device, here * 12);
+                page.uvs.reset(self.device, if with_uvs { here * 24 } else { 0 });
             }
         }
     }
 
     fn write(&mut self, first_triangle: u32, corners: &Corners) {
-        let (positions, normals, colors): (&[u8], &[u8], &[u8]) = (
+        let data: [&[u8]; 4] = [
             bytemuck::cast_slice(&corners.positions),
             bytemuck::cast_slice(&corners.normals),
             bytemuck::cast_slice(&corners.colors),
-        );
+            bytemuck::cast_slice(&corners.uvs),
+        ];
         let (mut done, total) = (0, corners.triangles() as u32);
         while done < total {
             let at = first_triangle + done;
@@ -277,11 +293,12 @@ impl Sink for Upload<'_> {
             }
             let Some(page) = self.pages.get_mut(page) else { return };
             let streams = [
-                (&mut page.positions, positions, 36_usize),
-                (&mut page.normals, normals, 24),
-                (&mut page.colors, colors, 12),
+                (&mut page.positions, 36_usize),
+                (&mut page.normals, 24),
+                (&mut page.colors, 12),
+                (&mut page.uvs, 24),
             ];
-            for (stream, data, size) in streams {
+            for ((stream, size), data) in streams.into_iter().zip(data).filter(|(_, data)| !data.is_empty()) {
                 let data = data.get(done as usize * size..(done + count) as usize * size).unwrap_or_default();
                 let limit = u64::from(TRIANGLES_PER_PAGE) * size as u64;
                 stream.write(self.device, self.queue, u64::from(in_page) * size as u64, data, limit);

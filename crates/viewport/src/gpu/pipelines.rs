@@ -39,7 +39,7 @@ pub struct Marks {
 
 /// How a pipeline uses the depth buffer. Depth is reversed: greater is nearer.
 #[derive(Clone, Copy)]
-enum Depth {
+pub(super) enum Depth {
     Write,
     Test,
     /// What [`Depth::Test`] leaves out.
@@ -58,14 +58,14 @@ const KEEP: wgpu::BlendState = {
 };
 
 #[derive(Clone, Copy)]
-struct Maker<'a> {
-    device: &'a wgpu::Device,
-    layout: &'a wgpu::PipelineLayout,
-    cull: Option<wgpu::Face>,
+pub(super) struct Maker<'a> {
+    pub device: &'a wgpu::Device,
+    pub layout: &'a wgpu::PipelineLayout,
+    pub cull: Option<wgpu::Face>,
 }
 
 impl Maker<'_> {
-    fn pipeline(
+    pub fn pipeline(
         &self,
         label: &str,
         (module, vertex, fragment): (&wgpu::ShaderModule, &str, &str),
@@ -113,7 +113,7 @@ impl Maker<'_> {
     }
 }
 
-fn buffer<'a>(
+pub(super) fn buffer<'a>(
     stride: u64,
     step_mode: VertexStepMode,
     attributes: &'a [wgpu::VertexAttribute],
@@ -121,7 +121,7 @@ fn buffer<'a>(
     Some(wgpu::VertexBufferLayout { array_stride: stride, step_mode, attributes })
 }
 
-fn uniform(binding: u32, has_dynamic_offset: bool, size: usize) -> wgpu::BindGroupLayoutEntry {
+pub(super) fn uniform(binding: u32, has_dynamic_offset: bool, size: usize) -> wgpu::BindGroupLayoutEntry {
     wgpu::BindGroupLayoutEntry {
         binding,
         visibility: wgpu::ShaderStages::VERTEX_FRAGMENT,
@@ -172,8 +172,14 @@ impl Pipelines {
                 source: wgpu::ShaderSource::Wgsl(source.into()),
             })
         };
-        let mesh =
-            shader("mesh", concat!(include_str!("shaders/common.wgsl"), include_str!("shaders/mesh.wgsl")));
+        let mesh = shader(
+            "mesh",
+            concat!(
+                include_str!("shaders/common.wgsl"),
+                include_str!("shaders/faces.wgsl"),
+                include_str!("shaders/mesh.wgsl")
+            ),
+        );
         let overlay = shader(
             "overlay",
             concat!(include_str!("shaders/common.wgsl"), include_str!("shaders/overlay.wgsl")),

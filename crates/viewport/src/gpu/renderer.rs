@@ -7,8 +7,9 @@ use super::pipelines::Pipelines;
 use super::shadow::{Ground, MapKey, Shadow};
 use super::surface::Surface;
 use super::targets::Targets;
+use super::textures::Textures;
 use super::uniforms::{DrawUniform, FrameUniform};
-use crate::{Legend, Mark, MaterialColors, Style};
+use crate::{Legend, Mark, Materials, Style};
 use halfedge::geometry::BitSet;
 use halfedge::{Budget, InParts, Mesh, Touched};
 use std::collections::HashMap;
@@ -34,8 +35,9 @@ pub enum ObjectChange<'a> {
 pub struct Renderer {
     pub(super) pipelines: Pipelines,
     pub(super) objects: HashMap<u64, Object>,
-    /// The colours of the document's materials.
-    materials: MaterialColors,
+    /// The looks of the document's materials.
+    pub(super) materials: Arc<Materials>,
+    pub(super) textures: Textures,
     pub(super) selected: HighlightBuffers,
     pub(super) active: HighlightBuffers,
     pub(super) hovered: HighlightBuffers,
@@ -46,7 +48,7 @@ pub struct Renderer {
     draw_buffer: wgpu::Buffer,
     pub(super) bind_group: wgpu::BindGroup,
     /// Counts the changes of buffers.
-    generation: u64,
+    pub(super) generation: u64,
     /// Counts the changes of meshes among them.
     shapes: u64,
     drawn: Option<FrameKey>,
@@ -64,7 +66,8 @@ impl Renderer {
         Self {
             pipelines,
             objects: HashMap::new(),
-            materials: MaterialColors::new(),
+            materials: Arc::default(),
+            textures: Textures::new(device),
             selected: HighlightBuffers::new(),
             active: HighlightBuffers::new(),
             hovered: HighlightBuffers::new(),
@@ -78,11 +81,6 @@ impl Renderer {
             shapes: 0,
             drawn: None,
         }
-    }
-
-    /// Sets the colours of the document's materials, for objects that are uploaded from now on.
-    pub fn set_materials(&mut self, materials: MaterialColors) {
-        self.materials = materials;
     }
 
     /// Uploads changes of an object's mesh; returns the number of bytes. The cost is in proportion to what
@@ -155,7 +153,7 @@ impl Renderer {
     /// Whether the object's buffers suit the style. If not, call [`Renderer::sync_object`] even if the mesh
     /// is the same.
     pub fn fits_style(&self, id: u64, style: &Style) -> bool {
-        self.objects.get(&id).is_some_and(|object| object.fits(style))
+        self.objects.get(&id).is_some_and(|object| object.fits(style, &self.materials))
     }
 
     /// Finds and uploads more of the marks that the style wants on an object, as many as the budget has elements;
@@ -259,9 +257,9 @@ impl Renderer {
         }
     }
 
-    /// Bytes of GPU memory in vertex buffers of objects.
+    /// Bytes of GPU memory in vertex buffers of objects and in pictures.
     pub fn gpu_bytes(&self) -> u64 {
-        self.objects.values().map(Object::gpu_bytes).sum()
+        self.objects.values().map(Object::gpu_bytes).sum::<u64>() + self.picture_bytes()
     }
 
     /// Draws the frame into the renderer's own textures, unless they show it already; returns whether it
@@ -291,6 +289,9 @@ impl Renderer {
         }
         if let Some(matcap) = frame.style.look.matcap() {
             self.surface.want(device, queue, &self.pipelines.surface, matcap);
+        }
+        if frame.style.wants_uvs() {
+            self.textures.prepare(device, queue, &self.pipelines.uniforms, &self.materials);
         }
         let uniform = FrameUniform::new(frame.camera, size, frame.pixels_per_point, frame.style);
         queue.write_buffer(&self.frame_buffer, 0, bytemuck::bytes_of(&uniform));

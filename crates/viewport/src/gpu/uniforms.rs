@@ -55,6 +55,8 @@ fn number(look: Look) -> f32 {
         Look::HiddenLine => 5.0,
         Look::Normals => 6.0,
         Look::Orientation => 7.0,
+        Look::Texture => 8.0,
+        Look::Checker => 9.0,
     }
 }
 

@@ -1,4 +1,4 @@
-// Faces in all looks, and the wireframe over them.
+// Faces in all looks but those of texture coordinates.
 
 struct MeshVertex {
     @builtin(position) clip: vec4<f32>,
@@ -20,19 +20,8 @@ fn mesh_vertex(
     out.clip = to_clip(out.relative);
     out.normal = normal.xyz;
     out.color = color;
-    let corner = index % 3u;
-    out.barycentric = vec3<f32>(f32(corner == 0u), f32(corner == 1u), f32(corner == 2u));
+    out.barycentric = barycentric_of(index);
     return out;
-}
-
-// The share of its colour that a face shows under the studio's lights. They are fixed to the camera: `n` is the
-// normal to the right, up and towards the camera. Colours are sRGB, so the shares are as seen.
-fn studio(n: vec3<f32>) -> f32 {
-    let key = max(dot(n, vec3<f32>(-0.380, 0.530, 0.758)), 0.0);
-    let fill = max(dot(n, vec3<f32>(0.873, 0.0, 0.487)), 0.0);
-    let rim = max(dot(n, vec3<f32>(0.196, 0.588, -0.785)), 0.0);
-    let sky = 0.33 + 0.09 * n.y;
-    return min(sky + 0.56 * key + 0.20 * fill + 0.2 * rim, 1.0);
 }
 
 // The looks, as numbered in uniforms.rs.
@@ -43,6 +32,9 @@ const ZEBRA: i32 = 3;
 const HIDDEN_LINE: i32 = 5;
 const NORMALS: i32 = 6;
 const ORIENTATION: i32 = 7;
+// Those of texture coordinates are as the studio where a mesh has none.
+const TEXTURE: i32 = 8;
+const CHECKER: i32 = 9;
 
 // The colour of unpainted faces, which matcaps show as they are.
 const UNPAINTED: f32 = 0.7843;
@@ -52,12 +44,6 @@ const STRIPES: f32 = 9.0;
 @group(1) @binding(0) var matcap: texture_2d<f32>;
 @group(1) @binding(1) var clamped: sampler;
 
-// To the right, up and towards the camera.
-fn in_camera(direction: vec3<f32>) -> vec3<f32> {
-    let towards = cross(frame.right.xyz, frame.up.xyz);
-    return vec3<f32>(dot(direction, frame.right.xyz), dot(direction, frame.up.xyz), dot(direction, towards));
-}
-
 // The place in a matcap for a normal seen along a direction, both in the camera's frame: beside the middle of the
 // picture, too, a normal towards the eye is in the middle.
 fn matcap_place(normal: vec3<f32>, to_eye: vec3<f32>) -> vec2<f32> {
@@ -66,25 +52,12 @@ fn matcap_place(normal: vec3<f32>, to_eye: vec3<f32>) -> vec2<f32> {
     return vec2<f32>(dot(normal, right), -dot(normal, up)) * 0.495 + 0.5;
 }
 
-// params: half the width of lines, whether there are any, and how translucent faces are.
 @fragment
 fn mesh_fragment(in: MeshVertex, @builtin(front_facing) front: bool) -> @location(0) vec4<f32> {
-    // Sides that cross in pixels: how fast each barycentric coordinate changes per pixel. Taken
-    // first, in uniform control flow, as derivatives must be.
-    let dx = dpdx(in.barycentric);
-    let dy = dpdy(in.barycentric);
-    let slope = max(sqrt(dx * dx + dy * dy), vec3<f32>(1e-9));
-
-    var to_eye = normalize(-in.relative);
-    if frame.light.w > 0.5 {
-        to_eye = frame.light.xyz;
-    }
-    var outward = to_eye;
-    let length = length(in.normal);
-    if length > 0.01 {
-        outward = in.normal / length;
-    }
-    let normal = select(-outward, outward, front || length <= 0.01);
+    let slope = slopes(in.barycentric);
+    let to_eye = towards_eye(in.relative);
+    let outward = outwards(in.normal, to_eye);
+    let normal = facing(outward, in.normal, front);
     let seen = in_camera(normal);
     let mirrored = reflect(-in_camera(to_eye), seen);
     let stripe_at = acos(clamp(mirrored.y, -1.0, 1.0)) * (STRIPES / 3.14159265);
@@ -94,7 +67,7 @@ fn mesh_fragment(in: MeshVertex, @builtin(front_facing) front: bool) -> @locatio
     var color = in.color.rgb;
     if look == COURSE {
         color *= 0.2 + 0.8 * max(dot(normal, to_eye), 0.0);
-    } else if look == STUDIO {
+    } else if look == STUDIO || look == TEXTURE || look == CHECKER {
         color *= studio(seen);
     } else if look == MATCAP {
         let lit = textureSampleLevel(matcap, clamped, matcap_place(seen, in_camera(to_eye)), 0.0).rgb;
@@ -116,24 +89,6 @@ fn mesh_fragment(in: MeshVertex, @builtin(front_facing) front: bool) -> @locatio
     } else if look == ORIENTATION {
         color = select(vec3<f32>(0.91, 0.26, 0.26), vec3<f32>(0.27, 0.50, 0.96), front) * (0.35 + 0.65 * studio(seen));
     }
-
-    // Side i runs from corner i to the next, opposite the corner before: where that corner's
-    // coordinate is 0.
-    let away = max(in.barycentric, vec3<f32>(0.0)) / slope;
-    let flags = u32(round(in.color.a * 255.0));
-    let is_edge = vec3<f32>(
-        f32((flags & 2u) != 0u),
-        f32((flags & 4u) != 0u),
-        f32((flags & 1u) != 0u),
-    );
-    // Lines fade where the triangle's height is but a few of their widths: a dense mesh keeps its shading, and
-    // its lines make no moiré. Without shading, some of them has to stay.
-    let half_width = draw.params.x;
-    let height = 1.0 / slope;
-    let least = select(0.0, 0.3, look == HIDDEN_LINE);
-    let strength = max(smoothstep(vec3<f32>(half_width * 4.0), vec3<f32>(half_width * 24.0), height), vec3<f32>(least));
-    let line = (1.0 - smoothstep(vec3<f32>(half_width - 0.5), vec3<f32>(half_width + 0.5), away))
-        * is_edge * strength;
-    let alpha = max(line.x, max(line.y, line.z)) * draw.params.y * frame.edge.a;
-    return vec4<f32>(mix(color, frame.edge.rgb, alpha), 1.0 - draw.params.z * (1.0 - alpha));
+    // Without shading, some of the lines have to stay.
+    return with_edges(color, in.color.a, in.barycentric, slope, select(0.0, 0.3, look == HIDDEN_LINE));
 }
