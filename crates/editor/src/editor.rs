@@ -2,6 +2,7 @@
 
 mod adjust;
 mod commit;
+mod export;
 mod forget;
 mod images;
 mod jobs;

@@ -21,7 +21,7 @@ use crate::panels::viewport::ZOOM_PER_NOTCH;
 use crate::panels::viewport::control_points::add_control_point;
 use crate::session::{form, live, selecting};
 use crate::transforming::Gizmo;
-use crate::view::{Tool, textures};
+use crate::view::Tool;
 use viewport::Shading;
 
 /// How much larger one press of a key makes the selecting circle.
@@ -143,7 +143,7 @@ impl App {
                 };
             }
             Action::ColorBy(by) => self.view.style.color_by = by,
-            Action::Look(look) => textures::choose_look(&mut self.view, look),
+            Action::Look(look) => self.view.textures.choose_look(&mut self.view.style, look),
             Action::HideBacks => self.view.style.cull ^= true,
             Action::Mark(mark) => self.view.style.marks = self.view.style.marks.toggled(mark),
             Action::Shadow => self.view.style.shadow ^= true,

@@ -193,7 +193,11 @@ impl View {
             self.looked = None;
         }
         if changes.materials {
-            textures::follow_materials(self, editor.document());
+            let looks = self.textures.follow_document(&mut self.style, editor.document());
+            if let Some(picture) = &self.picture {
+                picture.set_materials(looks);
+                picture.retain_pictures(|number| self.textures.shows(number));
+            }
         }
         for (id, change) in &changes.objects {
             self.looked = None;

@@ -8,8 +8,6 @@ use glam::{Affine2, Mat2, Vec2};
 use halfedge::keys;
 use viewport::{ColorBy, Look, MaterialLook, Style};
 
-use super::View;
-
 /// The memory on the graphics card that all pictures of a document may take, in bytes.
 const MAX_PICTURE_BYTES: u64 = 512 << 20;
 /// The longest side of a picture in pixels: a larger one would take too long to copy from the worker in one frame.
@@ -136,6 +134,36 @@ impl Textures {
         side
     }
 
+    /// Updates what is known and the style to the document's materials; returns their looks. A document with textures
+    /// shows them; without, the look is again the one before.
+    pub fn follow_document(&mut self, style: &mut Style, document: &Document) -> viewport::Materials {
+        self.follow(document.materials());
+        let are_there = has_textures(document);
+        if are_there && !self.are_there && style.look != Look::Texture {
+            self.look_before = Some(style.look);
+            style.look = Look::Texture;
+        } else if !are_there {
+            style.look = self.chosen_look(style);
+            self.look_before = None;
+        }
+        self.are_there = are_there;
+        self.looks(document.materials())
+    }
+
+    /// Whether a picture is one of those that the document shows.
+    pub fn shows(&self, number: u64) -> bool {
+        self.known.iter().any(|known| known.number == number)
+    }
+
+    /// Takes a look that the user chose. Textures are part of the paint.
+    pub fn choose_look(&mut self, style: &mut Style, look: Look) {
+        self.look_before = None;
+        style.look = look;
+        if look == Look::Texture {
+            style.color_by = ColorBy::Paint;
+        }
+    }
+
     /// The look that counts as the user's choice.
     pub fn chosen_look(&self, style: &Style) -> Look {
         self.look_before.filter(|_| style.look == Look::Texture).unwrap_or(style.look)
@@ -159,33 +187,4 @@ pub(crate) fn has_uvs(document: &Document) -> bool {
 /// Whether the document has textures to show.
 pub(crate) fn has_textures(document: &Document) -> bool {
     shown_images(document.materials()).any(|image| image.bytes.is_some()) && has_uvs(document)
-}
-
-/// Updates everything to the document's materials. A document with textures shows them; without, the look is again the
-/// one before.
-pub(super) fn follow_materials(view: &mut View, document: &Document) {
-    let (materials, are_there) = (document.materials(), has_textures(document));
-    view.textures.follow(materials);
-    let style = &mut view.style;
-    if are_there && !view.textures.are_there && style.look != Look::Texture {
-        view.textures.look_before = Some(style.look);
-        style.look = Look::Texture;
-    } else if !are_there {
-        style.look = view.textures.chosen_look(style);
-        view.textures.look_before = None;
-    }
-    view.textures.are_there = are_there;
-    if let Some(picture) = &view.picture {
-        picture.set_materials(view.textures.looks(materials));
-        picture.retain_pictures(|number| view.textures.known.iter().any(|known| known.number == number));
-    }
-}
-
-/// Takes a look that the user chose. Textures are part of the paint.
-pub(crate) fn choose_look(view: &mut View, look: Look) {
-    view.textures.look_before = None;
-    view.style.look = look;
-    if look == Look::Texture {
-        view.style.color_by = ColorBy::Paint;
-    }
 }

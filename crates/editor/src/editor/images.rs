@@ -1,13 +1,21 @@
-//! Images that come after the model that names them.
+//! Images of materials: decoded, and added after the model that names them.
 
+use super::jobs::WaitingFor;
 use super::{Editor, MessageKind};
 use crate::error::{CommandError, OPEN};
 use crate::history::Change;
+use crate::job::{JobRequest, Work};
 use crate::outcome::{Elements, Outcome};
 use crate::recovery::Event;
-use formats::{NamedBytes, first_few, is_image};
+use formats::{Image, NamedBytes, first_few, is_image};
 
 impl Editor {
+    /// A job that decodes an image of the document's materials, with at most `largest` pixels on a side. It changes
+    /// nothing; [`Editor::finish`] gives the picture, or in words why there is none.
+    pub fn begin_decode(&mut self, image: &Image, largest: u32) -> JobRequest {
+        JobRequest { id: self.wait_for(WaitingFor::Decode), work: Work::Decode(image.clone(), largest) }
+    }
+
     /// Gives images to the materials that name them, also in place of those they have, as one undo step.
     ///
     /// # Errors

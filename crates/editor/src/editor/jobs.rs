@@ -6,12 +6,12 @@ use super::{Editor, MessageKind};
 use crate::document::{Object, ObjectId};
 use crate::error::{CommandError, DECODE, EXPORT, OPEN, Problem};
 use crate::history::Change;
-use crate::job::{ExportHead, JobId, JobRequest, JobResult, Made, Work};
+use crate::job::{JobId, JobRequest, JobResult, Made, Work};
 use crate::ops::{Action, Command, NamedMesh, Op};
 use crate::outcome::Outcome;
 use crate::recovery::Event;
 use crate::selection::Selection;
-use formats::{Format, Image, NamedBytes, Picture, Repairs};
+use formats::{NamedBytes, Picture, Repairs};
 use halfedge::Mesh;
 use std::ops::ControlFlow;
 use std::sync::Arc;
@@ -63,7 +63,7 @@ pub(super) struct Waiting {
 }
 
 #[derive(Debug)]
-enum WaitingFor {
+pub(super) enum WaitingFor {
     Open,
     Export,
     Decode,
@@ -236,35 +236,7 @@ impl Editor {
         self.wait_for(WaitingFor::Open)
     }
 
-    /// A job that writes the document's objects to files of a format, named after the document. An ongoing
-    /// edit of elements is written as shown and continues; the preview of an operation is cancelled.
-    pub fn begin_export(&mut self, format: Format) -> JobRequest {
-        self.begin_export_as(format, self.document.name.clone())
-    }
-
-    /// [`Editor::begin_export`] under another file name, given without an extension.
-    pub fn begin_export_as(&mut self, format: Format, name: String) -> JobRequest {
-        if self.is_previewing_mesh() {
-            self.cancel_edit();
-        }
-        let objects: Vec<ObjectId> = self.document.objects().iter().map(|object| object.id()).collect();
-        let id = self.wait_for(WaitingFor::Export);
-        let head = ExportHead {
-            format,
-            name,
-            offset: self.document.offset,
-            materials: self.document.materials.clone(),
-        };
-        JobRequest { id, work: Work::Export(head, self.inputs(&objects)) }
-    }
-
-    /// A job that decodes an image of the document's materials, with at most `largest` pixels on a side. It changes
-    /// nothing; [`Editor::finish`] gives the picture, or in words why there is none.
-    pub fn begin_decode(&mut self, image: &Image, largest: u32) -> JobRequest {
-        JobRequest { id: self.wait_for(WaitingFor::Decode), work: Work::Decode(image.clone(), largest) }
-    }
-
-    fn wait_for(&mut self, kind: WaitingFor) -> JobId {
+    pub(super) fn wait_for(&mut self, kind: WaitingFor) -> JobId {
         let id = JobId(self.next_job);
         self.next_job += 1;
         self.jobs.push(Waiting { id, kind });

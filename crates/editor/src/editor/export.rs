@@ -1,0 +1,31 @@
+//! Jobs that write files.
+
+use super::Editor;
+use super::jobs::WaitingFor;
+use crate::document::ObjectId;
+use crate::job::{ExportHead, JobRequest, Work};
+use formats::Format;
+
+impl Editor {
+    /// A job that writes the document's objects to files of a format, named after the document. An ongoing
+    /// edit of elements is written as shown and continues; the preview of an operation is cancelled.
+    pub fn begin_export(&mut self, format: Format) -> JobRequest {
+        self.begin_export_as(format, self.document.name.clone())
+    }
+
+    /// [`Editor::begin_export`] under another file name, given without an extension.
+    pub fn begin_export_as(&mut self, format: Format, name: String) -> JobRequest {
+        if self.is_previewing_mesh() {
+            self.cancel_edit();
+        }
+        let objects: Vec<ObjectId> = self.document.objects().iter().map(|object| object.id()).collect();
+        let id = self.wait_for(WaitingFor::Export);
+        let head = ExportHead {
+            format,
+            name,
+            offset: self.document.offset,
+            materials: self.document.materials.clone(),
+        };
+        JobRequest { id, work: Work::Export(head, self.inputs(&objects)) }
+    }
+}
