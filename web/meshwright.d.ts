@@ -10,6 +10,8 @@ export interface SetVertexPosition {
   vertex?: number;
   /** The new position, in mesh units: three numbers: `[x, y, z]`; required. */
   position: Vector;
+  /** The axis along which what lies at the mirror images is edited too: one of `"none"`, `"x"`, `"y"`, `"z"`; default: none. */
+  symmetry?: "none" | "x" | "y" | "z";
 }
 
 /** Move, rotate and scale elements. */
@@ -37,7 +39,7 @@ export interface Transform {
   pivot?: Vector;
   /** Soft selection: how far along the surface other vertices move too: a number in mesh units, 0 or more; default: none. */
   falloff?: number;
-  /** The axis along which vertices at the mirror images move too: one of `"none"`, `"x"`, `"y"`, `"z"`; default: none. */
+  /** The axis along which what lies at the mirror images is edited too: one of `"none"`, `"x"`, `"y"`, `"z"`; default: none. */
   symmetry?: "none" | "x" | "y" | "z";
 }
 
@@ -50,6 +52,8 @@ export interface SetFaceColor {
   faces?: number[];
   /** The colour as #rrggbb: a colour: `"#rrggbb"`; required. */
   color: string;
+  /** The axis along which what lies at the mirror images is edited too: one of `"none"`, `"x"`, `"y"`, `"z"`; default: none. */
+  symmetry?: "none" | "x" | "y" | "z";
 }
 
 /** Add a vertex to an edge and cut the faces beside it. */
@@ -63,6 +67,8 @@ export interface SplitEdge {
   t?: number;
   /** Which of the faces beside the edge are cut: one of `"triangles"`, `"none"`, `"all"`; default: triangles. */
   connect?: "triangles" | "none" | "all";
+  /** The axis along which what lies at the mirror images is edited too: one of `"none"`, `"x"`, `"y"`, `"z"`; default: none. */
+  symmetry?: "none" | "x" | "y" | "z";
 }
 
 /** Turn an edge one step counter-clockwise within its two faces. */
@@ -72,6 +78,8 @@ export interface FlipEdge {
   object?: number;
   /** The edge to flip: an edge by id or by `[a, b]`, the vertices at its ends; default: the selected edges. */
   edge?: number | Pair;
+  /** The axis along which what lies at the mirror images is edited too: one of `"none"`, `"x"`, `"y"`, `"z"`; default: none. */
+  symmetry?: "none" | "x" | "y" | "z";
 }
 
 /** Merge the two ends of an edge into one vertex. */
@@ -83,6 +91,8 @@ export interface CollapseEdge {
   edge?: number | Pair;
   /** The position of the vertex along the edge: a number from 0 to 1; default: 0.5. */
   t?: number;
+  /** The axis along which what lies at the mirror images is edited too: one of `"none"`, `"x"`, `"y"`, `"z"`; default: none. */
+  symmetry?: "none" | "x" | "y" | "z";
 }
 
 /** Merge all corners of a face into one vertex at its centre. */
@@ -92,6 +102,8 @@ export interface CollapseFace {
   object?: number;
   /** The face to collapse: a face by id; default: the selected faces. */
   face?: number;
+  /** The axis along which what lies at the mirror images is edited too: one of `"none"`, `"x"`, `"y"`, `"z"`; default: none. */
+  symmetry?: "none" | "x" | "y" | "z";
 }
 
 /** Split a vertex into two, joined by an edge. */
@@ -105,6 +117,8 @@ export interface SplitVertex {
   edges?: [number | Pair, number | Pair];
   /** The positions of the two vertices: two positions: `[[x, y, z], [x, y, z]]`; default: a little apart. */
   positions?: [Vector, Vector];
+  /** The axis along which what lies at the mirror images is edited too: one of `"none"`, `"x"`, `"y"`, `"z"`; default: none. */
+  symmetry?: "none" | "x" | "y" | "z";
 }
 
 /** Remove vertices and merge the faces around each into one polygon. */
@@ -116,6 +130,8 @@ export interface DissolveVertex {
   vertex?: number;
   /** The vertices to dissolve, one after the other: a list of vertices, each by id; default: the selected vertices. */
   vertices?: number[];
+  /** The axis along which what lies at the mirror images is edited too: one of `"none"`, `"x"`, `"y"`, `"z"`; default: none. */
+  symmetry?: "none" | "x" | "y" | "z";
 }
 
 /** Remove edges and merge the faces beside them into one polygon. */
@@ -129,6 +145,8 @@ export interface DissolveEdge {
   edges?: (number | Pair)[];
   /** Whether vertices that are left with two edges stay: `true` or `false`; default: false. */
   keep_vertices?: boolean;
+  /** The axis along which what lies at the mirror images is edited too: one of `"none"`, `"x"`, `"y"`, `"z"`; default: none. */
+  symmetry?: "none" | "x" | "y" | "z";
 }
 
 /** Delete faces, and vertices that are left with no face. */
@@ -138,6 +156,8 @@ export interface DeleteFaces {
   object?: number;
   /** The faces to delete: a list of faces, each by id; default: the selected faces. */
   faces?: number[];
+  /** The axis along which what lies at the mirror images is edited too: one of `"none"`, `"x"`, `"y"`, `"z"`; default: none. */
+  symmetry?: "none" | "x" | "y" | "z";
 }
 
 /** Delete vertices and the faces around them. */
@@ -147,6 +167,8 @@ export interface DeleteVertices {
   object?: number;
   /** The vertices to delete: a list of vertices, each by id; default: the selected vertices. */
   vertices?: number[];
+  /** The axis along which what lies at the mirror images is edited too: one of `"none"`, `"x"`, `"y"`, `"z"`; default: none. */
+  symmetry?: "none" | "x" | "y" | "z";
 }
 
 /** Cut polygons into triangles between their own corners. */
@@ -158,6 +180,8 @@ export interface TriangulateFaces {
   faces?: number[];
   /** A fan from the first corner if that is correct, else ears; or always one of the two: one of `"auto"`, `"fan"`, `"ear"`; default: auto. */
   method?: "auto" | "fan" | "ear";
+  /** The axis along which what lies at the mirror images is edited too: one of `"none"`, `"x"`, `"y"`, `"z"`; default: none. */
+  symmetry?: "none" | "x" | "y" | "z";
 }
 
 /** Add a vertex at the centre of each face and join it to every corner. */
@@ -167,6 +191,8 @@ export interface PokeFaces {
   object?: number;
   /** The faces to poke: a list of faces, each by id; default: the selected faces. */
   faces?: number[];
+  /** The axis along which what lies at the mirror images is edited too: one of `"none"`, `"x"`, `"y"`, `"z"`; default: none. */
+  symmetry?: "none" | "x" | "y" | "z";
 }
 
 /** Cut a face from one of its corners to another. */
@@ -176,6 +202,8 @@ export interface ConnectVertices {
   object?: number;
   /** Two corners of one face: a list of two vertices, each by id; default: the two selected vertices. */
   vertices?: [number, number];
+  /** The axis along which what lies at the mirror images is edited too: one of `"none"`, `"x"`, `"y"`, `"z"`; default: none. */
+  symmetry?: "none" | "x" | "y" | "z";
 }
 
 /** Move faces outward and build walls behind them. */
@@ -189,6 +217,8 @@ export interface ExtrudeFaces {
   distance: number;
   /** Whether faces that share an edge stay together: one of `"region"`, `"individual"`; default: region. */
   mode?: "region" | "individual";
+  /** The axis along which what lies at the mirror images is edited too: one of `"none"`, `"x"`, `"y"`, `"z"`; default: none. */
+  symmetry?: "none" | "x" | "y" | "z";
 }
 
 /** Add a quad beside each boundary edge. */
@@ -200,6 +230,8 @@ export interface ExtrudeEdges {
   edges?: (number | Pair)[];
   /** From the edges to the far sides, in mesh units: three numbers: `[x, y, z]`; required. */
   offset: Vector;
+  /** The axis along which what lies at the mirror images is edited too: one of `"none"`, `"x"`, `"y"`, `"z"`; default: none. */
+  symmetry?: "none" | "x" | "y" | "z";
 }
 
 /** Add a ring of quads inside the outline of faces. */
@@ -213,6 +245,8 @@ export interface InsetFaces {
   amount: number;
   /** Whether faces that share an edge stay together: one of `"region"`, `"individual"`; default: region. */
   mode?: "region" | "individual";
+  /** The axis along which what lies at the mirror images is edited too: one of `"none"`, `"x"`, `"y"`, `"z"`; default: none. */
+  symmetry?: "none" | "x" | "y" | "z";
 }
 
 /** Replace each edge by a strip of faces. */
@@ -226,6 +260,8 @@ export interface BevelEdges {
   width: number;
   /** The number of faces across the strip: a whole number from 1 to 256; default: 1. */
   segments?: number;
+  /** The axis along which what lies at the mirror images is edited too: one of `"none"`, `"x"`, `"y"`, `"z"`; default: none. */
+  symmetry?: "none" | "x" | "y" | "z";
 }
 
 /** Cut off each vertex with a face. */
@@ -237,6 +273,8 @@ export interface BevelVertices {
   vertices?: number[];
   /** How far along each edge, in mesh units: a number in mesh units, 0 or more; required. */
   width: number;
+  /** The axis along which what lies at the mirror images is edited too: one of `"none"`, `"x"`, `"y"`, `"z"`; default: none. */
+  symmetry?: "none" | "x" | "y" | "z";
 }
 
 /** Cut the ring of quads that crosses an edge. */
@@ -250,6 +288,8 @@ export interface LoopCut {
   cuts?: number;
   /** The position of the middle of the cuts along the edge: a number above 0 and below 1; default: 0.5. */
   t?: number;
+  /** The axis along which what lies at the mirror images is edited too: one of `"none"`, `"x"`, `"y"`, `"z"`; default: none. */
+  symmetry?: "none" | "x" | "y" | "z";
 }
 
 /** Move lines of edges over the surface, along the edges beside them. */
@@ -261,6 +301,8 @@ export interface SlideEdges {
   edges?: (number | Pair)[];
   /** How far: 1 is to the neighbours on the left, -1 to those on the right: a number from -1 to 1; required. */
   amount: number;
+  /** The axis along which what lies at the mirror images is edited too: one of `"none"`, `"x"`, `"y"`, `"z"`; default: none. */
+  symmetry?: "none" | "x" | "y" | "z";
 }
 
 /** Move each vertex along the one of its edges that points most in a direction. */
@@ -274,6 +316,8 @@ export interface SlideVertices {
   direction?: Vector;
   /** How far: 1 is to the edges' other ends; below 0 is the other way: a number from -1 to 1; required. */
   amount: number;
+  /** The axis along which what lies at the mirror images is edited too: one of `"none"`, `"x"`, `"y"`, `"z"`; default: none. */
+  symmetry?: "none" | "x" | "y" | "z";
 }
 
 /** Close a boundary loop with one polygon. */
@@ -283,6 +327,8 @@ export interface FillHole {
   object?: number;
   /** A half-edge of the boundary loop: a half-edge by id or by `[from, to]`, its vertices; default: the selected half-edges. */
   halfedge?: number | Pair;
+  /** The axis along which what lies at the mirror images is edited too: one of `"none"`, `"x"`, `"y"`, `"z"`; default: none. */
+  symmetry?: "none" | "x" | "y" | "z";
 }
 
 /** Join two boundary loops, or two faces that it replaces, with a band of faces. */
@@ -294,6 +340,8 @@ export interface Bridge {
   halfedges?: [number | Pair, number | Pair];
   /** Two faces to replace: a list of two faces, each by id; default: the two selected faces. */
   faces?: [number, number];
+  /** The axis along which what lies at the mirror images is edited too: one of `"none"`, `"x"`, `"y"`, `"z"`; default: none. */
+  symmetry?: "none" | "x" | "y" | "z";
 }
 
 /** Merge several vertices into one. */
@@ -305,6 +353,8 @@ export interface MergeVertices {
   vertices?: number[];
   /** The position of the merged vertex: three numbers: `[x, y, z]`; default: the centre of the vertices. */
   position?: Vector;
+  /** The axis along which what lies at the mirror images is edited too: one of `"none"`, `"x"`, `"y"`, `"z"`; default: none. */
+  symmetry?: "none" | "x" | "y" | "z";
 }
 
 /** Join two boundary edges into one. */
@@ -314,6 +364,8 @@ export interface WeldEdges {
   object?: number;
   /** Two boundary edges: a list of two edges, each by id or by `[a, b]`, the vertices at its ends; default: the two selected edges. */
   edges?: [number | Pair, number | Pair];
+  /** The axis along which what lies at the mirror images is edited too: one of `"none"`, `"x"`, `"y"`, `"z"`; default: none. */
+  symmetry?: "none" | "x" | "y" | "z";
 }
 
 /** Make edges boundary: the faces on either side come apart. */
@@ -323,6 +375,8 @@ export interface RipEdges {
   object?: number;
   /** The edges to rip: a list of edges, each by id or by `[a, b]`, the vertices at its ends; default: the selected edges. */
   edges?: (number | Pair)[];
+  /** The axis along which what lies at the mirror images is edited too: one of `"none"`, `"x"`, `"y"`, `"z"`; default: none. */
+  symmetry?: "none" | "x" | "y" | "z";
 }
 
 /** Turn whole connected pieces inside out. */
@@ -332,6 +386,8 @@ export interface FlipOrientation {
   object?: number;
   /** The faces of whole connected pieces: a list of faces, each by id; default: the selected faces, or all. */
   faces?: number[];
+  /** The axis along which what lies at the mirror images is edited too: one of `"none"`, `"x"`, `"y"`, `"z"`; default: none. */
+  symmetry?: "none" | "x" | "y" | "z";
 }
 
 /** Set how sharp edges and vertices stay under subdivision. */
@@ -345,6 +401,8 @@ export interface SetCrease {
   vertices?: number[];
   /** 0 is smooth, 10 infinitely sharp: a number from 0 to 10; required. */
   sharpness: number;
+  /** The axis along which what lies at the mirror images is edited too: one of `"none"`, `"x"`, `"y"`, `"z"`; default: none. */
+  symmetry?: "none" | "x" | "y" | "z";
 }
 
 /** Subdivide any polygons into quads that approach a smooth surface. */

@@ -7,6 +7,7 @@ mod forget;
 mod images;
 mod jobs;
 mod jump;
+mod kept_images;
 mod logged;
 mod ongoing;
 mod open;
@@ -63,6 +64,7 @@ pub struct Editor {
     pub(crate) log: Option<Log>,
     /// The command that can be adjusted.
     last: Option<adjust::Last>,
+    images: kept_images::KeptImages,
     /// The counts of each object's mesh, kept until the mesh changes.
     counts: std::sync::Mutex<HashMap<ObjectId, Counts>>,
 }
@@ -119,6 +121,7 @@ impl Editor {
             next_step: 0,
             log: None,
             last: None,
+            images: Default::default(),
             counts: Default::default(),
         }
     }

@@ -8,11 +8,12 @@ pub use wire::{BadBytes, Wire};
 
 use crate::bezier::fill_previews;
 use crate::error::{CommandError, DECODE, EXPORT, OPEN, Problem, not_opened};
-use crate::ops::{Action, Op, edit_all};
+use crate::ops::{Action, Op, Symmetry, edit_all, edit_symmetric};
 use crate::outcome::{Before, ElementIds};
 use formats::{Format, Image, Import, Materials, Model, NamedBytes, NamedMesh, Picture, ReadError, Repairs};
 use glam::DVec3;
 use halfedge::{Mesh, Progress};
+use surface::MirrorImages;
 
 /// The number of a job of an editor.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
@@ -29,8 +30,8 @@ pub struct JobRequest {
 pub(crate) enum Work {
     /// Reads files, and repairs faces that are not a mesh as they stand.
     Import(Vec<NamedBytes>, Repairs),
-    /// Runs operations on meshes; several only where they are local edits.
-    Run(Vec<Op>, Vec<NamedMesh>),
+    /// Runs operations on meshes; several, and with symmetry, only where they are local edits.
+    Run(Vec<Op>, Symmetry, Vec<NamedMesh>),
     /// Writes a document as files.
     Export(ExportHead, Vec<NamedMesh>),
     /// Decodes an image, with at most this many pixels on a side.
@@ -104,7 +105,7 @@ impl JobRequest {
     pub fn op(&self) -> &'static str {
         match &self.work {
             Work::Import(..) => OPEN,
-            Work::Run(ops, _) => ops.first().map_or("nothing", |op| op.spec().name),
+            Work::Run(ops, ..) => ops.first().map_or("nothing", |op| op.spec().name),
             Work::Export(..) => EXPORT,
             Work::Decode(..) => DECODE,
         }
@@ -159,7 +160,7 @@ impl Work {
                 }
                 Made::Import(import)
             }
-            Self::Run(ops, inputs) => run(ops, inputs, progress)?,
+            Self::Run(ops, symmetry, inputs) => run(ops, *symmetry, inputs, progress)?,
             Self::Export(head, inputs) => {
                 let model = Model {
                     name: head.name.clone(),
@@ -179,7 +180,12 @@ impl Work {
 }
 
 /// Runs operations on meshes: a whole-mesh one on all inputs, local ones on the first.
-pub(crate) fn run(ops: &[Op], inputs: &[NamedMesh], progress: &mut Progress<'_>) -> Result<Made, Problem> {
+pub(crate) fn run(
+    ops: &[Op],
+    symmetry: Symmetry,
+    inputs: &[NamedMesh],
+    progress: &mut Progress<'_>,
+) -> Result<Made, Problem> {
     if let [op] = ops
         && let Action::WholeMesh(whole) = op.action()
     {
@@ -192,7 +198,13 @@ pub(crate) fn run(ops: &[Op], inputs: &[NamedMesh], progress: &mut Progress<'_>)
     let before = Before::of(&mesh);
     mesh.start_recording();
     let mut notes = Vec::new();
-    edit_all(ops, &mut mesh, &mut notes, progress)?;
+    match symmetry.axis() {
+        Some(axis) => {
+            let mut images = MirrorImages::new(&mesh, axis);
+            edit_symmetric(ops, &mut images, &mut mesh, &mut notes, progress)?;
+        }
+        None => edit_all(ops, &mut mesh, &mut notes, progress)?,
+    }
     let touched = mesh.finish_recording().touched();
     let ids = before.compare(&mesh, &touched);
     Ok(Made::Meshes(vec![NamedMesh::new("", mesh)], Some(ids), notes))

@@ -34,6 +34,12 @@ impl Outcome {
 }
 
 impl Outcome {
+    /// The same outcome, with a message about what was created only: what was there before is another document.
+    pub(crate) fn as_new_document(self) -> Self {
+        let label = crate::OpId::named(&self.op).map_or(&*self.op, |id| id.spec().label);
+        Self { message: message(label, &self.created, &Elements::default()), ..self }
+    }
+
     /// The same outcome, with a message that nothing changed.
     pub(crate) fn unchanged(self) -> Self {
         Self { message: format!("{}: nothing changed", self.message), ..self }

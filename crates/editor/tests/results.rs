@@ -57,18 +57,42 @@ fn edits_select_what_they_made() {
     let all_faces: Vec<u32> = (0..6).collect();
     select(&mut editor, Element::Edge, [0]);
     let made = run(&mut editor, json!({"op": "bevel-edges", "width": 0.1, "segments": 2}));
-    let (kind, faces) = selected(&editor);
-    assert_eq!((kind, &faces), (Element::Face, &made.created.ids.expect("a local edit").faces));
-    assert!(faces.len() == 2 && faces.iter().all(|id| !all_faces.contains(id)), "the strip: {faces:?}");
+    let strip = made.created.ids.expect("a local edit").faces;
+    assert!(strip.len() == 2 && strip.iter().all(|id| !all_faces.contains(id)), "the strip: {strip:?}");
+    // Who works on edges goes on with edges: those of the strip.
+    let mesh = editor.mesh().expect("a mesh");
+    let sides = strip.iter().flat_map(|id| mesh.face_halfedges(mesh.face(*id).expect("a face")));
+    let mut edges: Vec<u32> = sides.map(|h| h.edge().raw()).collect();
+    edges.sort_unstable();
+    edges.dedup();
+    assert_eq!(selected(&editor), (Element::Edge, edges.clone()));
+    assert_eq!(edges.len(), 7);
     editor.undo().expect("free");
     assert_eq!(selected(&editor), (Element::Edge, vec![0]), "as before");
     editor.redo().expect("free");
-    assert_eq!(selected(&editor), (Element::Face, faces));
+    assert_eq!(selected(&editor), (Element::Edge, edges));
 
     let mut editor = on_cube();
     select(&mut editor, Element::Vertex, [0, 7]);
     run(&mut editor, json!({"op": "bevel-vertices", "width": 0.1}));
-    assert_eq!(selected(&editor), (Element::Face, vec![6, 7]));
+    let mesh = editor.mesh().expect("a mesh");
+    let corners = [6, 7].map(|id| mesh.face_vertices(mesh.face(id).expect("a corner cut off")));
+    let mut vertices: Vec<u32> = corners.into_iter().flatten().map(|v| v.raw()).collect();
+    vertices.sort_unstable();
+    assert_eq!(selected(&editor), (Element::Vertex, vertices));
+
+    // A cut leaves its edges selected, or its vertices for who works on those, as in Blender; faces give way to edges.
+    for (kind, made) in [
+        (Element::Vertex, (Element::Vertex, 4)),
+        (Element::Edge, (Element::Edge, 4)),
+        (Element::Face, (Element::Edge, 4)),
+    ] {
+        let mut editor = on_cube();
+        select(&mut editor, kind, [0]);
+        editor.update_edit(command(json!({"op": "loop-cut", "edge": 0}))).expect("a ring");
+        editor.commit_edit();
+        assert_eq!((editor.selection().kind(), editor.selection().len()), made, "{kind}");
+    }
 
     for op in [json!({"op": "extrude-faces", "distance": 0.5}), json!({"op": "inset-faces", "amount": 0.1})] {
         let mut editor = on_cube();
@@ -241,4 +265,12 @@ fn the_clicked_element_of_a_line_is_the_latest() {
         editor.select_line(Element::Halfedge, 2 * edge + 1, Line::Ring, SelectMode::Replace).expect("there");
         assert_eq!(editor.selection().latest(), Some(2 * edge + 1));
     }
+}
+
+#[test]
+fn a_new_document_counts_only_what_is_in_it() {
+    let mut editor = on_cube();
+    let outcome = run(&mut editor, json!({"op": "new", "shape": "tetrahedron"}));
+    assert_eq!(outcome.message, "New shape: 4 vertices, 6 edges and 4 faces created");
+    assert_eq!(outcome.removed.vertices, 8, "what was removed is still counted");
 }

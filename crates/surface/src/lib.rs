@@ -33,7 +33,7 @@ pub use extract_faces::extract_faces;
 pub use face_tree::{FaceTree, FaceTreeBuilder, FaceWalk, Hit, Ray};
 pub use join_meshes::join_meshes;
 pub use merge_by_distance::{Merged, merge_by_distance};
-pub use mirror_images::{mirror_images, mirrored};
+pub use mirror_images::{MirrorImages, mirrored};
 pub use remesh::{MAX_REMESH_ITERATIONS, Remesh, remesh};
 pub use shapes::{Shape, ShapeField};
 pub use simplify::{Simplified, Simplify, SimplifyTarget, simplify};

@@ -7,7 +7,7 @@ use editor::ops::{
 use editor::{Command, OpId, SelectBy, SelectMode};
 use egui::ThemePreference;
 use formats::Format;
-use halfedge::Element;
+use halfedge::{Element, HalfedgeId, Mesh};
 
 use super::{App, THEME_SETTING, camera, keys, layout};
 use crate::bezier::{self, ControlPoint};
@@ -98,6 +98,13 @@ impl App {
             Action::Next => self.walk(|mesh, h| mesh.next(h)),
             Action::Previous => self.walk(|mesh, h| mesh.prev(h)),
             Action::Twin => self.walk(|_, h| h.twin()),
+            Action::VertexOf => {
+                self.select_of_halfedge(|mesh, h| Some((Element::Vertex, mesh.from(h).raw())))
+            }
+            Action::EdgeOf => self.select_of_halfedge(|_, h| Some((Element::Edge, h.edge().raw()))),
+            Action::FaceOf => {
+                self.select_of_halfedge(|mesh, h| Some((Element::Face, mesh.face_of(h)?.raw())))
+            }
             Action::GoToId => {
                 self.shown.left = true;
                 self.shown.sheet.show_lists();
@@ -365,10 +372,16 @@ impl App {
         }
     }
 
-    fn walk(&mut self, step: impl Fn(&halfedge::Mesh, halfedge::HalfedgeId) -> halfedge::HalfedgeId) {
-        let to = self.session.selected_halfedge().and_then(|h| Some(step(self.session.editor.mesh()?, h)));
-        if let Some(to) = to {
-            self.select(Element::Halfedge, [to.raw()], SelectMode::Replace);
+    /// Selects what belongs to the selected half-edge.
+    fn select_of_halfedge(&mut self, find: impl Fn(&Mesh, HalfedgeId) -> Option<(Element, u32)>) {
+        let selected = self.session.selected_halfedge();
+        let found = selected.and_then(|h| find(self.session.editor.mesh()?, h));
+        if let Some((kind, id)) = found {
+            self.select(kind, [id], SelectMode::Replace);
         }
+    }
+
+    fn walk(&mut self, step: impl Fn(&Mesh, HalfedgeId) -> HalfedgeId) {
+        self.select_of_halfedge(|mesh, h| Some((Element::Halfedge, step(mesh, h).raw())));
     }
 }

@@ -19,7 +19,7 @@ impl App {
                 return self.session.live_pointer(at, modifiers, &mut self.view);
             }
             Request::Act(action) => self.act(action),
-            Request::Run(command) => self.session.begin(command, None),
+            Request::Run(command) => self.session.begin_or_refuse(Ok(command)),
             Request::Refuse(error) => self.session.refuse(&error),
             Request::Select { kind, ids, mode } => self.select(kind, ids, mode),
             Request::PaintSelection { kind, ids, mode, stroke } => {
@@ -41,7 +41,9 @@ impl App {
             Request::UpdateEdit(command) => {
                 // The edit that follows the pointer ends before anything else is edited.
                 self.session.end_live(true);
-                if let Err(error) = self.session.editor.update_edit(command) {
+                if let Err(error) =
+                    self.session.editor.update_edit(command.mirrored(self.session.live_settings.symmetry))
+                {
                     self.session.refuse(&error);
                 }
             }

@@ -8,6 +8,7 @@ use crate::input::keys::{self, KeyReader};
 use crate::page_view::Page;
 use crate::request::KeyChange;
 use crate::session::Session;
+use crate::shown::Arrangement;
 use crate::view::Tool;
 
 /// The key of the setting that names the preset, and of the parameter in the page's address.
@@ -78,6 +79,10 @@ pub(super) fn reader(page: &Page<'_>, panels: &Panels) -> Option<KeyReader> {
     }
     if page.view.tool == Tool::Circle {
         cases.insert(0, When::Circle);
+    }
+    let is_study = page.shown.arrangement == Arrangement::Study;
+    if is_study && page.session.selected_halfedge().is_some() {
+        cases.insert(0, When::Halfedge);
     }
     // egui itself closes an open menu on Escape.
     Some(KeyReader::new(&page.ctx, egui::Popup::is_any_open(&page.ctx), cases))

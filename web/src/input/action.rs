@@ -64,6 +64,12 @@ pub enum Action {
     Previous,
     /// Selects the twin of the selected half-edge.
     Twin,
+    /// Selects the vertex that the selected half-edge leaves.
+    VertexOf,
+    /// Selects the edge of the selected half-edge.
+    EdgeOf,
+    /// Selects the face of the selected half-edge.
+    FaceOf,
     /// Moves the keyboard focus to the "Go to id" field.
     GoToId,
     /// Shows only selected elements in the list, or all again.

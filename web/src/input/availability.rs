@@ -41,10 +41,21 @@ pub(crate) fn why_not(action: Action, session: &Session, kind: Element, player: 
         }
         Action::SelectBy(by) => editor.can_select_by(by).err().map(|error| error.reason()),
         Action::SelectNone if editor.selection().is_empty() => Some("Nothing is selected.".into()),
-        Action::Next | Action::Previous | Action::Twin if session.selected_halfedge().is_none() => {
+        Action::Next
+        | Action::Previous
+        | Action::Twin
+        | Action::VertexOf
+        | Action::EdgeOf
+        | Action::FaceOf
+            if session.selected_halfedge().is_none() =>
+        {
             Some("Select a half-edge first.".into())
         }
         Action::AlignView if editor.selection().is_empty() => Some("Select something first.".into()),
+        Action::FaceOf => {
+            let face = session.selected_halfedge().and_then(|h| editor.mesh()?.face_of(h));
+            face.is_none().then(|| "The half-edge is on the boundary and has no face.".into())
+        }
         Action::Frame | Action::FrameAll if document.objects().is_empty() => {
             Some("There is nothing to look at. Open a file or make a shape first.".into())
         }

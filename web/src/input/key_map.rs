@@ -19,6 +19,8 @@ pub enum When {
     Bezier,
     /// While elements are selected with the circle.
     Circle,
+    /// While a half-edge is selected in the Study layout.
+    Halfedge,
 }
 
 impl When {
@@ -34,6 +36,7 @@ impl When {
             | Action::ElevateDegree
             | Action::SplitCurve => Self::Bezier,
             Action::LargerCircle | Action::SmallerCircle => Self::Circle,
+            Action::VertexOf | Action::EdgeOf | Action::FaceOf => Self::Halfedge,
             _ => Self::Always,
         }
     }

@@ -45,17 +45,26 @@ pub fn groups() -> Vec<(&'static str, Vec<Action>)> {
             "File" => actions.extend(actions::formats().map(|entry| entry.action)),
             _ => {}
         }
-        actions.retain(|action| !listed.contains(action) && When::of(*action) != When::Circle);
+        actions.retain(|action| !listed.contains(action) && !is_apart(*action));
         listed.extend(&actions);
         let title = if menu.title == "Bezier" { "On a Bezier curve or surface" } else { menu.title };
         groups.push((title, actions));
     }
-    let all = actions::all().map(|entry| entry.action);
-    groups.push((
-        "With the selecting circle",
-        all.filter(|action| When::of(*action) == When::Circle).collect(),
-    ));
+    for (title, when) in APART {
+        let all = actions::all().map(|entry| entry.action);
+        groups.push((title, all.filter(|action| When::of(*action) == when).collect()));
+    }
     groups
+}
+
+/// The groups of keys that mean something only at times.
+const APART: [(&str, When); 2] = [
+    ("With the selecting circle", When::Circle),
+    ("In the Study layout, with a half-edge selected", When::Halfedge),
+];
+
+fn is_apart(action: Action) -> bool {
+    APART.iter().any(|(_, when)| When::of(action) == *when)
 }
 
 /// The document.

@@ -45,6 +45,10 @@ pub(super) static ROWS: &[Row] = &[
     (A::Next,                              ["N",                         "Alt+N",                    "N"]),
     (A::Previous,                          ["Shift+N",                   "Alt+Shift+N",              "Shift+N"]),
     (A::Twin,                              ["T",                         "Alt+T",                    "T"]),
+    // In the Study layout, with a half-edge selected.
+    (A::VertexOf,                          ["V",                         "V",                        "V"]),
+    (A::EdgeOf,                            ["Y",                         "Y",                        "Y"]),
+    (A::FaceOf,                            ["A",                         "A",                        "A"]),
     (A::GoToId,                            ["Ctrl+G",                    "Ctrl+G",                   "Ctrl+G"]),
     (A::OnlySelected,                      ["O",                         "",                         ""]),
     (A::Operation(OpId::Hide),             ["H",                         "H",                        "Ctrl+H"]),

@@ -37,7 +37,7 @@ pub fn submenu(action: Action) -> Option<&'static str> {
         | A::CircleSelect
         | A::LargerCircle
         | A::SmallerCircle => Some("Select tool"),
-        A::Next | A::Previous | A::Twin => Some("Half-edge"),
+        A::Next | A::Previous | A::Twin | A::VertexOf | A::EdgeOf | A::FaceOf => Some("Half-edge"),
         A::Preset(Preset::Similar(_)) => Some("Similar"),
         A::Preset(_) => Some(CRITERIA),
         A::Show(_) => Some("Show"),

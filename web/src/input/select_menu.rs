@@ -167,6 +167,9 @@ pub(super) const ENTRIES: &[Option<Entry>] = &[
     Some(entry(A::Next, "Next half-edge", "Select the next half-edge around the face.")),
     Some(entry(A::Previous, "Previous half-edge", "Select the half-edge before this one around the face.")),
     Some(entry(A::Twin, "Twin half-edge", "Select the half-edge on the other side of the edge.")),
+    Some(entry(A::VertexOf, "Vertex of half-edge", "Select the vertex that the half-edge leaves.")),
+    Some(entry(A::EdgeOf, "Edge of half-edge", "Select the edge of the half-edge.")),
+    Some(entry(A::FaceOf, "Face of half-edge", "Select the face of the half-edge.")),
     None,
     Some(entry(
         A::Show(Element::Vertex),

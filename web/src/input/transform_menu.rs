@@ -87,15 +87,12 @@ pub(super) static ENTRIES: &[Option<Entry>] = &[
         "View axes",
         "Move, rotate and scale along the axes of the view.",
     )),
-    Some(
-        entry(A::Mirror(Symmetry::None), "No symmetry", "Move, rotate and scale the selection only.")
-            .synonyms(MIRROR),
-    ),
+    Some(entry(A::Mirror(Symmetry::None), "No symmetry", "Edit the selection only.").synonyms(MIRROR)),
     Some(
         entry(
             A::Mirror(Symmetry::X),
             "Symmetry along x",
-            "Move, rotate and scale what lies at the mirror image across x = 0 too.",
+            "Edit what lies at the mirror image across x = 0 too.",
         )
         .synonyms(MIRROR),
     ),
@@ -103,7 +100,7 @@ pub(super) static ENTRIES: &[Option<Entry>] = &[
         entry(
             A::Mirror(Symmetry::Y),
             "Symmetry along y",
-            "Move, rotate and scale what lies at the mirror image across y = 0 too.",
+            "Edit what lies at the mirror image across y = 0 too.",
         )
         .synonyms(MIRROR),
     ),
@@ -111,7 +108,7 @@ pub(super) static ENTRIES: &[Option<Entry>] = &[
         entry(
             A::Mirror(Symmetry::Z),
             "Symmetry along z",
-            "Move, rotate and scale what lies at the mirror image across z = 0 too.",
+            "Edit what lies at the mirror image across z = 0 too.",
         )
         .synonyms(MIRROR),
     ),

@@ -14,7 +14,7 @@ use super::pointer::{Sight, length_step, rounded};
 use super::slide::Track;
 use super::typed::Typed;
 use crate::session::form::{self, Filled};
-use crate::transforming::{Orientation, Pivot, Settings, Symmetry};
+use crate::transforming::{Orientation, Pivot, Settings};
 use crate::view::View;
 use crate::view::ring::RingCut;
 
@@ -92,6 +92,8 @@ pub(crate) struct Live {
     pub(crate) in_document: bool,
     /// Why the document does not show the edit.
     pub refused: Option<String>,
+    /// What the edit has to say of what it shows.
+    pub(crate) warnings: Vec<String>,
 }
 
 impl Live {
@@ -138,7 +140,13 @@ impl Live {
             follows: true,
             in_document: false,
             refused: None,
+            warnings: Vec::new(),
         })
+    }
+
+    /// The lines along which vertices slide.
+    pub fn rails(&self) -> &[[Vec3; 2]] {
+        self.track.as_ref().map_or(&[], |track| &track.rails)
     }
 
     /// Whether it moves the selection.
@@ -189,7 +197,7 @@ impl Live {
             _ => {}
         }
         filled.extend(self.given.clone());
-        form::command(self.id, &filled)
+        Ok(form::command(self.id, &filled)?.mirrored(settings.symmetry))
     }
 
     fn fill_transform(&self, settings: &Settings, filled: &mut Filled) {
@@ -206,9 +214,6 @@ impl Live {
             let (axis, radians) = Quat::from_mat3(&self.axes(settings)).to_axis_angle();
             let orientation = json!({ "axis": axis.to_array(), "degrees": radians.to_degrees() });
             filled.insert("orientation".to_owned(), orientation);
-        }
-        if settings.symmetry != Symmetry::None {
-            filled.insert("symmetry".to_owned(), json!(settings.symmetry));
         }
         if let Some(radius) = settings.soft_radius.filter(|_| settings.soft) {
             filled.insert("falloff".to_owned(), radius.into());

@@ -18,7 +18,12 @@ pub(crate) struct Track {
     /// Where the vertex is.
     pub at: Vec3,
     ways: Ways,
+    /// The lines along which the vertices slide, to draw.
+    pub rails: Vec<[Vec3; 2]>,
 }
+
+/// The most rails that are drawn.
+const MAX_RAILS: usize = 2000;
 
 #[derive(Clone, Debug, PartialEq)]
 enum Ways {
@@ -50,12 +55,15 @@ impl Track {
             vertices.min_by(|a, b| distance(*a).total_cmp(&distance(*b)))
         };
         let selection = editor.selection();
+        let mut lines = Vec::new();
         let (vertex, ways) = match id {
             OpId::SlideEdges => {
                 let rails = edge_rails(mesh, &selected_edges(editor, mesh))?;
                 let Some(v) = nearest(&mut rails.iter().flatten().map(|rail| rail.vertex)) else {
                     return Ok(None);
                 };
+                let line = |rail: &Rail| [mesh.position(rail.vertex), rail.to];
+                lines.extend(rails.iter().flatten().take(MAX_RAILS).map(line));
                 let way = |side: &Vec<Rail>| {
                     let rail = side.iter().find(|rail| rail.vertex == v);
                     rail.map_or(Vec3::ZERO, |rail| rail.to - mesh.position(v))
@@ -66,11 +74,15 @@ impl Track {
                 let Some(v) = nearest(&mut selection.ids().filter_map(|id| mesh.vertex(id))) else {
                     return Ok(None);
                 };
+                let ends =
+                    |v: VertexId| mesh.neighbors(v).map(move |to| [mesh.position(v), mesh.position(to)]);
+                let all = selection.ids().filter_map(|id| mesh.vertex(id)).flat_map(ends);
+                lines.extend(all.take(MAX_RAILS));
                 (v, Ways::Edges(mesh.neighbors(v).map(|to| mesh.position(to) - mesh.position(v)).collect()))
             }
             _ => return Ok(None),
         };
-        Ok(Some(Self { at: mesh.position(vertex), ways }))
+        Ok(Some(Self { at: mesh.position(vertex), ways, rails: lines }))
     }
 
     /// The direction that a slide of vertices has before the pointer moves.

@@ -1,7 +1,7 @@
 //! "Adjust last operation": the fields of the last operation. A change runs the operation again with the
 //! new fields, still as one undo step.
 
-use editor::ops::{Field, FieldKind, Fill};
+use editor::ops::{Field, FieldKind, Fill, Symmetry};
 use editor::{Command, Facts, OpId, Scope};
 use egui::{CollapsingHeader, Grid, RichText, Ui, vec2};
 
@@ -29,8 +29,13 @@ pub(crate) fn show(ui: &mut Ui, page: &Page<'_>, own: &mut Adjusting, out: &mut 
     let spec = command.op.spec();
     // Which document a new shape is in was decided when it was made.
     let is_place = |field: &Field| command.op.id() == OpId::New && field.name == "add";
-    let is_shown =
-        |field: &Field| !field.is_target() && !matches!(field.fill, Fill::Optional(_)) && !is_place(field);
+    let is_mirrored = command.symmetry != Symmetry::None;
+    let is_shown = |field: &Field| {
+        !field.is_target()
+            && !matches!(field.fill, Fill::Optional(_))
+            && !is_place(field)
+            && (is_mirrored || !field.is_symmetry())
+    };
     // The inspector has these fields, and must not move away while they change.
     let in_inspector = matches!(command.op.id(), OpId::SetFaceColor | OpId::SetVertexPosition);
     let has_text = spec.fields.iter().any(|field| field.kind == FieldKind::Text);

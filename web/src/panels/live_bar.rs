@@ -57,7 +57,7 @@ fn hint(page: &Page<'_>, live: &Live) -> String {
     }
     let mut parts = vec!["Move the pointer or type a number"];
     let symmetry = page.live_settings.symmetry;
-    let is_mirrored = live.id == OpId::Transform && symmetry != Symmetry::None;
+    let is_mirrored = symmetry != Symmetry::None;
     let mirrored = is_mirrored.then(|| format!("mirrored {}", symmetry.label().to_lowercase()));
     parts.extend(mirrored.as_deref());
     if live.takes_lock() {

@@ -115,7 +115,7 @@ fn form(ui: &mut Ui, page: &Page<'_>, own: &mut Forms, id: OpId, out: &mut Reque
         ui.add(egui::Label::new(RichText::new(entry.description).weak()).wrap());
         ui.add_space(4.0);
         Grid::new(("form", spec.name)).num_columns(2).spacing(vec2(12.0, 8.0)).show(ui, |ui| {
-            fields::rows(ui, spec, &mut filled, &facts, |_| true);
+            fields::rows(ui, spec, &mut filled, &facts, |field| !field.is_symmetry());
         });
     };
     if page.shown.narrow {

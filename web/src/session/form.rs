@@ -8,11 +8,11 @@ use serde_json::{Map, Value};
 pub type Filled = Map<String, Value>;
 
 /// The initial values of a form. Fields that the selection fills and fields that are not set are omitted;
-/// of alternatives, the first is included.
+/// of alternatives, the first is included. The symmetry is a setting of the page.
 pub fn initial(spec: &Spec, facts: &Facts) -> Filled {
     let mut filled = Filled::new();
     for field in spec.fields {
-        let is_shown = matches!(field.fill, Fill::Required | Fill::Value(_));
+        let is_shown = matches!(field.fill, Fill::Required | Fill::Value(_)) && !field.is_symmetry();
         if is_shown && field.alternative.is_none_or(|title| chosen(spec, title, &filled).is_none()) {
             filled.insert(field.name.to_owned(), field.initial_value(facts));
         }

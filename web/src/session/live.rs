@@ -13,7 +13,7 @@ use crate::live::keys::Ending;
 use crate::live::place::{self, Place};
 use crate::live::slide::Track;
 use crate::session::Session;
-use crate::transforming::{Pivot, Settings, SnapTo};
+use crate::transforming::{Pivot, Settings, SnapTo, Symmetry};
 use crate::view::View;
 use viewport::Aim;
 
@@ -70,6 +70,10 @@ impl Session {
         let Some(live) = self.live.take() else { return };
         if apply && live.refused.is_none() {
             self.editor.commit_edit();
+            // The bar has shown where the amount was limited; which elements have no mirror image it has not.
+            if self.live_settings.symmetry != Symmetry::None && !live.warnings.is_empty() {
+                self.warn(live.label().to_owned(), live.warnings);
+            }
         } else {
             self.editor.cancel_edit();
         }
@@ -89,7 +93,10 @@ impl Session {
         let result = live.command(&self.live_settings).and_then(|command| self.editor.update_edit(command));
         if let Some(live) = &mut self.live {
             live.in_document = self.editor.is_editing();
-            live.refused = result.err().map(|error| error.reason());
+            (live.warnings, live.refused) = match result {
+                Ok(outcome) => (outcome.warnings, None),
+                Err(error) => (Vec::new(), Some(error.reason())),
+            };
         }
     }
 

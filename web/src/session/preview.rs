@@ -94,7 +94,7 @@ impl Session {
 
     fn try_preview(&mut self, id: OpId, filled: Filled, before: Facts) -> Result<(), WhyNot> {
         let refused = |error: CommandError| WhyNot::Refused(error.reason());
-        let command = form::command(id, &filled).map_err(refused)?;
+        let command = form::command(id, &filled).map_err(refused)?.mirrored(self.live_settings.symmetry);
         self.editor.can(&command).map_err(refused)?;
         if !self.editor.is_quick(&command) {
             return Err(WhyNot::TooLarge);

@@ -48,7 +48,7 @@ impl Session {
     /// Carries out a command, or shows why there is none.
     pub fn begin_or_refuse(&mut self, command: Result<Command, CommandError>) {
         match command {
-            Ok(command) => self.begin(command, None),
+            Ok(command) => self.begin(command.mirrored(self.live_settings.symmetry), None),
             Err(error) => self.refuse(&error),
         }
     }

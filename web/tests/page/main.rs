@@ -9,6 +9,7 @@ mod bezier;
 mod camera;
 mod contrast;
 mod document;
+mod editing;
 mod hiding;
 mod history;
 mod keyboard;

@@ -150,6 +150,7 @@ impl Editor {
     }
 
     fn begin_inner(&mut self, command: Command, faces: usize) -> Result<Begun, Problem> {
+        let symmetry = command.symmetry;
         let planned = self.plan(command.clone())?;
         let (objects, ops, at) = match &planned {
             Planned::Whole { op, objects, at } => (objects.clone(), vec![op.clone()], *at),
@@ -170,7 +171,7 @@ impl Editor {
                 let selection = self.selection.clone();
                 let run = Run { command, selection, op, objects, at, adjusts: Adjusts::Nothing };
                 let id = self.wait_for(WaitingFor::Run(Box::new(run)));
-                Ok(Begun::Job(JobRequest { id, work: Work::Run(ops, inputs) }))
+                Ok(Begun::Job(JobRequest { id, work: Work::Run(ops, symmetry, inputs) }))
             }
             _ => {
                 drop(inputs);

@@ -58,9 +58,9 @@ impl Editor {
 
     fn show_preview(&mut self, command: Command, selection: Arc<Selection>) -> Result<Outcome, Problem> {
         let (back, outcome, whole) = match self.plan(command.clone())? {
-            Planned::Local { object, ops, .. } => {
+            Planned::Local { object, ops, symmetry, .. } => {
                 // Edits by hand leave their result selected, also where they name their elements.
-                let edited = self.edit(object, &ops, true)?;
+                let edited = self.edit(object, &ops, symmetry, true)?;
                 let outcome =
                     Outcome { warnings: edited.notes, ..Self::outcome(&ops, edited.created, edited.removed) };
                 (edited.back, outcome, false)

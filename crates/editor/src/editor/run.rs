@@ -6,12 +6,15 @@ use crate::document::{Object, ObjectId};
 use crate::error::{CommandError, Problem};
 use crate::history::{Change, is_reshaping};
 use crate::job;
-use crate::ops::{Action, Command, Commit, LocalEdit, NamedMesh, Op, Place, Target, edit_all, refuse_bezier};
+use crate::ops::{
+    Action, Command, Commit, LocalEdit, NamedMesh, Op, Place, Symmetry, Target, edit_all, edit_symmetric,
+    refuse_bezier,
+};
 use crate::outcome::{Before, ElementIds, Elements, Outcome};
 use crate::recovery::Event;
 use crate::selection::Selection;
 use halfedge::words::counted;
-use halfedge::{InParts, Mesh, Touched};
+use halfedge::{Element, InParts, Mesh, Touched};
 use std::ops::ControlFlow;
 use std::sync::Arc;
 use surface::selecting::Finding;
@@ -22,6 +25,7 @@ pub(super) enum Planned {
     Local {
         object: ObjectId,
         ops: Vec<Op>,
+        symmetry: Symmetry,
         selects: bool,
     },
     Whole {
@@ -167,9 +171,9 @@ impl Editor {
         progress: &mut halfedge::Progress<'_>,
     ) -> Result<Outcome, Problem> {
         match planned {
-            Planned::Local { object, ops, selects } => {
+            Planned::Local { object, ops, symmetry, selects } => {
                 let before = self.selection.clone();
-                let done = self.edit(object, &ops, selects)?;
+                let done = self.edit(object, &ops, symmetry, selects)?;
                 let label = ops.first().map_or("", |op| op.spec().label);
                 let outcome = Self::outcome(&ops, done.created, done.removed);
                 let is_step = self.push_step(label.to_owned(), done.back, before);
@@ -206,7 +210,7 @@ impl Editor {
         objects: &[ObjectId],
         progress: &mut halfedge::Progress<'_>,
     ) -> Result<job::Made, Problem> {
-        let made = job::run(std::slice::from_ref(op), &self.inputs(objects), progress)?;
+        let made = job::run(std::slice::from_ref(op), Symmetry::None, &self.inputs(objects), progress)?;
         made.validate().map_err(|defect| broken(&defect))?;
         Ok(made)
     }
@@ -221,7 +225,7 @@ impl Editor {
         }
         let (no_selection, no_mesh) = (Selection::default(), Mesh::new());
         let against = self.target(&place, &no_selection, &no_mesh)?;
-        let selects = command.op.is_open();
+        let (selects, symmetry) = (command.op.is_open(), command.symmetry);
         if let Action::Select(edit) = command.op.action() {
             let object = place.object()?;
             if self.document.active().map(Object::id) != Some(object.id()) {
@@ -255,7 +259,7 @@ impl Editor {
         let object = place.object()?;
         refuse_bezier(object.name(), object.bezier())?;
         self.check_idle(object.id())?;
-        Ok(Planned::Local { object: object.id(), ops, selects })
+        Ok(Planned::Local { object: object.id(), ops, symmetry, selects })
     }
 
     /// The place where a command acts.
@@ -314,14 +318,31 @@ impl Editor {
 
     /// Makes local edits on an object in one validated transaction: all of them or none. Selects what they made if
     /// `selects` is set and the object is active.
-    pub(super) fn edit(&mut self, id: ObjectId, ops: &[Op], selects: bool) -> Result<Edited, Problem> {
+    pub(super) fn edit(
+        &mut self,
+        id: ObjectId,
+        ops: &[Op],
+        symmetry: Symmetry,
+        selects: bool,
+    ) -> Result<Edited, Problem> {
+        let revision = self.revision;
         let at = self.document.index_of(id).ok_or_else(object_gone)?;
         let object = self.document.objects.get_mut(at).ok_or_else(object_gone)?;
         let mesh = Arc::make_mut(&mut object.named.mesh);
         let before = Before::of(mesh);
         let mut notes = Vec::new();
-        let ((), journal) =
-            mesh.transaction(|mesh| edit_all(ops, mesh, &mut notes, &mut |_| ControlFlow::Continue(())))?;
+        let mut images = symmetry.axis().map(|axis| self.images.take(mesh, id, revision, axis));
+        let done = mesh.transaction(|mesh| {
+            let progress: &mut halfedge::Progress<'_> = &mut |_| ControlFlow::Continue(());
+            match &mut images {
+                Some(images) => edit_symmetric(ops, images, mesh, &mut notes, progress),
+                None => edit_all(ops, mesh, &mut notes, progress),
+            }
+        });
+        if let Some(images) = images {
+            self.images.keep(id, revision, images);
+        }
+        let ((), journal) = done?;
         let touched = journal.touched();
         if let Err(defect) = validate_touched(mesh, &touched) {
             mesh.undo(journal);
@@ -350,11 +371,19 @@ impl Editor {
 }
 
 impl Editor {
-    /// What operations on the active object's elements leave selected; none if it is what was selected.
+    /// What operations on the active object's elements leave selected; none if it is what was selected. Someone who works on
+    /// vertices or edges goes on with those of the result; with faces, a cut gives edges to go on with.
     pub(super) fn result(&self, ops: &[Op], created: &ElementIds) -> Option<Selection> {
         let mesh = self.mesh()?;
         // Operations of one kind select the same of everything that their step created.
-        local_edits(ops).next()?.selects(mesh, created).filter(|selection| !selection.is_empty())
+        let made =
+            local_edits(ops).next()?.selects(mesh, created).filter(|selection| !selection.is_empty())?;
+        let (from, to) = (made.kind(), self.selection.kind());
+        if from == to || !matches!(to, Element::Vertex | Element::Edge) {
+            return Some(made);
+        }
+        let ids = surface::selecting::convert(mesh, from, to, made.set());
+        Some(Selection::of_set(to, ids, None)).filter(|selection| !selection.is_empty())
     }
 }
 

@@ -3,7 +3,7 @@
 use super::columns::{read_named, write_named};
 use super::wire::{BadBytes, Reader, Wire, Writer};
 use super::{ExportHead, JobId, JobRequest, JobResult, Made, Work};
-use crate::ops::{Action, Command, Op};
+use crate::ops::{Action, Command, Op, Symmetry};
 use crate::outcome::ElementIds;
 use formats::{
     Format, Image, Import, ImportReport, Materials, Model, NamedBytes, NamedMesh, Picture, Repairs,
@@ -60,8 +60,9 @@ impl Wire for JobRequest {
                 out.value(&head(WorkHead::Import { repairs: *repairs }))?;
                 write_files(&mut out, files)
             }
-            Work::Run(ops, inputs) => {
-                let values = ops.iter().map(|op| Command { object: None, op: op.clone() }.to_value());
+            Work::Run(ops, symmetry, inputs) => {
+                let command = |op: &Op| Command { object: None, symmetry: *symmetry, op: op.clone() };
+                let values = ops.iter().map(|op| command(op).to_value());
                 out.value(&head(WorkHead::Run { ops: values.collect() }))?;
                 write_meshes(&mut out, inputs, reads_soup(ops))
             }
@@ -88,9 +89,11 @@ impl Wire for JobRequest {
         let work = match work {
             WorkHead::Import { repairs } => Work::Import(read_files(&mut from)?, repairs),
             WorkHead::Run { ops } => {
-                let parse = |value| Ok(Command::from_value(value).map_err(BadBytes::new)?.op);
-                let ops = ops.into_iter().map(parse).collect::<Result<Vec<Op>, BadBytes>>()?;
-                Work::Run(ops, read_meshes(&mut from)?)
+                let parse = |value| Command::from_value(value).map_err(BadBytes::new);
+                let commands = ops.into_iter().map(parse).collect::<Result<Vec<Command>, BadBytes>>()?;
+                let symmetry = commands.first().map_or(Symmetry::None, |command| command.symmetry);
+                let ops = commands.into_iter().map(|command| command.op).collect();
+                Work::Run(ops, symmetry, read_meshes(&mut from)?)
             }
             WorkHead::Export { format, name, offset } => {
                 let materials = read_materials(&mut from)?;

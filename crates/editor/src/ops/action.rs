@@ -1,6 +1,7 @@
 //! How operations are carried out: on a few elements, on whole meshes, or on the list of objects.
 
 use super::facts::{Estimate, Facts};
+use super::symmetry::{Mirror, Mirroring, Reflection};
 use super::{Op, SelectMode, Slot, Spec, Target};
 use crate::bezier::Bezier;
 use crate::document::{Document, Object, ObjectId};
@@ -39,6 +40,20 @@ pub(crate) trait Operation: Clone {
         ops
     }
 
+    /// How it is mirrored.
+    const MIRRORING: Mirroring = Mirroring::Together;
+
+    /// Reflects what its fields say besides the elements, which are replaced already.
+    fn reflect(&mut self, reflection: Reflection) {
+        let _ = reflection;
+    }
+
+    /// The operation for the mirror image; none where this one does the same, perhaps once it is adapted.
+    fn pair(&mut self, image: Self, mesh: &Mesh) -> Option<Self> {
+        let _ = mesh;
+        Some(image)
+    }
+
     /// How it is carried out.
     fn action(&self) -> Action<'_>;
 }
@@ -64,6 +79,17 @@ pub(crate) trait LocalEdit {
     /// Makes the edit, all or nothing: the caller undoes what was written before an error. Warnings
     /// go to `notes`.
     fn edit(&self, mesh: &mut Mesh, notes: &mut Vec<String>) -> Result<(), Problem>;
+
+    /// Makes the edit where its lists have the mirror images of their elements too.
+    fn edit_mirrored(
+        &self,
+        mesh: &mut Mesh,
+        mirror: &Mirror<'_>,
+        notes: &mut Vec<String>,
+    ) -> Result<(), Problem> {
+        let _ = mirror;
+        self.edit(mesh, notes)
+    }
 
     /// Why the edit would change nothing, where that is known beforehand: its menu entry is greyed.
     fn changes_nothing(&self, mesh: &Mesh) -> Option<&'static str> {

@@ -44,6 +44,15 @@ macro_rules! choice {
                 }
             }
 
+            /// The word in JSON.
+            #[allow(dead_code, reason = "serde writes the words of most choices")]
+            pub fn name(self) -> &'static str {
+                match self {
+                    Self::$first => $first_json,
+                    $(Self::$variant => $json,)*
+                }
+            }
+
             /// A field that takes one of these words; the first one when left out.
             #[allow(dead_code, reason = "a choice may be a field with a default of its own")]
             pub(crate) const fn field(name: &'static str, description: &'static str) -> $crate::ops::Field {

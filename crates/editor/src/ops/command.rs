@@ -1,5 +1,7 @@
 //! Commands: an operation and the object it is for, with their JSON form.
 
+use super::json::take_symmetry;
+use super::symmetry::{self, Symmetry};
 use super::{Action, Op, OpId};
 use crate::error::{CommandError, Problem};
 use serde_json::{Map, Value};
@@ -9,6 +11,8 @@ use serde_json::{Map, Value};
 pub struct Command {
     /// The place of the object in the document's list; none for the active one.
     pub object: Option<usize>,
+    /// The axis along which what lies at the mirror images is edited too. Only operations on elements have one.
+    pub symmetry: Symmetry,
     /// What to do.
     pub op: Op,
 }
@@ -61,9 +65,11 @@ impl Command {
     ///
     /// # Errors
     /// As [`Command::from_json`].
-    pub fn from_fields(id: OpId, fields: Map<String, Value>) -> Result<Self, CommandError> {
-        let op = id.parse(fields).map_err(|problem| CommandError::of(id.spec().name, problem))?;
-        Ok(Self { object: None, op })
+    pub fn from_fields(id: OpId, mut fields: Map<String, Value>) -> Result<Self, CommandError> {
+        let of = |problem| CommandError::of(id.spec().name, problem);
+        let symmetry = take_symmetry(id.spec(), &mut fields).map_err(of)?;
+        let op = id.parse(fields).map_err(of)?;
+        Ok(Self { object: None, symmetry, op })
     }
 
     /// The command's JSON, which reads back as the same command.
@@ -79,15 +85,26 @@ impl Command {
 
     /// The operation's fields as JSON, those that are set.
     pub fn fields(&self) -> Map<String, Value> {
-        match self.op.to_fields() {
+        let mut fields = match self.op.to_fields() {
             Value::Object(fields) => fields,
             _ => Map::new(),
+        };
+        if self.symmetry != Symmetry::None {
+            fields.insert(symmetry::FIELD_NAME.to_owned(), self.symmetry.name().into());
         }
+        fields
     }
 
     /// The command's JSON as text.
     pub fn to_json(&self) -> String {
         self.to_value().to_string()
+    }
+
+    /// The same command with a mirror, where its operation can be mirrored.
+    #[must_use]
+    pub fn mirrored(self, symmetry: Symmetry) -> Self {
+        let can_be = self.op.spec().field(symmetry::FIELD_NAME).is_some();
+        if can_be { Self { symmetry, ..self } } else { self }
     }
 
     /// The op's name.

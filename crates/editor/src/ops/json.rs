@@ -1,5 +1,6 @@
 //! How operations read and write their fields, and what is said of fields that don't fit.
 
+use super::symmetry::{self, Symmetry};
 use super::{Operation, Spec};
 use crate::error::Problem;
 use serde::Serialize;
@@ -34,12 +35,25 @@ impl<O: Operation + Serialize + DeserializeOwned> Fields for O {
 /// Adds the defaults that are values, for fields that are left out.
 fn add_defaults(spec: &Spec, fields: &mut Map<String, Value>) {
     for field in spec.fields {
-        if !fields.contains_key(field.name)
+        // The symmetry belongs to the command.
+        if !field.is_symmetry()
+            && !fields.contains_key(field.name)
             && let Some(value) = field.default_value()
         {
             fields.insert(field.name.to_owned(), value);
         }
     }
+}
+
+/// Takes the symmetry from the fields of an operation that can be mirrored.
+pub(crate) fn take_symmetry(spec: &Spec, fields: &mut Map<String, Value>) -> Result<Symmetry, Problem> {
+    #[derive(Default, serde::Deserialize)]
+    struct Mirrored {
+        symmetry: Symmetry,
+    }
+    let given = spec.field(symmetry::FIELD_NAME).and_then(|field| fields.remove_entry(field.name));
+    let read = given.map(|given| from_fields::<Mirrored>(Map::from_iter([given])));
+    Ok(read.transpose()?.unwrap_or_default().symmetry)
 }
 
 /// Reads an operation's fields, naming the one at fault.

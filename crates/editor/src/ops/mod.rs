@@ -15,6 +15,7 @@ mod field;
 mod json;
 mod refs;
 mod spec;
+mod symmetry;
 mod target;
 mod wording;
 
@@ -31,11 +32,15 @@ use json::Fields;
 pub(crate) use json::in_plain_words;
 pub use refs::{EdgeRef, FaceRef, HalfedgeRef, VertexRef};
 pub use spec::{Family, Scope, Spec};
+pub use symmetry::Symmetry;
+pub(crate) use symmetry::{Mirror, Mirroring, Reflection, SYMMETRY, edit_symmetric};
 pub(crate) use target::{Slot, Target};
 pub use wording::{four_digits, sentence_case};
 
 use crate::error::Problem;
+use halfedge::Mesh;
 use serde_json::{Map, Value};
+use surface::MirrorImages;
 
 macro_rules! operations {
     ($($(#[$doc:meta])* $group:ident [$($helper:ident),*] { $($module:ident::$name:ident),* $(,)? })*) => {
@@ -73,7 +78,7 @@ macro_rules! enumerate {
 
         impl From<$name> for Command {
             fn from(op: $name) -> Self {
-                Self { object: None, op: op.into() }
+                Self { object: None, symmetry: Symmetry::None, op: op.into() }
             }
         })*
 
@@ -127,6 +132,24 @@ macro_rules! enumerate {
                     $(Self::$name(op) => {
                         Ok(target::resolve(op, target)?.into_iter().map(Self::$name).collect())
                     })*
+                }
+            }
+
+            /// How it is mirrored.
+            pub(crate) fn mirroring(&self) -> Mirroring {
+                match self {
+                    $(Self::$name(_) => <$name as Operation>::MIRRORING,)*
+                }
+            }
+
+            /// The mirror images of operations of one kind.
+            pub(crate) fn mirror(ops: Vec<Self>, mesh: &Mesh, images: &mut MirrorImages) -> symmetry::Images<Self> {
+                match ops.first() {
+                    $(Some(Self::$name(_)) => {
+                        let own = |op| if let Self::$name(op) = op { Some(op) } else { None };
+                        symmetry::mirror(ops.into_iter().filter_map(own).collect(), mesh, images).map(Self::$name)
+                    })*
+                    None => symmetry::Images { own: Vec::new(), others: Vec::new(), alone: 0 },
                 }
             }
 

@@ -6,6 +6,7 @@ use halfedge::{EdgeId, Element, FaceId, HalfedgeId, Mesh, VertexId};
 use serde::de::{Deserializer, Error, SeqAccess, Unexpected, Visitor};
 use serde::{Deserialize, Serialize, Serializer};
 use std::fmt;
+use surface::MirrorImages;
 
 /// A vertex, by its id.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -85,6 +86,58 @@ impl ElementRef for HalfedgeRef {
         match self {
             Self::Id(id) => mesh.halfedge(id).ok_or_else(|| none_such(Element::Halfedge, id, mesh, field)),
             Self::FromTo(ends) => between(ends, mesh, field),
+        }
+    }
+}
+
+/// An element of any kind, as a field names it.
+#[derive(Clone, Copy, Debug)]
+pub(crate) enum AnyRef {
+    Vertex(VertexRef),
+    Edge(EdgeRef),
+    Halfedge(HalfedgeRef),
+    Face(FaceRef),
+}
+
+impl AnyRef {
+    /// The id of the element; none if there is no such element.
+    pub fn id(self, mesh: &Mesh) -> Option<u32> {
+        match self {
+            Self::Vertex(v) => v.find(mesh, "").ok().map(VertexId::raw),
+            Self::Edge(e) => e.find(mesh, "").ok().map(EdgeId::raw),
+            Self::Halfedge(h) => h.find(mesh, "").ok().map(HalfedgeId::raw),
+            Self::Face(f) => f.find(mesh, "").ok().map(FaceId::raw),
+        }
+    }
+
+    /// The vertices of the element.
+    pub fn vertices(self, mesh: &Mesh) -> Vec<VertexId> {
+        let of_edge = |e: EdgeId| mesh.ends(e).to_vec();
+        match self {
+            Self::Vertex(v) => v.find(mesh, "").into_iter().collect(),
+            Self::Edge(e) => e.find(mesh, "").map(of_edge).unwrap_or_default(),
+            Self::Halfedge(h) => h.find(mesh, "").map(|h| of_edge(h.edge())).unwrap_or_default(),
+            Self::Face(f) => f.find(mesh, "").map(|f| mesh.face_vertices(f).collect()).unwrap_or_default(),
+        }
+    }
+
+    /// The id of the element's mirror image; of an edge also whether the image's even half-edge runs the other way than the
+    /// edge as it is named.
+    pub fn image(self, mesh: &Mesh, images: &MirrorImages) -> Option<(u32, Option<bool>)> {
+        match self {
+            Self::Vertex(v) => Some((images.vertex(v.find(mesh, "").ok()?)?.raw(), None)),
+            Self::Face(f) => Some((images.face(mesh, f.find(mesh, "").ok()?)?.raw(), None)),
+            Self::Halfedge(h) => Some((images.halfedge(mesh, h.find(mesh, "").ok()?)?.raw(), None)),
+            Self::Edge(e) => {
+                let edge = e.find(mesh, "").ok()?;
+                let first = match e {
+                    EdgeRef::Ends([first, _]) => mesh.vertex(first)?,
+                    EdgeRef::Id(_) => mesh.from(edge.halfedge()),
+                };
+                let image = images.edge(mesh, edge)?;
+                let reversed = mesh.from(image.halfedge()) != images.vertex(first)?;
+                Some((image.raw(), Some(reversed)))
+            }
         }
     }
 }

@@ -1,6 +1,7 @@
 //! Resolving an operation: the selection fills in the elements that it leaves out.
 
 use super::field::{Arity, Field, FieldKind, Fill, Selected};
+use super::refs::AnyRef;
 use super::{EdgeRef, FaceRef, HalfedgeRef, Kind, Operation, VertexRef};
 use crate::document::Object;
 use crate::error::Problem;
@@ -48,8 +49,33 @@ impl Slot<'_> {
         }
     }
 
+    /// Whether it takes any number of elements.
+    pub fn is_list(&self) -> bool {
+        matches!(self, Self::Vertices(_) | Self::Edges(_) | Self::Faces(_))
+    }
+
+    /// The elements that are given.
+    pub fn refs(&self) -> Vec<AnyRef> {
+        fn all<R: Copy>(list: Option<&[R]>, any: fn(R) -> AnyRef) -> Vec<AnyRef> {
+            list.unwrap_or_default().iter().copied().map(any).collect()
+        }
+        match self {
+            Self::Vertex(slot) => all(slot.as_ref().map(std::slice::from_ref), AnyRef::Vertex),
+            Self::Edge(slot) => all(slot.as_ref().map(std::slice::from_ref), AnyRef::Edge),
+            Self::Halfedge(slot) => all(slot.as_ref().map(std::slice::from_ref), AnyRef::Halfedge),
+            Self::Face(slot) => all(slot.as_ref().map(std::slice::from_ref), AnyRef::Face),
+            Self::Vertices(slot) => all(slot.as_deref(), AnyRef::Vertex),
+            Self::Edges(slot) => all(slot.as_deref(), AnyRef::Edge),
+            Self::Faces(slot) => all(slot.as_deref(), AnyRef::Face),
+            Self::TwoVertices(slot) => all(slot.as_ref().map(<[_; 2]>::as_slice), AnyRef::Vertex),
+            Self::TwoEdges(slot) => all(slot.as_ref().map(<[_; 2]>::as_slice), AnyRef::Edge),
+            Self::TwoHalfedges(slot) => all(slot.as_ref().map(<[_; 2]>::as_slice), AnyRef::Halfedge),
+            Self::TwoFaces(slot) => all(slot.as_ref().map(<[_; 2]>::as_slice), AnyRef::Face),
+        }
+    }
+
     /// Sets the slot to these ids; a slot for one element takes the first.
-    fn fill(self, ids: &[u32]) {
+    pub fn fill(self, ids: &[u32]) {
         let two = || <[u32; 2]>::try_from(ids).ok();
         match self {
             Self::Vertex(slot) => *slot = ids.first().map(|&id| VertexRef(id)),

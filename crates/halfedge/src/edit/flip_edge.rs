@@ -26,10 +26,17 @@
 use crate::edit::Refusal;
 use crate::edit::shared::{Follower, Followers};
 use crate::mesh::Mesh;
-use crate::{EdgeId, Element, HalfedgeId};
+use crate::{EdgeId, Element, FaceId, HalfedgeId, VertexId};
 
 /// Whether [`flip_edge`] would succeed.
 pub fn can_flip_edge(mesh: &Mesh, edge: EdgeId) -> Result<(), Refusal> {
+    let [left, right] = flippable(mesh, edge)?;
+    let [c, d] = edge.halfedges().map(|h| mesh.to(mesh.next(h)));
+    check_ends(mesh, [(left, d), (right, c)])
+}
+
+/// The faces beside an edge that neither the boundary nor the valences of its ends keep from being flipped.
+fn flippable(mesh: &Mesh, edge: EdgeId) -> Result<[FaceId; 2], Refusal> {
     mesh.require_edge(edge)?;
     let [h, twin] = edge.halfedges();
     let (Some(left), Some(right)) = (mesh.face_of(h), mesh.face_of(twin)) else {
@@ -43,13 +50,17 @@ pub fn can_flip_edge(mesh: &Mesh, edge: EdgeId) -> Result<(), Refusal> {
             return Err(Refusal::ValenceTooLow(v, valence));
         }
     }
-    let (c, d) = (mesh.to(mesh.next(h)), mesh.to(mesh.next(twin)));
-    if mesh.face_vertices(left).any(|v| v == d) {
-        return Err(Refusal::RepeatedCorner(d));
+    Ok([left, right])
+}
+
+/// Refuses ends that their new faces have already as corners, or that an edge joins already.
+fn check_ends(mesh: &Mesh, gained: [(FaceId, VertexId); 2]) -> Result<(), Refusal> {
+    for (face, v) in gained {
+        if mesh.face_vertices(face).any(|corner| corner == v) {
+            return Err(Refusal::RepeatedCorner(v));
+        }
     }
-    if mesh.face_vertices(right).any(|v| v == c) {
-        return Err(Refusal::RepeatedCorner(c));
-    }
+    let [(_, d), (_, c)] = gained;
     match mesh.find_halfedge_between(c, d) {
         Some(_) => Err(Refusal::AlreadyJoined(c, d)),
         None => Ok(()),
@@ -74,7 +85,7 @@ pub fn flip_edge(mesh: &mut Mesh, edge: EdgeId) -> Result<(), Refusal> {
     let (after_c, after_d) = (mesh.next(bc), mesh.next(ad));
     let (before_a, before_b) = (mesh.prev(h), mesh.prev(twin));
 
-    let followers = follow_across_seams(mesh, edge);
+    let followers = follow_across_seams(mesh, edge, [(h, d, h), (twin, c, twin)]);
     mesh.copy_corners(&[(h, ad), (twin, bc), (after_d, h), (after_c, twin)]);
     followers.update(mesh);
     if let (Some(left), Some(right)) = (left, right) {
@@ -107,14 +118,64 @@ pub fn flip_edge(mesh: &mut Mesh, edge: EdgeId) -> Result<(), Refusal> {
     Ok(())
 }
 
-/// Followers for the corners that the two faces gain, in columns whose values differ between the sides of the edge:
-/// there each face continues its own values.
-fn follow_across_seams(mesh: &Mesh, edge: EdgeId) -> Followers {
+/// Whether [`flip_edge_clockwise`] would succeed: as for [`can_flip_edge`], seen in a mirror.
+pub fn can_flip_edge_clockwise(mesh: &Mesh, edge: EdgeId) -> Result<(), Refusal> {
+    let [left, right] = flippable(mesh, edge)?;
+    let [x, y] = edge.halfedges().map(|h| mesh.from(mesh.prev(h)));
+    check_ends(mesh, [(left, y), (right, x)])
+}
+
+/// [`flip_edge`] the other way: each end moves one step clockwise. Between two triangles, both give the same triangles.
+pub fn flip_edge_clockwise(mesh: &mut Mesh, edge: EdgeId) -> Result<(), Refusal> {
+    can_flip_edge_clockwise(mesh, edge)?;
     let [h, twin] = edge.halfedges();
-    let (c, d) = (mesh.to(mesh.next(h)), mesh.to(mesh.next(twin)));
-    let gained = [(h, d), (twin, c)]
-        .map(|(corner, vertex)| Follower { corner, vertex, side: Some(corner), rank: 1 })
-        .to_vec();
+    let [a, b] = mesh.ends(edge);
+    let (left, right) = (mesh.face_of(h), mesh.face_of(twin));
+    // x -> a in the left face and y -> b in the right one change places.
+    let (xa, yb) = (mesh.prev(h), mesh.prev(twin));
+    let (x, y) = (mesh.from(xa), mesh.from(yb));
+    let (before_x, before_y) = (mesh.prev(xa), mesh.prev(yb));
+    let (after_a, after_b) = (mesh.next(twin), mesh.next(h));
+
+    let followers = follow_across_seams(mesh, edge, [(h, y, yb), (twin, x, xa)]);
+    mesh.copy_corners(&[(xa, h), (yb, twin)]);
+    followers.update(mesh);
+    for (face, lost, own) in [(left, xa, h), (right, yb, twin)] {
+        if let Some(face) = face.filter(|&face| mesh.halfedge_of(face) == lost) {
+            mesh.set_face_halfedge(face, own);
+        }
+    }
+    // Left: before_x, x -> y, y -> b, after_b. Right: before_y, y -> x, x -> a, after_a.
+    mesh.link(before_x, h);
+    mesh.link(h, yb);
+    mesh.link(yb, after_b);
+    mesh.link(before_y, twin);
+    mesh.link(twin, xa);
+    mesh.link(xa, after_a);
+    mesh.set_face(xa, right);
+    mesh.set_face(yb, left);
+    mesh.set_to(h, y);
+    mesh.set_to(twin, x);
+    if mesh.halfedge_from(a) == Some(h) {
+        mesh.set_vertex_halfedge(a, Some(after_a));
+    }
+    if mesh.halfedge_from(b) == Some(twin) {
+        mesh.set_vertex_halfedge(b, Some(after_b));
+    }
+    Ok(())
+}
+
+/// Followers for the corners that the two faces gain, in columns whose values differ between the sides of the edge:
+/// there each face continues its own values. `gained` has a corner of each face, the vertex at the new corner and the
+/// half-edge that leaves it afterwards.
+fn follow_across_seams(
+    mesh: &Mesh,
+    edge: EdgeId,
+    gained: [(HalfedgeId, VertexId, HalfedgeId); 2],
+) -> Followers {
+    let [h, twin] = edge.halfedges();
+    let gained =
+        gained.map(|(corner, vertex, side)| Follower { corner, vertex, side: Some(side), rank: 1 }).to_vec();
     Followers::new(mesh, gained, |element, column| {
         let values = &mesh.columns.of(element)[column].values;
         let differ = |a: HalfedgeId, b: HalfedgeId| values.get(a.index()) != values.get(b.index());

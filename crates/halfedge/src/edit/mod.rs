@@ -57,7 +57,7 @@ pub use dissolve_vertex::{can_dissolve_vertex, dissolve_vertex};
 pub use extrude_edges::{can_extrude_edges, extrude_edges};
 pub use extrude_faces::{can_extrude_faces, extrude_faces};
 pub use fill_hole::{can_fill_hole, fill_hole};
-pub use flip_edge::{can_flip_edge, flip_edge};
+pub use flip_edge::{can_flip_edge, can_flip_edge_clockwise, flip_edge, flip_edge_clockwise};
 pub use flip_orientation::{can_flip_orientation, flip_orientation};
 pub use inset_faces::{can_inset_faces, inset_faces};
 pub use loop_cut::{can_loop_cut, edge_ring, loop_cut};

@@ -169,6 +169,23 @@ impl Mesh {
         self.journal.take().unwrap_or_default()
     }
 
+    /// The vertices that were moved since [`Mesh::start_recording`], each once in order of id, with the positions that
+    /// they had then; for vertices added since, the origin. Costs O(writes).
+    pub fn recorded_moves(&self) -> Vec<(VertexId, Vec3)> {
+        let changes = self.journal.as_ref().map_or(&[][..], |journal| &journal.changes);
+        let mut moves: Vec<(VertexId, Vec3)> = changes
+            .iter()
+            .filter_map(|change| match *change {
+                Change::Position(v, old) => Some((VertexId::new(v as usize), old)),
+                _ => None,
+            })
+            .collect();
+        // The sort is stable, so the first write to each vertex is the one that stays.
+        moves.sort_by_key(|(v, _)| *v);
+        moves.dedup_by_key(|(v, _)| *v);
+        moves
+    }
+
     /// Undoes the writes of a journal, the latest first; returns the journal that redoes them. The mesh must be
     /// as it was when the journal ended.
     pub fn undo(&mut self, journal: Journal) -> Journal {

@@ -4,6 +4,7 @@ use editor::OpId;
 use egui::{Color32, Pos2, Rect, Shape, Stroke, Ui, Vec2, vec2};
 use glam::{Mat3, Vec3};
 
+use crate::live::edit::Live;
 use crate::live::edit::Start;
 use crate::live::lock::{Lock, axes_of};
 use crate::page_view::Page;
@@ -69,6 +70,7 @@ pub(super) fn paint(ui: &Ui, rect: Rect, page: &Page<'_>) {
     let colors = theme::palette(ui.visuals()).axes;
     if let Some(live) = &page.live {
         paint_lock(page, &painter, colors);
+        paint_rails(page, live, &painter, ui.visuals().hyperlink_color);
         if live.id == OpId::Transform && page.live_settings.soft {
             paint_soft_radius(page, &painter, ui.visuals().strong_text_color());
         }
@@ -276,6 +278,16 @@ fn paint_lock(page: &Page<'_>, painter: &egui::Painter, colors: [Color32; 3]) {
         let end = |sign: f32| reach.iter().map_while(|far| frame.at(axes.col(axis) * *far * sign)).last();
         if let (Some(a), Some(b), Some(color)) = (end(-1.0), end(1.0), colors.get(axis)) {
             painter.line_segment([a, b], Stroke::new(1.0, color.gamma_multiply(0.8)));
+        }
+    }
+}
+
+/// Draws the lines along which vertices slide, with the ends that they can reach.
+fn paint_rails(page: &Page<'_>, live: &Live, painter: &egui::Painter, color: Color32) {
+    for rail in live.rails() {
+        if let [Some(from), Some(to)] = rail.map(|point| page.view.project(point)) {
+            painter.line_segment([from, to], Stroke::new(1.0, color));
+            painter.circle_filled(to, 2.5, color);
         }
     }
 }

@@ -26,10 +26,22 @@ pub(super) fn paint(ui: &mut Ui, rect: Rect, page: &Page<'_>) {
         let hint = format!("Drop an OBJ file here, {open}, paste OBJ text, or create a shape.");
         say_in_middle(ui, rect, "Nothing to see yet", &hint);
     }
+    if page.view.picture.is_some() && is_emptied(page) {
+        let undo = keys::how_to(ui.ctx(), Action::Undo);
+        let hint = format!("{undo} to bring it back, open a file, or create a shape: File > New shape.");
+        say_in_middle(ui, rect, "Nothing is left of the model", &hint);
+    }
     let free = page.view.free_rect();
     if page.shown.overlay {
         info(ui, free, page);
     }
+}
+
+/// Whether there are objects, but nothing of them is left to see.
+fn is_emptied(page: &Page<'_>) -> bool {
+    let objects = page.editor.document().objects();
+    !objects.is_empty()
+        && objects.iter().all(|object| object.mesh().vertex_count() == 0 && object.bezier().is_none())
 }
 
 fn say_in_middle(ui: &mut Ui, rect: Rect, title: &str, hint: &str) {

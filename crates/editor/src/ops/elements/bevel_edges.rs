@@ -3,7 +3,7 @@
 use super::sized::{not_negative, set_size};
 use crate::error::Problem;
 use crate::ops::refs::{all, count};
-use crate::ops::{
+use crate::ops::{SYMMETRY, 
     Action, DefaultValue, Drag, EdgeRef, Family, Field, LocalEdit, Operation, Scope, Selected, Slot, Spec, Unit,
 };
 use crate::outcome::ElementIds;
@@ -40,6 +40,7 @@ impl Operation for BevelEdges {
                 )
                 .drag(Drag::Width),
                 Field::count("segments", [1, 256], "The number of faces across the strip").or(DefaultValue::Integer(1)),
+                SYMMETRY,
             ]);
 
     fn elements(&mut self) -> Vec<Slot<'_>> {

@@ -3,7 +3,7 @@
 use super::sized::{not_negative, set_size};
 use crate::error::Problem;
 use crate::ops::refs::{all, count};
-use crate::ops::{
+use crate::ops::{SYMMETRY, 
     Action, Drag, Family, Field, LocalEdit, Operation, Scope, Selected, Slot, Spec, Unit, VertexRef,
 };
 use crate::outcome::ElementIds;
@@ -36,6 +36,7 @@ impl Operation for BevelVertices {
                     "How far along each edge, in mesh units",
                 )
                 .drag(Drag::Width),
+                SYMMETRY,
             ]);
 
     fn elements(&mut self) -> Vec<Slot<'_>> {

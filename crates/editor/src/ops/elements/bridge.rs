@@ -2,7 +2,7 @@
 
 use crate::error::Problem;
 use crate::ops::refs::two;
-use crate::ops::{Action, FaceRef, Field, HalfedgeRef, LocalEdit, Operation, Scope, Slot, Spec};
+use crate::ops::{SYMMETRY, Action, FaceRef, Field, HalfedgeRef, LocalEdit, Operation, Scope, Slot, Spec};
 use crate::outcome::ElementIds;
 use crate::selection::Selection;
 use halfedge::{Element, Mesh, edit};
@@ -29,6 +29,7 @@ impl Operation for Bridge {
     .fields(&[
         Field::two("halfedges", Element::Halfedge, "A boundary half-edge of each loop"),
         Field::two("faces", Element::Face, "Two faces to replace"),
+        SYMMETRY,
     ]);
 
     fn elements(&mut self) -> Vec<Slot<'_>> {

@@ -2,7 +2,7 @@
 
 use crate::error::Problem;
 use crate::ops::refs::{given, given_t, one};
-use crate::ops::{Action, DefaultValue, EdgeRef, Field, LocalEdit, Operation, Scope, Selected, Slot, Spec, Unit};
+use crate::ops::{Reflection, SYMMETRY, Action, DefaultValue, EdgeRef, Field, LocalEdit, Operation, Scope, Selected, Slot, Spec, Unit};
 use halfedge::{Element, Mesh, edit};
 use serde::{Deserialize, Serialize};
 
@@ -29,10 +29,15 @@ impl Operation for CollapseEdge {
         Field::number("t", Unit::Fraction, [0.0, 1.0], "The position of the vertex along the edge")
             .labelled("Position (0 to 1)")
             .or(DefaultValue::Number(0.5)),
+        SYMMETRY,
     ]);
 
     fn elements(&mut self) -> Vec<Slot<'_>> {
         vec![Slot::Edge(&mut self.edge)]
+    }
+
+    fn reflect(&mut self, reflection: Reflection) {
+        self.t = reflection.along(self.t);
     }
 
     fn action(&self) -> Action<'_> {

@@ -2,7 +2,7 @@
 
 use crate::error::Problem;
 use crate::ops::refs::one;
-use crate::ops::{Action, FaceRef, Field, LocalEdit, Operation, Scope, Selected, Slot, Spec};
+use crate::ops::{SYMMETRY, Action, FaceRef, Field, LocalEdit, Operation, Scope, Selected, Slot, Spec};
 use halfedge::{Element, Mesh, edit};
 use serde::{Deserialize, Serialize};
 
@@ -21,7 +21,7 @@ impl Operation for CollapseFace {
         "Collapse face",
         "Merge all corners of a face into one vertex at its centre.",
     )
-    .fields(&[Field::one("face", Element::Face, Selected::Each, "The face to collapse")]);
+    .fields(&[Field::one("face", Element::Face, Selected::Each, "The face to collapse"), SYMMETRY]);
 
     fn elements(&mut self) -> Vec<Slot<'_>> {
         vec![Slot::Face(&mut self.face)]

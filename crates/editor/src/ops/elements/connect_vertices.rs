@@ -2,7 +2,7 @@
 
 use crate::error::Problem;
 use crate::ops::refs::two;
-use crate::ops::{Action, Field, LocalEdit, Operation, Scope, Slot, Spec, VertexRef};
+use crate::ops::{SYMMETRY, Action, Field, LocalEdit, Operation, Scope, Slot, Spec, VertexRef};
 use halfedge::{Element, Mesh, edit};
 use serde::{Deserialize, Serialize};
 
@@ -22,7 +22,7 @@ impl Operation for ConnectVertices {
         "Cut a face from one of its corners to another.",
     )
     .synonyms(&["cut", "connect"])
-    .fields(&[Field::two("vertices", Element::Vertex, "Two corners of one face")]);
+    .fields(&[Field::two("vertices", Element::Vertex, "Two corners of one face"), SYMMETRY]);
 
     fn elements(&mut self) -> Vec<Slot<'_>> {
         vec![Slot::TwoVertices(&mut self.vertices)]

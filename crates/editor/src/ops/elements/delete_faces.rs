@@ -2,7 +2,7 @@
 
 use crate::error::Problem;
 use crate::ops::refs::{all, count};
-use crate::ops::{Action, FaceRef, Family, Field, LocalEdit, Operation, Scope, Selected, Slot, Spec};
+use crate::ops::{SYMMETRY, Action, FaceRef, Family, Field, LocalEdit, Operation, Scope, Selected, Slot, Spec};
 use halfedge::{Element, Mesh, edit};
 use serde::{Deserialize, Serialize};
 
@@ -23,7 +23,7 @@ impl Operation for DeleteFaces {
     )
     .synonyms(&["erase", "remove faces"])
     .family(Family::Delete)
-    .fields(&[Field::many("faces", Element::Face, Selected::All, "The faces to delete")]);
+    .fields(&[Field::many("faces", Element::Face, Selected::All, "The faces to delete"), SYMMETRY]);
 
     fn elements(&mut self) -> Vec<Slot<'_>> {
         vec![Slot::Faces(&mut self.faces)]

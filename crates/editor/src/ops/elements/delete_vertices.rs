@@ -2,7 +2,7 @@
 
 use crate::error::Problem;
 use crate::ops::refs::{all, count};
-use crate::ops::{Action, Family, Field, LocalEdit, Operation, Scope, Selected, Slot, Spec, VertexRef};
+use crate::ops::{SYMMETRY, Action, Family, Field, LocalEdit, Operation, Scope, Selected, Slot, Spec, VertexRef};
 use halfedge::{Element, Mesh, edit};
 use serde::{Deserialize, Serialize};
 
@@ -23,7 +23,7 @@ impl Operation for DeleteVertices {
     )
     .synonyms(&["erase", "remove vertices"])
     .family(Family::Delete)
-    .fields(&[Field::many("vertices", Element::Vertex, Selected::All, "The vertices to delete")]);
+    .fields(&[Field::many("vertices", Element::Vertex, Selected::All, "The vertices to delete"), SYMMETRY]);
 
     fn elements(&mut self) -> Vec<Slot<'_>> {
         vec![Slot::Vertices(&mut self.vertices)]

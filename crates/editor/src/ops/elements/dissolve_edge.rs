@@ -2,7 +2,7 @@
 
 use crate::error::Problem;
 use crate::ops::refs::{all, count, one};
-use crate::ops::{
+use crate::ops::{SYMMETRY, 
     Action, DefaultValue as Or, EdgeRef, Family, Field, FieldKind, LocalEdit, Operation, Scope, Selected, Slot,
     Spec,
 };
@@ -51,6 +51,7 @@ impl Operation for DissolveEdge {
             "Whether vertices that are left with two edges stay",
         )
         .or(Or::Flag(false)),
+        SYMMETRY,
     ]);
 
     fn elements(&mut self) -> Vec<Slot<'_>> {

@@ -2,7 +2,7 @@
 
 use crate::error::Problem;
 use crate::ops::refs::{all, count, one};
-use crate::ops::{Action, Family, Field, LocalEdit, Operation, Scope, Selected, Slot, Spec, VertexRef};
+use crate::ops::{SYMMETRY, Action, Family, Field, LocalEdit, Operation, Scope, Selected, Slot, Spec, VertexRef};
 use halfedge::edit::{self, Refusal};
 use halfedge::{Element, Mesh, VertexId};
 use serde::{Deserialize, Serialize};
@@ -40,6 +40,7 @@ impl Operation for DissolveVertex {
         Field::one("vertex", Element::Vertex, Selected::Each, "The vertex to dissolve")
             .optional("those of `vertices`"),
         Field::many("vertices", Element::Vertex, Selected::All, "The vertices to dissolve, one after the other"),
+        SYMMETRY,
     ]);
 
     fn elements(&mut self) -> Vec<Slot<'_>> {

@@ -3,13 +3,16 @@
 use super::sized::set_size;
 use crate::error::Problem;
 use crate::ops::refs::{ElementRef, all, count};
-use crate::ops::{
+use crate::ops::{Mirror, SYMMETRY, 
     Action, edges_between_created, Drag, EdgeRef, Family, Field, FieldKind, LocalEdit, Operation, Scope, Selected, Slot, Spec,
 };
 use crate::outcome::ElementIds;
 use crate::selection::Selection;
-use halfedge::{EdgeId, Element, Mesh, edit};
+use glam::Vec3;
+use halfedge::{EdgeId, Element, Mesh, VertexId, edit};
 use serde::{Deserialize, Serialize};
+use std::collections::HashMap;
+use surface::mirrored;
 
 /// Add a quad beside each of some boundary edges.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -34,6 +37,7 @@ impl Operation for ExtrudeEdges {
                     "From the edges to the far sides, in mesh units",
                 )
                 .drag(Drag::Offset),
+                SYMMETRY,
             ]);
 
     fn elements(&mut self) -> Vec<Slot<'_>> {
@@ -63,6 +67,36 @@ impl LocalEdit for ExtrudeEdges {
 
     fn edit(&self, mesh: &mut Mesh, notes: &mut Vec<String>) -> Result<(), Problem> {
         let live = edit::extrude_edges(mesh, &all(&self.edges, "edges", mesh)?, self.offset.into())?;
+        set_size(mesh, &live, 1.0, "offset", notes)
+    }
+
+    fn edit_mirrored(&self, mesh: &mut Mesh, mirror: &Mirror<'_>, notes: &mut Vec<String>) -> Result<(), Problem> {
+        let edges = all(&self.edges, "edges", mesh)?;
+        let ends = |edges: &[EdgeId]| edges.iter().flat_map(|edge| mesh.ends(*edge)).collect::<Vec<_>>();
+        let mut own = ends(edges.get(..mirror.own).unwrap_or(&edges));
+        own.sort_unstable();
+        let is_own = |v: VertexId| own.binary_search(&v).is_ok();
+        let bits = |at: Vec3| at.to_array().map(f32::to_bits);
+        let axis = mirror.images.axis();
+        let offset = Vec3::from(self.offset);
+        // How far the copy of the vertex at each place moves. The image of a given vertex follows it; of two given ones, that
+        // on the positive side leads.
+        let mut by: HashMap<[u32; 3], Vec3> = HashMap::new();
+        for v in ends(&edges) {
+            let at = mesh.position(v);
+            let is_positive = at.to_array().get(axis).is_some_and(|at| *at > 0.0);
+            let image = mirror.images.vertex(v);
+            let moves = match image {
+                Some(image) if image == v => (offset + mirrored(offset, axis)) * 0.5,
+                Some(image) if !is_own(v) || (is_own(image) && !is_positive) => mirrored(offset, axis),
+                _ => offset,
+            };
+            by.insert(bits(at), moves);
+        }
+        let mut live = edit::extrude_edges(mesh, &edges, offset)?;
+        for moved in &mut live.slide.vertices {
+            moved.by = by.get(&bits(moved.from)).copied().unwrap_or(moved.by);
+        }
         set_size(mesh, &live, 1.0, "offset", notes)
     }
 

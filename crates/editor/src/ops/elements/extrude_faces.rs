@@ -3,7 +3,7 @@
 use super::sized::{Mode, set_size};
 use crate::error::Problem;
 use crate::ops::refs::{all, corner_count};
-use crate::ops::{
+use crate::ops::{SYMMETRY, 
     Action, Drag, FaceRef, Family, Field, LocalEdit, Operation, Scope, Selected, Slot, Spec, Unit,
 };
 use halfedge::{Element, Mesh, edit};
@@ -40,6 +40,7 @@ impl Operation for ExtrudeFaces {
         )
         .drag(Drag::Distance),
         Mode::field("mode", "Whether faces that share an edge stay together"),
+        SYMMETRY,
     ]);
 
     fn elements(&mut self) -> Vec<Slot<'_>> {

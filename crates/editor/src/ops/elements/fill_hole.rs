@@ -2,7 +2,7 @@
 
 use crate::error::Problem;
 use crate::ops::refs::one;
-use crate::ops::{Action, Field, HalfedgeRef, LocalEdit, Operation, Scope, Selected, Slot, Spec};
+use crate::ops::{SYMMETRY, Action, Field, HalfedgeRef, LocalEdit, Operation, Scope, Selected, Slot, Spec};
 use halfedge::edit::Refusal;
 use halfedge::{Element, Mesh, edit};
 use serde::{Deserialize, Serialize};
@@ -24,7 +24,7 @@ impl Operation for FillHole {
                 Element::Halfedge,
                 Selected::Each,
                 "A half-edge of the boundary loop",
-            )]);
+            ), SYMMETRY]);
 
     fn elements(&mut self) -> Vec<Slot<'_>> {
         vec![Slot::Halfedge(&mut self.halfedge)]

@@ -2,7 +2,7 @@
 
 use crate::error::Problem;
 use crate::ops::refs::one;
-use crate::ops::{Action, EdgeRef, Field, LocalEdit, Operation, Scope, Selected, Slot, Spec};
+use crate::ops::{Reflection, SYMMETRY, Action, EdgeRef, Field, LocalEdit, Operation, Scope, Selected, Slot, Spec};
 use halfedge::{Element, Mesh, edit};
 use serde::{Deserialize, Serialize};
 
@@ -12,6 +12,9 @@ use serde::{Deserialize, Serialize};
 pub struct FlipEdge {
     /// The edge; each selected one in turn when left out.
     pub edge: Option<EdgeRef>,
+    /// Turn it clockwise, as a mirror image does.
+    #[serde(skip)]
+    clockwise: bool,
 }
 
 impl Operation for FlipEdge {
@@ -21,10 +24,14 @@ impl Operation for FlipEdge {
         "Flip edge",
         "Turn an edge one step counter-clockwise within its two faces.",
     )
-    .fields(&[Field::one("edge", Element::Edge, Selected::Each, "The edge to flip")]);
+    .fields(&[Field::one("edge", Element::Edge, Selected::Each, "The edge to flip"), SYMMETRY]);
 
     fn elements(&mut self) -> Vec<Slot<'_>> {
         vec![Slot::Edge(&mut self.edge)]
+    }
+
+    fn reflect(&mut self, reflection: Reflection) {
+        self.clockwise = !reflection.is_own;
     }
 
     fn action(&self) -> Action<'_> {
@@ -34,11 +41,13 @@ impl Operation for FlipEdge {
 
 impl LocalEdit for FlipEdge {
     fn can(&self, mesh: &Mesh) -> Result<(), Problem> {
-        Ok(edit::can_flip_edge(mesh, one(self.edge, "edge", mesh)?)?)
+        let can = if self.clockwise { edit::can_flip_edge_clockwise } else { edit::can_flip_edge };
+        Ok(can(mesh, one(self.edge, "edge", mesh)?)?)
     }
 
     fn edit(&self, mesh: &mut Mesh, _notes: &mut Vec<String>) -> Result<(), Problem> {
-        edit::flip_edge(mesh, one(self.edge, "edge", mesh)?)?;
+        let flip = if self.clockwise { edit::flip_edge_clockwise } else { edit::flip_edge };
+        flip(mesh, one(self.edge, "edge", mesh)?)?;
         Ok(())
     }
 

@@ -3,7 +3,7 @@
 use super::sized::{Mode, not_negative, set_size};
 use crate::error::Problem;
 use crate::ops::refs::{all, corner_count};
-use crate::ops::{Action, Drag, FaceRef, Field, LocalEdit, Operation, Scope, Selected, Slot, Spec, Unit};
+use crate::ops::{SYMMETRY, Action, Drag, FaceRef, Field, LocalEdit, Operation, Scope, Selected, Slot, Spec, Unit};
 use halfedge::{Element, Mesh, edit};
 use serde::{Deserialize, Serialize};
 
@@ -33,6 +33,7 @@ impl Operation for InsetFaces {
         Field::number("amount", Unit::Length, [0.0, f32::MAX as f64], "The width of the ring, in mesh units")
             .drag(Drag::Width),
         Mode::field("mode", "Whether faces that share an edge stay together"),
+        SYMMETRY,
     ]);
 
     fn elements(&mut self) -> Vec<Slot<'_>> {

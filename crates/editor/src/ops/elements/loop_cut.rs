@@ -2,11 +2,11 @@
 
 use crate::error::Problem;
 use crate::ops::refs::one;
-use crate::ops::{Action, DefaultValue, Drag, edges_between_created, EdgeRef, Field, LocalEdit, Operation, Scope, Selected, Slot, Spec, Unit};
+use crate::ops::{Reflection, SYMMETRY, Action, DefaultValue, Drag, edges_between_created, EdgeRef, Field, LocalEdit, Operation, Scope, Selected, Slot, Spec, Unit};
 use crate::outcome::ElementIds;
 use crate::selection::Selection;
 use halfedge::geometry::BitSet;
-use halfedge::{EdgeId, Element, Mesh, VertexId, edit};
+use halfedge::{EdgeId, Element, HalfedgeId, Mesh, VertexId, edit};
 use serde::{Deserialize, Serialize};
 
 /// Cut the ring of quads that crosses an edge. Several edges of one ring cut it once.
@@ -40,6 +40,7 @@ impl Operation for LoopCut {
                 .between()
                 .or(DefaultValue::Number(0.5))
                 .drag(Drag::Fraction),
+                SYMMETRY,
             ]);
 
     fn elements(&mut self) -> Vec<Slot<'_>> {
@@ -59,6 +60,26 @@ impl Operation for LoopCut {
             true
         };
         ops.into_iter().filter(is_new).collect()
+    }
+
+    fn reflect(&mut self, reflection: Reflection) {
+        self.t = reflection.along(self.t);
+    }
+
+    fn pair(&mut self, image: Self, mesh: &Mesh) -> Option<Self> {
+        let ring = one(self.edge, "edge", mesh).map(|edge| edit::edge_ring(mesh, edge).0).unwrap_or_default();
+        let side = |op: &Self| {
+            let edge = one(op.edge, "edge", mesh).ok()?;
+            ring.iter().copied().find(|h| h.edge() == edge)
+        };
+        let [Some(own), Some(other)] = [side(self), side(&image)] else { return Some(image) };
+        // One ring crosses both edges. Cuts that are not in its middle are mirror images of themselves only if the image's
+        // amount is along the same side of the ring.
+        let along = |h: HalfedgeId, t: f32| if h == h.edge().halfedge() { t } else { 1.0 - t };
+        if (along(own, self.t) - along(other, image.t)).abs() > f32::EPSILON {
+            self.t = 0.5;
+        }
+        None
     }
 
     fn action(&self) -> Action<'_> {

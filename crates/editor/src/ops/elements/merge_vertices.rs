@@ -2,7 +2,7 @@
 
 use crate::error::Problem;
 use crate::ops::refs::{all, count};
-use crate::ops::{Action, Field, FieldKind, LocalEdit, Operation, Scope, Selected, Slot, Spec, VertexRef};
+use crate::ops::{Mirroring, Reflection, SYMMETRY, Action, Field, FieldKind, LocalEdit, Operation, Scope, Selected, Slot, Spec, VertexRef};
 use halfedge::{Element, Mesh, edit};
 use serde::{Deserialize, Serialize};
 
@@ -25,10 +25,17 @@ impl Operation for MergeVertices {
                 Field::many("vertices", Element::Vertex, Selected::Vertices, "The vertices to merge"),
                 Field::required("position", FieldKind::Vector, "The position of the merged vertex")
                     .unset("the centre of the vertices"),
+                SYMMETRY,
             ]);
 
     fn elements(&mut self) -> Vec<Slot<'_>> {
         vec![Slot::Vertices(&mut self.vertices)]
+    }
+
+    const MIRRORING: Mirroring = Mirroring::Apart;
+
+    fn reflect(&mut self, reflection: Reflection) {
+        self.position = self.position.map(|position| reflection.vector(position));
     }
 
     fn action(&self) -> Action<'_> {

@@ -2,7 +2,7 @@
 
 use crate::error::Problem;
 use crate::ops::refs::{all, corner_count};
-use crate::ops::{Action, FaceRef, Field, LocalEdit, Operation, Scope, Selected, Slot, Spec};
+use crate::ops::{SYMMETRY, Action, FaceRef, Field, LocalEdit, Operation, Scope, Selected, Slot, Spec};
 use halfedge::{Element, Mesh, edit};
 use serde::{Deserialize, Serialize};
 
@@ -21,7 +21,7 @@ impl Operation for PokeFaces {
         "Poke faces",
         "Add a vertex at the centre of each face and join it to every corner.",
     )
-    .fields(&[Field::many("faces", Element::Face, Selected::All, "The faces to poke")]);
+    .fields(&[Field::many("faces", Element::Face, Selected::All, "The faces to poke"), SYMMETRY]);
 
     fn elements(&mut self) -> Vec<Slot<'_>> {
         vec![Slot::Faces(&mut self.faces)]

@@ -2,7 +2,7 @@
 
 use crate::error::Problem;
 use crate::ops::refs::{all, count};
-use crate::ops::{Action, EdgeRef, Field, LocalEdit, Operation, Scope, Selected, Slot, Spec};
+use crate::ops::{SYMMETRY, Action, EdgeRef, Field, LocalEdit, Operation, Scope, Selected, Slot, Spec};
 use halfedge::{Element, Mesh, edit};
 use serde::{Deserialize, Serialize};
 
@@ -22,7 +22,7 @@ impl Operation for RipEdges {
         "Make edges boundary: the faces on either side come apart.",
     )
     .synonyms(&["split edges", "detach", "tear"])
-    .fields(&[Field::many("edges", Element::Edge, Selected::All, "The edges to rip")]);
+    .fields(&[Field::many("edges", Element::Edge, Selected::All, "The edges to rip"), SYMMETRY]);
 
     fn elements(&mut self) -> Vec<Slot<'_>> {
         vec![Slot::Edges(&mut self.edges)]

@@ -2,7 +2,7 @@
 
 use crate::error::Problem;
 use crate::ops::refs::{all, count};
-use crate::ops::{
+use crate::ops::{SYMMETRY, 
     Action, EdgeRef, Field, LocalEdit, Operation, Scope, Selected, Slot, Spec, Unit, VertexRef,
 };
 use halfedge::{Element, Mesh, edit};
@@ -36,6 +36,7 @@ impl Operation for SetCrease {
         Field::many("edges", Element::Edge, Selected::All, "Edges to make sharp"),
         Field::many("vertices", Element::Vertex, Selected::All, "Vertices to make sharp"),
         Field::number("sharpness", Unit::Count, [0.0, 10.0], "0 is smooth, 10 infinitely sharp"),
+        SYMMETRY,
     ]);
 
     fn elements(&mut self) -> Vec<Slot<'_>> {

@@ -2,7 +2,7 @@
 
 use crate::error::Problem;
 use crate::ops::refs::{all, count};
-use crate::ops::{Action, FaceRef, Field, FieldKind, LocalEdit, Operation, Scope, Selected, Slot, Spec};
+use crate::ops::{SYMMETRY, Action, FaceRef, Field, FieldKind, LocalEdit, Operation, Scope, Selected, Slot, Spec};
 use halfedge::edit::Refusal;
 use halfedge::{Color, Element, FaceId, Mesh, keys};
 use serde::{Deserialize, Serialize};
@@ -27,6 +27,7 @@ impl Operation for SetFaceColor {
             .fields(&[
                 Field::many("faces", Element::Face, Selected::All, "The faces to paint"),
                 Field::required("color", FieldKind::Color, "The colour as #rrggbb").labelled("Colour"),
+                SYMMETRY,
             ]);
 
     fn elements(&mut self) -> Vec<Slot<'_>> {

@@ -2,7 +2,7 @@
 
 use crate::error::Problem;
 use crate::ops::refs::one;
-use crate::ops::{Action, Field, FieldKind, LocalEdit, Operation, Scope, Selected, Slot, Spec, VertexRef};
+use crate::ops::{Mirroring, SYMMETRY, Action, Field, FieldKind, LocalEdit, Operation, Scope, Selected, Slot, Spec, VertexRef};
 use halfedge::{Element, Mesh};
 use serde::{Deserialize, Serialize};
 
@@ -23,10 +23,17 @@ impl Operation for SetVertexPosition {
             .fields(&[
                 Field::one("vertex", Element::Vertex, Selected::Only, "The vertex to move"),
                 Field::required("position", FieldKind::Vector, "The new position, in mesh units"),
+                SYMMETRY,
             ]);
 
     fn elements(&mut self) -> Vec<Slot<'_>> {
         vec![Slot::Vertex(&mut self.vertex)]
+    }
+
+    const MIRRORING: Mirroring = Mirroring::Moves;
+
+    fn pair(&mut self, _image: Self, _mesh: &Mesh) -> Option<Self> {
+        None
     }
 
     fn action(&self) -> Action<'_> {

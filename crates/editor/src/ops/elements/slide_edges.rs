@@ -3,7 +3,7 @@
 use super::sized::{nothing_moved, slide_amount};
 use crate::error::Problem;
 use crate::ops::refs::{all, count};
-use crate::ops::{
+use crate::ops::{Mirroring, Reflection, SYMMETRY, 
     Action, EdgeRef, Family, Field, LocalEdit, Operation, Scope, Selected, Slot, Spec,
 };
 use halfedge::{EdgeId, Element, Mesh, edit};
@@ -38,10 +38,20 @@ impl Operation for SlideEdges {
             "The edges, in lines that don't branch; left is that of the first edge's direction",
         ),
         slide_amount("How far: 1 is to the neighbours on the left, -1 to those on the right"),
+        SYMMETRY,
     ]);
 
     fn elements(&mut self) -> Vec<Slot<'_>> {
         vec![Slot::Edges(&mut self.edges)]
+    }
+
+    const MIRRORING: Mirroring = Mirroring::Moves;
+
+    fn reflect(&mut self, reflection: Reflection) {
+        // The image of the left side is the right side of the image.
+        if !reflection.reversed {
+            self.amount = -self.amount;
+        }
     }
 
     fn action(&self) -> Action<'_> {

@@ -3,7 +3,7 @@
 use super::sized::{nothing_moved, slide_amount};
 use crate::error::Problem;
 use crate::ops::refs::{all, count};
-use crate::ops::{
+use crate::ops::{Mirroring, Reflection, SYMMETRY, 
     Action, DefaultValue, Family, Field, FieldKind, LocalEdit, Operation, Scope, Selected, Slot, Spec, VertexRef,
 };
 use crate::script::json::finite3;
@@ -43,10 +43,17 @@ impl Operation for SlideVertices {
         )
         .or(DefaultValue::Vector([1.0, 0.0, 0.0])),
         slide_amount("How far: 1 is to the edges' other ends; below 0 is the other way"),
+        SYMMETRY,
     ]);
 
     fn elements(&mut self) -> Vec<Slot<'_>> {
         vec![Slot::Vertices(&mut self.vertices)]
+    }
+
+    const MIRRORING: Mirroring = Mirroring::Moves;
+
+    fn reflect(&mut self, reflection: Reflection) {
+        self.direction = reflection.vector(self.direction);
     }
 
     fn action(&self) -> Action<'_> {

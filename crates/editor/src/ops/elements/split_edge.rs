@@ -3,7 +3,7 @@
 use crate::error::Problem;
 use crate::ops::choice::choice;
 use crate::ops::refs::{given, given_t};
-use crate::ops::{
+use crate::ops::{Reflection, SYMMETRY, 
     Action, DefaultValue, Drag, EdgeRef, Field, LocalEdit, Operation, Scope, Selected, Slot, Spec, Unit,
 };
 use halfedge::{Element, Mesh, edit};
@@ -50,10 +50,15 @@ impl Operation for SplitEdge {
             .or(DefaultValue::Number(0.5))
             .drag(Drag::Fraction),
         Connect::field("connect", "Which of the faces beside the edge are cut"),
+        SYMMETRY,
     ]);
 
     fn elements(&mut self) -> Vec<Slot<'_>> {
         vec![Slot::Edge(&mut self.edge)]
+    }
+
+    fn reflect(&mut self, reflection: Reflection) {
+        self.t = reflection.along(self.t);
     }
 
     fn action(&self) -> Action<'_> {

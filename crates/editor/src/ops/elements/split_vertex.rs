@@ -2,7 +2,7 @@
 
 use crate::error::Problem;
 use crate::ops::refs::{one, two};
-use crate::ops::{
+use crate::ops::{Reflection, SYMMETRY, 
     Action, Arity, EdgeRef, Field, FieldKind, LocalEdit, Operation, Scope, Slot, Spec, Target, VertexRef,
 };
 use glam::Vec3;
@@ -46,6 +46,7 @@ impl Operation for SplitVertex {
         Field::two("edges", Element::Edge, "Two of its edges"),
         Field::required("positions", FieldKind::VectorPair, "The positions of the two vertices")
             .unset("a little apart"),
+        SYMMETRY,
     ]);
 
     fn elements(&mut self) -> Vec<Slot<'_>> {
@@ -64,6 +65,14 @@ impl Operation for SplitVertex {
             self.vertex = Some(shared.into());
         }
         Ok(())
+    }
+
+    fn reflect(&mut self, reflection: Reflection) {
+        self.positions = self.positions.map(|pair| pair.map(|position| reflection.vector(position)));
+        // The faces that the new vertex gets lie between the edges counter-clockwise.
+        if let Some(edges) = self.edges.as_mut().filter(|_| !reflection.is_own) {
+            edges.reverse();
+        }
     }
 
     fn action(&self) -> Action<'_> {

@@ -3,12 +3,11 @@
 use crate::error::Problem;
 use super::sized::not_negative;
 use crate::script::json::{finite, finite_option, finite3, finite3_option, shortest};
-use crate::ops::choice::choice;
 use crate::ops::in_plain_words;
 use crate::ops::refs::{all, count};
 use crate::ops::{
     Action, Arity, DefaultValue, Drag, EdgeRef, FaceRef, Field, FieldKind, LocalEdit, Operation, Scope, Selected,
-    Slot, Spec, Unit, VertexRef,
+    Mirroring, SYMMETRY, Slot, Spec, Unit, VertexRef,
 };
 use glam::{Affine3A, Mat3A, Quat, Vec3};
 use halfedge::edit::Refusal;
@@ -47,35 +46,6 @@ pub struct Transform {
     /// they are.
     #[serde(default, with = "finite_option")]
     pub falloff: Option<f32>,
-    /// The axis along which what lies opposite moves too, as in a mirror.
-    #[serde(default)]
-    pub symmetry: Symmetry,
-}
-
-choice! {
-    /// Whether an edit is mirrored across the plane through the origin that an axis is normal to.
-    pub enum Symmetry {
-        /// It is not.
-        None = "none" "None",
-        /// Across the plane x = 0.
-        X = "x" "Along x",
-        /// Across the plane y = 0.
-        Y = "y" "Along y",
-        /// Across the plane z = 0.
-        Z = "z" "Along z",
-    }
-}
-
-impl Symmetry {
-    /// The number of the axis.
-    fn axis(self) -> Option<usize> {
-        match self {
-            Self::None => None,
-            Self::X => Some(0),
-            Self::Y => Some(1),
-            Self::Z => Some(2),
-        }
-    }
 }
 
 /// A rotation about an axis, counter-clockwise as seen from its tip.
@@ -164,11 +134,17 @@ impl Operation for Transform {
                     "Soft selection: how far along the surface other vertices move too",
                 )
                 .unset("none"),
-                Symmetry::field("symmetry", "The axis along which vertices at the mirror images move too"),
+                SYMMETRY,
             ]);
 
     fn elements(&mut self) -> Vec<Slot<'_>> {
         vec![Slot::Vertices(&mut self.vertices), Slot::Edges(&mut self.edges), Slot::Faces(&mut self.faces)]
+    }
+
+    const MIRRORING: Mirroring = Mirroring::Moves;
+
+    fn pair(&mut self, _image: Self, _mesh: &Mesh) -> Option<Self> {
+        None
     }
 
     fn action(&self) -> Action<'_> {
@@ -204,9 +180,6 @@ impl LocalEdit for Transform {
                 (v, by * weight)
             }));
         }
-        if let Some(axis) = self.symmetry.axis() {
-            moves = mirrored_moves(mesh, moves, axis);
-        }
         let mut rounding = Rounding::default();
         // Within the radius of several parts, a vertex follows each of them.
         for (v, by) in moves {
@@ -225,35 +198,6 @@ impl LocalEdit for Transform {
         let given = count(&self.vertices, 0) + count(&self.edges, 0) + count(&self.faces, 0);
         given / VERTICES_MOVED_PER_FACE_LINKED
     }
-}
-
-/// The moves, and those of the vertices at the mirror images. Vertices in the mirror's plane stay in it; where a vertex
-/// and its image both move, the one that moves farther leads.
-fn mirrored_moves(mesh: &Mesh, moves: Vec<(VertexId, Vec3)>, axis: usize) -> Vec<(VertexId, Vec3)> {
-    let mut sums: BTreeMap<VertexId, Vec3> = BTreeMap::new();
-    for (v, by) in moves {
-        *sums.entry(v).or_default() += by;
-    }
-    let vertices: Vec<VertexId> = sums.keys().copied().collect();
-    let images = surface::mirror_images(mesh, &vertices, axis);
-    let mut all = sums.clone();
-    for ((v, by), image) in sums.iter().zip(images) {
-        let Some(image) = image else { continue };
-        let across = surface::mirrored(*by, axis);
-        if image == *v {
-            all.insert(image, (*by + across) * 0.5);
-            continue;
-        }
-        let is_positive = mesh.position(*v).to_array().get(axis).is_some_and(|at| *at > 0.0);
-        let leads = sums.get(&image).is_none_or(|other| {
-            let (own, other) = (by.length_squared(), other.length_squared());
-            own > other || (own == other && is_positive)
-        });
-        if leads {
-            all.insert(image, across);
-        }
-    }
-    all.into_iter().collect()
 }
 
 /// How far single precision rounds the moves of vertices.

@@ -3,7 +3,8 @@
 use crate::error::Problem;
 use crate::ops::choice::choice;
 use crate::ops::refs::{corner_count, faces_or_every};
-use crate::ops::{Action, FaceRef, Field, LocalEdit, Operation, Scope, Selected, Slot, Spec};
+use crate::ops::{Mirror, SYMMETRY, Action, FaceRef, Field, LocalEdit, Operation, Scope, Selected, Slot, Spec};
+use halfedge::geometry::{BitSet, mean_position};
 use halfedge::edit::Triangulation;
 use halfedge::{Element, FaceId, Mesh, Refusal, edit};
 use serde::{Deserialize, Serialize};
@@ -54,6 +55,7 @@ impl Operation for TriangulateFaces {
             "method",
             "A fan from the first corner if that is correct, else ears; or always one of the two",
         ),
+        SYMMETRY,
     ]);
 
     fn elements(&mut self) -> Vec<Slot<'_>> {
@@ -79,6 +81,36 @@ impl LocalEdit for TriangulateFaces {
                 .map(drop)
                 .map_err(|refusal| refused(face, &refusal))
         })
+    }
+
+    fn edit_mirrored(&self, mesh: &mut Mesh, mirror: &Mirror<'_>, _notes: &mut Vec<String>) -> Result<(), Problem> {
+        let axis = mirror.images.axis();
+        let faces = faces_or_every(&self.faces, mesh)?;
+        let middle = |f: FaceId| mean_position(mesh, mesh.face_vertices(f)).to_array();
+        let place = |f: FaceId| middle(f).get(axis).copied().unwrap_or_default();
+        // The face on the positive side is cut by the rule, the one at its mirror image as in a mirror.
+        let pairs: Vec<(FaceId, Option<FaceId>)> = faces
+            .into_iter()
+            .map(|face| (face, mirror.images.face(mesh, face).filter(|image| *image != face)))
+            .filter(|(face, image)| image.is_none_or(|image| place(*face) >= place(image)))
+            .collect();
+        let mut done: BitSet = BitSet::new();
+        for (face, image) in pairs {
+            if done.contains(face.index()) {
+                continue;
+            }
+            let made = edit::triangulate_face(mesh, face, self.method.into());
+            let made = made.map_err(|refusal| refused(face, &refusal))?;
+            let Some(image) = image else { continue };
+            done.insert(image.index());
+            for cut in made.edges {
+                let [a, b] = mesh.ends(cut).map(|v| mirror.images.vertex(v));
+                if let (Some(a), Some(b)) = (a, b) {
+                    edit::connect_vertices(mesh, a, b).map_err(|refusal| refused(image, &refusal))?;
+                }
+            }
+        }
+        Ok(())
     }
 
     fn changes_nothing(&self, mesh: &Mesh) -> Option<&'static str> {

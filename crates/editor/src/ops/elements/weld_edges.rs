@@ -2,7 +2,7 @@
 
 use crate::error::Problem;
 use crate::ops::refs::two;
-use crate::ops::{Action, EdgeRef, Field, LocalEdit, Operation, Scope, Slot, Spec};
+use crate::ops::{SYMMETRY, Action, EdgeRef, Field, LocalEdit, Operation, Scope, Slot, Spec};
 use halfedge::{Element, Mesh, edit};
 use serde::{Deserialize, Serialize};
 
@@ -18,7 +18,7 @@ impl Operation for WeldEdges {
     const SPEC: Spec =
         Spec::new(Scope::Elements, "weld-edges", "Weld edges", "Join two boundary edges into one.")
             .synonyms(&["stitch", "sew"])
-            .fields(&[Field::two("edges", Element::Edge, "Two boundary edges")]);
+            .fields(&[Field::two("edges", Element::Edge, "Two boundary edges"), SYMMETRY]);
 
     fn elements(&mut self) -> Vec<Slot<'_>> {
         vec![Slot::TwoEdges(&mut self.edges)]
