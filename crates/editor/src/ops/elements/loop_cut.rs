@@ -1,12 +1,12 @@
 //! `loop-cut`: cut along a ring of quads.
 
 use crate::error::Problem;
-use crate::ops::refs::one;
+use crate::ops::refs::{given, given_t, one};
 use crate::ops::{Reflection, SYMMETRY, Action, DefaultValue, Drag, edges_between_created, EdgeRef, Field, LocalEdit, Operation, Scope, Selected, Slot, Spec, Unit};
 use crate::outcome::ElementIds;
 use crate::selection::Selection;
 use halfedge::geometry::BitSet;
-use halfedge::{EdgeId, Element, HalfedgeId, Mesh, VertexId, edit};
+use halfedge::{EdgeId, Element, Mesh, VertexId, edit};
 use serde::{Deserialize, Serialize};
 
 /// Cut the ring of quads that crosses an edge. Several edges of one ring cut it once.
@@ -18,7 +18,7 @@ pub struct LoopCut {
     /// How many cuts.
     #[serde(with = "crate::script::json::whole")]
     pub cuts: u32,
-    /// Where the middle of the cuts is along the edge's even half-edge, between 0 and 1.
+    /// Where the middle of the cuts is along the edge's even half-edge, or from the vertex named first, between 0 and 1.
     #[serde(with = "crate::script::json::finite")]
     pub t: f32,
 }
@@ -68,15 +68,16 @@ impl Operation for LoopCut {
 
     fn pair(&mut self, image: Self, mesh: &Mesh) -> Option<Self> {
         let ring = one(self.edge, "edge", mesh).map(|edge| edit::edge_ring(mesh, edge).0).unwrap_or_default();
-        let side = |op: &Self| {
-            let edge = one(op.edge, "edge", mesh).ok()?;
-            ring.iter().copied().find(|h| h.edge() == edge)
+        // The place along the ring's direction.
+        let along = |op: &Self| {
+            let (edge, t) = op.edge?.find_along(op.t, mesh, "edge").ok()?;
+            let h = ring.iter().find(|h| h.edge() == edge)?;
+            Some(if *h == edge.halfedge() { t } else { 1.0 - t })
         };
-        let [Some(own), Some(other)] = [side(self), side(&image)] else { return Some(image) };
+        let [Some(own), Some(other)] = [along(self), along(&image)] else { return Some(image) };
         // One ring crosses both edges. Cuts that are not in its middle are mirror images of themselves only if the image's
         // amount is along the same side of the ring.
-        let along = |h: HalfedgeId, t: f32| if h == h.edge().halfedge() { t } else { 1.0 - t };
-        if (along(own, self.t) - along(other, image.t)).abs() > f32::EPSILON {
+        if (own - other).abs() > f32::EPSILON {
             self.t = 0.5;
         }
         None
@@ -89,11 +90,13 @@ impl Operation for LoopCut {
 
 impl LocalEdit for LoopCut {
     fn can(&self, mesh: &Mesh) -> Result<(), Problem> {
-        Ok(edit::can_loop_cut(mesh, one(self.edge, "edge", mesh)?, self.cuts, self.t)?)
+        let (edge, t) = given(self.edge, "edge")?.find_along(self.t, mesh, "edge")?;
+        Ok(edit::can_loop_cut(mesh, edge, self.cuts, t).map_err(given_t(self.t))?)
     }
 
     fn edit(&self, mesh: &mut Mesh, _notes: &mut Vec<String>) -> Result<(), Problem> {
-        edit::loop_cut(mesh, one(self.edge, "edge", mesh)?, self.cuts, self.t)?;
+        let (edge, t) = given(self.edge, "edge")?.find_along(self.t, mesh, "edge")?;
+        edit::loop_cut(mesh, edge, self.cuts, t).map_err(given_t(self.t))?;
         Ok(())
     }
 
