@@ -168,17 +168,17 @@ fn a_job_and_a_preview_select_the_same() {
     let bevel = |width: f64| command(json!({"op": "bevel-edges", "width": width}));
     for width in [0.1, 0.2] {
         editor.update_edit(bevel(width)).expect("possible");
-        assert_eq!(selected(&editor), (Element::Face, vec![6]));
+        assert_eq!(selected(&editor), (Element::Edge, vec![12, 13, 14, 15]));
     }
     editor.update_edit(bevel(-1.0)).expect_err("too narrow");
-    assert_eq!(selected(&editor), (Element::Face, vec![6]), "of the preview that stays");
+    assert_eq!(selected(&editor), (Element::Edge, vec![12, 13, 14, 15]), "of the preview that stays");
     editor.cancel_edit();
     assert_eq!(selected(&editor), (Element::Edge, vec![0]));
 
     let Ok(Begun::Job(request)) = editor.begin_from(bevel(0.1), 0) else { panic!("a job") };
     let result = request.run(&mut |_| std::ops::ControlFlow::Continue(()));
     editor.finish(request.id(), result).expect("done");
-    assert_eq!(selected(&editor), (Element::Face, vec![6]));
+    assert_eq!(selected(&editor), (Element::Edge, vec![12, 13, 14, 15]));
 }
 
 #[test]
