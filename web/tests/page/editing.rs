@@ -2,6 +2,7 @@
 
 use crate::page::{DESKTOP, PHONE, Page};
 use egui::{Event, Key, Modifiers, PointerButton, Pos2, TouchPhase, vec2};
+use egui_kittest::kittest::Queryable;
 use glam::Vec3;
 use halfedge::Element;
 use serde_json::json;
@@ -124,7 +125,8 @@ fn each_pivot_keeps_its_point() {
     page.press_with(Modifiers::SHIFT, Key::D);
     page.type_text("0.5");
     page.press(Key::Enter);
-    let moved = |id: &u32| before.vertex(*id).is_some_and(|v| page.mesh().position(v) != before.position(v));
+    let after = page.mesh().clone();
+    let moved = |id: &u32| before.vertex(*id).is_some_and(|v| after.position(v) != before.position(v));
     let ids: Vec<u32> = selected.into_iter().filter(|id| moved(id)).collect();
     assert_eq!(ids.len(), 1, "the one selected last stays");
     let first = before.vertex(ids[0]).expect("a vertex");
