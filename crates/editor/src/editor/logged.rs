@@ -91,6 +91,7 @@ impl Editor {
         places: &[usize],
         at: usize,
     ) -> Result<(), Problem> {
+        let symmetry = command.symmetry;
         let object = |&place: &usize| self.document.objects.get(place).map(|object| object.id());
         let objects: Option<Vec<_>> = places.iter().map(object).collect();
         let objects = objects.ok_or_else(|| Problem::new("an object is missing"))?;
@@ -106,7 +107,8 @@ impl Editor {
             Planned::Document { .. } | Planned::Select { .. } => Vec::new(),
         };
         let op = ops.first().cloned().ok_or_else(|| Problem::new("this command is no job"))?;
-        let made: Made = job::run(&ops, &self.inputs(&objects), &mut |_| ControlFlow::Continue(()))?;
+        let made: Made =
+            job::run(&ops, symmetry, &self.inputs(&objects), &mut |_| ControlFlow::Continue(()))?;
         made.validate().map_err(|defect| super::run::broken(&defect))?;
         let run = Run::again(command, selection, op, objects, at);
         self.finish_run(run, made).map(drop).map_err(|error| Problem::new(error.problem))
