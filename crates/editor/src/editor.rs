@@ -11,6 +11,7 @@ mod kept_images;
 mod logged;
 mod ongoing;
 mod open;
+mod result;
 mod run;
 mod select;
 mod select_by;

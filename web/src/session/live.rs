@@ -72,7 +72,7 @@ impl Session {
             self.editor.commit_edit();
             // The bar has shown where the amount was limited; which elements have no mirror image it has not.
             if self.live_settings.symmetry != Symmetry::None && !live.warnings.is_empty() {
-                self.warn(live.label().to_owned(), live.warnings);
+                self.warn(format!("{}: {}", live.label(), live.warnings.join("; ")), Vec::new());
             }
         } else {
             self.editor.cancel_edit();

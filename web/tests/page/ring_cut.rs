@@ -40,7 +40,7 @@ fn a_click_cuts_and_the_pointer_slides() {
     assert_ne!(page.mesh(), &before, "the cut slides along the edge");
     click(&mut page, at + vec2(0.0, 40.0));
     assert_eq!(page.undo_labels().last().map(String::as_str), Some("Loop cut"));
-    assert_eq!(page.selected().0, Element::Edge);
+    assert_eq!(page.selected().0, Element::Vertex, "the kind that was worked on stays");
     assert_eq!(page.selected().1.len(), 4, "the new loop is selected");
     page.press_with(Modifiers::COMMAND, Key::Z);
     assert_eq!(page.mesh().face_count(), 6);

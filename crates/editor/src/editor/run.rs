@@ -2,6 +2,7 @@
 
 use super::Editor;
 use super::MessageKind;
+use super::result::validate_touched;
 use crate::document::{Object, ObjectId};
 use crate::error::{CommandError, Problem};
 use crate::history::{Change, is_reshaping};
@@ -10,11 +11,11 @@ use crate::ops::{
     Action, Command, Commit, LocalEdit, NamedMesh, Op, Place, Symmetry, Target, edit_all, edit_symmetric,
     refuse_bezier,
 };
-use crate::outcome::{Before, ElementIds, Elements, Outcome};
+use crate::outcome::{Before, Elements, Outcome};
 use crate::recovery::Event;
 use crate::selection::Selection;
 use halfedge::words::counted;
-use halfedge::{Element, InParts, Mesh, Touched};
+use halfedge::{InParts, Mesh};
 use std::ops::ControlFlow;
 use std::sync::Arc;
 use surface::selecting::Finding;
@@ -370,24 +371,7 @@ impl Editor {
     }
 }
 
-impl Editor {
-    /// What operations on the active object's elements leave selected; none if it is what was selected. Someone who works on
-    /// vertices or edges goes on with those of the result; with faces, a cut gives edges to go on with.
-    pub(super) fn result(&self, ops: &[Op], created: &ElementIds) -> Option<Selection> {
-        let mesh = self.mesh()?;
-        // Operations of one kind select the same of everything that their step created.
-        let made =
-            local_edits(ops).next()?.selects(mesh, created).filter(|selection| !selection.is_empty())?;
-        let (from, to) = (made.kind(), self.selection.kind());
-        if from == to || !matches!(to, Element::Vertex | Element::Edge) {
-            return Some(made);
-        }
-        let ids = surface::selecting::convert(mesh, from, to, made.set());
-        Some(Selection::of_set(to, ids, None)).filter(|selection| !selection.is_empty())
-    }
-}
-
-fn local_edits(ops: &[Op]) -> impl Iterator<Item = &dyn LocalEdit> {
+pub(super) fn local_edits(ops: &[Op]) -> impl Iterator<Item = &dyn LocalEdit> {
     ops.iter().filter_map(|op| match op.action() {
         Action::Local(edit) => Some(edit),
         Action::WholeMesh(_) | Action::Document(_) | Action::Select(_) => None,
@@ -406,22 +390,4 @@ pub(super) fn broken(defect: &str) -> Problem {
     Problem::internal(format!(
         "the result broke a rule of the mesh ({defect}), so nothing was changed; this is an error in Meshwright"
     ))
-}
-
-/// Validates the elements that an edit touched, and those next to the half-edges that it touched.
-fn validate_touched(mesh: &Mesh, touched: &Touched) -> Result<(), halfedge::Defect> {
-    if touched.everything {
-        return mesh.validate();
-    }
-    let mut vertices = touched.vertices.clone();
-    let mut faces = touched.faces.clone();
-    for &h in touched.halfedges.iter().filter(|h| mesh.has_halfedge(**h)) {
-        vertices.push(mesh.to(h));
-        faces.extend(mesh.face_of(h));
-    }
-    vertices.sort_unstable();
-    vertices.dedup();
-    faces.sort_unstable();
-    faces.dedup();
-    mesh.validate_near(vertices, faces)
 }

@@ -306,11 +306,6 @@ impl Field {
         if self.label.is_empty() { sentence_case(self.name) } else { self.label.to_owned() }
     }
 
-    /// Whether it is the symmetry, which belongs to the command and which the page has a setting for.
-    pub fn is_symmetry(&self) -> bool {
-        self.name == super::symmetry::FIELD_NAME
-    }
-
     /// Whether it takes elements or objects, which no form has values for.
     pub fn is_target(&self) -> bool {
         matches!(self.kind, FieldKind::Elements { .. } | FieldKind::Objects)

@@ -82,8 +82,8 @@ impl Viewport<'_> {
         navigate::wheel(self, ui, response, out);
         arrow_keys(ui, self.view);
         self.hover(ui, response);
-        if self.session.live.is_some() && !response.is_pointer_button_down_on() {
-            // Bars over the viewport don't stop it.
+        if self.session.live.is_some() && !response.is_pointer_button_down_on() && !is_finger(ui) {
+            // Bars over the viewport don't stop it. A finger leads it only by dragging: it taps on "Apply" too.
             let at = ui.input(|input| input.pointer.latest_pos()).filter(|at| response.rect.contains(*at));
             out.push(Request::LivePointer(at, ui.input(|input| input.modifiers)));
         }

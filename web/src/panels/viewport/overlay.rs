@@ -28,7 +28,7 @@ pub(super) fn paint(ui: &mut Ui, rect: Rect, page: &Page<'_>) {
     }
     if page.view.picture.is_some() && is_emptied(page) {
         let undo = keys::how_to(ui.ctx(), Action::Undo);
-        let hint = format!("{undo} to bring it back, open a file, or create a shape: File > New shape.");
+        let hint = format!("To bring it back, {undo}. You can also open a file or create a shape.");
         say_in_middle(ui, rect, "Nothing is left of the model", &hint);
     }
     let free = page.view.free_rect();

@@ -38,6 +38,13 @@ pub(crate) const FIELD_NAME: &str = "symmetry";
 pub(crate) const SYMMETRY: Field =
     Symmetry::field(FIELD_NAME, "The axis along which what lies at the mirror images is edited too");
 
+impl Field {
+    /// Whether it is the symmetry, which belongs to the command and which the page has a setting for.
+    pub fn is_symmetry(&self) -> bool {
+        self.name == FIELD_NAME
+    }
+}
+
 impl Symmetry {
     /// The number of the axis; none without symmetry.
     pub fn axis(self) -> Option<usize> {
