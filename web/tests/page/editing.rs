@@ -1,7 +1,7 @@
-//! Editing by hand: symmetry, pivots, the walk along a half-edge, a finger, and what an emptied document says.
+//! Editing by hand: symmetry, pivots, the walk along a half-edge, and what an emptied document says.
 
-use crate::page::{DESKTOP, PHONE, Page};
-use egui::{Event, Key, Modifiers, PointerButton, TouchPhase, vec2};
+use crate::page::{DESKTOP, Page};
+use egui::{Key, Modifiers, vec2};
 use egui_kittest::kittest::Queryable;
 use glam::Vec3;
 use halfedge::Element;
@@ -142,65 +142,6 @@ fn in_the_study_layout_keys_walk_from_a_half_edge_to_what_belongs_to_it() {
         page.select("halfedge", &[h.raw()]);
         page.press(key);
         assert_eq!(page.selected(), (kind, vec![id]), "{key:?}");
-    }
-}
-
-#[test]
-fn a_finger_moves_an_edit_and_buttons_end_it() {
-    for (button, is_kept) in [("Apply", true), ("Cancel", false)] {
-        let mut page = Page::sized(PHONE);
-        let top = face_at(&mut page, 1, 1.0);
-        page.select("face", &[top]);
-        let before = page.mesh().clone();
-        page.press(Key::E);
-        let from = page.find("Viewport").rect().center();
-        let touch = |phase, pos| Event::Touch {
-            device_id: egui::TouchDeviceId(1),
-            id: egui::TouchId(1),
-            phase,
-            pos,
-            force: None,
-        };
-        let press = |pos, pressed| Event::PointerButton {
-            pos,
-            button: PointerButton::Primary,
-            pressed,
-            modifiers: Modifiers::NONE,
-        };
-        let mut at = from;
-        page.harness.event(Event::PointerMoved(at));
-        page.harness.event(touch(TouchPhase::Start, at));
-        page.harness.event(press(at, true));
-        page.run();
-        for _ in 0..4 {
-            at -= vec2(0.0, 12.0);
-            page.harness.event(touch(TouchPhase::Move, at));
-            page.harness.event(Event::PointerMoved(at));
-            page.run();
-        }
-        page.harness.event(touch(TouchPhase::End, at));
-        page.harness.event(press(at, false));
-        page.harness.event(Event::PointerGone);
-        page.run();
-        let [_, high] = bounds(&mut page);
-        assert!(high.y > 1.05, "the face follows the finger: {high}");
-        assert!(page.has(button), "lifting the finger doesn't end the edit");
-        let at = page.find(button).rect().center();
-        for (phase, pressed) in [(TouchPhase::Start, true), (TouchPhase::End, false)] {
-            page.harness.event(Event::PointerMoved(at));
-            page.harness.event(touch(phase, at));
-            page.harness.event(press(at, pressed));
-            if !pressed {
-                page.harness.event(Event::PointerGone);
-            }
-            page.run();
-        }
-        if is_kept {
-            assert_eq!(bounds(&mut page)[1], high);
-        } else {
-            assert_eq!(page.mesh(), &before);
-        }
-        assert_eq!(page.undo_labels().len(), usize::from(is_kept));
     }
 }
 
