@@ -42,9 +42,14 @@ impl Work {
         }
     }
 
-    /// Whether the middle of an edge, rounded to floats, shortens both halves: far from the origin there may be no
-    /// float between the ends, and splitting would never end.
-    pub fn has_middle(&self, h: u32) -> bool {
+    /// Whether an edge may be split. Its two apexes must differ, or two edges would join the new vertex to one apex. Its
+    /// middle, rounded to floats, must shorten both halves: far from the origin there may be no float between the ends,
+    /// and splitting would never end.
+    pub fn can_split(&self, h: u32) -> bool {
+        let across = self.tri.opp(h);
+        if across != NONE && self.tri.apex(h) == self.tri.apex(across) {
+            return false;
+        }
         let (p, q) = (self.tri.at(self.tri.from(h)), self.tri.at(self.tri.to(h)));
         let middle = self.tri.frame.inward(self.tri.frame.outward((p + q) * 0.5));
         let length = p.distance_squared(q);
@@ -225,7 +230,7 @@ impl Work {
         }
         let (a, b) = (self.tri.from(h), self.tri.to(h));
         let (c, d) = (self.tri.apex(h), self.tri.apex(across));
-        let mut joined = false;
+        let mut joined = c == d;
         self.tri.neighbors(c, |w| joined |= w == d);
         if joined {
             return false;

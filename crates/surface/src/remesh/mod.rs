@@ -24,7 +24,8 @@ mod work;
 use crate::error::{SurfaceError, check_iterations};
 use crate::pace::Pace;
 use crate::trimesh::TriMesh;
-use halfedge::{Mesh, NONE, Progress};
+use glam::DVec3;
+use halfedge::{FaceId, HalfedgeId, Mesh, NONE, Progress};
 use relax::relax;
 use work::Work;
 
@@ -56,6 +57,10 @@ const EQUILATERAL_AREA: f64 = 0.433;
 /// The most by which the default length of edges differs from the one that keeps the number of triangles.
 const MAX_LENGTH_CHANGE: f64 = 2.0;
 
+/// The most by which the default length of edges is below the mean. Long slivers have little area, so the length that
+/// keeps the number of triangles would cut their sides into thousands of pieces.
+const MAX_MEAN_DIVISION: f64 = 8.0;
+
 impl Remesh {
     /// The length of edges that is taken by default; see [`Remesh::fitted_length`]. Costs O(mesh).
     pub fn default_length(mesh: &Mesh) -> f64 {
@@ -65,24 +70,61 @@ impl Remesh {
     }
 
     /// The mean length of edges, kept within a factor of two of the length of as many equilateral triangles as the faces
-    /// can be cut into. The mean alone says little of a mesh with large polygons: the sides of a disc of a thousand
-    /// corners are so short that triangles of that size would be hundreds of times as many.
+    /// can be cut into, but never below an eighth of the mean. The mean alone says little of a mesh with large polygons:
+    /// the sides of a disc of a thousand corners are so short that triangles of that size would be hundreds of times as
+    /// many.
     pub fn fitted_length(mean: f64, area: f64, triangles: usize) -> f64 {
         let even = (area / (triangles as f64 * EQUILATERAL_AREA)).sqrt();
         if !(even > 0.0 && even.is_finite()) {
             return mean;
         }
-        mean.clamp(even / MAX_LENGTH_CHANGE, even * MAX_LENGTH_CHANGE)
+        mean.clamp(even / MAX_LENGTH_CHANGE, (even * MAX_LENGTH_CHANGE).max(mean / MAX_MEAN_DIVISION))
     }
 
     /// The approximate number of equilateral triangles with this edge length on a surface of this area.
     pub fn expected(area: f64, edge_length: f64) -> f64 {
         area / (edge_length * edge_length * EQUILATERAL_AREA)
     }
+
+    /// About the most triangles that there are at a time while a mesh is remeshed to this edge length: more than
+    /// [`Remesh::expected`] where slivers are split, whose number doesn't follow from their area. Costs O(mesh).
+    pub fn most_triangles(mesh: &Mesh, edge_length: f64) -> f64 {
+        let limit = work::split_above(edge_length);
+        let pieces = mesh.faces().map(|f| {
+            let triangles = mesh.face_degree(f).saturating_sub(2) as f64;
+            triangles * pieces_of_sliver((longest_in(mesh, f) / limit).log2().ceil())
+        });
+        Self::expected(crate::measure::surface_area(mesh), edge_length) + pieces.sum::<f64>()
+    }
+}
+
+/// The longest edge that a triangle of a face can have.
+fn longest_in(mesh: &Mesh, f: FaceId) -> f64 {
+    let h = mesh.halfedge_of(f);
+    if mesh.next(mesh.next(h)) == mesh.prev(h) {
+        return mesh
+            .face_halfedges(f)
+            .map(|h| crate::measure::edge_length(mesh, h.edge()))
+            .fold(0.0, f64::max);
+    }
+    // A diagonal is as long as the face's bounding box at most.
+    let corners = || mesh.face_vertices(f).map(|v| mesh.position(v).as_dvec3());
+    let (least, most) = (corners().reduce(DVec3::min), corners().reduce(DVec3::max));
+    least.zip(most).map_or(0.0, |(least, most)| least.distance(most))
+}
+
+/// The number of triangles that a sliver is cut into when its longest edge is halved this often. Each halving of the
+/// longest edges makes three of one, however narrow they are: two of them share the new edge along the sliver.
+fn pieces_of_sliver(halvings: f64) -> f64 {
+    3f64.powf(halvings.max(0.0))
 }
 
 /// The most triangles that remeshing may make.
-const MAX_REMESHED_TRIANGLES: u64 = 8_000_000;
+const MAX_REMESHED_TRIANGLES: usize = 8_000_000;
+
+fn too_many(faces: f64) -> SurfaceError {
+    SurfaceError::TooManyFaces { faces: faces as u64, limit: MAX_REMESHED_TRIANGLES as u64 }
+}
 
 /// Remeshes a surface. Polygons are cut into triangles first; isolated vertices are dropped. Triangles have the
 /// face attributes of the one that they were split from; corner, vertex and edge attributes are interpolated where
@@ -112,12 +154,18 @@ pub fn remesh(mesh: &Mesh, options: &Remesh, progress: &mut Progress<'_>) -> Res
     }
     let expected = Remesh::expected(crate::measure::surface_area(mesh), length);
     if expected > MAX_REMESHED_TRIANGLES as f64 {
-        return Err(SurfaceError::TooManyFaces { faces: expected as u64, limit: MAX_REMESHED_TRIANGLES });
+        return Err(too_many(expected));
     }
+    let poked = poke_doubled_triangles(mesh)?;
+    let mesh = poked.as_ref().unwrap_or(mesh);
     let tri = TriMesh::new(mesh);
     let (_, least_cos) = crate::trig::sin_cos_turns(options.feature_angle / 360.0);
     let length = length / tri.frame.scale;
     let mut work = Work::new(mesh, tri, length, least_cos, options.project);
+    let pieces = work.least_pieces();
+    if options.iterations > 0 && pieces > MAX_REMESHED_TRIANGLES as f64 {
+        return Err(too_many(pieces));
+    }
     pace.at(0.05)?;
     for iteration in 0..options.iterations {
         let share = |i: u32| 0.05 + 0.8 * i as f32 / options.iterations as f32;
@@ -137,22 +185,46 @@ pub fn remesh(mesh: &Mesh, options: &Remesh, progress: &mut Progress<'_>) -> Res
     Ok(result)
 }
 
-/// Calls `edit` with each edge that exists by then, including those made meanwhile.
+/// A copy of the mesh where one of two triangles on the same three vertices has a fourth vertex in its middle; none if
+/// there are no such triangles. They share all three edges, so splitting one of these would join the new vertex to the
+/// third vertex by two edges.
+fn poke_doubled_triangles(mesh: &Mesh) -> Result<Option<Mesh>, SurfaceError> {
+    let is_doubled = |&f: &FaceId| {
+        let across = |h: HalfedgeId| mesh.face_of(h.twin());
+        let h = mesh.halfedge_of(f);
+        let [n, p] = [mesh.next(h), mesh.prev(h)];
+        mesh.next(n) == p && across(h).is_some_and(|g| g > f && across(n) == Some(g) && across(p) == Some(g))
+    };
+    let doubled: Vec<FaceId> = mesh.faces().filter(is_doubled).collect();
+    if doubled.is_empty() {
+        return Ok(None);
+    }
+    let mut poked = mesh.clone();
+    let fits = halfedge::edit::poke_faces(&mut poked, &doubled).is_ok();
+    Ok(fits.then_some(poked))
+}
+
+/// The edges visited between two progress reports.
+const VISITS_PER_REPORT: u32 = 1 << 16;
+
+/// Calls `edit` with each edge that exists by then, including those made meanwhile, and again with the same edge as long
+/// as it returns true.
 fn each_edge(
     work: &mut Work,
     pace: &mut Pace<'_, '_>,
-    mut edit: impl FnMut(&mut Work, u32),
+    mut edit: impl FnMut(&mut Work, u32) -> Result<bool, SurfaceError>,
 ) -> Result<(), SurfaceError> {
-    let mut h = 0;
+    let (mut h, mut visits) = (0, 0u32);
     while h < work.tri.v.len() as u32 {
-        if h % 65_536 == 0 {
+        if visits.is_multiple_of(VISITS_PER_REPORT) {
             pace.at(h as f32 / work.tri.v.len() as f32)?;
         }
+        visits = visits.wrapping_add(1);
         // The smaller of an edge's half-edges stands for it; NONE is larger than all ids.
-        if work.tri.is_alive(h) && h < work.tri.opp(h) {
-            edit(work, h);
+        let is_edge = work.tri.is_alive(h) && h < work.tri.opp(h);
+        if !(is_edge && edit(work, h)?) {
+            h += 1;
         }
-        h += 1;
     }
     Ok(())
 }
@@ -162,13 +234,18 @@ const CURVE_STRETCH_SQUARED: f64 = 1.6;
 
 fn split_long(work: &mut Work, pace: &mut Pace<'_, '_>) -> Result<(), SurfaceError> {
     each_edge(work, pace, |work, h| {
-        while work.length_squared(h) > work.longest {
-            let longest = work.longest_near(h);
-            if !work.has_middle(longest) {
-                break;
-            }
-            work.split(longest);
+        if work.length_squared(h) <= work.longest {
+            return Ok(false);
         }
+        let longest = work.longest_near(h);
+        if !work.can_split(longest) {
+            return Ok(false);
+        }
+        if work.tri.faces >= MAX_REMESHED_TRIANGLES {
+            return Err(too_many(work.least_pieces().max(work.tri.faces as f64 + 2.0)));
+        }
+        work.split(longest);
+        Ok(true)
     })
 }
 
@@ -181,6 +258,7 @@ fn collapse_short(work: &mut Work, pace: &mut Pace<'_, '_>) -> Result<(), Surfac
                 work.merge(merge);
             }
         }
+        Ok(false)
     })
 }
 
@@ -206,7 +284,7 @@ fn flip_to_valence(work: &mut Work, pace: &mut Pace<'_, '_>) -> Result<(), Surfa
     each_edge(work, pace, |work, h| {
         let across = work.tri.opp(h);
         if across == NONE {
-            return;
+            return Ok(false);
         }
         let ends = [work.tri.from(h), work.tri.to(h)];
         let apexes = [work.tri.apex(h), work.tri.apex(across)];
@@ -214,7 +292,7 @@ fn flip_to_valence(work: &mut Work, pace: &mut Pace<'_, '_>) -> Result<(), Surfa
         // The sum of squares changes by twice the apexes' sum less twice the ends' sum, plus four.
         let is_better = sum(apexes) - sum(ends) + 2 < 0;
         if !(is_better || many_slivers && work.is_better_flipped(h)) || !work.can_flip(h) {
-            return;
+            return Ok(false);
         }
         work.slivers += usize::from(!is_better);
         work.flip(h);
@@ -224,6 +302,7 @@ fn flip_to_valence(work: &mut Work, pace: &mut Pace<'_, '_>) -> Result<(), Surfa
         for v in apexes {
             excess[v as usize] += 1;
         }
+        Ok(false)
     })
 }
 

@@ -1,6 +1,7 @@
 //! The mesh being remeshed, with the curves that are kept.
 
 use super::curves::{Arc, Curves};
+use super::pieces_of_sliver;
 use super::side_numbers::SideNumbers;
 use crate::trimesh::{Order, Role, TriMesh, prev, with_room};
 use glam::DVec3;
@@ -12,6 +13,11 @@ pub(super) const MIN_TURN_COS: f64 = 0.5;
 /// With the usual limits, 4/3 and 4/5 of the length, edges become a little too long on average; limits smaller by
 /// this factor make them as long as asked for.
 const LIMIT_CORRECTION: f64 = 0.97;
+
+/// The length above which edges are split.
+pub(super) fn split_above(length: f64) -> f64 {
+    LIMIT_CORRECTION * length * 4.0 / 3.0
+}
 
 /// The triangles with everything needed to change them.
 pub(super) struct Work {
@@ -61,7 +67,7 @@ impl Work {
     /// Prepares remeshing to edges of this length in the frame.
     pub fn new(mesh: &Mesh, mut tri: TriMesh, length: f64, least_cos: f64, project: bool) -> Self {
         let square = |x: f64| x * x;
-        let longest = square(LIMIT_CORRECTION * length * 4.0 / 3.0);
+        let longest = square(split_above(length));
         // Arrays that grow in turns fragment the memory: room for the first splits is reserved at once, and for
         // some more, as longer edges nearby are split first.
         let splits = (0..tri.v.len() as u32)
@@ -114,6 +120,17 @@ impl Work {
         self.stamp = 0;
         self.arc.reorder(&triangles);
         self.unordered = 0;
+    }
+
+    /// The fewest triangles that splitting the long edges makes.
+    pub fn least_pieces(&self) -> f64 {
+        let triangles = (0..self.tri.v.len() as u32 / 3).map(|f| 3 * f).filter(|&h| self.tri.is_alive(h));
+        let pieces = triangles.map(|h| {
+            let longest =
+                [h, h + 1, h + 2].map(|side| self.length_squared(side)).into_iter().fold(0.0, f64::max);
+            pieces_of_sliver((0.5 * (longest / self.longest).log2()).floor())
+        });
+        pieces.sum()
     }
 
     #[inline]

@@ -10,7 +10,7 @@ use crate::ops::{
 };
 use halfedge::{Mesh, Progress};
 use serde::{Deserialize, Serialize};
-use surface::{MAX_REMESH_ITERATIONS, SurfaceError, measure};
+use surface::{MAX_REMESH_ITERATIONS, SurfaceError};
 
 /// Remesh a surface into triangles with edges of one length (Botsch & Kobbelt 2004).
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -37,6 +37,9 @@ const PROJECT: bool = true;
 /// Edges of up to this many times the mean length leave a number of triangles that follows from the
 /// area; how much coarser a mesh can become depends on its features.
 const MAX_COARSENING_ESTIMATED: f64 = 1.5;
+
+/// Where the default length is less than this part of the mean, edges are much longer than triangles are wide.
+const MIN_LENGTH_ESTIMATED: f64 = 0.5;
 
 impl Default for Remesh {
     fn default() -> Self {
@@ -110,17 +113,20 @@ impl EachMesh for Remesh {
 
     fn result(&self, facts: &Facts) -> Option<Estimate> {
         let (area, mean_edge) = (facts.area?, facts.mean_edge?);
-        let length = self.edge_length.map_or(facts.remeshed_edge()?, shortest);
+        let by_itself = facts.remeshed_edge()?;
+        let length = self.edge_length.map_or(by_itself, shortest);
         let expected = surface::Remesh::expected(area, length);
-        let is_known = length <= MAX_COARSENING_ESTIMATED * mean_edge && expected.is_finite();
+        // The area of slivers says little of how many triangles they become.
+        let has_slivers = by_itself < MIN_LENGTH_ESTIMATED * mean_edge;
+        let is_known =
+            length <= MAX_COARSENING_ESTIMATED * mean_edge && !has_slivers && expected.is_finite();
         let count = if is_known { Amount::About(expected.round() as usize) } else { Amount::Unknown };
         Some(Estimate { count, counted: Counted::Triangles, of: None })
     }
 
     fn cost(&self, mesh: &Mesh) -> usize {
-        let area = measure::surface_area(mesh);
         let length = self.edge_length.map_or_else(|| surface::Remesh::default_length(mesh), shortest);
-        let made = surface::Remesh::expected(area, length);
+        let made = surface::Remesh::most_triangles(mesh, length);
         // A number that is too large becomes the largest one.
         let triangles = triangles_at_most(mesh).saturating_add(made as usize);
         triangles.saturating_mul(4).saturating_mul(self.iterations as usize)
