@@ -31,8 +31,10 @@ impl Editor {
 
     /// The outcome of an operation whose result equals the mesh that it started from.
     pub(super) fn unchanged(op: &Op, made: Made) -> Result<Outcome, Problem> {
-        let Made::Meshes(_, _, warnings) = made else { return Err(other_job()) };
-        let outcome = Self::outcome(std::slice::from_ref(op), Elements::default(), Elements::default());
+        let Made::Meshes(_, ids, warnings) = made else { return Err(other_job()) };
+        // Local edits list the elements, also where there are none.
+        let (created, removed) = ids.map(|(made, gone)| (made.into(), gone.into())).unwrap_or_default();
+        let outcome = Self::outcome(std::slice::from_ref(op), created, removed);
         Ok(Outcome { warnings, ..outcome.unchanged() })
     }
 

@@ -351,13 +351,13 @@ impl Editor {
         }
         let (created, removed) = before.compare(mesh, &touched);
         let reshaped = is_reshaping(&touched) || created.vertices.len() + removed.vertices.len() > 0;
+        let mut back = Vec::new();
+        if !journal.changes_nothing(mesh) {
+            back.push(Change::Journal(id, journal));
+        }
         self.changes.touched(id, mesh, touched);
         if reshaped {
             self.forget_counts(id);
-        }
-        let mut back = vec![Change::Journal(id, journal)];
-        if back.iter().all(Change::is_nothing) {
-            back.clear();
         }
         back.extend(self.forget_removed(id, &removed));
         if self.document.active == at {

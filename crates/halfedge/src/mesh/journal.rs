@@ -36,6 +36,49 @@ pub(crate) enum Change {
     Marked(Element, u32, bool),
 }
 
+impl Change {
+    /// What the write replaced: its kind, its column, and the element's number; none if it isn't a single value.
+    fn place(&self) -> Option<(std::mem::Discriminant<Self>, u32, u32)> {
+        let (column, index) = match *self {
+            Self::Next(h, _) | Self::Prev(h, _) | Self::To(h, _) | Self::Face(h, _) => (0, h),
+            Self::VertexHalfedge(v, _) | Self::Position(v, _) => (0, v),
+            Self::FaceHalfedge(f, _) => (0, f),
+            Self::Attribute(ColumnPlace(column), index, _) => (column, index),
+            Self::Positions(_)
+            | Self::Column(..)
+            | Self::ColumnAdded(..)
+            | Self::ColumnGone(..)
+            | Self::Added(_)
+            | Self::Dropped(_)
+            | Self::Marked(..) => return None,
+        };
+        Some((std::mem::discriminant(self), column, index))
+    }
+
+    /// Whether a single value is in the mesh as it was before the write.
+    fn is_taken_back(&self, mesh: &Mesh) -> bool {
+        match *self {
+            Self::Next(h, old) => mesh.next.get(h as usize) == Some(&old),
+            Self::Prev(h, old) => mesh.prev.get(h as usize) == Some(&old),
+            Self::To(h, old) => mesh.to.get(h as usize) == Some(&old),
+            Self::Face(h, old) => mesh.face.get(h as usize) == Some(&old),
+            Self::VertexHalfedge(v, old) => mesh.vertex_halfedge.get(v as usize) == Some(&old),
+            Self::FaceHalfedge(f, old) => mesh.face_halfedge.get(f as usize) == Some(&old),
+            Self::Position(v, old) => mesh
+                .positions
+                .get(v as usize)
+                .is_some_and(|now| bytemuck::bytes_of(now) == bytemuck::bytes_of(&old)),
+            Self::Attribute(place, index, old) => {
+                let column = mesh.columns.of(place.element()).get(place.column());
+                column
+                    .and_then(|column| column.values.get(index as usize))
+                    .is_some_and(|now| now.is_identical(old))
+            }
+            _ => false,
+        }
+    }
+}
+
 /// A kind of element and the index of one of its columns, in four bytes: a journal holds one for each
 /// value written. The index has 30 bits; that many columns would take 64 GiB.
 #[derive(Clone, Copy, Debug)]
@@ -85,10 +128,22 @@ pub struct Touched {
 }
 
 impl Journal {
-    /// Whether nothing changed: writes of equal values aren't recorded. A journal that isn't empty may still
-    /// hold a change and its opposite.
+    /// Whether nothing was written: writes of equal values aren't recorded. A journal that isn't empty may still
+    /// hold a change and its opposite: see [`Journal::changes_nothing`].
     pub fn is_empty(&self) -> bool {
         self.changes.is_empty()
+    }
+
+    /// Whether every value that was written is again what it was before. `mesh` is the mesh as the journal left it. A
+    /// journal that added or removed elements, or replaced all values of a kind, counts as a change. Costs O(1) where the
+    /// first write was a change, and at most O(journal).
+    pub fn changes_nothing(&self, mesh: &Mesh) -> bool {
+        let mut seen = std::collections::HashSet::new();
+        self.changes.iter().all(|change| match change.place() {
+            // Only the first write to a place knows what was there before.
+            Some(place) => !seen.insert(place) || change.is_taken_back(mesh),
+            None => false,
+        })
     }
 
     /// Heap bytes in use, for the limit of the history.

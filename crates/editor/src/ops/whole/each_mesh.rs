@@ -65,7 +65,10 @@ impl<T: EachMesh> WholeMesh for T {
         for (at, input) in inputs.iter().enumerate() {
             let mut part =
                 |fraction: f32| -> ControlFlow<()> { progress((at as f32 + fraction) / inputs.len() as f32) };
-            outputs.push(NamedMesh::new("", self.make(&input.mesh, notes, &mut part)?));
+            // Algorithms on faces drop vertices that have none; where there is nothing to do, those stay.
+            let is_idle = self.needs_faces() && input.mesh.face_count() == 0;
+            let made = if is_idle { Mesh::clone(&input.mesh) } else { self.make(&input.mesh, notes, &mut part)? };
+            outputs.push(NamedMesh::new("", made));
         }
         Ok(outputs)
     }
