@@ -21,7 +21,7 @@ fn as_job(editor: &mut Editor, command: Command) -> Outcome {
             let result = request.run(&mut |_| ControlFlow::Continue(()));
             match editor.finish(request.id(), result).expect("free") {
                 Finished::Done(outcome) => outcome,
-                Finished::Exported(files) => panic!("wrote {} files", files.len()),
+                other => panic!("{other:?}"),
             }
         }
     }
