@@ -171,12 +171,7 @@ impl Change {
             | Self::Visible(id, _)
             | Self::Hidden(id, _)
             | Self::NamedSelections(id, _) => Some(*id),
-            Self::Offset(_)
-            | Self::Materials(_)
-            | Self::Active(_)
-            | Self::Insert(..)
-            | Self::Remove(_)
-            | Self::DocumentName(_) => None,
+            _ => None,
         }
     }
 
