@@ -35,7 +35,7 @@ impl Outcome {
 
 impl Outcome {
     /// The same outcome, with a message about what was created only: what was there before is another document.
-    pub(crate) fn as_new_document(self) -> Self {
+    pub(crate) fn into_new_document(self) -> Self {
         let label = crate::OpId::named(&self.op).map_or(&*self.op, |id| id.spec().label);
         Self { message: message(label, &self.created, &Elements::default()), ..self }
     }

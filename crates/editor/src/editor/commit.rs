@@ -94,7 +94,7 @@ impl Editor {
             self.changes.selection = true;
         }
         let outcome = Self::outcome(std::slice::from_ref(op), created, removed);
-        let outcome = if removed_all { outcome.as_new_document() } else { outcome };
+        let outcome = if removed_all { outcome.into_new_document() } else { outcome };
         Ok((Outcome { warnings: notes, ..outcome }, back))
     }
 
