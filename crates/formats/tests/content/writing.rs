@@ -191,6 +191,13 @@ fn kinds() -> Vec<Kind> {
 fn mesh_kinds() -> Vec<Kind> {
     let square = [Vec3::ZERO, Vec3::X, Vec3::new(1.0, 1.0, 0.0), Vec3::Y].to_vec();
     let quad = Mesh::build(PolygonSoup::new(square, &[[0, 1, 2, 3]])).expect("small").mesh;
+    let points = |places: &[[f32; 2]]| places.iter().map(|&[x, y]| Vec3::new(x, y, 0.0)).collect::<Vec<_>>();
+    let polygon = |places: &[[f32; 2]]| {
+        let corners: Vec<u32> = (0..places.len() as u32).collect();
+        Mesh::build(PolygonSoup::new(points(places), &[corners])).expect("small").mesh
+    };
+    let pentagon = polygon(&[[0.0, 0.0], [2.0, 0.0], [3.0, 1.0], [1.0, 2.0], [-1.0, 1.0]]);
+    let concave = polygon(&[[0.0, 0.0], [4.0, 0.0], [4.0, 4.0], [2.0, 1.0], [1.0, 1.0], [0.0, 4.0]]);
     let mut isolated = plain().to_soup();
     isolated.positions.push(Vec3::splat(9.0));
     let isolated = Mesh::build(isolated).expect("small").mesh;
@@ -222,6 +229,16 @@ fn mesh_kinds() -> Vec<Kind> {
             },
         ),
         kind("polygons", of(quad), "1 polygon is cut", |back| first(back).face_count() == 1),
+        kind("polygons of five corners", of(pentagon), "1 polygon is cut", |back| {
+            first(back).faces().map(|f| first(back).face_degree(f)).eq([5])
+        }),
+        kind("concave polygons", of(concave.clone()), "1 polygon is cut", move |back| {
+            let mesh = first(back);
+            let corners = |mesh: &Mesh| -> Vec<Vec3> {
+                mesh.faces().flat_map(|f| mesh.face_vertices(f)).map(|v| mesh.position(v)).collect()
+            };
+            mesh.face_count() == 1 && corners(mesh) == corners(&concave)
+        }),
         kind("isolated vertices", of(isolated), "1 vertex is left out", |back| {
             first(back).vertex_count() == 5
         }),
