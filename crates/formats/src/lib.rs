@@ -41,6 +41,7 @@ pub use model::images::is_image;
 pub use model::material::{AlphaMode, Material, Materials, MtlStatements, Rgb};
 pub use model::texture::{Image, Texture, TextureRole, UvTransform, Wrap};
 pub use model::{Model, NamedMesh};
+pub use obj::name_of_group;
 pub use picture::Picture;
 pub use read::{Import, read, read_with};
 pub use report::{ImportReport, ReportNote, Severity, first_few};

@@ -65,7 +65,7 @@ impl Session {
                 if scope == Scope::Selection && self.editor.revision() == revision {
                     selecting::say_if_nothing_found(self, &outcome);
                 }
-                // A slip of the finger must not change a whole mesh without a word.
+                // A key pressed by mistake must not change a whole mesh unnoticed.
                 let says = self.by_key && scope == Scope::Meshes && self.editor.revision() != revision;
                 if !outcome.warnings.is_empty() {
                     self.warn(outcome.message.clone(), outcome.warnings.clone());

@@ -15,7 +15,7 @@ use surface::selecting::Finding;
 
 /// An operation: a struct with the fields of its JSON.
 pub(crate) trait Operation: Clone {
-    /// Its name, texts, keys and fields.
+    /// Its name, texts and fields.
     const SPEC: Spec;
 
     /// Its element fields, in the order of [`Operation::SPEC`].

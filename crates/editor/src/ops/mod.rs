@@ -4,37 +4,47 @@
 //! object `{"op": "<name>", ...fields}`, with a [`Spec`] that everything else is made from: menus, the
 //! palette, forms, greying, previews, the operations reference and `meshwright --help`.
 //!
-//! To add one: write its file in the folder of its group, and name it in `operations!` below. Its place
-//! there is its place in menus.
+//! To add one: write its file in the folder of its group, name it in the group's `mod.rs`, and list it in
+//! `operations!` below. Its place there is its place in menus.
 
 mod action;
+pub mod bezier;
 mod choice;
 mod command;
+pub mod elements;
 mod facts;
 mod field;
 mod json;
+pub mod object;
 mod refs;
+pub mod selecting;
 mod spec;
 mod symmetry;
 mod target;
+pub mod whole;
 mod wording;
 
 pub(crate) use action::{
     Action, Commit, DocumentEdit, LocalEdit, Operation, Place, SelectEdit, WholeMesh, edges_between_created,
     edit_all, refuse_bezier,
 };
+pub use bezier::*;
 pub use choice::Choice;
 pub use command::Command;
+pub use elements::*;
 pub use facts::{Amount, Counted, Estimate, Facts};
 pub use field::{Arity, DefaultValue, Drag, Ends, Field, FieldKind, Fill, Selected, Suggestion, Unit};
 pub(crate) use formats::NamedMesh;
 use json::Fields;
 pub(crate) use json::in_plain_words;
+pub use object::*;
 pub use refs::{EdgeRef, FaceRef, HalfedgeRef, VertexRef};
+pub use selecting::*;
 pub use spec::{Family, Scope, Spec};
 pub use symmetry::Symmetry;
 pub(crate) use symmetry::{Mirror, Mirroring, Reflection, SYMMETRY, edit_symmetric};
 pub(crate) use target::{Slot, Target};
+pub use whole::*;
 pub use wording::{four_digits, sentence_case};
 
 use crate::error::Problem;
@@ -43,20 +53,6 @@ use serde_json::{Map, Value};
 use surface::MirrorImages;
 
 macro_rules! operations {
-    ($($(#[$doc:meta])* $group:ident [$($helper:ident),*] { $($module:ident::$name:ident),* $(,)? })*) => {
-        $($(#[$doc])*
-        pub mod $group {
-            $(mod $helper;)*
-            $(mod $module;
-            pub use $module::*;)*
-        }
-        pub use $group::*;)*
-
-        enumerate! { $($($name),*),* }
-    };
-}
-
-macro_rules! enumerate {
     ($($name:ident),* $(,)?) => {
         /// An operation with its fields.
         #[derive(Clone, Debug, PartialEq)]
@@ -163,97 +159,87 @@ macro_rules! enumerate {
 }
 
 operations! {
-    #[doc = "Operations on a few elements of a mesh."]
-    elements [sized] {
-        set_vertex_position::SetVertexPosition,
-        transform::Transform,
-        set_face_color::SetFaceColor,
-        split_edge::SplitEdge,
-        flip_edge::FlipEdge,
-        collapse_edge::CollapseEdge,
-        collapse_face::CollapseFace,
-        split_vertex::SplitVertex,
-        dissolve_vertex::DissolveVertex,
-        dissolve_edge::DissolveEdge,
-        delete_faces::DeleteFaces,
-        delete_vertices::DeleteVertices,
-        triangulate_faces::TriangulateFaces,
-        poke_faces::PokeFaces,
-        connect_vertices::ConnectVertices,
-        extrude_faces::ExtrudeFaces,
-        extrude_edges::ExtrudeEdges,
-        inset_faces::InsetFaces,
-        bevel_edges::BevelEdges,
-        bevel_vertices::BevelVertices,
-        loop_cut::LoopCut,
-        slide_edges::SlideEdges,
-        slide_vertices::SlideVertices,
-        fill_hole::FillHole,
-        bridge::Bridge,
-        merge_vertices::MergeVertices,
-        weld_edges::WeldEdges,
-        rip_edges::RipEdges,
-        flip_orientation::FlipOrientation,
-        set_crease::SetCrease,
-    }
-    #[doc = "Operations on whole meshes."]
-    whole [each_mesh, subdivide] {
-        subdivide_catmull_clark::SubdivideCatmullClark,
-        subdivide_loop::SubdivideLoop,
-        subdivide_linear::SubdivideLinear,
-        simplify::Simplify,
-        remesh::Remesh,
-        smooth::Smooth,
-        merge_by_distance::MergeByDistance,
-    }
-    #[doc = "Operations on what is selected and what is hidden."]
-    selecting [hiding, naming] {
-        select_elements::SelectElements,
-        select_all::SelectAll,
-        select_related::SelectRelated,
-        select_boundary::SelectBoundary,
-        select_sharp_edges::SelectSharpEdges,
-        select_by_corners::SelectByCorners,
-        select_by_valence::SelectByValence,
-        select_by_area::SelectByArea,
-        select_by_length::SelectByLength,
-        select_non_planar::SelectNonPlanar,
-        select_degenerate::SelectDegenerate,
-        select_isolated::SelectIsolated,
-        select_facing::SelectFacing,
-        select_similar::SelectSimilar,
-        select_named::SelectNamed,
-        name_selection::NameSelection,
-        rename_named_selection::RenameNamedSelection,
-        delete_named_selection::DeleteNamedSelection,
-        hide::Hide,
-        reveal::Reveal,
-        isolate::Isolate,
-    }
-    #[doc = "Operations on objects: which there are, what they are called, and what they are made of."]
-    object [] {
-        repair_import::RepairImport,
-        new::New,
-        activate_object::ActivateObject,
-        rename_object::RenameObject,
-        set_object_visible::SetObjectVisible,
-        delete_object::DeleteObject,
-        join_objects::JoinObjects,
-        separate::Separate,
-    }
-    #[doc = "Operations on the control points of Bezier curves and surfaces."]
-    bezier [control_points] {
-        tessellate::BezierTessellate,
-        move_point::BezierMovePoint,
-        insert_point::BezierInsertPoint,
-        delete_point::BezierDeletePoint,
-        elevate_degree::BezierElevateDegree,
-        split::BezierSplit,
-    }
+    // Operations on a few elements of a mesh.
+    SetVertexPosition,
+    Transform,
+    SetFaceColor,
+    SplitEdge,
+    FlipEdge,
+    CollapseEdge,
+    CollapseFace,
+    SplitVertex,
+    DissolveVertex,
+    DissolveEdge,
+    DeleteFaces,
+    DeleteVertices,
+    TriangulateFaces,
+    PokeFaces,
+    ConnectVertices,
+    ExtrudeFaces,
+    ExtrudeEdges,
+    InsetFaces,
+    BevelEdges,
+    BevelVertices,
+    LoopCut,
+    SlideEdges,
+    SlideVertices,
+    FillHole,
+    Bridge,
+    MergeVertices,
+    WeldEdges,
+    RipEdges,
+    FlipOrientation,
+    SetCrease,
+    // Operations on whole meshes.
+    SubdivideCatmullClark,
+    SubdivideLoop,
+    SubdivideLinear,
+    Simplify,
+    Remesh,
+    Smooth,
+    MergeByDistance,
+    // Operations on what is selected and what is hidden.
+    SelectElements,
+    SelectAll,
+    SelectRelated,
+    SelectBoundary,
+    SelectSharpEdges,
+    SelectByCorners,
+    SelectByValence,
+    SelectByArea,
+    SelectByLength,
+    SelectNonPlanar,
+    SelectDegenerate,
+    SelectIsolated,
+    SelectFacing,
+    SelectSimilar,
+    SelectNamed,
+    NameSelection,
+    RenameNamedSelection,
+    DeleteNamedSelection,
+    Hide,
+    Reveal,
+    Isolate,
+    // Operations on objects: which there are, what they are called, and what they are made of.
+    RepairImport,
+    New,
+    ActivateObject,
+    RenameObject,
+    SetObjectVisible,
+    DeleteObject,
+    JoinObjects,
+    Separate,
+    // Operations on the control points of Bezier curves and surfaces.
+    BezierTessellate,
+    BezierMovePoint,
+    BezierInsertPoint,
+    BezierDeletePoint,
+    BezierElevateDegree,
+    BezierSplit,
 }
 
 impl Op {
-    /// The operation's name, texts, keys and fields.
+    /// The operation's name, texts and fields.
     pub fn spec(&self) -> &'static Spec {
         self.id().spec()
     }

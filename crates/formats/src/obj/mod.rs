@@ -13,6 +13,7 @@ mod face;
 mod libraries;
 pub(crate) mod mtl;
 mod names;
+pub use names::name_of_group;
 mod read;
 mod runs;
 mod statements;

@@ -20,6 +20,16 @@ pub(crate) fn group_lines(label: &str) -> (&str, &str) {
     }
 }
 
+/// What to call a group with this label: the object's name where its faces are in no group, else the label.
+///
+/// A mesh with several `o` and `g` names has one label for each pair: `wheel`, `o car`, or `o car; g wheel`.
+pub fn name_of_group(label: &str) -> &str {
+    match group_lines(label) {
+        (object, "") if !object.is_empty() => object,
+        _ => label,
+    }
+}
+
 /// The group that a file is in before its first `g`: programs write it where it has no faces.
 const DEFAULT_GROUP: &str = "default";
 

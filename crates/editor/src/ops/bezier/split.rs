@@ -6,8 +6,8 @@ use crate::document::Object;
 use crate::error::Problem;
 use crate::history::Change;
 use crate::ops::{Action, DefaultValue, DocumentEdit, Field, NamedMesh, Operation, Place, Scope, Spec, Unit};
-use halfedge::words::thousands;
 use halfedge::Mesh;
+use halfedge::words::thousands;
 use serde::{Deserialize, Serialize};
 use std::sync::Arc;
 

@@ -2,7 +2,9 @@
 
 use crate::bezier::Bezier;
 use crate::error::Problem;
-use crate::ops::{Action, DefaultValue, Estimate, Facts, Field, NamedMesh, Operation, Scope, Spec, WholeMesh};
+use crate::ops::{
+    Action, DefaultValue, Estimate, Facts, Field, NamedMesh, Operation, Scope, Spec, WholeMesh,
+};
 use halfedge::Progress;
 use serde::{Deserialize, Serialize};
 use surface::bezier::{MAX_RESOLUTION, tessellate};

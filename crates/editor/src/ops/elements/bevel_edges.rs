@@ -3,8 +3,9 @@
 use super::sized::{not_negative, set_size};
 use crate::error::Problem;
 use crate::ops::refs::{all, count};
-use crate::ops::{SYMMETRY, 
-    Action, DefaultValue, Drag, EdgeRef, Family, Field, LocalEdit, Operation, Scope, Selected, Slot, Spec, Unit,
+use crate::ops::{
+    Action, DefaultValue, Drag, EdgeRef, Family, Field, LocalEdit, Operation, SYMMETRY, Scope, Selected,
+    Slot, Spec, Unit,
 };
 use crate::outcome::ElementIds;
 use crate::selection::Selection;
@@ -39,7 +40,8 @@ impl Operation for BevelEdges {
                     "The width on each side of the edge, in mesh units",
                 )
                 .drag(Drag::Width),
-                Field::count("segments", [1, 256], "The number of faces across the strip").or(DefaultValue::Integer(1)),
+                Field::count("segments", [1, 256], "The number of faces across the strip")
+                    .or(DefaultValue::Integer(1)),
                 SYMMETRY,
             ]);
 

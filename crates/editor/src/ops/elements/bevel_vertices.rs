@@ -3,8 +3,8 @@
 use super::sized::{not_negative, set_size};
 use crate::error::Problem;
 use crate::ops::refs::{all, count};
-use crate::ops::{SYMMETRY, 
-    Action, Drag, Family, Field, LocalEdit, Operation, Scope, Selected, Slot, Spec, Unit, VertexRef,
+use crate::ops::{
+    Action, Drag, Family, Field, LocalEdit, Operation, SYMMETRY, Scope, Selected, Slot, Spec, Unit, VertexRef,
 };
 use crate::outcome::ElementIds;
 use crate::selection::Selection;

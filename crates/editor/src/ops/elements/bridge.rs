@@ -2,7 +2,7 @@
 
 use crate::error::Problem;
 use crate::ops::refs::two;
-use crate::ops::{SYMMETRY, Action, FaceRef, Field, HalfedgeRef, LocalEdit, Operation, Scope, Slot, Spec};
+use crate::ops::{Action, FaceRef, Field, HalfedgeRef, LocalEdit, Operation, SYMMETRY, Scope, Slot, Spec};
 use crate::outcome::ElementIds;
 use crate::selection::Selection;
 use halfedge::{Element, Mesh, edit};

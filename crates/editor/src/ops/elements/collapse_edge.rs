@@ -2,7 +2,10 @@
 
 use crate::error::Problem;
 use crate::ops::refs::{given, given_t, one};
-use crate::ops::{Reflection, SYMMETRY, Action, DefaultValue, EdgeRef, Field, LocalEdit, Operation, Scope, Selected, Slot, Spec, Unit};
+use crate::ops::{
+    Action, DefaultValue, EdgeRef, Field, LocalEdit, Operation, Reflection, SYMMETRY, Scope, Selected, Slot,
+    Spec, Unit,
+};
 use halfedge::{Element, Mesh, edit};
 use serde::{Deserialize, Serialize};
 

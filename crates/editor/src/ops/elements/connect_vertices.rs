@@ -2,7 +2,7 @@
 
 use crate::error::Problem;
 use crate::ops::refs::two;
-use crate::ops::{SYMMETRY, Action, Field, LocalEdit, Operation, Scope, Slot, Spec, VertexRef};
+use crate::ops::{Action, Field, LocalEdit, Operation, SYMMETRY, Scope, Slot, Spec, VertexRef};
 use halfedge::{Element, Mesh, edit};
 use serde::{Deserialize, Serialize};
 

@@ -2,7 +2,9 @@
 
 use crate::error::Problem;
 use crate::ops::refs::{all, count};
-use crate::ops::{SYMMETRY, Action, FaceRef, Family, Field, LocalEdit, Operation, Scope, Selected, Slot, Spec};
+use crate::ops::{
+    Action, FaceRef, Family, Field, LocalEdit, Operation, SYMMETRY, Scope, Selected, Slot, Spec,
+};
 use halfedge::{Element, Mesh, edit};
 use serde::{Deserialize, Serialize};
 

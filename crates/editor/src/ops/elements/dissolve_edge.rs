@@ -2,9 +2,9 @@
 
 use crate::error::Problem;
 use crate::ops::refs::{all, count, one};
-use crate::ops::{SYMMETRY, 
-    Action, DefaultValue as Or, EdgeRef, Family, Field, FieldKind, LocalEdit, Operation, Scope, Selected, Slot,
-    Spec,
+use crate::ops::{
+    Action, DefaultValue as Or, EdgeRef, Family, Field, FieldKind, LocalEdit, Operation, SYMMETRY, Scope,
+    Selected, Slot, Spec,
 };
 use halfedge::{EdgeId, Element, Mesh, edit};
 use serde::{Deserialize, Serialize};

@@ -2,7 +2,9 @@
 
 use crate::error::Problem;
 use crate::ops::refs::{all, count, one};
-use crate::ops::{SYMMETRY, Action, Family, Field, LocalEdit, Operation, Scope, Selected, Slot, Spec, VertexRef};
+use crate::ops::{
+    Action, Family, Field, LocalEdit, Operation, SYMMETRY, Scope, Selected, Slot, Spec, VertexRef,
+};
 use halfedge::edit::{self, Refusal};
 use halfedge::{Element, Mesh, VertexId};
 use serde::{Deserialize, Serialize};
@@ -39,7 +41,12 @@ impl Operation for DissolveVertex {
     .fields(&[
         Field::one("vertex", Element::Vertex, Selected::Each, "The vertex to dissolve")
             .optional("those of `vertices`"),
-        Field::many("vertices", Element::Vertex, Selected::All, "The vertices to dissolve, one after the other"),
+        Field::many(
+            "vertices",
+            Element::Vertex,
+            Selected::All,
+            "The vertices to dissolve, one after the other",
+        ),
         SYMMETRY,
     ]);
 
@@ -70,8 +77,9 @@ impl LocalEdit for DissolveVertex {
         edit::dissolve_around(mesh, &vertices)?;
         for vertex in vertices {
             if mesh.has_vertex(vertex) {
-                edit::dissolve_vertex(mesh, vertex)
-                    .map_err(|refusal| Problem::new(format!("{vertex} can't be dissolved, because {refusal}")))?;
+                edit::dissolve_vertex(mesh, vertex).map_err(|refusal| {
+                    Problem::new(format!("{vertex} can't be dissolved, because {refusal}"))
+                })?;
             }
         }
         Ok(())

@@ -3,8 +3,9 @@
 use super::sized::set_size;
 use crate::error::Problem;
 use crate::ops::refs::{ElementRef, all, count};
-use crate::ops::{Mirror, SYMMETRY, 
-    Action, edges_between_created, Drag, EdgeRef, Family, Field, FieldKind, LocalEdit, Operation, Scope, Selected, Slot, Spec,
+use crate::ops::{
+    Action, Drag, EdgeRef, Family, Field, FieldKind, LocalEdit, Mirror, Operation, SYMMETRY, Scope, Selected,
+    Slot, Spec, edges_between_created,
 };
 use crate::outcome::ElementIds;
 use crate::selection::Selection;
@@ -47,7 +48,8 @@ impl Operation for ExtrudeEdges {
     fn from_selection(mut ops: Vec<Self>, mesh: &Mesh) -> Vec<Self> {
         // Of a selection that reaches into the surface, the edges on the boundary are extruded.
         for edges in ops.iter_mut().filter_map(|op| op.edges.as_mut()) {
-            let is_boundary = |edge: &EdgeRef| edge.find(mesh, "edges").is_ok_and(|e| mesh.is_boundary_edge(e));
+            let is_boundary =
+                |edge: &EdgeRef| edge.find(mesh, "edges").is_ok_and(|e| mesh.is_boundary_edge(e));
             if edges.iter().any(is_boundary) {
                 edges.retain(is_boundary);
             }
@@ -70,7 +72,12 @@ impl LocalEdit for ExtrudeEdges {
         set_size(mesh, &live, 1.0, "offset", notes)
     }
 
-    fn edit_mirrored(&self, mesh: &mut Mesh, mirror: &Mirror<'_>, notes: &mut Vec<String>) -> Result<(), Problem> {
+    fn edit_mirrored(
+        &self,
+        mesh: &mut Mesh,
+        mirror: &Mirror<'_>,
+        notes: &mut Vec<String>,
+    ) -> Result<(), Problem> {
         let edges = all(&self.edges, "edges", mesh)?;
         let ends = |edges: &[EdgeId]| edges.iter().flat_map(|edge| mesh.ends(*edge)).collect::<Vec<_>>();
         let mut own = ends(edges.get(..mirror.own).unwrap_or(&edges));

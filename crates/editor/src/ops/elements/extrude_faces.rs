@@ -3,8 +3,8 @@
 use super::sized::{Mode, set_size};
 use crate::error::Problem;
 use crate::ops::refs::{all, corner_count};
-use crate::ops::{SYMMETRY, 
-    Action, Drag, FaceRef, Family, Field, LocalEdit, Operation, Scope, Selected, Slot, Spec, Unit,
+use crate::ops::{
+    Action, Drag, FaceRef, Family, Field, LocalEdit, Operation, SYMMETRY, Scope, Selected, Slot, Spec, Unit,
 };
 use halfedge::{Element, Mesh, edit};
 use serde::{Deserialize, Serialize};

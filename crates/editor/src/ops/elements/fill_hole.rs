@@ -2,7 +2,7 @@
 
 use crate::error::Problem;
 use crate::ops::refs::one;
-use crate::ops::{SYMMETRY, Action, Field, HalfedgeRef, LocalEdit, Operation, Scope, Selected, Slot, Spec};
+use crate::ops::{Action, Field, HalfedgeRef, LocalEdit, Operation, SYMMETRY, Scope, Selected, Slot, Spec};
 use halfedge::edit::Refusal;
 use halfedge::{Element, Mesh, edit};
 use serde::{Deserialize, Serialize};
@@ -19,12 +19,10 @@ impl Operation for FillHole {
     const SPEC: Spec =
         Spec::new(Scope::Elements, "fill-hole", "Fill hole", "Close a boundary loop with one polygon.")
             .synonyms(&["cap", "make face", "close hole"])
-            .fields(&[Field::one(
-                "halfedge",
-                Element::Halfedge,
-                Selected::Each,
-                "A half-edge of the boundary loop",
-            ), SYMMETRY]);
+            .fields(&[
+                Field::one("halfedge", Element::Halfedge, Selected::Each, "A half-edge of the boundary loop"),
+                SYMMETRY,
+            ]);
 
     fn elements(&mut self) -> Vec<Slot<'_>> {
         vec![Slot::Halfedge(&mut self.halfedge)]
@@ -32,9 +30,8 @@ impl Operation for FillHole {
 
     fn from_selection(mut ops: Vec<Self>, mesh: &Mesh) -> Vec<Self> {
         // Of a selection that reaches into the surface, the holes beside it are filled.
-        let is_boundary = |op: &Self| {
-            one(op.halfedge, "halfedge", mesh).is_ok_and(|h| mesh.is_boundary_halfedge(h))
-        };
+        let is_boundary =
+            |op: &Self| one(op.halfedge, "halfedge", mesh).is_ok_and(|h| mesh.is_boundary_halfedge(h));
         if ops.iter().any(is_boundary) {
             ops.retain(is_boundary);
         }

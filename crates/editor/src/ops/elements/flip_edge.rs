@@ -2,7 +2,9 @@
 
 use crate::error::Problem;
 use crate::ops::refs::one;
-use crate::ops::{Reflection, SYMMETRY, Action, EdgeRef, Field, LocalEdit, Operation, Scope, Selected, Slot, Spec};
+use crate::ops::{
+    Action, EdgeRef, Field, LocalEdit, Operation, Reflection, SYMMETRY, Scope, Selected, Slot, Spec,
+};
 use halfedge::{Element, Mesh, edit};
 use serde::{Deserialize, Serialize};
 

@@ -2,7 +2,7 @@
 
 use crate::error::Problem;
 use crate::ops::refs::{count, faces_or_every};
-use crate::ops::{SYMMETRY, Action, FaceRef, Field, LocalEdit, Operation, Scope, Selected, Slot, Spec};
+use crate::ops::{Action, FaceRef, Field, LocalEdit, Operation, SYMMETRY, Scope, Selected, Slot, Spec};
 use halfedge::{Element, Mesh, edit};
 use serde::{Deserialize, Serialize};
 
@@ -22,7 +22,10 @@ impl Operation for FlipOrientation {
         "Turn whole connected pieces inside out.",
     )
     .synonyms(&["flip normals", "reverse normals"])
-    .fields(&[Field::many("faces", Element::Face, Selected::AllOrEvery, "The faces of whole connected pieces"), SYMMETRY]);
+    .fields(&[
+        Field::many("faces", Element::Face, Selected::AllOrEvery, "The faces of whole connected pieces"),
+        SYMMETRY,
+    ]);
 
     fn elements(&mut self) -> Vec<Slot<'_>> {
         vec![Slot::Faces(&mut self.faces)]

@@ -3,7 +3,9 @@
 use super::sized::{Mode, not_negative, set_size};
 use crate::error::Problem;
 use crate::ops::refs::{all, corner_count};
-use crate::ops::{SYMMETRY, Action, Drag, FaceRef, Field, LocalEdit, Operation, Scope, Selected, Slot, Spec, Unit};
+use crate::ops::{
+    Action, Drag, FaceRef, Field, LocalEdit, Operation, SYMMETRY, Scope, Selected, Slot, Spec, Unit,
+};
 use halfedge::{Element, Mesh, edit};
 use serde::{Deserialize, Serialize};
 

@@ -2,7 +2,10 @@
 
 use crate::error::Problem;
 use crate::ops::refs::{given, given_t, one};
-use crate::ops::{Reflection, SYMMETRY, Action, DefaultValue, Drag, edges_between_created, EdgeRef, Field, LocalEdit, Operation, Scope, Selected, Slot, Spec, Unit};
+use crate::ops::{
+    Action, DefaultValue, Drag, EdgeRef, Field, LocalEdit, Operation, Reflection, SYMMETRY, Scope, Selected,
+    Slot, Spec, Unit, edges_between_created,
+};
 use crate::outcome::ElementIds;
 use crate::selection::Selection;
 use halfedge::geometry::BitSet;

@@ -2,7 +2,10 @@
 
 use crate::error::Problem;
 use crate::ops::refs::{all, count};
-use crate::ops::{Mirroring, Reflection, SYMMETRY, Action, Field, FieldKind, LocalEdit, Operation, Scope, Selected, Slot, Spec, VertexRef};
+use crate::ops::{
+    Action, Field, FieldKind, LocalEdit, Mirroring, Operation, Reflection, SYMMETRY, Scope, Selected, Slot,
+    Spec, VertexRef,
+};
 use halfedge::{Element, Mesh, edit};
 use serde::{Deserialize, Serialize};
 

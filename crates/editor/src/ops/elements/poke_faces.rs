@@ -2,7 +2,7 @@
 
 use crate::error::Problem;
 use crate::ops::refs::{all, corner_count};
-use crate::ops::{SYMMETRY, Action, FaceRef, Field, LocalEdit, Operation, Scope, Selected, Slot, Spec};
+use crate::ops::{Action, FaceRef, Field, LocalEdit, Operation, SYMMETRY, Scope, Selected, Slot, Spec};
 use halfedge::{Element, Mesh, edit};
 use serde::{Deserialize, Serialize};
 

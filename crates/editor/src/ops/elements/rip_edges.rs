@@ -2,7 +2,7 @@
 
 use crate::error::Problem;
 use crate::ops::refs::{all, count};
-use crate::ops::{SYMMETRY, Action, EdgeRef, Field, LocalEdit, Operation, Scope, Selected, Slot, Spec};
+use crate::ops::{Action, EdgeRef, Field, LocalEdit, Operation, SYMMETRY, Scope, Selected, Slot, Spec};
 use halfedge::{Element, Mesh, edit};
 use serde::{Deserialize, Serialize};
 

@@ -2,8 +2,8 @@
 
 use crate::error::Problem;
 use crate::ops::refs::{all, count};
-use crate::ops::{SYMMETRY, 
-    Action, EdgeRef, Field, LocalEdit, Operation, Scope, Selected, Slot, Spec, Unit, VertexRef,
+use crate::ops::{
+    Action, EdgeRef, Field, LocalEdit, Operation, SYMMETRY, Scope, Selected, Slot, Spec, Unit, VertexRef,
 };
 use halfedge::{Element, Mesh, edit};
 use serde::{Deserialize, Serialize};

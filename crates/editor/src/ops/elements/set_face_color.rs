@@ -2,7 +2,9 @@
 
 use crate::error::Problem;
 use crate::ops::refs::{all, count};
-use crate::ops::{SYMMETRY, Action, FaceRef, Field, FieldKind, LocalEdit, Operation, Scope, Selected, Slot, Spec};
+use crate::ops::{
+    Action, FaceRef, Field, FieldKind, LocalEdit, Operation, SYMMETRY, Scope, Selected, Slot, Spec,
+};
 use halfedge::edit::Refusal;
 use halfedge::{Color, Element, FaceId, Mesh, keys};
 use serde::{Deserialize, Serialize};

@@ -2,7 +2,10 @@
 
 use crate::error::Problem;
 use crate::ops::refs::one;
-use crate::ops::{Mirroring, SYMMETRY, Action, Field, FieldKind, LocalEdit, Operation, Scope, Selected, Slot, Spec, VertexRef};
+use crate::ops::{
+    Action, Field, FieldKind, LocalEdit, Mirroring, Operation, SYMMETRY, Scope, Selected, Slot, Spec,
+    VertexRef,
+};
 use halfedge::{Element, Mesh};
 use serde::{Deserialize, Serialize};
 

@@ -1,9 +1,9 @@
 //! What edits with an amount share.
 
 use crate::error::Problem;
-use crate::script::json::shortest;
 use crate::ops::choice::choice;
 use crate::ops::{Drag, Field, Suggestion, Unit, sentence_case};
+use crate::script::json::shortest;
 use halfedge::Mesh;
 use halfedge::edit::{Grouping, Live};
 

@@ -3,8 +3,9 @@
 use super::sized::{nothing_moved, slide_amount};
 use crate::error::Problem;
 use crate::ops::refs::{all, count};
-use crate::ops::{Mirroring, Reflection, SYMMETRY, 
-    Action, EdgeRef, Family, Field, LocalEdit, Operation, Scope, Selected, Slot, Spec,
+use crate::ops::{
+    Action, EdgeRef, Family, Field, LocalEdit, Mirroring, Operation, Reflection, SYMMETRY, Scope, Selected,
+    Slot, Spec,
 };
 use halfedge::{EdgeId, Element, Mesh, edit};
 use serde::{Deserialize, Serialize};

@@ -3,8 +3,9 @@
 use super::sized::{nothing_moved, slide_amount};
 use crate::error::Problem;
 use crate::ops::refs::{all, count};
-use crate::ops::{Mirroring, Reflection, SYMMETRY, 
-    Action, DefaultValue, Family, Field, FieldKind, LocalEdit, Operation, Scope, Selected, Slot, Spec, VertexRef,
+use crate::ops::{
+    Action, DefaultValue, Family, Field, FieldKind, LocalEdit, Mirroring, Operation, Reflection, SYMMETRY,
+    Scope, Selected, Slot, Spec, VertexRef,
 };
 use crate::script::json::finite3;
 use halfedge::edit::Refusal;
@@ -78,7 +79,8 @@ impl LocalEdit for SlideVertices {
 
     fn edit(&self, mesh: &mut Mesh, notes: &mut Vec<String>) -> Result<(), Problem> {
         let vertices = all(&self.vertices, "vertices", mesh)?;
-        let moved = edit::slide_vertices(mesh, &vertices, self.direction.into(), self.amount).map_err(problem)?;
+        let moved =
+            edit::slide_vertices(mesh, &vertices, self.direction.into(), self.amount).map_err(problem)?;
         notes.extend(nothing_moved(moved, self.amount, "no edge points that way"));
         Ok(())
     }

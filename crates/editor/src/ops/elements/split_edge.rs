@@ -3,8 +3,9 @@
 use crate::error::Problem;
 use crate::ops::choice::choice;
 use crate::ops::refs::{given, given_t};
-use crate::ops::{Reflection, SYMMETRY, 
-    Action, DefaultValue, Drag, EdgeRef, Field, LocalEdit, Operation, Scope, Selected, Slot, Spec, Unit,
+use crate::ops::{
+    Action, DefaultValue, Drag, EdgeRef, Field, LocalEdit, Operation, Reflection, SYMMETRY, Scope, Selected,
+    Slot, Spec, Unit,
 };
 use halfedge::{Element, Mesh, edit};
 use serde::{Deserialize, Serialize};

@@ -2,8 +2,9 @@
 
 use crate::error::Problem;
 use crate::ops::refs::{one, two};
-use crate::ops::{Reflection, SYMMETRY, 
-    Action, Arity, EdgeRef, Field, FieldKind, LocalEdit, Operation, Scope, Slot, Spec, Target, VertexRef,
+use crate::ops::{
+    Action, Arity, EdgeRef, Field, FieldKind, LocalEdit, Operation, Reflection, SYMMETRY, Scope, Slot, Spec,
+    Target, VertexRef,
 };
 use glam::Vec3;
 use halfedge::{EdgeId, Element, Mesh, VertexId, edit};

@@ -1,14 +1,14 @@
 //! `transform`: move, rotate and scale elements; what the gizmo sends.
 
-use crate::error::Problem;
 use super::sized::not_negative;
-use crate::script::json::{finite, finite_option, finite3, finite3_option, shortest};
+use crate::error::Problem;
 use crate::ops::in_plain_words;
 use crate::ops::refs::{all, count};
 use crate::ops::{
-    Action, Arity, DefaultValue, Drag, EdgeRef, FaceRef, Field, FieldKind, LocalEdit, Operation, Scope, Selected,
-    Mirroring, SYMMETRY, Slot, Spec, Unit, VertexRef,
+    Action, Arity, DefaultValue, Drag, EdgeRef, FaceRef, Field, FieldKind, LocalEdit, Mirroring, Operation,
+    SYMMETRY, Scope, Selected, Slot, Spec, Unit, VertexRef,
 };
+use crate::script::json::{finite, finite_option, finite3, finite3_option, shortest};
 use glam::{Affine3A, Mat3A, Quat, Vec3};
 use halfedge::edit::Refusal;
 use halfedge::geometry::{UnionFind, mean_position};
@@ -50,7 +50,10 @@ pub struct Transform {
 
 /// A rotation about an axis, counter-clockwise as seen from its tip.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields, expecting = "an axis and degrees, as in `{\"axis\": [0, 0, 1], \"degrees\": 90}`")]
+#[serde(
+    deny_unknown_fields,
+    expecting = "an axis and degrees, as in `{\"axis\": [0, 0, 1], \"degrees\": 90}`"
+)]
 pub struct Rotate {
     /// The axis; its length doesn't matter.
     #[serde(with = "finite3")]

@@ -3,9 +3,11 @@
 use crate::error::Problem;
 use crate::ops::choice::choice;
 use crate::ops::refs::{corner_count, faces_or_every};
-use crate::ops::{Mirror, SYMMETRY, Action, FaceRef, Field, LocalEdit, Operation, Scope, Selected, Slot, Spec};
-use halfedge::geometry::{BitSet, mean_position};
+use crate::ops::{
+    Action, FaceRef, Field, LocalEdit, Mirror, Operation, SYMMETRY, Scope, Selected, Slot, Spec,
+};
 use halfedge::edit::Triangulation;
+use halfedge::geometry::{BitSet, mean_position};
 use halfedge::{Element, FaceId, Mesh, Refusal, edit};
 use serde::{Deserialize, Serialize};
 
@@ -83,7 +85,12 @@ impl LocalEdit for TriangulateFaces {
         })
     }
 
-    fn edit_mirrored(&self, mesh: &mut Mesh, mirror: &Mirror<'_>, _notes: &mut Vec<String>) -> Result<(), Problem> {
+    fn edit_mirrored(
+        &self,
+        mesh: &mut Mesh,
+        mirror: &Mirror<'_>,
+        _notes: &mut Vec<String>,
+    ) -> Result<(), Problem> {
         let axis = mirror.images.axis();
         let faces = faces_or_every(&self.faces, mesh)?;
         let middle = |f: FaceId| mean_position(mesh, mesh.face_vertices(f)).to_array();

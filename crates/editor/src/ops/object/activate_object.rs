@@ -25,7 +25,9 @@ impl Operation for ActivateObject {
 
 impl DocumentEdit for ActivateObject {
     fn changes(&self, place: &Place<'_>) -> Result<Vec<Change>, Problem> {
-        let at = place.object.ok_or_else(|| Problem::field("object", "is missing; give the place of one in the list"))?;
+        let at = place
+            .object
+            .ok_or_else(|| Problem::field("object", "is missing; give the place of one in the list"))?;
         let at = place.check(at, "object")?;
         Ok(if at == place.document.active { Vec::new() } else { vec![Change::Active(at)] })
     }

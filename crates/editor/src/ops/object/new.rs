@@ -4,8 +4,8 @@ use crate::document::ObjectId;
 use crate::error::Problem;
 use crate::ops::json::Fields;
 use crate::ops::{
-    Action, Commit, DefaultValue, Estimate, Facts, Field, FieldKind, NamedMesh, Operation, Place, Scope, Spec,
-    WholeMesh, sentence_case,
+    Action, Commit, DefaultValue, Estimate, Facts, Field, FieldKind, NamedMesh, Operation, Place, Scope,
+    Spec, WholeMesh, sentence_case,
 };
 use halfedge::Progress;
 use halfedge::words::thousands;

@@ -2,8 +2,8 @@
 
 use crate::error::Problem;
 use crate::ops::{
-    Action, Choice, DefaultValue, Field, FieldKind, MergeByDistance, NamedMesh, Operation, Scope, Spec, Unit, WholeMesh,
-    refuse_bezier,
+    Action, Choice, DefaultValue, Field, FieldKind, MergeByDistance, NamedMesh, Operation, Scope, Spec, Unit,
+    WholeMesh, refuse_bezier,
 };
 use formats::{NonManifold, Repairs};
 use halfedge::Progress;

@@ -4,8 +4,7 @@ use crate::error::Problem;
 use crate::ops::choice::choice;
 use crate::ops::refs::all;
 use crate::ops::{
-    Action, FaceRef, Field, FieldKind, NamedMesh, Operation, Scope, Selected, Slot, Spec, Target,
-    WholeMesh,
+    Action, FaceRef, Field, FieldKind, NamedMesh, Operation, Scope, Selected, Slot, Spec, Target, WholeMesh,
 };
 use halfedge::words::thousands;
 use halfedge::{Element, FaceId, Mesh, NONE, Progress, keys};
@@ -37,7 +36,7 @@ choice! {
 /// The most faces of a mesh whose connected pieces are counted for a greyed button.
 const MAX_FACES_COUNTED: usize = 20_000;
 
-/// More objects than this help nobody.
+/// The most objects to make.
 const MAX_PARTS: usize = 1000;
 
 impl Operation for Separate {
@@ -129,7 +128,7 @@ impl WholeMesh for Separate {
             let (count, most) = (thousands(parts.len()), thousands(MAX_PARTS));
             return Err(Problem::field(
                 "by",
-                format!("that makes {count} objects; at most {most} are of use"),
+                format!("that makes {count} objects; at most {most} can be made"),
             ));
         }
         let mut outputs = Vec::with_capacity(parts.len());
@@ -183,10 +182,7 @@ fn parts_by_groups(mesh: &Mesh) -> Result<Vec<Part>, Problem> {
     };
     let labels = mesh.column(Element::Face, keys::FACE_GROUP.name).map_or(&[][..], |column| &column.labels);
     let name = |group: u32| match labels.get(group as usize) {
-        // The name of an object in an OBJ, where the faces of it are in no group.
-        Some(label) => {
-            label.strip_prefix("o ").filter(|rest| !rest.contains("; g ")).unwrap_or(label).to_owned()
-        }
+        Some(label) => formats::name_of_group(label).to_owned(),
         None if group == NONE => "No group".to_owned(),
         None => format!("Group {group}"),
     };

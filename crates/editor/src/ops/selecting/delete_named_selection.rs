@@ -15,9 +15,13 @@ pub struct DeleteNamedSelection {
 }
 
 impl Operation for DeleteNamedSelection {
-    const SPEC: Spec =
-        Spec::new(Scope::Selection, "delete-named-selection", "Delete named selection", "Delete a named selection; its elements stay.")
-        .fields(&[Field::required("name", FieldKind::Text, "The name")]);
+    const SPEC: Spec = Spec::new(
+        Scope::Selection,
+        "delete-named-selection",
+        "Delete named selection",
+        "Delete a named selection; its elements stay.",
+    )
+    .fields(&[Field::required("name", FieldKind::Text, "The name")]);
 
     fn action(&self) -> Action<'_> {
         Action::Document(self)

@@ -3,8 +3,8 @@
 use crate::error::Problem;
 use crate::ops::refs::{all, count};
 use crate::ops::{EdgeRef, FaceRef, Field, Place, Selected, VertexRef};
-use halfedge::geometry::BitSet;
 use halfedge::edit::Refusal;
+use halfedge::geometry::BitSet;
 use halfedge::{Element, InParts};
 use surface::selecting::Finding;
 

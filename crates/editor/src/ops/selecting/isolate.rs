@@ -24,14 +24,10 @@ pub struct Isolate {
 const FIELDS: [Field; 3] = fields("Faces to keep");
 
 impl Operation for Isolate {
-    const SPEC: Spec = Spec::new(
-        Scope::Selection,
-        "isolate",
-        "Isolate",
-        "Hide everything else; again, show everything.",
-    )
-    .synonyms(&["local view", "hide unselected", "solo"])
-    .fields(&FIELDS);
+    const SPEC: Spec =
+        Spec::new(Scope::Selection, "isolate", "Isolate", "Hide everything else; again, show everything.")
+            .synonyms(&["local view", "hide unselected", "solo"])
+            .fields(&FIELDS);
 
     fn elements(&mut self) -> Vec<Slot<'_>> {
         vec![Slot::Faces(&mut self.faces), Slot::Edges(&mut self.edges), Slot::Vertices(&mut self.vertices)]

@@ -16,9 +16,14 @@ pub struct NameSelection {
 }
 
 impl Operation for NameSelection {
-    const SPEC: Spec =
-        Spec::new(Scope::Selection, "name-selection", "Name selection", "Keep the selection under a name; one of that name is replaced.").synonyms(&["vertex group", "selection set", "save selection"])
-        .fields(&[Field::required("name", FieldKind::Text, "The name")]);
+    const SPEC: Spec = Spec::new(
+        Scope::Selection,
+        "name-selection",
+        "Name selection",
+        "Keep the selection under a name; one of that name is replaced.",
+    )
+    .synonyms(&["vertex group", "selection set", "save selection"])
+    .fields(&[Field::required("name", FieldKind::Text, "The name")]);
 
     fn action(&self) -> Action<'_> {
         Action::Document(self)

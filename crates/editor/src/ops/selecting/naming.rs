@@ -19,10 +19,13 @@ pub(super) fn find(object: &Object, name: &str) -> Result<usize, Problem> {
     let name = name.trim();
     object.named_selections().iter().position(|named| named.name == name).ok_or_else(|| {
         let known: Vec<String> = object.named_selections().iter().map(|n| format!("“{}”", n.name)).collect();
-        Problem::field("name", match known.as_slice() {
-            [] => format!("there is no selection “{name}”; none has a name"),
-            known => format!("there is no selection “{name}”; there are {}", known.join(", ")),
-        })
+        Problem::field(
+            "name",
+            match known.as_slice() {
+                [] => format!("there is no selection “{name}”; none has a name"),
+                known => format!("there is no selection “{name}”; there are {}", known.join(", ")),
+            },
+        )
     })
 }
 

@@ -17,10 +17,16 @@ pub struct RenameNamedSelection {
 }
 
 impl Operation for RenameNamedSelection {
-    const SPEC: Spec =
-        Spec::new(Scope::Selection, "rename-named-selection", "Rename named selection", "Give a named selection another name.")
-        .fields(&[Field::required("name", FieldKind::Text, "The name"),
-            Field::required("to", FieldKind::Text, "The new name").labelled("New name")]);
+    const SPEC: Spec = Spec::new(
+        Scope::Selection,
+        "rename-named-selection",
+        "Rename named selection",
+        "Give a named selection another name.",
+    )
+    .fields(&[
+        Field::required("name", FieldKind::Text, "The name"),
+        Field::required("to", FieldKind::Text, "The new name").labelled("New name"),
+    ]);
 
     fn action(&self) -> Action<'_> {
         Action::Document(self)

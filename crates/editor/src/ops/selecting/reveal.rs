@@ -12,9 +12,8 @@ use std::sync::Arc;
 pub struct Reveal {}
 
 impl Operation for Reveal {
-    const SPEC: Spec =
-        Spec::new(Scope::Selection, "reveal", "Reveal", "Show hidden faces again.")
-            .synonyms(&["unhide", "show hidden", "show all"]);
+    const SPEC: Spec = Spec::new(Scope::Selection, "reveal", "Reveal", "Show hidden faces again.")
+        .synonyms(&["unhide", "show hidden", "show all"]);
 
     fn action(&self) -> Action<'_> {
         Action::Document(self)

@@ -24,10 +24,7 @@ impl Operation for SelectBoundary {
         "Select boundary edges and half-edges, the vertices on them, or the faces beside them.",
     )
     .synonyms(&["non-manifold", "open edges", "holes", "border"])
-    .fields(&[
-        Kind::FIELD,
-        MODE,
-    ]);
+    .fields(&[Kind::FIELD, MODE]);
 
     fn action(&self) -> Action<'_> {
         Action::Select(self)

@@ -2,10 +2,12 @@
 
 use super::select_elements::MODE;
 use crate::error::Problem;
-use crate::ops::{Action, DefaultValue, Field, Kind, Operation, Scope, SelectEdit, SelectMode, Spec, Target, Unit};
+use crate::ops::{
+    Action, DefaultValue, Field, Kind, Operation, Scope, SelectEdit, SelectMode, Spec, Target, Unit,
+};
+use halfedge::Element;
 use serde::{Deserialize, Serialize};
 use surface::selecting::{Criterion, Finding};
-use halfedge::Element;
 
 /// Select faces without area, or edges without length.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -30,8 +32,13 @@ impl Operation for SelectDegenerate {
     .synonyms(&["zero area", "zero length", "slivers"])
     .fields(&[
         Kind::FIELD,
-        Field::number("at_most", Unit::Length, [0.0, f32::MAX as f64], "The area or length that still counts as none")
-            .or(DefaultValue::Number(0.0)),
+        Field::number(
+            "at_most",
+            Unit::Length,
+            [0.0, f32::MAX as f64],
+            "The area or length that still counts as none",
+        )
+        .or(DefaultValue::Number(0.0)),
         MODE,
     ]);
 

@@ -4,7 +4,8 @@ use crate::error::Problem;
 use crate::ops::choice::choice;
 use crate::ops::refs::all;
 use crate::ops::{
-    Action, Arity, EdgeRef, FaceRef, Field, FieldKind, HalfedgeRef, Operation, Scope, SelectEdit, Spec, Target, VertexRef,
+    Action, Arity, EdgeRef, FaceRef, Field, FieldKind, HalfedgeRef, Operation, Scope, SelectEdit, Spec,
+    Target, VertexRef,
 };
 use halfedge::Element;
 use halfedge::geometry::BitSet;
@@ -53,13 +54,16 @@ const fn list(name: &'static str, element: Element, description: &'static str) -
 }
 
 impl Operation for SelectElements {
-    const SPEC: Spec = Spec::new(Scope::Selection, "select-elements", "Select elements", "Select elements by id.").fields(&[
-        list("vertices", Element::Vertex, "Vertices to select"),
-        list("edges", Element::Edge, "Edges to select"),
-        list("halfedges", Element::Halfedge, "Half-edges to select"),
-        list("faces", Element::Face, "Faces to select"),
-        MODE,
-    ]);
+    const SPEC: Spec =
+        Spec::new(Scope::Selection, "select-elements", "Select elements", "Select elements by id.").fields(
+            &[
+                list("vertices", Element::Vertex, "Vertices to select"),
+                list("edges", Element::Edge, "Edges to select"),
+                list("halfedges", Element::Halfedge, "Half-edges to select"),
+                list("faces", Element::Face, "Faces to select"),
+                MODE,
+            ],
+        );
 
     fn action(&self) -> Action<'_> {
         Action::Select(self)
@@ -69,12 +73,8 @@ impl Operation for SelectElements {
 impl SelectEdit for SelectElements {
     fn find(&self, target: &Target<'_>) -> Result<Finding, Problem> {
         let mesh = target.mesh;
-        let lists = [
-            self.vertices.is_some(),
-            self.edges.is_some(),
-            self.halfedges.is_some(),
-            self.faces.is_some(),
-        ];
+        let lists =
+            [self.vertices.is_some(), self.edges.is_some(), self.halfedges.is_some(), self.faces.is_some()];
         if lists.into_iter().filter(|given| *given).count() != 1 {
             return Err(Problem::new("give exactly one of `vertices`, `edges`, `halfedges` and `faces`")
                 .advise("Give one list: vertices, edges, half-edges or faces."));

@@ -39,8 +39,13 @@ impl Operation for SelectFacing {
     .fields(&[
         Field::required("direction", FieldKind::Vector, "The direction")
             .optional("the normal of the face selected last"),
-        Field::number("angle", Unit::Degrees, [0.0, 180.0], "The largest angle between it and a face's normal")
-            .or(DefaultValue::Number(FACING_ANGLE_DEGREES as f64)),
+        Field::number(
+            "angle",
+            Unit::Degrees,
+            [0.0, 180.0],
+            "The largest angle between it and a face's normal",
+        )
+        .or(DefaultValue::Number(FACING_ANGLE_DEGREES as f64)),
         MODE,
     ]);
 

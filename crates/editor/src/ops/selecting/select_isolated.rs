@@ -3,9 +3,9 @@
 use super::select_elements::MODE;
 use crate::error::Problem;
 use crate::ops::{Action, Operation, Scope, SelectEdit, SelectMode, Spec, Target};
+use halfedge::Element;
 use serde::{Deserialize, Serialize};
 use surface::selecting::{Criterion, Finding};
-use halfedge::Element;
 
 /// Select vertices in no face.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -23,9 +23,7 @@ impl Operation for SelectIsolated {
         "Select vertices in no face.",
     )
     .synonyms(&["loose", "non-manifold"])
-    .fields(&[
-        MODE,
-    ]);
+    .fields(&[MODE]);
 
     fn action(&self) -> Action<'_> {
         Action::Select(self)

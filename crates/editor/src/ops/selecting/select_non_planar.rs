@@ -3,9 +3,9 @@
 use super::select_elements::MODE;
 use crate::error::Problem;
 use crate::ops::{Action, DefaultValue, Field, Operation, Scope, SelectEdit, SelectMode, Spec, Target, Unit};
+use halfedge::Element;
 use serde::{Deserialize, Serialize};
 use surface::selecting::{Criterion, Finding};
-use halfedge::Element;
 
 /// Select polygons with a triangle that is turned by more than an angle against the mean plane.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]

@@ -1,4 +1,4 @@
-//! `select-related`: change the selection to what follows from it.
+//! `select-related`: select elements related to the selection.
 
 use crate::error::Problem;
 use crate::ops::choice::choice;
@@ -6,7 +6,7 @@ use crate::ops::{Action, Operation, Scope, SelectEdit, SelectMode, Spec, Target}
 use serde::{Deserialize, Serialize};
 use surface::selecting::Finding;
 
-/// Change the selection to what follows from it.
+/// Select elements related to the selection.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct SelectRelated {

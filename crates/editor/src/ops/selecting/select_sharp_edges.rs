@@ -3,9 +3,9 @@
 use super::select_elements::MODE;
 use crate::error::Problem;
 use crate::ops::{Action, DefaultValue, Field, Operation, Scope, SelectEdit, SelectMode, Spec, Target, Unit};
+use halfedge::Element;
 use serde::{Deserialize, Serialize};
 use surface::selecting::{Criterion, Finding};
-use halfedge::Element;
 
 /// Select edges whose two faces meet at more than an angle.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]

@@ -1,11 +1,11 @@
-//! The frame of operations that make one mesh of each.
+//! Operations that replace each mesh by one other.
 
 use crate::error::Problem;
 use crate::ops::{Estimate, Facts, NamedMesh, WholeMesh, refuse_bezier};
 use halfedge::{Mesh, Progress};
 use std::ops::ControlFlow;
 
-/// An operation that makes one mesh of each: the frame around an algorithm.
+/// An operation that replaces each mesh by one other: the frame around an algorithm.
 pub(super) trait EachMesh {
     /// Checks the fields: what can be refused without looking at a mesh.
     fn check(&self) -> Result<(), Problem> {
@@ -67,7 +67,8 @@ impl<T: EachMesh> WholeMesh for T {
                 |fraction: f32| -> ControlFlow<()> { progress((at as f32 + fraction) / inputs.len() as f32) };
             // Algorithms on faces drop vertices that have none; where there is nothing to do, those stay.
             let is_idle = self.needs_faces() && input.mesh.face_count() == 0;
-            let made = if is_idle { Mesh::clone(&input.mesh) } else { self.make(&input.mesh, notes, &mut part)? };
+            let made =
+                if is_idle { Mesh::clone(&input.mesh) } else { self.make(&input.mesh, notes, &mut part)? };
             outputs.push(NamedMesh::new("", made));
         }
         Ok(outputs)

@@ -2,8 +2,8 @@
 
 use super::each_mesh::EachMesh;
 use crate::error::Problem;
-use crate::script::json::shortest;
 use crate::ops::{Action, Amount, Counted, Estimate, Facts, Field, Operation, Scope, Spec, Suggestion, Unit};
+use crate::script::json::shortest;
 use halfedge::{Mesh, Progress};
 use serde::{Deserialize, Serialize};
 

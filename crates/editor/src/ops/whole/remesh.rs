@@ -3,11 +3,11 @@
 use super::each_mesh::{self, EachMesh};
 use super::simplify::triangles_at_most;
 use crate::error::Problem;
-use crate::script::json::{finite, finite_option, shortest};
 use crate::ops::{
-    Action, Amount, Counted, DefaultValue, Estimate, Facts, Field, FieldKind, Operation, Scope, Spec, Suggestion,
-    Unit,
+    Action, Amount, Counted, DefaultValue, Estimate, Facts, Field, FieldKind, Operation, Scope, Spec,
+    Suggestion, Unit,
 };
+use crate::script::json::{finite, finite_option, shortest};
 use halfedge::{Mesh, Progress};
 use serde::{Deserialize, Serialize};
 use surface::{MAX_REMESH_ITERATIONS, SurfaceError};
@@ -62,10 +62,15 @@ impl Operation for Remesh {
     .synonyms(&["isotropic", "regular triangles"])
     .previewed()
     .fields(&[
-        Field::number("edge_length", Unit::Length, [0.0, f32::MAX as f64], "The length of edges, in mesh units")
-            .above_min()
-            .unset("about the mean length")
-            .suggest(Suggestion::RemeshedEdge),
+        Field::number(
+            "edge_length",
+            Unit::Length,
+            [0.0, f32::MAX as f64],
+            "The length of edges, in mesh units",
+        )
+        .above_min()
+        .unset("about the mean length")
+        .suggest(Suggestion::RemeshedEdge),
         Field::count("iterations", [1, MAX_REMESH_ITERATIONS], "The number of iterations")
             .or(DefaultValue::Integer(ITERATIONS)),
         Field::number(
@@ -118,8 +123,7 @@ impl EachMesh for Remesh {
         let expected = surface::Remesh::expected(area, length);
         // The area of slivers says little of how many triangles they become.
         let has_slivers = by_itself < MIN_LENGTH_ESTIMATED * mean_edge;
-        let is_known =
-            length <= MAX_COARSENING_ESTIMATED * mean_edge && !has_slivers && expected.is_finite();
+        let is_known = length <= MAX_COARSENING_ESTIMATED * mean_edge && !has_slivers && expected.is_finite();
         let count = if is_known { Amount::About(expected.round() as usize) } else { Amount::Unknown };
         Some(Estimate { count, counted: Counted::Triangles, of: None })
     }

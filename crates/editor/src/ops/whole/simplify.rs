@@ -2,12 +2,12 @@
 
 use super::each_mesh::EachMesh;
 use crate::error::Problem;
-use crate::script::json::shortest;
 use crate::ops::facts::corners_at_most;
 use crate::ops::{
-    Action, Amount, Counted, DefaultValue, Estimate, Facts, Field, FieldKind, Operation, Scope, Spec, Suggestion,
-    Unit,
+    Action, Amount, Counted, DefaultValue, Estimate, Facts, Field, FieldKind, Operation, Scope, Spec,
+    Suggestion, Unit,
 };
+use crate::script::json::shortest;
 use halfedge::{Mesh, Progress};
 use serde::{Deserialize, Serialize};
 use surface::SimplifyTarget;
@@ -99,10 +99,9 @@ impl Simplify {
             (Some(faces), None, None) => Ok(SimplifyTarget::Faces(faces as usize)),
             (None, Some(ratio), None) => Ok(SimplifyTarget::Ratio(shortest(ratio))),
             (None, None, Some(error)) => Ok(SimplifyTarget::MaxError(shortest(error))),
-            (None, None, None) => Err(Problem::field(
-                "ratio",
-                "is missing: give one of `faces`, `ratio` and `max_error`",
-            )),
+            (None, None, None) => {
+                Err(Problem::field("ratio", "is missing: give one of `faces`, `ratio` and `max_error`"))
+            }
             (Some(_), _, _) => {
                 Err(Problem::field("faces", "goes without `ratio` and `max_error`: give one of them"))
             }

@@ -2,9 +2,11 @@
 
 use super::each_mesh::{self, EachMesh};
 use crate::error::Problem;
-use crate::script::json::shortest;
 use crate::ops::choice::choice;
-use crate::ops::{Action, Amount, Counted, DefaultValue, Estimate, Facts, Field, Operation, Scope, Spec, Unit};
+use crate::ops::{
+    Action, Amount, Counted, DefaultValue, Estimate, Facts, Field, Operation, Scope, Spec, Unit,
+};
+use crate::script::json::shortest;
 use halfedge::{Mesh, Progress};
 use serde::{Deserialize, Serialize};
 use surface::MAX_SMOOTH_ITERATIONS;
@@ -54,9 +56,17 @@ impl Operation for Smooth {
     .fields(&[
         Field::count("iterations", [1, MAX_SMOOTH_ITERATIONS], "The number of iterations")
             .or(DefaultValue::Integer(ITERATIONS)),
-        Field::number("strength", Unit::Fraction, [0.0, 1.0], "The fraction of the way to move in each iteration")
-            .or(DefaultValue::Number(STRENGTH as f64)),
-        SmoothMethod::field("method", "Only towards the neighbours, or also back again, which nearly keeps the volume"),
+        Field::number(
+            "strength",
+            Unit::Fraction,
+            [0.0, 1.0],
+            "The fraction of the way to move in each iteration",
+        )
+        .or(DefaultValue::Number(STRENGTH as f64)),
+        SmoothMethod::field(
+            "method",
+            "Only towards the neighbours, or also back again, which nearly keeps the volume",
+        ),
     ]);
 
     fn action(&self) -> Action<'_> {

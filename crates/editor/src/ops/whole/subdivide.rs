@@ -43,13 +43,16 @@ pub(super) const fn boundary() -> Field {
     Boundary::field("boundary", "Whether corners of the boundary stay")
 }
 
-/// Refuses to subdivide no times.
+/// Refuses 0 levels, and too many.
 pub(super) fn check_levels(levels: u32) -> Result<(), Problem> {
     if levels == 0 {
         return Err(Problem::field("levels", "0 does nothing; it must be 1 or more"));
     }
     if levels > MAX_LEVELS {
-        return Err(Problem::field("levels", format!("{levels} levels make too many faces; use fewer levels")));
+        return Err(Problem::field(
+            "levels",
+            format!("{levels} levels make too many faces; use fewer levels"),
+        ));
     }
     Ok(())
 }

@@ -1,0 +1,47 @@
+//! Operations on what is selected and what is hidden.
+
+mod delete_named_selection;
+mod hide;
+mod hiding;
+mod isolate;
+mod name_selection;
+mod naming;
+mod rename_named_selection;
+mod reveal;
+mod select_all;
+mod select_boundary;
+mod select_by_area;
+mod select_by_corners;
+mod select_by_length;
+mod select_by_valence;
+mod select_degenerate;
+mod select_elements;
+mod select_facing;
+mod select_isolated;
+mod select_named;
+mod select_non_planar;
+mod select_related;
+mod select_sharp_edges;
+mod select_similar;
+
+pub use delete_named_selection::*;
+pub use hide::*;
+pub use isolate::*;
+pub use name_selection::*;
+pub use rename_named_selection::*;
+pub use reveal::*;
+pub use select_all::*;
+pub use select_boundary::*;
+pub use select_by_area::*;
+pub use select_by_corners::*;
+pub use select_by_length::*;
+pub use select_by_valence::*;
+pub use select_degenerate::*;
+pub use select_elements::*;
+pub use select_facing::*;
+pub use select_isolated::*;
+pub use select_named::*;
+pub use select_non_planar::*;
+pub use select_related::*;
+pub use select_sharp_edges::*;
+pub use select_similar::*;
