@@ -61,7 +61,7 @@ fn every_format_is_in_every_list() {
             let all: Vec<PathBuf> = targets::TARGETS.iter().flat_map(|(target, _)| seeds(target)).collect();
             let has_seed =
                 |own: &&str| all.iter().any(|path| path.extension().is_some_and(|found| *found == **own));
-            if !format.extensions().iter().any(|own| has_seed(own)) {
+            if !format.extensions().iter().any(has_seed) {
                 missing
                     .push(format!("fuzz/targets.rs and fuzz/seeds: .{}", format.extensions().join(" or .")));
             }
