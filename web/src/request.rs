@@ -111,6 +111,50 @@ pub(crate) enum Request {
     DismissToast(Slot),
 }
 
+impl Request {
+    /// Whether it can be carried out in the middle of a jump in the history: it changes neither the document nor the
+    /// selection, or is about the jump itself.
+    pub fn goes_before_jump(&self) -> bool {
+        match self {
+            Self::Act(action) => matches!(
+                action,
+                Action::Cancel | Action::Palette | Action::GoToId | Action::Save | Action::SaveAs(_)
+            ),
+            Self::Hover(..)
+            | Self::JumpTo(_)
+            | Self::ShowSheet(_)
+            | Self::Close(_)
+            | Self::CloseWelcome
+            | Self::WelcomeAtStart(_)
+            | Self::ChangeKeys(_)
+            | Self::CancelJob(_)
+            | Self::Warn(_)
+            | Self::ToggleToast(_)
+            | Self::DismissToast(_) => true,
+            _ => false,
+        }
+    }
+
+    /// Whether it names elements, which are others in another state of the history.
+    pub fn names_elements(&self) -> bool {
+        matches!(
+            self,
+            Self::Select { .. }
+                | Self::PaintSelection { .. }
+                | Self::SelectRange { .. }
+                | Self::SelectLine { .. }
+                | Self::SelectPath { .. }
+        )
+    }
+}
+
+/// A request that waits for the end of a jump in the history.
+pub(crate) struct Waiting {
+    pub request: Request,
+    /// Whether a key made it.
+    pub by_key: bool,
+}
+
 /// A change of the keys of the chosen preset.
 #[derive(Clone, Debug)]
 pub(crate) enum KeyChange {

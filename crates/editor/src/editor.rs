@@ -19,6 +19,7 @@ mod selecting;
 mod start;
 
 pub use jobs::{Begun, Finished, RunningJob};
+pub use jump::Jump;
 pub use select_by::SelectBy;
 pub(crate) use select_by::find_related;
 
@@ -50,6 +51,7 @@ pub struct Editor {
     changes: Changes,
     ongoing: Option<ongoing::Ongoing>,
     selecting: Option<selecting::Selecting>,
+    jumping: Option<Jump>,
     selected: Option<Outcome>,
     jobs: Vec<jobs::Waiting>,
     messages: VecDeque<Message>,
@@ -111,6 +113,7 @@ impl Editor {
             changes: Changes::default(),
             ongoing: None,
             selecting: None,
+            jumping: None,
             selected: None,
             jobs: Vec::new(),
             messages: VecDeque::new(),
@@ -240,7 +243,7 @@ impl Editor {
     /// # Errors
     /// A job is running on a mesh that would change.
     pub fn undo(&mut self) -> Result<Option<String>, CommandError> {
-        self.finish_selecting();
+        self.finish_parts();
         if self.is_editing() {
             return Ok(self.cancel_edit());
         }
@@ -260,7 +263,7 @@ impl Editor {
     /// # Errors
     /// A job is running on a mesh that would change.
     pub fn undo_step(&mut self) -> Result<Option<String>, CommandError> {
-        self.finish_selecting();
+        self.finish_parts();
         if let Some(label) = self.cancel_edit() {
             return Ok(Some(label));
         }
@@ -347,9 +350,16 @@ impl Editor {
     }
 
     /// Adds the undo step of what was just done, unless nothing changed; returns whether it added one.
-    fn push_step(&mut self, label: String, back: Vec<Change>, before: Arc<Selection>) -> bool {
+    fn push_step(&mut self, label: String, mut back: Vec<Change>, before: Arc<Selection>) -> bool {
         if back.iter().all(Change::is_nothing) {
             return false;
+        }
+        for change in &mut back {
+            if let Change::Journal(id, journal) = change
+                && let Some(object) = self.document.object(*id)
+            {
+                journal.fold_moves(object.mesh());
+            }
         }
         let revision = self.revision;
         self.last_revision += 1;

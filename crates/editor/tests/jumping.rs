@@ -2,8 +2,9 @@
 
 mod support;
 
-use editor::halfedge::Element;
-use editor::{Begun, Document, Editor, SelectMode};
+use editor::formats;
+use editor::halfedge::{Budget, Element};
+use editor::{Begun, Document, Editor, Jump, SelectMode};
 use proptest::prelude::*;
 use serde_json::json;
 use support::*;
@@ -87,4 +88,75 @@ fn the_history_says_when_its_first_steps_are_gone() {
     assert!(!editor.has_whole_history());
     editor.jump_to(0).expect("free");
     assert_eq!(editor.undo_labels().count(), 0);
+}
+
+/// Goes some steps further, and some more until the jump is done; returns the states that were passed.
+fn passed(editor: &mut Editor, states: &[Document]) -> Vec<usize> {
+    let mut passed = Vec::new();
+    while editor.jump().is_some() {
+        editor.jump_some(&mut Budget::new(1)).expect("free");
+        validate(editor);
+        let at = editor.undo_labels().count();
+        assert_eq!(editor.document(), &states[at], "the state after {at} edits");
+        passed.push(at);
+    }
+    passed.dedup();
+    passed
+}
+
+#[test]
+fn a_jump_in_parts_is_whole_after_each() {
+    let (mut editor, states) = edited();
+    editor.begin_jump(2).expect("free");
+    assert_eq!(editor.jump(), Some(Jump { back: true, left: 5, all: 5 }));
+    assert_eq!(editor.document(), &states[7], "nothing is done yet");
+    assert_eq!(passed(&mut editor, &states), [6, 5, 4, 3, 2]);
+    editor.begin_jump(100).expect("free");
+    assert_eq!(passed(&mut editor, &states), [3, 4, 5, 6, 7]);
+    editor.begin_jump(7).expect("free");
+    assert_eq!(editor.jump(), None, "it is there already");
+}
+
+#[test]
+fn a_jump_stops_where_it_is_or_goes_elsewhere() {
+    let (mut editor, states) = edited();
+    editor.begin_jump(0).expect("free");
+    while editor.undo_labels().count() > 4 {
+        editor.jump_some(&mut Budget::new(1)).expect("free");
+    }
+    assert!(editor.stop_jump());
+    assert!(!editor.stop_jump());
+    editor.jump_some(&mut Budget::unlimited()).expect("nothing to do");
+    assert_eq!(editor.document(), &states[4]);
+    editor.begin_jump(0).expect("free");
+    editor.jump_some(&mut Budget::new(1)).expect("free");
+    editor.begin_jump(6).expect("free");
+    assert_eq!(passed(&mut editor, &states).last(), Some(&6));
+}
+
+#[test]
+fn whatever_is_done_first_completes_a_jump() {
+    type Act = fn(&mut Editor);
+    let others: [(&str, Act); 5] = [
+        ("undo", |editor| drop(editor.undo_step().expect("free"))),
+        ("select", |editor| editor.select(Element::Face, [1], SelectMode::Replace).expect("a face")),
+        ("run", |editor| drop(run(editor, json!({"op": "rename-object", "name": "Other"})))),
+        ("drag", |editor| {
+            let drag = json!({"op": "set-vertex-position", "vertex": 1, "position": [9, 9, 9]});
+            drop(editor.update_edit(command(drag)).expect("a vertex"));
+        }),
+        ("save", |editor| drop(editor.begin_export(formats::Format::default()))),
+    ];
+    for (name, act) in others {
+        let (mut one, _) = edited();
+        let (mut other, _) = edited();
+        one.jump_to(3).expect("free");
+        other.begin_jump(3).expect("free");
+        other.jump_some(&mut Budget::new(1)).expect("free");
+        act(&mut one);
+        act(&mut other);
+        assert_eq!(other.jump(), None, "{name}");
+        assert_eq!(one.document(), other.document(), "{name}");
+        assert_eq!(one.undo_labels().count(), other.undo_labels().count(), "{name}");
+    }
 }

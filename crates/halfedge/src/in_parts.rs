@@ -33,6 +33,12 @@ impl Budget {
         self.left -= taken;
         taken
     }
+
+    /// Takes elements that cost so little that `per_one` of them count as one, at most as many as are left; returns how
+    /// many.
+    pub fn take_light(&mut self, elements: usize, per_one: usize) -> usize {
+        self.take(elements.div_ceil(per_one)).saturating_mul(per_one).min(elements)
+    }
 }
 
 /// Work that can be done in parts. What it reads must stay the same until it is done.

@@ -28,6 +28,11 @@ proptest! {
             prop_assert_eq!((set.rank(index), set.nth(rank)), (rank, Some(index)));
         }
         prop_assert_eq!(set.nth(model.len()), None);
+        for (start, end) in [(0, 0), (0, 64), (1, 63), (5, 200), (63, 65), (100, 90), (128, 1000)] {
+            let inside = model.iter().filter(|index| (start..end).contains(*index)).count();
+            prop_assert_eq!(set.count_in(start, end), inside, "{}..{}", start, end);
+            prop_assert_eq!(BitSet::up_to(end), (0..end).collect::<BitSet>());
+        }
         // Whatever room was taken.
         prop_assert_eq!(&set, &model.iter().copied().collect::<BitSet>());
         set.insert(1000);

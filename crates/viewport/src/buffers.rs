@@ -68,11 +68,24 @@ pub trait Sink {
     fn write(&mut self, first_triangle: u32, corners: &Corners);
 }
 
-/// The state of a rebuild that writes some faces at a time.
+/// The triangles of so many faces are counted in about the time in which one is written.
+const COUNTED_PER_ELEMENT: usize = 8;
+
+/// The state of a rebuild that reads or writes some faces at a time.
 #[derive(Clone, Debug)]
 pub struct Rebuild {
+    stage: Stage,
     next: usize,
     normals: WholeNormals,
+}
+
+#[derive(Clone, Debug)]
+enum Stage {
+    /// Counting the triangles; so many are counted.
+    Counting(usize),
+    /// Preparing the normals.
+    Normals,
+    Writing,
 }
 
 /// The layout of an object's buffers: which triangles each face has, and the origin of positions.
@@ -142,28 +155,35 @@ impl Buffers {
         coloring: Coloring,
         sink: &mut dyn Sink,
     ) {
-        let mut rebuilding = self.begin_rebuild(mesh, origin, shading, coloring, sink);
+        let mut rebuilding = self.begin_rebuild(mesh, origin, shading, coloring);
         self.rebuild_faces(mesh, &mut rebuilding, &mut Budget::unlimited(), sink);
     }
 
-    /// Begins a rebuild that [`Buffers::rebuild_faces`] carries out. Costs O(mesh), little for each face.
+    /// Begins a rebuild that [`Buffers::rebuild_faces`] carries out.
     pub fn begin_rebuild(
         &mut self,
         mesh: &Mesh,
         origin: Vec3,
         shading: Shading,
         coloring: Coloring,
-        sink: &mut dyn Sink,
     ) -> Rebuild {
         self.origin = origin;
         self.shading = shading;
         self.coloring = coloring;
         self.coloring.restart(mesh);
         self.slots.clear(mesh.face_capacity());
-        let shown = mesh.faces().filter(|f| self.shows(mesh, *f));
-        let total: usize = shown.map(|f| mesh.face_degree(f).saturating_sub(2)).sum();
-        sink.reset(u32::try_from(total).unwrap_or(u32::MAX), self.coloring.has_uvs());
-        Rebuild { next: 0, normals: WholeNormals::new(mesh, shading) }
+        Rebuild { stage: Stage::Counting(0), next: 0, normals: WholeNormals::new(shading) }
+    }
+
+    /// Counts the triangles of more faces; returns their number once it is known.
+    fn count_triangles(&self, mesh: &Mesh, rebuilding: &mut Rebuild, budget: &mut Budget) -> Option<u32> {
+        let Stage::Counting(counted) = &mut rebuilding.stage else { return None };
+        let left = mesh.face_capacity().saturating_sub(rebuilding.next);
+        let end = rebuilding.next + budget.take_light(left, COUNTED_PER_ELEMENT);
+        let shown = (rebuilding.next..end).map(FaceId::new).filter(|f| self.shows(mesh, *f));
+        *counted += shown.map(|f| mesh.face_degree(f).saturating_sub(2)).sum::<usize>();
+        rebuilding.next = end;
+        (end >= mesh.face_capacity()).then(|| u32::try_from(*counted).unwrap_or(u32::MAX))
     }
 
     /// Writes more faces, as many as the budget has ids for; returns whether there are any left. Once all are
@@ -178,7 +198,18 @@ impl Buffers {
         if self.coloring.measure(mesh, budget) {
             return true;
         }
-        let Rebuild { next, normals } = rebuilding;
+        if let Stage::Counting(_) = rebuilding.stage {
+            let Some(triangles) = self.count_triangles(mesh, rebuilding, budget) else { return true };
+            sink.reset(triangles, self.coloring.has_uvs());
+            (rebuilding.stage, rebuilding.next) = (Stage::Normals, 0);
+        }
+        if let Stage::Normals = rebuilding.stage {
+            if rebuilding.normals.prepare(mesh, budget) {
+                return true;
+            }
+            rebuilding.stage = Stage::Writing;
+        }
+        let Rebuild { next, normals, .. } = rebuilding;
         let end = *next + budget.take(mesh.face_capacity().saturating_sub(*next));
         let mut writer = FaceWriter::new(mesh, self.origin, &self.coloring);
         for face in (*next..end).map(FaceId::new) {

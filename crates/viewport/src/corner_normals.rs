@@ -2,7 +2,7 @@
 
 use glam::{DVec3, Vec3};
 use halfedge::geometry::face_area_vector;
-use halfedge::{FaceId, HalfedgeId, Mesh, VertexId};
+use halfedge::{Budget, FaceId, HalfedgeId, Mesh, VertexId};
 use std::collections::HashMap;
 use surface::normals;
 
@@ -35,6 +35,9 @@ pub(crate) fn pack(normal: Vec3) -> [i16; 4] {
     [x, y, z, 0]
 }
 
+/// The areas of so many faces take about as long as writing one.
+const AREAS_PER_ELEMENT: usize = 4;
+
 /// The normals of a whole mesh's corners, from values that are computed beforehand.
 #[derive(Clone, Debug)]
 pub(crate) enum WholeNormals {
@@ -55,15 +58,35 @@ pub(crate) enum AtVertex {
 }
 
 impl WholeNormals {
-    /// Costs O(mesh).
-    pub fn new(mesh: &Mesh, shading: Shading) -> Self {
+    /// Normals that are still to be prepared.
+    pub fn new(shading: Shading) -> Self {
         match shading {
             Shading::Flat => Self::Flat,
-            Shading::Smooth => Self::Smooth(normals::vertex_normals(mesh).into_iter().map(pack).collect()),
-            Shading::Auto(degrees) => {
+            Shading::Smooth => Self::Smooth(Vec::new()),
+            Shading::Auto(degrees) => Self::Auto(Vec::new(), Vec::new(), Hardness::new(degrees)),
+        }
+    }
+
+    /// Computes more of what normals are made of, as much as the budget allows; returns whether there is any left.
+    pub fn prepare(&mut self, mesh: &Mesh, budget: &mut Budget) -> bool {
+        match self {
+            Self::Flat => false,
+            Self::Smooth(packed) => {
+                let total = mesh.vertex_capacity();
+                let end = packed.len() + budget.take(total.saturating_sub(packed.len()));
+                let normal =
+                    |v| mesh.vertex(v).map_or([0; 4], |vertex| pack(normals::vertex_normal(mesh, vertex)));
+                packed.extend((packed.len() as u32..end as u32).map(normal));
+                end < total
+            }
+            Self::Auto(areas, vertices, _) => {
+                let total = mesh.face_capacity();
+                let end =
+                    areas.len() + budget.take_light(total.saturating_sub(areas.len()), AREAS_PER_ELEMENT);
                 let area = |f| mesh.face(f).map_or(DVec3::ZERO, |face| face_area_vector(mesh, face));
-                let areas = (0..mesh.face_capacity() as u32).map(area).collect();
-                Self::Auto(areas, vec![AtVertex::Unknown; mesh.vertex_capacity()], Hardness::new(degrees))
+                areas.extend((areas.len() as u32..end as u32).map(area));
+                vertices.resize(mesh.vertex_capacity(), AtVertex::Unknown);
+                end < total
             }
         }
     }

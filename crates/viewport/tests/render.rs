@@ -571,7 +571,7 @@ fn an_object_is_drawn_as_it_was_until_the_upload_is_complete() {
     let mut renderer = gpu.renderer();
     renderer.sync_object(&gpu.device, &gpu.queue, 7, &before, ObjectChange::Everything, &style);
     let bytes = renderer.gpu_bytes();
-    renderer.begin_object_upload(&gpu.device, &gpu.queue, 7, &after, &style);
+    renderer.begin_object_upload(7, &after, &style);
     assert!(renderer.is_uploading(7) && renderer.gpu_bytes() > bytes);
     let mut steps = 0;
     while renderer.is_uploading(7) {
@@ -588,7 +588,7 @@ fn an_object_is_drawn_as_it_was_until_the_upload_is_complete() {
     );
 
     // An edit during the upload is drawn with it.
-    renderer.begin_object_upload(&gpu.device, &gpu.queue, 7, &after, &style);
+    renderer.begin_object_upload(7, &after, &style);
     renderer.upload_faces(&gpu.device, &gpu.queue, 7, &after, &mut Budget::new(25));
     after.start_recording();
     for face in [2, 80] {

@@ -309,7 +309,7 @@ impl App {
 
     /// Escape: cancels the innermost thing in progress.
     fn cancel(&mut self) {
-        if selecting::cancel_selecting(&mut self.session) {
+        if self.session.editor.stop_jump() || selecting::cancel_selecting(&mut self.session) {
             return;
         }
         if self.view.cancel_gesture() | self.session.editor.cancel_edit().is_some() {
@@ -358,15 +358,7 @@ impl App {
         let kind = self.shown.kind;
         let selection = self.session.editor.selection();
         let at = selection.latest().filter(|_| selection.kind() == kind);
-        let Some(mesh) = self.session.editor.mesh() else { return };
-        let (capacity, exists) = (mesh.capacity(kind) as u32, |id: &u32| mesh.exists(kind, *id));
-        let next = if forward {
-            let after = at.map_or(0, |id| id + 1);
-            (after..capacity).chain(0..after).find(exists)
-        } else {
-            let before = at.unwrap_or(capacity);
-            (0..before).rev().chain((before..capacity).rev()).find(exists)
-        };
+        let next = self.panels.lists.beside(kind, at, forward);
         if let Some(id) = next {
             self.select(kind, [id], SelectMode::Replace);
         }

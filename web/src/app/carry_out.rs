@@ -1,12 +1,12 @@
 //! Carrying out requests, all in one place.
 
-use editor::{CommandError, Editor, SelectMode};
+use editor::{MessageKind, SelectMode};
 use halfedge::Element;
 
 use super::{App, keys};
 use crate::panels::save::FORMAT_SETTING;
 use crate::panels::welcome::WELCOME_SETTING;
-use crate::request::Request;
+use crate::request::{Request, Waiting};
 use crate::session::form;
 use crate::view::Tool;
 
@@ -102,8 +102,8 @@ impl App {
                 }
             }
             Request::Adjust(command) => self.session.adjust(command),
-            Request::UndoEdit => go_in_history(self, |editor| editor.undo().map(drop)),
-            Request::JumpTo(edits) => go_in_history(self, |editor| editor.jump_to(edits)),
+            Request::UndoEdit => self.undo_edit(),
+            Request::JumpTo(edits) => self.begin_jump(edits),
             Request::Play(setting) => self.player.controls.set(setting),
             Request::InsertControlPoint(insert) => self.insert_control_point(insert),
             Request::ShowSheet(sheet) => self.shown.sheet = sheet,
@@ -142,19 +142,57 @@ impl App {
         }
     }
 
+    /// Carries out a request, or puts it off until the end of a jump.
+    pub(super) fn carry_out_or_wait(&mut self, request: Request, by_key: bool) {
+        if self.session.editor.jump().is_none() || request.goes_before_jump() {
+            self.session.by_key = by_key;
+            self.carry_out(request);
+            self.session.by_key = false;
+        } else if request.names_elements() {
+            let text = "The history is still on its way to another step. Select again once it is there.";
+            self.session.toast(MessageKind::Info, text.to_owned(), Vec::new());
+        } else {
+            self.waiting.push_back(Waiting { request, by_key });
+        }
+    }
+
+    /// Begins a jump to the state after this many edits.
+    fn begin_jump(&mut self, edits: usize) {
+        self.end_preview();
+        self.session.end_live(false);
+        self.session.jump_since = None;
+        match self.session.editor.begin_jump(edits) {
+            Ok(()) => self.go_on_with_jump(),
+            Err(error) => self.session.refuse(&error),
+        }
+    }
+
+    /// Undoes or redoes more steps of a jump, as many as the frame's budget allows.
+    pub(super) fn go_on_with_jump(&mut self) {
+        if self.session.editor.jump().is_none() {
+            return;
+        }
+        let now = self.session.ctx.input(|input| input.time);
+        self.session.jump_since.get_or_insert(now);
+        if let Err(error) = self.session.editor.jump_some(&mut self.view.budget) {
+            self.session.refuse(&error);
+        }
+        self.session.ctx.request_repaint();
+    }
+
+    /// Undoes the last edit and what was selected since; cancels what is being edited.
+    fn undo_edit(&mut self) {
+        self.end_preview();
+        self.session.end_live(false);
+        if let Err(error) = self.session.editor.undo() {
+            self.session.refuse(&error);
+        }
+    }
+
     /// Removes the preview and shows none until a field changes. If there was one, returns whether ids
     /// refer to the same elements as before.
     pub(super) fn end_preview(&mut self) -> Option<bool> {
         self.panels.forms.previews.end();
         self.session.end_preview()
-    }
-}
-
-/// Goes to another state of the document; cancels what is being edited.
-fn go_in_history(app: &mut App, go: impl FnOnce(&mut Editor) -> Result<(), CommandError>) {
-    app.end_preview();
-    app.session.end_live(false);
-    if let Err(error) = go(&mut app.session.editor) {
-        app.session.refuse(&error);
     }
 }

@@ -11,6 +11,8 @@ mod script;
 mod sheet;
 mod textures;
 
+use std::collections::VecDeque;
+
 use editor::Editor;
 use egui::{CentralPanel, Context, Event as Input, Panel, Sense, ThemePreference, Ui};
 use halfedge::{Budget, Element};
@@ -22,7 +24,7 @@ use crate::page_view::Page;
 use crate::panels::viewport::{Viewport, ring_cut};
 use crate::panels::{live_bar, menu_bar, status_bar, tool_bar, welcome};
 use crate::platform::{DeviceInfo, Event, NamedBytes, Platform};
-use crate::request::Requests;
+use crate::request::{Request, Requests, Waiting};
 use crate::session::{Look, Session, selecting};
 use crate::shown::Shown;
 use crate::theme;
@@ -41,6 +43,8 @@ pub struct App {
     player: Player,
     panels: Panels,
     requests: Requests,
+    /// What waits for the end of a jump in the history, in order.
+    waiting: VecDeque<Waiting>,
     layout: Layout,
     /// Whether fingers were used last, not a mouse.
     fingers: bool,
@@ -83,6 +87,7 @@ impl App {
             player: Player::default(),
             panels,
             requests: Requests::default(),
+            waiting: VecDeque::new(),
             layout,
             fingers: false,
             less_motion: false,
@@ -139,6 +144,7 @@ impl App {
             }
         }
         selecting::select_some(&mut self.session, &mut self.view.budget);
+        self.go_on_with_jump();
         let now = ctx.input(|input| input.time);
         self.session.jobs.note_frame(now);
         if let Some(next) = self.session.toasts.expire(now) {
@@ -152,10 +158,11 @@ impl App {
         // A second key in one frame acts on the result of the first.
         loop {
             self.follow();
-            let Some(action) = actions.next() else { break };
-            self.session.by_key = true;
-            self.act(action);
-            self.session.by_key = false;
+            let waiting = if self.session.editor.jump().is_none() { self.waiting.pop_front() } else { None };
+            let next =
+                waiting.or_else(|| Some(Waiting { request: Request::Act(actions.next()?), by_key: true }));
+            let Some(Waiting { request, by_key }) = next else { break };
+            self.carry_out_or_wait(request, by_key);
         }
     }
 
@@ -166,11 +173,15 @@ impl App {
         let mut out = std::mem::take(&mut self.requests);
         self.draw(ui, &ctx, &mut out);
         for request in out.take() {
-            self.carry_out(request);
+            self.carry_out_or_wait(request, false);
         }
         self.requests = out;
         self.finish_edits(&ctx);
         // What the picture and the pointer left of the budget.
+        let (editor, kind) = (&self.session.editor, self.shown.kind);
+        if self.panels.lists.step(editor, kind, &mut self.view.budget) {
+            ctx.request_repaint();
+        }
         if self.session.survey.step(self.session.editor.mesh(), &mut self.view.budget) {
             ctx.request_repaint();
         }

@@ -1,62 +1,186 @@
 //! The mapping between rows and the ids of elements.
 
-use halfedge::{Element, Mesh, Touched};
+use super::ranked_set::RankedSet;
+use halfedge::geometry::BitSet;
+use halfedge::{Budget, EdgeId, Element, FaceId, HalfedgeId, InParts, Mesh, Touched, VertexId};
+use surface::selecting::{is_hidden, vertices};
 
-/// The rows for one kind of element of a mesh: one row for every existing id, in order.
+/// The rows for one kind of element of a mesh: one row for every id that exists and isn't hidden, in order.
 ///
-/// Removed ids are kept in a sorted list. Both directions are a binary search over those few ids, and an
-/// update costs what the edit touched, whatever the size of the mesh.
+/// After an edit, an update costs what the edit touched; after anything else the rows are found anew, in parts. Until they
+/// are, they stay as they were.
 #[derive(Clone, Debug, Default)]
 pub struct RowIndex {
-    removed: Vec<u32>,
-    capacity: usize,
+    rows: Rows,
+    finding: Option<Finding>,
 }
 
-impl RowIndex {
-    /// Indexes a mesh from scratch. Costs O(1) if no ids were removed, else O(ids).
-    pub fn new(mesh: &Mesh, kind: Element) -> Self {
-        let capacity = mesh.capacity(kind);
-        let mut removed = Vec::new();
-        if mesh.count(kind) != capacity {
-            removed.extend((0..capacity as u32).filter(|&id| !mesh.exists(kind, id)));
-        }
-        Self { removed, capacity }
+#[derive(Clone, Debug)]
+enum Rows {
+    /// All ids below this one.
+    All(usize),
+    /// Some of the ids below this one.
+    Some(RankedSet, usize),
+}
+
+impl Default for Rows {
+    fn default() -> Self {
+        Self::All(0)
+    }
+}
+
+/// Rows that are being found.
+#[derive(Clone, Debug, Default)]
+struct Finding {
+    found: BitSet,
+    next: usize,
+}
+
+/// A mesh, the kind of its elements that have rows, and the faces that are hidden.
+#[derive(Clone, Copy)]
+pub struct Source<'a> {
+    /// The mesh.
+    pub mesh: &'a Mesh,
+    /// The kind of element.
+    pub kind: Element,
+    /// The hidden faces.
+    pub hidden: &'a BitSet,
+}
+
+impl Source<'_> {
+    /// Whether an element exists and isn't hidden.
+    fn shows(&self, id: usize) -> bool {
+        self.mesh.exists(self.kind, id as u32) && !is_hidden(self.mesh, self.kind, id, self.hidden)
     }
 
-    /// Updates the index to an edit that added, removed or restored ids. Costs O(touched · log removed),
-    /// plus moving the removed ids that follow.
-    pub fn follow(&mut self, mesh: &Mesh, kind: Element, touched: &Touched) {
-        match kind {
-            Element::Vertex => self.update(mesh, kind, touched.vertices.iter().map(|v| v.raw())),
-            Element::Edge => self.update(mesh, kind, touched.edges.iter().map(|e| e.raw())),
+    fn capacity(&self) -> usize {
+        self.mesh.capacity(self.kind)
+    }
+
+    /// So many ids are looked at in the time that another element takes.
+    fn ids_per_element(&self) -> usize {
+        if self.kind == Element::Vertex { 2 } else { 8 }
+    }
+
+    /// Visits the elements that an edit may have added, removed, shown or hidden.
+    fn visit_touched(&self, touched: &Touched, mut visit: impl FnMut(usize)) {
+        let (mesh, hides) = (self.mesh, !self.hidden.is_empty());
+        // Whether an element is hidden depends on its faces.
+        let relinked = || touched.halfedges.iter().copied().filter(|h| hides && mesh.has_halfedge(*h));
+        match self.kind {
+            Element::Vertex => {
+                touched.vertices.iter().copied().map(VertexId::index).for_each(&mut visit);
+                relinked().flat_map(|h| [mesh.from(h), mesh.to(h)]).for_each(|v| visit(v.index()));
+                let faces = touched.faces.iter().filter(|f| hides && mesh.has_face(**f));
+                faces.for_each(|f| vertices(mesh, Element::Face, f.index(), |v| visit(v.index())));
+            }
+            Element::Edge => {
+                touched.edges.iter().copied().map(EdgeId::index).for_each(&mut visit);
+                relinked().for_each(|h| visit(h.edge().index()));
+            }
             // An edge's mark applies to both its half-edges.
             Element::Halfedge => {
                 let sides = touched.edges.iter().flat_map(|e| e.halfedges());
-                self.update(mesh, kind, sides.map(|h| h.raw()));
+                let sides = sides.chain(relinked().flat_map(|h| [h, h.twin()]));
+                sides.map(HalfedgeId::index).for_each(visit);
             }
-            Element::Face => self.update(mesh, kind, touched.faces.iter().map(|f| f.raw())),
+            Element::Face => touched.faces.iter().copied().map(FaceId::index).for_each(visit),
+        }
+    }
+}
+
+/// The budget counts elements of which each stands for several ids. The result is the set of ids with a row.
+impl InParts for Finding {
+    type Input<'a> = Source<'a>;
+    type Output = BitSet;
+
+    fn step(&mut self, source: Source<'_>, budget: &mut Budget) -> Option<BitSet> {
+        let left = source.capacity().saturating_sub(self.next);
+        let end = self.next + budget.take_light(left, source.ids_per_element());
+        for id in self.next..end {
+            if source.shows(id) {
+                self.found.insert(id);
+            }
+        }
+        self.next = end;
+        (end >= source.capacity()).then(|| std::mem::take(&mut self.found))
+    }
+}
+
+impl RowIndex {
+    /// Begins to find the rows; [`RowIndex::step`] goes on. If all elements have rows, that is known at once.
+    pub fn restart(&mut self, source: Source<'_>) {
+        self.finding = None;
+        if source.hidden.is_empty() && source.mesh.count(source.kind) == source.capacity() {
+            self.rows = Rows::All(source.capacity());
+        } else {
+            self.finding = Some(Finding::default());
         }
     }
 
-    fn update(&mut self, mesh: &Mesh, kind: Element, touched: impl Iterator<Item = u32>) {
-        let capacity = mesh.capacity(kind);
-        self.removed.truncate(self.removed.partition_point(|&id| (id as usize) < capacity));
-        let grown = self.capacity as u32..capacity as u32;
-        self.capacity = capacity;
-        for id in touched.chain(grown).filter(|&id| (id as usize) < capacity) {
-            match (self.removed.binary_search(&id), mesh.exists(kind, id)) {
-                (Ok(at), true) => {
-                    self.removed.remove(at);
+    /// Finds more of the rows, as many as the budget allows; returns whether there are any left.
+    pub fn step(&mut self, source: Source<'_>, budget: &mut Budget) -> bool {
+        let Some(finding) = &mut self.finding else { return false };
+        if budget.is_spent() {
+            return true;
+        }
+        if let Some(found) = finding.step(source, budget) {
+            self.rows = Rows::Some(RankedSet::new(found), source.capacity());
+            self.finding = None;
+        }
+        self.finding.is_some()
+    }
+
+    /// Updates the rows to an edit that added, removed or restored ids.
+    pub fn follow(&mut self, source: Source<'_>, touched: &Touched) {
+        let capacity = source.capacity();
+        let put = |set: &mut BitSet, id: usize| {
+            if id < capacity && source.shows(id) { set.insert(id) } else { set.remove(id) }
+        };
+        if let Some(Finding { found, next }) = &mut self.finding {
+            *next = (*next).min(capacity);
+            let end = *next;
+            source.visit_touched(touched, |id| {
+                if id < end {
+                    put(found, id);
                 }
-                (Err(at), false) => self.removed.insert(at, id),
-                _ => {}
+            });
+            let beyond: Vec<usize> = found.iter_from(end).collect();
+            for id in beyond {
+                found.remove(id);
+            }
+        }
+        if let Rows::All(rows) = self.rows {
+            let mut all = source.hidden.is_empty();
+            source.visit_touched(touched, |id| all &= id >= capacity || source.shows(id));
+            if all && (rows..capacity).all(|id| source.shows(id)) {
+                self.rows = Rows::All(capacity);
+                return;
+            }
+            self.rows = Rows::Some(RankedSet::new(BitSet::up_to(rows)), rows);
+        }
+        if let Rows::Some(set, known) = &mut self.rows {
+            set.change(|set| {
+                let mut changed = false;
+                source.visit_touched(touched, |id| changed |= put(set, id));
+                // Added at the end of the mesh, or dropped with it.
+                let (low, high) = (capacity.min(*known), capacity.max(*known));
+                (low..high).for_each(|id| changed |= put(set, id));
+                changed
+            });
+            *known = capacity;
+            if set.len() == capacity {
+                self.rows = Rows::All(capacity);
             }
         }
     }
 
     /// The number of rows.
     pub fn len(&self) -> usize {
-        self.capacity - self.removed.len()
+        match &self.rows {
+            Rows::All(rows) => *rows,
+            Rows::Some(set, _) => set.len(),
+        }
     }
 
     /// Whether there are no rows.
@@ -66,98 +190,145 @@ impl RowIndex {
 
     /// The id shown in a row.
     pub fn id_of(&self, row: usize) -> Option<u32> {
-        if row >= self.len() {
-            return None;
-        }
-        // The k-th removed id has `removed[k] - k` existing ids before it.
-        let before = self.partition(|id, k| id as usize - k <= row);
-        u32::try_from(row + before).ok()
+        let id = match &self.rows {
+            Rows::All(rows) => (row < *rows).then_some(row),
+            Rows::Some(set, _) => set.nth(row),
+        };
+        id.and_then(|id| u32::try_from(id).ok())
     }
 
     /// The row that shows an id.
     pub fn row_of(&self, id: u32) -> Option<usize> {
-        if id as usize >= self.capacity {
-            return None;
-        }
-        match self.removed.binary_search(&id) {
-            Ok(_) => None,
-            Err(before) => Some(id as usize - before),
+        let id = id as usize;
+        match &self.rows {
+            Rows::All(rows) => (id < *rows).then_some(id),
+            Rows::Some(set, _) => set.contains(id).then(|| set.rank(id)),
         }
     }
 
-    /// The number of removed ids at the start of the list that satisfy a condition, which must be true only
-    /// for a prefix.
-    fn partition(&self, holds: impl Fn(u32, usize) -> bool) -> usize {
-        let (mut low, mut high) = (0, self.removed.len());
-        while low < high {
-            let middle = low + (high - low) / 2;
-            if self.removed.get(middle).is_some_and(|&id| holds(id, middle)) {
-                low = middle + 1;
-            } else {
-                high = middle;
-            }
-        }
-        low
+    /// The id of the row after or before that of an id, whether it has one or not; the first or the last row beyond the
+    /// end, and for no id.
+    pub fn beside(&self, id: Option<u32>, forward: bool) -> Option<u32> {
+        let rank = |id: usize| match &self.rows {
+            Rows::All(rows) => id.min(*rows),
+            Rows::Some(set, _) => set.rank(id),
+        };
+        let row = match (id, forward) {
+            (None, true) => Some(0),
+            (None, false) => None,
+            (Some(id), true) => Some(rank(id as usize + 1)).filter(|row| *row < self.len()).or(Some(0)),
+            (Some(id), false) => rank(id as usize).checked_sub(1),
+        };
+        self.id_of(row.or(self.len().checked_sub(1))?)
     }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use halfedge::edit::{Connect, split_edge};
+    use proptest::prelude::*;
 
-    fn with_removed(capacity: usize, removed: &[u32]) -> RowIndex {
-        RowIndex { removed: removed.to_vec(), capacity }
+    fn grid() -> Mesh {
+        surface::Shape::named("grid").expect("a shape").build().expect("a mesh")
     }
 
-    #[test]
-    fn rows_skip_removed_ids() {
-        let index = with_removed(8, &[0, 3, 4, 7]);
-        let ids: Vec<_> = (0..5).map(|row| index.id_of(row)).collect();
-        assert_eq!(ids, [Some(1), Some(2), Some(5), Some(6), None]);
-        assert_eq!(index.row_of(5), Some(2));
-        assert_eq!(index.row_of(3), None);
-        assert_eq!(index.row_of(8), None);
+    fn found(source: Source<'_>) -> RowIndex {
+        let mut index = RowIndex::default();
+        index.restart(source);
+        while index.step(source, &mut Budget::new(3)) {}
+        index
     }
 
-    #[test]
-    fn an_edit_updates_what_it_touched() {
-        let grid = surface::Shape::named("grid").expect("a shape");
-        let mut mesh = grid.build().expect("a mesh");
-        let mut rows = Element::ALL.map(|kind| RowIndex::new(&mesh, kind));
-        let mut journals = Vec::new();
-        for face in [5, 17, 2, 40] {
-            let face = mesh.face(face).expect("a face");
-            let edit = |mesh: &mut Mesh| halfedge::edit::delete_faces(mesh, &[face]);
-            let (_, journal) = mesh.transaction(edit).expect("faces can be deleted");
-            check(&mesh, &mut rows, &journal.touched());
-            journals.push(journal);
+    /// The rows are those of a list made from scratch, in both directions.
+    fn check(index: &RowIndex, source: Source<'_>) {
+        let ids: Vec<u32> =
+            (0..source.capacity()).filter(|id| source.shows(*id)).map(|id| id as u32).collect();
+        assert_eq!(index.len(), ids.len(), "{}", source.kind);
+        for (row, &id) in ids.iter().enumerate() {
+            assert_eq!((index.id_of(row), index.row_of(id)), (Some(id), Some(row)), "{}", source.kind);
+            let next = ids.get(row + 1).or(ids.first()).copied();
+            assert_eq!(index.beside(Some(id), true), next);
+            assert_eq!(index.beside(next, false), Some(id));
         }
-        while let Some(journal) = journals.pop() {
-            let redo = mesh.undo(journal);
-            check(&mesh, &mut rows, &redo.touched());
+        assert_eq!(index.id_of(ids.len()), None);
+        for id in 0..source.capacity() as u32 + 3 {
+            assert_eq!(index.row_of(id).is_some(), ids.binary_search(&id).is_ok(), "{} {id}", source.kind);
         }
-        assert!(rows.iter().all(|index| index.removed.is_empty()));
+        assert_eq!(
+            (index.beside(None, true), index.beside(None, false)),
+            (ids.first().copied(), ids.last().copied())
+        );
     }
 
-    fn check(mesh: &Mesh, rows: &mut [RowIndex; 4], touched: &halfedge::Touched) {
-        for (kind, index) in Element::ALL.into_iter().zip(rows) {
-            index.follow(mesh, kind, touched);
-            let fresh = RowIndex::new(mesh, kind);
-            assert_eq!((&index.removed, index.capacity), (&fresh.removed, fresh.capacity), "{kind}");
-        }
+    #[derive(Clone, Debug)]
+    enum Edit {
+        Delete(usize),
+        Split(usize),
+        Undo,
     }
 
-    #[test]
-    fn row_of_and_id_of_are_inverse() {
-        // Every subset of eleven ids is removed once.
-        for marks in 0_u32..1 << 11 {
-            let (removed, kept): (Vec<u32>, Vec<u32>) = (0..11).partition(|id| marks >> id & 1 == 1);
-            let index = with_removed(11, &removed);
-            assert_eq!(index.len(), kept.len());
-            for (row, &id) in kept.iter().enumerate() {
-                assert_eq!((index.id_of(row), index.row_of(id)), (Some(id), Some(row)), "{marks:b}");
+    fn any_edit() -> impl Strategy<Value = Edit> {
+        prop_oneof![
+            (0usize..100).prop_map(Edit::Delete),
+            (0usize..200).prop_map(Edit::Split),
+            Just(Edit::Undo)
+        ]
+    }
+
+    proptest! {
+        #![proptest_config(ProptestConfig::with_cases(48))]
+
+        #[test]
+        fn rows_follow_edits_and_leave_out_what_is_hidden(
+            hidden in prop::collection::vec(0usize..100, 0..40),
+            edits in prop::collection::vec(any_edit(), 1..12),
+            parts in 0usize..8,
+        ) {
+            let mut mesh = grid();
+            let hidden: BitSet = hidden.into_iter().collect();
+            let indices = Element::ALL.map(|kind| found(Source { mesh: &mesh, kind, hidden: &hidden }));
+            // Some are in the middle of being found.
+            let unfinished = Element::ALL.map(|kind| {
+                let (source, mut index) = (Source { mesh: &mesh, kind, hidden: &hidden }, RowIndex::default());
+                index.restart(source);
+                for _ in 0..parts {
+                    index.step(source, &mut Budget::new(3));
+                }
+                index
+            });
+            let mut all = [indices, unfinished];
+            let mut journals = Vec::new();
+            for edit in edits {
+                let journal = match edit {
+                    Edit::Undo => journals.pop().map(|journal| mesh.undo(journal)),
+                    Edit::Delete(face) => mesh.face(face as u32).and_then(|face| {
+                        let done = mesh.transaction(|mesh| halfedge::edit::delete_faces(mesh, &[face]));
+                        done.ok().map(|(_, journal)| journal)
+                    }),
+                    Edit::Split(edge) => mesh.edge(edge as u32).and_then(|edge| {
+                        let done = mesh.transaction(|mesh| split_edge(mesh, edge, 0.5, Connect::All));
+                        done.ok().map(|(_, journal)| journal)
+                    }),
+                };
+                let Some(journal) = journal else { continue };
+                for indices in &mut all {
+                    for (kind, index) in Element::ALL.into_iter().zip(indices) {
+                        index.follow(Source { mesh: &mesh, kind, hidden: &hidden }, &journal.touched());
+                    }
+                }
+                for (kind, index) in Element::ALL.into_iter().zip(&all[0]) {
+                    check(index, Source { mesh: &mesh, kind, hidden: &hidden });
+                }
+                if !matches!(edit, Edit::Undo) {
+                    journals.push(journal);
+                }
             }
-            assert!(removed.iter().all(|&id| index.row_of(id).is_none()), "{marks:b}");
+            for (kind, index) in Element::ALL.into_iter().zip(&mut all[1]) {
+                let source = Source { mesh: &mesh, kind, hidden: &hidden };
+                while index.step(source, &mut Budget::new(3)) {}
+                check(index, source);
+            }
         }
     }
 }

@@ -2,5 +2,6 @@
 
 pub mod columns;
 pub mod index;
+mod ranked_set;
 pub mod row_list;
 mod scroll;

@@ -2,12 +2,12 @@
 
 use editor::{Changes, Editor, ObjectChange, ObjectId, OpId, SelectMode};
 use egui::{Button, Key, RichText, Ui, vec2};
-use halfedge::Element;
+use halfedge::{Budget, Element};
 
 use crate::input::actions::{self, Action};
 use crate::input::keys;
-use crate::lists::columns::{columns, element_name, plural, row};
-use crate::lists::index::RowIndex;
+use crate::lists::columns::{columns, counted, element_name, plural, row};
+use crate::lists::index::{RowIndex, Source};
 use crate::lists::row_list::{Picked, RowContent, RowList, RowListState};
 use crate::page_view::Page;
 use crate::panels::menu_bar::menu_item;
@@ -78,6 +78,9 @@ impl Lists {
         } else if let Some(change) = active.and_then(|id| changes.of(id)) {
             self.follow_mesh(editor, Some(change));
         }
+        if changes.hidden.iter().any(|(id, _)| Some(*id) == active) {
+            self.follow_mesh(editor, None);
+        }
         if changes.selection && !std::mem::take(&mut self.ignore_next_reveal) {
             self.reveal = editor.selection().latest();
         }
@@ -85,19 +88,43 @@ impl Lists {
     }
 
     fn follow_mesh(&mut self, editor: &Editor, change: Option<&ObjectChange>) {
-        let Some(mesh) = editor.mesh() else {
+        let Some(object) = editor.document().active() else {
             self.indices = Default::default();
             return;
         };
         for kind in Element::ALL {
+            let source = Source { mesh: object.mesh(), kind, hidden: object.hidden() };
             let index = self.indices.of_mut(kind);
             match change {
-                Some(ObjectChange::Touched(touched)) => index.follow(mesh, kind, touched),
-                _ => *index = RowIndex::new(mesh, kind),
+                Some(ObjectChange::Touched(touched)) => index.follow(source, touched),
+                _ => {
+                    index.restart(source);
+                    // At once in meshes of which that takes no longer than drawing them.
+                    index.step(source, &mut Budget::new(MAX_ELEMENTS_AT_ONCE));
+                }
             }
         }
     }
+
+    /// Finds more of the rows, those of the shown kind first; returns whether there are any left.
+    pub fn step(&mut self, editor: &Editor, shown: Element, budget: &mut Budget) -> bool {
+        let Some(object) = editor.document().active() else { return false };
+        let mut is_left = false;
+        for kind in std::iter::once(shown).chain(Element::ALL) {
+            let source = Source { mesh: object.mesh(), kind, hidden: object.hidden() };
+            is_left |= self.indices.of_mut(kind).step(source, budget);
+        }
+        is_left
+    }
+
+    /// The id in the row after or before an element's, see [`RowIndex::beside`].
+    pub fn beside(&self, kind: Element, id: Option<u32>, forward: bool) -> Option<u32> {
+        self.index(kind).beside(id, forward)
+    }
 }
+
+/// The rows of fewer elements than this are found at once.
+const MAX_ELEMENTS_AT_ONCE: usize = 10_000;
 
 pub(crate) fn show(ui: &mut Ui, page: &Page<'_>, own: &mut Lists, out: &mut Requests) {
     // In a narrow window the toggles over the viewport are near enough.
@@ -105,6 +132,7 @@ pub(crate) fn show(ui: &mut Ui, page: &Page<'_>, own: &mut Lists, out: &mut Requ
         kind_tabs(ui, page, own, out);
     }
     list_bar(ui, page, own, out);
+    hidden_count(ui, page, own, out);
     element_list(ui, page, own, out);
 }
 
@@ -129,7 +157,9 @@ fn kind_tabs(ui: &mut Ui, page: &Page<'_>, own: &mut Lists, out: &mut Requests) 
                 node.set_value(count.to_string());
             });
             let entry = actions::describe(Action::Show(kind));
-            let tooltip = format!("{} in this object. {}", thousands(count), entry.description);
+            let all = page.editor.mesh().map_or(0, |mesh| mesh.count(kind));
+            let shown = if count < all { format!("{} of ", thousands(count)) } else { String::new() };
+            let tooltip = format!("{shown}{} in this object. {}", thousands(all), entry.description);
             if tab.on_hover_text(keys::tooltip(ui.ctx(), &tooltip, entry.action)).clicked() {
                 let expands = ui.input(|input| input.modifiers.command);
                 out.act(if expands { Action::Expand(kind) } else { Action::Show(kind) });
@@ -171,13 +201,46 @@ fn list_bar(ui: &mut Ui, page: &Page<'_>, own: &mut Lists, out: &mut Requests) {
     });
 }
 
+/// How many elements have rows where some are hidden, and a button that shows those.
+fn hidden_count(ui: &mut Ui, page: &Page<'_>, own: &Lists, out: &mut Requests) {
+    let kind = page.shown.kind;
+    let (shown, all) = (own.index(kind).len(), page.editor.mesh().map_or(0, |mesh| mesh.count(kind)));
+    let hides = page.editor.document().active().is_some_and(|object| !object.hidden().is_empty());
+    if !hides || shown >= all {
+        return;
+    }
+    ui.horizontal(|ui| {
+        let text =
+            format!("{} of {}, {} hidden", thousands(shown), counted(kind, all), thousands(all - shown));
+        ui.label(RichText::new(text).small());
+        ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| reveal_button(ui, out));
+    });
+}
+
+fn reveal_button(ui: &mut Ui, out: &mut Requests) {
+    let reveal = actions::of_operation(OpId::Reveal);
+    let tooltip = keys::tooltip(ui.ctx(), reveal.description, reveal.action);
+    if ui.button(reveal.label).on_hover_text(tooltip).clicked() {
+        out.act(reveal.action);
+    }
+}
+
 /// Selects the element with the typed id.
 fn go_to(page: &Page<'_>, own: &mut Lists, out: &mut Requests) {
     let kind = page.shown.kind;
     let text = own.go_to.trim().trim_start_matches('#').replace([' ', ','], "");
     let found =
         text.parse::<u32>().ok().filter(|&id| page.editor.mesh().is_some_and(|mesh| mesh.exists(kind, id)));
+    let is_hidden = |id: u32| {
+        let object = page.editor.document().active();
+        object.is_some_and(|object| {
+            surface::selecting::is_hidden(object.mesh(), kind, id as usize, object.hidden())
+        })
+    };
     match found {
+        Some(id) if is_hidden(id) => {
+            out.push(Request::Warn(format!("{} is hidden: reveal it first.", element_name(kind, id))));
+        }
         Some(id) => {
             own.go_to.clear();
             out.select(kind, [id], SelectMode::Replace);
@@ -272,11 +335,17 @@ fn pick_row(page: &Page<'_>, kind: Element, picked: Picked, id: u32, out: &mut R
 
 fn empty_list(ui: &mut Ui, page: &Page<'_>, kind: Element, only: bool) {
     ui.add_space(24.0);
+    let all = page.editor.mesh().map_or(0, |mesh| mesh.count(kind));
     ui.vertical_centered(|ui| {
         let (title, hint) = if only {
             (
                 format!("No {kind} is selected"),
                 "Click one in the viewport, or turn off “Only selected” to see all.".to_owned(),
+            )
+        } else if all > 0 {
+            (
+                format!("All {} are hidden", plural(kind).to_lowercase()),
+                "Reveal them to see them here again.".to_owned(),
             )
         } else if crate::bezier::active(&page.editor).is_some() {
             (

@@ -1,6 +1,6 @@
 //! The history: every edit by name, those that were undone below the current one. A click on a step goes there.
 
-use editor::{Changes, Editor};
+use editor::{Changes, Editor, Jump};
 use egui::collapsing_header::paint_default_icon;
 use egui::{
     Align2, Color32, EventFilter, Key, Label, Modifiers, Panel, Rect, Response, RichText, Role, ScrollArea,
@@ -119,7 +119,7 @@ impl HistoryList {
         let id = ui.scope_id().with("history list");
         let list = ui.interact(body, id, Sense::click());
         list.widget_info(|| WidgetInfo::labeled(Role::ListBox, true, "Steps"));
-        if let Some(to) = self.keyboard(ui, &list) {
+        if let Some(to) = self.keyboard(ui, &list, page.editor.jump()) {
             out.push(Request::JumpTo(to));
         }
         let height = ui.spacing().interact_size.y.max(MIN_ROW_HEIGHT);
@@ -246,12 +246,17 @@ impl HistoryList {
     }
 
     /// Where the keys of the focused list go.
-    fn keyboard(&self, ui: &Ui, list: &Response) -> Option<usize> {
+    fn keyboard(&self, ui: &Ui, list: &Response, jump: Option<Jump>) -> Option<usize> {
         if !list.has_focus() {
             return None;
         }
         let filter = EventFilter { vertical_arrows: true, ..EventFilter::default() };
         ui.memory_mut(|memory| memory.set_focus_lock_filter(list.id, filter));
+        // In the middle of a jump, from where it leads.
+        let at = match jump {
+            Some(jump) if jump.back => self.done.saturating_sub(jump.left),
+            jump => self.done + jump.map_or(0, |jump| jump.left),
+        };
         let to = ui.input_mut(|input| {
             let mut pressed = |key| input.count_and_consume_key(Modifiers::NONE, key);
             let (up, down) = (pressed(Key::ArrowUp), pressed(Key::ArrowDown));
@@ -261,8 +266,8 @@ impl HistoryList {
             if pressed(Key::End) > 0 {
                 return self.names.len();
             }
-            (self.done + down).saturating_sub(up).min(self.names.len())
+            (at + down).saturating_sub(up).min(self.names.len())
         });
-        (to != self.done).then_some(to)
+        (to != at).then_some(to)
     }
 }

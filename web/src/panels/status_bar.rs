@@ -1,11 +1,13 @@
 //! The bar at the bottom: what can be done now, counts, and jobs.
 
+use editor::Jump;
 use egui::{
     Align, Galley, Layout, ProgressBar, Rect, RichText, Role, Sense, StrokeKind, TextStyle, Ui, Vec2,
     WidgetInfo, pos2, vec2,
 };
 use halfedge::Element;
 
+use crate::input::actions::Action;
 use crate::lists::columns::plural;
 use crate::page_view::Page;
 use crate::panels::hints::{By, Hint, hints};
@@ -37,6 +39,12 @@ pub(crate) fn show(ui: &mut Ui, page: &Page<'_>, narrow: bool, target_edge: Opti
                     ui.ctx().request_repaint_after_secs((SECONDS_BEFORE_PROGRESS_SHOWS - waited) as f32);
                 }
                 None => {}
+            }
+            let jumping = page.jump_since.map(|since| ui.input(|input| input.time) - since);
+            if let Some(jump) = page.editor.jump()
+                && jumping.is_some_and(|seconds| seconds >= SECONDS_BEFORE_PROGRESS_SHOWS)
+            {
+                jump_progress(ui, jump, narrow, out);
             }
             show_hints(ui, page);
         });
@@ -107,20 +115,37 @@ fn counts(ui: &mut Ui, page: &Page<'_>, narrow: bool, target_edge: Option<f64>) 
     }
 }
 
+/// The progress of a jump in the history.
+fn jump_progress(ui: &mut Ui, jump: Jump, narrow: bool, out: &mut Requests) {
+    let (done, verb) = (jump.all - jump.left, if jump.back { "Undo" } else { "Redo" });
+    let text = format!("{verb} {} of {} steps", thousands(done), thousands(jump.all));
+    progress_bar(ui, done as f32 / jump.all as f32, &text, narrow);
+    let stop = icon_button(ui, Icon::Close, "Stop at this step", false);
+    if stop.on_hover_text("Stop at this step (Escape)").clicked() {
+        out.act(Action::Cancel);
+    }
+}
+
+fn progress_bar(ui: &mut Ui, fraction: f32, text: &str, narrow: bool) {
+    let bar = ProgressBar::new(fraction)
+        .desired_width(bar_size(narrow).x)
+        .desired_height(bar_size(narrow).y)
+        .text(RichText::new(text).small());
+    ui.add_sized(bar_size(narrow), bar).accessible_name(text);
+}
+
+fn bar_size(narrow: bool) -> Vec2 {
+    vec2(if narrow { 120.0 } else { 200.0 }, 16.0)
+}
+
 fn job_progress(ui: &mut Ui, page: &Page<'_>, narrow: bool, out: &mut Requests) {
     let waiting = page.jobs.iter().count().saturating_sub(1);
     if let Some(job) = page.jobs.iter().next() {
         let text = if waiting > 0 { format!("{} (+{waiting})", job.label) } else { job.label.clone() };
-        let width = if narrow { 120.0 } else { 200.0 };
-        let size = vec2(width, 16.0);
         if job.fraction > 0.0 {
-            let bar = ProgressBar::new(job.fraction)
-                .desired_width(size.x)
-                .desired_height(size.y)
-                .text(RichText::new(&text).small());
-            ui.add_sized(size, bar).accessible_name(text);
+            progress_bar(ui, job.fraction, &text, narrow);
         } else {
-            indeterminate_bar(ui, size, &text, page.session.platform.reduces_motion());
+            indeterminate_bar(ui, bar_size(narrow), &text, page.session.platform.reduces_motion());
         }
         if icon_button(ui, Icon::Close, &format!("Cancel {}", job.label), false)
             .on_hover_text("Cancel (Escape)")

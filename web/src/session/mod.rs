@@ -68,6 +68,8 @@ pub(crate) struct Session {
     pub decoded: Vec<(JobId, Result<Picture, String>)>,
     /// Who waits for a command that selects some elements at a time.
     pub(super) selecting: Option<Reply>,
+    /// The time at which the jump in the history was first drawn, on egui's clock in seconds.
+    pub jump_since: Option<f64>,
     /// Whether a key started the action that is being carried out.
     pub by_key: bool,
     /// Whether to commit the ongoing edit when the pointer's button is released.
@@ -95,6 +97,7 @@ impl Session {
             look: None,
             decoded: Vec::new(),
             selecting: None,
+            jump_since: None,
             by_key: false,
             commit_on_release: false,
             measured: RefCell::default(),

@@ -232,7 +232,7 @@ impl View {
                 }
             }
             if let Some(picture) = &mut self.picture {
-                picture.sync(object, change, &self.style, &mut self.budget);
+                picture.sync(object, change, &self.style);
             }
         }
         for (id, faces) in &changes.hidden {
@@ -240,7 +240,7 @@ impl View {
             let (Some(object), Some(picture)) = (editor.document().object(*id), &mut self.picture) else {
                 continue;
             };
-            picture.hide(object, faces, &self.style, &mut self.budget);
+            picture.hide(object, faces, &self.style);
         }
         for id in &changes.bezier {
             // Control points lie outside the surface, and a curve has no mesh with bounds.

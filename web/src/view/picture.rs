@@ -7,6 +7,8 @@ use halfedge::geometry::BitSet;
 use halfedge::{Budget, Element, FaceId, Mesh, Touched, VertexId};
 use viewport::{Camera, Frame, Highlight, Layer, Legend, Mark, Materials, ObjectDraw, Renderer, Style};
 
+use std::collections::HashSet;
+
 use super::View;
 
 /// With more faces than this hidden or shown, a new upload in parts is faster than changing the old one.
@@ -20,13 +22,15 @@ pub(crate) struct Picture {
     gpu: RenderState,
     pub selection_stale: bool,
     hovered: Option<(Element, u32)>,
+    /// The objects of which the whole mesh has to be uploaded.
+    due: HashSet<ObjectId>,
 }
 
 impl Picture {
     pub fn new(gpu: RenderState) -> Self {
         let renderer = Renderer::new(&gpu.device, gpu.target_format);
         gpu.renderer.write().callback_resources.insert(renderer);
-        Self { gpu, selection_stale: true, hovered: None }
+        Self { gpu, selection_stale: true, hovered: None, due: HashSet::new() }
     }
 
     fn with<T>(&self, use_it: impl FnOnce(&mut Renderer, &wgpu::Device, &wgpu::Queue) -> T) -> Option<T> {
@@ -69,29 +73,35 @@ impl Picture {
         self.with(|renderer, _, _| renderer.mark_count(id.0, mark)).unwrap_or_default()
     }
 
-    pub fn forget(&self, id: ObjectId) {
+    pub fn forget(&mut self, id: ObjectId) {
+        self.due.remove(&id);
         self.with(|renderer, _, _| renderer.remove_object(id.0));
     }
 
-    pub fn sync(&self, object: &Object, change: &ObjectChange, style: &Style, budget: &mut Budget) {
+    /// Follows a change of an object's mesh. Few elements are uploaded now, the whole mesh when the picture is next drawn.
+    pub fn sync(&mut self, object: &Object, change: &ObjectChange, style: &Style) {
+        let (id, mesh) = (object.id(), object.mesh());
+        let few = match change {
+            ObjectChange::Touched(touched) if !self.due.contains(&id) => Some(touched),
+            _ => None,
+        };
+        if few.is_none() {
+            self.due.insert(id);
+        }
         self.with(|renderer, device, queue| {
-            let (id, mesh) = (object.id(), object.mesh());
             renderer.set_hidden(id.0, object.hidden());
-            match change {
-                ObjectChange::Touched(touched) => {
-                    let change = viewport::ObjectChange::Touched(touched);
-                    renderer.sync_object(device, queue, id.0, mesh, change, style);
-                }
-                _ => upload(renderer, device, queue, id, mesh, style, budget),
+            if let Some(touched) = few {
+                let change = viewport::ObjectChange::Touched(touched);
+                renderer.sync_object(device, queue, id.0, mesh, change, style);
             }
         });
     }
 
     /// Stops or starts drawing faces that were hidden or shown: a few now, many over several frames.
-    pub fn hide(&self, object: &Object, changed: &BitSet, style: &Style, budget: &mut Budget) {
+    pub fn hide(&mut self, object: &Object, changed: &BitSet, style: &Style) {
         let mesh = object.mesh();
         if changed.len() > MAX_FACES_HIDDEN_AT_ONCE {
-            self.sync(object, &ObjectChange::Everything, style, budget);
+            self.sync(object, &ObjectChange::Everything, style);
             return;
         }
         let faces: Vec<FaceId> = changed.iter().map(FaceId::new).filter(|f| mesh.has_face(*f)).collect();
@@ -100,10 +110,11 @@ impl Picture {
         vertices.sort_unstable();
         vertices.dedup();
         let touched = Touched { faces, vertices, ..Touched::default() };
-        self.sync(object, &ObjectChange::Touched(touched), style, budget);
+        self.sync(object, &ObjectChange::Touched(touched), style);
     }
 
-    /// Uploads what else the style or the highlights need; returns whether there is more to upload.
+    /// Uploads what else the mesh, the style or the highlights need; returns whether there is more to upload. In the middle
+    /// of a jump in the history everything waits: the next step would make it void.
     fn prepare(
         &mut self,
         editor: &Editor,
@@ -111,13 +122,17 @@ impl Picture {
         hovered: Option<(Element, u32)>,
         budget: &mut Budget,
     ) -> bool {
+        if editor.jump().is_some() {
+            return true;
+        }
         let pictures =
             self.with(|renderer, _, queue| renderer.upload_pictures(queue, PICTURE_BYTES_PER_FRAME));
         let mut behind = pictures == Some(true);
         for object in editor.document().objects() {
             let (id, mesh) = (object.id(), object.mesh());
+            let is_due = self.due.remove(&id);
             let done = self.with(|renderer, device, queue| {
-                if object.visible() && !renderer.fits_style(id.0, style) {
+                if is_due || (object.visible() && !renderer.fits_style(id.0, style)) {
                     upload(renderer, device, queue, id, mesh, style, budget);
                 }
                 let done = renderer.upload_faces(device, queue, id.0, mesh, budget);
@@ -172,7 +187,7 @@ fn upload(
     budget: &mut Budget,
 ) {
     if mesh.face_count() > budget.left() {
-        renderer.begin_object_upload(device, queue, id.0, mesh, style);
+        renderer.begin_object_upload(id.0, mesh, style);
     } else {
         budget.take(mesh.face_count());
         renderer.sync_object(device, queue, id.0, mesh, viewport::ObjectChange::Everything, style);

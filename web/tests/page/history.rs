@@ -5,7 +5,7 @@ use crate::page::{DESKTOP, PHONE, Page};
 use egui::accesskit::Role;
 use egui::{Key, Modifiers, Theme};
 use egui_kittest::kittest::{NodeT, Queryable};
-use halfedge::Mesh;
+use halfedge::{Element, Mesh};
 use serde_json::json;
 
 /// Five edits on the cube; returns the mesh after each, the cube first.
@@ -190,4 +190,72 @@ fn in_a_low_window_the_panel_is_closed_until_it_is_opened() {
     assert!(!page.has_row("Start: New document"));
     page.click("History panel");
     assert!(page.has_row("Start: New document"));
+}
+
+/// A page with steps that each move 160 thousand vertices, more than a frame's work; returns the mesh after each.
+fn with_large_steps() -> (Page, Vec<Mesh>) {
+    let mut page = Page::new();
+    page.command(json!({ "op": "new", "shape": "grid", "columns": 400, "rows": 1000 }));
+    page.select("vertex", &(0..160_000).collect::<Vec<u32>>());
+    let mut meshes = vec![page.mesh().clone()];
+    for step in 1..=5 {
+        page.press(Key::G);
+        page.type_text(&step.to_string());
+        page.press(Key::Enter);
+        meshes.push(page.mesh().clone());
+    }
+    (page, meshes)
+}
+
+/// The number of the state that the page is in.
+fn state_of(page: &mut Page, meshes: &[Mesh]) -> usize {
+    let edits = page.app().editor().undo_labels().count() - 1;
+    assert_eq!(*page.mesh(), meshes[edits], "the state after {edits} edits");
+    edits
+}
+
+#[test]
+fn a_long_jump_takes_several_frames_and_each_shows_a_whole_step() {
+    let (mut page, meshes) = with_large_steps();
+    assert_eq!(state_of(&mut page, &meshes), 5);
+    page.row("Step 1: New shape").click();
+    let mut seen = Vec::new();
+    for _ in 0..40 {
+        page.harness.step();
+        seen.push(state_of(&mut page, &meshes));
+    }
+    seen.dedup();
+    assert_eq!(seen, [4, 3, 2, 1, 0], "one after the other");
+    assert!(page.app().editor().jump().is_none() && is_current(&page, "Step 1: New shape"));
+}
+
+#[test]
+fn what_is_done_during_a_jump_comes_after_it_in_order() {
+    let (mut page, meshes) = with_large_steps();
+    page.row("Step 2: Transform").click();
+    page.harness.step();
+    page.harness.step();
+    assert!(page.app().editor().jump().is_some());
+    // Two redos and another kind, in the middle of it.
+    page.harness.key_press_modifiers(Modifiers::COMMAND, Key::Y);
+    page.harness.key_press_modifiers(Modifiers::COMMAND, Key::Y);
+    page.harness.key_press(Key::Num2);
+    page.run();
+    assert!(page.app().editor().jump().is_none());
+    assert_eq!(state_of(&mut page, &meshes), 3, "the first move, and the two after it");
+    assert_eq!(page.selected().0, Element::Edge);
+}
+
+#[test]
+fn escape_stops_a_jump_at_a_step() {
+    let (mut page, meshes) = with_large_steps();
+    page.row("Step 1: New shape").click();
+    page.harness.step();
+    page.harness.step();
+    page.press(Key::Escape);
+    let at = state_of(&mut page, &meshes);
+    assert!((1..5).contains(&at), "{at}");
+    page.wait();
+    assert_eq!(state_of(&mut page, &meshes), at, "it stays there");
+    assert!(is_current(&page, &format!("Step {}: Transform", at + 1)));
 }

@@ -1,6 +1,7 @@
 //! The lists: selecting, going to an id, the filter, and three million rows.
 
 use crate::page::Page;
+use egui::accesskit::Role;
 use egui::{Key, Modifiers, Vec2};
 use egui_kittest::{Harness, kittest::Queryable};
 use halfedge::Element;
@@ -187,4 +188,63 @@ fn the_scroll_bar_reaches_both_ends() {
     harness.hover_at(bar.center_top() - Vec2::new(0.0, 40.0));
     harness.run();
     assert!(harness.query_by_label("Row 0").is_some());
+}
+
+#[test]
+fn hidden_elements_have_no_rows_until_they_are_revealed() {
+    let mut page = Page::new();
+    page.command(json!({ "op": "new", "shape": "grid", "columns": 3, "rows": 2 }));
+    page.press(Key::Num4);
+    assert!(page.has_row("Face 0") && !page.has_part("hidden"));
+    page.command(json!({ "op": "hide", "faces": [0, 1, 3] }));
+    assert!(page.has("3 of 6 faces, 3 hidden"));
+    let shown: Vec<bool> = (0..6).map(|f| page.has_row(&format!("Face {f}"))).collect();
+    assert_eq!(shown, [false, false, true, false, true, true]);
+    // Keys, ranges and typed ids go by what is shown.
+    page.row("Face 2").click();
+    page.run();
+    page.press(Key::ArrowDown);
+    assert_eq!(page.selected().1, [4]);
+    page.row("Face 2").click_modifiers(Modifiers::SHIFT);
+    page.run();
+    assert_eq!(page.selected().1, [2, 4]);
+    page.press_with(Modifiers::COMMAND, Key::G);
+    page.find("Go to id").type_text("3");
+    page.press(Key::Enter);
+    assert!(page.has("Face 3 is hidden: reveal it first."));
+    assert_eq!(page.selected().1, [2, 4]);
+
+    // Vertices and edges are hidden with the last of their faces.
+    page.press(Key::Num1);
+    assert!(page.has_part(" of 12 vertices, "));
+    let (hidden, mesh) = (page.hidden_faces(), page.mesh().clone());
+    for v in mesh.vertices() {
+        let shows = mesh.vertex_faces(v).any(|f| !hidden.contains(&f.raw()));
+        assert_eq!(page.has_row(&format!("Vertex {}", v.raw())), shows, "{v}");
+    }
+
+    page.press(Key::Num4);
+    page.press_with(Modifiers::COMMAND, Key::A);
+    page.press(Key::H);
+    assert!(page.has("All faces are hidden") && page.has("0 of 6 faces, 6 hidden"));
+    page.harness.get_all_by_role_and_label(Role::Button, "Reveal").last().expect("a button").click();
+    page.run();
+    assert!(page.has_row("Face 0") && !page.has_part("faces, 6 hidden"));
+}
+
+#[test]
+fn hidden_elements_of_a_large_mesh_leave_the_list_within_some_frames() {
+    let mut page = Page::new();
+    page.command(json!({ "op": "new", "shape": "grid", "columns": 500, "rows": 500 }));
+    page.press(Key::Num4);
+    page.command(json!({ "op": "hide", "faces": (0..249_990).collect::<Vec<u32>>() }));
+    assert!(page.has("10 of 250\u{a0}000 faces, 249\u{a0}990 hidden"));
+    assert!(page.has_row("Face 249990") && page.has_row("Face 249999") && !page.has_row("Face 0"));
+    // Edits keep up with it without finding all rows anew.
+    page.command(json!({ "op": "poke-faces", "faces": [249_995] }));
+    assert!(page.has("13 of 250\u{a0}003 faces, 249\u{a0}990 hidden"));
+    page.press_with(Modifiers::COMMAND, Key::Z);
+    assert!(page.has("10 of 250\u{a0}000 faces, 249\u{a0}990 hidden"));
+    page.press_with(Modifiers::COMMAND, Key::Z);
+    assert!(page.has_row("Face 0") && !page.has_part("hidden"));
 }

@@ -177,6 +177,12 @@ impl Page {
         (selection.kind(), selection.ids().collect())
     }
 
+    /// The ids of the hidden faces of the active object.
+    pub fn hidden_faces(&mut self) -> Vec<u32> {
+        let object = self.app().editor().document().active().expect("an object");
+        object.hidden().iter().map(|face| face as u32).collect()
+    }
+
     pub fn undo_labels(&mut self) -> Vec<String> {
         self.app().editor().undo_labels().map(str::to_owned).collect()
     }

@@ -15,6 +15,7 @@ impl Editor {
 
     /// [`Editor::begin_export`] under another file name, given without an extension.
     pub fn begin_export_as(&mut self, format: Format, name: String) -> JobRequest {
+        self.finish_parts();
         if self.is_previewing_mesh() {
             self.cancel_edit();
         }

@@ -39,7 +39,7 @@ impl Editor {
     }
 
     fn replace_preview(&mut self, command: Command) -> Result<Outcome, Problem> {
-        self.finish_selecting();
+        self.finish_parts();
         // Resolves the elements in the document without the preview, as the commit does.
         let Some(last) = self.ongoing.take() else {
             let selection = self.selection.clone();
@@ -119,7 +119,7 @@ impl Editor {
     /// Ends the ongoing edit because something else happens: commits an edit of elements, cancels the
     /// preview of an operation on the whole mesh.
     pub(super) fn end_edit(&mut self) {
-        self.finish_selecting();
+        self.finish_parts();
         if self.is_previewing_mesh() {
             self.cancel_edit()
         } else {
@@ -130,12 +130,7 @@ impl Editor {
     /// Makes the preview one undo step, unless it changes nothing; returns its label, or none if no edit is
     /// ongoing.
     pub fn commit_edit(&mut self) -> Option<String> {
-        let mut ongoing = self.ongoing.take()?;
-        for change in &mut ongoing.back {
-            if let Change::Journal(_, journal) = change {
-                journal.fold_moves();
-            }
-        }
+        let ongoing = self.ongoing.take()?;
         let label = ongoing.command.op.spec().label.to_owned();
         if self.push_step(label.clone(), ongoing.back, ongoing.selection) {
             self.log(Event::Edit(ongoing.command.clone()));

@@ -9,7 +9,7 @@ use crate::selection::Selection;
 use halfedge::geometry::BitSet;
 use halfedge::{Element, InParts};
 use std::sync::Arc;
-use surface::selecting::{Criterion, Finding};
+use surface::selecting::{Criterion, Finding, is_hidden};
 
 /// The label of changes of the selection in the history.
 const SELECT: &str = "Select";
@@ -94,22 +94,24 @@ impl Editor {
         Ok(selection)
     }
 
-    /// Extends the selection by all ids from the one selected last to this one, like a Shift-click in a
-    /// list.
+    /// Extends the selection by all ids from the one selected last to this one that aren't hidden, like a Shift-click in
+    /// a list.
     ///
     /// # Errors
     /// An id doesn't exist.
     pub fn select_range(&mut self, kind: Element, to: u32) -> Result<(), CommandError> {
         self.end_edit();
         let from = if self.selection.kind() == kind { self.selection.latest() } else { None };
-        let Some(mesh) = self.mesh().filter(|mesh| mesh.exists(kind, to)) else {
+        let Some(object) = self.document.active().filter(|object| object.mesh().exists(kind, to)) else {
             return Err(CommandError::of(
                 "select",
                 Problem::field("ids", format!("there is no {kind} {to}")),
             ));
         };
         let from = from.unwrap_or(to);
-        let mut ids: Vec<u32> = (from.min(to)..=from.max(to)).filter(|&id| mesh.exists(kind, id)).collect();
+        let (mesh, hidden) = (object.mesh(), object.hidden());
+        let shows = |id: &u32| mesh.exists(kind, *id) && !is_hidden(mesh, kind, *id as usize, hidden);
+        let mut ids: Vec<u32> = (from.min(to)..=from.max(to)).filter(shows).collect();
         if from > to {
             ids.reverse();
         }

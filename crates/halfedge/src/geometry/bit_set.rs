@@ -33,6 +33,15 @@ impl BitSet {
         Self { words: Vec::new(), count: 0 }
     }
 
+    /// All numbers below this one.
+    pub fn up_to(end: usize) -> Self {
+        let mut words = vec![!0; end / 64];
+        if !end.is_multiple_of(64) {
+            words.push((1 << (end % 64)) - 1);
+        }
+        Self { words, count: end }
+    }
+
     /// Whether a number is in the set.
     #[inline]
     pub fn contains(&self, index: usize) -> bool {
@@ -130,6 +139,21 @@ impl BitSet {
         let part =
             self.words.get(index / 64).map_or(0, |word| (word & ((1 << (index % 64)) - 1)).count_ones());
         whole + part as usize
+    }
+
+    /// The number of members from `start` on and below `end`. Costs O((end - start) / 64).
+    pub fn count_in(&self, start: usize, end: usize) -> usize {
+        if start >= end {
+            return 0;
+        }
+        let (first, last) = (start / 64, (end - 1) / 64);
+        let words = self.words.iter().enumerate().take(last + 1).skip(first);
+        let count = |(at, &word): (usize, &u64)| {
+            let from = if at == first { !0 << (start % 64) } else { !0 };
+            let to = if at == last { !0 >> (63 - (end - 1) % 64) } else { !0 };
+            (word & from & to).count_ones() as usize
+        };
+        words.map(count).sum()
     }
 
     /// The member at this place in ascending order: the inverse of [`BitSet::rank`]. Costs O(largest / 64).

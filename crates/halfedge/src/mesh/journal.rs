@@ -5,9 +5,13 @@
 //! journal is the redo. Nothing else in the editor undoes changes of a mesh.
 
 use crate::attribute::{Column, Value};
+use crate::geometry::BitSet;
 use crate::mesh::Mesh;
 use crate::{EdgeId, Element, FaceId, HalfedgeId, NONE, VertexId};
 use glam::Vec3;
+
+/// Fewer moves than this are kept one by one, whatever the size of the mesh.
+const MIN_MOVES_AS_COLUMN: usize = 10_000;
 
 /// A write, with the value before.
 #[derive(Clone, Debug)]
@@ -146,6 +150,11 @@ impl Journal {
         })
     }
 
+    /// The number of changes; replacing a whole column is one.
+    pub fn len(&self) -> usize {
+        self.changes.len()
+    }
+
     /// Heap bytes in use, for the limit of the history.
     pub fn bytes(&self) -> usize {
         let heap: usize = self
@@ -160,17 +169,28 @@ impl Journal {
         self.changes.len() * size_of::<Change>() + heap
     }
 
-    /// Keeps only the first write to each vertex's position, so that a drag of a thousand steps takes the memory
-    /// of one. Journals with other writes stay as they are.
-    pub fn fold_moves(&mut self) {
+    /// Keeps only the first write to each vertex's position, so that a drag of a thousand steps takes the memory of one; of
+    /// moves of much of a large mesh, the positions of all its vertices, which takes less memory and time. Journals with
+    /// other writes stay as they are. The mesh is that after the writes.
+    pub fn fold_moves(&mut self, mesh: &Mesh) {
         if !self.changes.iter().all(|c| matches!(c, Change::Position(..))) {
             return;
         }
-        let mut seen = std::collections::HashSet::new();
+        let mut seen = BitSet::new();
         self.changes.retain(|c| match c {
-            Change::Position(v, _) => seen.insert(*v),
+            Change::Position(v, _) => seen.insert(*v as usize),
             _ => true,
         });
+        let moved = self.changes.len();
+        if moved >= MIN_MOVES_AS_COLUMN && moved * 2 >= mesh.positions.len() {
+            let mut before = mesh.positions.clone();
+            for change in self.changes.drain(..) {
+                if let Change::Position(v, old) = change {
+                    before[v as usize] = old;
+                }
+            }
+            self.changes = vec![Change::Positions(before.into_boxed_slice())];
+        }
     }
 
     /// The elements that the writes touched.

@@ -137,3 +137,30 @@ proptest! {
         }
     }
 }
+
+#[test]
+fn moves_of_much_of_a_large_mesh_are_undone_and_redone_as_a_column() {
+    let (columns, rows) = (150, 150);
+    let at = |i: u32| Vec3::new((i % columns) as f32, (i / columns) as f32, 0.0);
+    let mut soup = PolygonSoup { positions: (0..columns * rows).map(at).collect(), ..PolygonSoup::default() };
+    for i in (0..columns * (rows - 1)).filter(|i| i % columns + 1 < columns) {
+        soup.push_face([i, i + 1, i + columns + 1, i + columns]);
+    }
+    let before = Mesh::build(soup).expect("a grid").mesh;
+    for moved in [9_000, 12_000, 22_500] {
+        let mut mesh = before.clone();
+        mesh.start_recording();
+        for v in (0..moved).chain(0..moved).map(VertexId::new) {
+            mesh.set_position(v, mesh.position(v) + Vec3::Z);
+        }
+        let (mut journal, after) = (mesh.finish_recording(), mesh.clone());
+        let bytes = journal.bytes();
+        journal.fold_moves(&mesh);
+        assert!(journal.bytes() <= bytes / 2, "{moved}: {} of {bytes}", journal.bytes());
+        assert_eq!(journal.touched().everything, moved > 10_000, "{moved}");
+        let redo = mesh.undo(journal);
+        assert_eq!(mesh, before, "{moved}");
+        mesh.undo(redo);
+        assert_eq!(mesh, after, "{moved}");
+    }
+}

@@ -75,6 +75,8 @@ struct Next {
     pages: Vec<Page>,
     rebuilding: Rebuild,
     points: bool,
+    /// Edits made since they were begun: they may have touched faces that are written already.
+    touched: Vec<Touched>,
 }
 
 fn origin_of(mesh: &Mesh) -> Vec3 {
@@ -111,6 +113,9 @@ impl Object {
         self.hidden.clone_from(faces);
         self.buffers.set_hidden(faces);
         self.marks.set_hidden(faces);
+        if let Some(next) = &mut self.next {
+            next.buffers.set_hidden(faces);
+        }
     }
 
     /// Uploads a whole mesh; returns the number of bytes.
@@ -155,20 +160,13 @@ impl Object {
     }
 
     /// Begins an upload of a whole mesh that [`Object::upload_faces`] carries out.
-    pub fn begin_upload(
-        &mut self,
-        device: &wgpu::Device,
-        queue: &wgpu::Queue,
-        mesh: &Mesh,
-        style: &Style,
-        materials: &Arc<Materials>,
-    ) {
-        let (mut buffers, mut pages) = (Buffers::default(), Vec::new());
+    pub fn begin_upload(&mut self, mesh: &Mesh, style: &Style, materials: &Arc<Materials>) {
+        let mut buffers = Buffers::default();
         buffers.set_hidden(&self.hidden);
-        let mut upload = Upload { device, queue, pages: &mut pages, bytes: 0 };
         let coloring = Coloring::new(mesh, style.color_by, style.wants_uvs(), materials);
-        let rebuilding = buffers.begin_rebuild(mesh, origin_of(mesh), style.shading, coloring, &mut upload);
-        self.next = Some(Next { buffers, pages, rebuilding, points: style.vertices });
+        let rebuilding = buffers.begin_rebuild(mesh, origin_of(mesh), style.shading, coloring);
+        let points = style.vertices;
+        self.next = Some(Next { buffers, pages: Vec::new(), rebuilding, points, touched: Vec::new() });
     }
 
     /// Uploads more faces of an upload that has begun, as many as the budget has; returns whether that was the
@@ -188,6 +186,9 @@ impl Object {
         (self.buffers, self.pages) = (next.buffers, next.pages);
         self.marks.mesh_changed();
         self.set_points(device, queue, mesh, next.points);
+        for touched in next.touched {
+            self.update(device, queue, mesh, &touched);
+        }
         true
     }
 
@@ -215,8 +216,10 @@ impl Object {
         touched: &Touched,
     ) -> u64 {
         self.marks.mesh_changed();
-        // The edit may have touched faces that an upload has written already: it is completed first.
-        self.upload_faces(device, queue, mesh, &mut Budget::unlimited());
+        if let Some(next) = &mut self.next {
+            next.touched.push(touched.clone());
+            return 0;
+        }
         let mut upload = Upload { device, queue, pages: &mut self.pages, bytes: 0 };
         self.buffers.update(mesh, touched, &mut upload);
         let (mut bytes, origin) = (upload.bytes, self.buffers.origin());

@@ -108,16 +108,9 @@ impl Renderer {
 
     /// Begins an upload of an object's whole mesh that [`Renderer::upload_faces`] carries out over several
     /// frames. The old buffers are drawn until it is complete, and take memory beside the new ones.
-    pub fn begin_object_upload(
-        &mut self,
-        device: &wgpu::Device,
-        queue: &wgpu::Queue,
-        id: u64,
-        mesh: &Mesh,
-        style: &Style,
-    ) {
+    pub fn begin_object_upload(&mut self, id: u64, mesh: &Mesh, style: &Style) {
         let object = self.objects.entry(id).or_insert_with(Object::new);
-        object.begin_upload(device, queue, mesh, style, &self.materials);
+        object.begin_upload(mesh, style, &self.materials);
     }
 
     /// Whether an upload of an object has begun and isn't complete.
