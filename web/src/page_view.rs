@@ -14,6 +14,7 @@ use crate::input::keys;
 use crate::session::Session;
 use crate::shown::Shown;
 use crate::transforming::Gizmo;
+use crate::view::panes::Split;
 use crate::view::{Tool, View};
 use viewport::{Rotation, Shading};
 
@@ -37,6 +38,9 @@ impl Deref for Page<'_> {
 impl Page<'_> {
     /// Why an action can't be done now, as a sentence that says what to do first; none if it can.
     pub fn why_not(&self, action: Action) -> Option<String> {
+        if matches!(action, Action::Views(split) if split != Split::One) && self.shown.narrow {
+            return Some("There is room for one view only. Make the window wider.".into());
+        }
         availability::why_not(action, self.session, self.shown.kind, self.player)
     }
 
@@ -91,6 +95,7 @@ impl Page<'_> {
             }
             Action::UpAxis(up) => self.view.camera.up == up,
             Action::Orthographic => self.view.camera.orthographic,
+            Action::Views(split) => self.view.panes.split == split,
             Action::Camera(style) => keys::map(&self.ctx).own_camera() == Some(style),
             Action::CameraOfKeys => keys::map(&self.ctx).own_camera().is_none(),
             Action::FreeRotation => self.view.turning.rotation == Rotation::Trackball,

@@ -17,11 +17,14 @@ use crate::panels::welcome::Sample;
 use crate::session::form::Filled;
 use crate::session::toasts::Slot;
 use crate::shown::{Sheet, Window};
+use crate::view::panes::Pane;
 
 /// A panel's request.
 pub(crate) enum Request {
     /// Start an action, as from a menu.
     Act(Action),
+    /// Make a view the active one.
+    ActivateView(Pane),
     /// Carry out a command, or start its job.
     Run(Command),
     /// Show why there is no command to carry out.

@@ -3,6 +3,8 @@
 use halfedge::Element;
 use serde::{Deserialize, Serialize};
 
+use crate::view::panes::Split;
+
 /// Arrangements of the page.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 pub enum Arrangement {
@@ -46,6 +48,8 @@ pub(crate) struct Shown {
     pub touch: bool,
     /// How the page is arranged.
     pub arrangement: Arrangement,
+    /// How the viewport is split where there is room.
+    pub split: Split,
     /// The size of texts and controls that the user chose, in percent.
     pub scale_percent: u16,
     /// The sheet of the narrow layout.
@@ -73,6 +77,7 @@ impl Default for Shown {
             low: false,
             touch: false,
             arrangement: Arrangement::default(),
+            split: Split::default(),
             scale_percent: 100,
             sheet: Sheet::default(),
         }

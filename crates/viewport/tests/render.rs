@@ -633,7 +633,7 @@ fn a_frame_like_the_last_is_not_drawn_again() {
     renderer.sync_object(&gpu.device, &gpu.queue, 7, &mesh, ObjectChange::Everything, &style);
     let draws = |renderer: &mut Renderer, camera: &Camera| {
         let mut encoder = gpu.device.create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
-        let drew = renderer.prepare(&gpu.device, &gpu.queue, &mut encoder, &frame(camera, &style));
+        let drew = renderer.prepare(0, &gpu.device, &gpu.queue, &mut encoder, &frame(camera, &style));
         gpu.queue.submit([encoder.finish()]);
         drew
     };
@@ -661,7 +661,7 @@ fn nothing_at_all_can_be_drawn() {
     assert!(close(image.at(3, 158), style.theme.background_bottom.0, 3));
     let frame = Frame { size: [0, 0], objects: &[shown(9)], ..frame(&camera, &style) };
     let mut encoder = gpu.device.create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
-    renderer.prepare(&gpu.device, &gpu.queue, &mut encoder, &frame);
+    renderer.prepare(0, &gpu.device, &gpu.queue, &mut encoder, &frame);
     gpu.queue.submit([encoder.finish()]);
 }
 

@@ -22,6 +22,7 @@ use crate::panels::viewport::control_points::add_control_point;
 use crate::session::{form, live, selecting};
 use crate::transforming::Gizmo;
 use crate::view::Tool;
+use crate::view::panes::Split;
 use viewport::Shading;
 
 /// How much larger one press of a key makes the selecting circle.
@@ -54,6 +55,9 @@ impl App {
                 self.session.warn(reason, Vec::new());
             }
             return;
+        }
+        if action.moves_view() {
+            self.view.activate(self.view.panes.current);
         }
         match action {
             Action::New => self.session.new_document(form::first_shape()),
@@ -135,6 +139,9 @@ impl App {
                 }
             }
             Action::Orthographic => self.view.camera.orthographic ^= true,
+            // The same again shows one view.
+            Action::Views(split) if self.shown.split == split => self.shown.split = Split::One,
+            Action::Views(split) => self.shown.split = split,
             Action::Camera(style) => camera::choose(&mut self.session, &mut self.view, Some(style)),
             Action::CameraOfKeys => camera::choose(&mut self.session, &mut self.view, None),
             Action::FreeRotation => camera::toggle_rotation(&mut self.session, &mut self.view),

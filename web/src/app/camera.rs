@@ -56,7 +56,7 @@ pub(super) fn toggle_rotation(session: &mut Session, view: &mut View) {
     };
     view.turning.rotation = rotation;
     if rotation == Rotation::Turntable {
-        view.camera.roll = 0.0;
+        view.change_cameras(|camera| camera.roll = 0.0);
     }
     session.platform.store_setting(ROTATION_SETTING, name);
 }

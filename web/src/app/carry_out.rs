@@ -19,6 +19,7 @@ impl App {
                 return self.session.live_pointer(at, modifiers, &mut self.view);
             }
             Request::Act(action) => self.act(action),
+            Request::ActivateView(pane) => self.view.activate(pane),
             Request::Run(command) => self.session.begin_or_refuse(Ok(command)),
             Request::Refuse(error) => self.session.refuse(&error),
             Request::Select { kind, ids, mode } => self.select(kind, ids, mode),

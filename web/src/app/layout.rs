@@ -10,6 +10,7 @@ use crate::session::Session;
 use crate::shown::{Arrangement, Sheet, Shown};
 use crate::theme;
 use crate::view::View;
+use crate::view::panes::Split;
 
 /// The key of the setting with the arrangement.
 const LAYOUT_SETTING: &str = "layout";
@@ -45,6 +46,8 @@ pub(super) struct Layout {
     model: Open,
     study: Open,
     sheet: Sheet,
+    #[serde(default)]
+    split: Split,
     /// The widths of the panels on the left and on the right, in points.
     pub widths: [f32; 2],
     /// The height of the list of steps, in points.
@@ -69,6 +72,7 @@ impl Default for Layout {
                 ..initial(Arrangement::Study)
             },
             sheet: Sheet::default(),
+            split: Split::default(),
             widths: [332.0, 300.0],
             history_height: initial_history_height(),
         }
@@ -125,7 +129,7 @@ pub(super) fn load_up_axis(platform: &dyn Platform) -> UpAxis {
 
 /// Shows the scene with this axis upwards, and keeps it for later visits.
 pub(super) fn set_up_axis(session: &mut Session, view: &mut View, up: UpAxis) {
-    view.camera.up = up;
+    view.change_cameras(|camera| camera.up = up);
     let name = match up {
         UpAxis::Y => "y",
         UpAxis::Z => "z",
@@ -157,7 +161,7 @@ impl App {
         let arrangement = self.layout.arrangement;
         let open = *self.layout.open(arrangement);
         let shown = &mut self.shown;
-        (shown.arrangement, shown.sheet) = (arrangement, self.layout.sheet);
+        (shown.arrangement, shown.sheet, shown.split) = (arrangement, self.layout.sheet, self.layout.split);
         (shown.left, shown.right, shown.history) = (open.left, open.right, open.history);
         (shown.overlay, shown.numbers) = (open.overlay, open.numbers);
         let look = &mut self.view.style.look;
@@ -170,9 +174,9 @@ impl App {
 
     /// Keeps what is open for later visits, if it has changed.
     pub(super) fn keep_layout(&mut self, widths: [f32; 2]) {
-        let Shown { arrangement, left, right, overlay, numbers, history, sheet, .. } = self.shown;
+        let Shown { arrangement, left, right, overlay, numbers, history, sheet, split, .. } = self.shown;
         let history_height = self.panels.history.height.unwrap_or(self.layout.history_height);
-        let mut layout = Layout { arrangement, sheet, widths, history_height, ..self.layout };
+        let mut layout = Layout { arrangement, sheet, split, widths, history_height, ..self.layout };
         let course_light = self.view.textures.chosen_look(&self.view.style) == Look::Course;
         *layout.open(arrangement) = Open { left, right, overlay, numbers, course_light, history };
         // While a panel is being dragged, its width changes in every frame.

@@ -28,6 +28,7 @@ use crate::request::{Request, Requests, Waiting};
 use crate::session::{Look, Session, selecting};
 use crate::shown::Shown;
 use crate::theme;
+use crate::view::panes::Split;
 use crate::view::{self, ELEMENTS_PER_FRAME, Tool, View};
 use crate::widgets::focus_ring;
 use layout::Layout;
@@ -153,6 +154,9 @@ impl App {
         let held = std::mem::take(&mut self.held_events);
         ctx.input_mut(|input| drop(input.events.splice(0..0, held)));
         self.panels.key_editor.take_key(ctx, self.shown.shortcuts);
+        if self.session.live.is_none() {
+            self.view.follow_pointer(ctx);
+        }
         let live = self.session.live_keys(ctx, &self.view);
         let mut actions = self.keyboard(ctx, live).into_iter();
         // A second key in one frame acts on the result of the first.
@@ -195,7 +199,7 @@ impl App {
         let mut widths = self.layout.widths;
         Panel::top("menu bar").frame(bar_frame(ui)).show(ui, |ui| menu_bar::show(ui, &page, narrow, out));
         // The viewport is drawn after the panels around it, but Tab and reading come to it first.
-        let in_viewport = ui.interact(self.view.rect, view::widget_id(), Sense::click_and_drag());
+        let in_viewport = ui.interact(self.view.area, view::widget_id(), Sense::click_and_drag());
         let target_edge = self.panels.forms.target_edge();
         Panel::bottom("status")
             .frame(bar_frame(ui))
@@ -325,7 +329,9 @@ impl App {
             UpAxis::Z => Side::Top,
         };
         let was_from_above = self.view.camera.is_from(above);
-        if look == Look::FlatCurves {
+        if self.view.panes.split != Split::One {
+            // One of several views shows either as it should be seen.
+        } else if look == Look::FlatCurves {
             self.view.camera.look_from(above);
         } else if was_from_above {
             // From straight above, an object that isn't flat hides its depth.

@@ -11,6 +11,7 @@ use super::App;
 use crate::input::keys;
 use crate::platform::NamedBytes;
 use crate::session::jobs::Reply;
+use crate::view::panes::name_of;
 use crate::view::textures::State;
 
 /// Script calls between two frames. When they are done, everything is updated to what they changed.
@@ -75,7 +76,17 @@ impl Script<'_> {
         let bezier = crate::bezier::active(&self.app.session.editor).map(|_| self.app.player.state());
         let (camera, style) = (&self.app.view.camera, &self.app.view.style);
         // In CSS pixels, as everything that scripts are told about places.
-        let rect = self.app.view.rect * self.app.session.ctx.zoom_factor();
+        let view = &self.app.view;
+        let in_pixels = |rect: egui::Rect| {
+            let rect = rect * self.app.session.ctx.zoom_factor();
+            [rect.min.x, rect.min.y, rect.width(), rect.height()]
+        };
+        let views = view.panes().into_iter().map(|pane| {
+            let (camera, rect) = view.seen_in(pane);
+            let (rect, is_active) = (in_pixels(rect), pane == view.panes.active);
+            json!({ "name": name_of(camera), "rect": rect, "active": is_active })
+        });
+        let views: Vec<Value> = views.collect();
         let keys = keys::map(&self.app.session.ctx);
         let changed: serde_json::Map<String, Value> = keys
             .bindings()
@@ -88,7 +99,8 @@ impl Script<'_> {
             .collect();
         json!({
             "renderer": self.app.device().renderer,
-            "rect": [rect.min.x, rect.min.y, rect.width(), rect.height()],
+            "rect": in_pixels(view.rect),
+            "views": views,
             "target": camera.target.to_array(),
             "yaw": camera.yaw,
             "pitch": camera.pitch,

@@ -13,6 +13,7 @@ use super::key_preset::KeyPreset;
 use super::presets::Preset;
 use crate::shown::Arrangement;
 use crate::transforming::{Gizmo, Orientation, Pivot, SnapTo, Symmetry};
+use crate::view::panes::Split;
 
 /// Something the user can start.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -106,6 +107,8 @@ pub enum Action {
     AlignView,
     /// Switches between parallel and perspective projection.
     Orthographic,
+    /// Splits the viewport into several views, or shows one again.
+    Views(Split),
     /// Moves the camera with the gestures of a style.
     Camera(CameraStyle),
     /// Moves the camera with the gestures that belong to the preset of keys.
@@ -225,6 +228,21 @@ impl Action {
             Self::Operation(id) => Self::Operation(id.for_selection(kind)),
             other => other,
         }
+    }
+
+    /// Whether it moves the current view, which becomes the active one.
+    pub(crate) fn moves_view(self) -> bool {
+        matches!(
+            self,
+            Self::Frame
+                | Self::FrameAll
+                | Self::ResetView
+                | Self::ZoomIn
+                | Self::ZoomOut
+                | Self::LookFrom(_)
+                | Self::AlignView
+                | Self::Orthographic
+        )
     }
 
     /// The name in settings: the variant's, in kebab case; an operation's name in commands after `operation-`.

@@ -7,6 +7,7 @@ use viewport::{ColorBy, Look, Side};
 use super::action::Action as A;
 use super::key_preset::KeyPreset;
 use crate::transforming::Gizmo;
+use crate::view::panes::Split;
 
 /// An action with its keys in each preset, with spaces between several; menus show the first.
 pub(super) type Row = (A, [&'static str; KeyPreset::COUNT]);
@@ -107,6 +108,7 @@ pub(super) static ROWS: &[Row] = &[
     (A::LookFrom(Side::Left),              ["Alt+Shift+3 Ctrl+Numpad3",  "Ctrl+Numpad3 Alt+Shift+3", "Ctrl+Numpad3 Alt+Shift+3"]),
     (A::LookFrom(Side::Top),               ["Alt+7 Numpad7",             "Numpad7 Alt+7",            "Numpad7 Alt+7"]),
     (A::LookFrom(Side::Bottom),            ["Alt+Shift+7 Ctrl+Numpad7",  "Ctrl+Numpad7 Alt+Shift+7", "Ctrl+Numpad7 Alt+Shift+7"]),
+    (A::Views(Split::Four),                ["Ctrl+Alt+Q",                "Ctrl+Alt+Q",               "Ctrl+Alt+Q"]),
     (A::AlignView,                         ["Shift+Numpad7",             "Shift+Numpad7",            "Shift+Numpad7"]),
     (A::Orthographic,                      ["P Alt+5 Numpad5",           "Numpad5 Alt+5",            "Numpad5"]),
     (A::Wireframe,                         ["W",                         "Z Shift+Z",                "Alt+5"]),

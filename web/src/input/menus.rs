@@ -26,6 +26,7 @@ pub fn submenu(action: Action) -> Option<&'static str> {
         A::FrameAll | A::ZoomIn | A::ZoomOut => Some("Zoom"),
         A::ResetView | A::LookFrom(_) | A::AlignView => Some("Look from"),
         A::UpAxis(_) => Some("Up axis"),
+        A::Views(_) => Some("Views"),
         A::Camera(_) | A::CameraOfKeys | A::FreeRotation | A::OrbitAbout(_) => Some("Camera style"),
         A::SelectBy(SelectBy::Kind(_)) => Some("Convert to"),
         A::SelectBy(SelectBy::Loops | SelectBy::Rings | SelectBy::Path | SelectBy::Outline) => {
@@ -42,7 +43,7 @@ pub fn submenu(action: Action) -> Option<&'static str> {
         A::Preset(_) => Some(CRITERIA),
         A::Show(_) => Some("Show"),
         A::Expand(_) => Some("Expand to"),
-        A::Look(_) => Some("Look"),
+        A::Look(_) | A::HideBacks => Some("Look"),
         A::AutoSmooth(_) => Some("Auto smooth"),
         A::ColorBy(_) => Some("Colour by"),
         A::Mark(_) => Some("Marks"),

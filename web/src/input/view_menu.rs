@@ -5,37 +5,45 @@ use viewport::{ColorBy, Look, Mark, Matcap, Side, UpAxis};
 use super::action::{Action as A, Entry, entry};
 use super::camera_style::{CameraStyle, OrbitAbout};
 use crate::shown::Arrangement;
+use crate::view::panes::Split;
 
 const fn scale(percent: u16, label: &'static str) -> Option<Entry> {
     let entry = entry(A::InterfaceScale(percent), label, "Scale texts and controls to this size.");
     Some(entry.synonyms(&["interface scale", "ui scale", "zoom"]))
 }
 
+/// An entry that has other names in other programs.
+const fn also(
+    action: A,
+    label: &'static str,
+    description: &'static str,
+    synonyms: &'static [&'static str],
+) -> Option<Entry> {
+    Some(entry(action, label, description).synonyms(synonyms))
+}
+
+/// Other words for several views.
+const SPLITS: &[&str] = &["quad view", "split", "layout of views", "four-up", "multiple viewports"];
+
 /// Other words for the styles of the camera.
 const NAVIGATION: &[&str] = &["navigation", "orbit", "mouse"];
 
 /// Its entries.
 pub(super) static ENTRIES: &[Option<Entry>] = &[
-    Some(
-        entry(
-            A::Frame,
-            "Frame selection",
-            "Fit the selection into the view, or everything if nothing is selected.",
-        )
-        .synonyms(&["zoom to selection", "focus"]),
+    also(
+        A::Frame,
+        "Frame selection",
+        "Fit the selection into the view, or everything if nothing is selected.",
+        &["zoom to selection", "focus"],
     ),
-    Some(
-        entry(A::FrameAll, "Frame all", "Fit everything into the view, from the same direction.")
-            .synonyms(&["zoom to fit", "view all"]),
+    also(
+        A::FrameAll,
+        "Frame all",
+        "Fit everything into the view, from the same direction.",
+        &["zoom to fit", "view all"],
     ),
-    Some(
-        entry(A::ZoomIn, "Zoom in", "Enlarge what is in the middle of the view.")
-            .synonyms(&["closer", "larger"]),
-    ),
-    Some(
-        entry(A::ZoomOut, "Zoom out", "Show more around the middle of the view.")
-            .synonyms(&["farther", "smaller"]),
-    ),
+    also(A::ZoomIn, "Zoom in", "Enlarge what is in the middle of the view.", &["closer", "larger"]),
+    also(A::ZoomOut, "Zoom out", "Show more around the middle of the view.", &["farther", "smaller"]),
     Some(entry(A::ResetView, "Reset view", "Restore the initial view.")),
     Some(entry(A::LookFrom(Side::Front), "Front view", "Look from the front, along an axis.")),
     Some(entry(A::LookFrom(Side::Back), "Back view", "Look from the back, along an axis.")),
@@ -43,105 +51,102 @@ pub(super) static ENTRIES: &[Option<Entry>] = &[
     Some(entry(A::LookFrom(Side::Left), "Left view", "Look from the left, along an axis.")),
     Some(entry(A::LookFrom(Side::Top), "Top view", "Look from above, along an axis.")),
     Some(entry(A::LookFrom(Side::Bottom), "Bottom view", "Look from below, along an axis.")),
-    Some(
-        entry(
-            A::AlignView,
-            "Align view to selection",
-            "Look straight at the selected faces, or at the faces around the selection.",
-        )
-        .synonyms(&["align view to active", "look at", "normal to", "face view"]),
+    also(
+        A::AlignView,
+        "Align view to selection",
+        "Look straight at the selected faces, or at the faces around the selection.",
+        &["align view to active", "look at", "normal to", "face view"],
     ),
-    Some(
-        entry(A::UpAxis(UpAxis::Y), "Y up", "Show the scene with y pointing upwards. Coordinates stay.")
-            .synonyms(&["orientation", "vertical"]),
+    also(
+        A::UpAxis(UpAxis::Y),
+        "Y up",
+        "Show the scene with y pointing upwards. Coordinates stay.",
+        &["orientation", "vertical"],
     ),
-    Some(
-        entry(
-            A::UpAxis(UpAxis::Z),
-            "Z up",
-            "Show the scene with z pointing upwards, as in Blender and CAD programs. Coordinates stay.",
-        )
-        .synonyms(&["orientation", "vertical"]),
+    also(
+        A::UpAxis(UpAxis::Z),
+        "Z up",
+        "Show the scene with z pointing upwards, as in Blender and CAD programs. Coordinates stay.",
+        &["orientation", "vertical"],
     ),
-    Some(
-        entry(A::Orthographic, "Parallel projection", "Draw without perspective.")
-            .synonyms(&["orthographic"]),
+    also(A::Orthographic, "Parallel projection", "Draw without perspective.", &["orthographic"]),
+    also(
+        A::Views(Split::One),
+        "One view",
+        "Show the active view in the whole viewport.",
+        &["maximize", "single view"],
     ),
-    Some(
-        entry(
-            A::CameraOfKeys,
-            "Camera of the keys",
-            "Move the camera as the program does whose keys are chosen.",
-        )
-        .synonyms(NAVIGATION),
+    also(
+        A::Views(Split::Two),
+        "Two views",
+        "Split the viewport into two views side by side, or show one again.",
+        SPLITS,
     ),
-    Some(
-        entry(
-            A::Camera(CameraStyle::Course),
-            "Course camera",
-            "Orbit with a drag beside the mesh, pan with the right button.",
-        )
-        .synonyms(NAVIGATION),
+    also(
+        A::Views(Split::Four),
+        "Four views",
+        "Split the viewport: from above, from the front, from the right, in perspective. Or show one view again.",
+        SPLITS,
     ),
-    Some(
-        entry(
-            A::Camera(CameraStyle::Blender),
-            "Blender camera",
-            "Orbit with the middle button, with Shift pan, with Ctrl zoom.",
-        )
-        .synonyms(NAVIGATION),
+    also(
+        A::CameraOfKeys,
+        "Camera of the keys",
+        "Move the camera as the program does whose keys are chosen.",
+        NAVIGATION,
     ),
-    Some(
-        entry(
-            A::Camera(CameraStyle::Maya),
-            "Maya camera",
-            "With Alt held, orbit with the left button, pan with the middle one, zoom with the right one.",
-        )
-        .synonyms(NAVIGATION),
+    also(
+        A::Camera(CameraStyle::Course),
+        "Course camera",
+        "Orbit with a drag beside the mesh, pan with the right button.",
+        NAVIGATION,
     ),
-    Some(
-        entry(
-            A::Camera(CameraStyle::Cad),
-            "CAD camera",
-            "Orbit about the point under the pointer with the right button, pan with the middle one.",
-        )
-        .synonyms(&["navigation", "orbit", "mouse", "solidworks", "fusion", "onshape"]),
+    also(
+        A::Camera(CameraStyle::Blender),
+        "Blender camera",
+        "Orbit with the middle button, with Shift pan, with Ctrl zoom.",
+        NAVIGATION,
     ),
-    Some(
-        entry(
-            A::Camera(CameraStyle::Trackpad),
-            "Trackpad camera",
-            "Orbit with two fingers on the trackpad, with Shift pan, with Ctrl or a pinch zoom.",
-        )
-        .synonyms(&["navigation", "orbit", "touchpad", "laptop", "scroll", "emulate 3 button mouse"]),
+    also(
+        A::Camera(CameraStyle::Maya),
+        "Maya camera",
+        "With Alt held, orbit with the left button, pan with the middle one, zoom with the right one.",
+        NAVIGATION,
     ),
-    Some(
-        entry(
-            A::FreeRotation,
-            "Free rotation",
-            "Turn the view over the poles, about its own axes, instead of keeping the up axis upright.",
-        )
-        .synonyms(&["trackball", "turntable", "roll", "tumble"]),
+    also(
+        A::Camera(CameraStyle::Cad),
+        "CAD camera",
+        "Orbit about the point under the pointer with the right button, pan with the middle one.",
+        &["navigation", "orbit", "mouse", "solidworks", "fusion", "onshape"],
     ),
-    Some(
-        entry(A::OrbitAbout(OrbitAbout::View), "Orbit about the middle", "Turn the view about its middle.")
-            .synonyms(&["center of the view", "pivot"]),
+    also(
+        A::Camera(CameraStyle::Trackpad),
+        "Trackpad camera",
+        "Orbit with two fingers on the trackpad, with Shift pan, with Ctrl or a pinch zoom.",
+        &["navigation", "orbit", "touchpad", "laptop", "scroll", "emulate 3 button mouse"],
     ),
-    Some(
-        entry(
-            A::OrbitAbout(OrbitAbout::Selection),
-            "Orbit about the selection",
-            "Turn the view about the middle of the selection, or of the view if nothing is selected.",
-        )
-        .synonyms(&["orbit around selection", "pivot"]),
+    also(
+        A::FreeRotation,
+        "Free rotation",
+        "Turn the view over the poles, about its own axes, instead of keeping the up axis upright.",
+        &["trackball", "turntable", "roll", "tumble"],
     ),
-    Some(
-        entry(
-            A::OrbitAbout(OrbitAbout::Pointer),
-            "Orbit about the pointer",
-            "Turn the view about the point of the surface where the drag begins.",
-        )
-        .synonyms(&["auto depth", "pivot"]),
+    also(
+        A::OrbitAbout(OrbitAbout::View),
+        "Orbit about the middle",
+        "Turn the view about its middle.",
+        &["center of the view", "pivot"],
+    ),
+    also(
+        A::OrbitAbout(OrbitAbout::Selection),
+        "Orbit about the selection",
+        "Turn the view about the middle of the selection, or of the view if nothing is selected.",
+        &["orbit around selection", "pivot"],
+    ),
+    also(
+        A::OrbitAbout(OrbitAbout::Pointer),
+        "Orbit about the pointer",
+        "Turn the view about the point of the surface where the drag begins.",
+        &["auto depth", "pivot"],
     ),
     None,
     Some(entry(A::Wireframe, "Wireframe", "Draw edges over faces.").synonyms(&["edges"])),
@@ -302,9 +307,11 @@ pub(super) static ENTRIES: &[Option<Entry>] = &[
         )
         .synonyms(&["look", "texture coordinates", "test grid", "distortion", "unwrap"]),
     ),
-    Some(
-        entry(A::HideBacks, "Hide backs of faces", "Leave faces out where they are seen from the back.")
-            .synonyms(&["backface culling", "cull"]),
+    also(
+        A::HideBacks,
+        "Hide backs of faces",
+        "Leave faces out where they are seen from the back.",
+        &["backface culling", "cull"],
     ),
     Some(
         entry(A::Mark(Mark::Boundary), "Boundary edges", "Mark edges with a face on one side only in green.")

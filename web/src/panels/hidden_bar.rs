@@ -17,7 +17,7 @@ pub(crate) fn show(ctx: &Context, page: &Page<'_>, out: &mut Requests) {
     if hidden == 0 || page.live.is_some() {
         return;
     }
-    let top = page.view.rect.center_top();
+    let top = page.view.area.center_top();
     // Below the hint of the box tool.
     let down = if page.view.tool == Tool::Box { 44.0 } else { 8.0 };
     let area = Area::new(Id::unique("hidden faces")).order(Order::Middle).pivot(Align2::CENTER_TOP);

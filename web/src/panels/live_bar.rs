@@ -18,13 +18,13 @@ const MIN_WIDTH_FOR_HINT_POINTS: f32 = 620.0;
 /// Shows the bar: the name of the edit, its amount, its lock, and buttons that end it.
 pub(crate) fn show(ctx: &Context, page: &Page<'_>, out: &mut Requests) {
     let Some(live) = &page.live else { return };
-    let top = page.view.free_rect().center_top();
+    let top = page.view.free_area().center_top();
     let area = Area::new(Id::unique("live edit")).order(Order::Foreground).pivot(Align2::CENTER_TOP);
-    area.fixed_pos(pos2(top.x, top.y + 8.0)).constrain_to(page.view.rect).show(ctx, |ui| {
+    area.fixed_pos(pos2(top.x, top.y + 8.0)).constrain_to(page.view.area).show(ctx, |ui| {
         Frame::popup(ui.style()).show(ui, |ui| {
             ui.horizontal_wrapped(|ui| {
                 // Beside the tools.
-                ui.set_max_width((page.view.free_rect().width() - 24.0).max(200.0));
+                ui.set_max_width((page.view.free_area().width() - 24.0).max(200.0));
                 ui.label(RichText::new(live.label()).strong());
                 amounts(ui, live, page.view.drag_speed(), out);
                 count(ui, live, out);
@@ -43,7 +43,7 @@ pub(crate) fn show(ctx: &Context, page: &Page<'_>, out: &mut Requests) {
             match &live.refused {
                 Some(reason) => ui.colored_label(ui.visuals().warn_fg_color, reason),
                 // In a narrow viewport the bar would hide what is edited.
-                None if page.view.rect.width() < MIN_WIDTH_FOR_HINT_POINTS => return,
+                None if page.view.area.width() < MIN_WIDTH_FOR_HINT_POINTS => return,
                 None => ui.label(RichText::new(hint(page, live)).small().weak()),
             };
         });

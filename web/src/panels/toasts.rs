@@ -19,7 +19,7 @@ pub(crate) fn show(ctx: &Context, page: &Page<'_>, narrow: bool, out: &mut Reque
     if page.toasts.visible().next().is_none() {
         return;
     }
-    let viewport = page.view.free_rect();
+    let viewport = page.view.free_area();
     let width = if narrow { viewport.width() - 24.0 } else { 360.0 };
     let id = Id::unique("toasts");
     // An area is placed by its size in the last frame: where that no longer holds, it is measured first.
@@ -65,7 +65,7 @@ fn toast_frame(ui: &mut Ui, page: &Page<'_>, slot: Slot, toast: &Toast, width: f
                     ui.horizontal_wrapped(|ui| links(ui, page, slot, toast, out));
                 }
                 if toast.open {
-                    let most = page.view.rect.height() * MAX_SHARE_OF_HEIGHT;
+                    let most = page.view.area.height() * MAX_SHARE_OF_HEIGHT;
                     egui::ScrollArea::vertical().max_height(most).show(ui, |ui| {
                         for line in &toast.details {
                             ui.add(egui::Label::new(RichText::new(line).small()).wrap());

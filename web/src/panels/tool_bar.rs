@@ -69,7 +69,7 @@ impl Shape {
 
 /// Draws the bars over the viewport; returns how much of its sides they cover.
 pub(crate) fn show(ui: &mut Ui, page: &Page<'_>, narrow: bool, out: &mut Requests) -> MarginF32 {
-    let area = page.view.rect;
+    let area = page.view.area;
     if area.width() < MIN_VIEWPORT.x || area.height() < MIN_VIEWPORT.y {
         return MarginF32::ZERO;
     }

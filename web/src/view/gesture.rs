@@ -2,9 +2,8 @@
 
 use editor::SelectMode;
 use egui::Pos2;
-use glam::{Vec3, vec2};
+use glam::Vec3;
 
-use super::View;
 use crate::bezier::ControlPoint;
 
 /// What a drag with the primary button beside the mesh does, in place of what it does in the preset of keys.
@@ -62,41 +61,4 @@ pub(crate) enum Gesture {
     },
     /// Cancelled with Escape, but the button is still down.
     Ended,
-}
-
-impl View {
-    /// Cancels the drag in progress; returns whether there was one.
-    pub fn cancel_gesture(&mut self) -> bool {
-        let going = !matches!(
-            self.gesture,
-            Gesture::None
-                | Gesture::Live { .. }
-                | Gesture::Orbit
-                | Gesture::Pan
-                | Gesture::Zoom
-                | Gesture::Ended
-        );
-        if going {
-            self.gesture = Gesture::Ended;
-        }
-        let was_looking = !self.regions.is_empty();
-        self.regions.clear();
-        was_looking || going
-    }
-
-    /// Takes a tool, or puts it away.
-    pub fn switch_tool(&mut self, tool: Tool) {
-        self.tool = if self.tool == tool { Tool::Orbit } else { tool };
-        self.ring.typed = 0;
-    }
-
-    /// Turns the view for a drag of so many points.
-    pub fn turn(&mut self, by: glam::Vec2) {
-        let size = self.size();
-        self.camera.turn(self.turning.rotation, self.turning.center, by, size);
-    }
-
-    pub fn local(&self, at: Pos2) -> glam::Vec2 {
-        vec2(at.x - self.rect.min.x, at.y - self.rect.min.y)
-    }
 }

@@ -1,6 +1,7 @@
 //! The viewport's state: the camera, the picture and the gesture in progress.
 
 mod gesture;
+pub(crate) mod panes;
 pub(crate) mod picture;
 pub(crate) mod ring;
 pub(crate) mod textures;
@@ -12,13 +13,12 @@ use egui::{Id, Rect, Vec2};
 use glam::Vec3;
 use halfedge::{Budget, Element, FaceId, InParts, Mesh, Touched};
 use std::collections::{HashMap, VecDeque};
-use surface::selecting::vertices;
 use surface::{FaceTree, FaceTreeBuilder};
 use viewport::{Bounds, Camera, RegionSelection, Style};
 
 use crate::bezier;
-use crate::live::place::Place;
 pub(crate) use gesture::{Gesture, Tool};
+use panes::Panes;
 use picture::Picture;
 use ring::RingTool;
 use textures::Textures;
@@ -59,12 +59,16 @@ pub(crate) fn widget_id() -> Id {
 
 /// The viewport's state.
 pub(crate) struct View {
+    /// The camera of the current view.
     pub camera: Camera,
     pub style: Style,
     pub turning: Turning,
     pub tool: Tool,
-    /// The viewport's rectangle on the page, in points.
+    /// The current view's rectangle on the page, in points.
     pub rect: Rect,
+    /// The viewport's rectangle, with all views.
+    pub area: Rect,
+    pub panes: Panes,
     /// How much of each side of the viewport lies under bars, in points.
     pub covered: MarginF32,
     pub picture: Option<Picture>,
@@ -111,6 +115,8 @@ impl View {
             turning: Turning::default(),
             tool: Tool::Orbit,
             rect: Rect::NOTHING,
+            area: Rect::NOTHING,
+            panes: Panes::default(),
             covered: MarginF32::ZERO,
             picture: gpu.map(Picture::new),
             textures: Textures::default(),
@@ -144,23 +150,36 @@ impl View {
         self.circle_radius = (self.circle_radius * factor).clamp(*least, *most);
     }
 
-    /// The viewport's size in points, as the camera expects it.
+    /// The current view's size in points, as the camera expects it.
     pub fn size(&self) -> glam::Vec2 {
         glam::vec2(self.rect.width(), self.rect.height())
     }
 
     /// The part of the viewport that no bar covers, in points.
+    pub fn free_area(&self) -> Rect {
+        self.area - self.covered
+    }
+
+    /// The part of the current view that no bar covers.
     pub fn free_rect(&self) -> Rect {
-        self.rect - self.covered
+        self.rect.intersect(self.free_area())
     }
 
     /// Sets how much of the viewport bars cover. Things are framed beside the bars, in the middle of the viewport.
     pub fn set_covered(&mut self, covered: MarginF32) {
         self.covered = covered;
+        self.in_each(Self::frame_beside_bars);
+    }
+
+    /// Makes the current view frame things beside the bars over it.
+    fn frame_beside_bars(&mut self) {
+        let free = self.free_rect();
+        let [left, top] = [free.left() - self.rect.left(), free.top() - self.rect.top()];
+        let [right, bottom] = [self.rect.right() - free.right(), self.rect.bottom() - free.bottom()];
         let share = |covered: f32, size: f32| {
             f64::from((1.0 - 2.0 * (covered + BAR_GAP_POINTS) / size.max(1.0)).max(MIN_FRAME_SHARE))
         };
-        let (across, down) = (covered.left.max(covered.right), covered.top.max(covered.bottom));
+        let (across, down) = (left.max(right), top.max(bottom));
         self.camera.frame_share =
             glam::dvec2(share(across, self.rect.width()), share(down, self.rect.height()));
     }
@@ -252,7 +271,8 @@ impl View {
         if !changes.objects.is_empty() || changes.document || !changes.bezier.is_empty() {
             let shown = editor.document().objects().iter().filter(|object| object.visible());
             let all = shown.filter_map(|object| self.bounds.get(&object.id()).copied().flatten());
-            self.camera.set_scene(all.reduce(|a, b| a.union(b)));
+            let scene = all.reduce(|a, b| a.union(b));
+            self.change_cameras(|camera| camera.set_scene(scene));
         }
         if let Some(picture) = &mut self.picture
             && (changes.selection || changes.document || !changes.objects.is_empty())
@@ -306,64 +326,6 @@ impl View {
         self.tree(object);
         let tree = self.trees.get(&object.id())?;
         region.step((object.mesh(), tree), &mut self.budget)
-    }
-
-    /// Frames everything once the viewport has a size.
-    pub fn frame_when_seen(&mut self) {
-        self.frame_due = FRAMES_UNTIL_PANELS_SETTLE;
-    }
-
-    /// Frames everything from the same direction.
-    pub fn frame_all(&mut self) {
-        match self.camera.scene() {
-            Some(scene) if self.rect.is_positive() => self.camera.frame(scene, self.aspect()),
-            _ => self.frame_due = FRAMES_UNTIL_PANELS_SETTLE,
-        }
-    }
-
-    /// Frames everything in the part of the viewport that bars and the welcome view leave free.
-    pub fn frame_start(&mut self) {
-        self.frame_all();
-        let (size, below) = (self.size(), self.covered_below);
-        let free = 1.0 - (self.covered.top + below) / size.y;
-        if below > 0.0 && free > MIN_FREE_SHARE {
-            self.camera.zoom(f64::from(free), size * 0.5, size);
-            self.camera.pan(glam::vec2(0.0, 0.5 * (self.covered.top - below)), size);
-        }
-    }
-
-    /// Frames the selection, or everything if nothing is selected.
-    pub fn frame_selection(&mut self, editor: &Editor) {
-        let selection = editor.selection();
-        let Some(mesh) = editor.mesh().filter(|_| !selection.is_empty()) else { return self.frame_all() };
-        let mut points = Vec::new();
-        for id in selection.ids() {
-            vertices(mesh, selection.kind(), id as usize, |v| points.push(mesh.position(v)));
-        }
-        if let Some(bounds) = Bounds::of(points) {
-            self.camera.frame(bounds, self.aspect());
-        }
-    }
-
-    /// Zooms by a factor, to the middle.
-    pub fn zoom_step(&mut self, factor: f64) {
-        let size = self.size();
-        self.camera.zoom(factor, size * 0.5, size);
-    }
-
-    /// Looks at the selection against its normal; returns whether it has one.
-    pub fn align(&mut self, editor: &Editor) -> bool {
-        let place = Place::of_selection(editor).filter(|place| place.normal.length_squared() > 0.0);
-        let Some(place) = place else { return false };
-        self.camera.look_along(-place.normal.as_dvec3());
-        self.camera.target = place.middle.as_dvec3();
-        true
-    }
-
-    /// Restores the initial view.
-    pub fn reset(&mut self) {
-        self.camera.orthographic = false;
-        self.camera.reset(self.aspect());
     }
 }
 

@@ -1,7 +1,7 @@
 //! The picture: keeps the renderer's buffers up to date and draws its output on the page.
 
 use editor::{Editor, Object, ObjectChange, ObjectId};
-use egui::{PaintCallbackInfo, Rect, Ui};
+use egui::{PaintCallbackInfo, Ui};
 use egui_wgpu::{Callback, CallbackResources, CallbackTrait, RenderState, ScreenDescriptor, wgpu};
 use halfedge::geometry::BitSet;
 use halfedge::{Budget, Element, FaceId, Mesh, Touched, VertexId};
@@ -196,6 +196,8 @@ fn upload(
 
 /// One frame of the viewport, drawn when egui paints.
 struct Drawing {
+    /// The number of the view among those shown.
+    view: usize,
     size: [u32; 2],
     pixels_per_point: f32,
     camera: Camera,
@@ -220,7 +222,7 @@ impl CallbackTrait for Drawing {
                 objects: &self.objects,
                 style: &self.style,
             };
-            renderer.prepare(device, queue, encoder, &frame);
+            renderer.prepare(self.view, device, queue, encoder, &frame);
         }
         Vec::new()
     }
@@ -232,42 +234,48 @@ impl CallbackTrait for Drawing {
         resources: &CallbackResources,
     ) {
         if let Some(renderer) = resources.get::<Renderer>() {
-            renderer.paint(pass);
+            renderer.paint(self.view, pass);
         }
     }
 }
 
 /// Draws the picture of the document.
-pub(crate) fn paint(ui: &Ui, rect: Rect, editor: &Editor, view: &mut View) {
+pub(crate) fn paint(ui: &Ui, editor: &Editor, view: &mut View) {
     let from_list = view.from_list.take();
     if from_list.is_some() {
         view.hovered = from_list;
     }
+    let panes = view.panes();
     let Some(picture) = &mut view.picture else {
-        ui.painter().rect_filled(rect, 0.0, ui.visuals().extreme_bg_color);
+        ui.painter().rect_filled(view.area, 0.0, ui.visuals().extreme_bg_color);
         return;
     };
     let document = editor.document();
+    picture.with(|renderer, _, _| renderer.keep_views(panes.len()));
     if picture.prepare(editor, &view.style, view.hovered, &mut view.budget) {
         ui.ctx().request_repaint();
     }
     let pixels_per_point = ui.pixels_per_point();
     let pixels = |points: f32| (points * pixels_per_point).round().max(1.0) as u32;
     let active = document.active().map(editor::Object::id);
-    let drawing = Drawing {
-        size: [pixels(rect.width()), pixels(rect.height())],
-        pixels_per_point,
-        camera: view.camera,
-        style: view.style,
-        objects: document
-            .objects()
-            .iter()
-            .map(|object| ObjectDraw {
-                id: object.id().0,
-                visible: object.visible(),
-                active: Some(object.id()) == active,
-            })
-            .collect(),
+    let draw = |object: &Object| ObjectDraw {
+        id: object.id().0,
+        visible: object.visible(),
+        active: Some(object.id()) == active,
     };
-    ui.painter().add(Callback::new_paint_callback(rect, drawing));
+    let objects: Vec<ObjectDraw> = document.objects().iter().map(draw).collect();
+    // The gaps between views.
+    ui.painter().rect_filled(view.area, 0.0, ui.visuals().window_stroke.color);
+    for (at, pane) in panes.into_iter().enumerate() {
+        let (camera, rect) = view.seen_in(pane);
+        let drawing = Drawing {
+            view: at,
+            size: [pixels(rect.width()), pixels(rect.height())],
+            pixels_per_point,
+            camera: *camera,
+            style: view.style,
+            objects: objects.clone(),
+        };
+        ui.painter().add(Callback::new_paint_callback(rect, drawing));
+    }
 }

@@ -32,6 +32,7 @@ mod slide;
 mod textures;
 mod toasts;
 mod viewport;
+mod views;
 mod welcome;
 mod whole;
 mod wording;

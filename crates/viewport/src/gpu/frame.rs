@@ -3,7 +3,8 @@
 use super::highlight::{HighlightBuffers, Layer};
 use super::object::Object;
 use super::pipelines::Marks;
-use super::renderer::{DRAW_UNIFORM_STRIDE, Renderer};
+use super::renderer::Renderer;
+use super::screen::DRAW_UNIFORM_STRIDE;
 use super::stream::Stream;
 use super::targets::Targets;
 use super::uniforms::{DrawUniform, rgba};
@@ -234,12 +235,13 @@ impl Renderer {
     pub(super) fn encode_casts(
         &self,
         encoder: &mut wgpu::CommandEncoder,
+        uniforms: &wgpu::BindGroup,
         casts: &[(&Object, DrawUniform)],
         first: usize,
     ) {
-        self.shadow.encode(encoder, &self.bind_group, |pass| {
+        self.shadow.encode(encoder, uniforms, |pass| {
             for (at, (object, _)) in casts.iter().enumerate() {
-                pass.set_bind_group(0, &self.bind_group, &[((first + at) * DRAW_UNIFORM_STRIDE) as u32]);
+                pass.set_bind_group(0, uniforms, &[((first + at) * DRAW_UNIFORM_STRIDE) as u32]);
                 for page in &object.pages {
                     if let Some(positions) = page.positions.slice() {
                         pass.set_vertex_buffer(0, positions);
@@ -260,6 +262,7 @@ impl Renderer {
     pub(super) fn encode_draws(
         &self,
         encoder: &mut wgpu::CommandEncoder,
+        uniforms: &wgpu::BindGroup,
         targets: &Targets,
         draws: &[(Draw<'_>, DrawUniform)],
     ) {
@@ -288,7 +291,7 @@ impl Renderer {
         });
         let p = &self.pipelines;
         for (at, (draw, _)) in draws.iter().enumerate() {
-            pass.set_bind_group(0, &self.bind_group, &[(at * DRAW_UNIFORM_STRIDE) as u32]);
+            pass.set_bind_group(0, uniforms, &[(at * DRAW_UNIFORM_STRIDE) as u32]);
             match draw {
                 Draw::Background => {
                     pass.set_pipeline(&p.background);

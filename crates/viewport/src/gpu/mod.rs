@@ -7,6 +7,7 @@ mod marks;
 mod object;
 mod pipelines;
 mod renderer;
+mod screen;
 mod shadow;
 mod stream;
 mod surface;

@@ -4,19 +4,17 @@ use super::frame::{Frame, FrameKey};
 use super::highlight::{Highlight, HighlightBuffers, Layer};
 use super::object::Object;
 use super::pipelines::Pipelines;
+use super::screen::{DRAW_UNIFORM_STRIDE, Screen};
 use super::shadow::{Ground, MapKey, Shadow};
 use super::surface::Surface;
 use super::targets::Targets;
 use super::textures::Textures;
-use super::uniforms::{DrawUniform, FrameUniform};
+use super::uniforms::FrameUniform;
 use crate::{Legend, Mark, Materials, Style};
 use halfedge::geometry::BitSet;
 use halfedge::{Budget, InParts, Mesh, Touched};
 use std::collections::HashMap;
 use std::sync::Arc;
-
-/// Bytes from one draw uniform to the next: a dynamic offset that every device allows.
-pub(super) const DRAW_UNIFORM_STRIDE: usize = 256;
 
 /// What changed about an object.
 #[derive(Clone, Copy, Debug)]
@@ -32,6 +30,9 @@ pub enum ObjectChange<'a> {
 /// Call [`Renderer::sync_object`] and [`Renderer::set_highlight`] when something changes; in each frame
 /// call [`Renderer::prepare`] with a command encoder, then [`Renderer::paint`] in a render pass with one
 /// sample, the target format and no depth. A frame equal to the one before isn't drawn again.
+///
+/// Several views of the same objects, each with a camera and a number of its own, share all buffers of objects: a view
+/// more costs its draws, and textures of its size.
 pub struct Renderer {
     pub(super) pipelines: Pipelines,
     pub(super) objects: HashMap<u64, Object>,
@@ -43,24 +44,18 @@ pub struct Renderer {
     pub(super) hovered: HighlightBuffers,
     pub(super) surface: Surface,
     pub(super) shadow: Shadow,
-    targets: Option<Targets>,
-    frame_buffer: wgpu::Buffer,
-    draw_buffer: wgpu::Buffer,
-    pub(super) bind_group: wgpu::BindGroup,
+    /// What each view is drawn with; none while it is being drawn.
+    screens: Vec<Option<Screen>>,
     /// Counts the changes of buffers.
     pub(super) generation: u64,
     /// Counts the changes of meshes among them.
     shapes: u64,
-    drawn: Option<FrameKey>,
 }
 
 impl Renderer {
     /// A renderer for render targets of this format.
     pub fn new(device: &wgpu::Device, target: wgpu::TextureFormat) -> Self {
         let (pipelines, of_shadow) = Pipelines::new(device, target);
-        let frame_buffer = uniform_buffer(device, "viewport frame", size_of::<FrameUniform>());
-        let draw_buffer = uniform_buffer(device, "viewport draws", DRAW_UNIFORM_STRIDE * 32);
-        let bind_group = bind(device, &pipelines, &frame_buffer, &draw_buffer);
         let surface = Surface::new(device, &pipelines.surface);
         let shadow = Shadow::new(device, &pipelines.surface, of_shadow);
         Self {
@@ -73,13 +68,9 @@ impl Renderer {
             hovered: HighlightBuffers::new(),
             surface,
             shadow,
-            targets: None,
-            frame_buffer,
-            draw_buffer,
-            bind_group,
+            screens: Vec::new(),
             generation: 0,
             shapes: 0,
-            drawn: None,
         }
     }
 
@@ -255,10 +246,16 @@ impl Renderer {
         self.objects.values().map(Object::gpu_bytes).sum::<u64>() + self.picture_bytes()
     }
 
-    /// Draws the frame into the renderer's own textures, unless they show it already; returns whether it
-    /// drew.
+    /// Frees what views are drawn with that don't exist any more: those from this number on.
+    pub fn keep_views(&mut self, count: usize) {
+        self.screens.truncate(count);
+    }
+
+    /// Draws the frame of a view into textures of its own, unless they show it already; returns whether it
+    /// drew. Views are counted from 0.
     pub fn prepare(
         &mut self,
+        view: usize,
         device: &wgpu::Device,
         queue: &wgpu::Queue,
         encoder: &mut wgpu::CommandEncoder,
@@ -273,12 +270,31 @@ impl Renderer {
             style: *frame.style,
             generation: self.generation,
         };
-        if self.drawn.as_ref() == Some(&wanted) {
-            return false;
+        if self.screens.len() <= view {
+            self.screens.resize_with(view + 1, || None);
         }
-        self.drawn = Some(wanted);
-        if self.targets.as_ref().is_none_or(|t| t.size != size) {
-            self.targets = Some(Targets::new(device, &self.pipelines.picture, size));
+        let before = self.screens.get_mut(view).and_then(Option::take);
+        let mut screen = before.unwrap_or_else(|| Screen::new(device, &self.pipelines));
+        let is_new = screen.drawn.as_ref() != Some(&wanted);
+        if is_new {
+            screen.drawn = Some(wanted);
+            self.draw(&mut screen, (device, queue, encoder), frame, size);
+        }
+        if let Some(place) = self.screens.get_mut(view) {
+            *place = Some(screen);
+        }
+        is_new
+    }
+
+    fn draw(
+        &mut self,
+        screen: &mut Screen,
+        (device, queue, encoder): (&wgpu::Device, &wgpu::Queue, &mut wgpu::CommandEncoder),
+        frame: &Frame<'_>,
+        size: [u32; 2],
+    ) {
+        if screen.targets.as_ref().is_none_or(|t| t.size != size) {
+            screen.targets = Some(Targets::new(device, &self.pipelines.picture, size));
         }
         if let Some(matcap) = frame.style.look.matcap() {
             self.surface.want(device, queue, &self.pipelines.surface, matcap);
@@ -287,16 +303,13 @@ impl Renderer {
             self.textures.prepare(device, queue, &self.pipelines.uniforms, &self.materials);
         }
         let uniform = FrameUniform::new(frame.camera, size, frame.pixels_per_point, frame.style);
-        queue.write_buffer(&self.frame_buffer, 0, bytemuck::bytes_of(&uniform));
+        queue.write_buffer(&screen.frame_buffer, 0, bytemuck::bytes_of(&uniform));
 
         let map = self.ground(frame).map(|ground| MapKey::new(ground, frame.objects, self.shapes));
         let casts_anew = map.is_some_and(|map| self.shadow.becomes(map));
         let count = self.list_draws(frame).len() + if casts_anew { frame.objects.len() } else { 0 };
         let needed = (count * DRAW_UNIFORM_STRIDE) as u64;
-        if self.draw_buffer.size() < needed {
-            self.draw_buffer = uniform_buffer(device, "viewport draws", needed.next_power_of_two() as usize);
-            self.bind_group = bind(device, &self.pipelines, &self.frame_buffer, &self.draw_buffer);
-        }
+        screen.reserve_draws(device, &self.pipelines, needed);
         let draws = self.list_draws(frame);
         let casts = if casts_anew { self.list_casts(frame) } else { Vec::new() };
         let mut uniforms = vec![0_u8; needed as usize];
@@ -307,14 +320,13 @@ impl Renderer {
                 place.copy_from_slice(bytes);
             }
         }
-        queue.write_buffer(&self.draw_buffer, 0, &uniforms);
+        queue.write_buffer(&screen.draw_buffer, 0, &uniforms);
         if casts_anew {
-            self.encode_casts(encoder, &casts, draws.len());
+            self.encode_casts(encoder, &screen.bind_group, &casts, draws.len());
         }
-        if let Some(targets) = &self.targets {
-            self.encode_draws(encoder, targets, &draws);
+        if let Some(targets) = &screen.targets {
+            self.encode_draws(encoder, &screen.bind_group, targets, &draws);
         }
-        true
     }
 
     /// The ground, if a shadow on it is drawn.
@@ -322,44 +334,13 @@ impl Renderer {
         frame.style.shadow.then(|| Ground::below(frame.camera)).flatten()
     }
 
-    /// Draws the picture in the render pass, filling its viewport.
-    pub fn paint(&self, pass: &mut wgpu::RenderPass<'_>) {
-        if let Some(targets) = &self.targets {
+    /// Draws the picture of a view in the render pass, filling its viewport.
+    pub fn paint(&self, view: usize, pass: &mut wgpu::RenderPass<'_>) {
+        let screen = self.screens.get(view).and_then(Option::as_ref);
+        if let Some(targets) = screen.and_then(|screen| screen.targets.as_ref()) {
             pass.set_pipeline(&self.pipelines.composite);
             pass.set_bind_group(0, &targets.bind_group, &[]);
             pass.draw(0..3, 0..1);
         }
     }
-}
-
-fn uniform_buffer(device: &wgpu::Device, label: &str, size: usize) -> wgpu::Buffer {
-    device.create_buffer(&wgpu::BufferDescriptor {
-        label: Some(label),
-        size: size as u64,
-        usage: wgpu::BufferUsages::UNIFORM | wgpu::BufferUsages::COPY_DST,
-        mapped_at_creation: false,
-    })
-}
-
-fn bind(
-    device: &wgpu::Device,
-    pipelines: &Pipelines,
-    frame: &wgpu::Buffer,
-    draws: &wgpu::Buffer,
-) -> wgpu::BindGroup {
-    device.create_bind_group(&wgpu::BindGroupDescriptor {
-        label: Some("viewport uniforms"),
-        layout: &pipelines.uniforms,
-        entries: &[
-            wgpu::BindGroupEntry { binding: 0, resource: frame.as_entire_binding() },
-            wgpu::BindGroupEntry {
-                binding: 1,
-                resource: wgpu::BindingResource::Buffer(wgpu::BufferBinding {
-                    buffer: draws,
-                    offset: 0,
-                    size: std::num::NonZeroU64::new(size_of::<DrawUniform>() as u64),
-                }),
-            },
-        ],
-    })
 }

@@ -139,7 +139,7 @@ impl Gpu {
             mapped_at_creation: false,
         });
         let mut encoder = self.device.create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
-        renderer.prepare(&self.device, &self.queue, &mut encoder, frame);
+        renderer.prepare(0, &self.device, &self.queue, &mut encoder, frame);
         {
             let mut pass = encoder.begin_render_pass(&wgpu::RenderPassDescriptor {
                 color_attachments: &[Some(wgpu::RenderPassColorAttachment {
@@ -150,7 +150,7 @@ impl Gpu {
                 })],
                 ..Default::default()
             });
-            renderer.paint(&mut pass);
+            renderer.paint(0, &mut pass);
         }
         encoder.copy_texture_to_buffer(
             target.as_image_copy(),

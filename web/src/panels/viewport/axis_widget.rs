@@ -9,7 +9,7 @@ use viewport::{Camera, Side};
 
 use crate::input::actions::Action;
 use crate::input::keys;
-use crate::request::Requests;
+use crate::request::{Request, Requests};
 use crate::shown::Shown;
 use crate::theme;
 use crate::view::View;
@@ -40,8 +40,15 @@ struct Ball {
     positive: bool,
 }
 
-/// Draws the widget beside what bars cover, and turns the view as it says.
+/// Draws the widget in the active view, beside what bars cover, and turns the view as it says.
 pub(super) fn show(ui: &Ui, shown: &Shown, view: &mut View, out: &mut Requests) {
+    let current = view.panes.current;
+    view.go_to(view.panes.active);
+    show_in_current(ui, shown, view, out);
+    view.go_to(current);
+}
+
+fn show_in_current(ui: &Ui, shown: &Shown, view: &mut View, out: &mut Requests) {
     let free = view.free_rect();
     if free.width() < MIN_ROOM.x || free.height() < MIN_ROOM.y || shown.welcome {
         return;
@@ -75,6 +82,7 @@ pub(super) fn show(ui: &Ui, shown: &Shown, view: &mut View, out: &mut Requests) 
     let is_by_key = |response: &Response| response.clicked() && clicked.is_none();
     let by_key = balls.iter().zip(&responses).find(|(_, response)| is_by_key(response));
     if let Some(ball) = by_pointer.or(by_key.map(|(ball, _)| ball)) {
+        out.push(Request::ActivateView(view.panes.active));
         out.act(Action::LookFrom(looked_from(&view.camera, ball.side)));
     }
 

@@ -33,6 +33,9 @@ type Pick = fn(&Mesh, &FaceTree, &Camera, Vec2, Vec2, Aim) -> Option<Picked>;
 
 impl Viewport<'_> {
     pub(super) fn gestures(&mut self, ui: &Ui, response: &Response, out: &mut Requests) {
+        if response.is_pointer_button_down_on() || response.clicked() || response.secondary_clicked() {
+            self.view.panes.active = self.view.panes.current;
+        }
         let touches = ui.input(|input| input.multi_touch());
         let pointer = response.interact_pointer_pos();
         self.view.pick_radius = if is_finger(ui) { FINGER_RADIUS } else { MOUSE_RADIUS };

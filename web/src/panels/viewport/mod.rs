@@ -9,6 +9,7 @@ mod legend;
 mod navigate;
 mod numbers;
 mod overlay;
+mod panes;
 mod pointer;
 mod regions;
 pub(crate) mod ring_cut;
@@ -29,6 +30,7 @@ use crate::request::Requests;
 use crate::session::Session;
 use crate::shown::Shown;
 use crate::theme;
+use crate::view::panes::Split;
 use crate::view::{View, picture};
 
 /// The state that the viewport reads and changes.
@@ -58,9 +60,9 @@ impl Viewport<'_> {
     /// Draws the viewport and turns gestures into requests.
     pub fn show(mut self, ui: &mut Ui, response: Response, out: &mut Requests) {
         let rect = ui.available_rect_before_wrap();
-        if self.view.rect != rect {
+        let split = if self.shown.narrow { Split::One } else { self.shown.split };
+        if self.view.lay_out(rect, split) {
             // The response is of the last frame's rectangle.
-            self.view.rect = rect;
             ui.ctx().request_repaint();
         }
         self.view.style.theme = theme::viewport(ui.visuals());
@@ -93,15 +95,21 @@ impl Viewport<'_> {
                 None => panels::elements::menu(ui, &self.page(), out),
             });
         }
-        picture::paint(ui, rect, &self.session.editor, self.view);
-        bezier_picture::paint(ui, rect, &self.session.editor, self.view, self.player);
-        gizmo::paint(ui, rect, &self.page());
-        regions::show(ui, rect, &self.page());
-        ring_cut::paint(ui, &self.page());
-        if self.shown.numbers {
-            self.numbers(ui, rect);
+        picture::paint(ui, &self.session.editor, self.view);
+        let current = self.view.panes.current;
+        for pane in self.view.panes() {
+            self.view.go_to(pane);
+            bezier_picture::paint(ui, self.view.rect, &self.session.editor, self.view, self.player);
+            gizmo::paint(ui, self.view.rect, &self.page());
+            ring_cut::paint(ui, &self.page());
         }
-        legend::paint(ui, self.view.free_rect(), &self.page());
+        self.view.go_to(current);
+        regions::show(ui, self.view.rect, &self.page());
+        if self.shown.numbers {
+            self.numbers(ui, self.view.rect);
+        }
+        panes::show(ui, &self.page(), out);
+        legend::paint(ui, self.view.free_area(), &self.page());
         overlay::paint(ui, rect, &self.page());
         axis_widget::show(ui, self.shown, self.view, out);
     }

@@ -31,7 +31,7 @@ pub(super) fn paint(ui: &mut Ui, rect: Rect, page: &Page<'_>) {
         let hint = format!("To bring it back, {undo}. You can also open a file or create a shape.");
         say_in_middle(ui, rect, "Nothing is left of the model", &hint);
     }
-    let free = page.view.free_rect();
+    let free = page.view.free_area();
     if page.shown.overlay {
         info(ui, free, page);
     }

@@ -66,9 +66,9 @@ pub(crate) fn show(ctx: &Context, page: &Page<'_>, own: &mut Welcome, out: &mut 
         own.covers = 0.0;
         return;
     }
-    let viewport = page.view.rect;
+    let viewport = page.view.area;
     // Beside the tools.
-    let beside = page.view.free_rect();
+    let beside = page.view.free_area();
     let is_grid = beside.width() >= MIN_WIDTH_OF_GRID && viewport.height() >= MIN_HEIGHT_OF_GRID;
     let distance = if is_grid { DISTANCE } else { GAP };
     let width = (beside.width() - 2.0 * distance).min(MAX_WIDTH);
