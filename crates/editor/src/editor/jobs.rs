@@ -7,7 +7,7 @@ use crate::document::{Object, ObjectId};
 use crate::error::{CommandError, DECODE, EXPORT, OPEN, Problem};
 use crate::history::Change;
 use crate::job::{JobId, JobRequest, JobResult, Made, Work};
-use crate::ops::{Action, Command, NamedMesh, Op};
+use crate::ops::{Action, Command, NamedMesh, Op, Symmetry};
 use crate::outcome::Outcome;
 use crate::recovery::Event;
 use crate::selection::Selection;
@@ -164,7 +164,7 @@ impl Editor {
             Planned::Select { .. } => (Vec::new(), Vec::new(), 0),
         };
         let inputs = self.inputs(&objects);
-        let cost = Self::work(&ops, &inputs);
+        let cost = Self::work(&ops, symmetry, &inputs);
         let first = ops.first().cloned();
         match first {
             Some(op) if cost >= faces => {
@@ -184,20 +184,25 @@ impl Editor {
     /// command would be refused. Costs O(mesh) at most.
     pub fn cost(&self, command: &Command) -> Option<usize> {
         match self.plan(command.clone()).ok()? {
-            Planned::Whole { op, objects, .. } => Some(Self::work(&[op], &self.inputs(&objects))),
-            Planned::Local { object, ops, .. } => Some(Self::work(&ops, &self.inputs(&[object]))),
+            Planned::Whole { op, objects, .. } => {
+                Some(Self::work(&[op], Symmetry::None, &self.inputs(&objects)))
+            }
+            Planned::Local { object, ops, symmetry, .. } => {
+                Some(Self::work(&ops, symmetry, &self.inputs(&[object])))
+            }
             Planned::Document { .. } | Planned::Select { .. } => Some(0),
         }
     }
 
-    /// The work of operations, in faces read or created.
-    fn work(ops: &[Op], inputs: &[NamedMesh]) -> usize {
+    /// The work of operations, in faces read or created. With symmetry their mirror images are as much again.
+    fn work(ops: &[Op], symmetry: Symmetry, inputs: &[NamedMesh]) -> usize {
         let each = ops.iter().map(|op| match op.action() {
             Action::WholeMesh(whole) => whole.cost(inputs),
             Action::Local(edit) => inputs.first().map_or(0, |input| edit.cost(&input.mesh)),
             Action::Document(_) | Action::Select(_) => 0,
         });
-        each.fold(0, usize::saturating_add)
+        let sides = if symmetry.axis().is_some() { 2 } else { 1 };
+        each.fold(0, usize::saturating_add).saturating_mul(sides)
     }
 
     /// Whether the command would run at once, so that it can be previewed at every change of its fields.
@@ -217,7 +222,7 @@ impl Editor {
 
     /// Whether operations on these objects run at once.
     pub(super) fn is_small(&self, ops: &[Op], objects: &[ObjectId]) -> bool {
-        Self::work(ops, &self.inputs(objects)) < MAX_FACES_AT_ONCE
+        Self::work(ops, Symmetry::None, &self.inputs(objects)) < MAX_FACES_AT_ONCE
     }
 
     /// A job that reads files; [`Editor::finish`] replaces the document by what it read.
