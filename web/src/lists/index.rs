@@ -223,7 +223,7 @@ impl RowIndex {
     }
 }
 
-#[cfg(test)]
+#[cfg(all(test, not(target_arch = "wasm32")))]
 mod tests {
     use super::*;
     use halfedge::edit::{Connect, split_edge};
