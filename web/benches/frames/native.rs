@@ -1,8 +1,4 @@
-//! How long the page's frames take with a million triangles: the longest frame of each action, and all of them together.
-//!
-//! `cargo xtask bench -p meshwright-web --bench frames` prints the figures of `BENCHMARKS.md`; words after `--` choose groups
-//! of actions by a part of their names. Times are processor time of the page's thread without the graphics device, which draws in
-//! software here; jobs, which run in the worker on the page, are left out.
+//! The benchmark itself, which needs a host.
 
 use std::cell::RefCell;
 use std::fmt::Write as _;
@@ -272,7 +268,7 @@ fn waves() -> String {
     text
 }
 
-fn main() {
+pub fn run() {
     let chosen = std::env::args().skip(1).filter(|arg| !arg.starts_with('-')).collect();
     let mut page = Page::new(chosen);
     println!("| {:<52} | {:>9} | {:>8} | {:>4} |", "action", "longest", "total", "n");
