@@ -78,7 +78,7 @@ const CUBE = [
   { key: "Shift+I", kind: "face", ids: [0, 1], by: [16, 0], faces: 14, label: "Inset faces" },
   { key: "b", kind: "edge", ids: [0], by: [14, 0], faces: 7, vertices: 10, label: "Bevel edges" },
   { key: "b", kind: "vertex", ids: [0], by: [14, 0], faces: 7, vertices: 10, label: "Bevel vertices" },
-  { key: "g", kind: "vertex", ids: [7], by: [30, -30], faces: 6, vertices: 8, label: "Transform" },
+  { key: "g", kind: "vertex", ids: [7], by: [30, -30], faces: 6, vertices: 8, label: "Move" },
   { key: "Shift+S", kind: "edge", ids: [0], by: [30, 0], vertices: 9, label: "Split edge" },
 ];
 

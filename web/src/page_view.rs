@@ -123,7 +123,7 @@ impl Page<'_> {
             Action::Overlay => self.shown.overlay,
             Action::Numbers => self.shown.numbers,
             Action::AddToSelection => self.shown.adds,
-            Action::Arrange(arrangement) => self.shown.arrangement == arrangement,
+            Action::Arrange(arrangement) => self.shown.is_arranged && self.shown.arrangement == arrangement,
             Action::InterfaceScale(percent) => self.shown.scale_percent == percent,
             Action::LeftPanel => self.shown.left,
             Action::RightPanel => self.shown.right,

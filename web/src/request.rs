@@ -67,6 +67,8 @@ pub(crate) enum Request {
     SetLiveAmount(Vec3),
     /// Commit or cancel the edit that follows the pointer.
     EndLive { commit: bool },
+    /// End the edit that follows the pointer as Escape and a right-click do.
+    AbandonLive,
     /// Show an operation's form.
     OpenForm(OpId),
     /// Show the list of operations again.

@@ -46,6 +46,8 @@ pub(crate) struct Shown {
     pub low: bool,
     /// Whether controls are for fingers: on a telephone, or once a finger touched the page.
     pub touch: bool,
+    /// Whether the user chose how the page is arranged.
+    pub is_arranged: bool,
     /// How the page is arranged.
     pub arrangement: Arrangement,
     /// How the viewport is split where there is room.
@@ -76,6 +78,7 @@ impl Default for Shown {
             narrow: false,
             low: false,
             touch: false,
+            is_arranged: false,
             arrangement: Arrangement::default(),
             split: Split::default(),
             scale_percent: 100,

@@ -9,7 +9,7 @@ use egui::{
 pub const NARROW: f32 = 720.0;
 
 /// Below this height, in points, the list of steps has to be opened: it would leave too little for the rest.
-pub const LOW: f32 = 630.0;
+pub const LOW: f32 = 900.0;
 
 /// The least width of the page, in points: the interface is scaled up no further.
 pub const MIN_PAGE_WIDTH: f32 = 380.0;

@@ -103,11 +103,11 @@ fn a_drag_is_one_step_and_leaves_no_trace_when_cancelled() {
         other.history_bytes()
     };
     editor.commit_edit();
-    assert_eq!(editor.undo_labels().collect::<Vec<_>>(), ["Transform"]);
+    assert_eq!(editor.undo_labels().collect::<Vec<_>>(), ["Move"]);
     assert_eq!(editor.history_bytes(), one, "a drag costs what one edit does");
-    assert_eq!(editor.undo().expect("free").as_deref(), Some("Transform"));
+    assert_eq!(editor.undo().expect("free").as_deref(), Some("Move"));
     assert_eq!(editor.document(), &before);
-    assert_eq!(editor.redo().expect("free").as_deref(), Some("Transform"));
+    assert_eq!(editor.redo().expect("free").as_deref(), Some("Move"));
     assert_eq!(position(&editor, 7), [101.0, 1.0, 1.0]);
     assert_eq!(editor.commit_edit(), None);
     assert_eq!(editor.cancel_edit(), None);

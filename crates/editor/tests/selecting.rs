@@ -111,5 +111,5 @@ fn selecting_ends_an_ongoing_edit() {
     editor.update_edit(command(moved)).expect("a move");
     editor.select_by(SelectBy::Grow).expect("one");
     assert!(!editor.is_editing());
-    assert_eq!(editor.undo_labels().last(), Some("Transform"));
+    assert_eq!(editor.undo_labels().last(), Some("Move"));
 }

@@ -69,17 +69,15 @@ impl App {
             Action::History => self.shown.toggle_history(),
             Action::Cancel => self.cancel(),
             Action::SelectAll => {
-                self.session.end_live(true);
-                self.end_preview();
+                self.panels.end_edits(&mut self.session);
                 self.session.editor.select_all(self.shown.kind);
             }
             Action::SelectNone => {
-                self.session.end_live(true);
+                self.panels.end_edits(&mut self.session);
                 self.session.editor.deselect();
             }
             Action::SelectInverse => {
-                self.session.end_live(true);
-                self.end_preview();
+                self.panels.end_edits(&mut self.session);
                 self.session.editor.select_inverse(self.shown.kind);
             }
             Action::SelectBy(by) => self.select_further(|editor| editor.begin_select_by(by)),
@@ -339,9 +337,7 @@ impl App {
         &mut self,
         select: impl FnOnce(&mut editor::Editor) -> Result<(), editor::CommandError>,
     ) {
-        self.session.end_live(true);
-        // Ids from a preview are meaningless once the preview is removed.
-        if self.end_preview() == Some(false) {
+        if !self.panels.end_edits(&mut self.session) {
             return;
         }
         if let Err(error) = select(&mut self.session.editor) {
@@ -352,12 +348,10 @@ impl App {
     /// Shows a kind of element and converts the selection to it.
     fn show_kind(&mut self, kind: Element, touches: bool) {
         if !self.session.editor.selection().is_empty() {
-            self.session.end_live(true);
-            self.end_preview();
+            self.panels.end_edits(&mut self.session);
         }
         self.session.editor.switch_kind(kind, touches);
         self.shown.kind = kind;
-        self.shown.sheet.show_lists();
     }
 
     /// Selects the element with the next or the previous id, of the kind in the list.

@@ -7,7 +7,7 @@ use super::{App, keys};
 use crate::panels::save::FORMAT_SETTING;
 use crate::panels::welcome::WELCOME_SETTING;
 use crate::request::{Request, Waiting};
-use crate::session::form;
+use crate::session::{form, live};
 use crate::view::Tool;
 
 impl App {
@@ -27,16 +27,14 @@ impl App {
                 self.select_further(|editor| editor.select_in_stroke(kind, ids, mode, stroke));
             }
             Request::SelectRange { kind, to } => {
-                self.session.end_live(true);
-                // An id that was removed meanwhile is no error for the user.
-                let _ = self.session.editor.select_range(kind, to);
+                self.select_further(|editor| editor.select_range(kind, to).map(drop));
             }
             Request::SelectLine { kind, through, line, mode } => {
                 self.select_further(|editor| editor.select_line(kind, through, line, mode));
             }
             Request::SelectPath { kind, to } => self.select_further(|editor| editor.select_path_to(kind, to)),
             Request::Deselect => {
-                self.session.end_live(true);
+                self.panels.end_edits(&mut self.session);
                 self.session.editor.deselect();
             }
             Request::UpdateEdit(command) => {
@@ -74,6 +72,7 @@ impl App {
             Request::SetLiveCount(count) => self.session.change_live(|live, _| live.set_count(count)),
             Request::SetLiveAmount(value) => self.session.change_live(|live, _| live.set_amount(value)),
             Request::EndLive { commit } => self.session.end_live(commit),
+            Request::AbandonLive => live::abandon(&mut self.session),
             Request::CloseWelcome => self.shown.welcome = false,
             Request::WelcomeAtStart(on) => {
                 let welcome = &mut self.panels.welcome;
@@ -132,10 +131,7 @@ impl App {
 
     /// Selects elements.
     pub(super) fn select(&mut self, kind: Element, ids: impl IntoIterator<Item = u32>, mode: SelectMode) {
-        // The edit that follows the pointer refers to the selection that it began with.
-        self.session.end_live(true);
-        // Ids from a preview are meaningless once the preview is removed.
-        if self.end_preview() == Some(false) {
+        if !self.panels.end_edits(&mut self.session) {
             return;
         }
         if let Err(error) = self.session.editor.select(kind, ids, mode) {

@@ -31,11 +31,13 @@ struct Open {
     overlay: bool,
     numbers: bool,
     course_light: bool,
-    #[serde(default = "initially_open")]
+    #[serde(default = "yes")]
     history: bool,
+    #[serde(default)]
+    history_in_low: bool,
 }
 
-fn initially_open() -> bool {
+fn yes() -> bool {
     true
 }
 
@@ -43,6 +45,9 @@ fn initially_open() -> bool {
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub(super) struct Layout {
     arrangement: Arrangement,
+    /// Whether the user chose the arrangement: the first visit is not quite like any of them.
+    #[serde(default = "yes")]
+    chosen: bool,
     model: Open,
     study: Open,
     sheet: Sheet,
@@ -64,6 +69,7 @@ impl Default for Layout {
     fn default() -> Self {
         Self {
             arrangement: Arrangement::default(),
+            chosen: false,
             model: initial(Arrangement::Model),
             study: Open {
                 overlay: false,
@@ -81,7 +87,15 @@ impl Default for Layout {
 
 fn initial(arrangement: Arrangement) -> Open {
     let study = arrangement == Arrangement::Study;
-    Open { left: study, right: true, overlay: study, numbers: study, course_light: study, history: true }
+    Open {
+        left: study,
+        right: true,
+        overlay: study,
+        numbers: study,
+        course_light: study,
+        history: true,
+        history_in_low: false,
+    }
 }
 
 impl Layout {
@@ -150,8 +164,7 @@ impl App {
         if self.shown.arrangement == arrangement {
             *self.layout.open(arrangement) = initial(arrangement);
         }
-        self.shown.arrangement = arrangement;
-        self.layout.arrangement = arrangement;
+        (self.layout.arrangement, self.layout.chosen) = (arrangement, true);
         self.apply_layout();
         store(&self.layout, &mut *self.session.platform);
     }
@@ -162,7 +175,9 @@ impl App {
         let open = *self.layout.open(arrangement);
         let shown = &mut self.shown;
         (shown.arrangement, shown.sheet, shown.split) = (arrangement, self.layout.sheet, self.layout.split);
+        shown.is_arranged = self.layout.chosen;
         (shown.left, shown.right, shown.history) = (open.left, open.right, open.history);
+        shown.history_in_low = open.history_in_low;
         (shown.overlay, shown.numbers) = (open.overlay, open.numbers);
         let look = &mut self.view.style.look;
         if open.course_light {
@@ -174,11 +189,14 @@ impl App {
 
     /// Keeps what is open for later visits, if it has changed.
     pub(super) fn keep_layout(&mut self, widths: [f32; 2]) {
-        let Shown { arrangement, left, right, overlay, numbers, history, sheet, split, .. } = self.shown;
+        let Shown {
+            arrangement, left, right, overlay, numbers, history, history_in_low, sheet, split, ..
+        } = self.shown;
         let history_height = self.panels.history.height.unwrap_or(self.layout.history_height);
         let mut layout = Layout { arrangement, sheet, split, widths, history_height, ..self.layout };
         let course_light = self.view.textures.chosen_look(&self.view.style) == Look::Course;
-        *layout.open(arrangement) = Open { left, right, overlay, numbers, course_light, history };
+        *layout.open(arrangement) =
+            Open { left, right, overlay, numbers, course_light, history, history_in_low };
         // While a panel is being dragged, its width changes in every frame.
         let dragging = self.session.ctx.input(|input| input.pointer.any_down());
         if layout == self.layout || dragging {

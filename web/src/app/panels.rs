@@ -6,9 +6,16 @@ use crate::panels::{
 };
 use egui::{Context, ScrollArea, Ui};
 
+use crate::bezier;
 use crate::page_view::Page;
 use crate::platform::Platform;
 use crate::request::Requests;
+use crate::session::Session;
+
+/// What the list of operations keeps of the column's height, in points: its filter, a heading and some rows.
+const OPERATIONS_HEIGHT_POINTS: f32 = 272.0;
+/// In a low window, what is about the selection keeps this much.
+const MIN_INSPECTOR_HEIGHT_POINTS: f32 = 140.0;
 
 /// The state of each panel.
 pub(crate) struct Panels {
@@ -40,6 +47,14 @@ impl Panels {
         }
     }
 
+    /// Ends what refers to the selection, before that changes: the edit that follows the pointer, and a preview. Returns
+    /// whether ids still mean what they did: those of a preview's elements are meaningless once it is removed.
+    pub fn end_edits(&mut self, session: &mut Session) -> bool {
+        session.end_live(true);
+        self.forms.previews.end();
+        session.end_preview() != Some(false)
+    }
+
     /// The panel on the left: the objects, and the elements of the active one.
     pub fn left(&mut self, ui: &mut Ui, page: &Page<'_>, out: &mut Requests) {
         objects::show(ui, page, &mut self.renaming, out);
@@ -47,22 +62,37 @@ impl Panels {
     }
 
     /// The panel on the right: the selection or the document, the operations below it, and the list of steps at the bottom.
-    /// A form and the last operation's fields come first.
+    /// A form and the last operation's fields come first. However much they say, some operations stay in sight.
     pub fn right(&mut self, ui: &mut Ui, page: &Page<'_>, history_height: f32, out: &mut Requests) {
         self.history.show(ui, page, history_height, out);
-        ScrollArea::vertical().auto_shrink([false, false]).show(ui, |ui| {
+        let is_form = self.forms.is_open();
+        if is_form || bezier::active(&page.editor).is_some() {
+            ScrollArea::vertical().auto_shrink([false, false]).show(ui, |ui| {
+                ui.add_space(4.0);
+                if is_form {
+                    operations::show(ui, page, &mut self.forms, out);
+                    separator(ui);
+                }
+                inspector::show(ui, page, &mut self.inspector, out);
+                if !is_form {
+                    separator(ui);
+                    // Few of them can be carried out on a curve.
+                    operations::show(ui, page, &mut self.forms, out);
+                }
+            });
+            return;
+        }
+        let most = (ui.available_height() - OPERATIONS_HEIGHT_POINTS).max(MIN_INSPECTOR_HEIGHT_POINTS);
+        let above = ScrollArea::vertical().id_salt("selection").max_height(most).auto_shrink([false, true]);
+        above.show(ui, |ui| {
             ui.add_space(4.0);
-            if self.forms.is_open() {
-                operations::show(ui, page, &mut self.forms, out);
-                separator(ui);
-                inspector::show(ui, page, &mut self.inspector, out);
-            } else {
-                // First, so that it is in view however much there is to say about the result.
-                operations::adjust(ui, page, &mut self.forms, out);
-                inspector::show(ui, page, &mut self.inspector, out);
-                separator(ui);
-                operations::show(ui, page, &mut self.forms, out);
-            }
+            // First, so that it is in view however much there is to say about the result.
+            operations::adjust(ui, page, &mut self.forms, out);
+            inspector::show(ui, page, &mut self.inspector, out);
+        });
+        separator(ui);
+        ScrollArea::vertical().id_salt("operations").auto_shrink([false, false]).show(ui, |ui| {
+            operations::show(ui, page, &mut self.forms, out);
         });
     }
 

@@ -162,7 +162,7 @@ impl Script<'_> {
     /// An id doesn't exist, or there is no such kind.
     pub fn select(&mut self, kind: &str, ids: &[u32]) -> Result<(), String> {
         let kind = parse_kind(kind)?;
-        self.app.end_preview();
+        self.app.panels.end_edits(&mut self.app.session);
         self.app
             .session
             .editor

@@ -10,7 +10,9 @@ use crate::shown::{Sheet, Tab};
 use crate::theme;
 
 pub(crate) fn show(ui: &mut Ui, page: &Page<'_>, panels: &mut Panels, out: &mut Requests) {
-    let tall = ui.available_height() * 0.46;
+    // A form needs room for its fields between its heading and its buttons.
+    let has_form = page.shown.sheet.tab == Tab::Operations && panels.forms.is_open();
+    let tall = ui.available_height() * if has_form { 0.6 } else { 0.46 };
     let panel = Panel::bottom("sheet").resizable(false);
     let panel = if page.shown.sheet.closed { panel } else { panel.exact_size(tall) };
     panel.show(ui, |ui| {
@@ -54,7 +56,7 @@ fn sheet_tabs(ui: &mut Ui, page: &Page<'_>, out: &mut Requests) {
             node.set_label("Panels");
         });
         ui.spacing_mut().item_spacing.x = 2.0;
-        let width = (ui.available_width() - 4.0 * 2.0) / 4.0;
+        let width = ((ui.available_width() - 4.0 * 2.0) / 4.0).max(0.0);
         for (tab, label, hint) in [
             (Tab::Lists, "Elements", "Vertices, edges, half-edges and faces"),
             (Tab::Inspector, "Inspector", "The selected element"),

@@ -53,6 +53,9 @@ pub static TOOLS: &[&[ToolEntry]] = &[
     ],
 ];
 
+/// The toggles of how edits behave, beside those of the look. Symmetry has its own button there.
+pub static EDIT_TOGGLES: &[(Icon, Action)] = &[(Icon::Snap, Action::Snap), (Icon::Soft, Action::Soft)];
+
 /// The toggles at the right of the viewport's top: how the model looks.
 pub static TOGGLES: &[(Icon, Action)] = &[
     (Icon::XRay, Action::XRay),

@@ -342,6 +342,11 @@ impl Live {
         self.set_value(value);
     }
 
+    /// Sets the amount back to that with which the edit began.
+    pub fn set_to_rest(&mut self) {
+        self.set_amount(at_rest(self.drag));
+    }
+
     /// Sets the count.
     pub fn set_count(&mut self, to: u32) {
         self.count.iter_mut().for_each(|(_, count)| *count = to);

@@ -75,7 +75,13 @@ impl Live {
 
     /// Whether the wheel changes the edit instead of the view.
     pub(crate) fn takes_wheel(&self, settings: &Settings) -> bool {
-        self.count.is_some() || (self.id == OpId::Transform && settings.soft)
+        self.wheel_words(settings).is_some()
+    }
+
+    /// What the wheel changes; none where it zooms.
+    pub(crate) fn wheel_words(&self, settings: &Settings) -> Option<String> {
+        let count = self.count.map(|(field, _)| field.label());
+        count.or_else(|| (self.id == OpId::Transform && settings.soft).then(|| "Radius".to_owned()))
     }
 
     /// How many numbers can be typed.

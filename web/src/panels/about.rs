@@ -16,7 +16,7 @@ pub(crate) fn show(ctx: &Context, page: &Page<'_>, out: &mut Requests) {
         .pivot(egui::Align2::CENTER_CENTER)
         .fixed_pos(ctx.content_rect().center())
         .show(ctx, |ui| {
-            ui.set_width(320.0_f32.min(ctx.content_rect().width() - 48.0));
+            ui.set_width(320.0_f32.min(ctx.content_rect().width() - 48.0).max(0.0));
             ui.add(Label::new("A polygon mesh editor. Your files stay on this computer.").wrap());
             ui.add_space(4.0);
             Grid::new("about").num_columns(2).spacing(vec2(14.0, 4.0)).show(ui, |ui| {

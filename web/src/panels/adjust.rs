@@ -60,7 +60,7 @@ pub(crate) fn show(ui: &mut Ui, page: &Page<'_>, own: &mut Adjusting, out: &mut 
     let start = filled.clone();
     // A header doesn't wrap: with the operation's name in it, it would widen the panel.
     CollapsingHeader::new("Adjust last operation").id_salt("adjust").default_open(true).show(ui, |ui| {
-        ui.label(RichText::new(spec.label).strong());
+        ui.label(RichText::new(before.op.label()).strong());
         Grid::new(("adjust", spec.name)).num_columns(2).spacing(vec2(10.0, 6.0)).show(ui, |ui| {
             fields::rows(ui, spec, &mut filled, &facts, is_shown);
         });

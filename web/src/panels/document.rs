@@ -1,9 +1,12 @@
 //! The document's panel, shown while nothing is selected: how large the active object is, what it is made of, and
 //! whether it is closed.
 
-use editor::Object;
+use editor::ops::{Kind, SelectBoundary, SelectIsolated};
+use editor::{Object, SelectMode};
 use egui::text::{LayoutJob, TextWrapping};
-use egui::{Align2, Color32, Label, RichText, Role, Sense, TextStyle, Ui, WidgetInfo, vec2};
+use egui::{
+    Align2, Color32, CursorIcon, Label, Response, RichText, Role, Sense, TextStyle, Ui, WidgetInfo, vec2,
+};
 use halfedge::words::thousands;
 use halfedge::{Element, Mesh, Topology};
 
@@ -11,6 +14,7 @@ use crate::input::actions::Action;
 use crate::input::keys;
 use crate::lists::columns::counted;
 use crate::page_view::Page;
+use crate::request::Requests;
 use crate::theme;
 use crate::view::textures::State;
 
@@ -22,11 +26,11 @@ const MAX_IMAGES: usize = 12;
 /// Shown for a fact that is still being counted.
 const COUNTING: &str = "…";
 
-pub(crate) fn show(ui: &mut Ui, page: &Page<'_>) {
-    ui.scope(|ui| contents(ui, page));
+pub(crate) fn show(ui: &mut Ui, page: &Page<'_>, out: &mut Requests) {
+    ui.scope(|ui| contents(ui, page, out));
 }
 
-fn contents(ui: &mut Ui, page: &Page<'_>) {
+fn contents(ui: &mut Ui, page: &Page<'_>, out: &mut Requests) {
     let document = page.editor.document();
     let Some(object) = document.active() else {
         ui.label(RichText::new("Empty document").heading());
@@ -57,7 +61,7 @@ fn contents(ui: &mut Ui, page: &Page<'_>) {
     ] {
         fact(ui, name, &thousands(mesh.count(kind)), "How many the object has");
     }
-    shape(ui, page, mesh, topology);
+    shape(ui, page, mesh, topology, out);
     images(ui, page);
 }
 
@@ -120,7 +124,7 @@ fn size(ui: &mut Ui, page: &Page<'_>, object: &Object, closed: bool) {
     }
 }
 
-fn shape(ui: &mut Ui, page: &Page<'_>, mesh: &Mesh, found: Option<Topology>) {
+fn shape(ui: &mut Ui, page: &Page<'_>, mesh: &Mesh, found: Option<Topology>, out: &mut Requests) {
     heading(ui, "Topology");
     let good = theme::palette(ui.visuals()).good;
     let warn = ui.visuals().warn_fg_color;
@@ -133,12 +137,22 @@ fn shape(ui: &mut Ui, page: &Page<'_>, mesh: &Mesh, found: Option<Topology>) {
     fact_in(ui, "Watertight", text, "Whether the surface is closed, without a boundary", color);
     let number = |value: Option<usize>| value.map_or_else(|| COUNTING.to_owned(), thousands);
     let loops = number(found.map(|found| found.boundary_loops));
-    fact(ui, "Boundary loops", &loops, "The closed loops of edges that have a face on one side only");
+    let meaning = "The closed loops of edges that have a face on one side only";
+    if found.is_some_and(|found| found.boundary_loops > 0) {
+        if link(ui, "Boundary loops", &loops, &format!("{meaning}. Click to select their edges")) {
+            out.run(SelectBoundary { kind: Some(Kind::Edge), mode: SelectMode::Replace });
+        }
+    } else {
+        fact(ui, "Boundary loops", &loops, meaning);
+    }
     let components = number(found.map(|found| found.components));
     fact(ui, "Components", &components, "The pieces that no edge joins");
     let isolated = page.survey.sizes().map_or(0, |sizes| sizes.isolated_vertices);
     if isolated > 0 {
-        fact(ui, "Isolated vertices", &thousands(isolated), "Vertices without an edge");
+        let meaning = "Vertices without an edge. Click to select them";
+        if link(ui, "Isolated vertices", &thousands(isolated), meaning) {
+            out.run(SelectIsolated { mode: SelectMode::Replace });
+        }
     }
     let euler = mesh.euler_characteristic();
     fact(ui, "Euler characteristic", &euler.to_string(), "Vertices − edges + faces");
@@ -184,10 +198,27 @@ fn fact(ui: &mut Ui, name: &str, value: &str, meaning: &str) {
     fact_in(ui, name, value, meaning, None);
 }
 
-/// A name on the left and its value on the right, as one node of the accessibility tree.
+/// A fact whose value is a link to what it counts; returns whether it was clicked.
+fn link(ui: &mut Ui, name: &str, value: &str, meaning: &str) -> bool {
+    let color = Some(ui.visuals().hyperlink_color);
+    row(ui, (name, value, meaning), color, (Role::Link, Sense::click()))
+        .on_hover_cursor(CursorIcon::PointingHand)
+        .clicked()
+}
+
 fn fact_in(ui: &mut Ui, name: &str, value: &str, meaning: &str, color: Option<Color32>) {
-    let (rect, response) = ui.allocate_exact_size(vec2(ui.available_width(), ROW_HEIGHT), Sense::hover());
-    response.widget_info(|| WidgetInfo::labeled(Role::Label, true, format!("{name}: {value}")));
+    row(ui, (name, value, meaning), color, (Role::Label, Sense::hover()));
+}
+
+/// A name on the left and its value on the right, as one node of the accessibility tree.
+fn row(
+    ui: &mut Ui,
+    (name, value, meaning): (&str, &str, &str),
+    color: Option<Color32>,
+    (role, sense): (Role, Sense),
+) -> Response {
+    let (rect, response) = ui.allocate_exact_size(vec2(ui.available_width(), ROW_HEIGHT), sense);
+    response.widget_info(|| WidgetInfo::labeled(role, true, format!("{name}: {value}")));
     let painter = ui.painter();
     let (text, number) = (TextStyle::Body.resolve(ui.style()), TextStyle::Monospace.resolve(ui.style()));
     let color = color.unwrap_or(ui.visuals().text_color());
@@ -200,7 +231,7 @@ fn fact_in(ui: &mut Ui, name: &str, value: &str, meaning: &str, color: Option<Co
         text,
         ui.visuals().weak_text_color(),
     );
-    response.on_hover_text(meaning);
+    response.on_hover_text(meaning)
 }
 
 /// A number with at most four decimals.

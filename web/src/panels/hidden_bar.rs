@@ -13,11 +13,11 @@ use crate::view::Tool;
 /// Shows the note if faces of the active object are hidden.
 pub(crate) fn show(ctx: &Context, page: &Page<'_>, out: &mut Requests) {
     let hidden = page.editor.document().active().map_or(0, |object| object.hidden().len());
-    // Its place is that of the bar for an edit that follows the pointer.
-    if hidden == 0 || page.live.is_some() {
+    if hidden == 0 {
         return;
     }
-    let top = page.view.area.center_top();
+    // Beside the tools, below the kinds of elements.
+    let top = page.view.free_area().center_top();
     // Below the hint of the box tool.
     let down = if page.view.tool == Tool::Box { 44.0 } else { 8.0 };
     let area = Area::new(Id::unique("hidden faces")).order(Order::Middle).pivot(Align2::CENTER_TOP);

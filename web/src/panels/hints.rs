@@ -11,6 +11,7 @@ use surface::selecting::Line;
 use crate::input::keys;
 use crate::input::mouse::MouseAction;
 use crate::page_view::Page;
+use crate::session::live::keeps_cut;
 use crate::view::{Gesture, Tool};
 use crate::widgets::icons::Icon;
 
@@ -44,6 +45,7 @@ pub(crate) struct Hint {
 const LEFT: By = By::Mouse(Icon::MouseLeft, "Left button");
 const MIDDLE: By = By::Mouse(Icon::MouseMiddle, "Middle button");
 const RIGHT: By = By::Mouse(Icon::MouseRight, "Right button");
+const WHEEL: By = By::Mouse(Icon::MouseMiddle, "Wheel");
 const SHIFT: By = By::Key("Shift");
 const CTRL: By = By::Key("Ctrl");
 const ALT: By = By::Key("Alt");
@@ -65,9 +67,11 @@ pub(crate) fn hints(page: &Page<'_>, modifiers: Modifiers) -> Vec<Hint> {
     };
     if let Some(live) = &page.live {
         let lock = live.takes_lock().then(|| hint(By::Key("X Y Z"), "Lock to an axis"));
-        let all = [hint(LEFT, "Apply"), hint(RIGHT, "Cancel"), hint(By::Key("0-9"), "Type the amount")];
-        let more = [hint(CTRL, "Snap"), hint(SHIFT, "Fine"), hint(ESCAPE, "Cancel")];
-        return all.into_iter().chain(lock).chain(more).collect();
+        let ends = if keeps_cut(page) { "Cut in the middle" } else { "Cancel" };
+        let wheel = live.wheel_words(&page.live_settings).map(|words| hint(WHEEL, words));
+        let all = [hint(LEFT, "Apply"), hint(RIGHT, ends), hint(By::Key("0-9"), "Type the amount")];
+        let more = [hint(CTRL, "Snap"), hint(SHIFT, "Fine"), hint(ESCAPE, ends)];
+        return all.into_iter().chain(wheel).chain(lock).chain(more).collect();
     }
     match page.view.gesture {
         Gesture::Box { .. } | Gesture::Lasso { .. } => {

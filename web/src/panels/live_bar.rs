@@ -2,7 +2,7 @@
 
 use editor::OpId;
 use editor::ops::{Drag, FieldKind, Symmetry};
-use egui::{Align2, Area, Context, Frame, Id, Order, RichText, Ui, pos2};
+use egui::{Align2, Area, Context, Frame, Id, Order, Rect, RichText, Ui, pos2};
 
 use crate::input::actions::Action;
 use crate::input::keys;
@@ -10,6 +10,7 @@ use crate::live::edit::Live;
 use crate::live::lock::AXIS_NAMES;
 use crate::page_view::Page;
 use crate::request::{Request, Requests};
+use crate::session::live::keeps_cut;
 use crate::widgets::number_box::number_box;
 
 /// The width of a viewport that has room for a hint.
@@ -18,9 +19,10 @@ const MIN_WIDTH_FOR_HINT_POINTS: f32 = 620.0;
 /// Shows the bar: the name of the edit, its amount, its lock, and buttons that end it.
 pub(crate) fn show(ctx: &Context, page: &Page<'_>, out: &mut Requests) {
     let Some(live) = &page.live else { return };
-    let top = page.view.free_area().center_top();
-    let area = Area::new(Id::unique("live edit")).order(Order::Foreground).pivot(Align2::CENTER_TOP);
-    area.fixed_pos(pos2(top.x, top.y + 8.0)).constrain_to(page.view.area).show(ctx, |ui| {
+    // At the bottom, where it hides none of the model, and a thumb reaches it.
+    let bottom = page.view.free_area().center_bottom();
+    let area = Area::new(id()).order(Order::Foreground).pivot(Align2::CENTER_BOTTOM);
+    area.fixed_pos(pos2(bottom.x, bottom.y - 8.0)).constrain_to(page.view.area).show(ctx, |ui| {
         Frame::popup(ui.style()).show(ui, |ui| {
             ui.horizontal_wrapped(|ui| {
                 // Beside the tools.
@@ -36,7 +38,12 @@ pub(crate) fn show(ctx: &Context, page: &Page<'_>, out: &mut Requests) {
                 {
                     out.push(Request::EndLive { commit: true });
                 }
-                if ui.button("Cancel").on_hover_text("Cancel the edit (Escape, or a right-click)").clicked() {
+                let cancel = if keeps_cut(page) {
+                    "Undo the cut. Escape or a right-click leaves it in the middle"
+                } else {
+                    "Cancel the edit (Escape, or a right-click)"
+                };
+                if ui.button("Cancel").on_hover_text(cancel).clicked() {
                     out.push(Request::EndLive { commit: false });
                 }
             });
@@ -48,6 +55,17 @@ pub(crate) fn show(ctx: &Context, page: &Page<'_>, out: &mut Requests) {
             };
         });
     });
+}
+
+fn id() -> Id {
+    Id::unique("live edit")
+}
+
+/// The part of the viewport that neither the bars at its sides nor this one cover.
+pub(crate) fn room_above(ctx: &Context, page: &Page<'_>) -> Rect {
+    let free = page.view.free_area();
+    let bar = ctx.memory(|memory| memory.area_rect(id())).filter(|_| page.live.is_some());
+    bar.map_or(free, |bar| free.with_max_y(bar.top().clamp(free.top(), free.bottom())))
 }
 
 /// What the pointer and the keys do.

@@ -2,7 +2,7 @@
 
 use editor::{OpId, Scope};
 use egui::accesskit::HasPopup;
-use egui::{Align, Button, Layout, MenuBar, Response, RichText, Role, ScrollArea, Ui};
+use egui::{Align, Button, LayerId, Layout, MenuBar, Response, RichText, Role, ScrollArea, Ui};
 use halfedge::Element;
 
 use crate::input::actions::{self, Action, Entry};
@@ -11,7 +11,8 @@ use crate::input::keys;
 use crate::input::menus::{CRITERIA, MENUS, Menu, submenu};
 use crate::page_view::Page;
 use crate::request::Requests;
-use crate::widgets::icons::{Icon, icon_button};
+use crate::widgets::icon_button::icon_button;
+use crate::widgets::icons::Icon;
 
 /// The part of the window's height that a menu leaves free, in points.
 const MENU_MARGIN_POINTS: f32 = 64.0;
@@ -102,11 +103,26 @@ fn title(ui: &mut Ui, page: &Page<'_>) {
 
 /// A button that opens a menu.
 fn opens_menu(ui: &mut Ui, title: &str, contents: impl FnOnce(&mut Ui)) {
-    let button = ui.menu_button(title, contents);
+    let below = ui.layer_id();
+    let button = ui.menu_button(title, |ui| {
+        keep_above(ui, below);
+        contents(ui);
+    });
     ui.ctx().accesskit_node_builder(button.response.id, |node| {
         node.set_has_popup(HasPopup::Menu);
         node.set_expanded(button.inner.is_some());
     });
+}
+
+/// Puts a menu's layer above the one that its button is in. egui itself does so when the button is pressed, but not where
+/// the press brings the button's layer to the top in the same frame and the menu was below it when it was last open.
+fn keep_above(ui: &Ui, below: LayerId) {
+    let layer = ui.layer_id();
+    let lowest = ui.memory(|memory| memory.layer_ids().find(|id| [layer, below].contains(id)));
+    if lowest == Some(layer) {
+        ui.ctx().move_to_top(layer);
+        ui.ctx().request_repaint();
+    }
 }
 
 /// A menu's entries, which scroll where the window is too low for all of them.
@@ -156,7 +172,7 @@ fn menu_entries(ui: &mut Ui, page: &Page<'_>, menu: &Menu, out: &mut Requests) {
         }
         "Select" => {
             ui.separator();
-            ui.menu_button("Hide and reveal", |ui| operations(ui, page, actions::hiding(), out));
+            opens_menu(ui, "Hide and reveal", |ui| operations(ui, page, actions::hiding(), out));
         }
         "Mesh" => operation_menus(ui, page, out),
         _ => {}

@@ -7,7 +7,8 @@ use halfedge::words::counted;
 
 use crate::page_view::Page;
 use crate::request::{Request, Requests};
-use crate::widgets::icons::{Icon, icon_button};
+use crate::widgets::icon_button::icon_button;
+use crate::widgets::icons::Icon;
 
 /// What is being typed.
 #[derive(Default)]

@@ -7,7 +7,8 @@ use egui::{Button, RichText, ScrollArea, Ui, vec2};
 use crate::page_view::Page;
 use crate::request::Requests;
 use crate::widgets::controls::text_field;
-use crate::widgets::icons::{Icon, icon_button};
+use crate::widgets::icon_button::icon_button;
+use crate::widgets::icons::Icon;
 use halfedge::words::thousands;
 
 /// The object whose name is being typed.
@@ -54,7 +55,7 @@ fn object_row(ui: &mut Ui, at: usize, object: &Object, active: bool, own: &mut R
             && *row == at
         {
             let field = ui
-                .add(text_field(text).desired_width(ui.available_width() - 30.0))
+                .add(text_field(text).desired_width((ui.available_width() - 30.0).max(0.0)))
                 .accessible_name("Object name");
             if own.focus {
                 own.focus = false;

@@ -5,7 +5,7 @@ use std::collections::HashMap;
 
 use editor::ops::{Field, Fill};
 use editor::{OpId, Scope};
-use egui::{CollapsingHeader, Key, Label, RichText, TextEdit, Ui};
+use egui::{CollapsingHeader, Key, Label, RichText, Ui};
 use halfedge::Element;
 
 use crate::input::actions::{self, Action};
@@ -17,7 +17,9 @@ use crate::panels::document::selection_title;
 use crate::panels::menu_bar::explain;
 use crate::panels::palette;
 use crate::request::{Request, Requests};
-use crate::widgets::icons::{Icon, icon_button};
+use crate::widgets::controls::text_field;
+use crate::widgets::icon_button::icon_button;
+use crate::widgets::icons::Icon;
 use crate::widgets::list_row::operation_row;
 
 /// The state of the list.
@@ -136,9 +138,9 @@ impl ListState {
 fn filter(ui: &mut Ui, own: &mut ListState) -> bool {
     ui.horizontal(|ui| {
         let clear = if own.filter.is_empty() { 0.0 } else { ui.spacing().interact_size.y + 8.0 };
-        let field = TextEdit::singleline(&mut own.filter)
+        let field = text_field(&mut own.filter)
             .hint_text("Filter operations")
-            .desired_width(ui.available_width() - clear - 8.0);
+            .desired_width((ui.available_width() - clear - 8.0).max(0.0));
         let field = ui.add(field).accessible_name("Filter operations");
         let entered = field.lost_focus() && ui.input(|input| input.key_pressed(Key::Enter));
         if clear > 0.0 && icon_button(ui, Icon::Close, "Clear the filter", false).clicked() {

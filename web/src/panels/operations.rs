@@ -18,7 +18,8 @@ use crate::request::{Request, Requests};
 use crate::session::form::{self, Filled};
 use crate::theme;
 use crate::widgets::controls::primary_button;
-use crate::widgets::icons::{Icon, icon_button};
+use crate::widgets::icon_button::icon_button;
+use crate::widgets::icons::Icon;
 
 /// The field of remeshing that the keys for the target edge length change.
 pub(crate) const EDGE_LENGTH: &str = "edge_length";
@@ -153,7 +154,7 @@ fn form_end(
     }
     ui.add_space(4.0);
     if page.shown.narrow {
-        let width = (ui.available_width() - ui.spacing().item_spacing.x) / 2.0;
+        let width = ((ui.available_width() - ui.spacing().item_spacing.x) / 2.0).max(0.0);
         ui.horizontal_top(|ui| {
             let cancel = Button::new("Cancel").min_size(vec2(width, 0.0));
             // In a column as the other button is, which centres its text.

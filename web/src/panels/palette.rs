@@ -34,7 +34,7 @@ pub(crate) fn show(ctx: &Context, page: &Page<'_>, own: &mut PaletteState, out: 
         return;
     }
     let screen = ctx.content_rect();
-    let width = 480.0_f32.min(screen.width() - 32.0);
+    let width = 480.0_f32.min(screen.width() - 32.0).max(0.0);
     let id = Id::unique("palette");
     let area = Modal::default_area(id).anchor(Align2::CENTER_TOP, vec2(0.0, screen.height() * 0.12));
     let mut chosen = None;

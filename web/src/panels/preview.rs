@@ -72,6 +72,11 @@ pub(crate) fn row(
     // A ticked box over a note that there is no preview would contradict itself.
     let too_large = matches!(page.why_no_preview(), Some(WhyNot::TooLarge)) && page.preview().is_none();
     let mut on = own.on && !too_large;
+    if too_large && page.shown.narrow {
+        // The fields need the room of a box that can't be ticked.
+        ui.add(Label::new(RichText::new(TOO_LARGE).small().weak()).wrap());
+        return false;
+    }
     let response = ui.add_enabled(!too_large, Checkbox::new(&mut on, "Live preview"));
     if response.on_hover_text(hint).on_disabled_hover_text(TOO_LARGE).changed() {
         own.on = on;

@@ -112,7 +112,7 @@ pub(crate) fn show(ctx: &Context, page: &Page<'_>, own: &mut Saving, narrow: boo
     }
     let screen = ctx.content_rect();
     let margin = if narrow { 12 } else { 16 };
-    let width = 400.0_f32.min(screen.width() - 2.0 * f32::from(margin) - 16.0);
+    let width = 400.0_f32.min(screen.width() - 2.0 * f32::from(margin) - 16.0).max(0.0);
     let id = Id::unique("save");
     let area = Modal::default_area(id).anchor(Align2::CENTER_TOP, vec2(0.0, screen.height() * 0.12));
     let frame = Frame::popup(&ctx.global_style()).inner_margin(margin);
@@ -196,7 +196,7 @@ fn name_field(ui: &mut Ui, page: &Page<'_>, own: &mut Saving, narrow: bool, labe
 fn format_choice(ui: &mut Ui, page: &Page<'_>, own: &mut Saving, label: Id) {
     let combo = ComboBox::from_id_salt("format")
         .selected_text(own.format.name())
-        .width(ui.available_width() - 8.0)
+        .width((ui.available_width() - 8.0).max(0.0))
         .height(420.0);
     let combo = combo.show_ui(ui, |ui| {
         for entry in actions::formats() {

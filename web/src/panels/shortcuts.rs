@@ -10,7 +10,8 @@ use crate::input::{key_reference, keys, mouse};
 use crate::page_view::Page;
 use crate::request::{KeyChange, Request, Requests};
 use crate::widgets::controls::text_field;
-use crate::widgets::icons::{Icon, icon_button};
+use crate::widgets::icon_button::icon_button;
+use crate::widgets::icons::Icon;
 
 /// The most that the window is wide, in points.
 const MAX_WIDTH_POINTS: f32 = 640.0;
@@ -93,7 +94,7 @@ pub(crate) fn show(ctx: &Context, page: &Page<'_>, own: &mut KeyEditor, out: &mu
         .pivot(egui::Align2::CENTER_CENTER)
         .fixed_pos(screen.center())
         .show(ctx, |ui| {
-            ui.set_width(MAX_WIDTH_POINTS.min(screen.width() - 48.0));
+            ui.set_width(MAX_WIDTH_POINTS.min(screen.width() - 48.0).max(0.0));
             let map = keys::map(ctx);
             head(ui, &map, own, out);
             ui.separator();

@@ -12,7 +12,8 @@ use crate::lists::columns::plural;
 use crate::page_view::Page;
 use crate::panels::hints::{By, Hint, hints};
 use crate::request::{Request, Requests};
-use crate::widgets::icons::{Icon, icon_button};
+use crate::widgets::icon_button::icon_button;
+use crate::widgets::icons::Icon;
 use halfedge::words::thousands;
 
 /// Shorter jobs show no progress bar, which would only flash.
@@ -59,7 +60,7 @@ fn show_hints(ui: &mut Ui, page: &Page<'_>) {
     let font = TextStyle::Small.resolve(ui.style());
     let visuals = ui.visuals();
     let (strong, weak) = (visuals.text_color(), visuals.weak_text_color());
-    let (area, response) = ui.allocate_exact_size(ui.available_size(), Sense::hover());
+    let (area, response) = ui.allocate_exact_size(ui.available_size().max(Vec2::ZERO), Sense::hover());
     let painter = ui.painter().with_clip_rect(area);
     let (mut x, mut said) = (area.left(), Vec::new());
     for Hint { by, does } in hints(page, modifiers) {

@@ -7,20 +7,25 @@ use halfedge::words::counted;
 
 use crate::input::actions::{self, Action};
 use crate::page_view::Page;
+use crate::panels::live_bar;
 use crate::request::{Request, Requests};
 use crate::session::toasts::{Remedy, Slot, Toast};
 use crate::theme;
-use crate::widgets::icons::{Icon, icon_button};
+use crate::widgets::icon_button::icon_button;
+use crate::widgets::icons::Icon;
 
 /// The most that the details of a toast take of the viewport's height.
 const MAX_SHARE_OF_HEIGHT: f32 = 0.3;
+
+/// The least width of a toast, in points.
+const MIN_WIDTH_POINTS: f32 = 120.0;
 
 pub(crate) fn show(ctx: &Context, page: &Page<'_>, narrow: bool, out: &mut Requests) {
     if page.toasts.visible().next().is_none() {
         return;
     }
-    let viewport = page.view.free_area();
-    let width = if narrow { viewport.width() - 24.0 } else { 360.0 };
+    let viewport = live_bar::room_above(ctx, page);
+    let width = if narrow { (viewport.width() - 24.0).max(MIN_WIDTH_POINTS) } else { 360.0 };
     let id = Id::unique("toasts");
     // An area is placed by its size in the last frame: where that no longer holds, it is measured first.
     let contents = (page.toasts.changes(), width.to_bits());

@@ -6,11 +6,12 @@ use egui::{Direction, Frame, Layout, Rect, ScrollArea, Sense, Ui, UiBuilder, Vec
 use halfedge::Element;
 
 use crate::input::actions::{self, Action};
-use crate::input::tools::{TOGGLES, TOOLS, ToolEntry};
+use crate::input::tools::{EDIT_TOGGLES, TOGGLES, TOOLS, ToolEntry};
 use crate::page_view::Page;
 use crate::panels::menu_bar::explain;
 use crate::request::Requests;
 use crate::theme;
+use crate::transforming::Symmetry;
 use crate::widgets::icons::Icon;
 use crate::widgets::tool_button::{Label, tool_button, width_beside};
 
@@ -25,6 +26,8 @@ const GROUP_POINTS: f32 = 8.0;
 const LABELLED_TOOLS_WIDTH: f32 = 760.0;
 /// The same for the labels of the kinds of elements.
 const LABELLED_KINDS_WIDTH: f32 = 480.0;
+/// The width of a switch at the top, in points; fingers get squares.
+const TOGGLE_WIDTH_POINTS: f32 = 29.0;
 /// In a smaller viewport, in points, there are no bars.
 const MIN_VIEWPORT: Vec2 = vec2(120.0, 120.0);
 
@@ -95,13 +98,21 @@ pub(crate) fn show(ui: &mut Ui, page: &Page<'_>, narrow: bool, out: &mut Request
     let kinds = Rect::from_min_max(pos2(kinds_left, inner.top()), pos2(right, inner.bottom()));
     let kinds =
         plate(ui, "kinds", kinds, Direction::LeftToRight, |ui| kind_buttons(ui, page, kind_shape, out));
-    let side = kind_shape.size.y;
-    let toggles = pos2(inner.right() - side * TOGGLES.len() as f32 - 2.0 * PADDING_POINTS, inner.top());
-    if !narrow && toggles.x > kinds.right() + GAP_POINTS {
-        let area = Rect::from_min_max(toggles, inner.right_bottom());
-        plate(ui, "toggles", area, Direction::LeftToRight, |ui| toggle_buttons(ui, page, side, out));
+    let room = Rect::from_min_max(pos2(kinds.right() + GAP_POINTS, inner.top()), inner.right_bottom());
+    let mut bottom = kinds.bottom();
+    if narrow {
+        // Only what is on, below the kinds of elements: there is room for no more.
+        let on: Vec<Toggle> = edit_toggles(page).into_iter().filter(|toggle| toggle.on).collect();
+        if !on.is_empty() {
+            let below = Rect::from_min_max(pos2(kinds.left(), bottom + GAP_POINTS), room.right_bottom());
+            let size = Vec2::splat(theme::TOUCH_TARGET);
+            bottom = plate(ui, "toggles", below, Direction::LeftToRight, |ui| buttons_of(ui, &on, size, out))
+                .bottom();
+        }
+    } else {
+        toggles(ui, page, room, kind_shape.size.y, out);
     }
-    let covered = MarginF32 { top: kinds.bottom() - area.top(), ..MarginF32::ZERO };
+    let covered = MarginF32 { top: bottom - area.top(), ..MarginF32::ZERO };
     if narrow {
         MarginF32 { right: area.right() - tools.left(), ..covered }
     } else {
@@ -165,15 +176,69 @@ fn is_tapped(ui: &Ui, rect: Rect) -> bool {
     })
 }
 
-/// Switches for how the model looks.
-fn toggle_buttons(ui: &mut Ui, page: &Page<'_>, side: f32, out: &mut Requests) {
-    for (icon, action) in TOGGLES {
-        let entry = actions::describe(*action);
-        let on = page.is_on(*action).unwrap_or(false);
-        let shape = ("", Label::Hidden);
-        let button = tool_button(ui, *icon, shape, entry.label, on, Vec2::splat(side));
-        if explain(button, ui, &entry, None).clicked() {
-            out.act(*action);
+/// A switch at the top of the viewport.
+struct Toggle {
+    icon: Icon,
+    /// Its name in the accessibility tree.
+    name: &'static str,
+    on: bool,
+    /// What a click does.
+    action: Action,
+    /// What its tooltip describes.
+    described: Action,
+}
+
+impl Toggle {
+    fn new(page: &Page<'_>, icon: Icon, action: Action) -> Self {
+        let on = page.is_on(action).unwrap_or(false);
+        Self { icon, name: actions::describe(action).label, on, action, described: action }
+    }
+}
+
+/// The switches for how edits behave.
+fn edit_toggles(page: &Page<'_>) -> Vec<Toggle> {
+    let mut toggles: Vec<Toggle> =
+        EDIT_TOGGLES.iter().map(|(icon, action)| Toggle::new(page, *icon, *action)).collect();
+    let symmetry = page.live_settings.symmetry;
+    let on = symmetry != Symmetry::None;
+    toggles.push(Toggle {
+        icon: Icon::Symmetry,
+        name: "Mirror edits",
+        on,
+        action: Action::Mirror(if on { Symmetry::None } else { Symmetry::X }),
+        described: Action::Mirror(if on { symmetry } else { Symmetry::X }),
+    });
+    toggles
+}
+
+/// The switches for how edits behave and for how the model looks, at the right of an area. Where there is no room for all,
+/// those that are off give way first.
+fn toggles(ui: &mut Ui, page: &Page<'_>, room: Rect, side: f32, out: &mut Requests) {
+    let looks = || TOGGLES.iter().map(|(icon, action)| Toggle::new(page, *icon, *action));
+    let edits = || edit_toggles(page).into_iter();
+    let width = if page.shown.touch { side } else { TOGGLE_WIDTH_POINTS };
+    let ways: [Vec<Toggle>; 3] = [
+        edits().chain(looks()).collect(),
+        edits().filter(|toggle| toggle.on).chain(looks()).collect(),
+        edits().filter(|toggle| toggle.on).collect(),
+    ];
+    for shown in ways {
+        let left = room.right() - width * shown.len() as f32 - 2.0 * PADDING_POINTS;
+        if left >= room.left() && !shown.is_empty() {
+            let size = vec2(width, side);
+            plate(ui, "toggles", room.with_min_x(left), Direction::LeftToRight, |ui| {
+                buttons_of(ui, &shown, size, out);
+            });
+            return;
+        }
+    }
+}
+
+fn buttons_of(ui: &mut Ui, toggles: &[Toggle], size: Vec2, out: &mut Requests) {
+    for toggle in toggles {
+        let button = tool_button(ui, toggle.icon, ("", Label::Hidden), toggle.name, toggle.on, size);
+        if explain(button, ui, &actions::describe(toggle.described), None).clicked() {
+            out.act(toggle.action);
         }
     }
 }

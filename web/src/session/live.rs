@@ -8,6 +8,8 @@ use egui::{Context, Modifiers, Pos2};
 use glam::Vec3;
 use halfedge::Element;
 
+use crate::input::key_preset::KeyPreset;
+use crate::input::keys;
 use crate::live::edit::{Live, Snap, Start};
 use crate::live::keys::Ending;
 use crate::live::place::{self, Place};
@@ -114,8 +116,10 @@ impl Session {
             live.update(&self.live_settings, view, Snap::default());
             self.show_live();
         }
-        if let Some(ending) = ending {
-            self.end_live(ending == Ending::Apply);
+        match ending {
+            Some(Ending::Apply) => self.end_live(true),
+            Some(Ending::Cancel) => abandon(self),
+            None => {}
         }
         self.live.is_some()
     }
@@ -148,6 +152,21 @@ impl Session {
             self.show_live();
         }
     }
+}
+
+/// Ends the live edit as Escape and a right-click do: without a trace, except that a loop cut may stay.
+pub(crate) fn abandon(session: &mut Session) {
+    let stays = keeps_cut(session);
+    if stays {
+        session.change_live(|live, _| live.set_to_rest());
+    }
+    session.end_live(stays);
+}
+
+/// Whether Escape and a right-click end only the slide of a loop cut and leave the cut in the middle, as in Blender.
+pub(crate) fn keeps_cut(session: &Session) -> bool {
+    let is_cut = session.live.as_ref().is_some_and(|live| live.id == OpId::LoopCut);
+    is_cut && keys::map(&session.ctx).preset() == KeyPreset::Blender
 }
 
 /// Switches soft selection; an edit in progress shows it at once.

@@ -55,18 +55,21 @@ impl Session {
 
     /// Carries out a command, or starts its job.
     pub fn begin(&mut self, command: Command, reply: Option<Reply>) {
-        let (label, is_new) = (command.op.spec().label, command.op.id() == OpId::New);
+        let (label, id) = (command.op.label(), command.op.id());
         let (scope, revision) = (command.op.spec().scope, self.editor.revision());
         match self.editor.begin(command) {
             Ok(Begun::Done(outcome)) => {
-                if is_new {
+                if id == OpId::New {
                     self.look_at_new();
                 }
                 if scope == Scope::Selection && self.editor.revision() == revision {
                     selecting::say_if_nothing_found(self, &outcome);
                 }
                 // A key pressed by mistake must not change a whole mesh unnoticed.
-                let says = self.by_key && scope == Scope::Meshes && self.editor.revision() != revision;
+                // What it does may be out of sight, as the holes at the back are.
+                let is_hidden = id == OpId::FillHole && reply.is_none();
+                let says = (is_hidden || self.by_key && scope == Scope::Meshes)
+                    && self.editor.revision() != revision;
                 if !outcome.warnings.is_empty() {
                     self.warn(outcome.message.clone(), outcome.warnings.clone());
                 } else if says {
@@ -232,7 +235,7 @@ impl Session {
     /// Runs the last operation again with other fields.
     pub fn adjust(&mut self, command: Command) {
         let started = self.platform.now();
-        let label = command.op.spec().label;
+        let label = command.op.label();
         match self.editor.adjust(command) {
             Ok(Begun::Done(outcome)) => {
                 self.adjusting_is_slow = self.platform.now() - started > MAX_SECONDS_PER_STEP;
@@ -276,6 +279,9 @@ impl Session {
         let names: Vec<&str> = files.iter().map(|file| file.name.as_str()).collect();
         let text = format!("Saved {}", names.join(" and "));
         let mut details = Vec::new();
+        if let Some((stem, _)) = files.first().and_then(|file| file.name.rsplit_once('.')) {
+            self.editor.rename_document(stem);
+        }
         match revision {
             Some(revision) => self.editor.mark_saved(revision),
             None => details.push(

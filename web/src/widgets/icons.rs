@@ -1,6 +1,6 @@
 //! The editor's icons, as lines on a grid of 16 by 16.
 
-use egui::{Color32, Painter, Pos2, Rect, Response, Role, Sense, Shape, Stroke, Ui, Vec2, WidgetInfo, pos2};
+use egui::{Color32, Painter, Pos2, Rect, Shape, Stroke, Vec2, pos2};
 
 /// One of the editor's icons.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -21,6 +21,12 @@ pub enum Icon {
     Smooth,
     /// The letter i in a circle.
     Info,
+    /// A magnet.
+    Snap,
+    /// A bell.
+    Soft,
+    /// A triangle on either side of a mirror.
+    Symmetry,
     /// A magnifying glass.
     Search,
     /// An open eye.
@@ -238,6 +244,24 @@ impl Icon {
                 &[(5.7, 13.5), (3.8, 12.2), (2.5, 10.3)],
                 &[(2.0, 8.0), (2.5, 5.7), (3.8, 3.8), (5.7, 2.5)],
             ],
+            Self::Snap => &[
+                &[(3.0, 2.0), (3.0, 8.0), (4.5, 11.7), (8.0, 13.5), (11.5, 11.7), (13.0, 8.0), (13.0, 2.0)],
+                &[(6.0, 2.0), (6.0, 8.0), (6.6, 9.6), (8.0, 10.4), (9.4, 9.6), (10.0, 8.0), (10.0, 2.0)],
+                &[(3.0, 2.0), (6.0, 2.0)],
+                &[(10.0, 2.0), (13.0, 2.0)],
+                &[(3.0, 5.0), (6.0, 5.0)],
+                &[(10.0, 5.0), (13.0, 5.0)],
+            ],
+            Self::Soft => {
+                &[&[(1.0, 13.0), (4.8, 11.0), (6.4, 5.4), (8.0, 3.4), (9.6, 5.4), (11.2, 11.0), (15.0, 13.0)]]
+            }
+            Self::Symmetry => &[
+                &[(8.0, 1.5), (8.0, 4.0)],
+                &[(8.0, 6.7), (8.0, 9.3)],
+                &[(8.0, 12.0), (8.0, 14.5)],
+                &[(5.6, 3.5), (5.6, 12.5), (1.5, 12.5), (5.6, 3.5)],
+                &[(10.4, 3.5), (10.4, 12.5), (14.5, 12.5), (10.4, 3.5)],
+            ],
             Self::XRay => &[
                 &[(2.0, 2.0), (10.0, 2.0), (10.0, 10.0), (2.0, 10.0), (2.0, 2.0)],
                 &[(6.0, 6.0), (14.0, 6.0), (14.0, 14.0), (6.0, 14.0), (6.0, 6.0)],
@@ -370,31 +394,4 @@ impl Icon {
             painter.circle_stroke(at(&(x, y)), radius * scale, stroke);
         }
     }
-}
-
-/// A square button with an icon. `name` is its name in the accessibility tree.
-pub fn icon_button(ui: &mut Ui, icon: Icon, name: &str, selected: bool) -> Response {
-    let side = ui.spacing().interact_size.y.max(26.0);
-    let (rect, response) = ui.allocate_exact_size(Vec2::splat(side), Sense::click());
-    response.widget_info(|| {
-        if selected {
-            WidgetInfo::selected(Role::Button, ui.is_enabled(), true, name)
-        } else {
-            WidgetInfo::labeled(Role::Button, ui.is_enabled(), name)
-        }
-    });
-    if ui.is_rect_visible(rect) {
-        let visuals = ui.style().interact_selectable(&response, selected);
-        if selected || response.hovered() || response.has_focus() {
-            ui.painter().rect(
-                rect,
-                visuals.corner_radius,
-                visuals.weak_bg_fill,
-                visuals.bg_stroke,
-                egui::StrokeKind::Inside,
-            );
-        }
-        icon.paint(ui.painter(), rect, visuals.text_color());
-    }
-    response
 }

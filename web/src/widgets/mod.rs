@@ -3,6 +3,7 @@
 pub(crate) mod color_button;
 pub(crate) mod controls;
 pub(crate) mod focus_ring;
+pub(crate) mod icon_button;
 pub(crate) mod icons;
 pub(crate) mod list_row;
 pub(crate) mod number_box;

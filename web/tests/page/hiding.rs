@@ -80,6 +80,7 @@ fn h_hides_alt_h_reveals_and_slash_isolates() {
     assert_eq!(hidden(&mut page), 5);
     page.press(Key::Slash);
     assert_eq!(hidden(&mut page), 0, "again reveals");
+    assert_eq!(page.undo_labels().last().map(String::as_str), Some("Leave isolation"));
     page.press(Key::Slash);
     page.press(Key::Escape);
     page.press(Key::Slash);
@@ -96,6 +97,22 @@ fn h_hides_alt_h_reveals_and_slash_isolates() {
     reveals[1].click();
     page.run();
     assert_eq!(hidden(&mut page), 0);
+}
+
+#[test]
+fn the_note_on_hidden_faces_lies_over_no_bar() {
+    for size in [DESKTOP, PHONE] {
+        let mut page = Page::sized(size);
+        page.command(json!({"op": "hide", "faces": [0]}));
+        let note = page.harness.get_by_role_and_label(Role::Button, "Reveal").rect();
+        let words = page.find("1 face hidden").rect();
+        for button in
+            ["Vertex mode", "Edge mode", "Half-edge mode", "Face mode", "Tool: Select", "Tool: Move"]
+        {
+            let rect = page.find(button).rect();
+            assert!(!rect.intersects(note.union(words)), "{button}: {rect} and {note}");
+        }
+    }
 }
 
 #[test]

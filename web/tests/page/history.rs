@@ -3,10 +3,13 @@
 use crate::looks::picture;
 use crate::page::{DESKTOP, PHONE, Page};
 use egui::accesskit::Role;
-use egui::{Key, Modifiers, Theme};
+use egui::{Key, Modifiers, Theme, Vec2, vec2};
 use egui_kittest::kittest::{NodeT, Queryable};
 use halfedge::{Element, Mesh};
 use serde_json::json;
+
+/// A window in which the list is open at first.
+const TALL: Vec2 = vec2(1280.0, 1000.0);
 
 /// Five edits on the cube; returns the mesh after each, the cube first.
 fn edit(page: &mut Page) -> Vec<Mesh> {
@@ -35,7 +38,7 @@ fn is_current(page: &Page, name: &str) -> bool {
 
 #[test]
 fn steps_are_listed_by_name_and_one_click_away() {
-    let mut page = Page::new();
+    let mut page = Page::sized(TALL);
     assert!(is_current(&page, "Start: New document") && page.has_part("Each edit becomes a step"));
     let meshes = edit(&mut page);
     assert!(
@@ -59,7 +62,7 @@ fn steps_are_listed_by_name_and_one_click_away() {
 
 #[test]
 fn arrow_keys_go_through_the_list_that_has_the_focus() {
-    let mut page = Page::new();
+    let mut page = Page::sized(TALL);
     let meshes = edit(&mut page);
     let camera = page.at([0.0; 3]);
     click_row(&mut page, "Step 3: Poke faces");
@@ -82,7 +85,7 @@ fn arrow_keys_go_through_the_list_that_has_the_focus() {
 
 #[test]
 fn undo_and_redo_name_their_steps() {
-    let mut page = Page::new();
+    let mut page = Page::sized(TALL);
     edit(&mut page);
     click_row(&mut page, "Step 2: Inset faces");
     page.click("Edit");
@@ -101,7 +104,7 @@ fn undo_and_redo_name_their_steps() {
 
 #[test]
 fn a_live_edit_is_cancelled_by_a_jump() {
-    let mut page = Page::new();
+    let mut page = Page::sized(TALL);
     let meshes = edit(&mut page);
     page.select("vertex", &[0]);
     page.press(Key::G);
@@ -117,7 +120,7 @@ fn a_live_edit_is_cancelled_by_a_jump() {
 
 #[test]
 fn a_thousand_steps_are_a_list_that_scrolls() {
-    let mut page = Page::new();
+    let mut page = Page::sized(TALL);
     for step in 0..1000 {
         let command = json!({ "op": "set-vertex-position", "vertex": 0, "position": [step, 0, 0] });
         page.app().script().run(command, Box::new(|answer| drop(answer.expect("a vertex"))));
@@ -135,11 +138,11 @@ fn a_thousand_steps_are_a_list_that_scrolls() {
 
 #[test]
 fn the_panel_closes_and_stays_closed() {
-    let mut page = Page::new();
+    let mut page = Page::sized(TALL);
     page.click("History panel");
     assert!(!page.has_row("Start: New document"));
     let kept = page.outside.setting("layout").expect("it is kept");
-    let mut page = Page::with_setting(DESKTOP, "layout", &kept);
+    let mut page = Page::with_setting(TALL, "layout", &kept);
     assert!(!page.has_row("Start: New document"), "{kept}");
     page.click("History panel");
     assert!(page.has_row("Start: New document"));
@@ -152,7 +155,7 @@ fn a_layout_of_an_earlier_version_is_still_read() {
     let kept = format!(
         r#"{{"arrangement":"Model","model":{open},"study":{open},"sheet":{sheet},"widths":[332,300]}}"#
     );
-    let page = Page::with_setting(DESKTOP, "layout", &kept);
+    let page = Page::with_setting(TALL, "layout", &kept);
     assert!(!page.has("Go to id") && page.has_row("Start: New document"));
 }
 
@@ -172,7 +175,7 @@ fn a_phone_has_the_steps_in_the_sheet() {
 #[test]
 fn pictures_of_the_list() {
     for (theme, name) in [(Theme::Dark, "dark"), (Theme::Light, "light")] {
-        let mut page = Page::drawn(DESKTOP, theme);
+        let mut page = Page::drawn(TALL, theme);
         picture(&mut page, &format!("history empty {name}"));
         edit(&mut page);
         click_row(&mut page, "Step 3: Poke faces");
@@ -182,7 +185,7 @@ fn pictures_of_the_list() {
 
 #[test]
 fn in_a_low_window_the_panel_is_closed_until_it_is_opened() {
-    let mut page = Page::sized(egui::vec2(880.0, 540.0));
+    let mut page = Page::new();
     assert!(page.has("Filter operations") && !page.has_row("Start: New document"));
     page.click("History panel");
     assert!(page.has_row("Start: New document"));
@@ -190,6 +193,42 @@ fn in_a_low_window_the_panel_is_closed_until_it_is_opened() {
     assert!(!page.has_row("Start: New document"));
     page.click("History panel");
     assert!(page.has_row("Start: New document"));
+    let kept = page.outside.setting("layout").expect("it is kept");
+    assert!(Page::with_setting(DESKTOP, "layout", &kept).has_row("Start: New document"), "{kept}");
+}
+
+#[test]
+fn operations_stay_in_sight_below_whatever_is_said_about_the_selection() {
+    let mut page = Page::new();
+    page.command(json!({ "op": "new", "shape": "torus" }));
+    for selected in [0, 1, 40] {
+        page.select("face", &(0..selected).collect::<Vec<_>>());
+        assert!(page.has("Adjust last operation"));
+        let top = page.find("Filter operations").rect().bottom();
+        let bottom = page.find("History panel").rect().top();
+        assert!(bottom - top >= 5.0 * 28.0 + 24.0, "a heading and five rows: {}", bottom - top);
+    }
+}
+
+#[test]
+fn moving_turning_and_scaling_have_their_own_names() {
+    let mut page = Page::sized(TALL);
+    for (fields, name) in [
+        (json!({ "translate": [1, 0, 0] }), "Move"),
+        (json!({ "rotate": { "axis": [0, 0, 1], "degrees": 20 } }), "Rotate"),
+        (json!({ "scale": 2 }), "Scale"),
+        (json!({ "scale": 2, "translate": [1, 0, 0] }), "Transform"),
+    ] {
+        let mut command = fields;
+        command["op"] = "transform".into();
+        command["vertices"] = json!([0, 1]);
+        page.command(command);
+        assert_eq!(page.undo_labels().last().map(String::as_str), Some(name));
+        page.click("Edit");
+        assert!(page.has_part(&format!("Undo {name}")));
+        page.press(Key::Escape);
+    }
+    assert!(page.has_row("Step 2: Rotate"));
 }
 
 /// A page with steps that each move 160 thousand vertices, more than a frame's work; returns the mesh after each.

@@ -77,7 +77,7 @@ fn keys_of_blender_do_what_they_do_there() {
     page.type_text(".75");
     press(&mut page, "Enter");
     let tallest = page.mesh().positions().iter().map(|p| p.y).fold(0.0, f32::max);
-    assert!((tallest - 0.75).abs() < 1e-5 || (tallest - 0.375).abs() < 1e-5, "{tallest}");
+    assert!((tallest - 0.75).abs() < 1e-5, "{tallest}");
     press(&mut page, "Ctrl+Z");
 
     page.select("face", &[0]);
@@ -114,8 +114,9 @@ fn keys_of_blender_do_what_they_do_there() {
     press(&mut page, "U");
     press(&mut page, "D");
     assert_eq!(page.mesh().face_count(), 6, "keys of the courses do nothing");
+    assert!(page.has("Go to id"));
     press(&mut page, "T");
-    assert!(!page.has("Tool: Nothing") && !page.has("Go to id"), "T puts the lists away");
+    assert!(!page.has("Go to id"), "T puts the lists away");
     press(&mut page, "Space");
     assert!(page.has("Find a command"));
 }
@@ -184,9 +185,9 @@ fn keys_of_maya_do_what_they_do_there() {
     press(&mut page, "Shift+,");
     assert_eq!(page.selected().1, [0]);
     press(&mut page, "Ctrl+H");
-    assert!(page.has_part("1 face is hidden") || page.has_part("hidden"));
+    assert!(page.has("1 face hidden"));
     press(&mut page, "Shift+H");
-    assert!(!page.has_part("1 face is hidden"));
+    assert!(!page.has("1 face hidden"));
     page.select("halfedge", &[0]);
     let mesh = page.mesh();
     let before = mesh.prev(halfedge::HalfedgeId::new(0)).raw();

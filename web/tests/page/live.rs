@@ -1,6 +1,6 @@
 //! Edits that follow the pointer, and adjusting the last operation.
 
-use crate::page::Page;
+use crate::page::{DESKTOP, PHONE, Page};
 use egui::{Event, Key, vec2};
 use egui_kittest::kittest::Queryable;
 use glam::Vec3;
@@ -92,6 +92,38 @@ fn the_buttons_do_what_the_keys_do() {
     page.type_text("1");
     page.click("Apply");
     assert_eq!(page.mesh().face_count(), 10);
+}
+
+#[test]
+fn the_bar_lies_at_the_bottom_of_the_viewport() {
+    for size in [DESKTOP, PHONE] {
+        let mut page = Page::sized(size);
+        page.select("face", &[0]);
+        page.press(Key::G);
+        page.run();
+        let (viewport, apply) = (page.find("Viewport").rect(), page.find("Apply").rect());
+        assert!(viewport.contains_rect(apply) && apply.top() > viewport.bottom() - 110.0, "{apply}");
+        let axis = page.harness.query_by_label("View from the front").map(|ball| ball.rect());
+        assert_eq!(axis.is_some(), size == DESKTOP, "a telephone has no room for it");
+        assert!(axis.is_none_or(|axis| !axis.intersects(apply)));
+    }
+}
+
+#[test]
+fn a_script_that_selects_ends_the_edit_of_what_was_selected() {
+    let mut page = Page::new();
+    let start = page.mesh().clone();
+    page.select("vertex", &[0]);
+    page.press(Key::G);
+    page.hover_off_middle(vec2(0.0, 0.0));
+    page.hover_off_middle(vec2(30.0, 0.0));
+    let moved = page.mesh().clone();
+    assert_ne!(moved, start);
+    page.select("vertex", &[7]);
+    page.hover_off_middle(vec2(90.0, 40.0));
+    assert_eq!(page.mesh(), &moved, "what was moved stays, and nothing follows the pointer");
+    assert!(!page.has("Apply"));
+    assert_eq!(page.selected(), (Element::Vertex, vec![7]));
 }
 
 #[test]

@@ -19,6 +19,7 @@ mod live;
 mod looks;
 mod menus;
 mod mug;
+mod narrow;
 mod page;
 mod previews;
 mod properties;

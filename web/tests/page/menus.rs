@@ -62,19 +62,37 @@ fn joining_takes_two_objects_and_separating_two_pieces_or_faces() {
 #[test]
 fn every_menu_opens_and_lists_its_entries() {
     let mut page = Page::new();
+    let count = |page: &Page, label: &str| page.harness.query_all_by_label_contains(label).count();
     for menu in menus::MENUS {
+        let entries = || menu.entries.iter().flatten();
+        // Other parts of the page may have the same words.
+        let before: Vec<usize> = entries().map(|entry| count(&page, entry.label)).collect();
         page.click(menu.title);
         let mut open = None;
-        for entry in menu.entries.iter().flatten() {
+        for (entry, before) in entries().zip(before) {
             let submenu = menus::submenu(entry.action);
             if let Some(title) = submenu.filter(|_| submenu != open) {
                 page.click(title);
                 open = submenu;
             }
-            assert!(page.has_part(entry.label), "{} is not in the {} menu", entry.label, menu.title);
+            assert!(count(&page, entry.label) > before, "{} is not in the {} menu", entry.label, menu.title);
         }
         page.press(Key::Escape);
     }
+}
+
+#[test]
+fn filling_holes_says_how_many_and_why_there_are_none() {
+    let mut page = Page::new();
+    page.command(json!({"op": "delete-faces", "faces": [0]}));
+    page.press(Key::Num2);
+    page.press_with(CTRL, Key::A);
+    page.press_with(Modifiers::ALT, Key::F);
+    assert_eq!(page.mesh().face_count(), 6);
+    assert!(page.has("Fill hole: 1 face created"), "nothing else may show it");
+    page.press_with(CTRL, Key::A);
+    page.press_with(Modifiers::ALT, Key::F);
+    assert!(page.has_part("No selected edge is on a boundary"));
 }
 
 #[test]

@@ -207,3 +207,14 @@ fn texts_use_one_spelling() {
         }
     }
 }
+
+#[test]
+fn what_is_counted_is_a_click_away() {
+    let mut page = Page::new();
+    assert!(page.has("Boundary loops: 0"));
+    page.command(json!({ "op": "delete-faces", "faces": [0] }));
+    page.harness.get_by_role_and_label(egui::accesskit::Role::Link, "Boundary loops: 1").click();
+    page.run();
+    let (kind, ids) = page.selected();
+    assert_eq!((kind, ids.len()), (Element::Edge, 4));
+}

@@ -181,9 +181,15 @@ fn a_circle_paints_the_selection() {
         modifiers: Modifiers::NONE,
     });
     page.run();
-    assert!(!page.has_part("Circle select:"));
+    assert!(!page.has_part("Isolate"), "no menu");
     click_at(&mut page, middle, Modifiers::NONE);
     assert_eq!(page.selected().1, [vertex(3, 3)], "a click selects again");
+    for pressed in [true, false] {
+        let (button, modifiers) = (PointerButton::Secondary, Modifiers::NONE);
+        page.harness.event(Event::PointerButton { pos: middle, button, pressed, modifiers });
+    }
+    page.run();
+    assert!(page.has_part("Isolate"), "a right click opens the menu again");
 }
 
 #[test]

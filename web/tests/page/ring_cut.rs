@@ -129,6 +129,69 @@ fn escape_and_a_right_click_end_the_tool_and_one_cut_does_too() {
 }
 
 #[test]
+fn quick_clicks_cut_and_accept_and_are_no_double_click() {
+    for preset in ["course", "blender", "maya"] {
+        let mut page = Page::with_setting(DESKTOP, "keys", preset);
+        let at = page.at(ON_EDGE);
+        page.hover(at);
+        page.click("Edge mode");
+        page.click("Tool: Loop cut");
+        page.hover(at);
+        for _ in 0..2 {
+            let button = |pressed| Event::PointerButton {
+                pos: at,
+                button: PointerButton::Primary,
+                pressed,
+                modifiers: Modifiers::NONE,
+            };
+            let input = page.harness.input_mut();
+            input.events.extend([Event::PointerMoved(at), button(true), button(false)]);
+            page.harness.step();
+        }
+        page.run();
+        assert_eq!(page.undo_labels(), ["Loop cut"], "{preset}");
+        let (kind, ids) = page.selected();
+        assert_eq!((kind, ids.len()), (Element::Edge, 4), "{preset}");
+        let mesh = page.mesh();
+        let is_new = |id: &u32| {
+            let [from, to] = mesh.ends(halfedge::EdgeId::new(*id as usize));
+            from.raw() >= 8 && to.raw() >= 8
+        };
+        assert!(ids.iter().all(is_new), "{preset}: the new loop, not one across it: {ids:?}");
+    }
+}
+
+#[test]
+fn in_the_keys_of_blender_a_cut_stays_in_the_middle_when_its_slide_is_cancelled() {
+    for (preset, faces) in [("blender", 10), ("course", 6)] {
+        for by_key in [true, false] {
+            let mut page = Page::with_setting(DESKTOP, "keys", preset);
+            let at = page.at(ON_EDGE);
+            page.click("Tool: Loop cut");
+            page.hover(at);
+            click(&mut page, at);
+            page.hover(at + vec2(0.0, 40.0));
+            assert_eq!(page.has_part("Right button: Cut in the middle"), preset == "blender");
+            assert!(page.has_part("Wheel: Cuts"));
+            if by_key {
+                page.press(Key::Escape);
+            } else {
+                let button = PointerButton::Secondary;
+                let (pos, modifiers) = (at + vec2(0.0, 40.0), Modifiers::NONE);
+                for pressed in [true, false] {
+                    page.harness.event(Event::PointerButton { pos, button, pressed, modifiers });
+                    page.run();
+                }
+            }
+            assert_eq!(page.mesh().face_count(), faces, "{preset}");
+            assert!(page.mesh().positions().iter().skip(8).all(|at| at.y.abs() < 1e-6));
+            assert!(!page.has("Apply"), "the edit has ended");
+            assert_eq!(page.undo_labels().len(), usize::from(faces > 6));
+        }
+    }
+}
+
+#[test]
 fn an_empty_document_says_why_there_is_nothing_to_cut() {
     let mut page = Page::new();
     page.command(serde_json::json!({ "op": "delete-faces", "faces": [0, 1, 2, 3, 4, 5] }));

@@ -69,6 +69,34 @@ fn the_dialog_offers_the_name_it_was_given_until_another_document_opens() {
 }
 
 #[test]
+fn the_document_takes_the_name_that_it_was_saved_under() {
+    let mut page = Page::new();
+    ask(&mut page, "my mug");
+    page.press(Key::Enter);
+    assert_eq!(page.app().editor().document().name(), "my mug");
+    assert!(page.has("Document: my mug") && !is_dirty(&mut page));
+    page.command(json!({ "op": "poke-faces", "faces": [0] }));
+    page.press_with(Modifiers::COMMAND, Key::Z);
+    assert!(page.has("Document: my mug"), "undoing an edit doesn't take it away");
+}
+
+#[test]
+fn files_that_a_script_opens_at_once_open_one_after_the_other() {
+    let mut page = Page::new();
+    let told = std::rc::Rc::new(std::cell::RefCell::new(Vec::new()));
+    for name in ["a.obj", "b.obj", "c.obj"] {
+        let file = meshwright_web::platform::NamedBytes::new(name, b"v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+        let tell = told.clone();
+        let reply = Box::new(move |answer: Result<_, String>| tell.borrow_mut().push(answer.map(drop)));
+        page.app().script().open(vec![file], reply);
+    }
+    page.run();
+    assert_eq!(*told.borrow(), [Ok(()), Ok(()), Ok(())]);
+    assert_eq!(page.app().editor().document().name(), "c", "the last one stays");
+    assert_eq!(page.undo_labels(), ["Open a", "Open b", "Open c"]);
+}
+
+#[test]
 fn typing_replaces_the_name_and_enter_saves() {
     let mut page = Page::new();
     ask(&mut page, "my cube");

@@ -120,7 +120,6 @@ fn listed(page: &Page) -> Vec<String> {
 #[test]
 fn operations_on_the_selection_come_first_and_refused_ones_last_with_their_reasons() {
     let mut page = Page::new();
-    page.click("History panel");
     let rows = listed(&page);
     assert_eq!(rows.first().map(String::as_str), Some("Whole mesh"), "{rows:?}");
     page.select("face", &[0]);
@@ -143,7 +142,6 @@ fn operations_on_the_selection_come_first_and_refused_ones_last_with_their_reaso
 #[test]
 fn the_filter_finds_operations_by_other_names_and_enter_starts_the_first() {
     let mut page = Page::new();
-    page.click("History panel");
     page.click("Filter operations");
     page.harness.event(egui::Event::Text("decimate".to_owned()));
     page.run();

@@ -189,7 +189,7 @@ fn the_move_key_again_slides_what_can_slide() {
     assert!((now - from).cross(left - from).length() < 1e-5, "{now} is not on its rail");
     page.press(Key::Enter);
     assert_eq!(page.undo_labels().last().map(String::as_str), Some("Slide edges"));
-    assert_eq!(page.undo_labels().iter().filter(|label| *label == "Transform").count(), 0);
+    assert_eq!(page.undo_labels().iter().filter(|label| *label == "Move").count(), 0);
     // Faces can't slide: the move goes on.
     page.select("face", &[0]);
     page.press(Key::G);
@@ -199,7 +199,7 @@ fn the_move_key_again_slides_what_can_slide() {
     page.press(Key::G);
     assert_eq!(page.mesh(), &moved);
     page.press(Key::Enter);
-    assert_eq!(page.undo_labels().last().map(String::as_str), Some("Transform"));
+    assert_eq!(page.undo_labels().last().map(String::as_str), Some("Move"));
 }
 
 #[test]

@@ -25,7 +25,7 @@ impl Editor {
             return Self::unchanged(op, made);
         }
         let (outcome, back) = self.put_result(op, objects, at, made)?;
-        self.push_step(op.spec().label.to_owned(), back, before);
+        self.push_step(op.label().to_owned(), back, before);
         Ok(outcome)
     }
 

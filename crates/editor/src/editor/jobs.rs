@@ -250,6 +250,12 @@ impl Editor {
         id
     }
 
+    /// Cancels the jobs that read the document, whose objects are being removed. Later imports replace it in turn.
+    pub(super) fn cancel_jobs_of_objects(&mut self) {
+        self.jobs.retain(|job| matches!(job.kind, WaitingFor::Open));
+        self.changes.jobs = true;
+    }
+
     /// Commits the result of a job as one undo step.
     ///
     /// # Errors

@@ -131,7 +131,7 @@ impl Editor {
     /// ongoing.
     pub fn commit_edit(&mut self) -> Option<String> {
         let ongoing = self.ongoing.take()?;
-        let label = ongoing.command.op.spec().label.to_owned();
+        let label = ongoing.command.op.label().to_owned();
         if self.push_step(label.clone(), ongoing.back, ongoing.selection) {
             self.log(Event::Edit(ongoing.command.clone()));
             self.remember(ongoing.command);
@@ -144,7 +144,7 @@ impl Editor {
     /// Removes the preview without a trace; returns its label, or none if no edit is ongoing.
     pub fn cancel_edit(&mut self) -> Option<String> {
         let ongoing = self.ongoing.take()?;
-        let label = ongoing.command.op.spec().label.to_owned();
+        let label = ongoing.command.op.label().to_owned();
         self.remove_preview(ongoing);
         self.log_cancelled();
         Some(label)

@@ -28,14 +28,19 @@ impl Editor {
         Ok(self.open_valid(import))
     }
 
+    /// Gives the document the name of the file that it was saved as. That is no step of the history.
+    pub fn rename_document(&mut self, name: &str) {
+        if self.document.name != name {
+            name.clone_into(&mut self.document.name);
+            self.changes.document = true;
+            self.log(Event::Break);
+        }
+    }
+
     /// Opens an import whose meshes are known to be valid.
     pub(super) fn open_valid(&mut self, import: Import) -> Outcome {
         self.end_edit();
-        // Jobs on objects that are removed have nowhere to put their results.
-        if !self.jobs.is_empty() {
-            self.jobs.clear();
-            self.changes.jobs = true;
-        }
+        self.cancel_jobs_of_objects();
         let mut changes: Vec<Change> = (0..self.document.objects.len()).rev().map(Change::Remove).collect();
         let Import { model, report } = import;
         changes.push(Change::DocumentName(model.name.clone()));

@@ -8,8 +8,8 @@ use crate::error::{CommandError, Problem};
 use crate::history::{Change, is_reshaping};
 use crate::job;
 use crate::ops::{
-    Action, Command, Commit, LocalEdit, NamedMesh, Op, Place, Symmetry, Target, edit_all, edit_symmetric,
-    refuse_bezier,
+    Action, Command, Commit, LocalEdit, NamedMesh, Op, OpId, Place, Symmetry, Target, edit_all,
+    edit_symmetric, refuse_bezier,
 };
 use crate::outcome::{Before, Elements, Outcome};
 use crate::recovery::Event;
@@ -19,6 +19,9 @@ use halfedge::{InParts, Mesh};
 use std::ops::ControlFlow;
 use std::sync::Arc;
 use surface::selecting::Finding;
+
+/// The name of the step of `isolate` that shows everything again.
+const LEAVE_ISOLATION: &str = "Leave isolation";
 
 /// The work that a command resolves to.
 pub(super) enum Planned {
@@ -175,7 +178,7 @@ impl Editor {
             Planned::Local { object, ops, symmetry, selects } => {
                 let before = self.selection.clone();
                 let done = self.edit(object, &ops, symmetry, selects)?;
-                let label = ops.first().map_or("", |op| op.spec().label);
+                let label = ops.first().map_or("", Op::label);
                 let outcome = Self::outcome(&ops, done.created, done.removed);
                 let is_step = self.push_step(label.to_owned(), done.back, before);
                 let outcome = if is_step { outcome } else { outcome.unchanged() };
@@ -189,10 +192,13 @@ impl Editor {
                 let before = self.selection.clone();
                 let hides = matches!(changes.as_slice(), [Change::Hidden(..)]);
                 let back = self.apply_to_document(changes);
-                let label = op.spec().label.to_owned();
+                let (operation, mut label) = (op.id(), op.label().to_owned());
                 let mut outcome = Self::outcome(&[op], Elements::default(), Elements::default());
                 if let (true, Some(Change::Hidden(id, _))) = (hides, back.first()) {
                     let count = self.document.object(*id).map_or(0, |object| object.hidden().len());
+                    if operation == OpId::Isolate && count == 0 {
+                        label = LEAVE_ISOLATION.to_owned();
+                    }
                     outcome.message = format!("{label}: {} hidden", counted(count, "face", "faces"));
                 }
                 Ok(if self.push_step(label, back, before) { outcome } else { outcome.unchanged() })

@@ -35,9 +35,9 @@ pub(crate) trait Operation: Clone {
     }
 
     /// Adapts operations whose elements the selection filled in, one for each selected element or one for all.
-    fn from_selection(ops: Vec<Self>, mesh: &Mesh) -> Vec<Self> {
+    fn from_selection(ops: Vec<Self>, mesh: &Mesh) -> Result<Vec<Self>, Problem> {
         let _ = mesh;
-        ops
+        Ok(ops)
     }
 
     /// How it is mirrored.

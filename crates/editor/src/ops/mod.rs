@@ -244,6 +244,14 @@ impl Op {
         self.id().spec()
     }
 
+    /// What the operation is called with these fields, in the history and where it is undone.
+    pub fn label(&self) -> &'static str {
+        match self {
+            Self::Transform(transform) => transform.label(),
+            _ => self.spec().label,
+        }
+    }
+
     /// Refuses an operation whose elements the selection can't stand in for. Costs O(1).
     pub(crate) fn check_selection(&self, target: &Target<'_>) -> Result<(), Problem> {
         self.id().check_selection(target)

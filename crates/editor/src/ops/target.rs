@@ -168,7 +168,7 @@ pub(crate) fn resolve<O: Operation>(mut op: O, target: &Target<'_>) -> Result<Ve
                     ops.push(op);
                 }
             }
-            ops = O::from_selection(ops, target.mesh);
+            ops = O::from_selection(ops, target.mesh)?;
         }
     }
     for op in &mut ops {

@@ -24,7 +24,7 @@ pub(crate) fn show(ui: &mut Ui, page: &Page<'_>, own: &mut InspectorState, out: 
     let latest = selection.latest();
     let Some(id) = latest else {
         if crate::bezier::active(&page.editor).is_none() {
-            document::show(ui, page);
+            document::show(ui, page, out);
         }
         return;
     };

@@ -40,16 +40,16 @@ struct Ball {
     positive: bool,
 }
 
-/// Draws the widget in the active view, beside what bars cover, and turns the view as it says.
-pub(super) fn show(ui: &Ui, shown: &Shown, view: &mut View, out: &mut Requests) {
+/// Draws the widget in the active view, in the part of the viewport that no bar covers, and turns the view as it says.
+pub(super) fn show(ui: &Ui, room: Rect, shown: &Shown, view: &mut View, out: &mut Requests) {
     let current = view.panes.current;
     view.go_to(view.panes.active);
-    show_in_current(ui, shown, view, out);
+    show_in_current(ui, room, shown, view, out);
     view.go_to(current);
 }
 
-fn show_in_current(ui: &Ui, shown: &Shown, view: &mut View, out: &mut Requests) {
-    let free = view.free_rect();
+fn show_in_current(ui: &Ui, room: Rect, shown: &Shown, view: &mut View, out: &mut Requests) {
+    let free = view.free_rect().intersect(room);
     if free.width() < MIN_ROOM.x || free.height() < MIN_ROOM.y || shown.welcome {
         return;
     }

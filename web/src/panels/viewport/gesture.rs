@@ -91,7 +91,7 @@ impl Viewport<'_> {
             out.push(Request::LivePointer(at, ui.input(|input| input.modifiers)));
         }
         if self.session.live.is_some() && response.secondary_clicked() {
-            out.push(Request::EndLive { commit: false });
+            out.push(Request::AbandonLive);
             return;
         }
         if self.session.live.is_some() && response.clicked() {
@@ -99,7 +99,18 @@ impl Viewport<'_> {
             if !is_finger(ui) {
                 out.push(Request::EndLive { commit: true });
             }
-        } else if response.clicked_by(PointerButton::Primary)
+            // This click meant the edit: it is no half of a double-click.
+            self.view.clicked_with = None;
+            return;
+        }
+        if self.view.tool == Tool::LoopCut && response.clicked_by(PointerButton::Primary) {
+            if let Some(start) = pointer.and_then(|at| ring_cut::start_at(self, at)) {
+                out.push(Request::StartLive(start));
+            }
+            self.view.clicked_with = None;
+            return;
+        }
+        if response.clicked_by(PointerButton::Primary)
             && let Some(at) = pointer
         {
             self.click(ui, at, out);
@@ -315,12 +326,6 @@ impl Viewport<'_> {
     }
 
     fn click(&mut self, ui: &Ui, at: Pos2, out: &mut Requests) {
-        if self.view.tool == Tool::LoopCut {
-            if let Some(start) = ring_cut::start_at(self, at) {
-                out.push(Request::StartLive(start));
-            }
-            return;
-        }
         let modifiers = modifiers_of_button(ui);
         let point = self.control_point_at(at).map(|(point, _)| point);
         self.player.controls.choose(point);

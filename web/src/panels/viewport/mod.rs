@@ -66,7 +66,8 @@ impl Viewport<'_> {
             ui.ctx().request_repaint();
         }
         self.view.style.theme = theme::viewport(ui.visuals());
-        if self.view.frame_due > 0 {
+        // A window that leaves no room for a picture is not drawn again until it does.
+        if self.view.frame_due > 0 && rect.is_positive() {
             self.view.frame_due -= 1;
             self.view.frame_start();
             ui.ctx().request_repaint();
@@ -111,6 +112,10 @@ impl Viewport<'_> {
         panes::show(ui, &self.page(), out);
         legend::paint(ui, self.view.free_area(), &self.page());
         overlay::paint(ui, rect, &self.page());
-        axis_widget::show(ui, self.shown, self.view, out);
+        // A telephone has no room for it above the bar of an edit.
+        if !self.shown.narrow || self.session.live.is_none() {
+            let free = panels::live_bar::room_above(ui.ctx(), &self.page());
+            axis_widget::show(ui, free, self.shown, self.view, out);
+        }
     }
 }

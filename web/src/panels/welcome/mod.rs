@@ -19,7 +19,8 @@ use crate::panels::shortcuts::key_presets;
 use crate::platform::Platform;
 use crate::request::{Request, Requests};
 use crate::widgets::controls::primary_button;
-use crate::widgets::icons::{Icon, icon_button};
+use crate::widgets::icon_button::icon_button;
+use crate::widgets::icons::Icon;
 use picture::Figure;
 pub(crate) use samples::Sample;
 use samples::{SAMPLES, SHAPES, shape_figure, shape_name};
@@ -145,15 +146,21 @@ fn grid(ui: &mut Ui, own: &mut Welcome, out: &mut Requests) {
     });
 }
 
+/// The least width of a tile in a row that scrolls, in points.
+const MIN_STRIP_TILE: f32 = 80.0;
+
 /// All tiles in a row that scrolls.
 fn strip(ui: &mut Ui, own: &mut Welcome, out: &mut Requests) {
+    // The last tile in sight is cut in half, which shows that the row goes on.
+    let whole = ((ui.available_width() + GAP) / (MIN_STRIP_TILE + GAP) - 0.5).floor().max(1.0);
+    let size = vec2((ui.available_width() - whole * GAP) / (whole + 0.5), 56.0);
     ScrollArea::horizontal().id_salt("welcome strip").auto_shrink([false, true]).show(ui, |ui| {
         ui.horizontal(|ui| {
             for sample in SAMPLES {
-                sample_tile(ui, own, sample, vec2(88.0, 56.0), out);
+                sample_tile(ui, own, sample, size, out);
             }
             for name in SHAPES {
-                shape_tile(ui, own, name, vec2(88.0, 56.0), out);
+                shape_tile(ui, own, name, size, out);
             }
         });
     });

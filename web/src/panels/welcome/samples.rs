@@ -82,7 +82,6 @@ impl Sample {
 pub(super) fn shape_name(name: &str) -> String {
     match name {
         "uv-sphere" => "Sphere".to_owned(),
-        "ico-sphere" => "Icosphere".to_owned(),
         other => sentence_case(other),
     }
 }

@@ -45,7 +45,7 @@ impl Operation for ExtrudeEdges {
         vec![Slot::Edges(&mut self.edges)]
     }
 
-    fn from_selection(mut ops: Vec<Self>, mesh: &Mesh) -> Vec<Self> {
+    fn from_selection(mut ops: Vec<Self>, mesh: &Mesh) -> Result<Vec<Self>, Problem> {
         // Of a selection that reaches into the surface, the edges on the boundary are extruded.
         for edges in ops.iter_mut().filter_map(|op| op.edges.as_mut()) {
             let is_boundary =
@@ -54,7 +54,7 @@ impl Operation for ExtrudeEdges {
                 edges.retain(is_boundary);
             }
         }
-        ops
+        Ok(ops)
     }
 
     fn action(&self) -> Action<'_> {

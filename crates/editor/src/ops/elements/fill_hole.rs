@@ -28,14 +28,16 @@ impl Operation for FillHole {
         vec![Slot::Halfedge(&mut self.halfedge)]
     }
 
-    fn from_selection(mut ops: Vec<Self>, mesh: &Mesh) -> Vec<Self> {
+    fn from_selection(mut ops: Vec<Self>, mesh: &Mesh) -> Result<Vec<Self>, Problem> {
         // Of a selection that reaches into the surface, the holes beside it are filled.
         let is_boundary =
             |op: &Self| one(op.halfedge, "halfedge", mesh).is_ok_and(|h| mesh.is_boundary_halfedge(h));
         if ops.iter().any(is_boundary) {
             ops.retain(is_boundary);
+        } else if ops.len() > 1 {
+            return Err(Problem::new("no selected edge is on a boundary"));
         }
-        ops
+        Ok(ops)
     }
 
     fn action(&self) -> Action<'_> {

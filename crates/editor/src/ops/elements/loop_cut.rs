@@ -50,7 +50,7 @@ impl Operation for LoopCut {
         vec![Slot::Edge(&mut self.edge)]
     }
 
-    fn from_selection(ops: Vec<Self>, mesh: &Mesh) -> Vec<Self> {
+    fn from_selection(ops: Vec<Self>, mesh: &Mesh) -> Result<Vec<Self>, Problem> {
         let mut cut: BitSet = BitSet::new();
         let is_new = |op: &Self| {
             let Ok(edge) = one(op.edge, "edge", mesh) else { return true };
@@ -62,7 +62,7 @@ impl Operation for LoopCut {
             }
             true
         };
-        ops.into_iter().filter(is_new).collect()
+        Ok(ops.into_iter().filter(is_new).collect())
     }
 
     fn reflect(&mut self, reflection: Reflection) {

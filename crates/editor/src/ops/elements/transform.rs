@@ -155,6 +155,21 @@ impl Operation for Transform {
     }
 }
 
+impl Transform {
+    /// What it does, if that is one thing.
+    pub(crate) fn label(&self) -> &'static str {
+        let moves = self.translate != [0.0; 3];
+        let rotates = self.rotate.is_some_and(|rotate| rotate.degrees != 0.0);
+        let scales = self.scale != Scale::default();
+        match (moves, rotates, scales) {
+            (true, false, false) => "Move",
+            (false, true, false) => "Rotate",
+            (false, false, true) => "Scale",
+            _ => Self::SPEC.label,
+        }
+    }
+}
+
 impl LocalEdit for Transform {
     fn can(&self, mesh: &Mesh) -> Result<(), Problem> {
         self.check()?;
