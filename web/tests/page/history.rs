@@ -233,7 +233,7 @@ fn moving_turning_and_scaling_have_their_own_names() {
 
 /// A page with steps that each move 160 thousand vertices, more than a frame's work; returns the mesh after each.
 fn with_large_steps() -> (Page, Vec<Mesh>) {
-    let mut page = Page::new();
+    let mut page = Page::sized(TALL);
     page.command(json!({ "op": "new", "shape": "grid", "columns": 400, "rows": 1000 }));
     page.select("vertex", &(0..160_000).collect::<Vec<u32>>());
     let mut meshes = vec![page.mesh().clone()];
@@ -271,7 +271,7 @@ fn a_long_jump_takes_several_frames_and_each_shows_a_whole_step() {
 #[test]
 fn what_is_done_during_a_jump_comes_after_it_in_order() {
     let (mut page, meshes) = with_large_steps();
-    page.row("Step 2: Transform").click();
+    page.row("Step 2: Move").click();
     page.harness.step();
     page.harness.step();
     assert!(page.app().editor().jump().is_some());
@@ -296,5 +296,5 @@ fn escape_stops_a_jump_at_a_step() {
     assert!((1..5).contains(&at), "{at}");
     page.wait();
     assert_eq!(state_of(&mut page, &meshes), at, "it stays there");
-    assert!(is_current(&page, &format!("Step {}: Transform", at + 1)));
+    assert!(is_current(&page, &format!("Step {}: Move", at + 1)));
 }
