@@ -59,7 +59,7 @@ pub struct RunningJob {
 #[derive(Debug)]
 pub(super) struct Waiting {
     id: JobId,
-    kind: WaitingFor,
+    pub(super) kind: WaitingFor,
 }
 
 #[derive(Debug)]
@@ -248,12 +248,6 @@ impl Editor {
         self.jobs.push(Waiting { id, kind });
         self.changes.jobs = true;
         id
-    }
-
-    /// Cancels the jobs that read the document, whose objects are being removed. Later imports replace it in turn.
-    pub(super) fn cancel_jobs_of_objects(&mut self) {
-        self.jobs.retain(|job| matches!(job.kind, WaitingFor::Open));
-        self.changes.jobs = true;
     }
 
     /// Commits the result of a job as one undo step.

@@ -1,5 +1,6 @@
 //! Opening models read from files.
 
+use super::jobs::WaitingFor;
 use super::run::broken;
 use super::{Editor, MessageKind};
 use crate::bezier::fill_previews;
@@ -40,7 +41,9 @@ impl Editor {
     /// Opens an import whose meshes are known to be valid.
     pub(super) fn open_valid(&mut self, import: Import) -> Outcome {
         self.end_edit();
-        self.cancel_jobs_of_objects();
+        // Jobs on objects that are removed have nowhere to put their results. Later imports replace the document in turn.
+        self.jobs.retain(|job| matches!(job.kind, WaitingFor::Open));
+        self.changes.jobs = true;
         let mut changes: Vec<Change> = (0..self.document.objects.len()).rev().map(Change::Remove).collect();
         let Import { model, report } = import;
         changes.push(Change::DocumentName(model.name.clone()));
