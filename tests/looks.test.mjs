@@ -101,7 +101,7 @@ editorTest("images of materials are drawn, also when they come later", { sizes: 
   assert.equal((await editor.state()).view.textures[0].state, "missing");
   await editor.drop({ name: "quarters.png", content: quarters() });
   await editor.until("the image is shown", async () => (await editor.state()).view.textures[0].state === "shown");
-  assert.equal((await editor.state()).view.look, "textures");
+  assert.equal((await editor.state()).view.look, "texture");
   await editor.press("Alt+1");
   await editor.page.mouse.move(5, 5);
   await editor.frames(30);
