@@ -122,4 +122,5 @@ editorTest("a finger drags a live edit, and its buttons end it", { sizes: [PHONE
   assert.deepEqual(await positions(editor), first, "the same way gives the same amount");
   await editor.click("Apply", "button");
   assert.deepEqual(await undoable(editor), ["Extrude faces"]);
+  assert.deepEqual(await positions(editor), first);
 });

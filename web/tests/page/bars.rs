@@ -255,38 +255,15 @@ fn taps_add_to_the_selection_while_add_is_on() {
     let [top, front] = faces;
     page.click("Add to selection");
     for (at, count) in [(top, 1), (front, 2), (front, 1), (front, 2)] {
-        tap(&mut page, at);
+        page.tap(at);
         assert_eq!(page.selected().1.len(), count);
     }
     let beside = page.find("Viewport").rect().left_bottom() + vec2(20.0, -20.0);
-    tap(&mut page, beside);
+    page.tap(beside);
     assert_eq!(page.selected().1.len(), 2, "a near miss keeps the selection");
     page.click("Add to selection");
-    tap(&mut page, top);
+    page.tap(top);
     assert_eq!(page.selected().1.len(), 1);
-}
-
-fn tap(page: &mut Page, at: egui::Pos2) {
-    let touch = |phase| egui::Event::Touch {
-        device_id: egui::TouchDeviceId(0),
-        id: egui::TouchId(0),
-        phase,
-        pos: at,
-        force: None,
-    };
-    let button = |pressed| egui::Event::PointerButton {
-        pos: at,
-        button: egui::PointerButton::Primary,
-        pressed,
-        modifiers: Modifiers::NONE,
-    };
-    // As a browser sends them.
-    let events = &mut page.harness.input_mut().events;
-    events.extend([egui::Event::PointerMoved(at), button(true), touch(egui::TouchPhase::Start)]);
-    page.harness.step();
-    let events = &mut page.harness.input_mut().events;
-    events.extend([button(false), egui::Event::PointerGone, touch(egui::TouchPhase::End)]);
-    page.run();
 }
 
 /// Every control on the screen is large enough for a finger.
@@ -328,7 +305,7 @@ fn on_a_telephone_everything_is_large_enough_for_fingers_and_names_no_key() {
 fn a_greyed_tool_says_why_when_it_is_tapped() {
     let mut page = Page::sized(PHONE);
     let at = page.find("Tool: Extrude").rect().center();
-    tap(&mut page, at);
+    page.tap(at);
     assert!(page.has_part("Select a face"), "a toast with the reason");
 }
 

@@ -1,6 +1,6 @@
 //! Editing by hand: symmetry, pivots, the walk along a half-edge, and what an emptied document says.
 
-use crate::page::{DESKTOP, Page};
+use crate::page::{DESKTOP, PHONE, Page};
 use egui::{Key, Modifiers, vec2};
 use egui_kittest::kittest::Queryable;
 use glam::Vec3;
@@ -154,4 +154,31 @@ fn an_emptied_document_says_what_to_do() {
     assert!(page.has("Nothing is left of the model"));
     page.press_with(Modifiers::COMMAND, Key::Z);
     assert!(!page.has("Nothing is left of the model"));
+}
+
+#[test]
+fn a_finger_drags_an_edit_and_its_buttons_end_it() {
+    let mut page = Page::sized(PHONE);
+    let before = page.mesh().clone();
+    let steps = page.undo_labels().len();
+    for (button, count) in [("Cancel", 0), ("Apply", 1)] {
+        page.select("face", &[0]);
+        let tool = page.find("Tool: Extrude").rect().center();
+        page.tap(tool);
+        let from = page.find("Viewport").rect().center();
+        page.touch(from);
+        for part in 1..=6 {
+            page.move_finger(from + vec2(5.0, -12.0) * part as f32);
+        }
+        page.lift_finger(from + vec2(30.0, -72.0));
+        let shown = page.mesh().clone();
+        assert_eq!(shown.face_count(), before.face_count() + 4, "the finger edits");
+        let at = page.find(button).rect().center();
+        page.touch(at);
+        assert_eq!(page.mesh(), &shown, "a finger on {button} moves nothing");
+        page.lift_finger(at);
+        let expected = if count == 0 { &before } else { &shown };
+        assert_eq!(page.mesh(), expected, "{button}");
+        assert_eq!(page.undo_labels().len(), steps + count);
+    }
 }

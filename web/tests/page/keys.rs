@@ -309,28 +309,10 @@ fn the_mouse_moves_the_view_as_each_preset_says() {
 fn one_finger_turns_the_view_in_every_preset() {
     let mut page = Page::with_setting(PHONE, "keys", "blender");
     let from = page.find("Viewport").rect().center_bottom() + vec2(-60.0, -20.0);
-    let touch = |phase, pos| Event::Touch {
-        device_id: egui::TouchDeviceId(1),
-        id: egui::TouchId(1),
-        phase,
-        pos,
-        force: None,
-    };
     let before = number(&mut page, "yaw");
-    let button = |pos, pressed| Event::PointerButton {
-        pos,
-        button: PointerButton::Primary,
-        pressed,
-        modifiers: Modifiers::NONE,
-    };
-    page.harness.event(touch(egui::TouchPhase::Start, from));
-    page.harness.event(button(from, true));
-    page.run();
+    page.touch(from);
     for step in 1..5 {
-        let at = from + vec2(step as f32 * 15.0, 0.0);
-        page.harness.event(touch(egui::TouchPhase::Move, at));
-        page.harness.event(Event::PointerMoved(at));
-        page.run();
+        page.move_finger(from + vec2(step as f32 * 15.0, 0.0));
     }
     assert_ne!(number(&mut page, "yaw"), before);
 }

@@ -285,6 +285,39 @@ impl Page {
         self.run();
     }
 
+    /// Puts a finger on the screen. eframe takes it for a mouse in the first frame, which has the browser's `pointerdown`.
+    pub fn touch(&mut self, at: egui::Pos2) {
+        self.harness.input_mut().events.push(press(at, true));
+        self.run();
+        self.finger(egui::TouchPhase::Start, at, [press(at, true)]);
+    }
+
+    /// Moves the finger that is on the screen.
+    pub fn move_finger(&mut self, to: egui::Pos2) {
+        self.finger(egui::TouchPhase::Move, to, [egui::Event::PointerMoved(to)]);
+    }
+
+    /// Lifts the finger.
+    pub fn lift_finger(&mut self, at: egui::Pos2) {
+        self.harness.input_mut().events.push(press(at, false));
+        self.run();
+        self.finger(egui::TouchPhase::End, at, [press(at, false), egui::Event::PointerGone]);
+    }
+
+    /// Taps with a finger.
+    pub fn tap(&mut self, at: egui::Pos2) {
+        self.touch(at);
+        self.lift_finger(at);
+    }
+
+    /// What a browser reports of a finger: what it means for the pointer, then the touch.
+    fn finger<const N: usize>(&mut self, phase: egui::TouchPhase, pos: egui::Pos2, events: [egui::Event; N]) {
+        let (device_id, id) = (egui::TouchDeviceId(0), egui::TouchId(0));
+        let touch = egui::Event::Touch { device_id, id, phase, pos, force: None };
+        self.harness.input_mut().events.extend(events.into_iter().chain([touch]));
+        self.run();
+    }
+
     /// Presses the first button at one place and lets it go at another.
     pub fn drag(&mut self, from: egui::Pos2, to: egui::Pos2) {
         self.harness.hover_at(from);
@@ -301,6 +334,12 @@ impl Page {
         self.harness.drop_at(at);
         self.run();
     }
+}
+
+/// The event of pressing the first button or letting it go.
+fn press(pos: egui::Pos2, pressed: bool) -> egui::Event {
+    let (button, modifiers) = (egui::PointerButton::Primary, egui::Modifiers::NONE);
+    egui::Event::PointerButton { pos, button, pressed, modifiers }
 }
 
 /// The event of a turn of the wheel; upwards is away from the user.

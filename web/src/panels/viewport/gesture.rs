@@ -85,8 +85,10 @@ impl Viewport<'_> {
         navigate::wheel(self, ui, response, out);
         arrow_keys(ui, self.view);
         self.hover(ui, response);
-        if self.session.live.is_some() && !response.is_pointer_button_down_on() && !is_finger(ui) {
-            // Bars over the viewport don't stop it. A finger leads it only by dragging: it taps on "Apply" too.
+        let is_pressed = ui.input(|input| input.pointer.any_down());
+        if self.session.live.is_some() && !is_pressed && !is_finger(ui) {
+            // Bars over the viewport don't stop it. A finger leads it only by dragging: it taps on "Apply" too, and eframe
+            // takes it for a mouse in the frame in which it is put down.
             let at = ui.input(|input| input.pointer.latest_pos()).filter(|at| response.rect.contains(*at));
             out.push(Request::LivePointer(at, ui.input(|input| input.modifiers)));
         }
