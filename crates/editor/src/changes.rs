@@ -1,6 +1,6 @@
 //! Changes since the last call of [`crate::Editor::take_changes`], which lists and GPU buffers follow.
 
-use crate::document::ObjectId;
+use crate::document::{Object, ObjectId};
 use halfedge::geometry::BitSet;
 use halfedge::{Mesh, Touched};
 
@@ -56,7 +56,9 @@ impl Changes {
         self.objects.iter().find(|(object, _)| *object == id).map(|(_, change)| change)
     }
 
-    pub(crate) fn added(&mut self, id: ObjectId) {
+    pub(crate) fn added(&mut self, object: &Object) {
+        let id = object.id();
+        self.controls_of(object);
         self.document = true;
         match self.entry(id) {
             // The object was removed and restored between two calls of `take_changes`.
@@ -65,7 +67,9 @@ impl Changes {
         }
     }
 
-    pub(crate) fn gone(&mut self, id: ObjectId) {
+    pub(crate) fn gone(&mut self, object: &Object) {
+        let id = object.id();
+        self.controls_of(object);
         self.document = true;
         match self.entry(id) {
             Some(ObjectChange::Added) => self.objects.retain(|(object, _)| *object != id),
@@ -80,6 +84,12 @@ impl Changes {
             // Some may be as they were, which does no harm.
             Some((_, changed)) => changed.union_with(&faces),
             None => self.hidden.push((id, faces)),
+        }
+    }
+
+    fn controls_of(&mut self, object: &Object) {
+        if object.bezier().is_some() {
+            self.controls(object.id());
         }
     }
 

@@ -136,7 +136,7 @@ impl Editor {
         let name = name.into();
         editor.document.name.clone_from(&name);
         let object = editor.object(NamedMesh::new(name, mesh));
-        editor.changes.added(object.id());
+        editor.changes.added(&object);
         editor.document.objects.push(object);
         editor
     }
@@ -351,7 +351,7 @@ impl Editor {
 
     /// Adds the undo step of what was just done, unless nothing changed; returns whether it added one.
     fn push_step(&mut self, label: String, mut back: Vec<Change>, before: Arc<Selection>) -> bool {
-        if back.iter().all(Change::is_nothing) {
+        if back.is_empty() {
             return false;
         }
         for change in &mut back {

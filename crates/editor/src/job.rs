@@ -8,7 +8,7 @@ pub use wire::{BadBytes, Wire};
 
 use crate::bezier::fill_previews;
 use crate::error::{CommandError, DECODE, EXPORT, OPEN, Problem, not_opened};
-use crate::ops::{Action, Op, Symmetry, edit_all, edit_symmetric};
+use crate::ops::{Action, Op, Symmetry, edit_local};
 use crate::outcome::{Before, ElementIds};
 use formats::{Format, Image, Import, Materials, Model, NamedBytes, NamedMesh, Picture, ReadError, Repairs};
 use glam::DVec3;
@@ -198,13 +198,8 @@ pub(crate) fn run(
     let before = Before::of(&mesh);
     mesh.start_recording();
     let mut notes = Vec::new();
-    match symmetry.axis() {
-        Some(axis) => {
-            let mut images = MirrorImages::new(&mesh, axis);
-            edit_symmetric(ops, &mut images, &mut mesh, &mut notes, progress)?;
-        }
-        None => edit_all(ops, &mut mesh, &mut notes, progress)?,
-    }
+    let mut images = symmetry.axis().map(|axis| MirrorImages::new(&mesh, axis));
+    edit_local(ops, images.as_mut(), &mut mesh, &mut notes, progress)?;
     let touched = mesh.finish_recording().touched();
     let ids = before.compare(&mesh, &touched);
     Ok(Made::Meshes(vec![NamedMesh::new("", mesh)], Some(ids), notes))

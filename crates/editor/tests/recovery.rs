@@ -118,6 +118,7 @@ enum Deed {
     Finish,
     Fail,
     Save,
+    Name,
     Open,
     Draft,
     Snapshot(usize),
@@ -165,6 +166,7 @@ fn any_deed() -> impl Strategy<Value = Deed> {
         3 => Just(Deed::Finish),
         1 => Just(Deed::Fail),
         1 => Just(Deed::Save),
+        1 => Just(Deed::Name),
         1 => Just(Deed::Open),
         1 => Just(Deed::Draft),
         1 => (1usize..5000).prop_map(Deed::Snapshot),
@@ -217,6 +219,7 @@ fn act(editor: &mut Editor, jobs: &mut Vec<JobRequest>, disk: &mut Disk, deed: &
         }
         Deed::Finish | Deed::Fail => {}
         Deed::Save => editor.mark_saved(editor.revision()),
+        Deed::Name => editor.rename_document("Saved"),
         Deed::Open => {
             let text = b"v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n".to_vec();
             let files = vec![NamedBytes { name: "Tri.obj".into(), bytes: text }];
@@ -376,6 +379,9 @@ fn a_snapshot_is_worthless_once_the_document_changed() {
     assert!(copy.step(&mut editor, 100, &mut |_| {}));
     run(&mut editor, json!({"op": "poke-faces", "faces": [0]}));
     assert!(!copy.step(&mut editor, 100, &mut |_| {}));
+    let mut copy = SnapshotCopy::begin(&editor).expect("nothing is ongoing");
+    editor.rename_document("A longer name");
+    assert!(!copy.step(&mut editor, 100, &mut |_| {}), "a name is no step");
     editor.undo().expect("free");
     let mut copy = SnapshotCopy::begin(&editor).expect("nothing is ongoing");
     assert!(copy.step(&mut editor, 100, &mut |_| {}));

@@ -97,8 +97,8 @@ impl Run {
         replaced || self.objects.contains(&id)
     }
 
-    /// A command whose job is run again.
-    pub(super) fn again(
+    /// A command that adjusts no other.
+    pub(super) fn new(
         command: Command,
         selection: Arc<Selection>,
         op: Op,
@@ -169,7 +169,7 @@ impl Editor {
         match first {
             Some(op) if cost >= faces => {
                 let selection = self.selection.clone();
-                let run = Run { command, selection, op, objects, at, adjusts: Adjusts::Nothing };
+                let run = Run::new(command, selection, op, objects, at);
                 let id = self.wait_for(WaitingFor::Run(Box::new(run)));
                 Ok(Begun::Job(JobRequest { id, work: Work::Run(ops, symmetry, inputs) }))
             }
@@ -215,7 +215,9 @@ impl Editor {
     /// document; none if the command is refused. Costs as much as running it.
     pub fn try_out(&self, command: &Command) -> Option<Mesh> {
         let Planned::Whole { op, objects, .. } = self.plan(command.clone()).ok()? else { return None };
-        let made = self.compute(&op, &objects, &mut |_| ControlFlow::Continue(())).ok()?;
+        let made = self
+            .compute(std::slice::from_ref(&op), Symmetry::None, &objects, &mut |_| ControlFlow::Continue(()))
+            .ok()?;
         let Made::Meshes(outputs, ..) = made else { return None };
         outputs.into_iter().next().map(|output| Arc::unwrap_or_clone(output.mesh))
     }

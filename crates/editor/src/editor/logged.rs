@@ -6,7 +6,6 @@ use super::run::Planned;
 use crate::changes::Changes;
 use crate::document::Document;
 use crate::error::{CommandError, Problem};
-use crate::job::{self, Made};
 use crate::ops::Command;
 use crate::recovery::Numbers;
 use crate::selection::Selection;
@@ -18,12 +17,7 @@ impl Editor {
     pub(crate) fn restored(document: Document, selection: Arc<Selection>, numbers: Numbers) -> Self {
         let Numbers { next_object, revision, last_revision, saved } = numbers;
         let mut changes = Changes::default();
-        document.objects.iter().for_each(|object| {
-            changes.added(object.id());
-            if object.bezier().is_some() {
-                changes.controls(object.id());
-            }
-        });
+        document.objects.iter().for_each(|object| changes.added(object));
         (changes.selection, changes.materials) = (true, true);
         Self { document, selection, changes, next_object, revision, last_revision, saved, ..Self::new() }
     }
@@ -107,10 +101,8 @@ impl Editor {
             Planned::Document { .. } | Planned::Select { .. } => Vec::new(),
         };
         let op = ops.first().cloned().ok_or_else(|| Problem::new("this command is no job"))?;
-        let made: Made =
-            job::run(&ops, symmetry, &self.inputs(&objects), &mut |_| ControlFlow::Continue(()))?;
-        made.validate().map_err(|defect| super::run::broken(&defect))?;
-        let run = Run::again(command, selection, op, objects, at);
+        let made = self.compute(&ops, symmetry, &objects, &mut |_| ControlFlow::Continue(()))?;
+        let run = Run::new(command, selection, op, objects, at);
         self.finish_run(run, made).map(drop).map_err(|error| Problem::new(error.problem))
     }
 }

@@ -34,7 +34,7 @@ impl Editor {
         if self.document.name != name {
             name.clone_into(&mut self.document.name);
             self.changes.document = true;
-            self.log(Event::Break);
+            self.log(Event::Name(name.to_owned()));
         }
     }
 

@@ -8,8 +8,8 @@ use crate::error::{CommandError, Problem};
 use crate::history::{Change, is_reshaping};
 use crate::job;
 use crate::ops::{
-    Action, Command, Commit, LocalEdit, NamedMesh, Op, OpId, Place, Symmetry, Target, edit_all,
-    edit_symmetric, refuse_bezier,
+    Action, Command, Commit, LocalEdit, NamedMesh, Op, OpId, Place, Symmetry, Target, edit_local,
+    refuse_bezier,
 };
 use crate::outcome::{Before, Elements, Outcome};
 use crate::recovery::Event;
@@ -185,7 +185,7 @@ impl Editor {
                 Ok(Outcome { warnings: done.notes, ..outcome })
             }
             Planned::Whole { op, objects, at } => {
-                let made = self.compute(&op, &objects, progress)?;
+                let made = self.compute(std::slice::from_ref(&op), Symmetry::None, &objects, progress)?;
                 self.commit_whole(&op, &objects, at, made)
             }
             Planned::Document { op, changes } => {
@@ -210,14 +210,15 @@ impl Editor {
         }
     }
 
-    /// The valid result of a whole-mesh operation on objects.
+    /// The valid result of operations on objects.
     pub(super) fn compute(
         &self,
-        op: &Op,
+        ops: &[Op],
+        symmetry: Symmetry,
         objects: &[ObjectId],
         progress: &mut halfedge::Progress<'_>,
     ) -> Result<job::Made, Problem> {
-        let made = job::run(std::slice::from_ref(op), Symmetry::None, &self.inputs(objects), progress)?;
+        let made = job::run(ops, symmetry, &self.inputs(objects), progress)?;
         made.validate().map_err(|defect| broken(&defect))?;
         Ok(made)
     }
@@ -340,11 +341,7 @@ impl Editor {
         let mut notes = Vec::new();
         let mut images = symmetry.axis().map(|axis| self.images.take(mesh, id, revision, axis));
         let done = mesh.transaction(|mesh| {
-            let progress: &mut halfedge::Progress<'_> = &mut |_| ControlFlow::Continue(());
-            match &mut images {
-                Some(images) => edit_symmetric(ops, images, mesh, &mut notes, progress),
-                None => edit_all(ops, mesh, &mut notes, progress),
-            }
+            edit_local(ops, images.as_mut(), mesh, &mut notes, &mut |_| ControlFlow::Continue(()))
         });
         if let Some(images) = images {
             self.images.keep(id, revision, images);

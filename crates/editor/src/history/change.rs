@@ -123,10 +123,7 @@ impl Change {
                 if at > document.objects.len() {
                     return None;
                 }
-                changes.added(object.id());
-                if object.bezier().is_some() {
-                    changes.controls(object.id());
-                }
+                changes.added(&object);
                 document.objects.insert(at, *object);
                 Self::Remove(at)
             }
@@ -135,10 +132,7 @@ impl Change {
                     return None;
                 }
                 let object = document.objects.remove(at);
-                changes.gone(object.id());
-                if object.bezier().is_some() {
-                    changes.controls(object.id());
-                }
+                changes.gone(&object);
                 reshaped(object.id());
                 Self::Insert(at, Box::new(object))
             }
@@ -163,11 +157,6 @@ impl Change {
             | Self::NamedSelections(id, _) => Some(*id),
             _ => None,
         }
-    }
-
-    /// Whether applying the change would change nothing.
-    pub fn is_nothing(&self) -> bool {
-        matches!(self, Self::Journal(_, journal) if journal.is_empty())
     }
 
     pub(super) fn bytes(&self) -> usize {

@@ -25,7 +25,7 @@ enum WorkHead {
     /// The files follow.
     Import { repairs: Repairs },
     /// The meshes follow.
-    Run { ops: Vec<serde_json::Value> },
+    Run { ops: Vec<Command> },
     /// The materials and the meshes follow.
     Export { format: Format, name: String, offset: [f64; 3] },
     /// The image's contents follow, if it has any.
@@ -62,8 +62,7 @@ impl Wire for JobRequest {
             }
             Work::Run(ops, symmetry, inputs) => {
                 let command = |op: &Op| Command { object: None, symmetry: *symmetry, op: op.clone() };
-                let values = ops.iter().map(|op| command(op).to_value());
-                out.value(&head(WorkHead::Run { ops: values.collect() }))?;
+                out.value(&head(WorkHead::Run { ops: ops.iter().map(command).collect() }))?;
                 write_meshes(&mut out, inputs, reads_soup(ops))
             }
             Work::Export(export, inputs) => {
@@ -88,9 +87,7 @@ impl Wire for JobRequest {
         let RequestHead { id, work } = from.value()?;
         let work = match work {
             WorkHead::Import { repairs } => Work::Import(read_files(&mut from)?, repairs),
-            WorkHead::Run { ops } => {
-                let parse = |value| Command::from_value(value).map_err(BadBytes::new);
-                let commands = ops.into_iter().map(parse).collect::<Result<Vec<Command>, BadBytes>>()?;
+            WorkHead::Run { ops: commands } => {
                 let symmetry = commands.first().map_or(Symmetry::None, |command| command.symmetry);
                 let ops = commands.into_iter().map(|command| command.op).collect();
                 Work::Run(ops, symmetry, read_meshes(&mut from)?)

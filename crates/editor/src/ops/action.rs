@@ -1,7 +1,7 @@
 //! How operations are carried out: on a few elements, on whole meshes, or on the list of objects.
 
 use super::facts::{Estimate, Facts};
-use super::symmetry::{Mirror, Mirroring, Reflection};
+use super::symmetry::{Mirror, Mirroring, Reflection, edit_symmetric};
 use super::{Op, SelectMode, Slot, Spec, Target};
 use crate::bezier::Bezier;
 use crate::document::{Document, Object, ObjectId};
@@ -11,6 +11,7 @@ use crate::outcome::ElementIds;
 use crate::selection::Selection;
 use formats::NamedMesh;
 use halfedge::{EdgeId, Mesh, Progress, VertexId};
+use surface::MirrorImages;
 use surface::selecting::Finding;
 
 /// An operation: a struct with the fields of its JSON.
@@ -279,6 +280,20 @@ impl<'a> Place<'a> {
 fn no_object() -> Problem {
     Problem::new("the document has no object")
         .advise("There is no object. Open a file or make a shape first.")
+}
+
+/// Makes local edits, with the mirror images of their elements if there are any.
+pub(crate) fn edit_local(
+    ops: &[Op],
+    images: Option<&mut MirrorImages>,
+    mesh: &mut Mesh,
+    notes: &mut Vec<String>,
+    progress: &mut Progress<'_>,
+) -> Result<(), Problem> {
+    match images {
+        Some(images) => edit_symmetric(ops, images, mesh, notes, progress),
+        None => edit_all(ops, mesh, notes, progress),
+    }
 }
 
 /// Makes local edits one after the other. The first always runs, so that its refusal is reported.

@@ -4,6 +4,8 @@ use super::json::take_symmetry;
 use super::symmetry::{self, Symmetry};
 use super::{Action, Op, OpId};
 use crate::error::{CommandError, Problem};
+use serde::de::Error;
+use serde::{Deserialize, Deserializer, Serialize, Serializer};
 use serde_json::{Map, Value};
 
 /// A command: an operation, and which object it is for.
@@ -127,6 +129,18 @@ impl Command {
     #[must_use]
     pub fn on(self, object: usize) -> Self {
         Self { object: Some(object), ..self }
+    }
+}
+
+impl Serialize for Command {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        self.to_value().serialize(serializer)
+    }
+}
+
+impl<'de> Deserialize<'de> for Command {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        Self::from_value(Value::deserialize(deserializer)?).map_err(Error::custom)
     }
 }
 

@@ -26,7 +26,7 @@ mod wording;
 
 pub(crate) use action::{
     Action, Commit, DocumentEdit, LocalEdit, Operation, Place, SelectEdit, WholeMesh, edges_between_created,
-    edit_all, refuse_bezier,
+    edit_local, refuse_bezier,
 };
 pub use bezier::*;
 pub use choice::Choice;
@@ -42,7 +42,7 @@ pub use refs::{EdgeRef, FaceRef, HalfedgeRef, VertexRef};
 pub use selecting::*;
 pub use spec::{Family, Scope, Spec};
 pub use symmetry::Symmetry;
-pub(crate) use symmetry::{Mirror, Mirroring, Reflection, SYMMETRY, edit_symmetric};
+pub(crate) use symmetry::{Mirror, Mirroring, Reflection, SYMMETRY};
 pub(crate) use target::{Slot, Target};
 pub use whole::*;
 pub use wording::{four_digits, sentence_case};

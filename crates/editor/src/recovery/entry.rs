@@ -5,7 +5,6 @@ use crate::job::wire::{BadBytes, Reader, Wire, Writer};
 use crate::ops::Command;
 use crate::selection::Selection;
 use serde::{Deserialize, Serialize};
-use serde_json::Value;
 use std::io::{self, Read, Write};
 use std::sync::Arc;
 
@@ -18,8 +17,10 @@ pub struct Entry {
     pub revision: u64,
 }
 
-/// Something that was done.
-#[derive(Clone, Debug, PartialEq)]
+/// Something that was done. Its names are part of the log's format: add new ones, don't rename. Selections follow the JSON
+/// in blocks of their own.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
 pub enum Event {
     /// The command that made the initial document.
     Start(Command),
@@ -30,6 +31,7 @@ pub enum Event {
         /// The command as it was given.
         command: Command,
         /// What was selected when the command was given.
+        #[serde(skip)]
         selection: Arc<Selection>,
         /// The places of the objects that the job read, before its result changed the list.
         objects: Vec<usize>,
@@ -45,6 +47,7 @@ pub enum Event {
     /// What is selected.
     Select {
         /// The selection.
+        #[serde(skip)]
         selection: Arc<Selection>,
         /// Whether it belongs to the same step as the previous selection.
         continues: bool,
@@ -57,6 +60,8 @@ pub enum Event {
     Redo,
     /// The last undone edit or change of the selection was redone.
     RedoStep,
+    /// The document got the name of the file that it was saved as.
+    Name(String),
     /// This revision was saved to a file.
     Saved(u64),
     /// The state of the viewport, in the page's own JSON.
@@ -65,30 +70,11 @@ pub enum Event {
     Break,
 }
 
+/// What JSON holds of an entry.
 #[derive(Serialize, Deserialize)]
-struct Head {
+struct Head<E> {
     revision: u64,
-    event: EventHead,
-}
-
-/// What JSON holds of an event. Names are part of the format: add new ones, don't rename.
-#[derive(Serialize, Deserialize)]
-#[serde(rename_all = "kebab-case")]
-enum EventHead {
-    Start(Value),
-    Run(Value),
-    Job { command: Value, objects: Vec<usize>, at: usize },
-    Edit(Value),
-    Draft(Value),
-    Cancel,
-    Select { continues: bool },
-    Undo,
-    UndoStep,
-    Redo,
-    RedoStep,
-    Saved(u64),
-    View(String),
-    Break,
+    event: E,
 }
 
 const ENTRY_MARK: [u8; 8] = *b"MWentry1";
@@ -96,56 +82,21 @@ const ENTRY_MARK: [u8; 8] = *b"MWentry1";
 impl Wire for Entry {
     fn write_to(&self, out: &mut dyn Write) -> io::Result<()> {
         let mut out = Writer::start(out, ENTRY_MARK)?;
-        let (event, selection) = match &self.event {
-            Event::Start(command) => (EventHead::Start(command.to_value()), None),
-            Event::Run(command) => (EventHead::Run(command.to_value()), None),
-            Event::Job { command, selection, objects, at } => {
-                let (command, objects) = (command.to_value(), objects.clone());
-                (EventHead::Job { command, objects, at: *at }, Some(selection))
+        out.value(&Head { revision: self.revision, event: &self.event })?;
+        match &self.event {
+            Event::Job { selection, .. } | Event::Select { selection, .. } => {
+                write_selection(&mut out, selection)
             }
-            Event::Edit(command) => (EventHead::Edit(command.to_value()), None),
-            Event::Draft(command) => (EventHead::Draft(command.to_value()), None),
-            Event::Select { selection, continues } => {
-                (EventHead::Select { continues: *continues }, Some(selection))
-            }
-            Event::Cancel => (EventHead::Cancel, None),
-            Event::Undo => (EventHead::Undo, None),
-            Event::UndoStep => (EventHead::UndoStep, None),
-            Event::Redo => (EventHead::Redo, None),
-            Event::RedoStep => (EventHead::RedoStep, None),
-            Event::Saved(revision) => (EventHead::Saved(*revision), None),
-            Event::View(view) => (EventHead::View(view.clone()), None),
-            Event::Break => (EventHead::Break, None),
-        };
-        out.value(&Head { revision: self.revision, event })?;
-        selection.map_or(Ok(()), |selection| write_selection(&mut out, selection))
+            _ => Ok(()),
+        }
     }
 
     fn read_from(from: &mut dyn Read, len: usize) -> Result<Self, BadBytes> {
         let mut from = Reader::start(from, len, ENTRY_MARK)?;
-        let Head { revision, event } = from.value()?;
-        let command = |value| Command::from_value(value).map_err(BadBytes::new);
-        let event = match event {
-            EventHead::Start(value) => Event::Start(command(value)?),
-            EventHead::Run(value) => Event::Run(command(value)?),
-            EventHead::Job { command: value, objects, at } => {
-                let selection = Arc::new(read_selection(&mut from)?);
-                Event::Job { command: command(value)?, selection, objects, at }
-            }
-            EventHead::Edit(value) => Event::Edit(command(value)?),
-            EventHead::Draft(value) => Event::Draft(command(value)?),
-            EventHead::Select { continues } => {
-                Event::Select { selection: Arc::new(read_selection(&mut from)?), continues }
-            }
-            EventHead::Cancel => Event::Cancel,
-            EventHead::Undo => Event::Undo,
-            EventHead::UndoStep => Event::UndoStep,
-            EventHead::Redo => Event::Redo,
-            EventHead::RedoStep => Event::RedoStep,
-            EventHead::Saved(revision) => Event::Saved(revision),
-            EventHead::View(view) => Event::View(view),
-            EventHead::Break => Event::Break,
-        };
+        let Head { revision, mut event }: Head<Event> = from.value()?;
+        if let Event::Job { selection, .. } | Event::Select { selection, .. } = &mut event {
+            *selection = Arc::new(read_selection(&mut from)?);
+        }
         from.end()?;
         Ok(Self { event, revision })
     }

@@ -66,6 +66,7 @@ impl Editor {
             Event::UndoStep => drop(self.undo_step().map_err(refused)?),
             Event::Redo => drop(self.redo().map_err(refused)?),
             Event::RedoStep => drop(self.redo_step().map_err(refused)?),
+            Event::Name(name) => self.rename_document(&name),
             Event::Saved(revision) => self.mark_saved(revision),
             Event::Cancel | Event::View(_) => {}
             Event::Break => return Err(NotReplayed::Broken),

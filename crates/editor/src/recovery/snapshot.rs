@@ -126,6 +126,8 @@ fn read_object(from: &mut Reader<'_>, head: ObjectHead) -> Result<Object, BadByt
 /// A snapshot being copied in parts, so that no frame of the page takes long: a million triangles take about 100 MB.
 #[derive(Debug)]
 pub struct SnapshotCopy {
+    /// The document's name, which changes without a step.
+    name: String,
     numbers: Numbers,
     selection: Arc<Selection>,
     done_bytes: usize,
@@ -140,6 +142,7 @@ impl SnapshotCopy {
             return None;
         }
         let mut copy = Self {
+            name: editor.document().name().to_owned(),
             numbers: editor.numbers(),
             selection: editor.shared_selection().clone(),
             done_bytes: 0,
@@ -164,10 +167,11 @@ impl SnapshotCopy {
 
     /// Gives the next bytes, at most this many, to `out`, in pieces; they follow those of the previous call. Returns false
     /// if the document or the selection changed since: what was copied is worthless then, begin again. Ends the log of the
-    /// editor with the last part, and begins it again. Costs O(bytes + objects).
+    /// editor with the last part, and begins it again: log the view then, which no snapshot holds. Costs O(bytes + objects).
     pub fn step(&mut self, editor: &mut Editor, bytes: usize, out: &mut dyn FnMut(&[u8])) -> bool {
-        let is_same =
-            editor.numbers() == self.numbers && Arc::ptr_eq(editor.shared_selection(), &self.selection);
+        let is_same = editor.numbers() == self.numbers
+            && editor.document().name() == self.name
+            && Arc::ptr_eq(editor.shared_selection(), &self.selection);
         if !is_same || editor.is_editing() || editor.is_selecting() {
             return false;
         }

@@ -1,7 +1,8 @@
 //! Mirroring operations that only move vertices.
 
 use crate::error::Problem;
-use crate::ops::{Op, edit_all};
+use crate::ops::Op;
+use crate::ops::action::edit_all;
 use glam::Vec3;
 use halfedge::{Mesh, Progress, VertexId};
 use std::collections::BTreeMap;
