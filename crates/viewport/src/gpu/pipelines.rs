@@ -134,6 +134,27 @@ pub(super) fn uniform(binding: u32, has_dynamic_offset: bool, size: usize) -> wg
     }
 }
 
+/// A picture that fragments sample between its pixels.
+pub(super) fn filtered_picture(binding: u32) -> wgpu::BindGroupLayoutEntry {
+    for_fragments(
+        binding,
+        wgpu::BindingType::Texture {
+            sample_type: wgpu::TextureSampleType::Float { filterable: true },
+            view_dimension: wgpu::TextureViewDimension::D2,
+            multisampled: false,
+        },
+    )
+}
+
+/// A sampler for such pictures.
+pub(super) fn filtering_sampler(binding: u32) -> wgpu::BindGroupLayoutEntry {
+    for_fragments(binding, wgpu::BindingType::Sampler(wgpu::SamplerBindingType::Filtering))
+}
+
+fn for_fragments(binding: u32, ty: wgpu::BindingType) -> wgpu::BindGroupLayoutEntry {
+    wgpu::BindGroupLayoutEntry { binding, visibility: wgpu::ShaderStages::FRAGMENT, ty, count: None }
+}
+
 impl Pipelines {
     pub fn new(device: &wgpu::Device, target: wgpu::TextureFormat) -> (Self, ShadowPipelines) {
         let uniforms = device.create_bind_group_layout(&wgpu::BindGroupLayoutDescriptor {
@@ -261,23 +282,9 @@ impl Pipelines {
 
 /// What surfaces are shaded with: a matcap's picture and a sampler.
 fn surface_layout(device: &wgpu::Device) -> wgpu::BindGroupLayout {
-    let entry = |binding, ty| wgpu::BindGroupLayoutEntry {
-        binding,
-        visibility: wgpu::ShaderStages::FRAGMENT,
-        ty,
-        count: None,
-    };
-    let picture = wgpu::BindingType::Texture {
-        sample_type: wgpu::TextureSampleType::Float { filterable: true },
-        view_dimension: wgpu::TextureViewDimension::D2,
-        multisampled: false,
-    };
     device.create_bind_group_layout(&wgpu::BindGroupLayoutDescriptor {
         label: Some("viewport surface"),
-        entries: &[
-            entry(0, picture),
-            entry(1, wgpu::BindingType::Sampler(wgpu::SamplerBindingType::Filtering)),
-        ],
+        entries: &[filtered_picture(0), filtering_sampler(1)],
     })
 }
 

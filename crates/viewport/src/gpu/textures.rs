@@ -4,7 +4,7 @@
 //! in size. Where materials have more, the faces are drawn in several passes, each of which leaves out those of the
 //! others. Which texture a face shows is thus a number at its corners, and an edit moves no triangles between buffers.
 
-use super::pipelines::{Depth, Maker, buffer, uniform};
+use super::pipelines::{Depth, Maker, buffer, filtered_picture, filtering_sampler, uniform};
 use super::renderer::Renderer;
 use crate::materials::TEXTURES_PER_DRAW;
 use crate::{Materials, Texture, Wrap};
@@ -109,22 +109,10 @@ pub struct Textures {
 
 impl Textures {
     pub fn new(device: &wgpu::Device) -> Self {
-        let entry = |binding, ty| wgpu::BindGroupLayoutEntry {
-            binding,
-            visibility: wgpu::ShaderStages::FRAGMENT,
-            ty,
-            count: None,
-        };
-        let picture = wgpu::BindingType::Texture {
-            sample_type: wgpu::TextureSampleType::Float { filterable: true },
-            view_dimension: wgpu::TextureViewDimension::D2,
-            multisampled: false,
-        };
-        let sampler = wgpu::BindingType::Sampler(wgpu::SamplerBindingType::Filtering);
         let places = TEXTURES_PER_DRAW as u32;
         let mut entries = vec![uniform(0, false, TEXTURES_PER_DRAW * size_of::<Placement>())];
-        entries.extend((1..=places).map(|binding| entry(binding, picture)));
-        entries.extend((1..=places).map(|binding| entry(places + binding, sampler)));
+        entries.extend((1..=places).map(filtered_picture));
+        entries.extend((1..=places).map(|place| filtering_sampler(places + place)));
         Self {
             layout: device.create_bind_group_layout(&wgpu::BindGroupLayoutDescriptor {
                 label: Some("textures"),
