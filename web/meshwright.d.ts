@@ -10,7 +10,7 @@ export interface SetVertexPosition {
   vertex?: number;
   /** The new position, in mesh units: three numbers: `[x, y, z]`; required. */
   position: Vector;
-  /** The axis along which what lies at the mirror images is edited too: one of `"none"`, `"x"`, `"y"`, `"z"`; default: none. */
+  /** Mirror the edit across the plane through the origin that this axis is normal to: one of `"none"`, `"x"`, `"y"`, `"z"`; default: none. */
   symmetry?: "none" | "x" | "y" | "z";
 }
 
@@ -39,7 +39,7 @@ export interface Transform {
   pivot?: Vector;
   /** Soft selection: how far along the surface other vertices move too: a number in mesh units, 0 or more; default: none. */
   falloff?: number;
-  /** The axis along which what lies at the mirror images is edited too: one of `"none"`, `"x"`, `"y"`, `"z"`; default: none. */
+  /** Mirror the edit across the plane through the origin that this axis is normal to: one of `"none"`, `"x"`, `"y"`, `"z"`; default: none. */
   symmetry?: "none" | "x" | "y" | "z";
 }
 
@@ -52,7 +52,7 @@ export interface SetFaceColor {
   faces?: number[];
   /** The colour as #rrggbb: a colour: `"#rrggbb"`; required. */
   color: string;
-  /** The axis along which what lies at the mirror images is edited too: one of `"none"`, `"x"`, `"y"`, `"z"`; default: none. */
+  /** Mirror the edit across the plane through the origin that this axis is normal to: one of `"none"`, `"x"`, `"y"`, `"z"`; default: none. */
   symmetry?: "none" | "x" | "y" | "z";
 }
 
@@ -67,7 +67,7 @@ export interface SplitEdge {
   t?: number;
   /** Which of the faces beside the edge are cut: one of `"triangles"`, `"none"`, `"all"`; default: triangles. */
   connect?: "triangles" | "none" | "all";
-  /** The axis along which what lies at the mirror images is edited too: one of `"none"`, `"x"`, `"y"`, `"z"`; default: none. */
+  /** Mirror the edit across the plane through the origin that this axis is normal to: one of `"none"`, `"x"`, `"y"`, `"z"`; default: none. */
   symmetry?: "none" | "x" | "y" | "z";
 }
 
@@ -78,7 +78,7 @@ export interface FlipEdge {
   object?: number;
   /** The edge to flip: an edge by id or by `[a, b]`, the vertices at its ends; default: the selected edges. */
   edge?: number | Pair;
-  /** The axis along which what lies at the mirror images is edited too: one of `"none"`, `"x"`, `"y"`, `"z"`; default: none. */
+  /** Mirror the edit across the plane through the origin that this axis is normal to: one of `"none"`, `"x"`, `"y"`, `"z"`; default: none. */
   symmetry?: "none" | "x" | "y" | "z";
 }
 
@@ -91,7 +91,7 @@ export interface CollapseEdge {
   edge?: number | Pair;
   /** The position of the vertex along the edge: a number from 0 to 1; default: 0.5. */
   t?: number;
-  /** The axis along which what lies at the mirror images is edited too: one of `"none"`, `"x"`, `"y"`, `"z"`; default: none. */
+  /** Mirror the edit across the plane through the origin that this axis is normal to: one of `"none"`, `"x"`, `"y"`, `"z"`; default: none. */
   symmetry?: "none" | "x" | "y" | "z";
 }
 
@@ -102,7 +102,7 @@ export interface CollapseFace {
   object?: number;
   /** The face to collapse: a face by id; default: the selected faces. */
   face?: number;
-  /** The axis along which what lies at the mirror images is edited too: one of `"none"`, `"x"`, `"y"`, `"z"`; default: none. */
+  /** Mirror the edit across the plane through the origin that this axis is normal to: one of `"none"`, `"x"`, `"y"`, `"z"`; default: none. */
   symmetry?: "none" | "x" | "y" | "z";
 }
 
@@ -117,7 +117,7 @@ export interface SplitVertex {
   edges?: [number | Pair, number | Pair];
   /** The positions of the two vertices: two positions: `[[x, y, z], [x, y, z]]`; default: a little apart. */
   positions?: [Vector, Vector];
-  /** The axis along which what lies at the mirror images is edited too: one of `"none"`, `"x"`, `"y"`, `"z"`; default: none. */
+  /** Mirror the edit across the plane through the origin that this axis is normal to: one of `"none"`, `"x"`, `"y"`, `"z"`; default: none. */
   symmetry?: "none" | "x" | "y" | "z";
 }
 
@@ -130,7 +130,7 @@ export interface DissolveVertex {
   vertex?: number;
   /** The vertices to dissolve, one after the other: a list of vertices, each by id; default: the selected vertices. */
   vertices?: number[];
-  /** The axis along which what lies at the mirror images is edited too: one of `"none"`, `"x"`, `"y"`, `"z"`; default: none. */
+  /** Mirror the edit across the plane through the origin that this axis is normal to: one of `"none"`, `"x"`, `"y"`, `"z"`; default: none. */
   symmetry?: "none" | "x" | "y" | "z";
 }
 
@@ -145,7 +145,7 @@ export interface DissolveEdge {
   edges?: (number | Pair)[];
   /** Whether vertices that are left with two edges stay: `true` or `false`; default: false. */
   keep_vertices?: boolean;
-  /** The axis along which what lies at the mirror images is edited too: one of `"none"`, `"x"`, `"y"`, `"z"`; default: none. */
+  /** Mirror the edit across the plane through the origin that this axis is normal to: one of `"none"`, `"x"`, `"y"`, `"z"`; default: none. */
   symmetry?: "none" | "x" | "y" | "z";
 }
 
@@ -156,7 +156,7 @@ export interface DeleteFaces {
   object?: number;
   /** The faces to delete: a list of faces, each by id; default: the selected faces. */
   faces?: number[];
-  /** The axis along which what lies at the mirror images is edited too: one of `"none"`, `"x"`, `"y"`, `"z"`; default: none. */
+  /** Mirror the edit across the plane through the origin that this axis is normal to: one of `"none"`, `"x"`, `"y"`, `"z"`; default: none. */
   symmetry?: "none" | "x" | "y" | "z";
 }
 
@@ -167,7 +167,7 @@ export interface DeleteVertices {
   object?: number;
   /** The vertices to delete: a list of vertices, each by id; default: the selected vertices. */
   vertices?: number[];
-  /** The axis along which what lies at the mirror images is edited too: one of `"none"`, `"x"`, `"y"`, `"z"`; default: none. */
+  /** Mirror the edit across the plane through the origin that this axis is normal to: one of `"none"`, `"x"`, `"y"`, `"z"`; default: none. */
   symmetry?: "none" | "x" | "y" | "z";
 }
 
@@ -180,7 +180,7 @@ export interface TriangulateFaces {
   faces?: number[];
   /** A fan from the first corner if that is correct, else ears; or always one of the two: one of `"auto"`, `"fan"`, `"ear"`; default: auto. */
   method?: "auto" | "fan" | "ear";
-  /** The axis along which what lies at the mirror images is edited too: one of `"none"`, `"x"`, `"y"`, `"z"`; default: none. */
+  /** Mirror the edit across the plane through the origin that this axis is normal to: one of `"none"`, `"x"`, `"y"`, `"z"`; default: none. */
   symmetry?: "none" | "x" | "y" | "z";
 }
 
@@ -191,7 +191,7 @@ export interface PokeFaces {
   object?: number;
   /** The faces to poke: a list of faces, each by id; default: the selected faces. */
   faces?: number[];
-  /** The axis along which what lies at the mirror images is edited too: one of `"none"`, `"x"`, `"y"`, `"z"`; default: none. */
+  /** Mirror the edit across the plane through the origin that this axis is normal to: one of `"none"`, `"x"`, `"y"`, `"z"`; default: none. */
   symmetry?: "none" | "x" | "y" | "z";
 }
 
@@ -202,7 +202,7 @@ export interface ConnectVertices {
   object?: number;
   /** Two corners of one face: a list of two vertices, each by id; default: the two selected vertices. */
   vertices?: [number, number];
-  /** The axis along which what lies at the mirror images is edited too: one of `"none"`, `"x"`, `"y"`, `"z"`; default: none. */
+  /** Mirror the edit across the plane through the origin that this axis is normal to: one of `"none"`, `"x"`, `"y"`, `"z"`; default: none. */
   symmetry?: "none" | "x" | "y" | "z";
 }
 
@@ -217,7 +217,7 @@ export interface ExtrudeFaces {
   distance: number;
   /** Whether faces that share an edge stay together: one of `"region"`, `"individual"`; default: region. */
   mode?: "region" | "individual";
-  /** The axis along which what lies at the mirror images is edited too: one of `"none"`, `"x"`, `"y"`, `"z"`; default: none. */
+  /** Mirror the edit across the plane through the origin that this axis is normal to: one of `"none"`, `"x"`, `"y"`, `"z"`; default: none. */
   symmetry?: "none" | "x" | "y" | "z";
 }
 
@@ -230,7 +230,7 @@ export interface ExtrudeEdges {
   edges?: (number | Pair)[];
   /** From the edges to the far sides, in mesh units: three numbers: `[x, y, z]`; required. */
   offset: Vector;
-  /** The axis along which what lies at the mirror images is edited too: one of `"none"`, `"x"`, `"y"`, `"z"`; default: none. */
+  /** Mirror the edit across the plane through the origin that this axis is normal to: one of `"none"`, `"x"`, `"y"`, `"z"`; default: none. */
   symmetry?: "none" | "x" | "y" | "z";
 }
 
@@ -245,7 +245,7 @@ export interface InsetFaces {
   amount: number;
   /** Whether faces that share an edge stay together: one of `"region"`, `"individual"`; default: region. */
   mode?: "region" | "individual";
-  /** The axis along which what lies at the mirror images is edited too: one of `"none"`, `"x"`, `"y"`, `"z"`; default: none. */
+  /** Mirror the edit across the plane through the origin that this axis is normal to: one of `"none"`, `"x"`, `"y"`, `"z"`; default: none. */
   symmetry?: "none" | "x" | "y" | "z";
 }
 
@@ -260,7 +260,7 @@ export interface BevelEdges {
   width: number;
   /** The number of faces across the strip: a whole number from 1 to 256; default: 1. */
   segments?: number;
-  /** The axis along which what lies at the mirror images is edited too: one of `"none"`, `"x"`, `"y"`, `"z"`; default: none. */
+  /** Mirror the edit across the plane through the origin that this axis is normal to: one of `"none"`, `"x"`, `"y"`, `"z"`; default: none. */
   symmetry?: "none" | "x" | "y" | "z";
 }
 
@@ -273,7 +273,7 @@ export interface BevelVertices {
   vertices?: number[];
   /** How far along each edge, in mesh units: a number in mesh units, 0 or more; required. */
   width: number;
-  /** The axis along which what lies at the mirror images is edited too: one of `"none"`, `"x"`, `"y"`, `"z"`; default: none. */
+  /** Mirror the edit across the plane through the origin that this axis is normal to: one of `"none"`, `"x"`, `"y"`, `"z"`; default: none. */
   symmetry?: "none" | "x" | "y" | "z";
 }
 
@@ -288,7 +288,7 @@ export interface LoopCut {
   cuts?: number;
   /** The position of the middle of the cuts along the edge: a number above 0 and below 1; default: 0.5. */
   t?: number;
-  /** The axis along which what lies at the mirror images is edited too: one of `"none"`, `"x"`, `"y"`, `"z"`; default: none. */
+  /** Mirror the edit across the plane through the origin that this axis is normal to: one of `"none"`, `"x"`, `"y"`, `"z"`; default: none. */
   symmetry?: "none" | "x" | "y" | "z";
 }
 
@@ -301,7 +301,7 @@ export interface SlideEdges {
   edges?: (number | Pair)[];
   /** How far: 1 is to the neighbours on the left, -1 to those on the right: a number from -1 to 1; required. */
   amount: number;
-  /** The axis along which what lies at the mirror images is edited too: one of `"none"`, `"x"`, `"y"`, `"z"`; default: none. */
+  /** Mirror the edit across the plane through the origin that this axis is normal to: one of `"none"`, `"x"`, `"y"`, `"z"`; default: none. */
   symmetry?: "none" | "x" | "y" | "z";
 }
 
@@ -316,7 +316,7 @@ export interface SlideVertices {
   direction?: Vector;
   /** How far: 1 is to the edges' other ends; below 0 is the other way: a number from -1 to 1; required. */
   amount: number;
-  /** The axis along which what lies at the mirror images is edited too: one of `"none"`, `"x"`, `"y"`, `"z"`; default: none. */
+  /** Mirror the edit across the plane through the origin that this axis is normal to: one of `"none"`, `"x"`, `"y"`, `"z"`; default: none. */
   symmetry?: "none" | "x" | "y" | "z";
 }
 
@@ -327,7 +327,7 @@ export interface FillHole {
   object?: number;
   /** A half-edge of the boundary loop: a half-edge by id or by `[from, to]`, its vertices; default: the selected half-edges. */
   halfedge?: number | Pair;
-  /** The axis along which what lies at the mirror images is edited too: one of `"none"`, `"x"`, `"y"`, `"z"`; default: none. */
+  /** Mirror the edit across the plane through the origin that this axis is normal to: one of `"none"`, `"x"`, `"y"`, `"z"`; default: none. */
   symmetry?: "none" | "x" | "y" | "z";
 }
 
@@ -340,7 +340,7 @@ export interface Bridge {
   halfedges?: [number | Pair, number | Pair];
   /** Two faces to replace: a list of two faces, each by id; default: the two selected faces. */
   faces?: [number, number];
-  /** The axis along which what lies at the mirror images is edited too: one of `"none"`, `"x"`, `"y"`, `"z"`; default: none. */
+  /** Mirror the edit across the plane through the origin that this axis is normal to: one of `"none"`, `"x"`, `"y"`, `"z"`; default: none. */
   symmetry?: "none" | "x" | "y" | "z";
 }
 
@@ -353,7 +353,7 @@ export interface MergeVertices {
   vertices?: number[];
   /** The position of the merged vertex: three numbers: `[x, y, z]`; default: the centre of the vertices. */
   position?: Vector;
-  /** The axis along which what lies at the mirror images is edited too: one of `"none"`, `"x"`, `"y"`, `"z"`; default: none. */
+  /** Mirror the edit across the plane through the origin that this axis is normal to: one of `"none"`, `"x"`, `"y"`, `"z"`; default: none. */
   symmetry?: "none" | "x" | "y" | "z";
 }
 
@@ -364,7 +364,7 @@ export interface WeldEdges {
   object?: number;
   /** Two boundary edges: a list of two edges, each by id or by `[a, b]`, the vertices at its ends; default: the two selected edges. */
   edges?: [number | Pair, number | Pair];
-  /** The axis along which what lies at the mirror images is edited too: one of `"none"`, `"x"`, `"y"`, `"z"`; default: none. */
+  /** Mirror the edit across the plane through the origin that this axis is normal to: one of `"none"`, `"x"`, `"y"`, `"z"`; default: none. */
   symmetry?: "none" | "x" | "y" | "z";
 }
 
@@ -375,7 +375,7 @@ export interface RipEdges {
   object?: number;
   /** The edges to rip: a list of edges, each by id or by `[a, b]`, the vertices at its ends; default: the selected edges. */
   edges?: (number | Pair)[];
-  /** The axis along which what lies at the mirror images is edited too: one of `"none"`, `"x"`, `"y"`, `"z"`; default: none. */
+  /** Mirror the edit across the plane through the origin that this axis is normal to: one of `"none"`, `"x"`, `"y"`, `"z"`; default: none. */
   symmetry?: "none" | "x" | "y" | "z";
 }
 
@@ -386,7 +386,7 @@ export interface FlipOrientation {
   object?: number;
   /** The faces of whole connected pieces: a list of faces, each by id; default: the selected faces, or all. */
   faces?: number[];
-  /** The axis along which what lies at the mirror images is edited too: one of `"none"`, `"x"`, `"y"`, `"z"`; default: none. */
+  /** Mirror the edit across the plane through the origin that this axis is normal to: one of `"none"`, `"x"`, `"y"`, `"z"`; default: none. */
   symmetry?: "none" | "x" | "y" | "z";
 }
 
@@ -401,7 +401,7 @@ export interface SetCrease {
   vertices?: number[];
   /** 0 is smooth, 10 infinitely sharp: a number from 0 to 10; required. */
   sharpness: number;
-  /** The axis along which what lies at the mirror images is edited too: one of `"none"`, `"x"`, `"y"`, `"z"`; default: none. */
+  /** Mirror the edit across the plane through the origin that this axis is normal to: one of `"none"`, `"x"`, `"y"`, `"z"`; default: none. */
   symmetry?: "none" | "x" | "y" | "z";
 }
 
@@ -481,7 +481,7 @@ export interface Smooth {
   iterations?: number;
   /** The fraction of the way to move in each iteration: a number from 0 to 1; default: 0.5. */
   strength?: number;
-  /** Only towards the neighbours, or also back again, which nearly keeps the volume: one of `"laplacian"`, `"taubin"`; default: laplacian. */
+  /** Move vertices towards their neighbours only, or also back, which nearly keeps the volume: one of `"laplacian"`, `"taubin"`; default: laplacian. */
   method?: "laplacian" | "taubin";
 }
 
@@ -675,7 +675,7 @@ export interface SelectNamed {
   mode?: "replace" | "extend" | "toggle" | "remove" | "intersect";
 }
 
-/** Keep the selection under a name; one of that name is replaced. */
+/** Save the selection under a name, and replace any of that name. */
 export interface NameSelection {
   op: "name-selection";
   /** The place of the object in the document's list; default: the active object. */
@@ -684,7 +684,7 @@ export interface NameSelection {
   name: string;
 }
 
-/** Give a named selection another name. */
+/** Rename a named selection. */
 export interface RenameNamedSelection {
   op: "rename-named-selection";
   /** The place of the object in the document's list; default: the active object. */
@@ -724,7 +724,7 @@ export interface Reveal {
   object?: number;
 }
 
-/** Hide everything else; again, show everything. */
+/** Hide everything else. Repeat to show everything. */
 export interface Isolate {
   op: "isolate";
   /** The place of the object in the document's list; default: the active object. */

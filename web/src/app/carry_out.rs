@@ -146,7 +146,7 @@ impl App {
             self.carry_out(request);
             self.session.by_key = false;
         } else if request.names_elements() {
-            let text = "The history is still on its way to another step. Select again once it is there.";
+            let text = "The history is still going to another step. Select again when it is there.";
             self.session.toast(MessageKind::Info, text.to_owned(), Vec::new());
         } else {
             self.waiting.push_back(Waiting { request, by_key });

@@ -60,7 +60,7 @@ pub(crate) fn why_not(action: Action, session: &Session, kind: Element, player: 
             Some("There is nothing to look at. Open a file or make a shape first.".into())
         }
         Action::Look(Look::Texture) if !textures::has_textures(document) => Some(
-            "No material here has an image. Open a model together with its images, or drop those that it misses on the page."
+            "No material here has an image. Open a model together with its images, or drop the missing ones on the page."
                 .into(),
         ),
         Action::Look(Look::Checker) if !textures::has_uvs(document) => {

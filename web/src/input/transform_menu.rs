@@ -89,27 +89,15 @@ pub(super) static ENTRIES: &[Option<Entry>] = &[
     )),
     Some(entry(A::Mirror(Symmetry::None), "No symmetry", "Edit the selection only.").synonyms(MIRROR)),
     Some(
-        entry(
-            A::Mirror(Symmetry::X),
-            "Symmetry along x",
-            "Edit what lies at the mirror image across x = 0 too.",
-        )
-        .synonyms(MIRROR),
+        entry(A::Mirror(Symmetry::X), "Symmetry along x", "Mirror edits across the plane x = 0.")
+            .synonyms(MIRROR),
     ),
     Some(
-        entry(
-            A::Mirror(Symmetry::Y),
-            "Symmetry along y",
-            "Edit what lies at the mirror image across y = 0 too.",
-        )
-        .synonyms(MIRROR),
+        entry(A::Mirror(Symmetry::Y), "Symmetry along y", "Mirror edits across the plane y = 0.")
+            .synonyms(MIRROR),
     ),
     Some(
-        entry(
-            A::Mirror(Symmetry::Z),
-            "Symmetry along z",
-            "Edit what lies at the mirror image across z = 0 too.",
-        )
-        .synonyms(MIRROR),
+        entry(A::Mirror(Symmetry::Z), "Symmetry along z", "Mirror edits across the plane z = 0.")
+            .synonyms(MIRROR),
     ),
 ];

@@ -42,8 +42,8 @@ pub(super) static ENTRIES: &[Option<Entry>] = &[
         "Fit everything into the view, from the same direction.",
         &["zoom to fit", "view all"],
     ),
-    also(A::ZoomIn, "Zoom in", "Enlarge what is in the middle of the view.", &["closer", "larger"]),
-    also(A::ZoomOut, "Zoom out", "Show more around the middle of the view.", &["farther", "smaller"]),
+    also(A::ZoomIn, "Zoom in", "Zoom in on the middle of the view.", &["closer", "larger"]),
+    also(A::ZoomOut, "Zoom out", "Zoom out from the middle of the view.", &["farther", "smaller"]),
     Some(entry(A::ResetView, "Reset view", "Restore the initial view.")),
     Some(entry(A::LookFrom(Side::Front), "Front view", "Look from the front, along an axis.")),
     Some(entry(A::LookFrom(Side::Back), "Back view", "Look from the back, along an axis.")),
@@ -91,7 +91,7 @@ pub(super) static ENTRIES: &[Option<Entry>] = &[
     also(
         A::CameraOfKeys,
         "Camera of the keys",
-        "Move the camera as the program does whose keys are chosen.",
+        "Use the camera style that belongs to the chosen keys.",
         NAVIGATION,
     ),
     also(
@@ -231,7 +231,7 @@ pub(super) static ENTRIES: &[Option<Entry>] = &[
         entry(
             A::Look(Look::Texture),
             "Textures",
-            "Draw the images of materials on faces, in soft studio light.",
+            "Draw the images of materials on faces, lit as in a studio.",
         )
         .synonyms(&["look", "material preview", "image", "map", "uv"]),
     ),
@@ -303,14 +303,14 @@ pub(super) static ENTRIES: &[Option<Entry>] = &[
         entry(
             A::Look(Look::Checker),
             "UV checker",
-            "Draw a chequered pattern at texture coordinates: redder to the right, greener to the top.",
+            "Draw a checker pattern by texture coordinates: red grows to the right, green upwards.",
         )
         .synonyms(&["look", "texture coordinates", "test grid", "distortion", "unwrap"]),
     ),
     also(
         A::HideBacks,
         "Hide backs of faces",
-        "Leave faces out where they are seen from the back.",
+        "Hide faces that are seen from the back.",
         &["backface culling", "cull"],
     ),
     Some(

@@ -71,15 +71,21 @@ fn images(ui: &mut Ui, page: &Page<'_>) {
     let told: Vec<_> = all
         .iter()
         .filter_map(|image| match (&image.bytes, page.view.textures.state(image)) {
-            (None, _) => {
-                Some((image, "missing".to_owned(), "Drop the file on the page: a material names it", true))
-            }
+            (None, _) => Some((
+                image,
+                "missing".to_owned(),
+                "A material refers to this file: drop it on the page",
+                true,
+            )),
             (_, Some(State::Shown([w, h]))) => {
                 Some((image, format!("{w} × {h}"), "The image of a material, and its size in pixels", false))
             }
-            (_, Some(State::Failed(_))) => {
-                Some((image, "not shown".to_owned(), "Help > Messages says why. The file is kept", true))
-            }
+            (_, Some(State::Failed(_))) => Some((
+                image,
+                "not shown".to_owned(),
+                "For the reason, see Help > Messages. The file is kept",
+                true,
+            )),
             (_, Some(_)) => Some((image, COUNTING.to_owned(), "The image is being loaded", false)),
             (Some(_), None) => None,
         })

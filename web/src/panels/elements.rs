@@ -10,6 +10,7 @@ use crate::lists::columns::{columns, counted, element_name, plural, row};
 use crate::lists::index::{RowIndex, Source};
 use crate::lists::row_list::{Picked, RowContent, RowList, RowListState};
 use crate::page_view::Page;
+use crate::panels::hidden_bar::reveal_button;
 use crate::panels::menu_bar::menu_item;
 use crate::request::{Request, Requests};
 use crate::theme;
@@ -215,14 +216,6 @@ fn hidden_count(ui: &mut Ui, page: &Page<'_>, own: &Lists, out: &mut Requests) {
         ui.label(RichText::new(text).small());
         ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| reveal_button(ui, out));
     });
-}
-
-fn reveal_button(ui: &mut Ui, out: &mut Requests) {
-    let reveal = actions::of_operation(OpId::Reveal);
-    let tooltip = keys::tooltip(ui.ctx(), reveal.description, reveal.action);
-    if ui.button(reveal.label).on_hover_text(tooltip).clicked() {
-        out.act(reveal.action);
-    }
 }
 
 /// Selects the element with the typed id.

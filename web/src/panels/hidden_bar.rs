@@ -1,10 +1,10 @@
 //! The note over the viewport that faces are hidden, with a button that shows them again.
 
 use editor::OpId;
-use egui::{Align2, Area, Context, Frame, Id, Order, pos2};
+use egui::{Align2, Area, Context, Frame, Id, Order, Ui, pos2};
 use halfedge::words::counted;
 
-use crate::input::actions::{self, Action};
+use crate::input::actions;
 use crate::input::keys;
 use crate::page_view::Page;
 use crate::request::Requests;
@@ -25,12 +25,17 @@ pub(crate) fn show(ctx: &Context, page: &Page<'_>, out: &mut Requests) {
         Frame::popup(ui.style()).show(ui, |ui| {
             ui.horizontal(|ui| {
                 ui.label(format!("{} hidden", counted(hidden, "face", "faces")));
-                let reveal = actions::of_operation(OpId::Reveal);
-                let tooltip = keys::tooltip(ctx, reveal.description, reveal.action);
-                if ui.button(reveal.label).on_hover_text(tooltip).clicked() {
-                    out.act(Action::Operation(OpId::Reveal));
-                }
+                reveal_button(ui, out);
             });
         });
     });
+}
+
+/// A button that shows everything again.
+pub(crate) fn reveal_button(ui: &mut Ui, out: &mut Requests) {
+    let reveal = actions::of_operation(OpId::Reveal);
+    let tooltip = keys::tooltip(ui.ctx(), reveal.description, reveal.action);
+    if ui.button(reveal.label).on_hover_text(tooltip).clicked() {
+        out.act(reveal.action);
+    }
 }

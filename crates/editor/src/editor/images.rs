@@ -39,7 +39,7 @@ impl Editor {
         let before = self.selection.clone();
         let back = self.apply(vec![Change::Materials(materials)]);
         let taken: Vec<&str> = taken.iter().map(String::as_str).collect();
-        let message = format!("Added {} to the materials that name it", names(&taken));
+        let message = format!("Added images to materials: {}", names(&taken));
         self.push_step(format!("Add {}", names(&taken)), back, before);
         self.log(Event::Break);
         self.say(MessageKind::Info, message.clone());

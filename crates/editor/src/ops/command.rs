@@ -13,7 +13,7 @@ use serde_json::{Map, Value};
 pub struct Command {
     /// The place of the object in the document's list; none for the active one.
     pub object: Option<usize>,
-    /// The axis along which what lies at the mirror images is edited too. Only operations on elements have one.
+    /// The axis along which the edit is mirrored. Only operations on elements have one.
     pub symmetry: Symmetry,
     /// What to do.
     pub op: Op,

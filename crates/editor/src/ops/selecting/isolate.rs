@@ -9,7 +9,7 @@ use crate::ops::{
 use serde::{Deserialize, Serialize};
 use std::sync::Arc;
 
-/// Hide everything else; again, show everything.
+/// Hide everything else. Repeat to show everything.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Isolate {
@@ -25,7 +25,7 @@ const FIELDS: [Field; 3] = fields("Faces to keep");
 
 impl Operation for Isolate {
     const SPEC: Spec =
-        Spec::new(Scope::Selection, "isolate", "Isolate", "Hide everything else; again, show everything.")
+        Spec::new(Scope::Selection, "isolate", "Isolate", "Hide everything else. Repeat to show everything.")
             .synonyms(&["local view", "hide unselected", "solo"])
             .fields(&FIELDS);
 

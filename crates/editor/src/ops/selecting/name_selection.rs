@@ -1,4 +1,4 @@
-//! `name-selection`: keep the selection under a name; one of that name is replaced.
+//! `name-selection`: save the selection under a name, and replace any of that name.
 
 use super::naming::{change, name_of};
 use crate::document::NamedSelection;
@@ -7,7 +7,7 @@ use crate::history::Change;
 use crate::ops::{Action, DocumentEdit, Field, FieldKind, Operation, Place, Scope, Spec};
 use serde::{Deserialize, Serialize};
 
-/// Keep the selection under a name; one of that name is replaced.
+/// Save the selection under a name, and replace any of that name.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct NameSelection {
@@ -20,7 +20,7 @@ impl Operation for NameSelection {
         Scope::Selection,
         "name-selection",
         "Name selection",
-        "Keep the selection under a name; one of that name is replaced.",
+        "Save the selection under a name, and replace any of that name.",
     )
     .synonyms(&["vertex group", "selection set", "save selection"])
     .fields(&[Field::required("name", FieldKind::Text, "The name")]);

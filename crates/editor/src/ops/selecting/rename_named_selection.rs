@@ -6,7 +6,7 @@ use crate::history::Change;
 use crate::ops::{Action, DocumentEdit, Field, FieldKind, Operation, Place, Scope, Spec};
 use serde::{Deserialize, Serialize};
 
-/// Give a named selection another name.
+/// Rename a named selection.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct RenameNamedSelection {
@@ -21,7 +21,7 @@ impl Operation for RenameNamedSelection {
         Scope::Selection,
         "rename-named-selection",
         "Rename named selection",
-        "Give a named selection another name.",
+        "Rename a named selection.",
     )
     .fields(&[
         Field::required("name", FieldKind::Text, "The name"),

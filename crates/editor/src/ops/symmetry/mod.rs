@@ -35,8 +35,10 @@ choice! {
 pub(crate) const FIELD_NAME: &str = "symmetry";
 
 /// The field of operations that can be mirrored.
-pub(crate) const SYMMETRY: Field =
-    Symmetry::field(FIELD_NAME, "The axis along which what lies at the mirror images is edited too");
+pub(crate) const SYMMETRY: Field = Symmetry::field(
+    FIELD_NAME,
+    "Mirror the edit across the plane through the origin that this axis is normal to",
+);
 
 impl Field {
     /// Whether it is the symmetry, which belongs to the command and which the page has a setting for.
@@ -115,7 +117,7 @@ pub(crate) fn edit_symmetric(
         notes.push(format!("{elements} no mirror image along {axis} and changed alone"));
     }
     if let Some(problem) = left_out {
-        notes.push(format!("A mirror image was left out: {}", problem.text));
+        notes.push(format!("The mirror image of an edit was left out: {}", problem.text));
     }
     Ok(())
 }

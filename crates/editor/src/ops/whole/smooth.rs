@@ -65,7 +65,7 @@ impl Operation for Smooth {
         .or(DefaultValue::Number(STRENGTH as f64)),
         SmoothMethod::field(
             "method",
-            "Only towards the neighbours, or also back again, which nearly keeps the volume",
+            "Move vertices towards their neighbours only, or also back, which nearly keeps the volume",
         ),
     ]);
 
