@@ -215,9 +215,7 @@ impl Editor {
     /// document; none if the command is refused. Costs as much as running it.
     pub fn try_out(&self, command: &Command) -> Option<Mesh> {
         let Planned::Whole { op, objects, .. } = self.plan(command.clone()).ok()? else { return None };
-        let made = self
-            .compute(std::slice::from_ref(&op), Symmetry::None, &objects, &mut |_| ControlFlow::Continue(()))
-            .ok()?;
+        let made = self.compute(&op, &objects, &mut |_| ControlFlow::Continue(())).ok()?;
         let Made::Meshes(outputs, ..) = made else { return None };
         outputs.into_iter().next().map(|output| Arc::unwrap_or_clone(output.mesh))
     }

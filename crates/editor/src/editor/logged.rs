@@ -101,7 +101,7 @@ impl Editor {
             Planned::Document { .. } | Planned::Select { .. } => Vec::new(),
         };
         let op = ops.first().cloned().ok_or_else(|| Problem::new("this command is no job"))?;
-        let made = self.compute(&ops, symmetry, &objects, &mut |_| ControlFlow::Continue(()))?;
+        let made = self.compute_all(&ops, symmetry, &objects, &mut |_| ControlFlow::Continue(()))?;
         let run = Run::new(command, selection, op, objects, at);
         self.finish_run(run, made).map(drop).map_err(|error| Problem::new(error.problem))
     }

@@ -5,7 +5,7 @@ use super::Editor;
 use super::run::Planned;
 use crate::error::{CommandError, Problem};
 use crate::history::Change;
-use crate::ops::{Action, Command, Commit, Op, Scope, Symmetry};
+use crate::ops::{Action, Command, Commit, Op, Scope};
 use crate::outcome::{Elements, Outcome};
 use crate::recovery::Event;
 use crate::selection::Selection;
@@ -73,9 +73,7 @@ impl Editor {
                 if !self.is_small(std::slice::from_ref(&op), &objects) {
                     return Err(Problem::new("a preview takes too long on a mesh of this size"));
                 }
-                let made = self.compute(std::slice::from_ref(&op), Symmetry::None, &objects, &mut |_| {
-                    ControlFlow::Continue(())
-                })?;
+                let made = self.compute(&op, &objects, &mut |_| ControlFlow::Continue(()))?;
                 if self.is_unchanged(&op, &objects, &made) {
                     (Vec::new(), Self::unchanged(&op, made)?, true)
                 } else {

@@ -185,7 +185,7 @@ impl Editor {
                 Ok(Outcome { warnings: done.notes, ..outcome })
             }
             Planned::Whole { op, objects, at } => {
-                let made = self.compute(std::slice::from_ref(&op), Symmetry::None, &objects, progress)?;
+                let made = self.compute(&op, &objects, progress)?;
                 self.commit_whole(&op, &objects, at, made)
             }
             Planned::Document { op, changes } => {
@@ -210,8 +210,18 @@ impl Editor {
         }
     }
 
-    /// The valid result of operations on objects.
+    /// The valid result of a whole-mesh operation on objects.
     pub(super) fn compute(
+        &self,
+        op: &Op,
+        objects: &[ObjectId],
+        progress: &mut halfedge::Progress<'_>,
+    ) -> Result<job::Made, Problem> {
+        self.compute_all(std::slice::from_ref(op), Symmetry::None, objects, progress)
+    }
+
+    /// The valid result of the operations that a command resolved to.
+    pub(super) fn compute_all(
         &self,
         ops: &[Op],
         symmetry: Symmetry,
