@@ -1,13 +1,39 @@
-//! The result of local edits: what they leave selected, and whether it is valid.
+//! The results of operations: computed, validated, and what they leave selected.
 
 use super::Editor;
-use super::run::local_edits;
-use crate::ops::Op;
+use super::run::{broken, local_edits};
+use crate::document::ObjectId;
+use crate::error::Problem;
+use crate::job;
+use crate::ops::{Op, Symmetry};
 use crate::outcome::ElementIds;
 use crate::selection::Selection;
 use halfedge::{Element, Mesh, Touched};
 
 impl Editor {
+    /// The valid result of a whole-mesh operation on objects.
+    pub(super) fn compute(
+        &self,
+        op: &Op,
+        objects: &[ObjectId],
+        progress: &mut halfedge::Progress<'_>,
+    ) -> Result<job::Made, Problem> {
+        self.compute_all(std::slice::from_ref(op), Symmetry::None, objects, progress)
+    }
+
+    /// The valid result of the operations that a command resolved to.
+    pub(super) fn compute_all(
+        &self,
+        ops: &[Op],
+        symmetry: Symmetry,
+        objects: &[ObjectId],
+        progress: &mut halfedge::Progress<'_>,
+    ) -> Result<job::Made, Problem> {
+        let made = job::run(ops, symmetry, &self.inputs(objects), progress)?;
+        made.validate().map_err(|defect| broken(&defect))?;
+        Ok(made)
+    }
+
     /// What operations on the active object's elements leave selected; none if it is what was selected. Someone who works on
     /// vertices or edges goes on with those of the result; with faces, a cut gives edges to go on with.
     pub(super) fn result(&self, ops: &[Op], created: &ElementIds) -> Option<Selection> {

@@ -6,7 +6,6 @@ use super::result::validate_touched;
 use crate::document::{Object, ObjectId};
 use crate::error::{CommandError, Problem};
 use crate::history::{Change, is_reshaping};
-use crate::job;
 use crate::ops::{
     Action, Command, Commit, LocalEdit, NamedMesh, Op, OpId, Place, Symmetry, Target, edit_local,
     refuse_bezier,
@@ -208,29 +207,6 @@ impl Editor {
                 Ok(self.select_found(&op, kind, found))
             }
         }
-    }
-
-    /// The valid result of a whole-mesh operation on objects.
-    pub(super) fn compute(
-        &self,
-        op: &Op,
-        objects: &[ObjectId],
-        progress: &mut halfedge::Progress<'_>,
-    ) -> Result<job::Made, Problem> {
-        self.compute_all(std::slice::from_ref(op), Symmetry::None, objects, progress)
-    }
-
-    /// The valid result of the operations that a command resolved to.
-    pub(super) fn compute_all(
-        &self,
-        ops: &[Op],
-        symmetry: Symmetry,
-        objects: &[ObjectId],
-        progress: &mut halfedge::Progress<'_>,
-    ) -> Result<job::Made, Problem> {
-        let made = job::run(ops, symmetry, &self.inputs(objects), progress)?;
-        made.validate().map_err(|defect| broken(&defect))?;
-        Ok(made)
     }
 
     /// Finds out what a command has to do, without doing it.
