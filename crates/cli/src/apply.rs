@@ -1,9 +1,10 @@
 //! `meshwright apply`: run commands on a file.
 
 use crate::arguments::Apply;
+use crate::files::Contents;
 use crate::{Failure, files, report};
 use editor::{Begun, Command, CommandError, Editor, Elements, Finished, Outcome};
-use formats::Import;
+use formats::{Format, Import};
 use serde_json::{Value, json};
 use std::ops::ControlFlow;
 use std::sync::Arc;
@@ -19,14 +20,16 @@ struct Step {
 pub fn run(task: &Apply) -> Result<(), Failure> {
     let format = task.output.as_deref().map(|path| files::output_format(path, task.format)).transpose()?;
     let mut read = files::read(&task.input, &task.repairs)?;
-    let notes = if task.json { String::new() } else { report::notes(&task.input, &read.import.report) };
-    let counts = report::import_counts(&read.import);
+    let notes = if task.json { String::new() } else { report::notes(&task.input, read.contents.report()) };
+    let counts = report::model_counts(&read.contents.model());
+    let keeps_history = format.is_some_and(Format::is_project);
     let mut times: Vec<Vec<Duration>> = vec![Vec::new(); task.commands.len()];
     let mut last = None;
     for round in 0..task.repeat {
         // The last round takes the input itself, to keep one copy less in memory.
-        let input = if round + 1 == task.repeat { take(&mut read.import) } else { copy(&read.import) };
-        let (editor, steps) = run_once(input, &task.commands)?;
+        let is_last = round + 1 == task.repeat;
+        let input = if is_last { take(&mut read.contents) } else { copy(&read.contents) };
+        let (editor, steps) = run_once(input, &task.commands, keeps_history)?;
         for (times, step) in times.iter_mut().zip(&steps) {
             times.push(step.time);
         }
@@ -37,7 +40,7 @@ pub fn run(task: &Apply) -> Result<(), Failure> {
         step.time = median(times);
     }
     if let (Some(path), Some(format)) = (&task.output, format) {
-        files::write(path, format, editor.document())?;
+        files::write(path, format, &editor)?;
     }
     let output = report::document_counts(editor.document());
     if task.json {
@@ -63,26 +66,42 @@ pub fn run(task: &Apply) -> Result<(), Failure> {
     report::print(&text)
 }
 
-/// Moves the meshes out of an import, and copies the rest.
-fn take(import: &mut Import) -> Import {
-    Import { model: std::mem::take(&mut import.model), report: import.report.clone() }
+/// Moves the meshes out of what was read, and copies the rest.
+fn take(contents: &mut Contents) -> Contents {
+    match contents {
+        Contents::Import(Import { model, report }) => {
+            Contents::Import(Import { model: std::mem::take(model), report: report.clone() })
+        }
+        Contents::Project(_) => copy(contents),
+    }
 }
 
-/// An import whose meshes are its own, so that the first edit needn't copy them.
-fn copy(import: &Import) -> Import {
-    let mut copy = import.clone();
-    for object in &mut copy.model.objects {
-        Arc::make_mut(&mut object.mesh);
+/// What was read, with meshes of its own, so that the first edit needn't copy them. Projects share them with their history.
+fn copy(contents: &Contents) -> Contents {
+    match contents {
+        Contents::Import(import) => {
+            let mut copy = import.clone();
+            for object in &mut copy.model.objects {
+                Arc::make_mut(&mut object.mesh);
+            }
+            Contents::Import(copy)
+        }
+        Contents::Project(read) => Contents::Project(read.clone()),
     }
-    copy
 }
 
 /// Runs the commands on a fresh document.
-fn run_once(input: Import, commands: &[Command]) -> Result<(Editor, Vec<Step>), Failure> {
+fn run_once(
+    input: Contents,
+    commands: &[Command],
+    keeps_history: bool,
+) -> Result<(Editor, Vec<Step>), Failure> {
     let refused = |error: CommandError| Failure::Refused(error.to_string());
     let mut editor = Editor::new();
-    editor.set_history_limit(0);
-    editor.open(input).map_err(refused)?;
+    if !keeps_history {
+        editor.set_history_limit(0);
+    }
+    input.open_in(&mut editor).map_err(refused)?;
     let mut steps = Vec::with_capacity(commands.len());
     for command in commands {
         steps.push(run_step(&mut editor, command).map_err(refused)?);

@@ -27,8 +27,8 @@ the command names another one with \"object\": 1.
 
 Options:
   --do COMMAND      run this command; several of them run in the order given
-  -o, --output OUT  save the result here; the extension chooses the format, and .json is the
-                    half-edge mesh itself
+  -o, --output OUT  save the result here; the extension chooses the format; .meshwright is the
+                    whole document with its history, .json the half-edge mesh itself
   --format CODE     save in this format, whatever the extension:
                     {codes}
   --json            print one JSON object instead of text
@@ -247,13 +247,13 @@ fn refused(option: &str, with: &str) -> Failure {
 /// The codes of the formats that can be written.
 fn codes() -> String {
     let codes: Vec<&str> =
-        Format::all().filter(|format| format.can_write()).map(|format| format.code()).collect();
+        Format::all().filter(|format| format.can_save()).map(|format| format.code()).collect();
     codes.join(", ")
 }
 
 /// The format of a code.
 fn format(code: &str) -> Result<Format, Failure> {
-    Format::from_code(code).filter(|format| format.can_write()).ok_or_else(|| {
+    Format::from_code(code).filter(|format| format.can_save()).ok_or_else(|| {
         Failure::Usage(format!(
             "--format: {code} is not a format that can be written; the codes are {}",
             codes()

@@ -1,6 +1,7 @@
 //! `meshwright convert`: save a file in another format.
 
 use crate::arguments::Convert;
+use crate::files::Contents;
 use crate::{Failure, files, report};
 use editor::{Editor, Outcome};
 
@@ -8,9 +9,15 @@ use editor::{Editor, Outcome};
 pub fn run(task: &Convert) -> Result<(), Failure> {
     let format = files::output_format(&task.output, task.format)?;
     let read = files::read(&task.input, &task.repairs)?;
-    let notes = report::notes(&task.input, &read.import.report);
+    let mut notes = report::notes(&task.input, read.contents.report());
+    let is_project = matches!(read.contents, Contents::Project(_));
     let mut editor = Editor::new();
-    let _: Outcome = editor.open(read.import).map_err(|error| Failure::File(error.to_string()))?;
-    files::write(&task.output, format, editor.document())?;
+    let outcome: Outcome =
+        read.contents.open_in(&mut editor).map_err(|error| Failure::File(error.to_string()))?;
+    if is_project {
+        // Only opening it tells whether its history can be repeated.
+        notes = report::outcome_notes(&task.input, &outcome);
+    }
+    files::write(&task.output, format, &editor)?;
     report::print(&notes)
 }

@@ -2,8 +2,8 @@
 
 use crate::Failure;
 use crate::files::Read;
-use editor::{Counts, Document};
-use formats::{Import, ImportReport, ReportNote, Severity};
+use editor::{Counts, Document, Outcome};
+use formats::{ImportReport, Model, ReportNote, Severity};
 use serde_json::{Map, Value, json};
 use std::io::Write;
 use std::path::Path;
@@ -31,9 +31,21 @@ pub fn notes(path: &Path, report: &ImportReport) -> String {
     others
 }
 
-/// The total counts of the meshes of an import.
-pub fn import_counts(import: &Import) -> Counts {
-    import.model.objects.iter().map(|object| Counts::of(&object.mesh)).sum()
+/// Prints the warnings of opening a file on standard error, and gives the other notes as text.
+pub fn outcome_notes(path: &Path, outcome: &Outcome) -> String {
+    let mut report = ImportReport::default();
+    for note in &outcome.report {
+        match note.severity {
+            Severity::Warning => report.warn(note.text.clone()),
+            Severity::Info => report.info(note.text.clone()),
+        }
+    }
+    notes(path, &report)
+}
+
+/// The total counts of the meshes of a model.
+pub fn model_counts(model: &Model) -> Counts {
+    model.objects.iter().map(|object| Counts::of(&object.mesh)).sum()
 }
 
 /// The total counts of the meshes of a document.
@@ -47,7 +59,7 @@ pub fn json_start(counts: Counts, read: &Read) -> Map<String, Value> {
     answer.insert("input".into(), json!(counts));
     answer.insert("read_seconds".into(), read.read.as_secs_f64().into());
     answer.insert("build_seconds".into(), read.build.as_secs_f64().into());
-    answer.insert("report".into(), json!(read.import.report));
+    answer.insert("report".into(), json!(read.contents.report()));
     answer
 }
 

@@ -424,3 +424,37 @@ fn coordinates_far_from_the_origin_keep_their_digits() {
         written.lines().nth(2).expect("a vertex").split(' ').filter_map(|word| word.parse().ok()).collect();
     assert!((first[0] - 4_458_321.123).abs() < 2e-7 && (first[1] - 5_412_000.004).abs() < 2e-7, "{first:?}");
 }
+
+#[test]
+fn projects_are_read_written_and_described() {
+    let folder = folder("project");
+    let cube = write(&folder, "cube.obj", CUBE);
+    let project = folder.join("box.meshwright");
+    let steps = ["--do", r#"{"op":"poke-faces","faces":[0]}"#, "--do", r#"{"op":"hide","faces":[1]}"#];
+    let apply = [&["apply", text(&cube)], &steps[..], &["-o", text(&project), "--json"]].concat();
+    assert_eq!(json_of(&apply)["output"]["faces"], 9);
+    let answer = json_of(&["info", text(&project), "--json"]);
+    assert_eq!(answer["input"]["faces"], 9);
+    assert_eq!(answer["project"]["history"], 2, "what was done since the cube was opened");
+    assert_eq!(answer["project"]["objects"][0]["hidden_faces"], 1);
+    let printed = String::from_utf8(run(&["info", text(&project)]).stdout).expect("text");
+    assert!(printed.contains("hidden faces                  1\n"), "{printed}");
+    assert!(printed.contains("Read a project saved by Meshwright 0.1.0\n"), "{printed}");
+
+    let copy = folder.join("copy.meshwright");
+    assert_eq!(run(&["convert", text(&project), text(&copy)]).status.code(), Some(0));
+    let again = json_of(&["info", text(&copy), "--json"]);
+    assert_eq!((&again["project"], &again["input"]), (&answer["project"], &answer["input"]));
+    let model = folder.join("model.obj");
+    assert_eq!(run(&["convert", text(&project), text(&model)]).status.code(), Some(0));
+    assert_eq!(json_of(&["info", text(&model), "--json"])["input"], answer["input"]);
+
+    let mut damaged = std::fs::read(&project).expect("written");
+    damaged.truncate(200);
+    std::fs::write(&project, damaged).expect("writable");
+    let refused = run(&["convert", text(&project), text(&folder.join("never.meshwright"))]);
+    assert_eq!(refused.status.code(), Some(2));
+    let why = String::from_utf8(refused.stderr).expect("text");
+    assert!(why.starts_with("Could not open box.meshwright. It is incomplete"), "{why}");
+    assert!(!folder.join("never.meshwright").exists());
+}

@@ -48,6 +48,10 @@ impl Object {
         Self { id, visible: true, named, hidden: Arc::default(), named_selections: Arc::default() }
     }
 
+    pub(crate) fn with_id(self, id: ObjectId) -> Self {
+        Self { id, ..self }
+    }
+
     /// The object's identity.
     pub fn id(&self) -> ObjectId {
         self.id
@@ -103,6 +107,11 @@ pub struct Document {
 }
 
 impl Document {
+    /// A document without objects, before it has a name.
+    pub(crate) fn untitled() -> Self {
+        Self { name: "Untitled".into(), ..Self::default() }
+    }
+
     /// The document's name, without a file extension.
     pub fn name(&self) -> &str {
         &self.name

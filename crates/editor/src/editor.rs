@@ -11,6 +11,7 @@ mod kept_images;
 mod logged;
 mod ongoing;
 mod open;
+mod open_project;
 mod result;
 mod run;
 mod select;
@@ -28,7 +29,8 @@ use crate::document::{Counts, Document, Object, ObjectId};
 use crate::error::CommandError;
 use crate::history::{Change, History, Step};
 use crate::outcome::Outcome;
-use crate::recovery::{Event, Log};
+use crate::project::Trail;
+use crate::recovery::{Event, Log, Snapshot};
 
 use crate::selection::Selection;
 use formats::NamedMesh;
@@ -65,6 +67,10 @@ pub struct Editor {
     next_step: u64,
     /// What is done, if it is logged.
     pub(crate) log: Option<Log>,
+    /// What led to the document as it is now, for project files.
+    pub(crate) trail: Trail,
+    /// The last state of the viewport that was logged.
+    pub(crate) view: Option<String>,
     /// The command that can be adjusted.
     last: Option<adjust::Last>,
     images: kept_images::KeptImages,
@@ -106,7 +112,7 @@ impl Editor {
     /// An editor with an empty document.
     pub fn new() -> Self {
         Self {
-            document: Document { name: "Untitled".into(), ..Document::default() },
+            document: Document::untitled(),
             selection: Arc::new(Selection::default()),
             stroke: None,
             history: History::new(),
@@ -124,6 +130,8 @@ impl Editor {
             saved: 0,
             next_step: 0,
             log: None,
+            trail: Trail::from(Some(Snapshot::empty()), 0),
+            view: None,
             last: None,
             images: Default::default(),
             counts: Default::default(),
@@ -138,6 +146,7 @@ impl Editor {
         let object = editor.object(NamedMesh::new(name, mesh));
         editor.changes.added(&object);
         editor.document.objects.push(object);
+        editor.restart_trail();
         editor
     }
 
@@ -197,6 +206,11 @@ impl Editor {
         let object = self.document.object(id)?;
         let mut cache = self.counts.lock().unwrap_or_else(std::sync::PoisonError::into_inner);
         Some(*cache.entry(id).or_insert_with(|| Counts::of(object.mesh())))
+    }
+
+    /// The last state of the viewport that was logged or came with a project, in the page's own JSON.
+    pub fn view(&self) -> Option<&str> {
+        self.view.as_deref()
     }
 
     // History.

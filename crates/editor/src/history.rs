@@ -83,6 +83,16 @@ impl History {
         self.shrink();
     }
 
+    /// Adds the steps of another history after these, and forgets the steps that could be redone.
+    pub fn append(&mut self, other: Self) {
+        self.bytes -= self.redo.drain(..).map(|(_, bytes)| bytes).sum::<usize>();
+        self.undo.extend(other.undo);
+        self.redo = other.redo;
+        self.bytes += other.bytes;
+        self.is_whole &= other.is_whole;
+        self.shrink();
+    }
+
     /// Adds a change of the selection. Forgets the changes of the selection that could be redone next, but no edits:
     /// they fit the document whatever is selected.
     pub fn push_selection(&mut self, step: Step) {

@@ -1,7 +1,9 @@
 //! Jobs: work that takes long, as plain data that can be sent to a worker and back.
 
 pub(crate) mod columns;
+mod derive;
 pub(crate) mod messages;
+pub(crate) mod packed;
 pub(crate) mod wire;
 
 pub use wire::{BadBytes, Wire};
@@ -10,6 +12,7 @@ use crate::bezier::fill_previews;
 use crate::error::{CommandError, DECODE, EXPORT, OPEN, Problem, not_opened};
 use crate::ops::{Action, Op, Symmetry, edit_local};
 use crate::outcome::{Before, ElementIds};
+use crate::project::{Project, ReadProject};
 use formats::{Format, Image, Import, Materials, Model, NamedBytes, NamedMesh, Picture, ReadError, Repairs};
 use glam::DVec3;
 use halfedge::{Mesh, Progress};
@@ -34,6 +37,8 @@ pub(crate) enum Work {
     Run(Vec<Op>, Symmetry, Vec<NamedMesh>),
     /// Writes a document as files.
     Export(ExportHead, Vec<NamedMesh>),
+    /// Writes a project file.
+    Save(Box<Project>),
     /// Decodes an image, with at most this many pixels on a side.
     Decode(Image, u32),
 }
@@ -59,6 +64,7 @@ pub struct JobResult {
 #[derive(Debug)]
 pub(crate) enum Made {
     Import(Import),
+    Project(Box<ReadProject>),
     /// The meshes; for local edits the elements they created and removed; warnings.
     Meshes(Vec<NamedMesh>, Option<(ElementIds, ElementIds)>, Vec<String>),
     Files(Vec<NamedBytes>),
@@ -80,6 +86,7 @@ impl Made {
         match self {
             Self::Import(import) => import.model.objects.iter().try_for_each(|o| check(&o.name, &o.mesh)),
             Self::Meshes(outputs, ..) => outputs.iter().try_for_each(|o| check(&o.name, &o.mesh)),
+            Self::Project(read) => read.project.objects().try_for_each(|o| check(o.name(), o.mesh())),
             Self::Files(_) | Self::Picture(_) => Ok(()),
         }
     }
@@ -106,7 +113,7 @@ impl JobRequest {
         match &self.work {
             Work::Import(..) => OPEN,
             Work::Run(ops, ..) => ops.first().map_or("nothing", |op| op.spec().name),
-            Work::Export(..) => EXPORT,
+            Work::Export(..) | Work::Save(_) => EXPORT,
             Work::Decode(..) => DECODE,
         }
     }
@@ -141,6 +148,9 @@ impl Work {
     fn run(&self, progress: &mut Progress<'_>) -> Result<JobResult, Problem> {
         let made = match self {
             Self::Import(files, repairs) => {
+                if let Some(read) = read_project(files)? {
+                    return Ok(JobResult { made: Made::Project(Box::new(read)), validated: false });
+                }
                 let mut import =
                     formats::read_with(files, repairs, progress).map_err(|error| match error {
                         ReadError::Cancelled => Problem::cancelled(),
@@ -171,12 +181,23 @@ impl Work {
                 let files = formats::write(head.format, &model);
                 Made::Files(files.map_err(|error| Problem::new(error.to_string()))?)
             }
+            Self::Save(project) => Made::Files(vec![project.file()]),
             Self::Decode(image, largest) => {
                 Made::Picture(Picture::decode(image, *largest, progress).map_err(Problem::new)?)
             }
         };
         Ok(JobResult { made, validated: false })
     }
+}
+
+/// The project, if a file is one.
+fn read_project(files: &[NamedBytes]) -> Result<Option<ReadProject>, Problem> {
+    let Some(file) = files.iter().find(|file| Project::is_file(file)) else { return Ok(None) };
+    let mut read = Project::open_file(file).map_err(Problem::new)?;
+    for other in files.iter().filter(|other| other.name != file.name) {
+        read.report.warn(format!("{} was left out: a project is opened by itself", other.name));
+    }
+    Ok(Some(read))
 }
 
 /// Runs operations on meshes: a whole-mesh one on all inputs, local ones on the first.

@@ -15,6 +15,7 @@ mod history;
 mod job;
 pub mod ops;
 mod outcome;
+pub mod project;
 pub mod recovery;
 pub mod script;
 mod selection;

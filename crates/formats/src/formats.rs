@@ -4,7 +4,7 @@
 use crate::file::NamedBytes;
 use crate::format::{Certainty, FormatInfo, Holds};
 use crate::text::encoding::decode_utf16;
-use crate::{bezier, collada, gltf, json, obj, off, ply, stl};
+use crate::{bezier, collada, gltf, json, obj, off, ply, project, stl};
 use serde::{Deserialize, Deserializer, Serialize, Serializer, de};
 use std::fmt;
 use std::hash::{Hash, Hasher};
@@ -12,6 +12,7 @@ use std::hash::{Hash, Hasher};
 /// The formats, in the order of menus. Of two that are equally sure of a file's content, the first one
 /// reads it.
 static FORMATS: &[&FormatInfo] = &[
+    &project::FORMAT,
     &obj::FORMAT,
     &ply::BINARY,
     &ply::TEXT,
@@ -32,7 +33,7 @@ static FORMATS: &[&FormatInfo] = &[
 pub struct Format(&'static FormatInfo);
 
 impl Default for Format {
-    /// The first of all formats, OBJ.
+    /// OBJ, which every program for meshes reads.
     fn default() -> Self {
         Self(&obj::FORMAT)
     }
@@ -84,6 +85,26 @@ impl Format {
         Self::all().find(|format| format.0.holds == holds)
     }
 
+    /// The format of whole documents.
+    pub fn project() -> Self {
+        Self(&project::FORMAT)
+    }
+
+    /// Whether it holds whole documents. The editor reads and writes them, this crate only knows their names.
+    pub fn is_project(self) -> bool {
+        self.0.holds == Holds::Documents
+    }
+
+    /// Whether the editor opens its files.
+    pub fn can_open(self) -> bool {
+        self.can_read() || self.is_project()
+    }
+
+    /// Whether the editor saves in it.
+    pub fn can_save(self) -> bool {
+        self.can_write() || self.is_project()
+    }
+
     /// What scripts, settings and jobs call it: it never changes.
     pub fn code(self) -> &'static str {
         self.0.code
@@ -126,7 +147,7 @@ impl Format {
 
     /// Whether it holds control points of Bezier curves or surfaces and no meshes.
     pub fn is_bezier(self) -> bool {
-        self.0.holds != Holds::Meshes
+        matches!(self.0.holds, Holds::Curves | Holds::Surfaces)
     }
 
     pub(crate) fn info(self) -> &'static FormatInfo {
@@ -180,15 +201,16 @@ mod tests {
             let texts =
                 [format.code(), format.name(), format.save_label(), format.description(), format.extension()];
             assert!(texts.iter().all(|text| !text.is_empty()), "{format:?}");
-            assert!(format.can_read() || format.can_write(), "{format:?}");
+            assert!(format.can_open() || format.can_save(), "{format:?}");
         }
     }
 
     #[test]
     fn codes_lead_to_their_format_and_never_change() {
         let codes: Vec<&str> = Format::all().map(Format::code).collect();
-        let known =
-            ["obj", "ply", "ply-text", "stl", "stl-text", "off", "dae", "glb", "gltf", "bzc", "bez", "json"];
+        let known = [
+            "meshwright", "obj", "ply", "ply-text", "stl", "stl-text", "off", "dae", "glb", "gltf", "bzc", "bez", "json",
+        ];
         assert_eq!(codes, known);
         for format in Format::all() {
             assert_eq!(Format::from_code(format.code()), Some(format));
@@ -207,8 +229,8 @@ mod tests {
             let found = Format::from_extension(format.extension());
             assert_eq!(found.map(Format::extension), Some(format.extension()));
             let can_be_read =
-                Format::all().any(|other| other.extension() == format.extension() && other.can_read());
-            assert_eq!(found.is_some_and(Format::can_read), can_be_read, "{format:?}");
+                Format::all().any(|other| other.extension() == format.extension() && other.can_open());
+            assert_eq!(found.is_some_and(Format::can_open), can_be_read, "{format:?}");
         }
     }
 

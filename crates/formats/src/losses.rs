@@ -16,6 +16,9 @@ use std::collections::HashSet;
 /// Costs O(model).
 pub fn losses(format: Format, model: &Model) -> Vec<String> {
     let info = format.info();
+    if format.is_project() {
+        return Vec::new();
+    }
     if info.holds != Holds::Meshes {
         return control_point_losses(info, model);
     }

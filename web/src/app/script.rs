@@ -42,11 +42,11 @@ impl Script<'_> {
 
     /// Writes the document in the format with this code or extension.
     pub fn export(&mut self, format: &str, reply: Reply) {
-        match Format::from_code(format).filter(|format| format.can_write()) {
+        match Format::from_code(format).filter(|format| format.can_save()) {
             Some(format) => self.app.session.begin_export(format, reply),
             None => {
                 let known: Vec<&str> =
-                    Format::all().filter(|format| format.can_write()).map(Format::code).collect();
+                    Format::all().filter(|format| format.can_save()).map(Format::code).collect();
                 reply(Err(format!(
                     "export: {format:?} is not a format that can be written; choose one of {}",
                     known.join(", ")

@@ -72,9 +72,9 @@ fn menu_entries() -> impl Iterator<Item = Entry> {
     MENUS.iter().flat_map(|menu| menu.entries.iter().copied().flatten())
 }
 
-/// An entry for each format that can be written.
+/// An entry for each format that documents can be saved in.
 pub fn formats() -> impl Iterator<Item = Entry> {
-    Format::all().filter(|format| format.can_write()).map(of_format)
+    Format::all().filter(|format| format.can_save()).map(of_format)
 }
 
 /// The entry for saving in a format.

@@ -89,7 +89,7 @@ pub static MENUS: &[Menu] = &[
                 entry(
                     A::Open,
                     "Open…",
-                    "Open a mesh file. You can also drop a file on the page or paste OBJ text.",
+                    "Open a project or a mesh file. You can also drop a file on the page or paste OBJ text.",
                 )
                 .synonyms(&["import", "load"]),
             ),

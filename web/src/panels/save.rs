@@ -43,7 +43,7 @@ enum Stage {
 impl Saving {
     pub fn new(platform: &dyn Platform) -> Self {
         let format = platform.load_setting(FORMAT_SETTING).and_then(|kept| Format::from_code(&kept));
-        let format = format.filter(|format| format.can_write()).unwrap_or_default();
+        let format = format.filter(|format| format.can_save()).unwrap_or_default();
         Self { stage: Stage::Closed, name: String::new(), last_saved: None, format, losses: None }
     }
 
@@ -222,7 +222,7 @@ fn show_losses(ui: &mut Ui, page: &Page<'_>, own: &mut Saving) {
     let format = own.format;
     let losses = losses_of(page, own, format);
     let (good, warning) = (theme::palette(ui.visuals()).good, ui.visuals().warn_fg_color);
-    if !format.can_read() {
+    if !format.can_open() {
         let text = format!(
             "Meshwright can't open {} again, so the document will still count as changed.",
             format.name()
@@ -257,7 +257,7 @@ fn save(page: &Page<'_>, own: &mut Saving, out: &mut Requests) {
     let Some(name) = stem(&own.name, format) else { return };
     own.stage = Stage::Closed;
     own.last_saved = Some((page.editor.document().name().to_owned(), name.clone()));
-    let brings_back_all = format.can_read() && losses_of(page, own, format).is_empty();
+    let brings_back_all = format.can_open() && losses_of(page, own, format).is_empty();
     out.push(Request::Save { format, name, brings_back_all });
 }
 

@@ -163,8 +163,9 @@ impl Editor {
             Vec::new()
         };
         self.drop_gone_from_selection();
+        let is_step = self.push_step(label.clone(), back, selection);
         self.log(Event::Break);
-        if !self.push_step(label.clone(), back, selection) {
+        if !is_step {
             self.say(
                 MessageKind::Warning,
                 format!("“{label}” could not be done again: the objects of the document changed meanwhile"),

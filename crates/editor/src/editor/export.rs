@@ -3,11 +3,13 @@
 use super::Editor;
 use super::jobs::WaitingFor;
 use crate::document::ObjectId;
+use crate::project::Project;
 use crate::job::{ExportHead, JobRequest, Work};
 use formats::Format;
 
 impl Editor {
-    /// A job that writes the document's objects to files of a format, named after the document. An ongoing
+    /// A job that writes the document's objects to files of a format, named after the document; a project holds the rest of the
+    /// document too. An ongoing
     /// edit of elements is written as shown and continues; the preview of an operation is cancelled.
     pub fn begin_export(&mut self, format: Format) -> JobRequest {
         self.begin_export_as(format, self.document.name.clone())
@@ -18,6 +20,10 @@ impl Editor {
         self.finish_parts();
         if self.is_previewing_mesh() {
             self.cancel_edit();
+        }
+        if format.is_project() {
+            let id = self.wait_for(WaitingFor::Export);
+            return JobRequest { id, work: Work::Save(Box::new(Project::of(self).named(&name))) };
         }
         let objects: Vec<ObjectId> = self.document.objects().iter().map(|object| object.id()).collect();
         let id = self.wait_for(WaitingFor::Export);

@@ -281,6 +281,7 @@ impl Editor {
         let other_job = || CommandError::of(name, Problem::internal("the result is of another job"));
         match (job.kind, made) {
             (WaitingFor::Open, Ok(Made::Import(import))) => Ok(Finished::Done(self.open_valid(import))),
+            (WaitingFor::Open, Ok(Made::Project(read))) => Ok(Finished::Done(self.open_project(*read))),
             (WaitingFor::Export, Ok(Made::Files(files))) => Ok(Finished::Exported(files)),
             (WaitingFor::Decode, Ok(Made::Picture(picture))) => Ok(Finished::Decoded(picture)),
             (WaitingFor::Decode, Err(error)) => Err(error),

@@ -19,7 +19,10 @@ impl Editor {
         let mut changes = Changes::default();
         document.objects.iter().for_each(|object| changes.added(object));
         (changes.selection, changes.materials) = (true, true);
-        Self { document, selection, changes, next_object, revision, last_revision, saved, ..Self::new() }
+        let mut editor =
+            Self { document, selection, changes, next_object, revision, last_revision, saved, ..Self::new() };
+        editor.restart_trail();
+        editor
     }
 
     /// Where the editor goes on counting.
@@ -60,6 +63,7 @@ impl Editor {
         } else {
             self.set_selection(selection.clone());
         }
+        self.log_selection(continues);
     }
 
     /// Carries out a command as its job did: on what was selected when it was given, and on objects that may have moved

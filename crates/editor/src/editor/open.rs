@@ -9,7 +9,7 @@ use crate::history::Change;
 use crate::outcome::{self, Elements, Outcome};
 use crate::recovery::Event;
 use crate::selection::Selection;
-use formats::Import;
+use formats::{Import, ImportReport};
 use std::sync::Arc;
 
 impl Editor {
@@ -46,6 +46,7 @@ impl Editor {
         self.changes.jobs = true;
         let mut changes: Vec<Change> = (0..self.document.objects.len()).rev().map(Change::Remove).collect();
         let Import { model, report } = import;
+        let model_name = model.name.clone();
         changes.push(Change::DocumentName(model.name.clone()));
         changes.push(Change::Offset(model.offset));
         changes.push(Change::Materials(model.materials));
@@ -59,12 +60,17 @@ impl Editor {
         let back = self.apply(changes);
         self.selection = Arc::new(Selection::new(before.kind()));
         self.changes.selection = true;
-        self.push_step(format!("Open {}", model.name), back, before);
+        self.push_step(format!("Open {model_name}"), back, before);
         self.saved = self.revision;
         self.log(Event::Break);
+        self.say_opened(&model_name, size, &report)
+    }
+
+    /// Says what was opened, and gives the outcome.
+    pub(super) fn say_opened(&mut self, name: &str, size: [usize; 3], report: &ImportReport) -> Outcome {
         let created = Elements::gained([0; 3], size);
         let contents = created.words().map_or_else(String::new, |words| format!(": {words}"));
-        let message = format!("Opened {}{contents}", model.name);
+        let message = format!("Opened {name}{contents}");
         let warnings: Vec<String> = report.warnings().map(str::to_owned).collect();
         self.say(MessageKind::Info, message.clone());
         for note in report.notes() {

@@ -13,7 +13,8 @@ impl Editor {
     /// # Errors
     /// The command is refused; the document is unchanged.
     pub fn start_with(&mut self, command: Command) -> Result<Outcome, CommandError> {
-        let outcome = self.run(command)?;
+        let outcome = self.run(command.clone())?;
+        self.begin_trail_with(command);
         self.history = History::new();
         self.changes.history = true;
         self.saved = self.revision;

@@ -1,8 +1,9 @@
 //! Meshes, soups and attributes as blocks.
 
+use super::derive::Derived;
 use super::wire::{BadBytes, Reader, Writer};
 use formats::{Bezier, NamedMesh};
-use halfedge::attribute::{Column, Columns, Value, Values};
+use halfedge::attribute::{Column, Value, Values};
 use halfedge::{Color, Element, Gaps, Mesh, PolygonSoup, RawMesh};
 use serde::{Deserialize, Serialize};
 use std::io;
@@ -46,13 +47,17 @@ struct NamedHead {
 
 fn write_mesh(out: &mut Writer<'_>, mesh: &Mesh) -> io::Result<()> {
     let links = mesh.connectivity();
-    out.column(mesh.positions())?;
-    for column in [links.vertex_halfedge, links.next, links.prev, links.to, links.face, links.face_halfedge] {
-        out.column(column)?;
-    }
     let gaps = mesh.gaps();
-    for column in [&gaps.vertices, &gaps.edges, &gaps.faces] {
-        out.column(column)?;
+    out.column(mesh.positions())?;
+    if out.is_packed() {
+        write_gaps(out, &gaps)?;
+        write_packed_links(out, mesh, &gaps)?;
+    } else {
+        for column in [links.vertex_halfedge, links.next, links.prev, links.to, links.face, links.face_halfedge]
+        {
+            out.column(column)?;
+        }
+        write_gaps(out, &gaps)?;
     }
     Element::ALL
         .into_iter()
@@ -60,20 +65,28 @@ fn write_mesh(out: &mut Writer<'_>, mesh: &Mesh) -> io::Result<()> {
 }
 
 fn read_mesh(from: &mut Reader<'_>) -> Result<Mesh, BadBytes> {
-    let mut raw = RawMesh {
-        positions: from.column()?,
-        vertex_halfedge: from.column()?,
-        next: from.column()?,
-        prev: from.column()?,
-        to: from.column()?,
-        face: from.column()?,
-        face_halfedge: from.column()?,
-        columns: Columns::default(),
+    let mut raw = RawMesh { positions: from.column()?, ..RawMesh::default() };
+    let gaps = if from.is_packed() {
+        let gaps = read_gaps(from)?;
+        read_packed_links(from, &mut raw, &gaps)?;
+        gaps
+    } else {
+        let columns = [
+            &mut raw.vertex_halfedge,
+            &mut raw.next,
+            &mut raw.prev,
+            &mut raw.to,
+            &mut raw.face,
+            &mut raw.face_halfedge,
+        ];
+        columns.into_iter().try_for_each(|column| from.column().map(|read| *column = read))?;
+        let gaps = read_gaps(from)?;
+        check_gaps(&gaps, &raw)?;
+        gaps
     };
     let (vertices, halfedges, faces) = (raw.positions.len(), raw.next.len(), raw.face_halfedge.len());
     check_lengths(&[raw.vertex_halfedge.len()], vertices)?;
     check_lengths(&[raw.prev.len(), raw.to.len(), raw.face.len(), halfedges / 2 * 2], halfedges)?;
-    let gaps = Gaps { vertices: from.column()?, edges: from.column()?, faces: from.column()? };
     for element in Element::ALL {
         let len = match element {
             Element::Vertex => vertices,
@@ -88,19 +101,77 @@ fn read_mesh(from: &mut Reader<'_>) -> Result<Mesh, BadBytes> {
     Ok(Mesh::from_raw_with_gaps(raw, &gaps))
 }
 
+fn write_gaps(out: &mut Writer<'_>, gaps: &Gaps) -> io::Result<()> {
+    [&gaps.vertices, &gaps.edges, &gaps.faces].into_iter().try_for_each(|ids| out.links(ids))
+}
+
+fn read_gaps(from: &mut Reader<'_>) -> Result<Gaps, BadBytes> {
+    Ok(Gaps { vertices: from.links()?, edges: from.links()?, faces: from.links()? })
+}
+
+/// Refuses removed elements that no column has: marking them would take memory for all ids up to theirs.
+fn check_gaps(gaps: &Gaps, raw: &RawMesh) -> Result<(), BadBytes> {
+    let lengths = [raw.positions.len(), raw.next.len() / 2, raw.face_halfedge.len()];
+    let ids = [&gaps.vertices, &gaps.edges, &gaps.faces];
+    if ids.into_iter().zip(lengths).any(|(ids, len)| ids.iter().any(|&id| id as usize >= len)) {
+        return Err(BadBytes::new("a removed element has an id that no element had"));
+    }
+    Ok(())
+}
+
+/// Writes three columns of links, from which the others follow, and the others where they don't.
+fn write_packed_links(out: &mut Writer<'_>, mesh: &Mesh, gaps: &Gaps) -> io::Result<()> {
+    let links = mesh.connectivity();
+    let removed = Derived::of_removed(links.prev, links.to, links.face, gaps);
+    let derived = Derived::from_links(links.vertex_halfedge, links.next, links.face_halfedge, gaps);
+    let is_derived = derived.is_some_and(|mut derived| {
+        derived.put_removed(&removed, gaps)
+            && derived.prev == links.prev
+            && derived.to == links.to
+            && derived.face == links.face
+    });
+    out.column(&[u8::from(is_derived)])?;
+    [links.vertex_halfedge, links.next, links.face_halfedge].into_iter().try_for_each(|ids| out.links(ids))?;
+    if is_derived {
+        return out.links(&removed);
+    }
+    [links.prev, links.to, links.face].into_iter().try_for_each(|ids| out.links(ids))
+}
+
+fn read_packed_links(from: &mut Reader<'_>, raw: &mut RawMesh, gaps: &Gaps) -> Result<(), BadBytes> {
+    let is_derived = from.column::<u8>()? == [1];
+    (raw.vertex_halfedge, raw.next, raw.face_halfedge) = (from.links()?, from.links()?, from.links()?);
+    check_gaps(gaps, raw)?;
+    if !is_derived {
+        (raw.prev, raw.to, raw.face) = (from.links()?, from.links()?, from.links()?);
+        return Ok(());
+    }
+    let removed = from.links()?;
+    let derived = Derived::from_links(&raw.vertex_halfedge, &raw.next, &raw.face_halfedge, gaps)
+        .and_then(|mut derived| derived.put_removed(&removed, gaps).then_some(derived))
+        .ok_or_else(|| BadBytes::new("its half-edges form no mesh"))?;
+    (raw.prev, raw.to, raw.face) = (derived.prev, derived.to, derived.face);
+    Ok(())
+}
+
 fn write_soup(out: &mut Writer<'_>, soup: &PolygonSoup) -> io::Result<()> {
     out.column(&soup.positions)?;
-    out.column(&soup.corners)?;
-    out.column(&soup.face_starts)?;
+    out.links(&soup.corners)?;
+    out.links(&soup.face_starts)?;
     [&soup.vertex_columns, &soup.corner_columns, &soup.face_columns]
         .into_iter()
         .try_for_each(|columns| write_attributes(out, columns.iter().collect()))
 }
 
 fn read_soup(from: &mut Reader<'_>) -> Result<PolygonSoup, BadBytes> {
-    let (positions, corners, face_starts): (Vec<_>, Vec<_>, Vec<_>) =
-        (from.column()?, from.column()?, from.column()?);
+    let (positions, corners, face_starts): (Vec<_>, _, _) = (from.column()?, from.links()?, from.links()?);
     let (vertices, faces) = (positions.len(), face_starts.len().saturating_sub(1));
+    let starts_fit = face_starts.first() == Some(&0)
+        && face_starts.last().is_some_and(|&last| last as usize == corners.len())
+        && face_starts.is_sorted();
+    if !starts_fit || corners.iter().any(|&vertex| vertex as usize >= vertices) {
+        return Err(BadBytes::new("the faces of the file don't fit its vertices"));
+    }
     Ok(PolygonSoup {
         vertex_columns: read_attributes(from, vertices)?,
         corner_columns: read_attributes(from, corners.len())?,

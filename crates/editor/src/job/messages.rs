@@ -5,6 +5,7 @@ use super::wire::{BadBytes, Reader, Wire, Writer};
 use super::{ExportHead, JobId, JobRequest, JobResult, Made, Work};
 use crate::ops::{Action, Command, Op, Symmetry};
 use crate::outcome::ElementIds;
+use crate::project::{Project, ReadProject};
 use formats::{
     Format, Image, Import, ImportReport, Materials, Model, NamedBytes, NamedMesh, Picture, Repairs,
 };
@@ -28,6 +29,8 @@ enum WorkHead {
     Run { ops: Vec<Command> },
     /// The materials and the meshes follow.
     Export { format: Format, name: String, offset: [f64; 3] },
+    /// The project follows.
+    Save,
     /// The image's contents follow, if it has any.
     Decode { image: Image, has_bytes: bool, largest: u32 },
 }
@@ -43,6 +46,8 @@ struct ResultHead {
 enum MadeHead {
     /// The materials and the objects follow.
     Import { name: String, report: ImportReport, offset: [f64; 3] },
+    /// The project follows.
+    Project { report: ImportReport },
     /// The meshes follow, and what was created and removed if `has_ids`.
     Meshes { notes: Vec<String>, has_ids: bool },
     /// The files follow.
@@ -74,6 +79,10 @@ impl Wire for JobRequest {
                 write_materials(&mut out, &export.materials)?;
                 write_meshes(&mut out, inputs, false)
             }
+            Work::Save(project) => {
+                out.value(&head(WorkHead::Save))?;
+                project.send(&mut out)
+            }
             Work::Decode(image, largest) => {
                 let (has_bytes, largest) = (image.bytes.is_some(), *largest);
                 out.value(&head(WorkHead::Decode { image: without_bytes(image), has_bytes, largest }))?;
@@ -97,6 +106,7 @@ impl Wire for JobRequest {
                 let head = ExportHead { format, name, offset: offset.into(), materials };
                 Work::Export(head, read_meshes(&mut from)?)
             }
+            WorkHead::Save => Work::Save(Box::new(Project::receive(&mut from)?)),
             WorkHead::Decode { mut image, has_bytes, largest } => {
                 image.bytes = if has_bytes { Some(from.column()?.into()) } else { None };
                 Work::Decode(image, largest)
@@ -118,6 +128,10 @@ impl Wire for JobResult {
                 out.value(&head(MadeHead::Import { name, report: report.clone(), offset }))?;
                 write_materials(&mut out, &model.materials)?;
                 write_meshes(&mut out, &model.objects, true)
+            }
+            Made::Project(read) => {
+                out.value(&head(MadeHead::Project { report: read.report.clone() }))?;
+                read.project.send(&mut out)
             }
             Made::Meshes(outputs, ids, notes) => {
                 out.value(&head(MadeHead::Meshes { notes: notes.clone(), has_ids: ids.is_some() }))?;
@@ -149,6 +163,9 @@ impl Wire for JobResult {
                 let objects = read_meshes(&mut from)?;
                 let model = Model { name, objects, offset: offset.into(), materials };
                 Made::Import(Import { model, report })
+            }
+            MadeHead::Project { report } => {
+                Made::Project(Box::new(ReadProject { project: Project::receive(&mut from)?, report }))
             }
             MadeHead::Meshes { notes, has_ids } => {
                 let outputs = read_meshes(&mut from)?;

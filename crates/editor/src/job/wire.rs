@@ -4,7 +4,10 @@
 //! is no checksum: the bytes pass between threads of one program, and the browser delivers them unchanged.
 //! Lengths are checked against the remaining bytes before memory is reserved, so bytes that are not a job
 //! are refused at no cost.
+//!
+//! Files and links hold the same blocks packed, so that compressing them gives few bytes: see [`super::packed`].
 
+use super::packed;
 use bytemuck::{AnyBitPattern, NoUninit};
 use serde::Serialize;
 use serde::de::DeserializeOwned;
@@ -18,6 +21,11 @@ pub struct BadBytes(String);
 impl BadBytes {
     pub(crate) fn new(reason: impl fmt::Display) -> Self {
         Self(reason.to_string())
+    }
+
+    /// The reason alone.
+    pub(crate) fn reason(&self) -> &str {
+        &self.0
     }
 }
 
@@ -92,18 +100,42 @@ impl Write for Counter {
 /// Writes blocks.
 pub(crate) struct Writer<'a> {
     out: &'a mut dyn Write,
+    is_packed: bool,
 }
 
 impl<'a> Writer<'a> {
     /// Begins with the mark that identifies the kind of value.
     pub fn start(out: &'a mut dyn Write, mark: [u8; 8]) -> io::Result<Self> {
         out.write_all(&mark)?;
-        Ok(Self { out })
+        Ok(Self { out, is_packed: false })
+    }
+
+    /// [`Writer::start`] for packed blocks.
+    pub fn start_packed(out: &'a mut dyn Write, mark: [u8; 8]) -> io::Result<Self> {
+        Ok(Self { is_packed: true, ..Self::start(out, mark)? })
+    }
+
+    /// Whether blocks are packed.
+    pub fn is_packed(&self) -> bool {
+        self.is_packed
     }
 
     pub fn column<T: NoUninit>(&mut self, values: &[T]) -> io::Result<()> {
+        if self.is_packed {
+            self.out.write_all(&packed::varint(values.len() as u64))?;
+            return packed::write_planes(self.out, bytemuck::cast_slice(values), size_of::<T>());
+        }
         self.out.write_all(&(values.len() as u64).to_le_bytes())?;
         self.out.write_all(bytemuck::cast_slice(values))
+    }
+
+    /// A column of ids, packed by what they differ from those before them or from their places.
+    pub fn links(&mut self, ids: &[u32]) -> io::Result<()> {
+        if !self.is_packed {
+            return self.column(ids);
+        }
+        self.out.write_all(&packed::varint(ids.len() as u64))?;
+        self.column(&packed::pack_links(ids))
     }
 
     pub fn value(&mut self, value: &impl Serialize) -> io::Result<()> {
@@ -115,15 +147,26 @@ impl<'a> Writer<'a> {
 pub(crate) struct Reader<'a> {
     from: &'a mut dyn Read,
     left: usize,
+    is_packed: bool,
 }
 
 impl<'a> Reader<'a> {
     /// Checks the mark at the start.
     pub fn start(from: &'a mut dyn Read, len: usize, mark: [u8; 8]) -> Result<Self, BadBytes> {
-        let mut reader = Self { from, left: len };
+        let mut reader = Self { from, left: len, is_packed: false };
         let mut start = [0; 8];
         reader.fill(&mut start)?;
         if start == mark { Ok(reader) } else { Err(BadBytes::new("they begin with another mark")) }
+    }
+
+    /// [`Reader::start`] for packed blocks.
+    pub fn start_packed(from: &'a mut dyn Read, len: usize, mark: [u8; 8]) -> Result<Self, BadBytes> {
+        Ok(Self { is_packed: true, ..Self::start(from, len, mark)? })
+    }
+
+    /// Whether blocks are packed.
+    pub fn is_packed(&self) -> bool {
+        self.is_packed
     }
 
     fn fill(&mut self, bytes: &mut [u8]) -> Result<(), BadBytes> {
@@ -134,16 +177,47 @@ impl<'a> Reader<'a> {
     /// The next column, with spare capacity: without it, the next edits would reallocate every column of
     /// the mesh.
     pub fn column<T: AnyBitPattern + NoUninit>(&mut self) -> Result<Vec<T>, BadBytes> {
-        let mut len = [0; 8];
-        self.fill(&mut len)?;
-        let len = usize::try_from(u64::from_le_bytes(len)).map_err(BadBytes::new)?;
+        let len = self.len()?;
         if len.checked_mul(size_of::<T>()).is_none_or(|bytes| bytes > self.left) {
             return Err(BadBytes::new("they end too early"));
         }
         let mut column = Vec::with_capacity(len + len / 16);
         column.resize(len, T::zeroed());
-        self.fill(bytemuck::cast_slice_mut(&mut column))?;
+        let bytes = bytemuck::cast_slice_mut(&mut column);
+        if self.is_packed && size_of::<T>() > 1 {
+            let mut plane = vec![0; len];
+            for at in 0..size_of::<T>() {
+                self.fill(&mut plane)?;
+                packed::put_plane(bytes, &plane, at, size_of::<T>());
+            }
+        } else {
+            self.fill(bytes)?;
+        }
         Ok(column)
+    }
+
+    /// The length of the next column.
+    fn len(&mut self) -> Result<usize, BadBytes> {
+        let len = if self.is_packed {
+            packed::read_varint(|| {
+                let mut byte = [0];
+                self.fill(&mut byte).map(|()| byte[0])
+            })?
+        } else {
+            let mut len = [0; 8];
+            self.fill(&mut len)?;
+            u64::from_le_bytes(len)
+        };
+        usize::try_from(len).map_err(BadBytes::new)
+    }
+
+    /// What [`Writer::links`] wrote.
+    pub fn links(&mut self) -> Result<Vec<u32>, BadBytes> {
+        if !self.is_packed {
+            return self.column();
+        }
+        let len = self.len()?;
+        packed::unpack_links(&self.column::<u8>()?, len)
     }
 
     pub fn value<T: DeserializeOwned>(&mut self) -> Result<T, BadBytes> {

@@ -40,13 +40,20 @@ impl Editor {
         }
     }
 
-    /// Logs the state of the viewport, in the page's own JSON.
+    /// Logs the state of the viewport, in the page's own JSON. Project files keep the last one.
     pub fn log_view(&mut self, view: impl Into<String>) {
-        self.log(Event::View(view.into()));
+        let view = view.into();
+        self.view = Some(view.clone());
+        self.log(Event::View(view));
     }
 
     /// Logs what was just done.
     pub(crate) fn log(&mut self, event: Event) {
+        self.extend_trail(&event, None);
+        self.put_in_log(event);
+    }
+
+    fn put_in_log(&mut self, event: Event) {
         let revision = self.revision();
         if let Some(log) = self.log.as_mut().filter(|log| !log.is_broken) {
             log.is_broken = event == Event::Break;
@@ -65,16 +72,15 @@ impl Editor {
 
     /// Logs what is selected.
     pub(crate) fn log_selection(&mut self, continues: bool) {
-        if self.log.is_some() {
-            let selection = self.shared_selection().clone();
-            self.log(Event::Select { selection, continues });
-        }
+        let selection = self.shared_selection().clone();
+        self.log(Event::Select { selection, continues });
     }
 
     /// Logs that a step was undone or redone.
     pub(crate) fn log_reversed(&mut self, number: u64, event: Event) {
         let is_older = self.log.as_ref().is_some_and(|log| number < log.first_step);
-        self.log(if is_older { Event::Break } else { event });
+        self.extend_trail(&event, Some(number));
+        self.put_in_log(if is_older { Event::Break } else { event });
     }
 
     /// Begins the log again after a snapshot.

@@ -31,7 +31,7 @@ pub(super) fn write_set(out: &mut Writer<'_>, set: &BitSet) -> io::Result<()> {
     if set.len() * size_of::<u32>() < words * size_of::<u64>() {
         let ids: Vec<u32> = set.iter().map(|id| id as u32).collect();
         out.value(&Form::Ids)?;
-        out.column(&ids)
+        out.links(&ids)
     } else {
         out.value(&Form::Words)?;
         out.column(set.words().get(..words).unwrap_or_default())
@@ -42,7 +42,7 @@ pub(super) fn read_set(from: &mut Reader<'_>) -> Result<BitSet, BadBytes> {
     match from.value()? {
         Form::Words => Ok(BitSet::from_words(from.column()?)),
         Form::Ids => {
-            let ids: Vec<u32> = from.column()?;
+            let ids = from.links()?;
             if ids.iter().any(|&id| id > MAX_ID) {
                 return Err(BadBytes::new("the id of an element is too large"));
             }

@@ -15,9 +15,9 @@ use std::sync::Arc;
 /// A document with its selection and all that an editor numbers, without its history.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Snapshot {
-    document: Document,
-    selection: Arc<Selection>,
-    numbers: Numbers,
+    pub(crate) document: Document,
+    pub(crate) selection: Arc<Selection>,
+    pub(crate) numbers: Numbers,
 }
 
 /// Where an editor goes on counting.
@@ -46,33 +46,42 @@ struct ObjectHead {
 }
 
 const SNAPSHOT_MARK: [u8; 8] = *b"MWsnap\0\x01";
+const PACKED_MARK: [u8; 8] = *b"MWpack\0\x01";
+
+/// The largest number that is read: JSON holds it exactly, and an editor can go on counting from there.
+const MAX_NUMBER: u64 = 1 << 52;
 
 impl Wire for Snapshot {
     fn write_to(&self, out: &mut dyn Write) -> io::Result<()> {
-        write(&self.document, &self.selection, self.numbers, out)
+        write_plain(&self.document, &self.selection, self.numbers, out)
     }
 
     fn read_from(from: &mut dyn Read, len: usize) -> Result<Self, BadBytes> {
         let mut from = Reader::start(from, len, SNAPSHOT_MARK)?;
-        let Head { name, offset, active, numbers, objects } = from.value()?;
-        let materials = read_materials(&mut from)?;
-        let objects =
-            objects.into_iter().map(|head| read_object(&mut from, head)).collect::<Result<_, _>>()?;
-        let selection = Arc::new(read_selection(&mut from)?);
+        let snapshot = read(&mut from, true)?;
         from.end()?;
-        let document = Document { name, objects, active, offset: offset.into(), materials };
-        check(&document, &selection, numbers)?;
-        Ok(Self { document, selection, numbers })
+        Ok(snapshot)
     }
+}
+
+/// Reads a snapshot. Meshes are validated unless they are known to be valid.
+fn read(from: &mut Reader<'_>, validates: bool) -> Result<Snapshot, BadBytes> {
+    let Head { name, offset, active, numbers, objects } = from.value()?;
+    let materials = read_materials(from)?;
+    let objects =
+        objects.into_iter().map(|head| read_object(from, head, validates)).collect::<Result<_, _>>()?;
+    let selection = Arc::new(read_selection(from)?);
+    let document = Document { name, objects, active, offset: offset.into(), materials };
+    check(&document, &selection, numbers)?;
+    Ok(Snapshot { document, selection, numbers })
 }
 
 fn write(
     document: &Document,
     selection: &Selection,
     numbers: Numbers,
-    out: &mut dyn Write,
+    out: &mut Writer<'_>,
 ) -> io::Result<()> {
-    let mut out = Writer::start(out, SNAPSHOT_MARK)?;
     let objects = document.objects.iter().map(|object| ObjectHead {
         id: object.id().0,
         visible: object.visible,
@@ -85,13 +94,22 @@ fn write(
         numbers,
         objects: objects.collect(),
     })?;
-    write_materials(&mut out, &document.materials)?;
+    write_materials(out, &document.materials)?;
     for object in &document.objects {
-        write_named(&mut out, &object.named, true)?;
-        write_set(&mut out, &object.hidden)?;
-        object.named_selections().iter().try_for_each(|named| write_selection(&mut out, &named.selection))?;
+        write_named(out, &object.named, true)?;
+        write_set(out, &object.hidden)?;
+        object.named_selections().iter().try_for_each(|named| write_selection(out, &named.selection))?;
     }
-    write_selection(&mut out, selection)
+    write_selection(out, selection)
+}
+
+fn write_plain(
+    document: &Document,
+    selection: &Selection,
+    numbers: Numbers,
+    out: &mut dyn Write,
+) -> io::Result<()> {
+    write(document, selection, numbers, &mut Writer::start(out, SNAPSHOT_MARK)?)
 }
 
 /// Checks what else an editor relies on.
@@ -103,14 +121,16 @@ fn check(document: &Document, selection: &Selection, numbers: Numbers) -> Result
         || ids.last().is_some_and(|&id| id >= numbers.next_object)
         || document.active >= document.objects.len().max(1)
         || numbers.revision.max(numbers.saved) > numbers.last_revision
+        || numbers.next_object.max(numbers.last_revision) > MAX_NUMBER
         || !document.offset.is_finite()
         || document.active().map_or(!selection.is_empty(), |object| selection.has_gone(object.mesh()));
     if is_wrong { Err(BadBytes::new("the document does not fit together")) } else { Ok(()) }
 }
 
-fn read_object(from: &mut Reader<'_>, head: ObjectHead) -> Result<Object, BadBytes> {
+fn read_object(from: &mut Reader<'_>, head: ObjectHead, validates: bool) -> Result<Object, BadBytes> {
     let named = read_named(from)?;
-    named.mesh.validate().map_err(|defect| BadBytes::new(format!("{}: {defect}", named.name)))?;
+    let valid = if validates { named.mesh.validate() } else { Ok(()) };
+    valid.map_err(|defect| BadBytes::new(format!("{}: {defect}", named.name)))?;
     let mut object = Object::new(ObjectId(head.id), named);
     object.visible = head.visible;
     object.hidden = Arc::new(read_set(from)?);
@@ -150,7 +170,7 @@ impl SnapshotCopy {
         };
         let mut counter = Window { skip: usize::MAX, room: 0, seen: 0, out: &mut |_| {} };
         // Writing to a window can't fail.
-        let _ = write(editor.document(), &copy.selection, copy.numbers, &mut counter);
+        let _ = write_plain(editor.document(), &copy.selection, copy.numbers, &mut counter);
         copy.total_bytes = counter.seen;
         Some(copy)
     }
@@ -176,7 +196,7 @@ impl SnapshotCopy {
             return false;
         }
         let mut window = Window { skip: self.done_bytes, room: bytes, seen: 0, out };
-        let _ = write(editor.document(), &self.selection, self.numbers, &mut window);
+        let _ = write_plain(editor.document(), &self.selection, self.numbers, &mut window);
         self.done_bytes = self.total_bytes.min(self.done_bytes.saturating_add(bytes));
         if self.is_done() {
             editor.restart_log();
@@ -216,6 +236,52 @@ impl Write for Window<'_> {
 }
 
 impl Snapshot {
+    /// The document of an editor as it is now. Shares the meshes.
+    pub(crate) fn of(editor: &Editor) -> Self {
+        Self {
+            document: editor.document().clone(),
+            selection: editor.shared_selection().clone(),
+            numbers: editor.numbers(),
+        }
+    }
+
+    /// A document without objects, before its first step.
+    pub(crate) fn empty() -> Self {
+        let numbers = Numbers { next_object: 1, revision: 0, last_revision: 0, saved: 0 };
+        Self { document: Document::untitled(), selection: Arc::default(), numbers }
+    }
+
+    /// The snapshot in packed blocks, which compress well.
+    pub(crate) fn to_packed(&self) -> Vec<u8> {
+        let mut bytes = Vec::new();
+        // Writing to a vector can't fail.
+        let _ = Writer::start_packed(&mut bytes, PACKED_MARK)
+            .and_then(|mut out| write(&self.document, &self.selection, self.numbers, &mut out));
+        bytes
+    }
+
+    /// Reads what [`Snapshot::to_packed`] wrote, and validates it.
+    ///
+    /// # Errors
+    /// The bytes are no packed snapshot.
+    pub(crate) fn from_packed(mut bytes: &[u8]) -> Result<Self, BadBytes> {
+        let len = bytes.len();
+        let mut from = Reader::start_packed(&mut bytes, len, PACKED_MARK)?;
+        let snapshot = read(&mut from, true)?;
+        from.end()?;
+        Ok(snapshot)
+    }
+
+    /// Writes the snapshot into the blocks of a message between threads.
+    pub(crate) fn send(&self, out: &mut Writer<'_>) -> io::Result<()> {
+        write(&self.document, &self.selection, self.numbers, out)
+    }
+
+    /// Reads what [`Snapshot::send`] wrote. Meshes are not validated.
+    pub(crate) fn receive(from: &mut Reader<'_>) -> Result<Self, BadBytes> {
+        read(from, false)
+    }
+
     /// An editor on the snapshot's document, without a history, ready for [`Editor::replay`].
     pub fn into_editor(self) -> Editor {
         let Self { document, selection, numbers } = self;

@@ -96,6 +96,8 @@ pub(crate) enum Holds {
     Curves,
     /// The control points of Bezier surfaces.
     Surfaces,
+    /// Whole documents, which the editor reads and writes.
+    Documents,
 }
 
 impl Holds {
@@ -105,6 +107,7 @@ impl Holds {
             Self::Meshes => "meshes",
             Self::Curves => "Bezier curves",
             Self::Surfaces => "Bezier surfaces",
+            Self::Documents => "documents",
         }
     }
 }
