@@ -123,9 +123,9 @@ async function converted(files, code, extension) {
 }
 
 editorTest("every format has the bytes of the command line", once, async (editor) => {
-  // All formats that the command line knows are compared.
+  // All formats that the command line knows are compared, but for projects, which hold the history too.
   const { stderr } = await promisify(execFile)(cli, ["convert", "a.obj", "b", "--format", "?"]).catch((error) => error);
-  const codes = stderr.match(/the codes are (.*)/)[1].split(", ").toSorted();
+  const codes = stderr.match(/the codes are (.*)/)[1].split(", ").filter((code) => code !== "meshwright").toSorted();
   assert.deepEqual(DOCUMENTS.flatMap(({ formats }) => formats.map(([code]) => code)).toSorted(), codes);
 
   for (const { files, formats } of DOCUMENTS) {
