@@ -61,8 +61,7 @@ fn labels_of_project(editor: &Editor) -> Vec<String> {
 /// Sends a job to a worker and back.
 fn do_job(editor: &mut Editor, request: &JobRequest) -> Result<Finished, editor::CommandError> {
     let request = JobRequest::from_bytes(&request.to_bytes()).expect("its own");
-    let result =
-        run_job(&request).map(|result| JobResult::from_bytes(&result.to_bytes()).expect("its own"));
+    let result = run_job(&request).map(|result| JobResult::from_bytes(&result.to_bytes()).expect("its own"));
     editor.finish(request.id(), result)
 }
 
@@ -263,10 +262,7 @@ fn sections_of_later_versions_are_skipped_and_missing_ones_named() {
     };
     let (opened, warnings) = open(&join(&all));
     assert_eq!(state(&opened), state(&rich()));
-    assert_eq!(
-        warnings,
-        ["The section “future” was left out: this version of Meshwright doesn't know it"]
-    );
+    assert_eq!(warnings, ["The section “future” was left out: this version of Meshwright doesn't know it"]);
     all.retain(|(name, _)| name != "document");
     let error = Project::read(&join(&all)).expect_err("no document");
     assert_eq!(error, "the section “document” is missing");

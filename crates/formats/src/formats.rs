@@ -209,7 +209,19 @@ mod tests {
     fn codes_lead_to_their_format_and_never_change() {
         let codes: Vec<&str> = Format::all().map(Format::code).collect();
         let known = [
-            "meshwright", "obj", "ply", "ply-text", "stl", "stl-text", "off", "dae", "glb", "gltf", "bzc", "bez", "json",
+            "meshwright",
+            "obj",
+            "ply",
+            "ply-text",
+            "stl",
+            "stl-text",
+            "off",
+            "dae",
+            "glb",
+            "gltf",
+            "bzc",
+            "bez",
+            "json",
         ];
         assert_eq!(codes, known);
         for format in Format::all() {

@@ -3,8 +3,8 @@
 use super::Editor;
 use super::jobs::WaitingFor;
 use crate::document::ObjectId;
-use crate::project::Project;
 use crate::job::{ExportHead, JobRequest, Work};
+use crate::project::Project;
 use formats::Format;
 
 impl Editor {

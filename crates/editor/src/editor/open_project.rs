@@ -1,7 +1,7 @@
 //! Opening projects, with the steps that led to their documents.
 
-use super::jobs::WaitingFor;
 use super::Editor;
+use super::jobs::WaitingFor;
 use crate::changes::Changes;
 use crate::history::{Change, Step};
 use crate::outcome::{self, Outcome};
@@ -45,8 +45,9 @@ impl Editor {
 
     /// Takes over the document and the history of another editor, whose first step came when there were so many objects.
     fn adopt(&mut self, other: Self, objects_at_start: usize, number: u64) {
-        let Self { document, selection, history, next_object, revision, last_revision, next_step, trail, .. } =
-            other;
+        let Self {
+            document, selection, history, next_object, revision, last_revision, next_step, trail, ..
+        } = other;
         let mut changes = std::mem::take(&mut self.changes);
         self.document.objects.iter().for_each(|object| changes.gone(object));
         document.objects.iter().for_each(|object| changes.added(object));

@@ -53,7 +53,8 @@ fn write_mesh(out: &mut Writer<'_>, mesh: &Mesh) -> io::Result<()> {
         write_gaps(out, &gaps)?;
         write_packed_links(out, mesh, &gaps)?;
     } else {
-        for column in [links.vertex_halfedge, links.next, links.prev, links.to, links.face, links.face_halfedge]
+        for column in
+            [links.vertex_halfedge, links.next, links.prev, links.to, links.face, links.face_halfedge]
         {
             out.column(column)?;
         }
@@ -131,7 +132,9 @@ fn write_packed_links(out: &mut Writer<'_>, mesh: &Mesh, gaps: &Gaps) -> io::Res
             && derived.face == links.face
     });
     out.column(&[u8::from(is_derived)])?;
-    [links.vertex_halfedge, links.next, links.face_halfedge].into_iter().try_for_each(|ids| out.links(ids))?;
+    [links.vertex_halfedge, links.next, links.face_halfedge]
+        .into_iter()
+        .try_for_each(|ids| out.links(ids))?;
     if is_derived {
         return out.links(&removed);
     }

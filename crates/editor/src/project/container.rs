@@ -132,7 +132,9 @@ impl<'a> Contents<'a> {
         let Stored { encoding, expanded, bytes, .. } = self.0.swap_remove(at);
         match encoding {
             PLAIN if bytes.len() as u64 == expanded => Ok(Some(bytes.to_vec())),
-            DEFLATE => inflate(bytes, expanded).map(Some).map_err(|why| format!("the section “{name}” {why}")),
+            DEFLATE => {
+                inflate(bytes, expanded).map(Some).map_err(|why| format!("the section “{name}” {why}"))
+            }
             _ => Err(format!("the section “{name}” is stored in an unknown way: the file is damaged")),
         }
     }
@@ -177,7 +179,10 @@ pub(super) fn deflate(bytes: &[u8], level: Compression) -> Vec<u8> {
 /// They are no such bytes, or stand for more than may be: the rest of a sentence.
 fn inflate(bytes: &[u8], expanded: u64) -> Result<Vec<u8>, String> {
     if expanded > MAX_EXPANDED_BYTES {
-        return Err(format!("takes more than {} MB when expanded, which is too large", MAX_EXPANDED_BYTES >> 20));
+        return Err(format!(
+            "takes more than {} MB when expanded, which is too large",
+            MAX_EXPANDED_BYTES >> 20
+        ));
     }
     if expanded > (bytes.len() as u64).saturating_mul(MAX_EXPANSION) {
         return Err("claims to be longer than it can be: the file is damaged".to_owned());

@@ -46,7 +46,10 @@ struct About {
 
 impl Default for About {
     fn default() -> Self {
-        Self { written_by: concat!("Meshwright ", env!("CARGO_PKG_VERSION")).to_owned(), shares_images: false }
+        Self {
+            written_by: concat!("Meshwright ", env!("CARGO_PKG_VERSION")).to_owned(),
+            shares_images: false,
+        }
     }
 }
 
@@ -149,7 +152,8 @@ impl Project {
             Some(json) => serde_json::from_slice(&json).map_err(|_| damaged(ABOUT, "it is no JSON"))?,
             None => return Err(format!("the section “{ABOUT}” is missing")),
         };
-        let document = sections.take(DOCUMENT)?.ok_or_else(|| format!("the section “{DOCUMENT}” is missing"))?;
+        let document =
+            sections.take(DOCUMENT)?.ok_or_else(|| format!("the section “{DOCUMENT}” is missing"))?;
         let now = snapshot(DOCUMENT, &document)?;
         let view = match sections.take(VIEW)? {
             Some(view) if view.len() <= MAX_VIEW_BYTES => {
@@ -193,8 +197,11 @@ impl Project {
     pub(crate) fn receive(from: &mut Reader<'_>) -> Result<Self, BadBytes> {
         let (view, has_history) = from.value()?;
         let now = Snapshot::receive(from)?;
-        let history =
-            if has_history { Some(Past { start: Snapshot::receive(from)?, log: from.column()? }) } else { None };
+        let history = if has_history {
+            Some(Past { start: Snapshot::receive(from)?, log: from.column()? })
+        } else {
+            None
+        };
         Ok(Self { now, view, history })
     }
 

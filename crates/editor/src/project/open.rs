@@ -101,7 +101,9 @@ fn repeat_steps(
         }
         let revision = renumber(revision).ok_or("its log does not fit its document")?;
         let begins = matches!(event, Event::Start(_));
-        editor.replay(Entry { event, revision }).map_err(|error| format!("a step can't be repeated: {error}"))?;
+        editor
+            .replay(Entry { event, revision })
+            .map_err(|error| format!("a step can't be repeated: {error}"))?;
         if begins {
             // What was before can't be undone.
             objects_at_start = editor.document().objects().len();

@@ -159,7 +159,8 @@ fn other_properties_are_kept_and_written_again() {
         assert!(back.model.objects[0].mesh == import.model.objects[0].mesh, "{format:?}");
         assert_eq!(formats::losses(format, &import.model), [""; 0]);
     }
-    let others = |format: &formats::Format| format.can_write() && !format.is_bezier() && format.extension() != "ply";
+    let others =
+        |format: &formats::Format| format.can_write() && !format.is_bezier() && format.extension() != "ply";
     for format in formats::Format::all().filter(others) {
         let losses = formats::losses(format, &import.model).join("\n");
         assert!(
