@@ -128,6 +128,28 @@ impl Camera {
         self.target += (up * f64::from(delta.y) - right * f64::from(delta.x)) * unit;
     }
 
+    /// Moves the eye by distances to the right, upwards along the up axis, and forward; the direction stays.
+    pub fn fly(&mut self, by: DVec3) {
+        let [right, _, forward] = self.axes();
+        self.target += right * by.x + self.up.to_scene(DVec3::Y) * by.y + forward * by.z;
+    }
+
+    /// Turns around at the place of the eye, for a movement of the pointer by `delta` pixels.
+    pub fn look_around(&mut self, delta: Vec2, viewport: Vec2) {
+        let eye = self.eye();
+        self.orbit(delta, viewport);
+        let [_, _, forward] = self.axes();
+        self.target = eye + forward * self.distance;
+    }
+
+    /// Moves the target along the direction of view to this distance from the eye, which stays.
+    pub fn set_target_distance(&mut self, distance: f64) {
+        let [nearest, farthest] = self.distance_limits();
+        let (eye, [_, _, forward]) = (self.eye(), self.axes());
+        self.distance = distance.clamp(nearest, farthest);
+        self.target = eye + forward * self.distance;
+    }
+
     /// Zooms by `factor` (2 makes things look twice as large; below 1 they get smaller). The point at the
     /// target's depth under `pixel` stays where it is.
     pub fn zoom(&mut self, factor: f64, pixel: Vec2, viewport: Vec2) {
@@ -236,6 +258,19 @@ impl Camera {
     /// Mesh units per pixel at the target's depth.
     pub fn units_per_pixel(&self, viewport: Vec2) -> f64 {
         2.0 * self.distance * (self.fov_y * 0.5).tan() / f64::from(viewport.y.max(1.0))
+    }
+
+    /// Goes as near or far as gives this number of mesh units per pixel at the target's depth.
+    pub fn set_units_per_pixel(&mut self, units: f64, viewport: Vec2) {
+        let now = self.units_per_pixel(viewport);
+        if units.is_finite() && units > 0.0 && now > 0.0 {
+            self.distance *= units / now;
+        }
+    }
+
+    /// How far away a camera with the initial field of view would see as much at the target.
+    pub(crate) fn apparent_distance(&self) -> f64 {
+        self.distance * (self.fov_y * 0.5).tan() / (START_FOV_RADIANS * 0.5).tan()
     }
 
     /// The position of a point at `anchor` after a drag of `delta` pixels parallel to the screen.

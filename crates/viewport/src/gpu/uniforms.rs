@@ -101,7 +101,7 @@ impl FrameUniform {
 /// The ground grid around the target: lines at powers of ten that suit the distance. The scene stands on the ground, so
 /// that the ground never cuts through it.
 fn grid(camera: &Camera) -> ([f32; 4], [f32; 4]) {
-    let level = (camera.distance * 0.2).log10();
+    let level = (camera.apparent_distance() * 0.2).log10();
     let spacing = 10_f64.powf(level.floor());
     // The middle is where coarse lines cross, so that lines stay put while the target moves.
     let coarse = spacing * 100.0;
