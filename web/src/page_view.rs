@@ -14,7 +14,7 @@ use crate::input::keys;
 use crate::session::Session;
 use crate::shown::Shown;
 use crate::transforming::Gizmo;
-use crate::view::panes::Split;
+use crate::view::pane::Split;
 use crate::view::{Tool, View};
 use viewport::{Rotation, Shading};
 
@@ -40,6 +40,9 @@ impl Page<'_> {
     pub fn why_not(&self, action: Action) -> Option<String> {
         if matches!(action, Action::Views(split) if split != Split::One) && self.shown.narrow {
             return Some("There is room for one view only. Make the window wider.".into());
+        }
+        if action == Action::Fly && self.shown.touch {
+            return Some("Flying takes a keyboard and a mouse.".into());
         }
         availability::why_not(action, self.session, self.shown.kind, self.player)
     }

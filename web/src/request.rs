@@ -17,7 +17,7 @@ use crate::panels::welcome::Sample;
 use crate::session::form::Filled;
 use crate::session::toasts::Slot;
 use crate::shown::{Sheet, Window};
-use crate::view::panes::Pane;
+use crate::view::pane::Pane;
 
 /// A panel's request.
 pub(crate) enum Request {

@@ -3,7 +3,7 @@
 use halfedge::Element;
 use serde::{Deserialize, Serialize};
 
-use crate::view::panes::Split;
+use crate::view::pane::Split;
 
 /// Arrangements of the page.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]

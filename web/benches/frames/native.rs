@@ -280,8 +280,9 @@ pub fn run() {
     page.outside.release_jobs();
     page.watch("opening: the mesh arrives", vec![Vec::new()]);
     type Measure = fn(&mut Page);
-    let groups: [(&str, Measure); 9] = [
+    let groups: [(&str, Measure); 10] = [
         ("rest", rest),
+        ("views", views),
         ("pick", pick),
         ("region", regions),
         ("select", select),
@@ -293,7 +294,7 @@ pub fn run() {
     ];
     for (name, measure) in groups {
         if page.is_chosen(name) {
-            page.draws = name == "rest";
+            page.draws = matches!(name, "rest" | "views");
             measure(&mut page);
             page.quietly(NONE, Key::Escape);
             page.quietly(NONE, Key::Escape);
@@ -311,6 +312,23 @@ fn rest(page: &mut Page) {
     let points: Vec<Pos2> = (0..10).map(|i| corner + vec2(6.0, 2.0) * i as f32).collect();
     page.watch("orbiting, 10 frames", drag(&points, PointerButton::Middle, NONE));
     page.quietly(NONE, Key::Space);
+}
+
+/// What each view costs: the same frames in one view, in two, and in four.
+fn views(page: &mut Page) {
+    let at = page.middle();
+    // In the view in perspective, which is there in each case, beside the mesh.
+    let corner = at + vec2(30.0, -60.0);
+    let points: Vec<Pos2> = (0..10).map(|i| corner + vec2(6.0, 2.0) * i as f32).collect();
+    for (name, keys) in [("one view", None), ("four views", Some((CTRL | Modifiers::ALT, Key::Q)))] {
+        keys.into_iter().for_each(|(modifiers, key)| page.quietly(modifiers, key));
+        page.watch(&format!("views: a frame at rest, {name}"), vec![Vec::new()]);
+        let orbit = drag(&points, PointerButton::Middle, NONE);
+        page.watch(&format!("views: orbiting, 10 frames, {name}"), orbit);
+        page.key(&format!("views: from the right, {name}"), Modifiers::ALT, Key::Num3);
+        page.quietly(NONE, Key::Space);
+    }
+    page.quietly(CTRL | Modifiers::ALT, Key::Q);
 }
 
 fn pick(page: &mut Page) {

@@ -21,8 +21,8 @@ use crate::panels::viewport::ZOOM_PER_NOTCH;
 use crate::panels::viewport::control_points::add_control_point;
 use crate::session::{form, live, selecting};
 use crate::transforming::Gizmo;
-use crate::view::Tool;
-use crate::view::panes::Split;
+use crate::view::pane::Split;
+use crate::view::{Tool, flying};
 use viewport::Shading;
 
 /// How much larger one press of a key makes the selecting circle.
@@ -56,6 +56,11 @@ impl App {
             }
             return;
         }
+        let now = self.session.ctx.input(|input| input.time);
+        if flying::give_way(&mut self.view, action, now) {
+            return;
+        }
+        let cameras = self.view.cameras();
         if action.moves_view() {
             self.view.activate(self.view.panes.current);
         }
@@ -135,6 +140,10 @@ impl App {
                     let text = "The selection faces no side. Select a face, or elements beside faces.";
                     self.session.warn(text.to_owned(), Vec::new());
                 }
+            }
+            Action::Fly => {
+                self.session.end_live(true);
+                flying::start(&mut self.view, &self.session.ctx);
             }
             Action::Orthographic => self.view.camera.orthographic ^= true,
             // The same again shows one view.
@@ -237,6 +246,10 @@ impl App {
             Action::Operation(id) => {
                 self.session.begin_or_refuse(Command::from_fields(id, Default::default()))
             }
+        }
+        if action.moves_view() {
+            let moved = self.view.cameras();
+            self.view.glides.start(cameras, &moved, now);
         }
         self.session.ctx.request_repaint();
     }

@@ -10,7 +10,7 @@ use crate::session::Session;
 use crate::shown::{Arrangement, Sheet, Shown};
 use crate::theme;
 use crate::view::View;
-use crate::view::panes::Split;
+use crate::view::pane::{self, Split};
 
 /// The key of the setting with the arrangement.
 const LAYOUT_SETTING: &str = "layout";
@@ -53,11 +53,18 @@ pub(super) struct Layout {
     sheet: Sheet,
     #[serde(default)]
     split: Split,
+    /// Where the views meet, as parts of the viewport's width and height.
+    #[serde(default = "middle")]
+    divide: [f32; 2],
     /// The widths of the panels on the left and on the right, in points.
     pub widths: [f32; 2],
     /// The height of the list of steps, in points.
     #[serde(default = "initial_history_height")]
     pub history_height: f32,
+}
+
+fn middle() -> [f32; 2] {
+    pane::MIDDLE.into()
 }
 
 fn initial_history_height() -> f32 {
@@ -79,6 +86,7 @@ impl Default for Layout {
             },
             sheet: Sheet::default(),
             split: Split::default(),
+            divide: middle(),
             widths: [332.0, 300.0],
             history_height: initial_history_height(),
         }
@@ -104,7 +112,8 @@ impl Layout {
         let kept = platform.load_setting(LAYOUT_SETTING);
         let kept: Option<Self> = kept.and_then(|kept| serde_json::from_str(&kept).ok());
         let are_sizes = |kept: &Self| kept.sizes().iter().all(|size| (1.0..=4096.0).contains(size));
-        kept.filter(are_sizes).unwrap_or_default()
+        let are_parts = |kept: &Self| kept.divide.iter().all(|part| (0.0..=1.0).contains(part));
+        kept.filter(are_sizes).filter(are_parts).unwrap_or_default()
     }
 
     /// The sizes of all panels.
@@ -176,6 +185,7 @@ impl App {
         let shown = &mut self.shown;
         (shown.arrangement, shown.sheet, shown.split) = (arrangement, self.layout.sheet, self.layout.split);
         shown.is_arranged = self.layout.chosen;
+        self.view.panes.divide = self.layout.divide.into();
         (shown.left, shown.right, shown.history) = (open.left, open.right, open.history);
         shown.history_in_low = open.history_in_low;
         (shown.overlay, shown.numbers) = (open.overlay, open.numbers);
@@ -193,7 +203,8 @@ impl App {
             arrangement, left, right, overlay, numbers, history, history_in_low, sheet, split, ..
         } = self.shown;
         let history_height = self.panels.history.height.unwrap_or(self.layout.history_height);
-        let mut layout = Layout { arrangement, sheet, split, widths, history_height, ..self.layout };
+        let divide = self.view.panes.divide.into();
+        let mut layout = Layout { arrangement, sheet, split, divide, widths, history_height, ..self.layout };
         let course_light = self.view.textures.chosen_look(&self.view.style) == Look::Course;
         *layout.open(arrangement) =
             Open { left, right, overlay, numbers, course_light, history, history_in_low };

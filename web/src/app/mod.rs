@@ -28,8 +28,9 @@ use crate::request::{Request, Requests, Waiting};
 use crate::session::{Look, Session, selecting};
 use crate::shown::Shown;
 use crate::theme;
-use crate::view::panes::Split;
-use crate::view::{self, ELEMENTS_PER_FRAME, Tool, View};
+use crate::view::flight::Landing;
+use crate::view::pane::Split;
+use crate::view::{self, ELEMENTS_PER_FRAME, Tool, View, flying};
 use crate::widgets::focus_ring;
 use layout::Layout;
 use panels::Panels;
@@ -132,6 +133,8 @@ impl App {
         self.fit(ctx);
         self.view.budget = Budget::new(ELEMENTS_PER_FRAME);
         let less_motion = self.session.platform.reduces_motion();
+        self.view.glides.are_off = less_motion;
+        self.view.glides.follow_input(ctx);
         if std::mem::replace(&mut self.less_motion, less_motion) != less_motion {
             theme::reduce_motion(ctx, less_motion);
         }
@@ -255,6 +258,9 @@ impl App {
                 self.session.open_files(vec![NamedBytes::new("Pasted.obj", text.into_bytes())], None);
             }
         }
+        if let Some(flight) = self.view.flight.as_mut().filter(|_| !ctx.text_edit_focused()) {
+            flight.take_keys(ctx);
+        }
         let Some(reader) = keys::reader(&self.page(), &self.panels) else { return Vec::new() };
         if self.view.tool == Tool::LoopCut && self.session.live.is_none() && !ctx.text_edit_focused() {
             ring_cut::take_digits(ctx, &mut self.view);
@@ -273,8 +279,9 @@ impl App {
             keys::reader(&self.page(), &self.panels)
                 .is_some_and(|reader| reader.action_of(shortcut).is_some())
         };
+        let flies = self.view.flight.is_some() && !shortcut.ctrl && !shortcut.alt;
         let listens = self.panels.key_editor.is_listening(self.shown.shortcuts);
-        self.session.ctx.input(|input| input.focused) && (listens || acts())
+        self.session.ctx.input(|input| input.focused) && (listens || flies || acts())
     }
 
     /// Ends edits that end without a request: painting when the button is released, a preview when its form
@@ -337,6 +344,7 @@ impl App {
             // From straight above, an object that isn't flat hides its depth.
             self.view.reset();
         }
+        flying::end(&mut self.view, Landing::Here, 0.0);
         self.view.frame_when_seen();
         if self.session.editor.mesh().is_some_and(|mesh| mesh.count(self.shown.kind) == 0) {
             // Points without faces can only be picked as vertices.

@@ -13,7 +13,7 @@ use super::key_preset::KeyPreset;
 use super::presets::Preset;
 use crate::shown::Arrangement;
 use crate::transforming::{Gizmo, Orientation, Pivot, SnapTo, Symmetry};
-use crate::view::panes::Split;
+use crate::view::pane::Split;
 
 /// Something the user can start.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -105,6 +105,8 @@ pub enum Action {
     UpAxis(UpAxis),
     /// Looks at the selection against its normal.
     AlignView,
+    /// Flies through the scene with keys and pointer.
+    Fly,
     /// Switches between parallel and perspective projection.
     Orthographic,
     /// Splits the viewport into several views, or shows one again.
@@ -241,6 +243,7 @@ impl Action {
                 | Self::ZoomOut
                 | Self::LookFrom(_)
                 | Self::AlignView
+                | Self::Fly
                 | Self::Orthographic
         )
     }

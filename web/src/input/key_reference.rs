@@ -23,6 +23,9 @@ While an edit follows the pointer, digits type its amount, X, Y and Z lock an ax
 next number, Enter applies and Escape cancels, in all presets. The key of Move, pressed again during a move, slides the \
 selection along its neighbours (G G).
 
+While flying (View > Zoom and fly), W, A, S, D or the arrow keys move the eye, E and Q move it up and down, Shift makes it faster, \
+the wheel sets the speed, and the pointer turns it. Enter or a click stays there; Escape or a right-click goes back.
+
 Ctrl+R, Ctrl+B, Ctrl+D and Ctrl+H are the browser's own while a list, a field or a button has the focus.
 ";
 
@@ -75,7 +78,7 @@ pub fn reference() -> String {
     for (title, actions) in groups() {
         let keys = |action: &Action| {
             maps.each_ref().map(|map| {
-                let keys = map.own_keys(*action).iter().map(|key| format!("`{}`", key.text()));
+                let keys = map.own_keys(*action).iter().map(|key| code(&key.text()));
                 keys.collect::<Vec<_>>().join(" ")
             })
         };
@@ -101,6 +104,11 @@ pub fn reference() -> String {
         let _ = writeln!(text, "- {what}: {how}");
     }
     text
+}
+
+/// A key as code. One that is a backtick takes two around it.
+fn code(key: &str) -> String {
+    if key.contains('`') { format!("`` {key} ``") } else { format!("`{key}`") }
 }
 
 fn table<'a, const COLUMNS: usize>(

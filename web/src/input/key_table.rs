@@ -7,7 +7,7 @@ use viewport::{ColorBy, Look, Side};
 use super::action::Action as A;
 use super::key_preset::KeyPreset;
 use crate::transforming::Gizmo;
-use crate::view::panes::Split;
+use crate::view::pane::Split;
 
 /// An action with its keys in each preset, with spaces between several; menus show the first.
 pub(super) type Row = (A, [&'static str; KeyPreset::COUNT]);
@@ -110,6 +110,7 @@ pub(super) static ROWS: &[Row] = &[
     (A::LookFrom(Side::Bottom),            ["Alt+Shift+7 Ctrl+Numpad7",  "Ctrl+Numpad7 Alt+Shift+7", "Ctrl+Numpad7 Alt+Shift+7"]),
     (A::Views(Split::Four),                ["Ctrl+Alt+Q",                "Ctrl+Alt+Q",               "Ctrl+Alt+Q"]),
     (A::AlignView,                         ["Shift+Numpad7",             "Shift+Numpad7",            "Shift+Numpad7"]),
+    (A::Fly,                               ["Shift+`",                   "Shift+`",                  "Shift+`"]),
     (A::Orthographic,                      ["P Alt+5 Numpad5",           "Numpad5 Alt+5",            "Numpad5"]),
     (A::Wireframe,                         ["W",                         "Z Shift+Z",                "Alt+5"]),
     (A::XRay,                              ["Alt+X",                     "Alt+Z",                    "Alt+X"]),

@@ -136,11 +136,11 @@ fn types_no_text(shortcut: Shortcut) -> bool {
     shortcut.ctrl || shortcut.alt || matches!(shortcut.key, Key::F3)
 }
 
-/// Whether the keys after an action's mean something else than before: it opens a text field or starts a live edit.
+/// Whether the keys after an action's mean something else than before: it opens a text field, or starts a live edit or a flight.
 fn takes_keys(action: Action) -> bool {
     match action {
         A::Palette | A::GoToId | A::Save | A::SaveAs(_) => true,
-        A::Move | A::Rotate | A::Scale | A::SlideSplit => true,
+        A::Move | A::Rotate | A::Scale | A::SlideSplit | A::Fly => true,
         A::Operation(id) => follows_pointer(id),
         _ => false,
     }

@@ -23,7 +23,7 @@ pub const CRITERIA: &str = "By criterion";
 /// The submenu that an entry is in, which keeps long menus on small screens.
 pub fn submenu(action: Action) -> Option<&'static str> {
     match action {
-        A::FrameAll | A::ZoomIn | A::ZoomOut => Some("Zoom"),
+        A::FrameAll | A::ZoomIn | A::ZoomOut | A::Fly => Some("Zoom and fly"),
         A::ResetView | A::LookFrom(_) | A::AlignView => Some("Look from"),
         A::UpAxis(_) => Some("Up axis"),
         A::Views(_) => Some("Views"),

@@ -5,7 +5,7 @@ use viewport::{ColorBy, Look, Mark, Matcap, Side, UpAxis};
 use super::action::{Action as A, Entry, entry};
 use super::camera_style::{CameraStyle, OrbitAbout};
 use crate::shown::Arrangement;
-use crate::view::panes::Split;
+use crate::view::pane::Split;
 
 const fn scale(percent: u16, label: &'static str) -> Option<Entry> {
     let entry = entry(A::InterfaceScale(percent), label, "Scale texts and controls to this size.");
@@ -44,6 +44,12 @@ pub(super) static ENTRIES: &[Option<Entry>] = &[
     ),
     also(A::ZoomIn, "Zoom in", "Zoom in on the middle of the view.", &["closer", "larger"]),
     also(A::ZoomOut, "Zoom out", "Zoom out from the middle of the view.", &["farther", "smaller"]),
+    also(
+        A::Fly,
+        "Fly",
+        "Fly through the scene with W, A, S, D, and the pointer.",
+        &["walk", "first person", "game navigation", "wasd"],
+    ),
     Some(entry(A::ResetView, "Reset view", "Restore the initial view.")),
     Some(entry(A::LookFrom(Side::Front), "Front view", "Look from the front, along an axis.")),
     Some(entry(A::LookFrom(Side::Back), "Back view", "Look from the back, along an axis.")),
@@ -166,22 +172,18 @@ pub(super) static ENTRIES: &[Option<Entry>] = &[
     auto_smooth(45, "Auto smooth at 45°"),
     auto_smooth(60, "Auto smooth at 60°"),
     auto_smooth(80, "Auto smooth at 80°"),
-    Some(
-        entry(
-            A::ColorBy(ColorBy::Paint),
-            "Paint",
-            "Colour painted faces by their paint, the others by their vertices or material.",
-        )
-        .synonyms(&["colour by"]),
+    also(
+        A::ColorBy(ColorBy::Paint),
+        "Paint",
+        "Colour painted faces by their paint, the others by their vertices or material.",
+        &["colour by"],
     ),
     Some(entry(A::ColorBy(ColorBy::Face), "Face colours", "Colour faces by their own colours only.")),
-    Some(
-        entry(
-            A::ColorBy(ColorBy::Vertex),
-            "Vertex colours",
-            "Colour faces by the colours of their vertices only.",
-        )
-        .synonyms(&["colour attribute", "per-vertex colour"]),
+    also(
+        A::ColorBy(ColorBy::Vertex),
+        "Vertex colours",
+        "Colour faces by the colours of their vertices only.",
+        &["colour attribute", "per-vertex colour"],
     ),
     Some(entry(A::ColorBy(ColorBy::Uniform), "One colour", "Draw all faces in one colour.")),
     Some(entry(
@@ -194,118 +196,96 @@ pub(super) static ENTRIES: &[Option<Entry>] = &[
         "Group",
         "Give each group a colour that differs from the others, with a legend.",
     )),
-    Some(
-        entry(
-            A::ColorBy(ColorBy::Valence),
-            "Valence",
-            "Colour vertices by their number of edges: blue has fewer than regular ones, red more.",
-        )
-        .synonyms(&["degree", "poles"]),
+    also(
+        A::ColorBy(ColorBy::Valence),
+        "Valence",
+        "Colour vertices by their number of edges: blue has fewer than regular ones, red more.",
+        &["degree", "poles"],
     ),
     Some(entry(
         A::ColorBy(ColorBy::GaussianCurvature),
         "Gaussian curvature",
         "Colour vertices by Gaussian curvature: blue at saddles, red at bulges and hollows.",
     )),
-    Some(
-        entry(
-            A::ColorBy(ColorBy::MeanCurvature),
-            "Mean curvature",
-            "Colour vertices by mean curvature: blue in hollows, red at bulges.",
-        )
-        .synonyms(&["convex", "concave", "cavity"]),
+    also(
+        A::ColorBy(ColorBy::MeanCurvature),
+        "Mean curvature",
+        "Colour vertices by mean curvature: blue in hollows, red at bulges.",
+        &["convex", "concave", "cavity"],
     ),
-    Some(
-        entry(
-            A::ColorBy(ColorBy::Quality),
-            "Face quality",
-            "Colour faces by how close they are to regular polygons: dark ones are slivers.",
-        )
-        .synonyms(&["triangle shape", "aspect ratio", "slivers"]),
+    also(
+        A::ColorBy(ColorBy::Quality),
+        "Face quality",
+        "Colour faces by how close they are to regular polygons: dark ones are slivers.",
+        &["triangle shape", "aspect ratio", "slivers"],
     ),
-    Some(
-        entry(A::Look(Look::Studio), "Studio lights", "Light faces with three lights fixed to the camera.")
-            .synonyms(&["look", "solid"]),
+    also(
+        A::Look(Look::Studio),
+        "Studio lights",
+        "Light faces with three lights fixed to the camera.",
+        &["look", "solid"],
     ),
-    Some(
-        entry(
-            A::Look(Look::Texture),
-            "Textures",
-            "Draw the images of materials on faces, lit as in a studio.",
-        )
-        .synonyms(&["look", "material preview", "image", "map", "uv"]),
+    also(
+        A::Look(Look::Texture),
+        "Textures",
+        "Draw the images of materials on faces, lit as in a studio.",
+        &["look", "material preview", "image", "map", "uv"],
     ),
-    Some(
-        entry(
-            A::Look(Look::Course),
-            "Light at the camera",
-            "Light faces from the camera only, as the courses do.",
-        )
-        .synonyms(&["look", "lambert", "headlight", "shading"]),
+    also(
+        A::Look(Look::Course),
+        "Light at the camera",
+        "Light faces from the camera only, as the courses do.",
+        &["look", "lambert", "headlight", "shading"],
     ),
-    Some(
-        entry(A::Look(Look::Matcap(Matcap::Clay)), "Clay", "Draw faces like terracotta.")
-            .synonyms(&["look", "matcap"]),
+    also(A::Look(Look::Matcap(Matcap::Clay)), "Clay", "Draw faces like terracotta.", &["look", "matcap"]),
+    also(A::Look(Look::Matcap(Matcap::Pearl)), "Pearl", "Draw faces like white pearl.", &["look", "matcap"]),
+    also(
+        A::Look(Look::Matcap(Matcap::Metal)),
+        "Metal",
+        "Draw faces like steel, which shows unevenness.",
+        &["look", "matcap", "chrome"],
     ),
-    Some(
-        entry(A::Look(Look::Matcap(Matcap::Pearl)), "Pearl", "Draw faces like white pearl.")
-            .synonyms(&["look", "matcap"]),
+    also(
+        A::Look(Look::Matcap(Matcap::RedWax)),
+        "Red wax",
+        "Draw faces like glossy red wax.",
+        &["look", "matcap", "sculpting"],
     ),
-    Some(
-        entry(
-            A::Look(Look::Matcap(Matcap::Metal)),
-            "Metal",
-            "Draw faces like steel, which shows unevenness.",
-        )
-        .synonyms(&["look", "matcap", "chrome"]),
+    also(
+        A::Look(Look::Zebra),
+        "Zebra stripes",
+        "Mirror stripes on faces: they break or kink where the surface isn't smooth.",
+        &["look", "reflection lines", "surface check"],
     ),
-    Some(
-        entry(A::Look(Look::Matcap(Matcap::RedWax)), "Red wax", "Draw faces like glossy red wax.")
-            .synonyms(&["look", "matcap", "sculpting"]),
+    also(
+        A::Look(Look::Flat),
+        "Colours without light",
+        "Draw faces in their colours, without light.",
+        &["look", "unlit", "flat colour"],
     ),
-    Some(
-        entry(
-            A::Look(Look::Zebra),
-            "Zebra stripes",
-            "Mirror stripes on faces: they break or kink where the surface isn't smooth.",
-        )
-        .synonyms(&["look", "reflection lines", "surface check"]),
+    also(
+        A::Look(Look::HiddenLine),
+        "Hidden line",
+        "Draw edges only, hidden by the faces in front of them.",
+        &["look", "technical drawing"],
     ),
-    Some(
-        entry(A::Look(Look::Flat), "Colours without light", "Draw faces in their colours, without light.")
-            .synonyms(&["look", "unlit", "flat colour"]),
+    also(
+        A::Look(Look::Normals),
+        "Normals as colours",
+        "Colour faces by their normals: x red, y green, z blue.",
+        &["look"],
     ),
-    Some(
-        entry(
-            A::Look(Look::HiddenLine),
-            "Hidden line",
-            "Draw edges only, hidden by the faces in front of them.",
-        )
-        .synonyms(&["look", "technical drawing"]),
+    also(
+        A::Look(Look::Orientation),
+        "Face orientation",
+        "Draw the fronts of faces blue and the backs red.",
+        &["look", "flipped normals", "inside out"],
     ),
-    Some(
-        entry(
-            A::Look(Look::Normals),
-            "Normals as colours",
-            "Colour faces by their normals: x red, y green, z blue.",
-        )
-        .synonyms(&["look"]),
-    ),
-    Some(
-        entry(
-            A::Look(Look::Orientation),
-            "Face orientation",
-            "Draw the fronts of faces blue and the backs red.",
-        )
-        .synonyms(&["look", "flipped normals", "inside out"]),
-    ),
-    Some(
-        entry(
-            A::Look(Look::Checker),
-            "UV checker",
-            "Draw a checker pattern by texture coordinates: red grows to the right, green upwards.",
-        )
-        .synonyms(&["look", "texture coordinates", "test grid", "distortion", "unwrap"]),
+    also(
+        A::Look(Look::Checker),
+        "UV checker",
+        "Draw a checker pattern by texture coordinates: red grows to the right, green upwards.",
+        &["look", "texture coordinates", "test grid", "distortion", "unwrap"],
     ),
     also(
         A::HideBacks,
@@ -313,60 +293,60 @@ pub(super) static ENTRIES: &[Option<Entry>] = &[
         "Hide faces that are seen from the back.",
         &["backface culling", "cull"],
     ),
-    Some(
-        entry(A::Mark(Mark::Boundary), "Boundary edges", "Mark edges with a face on one side only in green.")
-            .synonyms(&["holes", "open edges"]),
+    also(
+        A::Mark(Mark::Boundary),
+        "Boundary edges",
+        "Mark edges with a face on one side only in green.",
+        &["holes", "open edges"],
     ),
-    Some(
-        entry(
-            A::Mark(Mark::Sharp),
-            "Sharp edges",
-            "Mark creases, and edges whose faces meet at more than 30°, in blue.",
-        )
-        .synonyms(&["creases", "hard edges"]),
+    also(
+        A::Mark(Mark::Sharp),
+        "Sharp edges",
+        "Mark creases, and edges whose faces meet at more than 30°, in blue.",
+        &["creases", "hard edges"],
     ),
-    Some(
-        entry(
-            A::Mark(Mark::Seam),
-            "Texture seams",
-            "Mark edges across which texture coordinates jump in red.",
-        )
-        .synonyms(&["uv seams"]),
+    also(
+        A::Mark(Mark::Seam),
+        "Texture seams",
+        "Mark edges across which texture coordinates jump in red.",
+        &["uv seams"],
     ),
-    Some(
-        entry(
-            A::Mark(Mark::NonManifold),
-            "Non-manifold places",
-            "Mark edges and vertices that importing had to separate in magenta.",
-        )
-        .synonyms(&["repaired", "separated"]),
+    also(
+        A::Mark(Mark::NonManifold),
+        "Non-manifold places",
+        "Mark edges and vertices that importing had to separate in magenta.",
+        &["repaired", "separated"],
     ),
-    Some(
-        entry(A::Mark(Mark::FaceNormals), "Face normals", "Draw the normals of faces as lines.")
-            .synonyms(&["normal lines"]),
+    also(
+        A::Mark(Mark::FaceNormals),
+        "Face normals",
+        "Draw the normals of faces as lines.",
+        &["normal lines"],
     ),
-    Some(
-        entry(A::Mark(Mark::VertexNormals), "Vertex normals", "Draw the normals of vertices as lines.")
-            .synonyms(&["normal lines"]),
+    also(
+        A::Mark(Mark::VertexNormals),
+        "Vertex normals",
+        "Draw the normals of vertices as lines.",
+        &["normal lines"],
     ),
     Some(entry(A::Dots, "Vertex dots", "Draw vertices as dots.")),
     Some(entry(A::Grid, "Ground grid", "Draw a grid on the ground below the model.")),
-    Some(
-        entry(A::Shadow, "Ground shadow", "Draw a soft shadow on the ground below the model.")
-            .synonyms(&["contact shadow", "ambient occlusion"]),
+    also(
+        A::Shadow,
+        "Ground shadow",
+        "Draw a soft shadow on the ground below the model.",
+        &["contact shadow", "ambient occlusion"],
     ),
     Some(entry(
         A::Overlay,
         "Info overlay",
         "Show the selection and the element under the pointer in the viewport.",
     )),
-    Some(
-        entry(
-            A::Numbers,
-            "Element numbers",
-            "Show the ids of the vertices (v), edges (e) and faces (f) around the pointer.",
-        )
-        .synonyms(&["indices", "ids"]),
+    also(
+        A::Numbers,
+        "Element numbers",
+        "Show the ids of the vertices (v), edges (e) and faces (f) around the pointer.",
+        &["indices", "ids"],
     ),
     None,
     Some(entry(A::LeftPanel, "Element lists", "Show or hide the lists.")),

@@ -3,6 +3,7 @@
 use std::borrow::Cow;
 
 use editor::SelectMode;
+use editor::ops::four_digits;
 use egui::{Modifiers, PointerButton};
 use halfedge::Element;
 use halfedge::words::capitalized;
@@ -22,7 +23,7 @@ pub(crate) enum By {
     Mouse(Icon, &'static str),
     /// With a key, or while it is held.
     Key(&'static str),
-    /// With fingers.
+    /// With fingers, or by moving the pointer.
     Touch(&'static str),
 }
 
@@ -72,6 +73,17 @@ pub(crate) fn hints(page: &Page<'_>, modifiers: Modifiers) -> Vec<Hint> {
         let all = [hint(LEFT, "Apply"), hint(RIGHT, ends), hint(By::Key("0-9"), "Type the amount")];
         let more = [hint(CTRL, "Snap"), hint(SHIFT, "Fine"), hint(ESCAPE, ends)];
         return all.into_iter().chain(wheel).chain(lock).chain(more).collect();
+    }
+    if let Some(flight) = &page.view.flight {
+        return vec![
+            hint(By::Key("W A S D"), "Fly"),
+            hint(By::Key("Q E"), "Down, up"),
+            hint(By::Touch("Pointer"), "Look around"),
+            hint(WHEEL, format!("Speed {}", four_digits(flight.speed))),
+            hint(SHIFT, "Faster"),
+            hint(LEFT, "Stay here"),
+            hint(ESCAPE, "Go back"),
+        ];
     }
     match page.view.gesture {
         Gesture::Box { .. } | Gesture::Lasso { .. } => {

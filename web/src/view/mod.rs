@@ -1,10 +1,16 @@
 //! The viewport's state: the camera, the picture and the gesture in progress.
 
+mod camera;
+pub(crate) mod flight;
+pub(crate) mod flying;
 mod gesture;
+mod glide;
+pub(crate) mod pane;
 pub(crate) mod panes;
 pub(crate) mod picture;
 pub(crate) mod ring;
 pub(crate) mod textures;
+mod tools;
 mod turning;
 
 use editor::{Changes, Editor, Object, ObjectChange, ObjectId, SelectMode};
@@ -17,7 +23,9 @@ use surface::{FaceTree, FaceTreeBuilder};
 use viewport::{Bounds, Camera, RegionSelection, Style};
 
 use crate::bezier;
+use flight::Flight;
 pub(crate) use gesture::{Gesture, Tool};
+use glide::Glides;
 use panes::Panes;
 use picture::Picture;
 use ring::RingTool;
@@ -33,8 +41,6 @@ const BAR_GAP_POINTS: f32 = 8.0;
 
 /// Framed things fill at least this share of the viewport, whatever the bars cover.
 const MIN_FRAME_SHARE: f32 = 0.5;
-/// Where the welcome view leaves a smaller share of the viewport's height, it counts as covering nothing.
-const MIN_FREE_SHARE: f32 = 0.2;
 
 /// The number of frames until the panels have their final sizes.
 const FRAMES_UNTIL_PANELS_SETTLE: u8 = 3;
@@ -63,6 +69,10 @@ pub(crate) struct View {
     pub camera: Camera,
     pub style: Style,
     pub turning: Turning,
+    /// The moves of cameras that take a moment.
+    pub glides: Glides,
+    /// The flight in progress, in the current view.
+    pub flight: Option<Flight>,
     pub tool: Tool,
     /// The current view's rectangle on the page, in points.
     pub rect: Rect,
@@ -113,6 +123,8 @@ impl View {
             camera: Camera::default(),
             style: Style::default(),
             turning: Turning::default(),
+            glides: Glides::default(),
+            flight: None,
             tool: Tool::Orbit,
             rect: Rect::NOTHING,
             area: Rect::NOTHING,
@@ -192,6 +204,11 @@ impl View {
     pub fn project(&self, point: Vec3) -> Option<egui::Pos2> {
         let at = self.camera.project(point, self.size())?;
         Some(self.rect.min + Vec2::new(at.x, at.y))
+    }
+
+    /// A place on the page, from the current view's corner.
+    pub fn local(&self, at: egui::Pos2) -> glam::Vec2 {
+        glam::vec2(at.x - self.rect.min.x, at.y - self.rect.min.y)
     }
 
     /// The change of a coordinate per point of a drag on a spin box: about that of the same drag in the

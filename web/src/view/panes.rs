@@ -1,86 +1,14 @@
 //! The views that the viewport is split into. Each has a camera and a rectangle. Those of the current view, in which the
-//! pointer and the keys act, are the [`View`]'s own. What frames and turns the view acts in the current one.
+//! pointer and the keys act, are the [`View`]'s own.
 
-use editor::Editor;
-use egui::{Context, Event, Order, Pos2, Rect};
-use serde::{Deserialize, Serialize};
-use surface::selecting::vertices;
-use viewport::{Bounds, Camera, Side};
+use egui::{Context, Event, Order, Pos2, Rect, Vec2, vec2};
+use viewport::{Camera, Side};
 
-use super::{FRAMES_UNTIL_PANELS_SETTLE, Gesture, MIN_FREE_SHARE, Tool, View};
-use crate::live::place::Place;
+use super::pane::{MIDDLE, Pane, Split};
+use super::{Gesture, View};
 
-/// The room between views, in points.
-const GAP_POINTS: f32 = 2.0;
-
-/// How the viewport is split.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
-pub enum Split {
-    /// It is not.
-    #[default]
-    One,
-    /// Into two views side by side: in perspective, and from the front.
-    Two,
-    /// Into four: from above and in perspective, below from the front and from the right.
-    Four,
-}
-
-/// A view, named after where it looks from at first.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
-pub(crate) enum Pane {
-    Top,
-    /// In perspective.
-    #[default]
-    Free,
-    Front,
-    Right,
-}
-
-impl Pane {
-    /// Row by row.
-    const ALL: [Self; 4] = [Self::Top, Self::Free, Self::Front, Self::Right];
-
-    /// The side from which it looks at first, without perspective.
-    fn side(self) -> Option<Side> {
-        match self {
-            Self::Top => Some(Side::Top),
-            Self::Front => Some(Side::Front),
-            Self::Right => Some(Side::Right),
-            Self::Free => None,
-        }
-    }
-
-    /// Its part of the viewport.
-    fn rect(self, split: Split, area: Rect) -> Rect {
-        let middle = area.center().round();
-        let (left, right) = area.split_left_right_at_x(middle.x);
-        let half = match (self, split) {
-            (_, Split::One) => return area,
-            (Self::Free | Self::Right, Split::Four) | (Self::Front, Split::Two) => {
-                right.with_min_x(right.left() + GAP_POINTS / 2.0)
-            }
-            _ => left.with_max_x(left.right() - GAP_POINTS / 2.0),
-        };
-        let (above, below) = half.split_top_bottom_at_y(middle.y);
-        match (self, split) {
-            (_, Split::One | Split::Two) => half,
-            (Self::Top | Self::Free, _) => above.with_max_y(above.bottom() - GAP_POINTS / 2.0),
-            (Self::Front | Self::Right, _) => below.with_min_y(below.top() + GAP_POINTS / 2.0),
-        }
-    }
-
-    /// The camera that it begins with, before it frames anything.
-    fn start(self, like: &Camera) -> Camera {
-        let start = Camera::default();
-        let mut camera =
-            Camera { yaw: start.yaw, pitch: start.pitch, roll: 0.0, orthographic: false, ..*like };
-        if let Some(side) = self.side() {
-            camera.look_from(side);
-            camera.orthographic = true;
-        }
-        camera
-    }
-}
+/// The least width and height of a view beside another one, in points, where the viewport has room for it.
+const MIN_PANE_POINTS: f32 = 96.0;
 
 /// A view that isn't the current one.
 #[derive(Clone, Copy, Debug)]
@@ -91,14 +19,28 @@ struct Aside {
 }
 
 /// Which views there are.
-#[derive(Clone, Debug, Default)]
+#[derive(Clone, Debug)]
 pub(crate) struct Panes {
     pub split: Split,
+    /// Where the views meet, as parts of the viewport's width and height.
+    pub divide: Vec2,
     /// The view in which the pointer and the keys act.
     pub current: Pane,
     /// The view that was last clicked: the current one while the pointer is outside of the viewport.
     pub active: Pane,
     others: Vec<Aside>,
+}
+
+impl Default for Panes {
+    fn default() -> Self {
+        Self {
+            split: Split::One,
+            divide: MIDDLE,
+            current: Pane::Free,
+            active: Pane::Free,
+            others: Vec::new(),
+        }
+    }
 }
 
 impl View {
@@ -115,6 +57,52 @@ impl View {
     pub fn seen_in(&self, pane: Pane) -> (&Camera, Rect) {
         let other = self.panes.others.iter().find(|other| other.pane == pane);
         other.map_or((&self.camera, self.rect), |other| (&other.camera, other.rect))
+    }
+
+    /// The camera of each view that is shown.
+    pub fn cameras(&self) -> Vec<(Pane, Camera)> {
+        self.panes().into_iter().map(|pane| (pane, *self.seen_in(pane).0)).collect()
+    }
+
+    /// Gives views other cameras; returns those that they had.
+    pub fn replace_cameras(&mut self, cameras: Vec<(Pane, Camera)>) -> Vec<(Pane, Camera)> {
+        let replaced = cameras.into_iter().map(|(pane, camera)| {
+            let other = self.panes.others.iter_mut().find(|other| other.pane == pane);
+            let held = other.map_or(&mut self.camera, |other| &mut other.camera);
+            (pane, std::mem::replace(held, camera))
+        });
+        replaced.collect()
+    }
+
+    /// The place where the views meet.
+    pub fn meeting_point(&self) -> Pos2 {
+        let size = self.area.size();
+        // Not nearer to an edge than this, and in the middle where there is no room.
+        let least = (Vec2::splat(MIN_PANE_POINTS) / size.max(Vec2::splat(1.0))).min(MIDDLE);
+        let part = self.panes.divide.max(least).min(vec2(1.0, 1.0) - least);
+        (self.area.min + size * part).round()
+    }
+
+    /// Makes the views meet at this part of the viewport's width and height. Parallel views keep their scale, so that
+    /// what they show stays as large as before.
+    pub fn divide_at(&mut self, divide: Vec2) {
+        let mut scales = Vec::new();
+        self.in_each(|view| scales.push(view.camera.units_per_pixel(view.size())));
+        self.panes.divide = divide;
+        self.lay_out_panes();
+        let mut scales = scales.into_iter();
+        self.in_each(|view| {
+            if let Some(scale) = scales.next().filter(|_| view.camera.orthographic) {
+                view.camera.set_units_per_pixel(scale, view.size());
+            }
+        });
+    }
+
+    /// Gives each view its rectangle.
+    fn lay_out_panes(&mut self) {
+        let (split, area, middle) = (self.panes.split, self.area, self.meeting_point());
+        self.in_each(|view| view.rect = view.panes.current.rect(split, area, middle));
+        self.set_covered(self.covered);
     }
 
     /// Lays the views out in an area; returns whether anything about it changed.
@@ -137,15 +125,16 @@ impl View {
                 self.activate(Pane::Free);
             }
         }
-        self.in_each(|view| view.rect = view.panes.current.rect(split, area));
-        self.set_covered(self.covered);
+        self.lay_out_panes();
         if is_new {
-            let current = self.panes.current;
+            // What was shown stays as it was.
+            let (current, camera) = (self.panes.current, self.camera);
             self.in_each(|view| {
                 if view.panes.current != current {
                     view.frame_all();
                 }
             });
+            self.camera = camera;
         }
         true
     }
@@ -181,115 +170,10 @@ impl View {
         self.panes.others.iter_mut().for_each(|other| change(&mut other.camera));
     }
 
-    /// Restores the direction from which the current view looks at first.
-    pub(super) fn restart(&mut self) {
-        let pane = if self.panes.split == Split::One { Pane::Free } else { self.panes.current };
-        self.camera = pane.start(&self.camera);
-    }
-
-    /// Frames everything once the viewport has a size.
-    pub fn frame_when_seen(&mut self) {
-        self.frame_due = FRAMES_UNTIL_PANELS_SETTLE;
-    }
-
-    /// Frames everything from the same direction.
-    pub fn frame_all(&mut self) {
-        match self.camera.scene() {
-            Some(scene) if self.rect.is_positive() => self.camera.frame(scene, self.aspect()),
-            _ => self.frame_due = FRAMES_UNTIL_PANELS_SETTLE,
-        }
-    }
-
-    /// Frames everything in the part of the viewport that bars and the welcome view leave free.
-    pub fn frame_start(&mut self) {
-        self.in_each(Self::frame_all);
-        if self.panes.split != Split::One {
-            return;
-        }
-        let (size, below) = (self.size(), self.covered_below);
-        let free = 1.0 - (self.covered.top + below) / size.y;
-        if below > 0.0 && free > MIN_FREE_SHARE {
-            self.camera.zoom(f64::from(free), size * 0.5, size);
-            self.camera.pan(glam::vec2(0.0, 0.5 * (self.covered.top - below)), size);
-        }
-    }
-
-    /// Frames the selection, or everything if nothing is selected.
-    pub fn frame_selection(&mut self, editor: &Editor) {
-        let selection = editor.selection();
-        let Some(mesh) = editor.mesh().filter(|_| !selection.is_empty()) else { return self.frame_all() };
-        let mut points = Vec::new();
-        for id in selection.ids() {
-            vertices(mesh, selection.kind(), id as usize, |v| points.push(mesh.position(v)));
-        }
-        if let Some(bounds) = Bounds::of(points) {
-            self.camera.frame(bounds, self.aspect());
-        }
-    }
-
-    /// Zooms by a factor, to the middle.
-    pub fn zoom_step(&mut self, factor: f64) {
-        let size = self.size();
-        self.camera.zoom(factor, size * 0.5, size);
-    }
-
-    /// Looks at the selection against its normal; returns whether it has one.
-    pub fn align(&mut self, editor: &Editor) -> bool {
-        let place = Place::of_selection(editor).filter(|place| place.normal.length_squared() > 0.0);
-        let Some(place) = place else { return false };
-        self.camera.look_along(-place.normal.as_dvec3());
-        self.camera.target = place.middle.as_dvec3();
-        true
-    }
-
-    /// Restores the initial view.
-    pub fn reset(&mut self) {
-        let aspect = self.aspect();
-        self.camera.reset(aspect);
-        self.restart();
-        if let Some(scene) = self.camera.scene() {
-            self.camera.frame(scene, aspect);
-        }
-    }
-
-    /// Cancels the drag in progress; returns whether there was one.
-    pub fn cancel_gesture(&mut self) -> bool {
-        let going = !matches!(
-            self.gesture,
-            Gesture::None
-                | Gesture::Live { .. }
-                | Gesture::Orbit
-                | Gesture::Pan
-                | Gesture::Zoom
-                | Gesture::Ended
-        );
-        if going {
-            self.gesture = Gesture::Ended;
-        }
-        let was_looking = !self.regions.is_empty();
-        self.regions.clear();
-        was_looking || going
-    }
-
-    /// Takes a tool, or puts it away.
-    pub fn switch_tool(&mut self, tool: Tool) {
-        self.tool = if self.tool == tool { Tool::Orbit } else { tool };
-        self.ring.typed = 0;
-    }
-
-    /// Turns the view for a drag of so many points.
-    pub fn turn(&mut self, by: glam::Vec2) {
-        let size = self.size();
-        self.camera.turn(self.turning.rotation, self.turning.center, by, size);
-    }
-
-    pub fn local(&self, at: Pos2) -> glam::Vec2 {
-        glam::vec2(at.x - self.rect.min.x, at.y - self.rect.min.y)
-    }
-
     /// Makes the view under the pointer the current one, while no drag goes on.
     pub fn follow_pointer(&mut self, ctx: &Context) {
-        if self.panes.split == Split::One || self.gesture != Gesture::None {
+        let is_busy = self.gesture != Gesture::None || self.flight.is_some();
+        if self.panes.split == Split::One || is_busy {
             return;
         }
         let (pressed, is_down, latest) = ctx.input(|input| {
@@ -331,26 +215,29 @@ pub(crate) fn name_of(camera: &Camera) -> &'static str {
 
 #[cfg(test)]
 mod tests {
+    use super::super::pane::GAP_POINTS;
     use super::*;
-    use egui::{pos2, vec2};
+    use egui::pos2;
 
     #[test]
-    fn views_fill_the_viewport_without_overlap() {
-        let area = Rect::from_min_size(pos2(301.0, 40.0), vec2(641.0, 533.0));
-        for (split, panes) in [
-            (Split::One, &[Pane::Right][..]),
-            (Split::Two, &[Pane::Free, Pane::Front]),
-            (Split::Four, &Pane::ALL),
-        ] {
-            let rects: Vec<Rect> = panes.iter().map(|pane| pane.rect(split, area)).collect();
-            let all = rects.iter().fold(Rect::NOTHING, |all, rect| all.union(*rect));
-            assert_eq!(all, area, "{split:?}");
-            let covered: f32 = rects.iter().map(|rect| rect.area()).sum();
-            assert!(covered <= area.area() && covered > 0.99 * area.area(), "{split:?}");
-            for (at, rect) in rects.iter().enumerate() {
-                assert!(rects.iter().skip(at + 1).all(|other| !other.intersects(*rect)), "{split:?}");
-            }
+    fn views_keep_a_least_size_and_parallel_ones_their_scale() {
+        let mut view = View::new(None);
+        view.lay_out(Rect::from_min_size(pos2(20.0, 10.0), vec2(800.0, 600.0)), Split::Four);
+        let scale = |view: &View, pane| {
+            let (camera, rect) = view.seen_in(pane);
+            camera.units_per_pixel(glam::vec2(rect.width(), rect.height()))
+        };
+        let before = [Pane::Top, Pane::Front].map(|pane| scale(&view, pane));
+        view.divide_at(vec2(0.25, 0.75));
+        assert_eq!(view.meeting_point(), pos2(220.0, 460.0));
+        assert_eq!(view.seen_in(Pane::Front).1.height(), 150.0 - GAP_POINTS / 2.0);
+        for (pane, before) in [Pane::Top, Pane::Front].into_iter().zip(before) {
+            assert!((scale(&view, pane) / before - 1.0).abs() < 1e-9, "{pane:?}");
         }
+        view.divide_at(vec2(-3.0, 7.0));
+        assert_eq!(view.meeting_point(), pos2(20.0 + MIN_PANE_POINTS, 610.0 - MIN_PANE_POINTS));
+        view.lay_out(Rect::from_min_size(pos2(20.0, 10.0), vec2(100.0, 100.0)), Split::Four);
+        assert_eq!(view.meeting_point(), pos2(70.0, 60.0), "no room: in the middle");
     }
 
     #[test]

@@ -7,10 +7,10 @@ use egui::{Key, Modifiers, Rect, Theme, pos2, vec2};
 use halfedge::Element;
 use serde_json::Value;
 
-const QUAD: Modifiers = Modifiers { alt: true, ..Modifiers::COMMAND };
+pub const QUAD: Modifiers = Modifiers { alt: true, ..Modifiers::COMMAND };
 
 /// The views: name, rectangle, and whether it is the active one.
-fn views(page: &mut Page) -> Vec<(String, Rect, bool)> {
+pub fn views(page: &mut Page) -> Vec<(String, Rect, bool)> {
     let state = page.app().script().state()["view"]["views"].clone();
     let number = |value: &Value| value.as_f64().expect("a number") as f32;
     let read = |view: &Value| {
@@ -25,16 +25,16 @@ fn names(page: &mut Page) -> Vec<String> {
     views(page).into_iter().map(|(name, ..)| name).collect()
 }
 
-fn active(page: &mut Page) -> String {
+pub fn active(page: &mut Page) -> String {
     views(page).into_iter().find(|view| view.2).expect("an active view").0
 }
 
 /// The middle of the view of a name.
-fn middle(page: &mut Page, name: &str) -> egui::Pos2 {
+pub fn middle(page: &mut Page, name: &str) -> egui::Pos2 {
     views(page).into_iter().find(|view| view.0 == name).expect("the view").1.center()
 }
 
-fn in_four() -> Page {
+pub fn in_four() -> Page {
     let mut page = Page::new();
     page.press_with(QUAD, Key::Q);
     page

@@ -10,6 +10,7 @@ use viewport::{Aim, Camera, Picked, Region, ScreenRect};
 
 use super::Viewport;
 use super::control_points;
+use super::fly;
 use super::gizmo;
 use super::navigate;
 use super::pointer::{arrow_keys, gesture_of, is_double, is_finger, modifiers_of_button};
@@ -35,6 +36,9 @@ impl Viewport<'_> {
     pub(super) fn gestures(&mut self, ui: &Ui, response: &Response, out: &mut Requests) {
         if response.is_pointer_button_down_on() || response.clicked() || response.secondary_clicked() {
             self.view.panes.active = self.view.panes.current;
+        }
+        if self.view.flight.is_some() {
+            return fly::go_on(self, ui, response);
         }
         let touches = ui.input(|input| input.multi_touch());
         let pointer = response.interact_pointer_pos();

@@ -3,6 +3,8 @@
 mod axis_widget;
 mod bezier_picture;
 pub(crate) mod control_points;
+mod dividers;
+mod fly;
 mod gesture;
 mod gizmo;
 mod legend;
@@ -30,7 +32,7 @@ use crate::request::Requests;
 use crate::session::Session;
 use crate::shown::Shown;
 use crate::theme;
-use crate::view::panes::Split;
+use crate::view::pane::Split;
 use crate::view::{View, picture};
 
 /// The state that the viewport reads and changes.
@@ -87,7 +89,7 @@ impl Viewport<'_> {
             node.set_live(Live::Polite);
         });
 
-        let ends_tool = self.view.tool.ends_on_right_click();
+        let ends_tool = self.view.tool.ends_on_right_click() || self.view.flight.is_some();
         self.gestures(ui, &response, out);
         // A right click puts the tool away, or cancels the edit that follows the pointer.
         if !ends_tool && self.session.live.is_none() {
@@ -95,6 +97,14 @@ impl Viewport<'_> {
                 Some(_) => panels::bezier::menu(ui, &self.page(), out),
                 None => panels::elements::menu(ui, &self.page(), out),
             });
+        }
+        dividers::show(ui, self.view);
+        // What is painted follows the cameras on their way; nothing else does.
+        let own = self.view.cameras();
+        let shown = self.view.glides.shown(&own, ui.input(|input| input.time));
+        let own = self.view.replace_cameras(shown);
+        if !own.is_empty() {
+            ui.ctx().request_repaint();
         }
         picture::paint(ui, &self.session.editor, self.view);
         let current = self.view.panes.current;
@@ -109,13 +119,15 @@ impl Viewport<'_> {
         if self.shown.numbers {
             self.numbers(ui, self.view.rect);
         }
-        panes::show(ui, &self.page(), out);
-        legend::paint(ui, self.view.free_area(), &self.page());
-        overlay::paint(ui, rect, &self.page());
+        overlay::mark_flight(ui, &self.page());
         // A telephone has no room for it above the bar of an edit.
         if !self.shown.narrow || self.session.live.is_none() {
             let free = panels::live_bar::room_above(ui.ctx(), &self.page());
             axis_widget::show(ui, free, self.shown, self.view, out);
         }
+        self.view.replace_cameras(own);
+        panes::show(ui, &self.page(), out);
+        legend::paint(ui, self.view.free_area(), &self.page());
+        overlay::paint(ui, rect, &self.page());
     }
 }

@@ -33,7 +33,7 @@ pub(super) fn begin_orbit(viewport: &mut Viewport<'_>, at: Pos2) {
 
 /// The point of a visible object's surface at a place on the page, the nearest to the eye. Leaves objects out whose trees
 /// for picking are still being built.
-fn surface_at(viewport: &mut Viewport<'_>, at: Pos2) -> Option<DVec3> {
+pub(super) fn surface_at(viewport: &mut Viewport<'_>, at: Pos2) -> Option<DVec3> {
     let view = &mut *viewport.view;
     let ray = view.camera.ray(view.local(at), view.size());
     let visible = viewport.session.editor.document().objects().iter().filter(|object| object.visible());

@@ -1,7 +1,6 @@
-//! The overlays on the picture: what the tool does, the info overlay, and what to do if there is
-//! nothing to see.
+//! The overlays on the picture: the info overlay, what to do if there is nothing to see, and the mark of a flight.
 
-use egui::{Align2, FontId, Pos2, Rect, RichText, Role, Sense, Ui, WidgetInfo, vec2};
+use egui::{Align2, Color32, FontId, Pos2, Rect, RichText, Role, Sense, Stroke, Ui, Vec2, WidgetInfo, vec2};
 use halfedge::Element;
 
 use crate::input::actions::Action;
@@ -11,6 +10,10 @@ use crate::page_view::Page;
 use crate::panels::fields::selection_words;
 use crate::theme;
 use halfedge::words::thousands;
+
+/// From the middle of the view to the ends of the mark, and to where it begins, in points.
+const MARK_POINTS: f32 = 9.0;
+const MARK_GAP_POINTS: f32 = 3.0;
 
 /// Draws the overlays.
 pub(super) fn paint(ui: &mut Ui, rect: Rect, page: &Page<'_>) {
@@ -34,6 +37,22 @@ pub(super) fn paint(ui: &mut Ui, rect: Rect, page: &Page<'_>) {
     let free = page.view.free_area();
     if page.shown.overlay {
         info(ui, free, page);
+    }
+}
+
+/// Marks the middle of the view, which the eye flies towards.
+pub(super) fn mark_flight(ui: &Ui, page: &Page<'_>) {
+    if page.view.flight.is_none() {
+        return;
+    }
+    let middle = page.view.rect.center();
+    let painter = ui.painter().with_clip_rect(page.view.rect);
+    // The dark lines behind show on a light background.
+    let dark = Stroke::new(3.0, Color32::from_black_alpha(110));
+    for stroke in [dark, Stroke::new(1.0, Color32::WHITE)] {
+        for way in [Vec2::X, -Vec2::X, Vec2::Y, -Vec2::Y] {
+            painter.line_segment([middle + way * MARK_GAP_POINTS, middle + way * MARK_POINTS], stroke);
+        }
     }
 }
 

@@ -7,7 +7,8 @@ use crate::input::actions::{Action, describe};
 use crate::page_view::Page;
 use crate::request::{Request, Requests};
 use crate::theme;
-use crate::view::panes::{Pane, Split, name_of};
+use crate::view::pane::{Pane, Split};
+use crate::view::panes::name_of;
 
 /// The distance of a name from the corner of its view, in points.
 const GAP: Vec2 = vec2(8.0, 8.0);
