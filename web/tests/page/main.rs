@@ -3,6 +3,7 @@
 #![cfg(not(target_arch = "wasm32"))]
 
 mod access;
+mod axes;
 mod axis_widget;
 mod bars;
 mod bezier;
