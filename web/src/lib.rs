@@ -8,6 +8,7 @@ pub mod access;
 pub mod app;
 mod bezier;
 pub mod input;
+mod keeping;
 pub mod lists;
 mod live;
 #[cfg(target_arch = "wasm32")]

@@ -31,6 +31,8 @@ pub(crate) struct Shown {
     pub overlay: bool,
     /// The welcome view over the viewport.
     pub welcome: bool,
+    /// Whether the document of the last visit is being opened.
+    pub is_opening: bool,
     /// Whether the ids of the elements around the pointer are shown.
     pub numbers: bool,
     pub shortcuts: bool,
@@ -69,6 +71,7 @@ impl Default for Shown {
             history_in_low: false,
             overlay: false,
             welcome: false,
+            is_opening: false,
             numbers: false,
             shortcuts: false,
             messages: false,

@@ -6,7 +6,7 @@ use formats::{Materials, Model, NamedMesh};
 use glam::DVec3;
 use halfedge::Mesh;
 use halfedge::geometry::BitSet;
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 use std::fmt;
 use std::sync::Arc;
 
@@ -104,6 +104,17 @@ pub struct Document {
     pub(crate) active: usize,
     pub(crate) offset: DVec3,
     pub(crate) materials: Materials,
+    pub(crate) origin: Origin,
+}
+
+/// What tells a document from those before it: it changes when another one is opened or begun, and undo brings the old one
+/// back.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, Serialize, Deserialize)]
+pub struct Origin {
+    /// The revision that the document was opened or begun in.
+    pub revision: u64,
+    /// Whether it was read from a file.
+    pub is_file: bool,
 }
 
 impl Document {
@@ -126,6 +137,11 @@ impl Document {
     /// The materials that faces have or had, with their images: formats that hold them write them.
     pub fn materials(&self) -> &Materials {
         &self.materials
+    }
+
+    /// Where the document comes from.
+    pub fn origin(&self) -> Origin {
+        self.origin
     }
 
     /// The document as files of this name hold it. Shares the meshes.

@@ -22,7 +22,7 @@ mod selection;
 
 pub use bezier::{Bezier, show_controls};
 pub use changes::{Changes, ObjectChange};
-pub use document::{Counts, Document, NamedSelection, Object, ObjectId};
+pub use document::{Counts, Document, NamedSelection, Object, ObjectId, Origin};
 pub use editor::{Begun, Editor, Finished, Jump, Message, MessageKind, RunningJob, SelectBy};
 pub use error::{CommandError, ErrorKind};
 pub use job::{BadBytes, JobId, JobRequest, JobResult, Wire};

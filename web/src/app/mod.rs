@@ -20,6 +20,7 @@ use halfedge::{Budget, Element};
 use crate::bezier::Player;
 use crate::input::actions::Action;
 use crate::input::shortcut::Shortcut;
+use crate::keeping::Keeper;
 use crate::page_view::Page;
 use crate::panels::viewport::{Viewport, ring_cut};
 use crate::panels::{live_bar, menu_bar, status_bar, tool_bar, welcome};
@@ -43,6 +44,7 @@ pub struct App {
     shown: Shown,
     view: View,
     player: Player,
+    keeper: Keeper,
     panels: Panels,
     requests: Requests,
     /// What waits for the end of a jump in the history, in order.
@@ -87,6 +89,7 @@ impl App {
             shown: Shown::default(),
             view: View::new(gpu),
             player: Player::default(),
+            keeper: Keeper::default(),
             panels,
             requests: Requests::default(),
             waiting: VecDeque::new(),
@@ -101,11 +104,27 @@ impl App {
         app.apply_layout();
         keys::load(&mut app.session);
         camera::load(&mut app.session, &mut app.view);
-        app.session.open_first();
-        app.session.fetch_wanted();
-        // A page that opens a file has something to start from already.
-        app.shown.welcome = app.panels.welcome.at_start && app.session.jobs.iter().next().is_none();
+        app.keeper = Keeper::start(&mut app.session);
+        if !app.keeper.is_opening() {
+            app.welcome();
+        }
         app
+    }
+
+    /// Shows the welcome view on a visit that begins with a new document.
+    fn welcome(&mut self) {
+        // A page that opens a file has something to start from already.
+        self.shown.welcome = self.panels.welcome.at_start && self.session.jobs.iter().next().is_none();
+    }
+
+    /// Whether the page still waits for the document of the last visit.
+    pub fn is_opening(&self) -> bool {
+        self.keeper.is_opening()
+    }
+
+    /// Whether leaving the page would lose changes.
+    pub fn would_lose_changes(&self) -> bool {
+        self.session.editor.is_dirty() && !self.keeper.keeps_all()
     }
 
     /// The document and its history, read-only.
@@ -145,8 +164,14 @@ impl App {
                 Event::Fetched { job, files } => self.session.fetched(job, files),
                 Event::Files(files) => self.session.open_files(files, None),
                 Event::Failed(text) => self.session.fail(text),
+                Event::Store(answer, bytes) => {
+                    if self.keeper.answered(&mut self.session, answer, bytes) {
+                        self.welcome();
+                    }
+                }
             }
         }
+        self.shown.is_opening = self.keeper.is_opening();
         selecting::select_some(&mut self.session, &mut self.view.budget);
         self.go_on_with_jump();
         let now = ctx.input(|input| input.time);
@@ -192,6 +217,7 @@ impl App {
         if self.session.survey.step(self.session.editor.mesh(), &mut self.view.budget) {
             ctx.request_repaint();
         }
+        self.keeper.step(&mut self.session, &mut self.view, &mut self.shown);
         self.session.frames.record(self.session.platform.now() - started);
     }
 

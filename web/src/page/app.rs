@@ -49,6 +49,8 @@ impl PageApp {
     fn tell_ready(&mut self, ctx: &egui::Context) {
         match self.ready {
             Ready::Told => {}
+            // Scripts act on the document of the last visit.
+            Ready::In(_) if self.app.is_opening() => {}
             Ready::In(0) => {
                 self.ready = Ready::Told;
                 let info = serde_json::json!({
@@ -119,11 +121,11 @@ impl Handle {
     }
 }
 
-/// Makes the browser ask before the page closes with unsaved changes.
+/// Makes the browser ask before the page closes with changes that are neither saved nor kept.
 pub fn ask_before_leaving(handle: Handle) -> Result<(), JsValue> {
     let window = web_sys::window().ok_or("there is no window")?;
     let on_leave = Closure::<dyn FnMut(BeforeUnloadEvent)>::new(move |event: BeforeUnloadEvent| {
-        if handle.app().is_some_and(|app| app.editor().is_dirty()) {
+        if handle.app().is_some_and(|app| app.would_lose_changes()) {
             event.prevent_default();
             // Older browsers ask only if this is set; none shows the text.
             event.set_return_value("unsaved");

@@ -8,6 +8,7 @@ use std::time::Instant;
 
 use editor::{CommandError, JobRequest, JobResult, Wire};
 
+use crate::platform::store::{Documents, Id, MemoryDisk, Request, Tab, now_or_never};
 use crate::platform::{DeviceInfo, Event, NamedBytes, Platform};
 
 /// The test's side of a headless platform; clones share their state.
@@ -29,9 +30,37 @@ struct Inner {
     wanted: Vec<String>,
     reduces_motion: bool,
     fetches: Vec<(u64, Vec<String>)>,
+    disk: MemoryDisk,
+    /// The settings of each tab.
+    tabs: HashMap<u64, HashMap<String, String>>,
+    /// The tab that a page opens in.
+    tab: u64,
+    ids: u64,
+    persists: usize,
+    date_ms: f64,
 }
 
 impl Outside {
+    /// The disk with the documents that the browser keeps.
+    pub fn disk(&self) -> MemoryDisk {
+        self.inner.borrow().disk.clone()
+    }
+
+    /// Makes the next page open in another tab.
+    pub fn open_in_new_tab(&self) {
+        self.inner.borrow_mut().tab += 1;
+    }
+
+    /// How often the page asked that what is kept not be removed.
+    pub fn persists(&self) -> usize {
+        self.inner.borrow().persists
+    }
+
+    /// Lets time go by.
+    pub fn advance(&self, milliseconds: f64) {
+        self.inner.borrow_mut().date_ms += milliseconds;
+    }
+
     /// Queues an event for the next frame.
     pub fn push(&self, event: Event) {
         self.inner.borrow_mut().events.push(event);
@@ -111,12 +140,15 @@ fn run(job: u64, request: &[u8]) -> Event {
 pub struct Headless {
     outside: Outside,
     started: Instant,
+    tab: u64,
+    documents: Documents<Tab>,
 }
 
 impl Headless {
     /// A platform whose state `outside` shares.
     pub fn new(outside: Outside) -> Self {
-        Self { outside, started: Instant::now() }
+        let (tab, disk) = (outside.inner.borrow().tab, outside.disk());
+        Self { outside, started: Instant::now(), tab, documents: Documents::new(disk.tab()) }
     }
 }
 
@@ -171,6 +203,37 @@ impl Platform for Headless {
         self.outside.inner.borrow_mut().settings.insert(key.to_owned(), value.to_owned());
     }
 
+    fn load_tab_setting(&self, key: &str) -> Option<String> {
+        self.outside.inner.borrow().tabs.get(&self.tab)?.get(key).cloned()
+    }
+
+    fn store_tab_setting(&mut self, key: &str, value: &str) {
+        let mut inner = self.outside.inner.borrow_mut();
+        inner.tabs.entry(self.tab).or_default().insert(key.to_owned(), value.to_owned());
+    }
+
+    fn ask_store(&mut self, request: &Request, bytes: &[u8]) {
+        let outside = self.outside.clone();
+        let mut tell = |answer, bytes| outside.push(Event::Store(answer, bytes));
+        let handled = now_or_never(self.documents.handle(request.clone(), bytes, &mut tell));
+        // A disk in memory never waits.
+        debug_assert!(handled.is_some());
+    }
+
+    fn new_id(&mut self) -> Id {
+        let mut inner = self.outside.inner.borrow_mut();
+        inner.ids += 1;
+        format!("document{}", inner.ids)
+    }
+
+    fn persist(&mut self) {
+        self.outside.inner.borrow_mut().persists += 1;
+    }
+
+    fn date_ms(&self) -> f64 {
+        self.outside.inner.borrow().date_ms
+    }
+
     fn reduces_motion(&self) -> bool {
         self.outside.inner.borrow().reduces_motion
     }
@@ -180,6 +243,6 @@ impl Platform for Headless {
     }
 
     fn now(&self) -> f64 {
-        self.started.elapsed().as_secs_f64()
+        self.started.elapsed().as_secs_f64() + self.outside.inner.borrow().date_ms / 1000.0
     }
 }

@@ -12,6 +12,7 @@ pub mod headless;
 
 use editor::{CommandError, JobRequest, JobResult};
 pub use formats::NamedBytes;
+pub use meshwright_worker::store;
 
 /// The graphics device, as the status bar and the "About Meshwright" window show it.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
@@ -60,6 +61,8 @@ pub enum Event {
     Files(Vec<NamedBytes>),
     /// A sentence on why something the user asked for failed, such as reading a dropped file.
     Failed(String),
+    /// The store of documents answered, with these bytes.
+    Store(store::Answer, store::Bytes),
 }
 
 /// The editor's surroundings.
@@ -95,6 +98,24 @@ pub trait Platform {
 
     /// Stores a small setting for later visits.
     fn store_setting(&mut self, key: &str, value: &str);
+
+    /// A setting stored by this tab before it was reloaded.
+    fn load_tab_setting(&self, key: &str) -> Option<String>;
+
+    /// Stores a small setting for this tab, which a reload keeps.
+    fn store_tab_setting(&mut self, key: &str, value: &str);
+
+    /// Asks the store of documents to do something. Requests are carried out in order; answers come as [`Event::Store`].
+    fn ask_store(&mut self, request: &store::Request, bytes: &[u8]);
+
+    /// A new identity for a kept document.
+    fn new_id(&mut self) -> store::Id;
+
+    /// Asks the browser not to remove what is kept when it needs room.
+    fn persist(&mut self);
+
+    /// The time in milliseconds since 1970.
+    fn date_ms(&self) -> f64;
 
     /// Whether the user has asked the system for less motion; may change at any time.
     fn reduces_motion(&self) -> bool;

@@ -22,6 +22,8 @@ pub struct Running {
     pub id: JobId,
     /// The label in the status bar.
     pub label: String,
+    /// When it was started, on the platform's clock in seconds.
+    pub started: f64,
     /// The completed fraction; 0 until the job reports progress.
     pub fraction: f32,
     /// The time at which the job was first seen waiting, on egui's clock in seconds.
@@ -42,10 +44,11 @@ pub struct Jobs {
 
 impl Jobs {
     /// Adds a job that has just started.
-    pub fn add(&mut self, id: JobId, label: String, reply: Option<Reply>) {
+    pub fn add(&mut self, id: JobId, label: String, reply: Option<Reply>, started: f64) {
         self.running.push(Running {
             id,
             label,
+            started,
             fraction: 0.0,
             seen: None,
             reply,

@@ -74,6 +74,8 @@ pub(crate) struct Session {
     pub by_key: bool,
     /// Whether to commit the ongoing edit when the pointer's button is released.
     pub commit_on_release: bool,
+    /// How long commands took since the log was last written: repeating them takes as long.
+    pub work_seconds: f64,
     measured: RefCell<Measured>,
     /// The editor's answers for operations since the document or the selection last changed.
     refusals: RefCell<HashMap<OpId, Option<String>>>,
@@ -100,6 +102,7 @@ impl Session {
             jump_since: None,
             by_key: false,
             commit_on_release: false,
+            work_seconds: 0.0,
             measured: RefCell::default(),
             refusals: RefCell::default(),
         }

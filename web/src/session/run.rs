@@ -57,7 +57,10 @@ impl Session {
     pub fn begin(&mut self, command: Command, reply: Option<Reply>) {
         let (label, id) = (command.op.label(), command.op.id());
         let (scope, revision) = (command.op.spec().scope, self.editor.revision());
-        match self.editor.begin(command) {
+        let started = self.platform.now();
+        let begun = self.editor.begin(command);
+        self.work_seconds += self.platform.now() - started;
+        match begun {
             Ok(Begun::Done(outcome)) => {
                 if id == OpId::New {
                     self.look_at_new();
@@ -109,7 +112,7 @@ impl Session {
         let Some(first) = wanted.first() else { return };
         let name = first.split(['?', '#']).next().and_then(|path| path.rsplit('/').next()).unwrap_or(first);
         let id = self.editor.expect_import();
-        self.jobs.add(id, format!("Fetch {name}"), None);
+        self.jobs.add(id, format!("Fetch {name}"), None, self.platform.now());
         self.platform.fetch(id.0, wanted);
     }
 
@@ -138,13 +141,14 @@ impl Session {
 
     pub fn start(&mut self, request: &JobRequest, label: String, reply: Option<Reply>) {
         let id = request.id();
-        self.jobs.add(id, label, reply);
+        self.jobs.add(id, label, reply, self.platform.now());
         self.platform.start_job(id.0, request);
     }
 
     /// Handles the result of a job.
     pub fn job_done(&mut self, job: u64, result: Result<JobResult, CommandError>) {
         let Some(running) = self.jobs.take(job) else { return };
+        self.work_seconds += self.platform.now() - running.started;
         let id = JobId(job);
         let revision = self.editor.revision();
         let decodes = self.editor.jobs().any(|job| job.id == id && job.op == "decode");
@@ -236,9 +240,12 @@ impl Session {
     pub fn adjust(&mut self, command: Command) {
         let started = self.platform.now();
         let label = command.op.label();
-        match self.editor.adjust(command) {
+        let begun = self.editor.adjust(command);
+        let seconds = self.platform.now() - started;
+        self.work_seconds += seconds;
+        match begun {
             Ok(Begun::Done(outcome)) => {
-                self.adjusting_is_slow = self.platform.now() - started > MAX_SECONDS_PER_STEP;
+                self.adjusting_is_slow = seconds > MAX_SECONDS_PER_STEP;
                 if !outcome.warnings.is_empty() {
                     self.warn(outcome.message, outcome.warnings);
                 }

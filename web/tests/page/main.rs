@@ -13,6 +13,7 @@ mod document;
 mod editing;
 mod hiding;
 mod history;
+mod keeping;
 mod keyboard;
 mod keys;
 mod lists;

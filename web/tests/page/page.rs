@@ -101,6 +101,18 @@ impl Page {
         Self::build_in(outside, DESKTOP, egui::Theme::Dark, false, &[])
     }
 
+    /// A visit to the page in a browser that may have kept something from earlier ones.
+    pub fn visit(outside: &Outside) -> Self {
+        Self::build_in(outside.clone(), DESKTOP, egui::Theme::Dark, false, &[])
+    }
+
+    /// Reloads the page, as after a crash: nothing is told to the old one.
+    pub fn reload(self) -> Self {
+        let outside = self.outside.clone();
+        drop(self);
+        Self::visit(&outside)
+    }
+
     fn build(size: Vec2, theme: egui::Theme, drawn: bool, addresses: &[&str]) -> Self {
         Self::build_in(Outside::default(), size, theme, drawn, addresses)
     }

@@ -10,6 +10,7 @@
 mod message;
 #[cfg(target_arch = "wasm32")]
 mod serve;
+pub mod store;
 mod throttle;
 
 #[cfg(target_arch = "wasm32")]

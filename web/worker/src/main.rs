@@ -1,4 +1,5 @@
-//! The web worker: runs long jobs on its own copy of the mesh, so that the page never freezes.
+//! The page's workers. One runs long jobs on its own copy of the mesh, so that the page never freezes; the other, told by
+//! its name, keeps documents.
 
 #![cfg_attr(not(test), deny(clippy::unwrap_used, clippy::expect_used, clippy::panic, clippy::unreachable))]
 #![cfg_attr(not(test), deny(clippy::indexing_slicing))]

@@ -1,4 +1,4 @@
-//! The worker's program: waits for jobs and runs them one after the other.
+//! The program of the worker for jobs: waits for them and runs them one after the other.
 
 use std::ops::ControlFlow;
 
@@ -8,6 +8,7 @@ use wasm_bindgen::prelude::*;
 use web_sys::{DedicatedWorkerGlobalScope, MessageEvent};
 
 use crate::message::{Message, Request};
+use crate::store;
 use crate::throttle::Throttle;
 
 /// Answers the page's requests for as long as the worker lives. Does nothing outside a worker.
@@ -15,6 +16,9 @@ pub fn serve() {
     let Ok(scope) = js_sys::global().dyn_into::<DedicatedWorkerGlobalScope>() else {
         return;
     };
+    if scope.name().starts_with(store::WORKER_NAME) {
+        return store::serve();
+    }
     std::panic::set_hook(Box::new(|info| {
         if let Ok(scope) = js_sys::global().dyn_into::<DedicatedWorkerGlobalScope>() {
             post(&scope, &Message::Crashed { reason: info.to_string() });

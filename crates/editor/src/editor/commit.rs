@@ -1,7 +1,7 @@
 //! Committing the result of a whole-mesh operation as one step.
 
 use super::Editor;
-use crate::document::{Object, ObjectId};
+use crate::document::{Object, ObjectId, Origin};
 use crate::error::Problem;
 use crate::history::Change;
 use crate::job::Made;
@@ -149,6 +149,7 @@ impl Editor {
             }
             Commit::NewDocument => {
                 changes.extend((0..self.document.objects.len()).rev().map(Change::Remove));
+                changes.push(self.another_document(false));
                 changes.push(Change::DocumentName(first.name.clone()));
                 changes.push(Change::Offset(DVec3::ZERO));
                 changes.push(Change::Materials(formats::Materials::default()));
@@ -164,6 +165,11 @@ impl Editor {
             }
         }
         Ok(changes)
+    }
+
+    /// Makes the document another one.
+    pub(super) fn another_document(&self, is_file: bool) -> Change {
+        Change::Origin(Origin { revision: self.last_revision + 1, is_file })
     }
 
     /// A new object of a mesh.

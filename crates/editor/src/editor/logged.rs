@@ -25,6 +25,16 @@ impl Editor {
         editor
     }
 
+    /// Makes everything count as changed in an editor that takes the place of another one: the changes are those from the
+    /// other's document to this one's.
+    pub fn take_place_of(&mut self, other: &Self) {
+        let mut changes = Changes { document: true, materials: true, selection: true, ..Changes::default() };
+        (changes.history, changes.messages, changes.jobs) = (true, true, true);
+        other.document.objects.iter().for_each(|object| changes.gone(object));
+        self.document.objects.iter().for_each(|object| changes.added(object));
+        self.changes = changes;
+    }
+
     /// Where the editor goes on counting.
     pub(crate) fn numbers(&self) -> Numbers {
         Numbers {

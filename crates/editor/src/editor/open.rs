@@ -47,6 +47,7 @@ impl Editor {
         let mut changes: Vec<Change> = (0..self.document.objects.len()).rev().map(Change::Remove).collect();
         let Import { model, report } = import;
         let model_name = model.name.clone();
+        changes.push(self.another_document(true));
         changes.push(Change::DocumentName(model.name.clone()));
         changes.push(Change::Offset(model.offset));
         changes.push(Change::Materials(model.materials));

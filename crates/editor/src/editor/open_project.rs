@@ -65,6 +65,7 @@ impl Editor {
         let inserted = old.objects.into_iter().enumerate();
         back.extend(inserted.map(|(at, object)| Change::Insert(at, Box::new(object))));
         back.extend([
+            Change::Origin(old.origin),
             Change::DocumentName(old.name),
             Change::Offset(old.offset),
             Change::Materials(old.materials),

@@ -2,7 +2,7 @@
 
 use crate::bezier::Bezier;
 use crate::changes::Changes;
-use crate::document::{Document, NamedSelection, Object, ObjectId};
+use crate::document::{Document, NamedSelection, Object, ObjectId, Origin};
 use formats::Materials;
 use glam::DVec3;
 use halfedge::geometry::BitSet;
@@ -40,6 +40,8 @@ pub(crate) enum Change {
     Remove(usize),
     /// Renames the document.
     DocumentName(String),
+    /// Makes the document another one.
+    Origin(Origin),
 }
 
 impl Change {
@@ -140,6 +142,7 @@ impl Change {
                 changes.document = true;
                 Self::DocumentName(std::mem::replace(&mut document.name, name))
             }
+            Self::Origin(origin) => Self::Origin(std::mem::replace(&mut document.origin, origin)),
         })
     }
 

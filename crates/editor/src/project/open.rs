@@ -1,7 +1,7 @@
 //! Repeating the steps of a project.
 
 use super::file::{Past, Project, is_same};
-use crate::document::ObjectId;
+use crate::document::{ObjectId, Origin};
 use crate::editor::Editor;
 use crate::recovery::{Entry, Event, Numbers, Snapshot, read_log};
 
@@ -61,6 +61,7 @@ fn editor_on(mut snapshot: Snapshot, unused: Unused, history_limit: usize) -> Ed
         next_object += 1;
     }
     let revision = unused.revision;
+    snapshot.document.origin = Origin { revision, is_file: true };
     snapshot.numbers = Numbers { next_object, revision, last_revision: revision, saved: revision };
     let mut editor = snapshot.into_editor();
     editor.begin_steps_at(unused.step, history_limit);

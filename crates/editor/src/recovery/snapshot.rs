@@ -1,7 +1,7 @@
 //! A document as bytes.
 
 use super::sets::{read_selection, read_set, write_selection, write_set};
-use crate::document::{Document, NamedSelection, Object, ObjectId};
+use crate::document::{Document, NamedSelection, Object, ObjectId, Origin};
 use crate::editor::Editor;
 use crate::job::columns::{read_named, write_named};
 use crate::job::messages::{read_materials, write_materials};
@@ -32,6 +32,8 @@ pub(crate) struct Numbers {
 #[derive(Serialize, Deserialize)]
 struct Head {
     name: String,
+    #[serde(default)]
+    origin: Origin,
     offset: [f64; 3],
     active: usize,
     numbers: Numbers,
@@ -66,12 +68,12 @@ impl Wire for Snapshot {
 
 /// Reads a snapshot. Meshes are validated unless they are known to be valid.
 fn read(from: &mut Reader<'_>, validates: bool) -> Result<Snapshot, BadBytes> {
-    let Head { name, offset, active, numbers, objects } = from.value()?;
+    let Head { name, origin, offset, active, numbers, objects } = from.value()?;
     let materials = read_materials(from)?;
     let objects =
         objects.into_iter().map(|head| read_object(from, head, validates)).collect::<Result<_, _>>()?;
     let selection = Arc::new(read_selection(from)?);
-    let document = Document { name, objects, active, offset: offset.into(), materials };
+    let document = Document { name, objects, active, offset: offset.into(), materials, origin };
     check(&document, &selection, numbers)?;
     Ok(Snapshot { document, selection, numbers })
 }
@@ -89,6 +91,7 @@ fn write(
     });
     out.value(&Head {
         name: document.name.clone(),
+        origin: document.origin,
         offset: document.offset.to_array(),
         active: document.active,
         numbers,
@@ -120,7 +123,7 @@ fn check(document: &Document, selection: &Selection, numbers: Numbers) -> Result
     let is_wrong = ids.len() < document.objects.len()
         || ids.last().is_some_and(|&id| id >= numbers.next_object)
         || document.active >= document.objects.len().max(1)
-        || numbers.revision.max(numbers.saved) > numbers.last_revision
+        || numbers.revision.max(numbers.saved).max(document.origin.revision) > numbers.last_revision
         || numbers.next_object.max(numbers.last_revision) > MAX_NUMBER
         || !document.offset.is_finite()
         || document.active().map_or(!selection.is_empty(), |object| selection.has_gone(object.mesh()));

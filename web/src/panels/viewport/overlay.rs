@@ -24,6 +24,8 @@ pub(super) fn paint(ui: &mut Ui, rect: Rect, page: &Page<'_>) {
             "No graphics",
             "The viewport can't draw here; lists and inspector still work.",
         );
+    } else if page.shown.is_opening {
+        say_in_middle(ui, rect, "Opening your last document…", "");
     } else if page.editor.document().objects().is_empty() {
         let open = keys::how_to(ui.ctx(), Action::Open);
         let hint = format!("Drop an OBJ file here, {open}, paste OBJ text, or create a shape.");

@@ -11,23 +11,13 @@ use std::rc::{Rc, Weak};
 use editor::{CommandError, ErrorKind, JobRequest};
 use meshwright_worker::{Message, Request};
 use wasm_bindgen::prelude::*;
-use web_sys::{MessageEvent, Worker, WorkerOptions, WorkerType};
 
 use super::inbox::{Inbox, describe};
+use super::worker::{Link, script};
 use crate::platform::Event;
 
-/// Where index.html names the worker's script: the name on a built site contains a hash of the script.
-const SCRIPT_NAMED_BY: &str = "meta[name=meshwright-worker]";
-
-/// The script that Trunk builds beside the page. The address is relative to the page, so that the site can
-/// be in any folder.
-fn script() -> String {
-    let named = web_sys::window()
-        .and_then(|window| window.document())
-        .and_then(|document| document.query_selector(SCRIPT_NAMED_BY).ok()?)
-        .and_then(|meta| meta.get_attribute("content"));
-    named.unwrap_or_else(|| "./meshwright-worker_loader.js".to_owned())
-}
+/// The worker's name.
+const WORKER_NAME: &str = "meshwright-worker";
 
 /// A worker whose memory has grown past this many bytes is replaced when it is idle.
 const MAX_IDLE_MEMORY_BYTES: f64 = (256 << 20) as f64;
@@ -42,26 +32,10 @@ struct Pool {
     waiting: VecDeque<(u64, Request)>,
     running: Option<u64>,
     worker: Option<Link>,
+    /// Whether the worker's program has started; messages sent earlier are lost.
+    is_ready: bool,
     /// For the message handlers of later workers.
     this: Weak<RefCell<Pool>>,
-}
-
-/// A worker and its listeners.
-struct Link {
-    worker: Worker,
-    /// Whether its program has started; messages sent earlier are lost.
-    ready: bool,
-    _on_message: Closure<dyn FnMut(MessageEvent)>,
-    _on_error: Closure<dyn FnMut(web_sys::Event)>,
-}
-
-impl Drop for Link {
-    fn drop(&mut self) {
-        // Pending messages must not reach handlers that are about to be freed.
-        self.worker.set_onmessage(None);
-        self.worker.set_onerror(None);
-        self.worker.terminate();
-    }
 }
 
 impl Jobs {
@@ -72,6 +46,7 @@ impl Jobs {
                 waiting: VecDeque::new(),
                 running: None,
                 worker: None,
+                is_ready: false,
                 this: this.clone(),
             })
         });
@@ -98,8 +73,8 @@ impl Jobs {
 impl Pool {
     /// Replaces the worker, if there is one, by a new one.
     fn start_worker(&mut self) {
-        self.worker = None;
-        match Link::new(&self.this) {
+        (self.worker, self.is_ready) = (None, false);
+        match link(&self.this) {
             Ok(link) => self.worker = Some(link),
             Err(error) => self.fail_all(&could_not_start(&describe(&error))),
         }
@@ -113,7 +88,7 @@ impl Pool {
         if self.worker.is_none() {
             self.start_worker();
         }
-        let Some(link) = self.worker.as_ref().filter(|link| link.ready) else {
+        let Some(link) = self.worker.as_ref().filter(|_| self.is_ready) else {
             return;
         };
         let Some((job, request)) = self.waiting.pop_front() else {
@@ -130,9 +105,7 @@ impl Pool {
     fn on_message(&mut self, message: Message) {
         match message {
             Message::Ready => {
-                if let Some(link) = &mut self.worker {
-                    link.ready = true;
-                }
+                self.is_ready = true;
                 self.go_on();
             }
             Message::Progress { job, fraction } => self.inbox.push(Event::JobProgress { job, fraction }),
@@ -166,10 +139,8 @@ impl Pool {
     }
 
     /// The worker's program ended or never started, without a panic message.
-    fn on_error(&mut self, event: &web_sys::Event) {
-        let said = event.dyn_ref::<web_sys::ErrorEvent>().map(web_sys::ErrorEvent::message);
-        let started = self.worker.as_ref().is_some_and(|link| link.ready);
-        if started {
+    fn on_error(&mut self, said: Option<String>) {
+        if self.is_ready {
             let said = said.unwrap_or_default();
             self.lost(&format!(
                 "The worker stopped, most likely because the browser gave it no more memory. {said}"
@@ -203,36 +174,24 @@ impl Pool {
     }
 }
 
-impl Link {
-    fn new(pool: &Weak<RefCell<Pool>>) -> Result<Self, JsValue> {
-        let options = WorkerOptions::new();
-        options.set_type(WorkerType::Module);
-        options.set_name("meshwright-worker");
-        let worker = Worker::new_with_options(&script(), &options)?;
-        let on_message = Closure::new({
-            let pool = pool.clone();
-            move |event: MessageEvent| {
-                if let Some(pool) = pool.upgrade()
-                    && let Some(message) = Message::from_js(&event.data())
-                {
-                    pool.borrow_mut().on_message(message);
-                }
+/// Starts a worker for jobs.
+fn link(pool: &Weak<RefCell<Pool>>) -> Result<Link, JsValue> {
+    let (messages, errors) = (pool.clone(), pool.clone());
+    Link::new(
+        WORKER_NAME,
+        move |message| {
+            if let Some(pool) = messages.upgrade()
+                && let Some(message) = Message::from_js(&message)
+            {
+                pool.borrow_mut().on_message(message);
             }
-        });
-        let on_error = Closure::new({
-            let pool = pool.clone();
-            move |event: web_sys::Event| {
-                // The error is handled here; the page's own handler treats errors as a failed start.
-                event.prevent_default();
-                if let Some(pool) = pool.upgrade() {
-                    pool.borrow_mut().on_error(&event);
-                }
+        },
+        move |said| {
+            if let Some(pool) = errors.upgrade() {
+                pool.borrow_mut().on_error(said);
             }
-        });
-        worker.set_onmessage(Some(on_message.as_ref().unchecked_ref()));
-        worker.set_onerror(Some(on_error.as_ref().unchecked_ref()));
-        Ok(Self { worker, ready: false, _on_message: on_message, _on_error: on_error })
-    }
+        },
+    )
 }
 
 fn could_not_start(reason: &str) -> String {

@@ -6,7 +6,10 @@ mod fetch;
 mod files;
 mod inbox;
 mod jobs;
+mod store;
+mod worker;
 
+use super::store::{Id, Request};
 use super::{DeviceInfo, Event, NamedBytes, Platform};
 use editor::JobRequest;
 use fetch::Fetches;
@@ -14,11 +17,13 @@ use files::FilePicker;
 use inbox::Inbox;
 pub(crate) use inbox::describe;
 use jobs::Jobs;
+use store::Store;
 
 /// The browser as a platform.
 pub struct Browser {
     inbox: Inbox,
     jobs: Jobs,
+    store: Store,
     fetches: Fetches,
     picker: FilePicker,
     device: DeviceInfo,
@@ -35,6 +40,7 @@ impl Browser {
             window.and_then(|window| window.match_media("(prefers-reduced-motion: reduce)").ok().flatten());
         Self {
             jobs: Jobs::new(inbox.clone()),
+            store: Store::new(inbox.clone()),
             fetches: Fetches::new(inbox.clone()),
             picker: FilePicker::new(inbox.clone()),
             inbox,
@@ -98,6 +104,34 @@ impl Platform for Browser {
         }
     }
 
+    fn load_tab_setting(&self, key: &str) -> Option<String> {
+        tab_storage()?.get_item(&setting_key(key)).ok()?
+    }
+
+    fn store_tab_setting(&mut self, key: &str, value: &str) {
+        // Without it, a reload opens the document that was changed last in any tab.
+        if let Some(storage) = tab_storage() {
+            let _ = storage.set_item(&setting_key(key), value);
+        }
+    }
+
+    fn ask_store(&mut self, request: &Request, bytes: &[u8]) {
+        self.store.ask(request, bytes);
+    }
+
+    fn new_id(&mut self) -> Id {
+        let random = || (js_sys::Math::random() * f64::from(u32::MAX)) as u32;
+        format!("{:08x}{:08x}", random(), random())
+    }
+
+    fn persist(&mut self) {
+        store::persist();
+    }
+
+    fn date_ms(&self) -> f64 {
+        js_sys::Date::now()
+    }
+
     fn reduces_motion(&self) -> bool {
         self.less_motion.as_ref().is_some_and(web_sys::MediaQueryList::matches)
     }
@@ -114,6 +148,11 @@ impl Platform for Browser {
 /// `None` if the browser allows the page no storage.
 fn storage() -> Option<web_sys::Storage> {
     web_sys::window()?.local_storage().ok()?
+}
+
+/// What lasts as long as the tab.
+fn tab_storage() -> Option<web_sys::Storage> {
+    web_sys::window()?.session_storage().ok()?
 }
 
 fn setting_key(key: &str) -> String {

@@ -1,0 +1,138 @@
+// Documents are kept in the browser: whatever ends the page, the next visit goes on where it was.
+
+import assert from "node:assert/strict";
+
+import { SMALL, editorTest } from "./harness.mjs";
+import { grid } from "./support/meshes.mjs";
+
+const once = { renderers: ["webgl2"], sizes: [SMALL] };
+/** Where documents are kept: the origin private file system, and what takes its place in other browsers. */
+const STORES = { "private files": "", IndexedDB: "?store=indexeddb" };
+
+/** What has to come back. */
+async function kept(editor) {
+  const { document, selection, history, view } = await editor.state();
+  const { target, yaw, pitch, distance } = view;
+  return JSON.stringify({ document, selection, history, target, yaw, pitch, distance, obj: String(await editor.export("obj")) });
+}
+
+/** Waits until what was done is on the disk: the store answers in order. */
+async function settled(editor) {
+  await editor.frames(5);
+  await editor.page.waitForTimeout(300);
+}
+
+async function reload(editor) {
+  await editor.page.reload();
+  await editor.ready();
+}
+
+for (const [store, query] of Object.entries(STORES)) {
+  const options = { ...once, query };
+
+  editorTest(`a reload goes on with the document: ${store}`, options, async (editor) => {
+    await editor.select("face", [1]);
+    await editor.run({ op: "extrude-faces", distance: 0.5 });
+    await editor.run({ op: "poke-faces" });
+    await editor.select("edge", [2, 3]);
+    await settled(editor);
+    const before = await kept(editor);
+    await reload(editor);
+    assert.equal(await kept(editor), before);
+    await editor.undo();
+    await editor.undo();
+    await settled(editor);
+    const undone = await kept(editor);
+    await reload(editor);
+    assert.equal(await kept(editor), undone);
+    // Another visit, in a tab of its own, once the first tab is closed.
+    const other = await editor.context.newPage();
+    await editor.page.close();
+    editor.page = other;
+    await other.goto(editor.url);
+    await editor.ready();
+    assert.equal((await editor.state()).document.faces, JSON.parse(undone).document.faces);
+  });
+
+  editorTest(`the document outlives its process: ${store}`, options, async (editor) => {
+    await editor.open("grid.obj", grid(20, 20));
+    await editor.run({ op: "triangulate" }).catch(() => editor.run({ op: "triangulate-faces" }));
+    await settled(editor);
+    const before = await kept(editor);
+    editor.expectErrors(/crashed/);
+    const crashed = new Promise((resolve) => editor.page.once("crash", resolve));
+    editor.page.goto("chrome://crash").catch(() => {});
+    await crashed;
+    const other = await editor.context.newPage();
+    await editor.page.close();
+    editor.page = other;
+    await other.goto(editor.url);
+    await editor.ready();
+    const after = await kept(editor);
+    assert.equal(after, before);
+  });
+
+  editorTest(`a second tab opens a copy: ${store}`, options, async (editor) => {
+    await editor.open("grid.obj", grid(2, 2));
+    await settled(editor);
+    const first = editor.page;
+    const second = await editor.context.newPage();
+    await second.goto(editor.url);
+    editor.page = second;
+    await editor.ready();
+    assert.equal((await editor.state()).document.faces, 4);
+    await editor.find(/open in another tab/);
+    await editor.screenshot(`copy ${store.split(" ")[0]}`);
+    await editor.run({ op: "new", shape: "torus" });
+    editor.page = first;
+    await editor.run({ op: "subdivide" }).catch(() => editor.run({ op: "subdivide", scheme: "linear" }));
+    await settled(editor);
+    const faces = (await editor.state()).document.faces;
+    await reload(editor);
+    assert.equal((await editor.state()).document.faces, faces);
+  });
+}
+
+editorTest("a reload in the middle of a job leaves the document as it was", once, async (editor) => {
+  await editor.select("face", [1]);
+  await editor.run({ op: "extrude-faces", distance: 0.5 });
+  await settled(editor);
+  const before = await kept(editor);
+  editor.page.evaluate((text) => window.meshwright.open("large.obj", text), grid(500, 500)).catch(() => {});
+  await editor.frames(2);
+  await reload(editor);
+  assert.equal(await kept(editor), before);
+});
+
+editorTest("without room the page says so and goes on", once, async (editor) => {
+  const session = await editor.context.newCDPSession(editor.page);
+  const origin = new URL(editor.url).origin;
+  await session.send("Storage.overrideQuotaForOrigin", { origin, quotaSize: 20_000 });
+  await editor.run({ op: "new", shape: "sphere", segments: 128, rings: 64 }).catch(() => editor.run({ op: "new", shape: "torus", segments: 200, tube_segments: 100 }));
+  await editor.select("vertex", [0]);
+  await editor.run({ op: "transform", translate: [0.5, 0, 0] });
+  await editor.find(/Changes are not kept: this browser has no more room/);
+  await editor.screenshot("no room");
+  await editor.run({ op: "transform", translate: [0.5, 0, 0] });
+  await session.send("Storage.overrideQuotaForOrigin", { origin });
+});
+
+editorTest("where nothing can be kept the page works and says so", once, async (editor) => {
+  await editor.context.addInitScript(() => {
+    const Real = window.Worker;
+    // The store's worker finds neither kind of storage.
+    window.Worker = class extends Real {
+      constructor(url, options) {
+        if (!options.name.startsWith("meshwright-store")) return new Real(url, options);
+        const code = `Object.defineProperty(self.navigator, "storage", { value: undefined });
+          Object.defineProperty(self, "indexedDB", { value: undefined });
+          import(${JSON.stringify(String(new URL(url, document.baseURI)))});`;
+        return new Real(URL.createObjectURL(new Blob([code], { type: "text/javascript" })), options);
+      }
+    };
+  });
+  await reload(editor);
+  await editor.select("face", [1]);
+  await editor.run({ op: "extrude-faces", distance: 0.5 });
+  await editor.find(/Changes are not kept/);
+});

@@ -1,0 +1,55 @@
+//! What the user is told about the documents that the browser keeps.
+
+use meshwright_worker::store::{Failure, WhyNot};
+
+/// Said when writing works again after a failure.
+pub(super) const KEPT_AGAIN: &str = "Changes are kept in this browser again.";
+
+/// Said when a document is open twice.
+pub(super) const IS_COPY: &str = "This document is open in another tab, so this tab shows a copy of it. Changes here don't reach the other tab.";
+
+/// Said when the last records were not completely written.
+pub(super) const CUT_OFF: &str =
+    "The last change was not completely written before the page ended, so it is missing.";
+
+/// Why a document can't be opened.
+pub(super) fn not_opened(why: &WhyNot) -> String {
+    match why {
+        WhyNot::Missing => {
+            "The last document is gone: this browser has removed what it kept for this page. Save documents \
+                            to files to keep them safe."
+                .to_owned()
+        }
+        WhyNot::Damaged => unreadable("its copy on the disk is damaged"),
+        WhyNot::Failed(failure) => unreadable(&reason(failure)),
+    }
+}
+
+/// Why a document can't be read.
+pub(super) fn unreadable(why: &str) -> String {
+    format!("The last document can't be opened: {why}.")
+}
+
+/// Why changes are not kept, and what to do.
+pub(super) fn not_kept(failure: &Failure) -> String {
+    let advice = match failure {
+        Failure::Full => "Delete documents that you no longer need, or save this one to a file.",
+        _ => "Save the document to a file before you leave the page.",
+    };
+    format!("Changes are not kept: {}. {advice}", reason(failure))
+}
+
+/// The end of a recovery that could not repeat everything.
+pub(super) fn not_repeated(why: &str, missing: usize) -> String {
+    let changes = if missing == 1 { "change is".to_owned() } else { format!("{missing} changes are") };
+    format!("The last {changes} missing from this document: {why}.")
+}
+
+fn reason(failure: &Failure) -> String {
+    match failure {
+        Failure::Full => "this browser has no more room for this page".to_owned(),
+        Failure::Denied => "this browser lets the page keep nothing, as in some private windows".to_owned(),
+        Failure::Missing => "the document was removed by this browser or by another tab".to_owned(),
+        Failure::Other(reason) => format!("this browser reports: {}", reason.trim_end_matches('.')),
+    }
+}

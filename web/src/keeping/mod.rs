@@ -1,0 +1,186 @@
+//! Keeping the document in the browser, so that nothing is lost when the page ends.
+//!
+//! What is done is logged within the frame. Now and then the document as a whole is copied, in parts, as a checkpoint; the
+//! log begins again after it. At the next visit, [`opening`] reads the checkpoint and repeats the log.
+
+mod messages;
+mod opening;
+mod saved_view;
+mod writing;
+
+use std::collections::HashMap;
+
+use editor::{MessageKind, Origin};
+use meshwright_worker::store::{Answer, Bytes, Failure, Id, Request};
+
+use crate::session::Session;
+use crate::shown::Shown;
+use crate::view::View;
+use opening::Opening;
+use writing::Writing;
+
+/// The setting with the document that the next visit opens, and in which this tab shows what it shows.
+const DOCUMENT_SETTING: &str = "document";
+
+/// How the document is kept.
+#[derive(Default)]
+pub(crate) struct Keeper {
+    /// The document that is being opened.
+    opening: Option<Opening>,
+    /// The document that the page shows; none while the page waits for one.
+    kept: Option<Kept>,
+    /// The documents that the history goes back to.
+    ids: HashMap<Origin, Id>,
+    /// Why nothing is kept.
+    failure: Option<Failure>,
+    /// When to try again after a failure, on the platform's clock in seconds.
+    retry_at: f64,
+    /// Whether the user was told about the failure.
+    has_told: bool,
+    /// Whether the browser was asked to keep what is kept.
+    has_persisted: bool,
+}
+
+/// The document that the page shows.
+struct Kept {
+    id: Id,
+    origin: Origin,
+    /// The revision in which nothing was done yet.
+    first_revision: u64,
+    is_touched: bool,
+    writing: Writing,
+}
+
+impl Keeper {
+    /// Starts with the document of this tab, or else that of the last visit, unless the page's address names files; or
+    /// with a new one.
+    pub fn start(session: &mut Session) -> Self {
+        let mut keeper = Self::default();
+        let platform = &mut session.platform;
+        let last = || match platform.wanted().is_empty() {
+            true => platform.load_setting(DOCUMENT_SETTING),
+            false => None,
+        };
+        match platform.load_tab_setting(DOCUMENT_SETTING).or_else(last) {
+            Some(id) => {
+                let copy = platform.new_id();
+                platform.ask_store(&Request::Open { id: id.clone(), copy }, &[]);
+                keeper.opening = Some(Opening::default());
+            }
+            None => keeper.start_new(session),
+        }
+        keeper
+    }
+
+    /// Whether the page waits for the document of the last visit.
+    pub fn is_opening(&self) -> bool {
+        self.opening.is_some()
+    }
+
+    /// Whether leaving the page loses nothing.
+    pub fn keeps_all(&self) -> bool {
+        self.failure.is_none() && self.kept.as_ref().is_some_and(|kept| kept.writing.is_up_to_date())
+    }
+
+    /// Begins with the document of a first visit, unless something was opened meanwhile.
+    fn start_new(&mut self, session: &mut Session) {
+        session.editor.start_log();
+        let is_untouched = session.editor.revision() == 0;
+        if is_untouched {
+            session.open_first();
+        }
+        self.begin(session, !is_untouched);
+        session.fetch_wanted();
+    }
+
+    /// Begins to keep the editor's document as a new one.
+    fn begin(&mut self, session: &mut Session, is_touched: bool) {
+        let id = session.platform.new_id();
+        session.platform.ask_store(&Request::Begin(id.clone()), &[]);
+        self.show(session, id, is_touched, Writing::default());
+    }
+
+    /// Makes the editor's document the one that the page shows.
+    fn show(&mut self, session: &mut Session, id: Id, is_touched: bool, writing: Writing) {
+        let origin = session.editor.document().origin();
+        session.platform.store_tab_setting(DOCUMENT_SETTING, &id);
+        if is_touched {
+            session.platform.store_setting(DOCUMENT_SETTING, &id);
+        }
+        self.ids.insert(origin, id.clone());
+        let first_revision = session.editor.revision();
+        self.kept = Some(Kept { id, origin, first_revision, is_touched, writing });
+    }
+
+    /// Handles an answer of the store. Returns whether the page begins with a new document because of it.
+    pub fn answered(&mut self, session: &mut Session, answer: Answer, bytes: Bytes) -> bool {
+        match answer {
+            Answer::Part => {
+                if let Some(opening) = &mut self.opening {
+                    opening.add(bytes);
+                }
+            }
+            Answer::Opened(opened) => {
+                let begun = self.opening.as_mut().map(|opening| opening.begin_replay(opened, &bytes));
+                if let Some(Err(reason)) = begun {
+                    return self.not_opened(session, &messages::unreadable(&reason));
+                }
+                session.ctx.request_repaint();
+            }
+            Answer::NotOpened { why, .. } => return self.not_opened(session, &messages::not_opened(&why)),
+            Answer::Busy(id) => {
+                if let Some(kept) = self.kept.take_if(|kept| kept.id == id) {
+                    self.begin(session, kept.is_touched);
+                }
+            }
+            Answer::Checked => self.checked(session),
+            Answer::Failed(failure) => self.fail(session, failure),
+            Answer::Crashed(reason) => {
+                let began = self.not_opened(session, &messages::unreadable(&reason));
+                self.fail(session, Failure::Other(reason));
+                return began;
+            }
+            Answer::Ready | Answer::Listed { .. } | Answer::Refused { .. } => {}
+        }
+        false
+    }
+
+    /// A checkpoint is complete.
+    fn checked(&mut self, session: &mut Session) {
+        self.failure = None;
+        if std::mem::take(&mut self.has_told) {
+            session.toast(MessageKind::Info, messages::KEPT_AGAIN.to_owned(), Vec::new());
+        }
+        if let Some(kept) = &mut self.kept {
+            kept.writing.is_checked = true;
+        }
+    }
+
+    /// Nothing is kept until a later checkpoint succeeds.
+    fn fail(&mut self, session: &Session, failure: Failure) {
+        self.failure = Some(failure);
+        self.retry_at = session.platform.now() + writing::RETRY_SECONDS;
+        if let Some(kept) = &mut self.kept {
+            kept.writing = Writing::default();
+        }
+    }
+
+    /// Starts with a new document instead of the one that was asked for, and says why. Returns whether one was.
+    fn not_opened(&mut self, session: &mut Session, why: &str) -> bool {
+        if self.opening.take().is_none() {
+            return false;
+        }
+        self.start_new(session);
+        session.warn(why.to_owned(), Vec::new());
+        true
+    }
+
+    /// Goes on with opening or writing, for a few milliseconds. Called at the end of each frame.
+    pub fn step(&mut self, session: &mut Session, view: &mut View, shown: &mut Shown) {
+        if self.opening.is_some() {
+            self.go_on_opening(session, view, shown);
+        } else {
+            self.write(session, view);
+        }
+    }
+}

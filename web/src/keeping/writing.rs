@@ -1,0 +1,227 @@
+//! Writing the log and checkpoints of the document that the page shows.
+
+use editor::recovery::{SnapshotCopy, append_record};
+use halfedge::Element;
+use meshwright_worker::store::{Info, Request};
+
+use super::saved_view::SavedView;
+use super::{DOCUMENT_SETTING, Keeper, Kept, messages};
+use crate::session::Session;
+use crate::view::View;
+
+/// How much of a checkpoint is copied in a frame: it takes about two milliseconds.
+const BYTES_PER_FRAME: usize = 2 << 20;
+
+/// A log that takes longer to repeat gets a checkpoint.
+const MAX_REPLAY_SECONDS: f64 = 1.0;
+
+/// A log that is longer than its checkpoint and than this gets a checkpoint.
+const MIN_LONG_LOG_BYTES: usize = 1 << 20;
+
+/// How often the view and an ongoing edit are logged.
+const DRAFT_SECONDS: f64 = 2.0;
+
+/// How often what the list says about the document is brought up to date.
+const INFO_SECONDS: f64 = 5.0;
+
+/// How long after a failure writing is tried again.
+pub(super) const RETRY_SECONDS: f64 = 30.0;
+
+/// The browser is asked to keep what is kept after this many changes: by then there is something to lose.
+const CHANGES_BEFORE_PERSISTING: u64 = 10;
+
+/// What is written of a document.
+#[derive(Default)]
+pub(super) struct Writing {
+    /// The checkpoint that is being copied.
+    copy: Option<SnapshotCopy>,
+    /// Whether there is a checkpoint that the log continues.
+    has_checkpoint: bool,
+    /// Whether the last checkpoint is on the disk.
+    pub is_checked: bool,
+    checkpoint_bytes: usize,
+    log_bytes: usize,
+    /// How long it takes to repeat the log, about.
+    replay_seconds: f64,
+    /// The view that was logged last.
+    view: Option<SavedView>,
+    view_at: f64,
+    draft_at: f64,
+    /// What the list was told last, and in which revision.
+    info: Option<(Info, u64)>,
+    info_at: f64,
+}
+
+impl Writing {
+    /// Goes on after a checkpoint and a log.
+    pub fn after(checkpoint_bytes: usize, log_bytes: usize, replay_seconds: f64) -> Self {
+        let (has_checkpoint, is_checked) = (true, true);
+        Self { has_checkpoint, is_checked, checkpoint_bytes, log_bytes, replay_seconds, ..Self::default() }
+    }
+
+    /// Whether everything that was done is on its way to the disk.
+    pub fn is_up_to_date(&self) -> bool {
+        self.is_checked && self.has_checkpoint && self.copy.is_none()
+    }
+
+    fn needs_checkpoint(&self) -> bool {
+        !self.has_checkpoint
+            || self.replay_seconds > MAX_REPLAY_SECONDS
+            || self.log_bytes > self.checkpoint_bytes.max(MIN_LONG_LOG_BYTES)
+    }
+}
+
+impl Keeper {
+    /// Writes what was done in this frame, and more of a checkpoint.
+    pub(super) fn write(&mut self, session: &mut Session, view: &View) {
+        self.follow_document(session);
+        let Some(kept) = &mut self.kept else { return };
+        let now = session.platform.now();
+        kept.log_view_and_draft(session, view, now);
+        kept.touch(session);
+        kept.append(session);
+        let may_try = self.failure.is_none() || now >= self.retry_at;
+        if may_try && (kept.writing.needs_checkpoint() || session.editor.needs_snapshot()) {
+            kept.copy_checkpoint(session);
+            // No checkpoint holds the view.
+            kept.log_view_and_draft(session, view, now);
+            kept.append(session);
+        }
+        if self.failure.is_none() {
+            kept.describe(session, now);
+        }
+        if let Some(failure) = self.failure.as_ref().filter(|_| kept.is_touched && !self.has_told) {
+            self.has_told = true;
+            session.warn(messages::not_kept(failure), Vec::new());
+        }
+        let changes = session.editor.revision() - kept.first_revision.min(session.editor.revision());
+        if !self.has_persisted && changes >= CHANGES_BEFORE_PERSISTING {
+            self.has_persisted = true;
+            session.platform.persist();
+        }
+    }
+
+    /// Changes to another kept document when another one was opened or begun, or when undo brought one back.
+    fn follow_document(&mut self, session: &mut Session) {
+        let origin = session.editor.document().origin();
+        if self.kept.as_ref().is_none_or(|kept| kept.origin == origin) {
+            return;
+        }
+        let known = self.ids.get(&origin).cloned();
+        let is_touched = known.is_some() || origin.is_file;
+        let id = known.unwrap_or_else(|| session.platform.new_id());
+        // What was logged in this frame ends with what brought the other document.
+        drop(session.editor.take_log());
+        session.platform.ask_store(&Request::Begin(id.clone()), &[]);
+        self.show(session, id, is_touched, Writing::default());
+    }
+}
+
+impl Kept {
+    fn log_view_and_draft(&mut self, session: &mut Session, view: &View, now: f64) {
+        let writing = &mut self.writing;
+        let seen = SavedView::of(view);
+        if writing.view != Some(seen) && view.frame_due == 0 {
+            let due = writing.view_at + DRAFT_SECONDS - now;
+            if writing.view.is_none() || due <= 0.0 {
+                session.editor.log_view(seen.to_json());
+                (writing.view, writing.view_at) = (Some(seen), now);
+            } else {
+                session.ctx.request_repaint_after_secs(due as f32);
+            }
+        }
+        if session.editor.is_editing() {
+            let due = writing.draft_at + DRAFT_SECONDS - now;
+            if due <= 0.0 {
+                session.editor.log_draft();
+                writing.draft_at = now;
+            } else {
+                session.ctx.request_repaint_after_secs(due as f32);
+            }
+        } else {
+            writing.draft_at = now;
+        }
+    }
+
+    /// Notes whether something was done in the document.
+    fn touch(&mut self, session: &mut Session) {
+        if !self.is_touched && session.editor.revision() != self.first_revision {
+            self.is_touched = true;
+            session.platform.store_setting(DOCUMENT_SETTING, &self.id);
+        }
+    }
+
+    fn append(&mut self, session: &mut Session) {
+        let entries = session.editor.take_log();
+        let seconds = std::mem::take(&mut session.work_seconds);
+        if entries.is_empty() || !self.writing.has_checkpoint {
+            return;
+        }
+        let mut bytes = Vec::new();
+        entries.iter().for_each(|entry| append_record(&mut bytes, entry));
+        self.writing.log_bytes += bytes.len();
+        self.writing.replay_seconds += seconds;
+        session.platform.ask_store(&Request::Append, &bytes);
+    }
+
+    fn copy_checkpoint(&mut self, session: &mut Session) {
+        let is_first = self.writing.copy.is_none();
+        if is_first {
+            // None during an edit: its end is a change, and then there is another frame.
+            self.writing.copy = SnapshotCopy::begin(&session.editor);
+        }
+        let Some(copy) = &mut self.writing.copy else { return };
+        let mut bytes = Vec::with_capacity(BYTES_PER_FRAME.min(copy.total_bytes()));
+        if !copy.step(&mut session.editor, BYTES_PER_FRAME, &mut |part| bytes.extend_from_slice(part)) {
+            // Something changed meanwhile: begin again in the next frame.
+            self.writing.copy = None;
+            session.ctx.request_repaint();
+            return;
+        }
+        let is_last = copy.is_done();
+        session.platform.ask_store(&Request::Checkpoint { is_first, is_last }, &bytes);
+        if is_last {
+            let info = self.writing.info.take();
+            self.writing = Writing {
+                has_checkpoint: true,
+                checkpoint_bytes: copy.total_bytes(),
+                info,
+                info_at: self.writing.info_at,
+                ..Writing::default()
+            };
+        } else {
+            session.ctx.request_repaint();
+        }
+    }
+
+    /// Brings up to date what the list of documents says.
+    fn describe(&mut self, session: &mut Session, now: f64) {
+        let document = session.editor.document();
+        let count = |kind: Element| -> u64 {
+            document.objects().iter().map(|object| object.mesh().count(kind) as u64).sum()
+        };
+        let mut info = Info {
+            name: document.name().to_owned(),
+            sizes: [document.objects().len() as u64, count(Element::Vertex), count(Element::Face)],
+            is_touched: self.is_touched,
+            ..Info::default()
+        };
+        let revision = session.editor.revision();
+        let last = self.writing.info.as_ref();
+        if let Some((last, _)) = last {
+            info.changed_ms = last.changed_ms;
+        }
+        if last.is_some_and(|(last, at)| (last, *at) == (&info, revision)) {
+            return;
+        }
+        let due = self.writing.info_at + INFO_SECONDS - now;
+        let is_new = last.is_none_or(|(last, _)| last.is_touched != info.is_touched);
+        if is_new || due <= 0.0 {
+            info.changed_ms = session.platform.date_ms();
+            session.platform.ask_store(&Request::Describe(info.clone()), &[]);
+            (self.writing.info, self.writing.info_at) = (Some((info, revision)), now);
+        } else {
+            session.ctx.request_repaint_after_secs(due as f32);
+        }
+    }
+}

@@ -1,0 +1,258 @@
+//! Documents are kept in the browser: whenever the page ends, the next visit goes on where it was.
+
+use crate::page::Page;
+use egui::{Key, Modifiers};
+use halfedge::{Element, Mesh};
+use meshwright_web::platform::headless::Outside;
+use meshwright_web::platform::store::Failure;
+use serde_json::{Value, json};
+
+const TRIANGLE: &str = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
+
+fn extrude(page: &mut Page) {
+    page.select("face", &[1]);
+    page.command(json!({"op": "extrude-faces", "distance": 0.5}));
+}
+
+/// Everything that has to come back.
+fn state(page: &mut Page) -> (Mesh, (Element, Vec<u32>), Vec<Value>, bool) {
+    let view = page.app().script().state()["view"].clone();
+    let camera = ["target", "yaw", "pitch", "distance", "orthographic"].map(|name| view[name].clone());
+    (page.mesh().clone(), page.selected(), camera.to_vec(), page.app().editor().is_dirty())
+}
+
+fn faces(page: &mut Page) -> usize {
+    page.mesh().face_count()
+}
+
+fn name(page: &mut Page) -> String {
+    page.app().editor().document().name().to_owned()
+}
+
+/// Lets so much time go by that everything is written.
+fn settle(page: &mut Page) {
+    page.run();
+    page.outside.advance(6000.0);
+    page.run();
+}
+
+#[test]
+fn a_reload_brings_back_the_document_its_history_its_selection_and_its_view() {
+    let mut page = Page::new();
+    extrude(&mut page);
+    page.command(json!({"op": "poke-faces"}));
+    page.select("edge", &[2, 3]);
+    let camera = state(&mut page).2;
+    page.press(Key::ArrowLeft);
+    assert_ne!(state(&mut page).2, camera, "the key turns the view");
+    settle(&mut page);
+    let before = state(&mut page);
+    let labels = page.undo_labels();
+    let mut page = page.reload();
+    assert_eq!(state(&mut page), before);
+    assert_eq!(page.undo_labels(), labels);
+
+    // What is done after a recovery is kept too.
+    page.command(json!({"op": "triangulate-faces", "faces": [2]}));
+    let before = state(&mut page);
+    let mut page = page.reload();
+    assert_eq!(state(&mut page), before);
+    for _ in 0..3 {
+        page.app().script().undo().expect("a step");
+        page.run();
+    }
+    assert_eq!(faces(&mut page), 6, "undo goes back to the cube");
+    let mut page = page.reload();
+    assert_eq!(faces(&mut page), 6);
+    page.app().script().redo().expect("a step");
+    page.run();
+    assert_eq!(faces(&mut page), 10);
+}
+
+#[test]
+fn an_edit_is_kept_in_the_frame_in_which_it_is_made() {
+    let mut page = Page::new();
+    page.select("face", &[1]);
+    page.app().script().run(json!({"op": "extrude-faces", "distance": 0.5}), Box::new(|_| {}));
+    page.harness.step();
+    let mut page = page.reload();
+    assert_eq!(faces(&mut page), 10);
+}
+
+#[test]
+fn a_drag_that_had_not_ended_is_kept_but_for_the_last_two_seconds() {
+    let mut page = Page::new();
+    page.select("vertex", &[0]);
+    let before = page.mesh().clone();
+    page.press(Key::G);
+    page.hover_off_middle(egui::vec2(40.0, 10.0));
+    page.outside.advance(2500.0);
+    page.hover_off_middle(egui::vec2(80.0, 20.0));
+    page.harness.step();
+    let dragged = page.mesh().clone();
+    assert_ne!(dragged, before);
+    let mut page = page.reload();
+    assert_eq!(*page.mesh(), dragged);
+    assert_eq!(page.undo_labels().len(), 1);
+}
+
+#[test]
+fn a_file_that_was_opened_is_there_again_without_an_edit() {
+    let mut page = Page::new();
+    page.open("tri.obj", TRIANGLE);
+    settle(&mut page);
+    let mut page = page.reload();
+    assert_eq!((faces(&mut page), name(&mut page)), (1, "tri".to_owned()));
+    assert!(!page.app().editor().is_dirty());
+}
+
+#[test]
+fn a_first_visit_keeps_nothing_and_another_one_begins_afresh() {
+    let page = Page::new();
+    let outside = page.outside.clone();
+    drop(page);
+    assert_eq!(outside.setting("document"), None);
+    outside.open_in_new_tab();
+    let page = Page::visit(&outside);
+    drop(page);
+    assert!(outside.disk().contents().len() <= 2, "documents that nothing was done in are removed");
+}
+
+#[test]
+fn the_next_visit_opens_the_last_document_and_two_tabs_do_not_overwrite_each_other() {
+    let mut first = Page::new();
+    extrude(&mut first);
+    settle(&mut first);
+    let outside = first.outside.clone();
+    outside.open_in_new_tab();
+    let mut second = Page::visit(&outside);
+    assert_eq!(faces(&mut second), 10);
+    assert!(second.has_part("This document is open in another tab"));
+    second.command(json!({"op": "triangulate-faces", "faces": [2]}));
+    first.command(json!({"op": "poke-faces"}));
+    let (of_first, of_second) = (first.mesh().clone(), second.mesh().clone());
+    drop(first);
+    let mut second = second.reload();
+    assert_eq!(*second.mesh(), of_second);
+    drop(second);
+    outside.open_in_new_tab();
+    outside.set_setting("document", "document1");
+    let mut third = Page::visit(&outside);
+    assert_eq!(*third.mesh(), of_first);
+    assert!(!third.has_part("open in another tab"));
+}
+
+#[test]
+fn new_documents_leave_the_old_one_as_it_was_and_undo_goes_back_to_it() {
+    let mut page = Page::new();
+    extrude(&mut page);
+    page.command(json!({"op": "new", "shape": "torus"}));
+    let torus = page.mesh().clone();
+    let mut page = page.reload();
+    assert_eq!(*page.mesh(), torus);
+    let old = page.outside.clone();
+    drop(page);
+    old.open_in_new_tab();
+    old.set_setting("document", "document1");
+    let mut page = Page::visit(&old);
+    assert_eq!(faces(&mut page), 10, "the old document is kept");
+
+    page.command(json!({"op": "new", "shape": "torus"}));
+    page.app().script().undo().expect("a step");
+    page.run();
+    page.command(json!({"op": "poke-faces"}));
+    let before = page.mesh().clone();
+    let mut page = page.reload();
+    assert_eq!(*page.mesh(), before, "what undo brought back is kept as the same document");
+    assert_eq!(page.outside.setting("document").as_deref(), Some("document1"));
+}
+
+#[test]
+fn without_room_it_says_so_editing_goes_on_and_later_everything_is_kept_again() {
+    let mut page = Page::new();
+    let disk = page.outside.disk();
+    disk.fail_after(10, Failure::Full);
+    extrude(&mut page);
+    settle(&mut page);
+    assert!(page.has_part("Changes are not kept: this browser has no more room"));
+    page.command(json!({"op": "poke-faces"}));
+    let poked = page.mesh().clone();
+    disk.mend();
+    page.outside.advance(31_000.0);
+    settle(&mut page);
+    assert!(page.has_part("Changes are kept in this browser again."));
+    let mut page = page.reload();
+    assert_eq!(*page.mesh(), poked);
+}
+
+#[test]
+fn a_browser_that_keeps_nothing_says_so_with_the_first_change() {
+    let outside = Outside::default();
+    outside.disk().fail_after(0, Failure::Denied);
+    let mut page = Page::visit(&outside);
+    settle(&mut page);
+    assert!(!page.has_part("Changes are not kept"));
+    extrude(&mut page);
+    settle(&mut page);
+    assert!(page.has_part("lets the page keep nothing"));
+    assert!(page.app().would_lose_changes());
+}
+
+#[test]
+fn a_document_that_is_gone_or_damaged_is_named_and_the_page_begins_afresh() {
+    let mut page = Page::new();
+    extrude(&mut page);
+    settle(&mut page);
+    let outside = page.outside.clone();
+    drop(page);
+    let whole = outside.disk().contents();
+
+    outside.disk().set_contents(Default::default());
+    let mut page = Page::visit(&outside);
+    assert!(page.has_part("has removed what it kept"));
+    assert_eq!(faces(&mut page), 6);
+    drop(page);
+
+    let mut damaged = whole.clone();
+    let folder = damaged.get_mut("document1").expect("the document");
+    let checkpoint = folder.iter_mut().find(|(name, _)| name.starts_with("checkpoint")).expect("one").1;
+    checkpoint[40] ^= 1;
+    outside.disk().set_contents(damaged);
+    outside.set_setting("document", "document1");
+    outside.open_in_new_tab();
+    let mut page = Page::visit(&outside);
+    assert!(page.has_part("is damaged"));
+    assert_eq!(faces(&mut page), 6);
+    drop(page);
+
+    let mut torn = whole;
+    let folder = torn.get_mut("document1").expect("the document");
+    let log = folder.iter_mut().find(|(name, _)| name.starts_with("log")).expect("one").1;
+    log.pop();
+    outside.disk().set_contents(torn);
+    outside.set_setting("document", "document1");
+    outside.open_in_new_tab();
+    let mut page = Page::visit(&outside);
+    assert!(page.has_part("The last change was not completely written"));
+    extrude(&mut page);
+    let before = page.mesh().clone();
+    let mut page = page.reload();
+    assert_eq!(*page.mesh(), before, "the log goes on after the cut");
+}
+
+#[test]
+fn leaving_asks_nothing_once_everything_is_kept_and_the_browser_is_asked_to_keep_it() {
+    let mut page = Page::new();
+    extrude(&mut page);
+    settle(&mut page);
+    assert!(page.app().editor().is_dirty());
+    assert!(!page.app().would_lose_changes());
+    assert_eq!(page.outside.persists(), 0);
+    for _ in 0..6 {
+        page.command(json!({"op": "triangulate-faces", "faces": [2]}));
+        page.press_with(Modifiers::CTRL, Key::Z);
+        extrude(&mut page);
+    }
+    settle(&mut page);
+    assert_eq!(page.outside.persists(), 1);
+}

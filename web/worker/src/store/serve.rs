@@ -1,0 +1,138 @@
+//! The store's worker: carries out the page's requests one after the other.
+
+use super::disk::{Disk, Failure, FileLength};
+use super::documents::Documents;
+use super::indexed_db::IndexedDb;
+use super::message::{Answer, Bytes, Request, from_js, to_js};
+use super::opfs::Opfs;
+use std::cell::RefCell;
+use std::collections::VecDeque;
+use std::rc::Rc;
+use std::task::{Poll, Waker};
+use wasm_bindgen::prelude::*;
+use web_sys::{DedicatedWorkerGlobalScope, MessageEvent};
+
+/// The part of the worker's name that asks for IndexedDB, for tests in browsers that have both.
+const ASKS_FOR_INDEXED_DB: &str = "indexeddb";
+
+/// The requests that were not carried out yet.
+#[derive(Default)]
+struct Waiting {
+    requests: VecDeque<(Request, Bytes)>,
+    waker: Option<Waker>,
+}
+
+/// Answers the page's requests for as long as the worker lives. Does nothing outside a worker.
+pub fn serve() {
+    let Ok(scope) = js_sys::global().dyn_into::<DedicatedWorkerGlobalScope>() else {
+        return;
+    };
+    std::panic::set_hook(Box::new(|info| {
+        if let Ok(scope) = js_sys::global().dyn_into::<DedicatedWorkerGlobalScope>() {
+            post(&scope, &Answer::Crashed(info.to_string()), &[]);
+        }
+    }));
+    let waiting = Rc::new(RefCell::new(Waiting::default()));
+    let on_message = Closure::<dyn FnMut(MessageEvent)>::new({
+        let waiting = waiting.clone();
+        move |event: MessageEvent| {
+            if let Some(request) = from_js(&event.data()) {
+                let mut waiting = waiting.borrow_mut();
+                waiting.requests.push_back(request);
+                if let Some(waker) = waiting.waker.take() {
+                    waker.wake();
+                }
+            }
+        }
+    });
+    scope.set_onmessage(Some(on_message.as_ref().unchecked_ref()));
+    // The listener lives as long as the worker, until the page ends.
+    on_message.forget();
+    post(&scope, &Answer::Ready, &[]);
+    wasm_bindgen_futures::spawn_local(async move {
+        let opfs = match scope.name().contains(ASKS_FOR_INDEXED_DB) {
+            true => Err(Failure::Denied),
+            false => Opfs::new().await,
+        };
+        match opfs {
+            Ok(disk) => carry_out(Documents::new(disk), &scope, &waiting).await,
+            Err(_) => match IndexedDb::new().await {
+                Ok(disk) => carry_out(Documents::new(disk), &scope, &waiting).await,
+                Err(failure) => carry_out(Documents::new(NoDisk(failure)), &scope, &waiting).await,
+            },
+        }
+    });
+}
+
+async fn carry_out(
+    mut documents: Documents<impl Disk>,
+    scope: &DedicatedWorkerGlobalScope,
+    waiting: &RefCell<Waiting>,
+) {
+    loop {
+        let (request, bytes) = std::future::poll_fn(|context| {
+            let mut waiting = waiting.borrow_mut();
+            match waiting.requests.pop_front() {
+                Some(request) => Poll::Ready(request),
+                None => {
+                    waiting.waker = Some(context.waker().clone());
+                    Poll::Pending
+                }
+            }
+        })
+        .await;
+        documents.handle(request, &bytes, &mut |answer, bytes| post(scope, &answer, &bytes)).await;
+    }
+}
+
+fn post(scope: &DedicatedWorkerGlobalScope, answer: &Answer, bytes: &[u8]) {
+    let (value, transfer) = to_js(answer, bytes);
+    // Fails only if the page is gone, and then there is no receiver.
+    let _ = scope.post_message_with_transfer(&value, &transfer);
+}
+
+/// What there is where the browser keeps nothing for the page.
+#[derive(Debug)]
+struct NoDisk(Failure);
+
+impl NoDisk {
+    fn fails<T>(&self) -> Result<T, Failure> {
+        Err(self.0.clone())
+    }
+}
+
+impl Disk for NoDisk {
+    async fn folders(&mut self) -> Result<Vec<String>, Failure> {
+        self.fails()
+    }
+
+    async fn files(&mut self, _folder: &str) -> Result<Vec<FileLength>, Failure> {
+        self.fails()
+    }
+
+    async fn append(&mut self, _folder: &str, _file: &str, _bytes: &[u8]) -> Result<(), Failure> {
+        self.fails()
+    }
+
+    async fn read(&mut self, _folder: &str, _file: &str, _at: u64, _len: usize) -> Result<Vec<u8>, Failure> {
+        self.fails()
+    }
+
+    async fn truncate(&mut self, _folder: &str, _file: &str, _bytes: u64) -> Result<(), Failure> {
+        self.fails()
+    }
+
+    async fn remove(&mut self, _folder: &str, _file: &str) -> Result<(), Failure> {
+        self.fails()
+    }
+
+    async fn remove_folder(&mut self, _folder: &str) -> Result<(), Failure> {
+        self.fails()
+    }
+
+    async fn lock(&mut self, _folder: &str) -> bool {
+        true
+    }
+
+    async fn unlock(&mut self, _folder: &str) {}
+}
