@@ -49,6 +49,8 @@ fn drag(page: &mut Page, button: PointerButton, modifiers: Modifiers, from: Pos2
     page.harness.event(Event::ModifiersChanged(modifiers));
     let press = |pos, pressed| Event::PointerButton { pos, button, pressed, modifiers };
     page.harness.event_modifiers(press(from, true), modifiers);
+    // Still held in the frames until the pointer moves: a long press is a drag too.
+    page.harness.event(Event::ModifiersChanged(modifiers));
     page.run();
     for part in 1..=4 {
         page.harness.event_modifiers(Event::PointerMoved(from + by * (part as f32 / 4.0)), modifiers);
