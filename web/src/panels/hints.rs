@@ -3,7 +3,6 @@
 use std::borrow::Cow;
 
 use editor::SelectMode;
-use editor::ops::four_digits;
 use egui::{Modifiers, PointerButton};
 use halfedge::Element;
 use halfedge::words::capitalized;
@@ -79,7 +78,7 @@ pub(crate) fn hints(page: &Page<'_>, modifiers: Modifiers) -> Vec<Hint> {
             hint(By::Key("W A S D"), "Fly"),
             hint(By::Key("Q E"), "Down, up"),
             hint(By::Touch("Pointer"), "Look around"),
-            hint(WHEEL, format!("Speed {}", four_digits(flight.speed))),
+            hint(WHEEL, format!("Speed {:.0} %", flight.speed_percent())),
             hint(SHIFT, "Faster"),
             hint(LEFT, "Stay here"),
             hint(ESCAPE, "Go back"),

@@ -43,7 +43,7 @@ pub(crate) struct Flight {
     /// The camera to go back to.
     pub before: Camera,
     /// In mesh units per second.
-    pub speed: f64,
+    speed: f64,
     start_speed: f64,
     /// Where the pointer was last, in the viewport.
     pub seen: Option<Pos2>,
@@ -56,6 +56,11 @@ impl Flight {
     pub fn from(before: Camera) -> Self {
         let speed = START_SPEED * before.distance;
         Self { before, speed, start_speed: speed, seen: None, ends: None }
+    }
+
+    /// The speed in percent of the one at first.
+    pub fn speed_percent(&self) -> f64 {
+        100.0 * self.speed / self.start_speed
     }
 
     /// Takes the keys out of the frame's input, up to one that ends the flight: they fly, or would start something by

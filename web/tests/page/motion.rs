@@ -168,6 +168,7 @@ fn keys_and_pointer_fly_and_escape_goes_back() {
     page.harness.event(wheel(MouseWheelUnit::Point, 120.0));
     page.run();
     assert_eq!((eye(&mut page), number(&view(&mut page), "distance")), (from, distance));
+    assert!(page.has_part("Wheel: Speed 125 %"));
     let faster = fly(&mut page, &[Key::W], Modifiers::NONE);
     assert!((faster.length() / ahead.length() - 1.25).abs() < 0.05, "{faster} {ahead}");
     page.press(Key::S);

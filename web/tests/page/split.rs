@@ -1,9 +1,10 @@
 //! Editing and selecting in a split viewport, and the lines between the views.
 
+use crate::looks::picture;
 use crate::page::{DESKTOP, Page};
 use crate::regions::drag_along;
 use crate::views::{QUAD, active, in_four, middle, views};
-use egui::{Key, Modifiers, MouseWheelUnit, PointerButton, Pos2, Rect, Vec2, pos2, vec2};
+use egui::{Key, Modifiers, MouseWheelUnit, PointerButton, Pos2, Rect, Theme, Vec2, pos2, vec2};
 use egui_kittest::kittest::Queryable;
 use glam::Vec3;
 use halfedge::{Element, VertexId};
@@ -234,4 +235,25 @@ fn an_edit_that_follows_the_pointer_keeps_to_its_view() {
     page.press_with(QUAD, Key::Q);
     page.press_with(Modifiers::COMMAND, Key::Z);
     assert_eq!(position(&mut page, 0).abs(), Vec3::ONE);
+}
+
+#[test]
+fn pictures_of_a_divided_viewport() {
+    for (theme, name) in [(Theme::Dark, "divided dark"), (Theme::Light, "divided light")] {
+        let mut page = Page::drawn(DESKTOP, theme);
+        page.press_with(QUAD, Key::Q);
+        page.select("face", &[5]);
+        let top = rect(&mut page, "Top");
+        let from = pos2(top.right() + 1.0, top.top() + 100.0);
+        let before = picture(&mut page, &format!("{name} before"));
+        page.drag(from, from - vec2(90.0, 0.0));
+        page.drop(from - vec2(90.0, 0.0));
+        page.hover(from - vec2(90.0, 0.0));
+        let shown = picture(&mut page, name);
+        // The line under the pointer lights up, over its whole length.
+        let at = rect(&mut page, "Front").right_bottom() + vec2(1.0, -100.0);
+        let pixel = |shown: &image::RgbaImage| shown.get_pixel(at.x as u32, at.y as u32).0;
+        let blue = |[red, _, blue, _]: [u8; 4]| i32::from(blue) - i32::from(red);
+        assert!(blue(pixel(&shown)) > blue(pixel(&before)) + 40, "{name}: {:?}", pixel(&shown));
+    }
 }

@@ -98,7 +98,6 @@ impl Viewport<'_> {
                 None => panels::elements::menu(ui, &self.page(), out),
             });
         }
-        dividers::show(ui, self.view);
         // What is painted follows the cameras on their way; nothing else does.
         let own = self.view.cameras();
         let shown = self.view.glides.shown(&own, ui.input(|input| input.time));
@@ -126,6 +125,7 @@ impl Viewport<'_> {
             axis_widget::show(ui, free, self.shown, self.view, out);
         }
         self.view.replace_cameras(own);
+        dividers::show(ui, self.view);
         panes::show(ui, &self.page(), out);
         legend::paint(ui, self.view.free_area(), &self.page());
         overlay::paint(ui, rect, &self.page());
