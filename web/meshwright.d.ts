@@ -331,15 +331,19 @@ export interface FillHole {
   symmetry?: "none" | "x" | "y" | "z";
 }
 
-/** Join two boundary loops, or two faces that it replaces, with a band of faces. */
+/** Join two boundary loops, or two faces or regions that it replaces, with a band of faces; of more than two, those that are closest to each other. */
 export interface Bridge {
   op: "bridge";
   /** The place of the object in the document's list; default: the active object. */
   object?: number;
-  /** A boundary half-edge of each loop: a list of two half-edges, each by id or by `[from, to]`, its vertices; default: the two selected half-edges. */
-  halfedges?: [number | Pair, number | Pair];
-  /** Two faces to replace: a list of two faces, each by id; default: the two selected faces. */
-  faces?: [number, number];
+  /** Boundary half-edges, one or more of each loop: a list of half-edges, each by id or by `[from, to]`, its vertices; default: the selected half-edges. */
+  halfedges?: (number | Pair)[];
+  /** Faces to replace, in two regions or more: a list of faces, each by id; default: the selected faces. */
+  faces?: number[];
+  /** How many loops of edges to add between the two: a whole number from 0 to 1000; default: 0. */
+  cuts?: number;
+  /** By how many vertices to turn one loop against the other: a whole number from -1000 to 1000; default: 0. */
+  twist?: number;
   /** Mirror the edit across the plane through the origin that this axis is normal to: one of `"none"`, `"x"`, `"y"`, `"z"`; default: none. */
   symmetry?: "none" | "x" | "y" | "z";
 }

@@ -124,7 +124,7 @@ fn the_ends_of_ranges_are_what_the_descriptions_say() {
                 FieldKind::Number { min, max, .. } => {
                     ([min, max], [field.ends == Ends::Both, field.ends != Ends::Neither])
                 }
-                FieldKind::Integer { min, max, .. } => ([f64::from(min), f64::from(max)], [true, true]),
+                FieldKind::Integer { min, max, .. } => ([min as f64, max as f64], [true, true]),
                 _ => continue,
             };
             for (end, is_taken) in ends.into_iter().zip(is_taken) {
@@ -137,7 +137,7 @@ fn the_ends_of_ranges_are_what_the_descriptions_say() {
                         || field.alternative.is_none()
                 });
                 let is_whole = matches!(field.kind, FieldKind::Integer { .. });
-                let number = if is_whole { json!(end as u64) } else { json!(end) };
+                let number = if is_whole { json!(end as i64) } else { json!(end) };
                 fields.insert(field.name.to_owned(), number);
                 let mut editor = on_cube();
                 let element = id.spec().element().unwrap_or(Element::Face);

@@ -241,7 +241,9 @@ fn fields(id: OpId) -> BoxedStrategy<Map<String, Value>> {
             FieldKind::Number { min, max, .. } => {
                 (min.max(-2.0)..=max.min(2.0)).prop_map(|number| json!(number as f32)).boxed()
             }
-            FieldKind::Integer { min, max, .. } => (min..=max.min(6).max(min)).prop_map(Value::from).boxed(),
+            FieldKind::Integer { min, max, .. } => {
+                (min.max(-6)..=max.min(6).max(min)).prop_map(Value::from).boxed()
+            }
             FieldKind::Vector => proptest::array::uniform3(-2.0_f32..2.0).prop_map(|v| json!(v)).boxed(),
             FieldKind::Choice(choices) => {
                 (0..choices.len()).prop_map(move |at| json!(choices[at].name)).boxed()

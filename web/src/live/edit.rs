@@ -328,7 +328,8 @@ impl Live {
     pub fn turn_wheel(&mut self, notches: i32, settings: &mut Settings, view: &View) {
         if let Some((field, count)) = &mut self.count {
             let FieldKind::Integer { min, max, .. } = field.kind else { return };
-            *count = count.saturating_add_signed(notches).clamp(min, max);
+            let wanted = (i64::from(*count) + i64::from(notches)).clamp(min, max);
+            *count = u32::try_from(wanted).unwrap_or(*count);
         } else if let Some(radius) = &mut settings.soft_radius {
             let unit = self.sight(view).units_per_point();
             *radius = (*radius * RADIUS_STEP.powi(notches)).clamp(unit, unit * 1e5);

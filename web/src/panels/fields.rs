@@ -118,11 +118,11 @@ fn edit(ui: &mut Ui, field: &Field, label: &str, value: &mut Value, facts: &Fact
         FieldKind::Number { unit, min, max } => number(ui, None, value, min..=max, speed(unit, value, facts)),
         FieldKind::Integer { unit: Unit::Triangles, min, max } => {
             let most =
-                facts.triangles().and_then(|count| u32::try_from(count).ok()).unwrap_or(max).clamp(min, max);
-            integer(ui, value, min..=most, (f64::from(most) * 0.002).max(0.2));
+                facts.triangles().and_then(|count| i64::try_from(count).ok()).unwrap_or(max).clamp(min, max);
+            integer(ui, value, min..=most, (most as f64 * 0.002).max(0.2));
         }
         FieldKind::Integer { min, max, .. } => integer(ui, value, min..=max, 0.1),
-        FieldKind::Elements { arity: Arity::One, .. } => integer(ui, value, 0..=u32::MAX - 1, 0.1),
+        FieldKind::Elements { arity: Arity::One, .. } => integer(ui, value, 0..=i64::from(u32::MAX) - 1, 0.1),
         FieldKind::Elements { .. } | FieldKind::Objects => ids(ui, value),
         FieldKind::Vector | FieldKind::Factors => axes(ui, label, value),
         FieldKind::VectorPair => {
@@ -190,8 +190,8 @@ fn number(
     }
 }
 
-fn integer(ui: &mut Ui, value: &mut Value, range: std::ops::RangeInclusive<u32>, speed: f64) {
-    let mut number = value.as_u64().and_then(|n| u32::try_from(n).ok()).unwrap_or_default();
+fn integer(ui: &mut Ui, value: &mut Value, range: std::ops::RangeInclusive<i64>, speed: f64) {
+    let mut number = value.as_i64().unwrap_or_default();
     let spin = number_box(&mut number).speed(speed).range(range).clamp_existing_to_range(false);
     if form_number(ui, spin).changed() {
         *value = number.into();

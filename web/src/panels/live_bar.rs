@@ -138,7 +138,9 @@ fn count(ui: &mut Ui, live: &Live, out: &mut Requests) {
     let FieldKind::Integer { min, max, .. } = field.kind else { return };
     let label = field.label();
     ui.label(&label);
-    let field = number_box(&mut count).range(min..=max).speed(0.1);
+    let field = number_box(&mut count)
+        .range(u32::try_from(min).unwrap_or(0)..=u32::try_from(max).unwrap_or(u32::MAX))
+        .speed(0.1);
     let response = ui.add(field).accessible_name(label);
     if response.on_hover_text("Drag, type a number, or turn the wheel over the viewport").changed() {
         out.push(Request::SetLiveCount(count));

@@ -55,9 +55,9 @@ pub enum FieldKind {
         /// What it counts.
         unit: Unit,
         /// The smallest value.
-        min: u32,
+        min: i64,
         /// The largest value.
-        max: u32,
+        max: i64,
     },
     /// Three numbers: a position, an offset or a direction.
     Vector,
@@ -260,7 +260,8 @@ impl Field {
 
     /// A whole number, which must be given unless a default follows.
     pub(crate) const fn count(name: &'static str, [min, max]: [u32; 2], description: &'static str) -> Self {
-        Self::required(name, FieldKind::Integer { unit: Unit::Count, min, max }, description)
+        let kind = FieldKind::Integer { unit: Unit::Count, min: min as i64, max: max as i64 };
+        Self::required(name, kind, description)
     }
 
     pub(crate) const fn or(self, default: DefaultValue) -> Self {
@@ -379,7 +380,7 @@ impl Field {
         match self.kind {
             FieldKind::Number { min, max, .. } => json!(suggested.unwrap_or(1.0).clamp(min, max)),
             FieldKind::Integer { min, max, .. } => {
-                json!(suggested.map_or(1, |number| number as u32).clamp(min, max))
+                json!(suggested.map_or(1, |number| number as i64).clamp(min, max))
             }
             FieldKind::Vector => json!([0.0, 0.0, 0.0]),
             FieldKind::VectorPair => json!([[0.0, 0.0, 0.0], [0.0, 0.0, 0.0]]),

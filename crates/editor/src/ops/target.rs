@@ -25,11 +25,10 @@ pub(crate) enum Slot<'a> {
     Face(&'a mut Option<FaceRef>),
     Vertices(&'a mut Option<Vec<VertexRef>>),
     Edges(&'a mut Option<Vec<EdgeRef>>),
+    Halfedges(&'a mut Option<Vec<HalfedgeRef>>),
     Faces(&'a mut Option<Vec<FaceRef>>),
     TwoVertices(&'a mut Option<[VertexRef; 2]>),
     TwoEdges(&'a mut Option<[EdgeRef; 2]>),
-    TwoHalfedges(&'a mut Option<[HalfedgeRef; 2]>),
-    TwoFaces(&'a mut Option<[FaceRef; 2]>),
 }
 
 impl Slot<'_> {
@@ -41,17 +40,16 @@ impl Slot<'_> {
             Self::Face(slot) => slot.is_some(),
             Self::Vertices(slot) => slot.is_some(),
             Self::Edges(slot) => slot.is_some(),
+            Self::Halfedges(slot) => slot.is_some(),
             Self::Faces(slot) => slot.is_some(),
             Self::TwoVertices(slot) => slot.is_some(),
             Self::TwoEdges(slot) => slot.is_some(),
-            Self::TwoHalfedges(slot) => slot.is_some(),
-            Self::TwoFaces(slot) => slot.is_some(),
         }
     }
 
     /// Whether it takes any number of elements.
     pub fn is_list(&self) -> bool {
-        matches!(self, Self::Vertices(_) | Self::Edges(_) | Self::Faces(_))
+        matches!(self, Self::Vertices(_) | Self::Edges(_) | Self::Halfedges(_) | Self::Faces(_))
     }
 
     /// The elements that are given.
@@ -66,11 +64,10 @@ impl Slot<'_> {
             Self::Face(slot) => all(slot.as_ref().map(std::slice::from_ref), AnyRef::Face),
             Self::Vertices(slot) => all(slot.as_deref(), AnyRef::Vertex),
             Self::Edges(slot) => all(slot.as_deref(), AnyRef::Edge),
+            Self::Halfedges(slot) => all(slot.as_deref(), AnyRef::Halfedge),
             Self::Faces(slot) => all(slot.as_deref(), AnyRef::Face),
             Self::TwoVertices(slot) => all(slot.as_ref().map(<[_; 2]>::as_slice), AnyRef::Vertex),
             Self::TwoEdges(slot) => all(slot.as_ref().map(<[_; 2]>::as_slice), AnyRef::Edge),
-            Self::TwoHalfedges(slot) => all(slot.as_ref().map(<[_; 2]>::as_slice), AnyRef::Halfedge),
-            Self::TwoFaces(slot) => all(slot.as_ref().map(<[_; 2]>::as_slice), AnyRef::Face),
         }
     }
 
@@ -84,11 +81,10 @@ impl Slot<'_> {
             Self::Face(slot) => *slot = ids.first().map(|&id| FaceRef(id)),
             Self::Vertices(slot) => *slot = Some(ids.iter().map(|&id| VertexRef(id)).collect()),
             Self::Edges(slot) => *slot = Some(ids.iter().map(|&id| EdgeRef::Id(id)).collect()),
+            Self::Halfedges(slot) => *slot = Some(ids.iter().map(|&id| HalfedgeRef::Id(id)).collect()),
             Self::Faces(slot) => *slot = Some(ids.iter().map(|&id| FaceRef(id)).collect()),
             Self::TwoVertices(slot) => *slot = two().map(|ids| ids.map(VertexRef)),
             Self::TwoEdges(slot) => *slot = two().map(|ids| ids.map(EdgeRef::Id)),
-            Self::TwoHalfedges(slot) => *slot = two().map(|ids| ids.map(HalfedgeRef::Id)),
-            Self::TwoFaces(slot) => *slot = two().map(|ids| ids.map(FaceRef)),
         }
     }
 }

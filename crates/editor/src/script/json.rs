@@ -84,6 +84,21 @@ pub(crate) mod whole {
     }
 }
 
+/// `serde(with)` for an `i32` that shifts something by whole steps.
+pub(crate) mod shift {
+    use super::*;
+
+    pub fn serialize<S: Serializer>(value: &i32, serializer: S) -> Result<S::Ok, S::Error> {
+        serializer.serialize_i32(*value)
+    }
+
+    pub fn deserialize<'de, D: Deserializer<'de>>(deserializer: D) -> Result<i32, D::Error> {
+        let value = serde_json::Value::deserialize(deserializer)?;
+        let whole = value.as_i64().and_then(|whole| i32::try_from(whole).ok());
+        whole.ok_or_else(|| D::Error::custom(format!("{value} is not a whole number of that size")))
+    }
+}
+
 /// `serde(with)` for an `Option<u32>` that counts something.
 pub(crate) mod whole_option {
     use super::*;

@@ -15,7 +15,7 @@ pub(super) fn values(field: &Field) -> String {
             format!("a number{}{}", in_unit(unit), range(min, max, field.ends))
         }
         FieldKind::Integer { unit, min, max } => {
-            let max = (max < u32::MAX).then_some(max);
+            let max = (max < i64::from(u32::MAX)).then_some(max);
             format!("a whole number{}{}", in_unit(unit), range(Some(min), max, Ends::Both))
         }
         FieldKind::Vector => "three numbers: `[x, y, z]`".to_owned(),

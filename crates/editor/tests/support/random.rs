@@ -36,8 +36,10 @@ pub fn any_edit() -> impl Strategy<Value = Value> {
             |(v, a)| json!({"op": "slide-vertices", "vertices": v, "direction": [1, 2, 0], "amount": a})
         ),
         (0u32..80).prop_map(|h| json!({"op": "fill-hole", "halfedge": h})),
-        prop::array::uniform2(0u32..80).prop_map(|h| json!({"op": "bridge", "halfedges": h})),
-        prop::array::uniform2(0u32..20).prop_map(|f| json!({"op": "bridge", "faces": f})),
+        (prop::collection::vec(0u32..80, 2..5), 0u32..3, -3i32..4)
+            .prop_map(|(h, c, t)| json!({"op": "bridge", "halfedges": h, "cuts": c, "twist": t})),
+        (prop::collection::vec(0u32..20, 2..5), 0u32..3)
+            .prop_map(|(f, c)| json!({"op": "bridge", "faces": f, "cuts": c})),
         ids().prop_map(|v| json!({"op": "merge-vertices", "vertices": v})),
         pair().prop_map(|e| json!({"op": "weld-edges", "edges": e})),
         ids().prop_map(|e| json!({"op": "rip-edges", "edges": e})),

@@ -56,7 +56,7 @@ pub enum Refusal {
     NotAtVertex(EdgeId, VertexId),
     /// No face has both vertices.
     NotInOneFace(VertexId, VertexId),
-    /// The faces that would become one are no disc: they meet in more than one place.
+    /// The faces of a region are no disc: there is a hole, or they meet in more than one place.
     NotADisc(FaceId),
     /// All neighbours of the given faces were given too, so there is no outline.
     NoOutline(FaceId),
@@ -68,6 +68,8 @@ pub enum Refusal {
     NoRail(EdgeId),
     /// The direction has no length.
     NoDirection,
+    /// Loops or regions are joined in pairs, and there are this many of them.
+    NotInPairs(usize),
     /// Both half-edges lie on the same boundary loop.
     SameLoop(HalfedgeId, HalfedgeId),
     /// Both faces have this vertex.
@@ -136,7 +138,7 @@ impl fmt::Display for Refusal {
                 write!(f, "no face has both {a} and {b}; choose two corners of one face")
             }
             Self::NotADisc(face) => {
-                write!(f, "{face} and the faces it would be merged with meet in more than one place")
+                write!(f, "{face} and the faces joined to it are no disc: they meet in more than one place")
             }
             Self::NoOutline(face) => {
                 write!(f, "{face} and the other given faces have no outline; leave out some of the piece")
@@ -157,11 +159,17 @@ impl fmt::Display for Refusal {
                 write!(f, "no other edge leads away from {e} to slide along; choose an edge that others meet")
             }
             Self::NoDirection => write!(f, "the direction is too short; give one with a length"),
+            Self::NotInPairs(count) => {
+                write!(
+                    f,
+                    "loops are joined in pairs, and there are {count}; choose an even number, up to 2000"
+                )
+            }
             Self::SameLoop(a, b) => {
                 write!(f, "{a} and {b} are on the same boundary loop; choose one of each of two loops")
             }
             Self::FacesTouch(a, b, v) => {
-                write!(f, "{a} and {b} both have {v}; choose two faces without a common vertex")
+                write!(f, "{a} and {b} both have {v}; choose faces that don't touch")
             }
             Self::StaysJoined(e) => {
                 write!(f, "ripping {e} would leave its sides joined at both ends; rip a longer line of edges")

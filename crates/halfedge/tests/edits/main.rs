@@ -3,6 +3,7 @@
 mod any_edit;
 mod attributes;
 mod bevel;
+mod bridge;
 mod cmu462;
 mod collapse;
 mod dissolve;

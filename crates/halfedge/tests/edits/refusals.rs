@@ -24,6 +24,8 @@ fn reached() -> Vec<Refusal> {
     let mut tube = zoo::cube();
     delete_faces(&mut tube, &[FaceId::new(0), FaceId::new(1)]).unwrap();
     let ends = tube.boundary_loops();
+    let mut twice_holed = zoo::grid(5, 5);
+    delete_faces(&mut twice_holed, &[FaceId::new(6), FaceId::new(18)]).unwrap();
     let mut holed = zoo::complete_torus();
     delete_vertices(&mut holed, &[v(6)]).unwrap();
     let hole = holed.boundary_loops()[0];
@@ -43,7 +45,7 @@ fn reached() -> Vec<Refusal> {
         can_split_edge(&zoo::pillow(), EdgeId::new(0), 0.5, Connect::Triangles),
         can_dissolve_vertex(&triangle, v(0)),
         can_collapse_edge(&cut_coin, he(&cut_coin, 0, 3).edge(), 0.5),
-        can_bridge(&tube, [ends[0], ends[1]]),
+        can_bridge(&tube, &[ends[0], ends[1]], Bands::default()),
         can_merge_vertices(&pieces, &[v(0), v(8)], None),
         can_collapse_edge(&triangle, EdgeId::new(0), 0.5),
         can_flip_edge(&grid, rim),
@@ -59,8 +61,9 @@ fn reached() -> Vec<Refusal> {
         can_slide_edges(&cube, &[(0, 1), (0, 2), (0, 4)].map(|(a, b)| he(&cube, a, b).edge()), 0.5),
         can_slide_edges(&zoo::coin(5), &[EdgeId::new(0)], 0.5),
         can_slide_vertices(&cube, &[v(0)], Vec3::ZERO, 0.5),
-        can_bridge(&frame, [loops[0], frame.next(loops[0])]),
-        can_bridge_faces(&cube, [all[0], all[2]]),
+        can_bridge(&twice_holed, &twice_holed.boundary_loops(), Bands::default()),
+        can_bridge(&frame, &[loops[0], frame.next(loops[0])], Bands::default()),
+        can_bridge_faces(&cube, &[all[0], all[2]], Bands::default()),
         can_rip_edges(&cube, &[EdgeId::new(0)]),
         can_merge_vertices(&cube, &[VertexId::new(0)], None),
         can_flip_orientation(&cube, &all[1..]),
@@ -100,6 +103,7 @@ fn name(refusal: &Refusal) -> &'static str {
         Refusal::Branches(_) => "branches",
         Refusal::NoRail(_) => "no rail",
         Refusal::NoDirection => "no direction",
+        Refusal::NotInPairs(_) => "not in pairs",
         Refusal::SameLoop(..) => "same loop",
         Refusal::FacesTouch(..) => "faces touch",
         Refusal::StaysJoined(_) => "stays joined",
@@ -113,7 +117,7 @@ fn every_reason_occurs_and_is_explained() {
     let mut names: Vec<&str> = reached().iter().map(name).collect();
     names.sort_unstable();
     names.dedup();
-    assert_eq!(names.len(), 31, "{names:?}");
+    assert_eq!(names.len(), 32, "{names:?}");
     for refusal in reached() {
         let words = refusal.to_string();
         assert!(words.len() > 15, "{words}");
@@ -153,8 +157,8 @@ fn elements_that_do_not_exist_are_refused_by_every_edit() {
             can_slide_edges(&mesh, &[e, EdgeId::new(9999)], 0.5),
             can_slide_vertices(&mesh, &[VertexId::new(9999)], Vec3::X, 0.5),
             can_fill_hole(&mesh, EdgeId::new(9999).halfedge()),
-            can_bridge(&mesh, [EdgeId::new(9999).halfedge(); 2]),
-            can_bridge_faces(&mesh, [FaceId::new(9999); 2]),
+            can_bridge(&mesh, &[EdgeId::new(9999).halfedge(); 2], Bands::default()),
+            can_bridge_faces(&mesh, &[FaceId::new(9999); 2], Bands::default()),
             can_merge_vertices(&mesh, &[VertexId::new(9999)], None),
             can_weld_edges(&mesh, [EdgeId::new(9999), e]),
             can_rip_edges(&mesh, &[EdgeId::new(9999)]),

@@ -40,7 +40,8 @@ fn loops_of_any_lengths_are_bridged() {
     for (n, m) in [(4, 4), (3, 8), (9, 4), (5, 6), (30, 30)] {
         let mut mesh = lids(n, m);
         let loops = mesh.boundary_loops();
-        let made = bridge(&mut mesh, [loops[0], loops[1]]).unwrap_or_else(|r| panic!("{n} and {m}: {r}"));
+        let made = bridge(&mut mesh, &[loops[0], loops[1]], Bands::default())
+            .unwrap_or_else(|r| panic!("{n} and {m}: {r}"));
         let steps = n.max(m) as usize;
         assert_eq!(made.faces.len(), steps);
         assert_eq!(counts(&mesh)[2], steps + 2);
@@ -60,7 +61,7 @@ fn loops_of_any_lengths_are_bridged() {
     let mut mesh = zoo::grid(5, 5);
     delete_faces(&mut mesh, &[FaceId::new(12)]).unwrap();
     let loops = mesh.boundary_loops();
-    let made = bridge(&mut mesh, [loops[0], loops[1]]).unwrap();
+    let made = bridge(&mut mesh, &[loops[0], loops[1]], Bands::default()).unwrap();
     assert_eq!(made.faces.len(), 20);
     counts(&mesh);
     assert_eq!((mesh.euler_characteristic(), mesh.boundary_loops().len()), (0, 0));
@@ -77,7 +78,7 @@ fn two_faces_become_a_handle_or_join_two_pieces() {
     let sides = |mesh: &Mesh, f| mesh.face_vertices(f).collect::<Vec<_>>();
     let ends: Vec<_> = sides(&mesh, one).into_iter().chain(sides(&mesh, other)).collect();
     let before = counts(&mesh);
-    let made = bridge_faces(&mut mesh, [one, other]).unwrap();
+    let made = bridge_faces(&mut mesh, &[one, other], Bands::default()).unwrap();
     assert_eq!((made.removed_faces.len(), made.faces.len(), made.edges.len()), (2, 4, 4));
     assert!(made.vertices.is_empty() && made.removed_vertices.is_empty() && made.removed_edges.is_empty());
     assert_eq!(counts(&mesh), [before[0], before[1] + 4, before[2] + 2]);
@@ -87,18 +88,21 @@ fn two_faces_become_a_handle_or_join_two_pieces() {
     // Two single triangles, whose sides are boundary edges, become a prism without lids.
     let mut mesh = lids(3, 3);
     let [one, other] = [FaceId::new(0), FaceId::new(1)];
-    bridge_faces(&mut mesh, [one, other]).unwrap();
+    bridge_faces(&mut mesh, &[one, other], Bands::default()).unwrap();
     assert_eq!(counts(&mesh)[2], 3);
     assert_eq!(mesh.boundary_loops().len(), 2);
 
     let cube = zoo::cube();
     assert_eq!(
-        can_bridge_faces(&cube, [one, one]),
+        can_bridge_faces(&cube, &[one, one], Bands::default()),
         Err(Refusal::GivenTwice(halfedge::Element::Face, one.raw()))
     );
     // Edges already join opposite faces of a cube where the band would.
     let across = cube.faces().find(|&f| sides(&cube, f).iter().all(|v| !sides(&cube, one).contains(v)));
-    assert!(matches!(can_bridge_faces(&cube, [one, across.unwrap()]), Err(Refusal::SideTaken(..))));
+    assert!(matches!(
+        can_bridge_faces(&cube, &[one, across.unwrap()], Bands::default()),
+        Err(Refusal::SideTaken(..))
+    ));
 }
 
 #[test]
@@ -106,16 +110,28 @@ fn bridges_that_fail() {
     // A narrow frame has edges already where the band would.
     let mesh = zoo::frame();
     let loops = mesh.boundary_loops();
-    assert!(matches!(can_bridge(&mesh, [loops[0], loops[1]]), Err(Refusal::SideTaken(..))));
+    assert!(matches!(
+        can_bridge(&mesh, &[loops[0], loops[1]], Bands::default()),
+        Err(Refusal::SideTaken(..))
+    ));
     // So has a tube.
     let mut mesh = zoo::cube();
     delete_faces(&mut mesh, &[FaceId::new(0), FaceId::new(1)]).unwrap();
     let loops = mesh.boundary_loops();
-    assert!(matches!(can_bridge(&mesh, [loops[0], loops[1]]), Err(Refusal::SideTaken(..))));
+    assert!(matches!(
+        can_bridge(&mesh, &[loops[0], loops[1]], Bands::default()),
+        Err(Refusal::SideTaken(..))
+    ));
     let next = mesh.next(loops[0]);
-    assert_eq!(can_bridge(&mesh, [loops[0], next]), Err(Refusal::SameLoop(loops[0], next)));
+    assert_eq!(
+        can_bridge(&mesh, &[loops[0], next], Bands::default()),
+        Err(Refusal::SameLoop(loops[0], next))
+    );
     let inside = loops[0].twin();
-    assert_eq!(can_bridge(&mesh, [loops[0], inside]), Err(Refusal::NotABoundaryHalfedge(inside)));
+    assert_eq!(
+        can_bridge(&mesh, &[loops[0], inside], Bands::default()),
+        Err(Refusal::NotABoundaryHalfedge(inside))
+    );
 }
 
 #[test]

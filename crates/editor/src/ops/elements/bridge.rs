@@ -1,21 +1,35 @@
-//! `bridge`: join two boundary loops, or two faces, with a band of faces.
+//! `bridge`: join boundary loops, or regions of faces, with bands of faces.
 
 use crate::error::Problem;
-use crate::ops::refs::two;
-use crate::ops::{Action, FaceRef, Field, HalfedgeRef, LocalEdit, Operation, SYMMETRY, Scope, Slot, Spec};
+use crate::ops::refs::all;
+use crate::ops::symmetry::Mirroring;
+use crate::ops::{
+    Action, DefaultValue, FaceRef, Field, FieldKind, HalfedgeRef, LocalEdit, Operation, Reflection, SYMMETRY,
+    Scope, Selected, Slot, Spec, Unit,
+};
 use crate::outcome::ElementIds;
 use crate::selection::Selection;
+use halfedge::edit::Bands;
 use halfedge::{Element, Mesh, edit};
 use serde::{Deserialize, Serialize};
 
-/// Join two boundary loops, or two faces, with a band of faces.
+/// The largest twist either way.
+const MAX_TWIST: i32 = 1000;
+
+/// Join boundary loops, or regions of faces, with bands of faces.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Bridge {
-    /// A boundary half-edge of each loop; the two selected ones when left out.
-    pub halfedges: Option<[HalfedgeRef; 2]>,
-    /// Two faces, which the band replaces; the two selected ones when left out.
-    pub faces: Option<[FaceRef; 2]>,
+    /// Boundary half-edges of the loops, two loops or more; the selected ones when left out.
+    pub halfedges: Option<Vec<HalfedgeRef>>,
+    /// Faces, in two regions or more, which the bands replace; the selected ones when left out.
+    pub faces: Option<Vec<FaceRef>>,
+    /// How many loops of edges there are between the two that are joined.
+    #[serde(with = "crate::script::json::whole")]
+    pub cuts: u32,
+    /// By how many vertices the pairing is shifted from the one with the shortest edges.
+    #[serde(with = "crate::script::json::shift")]
+    pub twist: i32,
 }
 
 impl Operation for Bridge {
@@ -23,17 +37,60 @@ impl Operation for Bridge {
         Scope::Elements,
         "bridge",
         "Bridge",
-        "Join two boundary loops, or two faces that it replaces, with a band of faces.",
+        "Join two boundary loops, or two faces or regions that it replaces, with a band of faces; of more than two, those \
+         that are closest to each other.",
     )
-    .synonyms(&["bridge edge loops", "bridge faces", "handle"])
+    .synonyms(&["bridge edge loops", "bridge faces", "handle", "loft"])
     .fields(&[
-        Field::two("halfedges", Element::Halfedge, "A boundary half-edge of each loop"),
-        Field::two("faces", Element::Face, "Two faces to replace"),
+        Field::many(
+            "halfedges",
+            Element::Halfedge,
+            Selected::All,
+            "Boundary half-edges, one or more of each loop",
+        ),
+        Field::many("faces", Element::Face, Selected::All, "Faces to replace, in two regions or more"),
+        Field::count("cuts", [0, 1000], "How many loops of edges to add between the two")
+            .or(DefaultValue::Integer(0)),
+        Field::required(
+            "twist",
+            FieldKind::Integer {
+                unit: Unit::Count,
+                min: -(MAX_TWIST as i64),
+                max: MAX_TWIST as i64,
+            },
+            "By how many vertices to turn one loop against the other",
+        )
+        .or(DefaultValue::Integer(0)),
         SYMMETRY,
     ]);
 
     fn elements(&mut self) -> Vec<Slot<'_>> {
-        vec![Slot::TwoHalfedges(&mut self.halfedges), Slot::TwoFaces(&mut self.faces)]
+        vec![Slot::Halfedges(&mut self.halfedges), Slot::Faces(&mut self.faces)]
+    }
+
+    fn from_selection(mut ops: Vec<Self>, mesh: &Mesh) -> Result<Vec<Self>, Problem> {
+        for op in &mut ops {
+            let given = all(&op.halfedges, "halfedges", mesh)?;
+            if given.is_empty() {
+                continue;
+            }
+            // Of a selection that reaches into the surface, the loops beside it are joined.
+            let on_boundary: Vec<HalfedgeRef> =
+                given.iter().filter(|&&h| mesh.is_boundary_halfedge(h)).map(|&h| h.into()).collect();
+            if on_boundary.is_empty() {
+                return Err(Problem::new("no selected edge is on a boundary")
+                    .advise("Select edges of two boundary loops, or the faces to replace."));
+            }
+            op.halfedges = Some(on_boundary);
+        }
+        Ok(ops)
+    }
+
+    const MIRRORING: Mirroring = Mirroring::Apart;
+
+    fn reflect(&mut self, reflection: Reflection) {
+        // Loops of a mirror image run the other way round; what is its own image has no twist.
+        self.twist = if reflection.is_own { 0 } else { -self.twist };
     }
 
     fn action(&self) -> Action<'_> {
@@ -45,27 +102,37 @@ impl Bridge {
     /// Whether it acts on faces; a refusal if it names both faces and half-edges.
     fn is_of_faces(&self) -> Result<bool, Problem> {
         match (&self.halfedges, &self.faces) {
-            (Some(_), Some(_)) => Err(Problem::new("give either two half-edges or two faces, not both")),
+            (Some(_), Some(_)) => Err(Problem::new("give either half-edges or faces, not both")),
             (_, faces) => Ok(faces.is_some()),
         }
+    }
+
+    fn bands(&self) -> Result<Bands, Problem> {
+        if self.twist.abs() > MAX_TWIST {
+            let problem = format!("is {}, but must be from -{MAX_TWIST} to {MAX_TWIST}", self.twist);
+            return Err(Problem::field("twist", problem));
+        }
+        Ok(Bands { twist: self.twist, cuts: self.cuts })
     }
 }
 
 impl LocalEdit for Bridge {
     fn can(&self, mesh: &Mesh) -> Result<(), Problem> {
+        let bands = self.bands()?;
         if self.is_of_faces()? {
-            edit::can_bridge_faces(mesh, two(self.faces, "faces", mesh)?)?;
+            edit::can_bridge_faces(mesh, &all(&self.faces, "faces", mesh)?, bands)?;
         } else {
-            edit::can_bridge(mesh, two(self.halfedges, "halfedges", mesh)?)?;
+            edit::can_bridge(mesh, &all(&self.halfedges, "halfedges", mesh)?, bands)?;
         }
         Ok(())
     }
 
     fn edit(&self, mesh: &mut Mesh, _notes: &mut Vec<String>) -> Result<(), Problem> {
+        let bands = self.bands()?;
         if self.is_of_faces()? {
-            edit::bridge_faces(mesh, two(self.faces, "faces", mesh)?)?;
+            edit::bridge_faces(mesh, &all(&self.faces, "faces", mesh)?, bands)?;
         } else {
-            edit::bridge(mesh, two(self.halfedges, "halfedges", mesh)?)?;
+            edit::bridge(mesh, &all(&self.halfedges, "halfedges", mesh)?, bands)?;
         }
         Ok(())
     }
@@ -75,11 +142,18 @@ impl LocalEdit for Bridge {
     }
 
     fn cost(&self, mesh: &Mesh) -> usize {
-        // Each half-edge of either loop gets at most one face.
-        let loops = match two(self.faces, "faces", mesh) {
-            Ok(faces) => Ok(faces.map(|face| mesh.halfedge_of(face))),
-            Err(_) => two(self.halfedges, "halfedges", mesh),
-        };
-        loops.map_or(0, |loops| loops.into_iter().map(|h| mesh.loop_of(h).count()).sum())
+        // Each half-edge of a loop gets at most one face and one for each cut. The half-edges of one loop are often all given.
+        let mut seen = std::collections::HashSet::new();
+        let mut count = 0_usize;
+        for h in all(&self.halfedges, "halfedges", mesh).unwrap_or_default() {
+            if !seen.contains(&h) {
+                let before = seen.len();
+                seen.extend(mesh.loop_of(h));
+                count += seen.len() - before;
+            }
+        }
+        let faces = all(&self.faces, "faces", mesh).unwrap_or_default();
+        count += faces.into_iter().map(|face| mesh.face_degree(face)).sum::<usize>();
+        count.saturating_mul(self.cuts as usize + 1)
     }
 }

@@ -4,7 +4,8 @@ use super::{Elements, Kind, Said, Tried, check_and_edit, unchanged};
 use crate::random::Random;
 use glam::Vec3;
 use halfedge::edit::*;
-use halfedge::{EdgeId, FaceId, Mesh, VertexId};
+use halfedge::{EdgeId, FaceId, HalfedgeId, Mesh, VertexId};
+use std::collections::BTreeSet;
 
 /// A few of the elements, many or all.
 fn some<T: Copy>(random: &mut Random, from: &[T]) -> Vec<T> {
@@ -111,23 +112,29 @@ pub(super) fn edit_many(mesh: &mut Mesh, random: &mut Random, kind: Kind, all: &
                 |made| Said { euler: Some(1), loops: Some(-1), ..Said::made(made) },
             )
         }
-        Kind::Bridge if random.below(2) == 0 => {
-            let faces = [0, 0].map(|_| random.pick(&all.faces).unwrap_or(FaceId::new(0)));
-            check_and_edit(
-                mesh,
-                |m| can_bridge_faces(m, faces),
-                |m| bridge_faces(m, faces),
-                |made| Said { euler: Some(-2), loops: Some(0), ..Said::made(made) },
-            )
-        }
         Kind::Bridge => {
-            let sides = [random.pick(&loops), random.pick(&loops)].map(|h| h.unwrap_or(edge.halfedge()));
-            check_and_edit(
-                mesh,
-                |m| can_bridge(m, sides),
-                |m| bridge(m, sides),
-                |made| Said { euler: Some(0), loops: Some(-2), ..Said::made(made) },
-            )
+            let bands = Bands { twist: random.below(9) as i32 - 4, cuts: random.below(3) as u32 };
+            // Often more loops or regions than two.
+            let count = 2 + 2 * random.below(2);
+            if random.below(2) == 0 {
+                let faces: Vec<FaceId> = (0..count).filter_map(|_| random.pick(&all.faces)).collect();
+                check_and_edit(
+                    mesh,
+                    |m| can_bridge_faces(m, &faces, bands),
+                    |m| bridge_faces(m, &faces, bands),
+                    |made| Said { loops: Some(0), ..Said::made(made) },
+                )
+            } else {
+                let pick = |_| random.pick(&loops).unwrap_or(edge.halfedge());
+                let sides: Vec<HalfedgeId> = (0..count).map(pick).collect();
+                let joined: BTreeSet<HalfedgeId> = sides.iter().copied().collect();
+                check_and_edit(
+                    mesh,
+                    |m| can_bridge(m, &sides, bands),
+                    |m| bridge(m, &sides, bands),
+                    |made| Said { euler: Some(0), loops: Some(-(joined.len() as i64)), ..Said::made(made) },
+                )
+            }
         }
         Kind::MergeVertices => {
             let vertices: Vec<VertexId> = if random.below(2) == 0 {
