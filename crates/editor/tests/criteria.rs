@@ -235,7 +235,7 @@ fn edits_keep_what_is_hidden_where_ids_stay() {
     assert!(!hidden(&editor).contains(&4));
     editor.undo().expect("free");
     assert_eq!(hidden(&editor), poked);
-    let outcome = run(&mut editor, json!({"op": "subdivide-linear"}));
+    let outcome = run(&mut editor, json!({"op": "remesh", "edge_length": 0.5}));
     assert!(hidden(&editor).is_empty(), "the faces have new ids");
     let count = poked.len();
     let of = if count == 1 { "face of" } else { "faces of" };
@@ -291,7 +291,7 @@ fn named_selections_live_with_the_document() {
     assert_eq!(named(&editor), json!([{"name": "Walls", "kind": "face", "count": 2}]));
     editor.undo().expect("free");
     assert_eq!(named(&editor).as_array().map(Vec::len), Some(2));
-    let outcome = run(&mut editor, json!({"op": "subdivide-linear"}));
+    let outcome = run(&mut editor, json!({"op": "remesh", "edge_length": 0.5}));
     assert_eq!(named(&editor), Value::Null);
     assert_eq!(
         outcome.warnings,

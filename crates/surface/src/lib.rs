@@ -40,8 +40,8 @@ pub use simplify::{Simplified, Simplify, SimplifyTarget, simplify};
 pub use smooth::{MAX_SMOOTH_ITERATIONS, Smooth, SmoothMethod, smooth};
 pub use soft_selection::soft_selection;
 pub use subdivide::{
-    BoundaryRule, CatmullClark, Linear, Loop, LoopWeights, MAX_SUBDIVIDED_FACES, VertexRule,
-    quad_split_faces, subdivide_catmull_clark, subdivide_linear, subdivide_loop,
+    BoundaryRule, CatmullClark, Linear, Loop, LoopWeights, MAX_SUBDIVIDED_FACES, Split, VertexRule,
+    compact_ids, descendants, quad_split_faces, subdivide_catmull_clark, subdivide_linear, subdivide_loop,
 };
 
 use halfedge::Mesh;

@@ -77,10 +77,19 @@ impl Editor {
             }
         };
         let keeps_ids = created.ids.is_some();
+        let followed = if gone.is_none() { self.follow_ids(op, objects) } else { None };
         let mut changes = self.changes_for(commit, objects, at, outputs)?;
         let mut notes = notes;
-        if gone.is_none() && matches!(commit, Commit::Replace | Commit::Join) {
-            changes.extend(self.forget_ids(objects, &mut notes));
+        let mut selection = Selection::new(self.selection.kind());
+        match followed {
+            Some((kept, followed)) => {
+                selection = kept;
+                changes.extend(followed);
+            }
+            None if gone.is_none() && matches!(commit, Commit::Replace | Commit::Join) => {
+                changes.extend(self.forget_ids(objects, &mut notes));
+            }
+            None => {}
         }
         let mut back = self.apply(changes);
         if let (Some(gone), Some(&id)) = (gone, objects.first()) {
@@ -90,7 +99,7 @@ impl Editor {
         if keeps_ids {
             self.drop_gone_from_selection();
         } else {
-            self.selection = Arc::new(Selection::new(self.selection.kind()));
+            self.selection = Arc::new(selection);
             self.changes.selection = true;
         }
         let outcome = Self::outcome(std::slice::from_ref(op), created, removed);

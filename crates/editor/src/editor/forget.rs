@@ -1,9 +1,11 @@
-//! Hidden faces and named selections lose the elements that operations remove or renumber.
+//! Hidden faces and named selections follow the elements that operations renumber, and lose those that they remove.
 
 use super::Editor;
 use crate::document::{NamedSelection, ObjectId};
 use crate::history::Change;
+use crate::ops::{Action, Op};
 use crate::outcome::ElementIds;
+use crate::selection::Selection;
 use halfedge::Element;
 use halfedge::words::counted;
 use std::sync::Arc;
@@ -41,6 +43,32 @@ impl Editor {
             changes.push(Change::NamedSelections(id, Arc::new(named)));
         }
         self.apply(changes)
+    }
+
+    /// The selection, and the changes of what is hidden and named, that go with an operation on an object whose elements get
+    /// new ids; none where its result is made anew.
+    pub(super) fn follow_ids(&self, op: &Op, objects: &[ObjectId]) -> Option<(Selection, Vec<Change>)> {
+        let (Action::WholeMesh(whole), [id]) = (op.action(), objects) else { return None };
+        let object = self.document.object(*id)?;
+        let followed = |selection: &Selection| {
+            let kind = selection.kind();
+            Some(Selection::of_set(kind, whole.follow(object.mesh(), kind, selection.set())?, None))
+        };
+        let is_active = self.document.active().is_some_and(|active| active.id() == *id);
+        let selection = if is_active { followed(&self.selection)? } else { (*self.selection).clone() };
+        let mut changes = Vec::new();
+        if !object.hidden().is_empty() {
+            let hidden = whole.follow(object.mesh(), Element::Face, object.hidden())?;
+            changes.push(Change::Hidden(*id, Arc::new(hidden)));
+        }
+        if !object.named_selections().is_empty() {
+            let mut named = object.named_selections().to_vec();
+            for NamedSelection { selection, .. } in &mut named {
+                *selection = followed(selection)?;
+            }
+            changes.push(Change::NamedSelections(*id, Arc::new(named)));
+        }
+        Some((selection, changes))
     }
 
     /// The changes that show what is hidden of objects whose elements get new ids, and drop their named selections.

@@ -2,7 +2,7 @@
 
 use super::facts::{Estimate, Facts};
 use super::symmetry::{Mirror, Mirroring, Reflection, edit_symmetric};
-use super::{Op, SelectMode, Slot, Spec, Target};
+use super::{FaceRef, Op, SelectMode, Slot, Spec, Target};
 use crate::bezier::Bezier;
 use crate::document::{Document, Object, ObjectId};
 use crate::error::Problem;
@@ -10,7 +10,9 @@ use crate::history::Change;
 use crate::outcome::ElementIds;
 use crate::selection::Selection;
 use formats::NamedMesh;
-use halfedge::{EdgeId, Mesh, Progress, VertexId};
+use halfedge::geometry::BitSet;
+use halfedge::{EdgeId, Element, FaceId, HalfedgeId, Mesh, Progress, VertexId};
+use std::collections::BTreeSet;
 use surface::MirrorImages;
 use surface::selecting::Finding;
 
@@ -123,6 +125,20 @@ pub(crate) fn edges_between_created(mesh: &Mesh, created: &ElementIds) -> Vec<Ed
     edges.filter(|&edge| mesh.ends(edge).into_iter().all(is_new)).collect()
 }
 
+/// Faces that were cut, with the pieces of them that were created: a cut is a created edge.
+pub(crate) fn with_pieces(mesh: &Mesh, faces: &[FaceRef], created: &ElementIds) -> Selection {
+    let mut pieces: Vec<FaceId> = faces.iter().filter_map(|face| mesh.face(face.0)).collect();
+    let mut found: BTreeSet<FaceId> = pieces.iter().copied().collect();
+    let mut at = 0;
+    while let Some(&face) = pieces.get(at) {
+        let is_cut = |h: &HalfedgeId| created.edges.binary_search(&h.edge().raw()).is_ok();
+        let beside = mesh.face_halfedges(face).filter(is_cut).filter_map(|h| mesh.face_of(h.twin()));
+        pieces.extend(beside.filter(|other| found.insert(*other)));
+        at += 1;
+    }
+    Selection::of(Element::Face, found.into_iter().map(FaceId::raw))
+}
+
 /// Refuses to edit the mesh that shows a Bezier object: moving a control point would replace it.
 pub(crate) fn refuse_bezier(name: &str, bezier: Option<&Bezier>) -> Result<(), Problem> {
     match bezier {
@@ -181,6 +197,12 @@ pub(crate) trait WholeMesh {
         notes: &mut Vec<String>,
         progress: &mut Progress<'_>,
     ) -> Result<Vec<NamedMesh>, Problem>;
+
+    /// The elements of the result that a set of elements of one kind became; none where the result is made anew.
+    fn follow(&self, mesh: &Mesh, element: Element, set: &BitSet) -> Option<BitSet> {
+        let _ = (mesh, element, set);
+        None
+    }
 
     /// The size of the result; none where it is not worth showing.
     fn result(&self, facts: &Facts) -> Option<Estimate> {

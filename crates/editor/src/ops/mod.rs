@@ -26,7 +26,7 @@ mod wording;
 
 pub(crate) use action::{
     Action, Commit, DocumentEdit, LocalEdit, Operation, Place, SelectEdit, WholeMesh, edges_between_created,
-    edit_local, refuse_bezier,
+    edit_local, refuse_bezier, with_pieces,
 };
 pub use bezier::*;
 pub use choice::Choice;

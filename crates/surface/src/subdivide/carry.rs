@@ -49,8 +49,10 @@ impl Blend for u32 {
 
 /// How faces are split, which determines the children's ids.
 #[derive(Clone, Copy, PartialEq, Eq)]
-pub(super) enum Split {
+pub enum Split {
+    /// Each corner of a face becomes a quad.
     Quads,
+    /// Each triangle becomes four.
     Triangles,
 }
 

@@ -6,6 +6,7 @@
 
 mod carry;
 mod catmull_clark;
+mod descendants;
 mod halves;
 mod linear;
 mod loops;
@@ -13,7 +14,9 @@ mod quads;
 mod sharpness;
 mod triangles;
 
+pub use carry::Split;
 pub use catmull_clark::{CatmullClark, VertexRule, subdivide_catmull_clark};
+pub use descendants::{compact_ids, descendants};
 pub use linear::{Linear, subdivide_linear};
 pub use loops::{Loop, LoopWeights, subdivide_loop};
 

@@ -2,7 +2,10 @@
 
 use crate::error::Problem;
 use crate::ops::refs::{all, corner_count};
+use crate::ops::with_pieces;
 use crate::ops::{Action, FaceRef, Field, LocalEdit, Operation, SYMMETRY, Scope, Selected, Slot, Spec};
+use crate::outcome::ElementIds;
+use crate::selection::Selection;
 use halfedge::{Element, Mesh, edit};
 use serde::{Deserialize, Serialize};
 
@@ -40,6 +43,10 @@ impl LocalEdit for PokeFaces {
     fn edit(&self, mesh: &mut Mesh, _notes: &mut Vec<String>) -> Result<(), Problem> {
         edit::poke_faces(mesh, &all(&self.faces, "faces", mesh)?)?;
         Ok(())
+    }
+
+    fn selects(&self, mesh: &Mesh, created: &ElementIds) -> Option<Selection> {
+        Some(with_pieces(mesh, self.faces.as_ref()?, created))
     }
 
     fn cost(&self, mesh: &Mesh) -> usize {

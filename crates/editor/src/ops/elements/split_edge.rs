@@ -7,7 +7,9 @@ use crate::ops::{
     Action, DefaultValue, Drag, EdgeRef, Field, LocalEdit, Operation, Reflection, SYMMETRY, Scope, Selected,
     Slot, Spec, Unit,
 };
-use halfedge::{Element, Mesh, edit};
+use crate::outcome::ElementIds;
+use crate::selection::Selection;
+use halfedge::{EdgeId, Element, Mesh, edit};
 use serde::{Deserialize, Serialize};
 
 /// Add a vertex to an edge and cut the faces beside it.
@@ -87,6 +89,18 @@ impl LocalEdit for SplitEdge {
         let (edge, t) = given(self.edge, "edge")?.find_along(self.t, mesh, "edge")?;
         edit::split_edge(mesh, edge, t, self.connect.into()).map_err(given_t(self.t))?;
         Ok(())
+    }
+
+    fn selects(&self, mesh: &Mesh, created: &ElementIds) -> Option<Selection> {
+        // Both halves. At a new vertex, the half that keeps the edge's id is the only old edge, and of the new ones, which
+        // are numbered in the order in which they are made, the other half comes first.
+        let is_new = |edge: &EdgeId| created.edges.binary_search(&edge.raw()).is_ok();
+        let halves = created.vertices.iter().filter_map(|&id| mesh.vertex(id)).flat_map(|v| {
+            let (new, mut halves): (Vec<_>, Vec<_>) = mesh.vertex_edges(v).partition(is_new);
+            halves.extend(new.into_iter().min());
+            halves
+        });
+        Some(Selection::of(Element::Edge, halves.map(EdgeId::raw)))
     }
 
     fn cost(&self, _mesh: &Mesh) -> usize {

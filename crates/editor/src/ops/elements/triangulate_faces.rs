@@ -3,9 +3,12 @@
 use crate::error::Problem;
 use crate::ops::choice::choice;
 use crate::ops::refs::{corner_count, faces_or_every};
+use crate::ops::with_pieces;
 use crate::ops::{
     Action, FaceRef, Field, LocalEdit, Mirror, Operation, SYMMETRY, Scope, Selected, Slot, Spec,
 };
+use crate::outcome::ElementIds;
+use crate::selection::Selection;
 use halfedge::edit::Triangulation;
 use halfedge::geometry::{BitSet, mean_position};
 use halfedge::{Element, FaceId, Mesh, Refusal, edit};
@@ -131,6 +134,10 @@ impl LocalEdit for TriangulateFaces {
                 .all(is_triangle)
                 .then_some("The selected faces are triangles already."),
         }
+    }
+
+    fn selects(&self, mesh: &Mesh, created: &ElementIds) -> Option<Selection> {
+        Some(with_pieces(mesh, self.faces.as_ref()?, created))
     }
 
     fn cost(&self, mesh: &Mesh) -> usize {

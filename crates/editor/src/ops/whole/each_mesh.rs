@@ -2,7 +2,8 @@
 
 use crate::error::Problem;
 use crate::ops::{Estimate, Facts, NamedMesh, WholeMesh, refuse_bezier};
-use halfedge::{Mesh, Progress};
+use halfedge::geometry::BitSet;
+use halfedge::{Element, Mesh, Progress};
 use std::ops::ControlFlow;
 
 /// An operation that replaces each mesh by one other: the frame around an algorithm.
@@ -30,6 +31,12 @@ pub(super) trait EachMesh {
         notes: &mut Vec<String>,
         progress: &mut Progress<'_>,
     ) -> Result<Mesh, Problem>;
+
+    /// The elements of the result that a set of elements of one kind became; none where the result is made anew.
+    fn follow(&self, mesh: &Mesh, element: Element, set: &BitSet) -> Option<BitSet> {
+        let _ = (mesh, element, set);
+        None
+    }
 
     /// How large the result is.
     fn result(&self, facts: &Facts) -> Option<Estimate>;
@@ -72,6 +79,10 @@ impl<T: EachMesh> WholeMesh for T {
             outputs.push(NamedMesh::new("", made));
         }
         Ok(outputs)
+    }
+
+    fn follow(&self, mesh: &Mesh, element: Element, set: &BitSet) -> Option<BitSet> {
+        EachMesh::follow(self, mesh, element, set)
     }
 
     fn result(&self, facts: &Facts) -> Option<Estimate> {

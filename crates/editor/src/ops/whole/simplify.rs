@@ -63,7 +63,7 @@ impl Operation for Simplify {
             .suggest(Suggestion::Number(0.5)),
         Field::required(
             "faces",
-            FieldKind::Integer { unit: Unit::Triangles, min: 1, max: u32::MAX },
+            FieldKind::Integer { unit: Unit::Triangles, min: 1, max: u32::MAX as i64 },
             "The number of triangles to keep",
         )
         .alternative(TITLE)

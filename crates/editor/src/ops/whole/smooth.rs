@@ -7,7 +7,8 @@ use crate::ops::{
     Action, Amount, Counted, DefaultValue, Estimate, Facts, Field, Operation, Scope, Spec, Unit,
 };
 use crate::script::json::shortest;
-use halfedge::{Mesh, Progress};
+use halfedge::geometry::BitSet;
+use halfedge::{Element, Mesh, Progress};
 use serde::{Deserialize, Serialize};
 use surface::MAX_SMOOTH_ITERATIONS;
 
@@ -94,6 +95,10 @@ impl EachMesh for Smooth {
             },
         };
         Ok(surface::smooth(mesh, &options, progress)?)
+    }
+
+    fn follow(&self, mesh: &Mesh, element: Element, set: &BitSet) -> Option<BitSet> {
+        Some(surface::compact_ids(mesh, element, set))
     }
 
     fn result(&self, facts: &Facts) -> Option<Estimate> {

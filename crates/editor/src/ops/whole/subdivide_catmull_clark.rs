@@ -6,7 +6,8 @@ use crate::error::Problem;
 use crate::ops::choice::choice;
 use crate::ops::facts::corners_at_most;
 use crate::ops::{Action, Estimate, Facts, Operation, Scope, Spec};
-use halfedge::{Mesh, Progress};
+use halfedge::geometry::BitSet;
+use halfedge::{Element, Mesh, Progress};
 use serde::{Deserialize, Serialize};
 
 /// Subdivide any polygons into quads that approach a smooth surface (Catmull & Clark 1978).
@@ -78,6 +79,10 @@ impl EachMesh for SubdivideCatmullClark {
             },
         };
         surface::subdivide_catmull_clark(mesh, &options, progress).map_err(subdivide::refused)
+    }
+
+    fn follow(&self, mesh: &Mesh, element: Element, set: &BitSet) -> Option<BitSet> {
+        Some(surface::descendants(mesh, surface::Split::Quads, self.levels, element, set))
     }
 
     fn result(&self, facts: &Facts) -> Option<Estimate> {

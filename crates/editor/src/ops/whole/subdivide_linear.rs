@@ -5,7 +5,8 @@ use super::subdivide;
 use crate::error::Problem;
 use crate::ops::facts::corners_at_most;
 use crate::ops::{Action, Estimate, Facts, Operation, Scope, Spec};
-use halfedge::{Mesh, Progress};
+use halfedge::geometry::BitSet;
+use halfedge::{Element, Mesh, Progress};
 use serde::{Deserialize, Serialize};
 
 /// Cut polygons into quads as Catmull-Clark does, leaving the surface where it is.
@@ -52,6 +53,10 @@ impl EachMesh for SubdivideLinear {
     ) -> Result<Mesh, Problem> {
         let options = surface::Linear { levels: self.levels };
         surface::subdivide_linear(mesh, &options, progress).map_err(subdivide::refused)
+    }
+
+    fn follow(&self, mesh: &Mesh, element: Element, set: &BitSet) -> Option<BitSet> {
+        Some(surface::descendants(mesh, surface::Split::Quads, self.levels, element, set))
     }
 
     fn result(&self, facts: &Facts) -> Option<Estimate> {

@@ -5,7 +5,8 @@ use super::subdivide::{self, Boundary};
 use crate::error::Problem;
 use crate::ops::choice::choice;
 use crate::ops::{Action, Estimate, Facts, Operation, Scope, Spec};
-use halfedge::{Mesh, Progress};
+use halfedge::geometry::BitSet;
+use halfedge::{Element, Mesh, Progress};
 use serde::{Deserialize, Serialize};
 use surface::SurfaceError;
 
@@ -90,6 +91,10 @@ impl EachMesh for SubdivideLoop {
             },
         };
         surface::subdivide_loop(mesh, &options, progress).map_err(subdivide::refused)
+    }
+
+    fn follow(&self, mesh: &Mesh, element: Element, set: &BitSet) -> Option<BitSet> {
+        Some(surface::descendants(mesh, surface::Split::Triangles, self.levels, element, set))
     }
 
     fn result(&self, facts: &Facts) -> Option<Estimate> {
