@@ -642,6 +642,17 @@ export interface SelectIsolated {
   mode?: "replace" | "extend" | "toggle" | "remove" | "intersect";
 }
 
+/** Select what belongs to any connected component but the one with the most faces. */
+export interface SelectSmallerComponents {
+  op: "select-smaller-components";
+  /** The place of the object in the document's list; default: the active object. */
+  object?: number;
+  /** The kind of elements to select: one of `"vertex"`, `"edge"`, `"halfedge"`, `"face"`; default: the kind of the selection. */
+  kind?: "vertex" | "edge" | "halfedge" | "face";
+  /** How what is found changes the selection: one of `"replace"`, `"extend"`, `"toggle"`, `"remove"`, `"intersect"`; default: replace. */
+  mode?: "replace" | "extend" | "toggle" | "remove" | "intersect";
+}
+
 /** Select faces that face the same way as the one selected last, or a direction. */
 export interface SelectFacing {
   op: "select-facing";
@@ -950,6 +961,7 @@ export type Command =
   | SelectNonPlanar
   | SelectDegenerate
   | SelectIsolated
+  | SelectSmallerComponents
   | SelectFacing
   | SelectSimilar
   | SelectNamed

@@ -46,6 +46,7 @@ fn criteria_select_what_they_say() {
         (json!({"op": "select-degenerate"}), Element::Face, 0),
         (json!({"op": "select-degenerate", "kind": "edge", "at_most": 2}), Element::Edge, 12),
         (json!({"op": "select-isolated"}), Element::Vertex, 0),
+        (json!({"op": "select-smaller-components", "kind": "face"}), Element::Face, 0),
         (json!({"op": "select-facing", "direction": [0, 0, 1], "angle": 10}), Element::Face, 1),
         (json!({"op": "select-elements", "edges": [[0, 1], 7]}), Element::Edge, 2),
         (json!({"op": "select-all", "kind": "face"}), Element::Face, 5),
@@ -101,6 +102,20 @@ fn similar_elements_are_like_the_latest() {
     editor.select(Element::Edge, [1], SelectMode::Replace).expect("there");
     let edges = refusal(&mut editor, json!({"op": "select-similar"}));
     assert_eq!(edges, "Select a face or a vertex first: edges have no corners.");
+}
+
+#[test]
+fn all_but_the_largest_component_are_selected() {
+    let mut editor = on_cube();
+    run(&mut editor, json!({"op": "new", "shape": "tetrahedron", "add": true}));
+    run(&mut editor, json!({"op": "new", "shape": "grid", "columns": 2, "rows": 1, "add": true}));
+    run(&mut editor, json!({"op": "join-objects"}));
+    for (kind, count) in [("vertex", 4 + 6), ("edge", 6 + 7), ("halfedge", 2 * (6 + 7)), ("face", 4 + 2)] {
+        run(&mut editor, json!({"op": "select-smaller-components", "kind": kind}));
+        assert_eq!(ids(&editor).len(), count, "{kind}");
+    }
+    run(&mut editor, json!({"op": "delete-faces"}));
+    assert_eq!(sizes(&editor), [8, 12, 6], "the cube is left");
 }
 
 #[test]

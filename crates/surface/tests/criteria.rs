@@ -5,7 +5,7 @@ mod common;
 use common::*;
 use glam::{DVec3, Vec3};
 use halfedge::geometry::BitSet;
-use halfedge::{Budget, Color, Element, FaceId, InParts, Mesh, PolygonSoup, VertexId, keys};
+use halfedge::{Budget, Color, EdgeId, Element, FaceId, HalfedgeId, InParts, Mesh, PolygonSoup, VertexId, keys};
 use proptest::prelude::*;
 use std::sync::Arc;
 use surface::selecting::*;
@@ -161,7 +161,7 @@ proptest! {
         chosen in prop::collection::vec(0_u32..90, 0..20),
         hide in prop::collection::vec(0_u32..40, 0..8),
         [from, to] in prop::array::uniform2(0..4_usize),
-        which in 0..10_usize,
+        which in 0..11_usize,
         part in 1..40_usize,
     ) {
         let [from, to] = [from, to].map(|at| Element::ALL[at]);
@@ -177,6 +177,7 @@ proptest! {
             6 => Finding::outside(from, set),
             7 => Finding::by(from, Criterion::Boundary),
             8 => Finding::known(from, set),
+            9 => Finding::smaller_components(from),
             _ => Finding::by(from, Criterion::Count { is: Comparison::More, than: 3 }),
         };
         let kind = finding.kind();
@@ -205,6 +206,30 @@ proptest! {
         };
         let expected: BitSet = all.iter().filter(|&id| !hidden_by_hand(id)).collect();
         prop_assert_eq!(visible, expected);
+    }
+
+    #[test]
+    fn smaller_components_are_all_but_the_one_with_the_most_faces(mesh in any_mesh(), more in any_mesh()) {
+        let mesh = join_meshes([&mesh, &more]).expect("small");
+        let (numbers, count) = mesh.components();
+        let piece = |f: FaceId| numbers[mesh.from(mesh.halfedge_of(f)).index()] as usize;
+        let size = |number: &usize| {
+            let faces = mesh.faces().filter(|&f| piece(f) == *number).count();
+            let vertices = mesh.vertices().filter(|v| numbers[v.index()] as usize == *number).count();
+            (faces, vertices, std::cmp::Reverse(*number))
+        };
+        let largest = (0..count).max_by_key(size);
+        for kind in Element::ALL {
+            let of = |id: usize| match kind {
+                Element::Vertex => numbers[id] as usize,
+                Element::Edge => numbers[mesh.ends(EdgeId::new(id))[0].index()] as usize,
+                Element::Halfedge => numbers[mesh.from(HalfedgeId::new(id)).index()] as usize,
+                Element::Face => piece(FaceId::new(id)),
+            };
+            let all = (0..mesh.capacity(kind)).filter(|&id| mesh.exists(kind, id as u32));
+            let expected: BitSet = all.filter(|&id| Some(of(id)) != largest).collect();
+            prop_assert_eq!(Finding::smaller_components(kind).finish(&mesh), expected);
+        }
     }
 
     #[test]

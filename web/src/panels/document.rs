@@ -1,7 +1,7 @@
 //! The document's panel, shown while nothing is selected: how large the active object is, what it is made of, and
 //! whether it is closed.
 
-use editor::ops::{Kind, SelectBoundary, SelectIsolated};
+use editor::ops::{Kind, SelectBoundary, SelectIsolated, SelectSmallerComponents};
 use editor::{Object, SelectMode};
 use egui::text::{LayoutJob, TextWrapping};
 use egui::{
@@ -152,8 +152,18 @@ fn shape(ui: &mut Ui, page: &Page<'_>, mesh: &Mesh, found: Option<Topology>, out
         fact(ui, "Boundary loops", &loops, meaning);
     }
     let components = number(found.map(|found| found.components));
-    fact(ui, "Components", &components, "The pieces that no edge joins");
     let isolated = page.survey.sizes().map_or(0, |sizes| sizes.isolated_vertices);
+    let meaning = "The pieces that no edge joins";
+    let pieces = found.map_or(0, |found| found.components);
+    if pieces > 1 {
+        // Points are pieces too.
+        let kind = if pieces > isolated + 1 { Kind::Face } else { Kind::Vertex };
+        if link(ui, "Components", &components, &format!("{meaning}. Click to select all but the largest")) {
+            out.run(SelectSmallerComponents { kind: Some(kind), mode: SelectMode::Replace });
+        }
+    } else {
+        fact(ui, "Components", &components, meaning);
+    }
     if isolated > 0 {
         let meaning = "Vertices without an edge. Click to select them";
         if link(ui, "Isolated vertices", &thousands(isolated), meaning) {

@@ -218,3 +218,23 @@ fn what_is_counted_is_a_click_away() {
     let (kind, ids) = page.selected();
     assert_eq!((kind, ids.len()), (Element::Edge, 4));
 }
+
+#[test]
+fn a_click_on_the_components_selects_the_small_pieces() {
+    let mut page = Page::new();
+    let components = |page: &Page, text: &str| {
+        page.harness.query_by_role_and_label(egui::accesskit::Role::Link, text).is_some()
+    };
+    assert!(!components(&page, "Components: 1"), "nothing to select");
+    page.command(json!({ "op": "new", "shape": "tetrahedron", "add": true }));
+    page.command(json!({ "op": "join-objects" }));
+    page.run();
+    assert!(components(&page, "Components: 2"));
+    page.harness.get_by_role_and_label(egui::accesskit::Role::Link, "Components: 2").click();
+    page.run();
+    let (kind, ids) = page.selected();
+    assert_eq!((kind, ids.len()), (Element::Face, 4));
+    page.press(egui::Key::Delete);
+    page.run();
+    assert_eq!(page.mesh().face_count(), 6, "the cube is left");
+}

@@ -211,6 +211,7 @@ operations! {
     SelectNonPlanar,
     SelectDegenerate,
     SelectIsolated,
+    SelectSmallerComponents,
     SelectFacing,
     SelectSimilar,
     SelectNamed,

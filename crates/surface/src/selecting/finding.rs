@@ -1,6 +1,7 @@
 //! Finding sets of elements, at once or some elements at a time.
 
 use super::criterion::Criterion;
+use super::smaller::SmallerComponents;
 use super::related::{Part, is_hidden, is_within, parts, touching, vertices};
 use halfedge::geometry::{BitSet, PolygonTriangulator};
 use halfedge::{Budget, Element, InParts, Mesh, VertexId};
@@ -23,6 +24,7 @@ pub struct Finding {
     found: BitSet,
     /// Vertices whose neighbours are still to be reached.
     front: Vec<VertexId>,
+    smaller: SmallerComponents,
     triangulator: PolygonTriangulator,
 }
 
@@ -36,6 +38,8 @@ enum Step {
     Around,
     /// From vertices to all that edges lead to.
     Spread,
+    /// From nothing to the vertices of all components but the largest.
+    Smaller,
     /// From elements to a part of them, or to what they are a part of.
     Part(Part),
     /// Keeps the elements of a kind that have all their vertices in the first set; of faces from edges or half-edges, all
@@ -55,7 +59,7 @@ impl Step {
     /// What reading an element costs, in elements: how long it takes beside the cheapest.
     fn weight(&self) -> usize {
         match self {
-            Self::Spread => 4,
+            Self::Spread | Self::Smaller => 4,
             Self::Around => 3,
             Self::Every(Criterion::NonPlanar { .. }) => 8,
             Self::Every(Criterion::Sharp { .. }) => 4,
@@ -72,8 +76,17 @@ impl Finding {
     fn new(kind: Element, origin: BitSet, steps: Vec<Step>) -> Self {
         let current = origin.clone();
         let steps = steps.into_iter().rev().collect();
-        let (found, front) = (BitSet::new(), Vec::new());
-        Self { kind, origin, steps, current, at: 0, found, front, triangulator: PolygonTriangulator::new() }
+        Self {
+            kind,
+            origin,
+            steps,
+            current,
+            at: 0,
+            found: BitSet::new(),
+            front: Vec::new(),
+            smaller: SmallerComponents::default(),
+            triangulator: PolygonTriangulator::new(),
+        }
     }
 
     /// The elements of a kind with a property.
@@ -110,6 +123,13 @@ impl Finding {
         let mut steps = vec![Step::Vertices(kind), Step::Spread];
         steps.extend((kind != Element::Vertex).then_some(Step::Touching(kind)));
         Self::new(kind, ids, steps)
+    }
+
+    /// The elements of a kind that belong to any connected component but the one with the most faces.
+    pub fn smaller_components(kind: Element) -> Self {
+        let mut steps = vec![Step::Smaller];
+        steps.extend((kind != Element::Vertex).then_some(Step::Touching(kind)));
+        Self::new(kind, BitSet::new(), steps)
     }
 
     /// [`super::convert`].
@@ -152,7 +172,7 @@ impl Finding {
 
     /// About how many elements it looks at, as far as that is known beforehand.
     pub fn cost(&self, mesh: &Mesh) -> usize {
-        let all = self.steps.iter().any(|step| matches!(step, Step::Every(_) | Step::Spread));
+        let all = self.steps.iter().any(|step| matches!(step, Step::Every(_) | Step::Spread | Step::Smaller));
         if all { mesh.capacity(self.kind) } else { self.origin.len() * self.steps.len() }
     }
 }
@@ -209,6 +229,7 @@ impl InParts for Finding {
                 Step::Spread => {
                     spread(mesh, &self.current, &mut self.at, &mut self.front, &mut self.found, &mut left)
                 }
+                Step::Smaller => self.smaller.advance(mesh, &mut self.found, &mut left),
                 Step::WithoutOrigin => {
                     self.found = std::mem::take(&mut self.current);
                     self.found.subtract(&self.origin);
@@ -281,7 +302,7 @@ fn follow(mesh: &Mesh, step: &Step, origin: &BitSet, id: usize, found: &mut BitS
                 add(id);
             }
         }
-        Step::Spread | Step::WithoutOrigin | Step::FromOrigin | Step::Every(_) => {}
+        Step::Spread | Step::Smaller | Step::WithoutOrigin | Step::FromOrigin | Step::Every(_) => {}
     }
 }
 

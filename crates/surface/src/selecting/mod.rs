@@ -9,6 +9,7 @@ mod finding;
 mod lines;
 mod path;
 mod related;
+mod smaller;
 
 pub use convert::{convert, expand, grow, linked, outline, shrink};
 pub use criterion::{Comparison, Criterion, dihedral_angle, size};

@@ -23,6 +23,7 @@ mod select_non_planar;
 mod select_related;
 mod select_sharp_edges;
 mod select_similar;
+mod select_smaller_components;
 
 pub use delete_named_selection::*;
 pub use hide::*;
@@ -45,3 +46,4 @@ pub use select_non_planar::*;
 pub use select_related::*;
 pub use select_sharp_edges::*;
 pub use select_similar::*;
+pub use select_smaller_components::*;
