@@ -770,11 +770,11 @@ export interface New {
   op: "new";
   /** The place of the object in the document's list; default: the active object. */
   object?: number;
-  /** Which shape: one of `"cube"`, `"tetrahedron"`, `"octahedron"`, `"icosahedron"`, `"dodecahedron"`, `"uv-sphere"`, `"ico-sphere"`, `"torus"`, `"cylinder"`, `"cone"`, `"plane"`, `"grid"`, `"teapot"`; required. */
-  shape: "cube" | "tetrahedron" | "octahedron" | "icosahedron" | "dodecahedron" | "uv-sphere" | "ico-sphere" | "torus" | "cylinder" | "cone" | "plane" | "grid" | "teapot";
+  /** Which shape: one of `"cube"`, `"tetrahedron"`, `"octahedron"`, `"icosahedron"`, `"dodecahedron"`, `"uv-sphere"`, `"ico-sphere"`, `"torus"`, `"cylinder"`, `"cone"`, `"plane"`, `"grid"`, `"teapot"`, `"bezier-curve"`, `"bezier-patch"`; required. */
+  shape: "cube" | "tetrahedron" | "octahedron" | "icosahedron" | "dodecahedron" | "uv-sphere" | "ico-sphere" | "torus" | "cylinder" | "cone" | "plane" | "grid" | "teapot" | "bezier-curve" | "bezier-patch";
   /** Add it to this document instead of starting a new one: `true` or `false`; default: false. */
   add?: boolean;
-  /** The length of its sides: a number, for shapes that have this size; default: 2 for cube, 2 for plane, 2 for grid, 2 for teapot. */
+  /** The length of its sides: a number, for shapes that have this size; default: 2 for cube, 2 for plane, 2 for grid, 2 for teapot, 2 for bezier-curve, 2 for bezier-patch. */
   size?: number;
   /** The radius, from the centre or axis: a number, for shapes that have this size; default: 1 for tetrahedron, 1 for octahedron, 1 for icosahedron, 1 for dodecahedron, 1 for uv-sphere, 1 for ico-sphere, 1 for torus, 1 for cylinder, 1 for cone. */
   radius?: number;
@@ -794,6 +794,8 @@ export interface New {
   columns?: number;
   /** The number of rows of faces: a number, for shapes that have this size; default: 10 for grid. */
   rows?: number;
+  /** The degree of a Bezier curve, which has one control point more: a number, for shapes that have this size; default: 3 for bezier-curve. */
+  degree?: number;
 }
 
 /** Make an object active: lists, selection and commands refer to it. */

@@ -106,7 +106,10 @@ fn new_makes_every_shape() {
         let mut editor = on_two();
         run(&mut editor, json!({"op": "new", "shape": name}));
         assert_eq!(editor.document().objects().len(), 1);
-        assert!(sizes(&editor)[2] > 0, "{name}");
+        let object = editor.document().active().expect("it");
+        let is_curve = object.bezier().is_some_and(|bezier| bezier.curve().is_some());
+        assert_eq!(object.mesh().face_count() > 0, !is_curve, "{name}");
+        assert_eq!(object.bezier().is_some(), name.starts_with("bezier-"), "{name}");
         for field in surface::Shape::named(name).expect("listed").fields() {
             assert!(spec.field(field.name).is_some(), "{name}: {}", field.name);
             run(&mut editor, json!({"op": "new", "shape": name, field.name: field.default}));

@@ -4,7 +4,7 @@ mod platonic;
 mod round;
 
 use crate::SurfaceError;
-use crate::bezier;
+use crate::bezier::{self, Bezier, Curve, Patch};
 use glam::Vec3;
 use halfedge::{Mesh, PolygonSoup, TooLarge};
 
@@ -33,6 +33,8 @@ struct Kind {
     fields: &'static [ShapeField],
     faces: fn(&[f64]) -> f64,
     build: fn(&[f64]) -> Result<Mesh, SurfaceError>,
+    /// The control points of a Bezier curve or surface, which the mesh shows.
+    controls: Option<fn(&[f64]) -> Bezier>,
 }
 
 /// A shape with its sizes.
@@ -53,23 +55,55 @@ const fn count(name: &'static str, default: f64, min: f64, max: f64) -> ShapeFie
 const RADIUS: ShapeField = length("radius", 1.0);
 const SEGMENTS: ShapeField = count("segments", 32.0, 3.0, 4096.0);
 
-static KINDS: [Kind; 13] = [
-    Kind { name: "cube", fields: &[length("size", 2.0)], faces: |_| 6.0, build: platonic::cube },
-    Kind { name: "tetrahedron", fields: &[RADIUS], faces: |_| 4.0, build: platonic::tetrahedron },
-    Kind { name: "octahedron", fields: &[RADIUS], faces: |_| 8.0, build: platonic::octahedron },
-    Kind { name: "icosahedron", fields: &[RADIUS], faces: |_| 20.0, build: platonic::icosahedron },
-    Kind { name: "dodecahedron", fields: &[RADIUS], faces: |_| 12.0, build: platonic::dodecahedron },
+static KINDS: [Kind; 15] = [
+    Kind {
+        name: "cube",
+        fields: &[length("size", 2.0)],
+        faces: |_| 6.0,
+        build: platonic::cube,
+        controls: None,
+    },
+    Kind {
+        name: "tetrahedron",
+        fields: &[RADIUS],
+        faces: |_| 4.0,
+        build: platonic::tetrahedron,
+        controls: None,
+    },
+    Kind {
+        name: "octahedron",
+        fields: &[RADIUS],
+        faces: |_| 8.0,
+        build: platonic::octahedron,
+        controls: None,
+    },
+    Kind {
+        name: "icosahedron",
+        fields: &[RADIUS],
+        faces: |_| 20.0,
+        build: platonic::icosahedron,
+        controls: None,
+    },
+    Kind {
+        name: "dodecahedron",
+        fields: &[RADIUS],
+        faces: |_| 12.0,
+        build: platonic::dodecahedron,
+        controls: None,
+    },
     Kind {
         name: "uv-sphere",
         fields: &[RADIUS, SEGMENTS, count("rings", 16.0, 2.0, 4096.0)],
         faces: |v| v[1] * v[2],
         build: round::uv_sphere,
+        controls: None,
     },
     Kind {
         name: "ico-sphere",
         fields: &[RADIUS, count("subdivisions", 3.0, 0.0, 8.0)],
         faces: |v| 20.0 * 4f64.powi(v[1] as i32),
         build: platonic::ico_sphere,
+        controls: None,
     },
     Kind {
         name: "torus",
@@ -81,31 +115,56 @@ static KINDS: [Kind; 13] = [
         ],
         faces: |v| v[2] * v[3],
         build: round::torus,
+        controls: None,
     },
     Kind {
         name: "cylinder",
         fields: &[RADIUS, length("height", 2.0), SEGMENTS, count("rings", 1.0, 1.0, 4096.0)],
         faces: |v| v[2] * v[3] + 2.0,
         build: round::cylinder,
+        controls: None,
     },
     Kind {
         name: "cone",
         fields: &[RADIUS, length("height", 2.0), SEGMENTS],
         faces: |v| v[2] + 1.0,
         build: round::cone,
+        controls: None,
     },
-    Kind { name: "plane", fields: &[length("size", 2.0)], faces: |_| 1.0, build: |v| grid(v[0], 1, 1) },
+    Kind {
+        name: "plane",
+        fields: &[length("size", 2.0)],
+        faces: |_| 1.0,
+        build: |v| grid(v[0], 1, 1),
+        controls: None,
+    },
     Kind {
         name: "grid",
         fields: &[length("size", 2.0), count("columns", 10.0, 1.0, 4096.0), count("rows", 10.0, 1.0, 4096.0)],
         faces: |v| v[1] * v[2],
         build: |v| grid(v[0], v[1] as u32, v[2] as u32),
+        controls: None,
     },
     Kind {
         name: "teapot",
         fields: &[length("size", 2.0), count("segments", 8.0, 2.0, 64.0)],
         faces: |v| 32.0 * v[1] * v[1],
         build: teapot,
+        controls: None,
+    },
+    Kind {
+        name: "bezier-curve",
+        fields: &[length("size", 2.0), count("degree", 3.0, 1.0, 32.0)],
+        faces: |_| 0.0,
+        build: |v| bezier_curve(v).preview().map_err(too_many_faces),
+        controls: Some(bezier_curve),
+    },
+    Kind {
+        name: "bezier-patch",
+        fields: &[length("size", 2.0)],
+        faces: |v| f64::from(bezier_patch(v).preview_resolution()).powi(2),
+        build: |v| bezier_patch(v).preview().map_err(too_many_faces),
+        controls: Some(bezier_patch),
     },
 ];
 
@@ -178,7 +237,13 @@ impl Shape {
         (self.kind.faces)(&self.values) as u64
     }
 
-    /// Builds the mesh, which is closed except for planes and the teapot, and has no attributes.
+    /// The control points, if the shape is a Bezier curve or surface: its mesh is the one that shows them.
+    pub fn control_points(&self) -> Option<Bezier> {
+        self.kind.controls.map(|controls| controls(&self.values))
+    }
+
+    /// Builds the mesh, which is closed except for planes, the teapot and Bezier patches, has no attributes, and is empty for
+    /// a curve.
     ///
     /// # Errors
     /// [`SurfaceError::TooManyFaces`]; [`SurfaceError::BadField`] if sizes don't fit together.
@@ -225,4 +290,30 @@ fn teapot(values: &[f64]) -> Result<Mesh, SurfaceError> {
         *point = Vec3::new(point.x * scale, (point.z - 1.575) * scale, -point.y * scale);
     }
     bezier::tessellate(&patches, values[1] as u32).map(|tessellated| tessellated.mesh).map_err(too_many_faces)
+}
+
+/// A curve of `degree` in the plane z = 0, `size` wide. Its control points lie below and above it by turns.
+fn bezier_curve(values: &[f64]) -> Bezier {
+    let (size, degree) = (values[0], values[1] as u32);
+    let point = |i: u32| {
+        let x = (f64::from(i) / f64::from(degree) - 0.5) * size;
+        let side = if i.is_multiple_of(2) { -0.25 } else { 0.25 };
+        Vec3::new(x as f32, (side * size) as f32, 0.0)
+    };
+    Bezier::Curve(Curve { points: (0..=degree).map(point).collect() })
+}
+
+/// A patch over the square of side `size` in the plane y = 0 whose four inner control points are raised.
+fn bezier_patch(values: &[f64]) -> Bezier {
+    let size = values[0];
+    let at = |i: usize| (i as f64 / 3.0 - 0.5) * size;
+    let height = |row: usize, column: usize| {
+        let is_inner = |i: usize| i == 1 || i == 2;
+        if is_inner(row) && is_inner(column) { size * 0.5 } else { 0.0 }
+    };
+    let point =
+        |row: usize, column: usize| Vec3::new(at(column) as f32, height(row, column) as f32, -at(row) as f32);
+    Bezier::Surface(vec![Patch {
+        rows: std::array::from_fn(|row| std::array::from_fn(|column| point(row, column))),
+    }])
 }

@@ -10,6 +10,7 @@ use crate::ops::{
 use halfedge::Progress;
 use halfedge::words::thousands;
 use serde_json::{Map, Value};
+use std::sync::Arc;
 use surface::{Shape, SurfaceError};
 
 /// Start a new document with a shape, or add the shape to the document.
@@ -28,7 +29,19 @@ impl Operation for New {
         "New shape",
         "Start a new document with a shape, or add the shape to this one.",
     )
-    .synonyms(&["add primitive", "cube", "sphere", "torus", "cylinder", "cone", "plane", "grid", "teapot"])
+    .synonyms(&[
+        "add primitive",
+        "cube",
+        "sphere",
+        "torus",
+        "cylinder",
+        "cone",
+        "plane",
+        "grid",
+        "teapot",
+        "bezier curve",
+        "bezier patch",
+    ])
     .fields(&[
         Field::required("shape", FieldKind::Shape, "Which shape"),
         Field::required("add", FieldKind::Flag, "Add it to this document instead of starting a new one")
@@ -44,6 +57,7 @@ impl Operation for New {
         size("subdivisions", "How many times to subdivide an icosahedron"),
         size("columns", "The number of faces in a row"),
         size("rows", "The number of rows of faces"),
+        size("degree", "The degree of a Bezier curve, which has one control point more"),
     ]);
 
     fn action(&self) -> Action<'_> {
@@ -123,7 +137,8 @@ impl WholeMesh for New {
             )),
             other => other.into(),
         })?;
-        Ok(vec![NamedMesh::new(sentence_case(self.shape.name()), mesh)])
+        let bezier = self.shape.control_points().map(Arc::new);
+        Ok(vec![NamedMesh { bezier, ..NamedMesh::new(sentence_case(self.shape.name()), mesh) }])
     }
 
     fn result(&self, _facts: &Facts) -> Option<Estimate> {
