@@ -55,10 +55,14 @@ pub(crate) enum Request {
     StartLive(Start),
     /// Move the edit that follows the pointer to this place.
     LivePointer(Option<Pos2>, Modifiers),
+    /// The pointer is over the bar of the edit that follows it, where it doesn't count.
+    LivePointerOnBar,
     /// Go on with the edit that follows the pointer from this place, with the same amount.
     TakeUpLive(Pos2),
     /// Turn the wheel by so many notches during the edit that follows the pointer.
     LiveWheel(i32),
+    /// Make the radius of the soft selection larger by this length on the screen, in points; 0 when the drag begins.
+    WidenSoft(f32),
     /// Limit the edit that follows the pointer to an axis, or no longer.
     LockLive(usize),
     /// Set the count of the edit that follows the pointer.

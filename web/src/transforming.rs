@@ -51,6 +51,11 @@ pub enum SnapTo {
     Face,
 }
 
+impl SnapTo {
+    /// All of them.
+    pub const ALL: [Self; 4] = [Self::Steps, Self::Edge, Self::Vertex, Self::Face];
+}
+
 /// What the handles at the selection do.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Gizmo {

@@ -5,7 +5,9 @@ mod common;
 use common::*;
 use glam::{DVec3, Vec3};
 use halfedge::geometry::BitSet;
-use halfedge::{Budget, Color, EdgeId, Element, FaceId, HalfedgeId, InParts, Mesh, PolygonSoup, VertexId, keys};
+use halfedge::{
+    Budget, Color, EdgeId, Element, FaceId, HalfedgeId, InParts, Mesh, PolygonSoup, VertexId, keys,
+};
 use proptest::prelude::*;
 use std::sync::Arc;
 use surface::selecting::*;

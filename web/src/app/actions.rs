@@ -66,6 +66,10 @@ impl App {
         }
         match action {
             Action::New => self.session.new_document(form::first_shape()),
+            Action::ElementMenu(kind) => {
+                let at = self.session.ctx.input(|input| input.pointer.latest_pos());
+                self.panels.element_menu.open(kind, at.unwrap_or(self.view.area.center()));
+            }
             Action::Open => self.session.platform.open_file_dialog(),
             Action::Save => self.show_saving(None),
             Action::SaveAs(format) => self.show_saving(Some(format)),
@@ -218,6 +222,8 @@ impl App {
             Action::PivotAt(pivot) => self.session.live_settings.pivot = pivot,
             Action::Mirror(symmetry) => self.session.live_settings.symmetry = symmetry,
             Action::Orient(orientation) => self.session.live_settings.orientation = orientation,
+            Action::NewCurve => self.session.new_document(form::shape("bezier-curve")),
+            Action::NewPatch => self.session.new_document(form::shape("bezier-patch")),
             Action::NextLevel | Action::Play => {
                 if let Some((_, bezier)) = bezier::active(&self.session.editor) {
                     match action {

@@ -18,6 +18,7 @@ impl App {
             Request::LivePointer(at, modifiers) => {
                 return self.session.live_pointer(at, modifiers, &mut self.view);
             }
+            Request::LivePointerOnBar => return live::rest_on_bar(&mut self.session),
             Request::Act(action) => self.act(action),
             Request::ActivateView(pane) => self.view.activate(pane),
             Request::Run(command) => self.session.begin_or_refuse(Ok(command)),
@@ -65,6 +66,7 @@ impl App {
                 let view = &self.view;
                 self.session.change_live(|live, settings| live.turn_wheel(notches, settings, view));
             }
+            Request::WidenSoft(by) => live::widen_soft(&mut self.session, &self.view, by),
             Request::LockLive(axis) => {
                 let view = &self.view;
                 self.session.change_live(|live, settings| live.lock_axis(axis, settings, view));

@@ -1,8 +1,8 @@
 //! The state and the layout of the panels.
 
 use crate::panels::{
-    about, drop_overlay, elements, hidden_bar, history, inspector, messages, named_selections, objects,
-    operations, palette, save, shortcuts, toasts, welcome,
+    about, drop_overlay, element_menu, elements, hidden_bar, history, inspector, messages, named_selections,
+    objects, operations, palette, save, shortcuts, toasts, welcome,
 };
 use egui::{Context, ScrollArea, Ui};
 
@@ -29,6 +29,7 @@ pub(crate) struct Panels {
     pub naming: named_selections::Naming,
     pub key_editor: shortcuts::KeyEditor,
     pub welcome: welcome::Welcome,
+    pub element_menu: element_menu::ElementMenu,
 }
 
 impl Panels {
@@ -44,6 +45,7 @@ impl Panels {
             naming: Default::default(),
             key_editor: Default::default(),
             welcome: welcome::Welcome::new(platform),
+            element_menu: Default::default(),
         }
     }
 
@@ -101,6 +103,7 @@ impl Panels {
         hidden_bar::show(ctx, page, out);
         named_selections::show(ctx, page, &mut self.naming, out);
         welcome::show(ctx, page, &mut self.welcome, out);
+        element_menu::show(ctx, page, &mut self.element_menu, out);
         palette::show(ctx, page, &mut self.palette, out);
         save::show(ctx, page, &mut self.saving, narrow, out);
         shortcuts::show(ctx, page, &mut self.key_editor, out);

@@ -20,6 +20,8 @@ use crate::view::pane::Split;
 pub enum Action {
     /// Starts a new document with a cube.
     New,
+    /// Opens a menu of the edits of a kind of element, at the pointer.
+    ElementMenu(Element),
     /// Opens the file dialog.
     Open,
     /// Opens the save dialog.
@@ -203,6 +205,10 @@ pub enum Action {
     Mirror(Symmetry),
     /// Splits the selected edge at a point that follows the pointer.
     SlideSplit,
+    /// Starts a document with a Bezier curve.
+    NewCurve,
+    /// Starts a document with a Bezier patch.
+    NewPatch,
     /// Draws one more level of de Casteljau's construction.
     NextLevel,
     /// Switches between drawing the whole Bezier curve and drawing it up to the construction.

@@ -3,6 +3,7 @@
 use editor::ops::FieldKind;
 use editor::{OpId, Scope};
 use formats::Format;
+use halfedge::Element;
 
 use super::action::entry;
 pub use super::action::{Action, Entry};
@@ -15,6 +16,13 @@ use Action as A;
 pub fn mesh_operations() -> impl Iterator<Item = OpId> {
     let all = OpId::ALL.iter().copied().filter(|id| *id != OpId::New);
     all.filter(|id| matches!(id.spec().scope, Scope::Elements | Scope::Meshes))
+}
+
+/// The operations that apply to a selection of this kind, the most used first.
+pub fn edits_of(kind: Element) -> Vec<OpId> {
+    let mut ids: Vec<OpId> = mesh_operations().filter(|id| id.spec().applies_to(kind)).collect();
+    sort_by_use(&mut ids);
+    ids
 }
 
 /// Sorts operations: the most used first and the destructive last.

@@ -6,7 +6,7 @@ use viewport::{ColorBy, Look, Side};
 
 use super::action::Action as A;
 use super::key_preset::KeyPreset;
-use crate::transforming::Gizmo;
+use crate::transforming::{Gizmo, SnapTo};
 use crate::view::pane::Split;
 
 /// An action with its keys in each preset, with spaces between several; menus show the first.
@@ -64,6 +64,14 @@ pub(super) static ROWS: &[Row] = &[
     (A::Gizmo(Gizmo::Scale),               ["",                          "",                         "R"]),
     (A::Soft,                              ["Shift+O",                   "O",                        "B"]),
     (A::Snap,                              ["Shift+Tab",                 "Shift+Tab",                "Shift+Tab"]),
+
+    // Maya's count while they are held.
+    (A::SnapTo(SnapTo::Steps),             ["",                          "",                         "X"]),
+    (A::SnapTo(SnapTo::Edge),              ["",                          "",                         "C"]),
+    (A::SnapTo(SnapTo::Vertex),            ["",                          "",                         "V"]),
+    (A::ElementMenu(Element::Vertex),      ["",                          "Ctrl+V",                   ""]),
+    (A::ElementMenu(Element::Edge),        ["",                          "Ctrl+E",                   ""]),
+    (A::ElementMenu(Element::Face),        ["",                          "Ctrl+F",                   ""]),
 
     (A::Operation(OpId::ExtrudeFaces),     ["E",                         "E",                        "Ctrl+E"]),
     (A::Operation(OpId::InsetFaces),       ["Shift+I",                   "I",                        "Shift+I"]),

@@ -3,7 +3,7 @@
 
 use std::sync::Arc;
 
-use egui::{Context, Event, Id, Key};
+use egui::{Context, Event, Id, InputState, Key, Modifiers};
 
 use crate::input::actions::{self, Action};
 use crate::input::availability::follows_pointer;
@@ -11,6 +11,7 @@ use crate::input::key_map::{KeyMap, When};
 use crate::input::shortcut::Shortcut;
 use crate::lists::row_list;
 use crate::theme;
+use crate::transforming::SnapTo;
 use crate::view;
 
 use Action as A;
@@ -55,6 +56,39 @@ pub fn how_to(ctx: &Context, action: Action) -> String {
     } else {
         format!("press {key}")
     }
+}
+
+/// Whether a key of an action is held.
+pub fn is_held(ctx: &Context, action: Action) -> bool {
+    !ctx.text_edit_focused() && is_down(ctx, map(ctx).own_keys(action))
+}
+
+/// What moved elements snap to while its key is held.
+pub fn held_snap(ctx: &Context) -> Option<SnapTo> {
+    let map = map(ctx);
+    let is_held = |to: &SnapTo| is_down(ctx, map.own_keys(A::SnapTo(*to)));
+    if ctx.text_edit_focused() { None } else { SnapTo::ALL.into_iter().find(is_held) }
+}
+
+fn is_down(ctx: &Context, keys: &[Shortcut]) -> bool {
+    // Shift may be held too: it slows the pointer.
+    let is_down = |input: &InputState, key: &Shortcut| {
+        let Modifiers { ctrl, command, alt, .. } = input.modifiers;
+        input.key_down(key.key) && key.ctrl == (ctrl || command) && key.alt == alt
+    };
+    !keys.is_empty() && ctx.input(|input| keys.iter().any(|key| is_down(input, key)))
+}
+
+/// The keys that snap while they are held, as the platform writes them: "X, C, V"; empty if there are none.
+pub fn snap_keys(ctx: &Context) -> String {
+    let map = map(ctx);
+    let first = |to| map.own_keys(A::SnapTo(to)).first().map(|key| key.written(ctx));
+    SnapTo::ALL.into_iter().filter_map(first).collect::<Vec<_>>().join(", ")
+}
+
+/// Whether the key of an action means something only as long as it is held.
+pub fn acts_while_held(action: Action) -> bool {
+    matches!(action, A::SnapTo(_))
 }
 
 /// What keys mean now.
@@ -117,7 +151,10 @@ impl KeyReader {
                     return !is_typed;
                 }
                 let action = Shortcut::of_event(event).and_then(|shortcut| self.action_of(shortcut));
-                actions.extend(action.filter(|action| counts(*action)));
+                // A switch whose key is held goes on and off once.
+                let is_repeated = matches!(event, Event::Key { repeat: true, .. }) && action == Some(A::Soft);
+                let counts = |action: &Action| !is_repeated && !acts_while_held(*action) && counts(*action);
+                actions.extend(action.filter(counts));
                 action.is_none()
             });
         });
@@ -125,9 +162,10 @@ impl KeyReader {
     }
 }
 
-/// Whether the browser uses a key for something that users expect everywhere but in the viewport: reload, bookmarks, history.
+/// Whether the browser uses a key for something that users expect everywhere but in the viewport: reload, bookmarks, history,
+/// search, pasting.
 fn is_of_browser(shortcut: Shortcut) -> bool {
-    let keys = [Key::R, Key::B, Key::D, Key::H];
+    let keys = [Key::R, Key::B, Key::D, Key::H, Key::E, Key::F, Key::V];
     shortcut.ctrl && !shortcut.alt && !shortcut.shift && keys.contains(&shortcut.key)
 }
 

@@ -1,8 +1,10 @@
 //! The menus of the page's own actions, in one table. The palette lists them too.
 
 use editor::{OpId, SelectBy};
+use halfedge::Element;
 
 use super::action::{Action, Entry, entry};
+use super::actions;
 use super::key_preset::KeyPreset;
 use super::presets::Preset;
 use super::{select_menu, transform_menu, view_menu};
@@ -19,6 +21,28 @@ use Action as A;
 
 /// The submenu with the criteria, which continues with the editor's operations.
 pub const CRITERIA: &str = "By criterion";
+
+/// The submenus with what is done to a whole mesh in one way or another: the course's own keys and names first, then the
+/// editor's operations.
+const SUBDIVIDE: &str = "Subdivide";
+const SIMPLIFY: &str = "Simplify";
+const REMESH: &str = "Remesh";
+
+/// The operations with which a submenu continues.
+pub fn continued(title: &str) -> Vec<OpId> {
+    match title {
+        CRITERIA => actions::criteria().collect(),
+        SUBDIVIDE => vec![OpId::SubdivideCatmullClark, OpId::SubdivideLoop, OpId::SubdivideLinear],
+        SIMPLIFY => vec![OpId::Simplify],
+        REMESH => vec![OpId::Remesh],
+        _ => Vec::new(),
+    }
+}
+
+/// Whether a submenu continues with an operation.
+pub fn is_in_submenu(id: OpId) -> bool {
+    [SUBDIVIDE, SIMPLIFY, REMESH].into_iter().any(|title| continued(title).contains(&id))
+}
 
 /// The submenu that an entry is in, which keeps long menus on small screens.
 pub fn submenu(action: Action) -> Option<&'static str> {
@@ -41,7 +65,11 @@ pub fn submenu(action: Action) -> Option<&'static str> {
         A::Next | A::Previous | A::Twin | A::VertexOf | A::EdgeOf | A::FaceOf => Some("Half-edge"),
         A::Preset(Preset::Similar(_)) => Some("Similar"),
         A::Preset(_) => Some(CRITERIA),
+        A::Upsample => Some(SUBDIVIDE),
+        A::Downsample => Some(SIMPLIFY),
+        A::Resample | A::LongerEdges | A::ShorterEdges => Some(REMESH),
         A::Show(_) => Some("Show"),
+        A::ElementMenu(_) => Some("Menus at the pointer"),
         A::Expand(_) => Some("Expand to"),
         A::Look(_) | A::HideBacks => Some("Look"),
         A::AutoSmooth(_) => Some("Auto smooth"),
@@ -152,6 +180,35 @@ pub static MENUS: &[Menu] = &[
         entries: &[
             Some(
                 entry(
+                    A::LoopCutTool,
+                    "Loop cut at the pointer",
+                    "Point at an edge: a click cuts the ring of quads across it and slides the cut. The wheel or a typed number sets the number of cuts.",
+                )
+                .synonyms(&["insert edge loop", "ring cut"]),
+            ),
+            Some(entry(
+                A::SlideSplit,
+                "Split edge at…",
+                "Add a vertex to the selected edge and slide it with the pointer.",
+            )),
+            Some(entry(
+                A::ElementMenu(Element::Vertex),
+                "Vertex menu",
+                "Open a menu of the edits of vertices at the pointer.",
+            )),
+            Some(entry(
+                A::ElementMenu(Element::Edge),
+                "Edge menu",
+                "Open a menu of the edits of edges at the pointer.",
+            )),
+            Some(entry(
+                A::ElementMenu(Element::Face),
+                "Face menu",
+                "Open a menu of the edits of faces at the pointer.",
+            )),
+            None,
+            Some(
+                entry(
                     A::Upsample,
                     "Upsample (subdivide)",
                     "Subdivide once: Loop if all faces are triangles, Catmull-Clark otherwise.",
@@ -177,24 +234,28 @@ pub static MENUS: &[Menu] = &[
                 "Shorter target edges",
                 "Decrease the target edge length of resampling by a tenth.",
             )),
-            Some(
-                entry(
-                    A::LoopCutTool,
-                    "Loop cut at the pointer",
-                    "Point at an edge: a click cuts the ring of quads across it and slides the cut. The wheel or a typed number sets the number of cuts.",
-                )
-                .synonyms(&["insert edge loop", "ring cut"]),
-            ),
-            Some(entry(
-                A::SlideSplit,
-                "Split edge at…",
-                "Add a vertex to the selected edge and slide it with the pointer.",
-            )),
         ],
     },
     Menu {
         title: "Bezier",
         entries: &[
+            Some(
+                entry(
+                    A::NewCurve,
+                    "New Bezier curve",
+                    "Start a new document with a cubic curve. The old one is kept: undo brings it back.",
+                )
+                .synonyms(&["add curve", "spline", "path"]),
+            ),
+            Some(
+                entry(
+                    A::NewPatch,
+                    "New Bezier patch",
+                    "Start a new document with a surface of 4 by 4 control points. The old one is kept: undo brings it back.",
+                )
+                .synonyms(&["add surface", "add patch", "bicubic"]),
+            ),
+            None,
             Some(entry(
                 A::NextLevel,
                 "Next level",

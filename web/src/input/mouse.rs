@@ -26,6 +26,8 @@ pub enum MouseAction {
     Select(SelectMode),
     /// Selects the line of elements under the pointer.
     Line(Line, SelectMode),
+    /// Slides the selected edges or vertices.
+    Slide,
     /// Adds the shortest path to the element under the pointer.
     Path,
     /// Selects everything connected to the element under the pointer.
@@ -61,6 +63,7 @@ static ROWS: &[Row<{ KeyPreset::COUNT }>] = &[
     (M::Line(Line::Ring, Extend),  "Add a ring",        ["Ctrl+Alt+Shift+click",                   "Ctrl+Alt+Shift+click",                  ""]),
     (M::Path,              "Add the shortest path",     ["Ctrl+Shift+click",                       "Ctrl+click",                            "Shift+double-click"]),
     (M::Linked,            "Select linked",             ["",                                       "",                                      "double-click on a face"]),
+    (M::Slide,             "Slide the selection",       ["",                                       "",                                      "Ctrl+Shift+middle-drag"]),
     (M::Box,               "Select in a box",           ["Ctrl+drag, Ctrl+Shift+drag",             "drag, Shift+drag, Ctrl+drag",           "drag, Shift+drag, Ctrl+drag, Ctrl+Shift+drag"]),
     (M::Lasso(Replace),    "Select with a lasso",       ["Ctrl+right-drag",                        "Ctrl+right-drag",                       ""]),
     (M::Lasso(Extend),     "Add with a lasso",          ["Ctrl+Shift+right-drag",                  "",                                      ""]),
@@ -77,6 +80,7 @@ pub static SHARED_GESTURES: &[(&str, &str)] = &[
     ("Orbit the view", "arrow keys, or one finger"),
     ("Pan the view", "Shift and the arrow keys, or two fingers"),
     ("Move the selection", "drag a selected element, or a handle of the gizmo"),
+    ("Change the radius of soft selection", "drag to the left or right with the key of soft selection held"),
     ("Open a menu", "right-click"),
     (
         "Select with a circle",

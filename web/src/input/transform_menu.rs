@@ -35,15 +35,23 @@ pub(super) static ENTRIES: &[Option<Entry>] = &[
     Some(entry(
         A::SnapTo(SnapTo::Steps),
         "Snap to steps",
-        "Snap to round steps of length, 5 degrees or a tenth.",
+        "Snap to round steps of length, 5 degrees or a tenth. A key for it snaps while it is held.",
     )),
     Some(entry(
         A::SnapTo(SnapTo::Vertex),
         "Snap to vertices",
-        "Snap what moves to the vertex under the pointer.",
+        "Snap what moves to the vertex under the pointer. A key for it snaps while it is held.",
     )),
-    Some(entry(A::SnapTo(SnapTo::Edge), "Snap to edges", "Snap what moves to the edge under the pointer.")),
-    Some(entry(A::SnapTo(SnapTo::Face), "Snap to faces", "Snap what moves to the face under the pointer.")),
+    Some(entry(
+        A::SnapTo(SnapTo::Edge),
+        "Snap to edges",
+        "Snap what moves to the edge under the pointer. A key for it snaps while it is held.",
+    )),
+    Some(entry(
+        A::SnapTo(SnapTo::Face),
+        "Snap to faces",
+        "Snap what moves to the face under the pointer. A key for it snaps while it is held.",
+    )),
     Some(
         entry(A::Soft, "Soft selection", "Vertices near the selection move too; the wheel changes how far.")
             .synonyms(&["proportional editing"]),

@@ -2,8 +2,8 @@
 
 use editor::ops::{Drag, Field, FieldKind, Unit};
 use editor::{Command, CommandError, Facts, OpId};
-use egui::{Modifiers, Pos2};
-use glam::{Mat3, Quat, Vec3};
+use egui::Pos2;
+use glam::{Mat3, Quat, Vec2, Vec3};
 use halfedge::geometry::BitSet;
 use serde_json::{Value, json};
 use viewport::Camera;
@@ -12,14 +12,13 @@ use super::lock::{Lock, axes_of};
 use super::place::Place;
 use super::pointer::{Sight, length_step, rounded};
 use super::slide::Track;
+use super::trail::Trail;
 use super::typed::Typed;
 use crate::session::form::{self, Filled};
-use crate::transforming::{Orientation, Pivot, Settings};
+use crate::transforming::{Orientation, Pivot, Settings, SnapTo};
 use crate::view::View;
 use crate::view::ring::RingCut;
 
-/// With Shift held, the pointer counts as moving at this part of its speed.
-const FINE_SPEED: f32 = 0.1;
 /// One notch of the wheel makes the soft selection's radius this much larger.
 const RADIUS_STEP: f32 = 1.15;
 /// The steps that rotations, factors and fractions snap to.
@@ -71,25 +70,19 @@ pub(crate) struct Live {
     /// What a slide goes along.
     track: Option<Track>,
     /// The direction in which vertices slide.
-    way: Vec3,
+    pub(super) way: Vec3,
     /// The view when the edit began, whose axes it keeps.
     camera: Camera,
     /// The vertices that move, by index; found when the edit first snaps to others.
     pub(crate) moved: Option<BitSet>,
     /// Elements named in the command, where the vertices of the selection don't say enough.
     pub(crate) given: Filled,
-    /// The degrees that the pointer has turned about the middle.
-    turned: f32,
-    /// The pointer position that the amount is measured from; none until the pointer is over the viewport.
-    from: Option<Pos2>,
-    /// Where the pointer would be had it always moved at full speed.
-    at: Pos2,
-    /// The last pointer position. The preview changes only when the pointer moves, even if the panels
-    /// beside the viewport change its size.
-    seen: Option<Pos2>,
+    pub(super) trail: Trail,
     pub(crate) follows: bool,
     /// Whether the document shows the edit.
     pub(crate) in_document: bool,
+    /// What it snaps to while a key is held.
+    pub(crate) held_snap: Option<SnapTo>,
     /// Why the document does not show the edit.
     pub refused: Option<String>,
     /// What the edit has to say of what it shows.
@@ -133,12 +126,10 @@ impl Live {
             camera: view.camera,
             moved: None,
             given,
-            turned: 0.0,
-            from: start.from,
-            at: start.from.unwrap_or_default(),
-            seen: start.from,
+            trail: Trail::new(start.from),
             follows: true,
             in_document: false,
+            held_snap: None,
             refused: None,
             warnings: Vec::new(),
         })
@@ -232,8 +223,8 @@ impl Live {
             return self.set_typed();
         }
         self.follows = true;
-        let Some(from) = self.from else { return };
-        let [from, at] = [from, self.at].map(|place| view.local(place));
+        let Some(from) = self.trail.from else { return };
+        let [from, at] = [from, self.trail.at].map(|place| view.local(place));
         let (sight, by) = (self.sight(view), at - from);
         let step = length_step(sight.units_per_point());
         let snapped = |value: f32, step: f32| if snap.to_steps { rounded(value, step) } else { value };
@@ -249,7 +240,7 @@ impl Live {
                 }
                 Vec3::from(offset.to_array().map(|number| snapped(number, step)))
             }
-            Drag::Rotation => Vec3::X * snapped(self.turned, SNAP_DEGREES),
+            Drag::Rotation => Vec3::X * snapped(self.trail.turned, SNAP_DEGREES),
             Drag::Factors => self.factors(snapped(sight.factor(from, at), SNAP_FACTOR)),
             Drag::Distance => Vec3::X * snapped(sight.along(self.place.normal, by), step),
             Drag::Width => Vec3::X * snapped(by.length() * sight.units_per_point(), step),
@@ -293,30 +284,9 @@ impl Live {
         });
     }
 
-    /// Moves the pointer; returns whether it moved. Rotations add up.
-    pub(crate) fn follow_pointer(
-        &mut self,
-        to: Pos2,
-        view: &View,
-        settings: &Settings,
-        modifiers: Modifiers,
-    ) -> bool {
-        let Some(seen) = self.seen.replace(to).filter(|_| self.from.is_some()) else {
-            (self.from, self.at) = (Some(to), to);
-            return false;
-        };
-        if seen == to || !self.follows {
-            return false;
-        }
-        let speed = if modifiers.shift { FINE_SPEED } else { 1.0 };
-        let before = self.at;
-        self.at += (to - seen) * speed;
-        if self.drag == Drag::Rotation {
-            // Turns add up, so that there can be more than one. Fine ones are taken around the middle too.
-            let [from, to] = [seen, to].map(|place| view.local(place));
-            self.turned += self.sight(view).turn(self.axis(settings), from, to) * speed;
-        }
-        before != self.at
+    /// The degrees about the axis of a rotation for a step of the pointer.
+    pub(super) fn turn(&self, settings: &Settings, view: &View, from: Vec2, to: Vec2) -> f32 {
+        if self.drag == Drag::Rotation { self.sight(view).turn(self.axis(settings), from, to) } else { 0.0 }
     }
 
     /// What the command depends on.
@@ -357,6 +327,7 @@ impl Live {
     pub(crate) fn press_axis(&mut self, axis: usize, plane: bool, settings: &Settings) {
         self.lock = self.lock.after_key(axis, plane, settings.orientation);
         self.typed.limit(self.number_count());
+        self.trail.forget_rest();
     }
 
     /// Limits the edit to an axis, as its key does.
@@ -365,13 +336,6 @@ impl Live {
             self.press_axis(axis, false, settings);
             self.update(settings, view, Snap::default());
         }
-    }
-
-    /// Goes on from another place with the same amount, as when a finger touches again.
-    pub fn take_up(&mut self, to: Pos2) {
-        let by = to - self.at;
-        self.from = Some(self.from.map_or(to, |from| from + by));
-        (self.at, self.seen) = (to, Some(to));
     }
 }
 

@@ -5,7 +5,9 @@ use editor::ops::Drag;
 use egui::{Context, Event, Key};
 
 use super::edit::Live;
-use crate::input::shortcut::is_digit;
+use crate::input::key_map::When;
+use crate::input::keys;
+use crate::input::shortcut::{Shortcut, is_digit};
 use crate::transforming::Settings;
 
 /// How keys end an edit.
@@ -20,6 +22,12 @@ impl Live {
     /// they changed the amount, and how they end the edit.
     pub(crate) fn take_keys(&mut self, ctx: &Context, settings: &Settings) -> (bool, Option<Ending>) {
         let typing = ctx.text_edit_focused();
+        let map = keys::map(ctx);
+        // A key that snaps while it is held locks no axis.
+        let snaps = |key: Key| {
+            let pressed = Shortcut { ctrl: false, alt: false, shift: false, pad: false, key };
+            map.actions_of(pressed, When::Always).any(keys::acts_while_held)
+        };
         let (mut changed, mut ending) = (false, None);
         ctx.input_mut(|input| {
             input.events.retain(|event| {
@@ -47,7 +55,7 @@ impl Live {
                         }
                         // What they type is text: they must not move the view too.
                         _ if types_number(*key) => true,
-                        _ => match axis_of(*key).filter(|_| self.takes_lock()) {
+                        _ => match axis_of(*key).filter(|_| self.takes_lock() && !snaps(*key)) {
                             Some(axis) => {
                                 self.press_axis(axis, modifiers.shift, settings);
                                 changed = true;

@@ -4,6 +4,7 @@ pub(crate) mod edit;
 pub(crate) mod keys;
 pub(crate) mod lock;
 pub(crate) mod place;
-mod pointer;
+pub(crate) mod pointer;
 pub(crate) mod slide;
+mod trail;
 mod typed;

@@ -1,6 +1,6 @@
 //! The lists of vertices, edges, half-edges and faces.
 
-use editor::{Changes, Editor, ObjectChange, ObjectId, OpId, SelectMode};
+use editor::{Changes, Editor, ObjectChange, ObjectId, SelectMode};
 use egui::{Button, Key, RichText, Ui, vec2};
 use halfedge::{Budget, Element};
 
@@ -366,9 +366,7 @@ fn empty_list(ui: &mut Ui, page: &Page<'_>, kind: Element, only: bool) {
 pub(crate) fn menu(ui: &mut Ui, page: &Page<'_>, out: &mut Requests) {
     ui.set_min_width(200.0);
     let kind = page.editor.selection().kind();
-    let mut ids: Vec<OpId> = actions::mesh_operations().filter(|id| id.spec().applies_to(kind)).collect();
-    actions::sort_by_use(&mut ids);
-    for id in ids {
+    for id in actions::edits_of(kind) {
         menu_item(ui, page, &actions::of_operation(id), out);
     }
     ui.separator();

@@ -66,12 +66,16 @@ pub(crate) fn hints(page: &Page<'_>, modifiers: Modifiers) -> Vec<Hint> {
         hint(by, mode_words(mouse.mode_within(held)))
     };
     if let Some(live) = &page.live {
-        let lock = live.takes_lock().then(|| hint(By::Key("X Y Z"), "Lock to an axis"));
+        let snap_keys = keys::snap_keys(&page.ctx);
+        let snap = (live.is_move() && !snap_keys.is_empty())
+            .then(|| hint(By::Key("Hold"), format!("{snap_keys}: snap to steps, edges, vertices")));
+        let locks = live.takes_lock() && snap.is_none();
+        let lock = locks.then(|| hint(By::Key("X Y Z"), "Lock to an axis"));
         let ends = if keeps_cut(page) { "Cut in the middle" } else { "Cancel" };
         let wheel = live.wheel_words(&page.live_settings).map(|words| hint(WHEEL, words));
         let all = [hint(LEFT, "Apply"), hint(RIGHT, ends), hint(By::Key("0-9"), "Type the amount")];
         let more = [hint(CTRL, "Snap"), hint(SHIFT, "Fine"), hint(ESCAPE, ends)];
-        return all.into_iter().chain(wheel).chain(lock).chain(more).collect();
+        return all.into_iter().chain(wheel).chain(lock).chain(snap).chain(more).collect();
     }
     if let Some(flight) = &page.view.flight {
         return vec![
@@ -88,7 +92,8 @@ pub(crate) fn hints(page: &Page<'_>, modifiers: Modifiers) -> Vec<Hint> {
         Gesture::Box { .. } | Gesture::Lasso { .. } => {
             vec![hint(LEFT, "Release to select"), within(SHIFT), within(CTRL), hint(ESCAPE, "Cancel")]
         }
-        Gesture::Live { .. } | Gesture::Control { .. } => {
+        Gesture::SoftRadius => vec![hint(LEFT, "Release to keep the radius")],
+        Gesture::Live { .. } | Gesture::Slide | Gesture::Control { .. } => {
             vec![hint(LEFT, "Release to place"), hint(ESCAPE, "Cancel")]
         }
         Gesture::Paint { .. } => vec![hint(LEFT, "Release to end"), hint(ESCAPE, "Cancel")],
@@ -221,6 +226,7 @@ fn drag_words(action: Option<MouseAction>) -> Option<&'static str> {
         MouseAction::Zoom => "drag to zoom",
         MouseAction::Box => "drag a box",
         MouseAction::Lasso(_) => "draw a lasso",
+        MouseAction::Slide => "drag to slide",
         _ => return None,
     })
 }

@@ -2,7 +2,7 @@
 
 use editor::OpId;
 use editor::ops::{Drag, FieldKind, Symmetry};
-use egui::{Align2, Area, Context, Frame, Id, Order, Rect, RichText, Ui, pos2};
+use egui::{Align2, Area, Context, Frame, Id, Order, Pos2, Rect, RichText, Ui, pos2};
 
 use crate::input::actions::Action;
 use crate::input::keys;
@@ -61,6 +61,11 @@ fn id() -> Id {
     Id::unique("live edit")
 }
 
+/// Whether a place on the page is on the bar.
+pub(crate) fn is_at(ctx: &Context, at: Pos2) -> bool {
+    ctx.memory(|memory| memory.area_rect(id())).is_some_and(|bar| bar.contains(at))
+}
+
 /// The part of the viewport that neither the bars at its sides nor this one cover.
 pub(crate) fn room_above(ctx: &Context, page: &Page<'_>) -> Rect {
     let free = page.view.free_area();
@@ -78,7 +83,11 @@ fn hint(page: &Page<'_>, live: &Live) -> String {
     let is_mirrored = symmetry != Symmetry::None;
     let mirrored = is_mirrored.then(|| format!("mirrored {}", symmetry.label().to_lowercase()));
     parts.extend(mirrored.as_deref());
-    if live.takes_lock() {
+    let snap_keys = keys::snap_keys(&page.ctx);
+    let snaps = (!snap_keys.is_empty()).then(|| format!("hold {snap_keys} to snap"));
+    if live.is_move() && snaps.is_some() {
+        parts.extend(snaps.as_deref());
+    } else if live.takes_lock() {
         parts.push("X, Y, Z lock an axis, with Shift a plane");
     }
     if live.takes_wheel(&page.live_settings) {

@@ -8,7 +8,7 @@ use halfedge::Element;
 use crate::input::actions::{self, Action, Entry};
 use crate::input::availability::opens_form;
 use crate::input::keys;
-use crate::input::menus::{CRITERIA, MENUS, Menu, submenu};
+use crate::input::menus::{MENUS, Menu, continued, is_in_submenu, submenu};
 use crate::page_view::Page;
 use crate::request::Requests;
 use crate::widgets::icon_button::icon_button;
@@ -153,9 +153,7 @@ fn menu_entries(ui: &mut Ui, page: &Page<'_>, menu: &Menu, out: &mut Requests) {
                 opens_menu(ui, title, |ui| {
                     ui.set_min_width(180.0);
                     list(ui, out);
-                    if title == CRITERIA {
-                        operations(ui, page, actions::criteria(), out);
-                    }
+                    operations(ui, page, continued(title), out);
                 });
             }
             None => list(ui, out),
@@ -188,7 +186,7 @@ fn operations(ui: &mut Ui, page: &Page<'_>, list: impl IntoIterator<Item = OpId>
 /// The operations: those on whole meshes one by one, local ones by the kind of element.
 fn operation_menus(ui: &mut Ui, page: &Page<'_>, out: &mut Requests) {
     let of_scope = |scope| actions::mesh_operations().filter(move |id| id.spec().scope == scope);
-    for id in of_scope(Scope::Meshes) {
+    for id in of_scope(Scope::Meshes).filter(|id| !is_in_submenu(*id)) {
         menu_item(ui, page, &actions::of_operation(id), out);
     }
     ui.separator();

@@ -6,6 +6,7 @@ pub(crate) mod adjust;
 pub(crate) mod bezier;
 pub(crate) mod document;
 pub(crate) mod drop_overlay;
+pub(crate) mod element_menu;
 pub(crate) mod elements;
 pub(crate) mod estimate;
 pub(crate) mod fields;

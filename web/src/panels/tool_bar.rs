@@ -13,6 +13,7 @@ use crate::request::Requests;
 use crate::theme;
 use crate::transforming::Symmetry;
 use crate::widgets::icons::Icon;
+use crate::widgets::scroll_fade;
 use crate::widgets::tool_button::{Label, tool_button, width_beside};
 
 /// The distance of the bars from the viewport's edges and from each other, in points.
@@ -89,10 +90,13 @@ pub(crate) fn show(ui: &mut Ui, page: &Page<'_>, narrow: bool, out: &mut Request
         Rect::from_min_max(pos2(tools_left, inner.top()), pos2(tools_left + bar_width, inner.bottom()));
     plate(ui, "tools", tools, Direction::TopDown, |ui| {
         let height = ui.available_height();
-        ScrollArea::vertical()
+        let scrolled = ScrollArea::vertical()
             .max_height(height)
             .scroll_bar_visibility(ScrollBarVisibility::AlwaysHidden)
             .show(ui, |ui| tool_buttons(ui, page, tool_shape, out));
+        let colors = [theme::palette(ui.visuals()).overlay, ui.visuals().strong_text_color()];
+        let (offset, content) = (scrolled.state.clamped_offset().y, scrolled.content_size.y);
+        scroll_fade::paint(ui.painter(), scrolled.inner_rect, offset, content, colors);
     });
     let right = if narrow { tools.left() - GAP_POINTS } else { inner.right() };
     let kinds = Rect::from_min_max(pos2(kinds_left, inner.top()), pos2(right, inner.bottom()));

@@ -13,6 +13,7 @@ use crate::input::keys;
 use crate::live::edit::{Live, Snap, Start};
 use crate::live::keys::Ending;
 use crate::live::place::{self, Place};
+use crate::live::pointer::Sight;
 use crate::live::slide::Track;
 use crate::session::Session;
 use crate::transforming::{Pivot, Settings, SnapTo, Symmetry};
@@ -127,14 +128,18 @@ impl Session {
     /// Updates the amount from the pointer over the viewport.
     pub fn live_pointer(&mut self, pointer: Option<Pos2>, modifiers: Modifiers, view: &mut View) {
         let settings = self.live_settings;
+        let held = keys::held_snap(&self.ctx);
+        let now = self.ctx.input(|input| input.time);
         let (Some(live), Some(at)) = (&mut self.live, pointer) else { return };
-        if !live.follow_pointer(at, view, &settings, modifiers) {
+        let is_other = std::mem::replace(&mut live.held_snap, held) != held && live.follows;
+        if !live.follow_pointer(at, view, &settings, modifiers, now) && !is_other {
             return;
         }
-        let snaps = settings.snaps != modifiers.command;
-        let mut snap = Snap { to_steps: snaps && settings.snap_to == SnapTo::Steps, target: None };
+        let snaps = held.is_some() || settings.snaps != modifiers.command;
+        let snap_to = held.unwrap_or(settings.snap_to);
+        let mut snap = Snap { to_steps: snaps && snap_to == SnapTo::Steps, target: None };
         if snaps && live.drag == Drag::Offset {
-            snap.target = snap_target(&self.editor, live, settings.snap_to, at, view);
+            snap.target = snap_target(&self.editor, live, snap_to, at, view);
         }
         let before = live.amount();
         live.update(&settings, view, snap);
@@ -151,6 +156,14 @@ impl Session {
         if (live.amount(), self.live_settings) != before {
             self.show_live();
         }
+    }
+}
+
+/// Shows the amount where the pointer last rested, while the pointer is over the edit's bar.
+pub(crate) fn rest_on_bar(session: &mut Session) {
+    let now = session.ctx.input(|input| input.time);
+    if session.live.as_mut().is_some_and(|live| live.go_to_bar(now)) {
+        session.show_live();
     }
 }
 
@@ -183,6 +196,21 @@ pub(crate) fn toggle_soft(session: &mut Session, view: &View) {
 /// Sets the soft selection's radius where there is none yet.
 fn fit_soft_radius(settings: &mut Settings, live: &Live, view: &View) {
     settings.soft_radius.get_or_insert_with(|| live.sight(view).units_per_point() * SOFT_RADIUS_POINTS);
+}
+
+/// Makes the soft selection's radius larger by a length on the screen, in points, and switches soft selection on. 0 begins: it
+/// finds where the selection is.
+pub(crate) fn widen_soft(session: &mut Session, view: &View, by: f32) {
+    if by == 0.0 || session.place.is_none() {
+        session.place = Place::of_selection(&session.editor);
+    }
+    let Some(place) = session.place else { return };
+    let anchor = place.pivot(session.live_settings.pivot);
+    let unit = Sight { camera: &view.camera, size: view.size(), anchor }.units_per_point();
+    let settings = &mut session.live_settings;
+    settings.soft = true;
+    let radius = settings.soft_radius.unwrap_or(unit * SOFT_RADIUS_POINTS);
+    settings.soft_radius = Some((radius + by * unit).clamp(unit, unit * 1e5));
 }
 
 /// The point of the mesh under the pointer that moved elements snap to.

@@ -54,6 +54,10 @@ pub(crate) enum Gesture {
     Live {
         applies: bool,
     },
+    /// A slide that began with the drag. Its modifiers mean nothing else.
+    Slide,
+    /// Changes the radius of the soft selection.
+    SoftRadius,
     Control {
         point: ControlPoint,
         from: Pos2,

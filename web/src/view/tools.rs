@@ -9,6 +9,7 @@ impl View {
             self.gesture,
             Gesture::None
                 | Gesture::Live { .. }
+                | Gesture::Slide
                 | Gesture::Orbit
                 | Gesture::Pan
                 | Gesture::Zoom

@@ -8,4 +8,5 @@ pub(crate) mod icons;
 pub(crate) mod list_row;
 pub(crate) mod number_box;
 pub(crate) mod operation_icons;
+pub(crate) mod scroll_fade;
 pub(crate) mod tool_button;

@@ -303,3 +303,37 @@ fn control_points_are_saved_as_control_points() {
     page.press_with(Modifiers::COMMAND, Key::S);
     assert_eq!(page.find("Format").value().as_deref(), Some("BEZ"));
 }
+
+#[test]
+fn a_curve_and_a_patch_are_made_from_nothing_and_edited() {
+    for (entry, name, count) in
+        [("New Bezier curve", "Bezier curve", 4), ("New Bezier patch", "Bezier surface", 16)]
+    {
+        let mut page = Page::new();
+        page.click("Bezier");
+        page.click(entry);
+        page.run();
+        assert!(page.has(name), "{name}");
+        let before = points(&mut page);
+        assert_eq!(before.len(), count);
+        // Its control points are in view, and a drag moves one.
+        let viewport = page.find("Viewport").rect();
+        let from = page.at(before[1].to_array());
+        assert!(viewport.contains(from));
+        page.drag(from, from + egui::vec2(30.0, -40.0));
+        page.drop(from + egui::vec2(30.0, -40.0));
+        let after = points(&mut page);
+        assert_ne!(after[1], before[1], "{name}");
+        assert_eq!(after.iter().zip(&before).filter(|(a, b)| a != b).count(), 1);
+        crate::looks::picture(&mut page, entry);
+        page.press_with(egui::Modifiers::COMMAND, egui::Key::Z);
+        assert_eq!(points(&mut page), before);
+        page.press_with(egui::Modifiers::COMMAND, egui::Key::Z);
+        assert_eq!(page.mesh().face_count(), 6, "the cube is back");
+    }
+    // In the form of a new shape too, with the degree of a curve.
+    let mut page = Page::new();
+    page.command(json!({ "op": "new", "shape": "bezier-curve", "degree": 5, "add": true }));
+    assert_eq!(points(&mut page).len(), 6);
+    assert_eq!(page.app().editor().document().objects().len(), 2);
+}

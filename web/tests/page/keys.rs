@@ -484,15 +484,16 @@ fn settings_that_cannot_be_read_are_reported() {
 #[test]
 fn keys_of_the_browser_are_taken_in_the_viewport_only() {
     let mut page = with_keys("blender");
-    for text in ["Ctrl+R", "Ctrl+B", "Ctrl+Z", "F3", "Space"] {
+    for text in ["Ctrl+R", "Ctrl+B", "Ctrl+Z", "Ctrl+V", "Ctrl+F", "F3", "Space"] {
         assert!(page.app().takes_key(shortcut(text)), "{text}");
     }
-    for text in ["Ctrl+D", "Ctrl+H", "F5", "Ctrl+W", "U", "Ctrl+V"] {
+    for text in ["Ctrl+D", "Ctrl+H", "F5", "Ctrl+W", "U"] {
         assert!(!page.app().takes_key(shortcut(text)), "{text} means nothing here");
     }
     page.row("Vertex 2").click();
     page.run();
     assert!(!page.app().takes_key(shortcut("Ctrl+R")), "a list has the focus");
+    assert!(!page.app().takes_key(shortcut("Ctrl+V")), "pasting is the browser's");
     assert!(page.app().takes_key(shortcut("Ctrl+J")));
     press(&mut page, "Ctrl+K");
     page.run();
@@ -526,6 +527,7 @@ fn an_operation_on_the_whole_mesh_that_a_key_started_says_so() {
     // Whoever chose it in a menu knows.
     let mut page = Page::new();
     page.click("Mesh");
+    page.click("Subdivide");
     page.click("Upsample (subdivide) U");
     page.run();
     assert_eq!(page.mesh().face_count(), 24);

@@ -119,3 +119,41 @@ fn the_smallest_windows_have_no_negative_sizes() {
         assert!(page.has("Steps"), "{size}");
     }
 }
+
+/// The fades over the ends of the strip of tools: bands of four corners, two of them transparent.
+fn fades(page: &Page) -> Vec<egui::Rect> {
+    let shapes = page.harness.output().shapes.iter();
+    let meshes = shapes.filter_map(|clipped| match &clipped.shape {
+        egui::Shape::Mesh(mesh) => Some(mesh),
+        _ => None,
+    });
+    // egui fades what is cut off too, over a lesser height.
+    let is_fade = |mesh: &&std::sync::Arc<egui::Mesh>| {
+        mesh.calc_bounds().height() > 30.0
+            && mesh.vertices.len() == 4
+            && mesh.vertices.iter().filter(|corner| corner.color == egui::Color32::TRANSPARENT).count() == 2
+    };
+    meshes.filter(is_fade).map(|mesh| mesh.calc_bounds()).collect()
+}
+
+#[test]
+fn a_fade_says_that_more_tools_follow() {
+    let mut page = Page::sized(PHONE);
+    page.run();
+    let strip = page.find("Tool: Select").rect();
+    let below = fades(&page);
+    assert_eq!(below.len(), 1, "{below:?}");
+    assert!((below[0].center().x - strip.center().x).abs() < 4.0 && below[0].top() > strip.bottom());
+    // Scrolled to the end, the fade is at the top.
+    page.hover(strip.center());
+    for _ in 0..20 {
+        page.turn_wheel(egui::MouseWheelUnit::Point, -200.0);
+    }
+    let above = fades(&page);
+    assert_eq!(above.len(), 1, "{above:?}");
+    assert!(above[0].bottom() < below[0].top());
+    // On a desktop all tools fit.
+    let mut page = Page::new();
+    page.run();
+    assert!(fades(&page).is_empty());
+}

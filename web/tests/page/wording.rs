@@ -87,9 +87,17 @@ fn a_preview_that_takes_too_long_is_not_ticked() {
 #[test]
 fn the_course_actions_say_which_operation_they_are() {
     let mut page = Page::new();
-    page.click("Mesh");
-    for label in ["Upsample (subdivide) U", "Downsample (simplify) D", "Resample (remesh) R"] {
-        assert!(page.has(label), "{label}");
+    for (menu, labels) in [
+        ("Subdivide", ["Upsample (subdivide)", "Subdivide (Loop)"]),
+        ("Simplify", ["Downsample (simplify)", "Simplify…"]),
+        ("Remesh", ["Resample (remesh)", "Longer target edges"]),
+    ] {
+        page.click("Mesh");
+        page.click(menu);
+        for label in labels {
+            assert!(page.has_part(label), "{label} in {menu}");
+        }
+        page.press(Key::Escape);
+        page.press(Key::Escape);
     }
-    page.press(Key::Escape);
 }

@@ -1,8 +1,8 @@
 //! Finding sets of elements, at once or some elements at a time.
 
 use super::criterion::Criterion;
-use super::smaller::SmallerComponents;
 use super::related::{Part, is_hidden, is_within, parts, touching, vertices};
+use super::smaller::SmallerComponents;
 use halfedge::geometry::{BitSet, PolygonTriangulator};
 use halfedge::{Budget, Element, InParts, Mesh, VertexId};
 use std::sync::Arc;

@@ -15,12 +15,14 @@ use super::gizmo;
 use super::navigate;
 use super::pointer::{arrow_keys, gesture_of, is_double, is_finger, modifiers_of_button};
 use super::ring_cut;
+use super::slide;
 use crate::bezier::ControlPoint;
 use crate::input::actions::Action;
 use crate::input::keys;
 use crate::input::mouse::{Mouse, MouseAction};
 use crate::live::edit::Start;
 use crate::live::place::mean_of_element;
+use crate::panels::live_bar;
 use crate::request::{Request, Requests};
 use crate::view::{Gesture, Tool};
 
@@ -91,10 +93,13 @@ impl Viewport<'_> {
         self.hover(ui, response);
         let is_pressed = ui.input(|input| input.pointer.any_down());
         if self.session.live.is_some() && !is_pressed && !is_finger(ui) {
-            // Bars over the viewport don't stop it. A finger leads it only by dragging: it taps on "Apply" too, and eframe
+            // Other bars over the viewport don't stop it. A finger leads it only by dragging: it taps on "Apply" too, and eframe
             // takes it for a mouse in the frame in which it is put down.
             let at = ui.input(|input| input.pointer.latest_pos()).filter(|at| response.rect.contains(*at));
-            out.push(Request::LivePointer(at, ui.input(|input| input.modifiers)));
+            out.push(match at.filter(|at| live_bar::is_at(ui.ctx(), *at)) {
+                Some(_) => Request::LivePointerOnBar,
+                None => Request::LivePointer(at, ui.input(|input| input.modifiers)),
+            });
         }
         if self.session.live.is_some() && response.secondary_clicked() {
             out.push(Request::AbandonLive);
@@ -153,6 +158,11 @@ impl Viewport<'_> {
             self.view.gesture = Gesture::Live { applies: !by_finger };
             return;
         }
+        if primary && !modifiers.any() && keys::is_held(ui.ctx(), Action::Soft) {
+            out.push(Request::WidenSoft(0.0));
+            self.view.gesture = Gesture::SoftRadius;
+            return;
+        }
         let handle = gizmo::handle_at(&self.page(), from, self.view.pick_radius)
             .filter(|_| primary && !modifiers.any());
         if let Some(handle) = handle {
@@ -177,7 +187,10 @@ impl Viewport<'_> {
                 let buttons = [PointerButton::Primary, PointerButton::Secondary, PointerButton::Middle];
                 let button = buttons.into_iter().find(|button| response.dragged_by(*button));
                 let action = button.and_then(|button| self.mouse().drag(button, modifiers));
-                gesture_of(action, from)
+                match action {
+                    Some(MouseAction::Slide) => slide::start(self, from, out),
+                    _ => gesture_of(action, from),
+                }
             }
         };
     }
@@ -240,6 +253,8 @@ impl Viewport<'_> {
             (Gesture::Live { .. }, Some(at)) => {
                 out.push(Request::LivePointer(Some(at), ui.input(|input| input.modifiers)));
             }
+            (Gesture::Slide, Some(at)) => out.push(Request::LivePointer(Some(at), Modifiers::NONE)),
+            (Gesture::SoftRadius, _) if by.x != 0.0 => out.push(Request::WidenSoft(by.x)),
             _ => {}
         }
     }
@@ -247,7 +262,9 @@ impl Viewport<'_> {
     /// Ends the drag at a place, with these modifiers held. Without a place, cancels the drag.
     fn end_gesture(&mut self, at: Option<(Pos2, Modifiers)>, out: &mut Requests) {
         match (std::mem::replace(&mut self.view.gesture, Gesture::None), at) {
-            (Gesture::Live { applies: true }, at) => out.push(Request::EndLive { commit: at.is_some() }),
+            (Gesture::Live { applies: true } | Gesture::Slide, at) => {
+                out.push(Request::EndLive { commit: at.is_some() })
+            }
             (Gesture::Control { .. }, Some(_)) => out.push(Request::CommitEdit),
             (Gesture::Control { .. }, None) => out.push(Request::CancelEdit),
             (Gesture::Box { from }, Some((to, modifiers))) => {

@@ -10,6 +10,7 @@ use crate::live::lock::{Lock, axes_of};
 use crate::page_view::Page;
 use crate::theme;
 use crate::transforming::Gizmo;
+use crate::view::Gesture;
 
 /// The length of an arrow on the screen.
 const ARROW_POINTS: f32 = 84.0;
@@ -75,6 +76,9 @@ pub(super) fn paint(ui: &Ui, rect: Rect, page: &Page<'_>) {
             paint_soft_radius(page, &painter, ui.visuals().strong_text_color());
         }
         return;
+    }
+    if page.view.gesture == Gesture::SoftRadius {
+        return paint_soft_radius(page, &painter, ui.visuals().strong_text_color());
     }
     let pointer =
         ui.input(|input| input.pointer.hover_pos()).filter(|_| !ui.input(|input| input.pointer.any_down()));

@@ -15,6 +15,7 @@ mod panes;
 mod pointer;
 mod regions;
 pub(crate) mod ring_cut;
+mod slide;
 
 use editor::Editor;
 use egui::accesskit::Live;
