@@ -57,7 +57,8 @@ editorTest("vertex colours, measures and marks are drawn", { sizes: [SMALL] }, a
   await editor.open("square.obj", square);
   await editor.press("Alt+1");
   await editor.page.mouse.move(5, 5);
-  await editor.frames(4);
+  // The view glides there.
+  await editor.frames(30);
   const colour = async (point, name) => {
     const [x, y] = await editor.project(point);
     return (await editor.screenshot(name)).at(Math.round(x), Math.round(y));
