@@ -403,7 +403,7 @@ export interface SetCrease {
   edges?: (number | Pair)[];
   /** Vertices to make sharp: a list of vertices, each by id; default: the selected vertices. */
   vertices?: number[];
-  /** 0 is smooth, 10 infinitely sharp: a number from 0 to 10; required. */
+  /** 0 is smooth, 10 or more infinitely sharp: a number, 0 or more; required. */
   sharpness: number;
   /** Mirror the edit across the plane through the origin that this axis is normal to: one of `"none"`, `"x"`, `"y"`, `"z"`; default: none. */
   symmetry?: "none" | "x" | "y" | "z";
@@ -449,7 +449,7 @@ export interface Simplify {
   op: "simplify";
   /** The place of the object in the document's list; default: the active object. */
   object?: number;
-  /** The share of the triangles to keep: a number from 0.0001 to 1; exactly one of these is required. */
+  /** The share of the triangles to keep: a number above 0 and at most 1; exactly one of these is required. */
   ratio?: number;
   /** The number of triangles to keep: a whole number of triangles, 1 or more; exactly one of these is required. */
   faces?: number;
@@ -470,7 +470,7 @@ export interface Remesh {
   edge_length?: number;
   /** The number of iterations: a whole number from 1 to 1000; default: 5. */
   iterations?: number;
-  /** Keep edges that are sharper than this many degrees: a number of degrees above 0, up to 180; default: 45.0. */
+  /** Keep edges that are sharper than this many degrees: a number of degrees above 0 and at most 180; default: 45.0. */
   feature_angle?: number;
   /** Project vertices back onto the surface: `true` or `false`; default: true. */
   project?: boolean;
@@ -868,9 +868,9 @@ export interface BezierMovePoint {
   point?: number;
   /** Which patch of a surface: a whole number, 0 or more; default: none, for a curve. */
   patch?: number;
-  /** Which row of the patch: a whole number from 0 to 3; default: none, for a curve. */
+  /** Which row of the patch, 0 to 3: a whole number, 0 or more; default: none, for a curve. */
   row?: number;
-  /** Which point of the row: a whole number from 0 to 3; default: none, for a curve. */
+  /** Which point of the row, 0 to 3: a whole number, 0 or more; default: none, for a curve. */
   column?: number;
   /** The new position: three numbers: `[x, y, z]`; required. */
   position: Vector;

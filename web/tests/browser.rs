@@ -28,6 +28,7 @@ fn messages_of_the_worker_round_trip() {
             field: field.map(str::to_owned),
             problem: "face 7 has 4 corners".to_owned(),
             kind,
+            is_of_field: field.is_some(),
             advice: field.map(|field| format!("Look at {field}.")),
         },
     };

@@ -4,7 +4,8 @@
 //! itself: for a surface it is the welded tessellation, fine enough for display; for a curve it is empty.
 //! `bezier-tessellate` replaces the control points by a mesh that every operation can edit.
 
-use crate::error::{CommandError, OPEN, Problem, not_opened};
+use crate::Task;
+use crate::error::{CommandError, Problem, not_opened};
 use formats::Import;
 use std::sync::Arc;
 pub use surface::bezier::Bezier;
@@ -15,7 +16,7 @@ pub use surface::bezier::Bezier;
 /// # Errors
 /// A surface has more patches than a mesh can show.
 pub fn show_controls(import: &mut Import) -> Result<(), CommandError> {
-    fill_previews(import).map_err(|problem| CommandError::of(OPEN, problem))
+    fill_previews(import).map_err(|problem| CommandError::of(Task::Open, problem))
 }
 
 pub(crate) fn fill_previews(import: &mut Import) -> Result<(), Problem> {

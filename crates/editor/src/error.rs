@@ -1,36 +1,16 @@
 //! Why a command was refused.
 
-use crate::ops::{Field, OpId};
+use crate::Task;
+use crate::ops::Field;
 use halfedge::Refusal;
 use halfedge::words::sentence;
 use serde::Serialize;
 use std::fmt;
 use surface::SurfaceError;
 
-/// What was attempted when files could not be opened.
-pub(crate) const OPEN: &str = "open";
-
-/// What was attempted when files could not be written.
-pub(crate) const EXPORT: &str = "export";
-
-/// What was attempted when an image could not be decoded.
-pub(crate) const DECODE: &str = "decode";
-
 /// That something could not be opened, and why, in sentences.
 pub(crate) fn not_opened(name: &str, why: &str) -> String {
     format!("Could not open {name}. {}", sentence(why))
-}
-
-/// Whether a problem has its field as the subject: "is missing", "has no length".
-fn is_predicate(problem: &str) -> bool {
-    let first = problem.split(' ').next();
-    first.is_some_and(|word| ["is", "has", "must", "goes", "does"].contains(&word))
-}
-
-/// A field and its problem: "Direction has no length", "Edges: there is no edge 7".
-fn about(field: &str, problem: &str) -> String {
-    let colon = if is_predicate(problem) { "" } else { ":" };
-    format!("{field}{colon} {problem}")
 }
 
 const NOT_SAVED: &str = "Could not save the document.";
@@ -49,6 +29,9 @@ pub struct CommandError {
     pub problem: String,
     /// The kind of failure.
     pub kind: ErrorKind,
+    /// Whether the field is the subject of the problem: "is missing", "has no length".
+    #[serde(skip)]
+    pub is_of_field: bool,
     /// A sentence that replaces the field and the problem in the interface.
     #[serde(skip)]
     pub advice: Option<String>,
@@ -75,8 +58,8 @@ impl CommandError {
     }
 
     pub(crate) fn of(op: impl Into<String>, problem: Problem) -> Self {
-        let Problem { field, text, kind, advice } = problem;
-        Self { op: op.into(), field, problem: text, kind, advice }
+        let Problem { field, text, is_of_field, kind, advice } = problem;
+        Self { op: op.into(), field, problem: text, kind, is_of_field, advice }
     }
 
     /// Why the command can't be carried out, as a sentence for a tooltip: "Select an edge first." Fields have
@@ -84,7 +67,7 @@ impl CommandError {
     pub fn reason(&self) -> String {
         match (&self.advice, self.labels()) {
             (Some(advice), _) => advice.clone(),
-            (None, Some((_, Some(field)))) => sentence(&about(&field, &self.problem)),
+            (None, Some((_, Some(field)))) => sentence(&self.about(&field)),
             (None, _) => sentence(&self.problem),
         }
     }
@@ -92,20 +75,34 @@ impl CommandError {
     /// What a person reads in a message: the reason, with the operation where the reason does not stand alone.
     pub fn message(&self) -> String {
         match (&self.advice, self.labels()) {
-            (None, Some((op, Some(field)))) => sentence(&match is_predicate(&self.problem) {
-                true => format!("{op}: {} {}", field.to_lowercase(), self.problem),
-                false => format!("{op}, {}: {}", field.to_lowercase(), self.problem),
-            }),
+            (None, Some((op, Some(field)))) => {
+                let separator = if self.is_of_field { ":" } else { "," };
+                sentence(&format!("{op}{separator} {}", self.about(&field.to_lowercase())))
+            }
             (None, Some((op, None))) => sentence(&format!("{op}: {}", self.problem)),
-            (None, None) if self.op == EXPORT => format!("{NOT_SAVED} {}", sentence(&self.problem)),
+            (None, None) if self.task() == Some(Task::Export) => {
+                format!("{NOT_SAVED} {}", sentence(&self.problem))
+            }
             _ => self.reason(),
         }
+    }
+
+    /// A field and its problem: "Direction has no length", "Edges: there is no edge 7".
+    fn about(&self, field: &str) -> String {
+        let colon = if self.is_of_field { "" } else { ":" };
+        format!("{field}{colon} {}", self.problem)
+    }
+
+    /// What was attempted; none if there is no such task, or the error is of something else.
+    fn task(&self) -> Option<Task> {
+        Task::named(&self.op)
     }
 
     /// The labels of the operation and of its invalid field. A problem with elements names them itself, so that
     /// the field's label would only repeat their kind.
     fn labels(&self) -> Option<(&'static str, Option<String>)> {
-        let spec = OpId::named(&self.op)?.spec();
+        let Task::Op(id) = self.task()? else { return None };
+        let spec = id.spec();
         let name = self.field.as_deref().and_then(|field| field.split('[').next());
         let field = name.and_then(|name| spec.field(name)).filter(|field| !field.is_target());
         Some((spec.label, field.map(Field::label)))
@@ -119,12 +116,13 @@ impl CommandError {
 
 impl fmt::Display for CommandError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match (self.op.as_str(), &self.field) {
-            // No operation has these names. The problem says which file could not be opened.
-            (OPEN, _) => f.write_str(&self.problem),
-            (EXPORT, _) => write!(f, "{NOT_SAVED} {}", sentence(&self.problem)),
-            (op, Some(field)) => write!(f, "{op}: {}", about(&format!("`{field}`"), &self.problem)),
-            (op, None) => write!(f, "{op}: {}", self.problem),
+        let op = &self.op;
+        match (self.task(), &self.field) {
+            // The problem says which file could not be opened.
+            (Some(Task::Open), _) => f.write_str(&self.problem),
+            (Some(Task::Export), _) => write!(f, "{NOT_SAVED} {}", sentence(&self.problem)),
+            (_, Some(field)) => write!(f, "{op}: {}", self.about(&format!("`{field}`"))),
+            (_, None) => write!(f, "{op}: {}", self.problem),
         }
     }
 }
@@ -136,6 +134,8 @@ impl std::error::Error for CommandError {}
 pub(crate) struct Problem {
     pub field: Option<String>,
     pub text: String,
+    /// Whether the field is the subject of the text.
+    pub is_of_field: bool,
     pub kind: ErrorKind,
     /// A sentence that replaces the field and the text in the interface.
     pub advice: Option<String>,
@@ -143,11 +143,17 @@ pub(crate) struct Problem {
 
 impl Problem {
     pub fn new(text: impl Into<String>) -> Self {
-        Self { field: None, text: text.into(), kind: ErrorKind::Refused, advice: None }
+        Self { field: None, text: text.into(), is_of_field: false, kind: ErrorKind::Refused, advice: None }
     }
 
-    pub fn field(field: impl Into<String>, text: impl Into<String>) -> Self {
-        Self { field: Some(field.into()), ..Self::new(text) }
+    /// A problem of a field, as a clause with a subject of its own: "there is no edge 7".
+    pub fn field(field: impl Into<String>, clause: impl Into<String>) -> Self {
+        Self { field: Some(field.into()), ..Self::new(clause) }
+    }
+
+    /// A problem that has the field as its subject: "is missing".
+    pub fn of_field(field: impl Into<String>, predicate: impl Into<String>) -> Self {
+        Self { is_of_field: true, ..Self::field(field, predicate) }
     }
 
     /// Adds a sentence for the interface.
@@ -183,7 +189,7 @@ impl From<SurfaceError> for Problem {
     fn from(error: SurfaceError) -> Self {
         match error {
             SurfaceError::Cancelled => Self::cancelled(),
-            SurfaceError::BadField { field, must_be } => Self::field(field, format!("must be {must_be}")),
+            SurfaceError::BadField { field, must_be } => Self::of_field(field, format!("must be {must_be}")),
             SurfaceError::TooManyFaces { .. }
             | SurfaceError::NotTriangles { .. }
             | SurfaceError::MeetTwice { .. } => Self::new(error.to_string()),

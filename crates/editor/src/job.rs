@@ -8,12 +8,15 @@ pub(crate) mod wire;
 
 pub use wire::{BadBytes, Wire};
 
+use crate::Task;
 use crate::bezier::fill_previews;
-use crate::error::{CommandError, DECODE, EXPORT, OPEN, Problem, not_opened};
+use crate::error::{CommandError, Problem, not_opened};
 use crate::ops::{Action, Op, Symmetry, edit_local};
 use crate::outcome::{Before, ElementIds};
 use crate::project::{Project, ReadProject};
-use formats::{Format, Image, Import, Materials, Model, NamedBytes, NamedMesh, Picture, ReadError, Repairs};
+use formats::{
+    Format, Image, Import, Materials, Model, NamedBytes, NamedMesh, Picture, PictureError, ReadError, Repairs,
+};
 use glam::DVec3;
 use halfedge::{Mesh, Progress};
 use surface::MirrorImages;
@@ -108,13 +111,13 @@ impl JobRequest {
         self.id
     }
 
-    /// The op, or `open`, `export` and `decode`.
-    pub fn op(&self) -> &'static str {
+    /// What it does; none for a job without operations, which does nothing.
+    pub fn task(&self) -> Option<Task> {
         match &self.work {
-            Work::Import(..) => OPEN,
-            Work::Run(ops, ..) => ops.first().map_or("nothing", |op| op.spec().name),
-            Work::Export(..) | Work::Save(_) => EXPORT,
-            Work::Decode(..) => DECODE,
+            Work::Import(..) => Some(Task::Open),
+            Work::Run(ops, ..) => ops.first().map(|op| Task::Op(op.id())),
+            Work::Export(..) | Work::Save(_) => Some(Task::Export),
+            Work::Decode(..) => Some(Task::Decode),
         }
     }
 
@@ -123,7 +126,8 @@ impl JobRequest {
     /// # Errors
     /// Why the command is refused, or that it was cancelled.
     pub fn run(&self, progress: &mut Progress<'_>) -> Result<JobResult, CommandError> {
-        self.work.run(progress).map_err(|problem| CommandError::of(self.op(), problem))
+        let name = self.task().map_or("job", Task::name);
+        self.work.run(progress).map_err(|problem| CommandError::of(name, problem))
     }
 }
 
@@ -183,7 +187,10 @@ impl Work {
             }
             Self::Save(project) => Made::Files(vec![project.file()]),
             Self::Decode(image, largest) => {
-                Made::Picture(Picture::decode(image, *largest, progress).map_err(Problem::new)?)
+                Made::Picture(Picture::decode(image, *largest, progress).map_err(|error| match error {
+                    PictureError::Cancelled => Problem::cancelled(),
+                    PictureError::Unreadable(why) => Problem::new(why),
+                })?)
             }
         };
         Ok(JobResult { made, validated: false })

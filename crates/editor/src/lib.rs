@@ -19,6 +19,7 @@ pub mod project;
 pub mod recovery;
 pub mod script;
 mod selection;
+mod task;
 
 pub use bezier::{Bezier, show_controls};
 pub use changes::{Changes, ObjectChange};
@@ -30,6 +31,7 @@ pub use ops::{Command, Facts, Op, OpId, Scope, SelectMode, Spec};
 pub use outcome::{ElementIds, Elements, Outcome};
 pub use script::element_kind;
 pub use selection::Selection;
+pub use task::Task;
 
 /// The library that reads and writes files, for its types in this crate's signatures.
 pub use formats;

@@ -1,15 +1,16 @@
 //! What a command did.
 
+use crate::Task;
 use formats::ReportNote;
 use halfedge::words::counted;
 use halfedge::{EdgeId, FaceId, Mesh, Touched, VertexId};
 use serde::Serialize;
 
 /// What a command created and removed: in numbers and, for local edits, by id.
-#[derive(Clone, Debug, Default, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Outcome {
-    /// The operation's name.
-    pub op: String,
+    /// The operation, or what else was done.
+    pub op: Task,
     /// The elements that were created.
     pub created: Elements,
     /// The elements that were removed.
@@ -25,10 +26,8 @@ pub struct Outcome {
 
 impl Outcome {
     /// The outcome of an operation that created and removed these elements, with a sentence that says so.
-    pub fn new(op: impl Into<String>, created: Elements, removed: Elements) -> Self {
-        let op = op.into();
-        let label = crate::OpId::named(&op).map_or(&*op, |id| id.spec().label);
-        let message = message(label, &created, &removed);
+    pub fn new(op: Task, created: Elements, removed: Elements) -> Self {
+        let message = message(op.label(), &created, &removed);
         Self { op, created, removed, message, warnings: Vec::new(), report: Vec::new() }
     }
 }
@@ -36,8 +35,7 @@ impl Outcome {
 impl Outcome {
     /// The same outcome, with a message about what was created only: what was there before is another document.
     pub(crate) fn into_new_document(self) -> Self {
-        let label = crate::OpId::named(&self.op).map_or(&*self.op, |id| id.spec().label);
-        Self { message: message(label, &self.created, &Elements::default()), ..self }
+        Self { message: message(self.op.label(), &self.created, &Elements::default()), ..self }
     }
 
     /// The same outcome, with a message that nothing changed.

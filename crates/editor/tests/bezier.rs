@@ -320,7 +320,7 @@ fn refusals_name_the_field_and_the_valid_values() {
         (json!({"op": "bezier-elevate-degree"}), "this operation is for curves"),
         (
             json!({"op": "bezier-tessellate", "resolution": 0}),
-            "`resolution`: 0 is out of range; it must be 1 to 256",
+            "`resolution`: 0 is out of range; it must be from 1 to 256",
         ),
         (json!({"op": "bezier-tessellate", "resolution": 257}), "`resolution`"),
     ];

@@ -56,7 +56,7 @@ fn decoding_is_a_job_that_changes_nothing() {
     let revision = editor.revision();
     let image = editor.document().materials().images[0].clone();
     let request = editor.begin_decode(&image, 64);
-    assert_eq!(editor.jobs().map(|job| job.op).collect::<Vec<_>>(), ["decode"]);
+    assert_eq!(editor.jobs().map(|job| job.task).collect::<Vec<_>>(), [editor::Task::Decode]);
     let finished = editor.finish(request.id(), run(&request)).expect("a picture");
     let Finished::Decoded(Picture { size, pixels, original }) = finished else { panic!("{finished:?}") };
     assert_eq!((size, original, pixels), ([1, 1], [1, 1], vec![10, 20, 30, 255]));

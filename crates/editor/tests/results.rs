@@ -170,7 +170,8 @@ fn a_job_and_a_preview_select_the_same() {
         editor.update_edit(bevel(width)).expect("possible");
         assert_eq!(selected(&editor), (Element::Edge, vec![12, 13, 14, 15]));
     }
-    editor.update_edit(bevel(-1.0)).expect_err("too narrow");
+    let refused = command(json!({"op": "bevel-edges", "edges": [99], "width": 0.1}));
+    editor.update_edit(refused).expect_err("no such edge");
     assert_eq!(selected(&editor), (Element::Edge, vec![12, 13, 14, 15]), "of the preview that stays");
     editor.cancel_edit();
     assert_eq!(selected(&editor), (Element::Edge, vec![0]));

@@ -238,11 +238,12 @@ fn fields(id: OpId) -> BoxedStrategy<Map<String, Value>> {
             FieldKind::Elements { .. } => {
                 prop::collection::btree_set(0_u32..24, 1..6).prop_map(|ids| json!(ids)).boxed()
             }
-            FieldKind::Number { min, max, .. } => {
-                (min.max(-2.0)..=max.min(2.0)).prop_map(|number| json!(number as f32)).boxed()
+            FieldKind::Number { range, .. } => {
+                (-2.0..=2.0).prop_map(move |number| json!(range.nearest(number) as f32)).boxed()
             }
-            FieldKind::Integer { min, max, .. } => {
-                (min.max(-6)..=max.min(6).max(min)).prop_map(Value::from).boxed()
+            FieldKind::Integer { range, .. } => {
+                let min = *range.whole_bounds().start();
+                (min..=min.max(6)).prop_map(Value::from).boxed()
             }
             FieldKind::Vector => proptest::array::uniform3(-2.0_f32..2.0).prop_map(|v| json!(v)).boxed(),
             FieldKind::Choice(choices) => {

@@ -43,7 +43,7 @@ pub use model::material::{AlphaMode, Material, Materials, MtlStatements, Rgb};
 pub use model::texture::{Image, Texture, TextureRole, UvTransform, Wrap};
 pub use model::{Model, NamedMesh};
 pub use obj::name_of_group;
-pub use picture::Picture;
+pub use picture::{Picture, PictureError};
 pub use project::MARK as PROJECT_MARK;
 pub use read::{Import, read, read_with};
 pub use report::{ImportReport, ReportNote, Severity, first_few};

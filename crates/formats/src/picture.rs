@@ -6,6 +6,7 @@ use crate::model::texture::Image;
 use halfedge::Progress;
 use halfedge::words::thousands;
 use image::{DynamicImage, ImageDecoder, ImageError, ImageFormat, ImageReader, Limits};
+use std::fmt;
 use std::io::Cursor;
 
 /// A file that says it has more pixels is refused: decoded, it might not fit into a browser's memory.
@@ -14,6 +15,32 @@ const MAX_PIXELS: u64 = 1 << 27;
 const MAX_DECODING_BYTES: u64 = MAX_PIXELS * 8;
 /// How much of the work decoding is, as seen in the progress; the rest are the smaller versions.
 const DECODING_SHARE: f32 = 0.7;
+
+/// Why an image was not decoded.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum PictureError {
+    /// The progress callback asked to stop.
+    Cancelled,
+    /// In words: the bytes are missing or damaged, the picture is too large, or of another kind.
+    Unreadable(String),
+}
+
+impl fmt::Display for PictureError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Cancelled => f.write_str("Decoding the image was cancelled."),
+            Self::Unreadable(why) => f.write_str(why),
+        }
+    }
+}
+
+impl std::error::Error for PictureError {}
+
+impl From<String> for PictureError {
+    fn from(why: String) -> Self {
+        Self::Unreadable(why)
+    }
+}
 
 /// A decoded picture, and smaller versions of it for showing it small.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -32,12 +59,12 @@ impl Picture {
     /// until it isn't.
     ///
     /// # Errors
-    /// In words: the bytes are missing or damaged, the picture is too large, or of another kind.
+    /// [`PictureError`].
     ///
     /// # Cost
     /// Time and memory are linear in the pixels of the file, of which there are at most 2²⁷.
-    pub fn decode(image: &Image, largest: u32, progress: &mut Progress) -> Result<Self, String> {
-        let bytes = image.bytes.as_deref().ok_or("its file was not given")?;
+    pub fn decode(image: &Image, largest: u32, progress: &mut Progress) -> Result<Self, PictureError> {
+        let bytes = image.bytes.as_deref().ok_or_else(|| "its file was not given".to_owned())?;
         let format = format_of(image, bytes)?;
         let mut limits = Limits::default();
         limits.max_alloc = Some(MAX_DECODING_BYTES);
@@ -47,17 +74,18 @@ impl Picture {
         let (width, height) = decoder.dimensions();
         let pixels = u64::from(width) * u64::from(height);
         if pixels > MAX_PIXELS || pixels == 0 {
-            return Err(format!(
+            let why = format!(
                 "it says that it is {width} × {height} pixels large; at most {} pixels can be shown",
                 thousands(MAX_PIXELS as usize)
-            ));
+            );
+            return Err(why.into());
         }
         if progress(0.0).is_break() {
-            return Err("cancelled".to_owned());
+            return Err(PictureError::Cancelled);
         }
         let decoded = DynamicImage::from_decoder(decoder).map_err(|error| in_words(&error))?;
         let pixels = decoded.into_rgba8().into_raw();
-        Self::with_levels([width, height], pixels, largest, progress).ok_or_else(|| "cancelled".to_owned())
+        Self::with_levels([width, height], pixels, largest, progress).ok_or(PictureError::Cancelled)
     }
 
     /// A picture of these pixels: 8-bit RGBA in sRGB, rows from the top. Missing ones are black.

@@ -1,11 +1,11 @@
 //! Decoding images, and images that come after their model.
 
-use formats::{Image, NamedBytes, Picture, is_image};
+use formats::{Image, NamedBytes, Picture, PictureError, is_image};
 use image::{ColorType, ExtendedColorType, ImageEncoder, ImageFormat};
 use std::io::Cursor;
 use std::ops::ControlFlow;
 
-fn decode(name: &str, bytes: &[u8], largest: u32) -> Result<Picture, String> {
+fn decode(name: &str, bytes: &[u8], largest: u32) -> Result<Picture, PictureError> {
     let image = Image { name: name.to_owned(), media_type: None, bytes: Some(bytes.into()) };
     Picture::decode(&image, largest, &mut |_| ControlFlow::Continue(()))
 }
@@ -69,7 +69,7 @@ fn large_pictures_are_shown_smaller_and_bombs_are_refused() {
     let crc = crc(&bomb[12..29]);
     bomb[29..33].copy_from_slice(&crc.to_be_bytes());
     let error = decode("a.png", &bomb, 4096).expect_err("a bomb");
-    assert!(error.contains("65535 × 65535 pixels"), "{error}");
+    assert!(error.to_string().contains("65535 × 65535 pixels"), "{error}");
 }
 
 /// The checksum of a chunk of a PNG.
@@ -95,7 +95,8 @@ fn what_cannot_be_decoded_is_said_in_words() {
         ("a", &b"what?"[..], "no image of a known kind"),
     ] {
         let error = decode(name, bytes, 4096).expect_err(name);
-        assert!(error.contains(expected), "{name}: {error}");
+        let PictureError::Unreadable(why) = error else { panic!("{name} was cancelled") };
+        assert!(why.contains(expected), "{name}: {why}");
     }
     for cut in 0..png.len() {
         // Without a panic; the last bytes only end the file.
@@ -103,10 +104,10 @@ fn what_cannot_be_decoded_is_said_in_words() {
     }
     let absent = Image { name: "a.png".to_owned(), ..Image::default() };
     let error = Picture::decode(&absent, 4096, &mut |_| ControlFlow::Continue(()));
-    assert!(error.expect_err("no bytes").contains("not given"));
+    assert_eq!(error, Err(PictureError::Unreadable("its file was not given".to_owned())));
     let image = Image { name: "a.png".to_owned(), media_type: None, bytes: Some(png.into()) };
     let cancelled = Picture::decode(&image, 4096, &mut |_| ControlFlow::Break(()));
-    assert_eq!(cancelled.expect_err("cancelled"), "cancelled");
+    assert_eq!(cancelled, Err(PictureError::Cancelled));
 }
 
 /// A square with a material that names `wood.png`.

@@ -44,6 +44,7 @@ pub mod edit;
 pub mod geometry;
 mod in_parts;
 mod mesh;
+mod number_range;
 pub mod words;
 
 pub use edit::Refusal;
@@ -54,6 +55,7 @@ pub use mesh::{
     Mesh, NONE, Note, NoteKind, PolygonSoup, RawMesh, Renumbering, Rule, TooLarge, Topology, TopologyCounter,
     Touched, VertexId,
 };
+pub use number_range::NumberRange;
 
 /// Receives the progress of a long operation, from 0 to 1, and returns whether to continue. After `Break` the
 /// operation stops and leaves its input unchanged.

@@ -1,7 +1,7 @@
 //! Errors of whole-mesh operations.
 
 use halfedge::words::thousands;
-use halfedge::{FaceId, VertexId};
+use halfedge::{FaceId, NumberRange, VertexId};
 use std::fmt;
 
 /// Why a whole-mesh operation returned no mesh. The input is always unchanged.
@@ -46,13 +46,9 @@ impl SurfaceError {
     }
 }
 
-/// Refuses iteration counts beyond any use.
-pub(crate) fn check_iterations(iterations: u32, limit: u32) -> Result<(), SurfaceError> {
-    if iterations <= limit {
-        Ok(())
-    } else {
-        Err(SurfaceError::field("iterations", format!("at most {limit}")))
-    }
+/// Refuses a value that is out of its field's range.
+pub(crate) fn require(field: &'static str, value: f64, range: NumberRange) -> Result<(), SurfaceError> {
+    if range.contains(value) { Ok(()) } else { Err(SurfaceError::field(field, range.to_string())) }
 }
 
 impl fmt::Display for SurfaceError {

@@ -34,14 +34,15 @@ pub use face_tree::{FaceTree, FaceTreeBuilder, FaceWalk, Hit, Ray};
 pub use join_meshes::join_meshes;
 pub use merge_by_distance::{Merged, merge_by_distance};
 pub use mirror_images::{MirrorImages, mirrored};
-pub use remesh::{MAX_REMESH_ITERATIONS, Remesh, remesh};
+pub use remesh::{REMESH_FEATURE_ANGLE_RANGE, REMESH_ITERATIONS_RANGE, Remesh, remesh};
 pub use shapes::{Shape, ShapeField};
-pub use simplify::{Simplified, Simplify, SimplifyTarget, simplify};
-pub use smooth::{MAX_SMOOTH_ITERATIONS, Smooth, SmoothMethod, smooth};
+pub use simplify::{SIMPLIFY_RATIO_RANGE, Simplified, Simplify, SimplifyTarget, simplify};
+pub use smooth::{SMOOTH_ITERATIONS_RANGE, SMOOTH_STRENGTH_RANGE, Smooth, SmoothMethod, smooth};
 pub use soft_selection::soft_selection;
 pub use subdivide::{
-    BoundaryRule, CatmullClark, Linear, Loop, LoopWeights, MAX_SUBDIVIDED_FACES, Split, VertexRule,
-    compact_ids, descendants, quad_split_faces, subdivide_catmull_clark, subdivide_linear, subdivide_loop,
+    BoundaryRule, CatmullClark, Linear, Loop, LoopWeights, MAX_SUBDIVIDED_FACES, SUBDIVISION_LEVELS_RANGE,
+    Split, VertexRule, compact_ids, descendants, quad_split_faces, subdivide_catmull_clark, subdivide_linear,
+    subdivide_loop,
 };
 
 use halfedge::Mesh;

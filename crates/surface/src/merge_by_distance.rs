@@ -1,10 +1,10 @@
 //! Merging vertices that are close to each other.
 
-use crate::SurfaceError;
+use crate::error::{SurfaceError, require};
 use crate::pace::Pace;
 use halfedge::attribute::Column;
 use halfedge::geometry::{MergedPoints, PointMerger};
-use halfedge::{Element, Mesh, NONE, Note, PolygonSoup, Progress};
+use halfedge::{Element, Mesh, NONE, Note, NumberRange, PolygonSoup, Progress};
 
 /// A mesh with close vertices merged.
 #[derive(Debug)]
@@ -31,9 +31,7 @@ pub fn merge_by_distance(
     distance: f64,
     progress: &mut Progress<'_>,
 ) -> Result<Merged, SurfaceError> {
-    if !(distance >= 0.0 && distance.is_finite()) {
-        return Err(SurfaceError::field("distance", "a finite number, 0 or more"));
-    }
+    require("distance", distance, NumberRange::NOT_NEGATIVE)?;
     let mut pace = Pace::new(progress);
     pace.at(0.0)?;
     let source = mesh.to_soup();

@@ -1,17 +1,20 @@
 //! Smoothing the positions of vertices.
 
-use crate::error::{SurfaceError, check_iterations};
+use crate::error::{SurfaceError, require};
 use crate::pace::Pace;
 use glam::DVec3;
-use halfedge::{Element, Mesh, Progress, VertexId, keys};
+use halfedge::{Element, Mesh, NumberRange, Progress, VertexId, keys};
 
-/// The most iterations that [`smooth`] accepts.
-pub const MAX_SMOOTH_ITERATIONS: u32 = 10_000;
+/// The numbers of iterations of [`smooth`].
+pub const SMOOTH_ITERATIONS_RANGE: NumberRange = NumberRange::counts(1, 10_000);
+
+/// The strengths of [`smooth`].
+pub const SMOOTH_STRENGTH_RANGE: NumberRange = NumberRange::new(0.0, 1.0);
 
 /// How to smooth.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Smooth {
-    /// The number of iterations, up to [`MAX_SMOOTH_ITERATIONS`].
+    /// The number of iterations, in [`SMOOTH_ITERATIONS_RANGE`].
     pub iterations: u32,
     /// How far a vertex moves towards the mean of its neighbours in an iteration: from 0, which moves nothing, to 1.
     pub strength: f64,
@@ -40,10 +43,8 @@ const TAUBIN_PASS_BAND: f64 = 0.1;
 /// # Errors
 /// [`SurfaceError::BadField`]; [`SurfaceError::Cancelled`].
 pub fn smooth(mesh: &Mesh, options: &Smooth, progress: &mut Progress<'_>) -> Result<Mesh, SurfaceError> {
-    if !(0.0..=1.0).contains(&options.strength) {
-        return Err(SurfaceError::field("strength", "from 0 to 1"));
-    }
-    check_iterations(options.iterations, MAX_SMOOTH_ITERATIONS)?;
+    require("strength", options.strength, SMOOTH_STRENGTH_RANGE)?;
+    require("iterations", options.iterations.into(), SMOOTH_ITERATIONS_RANGE)?;
     if options.strength == 0.0 {
         return Ok(mesh.clone());
     }

@@ -63,7 +63,7 @@ impl Script<'_> {
             .session
             .editor
             .jobs()
-            .map(|job| json!({ "progress": self.app.session.jobs.fraction(job.id), "op": job.op }))
+            .map(|job| json!({ "progress": self.app.session.jobs.fraction(job.id), "op": job.task }))
             .collect();
         if let Value::Object(map) = &mut state {
             map.insert("jobs".into(), jobs.into());

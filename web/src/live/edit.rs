@@ -256,13 +256,11 @@ impl Live {
         self.set_value(value);
     }
 
-    /// Sets the amount, within its range.
+    /// Sets the amount, within the range of its field.
     fn set_value(&mut self, value: Vec3) {
-        self.value = match self.drag {
-            Drag::Width => value.max(Vec3::ZERO),
-            Drag::Fraction => Vec3::X * value.x.clamp(0.01, 0.99),
-            Drag::Slide => Vec3::X * value.x.clamp(-1.0, 1.0),
-            Drag::Distance | Drag::Offset | Drag::Rotation | Drag::Factors => value,
+        self.value = match self.field.range() {
+            Some(range) => Vec3::X * range.nearest(value.x.into()) as f32,
+            None => value,
         };
     }
 
@@ -297,9 +295,9 @@ impl Live {
     /// Turns the wheel: a count, or the radius of the soft selection.
     pub fn turn_wheel(&mut self, notches: i32, settings: &mut Settings, view: &View) {
         if let Some((field, count)) = &mut self.count {
-            let FieldKind::Integer { min, max, .. } = field.kind else { return };
-            let wanted = (i64::from(*count) + i64::from(notches)).clamp(min, max);
-            *count = u32::try_from(wanted).unwrap_or(*count);
+            let Some(range) = field.range() else { return };
+            let wanted = range.nearest(f64::from(*count) + f64::from(notches));
+            *count = wanted as u32;
         } else if let Some(radius) = &mut settings.soft_radius {
             let unit = self.sight(view).units_per_point();
             *radius = (*radius * RADIUS_STEP.powi(notches)).clamp(unit, unit * 1e5);

@@ -246,7 +246,9 @@ fn buttons(
         Bezier::Surface(_) => {
             let mut resolution = tessellation.unwrap_or_else(|| BezierTessellate::default().resolution);
             let label = ui.label("Quads per side");
-            let spin = number_box(&mut resolution).speed(0.1).range(1..=surface::bezier::MAX_RESOLUTION);
+            let spin = number_box(&mut resolution)
+                .speed(0.1)
+                .range(surface::bezier::RESOLUTION_RANGE.whole_bounds());
             if ui.add(spin).labelled_by(label.id).changed() {
                 *tessellation = Some(resolution);
             }

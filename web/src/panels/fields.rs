@@ -115,13 +115,16 @@ fn unit(field: &Field) -> Option<Unit> {
 
 fn edit(ui: &mut Ui, field: &Field, label: &str, value: &mut Value, facts: &Facts) {
     match field.kind {
-        FieldKind::Number { unit, min, max } => number(ui, None, value, min..=max, speed(unit, value, facts)),
-        FieldKind::Integer { unit: Unit::Triangles, min, max } => {
+        FieldKind::Number { unit, range } => {
+            number(ui, None, value, range.bounds(), speed(unit, value, facts));
+        }
+        FieldKind::Integer { unit: Unit::Triangles, range } => {
+            let (min, max) = range.whole_bounds().into_inner();
             let most =
                 facts.triangles().and_then(|count| i64::try_from(count).ok()).unwrap_or(max).clamp(min, max);
             integer(ui, value, min..=most, (most as f64 * 0.002).max(0.2));
         }
-        FieldKind::Integer { min, max, .. } => integer(ui, value, min..=max, 0.1),
+        FieldKind::Integer { range, .. } => integer(ui, value, range.whole_bounds(), 0.1),
         FieldKind::Elements { arity: Arity::One, .. } => integer(ui, value, 0..=i64::from(u32::MAX) - 1, 0.1),
         FieldKind::Elements { .. } | FieldKind::Objects => ids(ui, value),
         FieldKind::Vector | FieldKind::Factors => axes(ui, label, value),

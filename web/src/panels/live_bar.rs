@@ -1,7 +1,7 @@
 //! The bar over the viewport for an edit that follows the pointer.
 
 use editor::OpId;
-use editor::ops::{Drag, FieldKind, Symmetry};
+use editor::ops::{Drag, Symmetry};
 use egui::{Align2, Area, Context, Frame, Id, Order, Pos2, Rect, RichText, Ui, pos2};
 
 use crate::input::actions::Action;
@@ -144,12 +144,11 @@ fn amounts(ui: &mut Ui, live: &Live, speed: f64, out: &mut Requests) {
 /// The operation's count.
 fn count(ui: &mut Ui, live: &Live, out: &mut Requests) {
     let Some((field, mut count)) = live.count else { return };
-    let FieldKind::Integer { min, max, .. } = field.kind else { return };
+    let Some(range) = field.range() else { return };
     let label = field.label();
     ui.label(&label);
-    let field = number_box(&mut count)
-        .range(u32::try_from(min).unwrap_or(0)..=u32::try_from(max).unwrap_or(u32::MAX))
-        .speed(0.1);
+    let bounds = range.bounds();
+    let field = number_box(&mut count).range(*bounds.start() as u32..=*bounds.end() as u32).speed(0.1);
     let response = ui.add(field).accessible_name(label);
     if response.on_hover_text("Drag, type a number, or turn the wheel over the viewport").changed() {
         out.push(Request::SetLiveCount(count));

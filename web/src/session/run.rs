@@ -1,7 +1,7 @@
 //! Running commands, opening and saving files, and the jobs for them.
 
 use editor::{
-    Begun, Command, CommandError, Finished, JobId, JobRequest, JobResult, MessageKind, OpId, Scope,
+    Begun, Command, CommandError, Finished, JobId, JobRequest, JobResult, MessageKind, OpId, Scope, Task,
 };
 use formats::{Format, first_few, is_image};
 
@@ -151,18 +151,18 @@ impl Session {
         self.work_seconds += self.platform.now() - running.started;
         let id = JobId(job);
         let revision = self.editor.revision();
-        let decodes = self.editor.jobs().any(|job| job.id == id && job.op == "decode");
+        let decodes = self.editor.jobs().any(|job| job.id == id && job.task == Task::Decode);
         let finished = self.editor.finish(id, result.map_err(|error| with_notes(error, &running.notes)));
         match finished {
             Ok(Finished::Done(mut outcome)) => {
                 for note in &running.notes {
                     self.editor.say(MessageKind::Warning, note.clone());
                 }
-                if outcome.op == "open" {
+                if outcome.op == Task::Open {
                     self.look_at_opened();
                     self.say_opened(&outcome, &running.notes);
                 } else {
-                    if OpId::named(&outcome.op) == Some(OpId::New) {
+                    if outcome.op == Task::Op(OpId::New) {
                         self.look_at_new();
                     }
                     self.toast(MessageKind::Info, outcome.message.clone(), outcome.warnings.clone());

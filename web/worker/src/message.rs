@@ -71,9 +71,9 @@ impl Message {
                 transfer.push(&bytes.buffer());
             }
             Self::Refused { job, refusal } => {
-                let CommandError { op, field, problem, kind, advice } = refusal;
+                let CommandError { op, field, problem, kind, is_of_field, advice } = refusal;
                 push(&["refused".into(), job_to_js(*job), op.into(), field.clone().into(), problem.into()]);
-                push(&[kind_to_js(*kind), advice.clone().into()]);
+                push(&[kind_to_js(*kind), (*is_of_field).into(), advice.clone().into()]);
             }
             Self::Misunderstood { job, reason } => {
                 push(&["misunderstood".into(), job_to_js(*job), reason.into()]);
@@ -108,7 +108,8 @@ impl Message {
                     field: parts.get(3).as_string(),
                     problem: parts.get(4).as_string()?,
                     kind: kind_from_js(&parts.get(5))?,
-                    advice: parts.get(6).as_string(),
+                    is_of_field: parts.get(6).as_bool()?,
+                    advice: parts.get(7).as_string(),
                 };
                 Some(Self::Refused { job: job_from_js(&parts.get(1))?, refusal })
             }

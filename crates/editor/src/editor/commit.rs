@@ -1,6 +1,7 @@
 //! Committing the result of a whole-mesh operation as one step.
 
 use super::Editor;
+use crate::Task;
 use crate::document::{Object, ObjectId, Origin};
 use crate::error::Problem;
 use crate::history::Change;
@@ -34,7 +35,7 @@ impl Editor {
         let Made::Meshes(_, ids, warnings) = made else { return Err(other_job()) };
         // Local edits list the elements, also where there are none.
         let (created, removed) = ids.map(|(made, gone)| (made.into(), gone.into())).unwrap_or_default();
-        let outcome = Self::outcome(std::slice::from_ref(op), created, removed);
+        let outcome = Self::outcome(op, created, removed);
         Ok(Outcome { warnings, ..outcome.unchanged() })
     }
 
@@ -102,7 +103,7 @@ impl Editor {
             self.selection = Arc::new(selection);
             self.changes.selection = true;
         }
-        let outcome = Self::outcome(std::slice::from_ref(op), created, removed);
+        let outcome = Self::outcome(op, created, removed);
         let outcome = if removed_all { outcome.into_new_document() } else { outcome };
         Ok((Outcome { warnings: notes, ..outcome }, back))
     }
@@ -188,8 +189,8 @@ impl Editor {
         Object::new(id, named)
     }
 
-    pub(super) fn outcome(ops: &[Op], created: Elements, removed: Elements) -> Outcome {
-        ops.first().map_or_else(Outcome::default, |op| Outcome::new(op.spec().name, created, removed))
+    pub(super) fn outcome(op: &Op, created: Elements, removed: Elements) -> Outcome {
+        Outcome::new(Task::Op(op.id()), created, removed)
     }
 }
 

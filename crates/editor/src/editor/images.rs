@@ -2,7 +2,8 @@
 
 use super::jobs::WaitingFor;
 use super::{Editor, MessageKind};
-use crate::error::{CommandError, OPEN};
+use crate::Task;
+use crate::error::CommandError;
 use crate::history::Change;
 use crate::job::{JobRequest, Work};
 use crate::outcome::{Elements, Outcome};
@@ -33,7 +34,7 @@ impl Editor {
                     names(&all)
                 ),
             };
-            return Err(self.report(CommandError::refused(OPEN, problem)));
+            return Err(self.report(CommandError::refused(Task::Open, problem)));
         }
         self.end_edit();
         let before = self.selection.clone();
@@ -46,7 +47,7 @@ impl Editor {
         let left_out = files.iter().filter(|file| !taken.contains(&file.name.as_str()));
         let warnings = left_out.map(|file| format!("{} was left out: no material names it", file.name));
         Ok(Outcome {
-            op: ADD_IMAGES.into(),
+            op: Task::AddImages,
             created: Elements::default(),
             removed: Elements::default(),
             message,
@@ -55,6 +56,3 @@ impl Editor {
         })
     }
 }
-
-/// What outcomes call it.
-const ADD_IMAGES: &str = "add-images";

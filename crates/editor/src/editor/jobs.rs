@@ -3,8 +3,9 @@
 use super::adjust::Replaced;
 use super::run::{Planned, broken};
 use super::{Editor, MessageKind};
+use crate::Task;
 use crate::document::{Object, ObjectId};
-use crate::error::{CommandError, DECODE, EXPORT, OPEN, Problem};
+use crate::error::{CommandError, Problem};
 use crate::history::Change;
 use crate::job::{JobId, JobRequest, JobResult, Made, Work};
 use crate::ops::{Action, Command, NamedMesh, Op, Symmetry};
@@ -51,8 +52,8 @@ pub enum Finished {
 pub struct RunningJob {
     /// The job's id.
     pub id: JobId,
-    /// The operation's name, or `open`, `export` or `decode`.
-    pub op: &'static str,
+    /// What it does.
+    pub task: Task,
 }
 
 /// A job that has not finished, and what to do with its result.
@@ -119,12 +120,12 @@ enum Adjusts {
 }
 
 impl WaitingFor {
-    fn op(&self) -> &'static str {
+    fn task(&self) -> Task {
         match self {
-            Self::Open => OPEN,
-            Self::Export => EXPORT,
-            Self::Decode => DECODE,
-            Self::Run(run) => run.op.spec().name,
+            Self::Open => Task::Open,
+            Self::Export => Task::Export,
+            Self::Decode => Task::Decode,
+            Self::Run(run) => Task::Op(run.op.id()),
         }
     }
 }
@@ -271,7 +272,7 @@ impl Editor {
         if !matches!(job.kind, WaitingFor::Export | WaitingFor::Decode) {
             self.end_edit();
         }
-        let name = job.kind.op();
+        let name = job.kind.task().name();
         let made = result.and_then(|JobResult { made, validated }| {
             if !validated {
                 made.validate().map_err(|defect| CommandError::of(name, broken(&defect)))?;
@@ -352,7 +353,7 @@ impl Editor {
 
     /// The jobs that have not finished, the oldest first.
     pub fn jobs(&self) -> impl Iterator<Item = RunningJob> + '_ {
-        self.jobs.iter().map(|job| RunningJob { id: job.id, op: job.kind.op() })
+        self.jobs.iter().map(|job| RunningJob { id: job.id, task: job.kind.task() })
     }
 
     /// Refuses a change of an object that a job is running on.

@@ -61,13 +61,13 @@ impl Editor {
             Planned::Local { object, ops, symmetry, .. } => {
                 // Edits by hand leave their result selected, also where they name their elements.
                 let edited = self.edit(object, &ops, symmetry, true)?;
-                let outcome =
-                    Outcome { warnings: edited.notes, ..Self::outcome(&ops, edited.created, edited.removed) };
+                let outcome = Self::outcome(&command.op, edited.created, edited.removed);
+                let outcome = Outcome { warnings: edited.notes, ..outcome };
                 (edited.back, outcome, false)
             }
             Planned::Document { op, changes } if op.spec().scope == Scope::Bezier => {
                 let back = self.apply_to_document(changes);
-                (back, Self::outcome(&[op], Elements::default(), Elements::default()), false)
+                (back, Self::outcome(&op, Elements::default(), Elements::default()), false)
             }
             Planned::Whole { op, objects, at } if replaces_its_object(&op) => {
                 if !self.is_small(std::slice::from_ref(&op), &objects) {

@@ -3,8 +3,9 @@
 use super::jobs::WaitingFor;
 use super::run::broken;
 use super::{Editor, MessageKind};
+use crate::Task;
 use crate::bezier::fill_previews;
-use crate::error::{CommandError, OPEN, Problem, not_opened};
+use crate::error::{CommandError, Problem, not_opened};
 use crate::history::Change;
 use crate::outcome::{self, Elements, Outcome};
 use crate::recovery::Event;
@@ -18,12 +19,12 @@ impl Editor {
     /// # Errors
     /// A mesh is invalid, which no reader produces, or a Bezier surface has too many patches.
     pub fn open(&mut self, mut import: Import) -> Result<Outcome, CommandError> {
-        fill_previews(&mut import).map_err(|problem| self.report(CommandError::of(OPEN, problem)))?;
+        fill_previews(&mut import).map_err(|problem| self.report(CommandError::of(Task::Open, problem)))?;
         for object in &import.model.objects {
             object.mesh.validate().map_err(|defect| {
                 let why = broken(&defect.to_string()).text;
                 let problem = Problem::internal(not_opened(&object.name, &why));
-                self.report(CommandError::of(OPEN, problem))
+                self.report(CommandError::of(Task::Open, problem))
             })?;
         }
         Ok(self.open_valid(import))
@@ -82,6 +83,6 @@ impl Editor {
             self.say(kind, note.text.clone());
         }
         let report = report.notes().to_vec();
-        Outcome { op: OPEN.into(), created, removed: Elements::default(), message, warnings, report }
+        Outcome { op: Task::Open, created, removed: Elements::default(), message, warnings, report }
     }
 }

@@ -175,11 +175,11 @@ impl Editor {
     ) -> Result<Outcome, Problem> {
         match planned {
             Planned::Local { object, ops, symmetry, selects } => {
+                let op = ops.first().ok_or_else(|| Problem::internal("the command acts on nothing"))?;
                 let before = self.selection.clone();
                 let done = self.edit(object, &ops, symmetry, selects)?;
-                let label = ops.first().map_or("", Op::label);
-                let outcome = Self::outcome(&ops, done.created, done.removed);
-                let is_step = self.push_step(label.to_owned(), done.back, before);
+                let outcome = Self::outcome(op, done.created, done.removed);
+                let is_step = self.push_step(op.label().to_owned(), done.back, before);
                 let outcome = if is_step { outcome } else { outcome.unchanged() };
                 Ok(Outcome { warnings: done.notes, ..outcome })
             }
@@ -191,11 +191,11 @@ impl Editor {
                 let before = self.selection.clone();
                 let hides = matches!(changes.as_slice(), [Change::Hidden(..)]);
                 let back = self.apply_to_document(changes);
-                let (operation, mut label) = (op.id(), op.label().to_owned());
-                let mut outcome = Self::outcome(&[op], Elements::default(), Elements::default());
+                let mut label = op.label().to_owned();
+                let mut outcome = Self::outcome(&op, Elements::default(), Elements::default());
                 if let (true, Some(Change::Hidden(id, _))) = (hides, back.first()) {
                     let count = self.document.object(*id).map_or(0, |object| object.hidden().len());
-                    if operation == OpId::Isolate && count == 0 {
+                    if op.id() == OpId::Isolate && count == 0 {
                         label = LEAVE_ISOLATION.to_owned();
                     }
                     outcome.message = format!("{label}: {} hidden", counted(count, "face", "faces"));

@@ -95,7 +95,7 @@ impl Editor {
         let count = found.len();
         self.put_found(kind, found, mode);
         let found = counted(count, &kind.to_string(), kind.plural());
-        let outcome = Self::outcome(std::slice::from_ref(op), Elements::default(), Elements::default());
+        let outcome = Self::outcome(op, Elements::default(), Elements::default());
         Outcome { message: format!("{}: {found} found", outcome.message), ..outcome }
     }
 

@@ -39,21 +39,22 @@ impl Command {
                 "a command is a JSON object such as {\"op\": \"split-edge\", \"edge\": 3}",
             ));
         };
-        let fail =
-            |op: &str, field: &str, text: String| Err(CommandError::of(op, Problem::field(field, text)));
+        let fail = |op: &str, problem: Problem| Err(CommandError::of(op, problem));
         let name = match fields.remove("op") {
             Some(Value::String(name)) => name,
             Some(other) => {
-                return fail("command", "op", format!("{other} is not the name of an op, in quotes"));
+                let text = format!("{other} is not the name of an op, in quotes");
+                return fail("command", Problem::field("op", text));
             }
-            None => return fail("command", "op", "is missing: it names what to do".into()),
+            None => return fail("command", Problem::of_field("op", "is missing: it names what to do")),
         };
         let object = match fields.remove("object") {
             None => None,
             Some(value) => match value.as_u64().and_then(|at| usize::try_from(at).ok()) {
                 Some(at) => Some(at),
                 None => {
-                    return fail(&name, "object", format!("{value} is not the place of an object (0, 1, …)"));
+                    let text = format!("{value} is not the place of an object (0, 1, …)");
+                    return fail(&name, Problem::field("object", text));
                 }
             },
         };

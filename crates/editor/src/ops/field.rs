@@ -3,7 +3,7 @@
 use super::choice::Choice;
 use super::facts::Facts;
 use super::wording::{four_digits, sentence_case};
-use halfedge::Element;
+use halfedge::{Element, NumberRange};
 use serde_json::{Value, json};
 
 /// One field of an operation.
@@ -21,8 +21,6 @@ pub struct Field {
     pub fill: Fill,
     /// What a form starts with where the field has no default value.
     pub suggestion: Suggestion,
-    /// Which ends of the range of a number are taken.
-    pub ends: Ends,
     /// How it follows the pointer.
     pub drag: Option<Drag>,
     /// The title of its group of alternatives. Exactly one of a group is given; they are listed
@@ -40,24 +38,19 @@ pub enum FieldKind {
         /// How many it takes.
         arity: Arity,
     },
-    /// A number; `min` and `max` are for forms and help, and operations check their own fields. Whether the ends
-    /// themselves are taken is in [`Field::ends`].
+    /// A number.
     Number {
         /// What it measures.
         unit: Unit,
-        /// The smallest value.
-        min: f64,
-        /// The largest value.
-        max: f64,
+        /// The numbers that commands and forms take.
+        range: NumberRange,
     },
-    /// A whole number; `min` and `max` are for forms and help.
+    /// A whole number.
     Integer {
         /// What it counts.
         unit: Unit,
-        /// The smallest value.
-        min: i64,
-        /// The largest value.
-        max: i64,
+        /// The numbers that commands and forms take.
+        range: NumberRange,
     },
     /// Three numbers: a position, an offset or a direction.
     Vector,
@@ -81,17 +74,6 @@ pub enum FieldKind {
     Shape,
     /// A size that some shapes have: the form of the shape shows it.
     ShapeSize,
-}
-
-/// Which ends of the range of a number a field takes.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Ends {
-    /// Both.
-    Both,
-    /// The largest value, and what is above the smallest.
-    Upper,
-    /// Only what lies between.
-    Neither,
 }
 
 /// How many elements a field takes.
@@ -209,10 +191,16 @@ pub enum Drag {
     Factors,
 }
 
+/// Angles between two directions, in degrees.
+pub(crate) const ANGLE_RANGE: NumberRange = NumberRange::new(0.0, 180.0);
+
+/// Places in a list, from 0. The operation knows the list, and says how long it is.
+pub(crate) const INDEX_RANGE: NumberRange = NumberRange::counts(0, u32::MAX);
+
 impl Field {
     const fn new(name: &'static str, kind: FieldKind, fill: Fill, description: &'static str) -> Self {
         let (suggestion, drag, alternative) = (Suggestion::None, None, None);
-        Self { name, label: "", description, kind, fill, suggestion, ends: Ends::Both, drag, alternative }
+        Self { name, label: "", description, kind, fill, suggestion, drag, alternative }
     }
 
     /// A field that must be given.
@@ -252,16 +240,15 @@ impl Field {
     pub(crate) const fn number(
         name: &'static str,
         unit: Unit,
-        [min, max]: [f64; 2],
+        range: NumberRange,
         description: &'static str,
     ) -> Self {
-        Self::required(name, FieldKind::Number { unit, min, max }, description)
+        Self::required(name, FieldKind::Number { unit, range }, description)
     }
 
     /// A whole number, which must be given unless a default follows.
-    pub(crate) const fn count(name: &'static str, [min, max]: [u32; 2], description: &'static str) -> Self {
-        let kind = FieldKind::Integer { unit: Unit::Count, min: min as i64, max: max as i64 };
-        Self::required(name, kind, description)
+    pub(crate) const fn count(name: &'static str, range: NumberRange, description: &'static str) -> Self {
+        Self::required(name, FieldKind::Integer { unit: Unit::Count, range }, description)
     }
 
     pub(crate) const fn or(self, default: DefaultValue) -> Self {
@@ -270,16 +257,6 @@ impl Field {
 
     pub(crate) const fn unset(self, words: &'static str) -> Self {
         Self { fill: Fill::Unset(words), ..self }
-    }
-
-    /// The smallest value of the range is not taken, only what is above it.
-    pub(crate) const fn above_min(self) -> Self {
-        Self { ends: Ends::Upper, ..self }
-    }
-
-    /// The ends of the range are not taken, only what lies between.
-    pub(crate) const fn between(self) -> Self {
-        Self { ends: Ends::Neither, ..self }
     }
 
     pub(crate) const fn optional(self, words: &'static str) -> Self {
@@ -305,6 +282,14 @@ impl Field {
     /// What forms call it: "Feature angle".
     pub fn label(&self) -> String {
         if self.label.is_empty() { sentence_case(self.name) } else { self.label.to_owned() }
+    }
+
+    /// The range of a number.
+    pub fn range(&self) -> Option<NumberRange> {
+        match self.kind {
+            FieldKind::Number { range, .. } | FieldKind::Integer { range, .. } => Some(range),
+            _ => None,
+        }
     }
 
     /// Whether it takes elements or objects, which no form has values for.
@@ -378,9 +363,9 @@ impl Field {
         };
         let suggested = suggested.map(four_digits).filter(|number| *number > 0.0);
         match self.kind {
-            FieldKind::Number { min, max, .. } => json!(suggested.unwrap_or(1.0).clamp(min, max)),
-            FieldKind::Integer { min, max, .. } => {
-                json!(suggested.map_or(1, |number| number as i64).clamp(min, max))
+            FieldKind::Number { range, .. } => json!(range.nearest(suggested.unwrap_or(1.0))),
+            FieldKind::Integer { range, .. } => {
+                json!(range.nearest(suggested.unwrap_or(1.0)) as i64)
             }
             FieldKind::Vector => json!([0.0, 0.0, 0.0]),
             FieldKind::VectorPair => json!([[0.0, 0.0, 0.0], [0.0, 0.0, 0.0]]),

@@ -1,8 +1,12 @@
 //! How operations read and write their fields, and what is said of fields that don't fit.
+//!
+//! The description of an operation decides which fields it has, what each takes and within which range. What passes these
+//! checks fits the operation's struct, so that nothing that is said depends on how serde words its errors.
 
 use super::symmetry::{self, Symmetry};
-use super::{Operation, Spec};
+use super::{Arity, Choice, Field, FieldKind, Fill, Operation, Spec};
 use crate::error::Problem;
+use halfedge::{Element, NumberRange};
 use serde::Serialize;
 use serde::de::DeserializeOwned;
 use serde_json::{Map, Value};
@@ -18,8 +22,9 @@ pub(crate) trait Fields: Sized {
 
 impl<O: Operation + Serialize + DeserializeOwned> Fields for O {
     fn parse(mut fields: Map<String, Value>) -> Result<Self, Problem> {
-        add_defaults(&O::SPEC, &mut fields);
-        from_fields(fields)
+        fill_in(&O::SPEC, &mut fields);
+        check_fields(&O::SPEC, &fields)?;
+        read(Value::Object(fields))
     }
 
     fn to_fields(&self) -> Value {
@@ -32,100 +37,215 @@ impl<O: Operation + Serialize + DeserializeOwned> Fields for O {
     }
 }
 
-/// Adds the defaults that are values, for fields that are left out.
-fn add_defaults(spec: &Spec, fields: &mut Map<String, Value>) {
-    for field in spec.fields {
-        // The symmetry belongs to the command.
-        if !field.is_symmetry()
-            && !fields.contains_key(field.name)
-            && let Some(value) = field.default_value()
-        {
-            fields.insert(field.name.to_owned(), value);
+/// Adds the defaults that are values, for fields that are left out. Fields without one may be null instead.
+fn fill_in(spec: &Spec, fields: &mut Map<String, Value>) {
+    // The symmetry belongs to the command.
+    for field in spec.fields.iter().filter(|field| !field.is_symmetry()) {
+        match (field.default_value(), fields.get(field.name)) {
+            (Some(value), None) => drop(fields.insert(field.name.to_owned(), value)),
+            (None, Some(Value::Null)) if field.fill != Fill::Required => drop(fields.remove(field.name)),
+            _ => {}
         }
     }
 }
 
 /// Takes the symmetry from the fields of an operation that can be mirrored.
 pub(crate) fn take_symmetry(spec: &Spec, fields: &mut Map<String, Value>) -> Result<Symmetry, Problem> {
-    #[derive(Default, serde::Deserialize)]
-    struct Mirrored {
-        symmetry: Symmetry,
-    }
-    let given = spec.field(symmetry::FIELD_NAME).and_then(|field| fields.remove_entry(field.name));
-    let read = given.map(|given| from_fields::<Mirrored>(Map::from_iter([given])));
-    Ok(read.transpose()?.unwrap_or_default().symmetry)
+    let Some(field) = spec.field(symmetry::FIELD_NAME) else { return Ok(Symmetry::default()) };
+    let Some(value) = fields.remove(field.name) else { return Ok(Symmetry::default()) };
+    check_value(field, &value)?;
+    read(value)
 }
 
-/// Reads an operation's fields, naming the one at fault.
-fn from_fields<T: DeserializeOwned>(fields: Map<String, Value>) -> Result<T, Problem> {
-    serde_path_to_error::deserialize(Value::Object(fields)).map_err(|error| {
-        let path = error.path().to_string();
-        let text = error.into_inner().to_string();
-        let quoted = |prefix: &str| Some(text.strip_prefix(prefix)?.split('`').next()?.to_owned());
-        if let Some(field) = quoted("missing field `") {
-            let field = if path == "." { field } else { format!("{path}.{field}") };
-            return Problem::field(field, "is missing");
-        }
-        if quoted("unknown field `").is_some() {
-            let known = text.split_once("expected ").map_or("", |(_, known)| known);
-            let text = match known {
-                "" => "is not a field of this op, which has none".to_owned(),
-                known => format!("is not a field of this op; expected {known}"),
-            };
-            return Problem::field(path, text);
-        }
-        if let Some((given, known)) =
-            text.strip_prefix("unknown variant ").and_then(|rest| rest.split_once(", expected "))
-        {
-            return Problem::field(path, format!("{given} is not a choice; expected {known}"));
-        }
-        let text = in_plain_words(&text).unwrap_or(text);
-        if path == "." { Problem::new(text) } else { Problem::field(path, text) }
+/// Reads what has passed the checks. A test tries wrong values of every field, so that none gets past them.
+fn read<T: DeserializeOwned>(checked: Value) -> Result<T, Problem> {
+    serde_json::from_value(checked).map_err(|error| {
+        Problem::internal(format!("the fields are not those of the operation's description: {error}"))
     })
 }
 
-/// What serde says about a value that doesn't fit, without the names of Rust's types.
-pub(crate) fn in_plain_words(text: &str) -> Option<String> {
-    // A type that reads its own parts adds no place, but the reader does not know that.
-    let text = text.split(" at line ").next().unwrap_or(text);
-    if let Some(rest) = text.strip_prefix("invalid length ") {
-        let (length, expected) = rest.split_once(", expected ")?;
-        return Some(match expected.strip_prefix("an array of length ") {
-            Some(wanted) => format!("is a list of {length} values where {wanted} are expected"),
-            None if expected == "fewer elements in array" => {
-                format!("is a list of {length} values, which is too long")
-            }
-            None => format!("is a list of {length} values; expected {}", plain(expected)),
-        });
+/// Checks that there are all fields and no others, and that each has a value that it takes.
+fn check_fields(spec: &Spec, fields: &Map<String, Value>) -> Checked {
+    for (name, value) in fields {
+        match spec.field(name) {
+            Some(field) => check_value(field, value)?,
+            None => return Err(unknown(name, spec)),
+        }
     }
-    let rest = text.strip_prefix("invalid type: ").or_else(|| text.strip_prefix("invalid value: "))?;
-    let (given, expected) = rest.split_once(", expected ")?;
-    let given = match given.split_once(' ').unwrap_or((given, "")) {
-        ("map", _) => "an object",
-        ("sequence", _) => "a list",
-        ("integer" | "boolean", value) => value.trim_matches('`'),
-        ("floating", value) => value.trim_start_matches("point ").trim_matches('`'),
-        ("string", value) => value,
-        _ => given,
+    let mut required =
+        spec.fields.iter().filter(|field| field.fill == Fill::Required && field.alternative.is_none());
+    match required.find(|field| !fields.contains_key(field.name)) {
+        Some(field) => Err(Problem::of_field(field.name, "is missing")),
+        None => Ok(()),
+    }
+}
+
+fn unknown(name: &str, spec: &Spec) -> Problem {
+    let known = match spec.fields {
+        [] => "which has none".to_owned(),
+        fields => format!("which has {}", listed(fields.iter().map(|field| field.name), "and")),
     };
-    Some(match expected.strip_prefix("an array of length ") {
-        Some(length) => format!("{given} is not a list of {length} numbers"),
-        None => format!("{given} is not {}", plain(expected)),
+    Problem::of_field(name, format!("is not a field of this op, {known}"))
+}
+
+/// Words as a sentence lists them: "`a`, `b` or `c`".
+fn listed<'a>(words: impl Iterator<Item = &'a str>, conjunction: &str) -> String {
+    let mut words: Vec<String> = words.map(|word| format!("`{word}`")).collect();
+    match (words.pop(), words.is_empty()) {
+        (Some(last), false) => format!("{} {conjunction} {last}", words.join(", ")),
+        (last, _) => last.unwrap_or_default(),
+    }
+}
+
+type Checked<T = ()> = Result<T, Problem>;
+
+/// Says that a value is not what is expected. The place in the field is added on the way out.
+fn is_not<T>(value: &Value, expected: &str) -> Checked<T> {
+    let given = match value {
+        Value::Array(_) => "a list".to_owned(),
+        Value::Object(_) => "an object".to_owned(),
+        other => other.to_string(),
+    };
+    Err(Problem::field("", format!("{given} is not {expected}")))
+}
+
+/// Adds in which part of a value the problem is: `axis`, and then `rotate.axis`.
+fn in_part(part: &str, problem: Problem) -> Problem {
+    Problem { field: Some(format!("{part}{}", problem.field.unwrap_or_default())), ..problem }
+}
+
+/// Checks that a value is one that the field takes.
+fn check_value(field: &Field, value: &Value) -> Checked {
+    let checked = match field.kind {
+        FieldKind::Elements { element, arity } => elements(element, arity, value),
+        FieldKind::Number { range, .. } => finite(value).and_then(|number| in_range(value, number, range)),
+        FieldKind::Integer { range, .. } => integer(value, range),
+        FieldKind::Vector => vector(value),
+        FieldKind::VectorPair => list_of(2, value, "positions", vector),
+        FieldKind::Factors => factors(value),
+        FieldKind::Rotation => rotation(value),
+        FieldKind::Choice(choices) => choice(choices, value),
+        FieldKind::Flag if value.is_boolean() => Ok(()),
+        FieldKind::Flag => is_not(value, "true or false"),
+        FieldKind::Color | FieldKind::Text | FieldKind::Shape if value.is_string() => Ok(()),
+        FieldKind::Color | FieldKind::Text | FieldKind::Shape => is_not(value, "text in quotes"),
+        FieldKind::Objects => list(value, |item| whole(item).map(drop)),
+        FieldKind::ShapeSize => finite(value).map(drop),
+    };
+    checked.map_err(|problem| in_part(field.name, problem))
+}
+
+fn elements(element: Element, arity: Arity, value: &Value) -> Checked {
+    match arity {
+        Arity::One => one_element(element, value),
+        Arity::Two => list_of(2, value, element.plural(), |item| one_element(element, item)),
+        Arity::Many => list(value, |item| one_element(element, item)),
+    }
+}
+
+/// Checks an id, or for edges and half-edges a pair of vertex ids.
+fn one_element(element: Element, value: &Value) -> Checked {
+    let (expected, takes_pair) = match element {
+        Element::Vertex => ("a vertex id, a whole number from 0", false),
+        Element::Face => ("a face id, a whole number from 0", false),
+        Element::Edge => ("an edge id, or the pair [a, b] of the vertices at its ends", true),
+        Element::Halfedge => ("a half-edge id, or the pair [from, to] of its vertices", true),
+    };
+    match value {
+        Value::Array(pair) if takes_pair && pair.len() != 2 => {
+            Err(Problem::of_field("", format!("is a list of {} values; expected {expected}", pair.len())))
+        }
+        Value::Array(_) if takes_pair => list(value, |item| one_element(Element::Vertex, item)),
+        _ if value.as_u64().is_some_and(|id| id < u64::from(halfedge::NONE)) => Ok(()),
+        _ => is_not(value, expected),
+    }
+}
+
+/// Checks every item of a list.
+fn list(value: &Value, check: impl Fn(&Value) -> Checked) -> Checked {
+    let Value::Array(items) = value else { return is_not(value, "a list") };
+    let mut items = items.iter().enumerate();
+    items.try_for_each(|(at, item)| check(item).map_err(|problem| in_part(&format!("[{at}]"), problem)))
+}
+
+/// Checks a list of so many items.
+fn list_of(count: usize, value: &Value, items: &str, check: impl Fn(&Value) -> Checked) -> Checked {
+    match value.as_array().map(Vec::len) {
+        Some(given) if given != count => {
+            Err(Problem::of_field("", format!("is a list of {given} values where {count} are expected")))
+        }
+        Some(_) => list(value, check),
+        None => is_not(value, &format!("a list of {count} {items}")),
+    }
+}
+
+fn vector(value: &Value) -> Checked {
+    list_of(3, value, "numbers", |item| finite(item).map(drop))
+}
+
+fn factors(value: &Value) -> Checked {
+    let checked = if value.is_array() { vector(value) } else { finite(value).map(drop) };
+    checked.map_err(|problem| {
+        let text = format!("{}; a factor or a list of three is expected", problem.text);
+        Problem { text, ..problem }
     })
 }
 
-/// What serde expects, without the names of Rust's types.
-fn plain(expected: &str) -> &str {
-    match expected {
-        "f64" | "f32" => "a number",
-        "usize" | "u64" | "u32" => "a whole number of 0 or more",
-        "a sequence" => "a list",
-        "a boolean" => "true or false",
-        "a map" => "an object",
-        "a string" => "text in quotes",
-        "string or map" | "map with a single key" | "unit" | "unit variant" | "variant identifier" => {
-            "one of its words, in quotes"
-        }
-        other => other,
+fn rotation(value: &Value) -> Checked {
+    let Value::Object(parts) = value else {
+        return is_not(value, "an axis and degrees, as in `{\"axis\": [0, 0, 1], \"degrees\": 90}`");
+    };
+    let check = |name: &str, part: &Value| match name {
+        "axis" => vector(part),
+        "degrees" => finite(part).map(drop),
+        _ => Err(Problem::of_field("", "is not a part of a rotation, which has `axis` and `degrees`")),
+    };
+    for (name, part) in parts {
+        check(name, part).map_err(|problem| in_part(&format!(".{name}"), problem))?;
     }
+    match ["axis", "degrees"].into_iter().find(|name| !parts.contains_key(*name)) {
+        Some(missing) => Err(Problem::of_field(format!(".{missing}"), "is missing")),
+        None => Ok(()),
+    }
+}
+
+fn choice(choices: &[Choice], value: &Value) -> Checked {
+    let Some(word) = value.as_str() else { return is_not(value, "one of its words, in quotes") };
+    if choices.iter().any(|choice| choice.name == word) {
+        return Ok(());
+    }
+    let known = listed(choices.iter().map(|choice| choice.name), "or");
+    Err(Problem::field("", format!("`{word}` is not a choice; expected {known}")))
+}
+
+/// A number that is finite as an `f32` too. JavaScript gives numbers that JSON can't express by their names.
+fn finite(value: &Value) -> Checked<f64> {
+    if let Some(name @ ("NaN" | "Infinity" | "-Infinity")) = value.as_str() {
+        return Err(Problem::field("", format!("{name} is not a finite number")));
+    }
+    let number = value.as_f64().map(|number| number as f32).filter(|number| number.is_finite());
+    number.map_or_else(|| is_not(value, "a finite number of at most 3.4e38"), |number| Ok(number.into()))
+}
+
+fn whole(value: &Value) -> Checked<f64> {
+    let Some(number) = value.as_u64() else { return is_not(value, "a whole number of 0 or more") };
+    let number = u32::try_from(number)
+        .map_err(|_| Problem::field("", format!("{number} is too large; it may be {} at most", u32::MAX)))?;
+    Ok(number.into())
+}
+
+/// A whole number of the range.
+fn integer(value: &Value, range: NumberRange) -> Checked {
+    let number = match value.as_i64().and_then(|number| i32::try_from(number).ok()) {
+        Some(number) if number < 0 && *range.bounds().start() < 0.0 => number.into(),
+        _ => whole(value)?,
+    };
+    in_range(value, number, range)
+}
+
+fn in_range(value: &Value, number: f64, range: NumberRange) -> Checked {
+    if range.contains(number) {
+        return Ok(());
+    }
+    Err(Problem::field("", format!("{value} is out of range; it must be {range}")))
 }

@@ -3,21 +3,20 @@
 use crate::error::Problem;
 use halfedge::edit::Refusal;
 use halfedge::{EdgeId, Element, FaceId, HalfedgeId, Mesh, VertexId};
-use serde::de::{Deserializer, Error, SeqAccess, Unexpected, Visitor};
-use serde::{Deserialize, Serialize, Serializer};
-use std::fmt;
+use serde::{Deserialize, Serialize};
 use surface::MirrorImages;
 
 /// A vertex, by its id.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
 pub struct VertexRef(pub u32);
 
 /// A face, by its id.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
 pub struct FaceRef(pub u32);
 
 /// An edge, by its id or by the vertices at its ends, in either order.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
+#[serde(untagged)]
 pub enum EdgeRef {
     /// The edge's id.
     Id(u32),
@@ -26,7 +25,8 @@ pub enum EdgeRef {
 }
 
 /// A half-edge, by its id or by the vertices it leaves and points to.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
+#[serde(untagged)]
 pub enum HalfedgeRef {
     /// The half-edge's id.
     Id(u32),
@@ -159,17 +159,9 @@ fn between([from, to]: [u32; 2], mesh: &Mesh, field: &str) -> Result<HalfedgeId,
         .ok_or_else(|| Problem::field(field, format!("no edge joins vertex {from} and vertex {to}")))
 }
 
-/// A refusal of a place along an edge, which names the place as it was given.
-pub(crate) fn given_t(t: f32) -> impl Fn(Refusal) -> Refusal {
-    move |refusal| match refusal {
-        Refusal::OutOfRange { field: "t", range, .. } => Refusal::OutOfRange { field: "t", value: t, range },
-        other => other,
-    }
-}
-
 /// A field that resolving fills in.
 pub(crate) fn given<R>(value: Option<R>, field: &str) -> Result<R, Problem> {
-    value.ok_or_else(|| Problem::field(field, "is missing"))
+    value.ok_or_else(|| Problem::of_field(field, "is missing"))
 }
 
 /// The element of a field that resolving fills in.
@@ -233,97 +225,3 @@ macro_rules! id_conversions {
     };
 }
 id_conversions!(VertexId => VertexRef, FaceId => FaceRef, EdgeId => EdgeRef::Id, HalfedgeId => HalfedgeRef::Id);
-
-/// Reads an id, or where allowed a pair of vertex ids.
-struct Reader {
-    expecting: &'static str,
-    pairs: bool,
-}
-
-enum Read {
-    Id(u32),
-    Pair([u32; 2]),
-}
-
-impl<'de> Visitor<'de> for Reader {
-    type Value = Read;
-
-    fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(self.expecting)
-    }
-
-    fn visit_u64<E: Error>(self, value: u64) -> Result<Read, E> {
-        let id = u32::try_from(value).ok().filter(|&id| id != halfedge::NONE);
-        id.map(Read::Id).ok_or_else(|| E::invalid_value(Unexpected::Unsigned(value), &self))
-    }
-
-    fn visit_i64<E: Error>(self, value: i64) -> Result<Read, E> {
-        match u64::try_from(value) {
-            Ok(value) => self.visit_u64(value),
-            Err(_) => Err(E::invalid_value(Unexpected::Signed(value), &self)),
-        }
-    }
-
-    fn visit_seq<A: SeqAccess<'de>>(self, mut seq: A) -> Result<Read, A::Error> {
-        if !self.pairs {
-            return Err(A::Error::invalid_type(Unexpected::Seq, &self));
-        }
-        let mut pair = [0; 2];
-        for (at, slot) in pair.iter_mut().enumerate() {
-            *slot = seq.next_element::<VertexRef>()?.ok_or_else(|| A::Error::invalid_length(at, &self))?.0;
-        }
-        let mut extra = 0;
-        while seq.next_element::<serde::de::IgnoredAny>()?.is_some() {
-            extra += 1;
-        }
-        if extra > 0 {
-            return Err(A::Error::invalid_length(2 + extra, &self));
-        }
-        Ok(Read::Pair(pair))
-    }
-}
-
-macro_rules! single {
-    ($name:ident, $expecting:literal) => {
-        impl<'de> Deserialize<'de> for $name {
-            fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-                match deserializer.deserialize_any(Reader { expecting: $expecting, pairs: false })? {
-                    Read::Id(id) => Ok(Self(id)),
-                    Read::Pair(_) => Err(D::Error::custom(concat!("expected ", $expecting))),
-                }
-            }
-        }
-
-        impl Serialize for $name {
-            fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-                serializer.serialize_u32(self.0)
-            }
-        }
-    };
-}
-single!(VertexRef, "a vertex id, a whole number from 0");
-single!(FaceRef, "a face id, a whole number from 0");
-
-macro_rules! single_or_pair {
-    ($name:ident :: $pair:ident, $expecting:literal) => {
-        impl<'de> Deserialize<'de> for $name {
-            fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-                Ok(match deserializer.deserialize_any(Reader { expecting: $expecting, pairs: true })? {
-                    Read::Id(id) => Self::Id(id),
-                    Read::Pair(pair) => Self::$pair(pair),
-                })
-            }
-        }
-
-        impl Serialize for $name {
-            fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-                match self {
-                    Self::Id(id) => serializer.serialize_u32(*id),
-                    Self::$pair(pair) => pair.serialize(serializer),
-                }
-            }
-        }
-    };
-}
-single_or_pair!(EdgeRef::Ends, "an edge id, or the pair [a, b] of the vertices at its ends");
-single_or_pair!(HalfedgeRef::FromTo, "a half-edge id, or the pair [from, to] of its vertices");

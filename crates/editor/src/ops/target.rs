@@ -273,12 +273,15 @@ fn nothing_selected(field: &Field, element: Element, selected: Selected) -> Prob
             (format!("no {element}"), advice)
         }
     };
-    Problem::field(field.name, format!("is missing, and {what} is selected")).advise(advice)
+    Problem::of_field(field.name, format!("is missing, and {what} is selected")).advise(advice)
 }
 
 fn wrong_number(field: &Field, element: Element, selected: usize, needed: &str) -> Problem {
     let are = if selected == 1 { "1 is".to_owned() } else { format!("{selected} are") };
     let elements = if needed == "one" { element.to_string() } else { element.plural().to_owned() };
-    Problem::field(field.name, format!("is missing, and {are} selected where it takes {needed} {elements}"))
-        .advise(format!("Select {needed} {elements} first."))
+    Problem::of_field(
+        field.name,
+        format!("is missing, and {are} selected where it takes {needed} {elements}"),
+    )
+    .advise(format!("Select {needed} {elements} first."))
 }

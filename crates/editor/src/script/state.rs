@@ -73,7 +73,7 @@ impl Editor {
                 "redo": self.redo_labels().collect::<Vec<_>>(),
                 "bytes": self.history_bytes(),
             },
-            "jobs": self.jobs().map(|job| json!({"op": job.op})).collect::<Vec<_>>(),
+            "jobs": self.jobs().map(|job| json!({"op": job.task})).collect::<Vec<_>>(),
             "messages": self.messages().collect::<Vec<_>>(),
         })
     }

@@ -1,23 +1,15 @@
 //! Descriptions of fields in words.
 
-use crate::ops::{Arity, Ends, Field, FieldKind, Unit};
-use halfedge::Element;
-use std::fmt::Display;
+use crate::ops::{Arity, Field, FieldKind, Unit};
+use halfedge::{Element, NumberRange};
 use surface::Shape;
 
 /// The values that a field accepts, as in "a number from 0 to 1".
 pub(super) fn values(field: &Field) -> String {
     match field.kind {
         FieldKind::Elements { element, arity } => elements(element, arity),
-        FieldKind::Number { unit, min, max } => {
-            let min = (min > f64::from(f32::MIN)).then_some(min);
-            let max = (max < f64::from(f32::MAX)).then_some(max);
-            format!("a number{}{}", in_unit(unit), range(min, max, field.ends))
-        }
-        FieldKind::Integer { unit, min, max } => {
-            let max = (max < i64::from(u32::MAX)).then_some(max);
-            format!("a whole number{}{}", in_unit(unit), range(Some(min), max, Ends::Both))
-        }
+        FieldKind::Number { unit, range } => format!("a number{}{}", in_unit(unit), in_range(range)),
+        FieldKind::Integer { unit, range } => format!("a whole number{}{}", in_unit(unit), in_range(range)),
         FieldKind::Vector => "three numbers: `[x, y, z]`".to_owned(),
         FieldKind::VectorPair => "two positions: `[[x, y, z], [x, y, z]]`".to_owned(),
         FieldKind::Factors => "a factor, or three: `[x, y, z]`".to_owned(),
@@ -60,16 +52,12 @@ fn in_unit(unit: Unit) -> &'static str {
     }
 }
 
-fn range<T: Display>(min: Option<T>, max: Option<T>, ends: Ends) -> String {
-    match (min, max, ends) {
-        (Some(min), Some(max), Ends::Both) => format!(" from {min} to {max}"),
-        (Some(min), Some(max), Ends::Upper) => format!(" above {min}, up to {max}"),
-        (Some(min), Some(max), Ends::Neither) => format!(" above {min} and below {max}"),
-        (Some(min), None, Ends::Both) => format!(", {min} or more"),
-        (Some(min), None, _) => format!(" above {min}"),
-        (None, Some(max), Ends::Both | Ends::Upper) => format!(", {max} or less"),
-        (None, Some(max), Ends::Neither) => format!(" below {max}"),
-        (None, None, _) => String::new(),
+/// The range after the kind of number: " from 0 to 1", ", 0 or more"; nothing where there is no limit.
+fn in_range(range: NumberRange) -> String {
+    match (range.has_min(), range.has_max()) {
+        (false, false) => String::new(),
+        (true, false) if range.contains(*range.bounds().start()) => format!(", {range}"),
+        _ => format!(" {range}"),
     }
 }
 

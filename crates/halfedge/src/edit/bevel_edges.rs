@@ -24,12 +24,12 @@ use crate::edit::patch::{Corner, Patch, Plan};
 use crate::edit::shared::{Followers, counter_clockwise, miter};
 use crate::edit::{Live, Refusal, Slide, SlideVertex};
 use crate::mesh::Mesh;
-use crate::{EdgeId, FaceId, HalfedgeId, VertexId};
+use crate::{EdgeId, FaceId, HalfedgeId, NumberRange, VertexId};
 use glam::Vec3;
 use rustc_hash::{FxHashMap, FxHashSet};
 
-/// The most segments of a bevel.
-const MAX_SEGMENTS: u32 = 256;
+/// The numbers of segments of a bevel.
+pub const BEVEL_SEGMENTS_RANGE: NumberRange = NumberRange::counts(1, 256);
 
 /// Whether [`bevel_edges`] would succeed.
 pub fn can_bevel_edges(mesh: &Mesh, edges: &[EdgeId], segments: u32) -> Result<(), Refusal> {
@@ -53,13 +53,7 @@ pub fn bevel_edges(mesh: &mut Mesh, edges: &[EdgeId], segments: u32) -> Result<L
 
 fn plan_bevel(mesh: &Mesh, edges: &[EdgeId], segments: u32) -> Result<(Plan, Vec<SlideVertex>), Refusal> {
     mesh.require_edges(edges)?;
-    if !(1..=MAX_SEGMENTS).contains(&segments) {
-        return Err(Refusal::OutOfRange {
-            field: "segments",
-            value: segments as f32,
-            range: "from 1 to 256",
-        });
-    }
+    BEVEL_SEGMENTS_RANGE.require("segments", segments as f32)?;
     let mut edges = edges.to_vec();
     edges.sort_unstable();
     edges.dedup();

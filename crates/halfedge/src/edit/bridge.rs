@@ -9,15 +9,15 @@ use crate::edit::patch::{Corner, Patch, Plan};
 use crate::edit::shared::{Blend, outline};
 use crate::edit::{Made, Refusal};
 use crate::mesh::Mesh;
-use crate::{Element, FaceId, HalfedgeId, VertexId};
+use crate::{Element, FaceId, HalfedgeId, NumberRange, VertexId};
 use glam::DVec3;
 use rustc_hash::{FxHashMap, FxHashSet};
 
 /// The most distances that are measured to find how two loops fit best.
 const MAX_MEASURED_DISTANCES: usize = 1 << 22;
 
-/// The most cuts along a band.
-const MAX_CUTS: u32 = 1000;
+/// The numbers of cuts along a band.
+pub const BRIDGE_CUTS_RANGE: NumberRange = NumberRange::counts(0, 1000);
 
 /// The most loops at once: the distances between all of them are compared.
 const MAX_LOOPS: usize = 2000;
@@ -129,9 +129,7 @@ fn add_bands(
     loops: Vec<Vec<HalfedgeId>>,
     bands: Bands,
 ) -> Result<(), Refusal> {
-    if bands.cuts > MAX_CUTS {
-        return Err(Refusal::OutOfRange { field: "cuts", value: bands.cuts as f32, range: "from 0 to 1000" });
-    }
+    BRIDGE_CUTS_RANGE.require("cuts", bands.cuts as f32)?;
     if loops.len() % 2 == 1 || loops.len() > MAX_LOOPS {
         return Err(Refusal::NotInPairs(loops.len()));
     }

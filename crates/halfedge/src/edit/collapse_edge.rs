@@ -34,7 +34,7 @@ use crate::attribute::{Value, keys};
 use crate::edit::Refusal;
 use crate::edit::shared::{Blend, Follower, Followers, between, numbers};
 use crate::mesh::Mesh;
-use crate::{EdgeId, Element, FaceId, HalfedgeId, VertexId};
+use crate::{EdgeId, Element, FaceId, HalfedgeId, NumberRange, VertexId};
 use rustc_hash::FxHashSet;
 
 /// The result of collapsing an edge.
@@ -50,12 +50,13 @@ pub struct EdgeCollapse {
     pub removed_faces: Vec<FaceId>,
 }
 
+/// The places along an edge where the vertex of a collapse can lie.
+pub const COLLAPSE_T_RANGE: NumberRange = NumberRange::new(0.0, 1.0);
+
 /// Whether [`collapse_edge`] would succeed.
 pub fn can_collapse_edge(mesh: &Mesh, edge: EdgeId, t: f32) -> Result<(), Refusal> {
     mesh.require_edge(edge)?;
-    if !(0.0..=1.0).contains(&t) {
-        return Err(Refusal::OutOfRange { field: "t", value: t, range: "from 0 to 1" });
-    }
+    COLLAPSE_T_RANGE.require("t", t)?;
     let [a, b] = mesh.ends(edge);
     if !mesh.is_boundary_edge(edge) && mesh.is_boundary_vertex(a) && mesh.is_boundary_vertex(b) {
         return Err(Refusal::JoinsBoundaries(edge));

@@ -10,9 +10,9 @@
 
 use crate::edit::patch::{Corner, Patch, Plan};
 use crate::edit::shared::Blend;
-use crate::edit::{Made, Refusal};
+use crate::edit::{Made, Refusal, SPLIT_T_RANGE};
 use crate::mesh::Mesh;
-use crate::{EdgeId, FaceId, HalfedgeId, VertexId};
+use crate::{EdgeId, FaceId, HalfedgeId, NumberRange, VertexId};
 use rustc_hash::FxHashMap;
 
 /// Whether [`loop_cut`] would succeed.
@@ -50,8 +50,8 @@ pub fn edge_ring(mesh: &Mesh, edge: EdgeId) -> (Vec<HalfedgeId>, bool) {
     (behind, false)
 }
 
-/// The most cuts at once.
-const MAX_CUTS: u32 = 1000;
+/// The numbers of cuts at once.
+pub const LOOP_CUTS_RANGE: NumberRange = NumberRange::counts(1, 1000);
 
 /// A new vertex on an edge of the ring.
 #[derive(Clone, Copy)]
@@ -82,12 +82,8 @@ type Points = FxHashMap<HalfedgeId, Vec<Point>>;
 
 fn plan_cut(mesh: &Mesh, edge: EdgeId, cuts: u32, t: f32) -> Result<Plan, Refusal> {
     mesh.require_edge(edge)?;
-    if !(1..=MAX_CUTS).contains(&cuts) {
-        return Err(Refusal::OutOfRange { field: "cuts", value: cuts as f32, range: "from 1 to 1000" });
-    }
-    if !(t > 0.0 && t < 1.0) {
-        return Err(Refusal::OutOfRange { field: "t", value: t, range: "between 0 and 1" });
-    }
+    LOOP_CUTS_RANGE.require("cuts", cuts as f32)?;
+    SPLIT_T_RANGE.require("t", t)?;
     let (ring, _) = edge_ring(mesh, edge);
     if ring.len() < 2 {
         return Err(Refusal::NoRing(edge));

@@ -1,7 +1,7 @@
 //! Why an edit can't be made.
 
 use crate::words::thousands;
-use crate::{EdgeId, Element, FaceId, HalfedgeId, Mesh, VertexId};
+use crate::{EdgeId, Element, FaceId, HalfedgeId, Mesh, NumberRange, VertexId};
 use std::fmt;
 
 /// The reason why an edit was refused, in words for the user. The mesh is unchanged.
@@ -21,8 +21,8 @@ pub enum Refusal {
         field: &'static str,
         /// Its value.
         value: f32,
-        /// The range, in words.
-        range: &'static str,
+        /// The range.
+        range: NumberRange,
     },
     /// A vertex would get a position that is not finite.
     TooFarAway(VertexId),
@@ -80,6 +80,17 @@ pub enum Refusal {
     NotAWholePiece(FaceId),
     /// Every way of cutting the face into triangles would duplicate an edge.
     NoTriangulation(FaceId),
+}
+
+impl NumberRange {
+    /// Refuses a parameter that is out of the range.
+    pub(crate) fn require(self, field: &'static str, value: f32) -> Result<(), Refusal> {
+        if self.contains(value.into()) {
+            Ok(())
+        } else {
+            Err(Refusal::OutOfRange { field, value, range: self })
+        }
+    }
 }
 
 impl fmt::Display for Refusal {

@@ -3,7 +3,10 @@
 use crate::attribute::keys;
 use crate::edit::Refusal;
 use crate::mesh::Mesh;
-use crate::{EdgeId, Element, VertexId};
+use crate::{EdgeId, Element, NumberRange, VertexId};
+
+/// Sharpness: 0 is smooth, 10 or more infinitely sharp.
+pub const CREASE_SHARPNESS_RANGE: NumberRange = NumberRange::NOT_NEGATIVE;
 
 /// Whether [`set_crease`] would succeed: it does for existing elements and a finite sharpness of 0 or more.
 pub fn can_set_crease(
@@ -17,11 +20,7 @@ pub fn can_set_crease(
     }
     edges.iter().try_for_each(|&e| mesh.require_edge(e))?;
     vertices.iter().try_for_each(|&v| mesh.require_vertex(v))?;
-    if sharpness.is_finite() && sharpness >= 0.0 {
-        Ok(())
-    } else {
-        Err(Refusal::OutOfRange { field: "sharpness", value: sharpness, range: "a number, 0 or more" })
-    }
+    CREASE_SHARPNESS_RANGE.require("sharpness", sharpness)
 }
 
 /// Sets the sharpness of edges and vertices, in the columns [`keys::EDGE_CREASE`] and [`keys::VERTEX_CREASE`]: 0 is

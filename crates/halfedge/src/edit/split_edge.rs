@@ -7,7 +7,7 @@
 use crate::edit::Refusal;
 use crate::edit::shared::Blend;
 use crate::mesh::Mesh;
-use crate::{EdgeId, Element, FaceId, HalfedgeId, VertexId};
+use crate::{EdgeId, Element, FaceId, HalfedgeId, NumberRange, VertexId};
 
 /// Which faces beside a split edge are cut from the new vertex.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -21,6 +21,9 @@ pub enum Connect {
     /// that had n corners.
     All,
 }
+
+/// The places along an edge where it can be split.
+pub const SPLIT_T_RANGE: NumberRange = NumberRange::between(0.0, 1.0);
 
 /// The result of splitting an edge.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -36,9 +39,7 @@ pub struct EdgeSplit {
 /// Whether [`split_edge`] would succeed.
 pub fn can_split_edge(mesh: &Mesh, edge: EdgeId, t: f32, connect: Connect) -> Result<(), Refusal> {
     mesh.require_edge(edge)?;
-    if !(t > 0.0 && t < 1.0) {
-        return Err(Refusal::OutOfRange { field: "t", value: t, range: "between 0 and 1" });
-    }
+    SPLIT_T_RANGE.require("t", t)?;
     let [h, twin] = edge.halfedges().map(|h| {
         let steps = steps_to_cut(mesh, h, connect)?;
         Some(mesh.from((0..steps).fold(mesh.next(h), |h, _| mesh.next(h))))

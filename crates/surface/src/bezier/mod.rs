@@ -12,4 +12,4 @@ pub use curve::Curve;
 pub use object::Bezier;
 pub use patch::{Patch, PatchConstruction, PatchPoint};
 pub use teapot::teapot_patches;
-pub use tessellate::{MAX_RESOLUTION, Tessellated, tessellate, weld_distance};
+pub use tessellate::{RESOLUTION_RANGE, Tessellated, tessellate, weld_distance};

@@ -9,11 +9,11 @@ use super::patch::{Patch, cubic};
 use glam::Vec3;
 use halfedge::attribute::Column;
 use halfedge::geometry::{MergedPoints, merge_points};
-use halfedge::{Mesh, Note, PolygonSoup, TooLarge, keys};
+use halfedge::{Mesh, Note, NumberRange, PolygonSoup, TooLarge, keys};
 use std::collections::HashMap;
 
-/// The finest resolution of [`tessellate`], in quads along a patch's side.
-pub const MAX_RESOLUTION: u32 = 256;
+/// The resolutions of [`tessellate`], in quads along a patch's side.
+pub const RESOLUTION_RANGE: NumberRange = NumberRange::counts(1, 256);
 
 /// A tessellated surface.
 #[derive(Debug)]
@@ -26,13 +26,13 @@ pub struct Tessellated {
 }
 
 /// Tessellates each patch into `resolution` x `resolution` quads and welds the borders that patches share. The
-/// resolution is clamped to 1..=[`MAX_RESOLUTION`]. Faces are oriented consistently; u x v points outward. Costs
+/// resolution is clamped to [`RESOLUTION_RANGE`]. Faces are oriented consistently; u x v points outward. Costs
 /// O(patches * resolution^2).
 ///
 /// # Errors
 /// [`TooLarge`] if ids run out.
 pub fn tessellate(patches: &[Patch], resolution: u32) -> Result<Tessellated, TooLarge> {
-    let n = resolution.clamp(1, MAX_RESOLUTION);
+    let n = RESOLUTION_RANGE.nearest(resolution.into()) as u32;
     if patches.len().saturating_mul(4 * (n * n) as usize) > Mesh::MAX_EDGES {
         return Err(TooLarge { corners: patches.len().saturating_mul(4 * (n * n) as usize) });
     }

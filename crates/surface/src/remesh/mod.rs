@@ -21,25 +21,28 @@ mod relax;
 mod side_numbers;
 mod work;
 
-use crate::error::{SurfaceError, check_iterations};
+use crate::error::{SurfaceError, require};
 use crate::pace::Pace;
 use crate::trimesh::TriMesh;
 use glam::DVec3;
-use halfedge::{FaceId, HalfedgeId, Mesh, NONE, Progress};
+use halfedge::{FaceId, HalfedgeId, Mesh, NONE, NumberRange, Progress};
 use relax::relax;
 use work::Work;
 
-/// The most iterations that [`remesh`] accepts: after a few dozen nothing improves.
-pub const MAX_REMESH_ITERATIONS: u32 = 1000;
+/// The numbers of iterations of [`remesh`]: after a few dozen nothing improves.
+pub const REMESH_ITERATIONS_RANGE: NumberRange = NumberRange::counts(1, 1000);
+
+/// The feature angles of [`remesh`] in degrees.
+pub const REMESH_FEATURE_ANGLE_RANGE: NumberRange = NumberRange::above(0.0, 180.0);
 
 /// Options of remeshing.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Remesh {
     /// The length of edges in mesh units; [`Remesh::default_length`] if none.
     pub edge_length: Option<f64>,
-    /// The number of iterations, up to [`MAX_REMESH_ITERATIONS`].
+    /// The number of iterations, in [`REMESH_ITERATIONS_RANGE`].
     pub iterations: u32,
-    /// Edges are kept if the normals of their faces differ by more than this, in degrees.
+    /// Edges are kept if the normals of their faces differ by more than this, in degrees, in [`REMESH_FEATURE_ANGLE_RANGE`].
     pub feature_angle: f64,
     /// Whether vertices are projected onto the input in each iteration.
     pub project: bool,
@@ -140,18 +143,14 @@ fn too_many(faces: f64) -> SurfaceError {
 /// [`SurfaceError::Cancelled`].
 pub fn remesh(mesh: &Mesh, options: &Remesh, progress: &mut Progress<'_>) -> Result<Mesh, SurfaceError> {
     let length = options.edge_length.unwrap_or_else(|| Remesh::default_length(mesh));
-    if !(options.feature_angle > 0.0 && options.feature_angle <= 180.0) {
-        return Err(SurfaceError::field("feature_angle", "above 0 and at most 180 degrees"));
-    }
-    check_iterations(options.iterations, MAX_REMESH_ITERATIONS)?;
+    require("feature_angle", options.feature_angle, REMESH_FEATURE_ANGLE_RANGE)?;
+    require("iterations", options.iterations.into(), REMESH_ITERATIONS_RANGE)?;
     let mut pace = Pace::new(progress);
     pace.at(0.0)?;
     if mesh.face_count() == 0 {
         return Ok(Mesh::new());
     }
-    if !(length > 0.0 && length.is_finite()) {
-        return Err(SurfaceError::field("edge_length", "a finite number above 0"));
-    }
+    require("edge_length", length, NumberRange::POSITIVE)?;
     let expected = Remesh::expected(crate::measure::surface_area(mesh), length);
     if expected > MAX_REMESHED_TRIANGLES as f64 {
         return Err(too_many(expected));
@@ -163,7 +162,7 @@ pub fn remesh(mesh: &Mesh, options: &Remesh, progress: &mut Progress<'_>) -> Res
     let length = length / tri.frame.scale;
     let mut work = Work::new(mesh, tri, length, least_cos, options.project);
     let pieces = work.least_pieces();
-    if options.iterations > 0 && pieces > MAX_REMESHED_TRIANGLES as f64 {
+    if pieces > MAX_REMESHED_TRIANGLES as f64 {
         return Err(too_many(pieces));
     }
     pace.at(0.05)?;

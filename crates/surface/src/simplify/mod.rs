@@ -14,11 +14,11 @@ mod quadric;
 mod queue;
 mod work;
 
-use crate::SurfaceError;
+use crate::error::{SurfaceError, require};
 use crate::pace::Pace;
 use crate::trimesh::TriMesh;
 use halfedge::words::{counted, thousands};
-use halfedge::{Element, Mesh, Progress};
+use halfedge::{Element, Mesh, NumberRange, Progress};
 use work::Work;
 
 /// How far to simplify.
@@ -42,6 +42,9 @@ pub enum SimplifyTarget {
     /// than a 128th of the new triangle, and not at any of those points.
     MaxError(f64),
 }
+
+/// The shares of the triangles that can be kept.
+pub const SIMPLIFY_RATIO_RANGE: NumberRange = NumberRange::above(0.0, 1.0);
 
 /// Options of simplification.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -108,13 +111,9 @@ pub fn simplify(
 ) -> Result<Simplified, SurfaceError> {
     let mut pace = Pace::new(progress);
     match options.target {
-        SimplifyTarget::Ratio(ratio) if !(ratio > 0.0 && ratio <= 1.0) => {
-            return Err(SurfaceError::field("ratio", "above 0 and at most 1"));
-        }
-        SimplifyTarget::MaxError(error) if !(error >= 0.0 && error.is_finite()) => {
-            return Err(SurfaceError::field("max_error", "a finite number, 0 or more"));
-        }
-        _ => {}
+        SimplifyTarget::Ratio(ratio) => require("ratio", ratio, SIMPLIFY_RATIO_RANGE)?,
+        SimplifyTarget::MaxError(error) => require("max_error", error, NumberRange::NOT_NEGATIVE)?,
+        SimplifyTarget::Faces(_) => {}
     }
     pace.at(0.0)?;
     let mut tri = TriMesh::new(mesh);

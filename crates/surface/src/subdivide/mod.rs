@@ -24,12 +24,15 @@ use crate::SurfaceError;
 use crate::pace::Pace;
 use glam::Vec3;
 use halfedge::attribute::Columns;
-use halfedge::{Connectivity, Mesh, NONE, Progress, RawMesh};
+use halfedge::{Connectivity, Mesh, NONE, NumberRange, Progress, RawMesh};
 use sharpness::Sharpness;
 
 /// The most faces that a subdivision may make. A mesh of that many quads takes 1.4 GB, which together with its
 /// input fits in a browser tab.
 pub const MAX_SUBDIVIDED_FACES: u64 = 16_000_000;
+
+/// The numbers of levels that change a mesh and fit: beyond the last, a single triangle makes too many faces.
+pub const SUBDIVISION_LEVELS_RANGE: NumberRange = NumberRange::counts(1, 12);
 
 /// The subdivision rule at the boundary of an open mesh.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]

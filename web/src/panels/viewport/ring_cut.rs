@@ -3,6 +3,7 @@
 
 use egui::{Context, Event, Key, Pos2, Stroke, Ui};
 use halfedge::Element;
+use halfedge::edit::LOOP_CUTS_RANGE;
 
 use super::Viewport;
 use crate::input::shortcut::is_digit;
@@ -10,9 +11,6 @@ use crate::live::edit::Start;
 use crate::page_view::Page;
 use crate::view::ring::{RingCut, ShownRing, lines};
 use crate::view::{Tool, View};
-
-/// The most cuts that the wheel and the keys set; forms take more.
-const MAX_CUTS: u32 = 100;
 
 /// The cut of the ring through an edge at a place on the page: the start of an edit that slides it from there.
 pub(super) fn start_at(viewport: &mut Viewport<'_>, at: Pos2) -> Option<Start> {
@@ -42,7 +40,7 @@ pub(super) fn turn_wheel(view: &mut View, notches: i32) {
 }
 
 fn set_cuts(view: &mut View, cuts: u32) {
-    view.ring.cuts = cuts.clamp(1, MAX_CUTS);
+    view.ring.cuts = LOOP_CUTS_RANGE.nearest(cuts.into()) as u32;
     // The pointer finds its edge again, and the cuts through it.
     view.looked = None;
 }
@@ -56,7 +54,7 @@ pub(crate) fn take_digits(ctx: &Context, view: &mut View) {
                 Ok(digit) => {
                     typed = typed.saturating_mul(10).saturating_add(digit);
                     // Beyond the most cuts, the digit begins another number.
-                    if typed > MAX_CUTS {
+                    if !LOOP_CUTS_RANGE.contains(typed.into()) {
                         typed = digit;
                     }
                     false

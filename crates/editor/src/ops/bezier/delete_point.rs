@@ -3,15 +3,13 @@
 use super::control_points;
 use crate::error::Problem;
 use crate::history::Change;
-use crate::ops::{Action, DocumentEdit, Field, Operation, Place, Scope, Spec};
+use crate::ops::{Action, DocumentEdit, Field, INDEX_RANGE, Operation, Place, Scope, Spec};
 use serde::{Deserialize, Serialize};
 
 /// Delete a control point of a curve, which changes its shape.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
 pub struct BezierDeletePoint {
     /// Which one, from 0.
-    #[serde(with = "crate::script::json::whole")]
     pub index: u32,
 }
 
@@ -22,7 +20,7 @@ impl Operation for BezierDeletePoint {
         "Delete control point",
         "Delete a control point of a Bezier curve.",
     )
-    .fields(&[Field::count("index", [0, u32::MAX], "Which control point")]);
+    .fields(&[Field::count("index", INDEX_RANGE, "Which control point")]);
 
     fn action(&self) -> Action<'_> {
         Action::Document(self)

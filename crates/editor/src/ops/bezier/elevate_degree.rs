@@ -8,7 +8,6 @@ use serde::{Deserialize, Serialize};
 
 /// Add a control point to a curve without changing its shape (Farin 5.1).
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
 pub struct BezierElevateDegree {}
 
 impl Operation for BezierElevateDegree {

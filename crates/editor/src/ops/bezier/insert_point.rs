@@ -3,15 +3,13 @@
 use super::control_points;
 use crate::error::Problem;
 use crate::history::Change;
-use crate::ops::{Action, DocumentEdit, Field, FieldKind, Operation, Place, Scope, Spec};
+use crate::ops::{Action, DocumentEdit, Field, FieldKind, INDEX_RANGE, Operation, Place, Scope, Spec};
 use serde::{Deserialize, Serialize};
 
 /// Add a control point to a curve, which changes its shape.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
 pub struct BezierInsertPoint {
     /// The index that it gets, from 0; after the last one when left out.
-    #[serde(default, with = "crate::script::json::whole_option")]
     pub index: Option<u32>,
     /// Where it is.
     #[serde(with = "crate::script::json::finite3")]
@@ -26,7 +24,7 @@ impl Operation for BezierInsertPoint {
         "Add a control point to a Bezier curve.",
     )
     .fields(&[
-        Field::count("index", [0, u32::MAX], "The index that it gets").unset("after the last"),
+        Field::count("index", INDEX_RANGE, "The index that it gets").unset("after the last"),
         Field::required("position", FieldKind::Vector, "The position of the point"),
     ]);
 

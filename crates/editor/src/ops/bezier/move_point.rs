@@ -5,26 +5,21 @@ use crate::bezier::Bezier;
 use crate::error::Problem;
 use crate::history::Change;
 use crate::ops::refs::given;
-use crate::ops::{Action, DocumentEdit, Field, FieldKind, Operation, Place, Scope, Spec};
+use crate::ops::{Action, DocumentEdit, Field, FieldKind, INDEX_RANGE, Operation, Place, Scope, Spec};
 use serde::{Deserialize, Serialize};
 use surface::bezier::{Curve, Patch, weld_distance};
 
 /// Move a control point of a curve or a patch. Points of patches at the same position, as on a shared
 /// border, move together.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
 pub struct BezierMovePoint {
     /// For a curve: which control point, from 0.
-    #[serde(default, with = "crate::script::json::whole_option")]
     pub point: Option<u32>,
     /// For a surface: which patch, from 0.
-    #[serde(default, with = "crate::script::json::whole_option")]
     pub patch: Option<u32>,
     /// For a surface: which of the patch's rows, 0 to 3.
-    #[serde(default, with = "crate::script::json::whole_option")]
     pub row: Option<u32>,
     /// For a surface: which point of the row, 0 to 3.
-    #[serde(default, with = "crate::script::json::whole_option")]
     pub column: Option<u32>,
     /// The new position.
     #[serde(with = "crate::script::json::finite3")]
@@ -39,11 +34,10 @@ impl Operation for BezierMovePoint {
         "Move a control point of a curve or surface; points of patches at the same position move together.",
     )
     .fields(&[
-        Field::count("point", [0, u32::MAX], "Which control point of a curve")
-            .optional("none, for a surface"),
-        Field::count("patch", [0, u32::MAX], "Which patch of a surface").optional("none, for a curve"),
-        Field::count("row", [0, 3], "Which row of the patch").optional("none, for a curve"),
-        Field::count("column", [0, 3], "Which point of the row").optional("none, for a curve"),
+        Field::count("point", INDEX_RANGE, "Which control point of a curve").optional("none, for a surface"),
+        Field::count("patch", INDEX_RANGE, "Which patch of a surface").optional("none, for a curve"),
+        Field::count("row", INDEX_RANGE, "Which row of the patch, 0 to 3").optional("none, for a curve"),
+        Field::count("column", INDEX_RANGE, "Which point of the row, 0 to 3").optional("none, for a curve"),
         Field::required("position", FieldKind::Vector, "The new position"),
     ]);
 
@@ -67,7 +61,7 @@ impl BezierMovePoint {
     fn moved_curve(&self, curve: &Curve) -> Result<Curve, Problem> {
         for (value, field) in [(self.patch, "patch"), (self.row, "row"), (self.column, "column")] {
             if value.is_some() {
-                return Err(Problem::field(field, "is for surfaces; a point of a curve has only `point`"));
+                return Err(Problem::of_field(field, "is for surfaces; a point of a curve has only `point`"));
             }
         }
         let at = control_points::check_point(given(self.point, "point")?, curve, "point")?;
@@ -80,7 +74,7 @@ impl BezierMovePoint {
 
     fn moved_surface(&self, patches: &[Patch]) -> Result<Vec<Patch>, Problem> {
         if self.point.is_some() {
-            return Err(Problem::field(
+            return Err(Problem::of_field(
                 "point",
                 "is for curves; a surface's has `patch`, `row` and `column`",
             ));

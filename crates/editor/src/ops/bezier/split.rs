@@ -6,15 +6,14 @@ use crate::document::Object;
 use crate::error::Problem;
 use crate::history::Change;
 use crate::ops::{Action, DefaultValue, DocumentEdit, Field, NamedMesh, Operation, Place, Scope, Spec, Unit};
-use halfedge::Mesh;
 use halfedge::words::thousands;
+use halfedge::{Mesh, NumberRange};
 use serde::{Deserialize, Serialize};
 use std::sync::Arc;
 
 /// Split a curve into two of the same degree, which together have its shape: the object keeps the
 /// part up to `t`, the rest becomes an object after it.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
 pub struct BezierSplit {
     /// Where: above 0 and below 1.
     #[serde(with = "crate::script::json::finite")]
@@ -31,10 +30,14 @@ impl Operation for BezierSplit {
         "Split curve",
         "Split a Bezier curve into two of the same degree.",
     )
-    .fields(&[Field::number("t", Unit::Fraction, [0.0, 1.0], "The parameter at which to split")
-        .between()
-        .labelled("Position (0 to 1)")
-        .or(DefaultValue::Number(0.5))]);
+    .fields(&[Field::number(
+        "t",
+        Unit::Fraction,
+        NumberRange::between(0.0, 1.0),
+        "The parameter at which to split",
+    )
+    .labelled("Position (0 to 1)")
+    .or(DefaultValue::Number(0.5))]);
 
     fn action(&self) -> Action<'_> {
         Action::Document(self)
@@ -44,12 +47,6 @@ impl Operation for BezierSplit {
 impl DocumentEdit for BezierSplit {
     fn changes(&self, place: &Place<'_>) -> Result<Vec<Change>, Problem> {
         let (object, curve) = control_points::curve(place)?;
-        if self.t <= 0.0 || self.t >= 1.0 {
-            return Err(Problem::field(
-                "t",
-                format!("{} is out of range; it must be above 0 and below 1", self.t),
-            ));
-        }
         let count = curve.points.len();
         if count > MAX_SPLIT_POINTS {
             return Err(Problem::new(format!(

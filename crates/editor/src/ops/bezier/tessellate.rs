@@ -7,15 +7,13 @@ use crate::ops::{
 };
 use halfedge::Progress;
 use serde::{Deserialize, Serialize};
-use surface::bezier::{MAX_RESOLUTION, tessellate};
+use surface::bezier::{RESOLUTION_RANGE, tessellate};
 
 /// Make a mesh from a Bezier surface: quads, and triangles at poles, welded where patches share a
 /// border, with exact normals at the corners. The control points are given up.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
 pub struct BezierTessellate {
     /// How many quads lie along a patch's side.
-    #[serde(with = "crate::script::json::whole")]
     pub resolution: u32,
 }
 
@@ -35,13 +33,9 @@ impl Operation for BezierTessellate {
         "Tessellate Bezier surface",
         "Make a mesh of quads from a Bezier surface, welded where patches meet.",
     )
-    .fields(&[Field::count(
-        "resolution",
-        [1, MAX_RESOLUTION],
-        "How many quads lie along a patch's side",
-    )
-    .labelled("Quads per side")
-    .or(DefaultValue::Integer(RESOLUTION))]);
+    .fields(&[Field::count("resolution", RESOLUTION_RANGE, "How many quads lie along a patch's side")
+        .labelled("Quads per side")
+        .or(DefaultValue::Integer(RESOLUTION))]);
 
     fn action(&self) -> Action<'_> {
         Action::WholeMesh(self)
@@ -49,14 +43,6 @@ impl Operation for BezierTessellate {
 }
 
 impl WholeMesh for BezierTessellate {
-    fn check(&self) -> Result<(), Problem> {
-        if (1..=MAX_RESOLUTION).contains(&self.resolution) {
-            return Ok(());
-        }
-        let text = format!("{} is out of range; it must be 1 to {MAX_RESOLUTION}", self.resolution);
-        Err(Problem::field("resolution", text))
-    }
-
     fn check_inputs(&self, inputs: &[NamedMesh]) -> Result<(), Problem> {
         for input in inputs {
             match input.bezier.as_deref() {

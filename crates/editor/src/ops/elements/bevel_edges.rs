@@ -1,6 +1,6 @@
 //! `bevel-edges`: replace each edge by a strip of faces.
 
-use super::sized::{not_negative, set_size};
+use super::sized::set_size;
 use crate::error::Problem;
 use crate::ops::refs::{all, count};
 use crate::ops::{
@@ -9,12 +9,11 @@ use crate::ops::{
 };
 use crate::outcome::ElementIds;
 use crate::selection::Selection;
-use halfedge::{Element, Mesh, edit};
+use halfedge::{Element, Mesh, NumberRange, edit};
 use serde::{Deserialize, Serialize};
 
 /// Replace each edge by a strip of faces.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
 pub struct BevelEdges {
     /// The edges; the selected ones when left out.
     pub edges: Option<Vec<EdgeRef>>,
@@ -22,7 +21,6 @@ pub struct BevelEdges {
     #[serde(with = "crate::script::json::finite")]
     pub width: f32,
     /// The number of faces across the strip.
-    #[serde(with = "crate::script::json::whole")]
     pub segments: u32,
 }
 
@@ -36,11 +34,11 @@ impl Operation for BevelEdges {
                 Field::number(
                     "width",
                     Unit::Length,
-                    [0.0, f32::MAX as f64],
+                    NumberRange::NOT_NEGATIVE,
                     "The width on each side of the edge, in mesh units",
                 )
                 .drag(Drag::Width),
-                Field::count("segments", [1, 256], "The number of faces across the strip")
+                Field::count("segments", edit::BEVEL_SEGMENTS_RANGE, "The number of faces across the strip")
                     .or(DefaultValue::Integer(1)),
                 SYMMETRY,
             ]);
@@ -56,12 +54,10 @@ impl Operation for BevelEdges {
 
 impl LocalEdit for BevelEdges {
     fn can(&self, mesh: &Mesh) -> Result<(), Problem> {
-        not_negative(self.width, "width")?;
         Ok(edit::can_bevel_edges(mesh, &all(&self.edges, "edges", mesh)?, self.segments)?)
     }
 
     fn edit(&self, mesh: &mut Mesh, notes: &mut Vec<String>) -> Result<(), Problem> {
-        not_negative(self.width, "width")?;
         let live = edit::bevel_edges(mesh, &all(&self.edges, "edges", mesh)?, self.segments)?;
         set_size(mesh, &live, self.width, "width", notes)
     }

@@ -1,6 +1,6 @@
 //! `bevel-vertices`: cut off each vertex with a face.
 
-use super::sized::{not_negative, set_size};
+use super::sized::set_size;
 use crate::error::Problem;
 use crate::ops::refs::{all, count};
 use crate::ops::{
@@ -8,12 +8,11 @@ use crate::ops::{
 };
 use crate::outcome::ElementIds;
 use crate::selection::Selection;
-use halfedge::{Element, Mesh, edit};
+use halfedge::{Element, Mesh, NumberRange, edit};
 use serde::{Deserialize, Serialize};
 
 /// Cut off each vertex with a face.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
 pub struct BevelVertices {
     /// The vertices; the selected ones when left out.
     pub vertices: Option<Vec<VertexRef>>,
@@ -32,7 +31,7 @@ impl Operation for BevelVertices {
                 Field::number(
                     "width",
                     Unit::Length,
-                    [0.0, f32::MAX as f64],
+                    NumberRange::NOT_NEGATIVE,
                     "How far along each edge, in mesh units",
                 )
                 .drag(Drag::Width),
@@ -50,12 +49,10 @@ impl Operation for BevelVertices {
 
 impl LocalEdit for BevelVertices {
     fn can(&self, mesh: &Mesh) -> Result<(), Problem> {
-        not_negative(self.width, "width")?;
         Ok(edit::can_bevel_vertices(mesh, &all(&self.vertices, "vertices", mesh)?)?)
     }
 
     fn edit(&self, mesh: &mut Mesh, notes: &mut Vec<String>) -> Result<(), Problem> {
-        not_negative(self.width, "width")?;
         let live = edit::bevel_vertices(mesh, &all(&self.vertices, "vertices", mesh)?)?;
         set_size(mesh, &live, self.width, "width", notes)
     }

@@ -10,25 +10,22 @@ use crate::ops::{
 use crate::outcome::ElementIds;
 use crate::selection::Selection;
 use halfedge::edit::Bands;
-use halfedge::{Element, Mesh, edit};
+use halfedge::{Element, Mesh, NumberRange, edit};
 use serde::{Deserialize, Serialize};
 
-/// The largest twist either way.
-const MAX_TWIST: i32 = 1000;
+/// The twists either way.
+const TWIST_RANGE: NumberRange = NumberRange::new(-1000.0, 1000.0);
 
 /// Join boundary loops, or regions of faces, with bands of faces.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
 pub struct Bridge {
     /// Boundary half-edges of the loops, two loops or more; the selected ones when left out.
     pub halfedges: Option<Vec<HalfedgeRef>>,
     /// Faces, in two regions or more, which the bands replace; the selected ones when left out.
     pub faces: Option<Vec<FaceRef>>,
     /// How many loops of edges there are between the two that are joined.
-    #[serde(with = "crate::script::json::whole")]
     pub cuts: u32,
     /// By how many vertices the pairing is shifted from the one with the shortest edges.
-    #[serde(with = "crate::script::json::shift")]
     pub twist: i32,
 }
 
@@ -49,15 +46,11 @@ impl Operation for Bridge {
             "Boundary half-edges, one or more of each loop",
         ),
         Field::many("faces", Element::Face, Selected::All, "Faces to replace, in two regions or more"),
-        Field::count("cuts", [0, 1000], "How many loops of edges to add between the two")
+        Field::count("cuts", edit::BRIDGE_CUTS_RANGE, "How many loops of edges to add between the two")
             .or(DefaultValue::Integer(0)),
         Field::required(
             "twist",
-            FieldKind::Integer {
-                unit: Unit::Count,
-                min: -(MAX_TWIST as i64),
-                max: MAX_TWIST as i64,
-            },
+            FieldKind::Integer { unit: Unit::Count, range: TWIST_RANGE },
             "By how many vertices to turn one loop against the other",
         )
         .or(DefaultValue::Integer(0)),

@@ -1,7 +1,7 @@
 //! `collapse-edge`: merge the ends of an edge.
 
 use crate::error::Problem;
-use crate::ops::refs::{given, given_t, one};
+use crate::ops::refs::{given, one};
 use crate::ops::{
     Action, DefaultValue, EdgeRef, Field, LocalEdit, Operation, Reflection, SYMMETRY, Scope, Selected, Slot,
     Spec, Unit,
@@ -11,7 +11,6 @@ use serde::{Deserialize, Serialize};
 
 /// Merge the two ends of an edge into one vertex.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
 pub struct CollapseEdge {
     /// The edge; each selected one in turn when left out.
     pub edge: Option<EdgeRef>,
@@ -29,9 +28,14 @@ impl Operation for CollapseEdge {
     )
     .fields(&[
         Field::one("edge", Element::Edge, Selected::Each, "The edge to collapse"),
-        Field::number("t", Unit::Fraction, [0.0, 1.0], "The position of the vertex along the edge")
-            .labelled("Position (0 to 1)")
-            .or(DefaultValue::Number(0.5)),
+        Field::number(
+            "t",
+            Unit::Fraction,
+            edit::COLLAPSE_T_RANGE,
+            "The position of the vertex along the edge",
+        )
+        .labelled("Position (0 to 1)")
+        .or(DefaultValue::Number(0.5)),
         SYMMETRY,
     ]);
 
@@ -51,12 +55,12 @@ impl Operation for CollapseEdge {
 impl LocalEdit for CollapseEdge {
     fn can(&self, mesh: &Mesh) -> Result<(), Problem> {
         let (edge, t) = given(self.edge, "edge")?.find_along(self.t, mesh, "edge")?;
-        Ok(edit::can_collapse_edge(mesh, edge, t).map_err(given_t(self.t))?)
+        Ok(edit::can_collapse_edge(mesh, edge, t)?)
     }
 
     fn edit(&self, mesh: &mut Mesh, _notes: &mut Vec<String>) -> Result<(), Problem> {
         let (edge, t) = given(self.edge, "edge")?.find_along(self.t, mesh, "edge")?;
-        edit::collapse_edge(mesh, edge, t).map_err(given_t(self.t))?;
+        edit::collapse_edge(mesh, edge, t)?;
         Ok(())
     }
 

@@ -8,7 +8,6 @@ use serde::{Deserialize, Serialize};
 
 /// Merge all corners of a face into one vertex at its centroid.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
 pub struct CollapseFace {
     /// The face; each selected one in turn when left out.
     pub face: Option<FaceRef>,

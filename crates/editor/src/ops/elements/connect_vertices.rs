@@ -8,7 +8,6 @@ use serde::{Deserialize, Serialize};
 
 /// Cut a face from one of its corners to another.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
 pub struct ConnectVertices {
     /// Two corners of one face; the two selected ones when left out.
     pub vertices: Option<[VertexRef; 2]>,

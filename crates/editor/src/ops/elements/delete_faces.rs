@@ -10,7 +10,6 @@ use serde::{Deserialize, Serialize};
 
 /// Delete faces, and vertices that are left with no face.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
 pub struct DeleteFaces {
     /// The faces; the selected ones when left out.
     pub faces: Option<Vec<FaceRef>>,

@@ -10,7 +10,6 @@ use serde::{Deserialize, Serialize};
 
 /// Delete vertices with the faces around them, and other vertices that are left with no face.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
 pub struct DeleteVertices {
     /// The vertices; the selected ones when left out.
     pub vertices: Option<Vec<VertexRef>>,

@@ -11,7 +11,6 @@ use serde::{Deserialize, Serialize};
 
 /// Remove edges and merge the faces beside them into one polygon.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
 pub struct DissolveEdge {
     /// One edge.
     pub edge: Option<EdgeRef>,

@@ -11,7 +11,6 @@ use serde::{Deserialize, Serialize};
 
 /// Remove vertices and merge the faces around each into one polygon.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
 pub struct DissolveVertex {
     /// One vertex.
     pub vertex: Option<VertexRef>,

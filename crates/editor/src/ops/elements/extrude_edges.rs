@@ -17,7 +17,6 @@ use surface::mirrored;
 
 /// Add a quad beside each of some boundary edges.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
 pub struct ExtrudeEdges {
     /// The boundary edges; the selected ones when left out.
     pub edges: Option<Vec<EdgeRef>>,

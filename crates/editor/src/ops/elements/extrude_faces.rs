@@ -6,12 +6,11 @@ use crate::ops::refs::{all, corner_count};
 use crate::ops::{
     Action, Drag, FaceRef, Family, Field, LocalEdit, Operation, SYMMETRY, Scope, Selected, Slot, Spec, Unit,
 };
-use halfedge::{Element, Mesh, edit};
+use halfedge::{Element, Mesh, NumberRange, edit};
 use serde::{Deserialize, Serialize};
 
 /// Move faces outward and build walls behind them.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
 pub struct ExtrudeFaces {
     /// The faces; the selected ones when left out.
     pub faces: Option<Vec<FaceRef>>,
@@ -32,13 +31,8 @@ impl Operation for ExtrudeFaces {
     .family(Family::Extrude)
     .fields(&[
         Field::many("faces", Element::Face, Selected::All, "The faces to extrude"),
-        Field::number(
-            "distance",
-            Unit::Length,
-            [f32::MIN as f64, f32::MAX as f64],
-            "How far outward, in mesh units",
-        )
-        .drag(Drag::Distance),
+        Field::number("distance", Unit::Length, NumberRange::ANY, "How far outward, in mesh units")
+            .drag(Drag::Distance),
         Mode::field("mode", "Whether faces that share an edge stay together"),
         SYMMETRY,
     ]);

@@ -9,7 +9,6 @@ use serde::{Deserialize, Serialize};
 
 /// Close a boundary loop with one polygon.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
 pub struct FillHole {
     /// A half-edge of the loop; those of the selected half-edges or edges when left out.
     pub halfedge: Option<HalfedgeRef>,

@@ -10,7 +10,6 @@ use serde::{Deserialize, Serialize};
 
 /// Turn an edge one step counter-clockwise within the union of its two faces.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
 pub struct FlipEdge {
     /// The edge; each selected one in turn when left out.
     pub edge: Option<EdgeRef>,

@@ -8,7 +8,6 @@ use serde::{Deserialize, Serialize};
 
 /// Turn whole connected pieces inside out.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
 pub struct FlipOrientation {
     /// The faces of whole pieces; the selected ones when left out, or all where none is selected.
     pub faces: Option<Vec<FaceRef>>,

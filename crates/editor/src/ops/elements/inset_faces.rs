@@ -1,17 +1,16 @@
 //! `inset-faces`: add a ring of quads inside the outline of faces.
 
-use super::sized::{Mode, not_negative, set_size};
+use super::sized::{Mode, set_size};
 use crate::error::Problem;
 use crate::ops::refs::{all, corner_count};
 use crate::ops::{
     Action, Drag, FaceRef, Field, LocalEdit, Operation, SYMMETRY, Scope, Selected, Slot, Spec, Unit,
 };
-use halfedge::{Element, Mesh, edit};
+use halfedge::{Element, Mesh, NumberRange, edit};
 use serde::{Deserialize, Serialize};
 
 /// Add a ring of quads inside the outline of faces.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
 pub struct InsetFaces {
     /// The faces; the selected ones when left out.
     pub faces: Option<Vec<FaceRef>>,
@@ -32,8 +31,13 @@ impl Operation for InsetFaces {
     .synonyms(&["offset faces"])
     .fields(&[
         Field::many("faces", Element::Face, Selected::All, "The faces to inset"),
-        Field::number("amount", Unit::Length, [0.0, f32::MAX as f64], "The width of the ring, in mesh units")
-            .drag(Drag::Width),
+        Field::number(
+            "amount",
+            Unit::Length,
+            NumberRange::NOT_NEGATIVE,
+            "The width of the ring, in mesh units",
+        )
+        .drag(Drag::Width),
         Mode::field("mode", "Whether faces that share an edge stay together"),
         SYMMETRY,
     ]);
@@ -49,12 +53,10 @@ impl Operation for InsetFaces {
 
 impl LocalEdit for InsetFaces {
     fn can(&self, mesh: &Mesh) -> Result<(), Problem> {
-        not_negative(self.amount, "amount")?;
         Ok(edit::can_inset_faces(mesh, &all(&self.faces, "faces", mesh)?, self.mode.into())?)
     }
 
     fn edit(&self, mesh: &mut Mesh, notes: &mut Vec<String>) -> Result<(), Problem> {
-        not_negative(self.amount, "amount")?;
         let live = edit::inset_faces(mesh, &all(&self.faces, "faces", mesh)?, self.mode.into())?;
         set_size(mesh, &live, self.amount, "amount", notes)
     }

@@ -1,7 +1,7 @@
 //! `loop-cut`: cut along a ring of quads.
 
 use crate::error::Problem;
-use crate::ops::refs::{given, given_t, one};
+use crate::ops::refs::{given, one};
 use crate::ops::{
     Action, DefaultValue, Drag, EdgeRef, Field, LocalEdit, Operation, Reflection, SYMMETRY, Scope, Selected,
     Slot, Spec, Unit, edges_between_created,
@@ -14,12 +14,10 @@ use serde::{Deserialize, Serialize};
 
 /// Cut the ring of quads that crosses an edge. Several edges of one ring cut it once.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
 pub struct LoopCut {
     /// The edge; each selected one in turn when left out.
     pub edge: Option<EdgeRef>,
     /// How many cuts.
-    #[serde(with = "crate::script::json::whole")]
     pub cuts: u32,
     /// Where the middle of the cuts is along the edge's even half-edge, or from the vertex named first, between 0 and 1.
     #[serde(with = "crate::script::json::finite")]
@@ -32,15 +30,14 @@ impl Operation for LoopCut {
             .synonyms(&["insert edge loop", "ring cut"])
             .fields(&[
                 Field::one("edge", Element::Edge, Selected::Each, "An edge that the ring crosses"),
-                Field::count("cuts", [1, 1000], "How many cuts").or(DefaultValue::Integer(1)),
+                Field::count("cuts", edit::LOOP_CUTS_RANGE, "How many cuts").or(DefaultValue::Integer(1)),
                 Field::number(
                     "t",
                     Unit::Fraction,
-                    [0.0, 1.0],
+                    edit::SPLIT_T_RANGE,
                     "The position of the middle of the cuts along the edge",
                 )
                 .labelled("Position (0 to 1)")
-                .between()
                 .or(DefaultValue::Number(0.5))
                 .drag(Drag::Fraction),
                 SYMMETRY,
@@ -94,12 +91,12 @@ impl Operation for LoopCut {
 impl LocalEdit for LoopCut {
     fn can(&self, mesh: &Mesh) -> Result<(), Problem> {
         let (edge, t) = given(self.edge, "edge")?.find_along(self.t, mesh, "edge")?;
-        Ok(edit::can_loop_cut(mesh, edge, self.cuts, t).map_err(given_t(self.t))?)
+        Ok(edit::can_loop_cut(mesh, edge, self.cuts, t)?)
     }
 
     fn edit(&self, mesh: &mut Mesh, _notes: &mut Vec<String>) -> Result<(), Problem> {
         let (edge, t) = given(self.edge, "edge")?.find_along(self.t, mesh, "edge")?;
-        edit::loop_cut(mesh, edge, self.cuts, t).map_err(given_t(self.t))?;
+        edit::loop_cut(mesh, edge, self.cuts, t)?;
         Ok(())
     }
 

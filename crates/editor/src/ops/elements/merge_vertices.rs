@@ -11,7 +11,6 @@ use serde::{Deserialize, Serialize};
 
 /// Merge several vertices into one.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
 pub struct MergeVertices {
     /// The vertices; those of the selected elements when left out.
     pub vertices: Option<Vec<VertexRef>>,

@@ -11,7 +11,6 @@ use serde::{Deserialize, Serialize};
 
 /// Add a vertex at the centroid of each face and join it to every corner.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
 pub struct PokeFaces {
     /// The faces; the selected ones when left out.
     pub faces: Option<Vec<FaceRef>>,

@@ -8,7 +8,6 @@ use serde::{Deserialize, Serialize};
 
 /// Make edges boundary: the faces on either side come apart.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
 pub struct RipEdges {
     /// The edges; the selected ones when left out.
     pub edges: Option<Vec<EdgeRef>>,

@@ -10,7 +10,6 @@ use serde::{Deserialize, Serialize};
 
 /// Set how sharp edges and vertices stay under subdivision.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
 pub struct SetCrease {
     /// Edges. When no elements are given at all, the selected edges or vertices stand in.
     pub edges: Option<Vec<EdgeRef>>,
@@ -35,7 +34,12 @@ impl Operation for SetCrease {
     .fields(&[
         Field::many("edges", Element::Edge, Selected::All, "Edges to make sharp"),
         Field::many("vertices", Element::Vertex, Selected::All, "Vertices to make sharp"),
-        Field::number("sharpness", Unit::Count, [0.0, 10.0], "0 is smooth, 10 infinitely sharp"),
+        Field::number(
+            "sharpness",
+            Unit::Count,
+            edit::CREASE_SHARPNESS_RANGE,
+            "0 is smooth, 10 or more infinitely sharp",
+        ),
         SYMMETRY,
     ]);
 

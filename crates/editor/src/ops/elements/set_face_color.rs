@@ -11,7 +11,6 @@ use serde::{Deserialize, Serialize};
 
 /// Paint faces with a colour.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
 pub struct SetFaceColor {
     /// The faces; the selected ones when left out.
     pub faces: Option<Vec<FaceRef>>,

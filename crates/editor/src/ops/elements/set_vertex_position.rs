@@ -11,7 +11,6 @@ use serde::{Deserialize, Serialize};
 
 /// Move one vertex to a position.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
 pub struct SetVertexPosition {
     /// The vertex; the selected one when left out.
     pub vertex: Option<VertexRef>,

@@ -5,7 +5,7 @@ use crate::ops::choice::choice;
 use crate::ops::{Drag, Field, Suggestion, Unit, sentence_case};
 use crate::script::json::shortest;
 use halfedge::Mesh;
-use halfedge::edit::{Grouping, Live};
+use halfedge::edit::{Grouping, Live, SLIDE_AMOUNT_RANGE};
 
 choice! {
     /// Whether faces that share an edge stay together.
@@ -24,14 +24,6 @@ impl From<Mode> for Grouping {
             Mode::Individual => Self::Individual,
         }
     }
-}
-
-/// Refuses a width below zero.
-pub(super) fn not_negative(value: f32, field: &str) -> Result<(), Problem> {
-    if value < 0.0 {
-        return Err(Problem::field(field, format!("{value} is out of range; it must be 0 or more")));
-    }
-    Ok(())
 }
 
 /// Gives what an edit created its size; notes where that was limited.
@@ -53,7 +45,7 @@ pub(super) fn set_size(
 
 /// The amount of a slide.
 pub(super) const fn slide_amount(description: &'static str) -> Field {
-    Field::number("amount", Unit::Fraction, [-1.0, 1.0], description)
+    Field::number("amount", Unit::Fraction, SLIDE_AMOUNT_RANGE, description)
         .labelled("Amount (-1 to 1)")
         .suggest(Suggestion::Number(0.5))
         .drag(Drag::Slide)

@@ -12,7 +12,6 @@ use serde::{Deserialize, Serialize};
 
 /// Slide lines of edges over the surface, along the edges beside them.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
 pub struct SlideEdges {
     /// The edges, which form lines without branches; the selected ones when left out. The first says which side is left: that
     /// of the way from the vertex named first to the other, or of its even half-edge, seen from outside.
@@ -75,13 +74,11 @@ impl SlideEdges {
 
 impl LocalEdit for SlideEdges {
     fn can(&self, mesh: &Mesh) -> Result<(), Problem> {
-        edit::check_amount(self.amount)?;
         let (edges, amount) = self.given(mesh)?;
         Ok(edit::can_slide_edges(mesh, &edges, amount)?)
     }
 
     fn edit(&self, mesh: &mut Mesh, notes: &mut Vec<String>) -> Result<(), Problem> {
-        edit::check_amount(self.amount)?;
         let (edges, amount) = self.given(mesh)?;
         let moved = edit::slide_edges(mesh, &edges, amount)?;
         notes.extend(nothing_moved(moved, amount, "there are no faces on that side"));

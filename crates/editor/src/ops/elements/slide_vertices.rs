@@ -14,7 +14,6 @@ use serde::{Deserialize, Serialize};
 
 /// Slide vertices along their edges.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
 pub struct SlideVertices {
     /// The vertices; the selected ones when left out.
     pub vertices: Option<Vec<VertexRef>>,
@@ -65,7 +64,7 @@ impl Operation for SlideVertices {
 /// A refusal that names the field it is about.
 fn problem(refusal: Refusal) -> Problem {
     match refusal {
-        Refusal::NoDirection => Problem::field("direction", "is too short to give a direction")
+        Refusal::NoDirection => Problem::of_field("direction", "is too short to give a direction")
             .advise("The direction is too short. Give one with a length."),
         other => other.into(),
     }

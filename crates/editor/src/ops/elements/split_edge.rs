@@ -2,7 +2,7 @@
 
 use crate::error::Problem;
 use crate::ops::choice::choice;
-use crate::ops::refs::{given, given_t};
+use crate::ops::refs::given;
 use crate::ops::{
     Action, DefaultValue, Drag, EdgeRef, Field, LocalEdit, Operation, Reflection, SYMMETRY, Scope, Selected,
     Slot, Spec, Unit,
@@ -14,7 +14,6 @@ use serde::{Deserialize, Serialize};
 
 /// Add a vertex to an edge and cut the faces beside it.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
 pub struct SplitEdge {
     /// The edge; each selected one in turn when left out.
     pub edge: Option<EdgeRef>,
@@ -47,11 +46,15 @@ impl Operation for SplitEdge {
     .synonyms(&["add vertex", "insert vertex"])
     .fields(&[
         Field::one("edge", Element::Edge, Selected::Each, "The edge to split"),
-        Field::number("t", Unit::Fraction, [0.0, 1.0], "The position along the edge, between its ends")
-            .labelled("Position (0 to 1)")
-            .between()
-            .or(DefaultValue::Number(0.5))
-            .drag(Drag::Fraction),
+        Field::number(
+            "t",
+            Unit::Fraction,
+            edit::SPLIT_T_RANGE,
+            "The position along the edge, between its ends",
+        )
+        .labelled("Position (0 to 1)")
+        .or(DefaultValue::Number(0.5))
+        .drag(Drag::Fraction),
         Connect::field("connect", "Which of the faces beside the edge are cut"),
         SYMMETRY,
     ]);
@@ -82,12 +85,12 @@ impl From<Connect> for edit::Connect {
 impl LocalEdit for SplitEdge {
     fn can(&self, mesh: &Mesh) -> Result<(), Problem> {
         let (edge, t) = given(self.edge, "edge")?.find_along(self.t, mesh, "edge")?;
-        Ok(edit::can_split_edge(mesh, edge, t, self.connect.into()).map_err(given_t(self.t))?)
+        Ok(edit::can_split_edge(mesh, edge, t, self.connect.into())?)
     }
 
     fn edit(&self, mesh: &mut Mesh, _notes: &mut Vec<String>) -> Result<(), Problem> {
         let (edge, t) = given(self.edge, "edge")?.find_along(self.t, mesh, "edge")?;
-        edit::split_edge(mesh, edge, t, self.connect.into()).map_err(given_t(self.t))?;
+        edit::split_edge(mesh, edge, t, self.connect.into())?;
         Ok(())
     }
 

@@ -12,7 +12,6 @@ use serde::{Deserialize, Serialize};
 
 /// Split a vertex into two, joined by an edge: the inverse of collapsing one.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
 pub struct SplitVertex {
     /// The vertex; the one where the two edges meet when left out.
     pub vertex: Option<VertexRef>,
@@ -60,7 +59,7 @@ impl Operation for SplitVertex {
             let [a, b] = two(self.edges, "edges", mesh)?.map(|e| mesh.ends(e));
             let shared = a.into_iter().find(|v| b.contains(v));
             let shared = shared.ok_or_else(|| {
-                Problem::field("vertex", "is missing, and the two edges don't share a vertex")
+                Problem::of_field("vertex", "is missing, and the two edges don't share a vertex")
                     .advise("Select two edges that share a vertex.")
             })?;
             self.vertex = Some(shared.into());

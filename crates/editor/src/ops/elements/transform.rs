@@ -1,8 +1,6 @@
 //! `transform`: move, rotate and scale elements; what the gizmo sends.
 
-use super::sized::not_negative;
 use crate::error::Problem;
-use crate::ops::in_plain_words;
 use crate::ops::refs::{all, count};
 use crate::ops::{
     Action, Arity, DefaultValue, Drag, EdgeRef, FaceRef, Field, FieldKind, LocalEdit, Mirroring, Operation,
@@ -12,14 +10,13 @@ use crate::script::json::{finite, finite_option, finite3, finite3_option, shorte
 use glam::{Affine3A, Mat3A, Quat, Vec3};
 use halfedge::edit::Refusal;
 use halfedge::geometry::{UnionFind, mean_position};
-use halfedge::{Element, Mesh, VertexId};
+use halfedge::{Element, Mesh, NumberRange, VertexId};
 use serde::de::{Deserializer, Error};
 use serde::{Deserialize, Serialize, Serializer};
 use std::collections::BTreeMap;
 
 /// Scale and rotate elements about a pivot, then move them.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, Default)]
-#[serde(deny_unknown_fields)]
 pub struct Transform {
     /// Vertices to move. When no elements are given at all, the selected ones are moved.
     pub vertices: Option<Vec<VertexRef>>,
@@ -50,10 +47,6 @@ pub struct Transform {
 
 /// A rotation about an axis, counter-clockwise as seen from its tip.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
-#[serde(
-    deny_unknown_fields,
-    expecting = "an axis and degrees, as in `{\"axis\": [0, 0, 1], \"degrees\": 90}`"
-)]
 pub struct Rotate {
     /// The axis; its length doesn't matter.
     #[serde(with = "finite3")]
@@ -89,11 +82,7 @@ impl<'de> Deserialize<'de> for Scale {
             serde_json::Value::Array(_) => finite3::deserialize(value),
             value => finite::deserialize(value).map(|factor| [factor; 3]),
         };
-        factors.map(Self).map_err(|error| {
-            let text = error.to_string();
-            let text = in_plain_words(&text).unwrap_or(text);
-            D::Error::custom(format!("{text}; a factor or a list of three is expected"))
-        })
+        factors.map(Self).map_err(D::Error::custom)
     }
 }
 
@@ -133,7 +122,7 @@ impl Operation for Transform {
                 Field::number(
                     "falloff",
                     Unit::Length,
-                    [0.0, f32::MAX as f64],
+                    NumberRange::NOT_NEGATIVE,
                     "Soft selection: how far along the surface other vertices move too",
                 )
                 .unset("none"),
@@ -251,9 +240,8 @@ impl Rounding {
 impl Transform {
     /// Refuses fields that can't be carried out, or not together.
     fn check(&self) -> Result<(), Problem> {
-        not_negative(self.falloff.unwrap_or(0.0), "falloff")?;
         match self.pivot {
-            Some(_) if self.individual => Err(Problem::field(
+            Some(_) if self.individual => Err(Problem::of_field(
                 "pivot",
                 "does not go with `individual`, which turns each part about its own middle: leave one of them out",
             )
@@ -338,6 +326,6 @@ fn quaternion(rotate: Option<Rotate>, field: &str) -> Result<Quat, Problem> {
     let axis = Vec3::from(axis)
         .try_normalize()
         .or_else(long)
-        .ok_or_else(|| Problem::field(field, "is too short to give a direction"))?;
+        .ok_or_else(|| Problem::of_field(field, "is too short to give a direction"))?;
     Ok(Quat::from_axis_angle(axis, degrees.to_radians()))
 }

@@ -16,7 +16,6 @@ use serde::{Deserialize, Serialize};
 
 /// Cut polygons into triangles between their own corners.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
 pub struct TriangulateFaces {
     /// The faces; the selected ones when left out, or all where none is selected.
     pub faces: Option<Vec<FaceRef>>,

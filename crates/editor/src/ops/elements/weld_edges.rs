@@ -8,7 +8,6 @@ use serde::{Deserialize, Serialize};
 
 /// Join two boundary edges into one: the opposite of ripping.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
 pub struct WeldEdges {
     /// Two boundary edges; the two selected ones when left out.
     pub edges: Option<[EdgeRef; 2]>,

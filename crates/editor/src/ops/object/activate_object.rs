@@ -7,7 +7,6 @@ use serde::{Deserialize, Serialize};
 
 /// Make the command's object the active one.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
 pub struct ActivateObject {}
 
 impl Operation for ActivateObject {
@@ -27,7 +26,7 @@ impl DocumentEdit for ActivateObject {
     fn changes(&self, place: &Place<'_>) -> Result<Vec<Change>, Problem> {
         let at = place
             .object
-            .ok_or_else(|| Problem::field("object", "is missing; give the place of one in the list"))?;
+            .ok_or_else(|| Problem::of_field("object", "is missing; give the place of one in the list"))?;
         let at = place.check(at, "object")?;
         Ok(if at == place.document.active { Vec::new() } else { vec![Change::Active(at)] })
     }

@@ -7,7 +7,6 @@ use serde::{Deserialize, Serialize};
 
 /// Delete the command's object, or the active one.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
 pub struct DeleteObject {}
 
 impl Operation for DeleteObject {

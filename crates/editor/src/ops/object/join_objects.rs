@@ -8,7 +8,6 @@ use serde::{Deserialize, Serialize};
 
 /// Join several objects into one; the first one given keeps its name.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
 pub struct JoinObjects {
     /// The places of the objects in the list, two or more; all when left out.
     pub objects: Option<Vec<usize>>,

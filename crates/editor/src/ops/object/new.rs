@@ -73,7 +73,7 @@ impl Fields for New {
     fn parse(mut fields: Map<String, Value>) -> Result<Self, Problem> {
         let names = || Shape::names().map(|name| format!("`{name}`")).collect::<Vec<_>>().join(", ");
         let mut shape = match fields.remove("shape") {
-            None => return Err(Problem::field("shape", format!("is missing; it is one of {}", names()))),
+            None => return Err(Problem::of_field("shape", format!("is missing; it is one of {}", names()))),
             Some(Value::String(name)) => Shape::named(&name).ok_or_else(|| {
                 Problem::field("shape", format!("`{name}` is not a shape; it is one of {}", names()))
             })?,
@@ -95,7 +95,7 @@ impl Fields for New {
                 let known = known.join(", ");
                 let text =
                     format!("is not a field of the shape `{}`; it has `shape`, `add`, {known}", shape.name());
-                return Err(Problem::field(field, text));
+                return Err(Problem::of_field(field, text));
             }
             let number =
                 value.as_f64().ok_or_else(|| Problem::field(&*field, format!("{value} is not a number")))?;
@@ -155,7 +155,7 @@ impl WholeMesh for New {
 
     fn objects(&self, place: &Place<'_>) -> Result<Vec<ObjectId>, Problem> {
         match place.object {
-            Some(_) => Err(Problem::field("object", "does not go with this op, which makes an object")),
+            Some(_) => Err(Problem::of_field("object", "does not go with this op, which makes an object")),
             None => Ok(Vec::new()),
         }
     }

@@ -7,7 +7,6 @@ use serde::{Deserialize, Serialize};
 
 /// Give an object another name.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
 pub struct RenameObject {
     /// The new name.
     pub name: String,

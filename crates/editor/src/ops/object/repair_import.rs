@@ -6,13 +6,12 @@ use crate::ops::{
     WholeMesh, refuse_bezier,
 };
 use formats::{NonManifold, Repairs};
-use halfedge::Progress;
+use halfedge::{NumberRange, Progress};
 use serde::{Deserialize, Serialize};
 
 /// Build an object's mesh again from the faces of its file, with other repairs where those faces are
 /// no mesh. Edits made since are lost.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
 pub struct RepairImport {
     /// What happens to faces at edges where more than two meet.
     pub non_manifold: NonManifold,
@@ -44,7 +43,7 @@ impl Operation for RepairImport {
         Field::number(
             "merge_by_distance",
             Unit::Length,
-            [0.0, f32::MAX as f64],
+            NumberRange::NOT_NEGATIVE,
             "Merge vertices within this distance of each other, in mesh units",
         )
         .unset("none"),
@@ -59,16 +58,6 @@ impl Operation for RepairImport {
 }
 
 impl WholeMesh for RepairImport {
-    fn check(&self) -> Result<(), Problem> {
-        match self.merge_by_distance {
-            Some(distance) if distance < 0.0 => {
-                let text = format!("{distance} is out of range; it must be 0 or more");
-                Err(Problem::field("merge_by_distance", text))
-            }
-            _ => Ok(()),
-        }
-    }
-
     fn check_inputs(&self, inputs: &[NamedMesh]) -> Result<(), Problem> {
         inputs.iter().try_for_each(|input| {
             refuse_bezier(&input.name, input.bezier.as_deref())?;

@@ -13,7 +13,6 @@ use std::collections::HashMap;
 
 /// Split an object into several. The first part stays in the object, and so do isolated vertices.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
 pub struct Separate {
     /// How to divide the object into parts; `faces` where those are given, else connected pieces.
     pub by: Option<By>,
@@ -75,7 +74,7 @@ impl Operation for Separate {
             (None, None) => self.by = Some(By::Components),
             (None, Some(_)) => self.by = Some(By::Faces),
             (Some(By::Components | By::Groups), Some(_)) => {
-                return Err(Problem::field("faces", "goes with \"by\": \"faces\" only"));
+                return Err(Problem::of_field("faces", "goes with \"by\": \"faces\" only"));
             }
             _ => {}
         }
@@ -169,8 +168,11 @@ impl Separate {
         let (faces, rest): (Vec<_>, Vec<_>) =
             mesh.faces().partition(|f| taken.get(f.index()).copied().unwrap_or_default());
         if faces.is_empty() || rest.is_empty() {
-            return Err(Problem::field("faces", "must be some of the object's faces, but not all of them")
-                .advise("Select some of the object's faces, but not all of them."));
+            return Err(Problem::of_field(
+                "faces",
+                "must be some of the object's faces, but not all of them",
+            )
+            .advise("Select some of the object's faces, but not all of them."));
         }
         Ok([rest, faces].map(|faces| Part { name: None, faces }).into())
     }

@@ -7,7 +7,6 @@ use serde::{Deserialize, Serialize};
 
 /// Show or hide an object.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
 pub struct SetObjectVisible {
     /// Whether the viewport draws it.
     pub visible: bool,

@@ -8,7 +8,6 @@ use serde::{Deserialize, Serialize};
 
 /// Delete a named selection; its elements stay.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
 pub struct DeleteNamedSelection {
     /// The name.
     pub name: String,

@@ -11,7 +11,6 @@ use std::sync::Arc;
 
 /// Hide faces, or the faces of edges and vertices, in the viewport.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
 pub struct Hide {
     /// Faces; when nothing is given, the selection.
     pub faces: Option<Vec<FaceRef>>,

@@ -11,7 +11,6 @@ use std::sync::Arc;
 
 /// Hide everything else. Repeat to show everything.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
 pub struct Isolate {
     /// Faces; when nothing is given, the selection.
     pub faces: Option<Vec<FaceRef>>,

@@ -9,7 +9,6 @@ use serde::{Deserialize, Serialize};
 
 /// Save the selection under a name, and replace any of that name.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
 pub struct NameSelection {
     /// The name.
     pub name: String,

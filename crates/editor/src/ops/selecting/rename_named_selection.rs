@@ -8,7 +8,6 @@ use serde::{Deserialize, Serialize};
 
 /// Rename a named selection.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
 pub struct RenameNamedSelection {
     /// The name.
     pub name: String,

@@ -8,7 +8,6 @@ use std::sync::Arc;
 
 /// Show hidden faces again.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
 pub struct Reveal {}
 
 impl Operation for Reveal {

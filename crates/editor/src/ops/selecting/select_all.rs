@@ -10,7 +10,6 @@ use surface::selecting::{Criterion, Finding};
 
 /// Select every element of a kind.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
 pub struct SelectAll {
     /// The kind of elements; that of the selection when left out.
     pub kind: Option<Kind>,

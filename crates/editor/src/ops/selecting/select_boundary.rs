@@ -8,7 +8,6 @@ use surface::selecting::{Criterion, Finding};
 
 /// Select boundary edges and half-edges, the vertices on them, or the faces beside them.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
 pub struct SelectBoundary {
     /// The kind of elements; that of the selection when left out.
     pub kind: Option<Kind>,

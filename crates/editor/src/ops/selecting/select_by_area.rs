@@ -4,13 +4,12 @@ use super::select_elements::MODE;
 use crate::error::Problem;
 use crate::ops::choice::choice;
 use crate::ops::{Action, Field, Operation, Scope, SelectEdit, SelectMode, Spec, Target, Unit};
-use halfedge::Element;
+use halfedge::{Element, NumberRange};
 use serde::{Deserialize, Serialize};
 use surface::selecting::{Comparison, Criterion, Finding};
 
 /// Select faces by area.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
 pub struct SelectByArea {
     /// How the area compares.
     pub compare: CompareSize,
@@ -50,7 +49,7 @@ impl Operation for SelectByArea {
     .synonyms(&["small faces", "large faces"])
     .fields(&[
         CompareSize::field("compare", "How the area compares"),
-        Field::number("area", Unit::Area, [0.0, f32::MAX as f64], "With what"),
+        Field::number("area", Unit::Area, NumberRange::NOT_NEGATIVE, "With what"),
         MODE,
     ]);
 

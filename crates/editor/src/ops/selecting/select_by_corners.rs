@@ -4,16 +4,14 @@ use super::select_elements::MODE;
 use crate::error::Problem;
 use crate::ops::choice::choice;
 use crate::ops::{Action, DefaultValue, Field, Operation, Scope, SelectEdit, SelectMode, Spec, Target};
-use halfedge::Element;
+use halfedge::{Element, NumberRange};
 use serde::{Deserialize, Serialize};
 use surface::selecting::{Comparison, Criterion, Finding};
 
 /// Select faces by the number of their corners.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
 pub struct SelectByCorners {
     /// The number of corners.
-    #[serde(with = "crate::script::json::whole")]
     pub corners: u32,
     /// How the face's number compares with it.
     pub compare: CompareCount,
@@ -55,7 +53,8 @@ impl Operation for SelectByCorners {
     )
     .synonyms(&["triangles", "quads", "n-gons", "faces by sides"])
     .fields(&[
-        Field::count("corners", [3, u32::MAX], "The number of corners").or(DefaultValue::Integer(4)),
+        Field::count("corners", NumberRange::counts(3, u32::MAX), "The number of corners")
+            .or(DefaultValue::Integer(4)),
         CompareCount::field("compare", "How the face's number compares with it"),
         MODE,
     ]);

@@ -5,13 +5,12 @@ use crate::error::Problem;
 use crate::ops::{
     Action, CompareSize, Field, Operation, Scope, SelectEdit, SelectMode, Spec, Suggestion, Target, Unit,
 };
-use halfedge::Element;
+use halfedge::{Element, NumberRange};
 use serde::{Deserialize, Serialize};
 use surface::selecting::{Criterion, Finding};
 
 /// Select edges by length.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
 pub struct SelectByLength {
     /// How the length compares.
     pub compare: CompareSize,
@@ -32,7 +31,7 @@ impl Operation for SelectByLength {
     .synonyms(&["short edges", "long edges"])
     .fields(&[
         CompareSize::field("compare", "How the length compares"),
-        Field::number("length", Unit::Length, [0.0, f32::MAX as f64], "With what")
+        Field::number("length", Unit::Length, NumberRange::NOT_NEGATIVE, "With what")
             .suggest(Suggestion::MeanEdge),
         MODE,
     ]);

@@ -5,16 +5,14 @@ use crate::error::Problem;
 use crate::ops::{
     Action, CompareCount, DefaultValue, Field, Operation, Scope, SelectEdit, SelectMode, Spec, Target,
 };
-use halfedge::Element;
+use halfedge::{Element, NumberRange};
 use serde::{Deserialize, Serialize};
 use surface::selecting::{Criterion, Finding};
 
 /// Select vertices by the number of their edges.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
 pub struct SelectByValence {
     /// The number of edges.
-    #[serde(with = "crate::script::json::whole")]
     pub valence: u32,
     /// How the vertex's number compares with it.
     pub compare: CompareCount,
@@ -31,7 +29,8 @@ impl Operation for SelectByValence {
     )
     .synonyms(&["poles", "irregular vertices", "extraordinary vertices"])
     .fields(&[
-        Field::count("valence", [0, u32::MAX], "The number of edges").or(DefaultValue::Integer(4)),
+        Field::count("valence", NumberRange::counts(0, u32::MAX), "The number of edges")
+            .or(DefaultValue::Integer(4)),
         CompareCount::field("compare", "How the vertex's number compares with it"),
         MODE,
     ]);

@@ -5,13 +5,12 @@ use crate::error::Problem;
 use crate::ops::{
     Action, DefaultValue, Field, Kind, Operation, Scope, SelectEdit, SelectMode, Spec, Target, Unit,
 };
-use halfedge::Element;
+use halfedge::{Element, NumberRange};
 use serde::{Deserialize, Serialize};
 use surface::selecting::{Criterion, Finding};
 
 /// Select faces without area, or edges without length.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
 pub struct SelectDegenerate {
     /// Faces or edges; faces when left out, unless edges are selected.
     pub kind: Option<Kind>,
@@ -35,7 +34,7 @@ impl Operation for SelectDegenerate {
         Field::number(
             "at_most",
             Unit::Length,
-            [0.0, f32::MAX as f64],
+            NumberRange::NOT_NEGATIVE,
             "The area or length that still counts as none",
         )
         .or(DefaultValue::Number(0.0)),

@@ -14,7 +14,6 @@ use surface::selecting::Finding;
 
 /// Select elements by id.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
 pub struct SelectElements {
     /// Vertices to select.
     pub vertices: Option<Vec<VertexRef>>,

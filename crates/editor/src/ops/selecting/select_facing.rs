@@ -3,7 +3,8 @@
 use super::select_elements::MODE;
 use crate::error::Problem;
 use crate::ops::{
-    Action, DefaultValue, Field, FieldKind, Operation, Scope, SelectEdit, SelectMode, Spec, Target, Unit,
+    ANGLE_RANGE, Action, DefaultValue, Field, FieldKind, Operation, Scope, SelectEdit, SelectMode, Spec,
+    Target, Unit,
 };
 use glam::Vec3;
 use halfedge::geometry::face_area_vector;
@@ -13,7 +14,6 @@ use surface::selecting::{Criterion, Finding};
 
 /// Select faces whose normal is within an angle of a direction.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
 pub struct SelectFacing {
     /// The direction, of any length but 0; the normal of the face selected last when left out.
     #[serde(default, with = "crate::script::json::finite3_option")]
@@ -42,7 +42,7 @@ impl Operation for SelectFacing {
         Field::number(
             "angle",
             Unit::Degrees,
-            [0.0, 180.0],
+            ANGLE_RANGE,
             "The largest angle between it and a face's normal",
         )
         .or(DefaultValue::Number(FACING_ANGLE_DEGREES as f64)),
@@ -62,7 +62,7 @@ impl SelectEdit for SelectFacing {
         };
         if direction.try_normalize().is_none() {
             return Err(match self.direction {
-                Some(_) => Problem::field("direction", "has no length, so it points nowhere"),
+                Some(_) => Problem::of_field("direction", "has no length, so it points nowhere"),
                 None => Problem::new("the face selected last has no area, so it faces no side"),
             });
         }

@@ -9,7 +9,6 @@ use surface::selecting::{Criterion, Finding};
 
 /// Select vertices in no face.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
 pub struct SelectIsolated {
     /// How what is found changes the selection.
     pub mode: SelectMode,

@@ -9,7 +9,6 @@ use surface::selecting::Finding;
 
 /// Select the elements of a named selection.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
 pub struct SelectNamed {
     /// The name.
     pub name: String,

@@ -2,14 +2,15 @@
 
 use super::select_elements::MODE;
 use crate::error::Problem;
-use crate::ops::{Action, DefaultValue, Field, Operation, Scope, SelectEdit, SelectMode, Spec, Target, Unit};
+use crate::ops::{
+    ANGLE_RANGE, Action, DefaultValue, Field, Operation, Scope, SelectEdit, SelectMode, Spec, Target, Unit,
+};
 use halfedge::Element;
 use serde::{Deserialize, Serialize};
 use surface::selecting::{Criterion, Finding};
 
 /// Select polygons with a triangle that is turned by more than an angle against the mean plane.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
 pub struct SelectNonPlanar {
     /// The angle in degrees.
     #[serde(with = "crate::script::json::finite")]
@@ -27,7 +28,7 @@ impl Operation for SelectNonPlanar {
     )
     .synonyms(&["warped", "bent", "not flat"])
     .fields(&[
-        Field::number("angle", Unit::Degrees, [0.0, 180.0], "The angle that still counts as flat")
+        Field::number("angle", Unit::Degrees, ANGLE_RANGE, "The angle that still counts as flat")
             .or(DefaultValue::Number(1.0)),
         MODE,
     ]);

@@ -8,7 +8,6 @@ use surface::selecting::Finding;
 
 /// Select elements related to the selection.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
 pub struct SelectRelated {
     /// What to select.
     pub by: Relation,

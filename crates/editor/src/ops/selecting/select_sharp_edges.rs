@@ -2,14 +2,15 @@
 
 use super::select_elements::MODE;
 use crate::error::Problem;
-use crate::ops::{Action, DefaultValue, Field, Operation, Scope, SelectEdit, SelectMode, Spec, Target, Unit};
+use crate::ops::{
+    ANGLE_RANGE, Action, DefaultValue, Field, Operation, Scope, SelectEdit, SelectMode, Spec, Target, Unit,
+};
 use halfedge::Element;
 use serde::{Deserialize, Serialize};
 use surface::selecting::{Criterion, Finding};
 
 /// Select edges whose two faces meet at more than an angle.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
 pub struct SelectSharpEdges {
     /// The angle in degrees.
     #[serde(with = "crate::script::json::finite")]
@@ -27,7 +28,7 @@ impl Operation for SelectSharpEdges {
     )
     .synonyms(&["hard edges", "creases", "dihedral angle"])
     .fields(&[
-        Field::number("angle", Unit::Degrees, [0.0, 180.0], "The angle: 0 is flat, 90 an edge of a cube")
+        Field::number("angle", Unit::Degrees, ANGLE_RANGE, "The angle: 0 is flat, 90 an edge of a cube")
             .or(DefaultValue::Number(30.0)),
         MODE,
     ]);

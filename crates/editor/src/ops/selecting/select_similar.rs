@@ -5,13 +5,12 @@ use crate::error::Problem;
 use crate::ops::choice::choice;
 use crate::ops::{Action, DefaultValue, Field, Operation, Scope, SelectEdit, SelectMode, Spec, Target, Unit};
 use halfedge::geometry::face_area_vector;
-use halfedge::{Element, FaceId, VertexId, keys};
+use halfedge::{Element, FaceId, NumberRange, VertexId, keys};
 use serde::{Deserialize, Serialize};
 use surface::selecting::{Comparison, Criterion, Finding, size};
 
 /// Select elements that share a property with the one selected last.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
 pub struct SelectSimilar {
     /// The property.
     pub by: Similarity,
@@ -55,8 +54,13 @@ impl Operation for SelectSimilar {
     .synonyms(&["same area", "same length", "same colour", "same material"])
     .fields(&[
         Similarity::field("by", "The property"),
-        Field::number("tolerance", Unit::Fraction, [0.0, 1.0], "How much it may differ, as a fraction")
-            .or(DefaultValue::Number(TOLERANCE as f64)),
+        Field::number(
+            "tolerance",
+            Unit::Fraction,
+            NumberRange::new(0.0, 1.0),
+            "How much it may differ, as a fraction",
+        )
+        .or(DefaultValue::Number(TOLERANCE as f64)),
         MODE,
     ]);
 

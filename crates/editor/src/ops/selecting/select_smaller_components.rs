@@ -8,7 +8,6 @@ use surface::selecting::Finding;
 
 /// Select what belongs to any connected component but the one with the most faces.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
 pub struct SelectSmallerComponents {
     /// The kind of elements; that of the selection when left out.
     pub kind: Option<Kind>,

@@ -93,14 +93,3 @@ impl<T: EachMesh> WholeMesh for T {
         inputs.iter().map(|input| EachMesh::cost(self, &input.mesh)).fold(0, usize::saturating_add)
     }
 }
-
-/// Refuses a number of rounds that does nothing, or takes longer than anybody waits.
-pub(super) fn rounds(count: u32, most: u32, field: &str) -> Result<(), Problem> {
-    match count {
-        0 => Err(Problem::field(field, format!("0 does nothing; it must be 1 to {most}"))),
-        _ if count > most => {
-            Err(Problem::field(field, format!("{count} is out of range; it must be 1 to {most}")))
-        }
-        _ => Ok(()),
-    }
-}

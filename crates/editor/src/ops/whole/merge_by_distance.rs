@@ -4,12 +4,11 @@ use super::each_mesh::EachMesh;
 use crate::error::Problem;
 use crate::ops::{Action, Amount, Counted, Estimate, Facts, Field, Operation, Scope, Spec, Suggestion, Unit};
 use crate::script::json::shortest;
-use halfedge::{Mesh, Progress};
+use halfedge::{Mesh, NumberRange, Progress};
 use serde::{Deserialize, Serialize};
 
 /// Merge vertices that are close to each other.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
 pub struct MergeByDistance {
     /// The largest distance between merged vertices, in mesh units; 0 merges those at the same position.
     #[serde(with = "crate::script::json::finite")]
@@ -28,7 +27,7 @@ impl Operation for MergeByDistance {
     .fields(&[Field::number(
         "distance",
         Unit::Length,
-        [0.0, f32::MAX as f64],
+        NumberRange::NOT_NEGATIVE,
         "The largest distance between merged vertices, in mesh units; 0 for those at the same position",
     )
     .suggest(Suggestion::OfDiagonal(1e-4))]);

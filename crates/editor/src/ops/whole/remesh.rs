@@ -1,6 +1,6 @@
 //! `remesh`: make triangles with edges of one length.
 
-use super::each_mesh::{self, EachMesh};
+use super::each_mesh::EachMesh;
 use super::simplify::triangles_at_most;
 use crate::error::Problem;
 use crate::ops::{
@@ -8,20 +8,18 @@ use crate::ops::{
     Suggestion, Unit,
 };
 use crate::script::json::{finite, finite_option, shortest};
-use halfedge::{Mesh, Progress};
+use halfedge::{Mesh, NumberRange, Progress};
 use serde::{Deserialize, Serialize};
-use surface::{MAX_REMESH_ITERATIONS, SurfaceError};
+use surface::{REMESH_FEATURE_ANGLE_RANGE, REMESH_ITERATIONS_RANGE, SurfaceError};
 
 /// Remesh a surface into triangles with edges of one length (Botsch & Kobbelt 2004).
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
 pub struct Remesh {
     /// The length of edges, in mesh units; when left out, the mean of the mesh's, or where that would make far more or
     /// far fewer triangles than the mesh has, one that doesn't.
     #[serde(default, with = "finite_option")]
     pub edge_length: Option<f32>,
     /// The number of iterations.
-    #[serde(with = "crate::script::json::whole")]
     pub iterations: u32,
     /// Edges whose faces' normals differ by more than this are kept, in degrees.
     #[serde(with = "finite")]
@@ -65,21 +63,19 @@ impl Operation for Remesh {
         Field::number(
             "edge_length",
             Unit::Length,
-            [0.0, f32::MAX as f64],
+            NumberRange::POSITIVE,
             "The length of edges, in mesh units",
         )
-        .above_min()
         .unset("about the mean length")
         .suggest(Suggestion::RemeshedEdge),
-        Field::count("iterations", [1, MAX_REMESH_ITERATIONS], "The number of iterations")
+        Field::count("iterations", REMESH_ITERATIONS_RANGE, "The number of iterations")
             .or(DefaultValue::Integer(ITERATIONS)),
         Field::number(
             "feature_angle",
             Unit::Degrees,
-            [0.0, 180.0],
+            REMESH_FEATURE_ANGLE_RANGE,
             "Keep edges that are sharper than this many degrees",
         )
-        .above_min()
         .or(DefaultValue::Number(FEATURE_ANGLE_DEGREES as f64)),
         Field::required("project", FieldKind::Flag, "Project vertices back onto the surface")
             .labelled("Stay on surface")
@@ -92,10 +88,6 @@ impl Operation for Remesh {
 }
 
 impl EachMesh for Remesh {
-    fn check(&self) -> Result<(), Problem> {
-        each_mesh::rounds(self.iterations, MAX_REMESH_ITERATIONS, "iterations")
-    }
-
     fn make(
         &self,
         mesh: &Mesh,

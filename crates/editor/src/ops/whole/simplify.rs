@@ -8,17 +8,15 @@ use crate::ops::{
     Suggestion, Unit,
 };
 use crate::script::json::shortest;
-use halfedge::{Mesh, Progress};
+use halfedge::{Mesh, NumberRange, Progress};
 use serde::{Deserialize, Serialize};
-use surface::SimplifyTarget;
+use surface::{SIMPLIFY_RATIO_RANGE, SimplifyTarget};
 
 /// Collapse edges in order of the error that makes (Garland & Heckbert 1997). One of `faces`,
 /// `ratio` and `max_error` says how far to go.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
 pub struct Simplify {
     /// The number of triangles to keep.
-    #[serde(default, with = "crate::script::json::whole_option")]
     pub faces: Option<u32>,
     /// The share of the triangles to keep, above 0 and up to 1.
     #[serde(default, with = "crate::script::json::finite_option")]
@@ -58,12 +56,17 @@ impl Operation for Simplify {
     .synonyms(&["decimate", "reduce polygons"])
     .previewed()
     .fields(&[
-        Field::number("ratio", Unit::ShareOfTriangles, [0.0001, 1.0], "The share of the triangles to keep")
-            .alternative(TITLE)
-            .suggest(Suggestion::Number(0.5)),
+        Field::number(
+            "ratio",
+            Unit::ShareOfTriangles,
+            SIMPLIFY_RATIO_RANGE,
+            "The share of the triangles to keep",
+        )
+        .alternative(TITLE)
+        .suggest(Suggestion::Number(0.5)),
         Field::required(
             "faces",
-            FieldKind::Integer { unit: Unit::Triangles, min: 1, max: u32::MAX as i64 },
+            FieldKind::Integer { unit: Unit::Triangles, range: NumberRange::counts(1, u32::MAX) },
             "The number of triangles to keep",
         )
         .alternative(TITLE)
@@ -73,7 +76,7 @@ impl Operation for Simplify {
         Field::number(
             "max_error",
             Unit::Length,
-            [0.0, f32::MAX as f64],
+            NumberRange::NOT_NEGATIVE,
             "The largest distance from the original surface, in mesh units",
         )
         .alternative(TITLE)
@@ -100,12 +103,12 @@ impl Simplify {
             (None, Some(ratio), None) => Ok(SimplifyTarget::Ratio(shortest(ratio))),
             (None, None, Some(error)) => Ok(SimplifyTarget::MaxError(shortest(error))),
             (None, None, None) => {
-                Err(Problem::field("ratio", "is missing: give one of `faces`, `ratio` and `max_error`"))
+                Err(Problem::of_field("ratio", "is missing: give one of `faces`, `ratio` and `max_error`"))
             }
             (Some(_), _, _) => {
-                Err(Problem::field("faces", "goes without `ratio` and `max_error`: give one of them"))
+                Err(Problem::of_field("faces", "goes without `ratio` and `max_error`: give one of them"))
             }
-            (None, _, _) => Err(Problem::field("ratio", "goes without `max_error`: give one of them")),
+            (None, _, _) => Err(Problem::of_field("ratio", "goes without `max_error`: give one of them")),
         }
     }
 }

@@ -1,6 +1,6 @@
 //! `smooth`: move vertices towards their neighbours.
 
-use super::each_mesh::{self, EachMesh};
+use super::each_mesh::EachMesh;
 use crate::error::Problem;
 use crate::ops::choice::choice;
 use crate::ops::{
@@ -10,14 +10,12 @@ use crate::script::json::shortest;
 use halfedge::geometry::BitSet;
 use halfedge::{Element, Mesh, Progress};
 use serde::{Deserialize, Serialize};
-use surface::MAX_SMOOTH_ITERATIONS;
+use surface::{SMOOTH_ITERATIONS_RANGE, SMOOTH_STRENGTH_RANGE};
 
 /// Move every vertex towards the centre of its neighbours.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
 pub struct Smooth {
     /// The number of iterations.
-    #[serde(with = "crate::script::json::whole")]
     pub iterations: u32,
     /// The fraction of the way to move in each iteration, above 0 and up to 1.
     #[serde(with = "crate::script::json::finite")]
@@ -55,12 +53,12 @@ impl Operation for Smooth {
     .synonyms(&["relax", "laplacian", "taubin"])
     .previewed()
     .fields(&[
-        Field::count("iterations", [1, MAX_SMOOTH_ITERATIONS], "The number of iterations")
+        Field::count("iterations", SMOOTH_ITERATIONS_RANGE, "The number of iterations")
             .or(DefaultValue::Integer(ITERATIONS)),
         Field::number(
             "strength",
             Unit::Fraction,
-            [0.0, 1.0],
+            SMOOTH_STRENGTH_RANGE,
             "The fraction of the way to move in each iteration",
         )
         .or(DefaultValue::Number(STRENGTH as f64)),
@@ -76,10 +74,6 @@ impl Operation for Smooth {
 }
 
 impl EachMesh for Smooth {
-    fn check(&self) -> Result<(), Problem> {
-        each_mesh::rounds(self.iterations, MAX_SMOOTH_ITERATIONS, "iterations")
-    }
-
     fn make(
         &self,
         mesh: &Mesh,

@@ -3,7 +3,7 @@
 use crate::error::Problem;
 use crate::ops::choice::choice;
 use crate::ops::{DefaultValue, Estimate, Field};
-use surface::{BoundaryRule, SurfaceError};
+use surface::{BoundaryRule, SUBDIVISION_LEVELS_RANGE, SurfaceError};
 
 choice! {
     /// What subdivision does at the boundary.
@@ -24,37 +24,17 @@ impl From<Boundary> for BoundaryRule {
     }
 }
 
-/// The highest level that forms offer; a result that is too large is refused whatever the level.
-const MAX_FORM_LEVELS: u32 = 12;
-
-/// The most levels. Meshes with faces reach their own limit long before; those without have none.
-const MAX_LEVELS: u32 = 1000;
-
 /// The default number of levels.
 pub(super) const LEVELS: u32 = 1;
 
 /// The `levels` field.
 pub(super) const fn levels() -> Field {
-    Field::count("levels", [1, MAX_FORM_LEVELS], "The number of levels").or(DefaultValue::Integer(LEVELS))
+    Field::count("levels", SUBDIVISION_LEVELS_RANGE, "The number of levels").or(DefaultValue::Integer(LEVELS))
 }
 
 /// The `boundary` field.
 pub(super) const fn boundary() -> Field {
     Boundary::field("boundary", "Whether corners of the boundary stay")
-}
-
-/// Refuses 0 levels, and too many.
-pub(super) fn check_levels(levels: u32) -> Result<(), Problem> {
-    if levels == 0 {
-        return Err(Problem::field("levels", "0 does nothing; it must be 1 or more"));
-    }
-    if levels > MAX_LEVELS {
-        return Err(Problem::field(
-            "levels",
-            format!("{levels} levels make too many faces; use fewer levels"),
-        ));
-    }
-    Ok(())
 }
 
 /// The number of faces after cutting each into four this often.

@@ -12,10 +12,8 @@ use serde::{Deserialize, Serialize};
 
 /// Subdivide any polygons into quads that approach a smooth surface (Catmull & Clark 1978).
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
 pub struct SubdivideCatmullClark {
     /// The number of levels.
-    #[serde(with = "crate::script::json::whole")]
     pub levels: u32,
     /// What happens at the boundary.
     pub boundary: Boundary,
@@ -60,10 +58,6 @@ impl Operation for SubdivideCatmullClark {
 }
 
 impl EachMesh for SubdivideCatmullClark {
-    fn check(&self) -> Result<(), Problem> {
-        subdivide::check_levels(self.levels)
-    }
-
     fn make(
         &self,
         mesh: &Mesh,

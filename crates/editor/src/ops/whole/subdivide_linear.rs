@@ -11,10 +11,8 @@ use serde::{Deserialize, Serialize};
 
 /// Cut polygons into quads as Catmull-Clark does, leaving the surface where it is.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
 pub struct SubdivideLinear {
     /// The number of levels.
-    #[serde(with = "crate::script::json::whole")]
     pub levels: u32,
 }
 
@@ -41,10 +39,6 @@ impl Operation for SubdivideLinear {
 }
 
 impl EachMesh for SubdivideLinear {
-    fn check(&self) -> Result<(), Problem> {
-        subdivide::check_levels(self.levels)
-    }
-
     fn make(
         &self,
         mesh: &Mesh,

@@ -12,10 +12,8 @@ use surface::SurfaceError;
 
 /// Subdivide triangles into triangles that approach a smooth surface (Loop 1987).
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
 pub struct SubdivideLoop {
     /// The number of levels.
-    #[serde(with = "crate::script::json::whole")]
     pub levels: u32,
     /// What happens at the boundary.
     pub boundary: Boundary,
@@ -63,10 +61,6 @@ impl Operation for SubdivideLoop {
 }
 
 impl EachMesh for SubdivideLoop {
-    fn check(&self) -> Result<(), Problem> {
-        subdivide::check_levels(self.levels)
-    }
-
     fn check_mesh(&self, mesh: &Mesh) -> Result<(), Problem> {
         let polygon = mesh.faces().find(|&f| mesh.face_halfedges(f).take(4).count() != 3);
         polygon.map_or(Ok(()), |face| {

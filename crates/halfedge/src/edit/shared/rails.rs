@@ -3,7 +3,7 @@
 use super::{Follower, Followers};
 use crate::edit::Refusal;
 use crate::mesh::Mesh;
-use crate::{HalfedgeId, VertexId};
+use crate::{HalfedgeId, NumberRange, VertexId};
 use glam::Vec3;
 
 /// The line along which a vertex slides, from where it is.
@@ -41,15 +41,15 @@ impl Rail {
     }
 }
 
-/// Refuses an amount of a slide that is not a number from -1 to 1.
+/// The amounts of a slide: fractions of the way to the neighbours on one side or the other.
+pub const SLIDE_AMOUNT_RANGE: NumberRange = NumberRange::new(-1.0, 1.0);
+
+/// Refuses an amount of a slide that is out of range.
 ///
 /// # Errors
 /// [`Refusal::OutOfRange`].
 pub fn check_amount(amount: f32) -> Result<(), Refusal> {
-    if (-1.0..=1.0).contains(&amount) {
-        return Ok(());
-    }
-    Err(Refusal::OutOfRange { field: "amount", value: amount, range: "from -1 to 1" })
+    SLIDE_AMOUNT_RANGE.require("amount", amount)
 }
 
 /// Moves each vertex by the fraction `t` along its rail, of which it has one. Corner values and vertex values become those
