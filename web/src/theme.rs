@@ -6,10 +6,10 @@ use egui::{
 };
 
 /// Below this width, in points, the side panels become a sheet at the bottom and controls grow for fingers.
-pub const NARROW: f32 = 720.0;
+pub const NARROW_WIDTH_POINTS: f32 = 720.0;
 
 /// Below this height, in points, the list of steps has to be opened: it would leave too little for the rest.
-pub const LOW: f32 = 900.0;
+pub const LOW_HEIGHT_POINTS: f32 = 900.0;
 
 /// The least width of the page, in points: the interface is scaled up no further.
 pub const MIN_PAGE_WIDTH: f32 = 380.0;

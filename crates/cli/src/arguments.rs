@@ -278,9 +278,11 @@ fn command(text: &str) -> Result<Command, Failure> {
     let value: serde_json::Value = serde_json::from_str(text).map_err(|error| {
         Failure::Usage(format!("--do: this is not JSON: {text}\n{}", sentence(&formats::json_fault(&error))))
     })?;
-    let instead = match value.get("op").and_then(serde_json::Value::as_str) {
-        Some("open") => Some("open is not an operation; name the input file as the first argument of apply"),
-        Some("export") => Some("export is not an operation; name the output file with -o"),
+    let instead = match value.get("op").and_then(serde_json::Value::as_str).and_then(editor::Task::named) {
+        Some(editor::Task::Open) => {
+            Some("open is not an operation; name the input file as the first argument of apply")
+        }
+        Some(editor::Task::Export) => Some("export is not an operation; name the output file with -o"),
         _ => None,
     };
     if let Some(instead) = instead {

@@ -19,7 +19,7 @@ mod select_by;
 mod selecting;
 mod start;
 
-pub use jobs::{Begun, Finished, RunningJob};
+pub use jobs::{Begun, Finished, MAX_ELEMENTS_AT_ONCE, RunningJob};
 pub use jump::Jump;
 pub use select_by::SelectBy;
 pub(crate) use select_by::find_related;

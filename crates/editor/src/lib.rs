@@ -24,7 +24,9 @@ mod task;
 pub use bezier::{Bezier, show_controls};
 pub use changes::{Changes, ObjectChange};
 pub use document::{Counts, Document, NamedSelection, Object, ObjectId, Origin};
-pub use editor::{Begun, Editor, Finished, Jump, Message, MessageKind, RunningJob, SelectBy};
+pub use editor::{
+    Begun, Editor, Finished, Jump, MAX_ELEMENTS_AT_ONCE, Message, MessageKind, RunningJob, SelectBy,
+};
 pub use error::{CommandError, ErrorKind};
 pub use job::{BadBytes, JobId, JobRequest, JobResult, Wire};
 pub use ops::{Command, Facts, Op, OpId, Scope, SelectMode, Spec};

@@ -49,18 +49,9 @@ pub(crate) struct Notes {
     infos: Vec<String>,
 }
 
-/// A fault with one colon at most, since its kind stands before another. The reason of what is behind the colon
-/// follows in brackets.
-fn with_one_colon(text: &str) -> String {
-    let Some((element, fault)) = text.split_once(": ") else { return text.to_owned() };
-    match fault.split_once(": ") {
-        Some((fault, reason)) => format!("{element}: {fault} ({})", reason.replace(": ", ", ")),
-        None => text.to_owned(),
-    }
-}
-
 impl Notes {
-    /// Adds a fault: a clause that begins with the element it is about.
+    /// Adds a fault: the element and what is wrong, as in "node \"a\": its matrix has 15 numbers". A colon stands before
+    /// it, so a reason follows in brackets.
     pub(crate) fn fault(&mut self, fault: Fault, text: impl Into<String>) {
         let text = text.into();
         if self.met.insert((Some(fault), text.clone())) {
@@ -96,9 +87,7 @@ impl Notes {
             let texts: Vec<&String> =
                 self.faults.iter().filter(|(kind, _)| *kind == fault).map(|(_, text)| text).collect();
             for text in texts.iter().take(FAULTS_SHOWN) {
-                let head = fault.head();
-                let text = if head.contains(':') { with_one_colon(text) } else { (*text).clone() };
-                report.warn(format!("{head}{text}"));
+                report.warn(format!("{}{text}", fault.head()));
             }
             if texts.len() > FAULTS_SHOWN {
                 let more = counted(texts.len() - FAULTS_SHOWN, "fault", "faults");

@@ -89,12 +89,12 @@ pub(crate) struct Places {
 }
 
 impl Places {
-    const SHOWN: usize = 6;
+    const PLACES_SHOWN: usize = 6;
 
     /// Adds a place. Consecutive places with the same number are counted, but shown once.
     pub(crate) fn add(&mut self, number: usize) {
         self.count += 1;
-        if self.first.len() < Self::SHOWN && self.first.last() != Some(&number) {
+        if self.first.len() < Self::PLACES_SHOWN && self.first.last() != Some(&number) {
             self.first.push(number);
         }
     }
@@ -130,7 +130,7 @@ pub fn first_few(words: &[impl AsRef<str>], shown: usize) -> String {
 /// The first few words in order of first use, each with its count: "a (3), b (1)". `None` if there are no
 /// words.
 pub(crate) fn counted_words<'a>(words: impl IntoIterator<Item = &'a str>) -> Option<String> {
-    const SHOWN: usize = 8;
+    const WORDS_SHOWN: usize = 8;
     let mut counts: Vec<(&str, usize)> = Vec::new();
     let mut places: HashMap<&str, usize> = HashMap::new();
     for word in words {
@@ -141,7 +141,7 @@ pub(crate) fn counted_words<'a>(words: impl IntoIterator<Item = &'a str>) -> Opt
         }
     }
     let words: Vec<String> = counts.iter().map(|(word, count)| format!("{word} ({count})")).collect();
-    (!words.is_empty()).then(|| first_few(&words, SHOWN))
+    (!words.is_empty()).then(|| first_few(&words, WORDS_SHOWN))
 }
 
 #[cfg(test)]

@@ -19,14 +19,14 @@ pub enum Shading {
 
 impl Default for Shading {
     fn default() -> Self {
-        Self::Auto(Self::HARD_ANGLE)
+        Self::Auto(Self::HARD_ANGLE_DEGREES)
     }
 }
 
 impl Shading {
     /// The usual angle in degrees above which edges are hard: a cylinder of 12 sides is still round, and so is a
     /// scan, but bevels of two steps and the edges of machine parts show.
-    pub const HARD_ANGLE: f32 = 30.0;
+    pub const HARD_ANGLE_DEGREES: f32 = 30.0;
 }
 
 /// A unit vector in the stream's format, without a texture. Zero stays zero, which shaders take for "no normal".

@@ -18,7 +18,7 @@ const ELEMENTS_PER_PLACE: usize = 4;
 pub enum Mark {
     /// Edges with a face on one side only.
     Boundary,
-    /// Edges with a crease, and those whose faces meet at a greater angle than [`Shading::HARD_ANGLE`].
+    /// Edges with a crease, and those whose faces meet at a greater angle than [`Shading::HARD_ANGLE_DEGREES`].
     Sharp,
     /// Edges across which texture coordinates jump.
     Seam,
@@ -333,7 +333,7 @@ fn is_sharp(mesh: &Mesh, e: EdgeId) -> bool {
     let h = e.halfedge();
     let (Some(left), Some(right)) = (mesh.face_of(h), mesh.face_of(h.twin())) else { return false };
     let [left, right] = [left, right].map(|f| face_area_vector(mesh, f));
-    Hardness::new(Shading::HARD_ANGLE).is_hard(left, right)
+    Hardness::new(Shading::HARD_ANGLE_DEGREES).is_hard(left, right)
 }
 
 fn is_seam(mesh: &Mesh, e: EdgeId) -> bool {

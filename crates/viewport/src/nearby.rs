@@ -9,7 +9,7 @@ use surface::FaceTree;
 use surface::measure::face_center;
 
 /// The search ends after so many faces.
-const MAX_FACES: usize = 400;
+const MAX_FACES_SEARCHED: usize = 400;
 
 /// An element near a place on the screen.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -58,7 +58,7 @@ pub fn elements_near(
     let mut seen: HashSet<(Element, u32)> = HashSet::from([(Element::Face, hit.face.raw())]);
     let mut queue = VecDeque::from([hit.face]);
     let mut faces = 0;
-    while let Some(face) = queue.pop_front().filter(|_| faces < MAX_FACES) {
+    while let Some(face) = queue.pop_front().filter(|_| faces < MAX_FACES_SEARCHED) {
         faces += 1;
         let mut is_near = add(Element::Face, face.raw(), face_center(mesh, face).as_vec3());
         for h in mesh.face_halfedges(face) {

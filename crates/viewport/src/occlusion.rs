@@ -39,11 +39,11 @@ pub struct Occlusion {
 
 impl Drawing {
     /// How far beyond the rectangle faces count, for points on its edge.
-    pub const MARGIN: f32 = 3.0;
+    pub const MARGIN_PX: f32 = 3.0;
 
     /// Begins a depth buffer. Costs O(cells).
     pub fn new(rect: ScreenRect) -> Self {
-        let ScreenRect { min: origin, max } = rect.expand(Self::MARGIN - 1.0);
+        let ScreenRect { min: origin, max } = rect.expand(Self::MARGIN_PX - 1.0);
         let size = max - origin;
         let scale = (MAX_CELLS_PER_SIDE / size.max_element()).min(1.0);
         let (width, height) = ((size.x * scale).ceil() as usize, (size.y * scale).ceil() as usize);

@@ -10,7 +10,7 @@ use surface::FaceTree;
 
 /// Elements are first looked for within this many pixels, then within twice as many, up to the tolerance: a small or
 /// distant model has all its elements within the tolerance.
-const FIRST_RADIUS: f32 = 1.0;
+const FIRST_RADIUS_PX: f32 = 1.0;
 /// The most faces whose elements are candidates. Where more are within a pixel, any of them will do.
 const MAX_CANDIDATE_FACES: usize = 1 << 12;
 /// The most candidates that are tested for being hidden.
@@ -245,7 +245,7 @@ fn nearest<T>(
     aim: Aim,
     mut look: impl FnMut(&[FaceId], Within, &mut usize) -> Option<T>,
 ) -> Option<T> {
-    let mut within = Within { inner: -1.0, outer: FIRST_RADIUS.min(aim.radius) };
+    let mut within = Within { inner: -1.0, outer: FIRST_RADIUS_PX.min(aim.radius) };
     let mut rays = MAX_RAYS;
     loop {
         let area = Region::brush(pixel, pixel, within.outer).bounds();

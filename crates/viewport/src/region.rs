@@ -3,7 +3,7 @@
 use glam::Vec2;
 
 /// The height of a lasso's bands, in the unit of the viewport: each lists the sides that reach into it.
-const BAND_HEIGHT: f32 = 4.0;
+const BAND_HEIGHT_POINTS: f32 = 4.0;
 /// The most bands of a lasso.
 const MAX_BANDS: usize = 4096;
 
@@ -154,9 +154,9 @@ impl Lasso {
     fn new(points: Vec<Vec2>, bounds: ScreenRect) -> Self {
         let height = bounds.max.y - bounds.min.y;
         if !height.is_finite() || points.len() < 3 {
-            return Self { points: Vec::new(), band: BAND_HEIGHT, bands: Vec::new() };
+            return Self { points: Vec::new(), band: BAND_HEIGHT_POINTS, bands: Vec::new() };
         }
-        let count = ((height / BAND_HEIGHT).ceil() as usize).clamp(1, MAX_BANDS);
+        let count = ((height / BAND_HEIGHT_POINTS).ceil() as usize).clamp(1, MAX_BANDS);
         let mut lasso =
             Self { points, band: (height / count as f32).max(1e-6), bands: vec![Vec::new(); count] };
         for side in 0..lasso.points.len() as u32 {

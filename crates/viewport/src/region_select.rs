@@ -102,7 +102,7 @@ impl InParts for RegionSelection {
                 }
                 Stage::Collecting(mut walk, mut drawing) => {
                     let (sight, faces) = (sight(), &mut self.faces);
-                    let area = self.region.bounds().expand(Drawing::MARGIN);
+                    let area = self.region.bounds().expand(Drawing::MARGIN_PX);
                     let before = faces.len();
                     let is_left = walk.step(
                         tree,

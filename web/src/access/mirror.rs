@@ -22,7 +22,7 @@ pub enum Patch {
     /// Move and size an element: left, top, width and height in CSS pixels.
     Rect(NodeId, [i32; 4]),
     /// Put an element in its place.
-    Insert(NodeId, Place),
+    Insert(NodeId, Insertion),
     /// Remove an element and all that is left inside.
     Remove(NodeId),
     /// Move the focus of assistive technology.
@@ -33,7 +33,7 @@ pub enum Patch {
 
 /// A place for an element.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Place {
+pub struct Insertion {
     /// The container; none for the mirror itself.
     pub parent: Option<NodeId>,
     /// The element in the container that follows; none at the end.
@@ -160,7 +160,7 @@ impl Mirror {
                 if was_here.contains(id) {
                     moved.insert(*id);
                 }
-                let place = Place { parent: *parent, before: next.peek().copied() };
+                let place = Insertion { parent: *parent, before: next.peek().copied() };
                 patches.push(Patch::Insert(*id, place));
             }
         }

@@ -9,12 +9,12 @@ use egui::ThemePreference;
 use formats::Format;
 use halfedge::{Element, HalfedgeId, Mesh};
 
-use super::{App, THEME_SETTING, camera, keys, layout};
+use super::{App, THEME_SETTING, camera, key_settings, layout};
 use crate::bezier::{self, ControlPoint};
 use crate::input::actions::Action;
 use crate::input::availability::{follows_pointer, opens_form};
 use crate::live::edit::{Live, Start};
-use crate::live::place::Place;
+use crate::live::place::SelectionPlace;
 use crate::page_view::Page;
 use crate::panels::operations::EDGE_LENGTH;
 use crate::panels::viewport::ZOOM_PER_NOTCH;
@@ -26,7 +26,7 @@ use crate::view::{Tool, flying};
 use viewport::Shading;
 
 /// How much larger one press of a key makes the selecting circle.
-const CIRCLE_STEP: f32 = 1.25;
+const CIRCLE_RADIUS_FACTOR: f32 = 1.25;
 
 impl App {
     /// The state that panels read.
@@ -130,8 +130,8 @@ impl App {
             Action::LassoSelect => self.view.switch_tool(Tool::Lasso),
             Action::CircleSelect => self.view.switch_tool(Tool::Circle),
             Action::LoopCutTool => self.view.switch_tool(Tool::LoopCut),
-            Action::LargerCircle => self.view.scale_circle(CIRCLE_STEP),
-            Action::SmallerCircle => self.view.scale_circle(1.0 / CIRCLE_STEP),
+            Action::LargerCircle => self.view.scale_circle(CIRCLE_RADIUS_FACTOR),
+            Action::SmallerCircle => self.view.scale_circle(1.0 / CIRCLE_RADIUS_FACTOR),
             Action::Frame => self.view.frame_selection(&self.session.editor),
             Action::FrameAll => self.view.frame_all(),
             Action::ResetView => self.view.reset(),
@@ -184,7 +184,7 @@ impl App {
             Action::SystemTheme => self.set_theme(ThemePreference::System),
             Action::LightTheme => self.set_theme(ThemePreference::Light),
             Action::DarkTheme => self.set_theme(ThemePreference::Dark),
-            Action::UseKeys(preset) => keys::choose(&mut self.session, preset),
+            Action::UseKeys(preset) => key_settings::choose(&mut self.session, preset),
             Action::Welcome => self.shown.welcome ^= true,
             Action::Shortcuts => self.shown.shortcuts ^= true,
             Action::Palette => self.panels.palette.show(),
@@ -214,7 +214,7 @@ impl App {
             Action::Gizmo(gizmo) => {
                 self.view.tool = Tool::Orbit;
                 self.session.live_settings.gizmo = gizmo;
-                self.session.place = Place::of_selection(&self.session.editor);
+                self.session.place = SelectionPlace::of_selection(&self.session.editor);
             }
             Action::Snap => self.session.live_settings.snaps ^= true,
             Action::SnapTo(to) => self.session.live_settings.snap_to = to,

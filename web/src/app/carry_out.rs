@@ -3,7 +3,7 @@
 use editor::{MessageKind, SelectMode};
 use halfedge::Element;
 
-use super::{App, keys};
+use super::{App, key_settings};
 use crate::panels::save::FORMAT_SETTING;
 use crate::panels::welcome::WELCOME_SETTING;
 use crate::request::{Request, Waiting};
@@ -114,7 +114,7 @@ impl App {
                 self.session.platform.store_setting(FORMAT_SETTING, format.code());
                 self.session.save(format, name, brings_back_all);
             }
-            Request::ChangeKeys(changes) => keys::change(&mut self.session, changes),
+            Request::ChangeKeys(changes) => key_settings::change(&mut self.session, changes),
             Request::CancelJob(id) => self.session.cancel_job(id),
             Request::Warn(text) => self.session.warn(text, Vec::new()),
             Request::ToggleToast(at) => self.session.toasts.toggle(at),

@@ -240,8 +240,8 @@ impl App {
         if by_finger || by_mouse {
             self.fingers = by_finger;
         }
-        self.shown.narrow = width < theme::NARROW;
-        self.shown.low = ctx.content_rect().height() < theme::LOW;
+        self.shown.narrow = width < theme::NARROW_WIDTH_POINTS;
+        self.shown.low = ctx.content_rect().height() < theme::LOW_HEIGHT_POINTS;
         let touch = self.fingers || self.shown.narrow;
         if touch != self.shown.touch {
             // Nothing moves under a finger that is about to tap it.

@@ -4,7 +4,7 @@
 mod actions;
 mod camera;
 mod carry_out;
-mod keys;
+mod key_settings;
 mod layout;
 mod panels;
 mod script;
@@ -26,7 +26,7 @@ use crate::panels::viewport::{Viewport, ring_cut};
 use crate::panels::{live_bar, menu_bar, status_bar, tool_bar, welcome};
 use crate::platform::{DeviceInfo, Event, NamedBytes, Platform};
 use crate::request::{Request, Requests, Waiting};
-use crate::session::{Look, Session, selecting};
+use crate::session::{Session, ViewTarget, selecting};
 use crate::shown::Shown;
 use crate::theme;
 use crate::view::flight::Landing;
@@ -102,7 +102,7 @@ impl App {
         app.shown.scale_percent = scale_percent;
         app.view.camera.up = up_axis;
         app.apply_layout();
-        keys::load(&mut app.session);
+        key_settings::load(&mut app.session);
         camera::load(&mut app.session, &mut app.view);
         app.keeper = Keeper::start(&mut app.session);
         if !app.keeper.is_opening() {
@@ -287,7 +287,7 @@ impl App {
         if let Some(flight) = self.view.flight.as_mut().filter(|_| !ctx.text_edit_focused()) {
             flight.take_keys(ctx);
         }
-        let Some(reader) = keys::reader(&self.page(), &self.panels) else { return Vec::new() };
+        let Some(reader) = key_settings::reader(&self.page(), &self.panels) else { return Vec::new() };
         if self.view.tool == Tool::LoopCut && self.session.live.is_none() && !ctx.text_edit_focused() {
             ring_cut::take_digits(ctx, &mut self.view);
         }
@@ -302,7 +302,7 @@ impl App {
     /// Whether the editor acts on a key, so that the browser must not.
     pub fn takes_key(&self, shortcut: Shortcut) -> bool {
         let acts = || {
-            keys::reader(&self.page(), &self.panels)
+            key_settings::reader(&self.page(), &self.panels)
                 .is_some_and(|reader| reader.action_of(shortcut).is_some())
         };
         let flies = self.view.flight.is_some() && !shortcut.ctrl && !shortcut.alt;
@@ -355,7 +355,7 @@ impl App {
     }
 
     /// Sets the view for a document that was opened or created.
-    fn look(&mut self, look: Look) {
+    fn look(&mut self, target: ViewTarget) {
         // The side from which the plane of flat curves is seen from straight above.
         let above = match self.view.camera.up {
             UpAxis::Y => Side::Front,
@@ -364,7 +364,7 @@ impl App {
         let was_from_above = self.view.camera.is_from(above);
         if self.view.panes.split != Split::One {
             // One of several views shows either as it should be seen.
-        } else if look == Look::FlatCurves {
+        } else if target == ViewTarget::FlatCurves {
             self.view.camera.look_from(above);
         } else if was_from_above {
             // From straight above, an object that isn't flat hides its depth.

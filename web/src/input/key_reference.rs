@@ -44,15 +44,20 @@ pub fn groups() -> Vec<(&'static str, Vec<Action>)> {
     let mut listed: Vec<Action> = Vec::new();
     for menu in menus::MENUS {
         let mut actions: Vec<Action> = menu.entries.iter().flatten().map(|entry| entry.action).collect();
-        match menu.title {
-            "Select" => actions.extend(actions::criteria().chain(actions::hiding()).map(Action::Operation)),
-            "Mesh" => actions.extend(actions::mesh_operations().map(Action::Operation)),
-            "File" => actions.extend(actions::formats().map(|entry| entry.action)),
+        match menu.id {
+            menus::MenuId::Select => {
+                actions.extend(actions::criteria().chain(actions::hiding()).map(Action::Operation))
+            }
+            menus::MenuId::Mesh => actions.extend(actions::mesh_operations().map(Action::Operation)),
+            menus::MenuId::File => actions.extend(actions::formats().map(|entry| entry.action)),
             _ => {}
         }
         actions.retain(|action| !listed.contains(action) && !is_apart(*action));
         listed.extend(&actions);
-        let title = if menu.title == "Bezier" { "On a Bezier curve or surface" } else { menu.title };
+        let title = match menu.id {
+            menus::MenuId::Bezier => "On a Bezier curve or surface",
+            id => id.title(),
+        };
         groups.push((title, actions));
     }
     for (title, when) in APART {

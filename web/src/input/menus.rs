@@ -11,10 +11,47 @@ use super::{select_menu, transform_menu, view_menu};
 
 /// A menu; an entry of `None` is a separator.
 pub struct Menu {
-    /// The title.
-    pub title: &'static str,
+    /// Which menu.
+    pub id: MenuId,
     /// The entries.
     pub entries: &'static [Option<Entry>],
+}
+
+/// The menus of the menu bar.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum MenuId {
+    /// Files, documents and shapes.
+    File,
+    /// Undo and redo.
+    Edit,
+    /// The selection, and what is hidden.
+    Select,
+    /// Moving, rotating and scaling.
+    Transform,
+    /// Operations on meshes.
+    Mesh,
+    /// Operations on Bezier curves and surfaces.
+    Bezier,
+    /// The camera and how meshes are drawn.
+    View,
+    /// Help.
+    Help,
+}
+
+impl MenuId {
+    /// The title in the menu bar.
+    pub fn title(self) -> &'static str {
+        match self {
+            Self::File => "File",
+            Self::Edit => "Edit",
+            Self::Select => "Select",
+            Self::Transform => "Transform",
+            Self::Mesh => "Mesh",
+            Self::Bezier => "Bezier",
+            Self::View => "View",
+            Self::Help => "Help",
+        }
+    }
 }
 
 use Action as A;
@@ -94,7 +131,7 @@ const KEYS: &[&str] = &["keymap", "shortcuts", "hotkeys", "preset"];
 /// The menus, left to right. The mesh menu continues with the editor's operations.
 pub static MENUS: &[Menu] = &[
     Menu {
-        title: "File",
+        id: MenuId::File,
         entries: &[
             Some(
                 entry(
@@ -128,7 +165,7 @@ pub static MENUS: &[Menu] = &[
         ],
     },
     Menu {
-        title: "Edit",
+        id: MenuId::Edit,
         entries: &[
             Some(entry(A::Undo, "Undo", "Undo the last change, of the mesh or of the selection.")),
             Some(entry(A::Redo, "Redo", "Redo the last undone change.")),
@@ -173,10 +210,10 @@ pub static MENUS: &[Menu] = &[
             Some(entry(A::DarkTheme, "Dark theme", "Use light text on a dark page.")),
         ],
     },
-    Menu { title: "Select", entries: select_menu::ENTRIES },
-    Menu { title: "Transform", entries: transform_menu::ENTRIES },
+    Menu { id: MenuId::Select, entries: select_menu::ENTRIES },
+    Menu { id: MenuId::Transform, entries: transform_menu::ENTRIES },
     Menu {
-        title: "Mesh",
+        id: MenuId::Mesh,
         entries: &[
             Some(
                 entry(
@@ -237,7 +274,7 @@ pub static MENUS: &[Menu] = &[
         ],
     },
     Menu {
-        title: "Bezier",
+        id: MenuId::Bezier,
         entries: &[
             Some(
                 entry(
@@ -291,9 +328,9 @@ pub static MENUS: &[Menu] = &[
             )),
         ],
     },
-    Menu { title: "View", entries: view_menu::ENTRIES },
+    Menu { id: MenuId::View, entries: view_menu::ENTRIES },
     Menu {
-        title: "Help",
+        id: MenuId::Help,
         entries: &[
             Some(
                 entry(A::Welcome, "Welcome", "Show where to start: files, sample models and shapes.")

@@ -9,7 +9,7 @@ use serde_json::{Value, json};
 use viewport::Camera;
 
 use super::lock::{Lock, axes_of};
-use super::place::Place;
+use super::place::SelectionPlace;
 use super::pointer::{Sight, length_step, rounded};
 use super::slide::Track;
 use super::trail::Trail;
@@ -20,7 +20,7 @@ use crate::view::View;
 use crate::view::ring::RingCut;
 
 /// One notch of the wheel makes the soft selection's radius this much larger.
-const RADIUS_STEP: f32 = 1.15;
+const RADIUS_PER_NOTCH: f32 = 1.15;
 /// The steps that rotations, factors and fractions snap to.
 const SNAP_DEGREES: f32 = 5.0;
 const SNAP_FACTOR: f32 = 0.1;
@@ -65,7 +65,7 @@ pub(crate) struct Live {
     pub typed: Typed,
     /// The operation's count that the wheel changes, by its field's name.
     pub count: Option<(&'static Field, u32)>,
-    place: Place,
+    place: SelectionPlace,
     anchor: Vec3,
     /// What a slide goes along.
     track: Option<Track>,
@@ -92,7 +92,7 @@ pub(crate) struct Live {
 impl Live {
     pub(crate) fn new(
         start: &Start,
-        place: Place,
+        place: SelectionPlace,
         anchor: Vec3,
         track: Option<Track>,
         view: &View,
@@ -300,7 +300,7 @@ impl Live {
             *count = wanted as u32;
         } else if let Some(radius) = &mut settings.soft_radius {
             let unit = self.sight(view).units_per_point();
-            *radius = (*radius * RADIUS_STEP.powi(notches)).clamp(unit, unit * 1e5);
+            *radius = (*radius * RADIUS_PER_NOTCH.powi(notches)).clamp(unit, unit * 1e5);
         }
     }
 

@@ -1,7 +1,7 @@
 //! The edit that follows the pointer: its state, its keys, and how the pointer and typed numbers set its amount.
 
 pub(crate) mod edit;
-pub(crate) mod keys;
+pub(crate) mod edit_keys;
 pub(crate) mod lock;
 pub(crate) mod place;
 pub(crate) mod pointer;

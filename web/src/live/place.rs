@@ -10,7 +10,7 @@ use crate::transforming::Pivot;
 
 /// The selection's place and direction, in scene coordinates.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Place {
+pub(crate) struct SelectionPlace {
     /// The mean of the vertices, which `transform` takes as its pivot by itself.
     pub middle: Vec3,
     bounds_middle: Vec3,
@@ -22,7 +22,7 @@ pub(crate) struct Place {
     pub edge: Vec3,
 }
 
-impl Place {
+impl SelectionPlace {
     /// The place of the selection; none if it is empty. Costs a pass over the selected elements.
     pub fn of_selection(editor: &Editor) -> Option<Self> {
         let selection = editor.selection();

@@ -3,14 +3,11 @@
 use editor::{Editor, OpId};
 use egui::Pos2;
 use glam::{Vec2, Vec3};
-use halfedge::edit::{Rail, Refusal, edge_rails};
+use halfedge::edit::{Rail, Refusal, best_way, edge_rails};
 use halfedge::{EdgeId, Element, HalfedgeId, Mesh, VertexId};
 
 use super::pointer::Sight;
 use crate::view::View;
-
-/// The least cosine between a movement of the pointer and the edge that a vertex takes for it.
-const MIN_COSINE: f32 = 1e-3;
 
 /// The vertex that the pointer leads, and where it can go.
 #[derive(Clone, Debug, PartialEq)]
@@ -111,9 +108,8 @@ impl Track {
             Ways::Edges(edges) => {
                 let direction =
                     (sight.camera.drag(sight.anchor, by, sight.size) - sight.anchor).normalize_or_zero();
-                let cosine = |edge: &Vec3| edge.normalize_or_zero().dot(direction);
-                let ahead = edges.iter().filter(|edge| cosine(edge) > MIN_COSINE);
-                let best = ahead.max_by(|a, b| cosine(a).total_cmp(&cosine(b)));
+                let ways = edges.iter().enumerate().map(|(at, edge)| (edge.normalize_or_zero(), at));
+                let best = best_way(ways, direction.as_dvec3()).and_then(|at| edges.get(at));
                 let amount = best.map_or(0.0, |edge| sight.fraction(*edge, by).max(0.0));
                 (amount, Some(direction))
             }

@@ -14,7 +14,7 @@ use wasm_bindgen::prelude::*;
 use web_sys::{Document, Element, EventTarget, HtmlCanvasElement, HtmlInputElement, HtmlTextAreaElement};
 
 use crate::access::aria::{Urgency, element_id};
-use crate::access::mirror::{Mirror, Patch, Place};
+use crate::access::mirror::{Insertion, Mirror, Patch};
 use crate::access::tree::UiTree;
 
 thread_local! {
@@ -148,7 +148,7 @@ impl Layer {
                 let style = format!("left:{left}px;top:{top}px;width:{width}px;height:{height}px");
                 self.element(id)?.set_attribute("style", &style)?;
             }
-            Patch::Insert(id, Place { parent, before }) => {
+            Patch::Insert(id, Insertion { parent, before }) => {
                 let parent = parent.map_or(Ok(&self.root), |parent| self.element(parent))?;
                 let before = before.map(|before| self.element(before)).transpose()?;
                 parent.insert_before(self.element(id)?, before.map(AsRef::as_ref))?;

@@ -2,7 +2,7 @@
 //! new fields, still as one undo step.
 
 use editor::ops::{Field, FieldKind, Fill, Symmetry};
-use editor::{Command, Facts, OpId, Scope};
+use editor::{Command, Facts, MAX_ELEMENTS_AT_ONCE, OpId, Scope};
 use egui::{CollapsingHeader, Grid, RichText, Ui, vec2};
 
 use crate::page_view::Page;
@@ -16,9 +16,6 @@ pub(crate) struct Adjusting {
     /// The command to run when the pointer's button is released.
     pending: Option<Command>,
 }
-
-/// The most faces in a mesh for which the operation runs again at every step of a spin box.
-const MAX_FACES_ADJUSTED_LIVE: usize = 20_000;
 
 /// Shows the panel, unless the last operation has no fields to change.
 pub(crate) fn show(ui: &mut Ui, page: &Page<'_>, own: &mut Adjusting, out: &mut Requests) {
@@ -75,7 +72,7 @@ pub(crate) fn show(ui: &mut Ui, page: &Page<'_>, own: &mut Adjusting, out: &mut 
     // A quick operation follows every step of a spin box; a slow one waits for the release.
     let quick = spec.scope != Scope::Meshes
         || (!page.adjusting_is_slow
-            && page.editor.mesh().is_some_and(|mesh| mesh.face_count() < MAX_FACES_ADJUSTED_LIVE));
+            && page.editor.mesh().is_some_and(|mesh| mesh.face_count() < MAX_ELEMENTS_AT_ONCE));
     let waits = !quick && ui.input(|input| input.pointer.any_down());
     if let Some(command) = own.pending.take_if(|_| !waits) {
         out.push(Request::Adjust(command));

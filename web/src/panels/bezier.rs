@@ -49,8 +49,10 @@ fn construction(ui: &mut Ui, page: &Page<'_>, bezier: &Bezier, out: &mut Request
     let width = (ui.available_width() - 96.0).max(60.0);
     ui.spacing_mut().slider_width = width;
     let Controls { t, v, .. } = page.player.controls;
-    let parameters: &[(&str, f32)] = if is_curve { &[("t", t)] } else { &[("u", t), ("v", v)] };
-    for &(name, mut value) in parameters {
+    type Parameter = (&'static str, f32, fn(f32) -> Setting);
+    let parameters: &[Parameter] =
+        if is_curve { &[("t", t, Setting::T)] } else { &[("u", t, Setting::T), ("v", v, Setting::V)] };
+    for &(name, mut value, setting) in parameters {
         ui.horizontal(|ui| {
             let label = ui.label(RichText::new(name).strong());
             // The slider must not round the value to its decimals, as that would count as a change while
@@ -59,8 +61,7 @@ fn construction(ui: &mut Ui, page: &Page<'_>, bezier: &Bezier, out: &mut Request
                 Slider::new(&mut value, 0.0..=1.0).custom_formatter(|number, _| format!("{number:.3}"));
             let hint = format!("The parameter {name} of the construction, from 0 to 1");
             if ui.add(slider).labelled_by(label.id).on_hover_text(hint).changed() {
-                let setting = if name == "v" { Setting::V(value) } else { Setting::T(value) };
-                out.push(Request::Play(setting));
+                out.push(Request::Play(setting(value)));
             }
         });
     }

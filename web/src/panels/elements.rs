@@ -101,7 +101,7 @@ impl Lists {
                 _ => {
                     index.restart(source);
                     // At once in meshes of which that takes no longer than drawing them.
-                    index.step(source, &mut Budget::new(MAX_ELEMENTS_AT_ONCE));
+                    index.step(source, &mut Budget::new(MAX_ROWS_INDEXED_AT_ONCE));
                 }
             }
         }
@@ -125,7 +125,7 @@ impl Lists {
 }
 
 /// The rows of fewer elements than this are found at once.
-const MAX_ELEMENTS_AT_ONCE: usize = 10_000;
+const MAX_ROWS_INDEXED_AT_ONCE: usize = 10_000;
 
 pub(crate) fn show(ui: &mut Ui, page: &Page<'_>, own: &mut Lists, out: &mut Requests) {
     // In a narrow window the toggles over the viewport are near enough.

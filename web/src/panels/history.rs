@@ -14,15 +14,15 @@ use crate::request::{Request, Requests};
 use crate::theme;
 
 /// The least height of a row with a mouse, in points.
-const MIN_ROW_HEIGHT: f32 = 24.0;
+const MIN_ROW_HEIGHT_POINTS: f32 = 24.0;
 /// The least height of the open panel, in points.
-const MIN_HEIGHT: f32 = 96.0;
+const MIN_HEIGHT_POINTS: f32 = 96.0;
 /// The largest share of the column's height that the panel takes.
-const MAX_SHARE: f32 = 0.6;
+const MAX_SHARE_OF_COLUMN: f32 = 0.6;
 /// From the left edge of a row to the dots of the steps, in points.
-const DOTS_FROM_LEFT: f32 = 14.0;
-const DOT_RADIUS: f32 = 3.5;
-const CURRENT_DOT_RADIUS: f32 = 5.0;
+const DOTS_FROM_LEFT_POINTS: f32 = 14.0;
+const DOT_RADIUS_POINTS: f32 = 3.5;
+const CURRENT_DOT_RADIUS_POINTS: f32 = 5.0;
 
 /// The names of the steps, and how the panel shows them.
 #[derive(Default)]
@@ -65,12 +65,12 @@ impl HistoryList {
 
     /// The panel at the bottom of a column: its header, and the list if it is open.
     pub fn show(&mut self, ui: &mut Ui, page: &Page<'_>, height: f32, out: &mut Requests) {
-        let most = (ui.available_height() * MAX_SHARE).max(MIN_HEIGHT);
+        let most = (ui.available_height() * MAX_SHARE_OF_COLUMN).max(MIN_HEIGHT_POINTS);
         let frame = egui::Frame::new();
         let open = page.shown.shows_history();
         if open {
             let panel = Panel::bottom("history").frame(frame).resizable(true);
-            let panel = panel.default_size(height.min(most)).size_range(MIN_HEIGHT..=most);
+            let panel = panel.default_size(height.min(most)).size_range(MIN_HEIGHT_POINTS..=most);
             let shown = panel.show(ui, |ui| {
                 ui.add_space(4.0);
                 self.header(ui, open, out);
@@ -86,7 +86,7 @@ impl HistoryList {
     }
 
     fn header(&self, ui: &mut Ui, open: bool, out: &mut Requests) {
-        let height = ui.spacing().interact_size.y.max(MIN_ROW_HEIGHT);
+        let height = ui.spacing().interact_size.y.max(MIN_ROW_HEIGHT_POINTS);
         let (rect, response) = ui.allocate_exact_size(vec2(ui.available_width(), height), Sense::click());
         response.widget_info(|| WidgetInfo::labeled(Role::Button, true, "History panel"));
         ui.ctx().accesskit_node_builder(response.id, |node| node.set_expanded(open));
@@ -122,7 +122,7 @@ impl HistoryList {
         if let Some(to) = self.keyboard(ui, &list, page.editor.jump()) {
             out.push(Request::JumpTo(to));
         }
-        let height = ui.spacing().interact_size.y.max(MIN_ROW_HEIGHT);
+        let height = ui.spacing().interact_size.y.max(MIN_ROW_HEIGHT_POINTS);
         let rows = self.names.len() + 1;
         let reveals = std::mem::take(&mut self.reveals);
         let area = ScrollArea::vertical().id_salt("steps").auto_shrink([false, false]);
@@ -208,7 +208,7 @@ impl HistoryList {
         let painter = ui.painter();
         painter.rect_filled(rect, 4.0, fill);
         let (weak, text) = (ui.visuals().weak_text_color(), ui.visuals().text_color());
-        let middle = pos2(rect.left() + DOTS_FROM_LEFT, rect.center().y);
+        let middle = pos2(rect.left() + DOTS_FROM_LEFT_POINTS, rect.center().y);
         let line = |color: Color32| Stroke::new(1.5, color);
         let faint = weak.gamma_multiply(0.45);
         if at > 0 {
@@ -222,15 +222,15 @@ impl HistoryList {
         let back = if fill == Color32::TRANSPARENT { ui.visuals().panel_fill } else { fill };
         let color = match time {
             Time::Done => {
-                painter.circle_filled(middle, DOT_RADIUS, weak);
+                painter.circle_filled(middle, DOT_RADIUS_POINTS, weak);
                 text
             }
             Time::Current => {
-                painter.circle_filled(middle, CURRENT_DOT_RADIUS, palette.selected_text);
+                painter.circle_filled(middle, CURRENT_DOT_RADIUS_POINTS, palette.selected_text);
                 palette.selected_text
             }
             Time::Undone => {
-                painter.circle(middle, DOT_RADIUS, back, line(weak));
+                painter.circle(middle, DOT_RADIUS_POINTS, back, line(weak));
                 weak
             }
         };

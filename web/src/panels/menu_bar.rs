@@ -8,7 +8,7 @@ use halfedge::Element;
 use crate::input::actions::{self, Action, Entry};
 use crate::input::availability::opens_form;
 use crate::input::keys;
-use crate::input::menus::{MENUS, Menu, continued, is_in_submenu, submenu};
+use crate::input::menus::{MENUS, Menu, MenuId, continued, is_in_submenu, submenu};
 use crate::page_view::Page;
 use crate::request::Requests;
 use crate::widgets::icon_button::icon_button;
@@ -42,7 +42,7 @@ pub(crate) fn show(ui: &mut Ui, page: &Page<'_>, narrow: bool, out: &mut Request
             let button = icon_button(ui, Icon::Menu, "Menu", false).on_hover_text("All menus");
             egui::Popup::menu(&button).show(|ui| {
                 for menu in MENUS {
-                    opens_menu(ui, menu.title, |ui| show_menu(ui, page, menu, out));
+                    opens_menu(ui, menu.id.title(), |ui| show_menu(ui, page, menu, out));
                 }
             });
             toolbar(
@@ -61,7 +61,7 @@ pub(crate) fn show(ui: &mut Ui, page: &Page<'_>, narrow: bool, out: &mut Request
             );
         } else {
             for menu in MENUS {
-                opens_menu(ui, menu.title, |ui| show_menu(ui, page, menu, out));
+                opens_menu(ui, menu.id.title(), |ui| show_menu(ui, page, menu, out));
             }
             ui.separator();
             toolbar(ui, page, &[], out);
@@ -159,8 +159,8 @@ fn menu_entries(ui: &mut Ui, page: &Page<'_>, menu: &Menu, out: &mut Requests) {
             None => list(ui, out),
         }
     }
-    match menu.title {
-        "File" => {
+    match menu.id {
+        MenuId::File => {
             opens_menu(ui, "Save as", |ui| {
                 ui.set_min_width(200.0);
                 for entry in actions::formats() {
@@ -168,11 +168,11 @@ fn menu_entries(ui: &mut Ui, page: &Page<'_>, menu: &Menu, out: &mut Requests) {
                 }
             });
         }
-        "Select" => {
+        MenuId::Select => {
             ui.separator();
             opens_menu(ui, "Hide and reveal", |ui| operations(ui, page, actions::hiding(), out));
         }
-        "Mesh" => operation_menus(ui, page, out),
+        MenuId::Mesh => operation_menus(ui, page, out),
         _ => {}
     }
 }

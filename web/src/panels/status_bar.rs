@@ -54,8 +54,8 @@ pub(crate) fn show(ui: &mut Ui, page: &Page<'_>, narrow: bool, target_edge: Opti
 
 /// Shows what buttons, fingers and keys do now, as many of the hints as there is room for.
 fn show_hints(ui: &mut Ui, page: &Page<'_>) {
-    const GAP: f32 = 16.0;
-    const ICON: f32 = 16.0;
+    const HINT_GAP_POINTS: f32 = 16.0;
+    const ICON_WIDTH_POINTS: f32 = 16.0;
     let modifiers = ui.input(|input| input.modifiers);
     let font = TextStyle::Small.resolve(ui.style());
     let visuals = ui.visuals();
@@ -67,7 +67,7 @@ fn show_hints(ui: &mut Ui, page: &Page<'_>) {
         let key = painter.layout_no_wrap(by.words().to_owned(), font.clone(), strong);
         let text = painter.layout_no_wrap(does.to_string(), font.clone(), weak);
         let by_width = match by {
-            By::Mouse(..) => ICON,
+            By::Mouse(..) => ICON_WIDTH_POINTS,
             By::Key(_) => key.size().x + 8.0,
             By::Touch(_) => key.size().x,
         };
@@ -89,7 +89,7 @@ fn show_hints(ui: &mut Ui, page: &Page<'_>) {
         }
         painter.galley(pos2(x + by_width + 4.0, top_of(&text)), text, weak);
         said.push(format!("{}: {does}", by.words()));
-        x += width + GAP;
+        x += width + HINT_GAP_POINTS;
     }
     response.widget_info(|| WidgetInfo::labeled(Role::Label, true, said.join("; ")));
 }
@@ -159,14 +159,14 @@ fn job_progress(ui: &mut Ui, page: &Page<'_>, narrow: bool, out: &mut Requests) 
 
 /// A bar for a job that has not reported progress: a segment moves to and fro, or stands in the middle.
 fn indeterminate_bar(ui: &mut Ui, size: Vec2, text: &str, is_still: bool) {
-    const SECONDS: f64 = 1.6;
-    const LENGTH: f32 = 0.3;
+    const SECONDS_PER_SWEEP: f64 = 1.6;
+    const BAR_SHARE: f32 = 0.3;
     let (rect, response) = ui.allocate_exact_size(size, Sense::hover());
     response.widget_info(|| WidgetInfo::labeled(Role::ProgressIndicator, true, text));
-    let time = if is_still { SECONDS / 4.0 } else { ui.input(|input| input.time) };
-    let turn = (time / SECONDS).fract() * std::f64::consts::TAU;
-    let start = (0.5 - 0.5 * turn.cos()) as f32 * (1.0 - LENGTH) * size.x;
-    let part = Rect::from_min_size(rect.min + vec2(start, 0.0), vec2(LENGTH * size.x, size.y));
+    let time = if is_still { SECONDS_PER_SWEEP / 4.0 } else { ui.input(|input| input.time) };
+    let turn = (time / SECONDS_PER_SWEEP).fract() * std::f64::consts::TAU;
+    let start = (0.5 - 0.5 * turn.cos()) as f32 * (1.0 - BAR_SHARE) * size.x;
+    let part = Rect::from_min_size(rect.min + vec2(start, 0.0), vec2(BAR_SHARE * size.x, size.y));
     let visuals = ui.visuals();
     let radius = size.y / 2.0;
     ui.painter().rect_filled(rect, radius, visuals.extreme_bg_color);

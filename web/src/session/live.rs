@@ -11,8 +11,8 @@ use halfedge::Element;
 use crate::input::key_preset::KeyPreset;
 use crate::input::keys;
 use crate::live::edit::{Live, Snap, Start};
-use crate::live::keys::Ending;
-use crate::live::place::{self, Place};
+use crate::live::edit_keys::Ending;
+use crate::live::place::{self, SelectionPlace};
 use crate::live::pointer::Sight;
 use crate::live::slide::Track;
 use crate::session::Session;
@@ -31,8 +31,8 @@ impl Session {
         self.end_live(false);
         self.end_preview();
         let place = match start.ring {
-            Some(cut) => Place::of_edge(&self.editor, cut.edge),
-            None => Place::of_selection(&self.editor),
+            Some(cut) => SelectionPlace::of_edge(&self.editor, cut.edge),
+            None => SelectionPlace::of_selection(&self.editor),
         };
         let Some(place) = place else { return };
         let pointer = self.ctx.input(|input| input.pointer.latest_pos());
@@ -202,7 +202,7 @@ fn fit_soft_radius(settings: &mut Settings, live: &Live, view: &View) {
 /// finds where the selection is.
 pub(crate) fn widen_soft(session: &mut Session, view: &View, by: f32) {
     if by == 0.0 || session.place.is_none() {
-        session.place = Place::of_selection(&session.editor);
+        session.place = SelectionPlace::of_selection(&session.editor);
     }
     let Some(place) = session.place else { return };
     let anchor = place.pivot(session.live_settings.pivot);

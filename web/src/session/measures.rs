@@ -1,6 +1,6 @@
 //! Facts about the active mesh, from which forms suggest values and estimate results.
 
-use editor::{Changes, Editor, Facts};
+use editor::{Changes, Editor, Facts, MAX_ELEMENTS_AT_ONCE};
 
 use crate::session::survey::Survey;
 
@@ -10,10 +10,6 @@ pub struct Measured {
     known: Option<Facts>,
     stale: bool,
 }
-
-/// While a larger mesh is being edited, its measures may lag behind, as measuring at every movement would
-/// be noticeable.
-const MAX_FACES_MEASURED_LIVE: usize = 20_000;
 
 impl Measured {
     /// Forgets the measures if the active object changed or another one is active.
@@ -38,7 +34,8 @@ impl Measured {
         if !measures {
             return counts;
         }
-        let may_lag = editor.is_editing() && mesh.face_count() > MAX_FACES_MEASURED_LIVE;
+        // Measuring a large mesh at every movement would be noticeable.
+        let may_lag = editor.is_editing() && mesh.face_count() > MAX_ELEMENTS_AT_ONCE;
         let known = self.known.filter(|_| !self.stale || may_lag);
         let Facts { mean_edge, area, diagonal, .. } = known.unwrap_or_else(|| counts.with_measures(mesh));
         let facts = Facts { mean_edge, area, diagonal, ..counts };

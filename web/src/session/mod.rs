@@ -21,7 +21,7 @@ use formats::Picture;
 use halfedge::{Element, HalfedgeId};
 
 use crate::live::edit::Live;
-use crate::live::place::Place;
+use crate::live::place::SelectionPlace;
 use crate::platform::Platform;
 use crate::transforming::Gizmo;
 use frame_times::FrameTimes;
@@ -36,7 +36,7 @@ const CANCELLED: &str = "cancelled";
 
 /// What the view should show after another document was opened.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Look {
+pub(crate) enum ViewTarget {
     /// Everything.
     Document,
     /// Flat curves, seen from straight above their plane, so that they appear as they were drawn.
@@ -55,7 +55,7 @@ pub(crate) struct Session {
     /// The edit that follows the pointer.
     pub live: Option<Live>,
     /// Where the selection is, while the gizmo is shown or an edit follows the pointer.
-    pub place: Option<Place>,
+    pub place: Option<SelectionPlace>,
     /// How live edits behave.
     pub live_settings: crate::transforming::Settings,
     /// The operation that is previewed while its form is filled in.
@@ -63,7 +63,7 @@ pub(crate) struct Session {
     /// Whether the last adjustment took too long to run at every step of a spin box.
     pub adjusting_is_slow: bool,
     /// What the view should show next.
-    pub look: Option<Look>,
+    pub look: Option<ViewTarget>,
     /// Images that were decoded since the last frame, or why they can't be.
     pub decoded: Vec<(JobId, Result<Picture, String>)>,
     /// Who waits for a command that selects some elements at a time.
@@ -113,7 +113,7 @@ impl Session {
         self.refusals.get_mut().clear();
         if changes.selection || changes.document || !changes.objects.is_empty() {
             let is_needed = self.live_settings.gizmo != Gizmo::Off || self.live.is_some();
-            self.place = is_needed.then(|| Place::of_selection(&self.editor)).flatten();
+            self.place = is_needed.then(|| SelectionPlace::of_selection(&self.editor)).flatten();
         }
         self.survey.follow(&self.editor, changes);
         self.measured.get_mut().follow(&self.editor, changes);

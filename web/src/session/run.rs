@@ -9,7 +9,7 @@ use super::form;
 use super::jobs::{Answer, Reply};
 use super::preview::MAX_SECONDS_PER_STEP;
 use super::toasts::Remedy;
-use super::{CANCELLED, Look, Session, selecting};
+use super::{CANCELLED, Session, ViewTarget, selecting};
 use crate::bezier;
 use crate::input::actions::Action;
 use crate::platform::{Fetched, NamedBytes};
@@ -20,7 +20,7 @@ impl Session {
     pub fn open_first(&mut self) {
         // The initial shape can't be refused; if it were, the page would start empty and say how to go on.
         let _ = form::first_shape().and_then(|command| self.editor.start_with(command));
-        self.look = Some(Look::Document);
+        self.look = Some(ViewTarget::Document);
     }
 
     /// Replaces the document by a new one, as one undo step. If the old one was saved there is nothing to lose, and
@@ -198,7 +198,7 @@ impl Session {
         };
         let objects = self.editor.document().objects();
         let is_flat = !objects.is_empty() && objects.iter().all(flat);
-        self.look = Some(if is_flat { Look::FlatCurves } else { Look::Document });
+        self.look = Some(if is_flat { ViewTarget::FlatCurves } else { ViewTarget::Document });
     }
 
     /// Says what was opened; `notes` are about files that could not be fetched.

@@ -6,7 +6,7 @@ use viewport::Bounds;
 
 use super::pane::{Pane, Split};
 use super::{FRAMES_UNTIL_PANELS_SETTLE, View};
-use crate::live::place::Place;
+use crate::live::place::SelectionPlace;
 
 /// Where the welcome view leaves a smaller share of the viewport's height, it counts as covering nothing.
 const MIN_FREE_SHARE: f32 = 0.2;
@@ -86,7 +86,7 @@ impl View {
 
     /// Looks at the selection against its normal; returns whether it has one.
     pub fn align(&mut self, editor: &Editor) -> bool {
-        let place = Place::of_selection(editor).filter(|place| place.normal.length_squared() > 0.0);
+        let place = SelectionPlace::of_selection(editor).filter(|place| place.normal.length_squared() > 0.0);
         let Some(place) = place else { return false };
         self.camera.look_along(-place.normal.as_dvec3());
         self.camera.target = place.middle.as_dvec3();

@@ -4,7 +4,7 @@ use std::collections::HashMap;
 
 use egui::accesskit::NodeId;
 use meshwright_web::access::aria::Urgency;
-use meshwright_web::access::mirror::{Mirror, Patch, Place};
+use meshwright_web::access::mirror::{Insertion, Mirror, Patch};
 use meshwright_web::access::tree::UiTree;
 
 use crate::page::Page;
@@ -82,7 +82,7 @@ impl Document {
             }
             Patch::Value(id, value) => self.node(id).value = value,
             Patch::Rect(id, rect) => self.node(id).rect = rect,
-            Patch::Insert(id, Place { parent, before }) => {
+            Patch::Insert(id, Insertion { parent, before }) => {
                 self.detach(id);
                 let list = self.list(parent);
                 let at = before.map_or(list.len(), |before| {

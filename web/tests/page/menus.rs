@@ -67,7 +67,7 @@ fn every_menu_opens_and_lists_its_entries() {
         let entries = || menu.entries.iter().flatten();
         // Other parts of the page may have the same words.
         let before: Vec<usize> = entries().map(|entry| count(&page, entry.label)).collect();
-        page.click(menu.title);
+        page.click(menu.id.title());
         let mut open = None;
         for (entry, before) in entries().zip(before) {
             let submenu = menus::submenu(entry.action);
@@ -75,7 +75,12 @@ fn every_menu_opens_and_lists_its_entries() {
                 page.click(title);
                 open = submenu;
             }
-            assert!(count(&page, entry.label) > before, "{} is not in the {} menu", entry.label, menu.title);
+            assert!(
+                count(&page, entry.label) > before,
+                "{} is not in the {} menu",
+                entry.label,
+                menu.id.title()
+            );
         }
         page.press(Key::Escape);
     }

@@ -1,6 +1,6 @@
 //! Adjusting the last operation: replacing its result by that of the same operation with other fields.
 
-use super::jobs::MAX_FACES_AT_ONCE;
+use super::jobs::MAX_ELEMENTS_AT_ONCE;
 use super::{Begun, Editor, MessageKind};
 use crate::document::ObjectId;
 use crate::error::CommandError;
@@ -78,7 +78,7 @@ impl Editor {
     /// # Errors
     /// There is no last command, or the new one is refused; the document is unchanged.
     pub fn adjust(&mut self, command: Command) -> Result<Begun, CommandError> {
-        self.adjust_from(command, MAX_FACES_AT_ONCE)
+        self.adjust_from(command, MAX_ELEMENTS_AT_ONCE)
     }
 
     /// [`Editor::adjust`] with another threshold: a command becomes a job from this many faces of work.

@@ -17,9 +17,9 @@ use halfedge::Mesh;
 use std::ops::ControlFlow;
 use std::sync::Arc;
 
-/// Operations below this amount of work, in faces, run at once: they take less time than a frame, and less
-/// than sending the mesh to a worker.
-pub(super) const MAX_FACES_AT_ONCE: usize = 20_000;
+/// Work on fewer elements than this is done at once: it takes less time than a frame, and less than sending the mesh to a
+/// worker.
+pub const MAX_ELEMENTS_AT_ONCE: usize = 20_000;
 
 /// The result of beginning a command.
 #[derive(Debug)]
@@ -137,7 +137,7 @@ impl Editor {
     /// # Errors
     /// The command is refused; the error names the operation and the field.
     pub fn begin(&mut self, command: Command) -> Result<Begun, CommandError> {
-        self.begin_from(command, MAX_FACES_AT_ONCE)
+        self.begin_from(command, MAX_ELEMENTS_AT_ONCE)
     }
 
     /// [`Editor::begin`] with another threshold: a command becomes a job from this many faces of work.
@@ -209,7 +209,7 @@ impl Editor {
     /// Whether the command would run at once, so that it can be previewed at every change of its fields.
     /// False if it would be refused. Costs O(mesh) at most.
     pub fn is_quick(&self, command: &Command) -> bool {
-        self.cost(command).is_some_and(|cost| cost < MAX_FACES_AT_ONCE)
+        self.cost(command).is_some_and(|cost| cost < MAX_ELEMENTS_AT_ONCE)
     }
 
     /// The mesh that a whole-mesh operation would make of the command's object, without changing the
@@ -222,8 +222,8 @@ impl Editor {
     }
 
     /// Whether operations on these objects run at once.
-    pub(super) fn is_small(&self, ops: &[Op], objects: &[ObjectId]) -> bool {
-        Self::work(ops, Symmetry::None, &self.inputs(objects)) < MAX_FACES_AT_ONCE
+    pub(super) fn is_small(&self, ops: &[Op], symmetry: Symmetry, objects: &[ObjectId]) -> bool {
+        Self::work(ops, symmetry, &self.inputs(objects)) < MAX_ELEMENTS_AT_ONCE
     }
 
     /// A job that reads files; [`Editor::finish`] replaces the document by what it read.

@@ -5,7 +5,7 @@ use super::Editor;
 use super::run::Planned;
 use crate::error::{CommandError, Problem};
 use crate::history::Change;
-use crate::ops::{Action, Command, Commit, Op, Scope};
+use crate::ops::{Action, Command, Commit, Op, Scope, Symmetry};
 use crate::outcome::{Elements, Outcome};
 use crate::recovery::Event;
 use crate::selection::Selection;
@@ -70,7 +70,7 @@ impl Editor {
                 (back, Self::outcome(&op, Elements::default(), Elements::default()), false)
             }
             Planned::Whole { op, objects, at } if replaces_its_object(&op) => {
-                if !self.is_small(std::slice::from_ref(&op), &objects) {
+                if !self.is_small(std::slice::from_ref(&op), Symmetry::None, &objects) {
                     return Err(Problem::new("a preview takes too long on a mesh of this size"));
                 }
                 let made = self.compute(&op, &objects, &mut |_| ControlFlow::Continue(()))?;

@@ -107,9 +107,11 @@ impl Editor {
             return op.check_selection(&self.target(&place, &Selection::default(), &Mesh::new())?);
         }
         match self.plan(command.clone())? {
-            Planned::Local { object, ops, .. } => {
+            Planned::Local { object, ops, symmetry, .. } => {
                 let mesh = self.document.object(object).ok_or_else(object_gone)?.mesh();
-                if let Some(first) = local_edits(&ops).next().filter(|_| self.is_small(&ops, &[object])) {
+                if self.is_small(&ops, symmetry, &[object])
+                    && let Some(first) = local_edits(&ops).next()
+                {
                     first.can(mesh)?;
                 }
                 let idle = local_edits(&ops).map(|edit| edit.changes_nothing(mesh));

@@ -1,7 +1,7 @@
 //! Selecting in large meshes, some elements at a time. Anything else that is done first completes it, so that it makes no
 //! difference that it took several frames.
 
-use super::{Editor, MessageKind};
+use super::{Editor, MAX_ELEMENTS_AT_ONCE, MessageKind};
 use crate::ops::{Action, Command, Op, SelectMode};
 use crate::outcome::{Elements, Outcome};
 use crate::recovery::Event;
@@ -10,9 +10,6 @@ use halfedge::geometry::BitSet;
 use halfedge::words::counted;
 use halfedge::{Budget, Element, InParts, Mesh};
 use surface::selecting::Finding;
-
-/// Selecting is done at once where it looks at fewer elements than this: that takes less time than a frame.
-const MAX_ELEMENTS_AT_ONCE: usize = 20_000;
 
 /// Elements being looked for, to be selected.
 #[derive(Debug)]

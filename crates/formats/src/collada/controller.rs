@@ -112,7 +112,7 @@ impl Morph {
                 Ok(source) => targets.push((source, weight)),
                 Err(why) => notes.fault(
                     Fault::Attribute,
-                    format!("geometry \"{label}\": morph target \"{}\": {why}", target.label()),
+                    format!("geometry \"{label}\": morph target \"{}\" ({why})", target.label()),
                 ),
             }
         }

@@ -29,7 +29,7 @@ const CHANNELS: [(&str, TextureRole); 6] = [
 
 /// A material that an effect describes.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub(super) struct Look {
+pub(super) struct EffectMaterial {
     /// Without a name.
     pub material: Material,
     /// For each of its textures, the name under which its texture coordinates are bound.
@@ -44,8 +44,8 @@ pub(super) fn read(
     files: &[NamedBytes],
     materials: &mut MaterialCollector,
     notes: &mut Notes,
-) -> Look {
-    let mut look = Look::default();
+) -> EffectMaterial {
+    let mut look = EffectMaterial::default();
     let url = instance.attribute("url").unwrap_or_default();
     let Some(effect) = document.target(url).filter(|node| node.name == "effect") else {
         notes.fault(Fault::Material, format!("\"{label}\": its effect {}", document.why_missing(url)));
@@ -106,7 +106,7 @@ struct Reader<'r, 'd, 'a> {
     files: &'r [NamedBytes],
     materials: &'r mut MaterialCollector,
     notes: &'r mut Notes,
-    look: &'r mut Look,
+    look: &'r mut EffectMaterial,
 }
 
 impl<'d, 'a> Reader<'_, 'd, 'a> {

@@ -184,7 +184,9 @@ impl<'p> Faces<'p> {
                 let corners = counted(count, "corner", "corners");
                 notes.fault(
                     Fault::Attribute,
-                    format!("geometry \"{label}\": {corners} without {what}: their indices are out of range"),
+                    format!(
+                        "geometry \"{label}\": {corners} without {what} (their indices are out of range)"
+                    ),
                 );
             }
         }
@@ -200,8 +202,8 @@ impl<'p> Faces<'p> {
             notes.fault(
                 Fault::Attribute,
                 format!(
-                    "geometry \"{label}\": the holes of {filled} were filled: they cross an outline, or there are too \
-                     many corners"
+                    "geometry \"{label}\": the holes of {filled} were filled (they cross an outline, or there are \
+                     too many corners)"
                 ),
             );
         }

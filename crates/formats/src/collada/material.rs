@@ -1,6 +1,6 @@
 //! Materials: what the faces of primitives have, and how a document's materials get there.
 
-use super::effect::{self, Look};
+use super::effect::{self, EffectMaterial};
 use super::primitive::UvSets;
 use super::xml::{Document, Node};
 use crate::file::NamedBytes;
@@ -55,7 +55,7 @@ impl<'d, 'a> Library<'d, 'a> {
             Some(instance) => {
                 effect::read(self.document, instance, label, self.files, &mut self.materials, notes)
             }
-            None => Look::default(),
+            None => EffectMaterial::default(),
         };
         let roles: Vec<TextureRole> = look.material.textures.iter().map(|texture| texture.role).collect();
         let texcoords = roles.into_iter().zip(look.texcoords).collect();

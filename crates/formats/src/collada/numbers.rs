@@ -90,7 +90,7 @@ impl<T> Numbers<T> {
             Commas::Decimal => notes.info("Commas in its numbers were read as decimal commas"),
             Commas::Separators => notes.info("Commas between its numbers were read as separators"),
             Commas::Ambiguous => {
-                return Err("commas that may be decimal commas or separators: decimal points are needed");
+                return Err("commas that may be decimal commas or separators (decimal points are needed)");
             }
         }
         Ok(())

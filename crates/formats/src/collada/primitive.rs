@@ -116,7 +116,7 @@ impl<'r, 'd, 'a> Primitives<'r, 'd, 'a> {
                 let missing = counted(counts.len() - i, "face", "faces");
                 return self.fault(
                     node,
-                    &format!("fewer numbers in its <p> than its <vcount> says: {missing} missing"),
+                    &format!("fewer numbers in its <p> than its <vcount> says ({missing} missing)"),
                 );
             };
             rest = after;
@@ -254,7 +254,7 @@ impl<'r, 'd, 'a> Primitives<'r, 'd, 'a> {
             let others = counted(others, "set", "sets");
             self.notes.fault(
                 Fault::Attribute,
-                format!("geometry \"{label}\": {others} of {what} left out: corners have one here"),
+                format!("geometry \"{label}\": {others} of {what} left out (corners have one here)"),
             );
         }
         self.source(first.source, width, what).map(|source| (first.offset, source))

@@ -90,7 +90,7 @@ impl<'a> Buffers<'a> {
                 Err(why) => {
                     // Files may hold an uncompressed copy for readers without the extension.
                     let copy = self.bytes(view).ok().filter(|bytes| !bytes.is_empty());
-                    let bytes = copy.ok_or_else(|| format!("its compressed data can't be read: {why}"))?;
+                    let bytes = copy.ok_or_else(|| format!("its compressed data can't be read ({why})"))?;
                     return Ok(View { bytes, stride });
                 }
             }
@@ -162,5 +162,5 @@ fn data_of(data: &str) -> Result<Vec<u8>, String> {
     let padding = DecodePaddingMode::Indifferent;
     let engine =
         GeneralPurpose::new(&STANDARD, GeneralPurposeConfig::new().with_decode_padding_mode(padding));
-    engine.decode(text).map_err(|error| format!("its data is not in base64: {error}"))
+    engine.decode(text).map_err(|error| format!("its data is not in base64 ({error})"))
 }

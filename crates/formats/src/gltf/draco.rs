@@ -24,7 +24,7 @@ pub(super) fn decode(data: &[u8], max_bytes: usize) -> Result<DracoMesh, String>
     let mut buffer = DecoderBuffer::new(data).with_limits(limits);
     let mut mesh = Mesh::new();
     let decoded = MeshDecoder::new().decode(&mut buffer, &mut mesh);
-    decoded.map_err(|error| format!("its Draco data can't be read: {error}"))?;
+    decoded.map_err(|error| format!("its Draco data can't be read ({error})"))?;
     Ok(DracoMesh(mesh))
 }
 

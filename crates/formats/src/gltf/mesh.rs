@@ -213,7 +213,7 @@ impl<'a> MeshReader<'_, 'a> {
     /// The rows of an optional attribute. Notes why if they can't be read.
     fn attribute<'p>(&mut self, primitive: &Primitive<'p, 'a>, name: &str, label: &str) -> Option<Rows<'p>> {
         primitive.attribute(name).unwrap_or_else(|why| {
-            self.notes.fault(Fault::Attribute, format!("{label}: {name} left out: {why}"));
+            self.notes.fault(Fault::Attribute, format!("{label}: {name} left out ({why})"));
             None
         })
     }
@@ -234,7 +234,7 @@ impl<'a> MeshReader<'_, 'a> {
             material.transpose()
         });
         material.unwrap_or_else(|why| {
-            self.notes.fault(Fault::Attribute, format!("{label}: its material is left out: {why}"));
+            self.notes.fault(Fault::Attribute, format!("{label}: its material is left out ({why})"));
             None
         })
     }

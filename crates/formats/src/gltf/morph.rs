@@ -36,7 +36,7 @@ impl<'b> Steps<'b> {
                 Ok(Some(rows)) => steps.push(Step { weight, rows }),
                 Ok(None) => {}
                 Err(why) => {
-                    notes.fault(Fault::Attribute, format!("{label}: morph target {i} doesn't count: {why}"));
+                    notes.fault(Fault::Attribute, format!("{label}: morph target {i} doesn't count ({why})"));
                 }
             }
         }

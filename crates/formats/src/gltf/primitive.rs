@@ -76,7 +76,7 @@ impl<'b, 'a> Primitive<'b, 'a> {
                 this.mode = Mode::Triangles;
             }
             (Err(why), _) if this.has_uncompressed_copy() => {
-                notes.fault(Fault::Attribute, format!("{label}: an uncompressed copy was read: {why}"));
+                notes.fault(Fault::Attribute, format!("{label}: an uncompressed copy was read ({why})"));
             }
             (Err(why), _) => return Err(why),
             (Ok(_), None) => return Err("it doesn't say which attributes its Draco data has".to_owned()),

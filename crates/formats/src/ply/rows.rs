@@ -7,7 +7,7 @@ use crate::text::scan::Ticker;
 use halfedge::Progress;
 
 /// How many lists of a row are read; others are passed over.
-const LISTS: usize = 2;
+const LISTS_PER_ROW: usize = 2;
 
 /// Reads rows one after the other.
 pub(super) struct Rows<'a> {
@@ -37,9 +37,9 @@ impl<'a> Rows<'a> {
     pub(super) fn for_each(
         &mut self,
         table: &Table,
-        wanted: [Option<usize>; LISTS],
+        wanted: [Option<usize>; LISTS_PER_ROW],
         progress: &mut Progress,
-        mut take: impl FnMut(u64, &[f64], &[Vec<f64>; LISTS]),
+        mut take: impl FnMut(u64, &[f64], &[Vec<f64>; LISTS_PER_ROW]),
     ) -> Result<u64, ReadError> {
         // Rows of nothing could be any number.
         if table.properties.is_empty() {
@@ -62,8 +62,8 @@ impl<'a> Rows<'a> {
         &mut self,
         properties: &[Property],
         row: &mut Vec<f64>,
-        lists: &mut [Vec<f64>; LISTS],
-        wanted: [Option<usize>; LISTS],
+        lists: &mut [Vec<f64>; LISTS_PER_ROW],
+        wanted: [Option<usize>; LISTS_PER_ROW],
     ) -> bool {
         row.clear();
         lists.iter_mut().for_each(Vec::clear);

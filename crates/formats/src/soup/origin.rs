@@ -53,14 +53,14 @@ pub(crate) struct Bounds {
 impl Bounds {
     /// A model is far away if it lies this many times its size from the origin: then at least 8 of the
     /// 24 bits of a coordinate say nothing about its shape.
-    const FAR: f64 = 256.0;
+    const FAR_SIZES: f64 = 256.0;
 
     /// Coordinates this large are on a map, not in a model's own space: `f32` are 1/64 or more apart there.
-    const MAP: f64 = 131_072.0;
+    const MIN_MAP_COORDINATE: f64 = 131_072.0;
 
     /// A map is far away if it lies this many times its size from the origin. An edit of a tenth of a unit, five
     /// million away, is kept in a map of 600 thousand units.
-    const FAR_ON_MAP: f64 = 8.0;
+    const FAR_SIZES_ON_MAP: f64 = 8.0;
 
     /// The bounds of all vertices of faces and all control points; of all vertices where there are none:
     /// faces far from the origin may have been lost to rounding.
@@ -99,7 +99,11 @@ impl Bounds {
         }
         let along = |low: f64, high: f64| {
             let middle = low + (high - low) / 2.0;
-            let far = if middle.abs() >= Self::MAP { Self::FAR_ON_MAP } else { Self::FAR };
+            let far = if middle.abs() >= Self::MIN_MAP_COORDINATE {
+                Self::FAR_SIZES_ON_MAP
+            } else {
+                Self::FAR_SIZES
+            };
             if middle.abs() <= size * far {
                 return 0.0;
             }

@@ -8,9 +8,23 @@ use std::ops::ControlFlow;
 use std::path::Path;
 use std::sync::Arc;
 
-/// Reads with nobody watching the progress.
+/// Reads with nobody watching the progress. What the report warns of must be readable.
 pub fn read(files: &[NamedBytes]) -> Result<Import, formats::ReadError> {
-    formats::read(files, &mut |_| ControlFlow::Continue(()))
+    let import = formats::read(files, &mut |_| ControlFlow::Continue(()))?;
+    for warning in import.report.warnings() {
+        assert!(colons(warning) <= 2, "reasons go into brackets: {warning}");
+    }
+    Ok(import)
+}
+
+/// The number of colons in a text, without those in brackets.
+fn colons(text: &str) -> usize {
+    let mut depth = 0;
+    let outside = text.chars().filter(|letter| {
+        depth += i32::from(*letter == '(') - i32::from(*letter == ')');
+        depth == 0
+    });
+    outside.collect::<String>().matches(": ").count()
 }
 
 /// Reads one text as an OBJ.

@@ -22,7 +22,7 @@
 
 use crate::edit::patch::{Corner, Patch, Plan};
 use crate::edit::shared::{Followers, counter_clockwise, miter};
-use crate::edit::{Live, Refusal, Slide, SlideVertex};
+use crate::edit::{Refusal, Slide, SlideVertex, SlidingEdit};
 use crate::mesh::Mesh;
 use crate::{EdgeId, FaceId, HalfedgeId, NumberRange, VertexId};
 use glam::Vec3;
@@ -43,12 +43,12 @@ pub fn can_bevel_edges(mesh: &Mesh, edges: &[EdgeId], segments: u32) -> Result<(
 /// faces round them). Attributes: new vertices copy the bevelled ones, new corners those that they are cut from, and
 /// both follow the slide over the faces. Each half of a strip copies the face on its side, a face at a vertex one of
 /// those round it. New edges have default values.
-pub fn bevel_edges(mesh: &mut Mesh, edges: &[EdgeId], segments: u32) -> Result<Live, Refusal> {
+pub fn bevel_edges(mesh: &mut Mesh, edges: &[EdgeId], segments: u32) -> Result<SlidingEdit, Refusal> {
     let (plan, moves) = plan_bevel(mesh, edges, segments)?;
     let followers = plan.followers(mesh, moves.iter().map(|slide| slide.vertex));
     let followers = Followers::new(mesh, followers, |_, _| true);
     let made = plan.apply(mesh);
-    Ok(Live { made, slide: Slide::limited(mesh, moves, followers) })
+    Ok(SlidingEdit { made, slide: Slide::limited(mesh, moves, followers) })
 }
 
 fn plan_bevel(mesh: &Mesh, edges: &[EdgeId], segments: u32) -> Result<(Plan, Vec<SlideVertex>), Refusal> {

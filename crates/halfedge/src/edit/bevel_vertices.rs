@@ -10,7 +10,7 @@
 
 use crate::edit::patch::{Corner, Patch, Plan};
 use crate::edit::shared::{Followers, counter_clockwise};
-use crate::edit::{Live, Refusal, Slide, SlideVertex};
+use crate::edit::{Refusal, Slide, SlideVertex, SlidingEdit};
 use crate::mesh::Mesh;
 use crate::{FaceId, HalfedgeId, VertexId};
 use rustc_hash::FxHashMap;
@@ -77,10 +77,10 @@ fn plan_bevel(mesh: &Mesh, vertices: &[VertexId]) -> Result<(Plan, Vec<SlideVert
 /// Faces and edges keep their ids. Costs O(valences + degrees of the faces round the vertices). Attributes: new vertices
 /// copy the bevelled one, new corners those that they are cut from, and both follow the slide over the faces. Each new
 /// face copies the face with the smallest id round its vertex. New edges have default values.
-pub fn bevel_vertices(mesh: &mut Mesh, vertices: &[VertexId]) -> Result<Live, Refusal> {
+pub fn bevel_vertices(mesh: &mut Mesh, vertices: &[VertexId]) -> Result<SlidingEdit, Refusal> {
     let (plan, moves) = plan_bevel(mesh, vertices)?;
     let followers = plan.followers(mesh, moves.iter().map(|slide| slide.vertex));
     let followers = Followers::new(mesh, followers, |_, _| true);
     let made = plan.apply(mesh);
-    Ok(Live { made, slide: Slide::limited(mesh, moves, followers) })
+    Ok(SlidingEdit { made, slide: Slide::limited(mesh, moves, followers) })
 }

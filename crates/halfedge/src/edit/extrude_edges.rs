@@ -5,7 +5,7 @@
 
 use crate::edit::patch::{Corner, Patch, Plan};
 use crate::edit::shared::{Blend, Followers};
-use crate::edit::{Live, Refusal, Slide, SlideVertex};
+use crate::edit::{Refusal, Slide, SlideVertex, SlidingEdit};
 use crate::mesh::Mesh;
 use crate::{EdgeId, VertexId};
 use glam::Vec3;
@@ -54,7 +54,7 @@ fn plan_extrude(mesh: &Mesh, edges: &[EdgeId]) -> Result<(Plan, Vec<(VertexId, V
 /// All ids survive. Costs O(n log n) in the number of edges and the valences of their vertices. Attributes: quads copy
 /// the face beside the edge; new vertices, corners and far edges copy the old ones. As the slide moves them, vertex and
 /// corner values continue those of that face, as seen along its normal.
-pub fn extrude_edges(mesh: &mut Mesh, edges: &[EdgeId], offset: Vec3) -> Result<Live, Refusal> {
+pub fn extrude_edges(mesh: &mut Mesh, edges: &[EdgeId], offset: Vec3) -> Result<SlidingEdit, Refusal> {
     let (plan, moved) = plan_extrude(mesh, edges)?;
     let moves: Vec<SlideVertex> = moved
         .into_iter()
@@ -62,5 +62,5 @@ pub fn extrude_edges(mesh: &mut Mesh, edges: &[EdgeId], offset: Vec3) -> Result<
         .collect();
     let followers = plan.followers(mesh, moves.iter().map(|slide| slide.vertex));
     let followers = Followers::new(mesh, followers, |_, _| true);
-    Ok(Live { made: plan.apply(mesh), slide: Slide::unlimited(moves, followers) })
+    Ok(SlidingEdit { made: plan.apply(mesh), slide: Slide::unlimited(moves, followers) })
 }

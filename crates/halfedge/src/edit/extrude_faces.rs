@@ -6,7 +6,7 @@
 
 use crate::FaceId;
 use crate::edit::shared::{Followers, walls};
-use crate::edit::{Grouping, Live, Refusal, Slide, SlideVertex};
+use crate::edit::{Grouping, Refusal, Slide, SlideVertex, SlidingEdit};
 use crate::mesh::Mesh;
 
 /// Whether [`extrude_faces`] would succeed.
@@ -21,7 +21,7 @@ pub fn can_extrude_faces(mesh: &Mesh, faces: &[FaceId], grouping: Grouping) -> R
 /// corners of the faces and the valences of their vertices. Attributes: new vertices and corners copy the old ones, moved
 /// outline edges those that stayed, and walls the face that they belong to. Edges from outline to outline have default
 /// values.
-pub fn extrude_faces(mesh: &mut Mesh, faces: &[FaceId], grouping: Grouping) -> Result<Live, Refusal> {
+pub fn extrude_faces(mesh: &mut Mesh, faces: &[FaceId], grouping: Grouping) -> Result<SlidingEdit, Refusal> {
     let walls = walls(mesh, faces, grouping)?;
     let outline = walls.vertices.iter().map(|wall| (wall.vertex, mesh.from(wall.leaves), wall.normal));
     let inner = walls.inner.iter().map(|&(v, normal)| (v, v, normal));
@@ -30,5 +30,5 @@ pub fn extrude_faces(mesh: &mut Mesh, faces: &[FaceId], grouping: Grouping) -> R
         .map(|(vertex, old, by)| SlideVertex { vertex, from: mesh.position(old), by })
         .collect();
     let made = walls.patch.plan(mesh)?.apply(mesh);
-    Ok(Live { made, slide: Slide::unlimited(moves, Followers::default()) })
+    Ok(SlidingEdit { made, slide: Slide::unlimited(moves, Followers::default()) })
 }

@@ -5,7 +5,7 @@
 //! outline would lose its length: [`Slide::limit`].
 
 use crate::edit::shared::{Followers, Walls, miter, walls};
-use crate::edit::{Grouping, Live, Refusal, Slide, SlideVertex};
+use crate::edit::{Grouping, Refusal, Slide, SlideVertex, SlidingEdit};
 use crate::mesh::Mesh;
 use crate::{FaceId, HalfedgeId};
 use glam::Vec3;
@@ -29,7 +29,7 @@ fn inset_walls(mesh: &Mesh, faces: &[FaceId], grouping: Grouping) -> Result<Wall
 ///
 /// Ids, costs and attributes are as for [`extrude_faces`](super::extrude_faces), except that vertex and corner values
 /// follow the slide over the faces.
-pub fn inset_faces(mesh: &mut Mesh, faces: &[FaceId], grouping: Grouping) -> Result<Live, Refusal> {
+pub fn inset_faces(mesh: &mut Mesh, faces: &[FaceId], grouping: Grouping) -> Result<SlidingEdit, Refusal> {
     let walls = inset_walls(mesh, faces, grouping)?;
     let inward = |h: HalfedgeId| {
         let normal = mesh.face_of(h).and_then(|face| walls.normals.get(&face)).copied().unwrap_or(Vec3::ZERO);
@@ -48,5 +48,5 @@ pub fn inset_faces(mesh: &mut Mesh, faces: &[FaceId], grouping: Grouping) -> Res
     let followers = plan.followers(mesh, moves.iter().map(|slide| slide.vertex));
     let followers = Followers::new(mesh, followers, |_, _| true);
     let made = plan.apply(mesh);
-    Ok(Live { made, slide: Slide::limited(mesh, moves, followers) })
+    Ok(SlidingEdit { made, slide: Slide::limited(mesh, moves, followers) })
 }

@@ -89,7 +89,7 @@ impl Slide {
 
 /// An interactive edit: its topology exists at size zero, and its slide gives it its size.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Live {
+pub struct SlidingEdit {
     /// What was added and removed.
     pub made: Made,
     /// The moves of the vertices.

@@ -31,10 +31,15 @@ pub fn vertex_rails(mesh: &Mesh, vertices: &[VertexId], direction: Vec3) -> Resu
 
 /// The half-edge that leaves a vertex and points most in a direction.
 fn best_edge(mesh: &Mesh, v: VertexId, direction: DVec3) -> Option<HalfedgeId> {
-    let cosine = |h: HalfedgeId| mesh.direction(h).as_dvec3().dot(direction);
-    let ahead = mesh.outgoing(v).map(|h| (cosine(h), h)).filter(|(cosine, _)| *cosine > MIN_COSINE);
-    // Of edges that point equally well, the one with the smallest id.
-    ahead.max_by(|(a, h), (b, g)| a.total_cmp(b).then(g.cmp(h))).map(|(_, h)| h)
+    best_way(mesh.outgoing(v).map(|h| (mesh.direction(h), h)), direction)
+}
+
+/// Along which of some edges a vertex slides in a direction: the one that points most in it, of several the smallest by
+/// id; none if none points that way at all. The edges are given by their directions, of length 1, and their ids.
+pub fn best_way<Id: Ord>(edges: impl IntoIterator<Item = (Vec3, Id)>, direction: DVec3) -> Option<Id> {
+    let cosines = edges.into_iter().map(|(edge, id)| (edge.as_dvec3().dot(direction), id));
+    let ahead = cosines.filter(|(cosine, _)| *cosine > MIN_COSINE);
+    ahead.max_by(|(a, h), (b, g)| a.total_cmp(b).then(g.cmp(h))).map(|(_, id)| id)
 }
 
 /// Whether [`slide_vertices`] would succeed.

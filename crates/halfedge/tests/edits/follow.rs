@@ -37,7 +37,7 @@ fn check_textured(mesh: &Mesh, what: &str) {
     }
 }
 
-type LiveEdit = fn(&mut Mesh) -> Result<Live, Refusal>;
+type LiveEdit = fn(&mut Mesh) -> Result<SlidingEdit, Refusal>;
 
 #[test]
 fn values_follow_a_drag_there_and_back() {

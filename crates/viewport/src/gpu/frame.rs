@@ -13,7 +13,7 @@ use crate::{Camera, Look, Mark, Style, Theme};
 use glam::Vec3;
 
 /// More isolated vertices than this are drawn as small dots.
-const MANY_ISOLATED: u64 = 200;
+const MAX_LARGE_ISOLATED_VERTICES: u64 = 200;
 
 /// One object in a frame.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -86,11 +86,11 @@ pub(super) enum Side {
 }
 
 /// How much of the colours behind translucent faces shows.
-const GLASS: f32 = 0.5;
+const XRAY_TRANSLUCENCY: f32 = 0.5;
 /// How strong marks behind faces are.
-const BEHIND: f32 = 0.35;
+const STRENGTH_BEHIND_FACES: f32 = 0.35;
 /// How many points nearer to the eye than they are marks count as, so that faces beside them don't hide them.
-const NEARER: f32 = 4.0;
+const MARK_OFFSET_POINTS: f32 = 4.0;
 
 /// The kinds of primitive in a highlight.
 #[derive(Clone, Copy)]
@@ -149,7 +149,7 @@ impl Renderer {
         for kind in kinds {
             for (draw, object) in visible() {
                 let has_lines = style.look == Look::HiddenLine || (style.wireframe && draw.active);
-                let translucency = if style.x_ray { GLASS } else { 0.0 };
+                let translucency = if style.x_ray { XRAY_TRANSLUCENCY } else { 0.0 };
                 let mut push = |draw, first_texture| {
                     let lines = if has_lines { 1.0 } else { 0.0 };
                     let params = [0.6 * ppp, lines, translucency, first_texture];
@@ -167,14 +167,14 @@ impl Renderer {
         }
         for side in [Side::Behind, Side::InFront] {
             let alpha = match side {
-                Side::Behind if style.x_ray => BEHIND,
+                Side::Behind if style.x_ray => STRENGTH_BEHIND_FACES,
                 Side::Behind => continue,
                 Side::InFront => 1.0,
             };
             for (_, object) in visible() {
                 let found = &object.marks;
                 let uniform = |mark, [radius, rim]: [f32; 2]| {
-                    let params = [radius * ppp, rim * ppp, 0.0, NEARER * ppp];
+                    let params = [radius * ppp, rim * ppp, 0.0, MARK_OFFSET_POINTS * ppp];
                     DrawUniform::new(camera, found.origin, rgba(Theme::mark(mark), alpha), params)
                 };
                 for (mark, lines) in Mark::ALL.into_iter().zip(&found.lines).filter(|(_, l)| l.len() > 0) {
@@ -187,7 +187,7 @@ impl Renderer {
             for (draw, object) in visible() {
                 let origin = object.buffers.origin();
                 let mut push = |points, color, radius, rim| {
-                    let params = [radius * ppp, rim * ppp, 0.0, NEARER * ppp];
+                    let params = [radius * ppp, rim * ppp, 0.0, MARK_OFFSET_POINTS * ppp];
                     let uniform = DrawUniform::new(camera, origin, rgba(color, alpha), params);
                     draws.push((Draw::Points(points, side), uniform));
                 };
@@ -195,14 +195,17 @@ impl Renderer {
                     push(&object.points, theme.vertex, 2.5, 0.0);
                 }
                 // Among very many, as scans have them, large ones would hide the surface.
-                let (radius, rim) =
-                    if object.isolated.count() > MANY_ISOLATED { (1.5, 0.0) } else { (3.5, 1.0) };
+                let (radius, rim) = if object.isolated.count() > MAX_LARGE_ISOLATED_VERTICES {
+                    (1.5, 0.0)
+                } else {
+                    (3.5, 1.0)
+                };
                 push(&object.isolated.points, theme.isolated, radius, rim);
             }
         }
         for side in [Side::Behind, Side::InFront] {
             let strength = match side {
-                Side::Behind => BEHIND,
+                Side::Behind => STRENGTH_BEHIND_FACES,
                 Side::InFront => 1.0,
             };
             for (layer, shape, alpha, params) in MARKS {
@@ -215,8 +218,12 @@ impl Renderer {
                 let Some((_, object)) = object.filter(|_| marked.stream(shape).len() > 0) else { continue };
                 let [a, b, c] = params.map(|size| size * ppp);
                 let color = rgba(color, alpha * strength);
-                let uniform =
-                    DrawUniform::new(camera, object.buffers.origin(), color, [a, b, c, NEARER * ppp]);
+                let uniform = DrawUniform::new(
+                    camera,
+                    object.buffers.origin(),
+                    color,
+                    [a, b, c, MARK_OFFSET_POINTS * ppp],
+                );
                 draws.push((Draw::Highlight(marked, shape, side), uniform));
             }
         }

@@ -8,9 +8,9 @@ use crate::{Bounds, Camera, UpAxis};
 use glam::Vec3;
 
 /// Pixels on each side of the map.
-const MAP_SIZE: u32 = 256;
+const MAP_SIDE_PX: u32 = 256;
 /// The map's half-width, in halves of the scene's greatest horizontal extent: room for the blur.
-const MARGIN: f32 = 1.4;
+const MAP_WIDTH_PER_SCENE: f32 = 1.4;
 
 /// Where the map lies: on the ground below the middle of the scene.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -27,7 +27,7 @@ impl Ground {
         let scene: Bounds = camera.scene()?;
         let up = camera.up;
         let size = up.to_upright((scene.max - scene.min).as_dvec3()).abs();
-        let half_width = size.x.max(size.z) as f32 * 0.5 * MARGIN;
+        let half_width = size.x.max(size.z) as f32 * 0.5 * MAP_WIDTH_PER_SCENE;
         let (center, lowest) = (scene.center().as_dvec3(), up.to_upright(scene.min.as_dvec3()).y);
         let middle = up.to_scene(up.to_upright(center).with_y(lowest)).as_vec3();
         let is_above = up.to_upright(camera.eye()).y > lowest;
@@ -79,7 +79,7 @@ pub struct ShadowPipelines {
 
 impl Shadow {
     pub fn new(device: &wgpu::Device, surface: &wgpu::BindGroupLayout, pipelines: ShadowPipelines) -> Self {
-        let textures = [(); 2].map(|()| picture_texture(device, "shadow on the ground", [MAP_SIZE; 2]));
+        let textures = [(); 2].map(|()| picture_texture(device, "shadow on the ground", [MAP_SIDE_PX; 2]));
         Self {
             maps: textures.each_ref().map(|texture| texture.create_view(&Default::default())),
             read: textures.each_ref().map(|texture| bind_picture(device, surface, texture)),

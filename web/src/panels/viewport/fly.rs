@@ -5,7 +5,7 @@ use glam::vec2;
 
 use super::Viewport;
 use super::navigate::surface_at;
-use crate::live::keys::notches_of;
+use crate::live::edit_keys::notches_of;
 use crate::view::flight::Landing;
 use crate::view::{Gesture, flying};
 

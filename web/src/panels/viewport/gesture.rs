@@ -27,9 +27,9 @@ use crate::request::{Request, Requests};
 use crate::view::{Gesture, Tool};
 
 /// The radius around a mouse's pointer in which a vertex or an edge is picked, in points.
-const MOUSE_RADIUS: f32 = 8.0;
+const MOUSE_RADIUS_POINTS: f32 = 8.0;
 /// The radius around a finger, half of a touch target: the nearest element in it is meant.
-const FINGER_RADIUS: f32 = 22.0;
+const FINGER_RADIUS_POINTS: f32 = 22.0;
 
 /// A way to find the element at a pixel.
 type Pick = fn(&Mesh, &FaceTree, &Camera, Vec2, Vec2, Aim) -> Option<Picked>;
@@ -44,7 +44,7 @@ impl Viewport<'_> {
         }
         let touches = ui.input(|input| input.multi_touch());
         let pointer = response.interact_pointer_pos();
-        self.view.pick_radius = if is_finger(ui) { FINGER_RADIUS } else { MOUSE_RADIUS };
+        self.view.pick_radius = if is_finger(ui) { FINGER_RADIUS_POINTS } else { MOUSE_RADIUS_POINTS };
         if let Some(touch) = touches.filter(|_| response.dragged() || response.contains_pointer()) {
             // A second finger ends whatever one finger had begun.
             self.end_gesture(None, out);

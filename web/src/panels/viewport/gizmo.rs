@@ -15,12 +15,12 @@ use crate::view::Gesture;
 /// The length of an arrow on the screen.
 const ARROW_POINTS: f32 = 84.0;
 /// Where the arrows begin, so that the middle stays free.
-const ARROW_START: f32 = 0.22;
+const ARROW_START_SHARE: f32 = 0.22;
 /// The corners of the squares that move in a plane, as parts of an arrow.
 const SQUARE: [f32; 2] = [0.32, 0.52];
 /// The radii of the rings about the axes and of the one about the direction of view, as parts of an arrow.
-const RING: f32 = 0.9;
-const VIEW_RING: f32 = 1.15;
+const RING_RADIUS_ARROWS: f32 = 0.9;
+const VIEW_RING_RADIUS_ARROWS: f32 = 1.15;
 const RING_SEGMENTS: usize = 64;
 /// The radius of the disc in the middle.
 const MIDDLE_POINTS: f32 = 7.0;
@@ -158,7 +158,7 @@ impl<'a> Frame<'a> {
     }
 
     fn arrow(&self, axis: Vec3) -> Option<[Pos2; 2]> {
-        let arrow = [self.at(axis * ARROW_START)?, self.at(axis)?];
+        let arrow = [self.at(axis * ARROW_START_SHARE)?, self.at(axis)?];
         (arrow[0].distance(arrow[1]) > MIN_VISIBLE_PART * ARROW_POINTS).then_some(arrow)
     }
 
@@ -185,7 +185,7 @@ impl<'a> Frame<'a> {
         (0..=RING_SEGMENTS)
             .filter_map(|step| {
                 let angle = start + sweep * step as f32 / RING_SEGMENTS as f32;
-                self.at((u * angle.cos() + v * angle.sin()) * RING)
+                self.at((u * angle.cos() + v * angle.sin()) * RING_RADIUS_ARROWS)
             })
             .collect()
     }
@@ -193,7 +193,7 @@ impl<'a> Frame<'a> {
     fn view_ring(&self) -> Vec<Pos2> {
         let angle = |step: usize| step as f32 * std::f32::consts::TAU / RING_SEGMENTS as f32;
         (0..=RING_SEGMENTS)
-            .map(|step| self.middle + Vec2::angled(angle(step)) * (ARROW_POINTS * VIEW_RING))
+            .map(|step| self.middle + Vec2::angled(angle(step)) * (ARROW_POINTS * VIEW_RING_RADIUS_ARROWS))
             .collect()
     }
 }

@@ -11,9 +11,9 @@ use crate::theme;
 
 /// The most labels that are listed.
 const MAX_LABELS: usize = 12;
-const BAR: egui::Vec2 = vec2(14.0, 120.0);
-const MARGIN: f32 = 10.0;
-const LINE: f32 = 16.0;
+const BAR_POINTS: egui::Vec2 = vec2(14.0, 120.0);
+const MARGIN_POINTS: f32 = 10.0;
+const LINE_HEIGHT_POINTS: f32 = 16.0;
 
 /// What is measured, in words and its unit.
 fn title(by: ColorBy) -> (&'static str, &'static str) {
@@ -72,8 +72,8 @@ pub(super) fn paint(ui: &Ui, rect: Rect, page: &Page<'_>) {
         })
         .collect();
     let width = galleys.iter().map(|(_, indent, galley)| indent + galley.size().x).fold(90.0, f32::max);
-    let height = galleys.len() as f32 * LINE + bar.map_or(0.0, |_| BAR.y + 14.0);
-    let size = vec2(width.min(220.0), height) + vec2(MARGIN, MARGIN) * 2.0;
+    let height = galleys.len() as f32 * LINE_HEIGHT_POINTS + bar.map_or(0.0, |_| BAR_POINTS.y + 14.0);
+    let size = vec2(width.min(220.0), height) + vec2(MARGIN_POINTS, MARGIN_POINTS) * 2.0;
     if size.y + 24.0 > rect.height() || size.x + 24.0 > rect.width() {
         return;
     }
@@ -86,13 +86,13 @@ pub(super) fn paint(ui: &Ui, rect: Rect, page: &Page<'_>) {
 
     let painter = ui.painter().with_clip_rect(area);
     painter.rect_filled(area, 6.0, theme::palette(ui.visuals()).overlay);
-    let mut at = area.min + vec2(MARGIN, MARGIN);
+    let mut at = area.min + vec2(MARGIN_POINTS, MARGIN_POINTS);
     for (color, indent, galley) in galleys {
         if let Some(color) = color {
             painter.rect_filled(Rect::from_min_size(at + vec2(0.0, 2.0), vec2(12.0, 12.0)), 2.0, color);
         }
         painter.galley(at + vec2(indent, 0.0), galley, text);
-        at.y += LINE;
+        at.y += LINE_HEIGHT_POINTS;
     }
     if let Some(ramp) = bar {
         draw_bar(&painter, at + vec2(0.0, 6.0), ramp, &font, text);
@@ -104,9 +104,9 @@ fn draw_bar(painter: &egui::Painter, at: Pos2, ramp: Ramp, font: &FontId, text: 
     let mut mesh = Mesh::default();
     let last = (ramp.colors.len() - 1) as f32;
     for (i, color) in ramp.colors.iter().rev().enumerate() {
-        let y = at.y + BAR.y * i as f32 / last;
+        let y = at.y + BAR_POINTS.y * i as f32 / last;
         let [r, g, b] = color.0;
-        for x in [at.x, at.x + BAR.x] {
+        for x in [at.x, at.x + BAR_POINTS.x] {
             mesh.colored_vertex(pos2(x, y), Color32::from_rgb(r, g, b));
         }
         if i > 0 {
@@ -117,8 +117,8 @@ fn draw_bar(painter: &egui::Painter, at: Pos2, ramp: Ramp, font: &FontId, text: 
     }
     painter.add(mesh);
     for (share, value) in [(0.0, ramp.high), (0.5, (ramp.low + ramp.high) * 0.5), (1.0, ramp.low)] {
-        let y = at.y + BAR.y * share;
-        let place = pos2(at.x + BAR.x + 8.0, y);
+        let y = at.y + BAR_POINTS.y * share;
+        let place = pos2(at.x + BAR_POINTS.x + 8.0, y);
         painter.text(place, Align2::LEFT_CENTER, short(value), font.clone(), text);
     }
 }

@@ -9,8 +9,8 @@ use super::ring_cut;
 use crate::input::camera_style::OrbitAbout;
 use crate::input::keys;
 use crate::input::mouse::MouseAction;
-use crate::live::keys::notches_of;
-use crate::live::place::Place;
+use crate::live::edit_keys::notches_of;
+use crate::live::place::SelectionPlace;
 use crate::request::{Request, Requests};
 use crate::view::{Gesture, Tool, View};
 
@@ -22,7 +22,7 @@ pub(super) fn begin_orbit(viewport: &mut Viewport<'_>, at: Pos2) {
     let center = match viewport.view.turning.about {
         OrbitAbout::View => None,
         OrbitAbout::Selection => {
-            Place::of_selection(&viewport.session.editor).map(|place| place.middle.as_dvec3())
+            SelectionPlace::of_selection(&viewport.session.editor).map(|place| place.middle.as_dvec3())
         }
         OrbitAbout::Pointer => {
             surface_at(viewport, at).or(viewport.view.camera.scene().map(|scene| scene.center().as_dvec3()))

@@ -8,7 +8,7 @@ use super::Viewport;
 use crate::theme;
 
 /// How far from the pointer, in points.
-const REACH: f32 = 130.0;
+const REACH_POINTS: f32 = 130.0;
 /// The most numbers at once.
 const MAX_NUMBERS: usize = 60;
 /// Room for a short number.
@@ -26,7 +26,7 @@ impl Viewport<'_> {
         }
         let (camera, local, size) = (self.view.camera, self.view.local(at), self.view.size());
         let tree = self.view.tree(object);
-        let around = Around { pixel: local, radius: REACH, gap: GAP, limit: MAX_NUMBERS };
+        let around = Around { pixel: local, radius: REACH_POINTS, gap: GAP, limit: MAX_NUMBERS };
         let near = elements_near((object.mesh(), tree), &camera, size, around);
         let painter = ui.painter().with_clip_rect(rect);
         let plate = theme::palette(ui.visuals()).overlay;

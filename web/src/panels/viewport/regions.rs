@@ -13,14 +13,14 @@ use crate::request::{Request, Requests};
 use crate::view::{Gesture, Selecting, Tool, View};
 
 /// Points of a lasso are at least this far apart, in points of the screen.
-const LASSO_STEP: f32 = 2.0;
+const LASSO_STEP_POINTS: f32 = 2.0;
 /// The lengths of the dashes of a lasso and of the gaps between them.
-const DASH: f32 = 6.0;
-const GAP: f32 = 4.0;
+const DASH_POINTS: f32 = 6.0;
+const DASH_GAP_POINTS: f32 = 4.0;
 /// The height of the rows that a lasso is filled with.
-const ROW_HEIGHT: f32 = 2.0;
+const ROW_HEIGHT_POINTS: f32 = 2.0;
 /// The radius of the mark at the point that the view turns about.
-const CENTER_RADIUS: f32 = 4.0;
+const CENTER_RADIUS_POINTS: f32 = 4.0;
 
 impl Viewport<'_> {
     /// Begins to look for the elements of the listed kind in a region: those that are visible, or with x-ray all.
@@ -59,7 +59,7 @@ impl Viewport<'_> {
     pub(super) fn draw_lasso(&mut self, ui: &Ui) {
         let Gesture::Lasso { points, .. } = &mut self.view.gesture else { return };
         for at in path_of_pointer(ui) {
-            if points.last().is_none_or(|last| last.distance(at) >= LASSO_STEP) {
+            if points.last().is_none_or(|last| last.distance(at) >= LASSO_STEP_POINTS) {
                 points.push(at);
             }
         }
@@ -150,7 +150,12 @@ pub(super) fn show(ui: &Ui, rect: Rect, page: &Page<'_>) {
         (Gesture::Lasso { points, .. }, _) => {
             painter.extend(lasso_fill(page.view, points, fill));
             let closed: Vec<Pos2> = points.iter().chain(points.first()).copied().collect();
-            painter.extend(Shape::dashed_line(&closed, Stroke::new(1.5, accent), DASH, GAP));
+            painter.extend(Shape::dashed_line(
+                &closed,
+                Stroke::new(1.5, accent),
+                DASH_POINTS,
+                DASH_GAP_POINTS,
+            ));
         }
         (gesture, Some(at)) if page.view.tool == Tool::Circle && rect.contains(at) => {
             let radius = page.view.circle_radius;
@@ -179,10 +184,10 @@ fn lasso_fill(view: &View, points: &[Pos2], fill: Color32) -> Vec<Shape> {
         return Vec::new();
     }
     let width = bounds.max.x - bounds.min.x;
-    let rows = ((bounds.max.y - bounds.min.y) / ROW_HEIGHT) as usize;
+    let rows = ((bounds.max.y - bounds.min.y) / ROW_HEIGHT_POINTS) as usize;
     let row = |i: usize| {
-        let top = bounds.min.y + i as f32 * ROW_HEIGHT;
-        let middle = top + ROW_HEIGHT * 0.5;
+        let top = bounds.min.y + i as f32 * ROW_HEIGHT_POINTS;
+        let middle = top + ROW_HEIGHT_POINTS * 0.5;
         let ends = [glam::vec2(bounds.min.x, middle), glam::vec2(bounds.max.x, middle)];
         region.clip(ends).into_iter().map(move |part| (top, part))
     };
@@ -191,7 +196,11 @@ fn lasso_fill(view: &View, points: &[Pos2], fill: Color32) -> Vec<Shape> {
     (0..rows)
         .flat_map(row)
         .map(|(top, [from, to])| {
-            Shape::rect_filled(Rect::from_min_max(place(from, top), place(to, top + ROW_HEIGHT)), 0.0, fill)
+            Shape::rect_filled(
+                Rect::from_min_max(place(from, top), place(to, top + ROW_HEIGHT_POINTS)),
+                0.0,
+                fill,
+            )
         })
         .collect()
 }
@@ -202,6 +211,6 @@ fn paint_center(ui: &Ui, page: &Page<'_>) {
     let Some(at) = center.and_then(|center| page.view.project(center.as_vec3())) else { return };
     let painter = ui.painter().with_clip_rect(page.view.rect);
     // Two rings show on any background.
-    painter.circle_stroke(at, CENTER_RADIUS + 1.0, Stroke::new(1.0, Color32::from_black_alpha(160)));
-    painter.circle_stroke(at, CENTER_RADIUS, Stroke::new(1.5, ui.visuals().hyperlink_color));
+    painter.circle_stroke(at, CENTER_RADIUS_POINTS + 1.0, Stroke::new(1.0, Color32::from_black_alpha(160)));
+    painter.circle_stroke(at, CENTER_RADIUS_POINTS, Stroke::new(1.5, ui.visuals().hyperlink_color));
 }

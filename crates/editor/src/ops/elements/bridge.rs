@@ -100,18 +100,14 @@ impl Bridge {
         }
     }
 
-    fn bands(&self) -> Result<Bands, Problem> {
-        if self.twist.abs() > MAX_TWIST {
-            let problem = format!("is {}, but must be from -{MAX_TWIST} to {MAX_TWIST}", self.twist);
-            return Err(Problem::field("twist", problem));
-        }
-        Ok(Bands { twist: self.twist, cuts: self.cuts })
+    fn bands(&self) -> Bands {
+        Bands { twist: self.twist, cuts: self.cuts }
     }
 }
 
 impl LocalEdit for Bridge {
     fn can(&self, mesh: &Mesh) -> Result<(), Problem> {
-        let bands = self.bands()?;
+        let bands = self.bands();
         if self.is_of_faces()? {
             edit::can_bridge_faces(mesh, &all(&self.faces, "faces", mesh)?, bands)?;
         } else {
@@ -121,7 +117,7 @@ impl LocalEdit for Bridge {
     }
 
     fn edit(&self, mesh: &mut Mesh, _notes: &mut Vec<String>) -> Result<(), Problem> {
-        let bands = self.bands()?;
+        let bands = self.bands();
         if self.is_of_faces()? {
             edit::bridge_faces(mesh, &all(&self.faces, "faces", mesh)?, bands)?;
         } else {

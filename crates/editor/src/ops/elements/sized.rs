@@ -5,7 +5,7 @@ use crate::ops::choice::choice;
 use crate::ops::{Drag, Field, Suggestion, Unit, sentence_case};
 use crate::script::json::shortest;
 use halfedge::Mesh;
-use halfedge::edit::{Grouping, Live, SLIDE_AMOUNT_RANGE};
+use halfedge::edit::{Grouping, SLIDE_AMOUNT_RANGE, SlidingEdit};
 
 choice! {
     /// Whether faces that share an edge stay together.
@@ -29,7 +29,7 @@ impl From<Mode> for Grouping {
 /// Gives what an edit created its size; notes where that was limited.
 pub(super) fn set_size(
     mesh: &mut Mesh,
-    live: &Live,
+    live: &SlidingEdit,
     amount: f32,
     field: &str,
     notes: &mut Vec<String>,

@@ -1,5 +1,6 @@
 //! `separate`: split an object into several.
 
+use crate::MAX_ELEMENTS_AT_ONCE;
 use crate::error::Problem;
 use crate::ops::choice::choice;
 use crate::ops::refs::all;
@@ -31,9 +32,6 @@ choice! {
         Faces = "faces" "Selected faces",
     }
 }
-
-/// The most faces of a mesh whose connected pieces are counted for a greyed button.
-const MAX_FACES_COUNTED: usize = 20_000;
 
 /// The most objects to make.
 const MAX_PARTS: usize = 1000;
@@ -95,8 +93,8 @@ impl WholeMesh for Separate {
             _ if faces().all(|count| count == 0) => Some("The mesh has no face."),
             Some(By::Groups) if !has_groups() => Some("No face is in a group."),
             Some(By::Faces | By::Groups) => None,
-            // Counting pieces takes a pass over the mesh.
-            _ if faces().sum::<usize>() > MAX_FACES_COUNTED || pieces() > 1 => None,
+            // Counting pieces for a greyed button takes a pass over the mesh.
+            _ if faces().sum::<usize>() > MAX_ELEMENTS_AT_ONCE || pieces() > 1 => None,
             _ => Some("The mesh is one connected piece. Select the faces to separate first."),
         }
     }

@@ -17,7 +17,7 @@ fn some<T: Copy>(random: &mut Random, from: &[T]) -> Vec<T> {
 }
 
 /// Makes an interactive edit and slides it by this amount.
-fn slide(mesh: &mut Mesh, live: Result<Live, Refusal>, amount: f32) -> Result<Live, Refusal> {
+fn slide(mesh: &mut Mesh, live: Result<SlidingEdit, Refusal>, amount: f32) -> Result<SlidingEdit, Refusal> {
     let live = live?;
     let used = live.slide.apply(mesh, amount)?;
     assert!(used <= amount && used <= live.slide.limit);
@@ -30,7 +30,7 @@ pub(super) fn edit_many(mesh: &mut Mesh, random: &mut Random, kind: Kind, all: &
     let boundary: Vec<EdgeId> = all.edges.iter().copied().filter(|&e| mesh.is_boundary_edge(e)).collect();
     let loops = mesh.boundary_loops();
     let grouping = [Grouping::Region, Grouping::Individual][random.below(2)];
-    let live = |live: &Live| Said::made(&live.made).same_topology();
+    let live = |live: &SlidingEdit| Said::made(&live.made).same_topology();
     match kind {
         Kind::ExtrudeFaces | Kind::InsetFaces => {
             let faces = some(random, &all.faces);
@@ -207,7 +207,7 @@ fn slide_extrusion(
     faces: &[FaceId],
     grouping: Grouping,
     amount: f32,
-) -> Result<Live, Refusal> {
+) -> Result<SlidingEdit, Refusal> {
     let live = extrude_faces(mesh, faces, grouping);
     slide(mesh, live, amount)
 }
