@@ -139,7 +139,7 @@ fn a_project_is_saved_and_opened_by_jobs_under_its_own_name() {
     let request = other.begin_import(vec![NamedBytes::new("Stool.meshwright", file.bytes.clone())]);
     let Ok(Finished::Done(outcome)) = do_job(&mut other, &request) else { panic!("opened") };
     assert_eq!(outcome.message, "Opened Stool: 12 vertices, 18 edges and 10 faces");
-    assert_eq!((outcome.op.as_str(), other.document().name()), ("open", "Stool"), "the file was renamed");
+    assert_eq!((outcome.op.name(), other.document().name()), ("open", "Stool"), "the file was renamed");
     assert_eq!(outcome.warnings, [""; 0]);
     assert_eq!(state(&other), state(&editor));
     assert_eq!(other.view(), Some(r#"{"yaw":0.5}"#));

@@ -1,11 +1,13 @@
 //! How the camera is moved, kept for later visits.
 
-use viewport::Rotation;
+use viewport::{Rotation, Side, UpAxis};
 
 use crate::input::camera_style::{CameraStyle, OrbitAbout};
 use crate::input::keys;
-use crate::session::Session;
-use crate::view::View;
+use crate::session::{Session, ViewTarget};
+use crate::view::flight::Landing;
+use crate::view::pane::Split;
+use crate::view::{View, flying};
 
 /// The key of the setting with the style of the gestures; without it, that of the preset of keys counts.
 const STYLE_SETTING: &str = "camera";
@@ -33,6 +35,26 @@ fn take(session: &mut Session, style: Option<CameraStyle>) {
     let mut map = (*keys::map(&session.ctx)).clone();
     map.set_camera(style);
     keys::set_map(&session.ctx, map);
+}
+
+/// Sets the view for a document that was opened or created.
+pub(super) fn show_target(view: &mut View, target: ViewTarget) {
+    // The side from which the plane of flat curves is seen from straight above.
+    let above = match view.camera.up {
+        UpAxis::Y => Side::Front,
+        UpAxis::Z => Side::Top,
+    };
+    let was_from_above = view.camera.is_from(above);
+    if view.panes.split != Split::One {
+        // One of several views shows either as it should be seen.
+    } else if target == ViewTarget::FlatCurves {
+        view.camera.look_from(above);
+    } else if was_from_above {
+        // From straight above, an object that isn't flat hides its depth.
+        view.reset();
+    }
+    flying::end(view, Landing::Here, 0.0);
+    view.frame_when_seen();
 }
 
 /// Moves the camera with the gestures of a style, about what is usual with it; without one, as the preset of keys does.

@@ -26,17 +26,14 @@ use crate::panels::viewport::{Viewport, ring_cut};
 use crate::panels::{live_bar, menu_bar, status_bar, tool_bar, welcome};
 use crate::platform::{DeviceInfo, Event, NamedBytes, Platform};
 use crate::request::{Request, Requests, Waiting};
-use crate::session::{Session, ViewTarget, selecting};
+use crate::session::{Session, selecting};
 use crate::shown::Shown;
 use crate::theme;
-use crate::view::flight::Landing;
-use crate::view::pane::Split;
-use crate::view::{self, ELEMENTS_PER_FRAME, Tool, View, flying};
+use crate::view::{self, ELEMENTS_PER_FRAME, Tool, View};
 use crate::widgets::focus_ring;
 use layout::Layout;
 use panels::Panels;
 use script::Script;
-use viewport::{Side, UpAxis};
 
 /// The editor with its user interface. Call [`App::logic`] and [`App::ui`] once per frame each.
 pub struct App {
@@ -350,31 +347,11 @@ impl App {
         self.view.follow(&self.session.editor, changes);
         textures::go_on(&mut self.session, &mut self.view);
         if let Some(look) = look {
-            self.look(look);
-        }
-    }
-
-    /// Sets the view for a document that was opened or created.
-    fn look(&mut self, target: ViewTarget) {
-        // The side from which the plane of flat curves is seen from straight above.
-        let above = match self.view.camera.up {
-            UpAxis::Y => Side::Front,
-            UpAxis::Z => Side::Top,
-        };
-        let was_from_above = self.view.camera.is_from(above);
-        if self.view.panes.split != Split::One {
-            // One of several views shows either as it should be seen.
-        } else if target == ViewTarget::FlatCurves {
-            self.view.camera.look_from(above);
-        } else if was_from_above {
-            // From straight above, an object that isn't flat hides its depth.
-            self.view.reset();
-        }
-        flying::end(&mut self.view, Landing::Here, 0.0);
-        self.view.frame_when_seen();
-        if self.session.editor.mesh().is_some_and(|mesh| mesh.count(self.shown.kind) == 0) {
-            // Points without faces can only be picked as vertices.
-            self.shown.kind = Element::Vertex;
+            camera::show_target(&mut self.view, look);
+            if self.session.editor.mesh().is_some_and(|mesh| mesh.count(self.shown.kind) == 0) {
+                // Points without faces can only be picked as vertices.
+                self.shown.kind = Element::Vertex;
+            }
         }
     }
 }

@@ -10,7 +10,7 @@ use meshwright_worker::store::{Bytes, Opened};
 use super::saved_view::SavedView;
 use super::writing::Writing;
 use super::{Keeper, messages};
-use crate::session::{Look, Session};
+use crate::session::{Session, ViewTarget};
 use crate::shown::Shown;
 use crate::view::View;
 
@@ -131,7 +131,7 @@ impl Keeper {
         self.show(session, id, info.is_touched, writing);
         match saved.as_deref().and_then(SavedView::read) {
             Some(saved) => saved.show(view),
-            None => session.look = Some(Look::Document),
+            None => session.look = Some(ViewTarget::Document),
         }
         if is_copy {
             session.toast(MessageKind::Info, messages::IS_COPY.to_owned(), Vec::new());

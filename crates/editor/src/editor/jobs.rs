@@ -17,8 +17,7 @@ use halfedge::Mesh;
 use std::ops::ControlFlow;
 use std::sync::Arc;
 
-/// Work on fewer elements than this is done at once: it takes less time than a frame, and less than sending the mesh to a
-/// worker.
+/// Work on fewer elements is done at once: it takes less time than a frame, and less than sending the mesh to a worker.
 pub const MAX_ELEMENTS_AT_ONCE: usize = 20_000;
 
 /// The result of beginning a command.
