@@ -7,6 +7,7 @@
 pub mod access;
 pub mod app;
 mod bezier;
+mod embedding;
 pub mod input;
 mod keeping;
 pub mod lists;

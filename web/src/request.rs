@@ -108,6 +108,10 @@ pub(crate) enum Request {
     /// Save the document in a format, under a name without extension. `brings_back_all` says whether opening the
     /// file brings back everything.
     Save { format: Format, name: String, brings_back_all: bool },
+    /// Make a link to the document.
+    MakeLink,
+    /// Copy a text to the clipboard, and say so in these words.
+    Copy { text: String, said: &'static str },
     /// Cancel a job.
     CancelJob(JobId),
     /// Change the keys of actions, and store the changes.
@@ -136,6 +140,7 @@ impl Request {
             | Self::CloseWelcome
             | Self::WelcomeAtStart(_)
             | Self::ChangeKeys(_)
+            | Self::Copy { .. }
             | Self::CancelJob(_)
             | Self::Warn(_)
             | Self::ToggleToast(_)

@@ -3,6 +3,7 @@
 use halfedge::Element;
 use serde::{Deserialize, Serialize};
 
+use crate::embedding::Parts;
 use crate::view::pane::Split;
 
 /// Arrangements of the page.
@@ -22,6 +23,8 @@ pub(crate) struct Shown {
     pub kind: Element,
     /// Whether the list shows only selected elements.
     pub only_selected: bool,
+    /// The parts that the page has at all.
+    pub parts: Parts,
     pub left: bool,
     pub right: bool,
     /// Whether the list of steps is open, in the panel on the right.
@@ -40,6 +43,8 @@ pub(crate) struct Shown {
     pub about: bool,
     /// The window with the named selections.
     pub named: bool,
+    /// The window with the link to the document.
+    pub share: bool,
     /// Whether clicks and taps add to the selection, or remove from it.
     pub adds: bool,
     /// Whether the window is too narrow for panels beside the viewport.
@@ -65,6 +70,7 @@ impl Default for Shown {
         Self {
             kind: Element::Vertex,
             only_selected: false,
+            parts: Parts::default(),
             left: true,
             right: true,
             history: true,
@@ -77,6 +83,7 @@ impl Default for Shown {
             messages: false,
             about: false,
             named: false,
+            share: false,
             adds: false,
             narrow: false,
             low: false,
@@ -97,14 +104,15 @@ pub(crate) enum Window {
     Messages,
     About,
     Named,
+    Share,
 }
 
 impl Shown {
     /// Closes all open windows; returns whether there were any.
     pub fn close_windows(&mut self) -> bool {
-        let any = self.shortcuts || self.messages || self.about || self.named;
-        (self.shortcuts, self.messages, self.about, self.named) = (false, false, false, false);
-        any
+        let windows =
+            [&mut self.shortcuts, &mut self.messages, &mut self.about, &mut self.named, &mut self.share];
+        windows.into_iter().filter_map(|open| std::mem::take(open).then_some(())).count() > 0
     }
 
     /// Whether the list of steps is shown.
@@ -135,6 +143,7 @@ impl Shown {
             Window::Messages => self.messages = false,
             Window::About => self.about = false,
             Window::Named => self.named = false,
+            Window::Share => self.share = false,
         }
     }
 }

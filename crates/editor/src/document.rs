@@ -52,6 +52,12 @@ impl Object {
         Self { id, ..self }
     }
 
+    /// The object without the faces of the file that it was read from.
+    pub(crate) fn without_soup(mut self) -> Self {
+        self.named.soup = None;
+        self
+    }
+
     /// The object's identity.
     pub fn id(&self) -> ObjectId {
         self.id

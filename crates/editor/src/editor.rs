@@ -1,6 +1,7 @@
 //! The editor: a document, its selection and its history, changed by commands.
 
 mod adjust;
+mod begun;
 mod commit;
 mod export;
 mod forget;
@@ -19,7 +20,8 @@ mod select_by;
 mod selecting;
 mod start;
 
-pub use jobs::{Begun, Finished, MAX_ELEMENTS_AT_ONCE, RunningJob};
+pub use begun::{Begun, Finished, RunningJob};
+pub use jobs::MAX_ELEMENTS_AT_ONCE;
 pub use jump::Jump;
 pub use select_by::SelectBy;
 pub(crate) use select_by::find_related;

@@ -13,7 +13,7 @@ use crate::bezier::fill_previews;
 use crate::error::{CommandError, Problem, not_opened};
 use crate::ops::{Action, Op, Symmetry, edit_local};
 use crate::outcome::{Before, ElementIds};
-use crate::project::{Project, ReadProject};
+use crate::project::{Link, Project, ReadProject};
 use formats::{
     Format, Image, Import, Materials, Model, NamedBytes, NamedMesh, Picture, PictureError, ReadError, Repairs,
 };
@@ -42,6 +42,8 @@ pub(crate) enum Work {
     Export(ExportHead, Vec<NamedMesh>),
     /// Writes a project file.
     Save(Box<Project>),
+    /// Makes a link to a document.
+    Share(Box<Project>),
     /// Decodes an image, with at most this many pixels on a side.
     Decode(Image, u32),
 }
@@ -71,6 +73,7 @@ pub(crate) enum Made {
     /// The meshes; for local edits the elements they created and removed; warnings.
     Meshes(Vec<NamedMesh>, Option<(ElementIds, ElementIds)>, Vec<String>),
     Files(Vec<NamedBytes>),
+    Link(Link),
     Picture(Picture),
 }
 
@@ -90,7 +93,7 @@ impl Made {
             Self::Import(import) => import.model.objects.iter().try_for_each(|o| check(&o.name, &o.mesh)),
             Self::Meshes(outputs, ..) => outputs.iter().try_for_each(|o| check(&o.name, &o.mesh)),
             Self::Project(read) => read.project.objects().try_for_each(|o| check(o.name(), o.mesh())),
-            Self::Files(_) | Self::Picture(_) => Ok(()),
+            Self::Files(_) | Self::Link(_) | Self::Picture(_) => Ok(()),
         }
     }
 }
@@ -117,6 +120,7 @@ impl JobRequest {
             Work::Import(..) => Some(Task::Open),
             Work::Run(ops, ..) => ops.first().map(|op| Task::Op(op.id())),
             Work::Export(..) | Work::Save(_) => Some(Task::Export),
+            Work::Share(_) => Some(Task::Share),
             Work::Decode(..) => Some(Task::Decode),
         }
     }
@@ -186,6 +190,7 @@ impl Work {
                 Made::Files(files.map_err(|error| Problem::new(error.to_string()))?)
             }
             Self::Save(project) => Made::Files(vec![project.file()]),
+            Self::Share(project) => Made::Link(Link::to(project)),
             Self::Decode(image, largest) => {
                 Made::Picture(Picture::decode(image, *largest, progress).map_err(|error| match error {
                     PictureError::Cancelled => Problem::cancelled(),
@@ -197,8 +202,13 @@ impl Work {
     }
 }
 
-/// The project, if a file is one.
+/// The project, if a file is one or the text of a link.
 fn read_project(files: &[NamedBytes]) -> Result<Option<ReadProject>, Problem> {
+    if let [file] = files
+        && let Some(link) = std::str::from_utf8(&file.bytes).ok().and_then(Link::find)
+    {
+        return Link::read(link).map(Some).map_err(Problem::new);
+    }
     let Some(file) = files.iter().find(|file| Project::is_file(file)) else { return Ok(None) };
     let mut read = Project::open_file(file).map_err(Problem::new)?;
     for other in files.iter().filter(|other| other.name != file.name) {

@@ -31,7 +31,7 @@ pub use error::{CommandError, ErrorKind};
 pub use job::{BadBytes, JobId, JobRequest, JobResult, Wire};
 pub use ops::{Command, Facts, Op, OpId, Scope, SelectMode, Spec};
 pub use outcome::{ElementIds, Elements, Outcome};
-pub use script::element_kind;
+pub use script::{element_kind, element_name};
 pub use selection::Selection;
 pub use task::Task;
 

@@ -13,6 +13,8 @@ pub enum Task {
     Open,
     /// Write the document as files.
     Export,
+    /// Make a link to the document.
+    Share,
     /// Decode an image of a material.
     Decode,
     /// Add images to the materials that name them.
@@ -21,7 +23,7 @@ pub enum Task {
 
 impl Task {
     /// The tasks that are not operations.
-    const OTHERS: [Self; 4] = [Self::Open, Self::Export, Self::Decode, Self::AddImages];
+    const OTHERS: [Self; 5] = [Self::Open, Self::Export, Self::Share, Self::Decode, Self::AddImages];
 
     /// The name in JSON.
     pub fn name(self) -> &'static str {
@@ -29,6 +31,7 @@ impl Task {
             Self::Op(id) => id.spec().name,
             Self::Open => "open",
             Self::Export => "export",
+            Self::Share => "share",
             Self::Decode => "decode",
             Self::AddImages => "add-images",
         }
@@ -43,7 +46,7 @@ impl Task {
     pub(crate) fn label(self) -> &'static str {
         match self {
             Self::Op(id) => id.spec().label,
-            Self::Open | Self::Export | Self::Decode | Self::AddImages => self.name(),
+            Self::Open | Self::Export | Self::Share | Self::Decode | Self::AddImages => self.name(),
         }
     }
 }

@@ -5,7 +5,7 @@ mod support;
 use editor::formats::{Format, Model, NamedBytes};
 use editor::halfedge::Element;
 use editor::halfedge::geometry::BitSet;
-use editor::project::{Project, ReadProject};
+use editor::project::{Link, Project, ReadProject};
 use editor::{Editor, Finished, JobRequest, JobResult, NamedSelection, SelectMode, Selection, Wire};
 use proptest::prelude::*;
 use serde_json::json;
@@ -296,12 +296,41 @@ fn other_files_beside_a_project_are_named() {
     assert_eq!(outcome.warnings, ["b.obj was left out: a project is opened by itself"]);
 }
 
+/// Writes what fuzzing begins with: the files in `fuzz/seeds` that no editor for text makes.
+#[test]
+#[ignore = "writes into the repository; the seeds stay useful whatever changes"]
+fn write_seeds() {
+    let editor = &rich();
+    let folder = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("../../fuzz/seeds");
+    let write = |name: &str, bytes: &[u8]| std::fs::write(folder.join(name), bytes).expect("writable");
+    let project = Project::of(editor);
+    write("project/rich.meshwright", &project.write());
+    write("link/rich.txt", Link::to(&project).fragment.as_bytes());
+    let file = NamedBytes::new(
+        "edges.obj",
+        "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nv 0 -1 0\nf 1 2 3\nf 1 2 4\nf 1 2 5\n",
+    );
+    let mut repaired = Editor::new();
+    let request = repaired.begin_import(vec![file]);
+    do_job(&mut repaired, &request).expect("read");
+    run(&mut repaired, json!({"op": "delete-faces", "faces": [0]}));
+    assert!(repaired.document().objects()[0].is_repairable());
+    for (name, editor) in [("rich", editor), ("repaired", &repaired)] {
+        let file = Project::of(editor).write();
+        let (_, stored) = sections(&file).into_iter().find(|(name, _)| name == "document").expect("there");
+        let mut bytes = Vec::new();
+        let mut inflater = flate2::read::DeflateDecoder::new(&stored[32..]);
+        std::io::Read::read_to_end(&mut inflater, &mut bytes).expect("its own");
+        write(&format!("document/{name}.bin"), &bytes);
+    }
+    let mut shaped = Editor::new();
+    shaped.start_with(command(json!({"op": "new", "shape": "octahedron"}))).expect("a shape");
+    write("link/octahedron.txt", Link::to(&Project::of(&shaped)).fragment.as_bytes());
+}
+
 #[test]
 fn files_of_version_1_stay_readable() {
     let path = fixtures::fixture("projects/version-1.meshwright");
-    if std::env::var_os("MESHWRIGHT_UPDATE").is_some() {
-        std::fs::write(&path, Project::of(&rich()).named("Golden").write()).expect("writable");
-    }
     let file = std::fs::read(&path).expect("readable");
     let (opened, warnings) = open(&file);
     assert_eq!(warnings, [""; 0], "its history too: commands must go on giving the same bits");

@@ -73,6 +73,7 @@ impl App {
             Action::Open => self.session.platform.open_file_dialog(),
             Action::Save => self.show_saving(None),
             Action::SaveAs(format) => self.show_saving(Some(format)),
+            Action::Share => self.shown.share ^= true,
             Action::Undo => self.session.undo(),
             Action::Redo => self.session.redo(),
             Action::History => self.shown.toggle_history(),

@@ -4,6 +4,7 @@ use viewport::{Rotation, Side, UpAxis};
 
 use crate::input::camera_style::{CameraStyle, OrbitAbout};
 use crate::input::keys;
+use crate::keeping::SavedView;
 use crate::session::{Session, ViewTarget};
 use crate::view::flight::Landing;
 use crate::view::pane::Split;
@@ -38,7 +39,7 @@ fn take(session: &mut Session, style: Option<CameraStyle>) {
 }
 
 /// Sets the view for a document that was opened or created.
-pub(super) fn show_target(view: &mut View, target: ViewTarget) {
+pub(super) fn show_target(view: &mut View, session: &Session, target: ViewTarget) {
     // The side from which the plane of flat curves is seen from straight above.
     let above = match view.camera.up {
         UpAxis::Y => Side::Front,
@@ -55,6 +56,11 @@ pub(super) fn show_target(view: &mut View, target: ViewTarget) {
     }
     flying::end(view, Landing::Here, 0.0);
     view.frame_when_seen();
+    if target == ViewTarget::Kept
+        && let Some(saved) = session.editor.view().and_then(SavedView::read)
+    {
+        saved.show(view);
+    }
 }
 
 /// Moves the camera with the gestures of a style, about what is usual with it; without one, as the preset of keys does.

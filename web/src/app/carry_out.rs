@@ -4,10 +4,11 @@ use editor::{MessageKind, SelectMode};
 use halfedge::Element;
 
 use super::{App, key_settings};
+use crate::keeping::SavedView;
 use crate::panels::save::FORMAT_SETTING;
 use crate::panels::welcome::WELCOME_SETTING;
 use crate::request::{Request, Waiting};
-use crate::session::{form, live};
+use crate::session::{form, live, sharing};
 use crate::view::Tool;
 
 impl App {
@@ -112,7 +113,15 @@ impl App {
             Request::Close(window) => self.shown.close(window),
             Request::Save { format, name, brings_back_all } => {
                 self.session.platform.store_setting(FORMAT_SETTING, format.code());
+                if format.is_project() {
+                    self.session.editor.log_view(SavedView::of(&self.view).to_json());
+                }
                 self.session.save(format, name, brings_back_all);
+            }
+            Request::MakeLink => sharing::make(&mut self.session),
+            Request::Copy { text, said } => {
+                self.session.ctx.copy_text(text);
+                self.session.toast(MessageKind::Info, said.to_owned(), Vec::new());
             }
             Request::ChangeKeys(changes) => key_settings::change(&mut self.session, changes),
             Request::CancelJob(id) => self.session.cancel_job(id),

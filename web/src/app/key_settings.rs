@@ -2,6 +2,7 @@
 
 use super::Panels;
 use crate::bezier;
+use crate::input::actions::Action;
 use crate::input::key_map::When;
 use crate::input::key_preset::KeyPreset;
 use crate::input::keys::{self, KeyReader};
@@ -15,6 +16,27 @@ use crate::view::Tool;
 const PRESET: &str = "keys";
 /// The key of the setting with the changed keys of all presets.
 const CHANGES: &str = "changed-keys";
+
+/// Whether the key of an action counts while an edit follows the pointer: views, and edits that take its place.
+pub(super) fn works_during_live_edit(action: Action) -> bool {
+    matches!(
+        action,
+        Action::Move
+            | Action::Rotate
+            | Action::Scale
+            | Action::Soft
+            | Action::Snap
+            | Action::Undo
+            | Action::Frame
+            | Action::FrameAll
+            | Action::ResetView
+            | Action::ZoomIn
+            | Action::ZoomOut
+            | Action::LookFrom(_)
+            | Action::Orthographic
+            | Action::AlignView
+    )
+}
 
 /// Puts the keys of the page's address or of an earlier visit into effect.
 pub(super) fn load(session: &mut Session) {

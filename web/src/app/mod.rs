@@ -6,6 +6,7 @@ mod camera;
 mod carry_out;
 mod key_settings;
 mod layout;
+pub mod notices;
 mod panels;
 mod script;
 mod sheet;
@@ -14,10 +15,12 @@ mod textures;
 use std::collections::VecDeque;
 
 use editor::Editor;
+use egui::epaint::MarginF32;
 use egui::{CentralPanel, Context, Event as Input, Panel, Sense, ThemePreference, Ui};
 use halfedge::{Budget, Element};
 
 use crate::bezier::Player;
+use crate::embedding;
 use crate::input::actions::Action;
 use crate::input::shortcut::Shortcut;
 use crate::keeping::Keeper;
@@ -26,12 +29,13 @@ use crate::panels::viewport::{Viewport, ring_cut};
 use crate::panels::{live_bar, menu_bar, status_bar, tool_bar, welcome};
 use crate::platform::{DeviceInfo, Event, NamedBytes, Platform};
 use crate::request::{Request, Requests, Waiting};
-use crate::session::{Session, selecting};
+use crate::session::{Session, selecting, sharing};
 use crate::shown::Shown;
 use crate::theme;
 use crate::view::{self, ELEMENTS_PER_FRAME, Tool, View};
 use crate::widgets::focus_ring;
 use layout::Layout;
+use notices::Notices;
 use panels::Panels;
 use script::Script;
 
@@ -44,6 +48,8 @@ pub struct App {
     keeper: Keeper,
     panels: Panels,
     requests: Requests,
+    /// What happened since scripts were told.
+    notices: Notices,
     /// What waits for the end of a jump in the history, in order.
     waiting: VecDeque<Waiting>,
     layout: Layout,
@@ -89,6 +95,7 @@ impl App {
             keeper: Keeper::default(),
             panels,
             requests: Requests::default(),
+            notices: Notices::default(),
             waiting: VecDeque::new(),
             layout,
             fingers: false,
@@ -105,13 +112,16 @@ impl App {
         if !app.keeper.is_opening() {
             app.welcome();
         }
+        embedding::load(&mut app.session, &mut app.shown);
         app
     }
 
     /// Shows the welcome view on a visit that begins with a new document.
     fn welcome(&mut self) {
         // A page that opens a file has something to start from already.
-        self.shown.welcome = self.panels.welcome.at_start && self.session.jobs.iter().next().is_none();
+        self.shown.welcome = self.panels.welcome.at_start
+            && self.session.jobs.iter().next().is_none()
+            && !embedding::is_embedded(&*self.session.platform);
     }
 
     /// Whether the page still waits for the document of the last visit.
@@ -121,7 +131,10 @@ impl App {
 
     /// Whether leaving the page would lose changes.
     pub fn would_lose_changes(&self) -> bool {
-        self.session.editor.is_dirty() && !self.keeper.keeps_all()
+        // What happens to an embedded document is up to the page around it.
+        self.session.editor.is_dirty()
+            && !self.keeper.keeps_all()
+            && !embedding::is_embedded(&*self.session.platform)
     }
 
     /// The document and its history, read-only.
@@ -156,7 +169,10 @@ impl App {
         }
         for event in self.session.platform.poll(ctx) {
             match event {
-                Event::JobProgress { job, fraction } => self.session.jobs.progress(job, fraction),
+                Event::JobProgress { job, fraction } => {
+                    self.session.jobs.progress(job, fraction);
+                    self.notices.note_progress();
+                }
                 Event::JobDone { job, result } => self.session.job_done(job, result),
                 Event::Fetched { job, files } => self.session.fetched(job, files),
                 Event::Files(files) => self.session.open_files(files, None),
@@ -165,6 +181,9 @@ impl App {
                     if self.keeper.answered(&mut self.session, answer, bytes) {
                         self.welcome();
                     }
+                }
+                Event::Fragment(fragment) => {
+                    sharing::open(&mut self.session, &fragment);
                 }
             }
         }
@@ -223,23 +242,30 @@ impl App {
             Page { session: &self.session, shown: &self.shown, view: &self.view, player: &self.player };
         let narrow = self.shown.narrow;
         let mut widths = self.layout.widths;
-        Panel::top("menu bar").frame(bar_frame(ui)).show(ui, |ui| menu_bar::show(ui, &page, narrow, out));
+        let parts = self.shown.parts;
+        if parts.menu {
+            let bar = Panel::top("menu bar").frame(bar_frame(ui));
+            bar.show(ui, |ui| menu_bar::show(ui, &page, narrow, out));
+        }
         // The viewport is drawn after the panels around it, but Tab and reading come to it first.
         let in_viewport = ui.interact(self.view.area, view::widget_id(), Sense::click_and_drag());
         let target_edge = self.panels.forms.target_edge();
-        Panel::bottom("status")
-            .frame(bar_frame(ui))
-            .show(ui, |ui| status_bar::show(ui, &page, narrow, target_edge, out));
+        if parts.status {
+            let bar = Panel::bottom("status").frame(bar_frame(ui));
+            bar.show(ui, |ui| status_bar::show(ui, &page, narrow, target_edge, out));
+        }
         if narrow {
-            sheet::show(ui, &page, &mut self.panels, out);
+            if parts.lists || parts.inspector {
+                sheet::show(ui, &page, &mut self.panels, out);
+            }
         } else {
             let [left, right] = self.layout.widths;
-            if self.shown.left {
+            if self.shown.left && parts.lists {
                 let panel = Panel::left("elements").default_size(left).size_range(240.0..=560.0);
                 let shown = panel.show(ui, |ui| self.panels.left(ui, &page, out));
                 widths[0] = shown.response.rect.width().round();
             }
-            if self.shown.right {
+            if self.shown.right && parts.inspector {
                 let panel = Panel::right("inspector").default_size(right).size_range(220.0..=460.0);
                 let shown = panel.show(ui, |ui| {
                     self.panels.right(ui, &page, self.layout.history_height, out);
@@ -253,7 +279,7 @@ impl App {
             Viewport { session: &self.session, shown: &self.shown, view, player }.show(ui, in_viewport, out);
             let page =
                 Page { session: &self.session, shown: &self.shown, view: &self.view, player: &self.player };
-            tool_bar::show(ui, &page, narrow, out)
+            if parts.tools { tool_bar::show(ui, &page, narrow, out) } else { MarginF32::ZERO }
         });
         self.view.set_covered(covered.inner);
         let page =
@@ -288,7 +314,8 @@ impl App {
         if self.view.tool == Tool::LoopCut && self.session.live.is_none() && !ctx.text_edit_focused() {
             ring_cut::take_digits(ctx, &mut self.view);
         }
-        let (actions, held) = reader.take(ctx, |action| !live || works_during_live_edit(action));
+        let (actions, held) =
+            reader.take(ctx, |action| !live || key_settings::works_during_live_edit(action));
         if !held.is_empty() {
             self.held_events = held;
             ctx.request_repaint();
@@ -323,12 +350,14 @@ impl App {
     /// Updates lists, viewport and everything else to the changes in the editor. Called once per frame
     /// before drawing, after each key's action, and after each script call.
     fn follow(&mut self) {
+        sharing::follow(&mut self.session);
         let changes = self.session.editor.take_changes();
         let look = self.session.look.take();
         if changes.is_empty() && look.is_none() {
             return;
         }
         self.session.ctx.request_repaint();
+        self.notices.note(&changes);
         if !changes.is_empty() {
             self.shown.welcome &= std::mem::take(&mut self.starting);
         }
@@ -347,34 +376,13 @@ impl App {
         self.view.follow(&self.session.editor, changes);
         textures::go_on(&mut self.session, &mut self.view);
         if let Some(look) = look {
-            camera::show_target(&mut self.view, look);
+            camera::show_target(&mut self.view, &self.session, look);
             if self.session.editor.mesh().is_some_and(|mesh| mesh.count(self.shown.kind) == 0) {
                 // Points without faces can only be picked as vertices.
                 self.shown.kind = Element::Vertex;
             }
         }
     }
-}
-
-/// Whether the key of an action counts while an edit follows the pointer: views, and edits that take its place.
-fn works_during_live_edit(action: Action) -> bool {
-    matches!(
-        action,
-        Action::Move
-            | Action::Rotate
-            | Action::Scale
-            | Action::Soft
-            | Action::Snap
-            | Action::Undo
-            | Action::Frame
-            | Action::FrameAll
-            | Action::ResetView
-            | Action::ZoomIn
-            | Action::ZoomOut
-            | Action::LookFrom(_)
-            | Action::Orthographic
-            | Action::AlignView
-    )
 }
 
 fn bar_frame(ui: &Ui) -> egui::Frame {

@@ -2,7 +2,7 @@
 
 use crate::panels::{
     about, drop_overlay, element_menu, elements, hidden_bar, history, inspector, messages, named_selections,
-    objects, operations, palette, save, shortcuts, toasts, welcome,
+    objects, operations, palette, save, share, shortcuts, toasts, welcome,
 };
 use egui::{Context, ScrollArea, Ui};
 
@@ -27,6 +27,7 @@ pub(crate) struct Panels {
     pub saving: save::Saving,
     pub history: history::HistoryList,
     pub naming: named_selections::Naming,
+    pub share: share::Code,
     pub key_editor: shortcuts::KeyEditor,
     pub welcome: welcome::Welcome,
     pub element_menu: element_menu::ElementMenu,
@@ -43,6 +44,7 @@ impl Panels {
             saving: save::Saving::new(platform),
             history: Default::default(),
             naming: Default::default(),
+            share: Default::default(),
             key_editor: Default::default(),
             welcome: welcome::Welcome::new(platform),
             element_menu: Default::default(),
@@ -107,6 +109,7 @@ impl Panels {
         palette::show(ctx, page, &mut self.palette, out);
         save::show(ctx, page, &mut self.saving, narrow, out);
         shortcuts::show(ctx, page, &mut self.key_editor, out);
+        share::show(ctx, page, &mut self.share, out);
         messages::show(ctx, page, out);
         about::show(ctx, page, out);
         toasts::show(ctx, page, narrow, out);

@@ -28,6 +28,8 @@ pub enum Action {
     Save,
     /// Opens the save dialog with this format chosen.
     SaveAs(Format),
+    /// Opens or closes the window with a link to the document.
+    Share,
     /// Undoes the last change.
     Undo,
     /// Redoes the last undone change.

@@ -27,6 +27,9 @@ pub(crate) fn why_not(action: Action, session: &Session, kind: Element, player: 
         Action::Save | Action::SaveAs(_) if document.objects().is_empty() => {
             Some("There is nothing to save. Open a file or make a shape first.".into())
         }
+        Action::Share if document.objects().is_empty() => {
+            Some("There is nothing to share. Open a file or make a shape first.".into())
+        }
         Action::SaveAs(format) => why_not_in(format, document),
         Action::SelectAll
         | Action::SelectInverse

@@ -162,6 +162,14 @@ pub static MENUS: &[Menu] = &[
                 entry(A::Save, "Save…", "Choose a name and a format, and see what the format can't hold.")
                     .synonyms(&["export", "download"]),
             ),
+            Some(
+                entry(
+                    A::Share,
+                    "Share…",
+                    "Make a link that holds the document, and a QR code of it. Nothing is uploaded.",
+                )
+                .synonyms(&["link", "url", "send", "qr code", "publish"]),
+            ),
         ],
     },
     Menu {

@@ -8,12 +8,15 @@ mod opening;
 mod saved_view;
 mod writing;
 
+pub(crate) use saved_view::SavedView;
+
 use std::collections::HashMap;
 
 use editor::{MessageKind, Origin};
 use meshwright_worker::store::{Answer, Bytes, Failure, Id, Request};
 
-use crate::session::Session;
+use crate::embedding;
+use crate::session::{Session, sharing};
 use crate::shown::Shown;
 use crate::view::View;
 use opening::Opening;
@@ -57,6 +60,16 @@ impl Keeper {
     pub fn start(session: &mut Session) -> Self {
         let mut keeper = Self::default();
         let platform = &mut session.platform;
+        if embedding::is_embedded(&**platform) {
+            // The page around it must neither see nor replace what the user keeps.
+            session.open_first();
+            sharing::open_address(session);
+            return keeper;
+        }
+        if sharing::is_link(&platform.fragment()) {
+            keeper.start_new(session);
+            return keeper;
+        }
         let last = || match platform.wanted().is_empty() {
             true => platform.load_setting(DOCUMENT_SETTING),
             false => None,
@@ -90,7 +103,7 @@ impl Keeper {
             session.open_first();
         }
         self.begin(session, !is_untouched);
-        session.fetch_wanted();
+        sharing::open_address(session);
     }
 
     /// Begins to keep the editor's document as a new one.

@@ -14,6 +14,7 @@ use crate::access::tree::UiTree;
 use crate::app::App;
 use crate::input::pacing::Pacing;
 use crate::platform::browser::Browser;
+use crate::script;
 
 /// The editor as an eframe app.
 pub struct PageApp {
@@ -78,6 +79,7 @@ impl eframe::App for PageApp {
     fn logic(&mut self, ctx: &egui::Context, _frame: &mut eframe::Frame) {
         self.app.logic(ctx);
         self.tell_ready(ctx);
+        script::tell(&mut self.app);
     }
 
     fn ui(&mut self, ui: &mut egui::Ui, _frame: &mut eframe::Frame) {

@@ -54,6 +54,7 @@ async fn start_on(canvas: HtmlCanvasElement, choice: Choice) -> Result<(), JsVal
     // Keys then work before the first click.
     canvas.focus()?;
     script::install(&handle)?;
+    script::serve_parent()?;
     browser_keys::listen(handle.clone(), pressed)?;
     if let Some(app) = handle.app() {
         mirror::install(app.ctx(), &canvas)?;

@@ -15,6 +15,7 @@ use crate::input::keys;
 use crate::lists::columns::counted;
 use crate::page_view::Page;
 use crate::request::Requests;
+use crate::session::sharing;
 use crate::theme;
 use crate::view::textures::State;
 
@@ -42,7 +43,13 @@ fn contents(ui: &mut Ui, page: &Page<'_>, out: &mut Requests) {
     ui.spacing_mut().item_spacing.y = 2.0;
     name(ui, document.name());
     let objects = document.objects().len();
-    let state = if page.editor.is_dirty() { "Unsaved changes" } else { "No unsaved changes" };
+    let state = if sharing::is_shared(page.session) {
+        "Shared by a link; a change makes it your copy"
+    } else if page.editor.is_dirty() {
+        "Unsaved changes"
+    } else {
+        "No unsaved changes"
+    };
     let line = if objects > 1 { format!("{objects} objects · {state}") } else { state.to_owned() };
     ui.label(RichText::new(line).small().weak());
     if objects > 1 {

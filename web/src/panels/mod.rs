@@ -24,6 +24,7 @@ pub(crate) mod operations;
 pub(crate) mod palette;
 pub(crate) mod preview;
 pub(crate) mod save;
+pub(crate) mod share;
 pub(crate) mod shortcuts;
 pub(crate) mod status_bar;
 pub(crate) mod toasts;

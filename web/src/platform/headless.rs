@@ -28,6 +28,7 @@ struct Inner {
     held: Option<Vec<(u64, Vec<u8>)>>,
     cancelled: Vec<u64>,
     wanted: Vec<String>,
+    fragment: String,
     reduces_motion: bool,
     fetches: Vec<(u64, Vec<String>)>,
     disk: MemoryDisk,
@@ -89,6 +90,16 @@ impl Outside {
     /// Gives the page's address a parameter.
     pub fn set_parameter(&self, name: &str, value: &str) {
         self.inner.borrow_mut().parameters.insert(name.to_owned(), value.to_owned());
+    }
+
+    /// Gives the page's address a fragment, before the page opens.
+    pub fn set_fragment(&self, fragment: &str) {
+        self.inner.borrow_mut().fragment = fragment.to_owned();
+    }
+
+    /// The fragment of the page's address.
+    pub fn fragment(&self) -> String {
+        self.inner.borrow().fragment.clone()
     }
 
     /// Asks for less motion, or no longer.
@@ -173,6 +184,18 @@ impl Platform for Headless {
 
     fn parameter(&self, name: &str) -> Option<String> {
         self.outside.inner.borrow().parameters.get(name).cloned()
+    }
+
+    fn address(&self) -> String {
+        "https://example.org/meshwright/".to_owned()
+    }
+
+    fn fragment(&self) -> String {
+        self.outside.fragment()
+    }
+
+    fn clear_fragment(&mut self) {
+        self.outside.set_fragment("");
     }
 
     fn fetch(&mut self, job: u64, addresses: Vec<String>) {

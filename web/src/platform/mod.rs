@@ -63,6 +63,8 @@ pub enum Event {
     Failed(String),
     /// The store of documents answered, with these bytes.
     Store(store::Answer, store::Bytes),
+    /// The user gave the page's address this fragment, which begins with `#`.
+    Fragment(String),
 }
 
 /// The editor's surroundings.
@@ -80,6 +82,15 @@ pub trait Platform {
 
     /// A parameter of the page's own address: of `?keys=maya`, `keys` is `maya`.
     fn parameter(&self, name: &str) -> Option<String>;
+
+    /// The page's own address without parameters and fragment: what links begin with.
+    fn address(&self) -> String;
+
+    /// The fragment of the page's own address, from `#` on; empty if there is none.
+    fn fragment(&self) -> String;
+
+    /// Removes the fragment from the page's own address.
+    fn clear_fragment(&mut self);
 
     /// Fetches files from the addresses, as the first part of a job.
     fn fetch(&mut self, job: u64, addresses: Vec<String>);

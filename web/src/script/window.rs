@@ -3,7 +3,7 @@
 //! - `open(name, bytesOrText)`, `openFiles([{name, content}])`, `run(command)`, `export(format)` and
 //!   `exportFiles(format)` return promises, which reject with an `Error` that says why.
 //! - `state()`, `element(kind, id)`, `select(kind, ids)`, `undo()`, `redo()`, `cancel()`, `project([x, y,
-//!   z])` and `ui()` return at once, or throw such an `Error`.
+//!   z])`, `on(event, callback)` and `ui()` return at once, or throw such an `Error`.
 //!
 //! `ready` is in index.html, because it exists before the editor does.
 
@@ -105,6 +105,8 @@ pub(crate) fn install(handle: &Handle) -> Result<(), JsValue> {
         let (corner, zoom) = (at.corner(), app.ctx().zoom_factor());
         to_js(&[corner[0] + x * zoom, corner[1] + y * zoom])
     })?;
+
+    method(api, "on", |name, callback| super::events::on(&name, callback))?;
 
     let at = handle.clone();
     method(api, "ui", move |_, _| {

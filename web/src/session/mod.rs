@@ -9,6 +9,7 @@ pub(crate) mod measures;
 pub(crate) mod preview;
 mod run;
 pub(crate) mod selecting;
+pub(crate) mod sharing;
 pub(crate) mod survey;
 pub(crate) mod toasts;
 
@@ -28,6 +29,7 @@ use frame_times::FrameTimes;
 use jobs::{Jobs, Reply};
 use measures::Measured;
 use preview::Previewing;
+use sharing::Sharing;
 use survey::Survey;
 use toasts::Toasts;
 
@@ -39,6 +41,8 @@ const CANCELLED: &str = "cancelled";
 pub(crate) enum ViewTarget {
     /// Everything.
     Document,
+    /// As the view that came with the document.
+    Kept,
     /// Flat curves, seen from straight above their plane, so that they appear as they were drawn.
     FlatCurves,
 }
@@ -62,6 +66,8 @@ pub(crate) struct Session {
     pub previewing: Previewing,
     /// Whether the last adjustment took too long to run at every step of a spin box.
     pub adjusting_is_slow: bool,
+    /// Links to the document, and whether it came by one.
+    pub sharing: Sharing,
     /// What the view should show next.
     pub look: Option<ViewTarget>,
     /// Images that were decoded since the last frame, or why they can't be.
@@ -96,6 +102,7 @@ impl Session {
             live_settings: Default::default(),
             previewing: Previewing::default(),
             adjusting_is_slow: false,
+            sharing: Sharing::default(),
             look: None,
             decoded: Vec::new(),
             selecting: None,

@@ -9,7 +9,7 @@ use super::form;
 use super::jobs::{Answer, Reply};
 use super::preview::MAX_SECONDS_PER_STEP;
 use super::toasts::Remedy;
-use super::{CANCELLED, Session, ViewTarget, selecting};
+use super::{CANCELLED, Session, ViewTarget, selecting, sharing};
 use crate::bezier;
 use crate::input::actions::Action;
 use crate::platform::{Fetched, NamedBytes};
@@ -160,6 +160,14 @@ impl Session {
                 }
                 if outcome.op == Task::Open {
                     self.look_at_opened();
+                    if self.editor.view().is_some() {
+                        self.look = Some(ViewTarget::Kept);
+                    }
+                    if sharing::opened(self, id) {
+                        outcome
+                            .message
+                            .push_str(". It came by a link: the first change makes it your own copy");
+                    }
                     self.say_opened(&outcome, &running.notes);
                 } else {
                     if outcome.op == Task::Op(OpId::New) {
@@ -179,8 +187,10 @@ impl Session {
                 Some(reply) => reply(Ok(Answer::Files(files))),
                 None => self.saved(files, running.saves),
             },
+            Ok(Finished::Shared(link)) => drop(sharing::made(self, id, Ok(link))),
             Ok(Finished::Decoded(picture)) => self.decoded.push((id, Ok(picture))),
             Err(error) if decodes => self.decoded.push((id, Err(error.problem))),
+            Err(error) if sharing::made(self, id, Err(error.message())) => {}
             Err(error) => self.refused(&error, running.reply),
         }
     }

@@ -113,6 +113,20 @@ impl Page {
         Self::visit(&outside)
     }
 
+    /// A page whose address has several parameters.
+    pub fn with_parameters(parameters: &[(&str, &str)]) -> Self {
+        let outside = Outside::default();
+        parameters.iter().for_each(|(name, value)| outside.set_parameter(name, value));
+        Self::build_in(outside, DESKTOP, egui::Theme::Dark, false, &[])
+    }
+
+    /// A page whose address has a fragment.
+    pub fn linked(fragment: &str) -> Self {
+        let outside = Outside::default();
+        outside.set_fragment(fragment);
+        Self::build_in(outside, DESKTOP, egui::Theme::Dark, false, &[])
+    }
+
     fn build(size: Vec2, theme: egui::Theme, drawn: bool, addresses: &[&str]) -> Self {
         Self::build_in(Outside::default(), size, theme, drawn, addresses)
     }

@@ -4,7 +4,7 @@ use super::Editor;
 use super::jobs::WaitingFor;
 use crate::document::ObjectId;
 use crate::job::{ExportHead, JobRequest, Work};
-use crate::project::Project;
+use crate::project::{Link, Project};
 use formats::Format;
 
 impl Editor {
@@ -13,6 +13,20 @@ impl Editor {
     /// edit of elements is written as shown and continues; the preview of an operation is cancelled.
     pub fn begin_export(&mut self, format: Format) -> JobRequest {
         self.begin_export_as(format, self.document.name.clone())
+    }
+
+    /// A job that makes a link to the document; none if it is too large for any. An ongoing edit is in it as shown; the
+    /// preview of an operation is cancelled.
+    pub fn begin_share(&mut self) -> Option<JobRequest> {
+        self.finish_parts();
+        if self.is_previewing_mesh() {
+            self.cancel_edit();
+        }
+        if !Link::may_hold(self) {
+            return None;
+        }
+        let id = self.wait_for(WaitingFor::Share);
+        Some(JobRequest { id, work: Work::Share(Box::new(Project::of(self))) })
     }
 
     /// [`Editor::begin_export`] under another file name, given without an extension.

@@ -1,6 +1,7 @@
 //! Jobs from the editor's side: beginning, finishing and cancelling them.
 
 use super::adjust::Replaced;
+use super::begun::{Begun, Finished, RunningJob};
 use super::run::{Planned, broken};
 use super::{Editor, MessageKind};
 use crate::Task;
@@ -9,51 +10,15 @@ use crate::error::{CommandError, Problem};
 use crate::history::Change;
 use crate::job::{JobId, JobRequest, JobResult, Made, Work};
 use crate::ops::{Action, Command, NamedMesh, Op, Symmetry};
-use crate::outcome::Outcome;
 use crate::recovery::Event;
 use crate::selection::Selection;
-use formats::{NamedBytes, Picture, Repairs};
+use formats::{NamedBytes, Repairs};
 use halfedge::Mesh;
 use std::ops::ControlFlow;
 use std::sync::Arc;
 
 /// Work on fewer elements is done at once: it takes less time than a frame, and less than sending the mesh to a worker.
 pub const MAX_ELEMENTS_AT_ONCE: usize = 20_000;
-
-/// The result of beginning a command.
-#[derive(Debug)]
-pub enum Begun {
-    /// The command is done.
-    Done(Outcome),
-    /// The command looks for elements in a large mesh: [`Editor::select_some`] continues.
-    Selecting,
-    /// The command takes long: run this job anywhere and pass its result to [`Editor::finish`].
-    Job(JobRequest),
-}
-
-/// The result of finishing a job.
-#[derive(Debug)]
-#[allow(
-    clippy::large_enum_variant,
-    reason = "there is one at a time, and it is taken apart at once; small on wasm32"
-)]
-pub enum Finished {
-    /// A command was carried out, or a file opened.
-    Done(Outcome),
-    /// Files were written and are ready to be saved.
-    Exported(Vec<NamedBytes>),
-    /// An image was decoded.
-    Decoded(Picture),
-}
-
-/// A job that has begun and has not finished.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct RunningJob {
-    /// The job's id.
-    pub id: JobId,
-    /// What it does.
-    pub task: Task,
-}
 
 /// A job that has not finished, and what to do with its result.
 #[derive(Debug)]
@@ -67,6 +32,7 @@ pub(super) enum WaitingFor {
     Open,
     Export,
     Decode,
+    Share,
     Run(Box<Run>),
 }
 
@@ -124,6 +90,7 @@ impl WaitingFor {
             Self::Open => Task::Open,
             Self::Export => Task::Export,
             Self::Decode => Task::Decode,
+            Self::Share => Task::Share,
             Self::Run(run) => Task::Op(run.op.id()),
         }
     }
@@ -268,7 +235,7 @@ impl Editor {
         let job = self.jobs.remove(at);
         self.changes.jobs = true;
         // These change nothing, so an ongoing edit continues.
-        if !matches!(job.kind, WaitingFor::Export | WaitingFor::Decode) {
+        if !matches!(job.kind, WaitingFor::Export | WaitingFor::Decode | WaitingFor::Share) {
             self.end_edit();
         }
         let name = job.kind.task().name();
@@ -283,6 +250,7 @@ impl Editor {
             (WaitingFor::Open, Ok(Made::Import(import))) => Ok(Finished::Done(self.open_valid(import))),
             (WaitingFor::Open, Ok(Made::Project(read))) => Ok(Finished::Done(self.open_project(*read))),
             (WaitingFor::Export, Ok(Made::Files(files))) => Ok(Finished::Exported(files)),
+            (WaitingFor::Share, Ok(Made::Link(link))) => Ok(Finished::Shared(link)),
             (WaitingFor::Decode, Ok(Made::Picture(picture))) => Ok(Finished::Decoded(picture)),
             (WaitingFor::Decode, Err(error)) => Err(error),
             (WaitingFor::Run(run), Ok(made @ Made::Meshes(..))) => self.finish_run(*run, made),

@@ -64,6 +64,7 @@ impl Editor {
         self.changes.selection = true;
         self.push_step(format!("Open {model_name}"), back, before);
         self.saved = self.revision;
+        self.view = None;
         self.log(Event::Break);
         self.say_opened(&model_name, size, &report)
     }

@@ -3,6 +3,7 @@
 use super::Editor;
 use super::jobs::WaitingFor;
 use crate::changes::Changes;
+use crate::document::Origin;
 use crate::history::{Change, Step};
 use crate::outcome::{self, Outcome};
 use crate::project::{ReadProject, Unused};
@@ -19,7 +20,7 @@ impl Editor {
         self.end_edit();
         // Jobs on objects that are removed have nowhere to put their results. Later imports replace the document in turn.
         self.jobs.retain(|job| matches!(job.kind, WaitingFor::Open));
-        let ReadProject { project, mut report } = read;
+        let ReadProject { project, mut report, is_link } = read;
         self.view = project.view.clone();
         let step = self.number_step();
         let unused =
@@ -30,7 +31,8 @@ impl Editor {
             (project.without_history(unused, limit), project.document().objects().len())
         });
         let name = opened.document.name.clone();
-        self.adopt(opened, objects_at_start, step);
+        let origin = Origin { revision: unused.revision, is_file: !is_link };
+        self.adopt(opened, origin, objects_at_start, step);
         let meshes = self.document.objects.iter().map(|object| object.mesh());
         let size = outcome::sizes(meshes.collect::<Vec<&Mesh>>());
         self.say_opened(&name, size, &report)
@@ -44,10 +46,19 @@ impl Editor {
     }
 
     /// Takes over the document and the history of another editor, whose first step came when there were so many objects.
-    fn adopt(&mut self, other: Self, objects_at_start: usize, number: u64) {
+    fn adopt(&mut self, other: Self, origin: Origin, objects_at_start: usize, number: u64) {
         let Self {
-            document, selection, history, next_object, revision, last_revision, next_step, trail, ..
+            mut document,
+            selection,
+            history,
+            next_object,
+            revision,
+            last_revision,
+            next_step,
+            trail,
+            ..
         } = other;
+        document.origin = origin;
         let mut changes = std::mem::take(&mut self.changes);
         self.document.objects.iter().for_each(|object| changes.gone(object));
         document.objects.iter().for_each(|object| changes.added(object));

@@ -5,7 +5,7 @@ use super::wire::{BadBytes, Reader, Wire, Writer};
 use super::{ExportHead, JobId, JobRequest, JobResult, Made, Work};
 use crate::ops::{Action, Command, Op, Symmetry};
 use crate::outcome::ElementIds;
-use crate::project::{Project, ReadProject};
+use crate::project::{Link, Project, ReadProject};
 use formats::{
     Format, Image, Import, ImportReport, Materials, Model, NamedBytes, NamedMesh, Picture, Repairs,
 };
@@ -31,6 +31,8 @@ enum WorkHead {
     Export { format: Format, name: String, offset: [f64; 3] },
     /// The project follows.
     Save,
+    /// The project follows.
+    Share,
     /// The image's contents follow, if it has any.
     Decode { image: Image, has_bytes: bool, largest: u32 },
 }
@@ -45,15 +47,29 @@ struct ResultHead {
 #[derive(Serialize, Deserialize)]
 enum MadeHead {
     /// The materials and the objects follow.
-    Import { name: String, report: ImportReport, offset: [f64; 3] },
+    Import {
+        name: String,
+        report: ImportReport,
+        offset: [f64; 3],
+    },
     /// The project follows.
-    Project { report: ImportReport },
+    Project {
+        report: ImportReport,
+        is_link: bool,
+    },
     /// The meshes follow, and what was created and removed if `has_ids`.
-    Meshes { notes: Vec<String>, has_ids: bool },
+    Meshes {
+        notes: Vec<String>,
+        has_ids: bool,
+    },
     /// The files follow.
     Files,
+    Link(Link),
     /// The pixels follow.
-    Picture { size: [u32; 2], original: [u32; 2] },
+    Picture {
+        size: [u32; 2],
+        original: [u32; 2],
+    },
 }
 
 impl Wire for JobRequest {
@@ -83,6 +99,10 @@ impl Wire for JobRequest {
                 out.value(&head(WorkHead::Save))?;
                 project.send(&mut out)
             }
+            Work::Share(project) => {
+                out.value(&head(WorkHead::Share))?;
+                project.send(&mut out)
+            }
             Work::Decode(image, largest) => {
                 let (has_bytes, largest) = (image.bytes.is_some(), *largest);
                 out.value(&head(WorkHead::Decode { image: without_bytes(image), has_bytes, largest }))?;
@@ -107,6 +127,7 @@ impl Wire for JobRequest {
                 Work::Export(head, read_meshes(&mut from)?)
             }
             WorkHead::Save => Work::Save(Box::new(Project::receive(&mut from)?)),
+            WorkHead::Share => Work::Share(Box::new(Project::receive(&mut from)?)),
             WorkHead::Decode { mut image, has_bytes, largest } => {
                 image.bytes = if has_bytes { Some(from.column()?.into()) } else { None };
                 Work::Decode(image, largest)
@@ -130,7 +151,7 @@ impl Wire for JobResult {
                 write_meshes(&mut out, &model.objects, true)
             }
             Made::Project(read) => {
-                out.value(&head(MadeHead::Project { report: read.report.clone() }))?;
+                out.value(&head(MadeHead::Project { report: read.report.clone(), is_link: read.is_link }))?;
                 read.project.send(&mut out)
             }
             Made::Meshes(outputs, ids, notes) => {
@@ -147,6 +168,7 @@ impl Wire for JobResult {
                 out.value(&head(MadeHead::Files))?;
                 write_files(&mut out, files)
             }
+            Made::Link(link) => out.value(&head(MadeHead::Link(link.clone()))),
             Made::Picture(Picture { size, pixels, original }) => {
                 out.value(&head(MadeHead::Picture { size: *size, original: *original }))?;
                 out.column(pixels)
@@ -164,8 +186,9 @@ impl Wire for JobResult {
                 let model = Model { name, objects, offset: offset.into(), materials };
                 Made::Import(Import { model, report })
             }
-            MadeHead::Project { report } => {
-                Made::Project(Box::new(ReadProject { project: Project::receive(&mut from)?, report }))
+            MadeHead::Project { report, is_link } => {
+                let project = Project::receive(&mut from)?;
+                Made::Project(Box::new(ReadProject { project, report, is_link }))
             }
             MadeHead::Meshes { notes, has_ids } => {
                 let outputs = read_meshes(&mut from)?;
@@ -173,6 +196,7 @@ impl Wire for JobResult {
                 Made::Meshes(outputs, ids, notes)
             }
             MadeHead::Files => Made::Files(read_files(&mut from)?),
+            MadeHead::Link(link) => Made::Link(link),
             MadeHead::Picture { size, original } => {
                 Made::Picture(Picture { size, pixels: from.column()?, original })
             }

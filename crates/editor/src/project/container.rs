@@ -132,9 +132,7 @@ impl<'a> Contents<'a> {
         let Stored { encoding, expanded, bytes, .. } = self.0.swap_remove(at);
         match encoding {
             PLAIN if bytes.len() as u64 == expanded => Ok(Some(bytes.to_vec())),
-            DEFLATE => {
-                inflate(bytes, expanded).map(Some).map_err(|why| format!("the section “{name}” {why}"))
-            }
+            DEFLATE => expand(bytes, expanded).map(Some).map_err(|why| format!("the section “{name}” {why}")),
             _ => Err(format!("the section “{name}” is stored in an unknown way: the file is damaged")),
         }
     }
@@ -173,11 +171,23 @@ pub(super) fn deflate(bytes: &[u8], level: Compression) -> Vec<u8> {
     encoder.finish().unwrap_or_default()
 }
 
+/// Expands bytes of which no length is known.
+///
+/// # Errors
+/// They are no such bytes, or stand for more than the limit.
+pub(super) fn inflate(bytes: &[u8], limit: u64) -> Result<Vec<u8>, String> {
+    let mut out = Vec::new();
+    match DeflateDecoder::new(bytes).take(limit + 1).read_to_end(&mut out) {
+        Ok(_) if out.len() as u64 <= limit => Ok(out),
+        _ => Err("can't be expanded".to_owned()),
+    }
+}
+
 /// Expands bytes to exactly this many.
 ///
 /// # Errors
 /// They are no such bytes, or stand for more than may be: the rest of a sentence.
-fn inflate(bytes: &[u8], expanded: u64) -> Result<Vec<u8>, String> {
+fn expand(bytes: &[u8], expanded: u64) -> Result<Vec<u8>, String> {
     if expanded > MAX_EXPANDED_BYTES {
         return Err(format!(
             "takes more than {} MB when expanded, which is too large",

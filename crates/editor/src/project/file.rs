@@ -32,6 +32,8 @@ pub struct ReadProject {
     pub project: Project,
     /// What was left out.
     pub report: ImportReport,
+    /// Whether it came by a link, so that there is no file.
+    pub is_link: bool,
 }
 
 /// The JSON of the section `about`.
@@ -179,7 +181,7 @@ impl Project {
                 shown(&name)
             ));
         }
-        Ok(ReadProject { project: Self { now, view, history }, report })
+        Ok(ReadProject { project: Self { now, view, history }, report, is_link: false })
     }
 
     /// Writes the project into the blocks of a message between threads.

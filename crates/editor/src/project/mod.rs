@@ -12,9 +12,11 @@
 
 mod container;
 mod file;
+mod link;
 mod open;
 mod trail;
 
 pub use file::{Project, ReadProject};
+pub use link::{LINK_MARK, Link, LinkKind};
 pub(crate) use open::Unused;
 pub(crate) use trail::Trail;

@@ -3,6 +3,7 @@
 use super::file::{Past, Project, is_same};
 use crate::document::{ObjectId, Origin};
 use crate::editor::Editor;
+use crate::ops::Command;
 use crate::recovery::{Entry, Event, Numbers, Snapshot, read_log};
 
 /// The work of all steps together, in faces read or written, that is repeated when a project is opened.
@@ -13,6 +14,21 @@ const MIN_WORK: usize = 100;
 
 /// The faces of a document for which each step counts one more: checks and lists take time in proportion.
 const FACES_PER_WORK: usize = 500;
+
+/// How much was repeated.
+#[derive(Default)]
+pub(super) struct Work(usize);
+
+impl Work {
+    /// Counts a step that comes next, the one of a command or any other; false if it is too much.
+    pub fn allows(&mut self, editor: &Editor, command: Option<&Command>) -> bool {
+        let objects = editor.document().objects().iter();
+        let faces: usize = objects.map(|object| object.mesh().face_count()).sum();
+        let of_command = command.and_then(|command| editor.cost(command)).unwrap_or(0);
+        self.0 = self.0.saturating_add(MIN_WORK + faces / FACES_PER_WORK).saturating_add(of_command);
+        self.0 <= MAX_WORK
+    }
+}
 
 /// The numbers that an editor has not given out yet.
 #[derive(Clone, Copy)]
@@ -78,11 +94,10 @@ fn repeat_steps(
     if records.is_cut_off {
         return Err("its log is damaged".to_owned());
     }
-    let mut work = 0usize;
+    let mut work = Work::default();
     let mut objects_at_start = editor.document().objects().len();
     for Entry { event, revision } in records.entries {
         let objects = editor.document().objects();
-        let faces: usize = objects.iter().map(|object| object.mesh().face_count()).sum();
         let command = match &event {
             Event::Job { objects: read, .. } if read.len() > objects.len() => {
                 return Err("a step reads objects that are not there".to_owned());
@@ -95,9 +110,7 @@ fn repeat_steps(
             Event::Job { command, .. } => Some(command),
             _ => None,
         };
-        let of_command = command.and_then(|command| editor.cost(command)).unwrap_or(0);
-        work = work.saturating_add(MIN_WORK + faces / FACES_PER_WORK).saturating_add(of_command);
-        if work > MAX_WORK {
+        if !work.allows(editor, command) {
             return Err("repeating its steps would take too long".to_owned());
         }
         let revision = renumber(revision).ok_or("its log does not fit its document")?;

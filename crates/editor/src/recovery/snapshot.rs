@@ -32,6 +32,7 @@ pub(crate) struct Numbers {
 #[derive(Serialize, Deserialize)]
 struct Head {
     name: String,
+    // Project files of version 1 may lack it.
     #[serde(default)]
     origin: Origin,
     offset: [f64; 3],

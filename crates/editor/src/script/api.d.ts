@@ -119,6 +119,16 @@ export interface NamedFile<Content> {
 /** The bytes of a file, or its text. */
 export type Content = string | ArrayBuffer | ArrayBufferView;
 
+/** What can be subscribed to, and what callbacks are given. */
+export interface Events {
+  /** The document changed: its name, whether it has unsaved changes, and the last edit of its history. */
+  change: { name: string; dirty: boolean; last: string | null };
+  /** Something else is selected: its kind, and how many. */
+  selection: { kind: Kind; count: number };
+  /** A job began, went on or ended: those that run. */
+  job: { jobs: { op: string; progress: number }[] };
+}
+
 /** `window.meshwright`. Promises reject, and the other methods throw, an `Error` that says why. */
 export interface Meshwright {
   /** Resolves when the editor is ready. */
@@ -146,6 +156,8 @@ export interface Meshwright {
   redo(): string | null;
   /** Cancel all jobs; returns their number. */
   cancel(): number;
+  /** Call back at each event of a name, after the frame in which it happened; returns a function that ends it. */
+  on<Name extends keyof Events>(name: Name, callback: (event: Events[Name]) => void): () => void;
   /** A position on the page, in CSS pixels; null if it is behind the camera. */
   project(point: Vector): [number, number] | null;
   /** The widgets on the screen, from the accessibility tree. */

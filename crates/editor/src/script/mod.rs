@@ -10,5 +10,5 @@ mod words;
 
 pub use help::{operation_help, operations_help};
 pub use reference::operations_reference;
-pub use state::element_kind;
+pub use state::{element_kind, element_name};
 pub use types::typescript_types;

@@ -118,7 +118,7 @@ fn bezier_state(bezier: &Bezier) -> Value {
 }
 
 /// The name of a kind of element in JSON: `vertex`, `edge`, `halfedge` or `face`.
-fn element_name(kind: Element) -> &'static str {
+pub fn element_name(kind: Element) -> &'static str {
     match kind {
         Element::Vertex => "vertex",
         Element::Edge => "edge",

@@ -1,6 +1,7 @@
 //! The editor's [`Platform`] in a browser: jobs run in a worker, files come through the page, settings are
 //! in local storage.
 
+mod address;
 mod download;
 mod fetch;
 mod files;
@@ -35,6 +36,7 @@ impl Browser {
     /// Starts the worker at once, so that the first job need not wait for it.
     pub fn new(ctx: &egui::Context, device: DeviceInfo) -> Self {
         let inbox = Inbox::new(ctx);
+        address::listen(inbox.clone());
         let window = web_sys::window();
         let less_motion =
             window.and_then(|window| window.match_media("(prefers-reduced-motion: reduce)").ok().flatten());
@@ -69,6 +71,18 @@ impl Platform for Browser {
 
     fn parameter(&self, name: &str) -> Option<String> {
         fetch::parameters()?.get(name)
+    }
+
+    fn address(&self) -> String {
+        address::address()
+    }
+
+    fn fragment(&self) -> String {
+        address::fragment()
+    }
+
+    fn clear_fragment(&mut self) {
+        address::clear_fragment();
     }
 
     fn fetch(&mut self, job: u64, addresses: Vec<String>) {
