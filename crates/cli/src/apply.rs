@@ -146,7 +146,7 @@ fn run_whole(editor: &mut Editor, command: Command) -> Result<Step, CommandError
             drop(request);
             match editor.finish(id, result)? {
                 Finished::Done(outcome) => Ok(Step { outcome, time }),
-                Finished::Exported(_) | Finished::Decoded(_) => {
+                Finished::Exported(_) | Finished::Shared(_) | Finished::Decoded(_) => {
                     Err(CommandError::refused(name, "this command saves files; use -o OUT instead"))
                 }
             }
