@@ -25,7 +25,7 @@ fn an_embedded_page_has_the_parts_that_it_is_asked_for() {
         }
     }
     let mut page = embedded("tools,menu,sidebar");
-    assert!(page.has("Lasso") && page.has("File"));
+    assert!(page.has_part("Lasso") && page.has("File"));
     assert!(page.has_part("panels that don't exist: sidebar"));
     assert!(page.app().editor().document().objects().len() == 1);
 }
