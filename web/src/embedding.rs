@@ -1,8 +1,6 @@
 //! What an embedded page shows: with `?embed` in its address the viewport alone, and the parts that `&panels=` names.
 
 use crate::platform::Platform;
-use crate::session::Session;
-use crate::shown::Shown;
 
 /// The parts of the page around the viewport.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -15,7 +13,7 @@ pub(crate) struct Parts {
 }
 
 /// The names of the parts in the address.
-const NAMES: [&str; 5] = ["menu", "tools", "lists", "inspector", "status"];
+pub(crate) const NAMES: [&str; 5] = ["menu", "tools", "lists", "inspector", "status"];
 
 impl Default for Parts {
     /// All of them.
@@ -26,7 +24,7 @@ impl Default for Parts {
 
 impl Parts {
     /// The parts that the page's address asks for, and the names in it that mean nothing.
-    fn of(platform: &dyn Platform) -> (Self, Vec<String>) {
+    pub fn of(platform: &dyn Platform) -> (Self, Vec<String>) {
         if !is_embedded(platform) {
             return (Self::default(), Vec::new());
         }
@@ -35,20 +33,6 @@ impl Parts {
         let [menu, tools, lists, inspector, status] = NAMES.map(|name| words.contains(&name));
         let unknown = words.into_iter().filter(|word| !NAMES.contains(word)).map(str::to_owned);
         (Self { menu, tools, lists, inspector, status }, unknown.collect())
-    }
-}
-
-/// Leaves the parts out that the page's address doesn't ask for.
-pub(crate) fn load(session: &mut Session, shown: &mut Shown) {
-    let (parts, unknown) = Parts::of(&*session.platform);
-    shown.parts = parts;
-    if !unknown.is_empty() {
-        let text = format!(
-            "The address asks for panels that don't exist: {}. They are {}.",
-            unknown.join(", "),
-            NAMES.join(", ")
-        );
-        session.warn(text, Vec::new());
     }
 }
 

@@ -5,6 +5,7 @@ use serde::{Deserialize, Serialize};
 use viewport::{Look, UpAxis};
 
 use super::App;
+use crate::embedding::{NAMES, Parts};
 use crate::platform::Platform;
 use crate::session::Session;
 use crate::shown::{Arrangement, Sheet, Shown};
@@ -103,6 +104,20 @@ fn initial(arrangement: Arrangement) -> Open {
         course_light: study,
         history: true,
         history_in_low: false,
+    }
+}
+
+/// Leaves the parts of the page out that its address doesn't ask for.
+pub(super) fn load_parts(session: &mut Session, shown: &mut Shown) {
+    let (parts, unknown) = Parts::of(&*session.platform);
+    shown.parts = parts;
+    if !unknown.is_empty() {
+        let text = format!(
+            "The address asks for panels that don't exist: {}. They are {}.",
+            unknown.join(", "),
+            NAMES.join(", ")
+        );
+        session.warn(text, Vec::new());
     }
 }
 

@@ -112,7 +112,7 @@ impl App {
         if !app.keeper.is_opening() {
             app.welcome();
         }
-        embedding::load(&mut app.session, &mut app.shown);
+        layout::load_parts(&mut app.session, &mut app.shown);
         app
     }
 

@@ -3,7 +3,6 @@
 use editor::Changes;
 use serde_json::{Value, json};
 
-use super::App;
 use crate::session::Session;
 
 /// Something that scripts can subscribe to.
@@ -45,6 +44,14 @@ pub(super) struct Notices {
 }
 
 impl Notices {
+    /// Forgets what happened, and gives it with a few words on how things are now. Costs O(jobs).
+    pub fn take(&mut self, session: &Session) -> Vec<(Notice, Value)> {
+        let Self { change, selection, job } = std::mem::take(self);
+        let happened = [(change, Notice::Change), (selection, Notice::Selection), (job, Notice::Job)];
+        let notices = happened.into_iter().filter(|(happened, _)| *happened);
+        notices.map(|(_, notice)| (notice, describe(notice, session))).collect()
+    }
+
     /// Notes what changed in the editor.
     pub fn note(&mut self, changes: &Changes) {
         self.change |= changes.document || changes.materials || !changes.objects.is_empty();
@@ -56,14 +63,6 @@ impl Notices {
     pub fn note_progress(&mut self) {
         self.job = true;
     }
-}
-
-/// What happened since the last call, with a few words on how things are now. Costs O(jobs).
-pub fn take_notices(app: &mut App) -> Vec<(Notice, Value)> {
-    let Notices { change, selection, job } = std::mem::take(&mut app.notices);
-    let happened = [(change, Notice::Change), (selection, Notice::Selection), (job, Notice::Job)];
-    let notices = happened.into_iter().filter(|(happened, _)| *happened);
-    notices.map(|(_, notice)| (notice, describe(notice, &app.session))).collect()
 }
 
 fn describe(notice: Notice, session: &Session) -> Value {
@@ -81,7 +80,7 @@ fn describe(notice: Notice, session: &Session) -> Value {
         Notice::Job => {
             let jobs = editor.jobs();
             let jobs =
-                jobs.map(|job| json!({ "op": job.task.name(), "progress": session.jobs.fraction(job.id) }));
+                jobs.map(|job| json!({ "progress": session.jobs.fraction(job.id), "op": job.task.name() }));
             json!({ "jobs": jobs.collect::<Vec<_>>() })
         }
     }

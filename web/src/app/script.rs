@@ -8,6 +8,7 @@ use serde_json::{Value, json};
 use viewport::Shading;
 
 use super::App;
+use super::notices::Notice;
 use crate::input::keys;
 use crate::platform::NamedBytes;
 use crate::session::jobs::Reply;
@@ -146,6 +147,11 @@ impl Script<'_> {
             Some(json!({ "image": image.name, "state": state, "size": size }))
         });
         told.collect()
+    }
+
+    /// What happened since the last call, for those who subscribed to it.
+    pub fn take_notices(&mut self) -> Vec<(Notice, Value)> {
+        self.app.notices.take(&self.app.session)
     }
 
     /// One element of the active object.

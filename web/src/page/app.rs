@@ -14,7 +14,6 @@ use crate::access::tree::UiTree;
 use crate::app::App;
 use crate::input::pacing::Pacing;
 use crate::platform::browser::Browser;
-use crate::script;
 
 /// The editor as an eframe app.
 pub struct PageApp {
@@ -22,6 +21,8 @@ pub struct PageApp {
     pacing: Pacing,
     pressed: Pressed,
     ready: Ready,
+    /// Tells scripts what happened.
+    tell: fn(&mut App),
 }
 
 /// The progress until scripts are told that the editor is ready.
@@ -32,7 +33,7 @@ enum Ready {
 }
 
 impl PageApp {
-    pub fn new(context: &eframe::CreationContext<'_>, pressed: Pressed) -> Self {
+    pub fn new(context: &eframe::CreationContext<'_>, pressed: Pressed, tell: fn(&mut App)) -> Self {
         let ctx = &context.egui_ctx;
         ctx.add_plugin(UiTree::default());
         ctx.add_plugin(Mirroring);
@@ -44,6 +45,7 @@ impl PageApp {
             pacing: Pacing::default(),
             pressed,
             ready: Ready::In(2),
+            tell,
         }
     }
 
@@ -79,7 +81,7 @@ impl eframe::App for PageApp {
     fn logic(&mut self, ctx: &egui::Context, _frame: &mut eframe::Frame) {
         self.app.logic(ctx);
         self.tell_ready(ctx);
-        script::tell(&mut self.app);
+        (self.tell)(&mut self.app);
     }
 
     fn ui(&mut self, ui: &mut egui::Ui, _frame: &mut eframe::Frame) {

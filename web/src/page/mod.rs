@@ -48,7 +48,7 @@ async fn start_on(canvas: HtmlCanvasElement, choice: Choice) -> Result<(), JsVal
         .start(
             canvas.clone(),
             graphics::options(choice),
-            Box::new(|context| Ok(Box::new(PageApp::new(context, marked)))),
+            Box::new(|context| Ok(Box::new(PageApp::new(context, marked, script::tell)))),
         )
         .await?;
     // Keys then work before the first click.

@@ -8,7 +8,7 @@ use wasm_bindgen_futures::spawn_local;
 
 use super::js::{Answer, error, to_js};
 use crate::app::App;
-use crate::app::notices::{Notice, take_notices};
+use crate::app::notices::Notice;
 
 struct Listener {
     id: u32,
@@ -38,7 +38,7 @@ pub(super) fn on(name: &JsValue, callback: JsValue) -> Answer {
 
 /// Tells subscribers what happened since the last call, once the frame is over: they may call the editor.
 pub(crate) fn tell(app: &mut App) {
-    let notices = take_notices(app);
+    let notices = app.script().take_notices();
     if notices.is_empty() || LISTENERS.with_borrow(Vec::is_empty) {
         return;
     }

@@ -1,7 +1,7 @@
 //! The page without panels, as other pages embed it.
 
 use crate::page::Page;
-use meshwright_web::app::notices::{Notice, take_notices};
+use meshwright_web::app::notices::Notice;
 use serde_json::json;
 
 fn embedded(panels: &str) -> Page {
@@ -45,22 +45,22 @@ fn the_viewport_of_an_embedded_page_fills_it() {
 #[test]
 fn scripts_are_told_what_happened_once() {
     let mut page = Page::new();
-    take_notices(page.app());
-    assert_eq!(take_notices(page.app()), []);
+    page.app().script().take_notices();
+    assert_eq!(page.app().script().take_notices(), []);
     page.command(json!({ "op": "poke-faces", "faces": [0] }));
-    let told = take_notices(page.app());
+    let told = page.app().script().take_notices();
     let change = told.iter().find(|(notice, _)| *notice == Notice::Change).expect("a change");
     assert_eq!(change.1, json!({ "name": "Cube", "dirty": true, "last": "Poke faces" }));
     page.select("face", &[1, 2]);
-    let told = take_notices(page.app());
+    let told = page.app().script().take_notices();
     assert_eq!(told, [(Notice::Selection, json!({ "kind": "face", "count": 2 }))]);
     page.outside.hold_jobs();
     page.app().script().run(json!({ "op": "subdivide-catmull-clark", "levels": 6 }), Box::new(|_| {}));
-    let told = take_notices(page.app());
+    let told = page.app().script().take_notices();
     let job = told.iter().find(|(notice, _)| *notice == Notice::Job).expect("a job");
     assert_eq!(job.1, json!({ "jobs": [{ "op": "subdivide-catmull-clark", "progress": 0.0 }] }));
     page.outside.release_jobs();
     page.wait();
-    let told = take_notices(page.app());
+    let told = page.app().script().take_notices();
     assert!(told.contains(&(Notice::Job, json!({ "jobs": [] }))), "{told:?}");
 }
