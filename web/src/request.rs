@@ -12,6 +12,7 @@ use surface::selecting::Line;
 use crate::bezier::Setting;
 use crate::input::actions::Action;
 use crate::input::shortcut::Shortcut;
+use crate::keeping::OfDocument;
 use crate::live::edit::Start;
 use crate::panels::welcome::Sample;
 use crate::session::form::Filled;
@@ -27,6 +28,8 @@ pub(crate) enum Request {
     ActivateView(Pane),
     /// Carry out a command, or start its job.
     Run(Command),
+    /// Do something with a document that the browser keeps.
+    Document(OfDocument),
     /// Show why there is no command to carry out.
     Refuse(CommandError),
     /// Select elements.

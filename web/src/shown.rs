@@ -45,6 +45,8 @@ pub(crate) struct Shown {
     pub named: bool,
     /// The window with the link to the document.
     pub share: bool,
+    /// The window with the documents that the browser keeps.
+    pub documents: bool,
     /// Whether clicks and taps add to the selection, or remove from it.
     pub adds: bool,
     /// Whether the window is too narrow for panels beside the viewport.
@@ -84,6 +86,7 @@ impl Default for Shown {
             about: false,
             named: false,
             share: false,
+            documents: false,
             adds: false,
             narrow: false,
             low: false,
@@ -105,13 +108,20 @@ pub(crate) enum Window {
     About,
     Named,
     Share,
+    Documents,
 }
 
 impl Shown {
     /// Closes all open windows; returns whether there were any.
     pub fn close_windows(&mut self) -> bool {
-        let windows =
-            [&mut self.shortcuts, &mut self.messages, &mut self.about, &mut self.named, &mut self.share];
+        let windows = [
+            &mut self.shortcuts,
+            &mut self.messages,
+            &mut self.about,
+            &mut self.named,
+            &mut self.share,
+            &mut self.documents,
+        ];
         windows.into_iter().filter_map(|open| std::mem::take(open).then_some(())).count() > 0
     }
 
@@ -144,6 +154,7 @@ impl Shown {
             Window::About => self.about = false,
             Window::Named => self.named = false,
             Window::Share => self.share = false,
+            Window::Documents => self.documents = false,
         }
     }
 }

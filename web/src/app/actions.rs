@@ -21,8 +21,7 @@ use crate::panels::viewport::ZOOM_PER_NOTCH;
 use crate::panels::viewport::control_points::add_control_point;
 use crate::session::{form, live, selecting};
 use crate::transforming::Gizmo;
-use crate::view::pane::Split;
-use crate::view::{Tool, flying};
+use crate::view::{Tool, flying, pane::Split};
 use viewport::Shading;
 
 /// How much larger one press of a key makes the selecting circle.
@@ -73,7 +72,6 @@ impl App {
             Action::Open => self.session.platform.open_file_dialog(),
             Action::Save => self.show_saving(None),
             Action::SaveAs(format) => self.show_saving(Some(format)),
-            Action::Share => self.shown.share ^= true,
             Action::Undo => self.session.undo(),
             Action::Redo => self.session.redo(),
             Action::History => self.shown.toggle_history(),
@@ -103,6 +101,8 @@ impl App {
                 self.session.begin(preset.command(to_eye), None);
             }
             Action::NamedSelections => self.shown.named ^= true,
+            Action::Share => self.shown.share ^= true,
+            Action::Documents => crate::keeping::toggle_list(&mut self.session, &mut self.shown),
             Action::Show(kind) => self.show_kind(kind, false),
             Action::Expand(kind) => self.show_kind(kind, true),
             Action::NextElement => self.step(true),

@@ -22,6 +22,11 @@ impl App {
             Request::LivePointerOnBar => return live::rest_on_bar(&mut self.session),
             Request::Act(action) => self.act(action),
             Request::ActivateView(pane) => self.view.activate(pane),
+            Request::Document(request) => {
+                if self.panels.end_edits(&mut self.session) {
+                    self.keeper.carry_out(&mut self.session, request);
+                }
+            }
             Request::Run(command) => self.session.begin_or_refuse(Ok(command)),
             Request::Refuse(error) => self.session.refuse(&error),
             Request::Select { kind, ids, mode } => self.select(kind, ids, mode),

@@ -1,8 +1,8 @@
 //! The state and the layout of the panels.
 
 use crate::panels::{
-    about, drop_overlay, element_menu, elements, hidden_bar, history, inspector, messages, named_selections,
-    objects, operations, palette, save, share, shortcuts, toasts, welcome,
+    about, documents, drop_overlay, element_menu, elements, hidden_bar, history, inspector, messages,
+    named_selections, objects, operations, palette, save, share, shortcuts, toasts, welcome,
 };
 use egui::{Context, ScrollArea, Ui};
 
@@ -28,6 +28,7 @@ pub(crate) struct Panels {
     pub history: history::HistoryList,
     pub naming: named_selections::Naming,
     pub share: share::Code,
+    pub documents: documents::Documents,
     pub key_editor: shortcuts::KeyEditor,
     pub welcome: welcome::Welcome,
     pub element_menu: element_menu::ElementMenu,
@@ -45,6 +46,7 @@ impl Panels {
             history: Default::default(),
             naming: Default::default(),
             share: Default::default(),
+            documents: Default::default(),
             key_editor: Default::default(),
             welcome: welcome::Welcome::new(platform),
             element_menu: Default::default(),
@@ -104,13 +106,14 @@ impl Panels {
     pub fn windows(&mut self, ctx: &Context, page: &Page<'_>, narrow: bool, out: &mut Requests) {
         hidden_bar::show(ctx, page, out);
         named_selections::show(ctx, page, &mut self.naming, out);
-        welcome::show(ctx, page, &mut self.welcome, out);
+        welcome::show(ctx, page, &mut self.welcome, &mut self.documents, out);
         element_menu::show(ctx, page, &mut self.element_menu, out);
         palette::show(ctx, page, &mut self.palette, out);
         save::show(ctx, page, &mut self.saving, narrow, out);
         shortcuts::show(ctx, page, &mut self.key_editor, out);
         share::show(ctx, page, &mut self.share, out);
         messages::show(ctx, page, out);
+        documents::show(ctx, page, &mut self.documents, out);
         about::show(ctx, page, out);
         toasts::show(ctx, page, narrow, out);
         drop_overlay::show(ctx);

@@ -54,6 +54,8 @@ pub enum Action {
     Preset(Preset),
     /// Opens or closes the window with the named selections.
     NamedSelections,
+    /// Shows or hides the list of the documents that the browser keeps.
+    Documents,
     /// Shows one kind of element in the list; clicks in the viewport select that kind too. The selection is converted to
     /// what it contains of that kind.
     Show(Element),

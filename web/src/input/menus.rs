@@ -159,6 +159,14 @@ pub static MENUS: &[Menu] = &[
                 .synonyms(&["import", "load"]),
             ),
             Some(
+                entry(
+                    A::Documents,
+                    "Recent documents…",
+                    "List the documents that this browser keeps: open, rename, copy or delete them.",
+                )
+                .synonyms(&["documents", "history", "recover", "autosave", "my files", "last session"]),
+            ),
+            Some(
                 entry(A::Save, "Save…", "Choose a name and a format, and see what the format can't hold.")
                     .synonyms(&["export", "download"]),
             ),

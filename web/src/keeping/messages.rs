@@ -12,6 +12,20 @@ pub(super) const IS_COPY: &str = "This document is open in another tab, so this 
 pub(super) const CUT_OFF: &str =
     "The last change was not completely written before the page ended, so it is missing.";
 
+/// Said after a document was deleted from the list.
+pub(super) fn deleted(name: &str) -> String {
+    format!("Deleted {name}.")
+}
+
+/// Said when a document of the list can't be changed.
+pub(super) fn refused(is_open: bool) -> &'static str {
+    if is_open {
+        "Another tab shows this document. Close it there first."
+    } else {
+        "The document can't be changed."
+    }
+}
+
 /// Why a document can't be opened.
 pub(super) fn not_opened(why: &WhyNot) -> String {
     match why {

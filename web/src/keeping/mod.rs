@@ -3,12 +3,16 @@
 //! What is done is logged within the frame. Now and then the document as a whole is copied, in parts, as a checkpoint; the
 //! log begins again after it. At the next visit, [`opening`] reads the checkpoint and repeats the log.
 
+mod list;
 mod messages;
 mod opening;
 mod saved_view;
+mod thumbnail;
 mod writing;
 
+pub(crate) use list::{OfDocument, toggle_list};
 pub(crate) use saved_view::SavedView;
+pub(crate) use thumbnail::Thumbnail;
 
 use std::collections::HashMap;
 
@@ -16,6 +20,7 @@ use editor::{MessageKind, Origin};
 use meshwright_worker::store::{Answer, Bytes, Failure, Id, Request};
 
 use crate::embedding;
+use crate::session::toasts::Remedy;
 use crate::session::{Session, sharing};
 use crate::shown::Shown;
 use crate::view::View;
@@ -74,11 +79,12 @@ impl Keeper {
             true => platform.load_setting(DOCUMENT_SETTING),
             false => None,
         };
-        match platform.load_tab_setting(DOCUMENT_SETTING).or_else(last) {
+        let kept = platform.load_tab_setting(DOCUMENT_SETTING).or_else(last).filter(|id| !id.is_empty());
+        match kept {
             Some(id) => {
                 let copy = platform.new_id();
                 platform.ask_store(&Request::Open { id: id.clone(), copy }, &[]);
-                keeper.opening = Some(Opening::default());
+                keeper.opening = Some(Opening::at(0));
             }
             None => keeper.start_new(session),
         }
@@ -106,6 +112,17 @@ impl Keeper {
         sharing::open_address(session);
     }
 
+    /// Goes on with what the page shows, because no other document is opened.
+    fn go_back(&mut self, session: &mut Session) {
+        match self.kept.take() {
+            Some(Kept { id, is_touched, .. }) => {
+                session.platform.ask_store(&Request::Begin(id.clone()), &[]);
+                self.show(session, id, is_touched, Writing::default());
+            }
+            None => self.start_new(session),
+        }
+    }
+
     /// Begins to keep the editor's document as a new one.
     fn begin(&mut self, session: &mut Session, is_touched: bool) {
         let id = session.platform.new_id();
@@ -120,6 +137,7 @@ impl Keeper {
         if is_touched {
             session.platform.store_setting(DOCUMENT_SETTING, &id);
         }
+        session.documents.shown = Some(id.clone());
         self.ids.insert(origin, id.clone());
         let first_revision = session.editor.revision();
         self.kept = Some(Kept { id, origin, first_revision, is_touched, writing });
@@ -153,7 +171,13 @@ impl Keeper {
                 self.fail(session, Failure::Other(reason));
                 return began;
             }
-            Answer::Ready | Answer::Listed { .. } | Answer::Refused { .. } => {}
+            Answer::Listed { documents, picture_bytes } => {
+                list::listed(session, documents, &picture_bytes, &bytes);
+            }
+            Answer::Refused { is_open, .. } => {
+                session.warn(messages::refused(is_open).to_owned(), Vec::new())
+            }
+            Answer::Ready => {}
         }
         false
     }
@@ -183,9 +207,10 @@ impl Keeper {
         if self.opening.take().is_none() {
             return false;
         }
-        self.start_new(session);
+        let begins = self.kept.is_none();
+        self.go_back(session);
         session.warn(why.to_owned(), Vec::new());
-        true
+        begins
     }
 
     /// Goes on with opening or writing, for a few milliseconds. Called at the end of each frame.
@@ -195,5 +220,58 @@ impl Keeper {
         } else {
             self.write(session, view);
         }
+    }
+
+    /// Carries out a request of the list.
+    pub fn carry_out(&mut self, session: &mut Session, request: OfDocument) {
+        let now_ms = session.platform.date_ms();
+        match request {
+            OfDocument::Refresh => session.platform.ask_store(&Request::List, &[]),
+            OfDocument::Open(id) => self.open(session, id),
+            OfDocument::Rename(id, name) if self.is_shown(&id) => {
+                session.editor.rename_document(&name);
+                self.ask_list_soon(session);
+            }
+            OfDocument::Rename(id, name) => session.platform.ask_store(&Request::Rename { id, name }, &[]),
+            OfDocument::Duplicate(id, name) => {
+                let copy = session.platform.new_id();
+                session.platform.ask_store(&Request::Duplicate { id, copy, name }, &[]);
+            }
+            OfDocument::Delete(id, name) => {
+                session.documents.deleted = Some(id.clone());
+                session.platform.ask_store(&Request::Delete { id, now_ms }, &[]);
+                session.toast(MessageKind::Info, messages::deleted(&name), Vec::new());
+                session.toasts.offer(Remedy::RestoreDocument);
+            }
+            OfDocument::Restore => {
+                if let Some(id) = session.documents.deleted.take() {
+                    session.platform.ask_store(&Request::Restore(id), &[]);
+                }
+            }
+        }
+    }
+
+    /// Whether the page shows this document.
+    fn is_shown(&self, id: &str) -> bool {
+        self.kept.as_ref().is_some_and(|kept| kept.id == id)
+    }
+
+    /// Asks for the list again after what it says about the shown document was written.
+    fn ask_list_soon(&mut self, session: &mut Session) {
+        let now = session.platform.now();
+        if let Some(kept) = &mut self.kept {
+            kept.describe(session, now);
+        }
+        session.platform.ask_store(&Request::List, &[]);
+    }
+
+    /// Opens a document instead of the current one.
+    fn open(&mut self, session: &mut Session, id: Id) {
+        if self.opening.is_some() || self.is_shown(&id) {
+            return;
+        }
+        let copy = session.platform.new_id();
+        session.platform.ask_store(&Request::Open { id, copy }, &[]);
+        self.opening = Some(Opening::at(session.editor.revision()));
     }
 }

@@ -20,6 +20,8 @@ const SECONDS_PER_FRAME: f64 = 0.03;
 /// A document that is being opened.
 #[derive(Default)]
 pub(super) struct Opening {
+    /// The revision of the page's document when this one was asked for. If that changes, this one is not shown.
+    revision: u64,
     /// The parts of its checkpoint that have arrived.
     parts: VecDeque<Bytes>,
     checkpoint_bytes: usize,
@@ -39,6 +41,10 @@ struct Replaying {
 }
 
 impl Opening {
+    pub fn at(revision: u64) -> Self {
+        Self { revision, ..Self::default() }
+    }
+
     pub fn add(&mut self, part: Bytes) {
         self.checkpoint_bytes += part.len();
         self.parts.push_back(part);
@@ -95,8 +101,17 @@ impl Keeper {
         replaying.seconds += now - started;
         session.ctx.request_repaint();
         if replaying.entries.is_empty()
-            && let Some(Opening { replaying: Some(replaying), checkpoint_bytes, .. }) = self.opening.take()
+            && let Some(Opening { replaying: Some(replaying), checkpoint_bytes, revision, .. }) =
+                self.opening.take()
         {
+            if session.editor.revision() != revision
+                || session.editor.is_editing()
+                || session.jobs.iter().next().is_some()
+            {
+                // Something else was begun meanwhile. What was kept stays in the list of documents.
+                self.go_back(session);
+                return;
+            }
             self.finish_opening(session, view, shown, replaying, checkpoint_bytes);
         }
     }
@@ -109,11 +124,6 @@ impl Keeper {
         replaying: Replaying,
         checkpoint_bytes: usize,
     ) {
-        if session.editor.revision() != 0 || session.jobs.iter().next().is_some() {
-            // Something was opened meanwhile. What was kept stays in the list of documents.
-            self.start_new(session);
-            return;
-        }
         let Replaying { mut editor, view: saved, opened, log_bytes, seconds, stopped, .. } = replaying;
         let Opened { id, info, is_copy, is_cut_off } = opened;
         editor.end_replay();
@@ -122,8 +132,10 @@ impl Keeper {
         }
         editor.take_place_of(&session.editor);
         session.editor = editor;
-        session.look = None;
-        shown.welcome = false;
+        // Those of another editor's history.
+        self.ids.clear();
+        (session.look, session.live) = (None, None);
+        (shown.welcome, shown.documents) = (false, false);
         let mut writing = Writing::after(checkpoint_bytes, log_bytes, seconds);
         if stopped.is_some() {
             writing = Writing::default();

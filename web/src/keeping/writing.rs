@@ -5,6 +5,7 @@ use halfedge::Element;
 use meshwright_worker::store::{Info, Request};
 
 use super::saved_view::SavedView;
+use super::thumbnail::Thumbnail;
 use super::{DOCUMENT_SETTING, Keeper, Kept, messages};
 use crate::session::Session;
 use crate::view::View;
@@ -23,6 +24,9 @@ const DRAFT_SECONDS: f64 = 2.0;
 
 /// How often what the list says about the document is brought up to date.
 const INFO_SECONDS: f64 = 5.0;
+
+/// How often the picture in the list is drawn again.
+const PICTURE_SECONDS: f64 = 15.0;
 
 /// How long after a failure writing is tried again.
 pub(super) const RETRY_SECONDS: f64 = 30.0;
@@ -50,6 +54,7 @@ pub(super) struct Writing {
     /// What the list was told last, and in which revision.
     info: Option<(Info, u64)>,
     info_at: f64,
+    picture_at: Option<f64>,
 }
 
 impl Writing {
@@ -187,6 +192,7 @@ impl Kept {
                 checkpoint_bytes: copy.total_bytes(),
                 info,
                 info_at: self.writing.info_at,
+                picture_at: self.writing.picture_at,
                 ..Writing::default()
             };
         } else {
@@ -195,7 +201,7 @@ impl Kept {
     }
 
     /// Brings up to date what the list of documents says.
-    fn describe(&mut self, session: &mut Session, now: f64) {
+    pub(super) fn describe(&mut self, session: &mut Session, now: f64) {
         let document = session.editor.document();
         let count = |kind: Element| -> u64 {
             document.objects().iter().map(|object| object.mesh().count(kind) as u64).sum()
@@ -215,10 +221,17 @@ impl Kept {
             return;
         }
         let due = self.writing.info_at + INFO_SECONDS - now;
-        let is_new = last.is_none_or(|(last, _)| last.is_touched != info.is_touched);
+        let is_new =
+            last.is_none_or(|(last, _)| (&last.name, last.is_touched) != (&info.name, info.is_touched));
         if is_new || due <= 0.0 {
             info.changed_ms = session.platform.date_ms();
             session.platform.ask_store(&Request::Describe(info.clone()), &[]);
+            if self.writing.picture_at.is_none_or(|at| now - at >= PICTURE_SECONDS) {
+                self.writing.picture_at = Some(now);
+                session
+                    .platform
+                    .ask_store(&Request::Picture, &Thumbnail::of(session.editor.document()).to_bytes());
+            }
             (self.writing.info, self.writing.info_at) = (Some((info, revision)), now);
         } else {
             session.ctx.request_repaint_after_secs(due as f32);

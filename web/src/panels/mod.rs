@@ -5,6 +5,7 @@ pub(crate) mod about;
 pub(crate) mod adjust;
 pub(crate) mod bezier;
 pub(crate) mod document;
+pub(crate) mod documents;
 pub(crate) mod drop_overlay;
 pub(crate) mod element_menu;
 pub(crate) mod elements;

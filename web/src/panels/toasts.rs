@@ -6,6 +6,7 @@ use egui::{Align2, Area, Context, Frame, Id, Margin, Order, RichText, Role, Stro
 use halfedge::words::counted;
 
 use crate::input::actions::{self, Action};
+use crate::keeping::OfDocument;
 use crate::page_view::Page;
 use crate::panels::live_bar;
 use crate::request::{Request, Requests};
@@ -96,7 +97,7 @@ fn has_links(page: &Page<'_>, slot: Slot, toast: &Toast) -> bool {
 fn remedy(page: &Page<'_>, toast: &Toast) -> Option<Remedy> {
     let is_current = |revision| page.editor.revision() == revision;
     toast.remedy.filter(|remedy| match remedy {
-        Remedy::Act(_) => true,
+        Remedy::Act(_) | Remedy::RestoreDocument => true,
         Remedy::UndoEdit { revision } => is_current(*revision),
     })
 }
@@ -117,6 +118,11 @@ fn links(ui: &mut Ui, page: &Page<'_>, slot: Slot, toast: &Toast, out: &mut Requ
                 .clicked() =>
         {
             out.push(Request::UndoEdit);
+        }
+        Some(Remedy::RestoreDocument)
+            if ui.link("Undo").on_hover_text("Put the document back into the list").clicked() =>
+        {
+            out.push(Request::Document(OfDocument::Restore));
         }
         _ => {}
     }

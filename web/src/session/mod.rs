@@ -1,6 +1,7 @@
 //! The session: the editor, its jobs, and the facts and messages about them. Panels read it; the app
 //! changes it.
 
+pub(crate) mod documents;
 pub(crate) mod form;
 pub(crate) mod frame_times;
 pub(crate) mod jobs;
@@ -25,6 +26,7 @@ use crate::live::edit::Live;
 use crate::live::place::SelectionPlace;
 use crate::platform::Platform;
 use crate::transforming::Gizmo;
+use documents::DocumentList;
 use frame_times::FrameTimes;
 use jobs::{Jobs, Reply};
 use measures::Measured;
@@ -80,6 +82,8 @@ pub(crate) struct Session {
     pub by_key: bool,
     /// Whether to commit the ongoing edit when the pointer's button is released.
     pub commit_on_release: bool,
+    /// The documents that the browser keeps.
+    pub documents: DocumentList,
     /// How long commands took since the log was last written: repeating them takes as long.
     pub work_seconds: f64,
     measured: RefCell<Measured>,
@@ -109,6 +113,7 @@ impl Session {
             jump_since: None,
             by_key: false,
             commit_on_release: false,
+            documents: DocumentList::default(),
             work_seconds: 0.0,
             measured: RefCell::default(),
             refusals: RefCell::default(),

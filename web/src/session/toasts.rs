@@ -27,6 +27,8 @@ pub(crate) enum Remedy {
     Act(Action),
     /// To undo the edit that led to this revision of the document, while that is the current one.
     UndoEdit { revision: u64 },
+    /// To bring back the document that was deleted last from the list of documents.
+    RestoreDocument,
 }
 
 /// A place for a toast.

@@ -2,6 +2,7 @@
 
 use crate::page::Page;
 use egui::{Key, Modifiers};
+use egui_kittest::kittest::Queryable;
 use halfedge::{Element, Mesh};
 use meshwright_web::platform::headless::Outside;
 use meshwright_web::platform::store::Failure;
@@ -255,4 +256,88 @@ fn leaving_asks_nothing_once_everything_is_kept_and_the_browser_is_asked_to_keep
     }
     settle(&mut page);
     assert_eq!(page.outside.persists(), 1);
+}
+
+/// The names in the window with the list.
+fn listed(page: &mut Page, names: &[&str]) {
+    for name in names {
+        assert!(page.has(&format!("Name of {name}")), "{name} is listed");
+    }
+    assert!(page.has_part(&format!("{} document", names.len())), "no others are");
+}
+
+fn open_list(page: &mut Page) {
+    page.click("File");
+    page.click("Recent documents…");
+}
+
+fn rename(page: &mut Page, from: &str, to: &str) {
+    page.find(&format!("Name of {from}")).focus();
+    page.run();
+    page.press_with(Modifiers::COMMAND, Key::A);
+    page.type_text(to);
+    page.run();
+    page.press(Key::Enter);
+}
+
+#[test]
+fn documents_are_listed_opened_renamed_copied_deleted_and_brought_back() {
+    let mut page = Page::new();
+    open_list(&mut page);
+    assert!(page.has_part("This browser keeps no documents yet"));
+    page.press(Key::Escape);
+    extrude(&mut page);
+    page.open("tri.obj", TRIANGLE);
+    settle(&mut page);
+    open_list(&mut page);
+    listed(&mut page, &["tri", "Cube"]);
+    assert!(page.has_part("1 face · "));
+
+    page.find("Open document Cube").click();
+    page.run();
+    settle(&mut page);
+    assert_eq!((faces(&mut page), name(&mut page)), (10, "Cube".to_owned()));
+    assert_eq!(page.undo_labels(), ["Extrude faces"], "with its history");
+    assert!(!page.has("Name of tri"), "the window closes");
+    page.command(json!({"op": "poke-faces"}));
+    let poked = page.mesh().clone();
+    let mut page = page.reload();
+    assert_eq!(*page.mesh(), poked, "and goes on as itself");
+
+    open_list(&mut page);
+    page.click("Duplicate Cube");
+    listed(&mut page, &["tri", "Cube", "Cube copy"]);
+    page.click("Delete tri");
+    listed(&mut page, &["Cube", "Cube copy"]);
+    assert!(page.has_part("Deleted tri."));
+    page.harness.get_by_role_and_label(egui::Role::Link, "Undo").click();
+    page.run();
+    listed(&mut page, &["tri", "Cube", "Cube copy"]);
+    rename(&mut page, "Cube copy", "Spare");
+    listed(&mut page, &["tri", "Cube", "Spare"]);
+    rename(&mut page, "Cube", "Original");
+    listed(&mut page, &["tri", "Original", "Spare"]);
+    assert_eq!(name(&mut page), "Original");
+    page.find("Open document Spare").click();
+    page.run();
+    settle(&mut page);
+    assert_eq!((name(&mut page), page.mesh().clone()), ("Spare".to_owned(), poked));
+}
+
+#[test]
+fn the_welcome_view_offers_the_last_documents() {
+    let mut page = Page::new();
+    page.open("tri.obj", TRIANGLE);
+    settle(&mut page);
+    let outside = page.outside.clone();
+    drop(page);
+    outside.set_setting("welcome", "on");
+    outside.set_setting("document", "");
+    outside.open_in_new_tab();
+    let mut page = Page::first_visit_of(&outside);
+    page.find("Open tri").click();
+    page.run();
+    settle(&mut page);
+    assert_eq!(faces(&mut page), 1);
+    assert!(!page.has("Close welcome"));
 }

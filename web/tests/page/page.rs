@@ -106,6 +106,11 @@ impl Page {
         Self::build_in(outside.clone(), DESKTOP, egui::Theme::Dark, false, &[])
     }
 
+    /// The same with the settings as they are.
+    pub fn first_visit_of(outside: &Outside) -> Self {
+        Self::build_with(outside.clone(), DESKTOP, egui::Theme::Dark, false)
+    }
+
     /// Reloads the page, as after a crash: nothing is told to the old one.
     pub fn reload(self) -> Self {
         let outside = self.outside.clone();

@@ -1,7 +1,7 @@
 //! The welcome view: what to start from, over the lower part of the viewport, so that the model above it can be seen
 //! and clicked. It blocks nothing and goes away with the first action.
 
-mod picture;
+pub(crate) mod picture;
 mod samples;
 
 use std::collections::HashMap;
@@ -15,6 +15,7 @@ use egui::{
 use crate::input::actions::Action;
 use crate::input::keys;
 use crate::page_view::Page;
+use crate::panels::documents::{Documents, recent};
 use crate::panels::shortcuts::key_presets;
 use crate::platform::Platform;
 use crate::request::{Request, Requests};
@@ -62,7 +63,13 @@ pub(crate) fn is_dismissed_by_key(ctx: &Context) -> bool {
         })
 }
 
-pub(crate) fn show(ctx: &Context, page: &Page<'_>, own: &mut Welcome, out: &mut Requests) {
+pub(crate) fn show(
+    ctx: &Context,
+    page: &Page<'_>,
+    own: &mut Welcome,
+    documents: &mut Documents,
+    out: &mut Requests,
+) {
     if !page.shown.welcome {
         own.covers = 0.0;
         return;
@@ -89,6 +96,7 @@ pub(crate) fn show(ctx: &Context, page: &Page<'_>, own: &mut Welcome, out: &mut 
                 header(ui, is_grid, out);
                 if is_grid {
                     grid(ui, own, out);
+                    recent(ui, page, documents, out);
                     footer(ui, page, own, out);
                 } else {
                     strip(ui, own, out);

@@ -6,7 +6,7 @@ use halfedge::geometry::polygon_area_vector;
 
 /// Polygons to draw, each with its colour from 0 to 1.
 #[derive(Clone, Debug, Default)]
-pub(super) struct Figure {
+pub(crate) struct Figure {
     pub positions: Vec<Vec3>,
     pub polygons: Vec<(Vec<u32>, Vec3)>,
 }
@@ -27,7 +27,7 @@ const SHADOW_REACH: f32 = 1.15;
 const MIN_COSINE_SMOOTH: f32 = 0.72;
 
 /// Draws a figure into a picture of `width` by `height` pixels: rows of red, green, blue and opacity, premultiplied.
-pub(super) fn draw(figure: &Figure, width: usize, height: usize) -> Vec<u8> {
+pub(crate) fn draw(figure: &Figure, width: usize, height: usize) -> Vec<u8> {
     let mut canvas = Canvas::new(width * SAMPLES, height * SAMPLES);
     let normals = corner_normals(figure);
     let eye = TO_EYE.normalize();

@@ -52,7 +52,7 @@ pub struct Kept {
     pub bytes: u64,
     /// Whether it is open, in this tab or another one.
     pub is_open: bool,
-    /// A PNG picture of it; empty if there is none.
+    /// A picture of it, as the page writes them; empty if there is none.
     #[serde(skip)]
     pub picture: Bytes,
 }
@@ -82,7 +82,7 @@ pub enum Request {
     Append,
     /// Replaces what is known about the open document.
     Describe(Info),
-    /// Replaces the open document's picture by the PNG beside this.
+    /// Replaces the open document's picture by that beside this.
     Picture,
     /// Asks for the list of documents: [`Answer::Listed`].
     List,
