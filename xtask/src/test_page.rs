@@ -37,8 +37,39 @@ pub fn build(project: &Project, wasm: &WasmToolchain, site: &Path) -> Result {
     }
     let loader = format!("import init from './{WORKER}.js';\nawait init();\n");
     shell::write(&site.join(format!("{WORKER}_loader.js")), &loader)?;
-    shell::write(&site.join("index.html"), &page_html(&read(&project.root.join("index.html"))?)?)?;
+    let (html, copies) = take_copies(&read(&project.root.join("index.html"))?);
+    for from in copies {
+        copy(&project.root.join(&from), site)?;
+    }
+    shell::write(&site.join("index.html"), &page_html(&html)?)?;
     worker_name::name_by_content(site)
+}
+
+/// index.html without the directives that copy files and folders into the site, and what they copy.
+fn take_copies(source: &str) -> (String, Vec<String>) {
+    let (mut html, mut copies) = (source.to_owned(), Vec::new());
+    for directive in
+        ["<link data-trunk rel=\"copy-dir\" href=\"", "<link data-trunk rel=\"copy-file\" href=\""]
+    {
+        while let Some((before, rest)) = html.split_once(directive)
+            && let Some((from, after)) = rest.split_once("\">")
+        {
+            copies.push(from.to_owned());
+            html = format!("{before}{after}");
+        }
+    }
+    (html, copies)
+}
+
+/// Copies a file, or a folder with its files, into a folder.
+fn copy(from: &Path, folder: &Path) -> Result {
+    let to = folder.join(from.file_name().unwrap_or_default());
+    if !from.is_dir() {
+        let copied = std::fs::copy(from, &to);
+        return copied.map(drop).map_err(|error| format!("{} can't be copied: {error}.", from.display()));
+    }
+    shell::make_folder(&to)?;
+    shell::entries(from).iter().try_for_each(|entry| copy(entry, &to))
 }
 
 /// index.html with what Trunk's directives stand for in their place: the folder that URLs start from, and a script
@@ -79,7 +110,9 @@ mod tests {
 
     #[test]
     fn directives_are_replaced() {
-        let html = page_html(INDEX).expect("a page");
+        let (rest, copies) = take_copies(INDEX);
+        assert!(copies.contains(&"web/embed".to_owned()), "{copies:?}");
+        let html = page_html(&rest).expect("a page");
         assert!(html.contains("<base href=\"./\">"));
         assert_eq!(html.matches("import init from \"./meshwright-web.js\"").count(), 1);
         assert!(!html.contains("data-trunk") && !html.contains("rel=\"rust\""));
@@ -91,8 +124,9 @@ mod tests {
 
     #[test]
     fn a_directive_that_is_not_known_is_an_error() {
-        let more = INDEX.replace("</head>", "<link data-trunk rel=\"css\" href=\"a.css\"></head>");
+        let index = take_copies(INDEX).0;
+        let more = index.replace("</head>", "<link data-trunk rel=\"css\" href=\"a.css\"></head>");
         assert!(page_html(&more).is_err());
-        assert!(page_html(&INDEX.replace("data-trunk-public-url", "")).is_err());
+        assert!(page_html(&index.replace("data-trunk-public-url", "")).is_err());
     }
 }

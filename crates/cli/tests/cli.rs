@@ -167,7 +167,8 @@ fn refused_commands_exit_with_1_and_write_nothing() {
         (r#"{"op":"subdivide-loop"}"#, ["subdivide-loop", "triangles"]),
         (r#"{"op":"split-edge","edge":0,"speed":3}"#, ["`speed`", "not a field"]),
         (r#"{"op":"subdivide-linear","object":1}"#, ["`object`", "no object 1"]),
-        (r#"{"op":"subdivide-linear","levels":30}"#, ["`levels`", "faces"]),
+        (r#"{"op":"subdivide-linear","levels":30}"#, ["`levels`", "from 1 to 12"]),
+        (r#"{"op":"subdivide-linear","levels":12}"#, ["`levels`", "faces"]),
     ] {
         // After a step that succeeds.
         let first = r#"{"op":"subdivide-linear"}"#;
@@ -199,12 +200,15 @@ fn bad_usage_and_unreadable_files_exit_with_2() {
         (vec!["convert", cube], "OUT is missing"),
         (
             vec!["convert", cube, "out.unknown"],
-            "out.unknown: the extension names no format that can be written; use one of .obj, .ply, .stl, ",
+            "out.unknown: the extension names no format that can be written; use one of .meshwright, .obj, .ply, .stl, ",
         ),
         (vec!["convert", cube, "out.obj", "--json"], "--json"),
         (vec!["info", cube, "--format", "ply"], "--format can't be used with `info`"),
         (vec!["apply", cube, "--do", op, "--format", "ply"], "--format without -o"),
-        (vec!["convert", cube, "out.ply", "--format", "doc"], "the codes are obj, ply, ply-text, stl, "),
+        (
+            vec!["convert", cube, "out.ply", "--format", "doc"],
+            "the codes are meshwright, obj, ply, ply-text, stl, ",
+        ),
         (vec!["apply", cube], "--do"),
         (vec!["apply", cube, "--do"], "--do"),
         (vec!["apply", cube, "--do", "split"], "not JSON"),

@@ -279,7 +279,7 @@ fn the_smallest_meshes() {
     let triangle = mesh(&[[0., 0., 0.], [1., 0., 0.], [0., 1., 0.]], &[&[0, 1, 2]]);
     for (mesh, name) in [(triangle, "triangle"), (cube(), "cube"), (tetrahedron(), "tetrahedron")] {
         for length in [None, Some(0.3), Some(100.0)] {
-            for iterations in [0, 1, 5] {
+            for iterations in [1, 5] {
                 let result = run(&mesh, &Remesh { edge_length: length, iterations, ..Remesh::default() });
                 same_topology(&mesh, &result);
                 // All corners are sharp, so all stay.

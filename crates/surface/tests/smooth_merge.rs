@@ -26,7 +26,9 @@ fn a_full_laplacian_step_goes_to_the_mean_of_the_neighbours() {
     }
     let half = smoothed(&cube, 1, 0.5, SmoothMethod::Laplacian);
     assert_eq!(half.position(VertexId::new(0)), cube.position(VertexId::new(0)) * (2.0 / 3.0));
-    assert_eq!(smoothed(&cube, 0, 0.5, SmoothMethod::Laplacian), cube);
+    let none = Smooth { iterations: 0, strength: 0.5, method: SmoothMethod::Laplacian };
+    let refused = smooth(&cube, &none, &mut never_cancel).expect_err("out of range");
+    assert_eq!(refused.to_string(), "iterations must be from 1 to 10000");
 }
 
 #[test]
