@@ -58,7 +58,7 @@ for (const [store, query] of Object.entries(STORES)) {
 
   editorTest(`the document outlives its process: ${store}`, options, async (editor) => {
     await editor.open("grid.obj", grid(20, 20));
-    await editor.run({ op: "triangulate" });
+    await editor.run({ op: "triangulate-faces" });
     await settled(editor);
     const before = await kept(editor);
     editor.expectErrors(/crashed/);

@@ -17,6 +17,9 @@ use crate::view::View;
 /// How long changes are repeated in a frame. A single one may take longer.
 const SECONDS_PER_FRAME: f64 = 0.03;
 
+/// How long the store may take to send the next part before the page begins without it.
+const MAX_WAIT_SECONDS: f64 = 8.0;
+
 /// A document that is being opened.
 #[derive(Default)]
 pub(super) struct Opening {
@@ -25,6 +28,8 @@ pub(super) struct Opening {
     /// The parts of its checkpoint that have arrived.
     parts: VecDeque<Bytes>,
     checkpoint_bytes: usize,
+    /// When the page began to wait for the next part, on the platform's clock in seconds.
+    waits_since: Option<f64>,
     replaying: Option<Replaying>,
 }
 
@@ -47,6 +52,7 @@ impl Opening {
 
     pub fn add(&mut self, part: Bytes) {
         self.checkpoint_bytes += part.len();
+        self.waits_since = None;
         self.parts.push_back(part);
     }
 
@@ -89,10 +95,17 @@ impl Replaying {
 impl Keeper {
     /// Repeats more of the log, and shows the document when that is done.
     pub(super) fn go_on_opening(&mut self, session: &mut Session, view: &mut View, shown: &mut Shown) {
-        let Some(replaying) = self.opening.as_mut().and_then(|opening| opening.replaying.as_mut()) else {
+        let started = session.platform.now();
+        let Some(opening) = &mut self.opening else { return };
+        let Some(replaying) = &mut opening.replaying else {
+            let waited = started - *opening.waits_since.get_or_insert(started);
+            if waited > MAX_WAIT_SECONDS {
+                self.not_opened(session, &messages::unreadable("the browser's storage does not answer"));
+            } else {
+                session.ctx.request_repaint_after_secs((MAX_WAIT_SECONDS - waited) as f32 + 0.1);
+            }
             return;
         };
-        let started = session.platform.now();
         let mut now = started;
         while !replaying.entries.is_empty() && now - started < SECONDS_PER_FRAME {
             replaying.step();

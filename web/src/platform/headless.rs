@@ -38,6 +38,8 @@ struct Inner {
     tab: u64,
     ids: u64,
     persists: usize,
+    /// Whether the store takes requests and does nothing.
+    store_hangs: bool,
     date_ms: f64,
 }
 
@@ -55,6 +57,11 @@ impl Outside {
     /// How often the page asked that what is kept not be removed.
     pub fn persists(&self) -> usize {
         self.inner.borrow().persists
+    }
+
+    /// Lets the store take requests and do nothing.
+    pub fn hang_store(&self) {
+        self.inner.borrow_mut().store_hangs = true;
     }
 
     /// Lets time go by.
@@ -237,6 +244,9 @@ impl Platform for Headless {
 
     fn ask_store(&mut self, request: &Request, bytes: &[u8]) {
         let outside = self.outside.clone();
+        if outside.inner.borrow().store_hangs {
+            return;
+        }
         let mut tell = |answer, bytes| outside.push(Event::Store(answer, bytes));
         let handled = now_or_never(self.documents.handle(request.clone(), bytes, &mut tell));
         // A disk in memory never waits.

@@ -242,6 +242,23 @@ fn a_document_that_is_gone_or_damaged_is_named_and_the_page_begins_afresh() {
 }
 
 #[test]
+fn a_store_that_does_not_answer_does_not_keep_the_page_waiting() {
+    let mut page = Page::new();
+    extrude(&mut page);
+    settle(&mut page);
+    let outside = page.outside.clone();
+    drop(page);
+    outside.hang_store();
+    let mut page = Page::begin_visit(&outside);
+    assert!(page.app().is_opening());
+    page.outside.advance(9000.0);
+    settle(&mut page);
+    assert!(!page.app().is_opening());
+    assert!(page.has_part("The last document can't be opened"));
+    assert_eq!(faces(&mut page), 6);
+}
+
+#[test]
 fn leaving_asks_nothing_once_everything_is_kept_and_the_browser_is_asked_to_keep_it() {
     let mut page = Page::new();
     extrude(&mut page);

@@ -144,6 +144,19 @@ impl Page {
     }
 
     fn build_with(outside: Outside, size: Vec2, theme: egui::Theme, drawn: bool) -> Self {
+        let mut page = Self::make(outside, size, theme, drawn);
+        page.run();
+        page
+    }
+
+    /// A visit that has not settled: the page may wait for what the browser keeps.
+    pub fn begin_visit(outside: &Outside) -> Self {
+        let mut page = Self::make(outside.clone(), DESKTOP, egui::Theme::Dark, false);
+        page.wait();
+        page
+    }
+
+    fn make(outside: Outside, size: Vec2, theme: egui::Theme, drawn: bool) -> Self {
         let mut builder =
             Harness::builder().with_size(size).with_theme(theme).with_max_steps(24).with_render_cursor(false);
         let mut state = State { app: None, gpu: None, outside: outside.clone() };
@@ -154,9 +167,7 @@ impl Page {
         }
         let name = if theme == egui::Theme::Dark { "dark" } else { "light" };
         outside.set_setting("theme", name);
-        let mut harness = builder.build_ui_state(frame, state);
-        harness.run();
-        Self { harness, outside }
+        Self { harness: builder.build_ui_state(frame, state), outside }
     }
 
     pub fn app(&mut self) -> &mut App {
