@@ -55,13 +55,13 @@ exampleTest("the example page runs commands and hears of changes", async ({ page
 exampleTest("origins that the address doesn't name get no answer", async ({ page }) => {
   const answered = await page.evaluate(async () => {
     await window.editor.ready;
-    const heard = [];
-    addEventListener("message", ({ data }) => heard.push(data));
     const address = new URL(window.editor.frame.src);
     address.searchParams.set("origins", "https://other.example,null");
     const frame = document.createElement("iframe");
     frame.src = address.href;
     document.body.append(frame);
+    const heard = [];
+    addEventListener("message", ({ data, source }) => { if (source === frame.contentWindow) heard.push(data); });
     await new Promise((resolve) => { frame.onload = resolve; });
     await frame.contentWindow.meshwright.ready;
     frame.contentWindow.postMessage({ meshwright: 1, id: 1, call: "state", args: [] }, location.origin);
