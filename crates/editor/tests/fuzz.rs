@@ -4,6 +4,7 @@
 #[path = "../../../fuzz/documents.rs"]
 mod documents;
 
+use fixtures::Random;
 use std::path::{Path, PathBuf};
 
 /// What readers stumble over, to put anywhere.
@@ -23,18 +24,6 @@ const WORDS: [&[u8]; 14] = [
     b"\xff\xff\xff\xff\xff\xff\xff\xff\xff\x01",
     b"\x80\x80\x04",
 ];
-
-/// Numbers that follow from a seed (G. Marsaglia, "Xorshift RNGs", 2003).
-struct Random(u64);
-
-impl Random {
-    fn below(&mut self, end: usize) -> usize {
-        self.0 ^= self.0 << 13;
-        self.0 ^= self.0 >> 7;
-        self.0 ^= self.0 << 17;
-        (self.0 % end.max(1) as u64) as usize
-    }
-}
 
 /// A seed with a few things done to it.
 fn damaged(seed: &[u8], random: &mut Random) -> Vec<u8> {

@@ -2,35 +2,19 @@
 
 mod support;
 
-use editor::formats::{Format, Model, NamedBytes};
+use editor::formats::{Format, NamedBytes};
 use editor::halfedge::Element;
-use editor::halfedge::geometry::BitSet;
 use editor::project::{Link, Project, ReadProject};
-use editor::{Editor, Finished, JobRequest, JobResult, NamedSelection, SelectMode, Selection, Wire};
+use editor::{Editor, Finished, JobRequest, JobResult, SelectMode, Wire};
 use proptest::prelude::*;
 use serde_json::json;
-use std::sync::Arc;
+use support::contents::Contents;
 use support::deeds::*;
 use support::*;
 
-/// What a project keeps of a document.
-#[derive(Clone, Debug, PartialEq)]
-struct State {
-    model: Model,
-    objects: Vec<(bool, Arc<BitSet>, Vec<NamedSelection>)>,
-    active: usize,
-    selection: Selection,
-}
-
-fn state(editor: &Editor) -> State {
-    let document = editor.document();
-    let objects = document.objects().iter();
-    State {
-        model: document.to_model("same"),
-        objects: objects.map(|o| (o.visible(), o.hidden().clone(), o.named_selections().to_vec())).collect(),
-        active: document.active_index(),
-        selection: editor.selection().clone(),
-    }
+/// What a project keeps of a document. Its name is that of the file.
+fn state(editor: &Editor) -> Contents {
+    Contents::named(editor, "same")
 }
 
 fn read(bytes: &[u8]) -> ReadProject {

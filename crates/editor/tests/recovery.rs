@@ -3,14 +3,12 @@
 
 mod support;
 
-use editor::formats::Model;
 use editor::halfedge::Element;
-use editor::halfedge::geometry::BitSet;
 use editor::recovery::{Entry, Event, Snapshot, SnapshotCopy, append_record, new_log, read_log};
-use editor::{Editor, JobRequest, NamedSelection, SelectMode, Selection, Wire};
+use editor::{Editor, JobRequest, SelectMode, Wire};
 use proptest::prelude::*;
 use serde_json::json;
-use std::sync::Arc;
+use support::contents::Contents;
 use support::deeds::*;
 use support::*;
 
@@ -70,28 +68,10 @@ impl Disk {
     }
 }
 
-/// Everything that has to be recovered. Previews take identities of objects, so those may differ.
-#[derive(Clone, Debug, PartialEq)]
-struct State {
-    model: Model,
-    objects: Vec<(bool, Arc<BitSet>, Vec<NamedSelection>)>,
-    active: usize,
-    selection: Selection,
-    is_dirty: bool,
-    revision: u64,
-}
-
-fn state(editor: &Editor) -> State {
-    let document = editor.document();
-    let objects = document.objects().iter();
-    State {
-        model: document.to_model(document.name()),
-        objects: objects.map(|o| (o.visible(), o.hidden().clone(), o.named_selections().to_vec())).collect(),
-        active: document.active_index(),
-        selection: editor.selection().clone(),
-        is_dirty: editor.is_dirty(),
-        revision: editor.revision(),
-    }
+/// Everything that has to be recovered: the contents, whether they are saved, and the revision.
+fn state(editor: &Editor) -> (Contents, bool, u64) {
+    let contents = Contents::named(editor, editor.document().name());
+    (contents, editor.is_dirty(), editor.revision())
 }
 
 fn act_or_keep(editor: &mut Editor, jobs: &mut Vec<JobRequest>, disk: &mut Disk, deed: &Deed) {

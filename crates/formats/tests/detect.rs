@@ -67,17 +67,9 @@ fn an_obj_by_another_name_still_brings_its_materials() {
 #[test]
 fn content_without_a_model_is_refused_under_every_extension() {
     let readme = "# Read me\n\nsolid advice: v 1 of this text is 3 lines long.\nf sharp, 1 note\nply wood\n{ and } <a>\n";
-    // Bytes that follow from nothing (G. Marsaglia, "Xorshift RNGs", 2003).
-    let mut state = 0x9e37_79b9_7f4a_7c15u64;
-    let mut noise = |length: usize| -> Vec<u8> {
-        let mut next = || {
-            state ^= state << 13;
-            state ^= state >> 7;
-            state ^= state << 17;
-            (state >> 32) as u8
-        };
-        (0..length).map(|_| next()).collect()
-    };
+    // Bytes that follow from nothing.
+    let mut random = fixtures::Random(0x9e37_79b9_7f4a_7c15);
+    let mut noise = |length: usize| -> Vec<u8> { (0..length).map(|_| random.byte()).collect() };
     let mut garbage: Vec<Vec<u8>> =
         vec![readme.into(), readme.repeat(40).into(), vec![0; 4000], vec![b' '; 200]];
     garbage.extend([100, 134, 200, 3000, 100_000].map(&mut noise));

@@ -4,6 +4,7 @@
 #[path = "../../../fuzz/targets.rs"]
 mod targets;
 
+use fixtures::Random;
 use formats::{Format, Model, NamedBytes};
 use glam::Vec3;
 use halfedge::{Mesh, PolygonSoup};
@@ -28,18 +29,6 @@ fn peak(work: impl FnOnce()) -> usize {
     MEMORY.reset_peak_usage();
     work();
     MEMORY.peak_usage().saturating_sub(before)
-}
-
-/// Numbers that follow from a seed (G. Marsaglia, "Xorshift RNGs", 2003).
-struct Random(u64);
-
-impl Random {
-    fn below(&mut self, end: usize) -> usize {
-        self.0 ^= self.0 << 13;
-        self.0 ^= self.0 >> 7;
-        self.0 ^= self.0 << 17;
-        (self.0 % end.max(1) as u64) as usize
-    }
 }
 
 /// What parsers stumble over, to put anywhere.

@@ -1,6 +1,7 @@
 //! Helpers for the tests of this crate.
 #![allow(dead_code, reason = "each test file uses its own part")]
 
+pub mod contents;
 pub mod deeds;
 pub mod random;
 
