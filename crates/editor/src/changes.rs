@@ -78,6 +78,14 @@ impl Changes {
         }
     }
 
+    /// Another document took the place of one, with these objects each.
+    pub(crate) fn replaced(&mut self, old: &[Object], new: &[Object]) {
+        old.iter().for_each(|object| self.gone(object));
+        new.iter().for_each(|object| self.added(object));
+        (self.document, self.materials, self.selection) = (true, true, true);
+        (self.history, self.jobs) = (true, true);
+    }
+
     pub(crate) fn hid(&mut self, id: ObjectId, faces: BitSet) {
         self.document = true;
         match self.hidden.iter_mut().find(|(object, _)| *object == id) {

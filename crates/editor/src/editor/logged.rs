@@ -28,11 +28,8 @@ impl Editor {
     /// Makes everything count as changed in an editor that takes the place of another one: the changes are those from the
     /// other's document to this one's.
     pub fn take_place_of(&mut self, other: &Self) {
-        let mut changes = Changes { document: true, materials: true, selection: true, ..Changes::default() };
-        (changes.history, changes.messages, changes.jobs) = (true, true, true);
-        other.document.objects.iter().for_each(|object| changes.gone(object));
-        self.document.objects.iter().for_each(|object| changes.added(object));
-        self.changes = changes;
+        self.changes = Changes { messages: true, ..Changes::default() };
+        self.changes.replaced(&other.document.objects, &self.document.objects);
     }
 
     /// Where the editor goes on counting.

@@ -2,7 +2,6 @@
 
 use super::Editor;
 use super::jobs::WaitingFor;
-use crate::changes::Changes;
 use crate::document::Origin;
 use crate::history::{Change, Step};
 use crate::outcome::{self, Outcome};
@@ -59,17 +58,7 @@ impl Editor {
             ..
         } = other;
         document.origin = origin;
-        let mut changes = std::mem::take(&mut self.changes);
-        self.document.objects.iter().for_each(|object| changes.gone(object));
-        document.objects.iter().for_each(|object| changes.added(object));
-        self.changes = Changes {
-            document: true,
-            materials: true,
-            selection: true,
-            history: true,
-            jobs: true,
-            ..changes
-        };
+        self.changes.replaced(&self.document.objects, &document.objects);
         let label = format!("Open {}", document.name);
         let old = std::mem::replace(&mut self.document, document);
         let mut back: Vec<Change> = (0..objects_at_start).rev().map(Change::Remove).collect();
