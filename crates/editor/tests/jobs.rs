@@ -285,6 +285,20 @@ fn materials_survive_from_file_to_file() {
 }
 
 #[test]
+fn a_job_adds_its_object_at_the_end_of_a_list_that_became_shorter() {
+    let mut editor = on_two();
+    run(&mut editor, json!({"op": "activate-object", "object": 1}));
+    let add = command(json!({"op": "new", "shape": "grid", "add": true, "columns": 2, "rows": 1}));
+    let Ok(Begun::Job(request)) = editor.begin_from(add, 1) else { panic!("a job") };
+    editor.jump_to(0).expect("undone");
+    assert_eq!(editor.document().objects().len(), 1);
+    editor.finish(request.id(), request.run(&mut on)).expect("added");
+    let document = editor.document();
+    assert_eq!((document.objects().len(), document.active_index()), (2, 1));
+    assert_eq!(document.active().expect("the new one").mesh().face_count(), 2);
+}
+
+#[test]
 fn every_format_survives_transfer_to_the_worker() {
     let mut editor = Editor::with_mesh("Cube", decorated());
     // Projects hold more than a model: `tests/project.rs` is about them.

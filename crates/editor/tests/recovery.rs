@@ -5,7 +5,7 @@ mod support;
 
 use editor::halfedge::Element;
 use editor::recovery::{Entry, Event, Snapshot, SnapshotCopy, append_record, new_log, read_log};
-use editor::{Editor, JobRequest, SelectMode, Wire};
+use editor::{Begun, Editor, JobRequest, SelectMode, Wire};
 use proptest::prelude::*;
 use serde_json::json;
 use support::contents::Contents;
@@ -253,4 +253,43 @@ fn undoing_past_the_snapshot_needs_another() {
     assert_eq!(sizes(&disk.recover()), [9, 16, 9], "the last state that could be replayed");
     assert!(disk.take_snapshot(&mut editor, 1 << 20));
     assert_eq!(state(&disk.recover()), state(&editor));
+}
+
+#[test]
+fn an_edit_that_changed_nothing_leaves_the_selection_that_was() {
+    let mut editor = on_two();
+    run(&mut editor, json!({"op": "new", "shape": "tetrahedron"}));
+    let mut disk = Disk::of(&mut editor);
+    let before = state(&editor);
+    // A triangle stays as it is; what it would leave selected is nothing that undo could bring back.
+    editor.update_edit(command(json!({"op": "triangulate-faces", "faces": [0]}))).expect("previewed");
+    editor.commit_edit();
+    assert_eq!(state(&editor), before);
+    disk.append(&editor.take_log());
+    assert_eq!(state(&disk.recover()), before);
+}
+
+#[test]
+fn faces_that_were_hidden_while_a_job_kept_their_deletion_are_no_longer_hidden() {
+    let mut editor = on_two();
+    let mut disk = Disk::of(&mut editor);
+    run(&mut editor, json!({"op": "select-all", "kind": "face"}));
+    run(&mut editor, json!({"op": "delete-faces"}));
+    let Ok(Begun::Job(request)) =
+        editor.adjust_from(command(json!({"op": "separate", "by": "components"})), 1)
+    else {
+        panic!("a job")
+    };
+    run(&mut editor, json!({"op": "hide"}));
+    assert_eq!(editor.document().active().expect("the cube").hidden().len(), 6);
+    editor.cancel_job(request.id());
+    let cube = editor.document().active().expect("the cube");
+    assert_eq!((cube.mesh().face_count(), cube.hidden().len()), (0, 0));
+    assert!(disk.take_snapshot(&mut editor, 1 << 20));
+    assert_eq!(state(&disk.recover()), state(&editor));
+    while editor.next_undo().is_some() {
+        editor.undo().expect("undone");
+        validate(&editor);
+    }
+    assert_eq!(editor.mesh().expect("the cube").face_count(), 6);
 }

@@ -4,7 +4,7 @@ use super::jobs::MAX_ELEMENTS_AT_ONCE;
 use super::{Begun, Editor, MessageKind};
 use crate::document::ObjectId;
 use crate::error::CommandError;
-use crate::history::Step;
+use crate::history::{Change, Step};
 use crate::ops::Command;
 use crate::recovery::Event;
 use crate::selection::Selection;
@@ -31,6 +31,8 @@ pub(super) struct Replaced {
     last: Last,
     /// The document's revision before the step.
     before: u64,
+    /// The last revision that was made when the step was taken out.
+    last_revision: u64,
     /// What [`Editor::place_in_history`] was when the step was taken out.
     place: (u64, Option<u64>),
 }
@@ -112,7 +114,9 @@ impl Editor {
                         let step = if last.is_step { self.history.take_redo() } else { None };
                         let later = if step.is_some() { self.history.take_all_redo() } else { Vec::new() };
                         let place = self.place_in_history();
-                        let replaced = step.map(|step| Replaced { step, later, last, before, place });
+                        let last_revision = self.last_revision;
+                        let replaced =
+                            step.map(|step| Replaced { step, later, last, before, last_revision, place });
                         self.set_adjusts(request.id(), replaced);
                         self.changes.history = true;
                     }
@@ -135,10 +139,23 @@ impl Editor {
         (self.next_step, self.history.next_undo().map(|step| step.number))
     }
 
+    /// Lets a step be redone that a job was to replace, but the job changed nothing: as after an adjustment that is made at
+    /// once. An edit that was made meanwhile has forgotten what could be redone.
+    pub(super) fn keep_redo_of(&mut self, replaced: Replaced) {
+        let Replaced { step, mut later, last_revision, .. } = replaced;
+        if last_revision != self.last_revision {
+            return;
+        }
+        later.push(step);
+        later.extend(self.history.take_all_redo());
+        later.into_iter().for_each(|step| self.history.keep_redo(step));
+        self.changes.history = true;
+    }
+
     /// Restores a step that an adjustment undid but could not replace.
     pub(super) fn restore(&mut self, replaced: Replaced) {
         self.end_edit();
-        let Replaced { step, later, last, before, place } = replaced;
+        let Replaced { step, later, last, before, place, .. } = replaced;
         if self.revision == before {
             let number = step.number;
             let is_next = self.place_in_history() == place;
@@ -157,11 +174,14 @@ impl Editor {
         // refer to others.
         let label = step.label.clone();
         let selection = self.selection.clone();
-        let back = if step.changes.iter().all(|change| change.object().is_some()) {
-            self.apply(step.changes)
-        } else {
-            Vec::new()
-        };
+        let objects: Option<Vec<ObjectId>> = step.changes.iter().map(Change::object).collect();
+        let mut back = Vec::new();
+        if let Some(objects) = objects {
+            back = self.apply(step.changes);
+            for id in objects {
+                back.extend(self.forget_gone(id));
+            }
+        }
         self.drop_gone_from_selection();
         let is_step = self.push_step(label.clone(), back, selection);
         self.log(Event::Break);

@@ -168,7 +168,8 @@ impl Editor {
                 changes.push(Change::Active(0));
             }
             Commit::NewObject => {
-                let place = if self.document.objects.is_empty() { 0 } else { at + 1 };
+                // The list may have become shorter since the command was given.
+                let place = self.document.objects.len().min(at + 1);
                 let object = self.object(first);
                 changes.push(Change::Insert(place, Box::new(object)));
                 changes.push(Change::Active(place));

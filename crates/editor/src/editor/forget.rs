@@ -45,6 +45,28 @@ impl Editor {
         self.apply(changes)
     }
 
+    /// Removes elements that don't exist from the hidden faces and the named selections of an object: a step that is done
+    /// again after later ones may have removed what those hid or named. Costs O(ids that are hidden or named).
+    pub(super) fn forget_gone(&mut self, id: ObjectId) -> Vec<Change> {
+        let Some(object) = self.document.object(id) else { return Vec::new() };
+        let mut gone = ElementIds::default();
+        let mut note = |kind, element| {
+            if !object.mesh().exists(kind, element) {
+                match kind {
+                    Element::Vertex => gone.vertices.push(element),
+                    Element::Edge => gone.edges.push(element),
+                    Element::Halfedge => gone.edges.push(element / 2),
+                    Element::Face => gone.faces.push(element),
+                }
+            }
+        };
+        object.hidden().iter().for_each(|face| note(Element::Face, face as u32));
+        for NamedSelection { selection, .. } in object.named_selections() {
+            selection.ids().for_each(|element| note(selection.kind(), element));
+        }
+        self.forget_removed(id, &gone)
+    }
+
     /// The selection, and the changes of what is hidden and named, that go with an operation on an object whose elements get
     /// new ids; none where its result is made anew.
     pub(super) fn follow_ids(&self, op: &Op, objects: &[ObjectId]) -> Option<(Selection, Vec<Change>)> {

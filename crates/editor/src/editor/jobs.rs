@@ -275,16 +275,19 @@ impl Editor {
                 return Err(self.report(CommandError::of(op.spec().name, problem)));
             }
         };
-        let is_active = objects.first() == self.document.active().map(Object::id).as_ref();
-        if let Some(ids) = outcome.created.ids.as_ref().filter(|_| is_active && command.op.is_open())
-            && let Some(selection) = self.result(std::slice::from_ref(&op), ids)
-        {
-            self.replace_selection(selection);
-        }
         if self.revision != before {
+            let is_active = objects.first() == self.document.active().map(Object::id).as_ref();
+            if let Some(ids) = outcome.created.ids.as_ref().filter(|_| is_active && command.op.is_open())
+                && let Some(selection) = self.result(std::slice::from_ref(&op), ids)
+            {
+                self.replace_selection(selection);
+            }
             self.log(Event::Job { command: command.clone(), selection, objects: places, at });
             self.remember(command);
-        } else if matches!(adjusts, Adjusts::Last(_)) {
+        } else if let Adjusts::Last(replaced) = adjusts {
+            if let Some(replaced) = replaced {
+                self.keep_redo_of(*replaced);
+            }
             self.remember_without_step(command);
         }
         self.say(MessageKind::Info, outcome.message.clone());

@@ -351,7 +351,8 @@ impl Editor {
             self.forget_counts(id);
         }
         back.extend(self.forget_removed(id, &removed));
-        if self.document.active == at {
+        // An edit that changed nothing is no step, so that undo could not bring back what was selected.
+        if self.document.active == at && !back.is_empty() {
             let result = if selects { self.result(ops, &created) } else { None };
             match result {
                 Some(selection) => self.replace_selection(selection),
