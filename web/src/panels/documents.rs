@@ -4,8 +4,7 @@ use std::collections::HashMap;
 
 use egui::{
     Align, Align2, Button, Color32, ColorImage, Context, Key, Label, Layout, Rect, RichText, Role,
-    ScrollArea, Sense, StrokeKind, TextEdit, TextureHandle, TextureOptions, Ui, Vec2, WidgetInfo, Window,
-    pos2, vec2,
+    ScrollArea, Sense, StrokeKind, TextEdit, TextureHandle, TextureOptions, Ui, Vec2, WidgetInfo, pos2, vec2,
 };
 use halfedge::words::{counted, thousands};
 use meshwright_worker::store::{Id, Kept};
@@ -15,6 +14,7 @@ use crate::page_view::Page;
 use crate::request::{Request, Requests};
 use crate::widgets::icon_button::icon_button;
 use crate::widgets::icons::Icon;
+use crate::widgets::window::centred;
 
 /// The pictures, and what is being typed.
 #[derive(Default)]
@@ -38,12 +38,9 @@ const LABEL_HEIGHT: f32 = 22.0;
 pub(crate) fn show(ctx: &Context, page: &Page<'_>, own: &mut Documents, out: &mut Requests) {
     let mut open = page.shown.documents;
     let screen = ctx.content_rect();
-    Window::new("Recent documents")
+    centred(ctx, "Recent documents")
         .open(&mut open)
-        .collapsible(false)
         .default_width(520.0_f32.min(screen.width() - 32.0))
-        .pivot(Align2::CENTER_CENTER)
-        .default_pos(screen.center())
         .show(ctx, |ui| match &page.documents.documents {
             None => {
                 ui.label(RichText::new("Reading the list…").weak());
@@ -111,8 +108,9 @@ fn list(ui: &mut Ui, page: &Page<'_>, documents: &[Kept], own: &mut Documents, o
     });
     ui.separator();
     let bytes: u64 = documents.iter().map(|kept| kept.bytes).sum();
+    let take = if documents.len() == 1 { "takes" } else { "take" };
     let text = format!(
-        "{} take {} in this browser. Save what must not be lost to files too.",
+        "{} {take} {} in this browser. Save important ones to files as well.",
         counted(documents.len(), "document", "documents"),
         size(bytes)
     );

@@ -1,20 +1,18 @@
 //! The window with all messages: imports, refusals and results.
 
 use editor::MessageKind;
-use egui::{Context, Label, RichText, ScrollArea, Window};
+use egui::{Context, Label, RichText, ScrollArea};
 
 use crate::page_view::Page;
 use crate::request::{Request, Requests};
+use crate::widgets::window::centred;
 
 pub(crate) fn show(ctx: &Context, page: &Page<'_>, out: &mut Requests) {
     let mut open = page.shown.messages;
     let screen = ctx.content_rect();
-    Window::new("Messages")
+    centred(ctx, "Messages")
         .open(&mut open)
-        .collapsible(false)
         .default_size([460.0_f32.min(screen.width() - 48.0), 320.0])
-        .pivot(egui::Align2::CENTER_CENTER)
-        .default_pos(screen.center())
         .show(ctx, |ui| {
             let copy = ui.add_enabled(page.editor.messages().len() > 0, egui::Button::new("Copy all"));
             if copy.on_hover_text("Copy all messages as text").clicked() {

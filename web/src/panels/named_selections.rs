@@ -2,13 +2,14 @@
 
 use editor::ops::{DeleteNamedSelection, NameSelection, RenameNamedSelection, SelectMode, SelectNamed};
 use editor::{NamedSelection, OpId};
-use egui::{Button, Context, Key, RichText, ScrollArea, TextEdit, Ui, Window};
+use egui::{Button, Context, Key, RichText, ScrollArea, TextEdit, Ui};
 use halfedge::words::counted;
 
 use crate::page_view::Page;
 use crate::request::{Request, Requests};
 use crate::widgets::icon_button::icon_button;
 use crate::widgets::icons::Icon;
+use crate::widgets::window::centred;
 
 /// What is being typed.
 #[derive(Default)]
@@ -21,12 +22,9 @@ pub(crate) struct Naming {
 pub(crate) fn show(ctx: &Context, page: &Page<'_>, own: &mut Naming, out: &mut Requests) {
     let mut open = page.shown.named;
     let screen = ctx.content_rect();
-    Window::new("Named selections")
+    centred(ctx, "Named selections")
         .open(&mut open)
-        .collapsible(false)
         .default_width(340.0_f32.min(screen.width() - 48.0))
-        .pivot(egui::Align2::CENTER_CENTER)
-        .default_pos(screen.center())
         .show(ctx, |ui| {
             new_row(ui, page, own, out);
             ui.separator();

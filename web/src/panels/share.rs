@@ -1,9 +1,7 @@
 //! The window with a link that holds the document, and its QR code.
 
 use editor::project::LinkKind;
-use egui::{
-    Color32, Context, Image, Label, RichText, ScrollArea, Sense, TextEdit, TextureOptions, Ui, Window, vec2,
-};
+use egui::{Color32, Context, Image, Label, RichText, ScrollArea, Sense, TextEdit, TextureOptions, Ui, vec2};
 use egui::{ColorImage, TextureHandle};
 use formats::Format;
 use halfedge::words::thousands;
@@ -15,6 +13,7 @@ use crate::request::{Request, Requests};
 use crate::session::sharing::{self, Made};
 use crate::theme;
 use crate::widgets::controls::primary_button;
+use crate::widgets::window::fixed;
 
 /// Up to this length, links work everywhere, even in messages of Discord and in old mail programs.
 const SHORT_CHARACTERS: usize = 2_000;
@@ -41,17 +40,11 @@ pub(crate) fn show(ctx: &Context, page: &Page<'_>, own: &mut Code, out: &mut Req
     }
     let mut open = true;
     let screen = ctx.content_rect();
-    Window::new("Share")
-        .open(&mut open)
-        .collapsible(false)
-        .resizable(false)
-        .pivot(egui::Align2::CENTER_CENTER)
-        .fixed_pos(screen.center())
-        .show(ctx, |ui| {
-            ui.set_width(400.0_f32.min(screen.width() - 48.0).max(0.0));
-            let most = (screen.height() - 96.0).max(120.0);
-            ScrollArea::vertical().max_height(most).show(ui, |ui| contents(ui, page, own, out));
-        });
+    fixed(ctx, "Share").open(&mut open).show(ctx, |ui| {
+        ui.set_width(400.0_f32.min(screen.width() - 48.0).max(0.0));
+        let most = (screen.height() - 96.0).max(120.0);
+        ScrollArea::vertical().max_height(most).show(ui, |ui| contents(ui, page, own, out));
+    });
     if !open {
         out.push(Request::Close(crate::shown::Window::Share));
     }

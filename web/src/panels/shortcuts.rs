@@ -1,6 +1,6 @@
 //! The window with all keys and gestures: it finds them by name and by key, and changes them.
 
-use egui::{Align, Button, Context, Event, Key, Layout, RichText, ScrollArea, Ui, Window, vec2};
+use egui::{Align, Button, Context, Event, Key, Layout, RichText, ScrollArea, Ui, vec2};
 
 use crate::input::actions::{self, Action};
 use crate::input::key_map::{KeyMap, When};
@@ -12,6 +12,7 @@ use crate::request::{KeyChange, Request, Requests};
 use crate::widgets::controls::text_field;
 use crate::widgets::icon_button::icon_button;
 use crate::widgets::icons::Icon;
+use crate::widgets::window::fixed;
 
 /// The most that the window is wide, in points.
 const MAX_WIDTH_POINTS: f32 = 640.0;
@@ -87,27 +88,21 @@ pub(crate) fn show(ctx: &Context, page: &Page<'_>, own: &mut KeyEditor, out: &mu
     bind_pressed(&keys::map(ctx), own, out);
     let mut open = true;
     let screen = ctx.content_rect();
-    Window::new("Keyboard shortcuts")
-        .open(&mut open)
-        .collapsible(false)
-        .resizable(false)
-        .pivot(egui::Align2::CENTER_CENTER)
-        .fixed_pos(screen.center())
-        .show(ctx, |ui| {
-            ui.set_width(MAX_WIDTH_POINTS.min(screen.width() - 48.0).max(0.0));
-            let map = keys::map(ctx);
-            head(ui, &map, own, out);
-            ui.separator();
-            let most = screen.height() * MAX_SHARE_OF_HEIGHT;
-            let area = ScrollArea::vertical().max_height(most).min_scrolled_height(most);
-            area.auto_shrink([false, false]).show(ui, |ui| {
-                let any = list(ui, &map, own, out);
-                let any = mouse_list(ui, &map, own) || any;
-                if !any {
-                    ui.label(RichText::new("Nothing matches.").weak());
-                }
-            });
+    fixed(ctx, "Keyboard shortcuts").open(&mut open).show(ctx, |ui| {
+        ui.set_width(MAX_WIDTH_POINTS.min(screen.width() - 48.0).max(0.0));
+        let map = keys::map(ctx);
+        head(ui, &map, own, out);
+        ui.separator();
+        let most = screen.height() * MAX_SHARE_OF_HEIGHT;
+        let area = ScrollArea::vertical().max_height(most).min_scrolled_height(most);
+        area.auto_shrink([false, false]).show(ui, |ui| {
+            let any = list(ui, &map, own, out);
+            let any = mouse_list(ui, &map, own) || any;
+            if !any {
+                ui.label(RichText::new("Nothing matches.").weak());
+            }
         });
+    });
     if !open {
         out.push(Request::Close(crate::shown::Window::Shortcuts));
     }

@@ -10,3 +10,4 @@ pub(crate) mod number_box;
 pub(crate) mod operation_icons;
 pub(crate) mod scroll_fade;
 pub(crate) mod tool_button;
+pub(crate) mod window;
