@@ -115,10 +115,7 @@ impl Keeper {
     /// Goes on with what the page shows, because no other document is opened.
     fn go_back(&mut self, session: &mut Session) {
         match self.kept.take() {
-            Some(Kept { id, is_touched, .. }) => {
-                session.platform.ask_store(&Request::Begin(id.clone()), &[]);
-                self.show(session, id, is_touched, Writing::default());
-            }
+            Some(Kept { id, is_touched, .. }) => self.begin_as(session, id, is_touched),
             None => self.start_new(session),
         }
     }
@@ -126,6 +123,11 @@ impl Keeper {
     /// Begins to keep the editor's document as a new one.
     fn begin(&mut self, session: &mut Session, is_touched: bool) {
         let id = session.platform.new_id();
+        self.begin_as(session, id, is_touched);
+    }
+
+    /// Begins to keep the editor's document as this one. A checkpoint follows.
+    fn begin_as(&mut self, session: &mut Session, id: Id, is_touched: bool) {
         session.platform.ask_store(&Request::Begin(id.clone()), &[]);
         self.show(session, id, is_touched, Writing::default());
     }
@@ -149,6 +151,11 @@ impl Keeper {
             Answer::Part => {
                 if let Some(opening) = &mut self.opening {
                     opening.add(bytes);
+                }
+            }
+            Answer::Discard => {
+                if let Some(opening) = &mut self.opening {
+                    opening.discard();
                 }
             }
             Answer::Opened(opened) => {

@@ -56,6 +56,12 @@ impl Opening {
         self.parts.push_back(part);
     }
 
+    /// Forgets the parts so far.
+    pub fn discard(&mut self) {
+        (self.checkpoint_bytes, self.waits_since) = (0, None);
+        self.parts.clear();
+    }
+
     /// Reads the checkpoint.
     ///
     /// # Errors

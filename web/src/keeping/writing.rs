@@ -117,8 +117,7 @@ impl Keeper {
         let id = known.unwrap_or_else(|| session.platform.new_id());
         // What was logged in this frame ends with what brought the other document.
         drop(session.editor.take_log());
-        session.platform.ask_store(&Request::Begin(id.clone()), &[]);
-        self.show(session, id, is_touched, Writing::default());
+        self.begin_as(session, id, is_touched);
     }
 }
 
@@ -202,39 +201,36 @@ impl Kept {
 
     /// Brings up to date what the list of documents says.
     pub(super) fn describe(&mut self, session: &mut Session, now: f64) {
-        let document = session.editor.document();
-        let count = |kind: Element| -> u64 {
-            document.objects().iter().map(|object| object.mesh().count(kind) as u64).sum()
-        };
-        let mut info = Info {
-            name: document.name().to_owned(),
-            sizes: [document.objects().len() as u64, count(Element::Vertex), count(Element::Face)],
-            is_touched: self.is_touched,
-            ..Info::default()
-        };
-        let revision = session.editor.revision();
+        let (document, revision) = (session.editor.document(), session.editor.revision());
         let last = self.writing.info.as_ref();
-        if let Some((last, _)) = last {
-            info.changed_ms = last.changed_ms;
-        }
-        if last.is_some_and(|(last, at)| (last, *at) == (&info, revision)) {
+        let is_same = |(info, _): &(Info, u64)| {
+            (info.name.as_str(), info.is_touched) == (document.name(), self.is_touched)
+        };
+        let is_listed = last.is_some_and(is_same);
+        if is_listed && last.is_some_and(|(_, at)| *at == revision) {
             return;
         }
         let due = self.writing.info_at + INFO_SECONDS - now;
-        let is_new =
-            last.is_none_or(|(last, _)| (&last.name, last.is_touched) != (&info.name, info.is_touched));
-        if is_new || due <= 0.0 {
-            info.changed_ms = session.platform.date_ms();
-            session.platform.ask_store(&Request::Describe(info.clone()), &[]);
-            if self.writing.picture_at.is_none_or(|at| now - at >= PICTURE_SECONDS) {
-                self.writing.picture_at = Some(now);
-                session
-                    .platform
-                    .ask_store(&Request::Picture, &Thumbnail::of(session.editor.document()).to_bytes());
-            }
-            (self.writing.info, self.writing.info_at) = (Some((info, revision)), now);
-        } else {
+        if is_listed && due > 0.0 {
             session.ctx.request_repaint_after_secs(due as f32);
+            return;
         }
+        let count = |kind: Element| -> u64 {
+            document.objects().iter().map(|object| object.mesh().count(kind) as u64).sum()
+        };
+        let info = Info {
+            name: document.name().to_owned(),
+            sizes: [document.objects().len() as u64, count(Element::Vertex), count(Element::Face)],
+            changed_ms: session.platform.date_ms(),
+            is_touched: self.is_touched,
+            ..Info::default()
+        };
+        session.platform.ask_store(&Request::Describe(info.clone()), &[]);
+        if self.writing.picture_at.is_none_or(|at| now - at >= PICTURE_SECONDS) {
+            self.writing.picture_at = Some(now);
+            let picture = Thumbnail::of(session.editor.document()).to_bytes();
+            session.platform.ask_store(&Request::Picture, &picture);
+        }
+        (self.writing.info, self.writing.info_at) = (Some((info, revision)), now);
     }
 }

@@ -5,7 +5,7 @@ use egui::{Key, Modifiers};
 use egui_kittest::kittest::Queryable;
 use halfedge::{Element, Mesh};
 use meshwright_web::platform::headless::Outside;
-use meshwright_web::platform::store::Failure;
+use meshwright_web::platform::store::{Contents, Failure};
 use serde_json::{Value, json};
 
 const TRIANGLE: &str = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
@@ -136,9 +136,7 @@ fn the_next_visit_opens_the_last_document_and_two_tabs_do_not_overwrite_each_oth
     let mut second = second.reload();
     assert_eq!(*second.mesh(), of_second);
     drop(second);
-    outside.open_in_new_tab();
-    outside.set_setting("document", "document1");
-    let mut third = Page::visit(&outside);
+    let mut third = visit_first_document(&outside);
     assert_eq!(*third.mesh(), of_first);
     assert!(!third.has_part("open in another tab"));
 }
@@ -153,9 +151,7 @@ fn new_documents_leave_the_old_one_as_it_was_and_undo_goes_back_to_it() {
     assert_eq!(*page.mesh(), torus);
     let old = page.outside.clone();
     drop(page);
-    old.open_in_new_tab();
-    old.set_setting("document", "document1");
-    let mut page = Page::visit(&old);
+    let mut page = visit_first_document(&old);
     assert_eq!(faces(&mut page), 10, "the old document is kept");
 
     page.command(json!({"op": "new", "shape": "torus"}));
@@ -199,6 +195,26 @@ fn a_browser_that_keeps_nothing_says_so_with_the_first_change() {
     assert!(page.app().would_lose_changes());
 }
 
+/// A visit in another tab, to the first document with damage done to one of its files.
+fn visit_damaged(
+    outside: &Outside,
+    mut contents: Contents,
+    file: &str,
+    damage: impl Fn(&mut Vec<u8>),
+) -> Page {
+    let folder = contents.get_mut("document1").expect("the document");
+    damage(folder.iter_mut().find(|(name, _)| name.starts_with(file)).expect("one").1);
+    outside.disk().set_contents(contents);
+    visit_first_document(outside)
+}
+
+/// A visit in another tab that goes on with the first document.
+fn visit_first_document(outside: &Outside) -> Page {
+    outside.set_setting("document", "document1");
+    outside.open_in_new_tab();
+    Page::visit(outside)
+}
+
 #[test]
 fn a_document_that_is_gone_or_damaged_is_named_and_the_page_begins_afresh() {
     let mut page = Page::new();
@@ -214,26 +230,12 @@ fn a_document_that_is_gone_or_damaged_is_named_and_the_page_begins_afresh() {
     assert_eq!(faces(&mut page), 6);
     drop(page);
 
-    let mut damaged = whole.clone();
-    let folder = damaged.get_mut("document1").expect("the document");
-    let checkpoint = folder.iter_mut().find(|(name, _)| name.starts_with("checkpoint")).expect("one").1;
-    checkpoint[40] ^= 1;
-    outside.disk().set_contents(damaged);
-    outside.set_setting("document", "document1");
-    outside.open_in_new_tab();
-    let mut page = Page::visit(&outside);
+    let mut page = visit_damaged(&outside, whole.clone(), "checkpoint", |bytes| bytes[40] ^= 1);
     assert!(page.has_part("is damaged"));
     assert_eq!(faces(&mut page), 6);
     drop(page);
 
-    let mut torn = whole;
-    let folder = torn.get_mut("document1").expect("the document");
-    let log = folder.iter_mut().find(|(name, _)| name.starts_with("log")).expect("one").1;
-    log.pop();
-    outside.disk().set_contents(torn);
-    outside.set_setting("document", "document1");
-    outside.open_in_new_tab();
-    let mut page = Page::visit(&outside);
+    let mut page = visit_damaged(&outside, whole, "log", |bytes| bytes.truncate(bytes.len() - 1));
     assert!(page.has_part("The last change was not completely written"));
     extrude(&mut page);
     let before = page.mesh().clone();

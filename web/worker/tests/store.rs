@@ -3,9 +3,6 @@
 use editor::recovery::{Entry, Event, SnapshotCopy, append_record, read_log};
 use editor::{Command, Editor};
 use meshwright_worker::store::*;
-use std::collections::BTreeMap;
-
-type Contents = BTreeMap<String, BTreeMap<String, Vec<u8>>>;
 
 /// A tab with a store.
 struct Visitor {
@@ -37,6 +34,7 @@ impl Visitor {
         for (answer, bytes) in self.ask(Request::Open { id: id.into(), copy: "copy".into() }, &[]) {
             match answer {
                 Answer::Part => checkpoint.extend(bytes),
+                Answer::Discard => checkpoint.clear(),
                 Answer::Opened(opened) => return Ok((checkpoint, bytes, opened)),
                 Answer::NotOpened { why, .. } => return Err(why),
                 answer => panic!("{answer:?}"),

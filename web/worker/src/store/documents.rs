@@ -148,10 +148,16 @@ impl<D: Disk> Documents<D> {
         tell: &mut dyn FnMut(Answer, Bytes),
     ) -> Result<(u64, Bytes), WhyNot> {
         let files = self.disk.files(folder).await.map_err(WhyNot::Failed)?;
-        let (number, checkpoint) =
-            self.newest_whole(folder, &files).await.map_err(WhyNot::Failed)?.ok_or(WhyNot::Damaged)?;
-        let given = read_parts(&mut self.disk, folder, &checkpoint, |part| tell(Answer::Part, part)).await;
-        given.map_err(WhyNot::Failed)?;
+        let mut newest = None;
+        for (number, file) in numbered(&files, CHECKPOINT) {
+            let given = read_parts(&mut self.disk, folder, &file, |part| tell(Answer::Part, part)).await;
+            if given.map_err(WhyNot::Failed)? {
+                newest = Some(number);
+                break;
+            }
+            tell(Answer::Discard, Bytes::new());
+        }
+        let number = newest.ok_or(WhyNot::Damaged)?;
         let log = files.iter().find(|file| file.name == named(LOG, number));
         let log = match log {
             Some(file) => self.read_all(folder, file).await.map_err(WhyNot::Failed)?,

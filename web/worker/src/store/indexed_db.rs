@@ -7,7 +7,8 @@ use super::disk::{Disk, Failure, FileLength};
 use super::locks::Locks;
 use super::opfs::failure;
 use idb::{
-    Database, Error, Factory, KeyRange, ObjectStore, ObjectStoreParams, Query, Transaction, TransactionMode,
+    CursorDirection, Database, Error, Factory, KeyRange, ObjectStore, ObjectStoreParams, Query, Transaction,
+    TransactionMode,
 };
 use js_sys::Uint8Array;
 use std::collections::BTreeMap;
@@ -87,6 +88,16 @@ impl IndexedDb {
         Ok(keys.iter().filter_map(Part::of_key).collect())
     }
 
+    /// The last of the records whose keys begin like this.
+    async fn last_part(&self, prefix: &str) -> Result<Option<Part>, Failure> {
+        let read = async {
+            let (_transaction, store) = self.begin(TransactionMode::ReadOnly)?;
+            let cursor = store.open_key_cursor(Some(range(prefix)?), Some(CursorDirection::Prev))?.await?;
+            cursor.map(|cursor| cursor.key()).transpose()
+        };
+        Ok(read.await.map_err(|error| why(&error))?.as_ref().and_then(Part::of_key))
+    }
+
     async fn get(&self, part: &Part) -> Result<Vec<u8>, Failure> {
         let read = async {
             let (_transaction, store) = self.begin(TransactionMode::ReadOnly)?;
@@ -122,7 +133,7 @@ impl Disk for IndexedDb {
     }
 
     async fn append(&mut self, folder: &str, file: &str, bytes: &[u8]) -> Result<(), Failure> {
-        let at = self.parts(&format!("{folder}/{file}/")).await?.last().map_or(0, Part::end);
+        let at = self.last_part(&format!("{folder}/{file}/")).await?.map_or(0, |part| part.end());
         let part = Part { folder: folder.into(), file: file.into(), at, len: bytes.len() as u64 };
         let value = Uint8Array::from(bytes);
         let add = async {

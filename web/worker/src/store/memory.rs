@@ -7,6 +7,9 @@ use std::pin::pin;
 use std::rc::Rc;
 use std::task::{Context, Poll, Waker};
 
+/// Everything on a disk: by folder and file.
+pub type Contents = BTreeMap<String, BTreeMap<String, Vec<u8>>>;
+
 /// A disk in memory. Its clones are the same disk.
 #[derive(Clone, Debug, Default)]
 pub struct MemoryDisk {
@@ -15,7 +18,7 @@ pub struct MemoryDisk {
 
 #[derive(Debug, Default)]
 struct Inner {
-    folders: BTreeMap<String, BTreeMap<String, Vec<u8>>>,
+    folders: Contents,
     /// Which tab has locked a folder.
     locks: HashMap<String, u64>,
     tabs: u64,
@@ -48,13 +51,13 @@ impl MemoryDisk {
         self.inner.borrow_mut().limit = None;
     }
 
-    /// Everything on the disk: by folder and file.
-    pub fn contents(&self) -> BTreeMap<String, BTreeMap<String, Vec<u8>>> {
+    /// Everything on the disk.
+    pub fn contents(&self) -> Contents {
         self.inner.borrow().folders.clone()
     }
 
     /// Replaces everything on the disk.
-    pub fn set_contents(&self, contents: BTreeMap<String, BTreeMap<String, Vec<u8>>>) {
+    pub fn set_contents(&self, contents: Contents) {
         self.inner.borrow_mut().folders = contents;
     }
 }

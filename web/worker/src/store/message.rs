@@ -149,6 +149,8 @@ pub enum Answer {
     Ready,
     /// The next bytes of the checkpoint of the document that is being opened are beside this.
     Part,
+    /// What was sent of the checkpoint is damaged. The parts of an older one follow, if there is one.
+    Discard,
     /// A document is open. Its log is beside this.
     Opened(Opened),
     /// A document could not be opened.

@@ -29,7 +29,7 @@ mod serve;
 
 pub use disk::{Disk, Failure, FileLength};
 pub use documents::Documents;
-pub use memory::{MemoryDisk, Tab, now_or_never};
+pub use memory::{Contents, MemoryDisk, Tab, now_or_never};
 pub use message::{Answer, Bytes, Id, Info, Kept, Opened, Request, WhyNot};
 #[cfg(target_arch = "wasm32")]
 pub use message::{from_js, to_js};
