@@ -42,7 +42,7 @@ impl Page<'_> {
             return Some("There is room for one view only. Make the window wider.".into());
         }
         if action == Action::Fly && self.shown.touch {
-            return Some("Flying takes a keyboard and a mouse.".into());
+            return Some("Flying needs a keyboard and a mouse.".into());
         }
         availability::why_not(action, self.session, self.shown.kind, self.player)
     }

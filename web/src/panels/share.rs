@@ -169,7 +169,7 @@ fn show_code(ui: &mut Ui, own: &mut Code, address: String) {
         let side = per_module * modules as f32 / pixels_per_point;
         let picture = Image::new(texture).fit_to_exact_size(vec2(side, side)).sense(Sense::hover());
         let code = ui.add(picture.alt_text("QR code of the link"));
-        code.on_hover_text("Point a telephone's camera at it to open the document there");
+        code.on_hover_text("Point a phone's camera at it to open the document there");
     });
 }
 

@@ -240,7 +240,7 @@ fn a_flight_ends_where_the_eye_is_by_enter_a_click_or_another_action() {
 fn flying_says_what_it_takes() {
     let mut page = Page::sized(crate::page::PHONE);
     page.press_with(Modifiers::SHIFT, Key::Backtick);
-    assert!(page.has_part("Flying takes a keyboard and a mouse."));
+    assert!(page.has_part("Flying needs a keyboard and a mouse."));
     assert!(!page.has_part("W A S D"));
 }
 

@@ -190,7 +190,7 @@ fn repeat(json: &[u8]) -> Result<Editor, String> {
             return Err("The link asks for more work than opening a link may take.".to_owned());
         }
         let run = if at == 0 { editor.start_with(command) } else { editor.run(command) };
-        run.map_err(|error| format!("A command of the link can't be carried out: {error}."))?;
+        run.map_err(|error| format!("A command in the link can't be carried out: {error}."))?;
     }
     editor.rename_document(&name);
     Ok(editor)
