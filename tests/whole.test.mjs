@@ -26,8 +26,8 @@ const told = async (editor) => {
  */
 async function startAndCancel(editor, command, label, atOnce) {
   const before = await told(editor);
-  const [worker] = editor.page.workers();
-  const closed = new Promise((resolve) => worker.once("close", resolve));
+  // Cancelling ends the worker of jobs; the one that keeps documents goes on.
+  const closed = Promise.race(editor.page.workers().map((worker) => new Promise((end) => worker.once("close", end))));
   await editor.page.evaluate((command) => {
     window.answer = window.meshwright.run(command).then(() => "done", String);
     window.cancelled = new Promise((resolve) => {
