@@ -16,16 +16,20 @@ const DOUBLE_CLICK_MS = 600;
 export class Editor {
   #expected = [];
 
-  /** Opens the page at `url` in a fresh profile. */
-  static async open(url, { renderer, size, label = "", welcome = false }) {
+  /** Opens the page at `url` in a fresh profile, with the settings of an earlier visit. */
+  static async open(url, { renderer, size, label = "", welcome = false, settings = {}, colorScheme, waitUntil }) {
     const browser = await browserWith(renderer);
     const context = await browser.newContext({
       viewport: { width: size.width, height: size.height },
       hasTouch: size.touch ?? false,
       acceptDownloads: true,
+      colorScheme,
     });
     // Most tests are about what comes after the welcome view.
-    if (!welcome) await context.addInitScript(() => localStorage.setItem("meshwright.welcome", "off"));
+    const kept = Object.entries({ ...(welcome ? {} : { welcome: "off" }), ...settings });
+    await context.addInitScript((kept) => {
+      for (const [name, value] of kept) localStorage.setItem(`meshwright.${name}`, value);
+    }, kept);
     const editor = new Editor();
     const page = await context.newPage();
     page.setDefaultTimeout(WAIT_LIMIT_MS);
@@ -37,7 +41,7 @@ export class Editor {
     page.on("console", (message) => note(message.type(), message.text()));
     page.on("pageerror", (error) => note("error", String(error)));
     page.on("crash", () => note("error", "The tab has crashed."));
-    await page.goto(url);
+    await page.goto(url, { waitUntil });
     return editor;
   }
 

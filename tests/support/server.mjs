@@ -1,7 +1,7 @@
 // A static file server that serves a site under a sub-path, as many hosts do.
 
 import { createReadStream } from "node:fs";
-import { stat } from "node:fs/promises";
+import { readFile, stat } from "node:fs/promises";
 import { createServer } from "node:http";
 import { extname, join, resolve, sep } from "node:path";
 import { pipeline } from "node:stream";
@@ -15,6 +15,7 @@ const TYPES = {
   ".png": "image/png",
   ".svg": "image/svg+xml",
   ".wasm": "application/wasm",
+  ".webmanifest": "application/manifest+json",
 };
 
 /** The file at a request's path, or null if that is outside the folder. */
@@ -32,9 +33,10 @@ function fileFor(root, base, url) {
 
 /**
  * Serves `folder` under `base` ("/" or "/some/path/") on a free port of 127.0.0.1. Other paths are not found.
- * Returns its URL and a function that stops it.
+ * Options: more `headers`; `status(file)`, 200 by default; `body(file, bytes, response)`, which may send a file itself, and
+ * then returns true. Returns its URL and a function that stops it.
  */
-export async function serve(folder, base = "/") {
+export async function serve(folder, base = "/", { headers = {}, status = () => 200, body } = {}) {
   const root = resolve(folder);
   const server = createServer(async (request, response) => {
     const file = fileFor(root, base, request.url);
@@ -43,11 +45,13 @@ export async function serve(folder, base = "/") {
       response.writeHead(404, { "content-type": "text/plain" }).end("not found");
       return;
     }
-    response.writeHead(200, {
+    response.writeHead(status(file), {
       "content-type": TYPES[extname(file)] ?? "application/octet-stream",
-      "content-length": found.size,
       "cache-control": "no-store",
+      ...(body ? {} : { "content-length": found.size }),
+      ...headers,
     });
+    if (body && await body(file, await readFile(file), response)) return;
     // A page may close while it loads: no error.
     pipeline(createReadStream(file), response, () => {});
   });

@@ -5,22 +5,18 @@ use std::fs;
 use crate::project::Project;
 use crate::setup::npm;
 use crate::shell::{self, Result, read, step};
-use crate::{page, setup, worker_name};
+use crate::{setup, site};
 
 pub fn run(project: &Project) -> Result {
     let wasm = setup::for_building(project)?;
     // wasm-opt is among its packages.
     npm::ensure(project)?;
-    let site = project.root.join("dist");
-    shell::remove_folder(&site)?;
-    let mut trunk = page::trunk(project, &wasm, "build", &site)?;
-    trunk.args(["--release", "--cargo-profile", "dist"]);
-    shell::run(wasm.choose_for_dist(&mut trunk))?;
-    worker_name::name_by_content(&site)?;
-    check_relative(&read(&site.join("index.html"))?)?;
+    let folder = project.root.join("dist");
+    site::build(project, &wasm, site::Kind::Optimised, &folder)?;
+    check_relative(&read(&folder.join("index.html"))?)?;
 
-    step(format!("{} is ready for any static host:", site.display()));
-    for path in shell::entries(&site) {
+    step(format!("{} is ready for any static host:", folder.display()));
+    for path in shell::entries(&folder) {
         let bytes = fs::metadata(&path).map_or(0, |metadata| metadata.len());
         println!("{:>12}  {}", bytes, path.file_name().unwrap_or_default().to_string_lossy());
     }

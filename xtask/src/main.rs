@@ -7,14 +7,12 @@ mod bench;
 mod bench_wasm;
 mod dist;
 mod measures;
-mod page;
 mod project;
 mod serve;
 mod setup;
 mod shell;
+mod site;
 mod test;
-mod test_page;
-mod worker_name;
 
 use std::process::ExitCode;
 

@@ -44,20 +44,6 @@ pub fn run(command: &mut Command) -> Result {
     }
 }
 
-/// Replaces this process with another program, so that stopping one stops the other.
-#[cfg(unix)]
-pub fn become_program(command: &mut Command) -> Result {
-    step(format!("$ {}", line(command)));
-    let error = std::os::unix::process::CommandExt::exec(command);
-    Err(cannot_start(command, &error))
-}
-
-/// Runs another program as the last step.
-#[cfg(not(unix))]
-pub fn become_program(command: &mut Command) -> Result {
-    run(command)
-}
-
 /// Runs a program, prints its standard output and passes each line to `on_line`. Gives `false` when the program fails.
 pub fn run_reading(command: &mut Command, mut on_line: impl FnMut(&str)) -> Result<bool> {
     step(format!("$ {}", line(command)));

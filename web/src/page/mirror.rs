@@ -11,7 +11,9 @@ use std::collections::{HashMap, VecDeque};
 use egui::accesskit::{Action, ActionData, ActionRequest, NodeId, TreeId};
 use egui::{Context, Event, FullOutput, Key, Modifiers, Plugin, RawInput};
 use wasm_bindgen::prelude::*;
-use web_sys::{Document, Element, EventTarget, HtmlCanvasElement, HtmlInputElement, HtmlTextAreaElement};
+use web_sys::{
+    Document, Element, EventTarget, HtmlCanvasElement, HtmlElement, HtmlInputElement, HtmlTextAreaElement,
+};
 
 use crate::access::aria::{Urgency, element_id};
 use crate::access::mirror::{Insertion, Mirror, Patch};
@@ -146,7 +148,10 @@ impl Layer {
             Patch::Value(id, value) => set_value(self.element(id)?, &value),
             Patch::Rect(id, [left, top, width, height]) => {
                 let style = format!("left:{left}px;top:{top}px;width:{width}px;height:{height}px");
-                self.element(id)?.set_attribute("style", &style)?;
+                // Not the attribute, which the page's security policy forbids.
+                if let Some(element) = self.element(id)?.dyn_ref::<HtmlElement>() {
+                    element.style().set_css_text(&style);
+                }
             }
             Patch::Insert(id, Insertion { parent, before }) => {
                 let parent = parent.map_or(Ok(&self.root), |parent| self.element(parent))?;

@@ -1,4 +1,4 @@
-//! The page: the editor on its canvas, and the notices of index.html while there is no editor.
+//! The page: the editor on its canvas, and the notices of web/site/start.js while there is no editor.
 
 mod app;
 mod browser_keys;

@@ -1,4 +1,4 @@
-//! The notices of index.html for when there is no editor to show a message.
+//! The notices of web/site/start.js for when there is no editor to show a message.
 
 use wasm_bindgen::prelude::*;
 

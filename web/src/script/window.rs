@@ -5,7 +5,7 @@
 //! - `state()`, `element(kind, id)`, `select(kind, ids)`, `undo()`, `redo()`, `cancel()`, `project([x, y,
 //!   z])`, `on(event, callback)` and `ui()` return at once, or throw such an `Error`.
 //!
-//! `ready` is in index.html, because it exists before the editor does.
+//! `ready` is in web/site/start.js, because it exists before the editor does.
 
 use std::cell::RefMut;
 
@@ -20,7 +20,7 @@ use crate::page::Handle;
 use crate::platform::NamedBytes;
 use crate::session::jobs::{Answer as Answered, Reply};
 
-/// Adds the methods to the `window.meshwright` of index.html.
+/// Adds the methods to the `window.meshwright` of start.js.
 pub(crate) fn install(handle: &Handle) -> Result<(), JsValue> {
     let window = web_sys::window().ok_or("there is no window")?;
     let api = &Reflect::get(&window, &"meshwright".into())?;

@@ -19,17 +19,10 @@ pub fn for_compiling(project: &Project) -> Result<WasmToolchain> {
     wasm::ensure(project)
 }
 
-/// What running the page's code in a browser takes: tests build the page without Trunk.
-pub fn for_testing(project: &Project) -> Result<WasmToolchain> {
+/// What building the site takes.
+pub fn for_building(project: &Project) -> Result<WasmToolchain> {
     let wasm = for_compiling(project)?;
     programs::wasm_bindgen(project)?;
-    Ok(wasm)
-}
-
-/// What serving and packaging the page take.
-pub fn for_building(project: &Project) -> Result<WasmToolchain> {
-    let wasm = for_testing(project)?;
-    programs::trunk(project)?;
     Ok(wasm)
 }
 

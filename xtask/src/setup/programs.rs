@@ -8,29 +8,6 @@ use std::time::Duration;
 use crate::project::Project;
 use crate::shell::{self, Result, find, step};
 
-const TRUNK_VERSION: &str = "0.21.14";
-
-/// Trunk, which serves and packages the page.
-pub fn trunk(project: &Project) -> Result {
-    let platform = match (OS, ARCH) {
-        ("linux", arch) => Some(format!("{arch}-unknown-linux-gnu.tar.gz")),
-        ("macos", arch) => Some(format!("{arch}-apple-darwin.tar.gz")),
-        ("windows", "x86_64") => Some("x86_64-pc-windows-msvc.zip".to_owned()),
-        _ => None,
-    };
-    let trunk = Program {
-        package: "trunk",
-        version: TRUNK_VERSION,
-        binaries: &["trunk"],
-        archive: platform.map(|platform| {
-            format!("https://github.com/trunk-rs/trunk/releases/download/v{TRUNK_VERSION}/trunk-{platform}")
-        }),
-        locked: true,
-        minutes: 7,
-    };
-    trunk.ensure(project)
-}
-
 /// wasm-bindgen, which generates the JavaScript around a wasm module. Its version must be that of the crate in Cargo.lock.
 pub fn wasm_bindgen(project: &Project) -> Result {
     let version = project.locked_version("wasm-bindgen")?;
@@ -51,8 +28,6 @@ pub fn wasm_bindgen(project: &Project) -> Result {
                 "https://github.com/wasm-bindgen/wasm-bindgen/releases/download/{version}/wasm-bindgen-{version}-{platform}.tar.gz"
             )
         }),
-        // Its lock file names a crate version that not every registry has.
-        locked: false,
         minutes: 4,
     };
     wasm_bindgen.ensure(project)
@@ -80,7 +55,6 @@ struct Program<'a> {
     binaries: &'a [&'a str],
     /// The URL of an archive with ready-made programs for this platform.
     archive: Option<String>,
-    locked: bool,
     /// How long building it takes on two cores.
     minutes: u32,
 }
@@ -161,9 +135,7 @@ impl Program<'_> {
         let mut install = shell::cargo();
         install.args(["install", self.package, "--version", self.version, "--force", "--quiet"]);
         install.arg("--root").arg(&project.tools).arg("--target-dir").arg(&build);
-        if self.locked {
-            install.arg("--locked");
-        }
+        // Not `--locked`: the lock file of wasm-bindgen names a crate version that not every registry has.
         // The published profile spends most of the time on link-time optimisation.
         install.env("CARGO_PROFILE_RELEASE_LTO", "off").env("CARGO_PROFILE_RELEASE_CODEGEN_UNITS", "16");
         shell::run(&mut install)?;

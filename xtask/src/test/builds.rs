@@ -22,7 +22,7 @@ struct Artifact {
 
 /// Compiles everything, or finds it compiled, and prints what was compiled in more than one way.
 pub fn run(project: &Project) -> Result {
-    let wasm = setup::for_testing(project)?;
+    let wasm = setup::for_building(project)?;
     let mut found: BTreeMap<String, Vec<(Artifact, BTreeSet<&str>)>> = BTreeMap::new();
     for (name, command) in stages::builds(project, &wasm) {
         for artifact in artifacts(name, command)? {

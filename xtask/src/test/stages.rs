@@ -9,7 +9,7 @@ use crate::measures;
 use crate::project::Project;
 use crate::setup::{self, Browser, WasmToolchain, browser, npm};
 use crate::shell::{self, Result};
-use crate::test_page;
+use crate::site;
 
 /// The minor version of the newest compiler whose lints this code passes. Warnings of newer ones don't fail a stage.
 const NEWEST_LINTED_RUSTC_MINOR: u32 = 96;
@@ -42,7 +42,7 @@ impl Tools {
             browser::ensure_native_graphics();
         }
         let wasm = if any(&[Stage::Wasm, Stage::E2e]) {
-            Some(setup::for_testing(project)?)
+            Some(setup::for_building(project)?)
         } else if any(&[Stage::Clippy]) {
             Some(setup::for_compiling(project)?)
         } else {
@@ -122,7 +122,7 @@ fn clippy_native(project: &Project) -> Command {
 /// The page's own code exists on the page's target only.
 fn clippy_page(project: &Project, wasm: &WasmToolchain) -> Command {
     let mut clippy = cargo(project);
-    clippy.args(["clippy", "--all-targets", "--target", setup::TARGET]).args(test_page::PACKAGES);
+    clippy.args(["clippy", "--all-targets", "--target", setup::TARGET]).args(site::PACKAGES);
     wasm.choose(&mut clippy);
     clippy
 }
@@ -180,17 +180,17 @@ pub fn builds(project: &Project, wasm: &WasmToolchain) -> [(&'static str, Comman
         ("clippy of the page", clippy_page(project, wasm)),
         ("native", native),
         ("wasm", in_browser),
-        ("e2e", test_page::cargo_build(project, wasm)),
+        ("e2e", site::cargo_build(project, wasm, site::Kind::Quick)),
         ("e2e, command line", command_line(project)),
     ]
 }
 
 fn e2e(project: &Project, tools: &Tools, rest: &[String], count: &mut Count) -> Result {
-    let site = project.site("test");
-    test_page::build(project, tools.wasm()?, &site)?;
+    let folder = project.site("test");
+    site::build(project, tools.wasm()?, site::Kind::Quick, &folder)?;
     shell::run(&mut command_line(project))?;
-    let folder = project.root.join("tests");
-    let files = shell::entries(&folder).into_iter().filter(|path| {
+    let tests = project.root.join("tests");
+    let files = shell::entries(&tests).into_iter().filter(|path| {
         let name = path.file_name().unwrap_or_default().to_string_lossy();
         name.ends_with(".test.mjs")
             && (rest.is_empty() || rest.iter().any(|part| name.contains(part.as_str())))
@@ -200,9 +200,9 @@ fn e2e(project: &Project, tools: &Tools, rest: &[String], count: &mut Count) -> 
         return Err(format!("no file among tests/*.test.mjs has `{}` in its name.", rest.join("` or `")));
     }
     let mut node = Command::new("node");
-    node.arg("--test-reporter=spec").arg(folder.join("run.mjs")).args(files).current_dir(&folder);
+    node.arg("--test-reporter=spec").arg(tests.join("run.mjs")).args(files).current_dir(&tests);
     node.env("MESHWRIGHT_TOOLS", &project.tools)
-        .env("MESHWRIGHT_SITE", site)
+        .env("MESHWRIGHT_SITE", folder)
         .env("MESHWRIGHT_CLI", project.target.join("debug").join(format!("meshwright{EXE_SUFFIX}")))
         .env("MESHWRIGHT_SHOTS", project.target.join("screenshots"))
         .env("MESHWRIGHT_CHROMIUM", &tools.browser()?.path)

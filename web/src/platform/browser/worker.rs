@@ -6,7 +6,7 @@ use web_sys::{MessageEvent, Worker, WorkerOptions, WorkerType};
 /// Where index.html names the worker's script: the name on a built site contains a hash of the script.
 const SCRIPT_NAMED_BY: &str = "meta[name=meshwright-worker]";
 
-/// The script that Trunk builds beside the page. The address is relative to the page, so that the site can
+/// The script that the build puts beside the page. The address is relative to the page, so that the site can
 /// be in any folder.
 pub(super) fn script() -> String {
     let named = web_sys::window()

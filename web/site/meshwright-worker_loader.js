@@ -1,0 +1,5 @@
+// Starts the program of a worker.
+
+import init from "./meshwright-worker.js";
+
+await init();
