@@ -72,11 +72,8 @@
     notice.hidden = false;
     document.getElementById("frame").hidden = true;
   };
-  /** Calls `body` once the page's elements are there. */
-  const onceParsed = (body) => {
-    if (document.readyState === "loading") document.addEventListener("DOMContentLoaded", body, { once: true });
-    else body();
-  };
+  /** The page's elements are there, and the scripts that wait for them have run. */
+  const parsed = new Promise((resolve) => { document.addEventListener("DOMContentLoaded", resolve, { once: true }); });
 
   // Called by the editor; see web/src/page/notice.rs.
   window.meshwrightPage = {
@@ -111,7 +108,7 @@
   const cannotLoad = (reason) => {
     if (state !== "loading") return;
     state = "failed";
-    onceParsed(() => show("Meshwright could not be loaded", [
+    parsed.then(() => show("Meshwright could not be loaded", [
       "The page has loaded, but the editor's program did not load or did not start.",
       "Check the connection and reload; the browser must be one that runs WebAssembly.",
     ], reason));
@@ -160,14 +157,14 @@
     // would be in the way of that, and there is nothing to wait for where the service worker has the program.
     if (!navigator.serviceWorker?.controller) {
       const copy = response.clone().body;
-      onceParsed(() => showProgress(copy).catch(() => {}));
+      parsed.then(() => showProgress(copy)).catch(() => {});
     }
     return response;
   };
   const load = async () => {
     const [{ default: init }, response] = await Promise.all([import(address(program.content)), fetchProgram()]);
     // The editor looks for its canvas.
-    await new Promise(onceParsed);
+    await parsed;
     await init({ module_or_path: response });
   };
   load().catch((error) => failed(error, String(error)));

@@ -35,6 +35,9 @@ const served = await build();
 setInterval(async () => { if (await build().catch(() => served) !== served) location.reload(); }, 1000);
 ";
 
+/// What names the service worker in index.html.
+const OFFLINE: &str = "<meta name=\"meshwright-offline\"";
+
 pub fn run(project: &Project, args: &[String]) -> Result {
     let port = port(args)?;
     let wasm = setup::for_building(project)?;
@@ -105,11 +108,14 @@ fn wait(changes: &Receiver<()>) -> Result {
     }
 }
 
-/// Puts a build in the place of the one before, with the script that reloads the page.
+/// Puts a build in the place of the one before, with the script that reloads the page, and without the service worker, which
+/// would show the build before.
 fn replace(built: &Path, folder: &Path) -> Result {
     let index = built.join("index.html");
     let reload = format!("  <script type=\"module\" src=\"{RELOAD_SCRIPT}\"></script>\n</head>");
-    shell::write(&index, &read(&index)?.replace("</head>", &reload))?;
+    let html = read(&index)?.replace("</head>", &reload);
+    let html = html.lines().filter(|line| !line.contains(OFFLINE)).collect::<Vec<_>>().join("\n");
+    shell::write(&index, &html)?;
     shell::write(&built.join(RELOAD_SCRIPT), RELOAD)?;
     shell::remove_folder(folder)?;
     fs::rename(built, folder).map_err(|error| format!("{} can't be renamed: {error}.", built.display()))

@@ -1,7 +1,11 @@
 //! The site: the page, its worker, and the files of `web/site` and `web/embed`. Serving, testing and packaging all build it
 //! here, so what is tested is what ships.
 
+pub mod compress;
 mod names;
+mod offline;
+mod optimise;
+mod weight;
 
 use std::path::{Path, PathBuf};
 use std::process::Command;
@@ -11,8 +15,8 @@ use crate::setup::{TARGET, WasmToolchain};
 use crate::shell::{self, Result, read};
 use names::Names;
 
-const PAGE: &str = "meshwright-web";
-const WORKER: &str = "meshwright-worker";
+pub const PAGE: &str = "meshwright-web";
+pub const WORKER: &str = "meshwright-worker";
 
 /// The packages that exist on the page's target only, as Cargo takes them.
 pub const PACKAGES: [&str; 4] = ["-p", PAGE, "-p", WORKER];
@@ -55,7 +59,8 @@ pub fn build(project: &Project, wasm: &WasmToolchain, kind: Kind, site: &Path) -
     for entry in ["web/embed", "web/meshwright.d.ts"] {
         copy(&project.root.join(entry), site)?;
     }
-    name_by_content(site)
+    name_by_content(site)?;
+    offline::list_files(site)
 }
 
 /// Makes a program's WebAssembly and its JavaScript of what Cargo has built.
@@ -68,12 +73,10 @@ fn bind(project: &Project, kind: Kind, program: &str, site: &Path) -> Result {
     let mut bind = Command::new(project.tools_bin().join("wasm-bindgen"));
     bind.args(["--target", "web", "--no-typescript", "--out-dir"]).arg(site).arg(built);
     shell::run(&mut bind)?;
-    if kind == Kind::Optimised {
-        let module = wasm_of(program, site);
-        let mut opt = Command::new("wasm-opt");
-        shell::run(opt.arg("-O3").arg(&module).arg("-o").arg(&module).env("PATH", project.path()?))?;
+    match kind {
+        Kind::Quick => Ok(()),
+        Kind::Optimised => optimise::module(project, program, &wasm_of(program, site)),
     }
-    Ok(())
 }
 
 fn wasm_of(program: &str, site: &Path) -> PathBuf {
@@ -94,7 +97,7 @@ fn name_by_content(site: &Path) -> Result {
         names.rename(program, ".js")?;
     }
     names.rename(WORKER, "_loader.js")?;
-    for (name, ending) in [("start", ".css"), ("start", ".js")] {
+    for (name, ending) in [("start", ".css"), ("start", ".js"), ("offline", ".js")] {
         names.rename(name, ending)?;
     }
     names.update("index.html")?;

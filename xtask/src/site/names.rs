@@ -35,8 +35,7 @@ impl<'a> Names<'a> {
             self.update(&plain)?;
         }
         let bytes = fs::read(self.path(&plain)).map_err(|error| self.cannot("read", &plain, &error))?;
-        let hash = hex(&Sha256::digest(&bytes));
-        let named = format!("{start}-{}{end}", hash.get(..DIGITS).unwrap_or(&hash));
+        let named = format!("{start}-{}{end}", hash(&bytes));
         fs::rename(self.path(&plain), self.path(&named))
             .map_err(|error| self.cannot("renamed", &plain, &error))?;
         self.renamed.push(Renamed { plain, named, is_mentioned: false });
@@ -71,8 +70,9 @@ impl<'a> Names<'a> {
     }
 }
 
-fn hex(bytes: &[u8]) -> String {
-    bytes.iter().map(|byte| format!("{byte:02x}")).collect()
+/// The start of the SHA-256 hash, in hexadecimal digits.
+pub fn hash(bytes: &[u8]) -> String {
+    Sha256::digest(bytes).iter().take(DIGITS / 2).map(|byte| format!("{byte:02x}")).collect()
 }
 
 #[cfg(test)]
