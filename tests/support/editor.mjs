@@ -16,14 +16,20 @@ const DOUBLE_CLICK_MS = 600;
 export class Editor {
   #expected = [];
 
-  /** Opens the page at `url` in a fresh profile, with the settings of an earlier visit. */
-  static async open(url, { renderer, size, label = "", welcome = false, settings = {}, colorScheme, waitUntil }) {
+  /**
+   * Opens the page at `url` in a fresh profile, with the settings of an earlier visit. Without a service worker, which would
+   * keep a copy of the site in each profile, and answer requests before tests can.
+   */
+  static async open(url, {
+    renderer, size, label = "", welcome = false, settings = {}, colorScheme, waitUntil, serviceWorkers = "block",
+  }) {
     const browser = await browserWith(renderer);
     const context = await browser.newContext({
       viewport: { width: size.width, height: size.height },
       hasTouch: size.touch ?? false,
       acceptDownloads: true,
       colorScheme,
+      serviceWorkers,
     });
     // Most tests are about what comes after the welcome view.
     const kept = Object.entries({ ...(welcome ? {} : { welcome: "off" }), ...settings });

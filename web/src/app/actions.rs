@@ -9,17 +9,18 @@ use egui::ThemePreference;
 use formats::Format;
 use halfedge::{Element, HalfedgeId, Mesh};
 
-use super::{App, THEME_SETTING, camera, key_settings, layout};
+use super::{App, camera, key_settings, layout, theme_setting};
 use crate::bezier::{self, ControlPoint};
 use crate::input::actions::Action;
 use crate::input::availability::{follows_pointer, opens_form};
+use crate::keeping::SavedView;
 use crate::live::edit::{Live, Start};
 use crate::live::place::SelectionPlace;
 use crate::page_view::Page;
 use crate::panels::operations::EDGE_LENGTH;
 use crate::panels::viewport::ZOOM_PER_NOTCH;
 use crate::panels::viewport::control_points::add_control_point;
-use crate::session::{form, live, selecting};
+use crate::session::{form, live, saving, selecting};
 use crate::transforming::Gizmo;
 use crate::view::{Tool, flying, pane::Split};
 use viewport::Shading;
@@ -70,7 +71,7 @@ impl App {
                 self.panels.element_menu.open(kind, at.unwrap_or(self.view.area.center()));
             }
             Action::Open => self.session.platform.open_file_dialog(),
-            Action::Save => self.show_saving(None),
+            Action::Save => self.save(),
             Action::SaveAs(format) => self.show_saving(Some(format)),
             Action::Undo => self.session.undo(),
             Action::Redo => self.session.redo(),
@@ -182,9 +183,9 @@ impl App {
             Action::AddToSelection => self.shown.adds ^= true,
             Action::Arrange(arrangement) => self.arrange(arrangement),
             Action::InterfaceScale(percent) => self.set_scale(percent),
-            Action::SystemTheme => self.set_theme(ThemePreference::System),
-            Action::LightTheme => self.set_theme(ThemePreference::Light),
-            Action::DarkTheme => self.set_theme(ThemePreference::Dark),
+            Action::SystemTheme => theme_setting::choose(&mut self.session, ThemePreference::System),
+            Action::LightTheme => theme_setting::choose(&mut self.session, ThemePreference::Light),
+            Action::DarkTheme => theme_setting::choose(&mut self.session, ThemePreference::Dark),
             Action::UseKeys(preset) => key_settings::choose(&mut self.session, preset),
             Action::Welcome => self.shown.welcome ^= true,
             Action::Shortcuts => self.shown.shortcuts ^= true,
@@ -194,6 +195,7 @@ impl App {
                 self.session.toasts.errors_are_read();
             }
             Action::About => self.shown.about ^= true,
+            Action::Update => self.session.platform.update(),
             Action::Upsample => {
                 let command = self.upsampling();
                 self.session.begin(command, None);
@@ -292,15 +294,12 @@ impl App {
         self.panels.forms.fill(OpId::Remesh, &facts, EDGE_LENGTH, length.into());
     }
 
-    /// Sets the theme and stores it for later visits.
-    fn set_theme(&mut self, theme: ThemePreference) {
-        self.session.ctx.set_theme(theme);
-        let name = match theme {
-            ThemePreference::Light => "light",
-            ThemePreference::Dark => "dark",
-            ThemePreference::System => "system",
-        };
-        self.session.platform.store_setting(THEME_SETTING, name);
+    /// Saves the document to the file that it was opened from, if the browser allows that, or else opens the save dialog.
+    fn save(&mut self) {
+        self.end_preview();
+        if !saving::save(&mut self.session, SavedView::of(&self.view).to_json()) {
+            self.show_saving(None);
+        }
     }
 
     /// Opens the save dialog, in the given format or the one that suits the document.

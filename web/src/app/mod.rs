@@ -11,12 +11,13 @@ mod panels;
 mod script;
 mod sheet;
 mod textures;
+mod theme_setting;
 
 use std::collections::VecDeque;
 
 use editor::Editor;
 use egui::epaint::MarginF32;
-use egui::{CentralPanel, Context, Event as Input, Panel, Sense, ThemePreference, Ui};
+use egui::{CentralPanel, Context, Event as Input, Panel, Sense, Ui};
 use halfedge::{Budget, Element};
 
 use crate::bezier::Player;
@@ -29,7 +30,7 @@ use crate::panels::viewport::{Viewport, ring_cut};
 use crate::panels::{live_bar, menu_bar, status_bar, tool_bar, welcome};
 use crate::platform::{DeviceInfo, Event, NamedBytes, Platform};
 use crate::request::{Request, Requests, Waiting};
-use crate::session::{Session, selecting, sharing};
+use crate::session::{Session, saving, selecting, sharing, update};
 use crate::shown::Shown;
 use crate::theme;
 use crate::view::{self, ELEMENTS_PER_FRAME, Tool, View};
@@ -66,9 +67,6 @@ pub struct App {
 /// The longest time from one click of a double-click to the other.
 const MAX_DOUBLE_CLICK_SECONDS: f64 = 0.5;
 
-/// The key of the theme setting.
-const THEME_SETTING: &str = "theme";
-
 impl App {
     /// An editor that contains a cube. Without `gpu` the viewport says that it can't draw.
     pub fn new(ctx: &Context, platform: Box<dyn Platform>, gpu: Option<egui_wgpu::RenderState>) -> Self {
@@ -78,11 +76,7 @@ impl App {
             // As in most systems; egui's own limit is too short where frames are slow.
             options.input_options.max_double_click_delay = MAX_DOUBLE_CLICK_SECONDS;
         });
-        ctx.set_theme(match platform.load_setting(THEME_SETTING).as_deref() {
-            Some("light") => ThemePreference::Light,
-            Some("dark") => ThemePreference::Dark,
-            _ => ThemePreference::System,
-        });
+        theme_setting::load(ctx, &*platform);
         let panels = Panels::new(&*platform);
         let layout = Layout::load(&*platform);
         let scale_percent = layout::load_scale(&*platform);
@@ -176,6 +170,9 @@ impl App {
                 Event::JobDone { job, result } => self.session.job_done(job, result),
                 Event::Fetched { job, files } => self.session.fetched(job, files),
                 Event::Files(files) => self.session.open_files(files, None),
+                Event::FilesOf(source, files) => saving::open(&mut self.session, source, files),
+                Event::Written { files, result } => saving::written(&mut self.session, &files, result),
+                Event::UpdateReady => update::offer(&mut self.session),
                 Event::Failed(text) => self.session.fail(text),
                 Event::Store(answer, bytes) => {
                     if self.keeper.answered(&mut self.session, answer, bytes) {

@@ -177,6 +177,8 @@ pub enum Action {
     Messages,
     /// Opens or closes the window about the version and the device.
     About,
+    /// Reloads the page with its newer version.
+    Update,
     /// Subdivides: Loop on a triangle mesh, Catmull-Clark on others.
     Upsample,
     /// Simplifies to a quarter of the triangles.

@@ -30,6 +30,9 @@ pub(crate) fn why_not(action: Action, session: &Session, kind: Element, player: 
         Action::Share if document.objects().is_empty() => {
             Some("There is nothing to share. Open a file or make a shape first.".into())
         }
+        Action::Update if !session.update_is_ready => {
+            Some("This is the newest version: when there is a newer one, it is fetched by itself.".into())
+        }
         Action::SaveAs(format) => why_not_in(format, document),
         Action::SelectAll
         | Action::SelectInverse

@@ -362,6 +362,14 @@ pub static MENUS: &[Menu] = &[
             ),
             Some(entry(A::Messages, "Messages", "List all imports, refusals and results.")),
             Some(entry(A::About, "About Meshwright", "Show the version and the graphics device.")),
+            Some(
+                entry(
+                    A::Update,
+                    "Reload with the new version",
+                    "Reload the page with the new version of Meshwright. The document is kept.",
+                )
+                .synonyms(&["update", "upgrade"]),
+            ),
         ],
     },
 ];

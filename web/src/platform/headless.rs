@@ -9,7 +9,7 @@ use std::time::Instant;
 use editor::{CommandError, JobRequest, JobResult, Wire};
 
 use crate::platform::store::{Documents, Id, MemoryDisk, Request, Tab, now_or_never};
-use crate::platform::{DeviceInfo, Event, NamedBytes, Platform};
+use crate::platform::{DeviceInfo, Event, NamedBytes, Platform, Source};
 
 /// The test's side of a headless platform; clones share their state.
 #[derive(Clone, Default)]
@@ -41,9 +41,40 @@ struct Inner {
     /// Whether the store takes requests and does nothing.
     store_hangs: bool,
     date_ms: f64,
+    /// The names of the files of each source.
+    sources: Vec<Vec<String>>,
+    written: Vec<NamedBytes>,
+    /// Why files can't be written.
+    refuses_writes: Option<String>,
+    updates: usize,
 }
 
 impl Outside {
+    /// Opens files that can be written again.
+    pub fn open_writable(&self, files: Vec<NamedBytes>) {
+        let source = {
+            let mut inner = self.inner.borrow_mut();
+            inner.sources.push(files.iter().map(|file| file.name.clone()).collect());
+            inner.sources.len() as Source - 1
+        };
+        self.push(Event::FilesOf(source, files));
+    }
+
+    /// The files written where they were opened so far.
+    pub fn written(&self) -> Vec<NamedBytes> {
+        self.inner.borrow().written.clone()
+    }
+
+    /// Refuses to write files from now on.
+    pub fn refuse_writes(&self, reason: &str) {
+        self.inner.borrow_mut().refuses_writes = Some(reason.to_owned());
+    }
+
+    /// How often the page was reloaded with a newer version.
+    pub fn updates(&self) -> usize {
+        self.inner.borrow().updates
+    }
+
     /// The disk with the documents that the browser keeps.
     pub fn disk(&self) -> MemoryDisk {
         self.inner.borrow().disk.clone()
@@ -223,6 +254,30 @@ impl Platform for Headless {
 
     fn download(&mut self, files: Vec<NamedBytes>) {
         self.outside.inner.borrow_mut().downloads.extend(files);
+    }
+
+    fn can_write(&self, source: Source, name: &str) -> bool {
+        let inner = self.outside.inner.borrow();
+        inner.sources.get(source as usize).is_some_and(|names| names.iter().any(|own| own == name))
+    }
+
+    fn ask_to_write(&mut self, _source: Source) {}
+
+    fn write_back(&mut self, _source: Source, files: Vec<NamedBytes>) {
+        let names = files.iter().map(|file| file.name.clone()).collect();
+        let mut inner = self.outside.inner.borrow_mut();
+        let result = match inner.refuses_writes.clone() {
+            Some(reason) => Err(reason),
+            None => {
+                inner.written.extend(files);
+                Ok(())
+            }
+        };
+        inner.events.push(Event::Written { files: names, result });
+    }
+
+    fn update(&mut self) {
+        self.outside.inner.borrow_mut().updates += 1;
     }
 
     fn load_setting(&self, key: &str) -> Option<String> {

@@ -32,6 +32,9 @@ pub struct Fetched {
     pub notes: Vec<String>,
 }
 
+/// Files that came together and can be written again, by their number.
+pub type Source = u32;
+
 /// What happened since the last poll.
 #[derive(Debug)]
 pub enum Event {
@@ -59,6 +62,17 @@ pub enum Event {
     },
     /// Files that the user picked or dropped, completely read.
     Files(Vec<NamedBytes>),
+    /// Files that can be saved where they were opened.
+    FilesOf(Source, Vec<NamedBytes>),
+    /// The files of [`Platform::write_back`] were written, or not, and why.
+    Written {
+        /// Their names.
+        files: Vec<String>,
+        /// Why they were not written: the text after "could not be written".
+        result: Result<(), String>,
+    },
+    /// A newer version of the page is there.
+    UpdateReady,
     /// A sentence on why something the user asked for failed, such as reading a dropped file.
     Failed(String),
     /// The store of documents answered, with these bytes.
@@ -103,6 +117,18 @@ pub trait Platform {
 
     /// Saves files to the user's downloads.
     fn download(&mut self, files: Vec<NamedBytes>);
+
+    /// Whether a source has a file of this name.
+    fn can_write(&self, source: Source, name: &str) -> bool;
+
+    /// Asks the user whether the files of a source may be written. Browsers allow it only shortly after a click or a key.
+    fn ask_to_write(&mut self, source: Source);
+
+    /// Writes files of a source, once the user allows it. Their fate comes as [`Event::Written`].
+    fn write_back(&mut self, source: Source, files: Vec<NamedBytes>);
+
+    /// Reloads the page with the newer version.
+    fn update(&mut self);
 
     /// A setting stored by an earlier visit.
     fn load_setting(&self, key: &str) -> Option<String>;

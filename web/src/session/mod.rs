@@ -4,15 +4,18 @@
 pub(crate) mod documents;
 pub(crate) mod form;
 pub(crate) mod frame_times;
+pub(crate) mod in_place;
 pub(crate) mod jobs;
 pub(crate) mod live;
 pub(crate) mod measures;
 pub(crate) mod preview;
 mod run;
+pub(crate) mod saving;
 pub(crate) mod selecting;
 pub(crate) mod sharing;
 pub(crate) mod survey;
 pub(crate) mod toasts;
+pub(crate) mod update;
 
 use std::cell::RefCell;
 use std::collections::HashMap;
@@ -28,6 +31,7 @@ use crate::platform::Platform;
 use crate::transforming::Gizmo;
 use documents::DocumentList;
 use frame_times::FrameTimes;
+use in_place::InPlace;
 use jobs::{Jobs, Reply};
 use measures::Measured;
 use preview::Previewing;
@@ -70,6 +74,10 @@ pub(crate) struct Session {
     pub adjusting_is_slow: bool,
     /// Links to the document, and whether it came by one.
     pub sharing: Sharing,
+    /// The file that the document was opened from.
+    pub in_place: InPlace,
+    /// Whether a newer version of the page is there.
+    pub update_is_ready: bool,
     /// What the view should show next.
     pub look: Option<ViewTarget>,
     /// Images that were decoded since the last frame, or why they can't be.
@@ -107,6 +115,8 @@ impl Session {
             previewing: Previewing::default(),
             adjusting_is_slow: false,
             sharing: Sharing::default(),
+            in_place: InPlace::default(),
+            update_is_ready: false,
             look: None,
             decoded: Vec::new(),
             selecting: None,

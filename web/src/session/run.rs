@@ -9,7 +9,7 @@ use super::form;
 use super::jobs::{Answer, Reply};
 use super::preview::MAX_SECONDS_PER_STEP;
 use super::toasts::Remedy;
-use super::{CANCELLED, Session, ViewTarget, selecting, sharing};
+use super::{CANCELLED, Session, ViewTarget, saving, selecting, sharing};
 use crate::bezier;
 use crate::input::actions::Action;
 use crate::platform::{Fetched, NamedBytes};
@@ -159,6 +159,7 @@ impl Session {
                     self.editor.say(MessageKind::Warning, note.clone());
                 }
                 if outcome.op == Task::Open {
+                    saving::opened(self, id);
                     self.look_at_opened();
                     if self.editor.view().is_some() {
                         self.look = Some(ViewTarget::Kept);
@@ -185,7 +186,11 @@ impl Session {
             }
             Ok(Finished::Exported(files)) => match running.reply {
                 Some(reply) => reply(Ok(Answer::Files(files))),
-                None => self.saved(files, running.saves),
+                None => {
+                    if let Some(files) = saving::write(self, id, files, running.saves) {
+                        self.saved(files, running.saves);
+                    }
+                }
             },
             Ok(Finished::Shared(link)) => drop(sharing::made(self, id, Ok(link))),
             Ok(Finished::Decoded(picture)) => self.decoded.push((id, Ok(picture))),

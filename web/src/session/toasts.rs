@@ -96,6 +96,13 @@ impl Toasts {
         }
     }
 
+    /// Keeps the small toast until the user closes it or another one comes.
+    pub(crate) fn stay(&mut self) {
+        if let Some(toast) = &mut self.small {
+            toast.until = None;
+        }
+    }
+
     /// The visible toasts: the latest error, then the latest other message.
     pub(crate) fn visible(&self) -> impl Iterator<Item = (Slot, &Toast)> {
         let error = self.errors.last().map(|toast| (Slot::Error, toast));

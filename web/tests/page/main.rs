@@ -16,6 +16,7 @@ mod embed;
 mod held_keys;
 mod hiding;
 mod history;
+mod in_place;
 mod keeping;
 mod keyboard;
 mod keys;

@@ -5,12 +5,14 @@ use wasm_bindgen::prelude::*;
 use wasm_bindgen_futures::spawn_local;
 use web_sys::{File, HtmlInputElement};
 
+use super::handles;
 use super::inbox::{Inbox, describe};
 use crate::platform::{Event, NamedBytes};
 
 /// Reads files that were dropped together and delivers them together, so that an OBJ finds its MTL.
 pub fn read_dropped(dropped: Vec<DroppedFileHandle>, inbox: Inbox) {
     spawn_local(async move {
+        let source = handles::dropped().await;
         let mut files = Vec::with_capacity(dropped.len());
         for file in dropped {
             let name = file.path().to_string_lossy().into_owned();
@@ -19,7 +21,10 @@ pub fn read_dropped(dropped: Vec<DroppedFileHandle>, inbox: Inbox) {
                 Err(reason) => return inbox.push(unreadable(&name, &reason)),
             }
         }
-        inbox.push(Event::Files(files));
+        inbox.push(match source {
+            Some(source) => Event::FilesOf(source, files),
+            None => Event::Files(files),
+        });
     });
 }
 

@@ -5,13 +5,15 @@ mod address;
 mod download;
 mod fetch;
 mod files;
+mod handles;
 mod inbox;
 mod jobs;
+mod offline;
 mod store;
 mod worker;
 
 use super::store::{Id, Request};
-use super::{DeviceInfo, Event, NamedBytes, Platform};
+use super::{DeviceInfo, Event, NamedBytes, Platform, Source};
 use editor::JobRequest;
 use fetch::Fetches;
 use files::FilePicker;
@@ -37,6 +39,8 @@ impl Browser {
     pub fn new(ctx: &egui::Context, device: DeviceInfo) -> Self {
         let inbox = Inbox::new(ctx);
         address::listen(inbox.clone());
+        handles::listen(&inbox);
+        offline::listen(inbox.clone());
         let window = web_sys::window();
         let less_motion =
             window.and_then(|window| window.match_media("(prefers-reduced-motion: reduce)").ok().flatten());
@@ -95,7 +99,9 @@ impl Platform for Browser {
     }
 
     fn open_file_dialog(&mut self) {
-        self.picker.show();
+        if !handles::pick(&self.inbox) {
+            self.picker.show();
+        }
     }
 
     fn download(&mut self, files: Vec<NamedBytes>) {
@@ -105,6 +111,22 @@ impl Platform for Browser {
                 self.inbox.push(Event::Failed(format!("{} could not be saved: {reason}.", file.name)));
             }
         }
+    }
+
+    fn can_write(&self, source: Source, name: &str) -> bool {
+        handles::can_write(source, name)
+    }
+
+    fn ask_to_write(&mut self, source: Source) {
+        handles::ask(source);
+    }
+
+    fn write_back(&mut self, source: Source, files: Vec<NamedBytes>) {
+        handles::write_back(source, files, self.inbox.clone());
+    }
+
+    fn update(&mut self) {
+        offline::update();
     }
 
     fn load_setting(&self, key: &str) -> Option<String> {

@@ -1,0 +1,27 @@
+//! What is known of the file that the document was opened from, if that can be written again; `saving.rs` acts on it.
+
+use editor::{JobId, Origin};
+use formats::Format;
+
+use crate::platform::Source;
+
+/// The file that the document was opened from, and what is being done with it.
+#[derive(Debug, Default)]
+pub(crate) struct InPlace {
+    /// The file that a job opens.
+    pub opening: Option<(JobId, File)>,
+    /// The file of the document that came from there.
+    pub file: Option<(Origin, File)>,
+    /// The job that writes the document's bytes.
+    pub writing: Option<JobId>,
+    /// The revision that counts as saved once the bytes are in the file, if the file then holds everything.
+    pub saves: Option<u64>,
+}
+
+/// A file on the user's disk that can be written again.
+#[derive(Clone, Debug)]
+pub(crate) struct File {
+    pub source: Source,
+    pub name: String,
+    pub format: Format,
+}

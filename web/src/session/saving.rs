@@ -1,0 +1,103 @@
+//! Saving a document to the file that it was opened from.
+
+use editor::{JobId, MessageKind};
+use formats::Format;
+
+use super::Session;
+use super::in_place::File;
+use crate::platform::{NamedBytes, Source};
+
+/// Opens files that can be written again.
+pub(crate) fn open(session: &mut Session, source: Source, files: Vec<NamedBytes>) {
+    let model = files.iter().find_map(|file| {
+        let format = Format::detect(file).filter(|format| format.can_open() && format.can_save())?;
+        Some(File { source, name: file.name.clone(), format })
+    });
+    let before = session.jobs.latest();
+    session.open_files(files, None);
+    let job = session.jobs.latest().filter(|job| Some(*job) != before);
+    session.in_place.opening = job.zip(model);
+}
+
+/// Notes that a job has opened its files.
+pub(crate) fn opened(session: &mut Session, id: JobId) {
+    let opened = session.in_place.opening.take_if(|(job, _)| *job == id);
+    session.in_place.file = opened.map(|(_, file)| (session.editor.document().origin(), file));
+}
+
+/// Starts to save the document to the file that it was opened from; false if there is none. `view` goes into project files.
+pub(crate) fn save(session: &mut Session, view: String) -> bool {
+    // Another document has no claim to the file.
+    let Some((_, file)) =
+        session.in_place.file.clone().filter(|(of, _)| *of == session.editor.document().origin())
+    else {
+        return false;
+    };
+    // One that was cancelled wrote nothing.
+    if session.in_place.writing.is_some_and(|id| session.jobs.iter().any(|job| job.id == id)) {
+        return true;
+    }
+    session.platform.ask_to_write(file.source);
+    let stem = file.name.rsplit_once('.').map_or(file.name.as_str(), |(stem, _)| stem).to_owned();
+    let losses = formats::losses(file.format, &session.editor.document().to_model(&stem));
+    if file.format.is_project() {
+        session.editor.log_view(view);
+    }
+    session.save(file.format, stem, losses.is_empty());
+    session.in_place.writing = session.jobs.latest();
+    true
+}
+
+/// Writes what a job made of the document to the file that it was opened from. Gives the files back if they belong elsewhere.
+pub(crate) fn write(
+    session: &mut Session,
+    id: JobId,
+    mut files: Vec<NamedBytes>,
+    saves: Option<u64>,
+) -> Option<Vec<NamedBytes>> {
+    if session.in_place.writing.take_if(|job| *job == id).is_none() {
+        // Saved under a name of its own, from which it is no longer told apart by its origin.
+        session.in_place.file = None;
+        return Some(files);
+    }
+    let Some((_, file)) = &session.in_place.file else { return Some(files) };
+    if let Some(model) = files.first_mut() {
+        model.name.clone_from(&file.name);
+    }
+    let stranger = files.iter().find(|own| !session.platform.can_write(file.source, &own.name));
+    if let Some(stranger) = stranger {
+        let text = format!(
+            "{} is not among the files that were opened, so all files are downloaded. Open it together with {} to save both \
+             in place.",
+            stranger.name, file.name
+        );
+        session.warn(text, Vec::new());
+        return Some(files);
+    }
+    session.in_place.saves = saves;
+    session.platform.write_back(file.source, files);
+    None
+}
+
+/// Says whether the bytes are in the files.
+pub(crate) fn written(session: &mut Session, files: &[String], result: Result<(), String>) {
+    let saves = session.in_place.saves.take();
+    let names = files.join(" and ");
+    match result {
+        Ok(()) => {
+            let mut details = Vec::new();
+            match saves {
+                Some(revision) => session.editor.mark_saved(revision),
+                None => details.push(
+                    "The file can't hold everything in the document, which therefore still counts as changed.".to_owned(),
+                ),
+            }
+            let text = format!("Saved {names}");
+            session.editor.say(MessageKind::Info, text.clone());
+            session.toast(MessageKind::Info, text, details);
+        }
+        Err(reason) => session.fail(format!(
+            "{names} could not be written: {reason}. What was in it is unchanged. Try again, or use File > Save as."
+        )),
+    }
+}
