@@ -259,10 +259,11 @@ impl App {
         self.shown.low = ctx.content_rect().height() < theme::LOW_HEIGHT_POINTS;
         let touch = self.fingers || self.shown.narrow;
         if touch != self.shown.touch {
-            // Nothing moves under a finger that is about to tap it.
-            if by_finger || is_down {
+            // Nothing moves under a finger that is about to tap it. Lifting it makes a frame, and the one after that can
+            // fit.
+            if by_finger && !is_down {
                 ctx.request_repaint();
-            } else {
+            } else if !is_down {
                 self.shown.touch = touch;
             }
         }

@@ -113,7 +113,8 @@ impl Keeper {
             return;
         }
         let known = self.ids.get(&origin).cloned();
-        let is_touched = known.is_some() || origin.is_file;
+        let has_changed = session.editor.revision() != origin.revision;
+        let is_touched = known.is_some() || origin.is_file || has_changed;
         let id = known.unwrap_or_else(|| session.platform.new_id());
         // What was logged in this frame ends with what brought the other document.
         drop(session.editor.take_log());

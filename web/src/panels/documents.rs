@@ -3,8 +3,9 @@
 use std::collections::HashMap;
 
 use egui::{
-    Align, Align2, Button, Color32, ColorImage, Context, Key, Label, Layout, Rect, RichText, Role,
-    ScrollArea, Sense, StrokeKind, TextEdit, TextureHandle, TextureOptions, Ui, Vec2, WidgetInfo, pos2, vec2,
+    Align, Align2, Button, Color32, ColorImage, Context, Key, Layout, Rect, RichText, Role, ScrollArea,
+    Sense, StrokeKind, TextEdit, TextStyle, TextWrapMode, TextureHandle, TextureOptions, Ui, Vec2,
+    WidgetInfo, WidgetText, pos2, vec2,
 };
 use halfedge::words::{counted, thousands};
 use meshwright_worker::store::{Id, Kept};
@@ -31,8 +32,7 @@ pub(crate) struct Documents {
 const PICTURE_SIZE: Vec2 = vec2(84.0, 56.0);
 
 /// The tiles of documents in the welcome view.
-const MAX_TILES: usize = 5;
-const TILE_HEIGHT: f32 = 56.0;
+const MAX_TILES: usize = 3;
 const LABEL_HEIGHT: f32 = 22.0;
 
 pub(crate) fn show(ctx: &Context, page: &Page<'_>, own: &mut Documents, out: &mut Requests) {
@@ -57,40 +57,46 @@ pub(crate) fn show(ctx: &Context, page: &Page<'_>, own: &mut Documents, out: &mu
     }
 }
 
-/// Shows tiles of the last documents in a row, as many as fit; none if nothing is kept.
-pub(crate) fn recent(ui: &mut Ui, page: &Page<'_>, own: &mut Documents, out: &mut Requests) {
+/// The last documents, which the welcome view offers; none if nothing is kept.
+pub(crate) fn recent<'a>(page: &'a Page<'_>, own: &mut Documents, out: &mut Requests) -> Vec<&'a Kept> {
     let Some(documents) = &page.documents.documents else {
         if !std::mem::replace(&mut own.has_asked, true) {
             out.push(Request::Document(OfDocument::Refresh));
         }
-        return;
+        return Vec::new();
     };
-    let shown: Vec<&Kept> =
-        documents.iter().filter(|kept| why_not_open(page, kept).is_none()).take(MAX_TILES).collect();
-    if shown.is_empty() {
-        return;
-    }
-    ui.label(RichText::new("Recent documents").small().weak());
+    documents.iter().filter(|kept| why_not_open(page, kept).is_none()).take(MAX_TILES).collect()
+}
+
+/// Shows tiles of documents in a row, of this height.
+pub(crate) fn tiles(
+    ui: &mut Ui,
+    page: &Page<'_>,
+    own: &mut Documents,
+    shown: Vec<&Kept>,
+    height: f32,
+    out: &mut Requests,
+) {
     ui.horizontal(|ui| {
         let gap = ui.spacing().item_spacing.x;
         let width = (ui.available_width() - gap * (MAX_TILES as f32 - 1.0)) / MAX_TILES as f32;
         for kept in shown {
             let name = kept.info.shown_name();
-            let (rect, tile) =
-                ui.allocate_exact_size(vec2(width, TILE_HEIGHT + LABEL_HEIGHT), Sense::click());
+            let (rect, tile) = ui.allocate_exact_size(vec2(width, height), Sense::click());
             tile.widget_info(|| WidgetInfo::labeled(Role::Button, true, format!("Open {name}")));
             let visuals = ui.style().interact(&tile);
             let fill = if tile.hovered() { visuals.weak_bg_fill } else { ui.visuals().faint_bg_color };
             ui.painter().rect(rect, 8.0, fill, visuals.bg_stroke, StrokeKind::Inside);
-            let room = rect.with_max_y(rect.top() + TILE_HEIGHT).shrink(3.0);
+            let room = rect.with_max_y(rect.bottom() - LABEL_HEIGHT).shrink(3.0);
             let picture = Align2::CENTER_CENTER
                 .align_size_within_rect(PICTURE_SIZE * (room.height() / PICTURE_SIZE.y), room);
             own.paint(ui, page, kept, picture);
             let label = rect.with_min_y(rect.bottom() - LABEL_HEIGHT).shrink2(vec2(6.0, 2.0));
-            let text = Label::new(RichText::new(name).small().color(visuals.text_color()))
-                .truncate()
-                .selectable(false);
-            ui.put(label, text);
+            // Painted, since `ui.put` would also move the next tile closer.
+            let text = WidgetText::from(RichText::new(name).small());
+            let text = text.into_galley(ui, Some(TextWrapMode::Truncate), label.width(), TextStyle::Small);
+            let at = Align2::CENTER_CENTER.align_size_within_rect(text.size(), label).min;
+            ui.painter().galley(at, text, visuals.text_color());
             let changed = about(kept, page.platform.date_ms());
             if tile.on_hover_text(format!("{name}: {changed}")).clicked() {
                 out.push(Request::Document(OfDocument::Open(kept.id.clone())));

@@ -43,7 +43,9 @@ pub(crate) fn show(ctx: &Context, page: &Page<'_>, own: &mut Code, out: &mut Req
     fixed(ctx, "Share").open(&mut open).show(ctx, |ui| {
         ui.set_width(400.0_f32.min(screen.width() - 48.0).max(0.0));
         let most = (screen.height() - 96.0).max(120.0);
-        ScrollArea::vertical().max_height(most).show(ui, |ui| contents(ui, page, own, out));
+        // Without a least height, the area would keep the height of its first frames, in which there was no QR code yet.
+        let area = ScrollArea::vertical().max_height(most).min_scrolled_height(most);
+        area.show(ui, |ui| contents(ui, page, own, out));
     });
     if !open {
         out.push(Request::Close(crate::shown::Window::Share));

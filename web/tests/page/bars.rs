@@ -302,6 +302,20 @@ fn on_a_telephone_everything_is_large_enough_for_fingers_and_names_no_key() {
 }
 
 #[test]
+fn a_finger_that_rests_draws_no_frames_and_lifting_it_makes_targets_large() {
+    let mut page = Page::new();
+    let height = |page: &Page| page.find("Undo").rect().height();
+    let before = height(&page);
+    let middle = page.find("Viewport").rect().center();
+    // The harness fails where frames don't end.
+    page.touch(middle);
+    page.move_finger(middle + vec2(1.0, 0.0));
+    assert_eq!(height(&page), before, "nothing moves under the finger");
+    page.lift_finger(middle);
+    assert!(height(&page) > before);
+}
+
+#[test]
 fn a_greyed_tool_says_why_when_it_is_tapped() {
     let mut page = Page::sized(PHONE);
     let at = page.find("Tool: Extrude").rect().center();

@@ -165,6 +165,17 @@ fn new_documents_leave_the_old_one_as_it_was_and_undo_goes_back_to_it() {
 }
 
 #[test]
+fn a_document_that_is_changed_in_the_frame_in_which_it_begins_is_listed() {
+    let mut page = Page::new();
+    for command in [json!({"op": "new", "shape": "torus"}), json!({"op": "subdivide-linear"})] {
+        page.app().script().run(command, Box::new(|answer| assert!(answer.is_ok(), "{answer:?}")));
+    }
+    settle(&mut page);
+    open_list(&mut page);
+    listed(&mut page, &["Torus"]);
+}
+
+#[test]
 fn without_room_it_says_so_editing_goes_on_and_later_everything_is_kept_again() {
     let mut page = Page::new();
     let disk = page.outside.disk();
@@ -346,6 +357,8 @@ fn documents_are_listed_opened_renamed_copied_deleted_and_brought_back() {
 #[test]
 fn the_welcome_view_offers_the_last_documents() {
     let mut page = Page::new();
+    page.open("other.obj", TRIANGLE);
+    settle(&mut page);
     page.open("tri.obj", TRIANGLE);
     settle(&mut page);
     let outside = page.outside.clone();
@@ -354,6 +367,8 @@ fn the_welcome_view_offers_the_last_documents() {
     outside.set_setting("document", "");
     outside.open_in_new_tab();
     let mut page = Page::first_visit_of(&outside);
+    let gap = page.find("Open other").rect().left() - page.find("Open tri").rect().right();
+    assert!((gap - 8.0).abs() < 0.5, "{gap} points between tiles, as between those of shapes");
     page.find("Open tri").click();
     page.run();
     settle(&mut page);

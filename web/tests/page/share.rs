@@ -2,7 +2,8 @@
 
 use crate::page::Page;
 use editor::formats::Format;
-use egui::{Key, Modifiers, OutputCommand, vec2};
+use egui::{Key, Modifiers, OutputCommand, Role, vec2};
+use egui_kittest::kittest::Queryable;
 use meshwright_web::platform::Event;
 use serde_json::json;
 
@@ -100,6 +101,18 @@ fn a_damaged_link_is_refused_in_words_and_another_can_be_pasted_in_its_place() {
     assert_eq!(page.mesh().face_count(), 9, "other fragments mean nothing");
     page.press_with(Modifiers::COMMAND, Key::Z);
     assert_ne!(page.app().editor().document().name(), "Cube (copy)", "the document before is no copy");
+}
+
+#[test]
+fn the_whole_code_is_in_sight() {
+    for size in [vec2(1280.0, 800.0), vec2(1920.0, 1080.0)] {
+        let mut page = Page::sized(size);
+        share(&mut page);
+        page.run();
+        let code = page.find("QR code of the link").rect();
+        let window = page.harness.get_by_role_and_label(Role::Window, "Share").rect();
+        assert!(window.contains_rect(code.expand(4.0)), "{code} in {window}");
+    }
 }
 
 #[test]

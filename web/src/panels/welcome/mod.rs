@@ -15,7 +15,7 @@ use egui::{
 use crate::input::actions::Action;
 use crate::input::keys;
 use crate::page_view::Page;
-use crate::panels::documents::{Documents, recent};
+use crate::panels::documents::{Documents, recent, tiles};
 use crate::panels::shortcuts::key_presets;
 use crate::platform::Platform;
 use crate::request::{Request, Requests};
@@ -48,6 +48,9 @@ const MIN_HEIGHT_OF_GRID: f32 = 600.0;
 const DISTANCE: f32 = 16.0;
 const GAP: f32 = 8.0;
 const LABEL_HEIGHT: f32 = 24.0;
+/// The heights of the pictures of tiles.
+const SAMPLE_HEIGHT: f32 = 84.0;
+const SHAPE_HEIGHT: f32 = 40.0;
 /// The largest text size of a label, as a share of its tile's width: the longest name fits.
 const LABEL_PER_TILE_WIDTH: f32 = 0.2;
 
@@ -95,8 +98,8 @@ pub(crate) fn show(
                 ui.spacing_mut().item_spacing = vec2(GAP, GAP);
                 header(ui, is_grid, out);
                 if is_grid {
-                    grid(ui, own, out);
-                    recent(ui, page, documents, out);
+                    samples(ui, own, out);
+                    shapes_and_documents(ui, page, own, documents, out);
                     footer(ui, page, own, out);
                 } else {
                     strip(ui, own, out);
@@ -137,19 +140,47 @@ fn header(ui: &mut Ui, is_grid: bool, out: &mut Requests) {
     });
 }
 
-/// Large tiles of the samples, small ones of the shapes.
-fn grid(ui: &mut Ui, own: &mut Welcome, out: &mut Requests) {
-    let tile = |ui: &Ui, count: usize| (ui.available_width() - GAP * (count as f32 - 1.0)) / count as f32;
+/// The width of each of so many tiles in a row.
+fn tile_width(ui: &Ui, count: usize) -> f32 {
+    (ui.available_width() - GAP * (count as f32 - 1.0)) / count as f32
+}
+
+/// Large tiles of the samples.
+fn samples(ui: &mut Ui, own: &mut Welcome, out: &mut Requests) {
     ui.horizontal(|ui| {
-        let width = tile(ui, SAMPLES.len());
+        let width = tile_width(ui, SAMPLES.len());
         for sample in SAMPLES {
-            sample_tile(ui, own, sample, vec2(width, 84.0), out);
+            sample_tile(ui, own, sample, vec2(width, SAMPLE_HEIGHT), out);
         }
     });
+}
+
+/// Small tiles of the shapes, with the last documents beside them: below them, the view would cover the model.
+fn shapes_and_documents(
+    ui: &mut Ui,
+    page: &Page<'_>,
+    own: &mut Welcome,
+    documents: &mut Documents,
+    out: &mut Requests,
+) {
+    let recent = recent(page, documents, out);
+    if recent.is_empty() {
+        return shapes(ui, own, out);
+    }
+    let label = |ui: &mut Ui, text: &str| ui.label(RichText::new(text).small().weak());
+    ui.columns_const(|[left, right]| {
+        label(left, "Shapes");
+        shapes(left, own, out);
+        label(right, "Recent documents");
+        tiles(right, page, documents, recent, SHAPE_HEIGHT + LABEL_HEIGHT, out);
+    });
+}
+
+fn shapes(ui: &mut Ui, own: &mut Welcome, out: &mut Requests) {
     ui.horizontal(|ui| {
-        let width = tile(ui, SHAPES.len());
+        let width = tile_width(ui, SHAPES.len());
         for name in SHAPES {
-            shape_tile(ui, own, name, vec2(width, 40.0), out);
+            shape_tile(ui, own, name, vec2(width, SHAPE_HEIGHT), out);
         }
     });
 }
