@@ -7,6 +7,7 @@
 
 import { SMALL, browserWith, openPage } from "./harness.mjs";
 import { closeBrowsers } from "./support/browsers.mjs";
+import { tasksDuring } from "./support/tasks.mjs";
 
 const TRIANGLES = Number(process.env.MESHWRIGHT_TRIANGLES ?? 1_000_000);
 const RENDERER = process.env.MESHWRIGHT_RENDERERS ?? "webgl2";
@@ -21,18 +22,11 @@ const run = (command) => editor.page.evaluate(async (command) => { await window.
 
 /** Runs an action and prints the longest tasks of the page's thread. */
 async function watch(what, act) {
-  await browser.startTracing(editor.page, { categories: ["toplevel", "devtools.timeline", "__metadata"] });
-  await act();
-  // Without asking for the state: listing the selection takes longer than what is measured.
-  await editor.frames(40);
-  const { traceEvents } = JSON.parse((await browser.stopTracing()).toString());
-  const main = new Set(traceEvents
-    .filter(({ name, args }) => name === "thread_name" && args.name === "CrRendererMain")
-    .map(({ pid, tid }) => `${pid} ${tid}`));
-  const tasks = traceEvents
-    .filter(({ name, ph, pid, tid }) => ph === "X" && name.endsWith("RunTask") && main.has(`${pid} ${tid}`))
-    .map(({ dur, tdur }) => ({ wall: dur / 1000, busy: (tdur ?? dur) / 1000 }))
-    .sort((a, b) => b.busy - a.busy);
+  const { page: tasks } = await tasksDuring(browser, editor.page, async () => {
+    await act();
+    // Without asking for the state: listing the selection takes longer than what is measured.
+    await editor.frames(40);
+  });
   const times = tasks.slice(0, 4).map(({ wall, busy }) => `${busy.toFixed(0)} (${wall.toFixed(0)})`);
   console.log(`${what.padEnd(36)} ${times.join("  ")}`);
 }
