@@ -35,6 +35,8 @@ export class Editor {
     const kept = Object.entries({ ...(welcome ? {} : { welcome: "off" }), ...settings });
     await context.addInitScript((kept) => {
       for (const [name, value] of kept) localStorage.setItem(`meshwright.${name}`, value);
+      // Tests can't choose files in this dialog; without it, the page uses the one in which they can.
+      delete window.showOpenFilePicker;
     }, kept);
     const editor = new Editor();
     const page = await context.newPage();
