@@ -101,11 +101,21 @@ fn imported(obj: &str) -> JobResult {
     import_of(obj).run(&mut |_| ControlFlow::Continue(())).expect("an OBJ file")
 }
 
+/// The browser as the page has it, with the scripts of the site that it calls.
+fn browser_of_page(ctx: &egui::Context) -> Browser {
+    const START: &str =
+        "window.meshwright ??= { ready: new Promise(() => {}) }; window.meshwrightPage ??= {};";
+    for script in [START, include_str!("../site/files.js"), include_str!("../site/offline.js")] {
+        js_sys::eval(script).expect("a script of the site");
+    }
+    Browser::new(ctx, DeviceInfo::default())
+}
+
 /// A worker whose script is not there: every job that waits for it fails, saying so.
 #[wasm_bindgen_test]
 async fn a_worker_that_cannot_start_fails_its_jobs() {
     let ctx = egui::Context::default();
-    let mut browser = Browser::new(&ctx, DeviceInfo::default());
+    let mut browser = browser_of_page(&ctx);
     let request = import_of("v 0 0 0\n");
     browser.start_job(1, &request);
     browser.start_job(2, &request);
@@ -143,18 +153,18 @@ async fn sleep(milliseconds: i32) {
 #[wasm_bindgen_test]
 fn settings_persist() {
     let ctx = egui::Context::default();
-    let mut browser = Browser::new(&ctx, DeviceInfo::default());
+    let mut browser = browser_of_page(&ctx);
     assert_eq!(browser.load_setting("a test's"), None);
     browser.store_setting("a test's", "1");
     browser.store_setting("a test's", "über");
-    let later = Browser::new(&ctx, DeviceInfo::default());
+    let later = browser_of_page(&ctx);
     assert_eq!(later.load_setting("a test's").as_deref(), Some("über"));
     assert_eq!(later.load_setting("a test"), None);
 }
 
 #[wasm_bindgen_test]
 fn the_clock_advances() {
-    let browser = Browser::new(&egui::Context::default(), DeviceInfo::default());
+    let browser = browser_of_page(&egui::Context::default());
     let first = browser.now();
     while browser.now() <= first {}
     assert!(browser.now() - first < 60.0, "seconds, not milliseconds");
