@@ -344,6 +344,8 @@ export interface Bridge {
   cuts?: number;
   /** By how many vertices to turn one loop against the other: a whole number from -1000 to 1000; default: 0. */
   twist?: number;
+  /** How far the band goes on in the directions of the surfaces: 0 is straight, 1 leaves both smoothly, and more makes it rounder; it takes cuts: a number from 0 to 4; default: 0.0. */
+  smoothness?: number;
   /** Mirror the edit across the plane through the origin that this axis is normal to: one of `"none"`, `"x"`, `"y"`, `"z"`; default: none. */
   symmetry?: "none" | "x" | "y" | "z";
 }

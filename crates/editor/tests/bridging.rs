@@ -114,3 +114,25 @@ fn a_mirrored_bridge_joins_both_sides() {
     };
     assert_eq!(places(1.0), places(-1.0));
 }
+
+#[test]
+fn a_smooth_bridge_bulges_and_is_straight_by_default() {
+    let outermost = |smoothness: Option<f64>| {
+        let mut editor = Editor::with_mesh("Grids", grids(&[0.0, 2.0]));
+        select(&mut editor, Element::Face, (0..2).flat_map(inner));
+        let mut bridge = json!({"op": "bridge", "cuts": 3});
+        if let Some(smoothness) = smoothness {
+            bridge["smoothness"] = smoothness.into();
+        }
+        let made = run(&mut editor, bridge);
+        validate(&editor);
+        let mesh = editor.mesh().expect("it");
+        let vertices = made.created.ids.expect("a local edit").vertices;
+        let at = vertices.iter().map(|v| mesh.position(mesh.vertex(*v).expect("made")));
+        at.map(|at| at.x.abs()).fold(0.0, f32::max)
+    };
+    // The hole in the grids is two wide, and its sides go on inwards.
+    assert_eq!(outermost(None), 1.0);
+    assert_eq!(outermost(Some(0.0)), 1.0);
+    assert!(outermost(Some(1.0)) < 0.9, "{}", outermost(Some(1.0)));
+}

@@ -8,6 +8,7 @@
 use crate::edit::patch::{Corner, Patch, Plan};
 use crate::edit::shared::{Blend, outline};
 use crate::edit::{Made, Refusal};
+use crate::geometry::face_area_vector;
 use crate::mesh::Mesh;
 use crate::{Element, FaceId, HalfedgeId, NumberRange, VertexId};
 use glam::DVec3;
@@ -19,16 +20,22 @@ const MAX_MEASURED_DISTANCES: usize = 1 << 22;
 /// The numbers of cuts along a band.
 pub const BRIDGE_CUTS_RANGE: NumberRange = NumberRange::counts(0, 1000);
 
+/// How far bands go on from the surfaces.
+pub const BRIDGE_SMOOTHNESS_RANGE: NumberRange = NumberRange::new(0.0, 4.0);
+
 /// The most loops at once: the distances between all of them are compared.
 const MAX_LOOPS: usize = 2000;
 
 /// What bands between loops are like.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Bands {
     /// By how many vertices of the second loop the pairing is shifted from the best one.
     pub twist: i32,
     /// How many loops of new vertices lie between the two, evenly spaced.
     pub cuts: u32,
+    /// Across a band, these vertices lie on a curve that leaves both surfaces in their directions: a cubic Bezier curve whose
+    /// inner control points are this many thirds of the straight distance away. With 0 it is straight.
+    pub smoothness: f32,
 }
 
 /// Whether [`bridge`] would succeed.
@@ -130,6 +137,7 @@ fn add_bands(
     bands: Bands,
 ) -> Result<(), Refusal> {
     BRIDGE_CUTS_RANGE.require("cuts", bands.cuts as f32)?;
+    BRIDGE_SMOOTHNESS_RANGE.require("smoothness", bands.smoothness)?;
     if loops.len() % 2 == 1 || loops.len() > MAX_LOOPS {
         return Err(Refusal::NotInPairs(loops.len()));
     }
@@ -169,14 +177,22 @@ fn position(mesh: &Mesh, h: HalfedgeId) -> DVec3 {
 
 /// Adds the band between two loops.
 fn add_band(mesh: &Mesh, patch: &mut Patch, a: &[HalfedgeId], b: &[HalfedgeId], bands: Bands) {
+    let ways = [a, b].map(|sides| if bands.smoothness > 0.0 { ways_out(mesh, sides) } else { Vec::new() });
     // Seen from the band, the second loop runs backward.
+    let last = b.len() - 1;
     let b: Vec<HalfedgeId> = b.iter().rev().copied().collect();
     let mut pairs = best_pairs(mesh, a, &b);
     for (_, j) in &mut pairs {
         *j = (*j as i64 + i64::from(bands.twist)).rem_euclid(b.len() as i64) as usize;
     }
-    let lines: Vec<Vec<Corner>> =
-        pairs.iter().map(|&(i, j)| line_across(mesh, patch, a[i], b[j], bands.cuts)).collect();
+    let curve = |i: usize, j: usize| {
+        let ways = [ways[0].get(i), ways[1].get(last - j)].map(|way| way.copied().unwrap_or_default());
+        Curve::new([a[i], b[j]].map(|h| position(mesh, h)), ways, f64::from(bands.smoothness))
+    };
+    let lines: Vec<Vec<Corner>> = pairs
+        .iter()
+        .map(|&(i, j)| line_across(mesh, patch, [a[i], b[j]], &curve(i, j), bands.cuts))
+        .collect();
     for (at, &(i, j)) in pairs.iter().enumerate() {
         let next = (at + 1) % pairs.len();
         let (here, there) = (&lines[at], &lines[next]);
@@ -196,14 +212,57 @@ fn add_band(mesh: &Mesh, patch: &mut Patch, a: &[HalfedgeId], b: &[HalfedgeId], 
     }
 }
 
+/// The way on from the surface at the vertex that each side of a loop leaves, of length 1: along the faces beside the loop, at
+/// right angles to its edges. Of faces that have nothing beside them it is the way that they face.
+fn ways_out(mesh: &Mesh, sides: &[HalfedgeId]) -> Vec<DVec3> {
+    let across = |h: HalfedgeId| {
+        let twin = h.twin();
+        let along = position(mesh, h) - position(mesh, twin);
+        let way = match (mesh.face_of(twin), mesh.face_of(h)) {
+            (Some(face), _) => along.cross(face_area_vector(mesh, face)),
+            (None, Some(face)) => face_area_vector(mesh, face),
+            (None, None) => DVec3::ZERO,
+        };
+        way.normalize_or_zero()
+    };
+    let of_sides: Vec<DVec3> = sides.iter().map(|h| across(*h)).collect();
+    let before = of_sides.iter().cycle().skip(of_sides.len().saturating_sub(1));
+    of_sides.iter().zip(before).map(|(after, before)| (*before + *after).normalize_or_zero()).collect()
+}
+
+/// A line across a band: a cubic Bezier curve.
+struct Curve([DVec3; 4]);
+
+impl Curve {
+    /// The curve between two points that leaves them these ways; see [`Bands::smoothness`].
+    fn new([from, to]: [DVec3; 2], ways: [DVec3; 2], smoothness: f64) -> Self {
+        let straight = (to - from) / 3.0;
+        let handle = straight.length() * smoothness;
+        let rest = straight * (1.0 - smoothness.min(1.0));
+        Self([from, from + rest + ways[0] * handle, to - rest + ways[1] * handle, to])
+    }
+
+    fn at(&self, t: f64) -> DVec3 {
+        let Self([a, b, c, d]) = *self;
+        let [ab, bc, cd] = [a.lerp(b, t), b.lerp(c, t), c.lerp(d, t)];
+        ab.lerp(bc, t).lerp(bc.lerp(cd, t), t)
+    }
+}
+
 /// The corners from the vertex that a side of one loop leaves to that of the other.
-fn line_across(mesh: &Mesh, patch: &mut Patch, a: HalfedgeId, b: HalfedgeId, cuts: u32) -> Vec<Corner> {
+fn line_across(
+    mesh: &Mesh,
+    patch: &mut Patch,
+    [a, b]: [HalfedgeId; 2],
+    curve: &Curve,
+    cuts: u32,
+) -> Vec<Corner> {
     let [va, vb] = [a, b].map(|h| mesh.from(h));
     let [ca, cb] = [a, b].map(|h| corner_across(mesh, h));
     let mut line = vec![Corner::new(va, ca)];
     for cut in 1..=cuts {
         let t = cut as f32 / (cuts + 1) as f32;
-        let position = mesh.position(va).lerp(mesh.position(vb), t);
+        let position = curve.at(f64::from(t)).as_vec3();
         let vertex = patch.add_vertex(position, Blend::Mix(va.raw(), vb.raw(), t));
         line.push(Corner { vertex, value: Blend::Mix(ca.raw(), cb.raw(), t), replaces: None });
     }

@@ -46,7 +46,9 @@ mod weld_edges;
 
 pub use bevel_edges::{BEVEL_SEGMENTS_RANGE, bevel_edges, can_bevel_edges};
 pub use bevel_vertices::{bevel_vertices, can_bevel_vertices};
-pub use bridge::{BRIDGE_CUTS_RANGE, Bands, bridge, bridge_faces, can_bridge, can_bridge_faces};
+pub use bridge::{
+    BRIDGE_CUTS_RANGE, BRIDGE_SMOOTHNESS_RANGE, Bands, bridge, bridge_faces, can_bridge, can_bridge_faces,
+};
 pub use collapse_edge::{COLLAPSE_T_RANGE, EdgeCollapse, can_collapse_edge, collapse_edge};
 pub use collapse_face::{can_collapse_face, collapse_face};
 pub use connect_vertices::{Connected, can_connect_vertices, connect_vertices};

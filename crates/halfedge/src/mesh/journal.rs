@@ -112,6 +112,8 @@ impl ColumnPlace {
 #[derive(Clone, Debug, Default)]
 pub struct Journal {
     changes: Vec<Change>,
+    /// New faces with the faces whose attributes they got, in the order in which they were made.
+    face_sources: Vec<(FaceId, FaceId)>,
 }
 
 /// The elements that a journal's writes touched, each once, in order of id. They include elements that don't
@@ -148,6 +150,17 @@ impl Journal {
             Some(place) => !seen.insert(place) || change.is_taken_back(mesh),
             None => false,
         })
+    }
+
+    /// Takes the new faces with the faces that they were cut from or that they follow, in the order in which they were made.
+    /// Undoing doesn't need them.
+    pub fn take_face_sources(&mut self) -> Vec<(FaceId, FaceId)> {
+        std::mem::take(&mut self.face_sources)
+    }
+
+    /// Whether vertices were moved and nothing else was done. That breaks no rule of the mesh.
+    pub fn is_of_moves(&self) -> bool {
+        self.changes.iter().all(|change| matches!(change, Change::Position(..) | Change::Positions(_)))
     }
 
     /// The number of changes; replacing a whole column is one.
@@ -261,6 +274,18 @@ impl Mesh {
         moves
     }
 
+    /// The elements that were written since [`Mesh::start_recording`]. Costs O(writes).
+    pub fn recorded(&self) -> Touched {
+        self.journal.as_ref().map(Journal::touched).unwrap_or_default()
+    }
+
+    /// The mesh as it was at [`Mesh::start_recording`]. Costs O(mesh).
+    pub fn before_recording(&self) -> Self {
+        let mut before = self.clone();
+        before.undo(self.journal.clone().unwrap_or_default());
+        before
+    }
+
     /// Undoes the writes of a journal, the latest first; returns the journal that redoes them. The mesh must be
     /// as it was when the journal ended.
     pub fn undo(&mut self, journal: Journal) -> Journal {
@@ -294,6 +319,13 @@ impl Mesh {
     pub(crate) fn record(&mut self, change: Change) {
         if let Some(journal) = &mut self.journal {
             journal.changes.push(change);
+        }
+    }
+
+    /// Notes the face whose attributes a new face gets.
+    pub(crate) fn record_face_source(&mut self, made: FaceId, source: FaceId) {
+        if let Some(journal) = &mut self.journal {
+            journal.face_sources.push((made, source));
         }
     }
 

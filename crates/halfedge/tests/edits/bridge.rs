@@ -74,7 +74,7 @@ fn edges_across_are_as_short_as_the_pairing_allows() {
         other.reverse();
         assert!(best <= shortest_even_pairing(&one, &other) * (1.0 + 1e-6), "{n} and {m}, case {case}");
         if n == m {
-            let twisted = (1..n as i32).map(|twist| across(Bands { twist, cuts: 0 }));
+            let twisted = (1..n as i32).map(|twist| across(Bands { twist, cuts: 0, smoothness: 0.0 }));
             assert!(twisted.fold(f64::INFINITY, f64::min) >= best * (1.0 - 1e-6), "{n}, case {case}");
         }
     }
@@ -106,7 +106,7 @@ fn a_twist_shifts_the_pairing_by_whole_vertices() {
     let loops = mesh.boundary_loops();
     let joined = |twist: i32| {
         let mut mesh = mesh.clone();
-        let made = bridge(&mut mesh, &loops, Bands { twist, cuts: 0 }).unwrap();
+        let made = bridge(&mut mesh, &loops, Bands { twist, cuts: 0, smoothness: 0.0 }).unwrap();
         let mut pairs: Vec<[usize; 2]> = made
             .edges
             .iter()
@@ -137,7 +137,7 @@ fn cuts_lie_evenly_on_the_edges_across() {
         let loops = plain.boundary_loops();
         for cuts in [1, 2, 5] {
             let mut mesh = plain.clone();
-            let made = bridge(&mut mesh, &loops, Bands { twist: 1, cuts }).unwrap();
+            let made = bridge(&mut mesh, &loops, Bands { twist: 1, cuts, smoothness: 0.0 }).unwrap();
             let (steps, cuts) = (n.max(m), cuts as usize);
             assert_eq!(made.vertices.len(), steps * cuts);
             assert_eq!(made.faces.len(), steps * (cuts + 1));
@@ -156,7 +156,7 @@ fn cuts_lie_evenly_on_the_edges_across() {
     }
     let mesh =
         plates(&[ring(&mut Random::new(1), 4, |at| at), ring(&mut Random::new(1), 4, |at| at + Vec3::Z)]);
-    let refused = can_bridge(&mesh, &mesh.boundary_loops(), Bands { twist: 0, cuts: 1001 });
+    let refused = can_bridge(&mesh, &mesh.boundary_loops(), Bands { twist: 0, cuts: 1001, smoothness: 0.0 });
     assert!(matches!(refused, Err(Refusal::OutOfRange { field: "cuts", .. })));
 }
 
@@ -210,7 +210,7 @@ fn regions_of_faces_are_replaced_with_what_is_inside_them() {
     let chosen = [inner(0), inner(25)].concat();
     let mut mesh = start.clone();
     let before = counts(&mesh);
-    let made = bridge_faces(&mut mesh, &chosen, Bands { twist: 0, cuts: 1 }).unwrap();
+    let made = bridge_faces(&mut mesh, &chosen, Bands { twist: 0, cuts: 1, smoothness: 0.0 }).unwrap();
     assert_eq!(made.removed_faces.len(), 18);
     assert_eq!(made.removed_vertices.len(), 8, "the four vertices inside each region");
     assert_eq!(made.faces.len(), 12 * 2);
@@ -230,4 +230,64 @@ fn regions_of_faces_are_replaced_with_what_is_inside_them() {
     assert!(matches!(can_bridge_faces(&start, &holed, Bands::default()), Err(Refusal::NotADisc(_))));
     let single = can_bridge_faces(&start, &one[..1], Bands::default());
     assert_eq!(single, Err(Refusal::OnlyOne(Element::Face, one[0].raw())));
+}
+
+#[test]
+fn a_smooth_band_leaves_both_surfaces_in_their_directions() {
+    // Two tubes along z, from 0 to 1 and from 3 to 4, open at both ends; the upper one is shifted along x.
+    let corners = [[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]];
+    let tubes = |shift: f32| {
+        let levels = [(0.0, 0.0), (1.0, 0.0), (3.0, shift), (4.0, shift)];
+        let positions =
+            levels.iter().flat_map(|(z, x)| corners.map(|c| Vec3::new(c[0] + x, c[1], *z))).collect();
+        let wall =
+            |first: u32, i: u32| vec![first + i, first + (i + 1) % 4, first + 4 + (i + 1) % 4, first + 4 + i];
+        let faces: Vec<Vec<u32>> =
+            [0, 8].iter().flat_map(|first| (0..4).map(move |i| wall(*first, i))).collect();
+        zoo::mesh(positions, &faces)
+    };
+    let joined = |shift: f32, smoothness: f32| {
+        let mut mesh = tubes(shift);
+        let inner = |h: &HalfedgeId| [1.0, 3.0].contains(&mesh.position(mesh.from(*h)).z);
+        let loops: Vec<HalfedgeId> = mesh.boundary_loops().into_iter().filter(inner).collect();
+        let made = bridge(&mut mesh, &loops, Bands { twist: 0, cuts: 3, smoothness }).expect("possible");
+        counts(&mesh);
+        let mut lines: Vec<Vec3> = made.vertices.iter().map(|v| mesh.position(*v)).collect();
+        lines.retain(|at| at.y == 0.0);
+        lines.sort_by(|a, b| a.z.total_cmp(&b.z));
+        lines
+    };
+    // In line, the curve is the straight line, with the same spacing where its control points are thirds.
+    for smoothness in [0.0, 1.0] {
+        for (at, z) in joined(0.0, smoothness).chunks(2).zip([1.5, 2.0, 2.5]) {
+            assert!(at.iter().all(|at| (at.z - z).abs() < 1e-6), "{smoothness}: {at:?}, not {z}");
+        }
+    }
+    // Shifted, it leaves both tubes along them: the slope at a quarter is less than that of the straight line.
+    let [straight, smooth] = [0.0, 1.0].map(|smoothness| joined(1.0, smoothness));
+    // Half of the way is half of the shift either way, and a quarter 5/32 of it.
+    let left = |lines: &[Vec3], z: f32| {
+        let near = lines.iter().filter(|at| (at.z - z).abs() < 0.3).map(|at| at.x);
+        near.fold(f32::INFINITY, f32::min)
+    };
+    assert!((left(&straight, 1.5) - 0.25).abs() < 1e-6, "{straight:?}");
+    assert!((left(&smooth, 2.0) - 0.5).abs() < 1e-6, "{smooth:?}");
+    assert!((left(&smooth, 1.5) - 5.0 / 32.0).abs() < 0.02, "{smooth:?}");
+    let refused =
+        can_bridge(&tubes(0.0), &tubes(0.0).boundary_loops(), Bands { smoothness: 4.5, ..Bands::default() });
+    assert!(matches!(refused, Err(Refusal::OutOfRange { field: "smoothness", .. })), "{refused:?}");
+}
+
+#[test]
+fn faces_that_face_each_other_are_joined_by_a_round_handle() {
+    // The outer two of three quads in a row.
+    let positions: Vec<Vec3> = (0..8).map(|i| Vec3::new((i / 2) as f32, (i % 2) as f32, 0.0)).collect();
+    let faces: Vec<Vec<u32>> = (0..3).map(|i| vec![2 * i, 2 * i + 2, 2 * i + 3, 2 * i + 1]).collect();
+    let mut mesh = zoo::mesh(positions, &faces);
+    let ends = [FaceId::new(0), FaceId::new(2)];
+    let made =
+        bridge_faces(&mut mesh, &ends, Bands { twist: 0, cuts: 1, smoothness: 2.0 }).expect("possible");
+    assert_eq!(made.vertices.len(), 4);
+    assert!(made.vertices.iter().all(|v| mesh.position(*v).z > 0.2), "above the strip");
+    counts(&mesh);
 }

@@ -27,6 +27,9 @@ pub struct Bridge {
     pub cuts: u32,
     /// By how many vertices the pairing is shifted from the one with the shortest edges.
     pub twist: i32,
+    /// How far the bands go on in the directions of the surfaces.
+    #[serde(with = "crate::script::json::finite")]
+    pub smoothness: f32,
 }
 
 impl Operation for Bridge {
@@ -54,6 +57,14 @@ impl Operation for Bridge {
             "By how many vertices to turn one loop against the other",
         )
         .or(DefaultValue::Integer(0)),
+        Field::number(
+            "smoothness",
+            Unit::Fraction,
+            edit::BRIDGE_SMOOTHNESS_RANGE,
+            "How far the band goes on in the directions of the surfaces: 0 is straight, 1 leaves both smoothly, and more makes \
+             it rounder; it takes cuts",
+        )
+        .or(DefaultValue::Number(0.0)),
         SYMMETRY,
     ]);
 
@@ -101,7 +112,7 @@ impl Bridge {
     }
 
     fn bands(&self) -> Bands {
-        Bands { twist: self.twist, cuts: self.cuts }
+        Bands { twist: self.twist, cuts: self.cuts, smoothness: self.smoothness }
     }
 }
 

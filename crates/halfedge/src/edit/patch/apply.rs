@@ -87,6 +87,7 @@ impl Plan {
                     mesh.add_face(sides[0]);
                     if let Some(other) = face.attributes_of {
                         mesh.copy_attributes(Element::Face, other.raw(), id.raw());
+                        mesh.record_face_source(id, other);
                     }
                 }
             }

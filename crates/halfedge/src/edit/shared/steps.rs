@@ -142,6 +142,7 @@ impl Mesh {
                 self.set_face_halfedge(old, across);
             }
             self.copy_attributes(Element::Face, old.raw(), made.raw());
+            self.record_face_source(made, old);
         }
         self.copy_attributes(Element::Halfedge, a.raw(), across.raw());
         self.copy_attributes(Element::Halfedge, b.raw(), across.twin().raw());

@@ -113,7 +113,11 @@ pub(super) fn edit_many(mesh: &mut Mesh, random: &mut Random, kind: Kind, all: &
             )
         }
         Kind::Bridge => {
-            let bands = Bands { twist: random.below(9) as i32 - 4, cuts: random.below(3) as u32 };
+            let bands = Bands {
+                twist: random.below(9) as i32 - 4,
+                cuts: random.below(3) as u32,
+                smoothness: random.below(3) as f32,
+            };
             // Often more loops or regions than two.
             let count = 2 + 2 * random.below(2);
             if random.below(2) == 0 {
