@@ -18,7 +18,7 @@ use formats::{
     Format, Image, Import, Materials, Model, NamedBytes, NamedMesh, Picture, PictureError, ReadError, Repairs,
 };
 use glam::DVec3;
-use halfedge::{Mesh, Progress};
+use halfedge::{FaceId, Journal, Mesh, Progress};
 use surface::MirrorImages;
 
 /// The number of a job of an editor.
@@ -238,9 +238,17 @@ pub(crate) fn run(
     let mut notes = Vec::new();
     let mut images = symmetry.axis().map(|axis| MirrorImages::new(&mesh, axis));
     edit_local(ops, images.as_mut(), &mut mesh, &mut notes, progress)?;
-    let touched = mesh.finish_recording().touched();
-    let ids = before.compare(&mesh, &touched);
+    let mut journal = mesh.finish_recording();
+    let (created, removed) = before.compare(&mesh, &journal.touched());
+    let ids = (created.with_sources(&face_sources(ops, &mut journal)), removed);
     Ok(Made::Meshes(vec![NamedMesh::new("", mesh)], Some(ids), notes))
+}
+
+/// The new faces with those that they were cut from, where the operations cut faces.
+pub(crate) fn face_sources(ops: &[Op], journal: &mut Journal) -> Vec<(FaceId, FaceId)> {
+    let sources = journal.take_face_sources();
+    let cuts = |op: &Op| matches!(op.action(), Action::Local(edit) if edit.cuts_faces());
+    if ops.iter().any(cuts) { sources } else { Vec::new() }
 }
 
 #[cfg(test)]

@@ -5,6 +5,7 @@ use formats::ReportNote;
 use halfedge::words::counted;
 use halfedge::{EdgeId, FaceId, Mesh, Touched, VertexId};
 use serde::Serialize;
+use std::collections::HashMap;
 
 /// What a command created and removed: in numbers and, for local edits, by id.
 #[derive(Clone, Debug, PartialEq, Serialize)]
@@ -67,6 +68,28 @@ pub struct ElementIds {
     pub edges: Vec<u32>,
     /// Face ids.
     pub faces: Vec<u32>,
+    /// For each face that was cut off another one, where the operation cuts faces, the one that was there before.
+    #[serde(skip)]
+    pub(crate) cut_from: Vec<u32>,
+}
+
+impl ElementIds {
+    /// Notes of created faces which ones they were cut from. `sources` are new faces with those that they were made from.
+    pub(crate) fn with_sources(self, sources: &[(FaceId, FaceId)]) -> Self {
+        // What was cut from a piece was cut from the whole.
+        let mut wholes: HashMap<u32, u32> = HashMap::new();
+        for (made, source) in sources {
+            let whole = wholes.get(&source.raw()).copied().unwrap_or(source.raw());
+            wholes.insert(made.raw(), whole);
+        }
+        let cut_from = self.faces.iter().map(|face| wholes.get(face).copied().unwrap_or(*face)).collect();
+        Self { cut_from, ..self }
+    }
+
+    /// The created faces that were cut from others, with those.
+    pub(crate) fn pieces(&self) -> impl Iterator<Item = (u32, u32)> + '_ {
+        self.faces.iter().copied().zip(self.cut_from.iter().copied()).filter(|(face, whole)| face != whole)
+    }
 }
 
 impl From<ElementIds> for Elements {
@@ -142,6 +165,7 @@ impl Before {
         let [vertices, edges, faces] = self.0.map(|n| n as u32);
         let range = |from: u32, to: usize| from..to as u32;
         let created = ElementIds {
+            cut_from: Vec::new(),
             vertices: range(vertices, mesh.vertex_capacity())
                 .filter(|&v| mesh.has_vertex(VertexId::new(v as usize)))
                 .collect(),
@@ -153,6 +177,7 @@ impl Before {
                 .collect(),
         };
         let removed = ElementIds {
+            cut_from: Vec::new(),
             vertices: touched
                 .vertices
                 .iter()

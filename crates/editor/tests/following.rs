@@ -107,6 +107,100 @@ proptest! {
     }
 }
 
+fn hidden(editor: &Editor) -> Vec<u32> {
+    editor.document().active().expect("it").hidden().iter().map(|f| f as u32).collect()
+}
+
+/// A command that cuts faces at elements that exist, without moving anything.
+fn cut(editor: &Editor, kind: usize, picks: &[u32], place: f32) -> serde_json::Value {
+    let mesh = editor.mesh().expect("a mesh");
+    let faces: Vec<u32> = mesh.faces().map(|f| f.raw()).collect();
+    let edges: Vec<u32> = mesh.edges().map(|e| e.raw()).collect();
+    let pick = |from: &[u32], at: usize| from[picks[at % picks.len()] as usize % from.len()];
+    let mut some: Vec<u32> = (0..picks.len()).map(|at| pick(&faces, at)).collect();
+    some.sort_unstable();
+    some.dedup();
+    match kind {
+        0 => json!({"op": "triangulate-faces", "faces": some}),
+        1 => json!({"op": "poke-faces", "faces": some}),
+        2 => json!({"op": "split-edge", "edge": pick(&edges, 0), "t": place, "connect": "all"}),
+        3 => {
+            let face = mesh.face(some[0]).expect("it");
+            let corners: Vec<u32> = mesh.face_vertices(face).map(|v| v.raw()).collect();
+            let first = picks[0] as usize % corners.len();
+            json!({"op": "connect-vertices", "vertices": [corners[first], corners[(first + 2) % corners.len()]]})
+        }
+        4 => json!({"op": "loop-cut", "edge": pick(&edges, 0), "cuts": 1 + picks[0] % 4, "t": place}),
+        5 => json!({"op": "inset-faces", "faces": some, "amount": place * 0.05, "mode": "individual"}),
+        _ => json!({"op": "subdivide-linear", "levels": 1}),
+    }
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig { cases: 200, ..ProptestConfig::default() })]
+
+    /// Every operation that cuts faces leaves the same places hidden, also with mirror images and as a job.
+    #[test]
+    fn all_pieces_of_a_hidden_face_are_hidden(
+        hides in prop::collection::btree_set(0_u32..24, 1..12),
+        cuts in prop::collection::vec(
+            (0_usize..7, prop::collection::vec(0_u32..10_000, 1..4), 0.1_f32..0.9, any::<bool>(), any::<bool>()),
+            1..4,
+        ),
+    ) {
+        let mut editor = on_cube();
+        run(&mut editor, json!({"op": "subdivide-linear", "levels": 1}));
+        let hides: Vec<u32> = hides.into_iter().collect();
+        select(&mut editor, Element::Face, &hides);
+        run(&mut editor, json!({"op": "hide"}));
+        let covered = area(editor.mesh().expect("a mesh"), &hides);
+        for (kind, picks, place, symmetric, as_job) in cuts {
+            let mut value = cut(&editor, kind, &picks, place);
+            if symmetric && kind < 6 {
+                value["symmetry"] = "x".into();
+            }
+            let (before, mesh) = (hidden(&editor), editor.mesh().expect("a mesh").clone());
+            if as_job {
+                let Ok(Begun::Job(job)) = editor.begin_from(command(value.clone()), 0) else { continue };
+                let result = job.run(&mut |_| std::ops::ControlFlow::Continue(()));
+                if editor.finish(job.id(), result).is_err() {
+                    continue;
+                }
+            } else if editor.run(command(value.clone())).is_err() {
+                continue;
+            }
+            validate(&editor);
+            let after = hidden(&editor);
+            let now = area(editor.mesh().expect("a mesh"), &after);
+            prop_assert!((now - covered).abs() < 1e-3, "{value}: {covered} of {before:?} became {now} of {after:?}");
+            if editor.mesh().expect("a mesh") == &mesh {
+                // Triangles are triangulated already: that is no step.
+                continue;
+            }
+            editor.undo().expect("a step");
+            prop_assert_eq!(hidden(&editor), before, "{}", &value);
+            editor.redo().expect("a step");
+            prop_assert_eq!(hidden(&editor), after, "{}", value);
+        }
+    }
+}
+
+#[test]
+fn all_triangles_of_a_poked_hidden_face_are_hidden() {
+    let mut editor = on_cube();
+    select(&mut editor, Element::Face, &[2]);
+    run(&mut editor, json!({"op": "hide"}));
+    run(&mut editor, json!({"op": "poke-faces", "faces": [2, 3]}));
+    assert_eq!(hidden(&editor), [2, 6, 7, 8]);
+    // Cut again, piece by piece.
+    run(&mut editor, json!({"op": "poke-faces", "faces": [7]}));
+    assert_eq!(hidden(&editor).len(), 6);
+    run(&mut editor, json!({"op": "reveal"}));
+    assert!(hidden(&editor).is_empty());
+    run(&mut editor, json!({"op": "poke-faces", "faces": [0]}));
+    assert!(hidden(&editor).is_empty());
+}
+
 #[test]
 fn every_subdivision_keeps_the_selection_on_its_faces() {
     let mut quads = Vec::new();

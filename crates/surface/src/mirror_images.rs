@@ -12,7 +12,7 @@ const SORTED_ALONG: DVec3 = DVec3::new(0.597, 0.3917, 0.7001);
 
 /// How far a position that an edit has made may be from its mirror image for rounding to be the reason, as a share of the
 /// largest coordinate.
-const ROUNDING_SHARE: f64 = 1e-5;
+pub(crate) const ROUNDING_SHARE: f64 = 1e-5;
 
 /// The elements of a mesh at the mirror images of others, across the plane through the origin that an axis (0 to 2) is
 /// normal to. Vertices are looked up once and remembered, so the mesh must stay as it is in between.
@@ -40,14 +40,28 @@ impl MirrorImages {
         self.axis
     }
 
+    /// The largest coordinate of the mesh.
+    pub(crate) fn largest(&self) -> f64 {
+        self.largest
+    }
+
+    /// How far from a mirror image its vertex may be.
+    pub(crate) fn tolerance(&self) -> f64 {
+        self.largest * TOLERANCE_SHARE
+    }
+
+    /// What looking up the image of a vertex has found; none if it was not looked up.
+    pub(crate) fn found(&self, v: VertexId) -> Option<Option<VertexId>> {
+        self.found.get(&v).copied()
+    }
+
     /// Looks up the images of vertices. Costs O(k) if they are known, else O(n log k) for k of n vertices.
     pub fn look_up(&mut self, mesh: &Mesh, vertices: impl IntoIterator<Item = VertexId>) {
         let mut new: Vec<VertexId> = vertices.into_iter().filter(|v| !self.found.contains_key(v)).collect();
         new.sort_unstable();
         new.dedup();
         if !new.is_empty() {
-            let images =
-                nearest_images(mesh, &new, mesh.vertices(), self.axis, self.largest * TOLERANCE_SHARE);
+            let images = nearest_images(mesh, &new, mesh.vertices(), self.axis, self.tolerance());
             self.found.extend(new.into_iter().zip(images));
         }
     }
@@ -103,7 +117,7 @@ impl MirrorImages {
 
 /// For each of these vertices, the nearest candidate within the tolerance to its mirror image. Costs O(n log k) for k
 /// vertices and n candidates.
-fn nearest_images(
+pub(crate) fn nearest_images(
     mesh: &Mesh,
     vertices: &[VertexId],
     candidates: impl Iterator<Item = VertexId>,

@@ -66,7 +66,7 @@ impl Editor {
         let removed_all = commit == Commit::NewDocument;
         let replaced = |object: &&Object| removed_all || objects.contains(&object.id());
         let before = outcome::sizes(self.document.objects.iter().filter(replaced).map(Object::mesh));
-        let gone = ids.as_ref().map(|(_, removed)| removed.clone());
+        let local = ids.clone();
         let (created, removed) = match (ids, commit) {
             (Some((created, removed)), _) => (created.into(), removed.into()),
             (None, Commit::NewDocument) => {
@@ -78,7 +78,7 @@ impl Editor {
             }
         };
         let keeps_ids = created.ids.is_some();
-        let followed = if gone.is_none() { self.follow_ids(op, objects) } else { None };
+        let followed = if local.is_none() { self.follow_ids(op, objects) } else { None };
         let mut changes = self.changes_for(commit, objects, at, outputs)?;
         let mut notes = notes;
         let mut selection = Selection::new(self.selection.kind());
@@ -87,15 +87,15 @@ impl Editor {
                 selection = kept;
                 changes.extend(followed);
             }
-            None if gone.is_none() && matches!(commit, Commit::Replace | Commit::Join) => {
+            None if local.is_none() && matches!(commit, Commit::Replace | Commit::Join) => {
                 changes.extend(self.forget_ids(objects, &mut notes));
             }
             None => {}
         }
         let mut back = self.apply(changes);
-        if let (Some(gone), Some(&id)) = (gone, objects.first()) {
+        if let (Some((created, removed)), Some(&id)) = (local, objects.first()) {
             // Undone first, before the ids are back, as sets needn't exist.
-            back.extend(self.forget_removed(id, &gone));
+            back.extend(self.follow_edit(id, &created, &removed));
         }
         if keeps_ids {
             self.drop_gone_from_selection();

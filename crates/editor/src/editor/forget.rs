@@ -11,14 +11,25 @@ use halfedge::words::counted;
 use std::sync::Arc;
 
 impl Editor {
-    /// Removes elements that an edit removed from the hidden faces and the named selections; returns the changes that
-    /// undo that. Costs O(removed elements), and O(ids / 64) where one was hidden or named.
-    pub(super) fn forget_removed(&mut self, id: ObjectId, removed: &ElementIds) -> Vec<Change> {
+    /// Hides the pieces of hidden faces that a local edit has cut, and removes elements that it removed from the hidden faces
+    /// and the named selections; returns the changes that undo that. Costs O(created and removed elements), and O(ids / 64)
+    /// where one is hidden or named.
+    pub(super) fn follow_edit(
+        &mut self,
+        id: ObjectId,
+        created: &ElementIds,
+        removed: &ElementIds,
+    ) -> Vec<Change> {
         let Some(object) = self.document.object(id) else { return Vec::new() };
         let mut changes = Vec::new();
-        let was_hidden = |f: &&u32| object.hidden().contains(**f as usize);
-        if removed.faces.iter().find(was_hidden).is_some() {
+        let was_hidden = |f: u32| object.hidden().contains(f as usize);
+        let has_hidden = !object.hidden().is_empty();
+        let pieces = || created.pieces().filter(|(_, whole)| was_hidden(*whole));
+        if has_hidden && (pieces().next().is_some() || removed.faces.iter().any(|f| was_hidden(*f))) {
             let mut hidden = (**object.hidden()).clone();
+            pieces().for_each(|(piece, _)| {
+                hidden.insert(piece as usize);
+            });
             removed.faces.iter().for_each(|&f| {
                 hidden.remove(f as usize);
             });
@@ -64,7 +75,7 @@ impl Editor {
         for NamedSelection { selection, .. } in object.named_selections() {
             selection.ids().for_each(|element| note(selection.kind(), element));
         }
-        self.forget_removed(id, &gone)
+        self.follow_edit(id, &ElementIds::default(), &gone)
     }
 
     /// The selection, and the changes of what is hidden and named, that go with an operation on an object whose elements get

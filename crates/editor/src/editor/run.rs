@@ -6,6 +6,7 @@ use super::result::validate_touched;
 use crate::document::{Object, ObjectId};
 use crate::error::{CommandError, Problem};
 use crate::history::{Change, is_reshaping};
+use crate::job::face_sources;
 use crate::ops::{
     Action, Command, Commit, LocalEdit, NamedMesh, Op, OpId, Place, Symmetry, Target, edit_local,
     refuse_bezier,
@@ -334,13 +335,16 @@ impl Editor {
         if let Some(images) = images {
             self.images.keep(id, revision, images);
         }
-        let ((), journal) = done?;
+        let ((), mut journal) = done?;
         let touched = journal.touched();
-        if let Err(defect) = validate_touched(mesh, &touched) {
+        if !journal.is_of_moves()
+            && let Err(defect) = validate_touched(mesh, &touched)
+        {
             mesh.undo(journal);
             return Err(broken(&defect.to_string()));
         }
         let (created, removed) = before.compare(mesh, &touched);
+        let created = created.with_sources(&face_sources(ops, &mut journal));
         let reshaped = is_reshaping(&touched) || created.vertices.len() + removed.vertices.len() > 0;
         let mut back = Vec::new();
         if !journal.changes_nothing(mesh) {
@@ -350,7 +354,7 @@ impl Editor {
         if reshaped {
             self.forget_counts(id);
         }
-        back.extend(self.forget_removed(id, &removed));
+        back.extend(self.follow_edit(id, &created, &removed));
         // An edit that changed nothing is no step, so that undo could not bring back what was selected.
         if self.document.active == at && !back.is_empty() {
             let result = if selects { self.result(ops, &created) } else { None };

@@ -158,7 +158,7 @@ impl Wire for JobResult {
                 out.value(&head(MadeHead::Meshes { notes: notes.clone(), has_ids: ids.is_some() }))?;
                 write_meshes(&mut out, outputs, true)?;
                 for ids in ids.iter().flat_map(|(created, removed)| [created, removed]) {
-                    [&ids.vertices, &ids.edges, &ids.faces]
+                    [&ids.vertices, &ids.edges, &ids.faces, &ids.cut_from]
                         .into_iter()
                         .try_for_each(|list| out.column(list))?;
                 }
@@ -254,5 +254,6 @@ pub(crate) fn read_materials(from: &mut Reader<'_>) -> Result<Materials, BadByte
 }
 
 fn read_ids(from: &mut Reader<'_>) -> Result<ElementIds, BadBytes> {
-    Ok(ElementIds { vertices: from.column()?, edges: from.column()?, faces: from.column()? })
+    let [vertices, edges, faces] = [from.column()?, from.column()?, from.column()?];
+    Ok(ElementIds { vertices, edges, faces, cut_from: from.column()? })
 }

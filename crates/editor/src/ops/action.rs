@@ -106,6 +106,12 @@ pub(crate) trait LocalEdit {
         false
     }
 
+    /// Whether the faces that it makes are pieces of those that they get their attributes from, so that the pieces of a hidden
+    /// face are hidden.
+    fn cuts_faces(&self) -> bool {
+        false
+    }
+
     /// What to select after the edit, by what was created in its undo step; none if the elements that it acted on
     /// stay selected.
     fn selects(&self, mesh: &Mesh, created: &ElementIds) -> Option<Selection> {

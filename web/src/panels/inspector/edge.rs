@@ -84,7 +84,7 @@ pub(super) fn split_form(ui: &mut Ui, page: &Page<'_>, own: &mut InspectorState,
             .on_hover_text("The faces beside the edge to cut from the new vertex");
         let button = ui.add_enabled(why_not.is_none(), egui::Button::new(id.spec().label));
         if explain(button, ui, &actions::of_operation(id), why_not.as_deref()).clicked() {
-            out.run(SplitEdge { edge: None, t, connect });
+            out.run(SplitEdge::at(t, connect));
         }
     });
     own.t = Some(t);

@@ -44,6 +44,10 @@ impl LocalEdit for ConnectVertices {
         Ok(())
     }
 
+    fn cuts_faces(&self) -> bool {
+        true
+    }
+
     fn cost(&self, _mesh: &Mesh) -> usize {
         2
     }

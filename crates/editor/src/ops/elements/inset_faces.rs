@@ -61,6 +61,10 @@ impl LocalEdit for InsetFaces {
         set_size(mesh, &live, self.amount, "amount", notes)
     }
 
+    fn cuts_faces(&self) -> bool {
+        true
+    }
+
     fn cost(&self, mesh: &Mesh) -> usize {
         corner_count(&self.faces, mesh)
     }

@@ -115,6 +115,10 @@ impl LocalEdit for LoopCut {
         Some(Selection::of(Element::Edge, edges.map(EdgeId::raw)))
     }
 
+    fn cuts_faces(&self) -> bool {
+        true
+    }
+
     fn cost(&self, mesh: &Mesh) -> usize {
         let ring = one(self.edge, "edge", mesh).map_or(0, |edge| edit::edge_ring(mesh, edge).0.len());
         ring.saturating_mul(self.cuts as usize)

@@ -48,6 +48,10 @@ impl LocalEdit for PokeFaces {
         Some(with_pieces(mesh, self.faces.as_ref()?, created))
     }
 
+    fn cuts_faces(&self) -> bool {
+        true
+    }
+
     fn cost(&self, mesh: &Mesh) -> usize {
         corner_count(&self.faces, mesh)
     }

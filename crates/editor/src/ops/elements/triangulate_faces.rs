@@ -9,9 +9,10 @@ use crate::ops::{
 };
 use crate::outcome::ElementIds;
 use crate::selection::Selection;
-use halfedge::edit::Triangulation;
-use halfedge::geometry::{BitSet, mean_position};
-use halfedge::{Element, FaceId, Mesh, Refusal, edit};
+use glam::DVec3;
+use halfedge::edit::{Triangulated, Triangulation};
+use halfedge::geometry::{BitSet, face_area_vector, mean_position};
+use halfedge::{Element, FaceId, Mesh, Refusal, VertexId, edit};
 use serde::{Deserialize, Serialize};
 
 /// Cut polygons into triangles between their own corners.
@@ -71,6 +72,107 @@ impl Operation for TriangulateFaces {
     }
 }
 
+impl TriangulateFaces {
+    /// Cuts a face by the rule.
+    fn cut(&self, mesh: &mut Mesh, face: FaceId) -> Result<Triangulated, Problem> {
+        edit::triangulate_face(mesh, face, self.method.into()).map_err(|refusal| refused(face, &refusal))
+    }
+
+    /// Cuts a face by the rule, and its mirror image as in a mirror.
+    fn cut_with_image(
+        &self,
+        mesh: &mut Mesh,
+        mirror: &Mirror<'_>,
+        face: FaceId,
+        image: FaceId,
+    ) -> Result<(), Problem> {
+        for cut in self.cut(mesh, face)?.edges {
+            let [a, b] = mesh.ends(cut).map(|v| mirror.images.vertex(v));
+            if let (Some(a), Some(b)) = (a, b) {
+                edit::connect_vertices(mesh, a, b).map_err(|refusal| refused(image, &refusal))?;
+            }
+        }
+        Ok(())
+    }
+
+    /// Cuts a face that is its own mirror image: along the mirror's plane, or into a triangle across the plane and what
+    /// remains on either side of it.
+    fn cut_across(&self, mesh: &mut Mesh, mirror: &Mirror<'_>, face: FaceId) -> Result<(), Problem> {
+        let corners: Vec<VertexId> = mesh.face_vertices(face).collect();
+        if corners.len() == 3 {
+            return Ok(());
+        }
+        let in_plane: Vec<VertexId> =
+            corners.iter().copied().filter(|v| mirror.images.vertex(*v) == Some(*v)).collect();
+        let connect = |mesh: &mut Mesh, a: VertexId, b: VertexId| {
+            edit::connect_vertices(mesh, a, b).map_err(|refusal| refused(face, &refusal))
+        };
+        let halves = match in_plane.as_slice() {
+            &[a, b] => {
+                let cut = connect(mesh, a, b)?;
+                [cut.face, cut.new_face]
+            }
+            &[tip] => {
+                // The side that crosses the plane.
+                let crossing = mesh
+                    .face_halfedges(face)
+                    .find(|h| mirror.images.vertex(mesh.from(*h)) == Some(mesh.to(*h)))
+                    .map(|h| [mesh.from(h), mesh.to(h)]);
+                let Some([a, b]) = crossing.filter(|side| is_empty(mesh, face, [tip, side[0], side[1]]))
+                else {
+                    return Err(across(face));
+                };
+                let beside = |mesh: &Mesh, from: VertexId, to: VertexId| {
+                    mesh.find_halfedge(from, to).and_then(|h| mesh.face_of(h.twin()))
+                };
+                connect(mesh, tip, a)?;
+                connect(mesh, b, tip)?;
+                match [beside(mesh, tip, a), beside(mesh, b, tip)] {
+                    [Some(left), Some(right)] => [left, right],
+                    _ => return Err(across(face)),
+                }
+            }
+            _ => return Err(across(face)),
+        };
+        let [half, image] = halves;
+        // The half on the positive side leads, whichever of the two has the smaller id.
+        let place = |f: FaceId| place_across(mesh, f, mirror.images.axis());
+        let [half, image] = if place(half) >= place(image) { [half, image] } else { [image, half] };
+        self.cut_with_image(mesh, mirror, half, image)
+    }
+}
+
+/// The coordinate of a face's middle along an axis.
+fn place_across(mesh: &Mesh, face: FaceId, axis: usize) -> f64 {
+    let middle = mean_position(mesh, mesh.face_vertices(face)).to_array();
+    middle.get(axis).copied().unwrap_or_default()
+}
+
+/// Whether no corner of a face lies in a triangle between three of them.
+fn is_empty(mesh: &Mesh, face: FaceId, triangle: [VertexId; 3]) -> bool {
+    let normal = face_area_vector(mesh, face);
+    let [a, b, c] = triangle;
+    let is_left = |from: VertexId, to: VertexId, at: DVec3| {
+        let [from, to] = [from, to].map(|v| mesh.position(v).as_dvec3());
+        (to - from).cross(at - from).dot(normal) > 0.0
+    };
+    let others = mesh.face_vertices(face).filter(|v| !triangle.contains(v));
+    !others
+        .map(|v| mesh.position(v).as_dvec3())
+        .any(|at| [[a, b], [b, c], [c, a]].into_iter().all(|[from, to]| is_left(from, to, at)))
+}
+
+/// Refuses a face that has no symmetric triangles.
+fn across(face: FaceId) -> Problem {
+    Problem::field(
+        "faces",
+        format!(
+            "{face} lies across the mirror's plane, and no triangles between its corners are symmetric; poke it instead, or \
+             turn symmetry off"
+        ),
+    )
+}
+
 impl LocalEdit for TriangulateFaces {
     fn can(&self, mesh: &Mesh) -> Result<(), Problem> {
         faces_or_every(&self.faces, mesh)?.into_iter().try_for_each(|face| {
@@ -95,8 +197,7 @@ impl LocalEdit for TriangulateFaces {
     ) -> Result<(), Problem> {
         let axis = mirror.images.axis();
         let faces = faces_or_every(&self.faces, mesh)?;
-        let middle = |f: FaceId| mean_position(mesh, mesh.face_vertices(f)).to_array();
-        let place = |f: FaceId| middle(f).get(axis).copied().unwrap_or_default();
+        let place = |f: FaceId| place_across(mesh, f, axis);
         // The face on the positive side is cut by the rule, the one at its mirror image as in a mirror.
         let pairs: Vec<(FaceId, Option<FaceId>)> = faces
             .into_iter()
@@ -108,15 +209,13 @@ impl LocalEdit for TriangulateFaces {
             if done.contains(face.index()) {
                 continue;
             }
-            let made = edit::triangulate_face(mesh, face, self.method.into());
-            let made = made.map_err(|refusal| refused(face, &refusal))?;
-            let Some(image) = image else { continue };
-            done.insert(image.index());
-            for cut in made.edges {
-                let [a, b] = mesh.ends(cut).map(|v| mirror.images.vertex(v));
-                if let (Some(a), Some(b)) = (a, b) {
-                    edit::connect_vertices(mesh, a, b).map_err(|refusal| refused(image, &refusal))?;
-                }
+            if let Some(image) = image {
+                done.insert(image.index());
+                self.cut_with_image(mesh, mirror, face, image)?;
+            } else if mirror.images.face(mesh, face) == Some(face) {
+                self.cut_across(mesh, mirror, face)?;
+            } else {
+                self.cut(mesh, face)?;
             }
         }
         Ok(())
@@ -137,6 +236,10 @@ impl LocalEdit for TriangulateFaces {
 
     fn selects(&self, mesh: &Mesh, created: &ElementIds) -> Option<Selection> {
         Some(with_pieces(mesh, self.faces.as_ref()?, created))
+    }
+
+    fn cuts_faces(&self) -> bool {
+        true
     }
 
     fn cost(&self, mesh: &Mesh) -> usize {

@@ -83,6 +83,8 @@ pub(crate) fn mirror<O: Operation>(ops: Vec<O>, mesh: &Mesh, images: &mut Mirror
     let mut alone = 0;
     let mut reflected: Vec<(Option<O>, Key)> = Vec::new();
     let mut own = Vec::new();
+    // Whether an operation makes its image too.
+    let mut is_joined = Vec::new();
     for op in &mut ops {
         let (given, count) = (key(op, mesh), op.elements().first().map_or(0, |slot| slot.refs().len()));
         let mut image = op.clone();
@@ -97,6 +99,7 @@ pub(crate) fn mirror<O: Operation>(ops: Vec<O>, mesh: &Mesh, images: &mut Mirror
             Mirroring::Moves => false,
         };
         let leaves_out = empty || (is_own && O::MIRRORING != Mirroring::Moves);
+        let mut joins = false;
         if is_together {
             unite(op, &mut image, mesh);
             if O::MIRRORING == Mirroring::Apart {
@@ -115,17 +118,31 @@ pub(crate) fn mirror<O: Operation>(ops: Vec<O>, mesh: &Mesh, images: &mut Mirror
             }
             image.reflect(reflection);
             let image = (!key(&mut image, mesh).iter().all(Vec::is_empty)).then_some(image);
-            reflected.push((image.and_then(|image| op.pair(image, mesh)), of_image));
+            let is_image = image.is_some();
+            let image = image.and_then(|image| op.pair(image, mesh));
+            joins = is_image && image.is_none();
+            reflected.push((image, of_image));
         }
+        is_joined.push(joins);
         own.push((given, count));
     }
     // Of operations that are each other's images, the one on the positive side leads.
     let places: HashMap<Key, usize> =
         own.iter().enumerate().map(|(at, (key, _))| (key.clone(), at)).collect();
     let mut others = Vec::new();
+    let mut is_made_by_other = vec![false; ops.len()];
     for at in 0..ops.len() {
         let Some((image, of_image)) = reflected.get_mut(at) else { continue };
-        let Some(image) = image.take() else { continue };
+        let Some(image) = image.take() else {
+            let other = places.get(of_image).copied().filter(|other| *other != at);
+            if let (Some(true), Some(other)) = (is_joined.get(at), other) {
+                let mut leads =
+                    |at: usize| ops.get_mut(at).is_some_and(|op| is_positive(op, mesh, images.axis()));
+                let goes_first = (!leads(at), at) < (!leads(other), other);
+                is_made_by_other.get_mut(at).into_iter().for_each(|is_made| *is_made = !goes_first);
+            }
+            continue;
+        };
         match places.get(of_image).copied() {
             None => others.push(image),
             Some(other) => {
@@ -137,7 +154,9 @@ pub(crate) fn mirror<O: Operation>(ops: Vec<O>, mesh: &Mesh, images: &mut Mirror
         }
     }
     let counts = own.into_iter().map(|(_, count)| count);
-    Images { own: ops.into_iter().zip(counts).collect(), others, alone }
+    let mut is_made_by_other = is_made_by_other.into_iter();
+    let own = ops.into_iter().zip(counts).filter(|_| !is_made_by_other.next().unwrap_or(false)).collect();
+    Images { own, others, alone }
 }
 
 /// What was found out about the elements of an operation.

@@ -3,10 +3,11 @@
 //! One place does this for every operation on elements. A list of elements gets the images added, so that both sides are one
 //! edit; an operation on one or two elements gets a second one for the images. Operations that only move vertices move
 //! the images as in a mirror. Afterwards, positions that differ from mirror images by rounding alone are made exact, so that
-//! what was symmetric to the bit stays so.
+//! what was symmetric to the bit stays so. Where a symmetric mesh would not stay symmetric, the edit is refused.
 
 mod images;
 mod moves;
+mod outcome;
 
 pub(crate) use images::{Images, Reflection, mirror};
 
@@ -33,6 +34,9 @@ choice! {
 
 /// The name of the field in JSON. It belongs to the command, not to the operation.
 pub(crate) const FIELD_NAME: &str = "symmetry";
+
+/// The names of axes in messages.
+const AXIS_NAMES: [&str; 3] = ["x", "y", "z"];
 
 /// The field of operations that can be mirrored.
 pub(crate) const SYMMETRY: Field = Symmetry::field(
@@ -79,6 +83,7 @@ pub(crate) fn edit_symmetric(
     progress: &mut Progress<'_>,
 ) -> Result<(), Problem> {
     let Images { own, others, alone } = Op::mirror(ops.to_vec(), mesh, images);
+    let made_from = mesh.vertex_capacity();
     let mut left_out = None;
     if ops.first().is_some_and(|op| op.mirroring() == Mirroring::Moves) {
         let ops: Vec<Op> = own.into_iter().map(|(op, _)| op).collect();
@@ -107,13 +112,11 @@ pub(crate) fn edit_symmetric(
                 Err(problem) => drop(left_out.get_or_insert(problem)),
             }
         }
-        let moved: Vec<_> =
-            mesh.recorded_moves().into_iter().map(|(v, _)| v).filter(|v| mesh.has_vertex(*v)).collect();
-        images.settle(mesh, &moved);
+        outcome::settle(images, mesh, made_from, alone, left_out.as_ref())?;
     }
     if alone > 0 {
         let elements = counted(alone, "element has", "elements have");
-        let axis = ["x", "y", "z"].get(images.axis()).copied().unwrap_or_default();
+        let axis = AXIS_NAMES.get(images.axis()).copied().unwrap_or_default();
         notes.push(format!("{elements} no mirror image along {axis} and changed alone"));
     }
     if let Some(problem) = left_out {
