@@ -1,7 +1,8 @@
-//! The site: the page, its worker, and the files of `web/site` and `web/embed`. Serving, testing and packaging all build it
-//! here, so what is tested is what ships.
+//! The site: the page, its worker, the files of `web/site` and `web/embed`, and the help. Serving, testing and packaging
+//! all build it here, so what is tested is what ships.
 
 pub mod compress;
+mod help;
 mod names;
 mod offline;
 mod optimise;
@@ -59,6 +60,7 @@ pub fn build(project: &Project, wasm: &WasmToolchain, kind: Kind, site: &Path) -
     for entry in ["web/embed", "web/meshwright.d.ts"] {
         copy(&project.root.join(entry), site)?;
     }
+    help::write(&project.root, site)?;
     name_by_content(site)?;
     offline::list_files(site)
 }
