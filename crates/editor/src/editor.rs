@@ -23,6 +23,7 @@ mod start;
 pub use begun::{Begun, Finished, RunningJob};
 pub use jobs::MAX_ELEMENTS_AT_ONCE;
 pub use jump::Jump;
+pub(crate) use logged::LoggedJob;
 pub use select_by::SelectBy;
 pub(crate) use select_by::find_related;
 

@@ -4,6 +4,7 @@
 mod support;
 
 use editor::halfedge::Element;
+use editor::project::Project;
 use editor::recovery::{Entry, Event, Snapshot, SnapshotCopy, append_record, new_log, read_log};
 use editor::{Begun, Editor, JobRequest, SelectMode, Wire};
 use proptest::prelude::*;
@@ -292,4 +293,30 @@ fn faces_that_were_hidden_while_a_job_kept_their_deletion_are_no_longer_hidden()
         validate(&editor);
     }
     assert_eq!(editor.mesh().expect("the cube").face_count(), 6);
+}
+
+#[test]
+fn pieces_are_named_after_what_the_object_was_called_when_their_job_began() {
+    let mut editor = on_two();
+    run(&mut editor, json!({"op": "join-objects", "objects": [0, 1]}));
+    let mut disk = Disk::of(&mut editor);
+    let Ok(Begun::Job(request)) =
+        editor.begin_from(command(json!({"op": "separate", "by": "components"})), 1)
+    else {
+        panic!("a job")
+    };
+    run(&mut editor, json!({"op": "rename-object", "object": 0, "name": "Dice"}));
+    editor.finish(request.id(), run_job(&request)).expect("two pieces");
+    let names: Vec<&str> = editor.document().objects().iter().map(|object| object.name()).collect();
+    assert_eq!(names, ["Dice", "Cube 2"]);
+    disk.append(&editor.take_log());
+    let mut recovered = disk.recover();
+    assert_eq!(state(&recovered), state(&editor));
+    // What is repeated is kept, and repeated once more.
+    let trail = Project::of(&recovered).write();
+    let opened = Project::read(&trail).expect("its own");
+    let mut other = on_two();
+    assert_eq!(other.open_project(opened).warnings, [""; 0]);
+    recovered.undo().expect("free");
+    assert_eq!(recovered.document().objects().len(), 1);
 }

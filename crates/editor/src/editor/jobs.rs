@@ -49,6 +49,8 @@ pub(super) struct Run {
     objects: Vec<ObjectId>,
     /// The place of the command's object in the list.
     at: usize,
+    /// The names of the objects.
+    names: Vec<String>,
     /// The command that the job adjusts.
     adjusts: Adjusts,
 }
@@ -70,8 +72,9 @@ impl Run {
         op: Op,
         objects: Vec<ObjectId>,
         at: usize,
+        names: Vec<String>,
     ) -> Self {
-        Self { command, selection, op, objects, at, adjusts: Adjusts::Nothing }
+        Self { command, selection, op, objects, at, names, adjusts: Adjusts::Nothing }
     }
 }
 
@@ -136,7 +139,8 @@ impl Editor {
         match first {
             Some(op) if cost >= faces => {
                 let selection = self.selection.clone();
-                let run = Run::new(command, selection, op, objects, at);
+                let names = inputs.iter().map(|input| input.name.clone()).collect();
+                let run = Run::new(command, selection, op, objects, at, names);
                 let id = self.wait_for(WaitingFor::Run(Box::new(run)));
                 Ok(Begun::Job(JobRequest { id, work: Work::Run(ops, symmetry, inputs) }))
             }
@@ -162,7 +166,7 @@ impl Editor {
     }
 
     /// The work of operations, in faces read or created. With symmetry their mirror images are as much again.
-    fn work(ops: &[Op], symmetry: Symmetry, inputs: &[NamedMesh]) -> usize {
+    pub(super) fn work(ops: &[Op], symmetry: Symmetry, inputs: &[NamedMesh]) -> usize {
         let each = ops.iter().map(|op| match op.action() {
             Action::WholeMesh(whole) => whole.cost(inputs),
             Action::Local(edit) => inputs.first().map_or(0, |input| edit.cost(&input.mesh)),
@@ -265,7 +269,11 @@ impl Editor {
 
     /// Commits the result of a command's job.
     pub(super) fn finish_run(&mut self, run: Run, made: Made) -> Result<Finished, CommandError> {
-        let Run { command, selection, op, objects, at, adjusts } = run;
+        let Run { command, selection, op, objects, at, names, adjusts } = run;
+        let is_named = |(id, name): (&ObjectId, &String)| {
+            self.document.object(*id).is_some_and(|object| object.name() == name)
+        };
+        let names = if objects.iter().zip(&names).all(is_named) { Vec::new() } else { names };
         let places = objects.iter().filter_map(|&id| self.document.index_of(id)).collect();
         let before = self.revision;
         let outcome = match self.commit_whole(&op, &objects, at, made) {
@@ -282,7 +290,7 @@ impl Editor {
             {
                 self.replace_selection(selection);
             }
-            self.log(Event::Job { command: command.clone(), selection, objects: places, at });
+            self.log(Event::Job { command: command.clone(), selection, objects: places, at, names });
             self.remember(command);
         } else if let Adjusts::Last(replaced) = adjusts {
             if let Some(replaced) = replaced {

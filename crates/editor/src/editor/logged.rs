@@ -1,12 +1,13 @@
 //! What the log of changes needs of an editor, and replaying it.
 
 use super::Editor;
-use super::jobs::Run;
-use super::run::Planned;
+use super::jobs::{MAX_ELEMENTS_AT_ONCE, Run, WaitingFor};
+use super::run::{Planned, broken};
 use crate::changes::Changes;
 use crate::document::Document;
 use crate::error::{CommandError, Problem};
-use crate::ops::Command;
+use crate::job::{self, JobRequest, Work};
+use crate::ops::{Command, NamedMesh, Op, Symmetry};
 use crate::recovery::Numbers;
 use crate::selection::Selection;
 use std::ops::ControlFlow;
@@ -74,28 +75,39 @@ impl Editor {
     }
 
     /// Carries out a command as its job did: on what was selected when it was given, and on objects that may have moved
-    /// in the list since.
+    /// in the list or been renamed since.
     ///
     /// # Errors
     /// The command is refused, or an object doesn't exist.
-    pub(crate) fn replay_job(
-        &mut self,
-        command: Command,
-        selection: Arc<Selection>,
-        objects: &[usize],
-        at: usize,
-    ) -> Result<(), CommandError> {
-        let name = command.name();
-        self.run_as_job(command, selection, objects, at).map_err(|problem| CommandError::of(name, problem))
+    pub(crate) fn replay_job(&mut self, logged: LoggedJob) -> Result<(), CommandError> {
+        let name = logged.command.name();
+        self.repeat_job(logged).map_err(|problem| CommandError::of(name, problem))
     }
 
-    fn run_as_job(
-        &mut self,
-        command: Command,
-        selection: Arc<Selection>,
-        places: &[usize],
-        at: usize,
-    ) -> Result<(), Problem> {
+    fn repeat_job(&mut self, logged: LoggedJob) -> Result<(), Problem> {
+        let (run, Prepared { ops, symmetry, inputs }) = self.prepare_job(logged)?;
+        let made = job::run(&ops, symmetry, &inputs, &mut |_| ControlFlow::Continue(()))?;
+        made.validate().map_err(|defect| broken(&defect))?;
+        self.finish_run(run, made).map(drop).map_err(|error| Problem::new(error.problem))
+    }
+
+    /// Begins a command as its job was, if that takes long; [`Editor::finish`] ends it.
+    ///
+    /// # Errors
+    /// As [`Editor::replay_job`].
+    pub(crate) fn begin_logged_job(&mut self, logged: LoggedJob) -> Result<Option<JobRequest>, CommandError> {
+        let name = logged.command.name();
+        let (run, Prepared { ops, symmetry, inputs }) =
+            self.prepare_job(logged).map_err(|problem| CommandError::of(name, problem))?;
+        if Self::work(&ops, symmetry, &inputs) < MAX_ELEMENTS_AT_ONCE {
+            return Ok(None);
+        }
+        let id = self.wait_for(WaitingFor::Run(Box::new(run)));
+        Ok(Some(JobRequest { id, work: Work::Run(ops, symmetry, inputs) }))
+    }
+
+    fn prepare_job(&mut self, logged: LoggedJob) -> Result<(Run, Prepared), Problem> {
+        let LoggedJob { command, selection, objects: places, at, names } = logged;
         let symmetry = command.symmetry;
         let object = |&place: &usize| self.document.objects.get(place).map(|object| object.id());
         let objects: Option<Vec<_>> = places.iter().map(object).collect();
@@ -112,8 +124,28 @@ impl Editor {
             Planned::Document { .. } | Planned::Select { .. } => Vec::new(),
         };
         let op = ops.first().cloned().ok_or_else(|| Problem::new("this command is no job"))?;
-        let made = self.compute_all(&ops, symmetry, &objects, &mut |_| ControlFlow::Continue(()))?;
-        let run = Run::new(command, selection, op, objects, at);
-        self.finish_run(run, made).map(drop).map_err(|error| Problem::new(error.problem))
+        let mut inputs = self.inputs(&objects);
+        for (input, name) in inputs.iter_mut().zip(names) {
+            input.name = name;
+        }
+        let names = inputs.iter().map(|input| input.name.clone()).collect();
+        let run = Run::new(command, selection, op, objects, at, names);
+        Ok((run, Prepared { ops, symmetry, inputs }))
     }
+}
+
+/// A command that was carried out by a job, as the log has it: see [`Event::Job`](crate::recovery::Event::Job).
+pub(crate) struct LoggedJob {
+    pub command: Command,
+    pub selection: Arc<Selection>,
+    pub objects: Vec<usize>,
+    pub at: usize,
+    pub names: Vec<String>,
+}
+
+/// What a job needs.
+struct Prepared {
+    ops: Vec<Op>,
+    symmetry: Symmetry,
+    inputs: Vec<NamedMesh>,
 }

@@ -37,6 +37,10 @@ pub enum Event {
         objects: Vec<usize>,
         /// The place of the command's object when the command was given.
         at: usize,
+        /// The names that these objects had when the command was given, if they were renamed since: parts are named
+        /// after the whole.
+        #[serde(default, skip_serializing_if = "Vec::is_empty")]
+        names: Vec<String>,
     },
     /// The last command of an ongoing edit that was committed.
     Edit(Command),

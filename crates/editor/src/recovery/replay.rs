@@ -1,8 +1,9 @@
 //! Repeating what a log says.
 
 use super::entry::{Entry, Event};
-use crate::editor::Editor;
+use crate::editor::{Editor, LoggedJob};
 use crate::error::CommandError;
+use crate::job::{JobId, JobRequest, JobResult};
 use std::fmt;
 
 /// Why an entry could not be repeated. The document is as it was before the entry, or as the command left it.
@@ -53,8 +54,8 @@ impl Editor {
         match event {
             Event::Start(command) => drop(self.start_with(command).map_err(refused)?),
             Event::Run(command) => drop(self.run(command).map_err(refused)?),
-            Event::Job { command, selection, objects, at } => {
-                self.replay_job(command, selection, &objects, at).map_err(refused)?;
+            Event::Job { command, selection, objects, at, names } => {
+                self.replay_job(LoggedJob { command, selection, objects, at, names }).map_err(refused)?;
             }
             Event::Edit(command) => {
                 self.update_edit(command).map_err(refused)?;
@@ -72,6 +73,34 @@ impl Editor {
             Event::Break => return Err(NotReplayed::Broken),
         }
         if self.revision() == revision { Ok(()) } else { Err(NotReplayed::Differs) }
+    }
+
+    /// Begins what an entry says, if it is a job that takes long: it may run anywhere, and [`Editor::finish_replay`] takes
+    /// its result. None for everything else, which [`Editor::replay`] does at once.
+    ///
+    /// # Errors
+    /// As [`Editor::replay`].
+    pub fn begin_replay(&mut self, entry: &Entry) -> Result<Option<JobRequest>, NotReplayed> {
+        let Event::Job { command, selection, objects, at, names } = entry.event.clone() else {
+            return Ok(None);
+        };
+        self.cancel_edit();
+        self.begin_logged_job(LoggedJob { command, selection, objects, at, names })
+            .map_err(NotReplayed::Refused)
+    }
+
+    /// Ends what [`Editor::begin_replay`] began for this entry.
+    ///
+    /// # Errors
+    /// As [`Editor::replay`].
+    pub fn finish_replay(
+        &mut self,
+        entry: &Entry,
+        job: JobId,
+        result: Result<JobResult, CommandError>,
+    ) -> Result<(), NotReplayed> {
+        self.finish(job, result).map_err(NotReplayed::Refused)?;
+        if self.revision() == entry.revision { Ok(()) } else { Err(NotReplayed::Differs) }
     }
 
     /// Ends replaying: commits an edit that had not ended, forgets the messages, and logs from here on.
