@@ -72,6 +72,11 @@ impl Format {
         })
     }
 
+    /// How many corners of faces a file of so many bytes has at least, if its beginning tells.
+    pub(crate) fn corners_told_by(head: &[u8], bytes: u64) -> Option<u64> {
+        Self::all().find_map(|format| (format.0.corners)(head, bytes))
+    }
+
     /// The format of a file: by content where that is plain, else by extension.
     pub fn detect(file: &NamedBytes) -> Option<Self> {
         Self::of_content(&file.bytes)

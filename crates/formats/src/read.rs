@@ -7,6 +7,7 @@ use crate::format::reading::{Contents, Reading, Source};
 use crate::formats::Format;
 use crate::model::{Model, NamedMesh};
 use crate::report::{ImportReport, first_few};
+use crate::room::Room;
 use crate::soup::origin::{Bounds, Origin};
 use crate::soup::repairs::Repairs;
 use crate::text::encoding::{Encoding, decode, decode_utf16};
@@ -24,6 +25,14 @@ pub struct Import {
     pub model: Model,
     /// What to tell the user.
     pub report: ImportReport,
+}
+
+/// How much of a file's beginning [`refusal`] looks at.
+pub const HEAD_BYTES: u64 = 4096;
+
+/// Why a file is too large to be opened, judged by its beginning and its size before it is read; none if it may fit.
+pub fn refusal(room: &Room, head: &[u8], bytes: u64) -> Option<String> {
+    room.refusal_of_bytes(bytes).or_else(|| room.refusal_of_corners(Format::corners_told_by(head, bytes)?))
 }
 
 /// Reads files that were given together: models with their companion files, such as material libraries
@@ -50,11 +59,24 @@ pub fn read_with(
     repairs: &Repairs,
     progress: &mut Progress,
 ) -> Result<Import, ReadError> {
-    let mut reading = Reading { repairs: *repairs, ..Reading::default() };
+    read_within(files, repairs, &Room::default(), progress)
+}
+
+/// [`read_with`] of no more than there is room for.
+///
+/// # Errors
+/// As [`read`].
+pub fn read_within(
+    files: &[NamedBytes],
+    repairs: &Repairs,
+    room: &Room,
+    progress: &mut Progress,
+) -> Result<Import, ReadError> {
+    let mut reading = Reading { repairs: *repairs, room: *room, ..Reading::default() };
     let import = read_all(files, &mut reading, progress)?;
     let Some(offset) = Bounds::of(&import.model.objects).offset() else { return Ok(import) };
     // Far away: read again in double precision, and see that it loses no digits.
-    let mut reading = Reading { origin: Some(Origin::new(offset)), ..reading };
+    let mut reading = Reading { origin: Some(Origin::new(offset)), corners: 0, ..reading };
     let mut precise = read_all(files, &mut reading, progress)?;
     if !reading.origin.is_some_and(|origin| Bounds::of(&precise.model.objects).is_worth(&origin)) {
         return Ok(import);
@@ -131,6 +153,10 @@ fn read_one(
 ) -> Result<Contents, ReadError> {
     if is_empty(source.file) {
         return Err(empty(source.file));
+    }
+    let NamedBytes { name, bytes } = source.file;
+    if let Some(why) = refusal(&reading.room, bytes, bytes.len() as u64) {
+        return Err(ReadError::file(name, why));
     }
     let (file, encoding) = in_utf8(source.file, format);
     let file = file.as_ref();

@@ -30,6 +30,8 @@ pub(crate) struct FormatInfo {
     pub detect: Option<Detection>,
     /// Whether a file is text, which its reader is given in UTF-8 whatever encoding it has.
     pub is_text: fn(&[u8]) -> bool,
+    /// How many corners of faces a file of so many bytes has at least, if its beginning tells.
+    pub corners: fn(&[u8], u64) -> Option<u64>,
     /// Reads a file; `None` for a format, or a way of writing one, that isn't read as such.
     pub read: Option<Reader>,
     /// Writes a model: the model file first, then its companion files. `None` if it can't be written.
@@ -75,6 +77,7 @@ impl FormatInfo {
         holds: Holds::Meshes,
         detect: None,
         is_text: |_| false,
+        corners: |_, _| None,
         read: None,
         write: None,
         companion_extensions: &[],

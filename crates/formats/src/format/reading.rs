@@ -5,6 +5,7 @@ use crate::file::NamedBytes;
 use crate::model::NamedMesh;
 use crate::model::material::Materials;
 use crate::report::{ImportReport, Places};
+use crate::room::Room;
 use crate::soup::origin::Origin;
 use crate::soup::repairs::{self, Repairs};
 use halfedge::{Mesh, PolygonSoup, Progress};
@@ -27,6 +28,10 @@ pub(crate) struct Reading {
     pub origin: Option<Origin>,
     /// How faces that form no mesh are made one.
     pub repairs: Repairs,
+    /// How much may be read.
+    pub room: Room,
+    /// The corners of faces that were read so far.
+    pub corners: u64,
 }
 
 /// What a reader found in a file.
@@ -50,12 +55,16 @@ pub(crate) fn build(
     name: &str,
     soup: PolygonSoup,
     file: &str,
-    reading: &Reading,
+    reading: &mut Reading,
     report: &mut ImportReport,
     progress: &mut Progress,
 ) -> Result<NamedMesh, ReadError> {
     if progress(0.0).is_break() {
         return Err(ReadError::Cancelled);
+    }
+    reading.corners += soup.corners.len() as u64;
+    if let Some(why) = reading.room.refusal_of_corners(reading.corners) {
+        return Err(ReadError::file(file, why));
     }
     let (mesh, notes, original) =
         repairs::build(soup, &reading.repairs).map_err(|error| ReadError::file(file, error.to_string()))?;

@@ -109,6 +109,16 @@ pub(super) fn is_ply(bytes: &[u8]) -> bool {
     scan.word() == Some(b"ply") && !scan.more_on_line()
 }
 
+/// The least number of corners that the faces of a file have, if all of its header is there.
+pub(super) fn corners(head: &[u8]) -> Option<u64> {
+    if !is_ply(head) {
+        return None;
+    }
+    let header = Header::read(head).ok()?;
+    let faces = header.tables.iter().find(|table| table.name == "face")?;
+    Some(3 * faces.rows as u64)
+}
+
 /// Whether a file is a PLY in text, as far as its header says.
 pub(super) fn is_text_ply(bytes: &[u8]) -> bool {
     Header::read(bytes).is_ok_and(|header| header.encoding == Encoding::Text)

@@ -31,6 +31,7 @@ pub(crate) static BINARY: FormatInfo = FormatInfo {
     save_label: "Save as PLY…",
     description: "Binary, with face and vertex colours.",
     detect: Some((Certainty::Signature, header::is_ply)),
+    corners: |head, _| header::corners(head),
     is_text: header::is_text_ply,
     read: Some(read::read),
     write: Some(write::write),

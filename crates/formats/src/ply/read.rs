@@ -142,7 +142,7 @@ impl Tables {
         source: &Source,
         header: &Header,
         mut report: ImportReport,
-        reading: &Reading,
+        reading: &mut Reading,
         progress: &mut Progress,
     ) -> Result<Contents, ReadError> {
         self.note(&mut report);

@@ -29,6 +29,11 @@ pub(super) fn is_binary(bytes: &[u8]) -> bool {
     said(bytes).is_some_and(|count| is_whole(bytes, count) || has_triangles(bytes, facets(bytes, count)))
 }
 
+/// The corners of a file of so many bytes, if its beginning is that of a whole one.
+pub(super) fn corners(head: &[u8], bytes: u64) -> Option<u64> {
+    said(head).filter(|count| bytes == HEAD_BYTES as u64 + count * FACET_BYTES as u64).map(|count| 3 * count)
+}
+
 fn is_whole(bytes: &[u8], count: u64) -> bool {
     bytes.len() as u64 == HEAD_BYTES as u64 + count * FACET_BYTES as u64
 }

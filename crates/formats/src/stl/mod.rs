@@ -26,6 +26,7 @@ pub(crate) static BINARY: FormatInfo = FormatInfo {
     description: "Binary triangles, for 3D printing.",
     detect: Some((Certainty::Layout, read::is_stl)),
     is_text: text::is_text_stl,
+    corners: binary::corners,
     read: Some(|source, reading, progress| read::read(source.file, reading, progress).map(Into::into)),
     write: Some(write::write),
     lacks: &[
