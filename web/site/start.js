@@ -51,7 +51,8 @@
   window.meshwright = { ready };
 
   let state = "loading";
-  const show = (title, paragraphs, details) => {
+  /** Shows a notice. `buttons` are pairs of a label and what a click does, whose answer is shown. */
+  const show = (title, paragraphs, details, buttons = []) => {
     const notice = document.getElementById("notice");
     const box = document.createElement("div");
     const add = (parent, tag, text) => {
@@ -62,6 +63,18 @@
     };
     add(box, "h2", title);
     for (const text of paragraphs) add(box, "p", text);
+    const row = add(box, "p", "");
+    const answer = add(box, "p", "");
+    answer.setAttribute("role", "status");
+    for (const [label, act] of buttons) {
+      const button = add(row, "button", label);
+      button.type = "button";
+      button.addEventListener("click", async () => {
+        button.disabled = true;
+        answer.textContent = (await act()) ?? "";
+        button.disabled = false;
+      });
+    }
     if (details) {
       const more = document.createElement("details");
       add(more, "summary", "Technical details");
@@ -93,14 +106,33 @@
       ], reason);
       rejectReady(new Error("Neither WebGPU nor WebGL2 is available."));
     },
+    stopped(title, text, details) {
+      if (state === "failed") return;
+      const starting = state === "loading";
+      state = "failed";
+      show(title, text.split("\n"), details, [["Reload", () => location.reload()]]);
+      if (starting) rejectReady(new Error(`${title}. ${text}`));
+    },
     crashed(message) {
       if (state === "failed") return;
       const starting = state === "loading";
       state = "failed";
-      show("Meshwright has crashed", [
-        "This is a bug in Meshwright, not something you did.",
-        "Reload the page to go on.",
-      ], message);
+      const rescue = window.meshwrightRescue;
+      const buttons = [["Reload and go on", () => location.reload()]];
+      const paragraphs = ["This is a bug in Meshwright, not something you did."];
+      if (rescue?.hasDocument()) {
+        paragraphs.push("The document is kept in this browser. Reload the page to go on with it, or save it as a file first.");
+        buttons.push(["Save the document as a file", () => rescue.save()]);
+        if (starting) {
+          buttons.push(["Begin with a new document", () => {
+            rescue.forget();
+            location.reload();
+          }]);
+        }
+      } else {
+        paragraphs.push("Reload the page to go on.");
+      }
+      show("Meshwright has crashed", paragraphs, message, buttons);
       if (starting) rejectReady(new Error(message));
     },
   };

@@ -64,6 +64,11 @@ impl Mirror {
         &self.focus_name
     }
 
+    /// The versions of the tree begin again.
+    pub fn forget_version(&mut self) {
+        self.version = None;
+    }
+
     /// The value of an input was changed in the document, so the tree's value has to be set again.
     pub fn forget_value(&mut self, id: NodeId) {
         if let Some(shown) = self.shown.get_mut(&id) {

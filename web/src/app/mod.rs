@@ -4,6 +4,8 @@
 mod actions;
 mod camera;
 mod carry_out;
+#[cfg(target_arch = "wasm32")]
+pub(crate) mod drawing;
 mod key_settings;
 mod layout;
 pub mod notices;
@@ -12,6 +14,7 @@ mod script;
 mod sheet;
 mod textures;
 mod theme_setting;
+mod title;
 
 use std::collections::VecDeque;
 
@@ -62,6 +65,8 @@ pub struct App {
     held_events: Vec<Input>,
     /// Whether the document that the page starts with has not been followed yet.
     starting: bool,
+    /// The title of the page.
+    title: String,
 }
 
 /// The longest time from one click of a double-click to the other.
@@ -96,6 +101,7 @@ impl App {
             less_motion: false,
             held_events: Vec::new(),
             starting: true,
+            title: String::new(),
         };
         app.shown.scale_percent = scale_percent;
         app.view.camera.up = up_axis;
@@ -167,7 +173,7 @@ impl App {
                     self.session.jobs.progress(job, fraction);
                     self.notices.note_progress();
                 }
-                Event::JobDone { job, result } => self.session.job_done(job, result),
+                Event::JobDone { job, result } => self.keeper.job_done(&mut self.session, job, result),
                 Event::Fetched { job, files } => self.session.fetched(job, files),
                 Event::Files(files) => self.session.open_files(files, None),
                 Event::FilesOf(source, files) => saving::open(&mut self.session, source, files),
@@ -231,6 +237,7 @@ impl App {
             ctx.request_repaint();
         }
         self.keeper.step(&mut self.session, &mut self.view, &mut self.shown);
+        title::follow(&mut self.session, &mut self.title);
         self.session.frames.record(self.session.platform.now() - started);
     }
 

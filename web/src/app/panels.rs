@@ -53,6 +53,13 @@ impl Panels {
         }
     }
 
+    /// Forgets the pictures on the graphics device, which are made again when they are seen.
+    pub fn forget_pictures(&mut self) {
+        self.share = share::Code::default();
+        self.documents.forget_pictures();
+        self.welcome.forget_pictures();
+    }
+
     /// Ends what refers to the selection, before that changes: the edit that follows the pointer, and a preview. Returns
     /// whether ids still mean what they did: those of a preview's elements are meaningless once it is removed.
     pub fn end_edits(&mut self, session: &mut Session) -> bool {

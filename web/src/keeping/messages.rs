@@ -5,6 +5,10 @@ use meshwright_worker::store::{Failure, WhyNot};
 /// Said when writing works again after a failure.
 pub(super) const KEPT_AGAIN: &str = "Changes are kept in this browser again.";
 
+/// Said when the store's worker ended and another one goes on.
+pub(super) const STORE_CRASHED: &str =
+    "The part of the page that keeps documents in this browser ended and was started again. Nothing is lost.";
+
 /// Said when a document is open twice.
 pub(super) const IS_COPY: &str = "This document is open in another tab, so this tab shows a copy of it. Changes here don't reach the other tab.";
 

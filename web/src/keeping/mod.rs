@@ -43,6 +43,10 @@ pub(crate) struct Keeper {
     failure: Option<Failure>,
     /// When to try again after a failure, on the platform's clock in seconds.
     retry_at: f64,
+    /// Whether the store's program has ended since the last checkpoint.
+    has_crashed: bool,
+    /// Whether the store's program is another one than that which opened the document.
+    store_is_new: bool,
     /// Whether the user was told about the failure.
     has_told: bool,
     /// Whether the browser was asked to keep what is kept.
@@ -83,8 +87,7 @@ impl Keeper {
         match kept {
             Some(id) => {
                 let copy = platform.new_id();
-                platform.ask_store(&Request::Open { id: id.clone(), copy }, &[]);
-                keeper.opening = Some(Opening::at(0));
+                keeper.opening = Some(Opening::begin(session, id, copy));
             }
             None => keeper.start_new(session),
         }
@@ -173,11 +176,7 @@ impl Keeper {
             }
             Answer::Checked => self.checked(session),
             Answer::Failed(failure) => self.fail(session, failure),
-            Answer::Crashed(reason) => {
-                let began = self.not_opened(session, &messages::unreadable(&reason));
-                self.fail(session, Failure::Other(reason));
-                return began;
-            }
+            Answer::Crashed(reason) => return self.crashed(session, reason),
             Answer::Listed { documents, picture_bytes } => {
                 list::listed(session, documents, &picture_bytes, &bytes);
             }
@@ -191,12 +190,40 @@ impl Keeper {
 
     /// A checkpoint is complete.
     fn checked(&mut self, session: &mut Session) {
-        self.failure = None;
+        (self.failure, self.has_crashed) = (None, false);
         if std::mem::take(&mut self.has_told) {
             session.toast(MessageKind::Info, messages::KEPT_AGAIN.to_owned(), Vec::new());
         }
         if let Some(kept) = &mut self.kept {
             kept.writing.is_checked = true;
+        }
+    }
+
+    /// The store's program ended. Another one takes its place, which has to open or begin the document again; if that ends
+    /// too, it is tried again later. Returns whether the page begins with a new document because of it.
+    fn crashed(&mut self, session: &mut Session, reason: String) -> bool {
+        let is_first = !std::mem::replace(&mut self.has_crashed, true);
+        if is_first && self.opening.as_mut().is_some_and(|opening| opening.read_again(session)) {
+            return false;
+        }
+        self.store_is_new = true;
+        let is_replaying = self.opening.as_ref().is_some_and(Opening::is_replaying);
+        let begins = !is_replaying && self.not_opened(session, &messages::unreadable(&reason));
+        if is_first {
+            session.editor.say(MessageKind::Info, messages::STORE_CRASHED.to_owned());
+            if !is_replaying {
+                self.begin_in_new_store(session);
+            }
+        } else {
+            self.fail(session, Failure::Other(reason));
+        }
+        begins
+    }
+
+    /// Begins the document again in a store that has not opened it.
+    fn begin_in_new_store(&mut self, session: &mut Session) {
+        if self.kept.is_some() && std::mem::take(&mut self.store_is_new) {
+            self.go_back(session);
         }
     }
 
@@ -211,9 +238,8 @@ impl Keeper {
 
     /// Starts with a new document instead of the one that was asked for, and says why. Returns whether one was.
     fn not_opened(&mut self, session: &mut Session, why: &str) -> bool {
-        if self.opening.take().is_none() {
-            return false;
-        }
+        let Some(opening) = self.opening.take() else { return false };
+        opening.cancel(session);
         let begins = self.kept.is_none();
         self.go_back(session);
         session.warn(why.to_owned(), Vec::new());
@@ -278,7 +304,6 @@ impl Keeper {
             return;
         }
         let copy = session.platform.new_id();
-        session.platform.ask_store(&Request::Open { id, copy }, &[]);
-        self.opening = Some(Opening::at(session.editor.revision()));
+        self.opening = Some(Opening::begin(session, id, copy));
     }
 }

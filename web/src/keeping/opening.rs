@@ -3,9 +3,9 @@
 use std::collections::VecDeque;
 use std::io::{self, Read};
 
-use editor::recovery::{Entry, Event, Snapshot, read_log};
-use editor::{Editor, MessageKind, Wire};
-use meshwright_worker::store::{Bytes, Opened};
+use editor::recovery::{Entry, Event, NotReplayed, Snapshot, read_log};
+use editor::{CommandError, Editor, JobId, JobRequest, JobResult, MessageKind, Wire};
+use meshwright_worker::store::{Bytes, Id, Opened, Request};
 
 use super::saved_view::SavedView;
 use super::writing::Writing;
@@ -20,9 +20,14 @@ const SECONDS_PER_FRAME: f64 = 0.03;
 /// How long the store may take to send the next part before the page begins without it.
 const MAX_WAIT_SECONDS: f64 = 8.0;
 
+/// The number of the job that repeats a change. The editor's own jobs have small numbers.
+const REPLAY_JOB: u64 = 1 << 48;
+
 /// A document that is being opened.
 #[derive(Default)]
 pub(super) struct Opening {
+    /// The document, and what a copy of it would be called.
+    wanted: (Id, Id),
     /// The revision of the page's document when this one was asked for. If that changes, this one is not shown.
     revision: u64,
     /// The parts of its checkpoint that have arrived.
@@ -41,13 +46,45 @@ struct Replaying {
     opened: Opened,
     log_bytes: usize,
     seconds: f64,
+    /// The entry whose job a worker runs, and the job in the editor that repeats it.
+    waits_for: Option<(Entry, JobId)>,
     /// Why the rest could not be repeated, and how many changes are missing.
     stopped: Option<(String, usize)>,
 }
 
 impl Opening {
-    pub fn at(revision: u64) -> Self {
-        Self { revision, ..Self::default() }
+    /// Asks for a document.
+    pub fn begin(session: &mut Session, id: Id, copy: Id) -> Self {
+        let opening = Self { wanted: (id, copy), revision: session.editor.revision(), ..Self::default() };
+        opening.ask(session);
+        opening
+    }
+
+    fn ask(&self, session: &mut Session) {
+        let (id, copy) = self.wanted.clone();
+        session.platform.ask_store(&Request::Open { id, copy }, &[]);
+    }
+
+    /// Asks for the document again after the store has lost it. Returns false if it was read already.
+    pub fn read_again(&mut self, session: &mut Session) -> bool {
+        if self.is_replaying() {
+            return false;
+        }
+        self.discard();
+        self.ask(session);
+        true
+    }
+
+    /// Cancels the job that repeats a change.
+    pub fn cancel(self, session: &mut Session) {
+        if self.replaying.is_some_and(|replaying| replaying.waits_for.is_some()) {
+            session.platform.cancel_job(REPLAY_JOB);
+        }
+    }
+
+    /// Whether the document was read.
+    pub fn is_replaying(&self) -> bool {
+        self.replaying.is_some()
     }
 
     pub fn add(&mut self, part: Bytes) {
@@ -78,6 +115,7 @@ impl Opening {
             opened,
             log_bytes: records.valid_bytes,
             seconds: 0.0,
+            waits_for: None,
             stopped: None,
         });
         Ok(())
@@ -85,13 +123,29 @@ impl Opening {
 }
 
 impl Replaying {
-    /// Repeats one change.
-    fn step(&mut self) {
-        let Some(entry) = self.entries.pop_front() else { return };
+    /// Repeats one change, or begins to; returns a job for the worker that it takes.
+    fn step(&mut self) -> Option<JobRequest> {
+        let entry = self.entries.pop_front()?;
         if let Event::View(view) = &entry.event {
             self.view = Some(view.clone());
         }
-        if let Err(error) = self.editor.replay(entry) {
+        match self.editor.begin_replay(&entry) {
+            Ok(Some(request)) => {
+                self.waits_for = Some((entry, request.id()));
+                return Some(request);
+            }
+            Ok(None) => {
+                let replayed = self.editor.replay(entry);
+                self.stop_if(replayed);
+            }
+            Err(error) => self.stop_if(Err(error)),
+        }
+        None
+    }
+
+    /// Leaves out the rest of the log if a change could not be repeated.
+    fn stop_if(&mut self, replayed: Result<(), NotReplayed>) {
+        if let Err(error) = replayed {
             self.stopped = Some((error.to_string(), self.entries.len() + 1));
             self.entries.clear();
         }
@@ -99,6 +153,21 @@ impl Replaying {
 }
 
 impl Keeper {
+    /// Takes the result of a job that repeats a change, and hands on those of others.
+    pub fn job_done(&mut self, session: &mut Session, job: u64, result: Result<JobResult, CommandError>) {
+        if job != REPLAY_JOB {
+            return session.job_done(job, result);
+        }
+        let replaying = self.opening.as_mut().and_then(|opening| opening.replaying.as_mut());
+        if let Some(replaying) = replaying
+            && let Some((entry, id)) = replaying.waits_for.take()
+        {
+            replaying.seconds += session.platform.now();
+            let replayed = replaying.editor.finish_replay(&entry, id, result);
+            replaying.stop_if(replayed);
+        }
+    }
+
     /// Repeats more of the log, and shows the document when that is done.
     pub(super) fn go_on_opening(&mut self, session: &mut Session, view: &mut View, shown: &mut Shown) {
         let started = session.platform.now();
@@ -113,8 +182,15 @@ impl Keeper {
             return;
         };
         let mut now = started;
+        if replaying.waits_for.is_some() {
+            return;
+        }
         while !replaying.entries.is_empty() && now - started < SECONDS_PER_FRAME {
-            replaying.step();
+            if let Some(request) = replaying.step() {
+                replaying.seconds -= now;
+                session.platform.start_job(REPLAY_JOB, &request);
+                return;
+            }
             now = session.platform.now();
         }
         replaying.seconds += now - started;
@@ -160,6 +236,7 @@ impl Keeper {
             writing = Writing::default();
         }
         self.show(session, id, info.is_touched, writing);
+        self.begin_in_new_store(session);
         match saved.as_deref().and_then(SavedView::read) {
             Some(saved) => saved.show(view),
             None => session.look = Some(ViewTarget::Document),

@@ -80,6 +80,9 @@ impl Keeper {
     /// Writes what was done in this frame, and more of a checkpoint.
     pub(super) fn write(&mut self, session: &mut Session, view: &View) {
         self.follow_document(session);
+        if session.platform.now() >= self.retry_at {
+            self.begin_in_new_store(session);
+        }
         let Some(kept) = &mut self.kept else { return };
         let now = session.platform.now();
         kept.log_view_and_draft(session, view, now);

@@ -1,91 +1,113 @@
-//! The editor as an eframe app, and its handle for scripts.
+//! The editor as an eframe app.
 
 use std::any::Any;
-use std::cell::RefMut;
 
-use eframe::WebRunner;
+use eframe::egui_wgpu::RenderState;
+use egui::{ViewportId, ViewportInfo};
 use wasm_bindgen::prelude::*;
-use web_sys::{BeforeUnloadEvent, HtmlCanvasElement, PointerEvent};
+use web_sys::{BeforeUnloadEvent, PointerEvent};
 
-use super::browser_keys::Pressed;
+use super::handle::Handle;
 use super::mirror::Mirroring;
 use super::{graphics, notice};
 use crate::access::tree::UiTree;
-use crate::app::App;
+use crate::app::{App, drawing};
 use crate::input::pacing::Pacing;
 use crate::platform::browser::Browser;
 
-/// The editor as an eframe app.
+/// The editor on a canvas, as an eframe app. There is a new one for each graphics device.
 pub struct PageApp {
-    app: App,
+    page: Handle,
+    graphics: Option<RenderState>,
     pacing: Pacing,
-    pressed: Pressed,
-    ready: Ready,
-    /// Tells scripts what happened.
-    tell: fn(&mut App),
-}
-
-/// The progress until scripts are told that the editor is ready.
-enum Ready {
-    /// The number of frames to draw first.
-    In(u32),
-    Told,
+    /// The number of frames to draw before the device is asked whether it has drawn.
+    frames_until_asked: u32,
+    /// The number of frames to draw with the document before scripts are told that the editor is ready.
+    frames_until_ready: u32,
+    has_told: bool,
 }
 
 impl PageApp {
-    pub fn new(context: &eframe::CreationContext<'_>, pressed: Pressed, tell: fn(&mut App)) -> Self {
+    /// Puts the page's editor on the canvas; makes it if there is none yet.
+    pub fn new(context: &eframe::CreationContext<'_>, page: Handle) -> Self {
         let ctx = &context.egui_ctx;
         ctx.add_plugin(UiTree::default());
         ctx.add_plugin(Mirroring);
         let graphics = context.wgpu_render_state.clone();
-        let browser = Browser::new(ctx, graphics::device_info(graphics.as_ref()));
+        let device = graphics::device_info(graphics.as_ref());
+        let is_first = page.app().is_none();
+        let make = || App::new(ctx, Box::new(Browser::new(ctx, device.clone())), graphics.clone());
+        if let Some(mut app) = page.app_or_make(make)
+            && !is_first
+        {
+            drawing::go_on(&mut app, ctx, device.clone(), graphics.clone());
+        }
         // The first frame computes the layout; the second draws with it.
         Self {
-            app: App::new(ctx, Box::new(browser), graphics),
+            page,
+            graphics,
             pacing: Pacing::default(),
-            pressed,
-            ready: Ready::In(2),
-            tell,
+            frames_until_asked: 2,
+            frames_until_ready: 2,
+            has_told: false,
         }
     }
 
-    fn tell_ready(&mut self, ctx: &egui::Context) {
-        match self.ready {
-            Ready::Told => {}
-            // Scripts act on the document of the last visit.
-            Ready::In(_) if self.app.is_opening() => {}
-            Ready::In(0) => {
-                self.ready = Ready::Told;
-                let info = serde_json::json!({
-                    "version": env!("CARGO_PKG_VERSION"),
-                    "renderer": self.app.device().renderer,
-                });
-                notice::started(&info.to_string());
+    fn tell_ready(&mut self, app: &App, ctx: &egui::Context) {
+        if self.frames_until_asked > 0 {
+            self.frames_until_asked -= 1;
+            ctx.request_repaint();
+            if let Some(graphics) = self.graphics.as_ref().filter(|_| self.frames_until_asked == 0) {
+                self.page.await_drawing(&graphics.queue);
             }
-            Ready::In(frames) => {
-                self.ready = Ready::In(frames - 1);
-                ctx.request_repaint();
-            }
+        }
+        // Scripts act on the document of the last visit.
+        if app.is_opening() {
+            return;
+        }
+        if self.frames_until_ready > 0 {
+            self.frames_until_ready -= 1;
+            ctx.request_repaint();
+        } else if self.page.has_drawn() && !std::mem::replace(&mut self.has_told, true) {
+            let info = serde_json::json!({
+                "version": env!("CARGO_PKG_VERSION"),
+                "renderer": app.device().renderer,
+            });
+            notice::started(&info.to_string());
         }
     }
 }
 
 impl eframe::App for PageApp {
     fn raw_input_hook(&mut self, ctx: &egui::Context, raw_input: &mut egui::RawInput) {
-        self.pressed.mark(raw_input);
+        if self.page.is_lost() {
+            // eframe draws nothing in a minimized window. Events wait for the next device.
+            let info = raw_input.viewports.entry(ViewportId::ROOT).or_insert_with(ViewportInfo::default);
+            info.minimized = Some(true);
+            return;
+        }
+        self.page.pressed().mark(raw_input);
         if self.pacing.pace(raw_input, time_of_button()) {
             ctx.request_repaint();
         }
     }
 
     fn logic(&mut self, ctx: &egui::Context, _frame: &mut eframe::Frame) {
-        self.app.logic(ctx);
-        self.tell_ready(ctx);
-        (self.tell)(&mut self.app);
+        if self.page.is_lost() {
+            return;
+        }
+        let page = self.page.clone();
+        if let Some(mut app) = page.app() {
+            app.logic(ctx);
+            self.tell_ready(&app, ctx);
+            page.tell_scripts(&mut app);
+        }
     }
 
     fn ui(&mut self, ui: &mut egui::Ui, _frame: &mut eframe::Frame) {
-        self.app.ui(ui);
+        if let Some(mut app) = self.page.app() {
+            app.ui(ui);
+        }
     }
 
     fn as_any_mut(&mut self) -> Option<&mut dyn Any> {
@@ -99,30 +121,6 @@ fn time_of_button() -> Option<f64> {
     let event = web_sys::window()?.event();
     let event = event.dyn_ref::<PointerEvent>()?;
     matches!(event.type_().as_str(), "pointerdown" | "pointerup").then(|| event.time_stamp() / 1000.0)
-}
-
-/// Gives scripts and browser events access to the editor between two frames.
-#[derive(Clone)]
-pub struct Handle {
-    runner: WebRunner,
-    canvas: HtmlCanvasElement,
-}
-
-impl Handle {
-    pub fn new(runner: WebRunner, canvas: HtmlCanvasElement) -> Self {
-        Self { runner, canvas }
-    }
-
-    /// The editor; `None` after a crash, and during a call of the editor itself.
-    pub fn app(&self) -> Option<RefMut<'_, App>> {
-        self.runner.app_mut::<PageApp>().map(|page| RefMut::map(page, |page| &mut page.app))
-    }
-
-    /// The canvas's top left corner in CSS pixels of the page.
-    pub fn corner(&self) -> [f32; 2] {
-        let rect = self.canvas.get_bounding_client_rect();
-        [rect.left() as f32, rect.top() as f32]
-    }
 }
 
 /// Makes the browser ask before the page closes with changes that are neither saved nor kept.

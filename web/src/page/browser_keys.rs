@@ -2,19 +2,18 @@
 
 use std::cell::RefCell;
 use std::collections::VecDeque;
-use std::rc::Rc;
 
 use egui::{Event, Key, Modifiers, RawInput};
 use wasm_bindgen::prelude::*;
 use web_sys::KeyboardEvent;
 
-use super::Handle;
+use super::handle::Handle;
 use crate::input::shortcut::{NUMBER_PAD, Shortcut};
 
 /// The keys that were pressed since the last frame, and whether they are on the number pad.
-#[derive(Clone, Default)]
+#[derive(Default)]
 pub struct Pressed {
-    keys: Rc<RefCell<VecDeque<(Key, bool)>>>,
+    keys: RefCell<VecDeque<(Key, bool)>>,
 }
 
 impl Pressed {
@@ -38,14 +37,14 @@ impl Pressed {
 }
 
 /// Notes the page's keys, and keeps the browser from acting on those that the editor acts on.
-pub fn listen(handle: Handle, pressed: Pressed) -> Result<(), JsValue> {
+pub fn listen(handle: Handle) -> Result<(), JsValue> {
     let window = web_sys::window().ok_or("there is no window")?;
     let on_key = Closure::<dyn FnMut(KeyboardEvent)>::new(move |event: KeyboardEvent| {
         let Some(key) = Key::from_name(&event.key()).or_else(|| Key::from_name(&event.code())) else {
             return;
         };
         let on_pad = event.location() == KeyboardEvent::DOM_KEY_LOCATION_NUMPAD;
-        pressed.keys.borrow_mut().push_back((key, on_pad));
+        handle.pressed().keys.borrow_mut().push_back((key, on_pad));
         let ctrl = event.ctrl_key() || event.meta_key();
         let (alt, shift) = (event.alt_key(), event.shift_key());
         let modifiers = Modifiers { alt, ctrl, shift, mac_cmd: event.meta_key(), command: ctrl };

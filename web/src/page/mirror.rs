@@ -62,18 +62,30 @@ fn with_layer(body: impl FnOnce(&mut Layer)) {
     });
 }
 
-/// Starts to mirror the page on this canvas; index.html has the elements to fill.
-pub fn install(ctx: &Context, canvas: &HtmlCanvasElement) -> Result<(), JsValue> {
-    let document = web_sys::window().and_then(|window| window.document()).ok_or("there is no document")?;
-    let by_id = |id: &str| document.get_element_by_id(id).ok_or_else(|| format!("there is no #{id}"));
-    let root = by_id("mirror")?;
+/// Mirrors the page on this canvas; index.html has the elements to fill.
+pub fn show_on(ctx: &Context, canvas: &HtmlCanvasElement) -> Result<(), JsValue> {
     // eframe puts the input that takes text right after the canvas.
     let text_input = canvas.next_element_sibling().filter(|next| next.tag_name() == "INPUT");
     if let Some(input) = &text_input {
         input.set_attribute("aria-label", TEXT_ENTRY)?;
         input.set_attribute("tabindex", "-1")?;
     }
+    let mut is_installed = false;
+    with_layer(|layer| {
+        is_installed = true;
+        layer.mirror.forget_version();
+        (layer.canvas, layer.ctx, layer.text_input) = (canvas.clone(), ctx.clone(), text_input.clone());
+    });
+    ctx.request_repaint();
+    if is_installed { Ok(()) } else { install(ctx, canvas, text_input) }
+}
+
+fn install(ctx: &Context, canvas: &HtmlCanvasElement, text_input: Option<Element>) -> Result<(), JsValue> {
+    let document = web_sys::window().and_then(|window| window.document()).ok_or("there is no document")?;
+    let by_id = |id: &str| document.get_element_by_id(id).ok_or_else(|| format!("there is no #{id}"));
+    let root = by_id("mirror")?;
     let layer = Layer {
+        ctx: ctx.clone(),
         polite: by_id("said")?,
         assertive: by_id("alerted")?,
         canvas: canvas.clone(),
@@ -90,20 +102,20 @@ pub fn install(ctx: &Context, canvas: &HtmlCanvasElement) -> Result<(), JsValue>
         ("focusin", Layer::focused),
         ("input", Layer::changed),
     ] {
-        let ctx = ctx.clone();
         let listener = Closure::<dyn FnMut(web_sys::Event)>::new(move |event: web_sys::Event| {
             let Some(target) = event.target() else { return };
             let Some(id) = target.dyn_ref::<Element>().and_then(node_id) else { return };
-            with_layer(|layer| handle(layer, id, &target));
+            with_layer(|layer| {
+                handle(layer, id, &target);
+                layer.ctx.request_repaint();
+            });
             // Keys belong to the canvas.
             with_canvas(|canvas| drop(canvas.focus()));
-            ctx.request_repaint();
         });
         root.add_event_listener_with_callback(name, listener.as_ref().unchecked_ref())?;
         // The listener lives as long as the page.
         listener.forget();
     }
-    ctx.request_repaint();
     Ok(())
 }
 
@@ -120,6 +132,7 @@ const TEXT_ENTRY: &str = "Text entry";
 /// The elements in the document.
 struct Layer {
     document: Document,
+    ctx: Context,
     canvas: HtmlCanvasElement,
     /// The browser's field for text, in which eframe takes what is typed into any field.
     text_input: Option<Element>,

@@ -195,6 +195,11 @@ fn why_not_open(page: &Page<'_>, kept: &Kept) -> Option<String> {
 }
 
 impl Documents {
+    /// Forgets the pictures on the graphics device.
+    pub fn forget_pictures(&mut self) {
+        self.pictures.clear();
+    }
+
     /// Paints the picture of a document.
     fn paint(&mut self, ui: &Ui, page: &Page<'_>, kept: &Kept, rect: Rect) {
         if std::mem::replace(&mut self.version, page.documents.version) != page.documents.version {

@@ -8,7 +8,7 @@ use std::time::Instant;
 
 use editor::{CommandError, JobRequest, JobResult, Wire};
 
-use crate::platform::store::{Documents, Id, MemoryDisk, Request, Tab, now_or_never};
+use crate::platform::store::{Answer, Documents, Id, MemoryDisk, Request, Tab, now_or_never};
 use crate::platform::{DeviceInfo, Event, NamedBytes, Platform, Source};
 
 /// The test's side of a headless platform; clones share their state.
@@ -40,6 +40,8 @@ struct Inner {
     persists: usize,
     /// Whether the store takes requests and does nothing.
     store_hangs: bool,
+    /// How often the store is still to end when it is asked for something.
+    store_crashes: usize,
     date_ms: f64,
     /// The names of the files of each source.
     sources: Vec<Vec<String>>,
@@ -47,6 +49,7 @@ struct Inner {
     /// Why files can't be written.
     refuses_writes: Option<String>,
     updates: usize,
+    title: String,
 }
 
 impl Outside {
@@ -93,6 +96,16 @@ impl Outside {
     /// Lets the store take requests and do nothing.
     pub fn hang_store(&self) {
         self.inner.borrow_mut().store_hangs = true;
+    }
+
+    /// The title of the page.
+    pub fn title(&self) -> String {
+        self.inner.borrow().title.clone()
+    }
+
+    /// Lets the store end the next times that it is asked for something.
+    pub fn crash_store(&self, times: usize) {
+        self.inner.borrow_mut().store_crashes = times;
     }
 
     /// Lets time go by.
@@ -297,9 +310,20 @@ impl Platform for Headless {
         inner.tabs.entry(self.tab).or_default().insert(key.to_owned(), value.to_owned());
     }
 
+    fn set_title(&mut self, title: &str) {
+        title.clone_into(&mut self.outside.inner.borrow_mut().title);
+    }
+
     fn ask_store(&mut self, request: &Request, bytes: &[u8]) {
         let outside = self.outside.clone();
         if outside.inner.borrow().store_hangs {
+            return;
+        }
+        if outside.inner.borrow().store_crashes > 0 {
+            outside.inner.borrow_mut().store_crashes -= 1;
+            // Its locks end with it.
+            self.documents = Documents::new(outside.disk().tab());
+            outside.push(Event::Store(Answer::Crashed("it has crashed".to_owned()), Vec::new()));
             return;
         }
         let mut tell = |answer, bytes| outside.push(Event::Store(answer, bytes));
@@ -325,6 +349,8 @@ impl Platform for Headless {
     fn reduces_motion(&self) -> bool {
         self.outside.inner.borrow().reduces_motion
     }
+
+    fn draw_on(&mut self, _ctx: &egui::Context, _device: DeviceInfo) {}
 
     fn device(&self) -> DeviceInfo {
         DeviceInfo { renderer: "host".to_owned(), adapter: String::new() }

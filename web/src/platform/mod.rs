@@ -142,6 +142,9 @@ pub trait Platform {
     /// Stores a small setting for this tab, which a reload keeps.
     fn store_tab_setting(&mut self, key: &str, value: &str);
 
+    /// Sets the title of the page.
+    fn set_title(&mut self, title: &str);
+
     /// Asks the store of documents to do something. Requests are carried out in order; answers come as [`Event::Store`].
     fn ask_store(&mut self, request: &store::Request, bytes: &[u8]);
 
@@ -156,6 +159,9 @@ pub trait Platform {
 
     /// Whether the user has asked the system for less motion; may change at any time.
     fn reduces_motion(&self) -> bool;
+
+    /// Draws on another device from here on, with another egui.
+    fn draw_on(&mut self, ctx: &egui::Context, device: DeviceInfo);
 
     /// The graphics device.
     fn device(&self) -> DeviceInfo;

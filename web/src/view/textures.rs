@@ -85,6 +85,15 @@ impl Textures {
         }
     }
 
+    /// Has the shown pictures decoded again, for another device.
+    pub fn decode_again(&mut self) {
+        for known in &mut self.known {
+            if matches!(known.state, State::Shown(_)) {
+                known.state = State::Waiting;
+            }
+        }
+    }
+
     /// How the renderer draws the materials.
     pub fn looks(&self, materials: &Materials) -> viewport::Materials {
         viewport::Materials::new(materials.list.iter().map(|material| MaterialLook {

@@ -375,3 +375,85 @@ fn the_welcome_view_offers_the_last_documents() {
     assert_eq!(faces(&mut page), 1);
     assert!(!page.has("Close welcome"));
 }
+
+#[test]
+fn the_store_is_started_again_when_it_crashes_and_nothing_is_lost() {
+    let mut page = Page::new();
+    extrude(&mut page);
+    settle(&mut page);
+    page.outside.crash_store(1);
+    page.command(json!({"op": "poke-faces", "faces": [0]}));
+    assert!(!page.has_part("not kept"));
+    let mut page = page.reload();
+    assert_eq!(faces(&mut page), 13);
+}
+
+#[test]
+fn a_store_that_crashes_again_is_tried_later_and_the_user_is_told() {
+    let mut page = Page::new();
+    extrude(&mut page);
+    settle(&mut page);
+    page.outside.crash_store(2);
+    page.command(json!({"op": "poke-faces", "faces": [0]}));
+    page.run();
+    assert!(
+        page.has_part(
+            "Changes are not kept: this browser reports: it has crashed. Save the document to a file"
+        )
+    );
+    page.command(json!({"op": "poke-faces", "faces": [1]}));
+    page.outside.advance(31_000.0);
+    settle(&mut page);
+    assert!(page.has_part("Changes are kept in this browser again"));
+    let mut page = page.reload();
+    assert_eq!(faces(&mut page), 16);
+}
+
+#[test]
+fn a_document_is_opened_although_the_store_crashes_meanwhile() {
+    let mut page = Page::new();
+    extrude(&mut page);
+    settle(&mut page);
+    let before = state(&mut page);
+    page.outside.crash_store(1);
+    let mut page = page.reload();
+    assert_eq!(state(&mut page), before);
+    page.command(json!({"op": "poke-faces", "faces": [0]}));
+    let mut page = page.reload();
+    assert_eq!(faces(&mut page), 13);
+}
+
+#[test]
+fn the_title_shows_what_is_in_no_file_yet() {
+    let mut page = Page::new();
+    assert_eq!(page.outside.title(), "Cube – Meshwright");
+    extrude(&mut page);
+    assert_eq!(page.outside.title(), "• Cube – Meshwright");
+    settle(&mut page);
+    let mut page = page.reload();
+    assert_eq!(page.outside.title(), "• Cube – Meshwright", "kept by the browser, but in no file");
+    page.app().script().undo().expect("a step");
+    page.run();
+    assert_eq!(page.outside.title(), "Cube – Meshwright");
+    page.open("Tri.obj", TRIANGLE);
+    assert_eq!(page.outside.title(), "Tri – Meshwright");
+}
+
+#[test]
+fn a_long_job_of_the_log_is_repeated_by_the_worker() {
+    let mut page = Page::new();
+    page.command(json!({"op": "new", "shape": "grid", "columns": 150, "rows": 150}));
+    settle(&mut page);
+    page.command(json!({"op": "triangulate-faces"}));
+    page.command(json!({"op": "set-vertex-position", "vertex": 7, "position": [0, 0, 1]}));
+    let (before, outside) = (state(&mut page), page.outside.clone());
+    drop(page);
+    outside.hold_jobs();
+    let mut page = Page::begin_visit(&outside);
+    assert!(page.app().is_opening(), "the worker has not repeated it yet");
+    outside.release_jobs();
+    page.run();
+    assert!(!page.app().is_opening());
+    assert_eq!(state(&mut page), before);
+    assert_eq!(page.undo_labels(), ["Triangulate", "Move vertex"]);
+}

@@ -39,6 +39,7 @@ mod selecting;
 mod share;
 mod shell;
 mod slide;
+mod soak;
 mod split;
 mod textures;
 mod toasts;

@@ -7,6 +7,7 @@ use js_sys::Date;
 use wasm_bindgen::prelude::*;
 use web_sys::{DedicatedWorkerGlobalScope, MessageEvent};
 
+use crate::alive::hold_while_alive;
 use crate::message::{Message, Request};
 use crate::store;
 use crate::throttle::Throttle;
@@ -18,6 +19,9 @@ pub fn serve() {
     };
     if scope.name().starts_with(store::WORKER_NAME) {
         return store::serve();
+    }
+    if scope.name().starts_with(store::RESCUE_NAME) {
+        return store::serve_rescue();
     }
     std::panic::set_hook(Box::new(|info| {
         if let Ok(scope) = js_sys::global().dyn_into::<DedicatedWorkerGlobalScope>() {
@@ -36,7 +40,7 @@ pub fn serve() {
     scope.set_onmessage(Some(on_message.as_ref().unchecked_ref()));
     // The listener lives as long as the worker, until the page terminates it.
     on_message.forget();
-    post(&scope, &Message::Ready);
+    hold_while_alive(&scope.name(), move || post(&scope, &Message::Ready));
 }
 
 /// Runs a job, reports its progress and returns the answer.

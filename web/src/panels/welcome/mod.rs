@@ -285,6 +285,11 @@ impl Welcome {
         if self.at_start { "on" } else { OFF }
     }
 
+    /// Forgets the pictures on the graphics device.
+    pub fn forget_pictures(&mut self) {
+        self.pictures.clear();
+    }
+
     /// The picture of a tile. It is drawn when the tile is first seen, one in each frame.
     fn picture(
         &mut self,

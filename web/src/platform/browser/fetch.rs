@@ -4,6 +4,7 @@ use std::cell::RefCell;
 use std::collections::HashMap;
 use std::rc::Rc;
 
+use formats::{Room, refusal};
 use js_sys::{Reflect, Uint8Array};
 use wasm_bindgen::prelude::*;
 use wasm_bindgen_futures::{JsFuture, spawn_local};
@@ -13,9 +14,6 @@ use web_sys::{
 
 use super::inbox::{Inbox, describe};
 use crate::platform::{Event, Fetched, NamedBytes};
-
-/// WebAssembly memory ends at 4 GiB; a larger copy would crash the page.
-const MAX_FETCHED_BYTES: usize = 2 << 30;
 
 /// The share of the job's progress that fetching takes; opening takes the rest.
 const FETCH_SHARE: f64 = 0.5;
@@ -202,9 +200,9 @@ async fn fetch(
                 break;
             }
             let chunk: Uint8Array = field("value").and_then(JsCast::dyn_into).map_err(broken)?;
-            if bytes.len() + chunk.length() as usize > MAX_FETCHED_BYTES {
-                let why = "is larger than 2 GB: too large for a browser".to_owned();
-                return Err(Failure { why, advice: "Use the command line instead." });
+            let all = (bytes.len() as u64 + u64::from(chunk.length())).max(length.unwrap_or_default() as u64);
+            if let Some(why) = refusal(&Room::default(), &bytes, all) {
+                return Err(Failure { why: format!("was not opened: {why}"), advice: "" });
             }
             let start = bytes.len();
             bytes.resize(start + chunk.length() as usize, 0);

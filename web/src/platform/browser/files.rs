@@ -1,8 +1,10 @@
 //! Files from the user: dropped on the page, or picked in the browser's dialog.
 
 use egui::DroppedFileHandle;
+use formats::{HEAD_BYTES, Room, refusal};
+use js_sys::Uint8Array;
 use wasm_bindgen::prelude::*;
-use wasm_bindgen_futures::spawn_local;
+use wasm_bindgen_futures::{JsFuture, spawn_local};
 use web_sys::{File, HtmlInputElement};
 
 use super::handles;
@@ -16,9 +18,10 @@ pub fn read_dropped(dropped: Vec<DroppedFileHandle>, inbox: Inbox) {
         let mut files = Vec::with_capacity(dropped.len());
         for file in dropped {
             let name = file.path().to_string_lossy().into_owned();
-            match file.bytes_async().await {
+            let Some(file) = file.web_file() else { continue };
+            match read(file).await {
                 Ok(bytes) => files.push(NamedBytes { name, bytes }),
-                Err(reason) => return inbox.push(unreadable(&name, &reason)),
+                Err(failure) => return inbox.push(failure.event(&name)),
             }
         }
         inbox.push(match source {
@@ -88,24 +91,44 @@ fn read_picked(input: &HtmlInputElement, inbox: &Inbox) {
             let name = file.name();
             match read(&file).await {
                 Ok(bytes) => files.push(NamedBytes { name, bytes }),
-                Err(error) => return inbox.push(unreadable(&name, &describe(&error))),
+                Err(failure) => return inbox.push(failure.event(&name)),
             }
         }
         inbox.push(Event::Files(files));
     });
 }
 
-async fn read(file: &File) -> Result<Vec<u8>, JsValue> {
-    // WebAssembly memory ends at 4 GiB; a larger copy would crash the page.
-    if file.size() > f64::from(u32::MAX / 2) {
-        return Err("files above 2 GB are too large for a browser".into());
-    }
-    let buffer = wasm_bindgen_futures::JsFuture::from(file.array_buffer()).await?;
-    Ok(js_sys::Uint8Array::new(&buffer).to_vec())
+/// Why a file was not read.
+enum Failure {
+    TooLarge(String),
+    Unreadable(JsValue),
 }
 
-fn unreadable(name: &str, reason: &str) -> Event {
-    Event::Failed(format!(
-        "{name} could not be read: {reason}. It may have been moved or changed; try again."
-    ))
+impl Failure {
+    fn event(&self, name: &str) -> Event {
+        Event::Failed(match self {
+            Self::TooLarge(why) => format!("{name} was not opened: {why}."),
+            Self::Unreadable(error) => format!(
+                "{name} could not be read: {}. It may have been moved or changed; try again.",
+                describe(error)
+            ),
+        })
+    }
+}
+
+impl From<JsValue> for Failure {
+    fn from(error: JsValue) -> Self {
+        Self::Unreadable(error)
+    }
+}
+
+/// Reads a file, unless its beginning and its size tell that it doesn't fit into memory.
+async fn read(file: &File) -> Result<Vec<u8>, Failure> {
+    let head = file.slice_with_f64_and_f64(0.0, HEAD_BYTES as f64)?;
+    let head = Uint8Array::new(&JsFuture::from(head.array_buffer()).await?).to_vec();
+    if let Some(why) = refusal(&Room::default(), &head, file.size() as u64) {
+        return Err(Failure::TooLarge(why));
+    }
+    let buffer = JsFuture::from(file.array_buffer()).await?;
+    Ok(Uint8Array::new(&buffer).to_vec())
 }

@@ -11,17 +11,22 @@ use crate::platform::Event;
 #[derive(Clone)]
 pub(crate) struct Inbox {
     events: Rc<RefCell<Vec<Event>>>,
-    ctx: egui::Context,
+    ctx: Rc<RefCell<egui::Context>>,
 }
 
 impl Inbox {
     pub(super) fn new(ctx: &egui::Context) -> Self {
-        Self { events: Rc::default(), ctx: ctx.clone() }
+        Self { events: Rc::default(), ctx: Rc::new(RefCell::new(ctx.clone())) }
     }
 
     pub(crate) fn push(&self, event: Event) {
         self.events.borrow_mut().push(event);
-        self.ctx.request_repaint();
+        self.ctx.borrow().request_repaint();
+    }
+
+    /// Wakes this egui from here on.
+    pub(super) fn set_ctx(&self, ctx: &egui::Context) {
+        self.ctx.replace(ctx.clone());
     }
 
     pub(super) fn take(&self) -> Vec<Event> {

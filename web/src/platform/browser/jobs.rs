@@ -19,6 +19,10 @@ use crate::platform::Event;
 /// The worker's name.
 const WORKER_NAME: &str = "meshwright-worker";
 
+/// What to do after a worker has ended.
+const LOST_ADVICE: &str =
+    " The document is unchanged. Close other tabs and programs, or take a smaller mesh, and try again.";
+
 /// A worker whose memory has grown past this many bytes is replaced when it is idle.
 const MAX_IDLE_MEMORY_BYTES: f64 = (256 << 20) as f64;
 
@@ -133,7 +137,10 @@ impl Pool {
                 self.go_on();
             }
             Message::Crashed { reason } => {
-                self.lost(&format!("The worker has crashed, which is a bug in Meshwright: {reason}."));
+                self.lost(&format!(
+                    "The worker has crashed, which is a bug in Meshwright: {}.{LOST_ADVICE}",
+                    reason.trim_end_matches('.')
+                ));
             }
         }
     }
@@ -141,9 +148,9 @@ impl Pool {
     /// The worker's program ended or never started, without a panic message.
     fn on_error(&mut self, said: Option<String>) {
         if self.is_ready {
-            let said = said.unwrap_or_default();
+            let said = said.map(|said| format!("{}.", said.trim_end_matches('.'))).unwrap_or_default();
             self.lost(&format!(
-                "The worker stopped, most likely because the browser gave it no more memory. {said}"
+                "The worker stopped, most likely because the browser gave it no more memory. {said}{LOST_ADVICE}"
             ));
         } else {
             self.worker = None;

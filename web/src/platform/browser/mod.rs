@@ -10,6 +10,7 @@ mod inbox;
 mod jobs;
 mod offline;
 mod store;
+mod wait;
 mod worker;
 
 use super::store::{Id, Request};
@@ -21,6 +22,7 @@ use inbox::Inbox;
 pub(crate) use inbox::describe;
 use jobs::Jobs;
 use store::Store;
+pub(crate) use wait::{sleep, within};
 
 /// The browser as a platform.
 pub struct Browser {
@@ -74,7 +76,7 @@ impl Platform for Browser {
     }
 
     fn parameter(&self, name: &str) -> Option<String> {
-        fetch::parameters()?.get(name)
+        address_parameter(name)
     }
 
     fn address(&self) -> String {
@@ -141,13 +143,16 @@ impl Platform for Browser {
     }
 
     fn load_tab_setting(&self, key: &str) -> Option<String> {
-        tab_storage()?.get_item(&setting_key(key)).ok()?
+        load_tab_setting(key)
     }
 
     fn store_tab_setting(&mut self, key: &str, value: &str) {
-        // Without it, a reload opens the document that was changed last in any tab.
-        if let Some(storage) = tab_storage() {
-            let _ = storage.set_item(&setting_key(key), value);
+        store_tab_setting(key, value);
+    }
+
+    fn set_title(&mut self, title: &str) {
+        if let Some(document) = web_sys::window().and_then(|window| window.document()) {
+            document.set_title(title);
         }
     }
 
@@ -172,6 +177,11 @@ impl Platform for Browser {
         self.less_motion.as_ref().is_some_and(web_sys::MediaQueryList::matches)
     }
 
+    fn draw_on(&mut self, ctx: &egui::Context, device: DeviceInfo) {
+        self.inbox.set_ctx(ctx);
+        self.device = device;
+    }
+
     fn device(&self) -> DeviceInfo {
         self.device.clone()
     }
@@ -189,6 +199,24 @@ fn storage() -> Option<web_sys::Storage> {
 /// What lasts as long as the tab.
 fn tab_storage() -> Option<web_sys::Storage> {
     web_sys::window()?.session_storage().ok()?
+}
+
+/// A setting that this tab stored before it was reloaded.
+pub(crate) fn load_tab_setting(key: &str) -> Option<String> {
+    tab_storage()?.get_item(&setting_key(key)).ok()?
+}
+
+/// Stores a setting of this tab.
+pub(crate) fn store_tab_setting(key: &str, value: &str) {
+    // Without it, a reload opens the document that was changed last in any tab, and tries WebGPU again.
+    if let Some(storage) = tab_storage() {
+        let _ = storage.set_item(&setting_key(key), value);
+    }
+}
+
+/// A parameter of the page's address.
+pub(crate) fn address_parameter(name: &str) -> Option<String> {
+    fetch::parameters()?.get(name)
 }
 
 fn setting_key(key: &str) -> String {

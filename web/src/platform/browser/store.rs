@@ -8,13 +8,17 @@ use wasm_bindgen::prelude::*;
 
 use super::fetch;
 use super::inbox::{Inbox, describe};
+use super::wait::sleep;
 use super::worker::Link;
 use crate::platform::Event;
 
 /// The parameter of the page's address that chooses where documents are kept: `?store=indexeddb`, for tests.
 const STORE_PARAMETER: &str = "store";
 
-/// Sends requests to the worker that keeps documents.
+/// How long another worker waits after one has ended, until the browser has released its files and locks.
+const RESTART_PAUSE_MS: i32 = 300;
+
+/// Sends requests to the worker that keeps documents. If it ends, the next request starts another.
 pub(super) struct Store {
     state: Rc<RefCell<State>>,
 }
@@ -23,50 +27,42 @@ struct State {
     inbox: Inbox,
     worker: Option<Link>,
     is_ready: bool,
+    /// Whether a worker has just ended, so that another one has to wait.
+    is_pausing: bool,
     /// What was asked for before the worker was ready.
     waiting: Vec<(JsValue, JsValue)>,
+    /// For the message handlers of later workers.
+    this: Weak<RefCell<State>>,
 }
 
 impl Store {
     pub fn new(inbox: Inbox) -> Self {
-        let state = State { inbox, worker: None, is_ready: false, waiting: Vec::new() };
-        let store = Self { state: Rc::new(RefCell::new(state)) };
-        store.start();
-        store
-    }
-
-    fn start(&self) {
-        let chosen = fetch::parameters().and_then(|parameters| parameters.get(STORE_PARAMETER));
-        let name = format!("{WORKER_NAME} {}", chosen.unwrap_or_default());
-        let this = Rc::downgrade(&self.state);
-        let link = Link::new(
-            &name,
-            {
-                let this = this.clone();
-                move |message| on_message(&this, &message)
-            },
-            move |said| {
-                if let Some(state) = this.upgrade() {
-                    state.borrow_mut().lose(said.unwrap_or_else(|| "the worker did not load".to_owned()));
-                }
-            },
-        );
-        let mut state = self.state.borrow_mut();
-        match link {
-            Ok(link) => state.worker = Some(link),
-            Err(error) => state.lose(describe(&error)),
-        }
+        let state = Rc::new_cyclic(|this| {
+            RefCell::new(State {
+                inbox,
+                worker: None,
+                is_ready: false,
+                is_pausing: false,
+                waiting: Vec::new(),
+                this: this.clone(),
+            })
+        });
+        state.borrow_mut().start();
+        Self { state }
     }
 
     /// Asks for something.
     pub fn ask(&self, request: &Request, bytes: &[u8]) {
         let mut state = self.state.borrow_mut();
-        if state.worker.is_none() {
-            state.lose("the worker has ended".to_owned());
+        let message = to_js(request, bytes);
+        if state.is_ready {
+            state.post(&message);
             return;
         }
-        let message = to_js(request, bytes);
-        if state.is_ready { state.post(&message) } else { state.waiting.push(message) }
+        state.waiting.push(message);
+        if state.worker.is_none() && !state.is_pausing {
+            state.start();
+        }
     }
 }
 
@@ -86,6 +82,25 @@ fn on_message(state: &Weak<RefCell<State>>, message: &JsValue) {
 }
 
 impl State {
+    fn start(&mut self) {
+        let chosen = fetch::parameters().and_then(|parameters| parameters.get(STORE_PARAMETER));
+        let name = format!("{WORKER_NAME} {}", chosen.unwrap_or_default());
+        let (messages, ends) = (self.this.clone(), self.this.clone());
+        let link = Link::new(
+            &name,
+            move |message| on_message(&messages, &message),
+            move |said| {
+                if let Some(state) = ends.upgrade() {
+                    state.borrow_mut().lose(said.unwrap_or_else(|| "its worker has ended".to_owned()));
+                }
+            },
+        );
+        match link {
+            Ok(link) => self.worker = Some(link),
+            Err(error) => self.lose(describe(&error)),
+        }
+    }
+
     fn post(&mut self, (value, transfer): &(JsValue, JsValue)) {
         let posted = self.worker.as_ref().map(|link| link.worker.post_message_with_transfer(value, transfer));
         if let Some(Err(error)) = posted {
@@ -93,11 +108,22 @@ impl State {
         }
     }
 
-    /// Ends the worker. Nothing is kept without it.
+    /// Ends the worker. What it was asked for is forgotten: the next one has no document open.
     fn lose(&mut self, reason: String) {
-        self.worker = None;
+        (self.worker, self.is_ready, self.is_pausing) = (None, false, true);
         self.waiting.clear();
         self.inbox.push(Event::Store(Answer::Crashed(reason), Vec::new()));
+        let this = self.this.clone();
+        wasm_bindgen_futures::spawn_local(async move {
+            sleep(RESTART_PAUSE_MS).await;
+            if let Some(state) = this.upgrade() {
+                let mut state = state.borrow_mut();
+                state.is_pausing = false;
+                if !state.waiting.is_empty() {
+                    state.start();
+                }
+            }
+        });
     }
 }
 

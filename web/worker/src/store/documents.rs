@@ -142,7 +142,7 @@ impl<D: Disk> Documents<D> {
     }
 
     /// Tells the parts of the newest whole checkpoint, and returns its number and log.
-    async fn read(
+    pub(super) async fn read(
         &mut self,
         folder: &str,
         tell: &mut dyn FnMut(Answer, Bytes),
@@ -284,7 +284,7 @@ impl<D: Disk> Documents<D> {
         }
     }
 
-    async fn info(&mut self, id: &str) -> Result<Info, Failure> {
+    pub(super) async fn info(&mut self, id: &str) -> Result<Info, Failure> {
         let bytes = read_newest(&mut self.disk, id, INFO).await?;
         let info = bytes.and_then(|bytes| serde_json::from_slice(&bytes).ok());
         // Without an info, it is listed without a name rather than not at all.

@@ -10,9 +10,10 @@ use idb::{
     CursorDirection, Database, Error, Factory, KeyRange, ObjectStore, ObjectStoreParams, Query, Transaction,
     TransactionMode,
 };
-use js_sys::Uint8Array;
+use js_sys::{Array, Function, Object, Reflect, Uint8Array};
 use std::collections::BTreeMap;
 use wasm_bindgen::{JsCast, JsValue};
+use web_sys::{IdbDatabase, IdbTransaction};
 
 const DATABASE: &str = "meshwright";
 const PARTS: &str = "parts";
@@ -23,6 +24,8 @@ const LAST: char = '\u{ffff}';
 /// IndexedDB.
 pub(super) struct IndexedDb {
     database: Database,
+    /// The same, as the browser has it.
+    raw: IdbDatabase,
     locks: Locks,
 }
 
@@ -69,13 +72,32 @@ impl IndexedDb {
             Ok(request)
         };
         let database = open().map_err(|error| why(&error))?.await.map_err(|error| why(&error))?;
-        Ok(Self { database, locks: Locks::default() })
+        let raw: IdbDatabase = database.into();
+        Ok(Self { database: raw.clone().into(), raw, locks: Locks::default() })
     }
 
     fn begin(&self, mode: TransactionMode) -> Result<(Transaction, ObjectStore), Error> {
-        let transaction = self.database.transaction(&[PARTS], mode)?;
+        let transaction = match mode {
+            TransactionMode::ReadWrite => self.begin_strict()?,
+            mode => self.database.transaction(&[PARTS], mode)?,
+        };
         let store = transaction.object_store(PARTS)?;
         Ok((transaction, store))
+    }
+
+    /// A transaction that counts as carried out only once it is on the disk, in browsers that know the difference. The crate
+    /// has no such option.
+    fn begin_strict(&self) -> Result<Transaction, Error> {
+        let options = Object::new();
+        let _ = Reflect::set(&options, &"durability".into(), &"strict".into());
+        let begin: Function = Reflect::get(&self.raw, &"transaction".into())
+            .map_err(Error::TransactionOpenFailed)?
+            .unchecked_into();
+        let names = Array::of1(&PARTS.into());
+        let transaction = begin
+            .call3(&self.raw, &names, &"readwrite".into(), &options)
+            .map_err(Error::TransactionOpenFailed)?;
+        Ok(transaction.unchecked_into::<IdbTransaction>().into())
     }
 
     /// The records whose keys begin like this, in order.

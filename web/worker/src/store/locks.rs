@@ -1,23 +1,10 @@
 //! Locks on documents, which all tabs of the browser share (Web Locks).
 
+use crate::alive::lock_manager;
 use js_sys::{Function, Object, Promise, Reflect};
 use std::collections::HashMap;
 use wasm_bindgen::prelude::*;
 use wasm_bindgen_futures::JsFuture;
-
-// web-sys counts these as unstable, which they no longer are.
-#[wasm_bindgen]
-extern "C" {
-    type LockManager;
-
-    #[wasm_bindgen(method, catch)]
-    fn request(
-        this: &LockManager,
-        name: &str,
-        options: &Object,
-        callback: &JsValue,
-    ) -> Result<Promise, JsValue>;
-}
 
 /// The locks that this tab holds. They end with the worker.
 #[derive(Debug, Default)]
@@ -32,7 +19,7 @@ impl Locks {
         if self.held.contains_key(name) {
             return true;
         }
-        let Some(manager) = manager() else { return true };
+        let Some(manager) = lock_manager() else { return true };
         let options = Object::new();
         let _ = Reflect::set(&options, &"ifAvailable".into(), &true.into());
         let mut release = None;
@@ -59,10 +46,4 @@ impl Locks {
             let _ = release.call0(&JsValue::NULL);
         }
     }
-}
-
-fn manager() -> Option<LockManager> {
-    let navigator = Reflect::get(&js_sys::global(), &"navigator".into()).ok()?;
-    let locks = Reflect::get(&navigator, &"locks".into()).ok()?;
-    (!locks.is_undefined()).then(|| locks.unchecked_into())
 }

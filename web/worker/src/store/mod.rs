@@ -23,6 +23,7 @@ mod memory;
 mod message;
 #[cfg(target_arch = "wasm32")]
 mod opfs;
+mod rescue;
 mod sealed;
 #[cfg(target_arch = "wasm32")]
 mod serve;
@@ -34,7 +35,11 @@ pub use message::{Answer, Bytes, Id, Info, Kept, Opened, Request, WhyNot};
 #[cfg(target_arch = "wasm32")]
 pub use message::{from_js, to_js};
 #[cfg(target_arch = "wasm32")]
-pub use serve::serve;
+pub use serve::{serve, serve_rescue};
 
 /// The name of the worker that keeps documents: it runs the same program as that for jobs.
 pub const WORKER_NAME: &str = "meshwright-store";
+
+/// The name of the worker that makes a file of a kept document after the page's program has crashed. The page's script
+/// starts it; see `web/site/rescue.js`.
+pub const RESCUE_NAME: &str = "meshwright-rescue";

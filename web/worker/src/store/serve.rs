@@ -5,6 +5,8 @@ use super::documents::Documents;
 use super::indexed_db::IndexedDb;
 use super::message::{Answer, Bytes, Request, from_js, to_js};
 use super::opfs::Opfs;
+use crate::alive::hold_while_alive;
+use js_sys::{Array, Uint8Array};
 use std::cell::RefCell;
 use std::collections::VecDeque;
 use std::rc::Rc;
@@ -48,13 +50,12 @@ pub fn serve() {
     scope.set_onmessage(Some(on_message.as_ref().unchecked_ref()));
     // The listener lives as long as the worker, until the page ends.
     on_message.forget();
-    post(&scope, &Answer::Ready, &[]);
+    hold_while_alive(&scope.name(), {
+        let scope = scope.clone();
+        move || post(&scope, &Answer::Ready, &[])
+    });
     wasm_bindgen_futures::spawn_local(async move {
-        let opfs = match scope.name().contains(ASKS_FOR_INDEXED_DB) {
-            true => Err(Failure::Denied),
-            false => Opfs::new().await,
-        };
-        match opfs {
+        match private_files(&scope).await {
             Ok(disk) => carry_out(Documents::new(disk), &scope, &waiting).await,
             Err(_) => match IndexedDb::new().await {
                 Ok(disk) => carry_out(Documents::new(disk), &scope, &waiting).await,
@@ -62,6 +63,46 @@ pub fn serve() {
             },
         }
     });
+}
+
+/// The origin private file system, unless the worker's name asks for IndexedDB.
+async fn private_files(scope: &DedicatedWorkerGlobalScope) -> Result<Opfs, Failure> {
+    if scope.name().contains(ASKS_FOR_INDEXED_DB) { Err(Failure::Denied) } else { Opfs::new().await }
+}
+
+/// Makes files of kept documents for a page whose program has crashed. It sends `[id, repeatsLog]` and gets
+/// `["file", name, bytes]` or `["failed", why]`. Does nothing outside a worker.
+pub fn serve_rescue() {
+    let Ok(scope) = js_sys::global().dyn_into::<DedicatedWorkerGlobalScope>() else {
+        return;
+    };
+    let answers = scope.clone();
+    let on_message = Closure::<dyn FnMut(MessageEvent)>::new(move |event: MessageEvent| {
+        let Ok(asked) = event.data().dyn_into::<Array>() else { return };
+        let (Some(id), repeats_log) = (asked.get(0).as_string(), asked.get(1).is_truthy()) else { return };
+        let scope = answers.clone();
+        wasm_bindgen_futures::spawn_local(async move {
+            let rescued = match private_files(&scope).await {
+                Ok(disk) => Documents::new(disk).rescue(&id, repeats_log).await,
+                Err(_) => match IndexedDb::new().await {
+                    Ok(disk) => Documents::new(disk).rescue(&id, repeats_log).await,
+                    Err(_) => Err("This browser keeps nothing for the page.".to_owned()),
+                },
+            };
+            let answer = match rescued {
+                Ok(file) => {
+                    Array::of3(&"file".into(), &file.name.into(), &Uint8Array::from(file.bytes.as_slice()))
+                }
+                Err(why) => Array::of2(&"failed".into(), &why.into()),
+            };
+            // Fails only if the page is gone.
+            let _ = scope.post_message(&answer);
+        });
+    });
+    scope.set_onmessage(Some(on_message.as_ref().unchecked_ref()));
+    // The listener lives as long as the worker.
+    on_message.forget();
+    let _ = scope.post_message(&Array::of1(&"ready".into()));
 }
 
 async fn carry_out(

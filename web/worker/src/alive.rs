@@ -1,0 +1,61 @@
+//! Learning that a worker has ended. The browser may end one without an event, such as for lack of memory; but then it
+//! releases its locks (Web Locks). Where the browser has no locks, a worker ends unnoticed.
+
+use js_sys::{Object, Promise, Reflect};
+use wasm_bindgen::prelude::*;
+
+// web-sys counts these as unstable, which they no longer are.
+#[wasm_bindgen]
+extern "C" {
+    /// The locks that all pages and workers of this origin share.
+    pub type LockManager;
+
+    /// Asks for a lock, which is held until the promise is fulfilled that the callback returns.
+    #[wasm_bindgen(method, catch)]
+    pub fn request(
+        this: &LockManager,
+        name: &str,
+        options: &Object,
+        callback: &JsValue,
+    ) -> Result<Promise, JsValue>;
+}
+
+/// The locks; none where the browser has none.
+pub fn lock_manager() -> Option<LockManager> {
+    let navigator = Reflect::get(&js_sys::global(), &"navigator".into()).ok()?;
+    let locks = Reflect::get(&navigator, &"locks".into()).ok()?;
+    (!locks.is_undefined()).then(|| locks.unchecked_into())
+}
+
+/// Holds a lock for as long as the worker of this name lives, and then calls `then`.
+pub fn hold_while_alive(worker: &str, then: impl FnOnce() + 'static) {
+    let Some(manager) = lock_manager() else { return then() };
+    let callback = Closure::once_into_js(move || -> JsValue {
+        then();
+        Promise::new(&mut |_, _| {}).into()
+    });
+    let _ = manager.request(&lock_name(worker), &Object::new(), &callback);
+}
+
+/// Calls `then` when the worker of this name ends, if it holds its lock now.
+pub fn when_ended(worker: &str, then: impl FnOnce() + 'static) {
+    let Some(manager) = lock_manager() else { return };
+    let if_available = Object::new();
+    let _ = Reflect::set(&if_available, &"ifAvailable".into(), &true.into());
+    let name = lock_name(worker);
+    let callback = Closure::once_into_js({
+        let name = name.clone();
+        move |lock: JsValue| {
+            if lock.is_null()
+                && let Some(manager) = lock_manager()
+            {
+                let _ = manager.request(&name, &Object::new(), &Closure::once_into_js(then));
+            }
+        }
+    });
+    let _ = manager.request(&name, &if_available, &callback);
+}
+
+fn lock_name(worker: &str) -> String {
+    format!("meshwright-alive {worker}")
+}
