@@ -1,6 +1,7 @@
 // Failures of parts of the page: the document is kept, and a message says what happened.
 
 import assert from "node:assert/strict";
+import { readFile } from "node:fs/promises";
 
 import { SMALL, editorTest } from "./harness.mjs";
 import { grid } from "./support/meshes.mjs";
@@ -69,6 +70,89 @@ editorTest("a crash shows a message that asks to reload", once, async (editor) =
   assert.match(await notice.innerText(), /has crashed/);
   assert.match(await notice.innerText(), /[Rr]eload/);
   await editor.screenshot("crash");
+});
+
+/** What lets the program panic: eframe counts on the clock. */
+const panic = (page) => page.evaluate(() => Object.defineProperty(window, "performance", { value: undefined }));
+
+for (const [store, query] of Object.entries({ "private files": "", IndexedDB: "?store=indexeddb" })) {
+  editorTest(`a panic offers the document as a file and a reload: ${store}`, { ...once, query }, async (editor) => {
+    await editor.select("face", [1]);
+    await editor.run({ op: "extrude-faces", distance: 0.5 });
+    await editor.frames(5);
+    await editor.page.waitForTimeout(300);
+    editor.expectErrors(/panicked|unreachable/);
+    await panic(editor.page);
+    await editor.page.mouse.move(300, 300);
+    const notice = editor.page.locator("#notice");
+    await notice.waitFor();
+    assert.match(await notice.innerText(), /has crashed/);
+    assert.match(await notice.innerText(), /kept in this browser/);
+    await editor.screenshot("notice");
+    const download = editor.page.waitForEvent("download");
+    await editor.page.getByRole("button", { name: "Save the document as a file" }).click();
+    const file = await download;
+    assert.equal(file.suggestedFilename(), "Cube.meshwright");
+    const content = await readFile(await file.path());
+    await editor.page.getByText("Saved as Cube.meshwright.").waitFor();
+    const loaded = editor.page.waitForEvent("load");
+    await editor.page.getByRole("button", { name: "Reload and go on" }).click();
+    await loaded;
+    await editor.ready();
+    const { document, history } = await editor.state();
+    assert.equal(document.faces, 10);
+    assert.deepEqual(history.undo, ["Extrude faces"]);
+    // The file holds the same, with its history.
+    await editor.run({ op: "new", shape: "torus" });
+    await editor.open("Saved.meshwright", content);
+    assert.equal((await editor.state()).document.faces, 10);
+    await editor.undo();
+    assert.equal((await editor.state()).document.faces, 6);
+  });
+
+  editorTest(`the store's worker is replaced when it ends: ${store}`, { ...once, query }, async (editor) => {
+    const end = async () => {
+      for (const worker of editor.page.workers()) {
+        if ((await worker.evaluate(() => self.name)).startsWith("meshwright-store")) {
+          await worker.evaluate(() => self.close());
+        }
+      }
+    };
+    await editor.select("face", [1]);
+    await editor.run({ op: "extrude-faces", distance: 0.5 });
+    await end();
+    const restarted = /keeps documents in this browser ended and was started again/;
+    await editor.until("the page notices", async () => (
+      (await editor.state()).messages.some(({ text }) => restarted.test(text))));
+    await editor.run({ op: "poke-faces", faces: [0] });
+    await editor.frames(5);
+    // The new worker loads its program first.
+    await editor.until("the document is listed", async () => {
+      await editor.page.waitForTimeout(500);
+      const workers = await Promise.all(editor.page.workers().map((worker) => worker.evaluate(() => self.name)));
+      return workers.some((name) => name.startsWith("meshwright-store"));
+    });
+    await editor.page.waitForTimeout(3000);
+    await editor.page.reload();
+    await editor.ready();
+    assert.equal((await editor.state()).document.faces, 13);
+  });
+}
+
+editorTest("a worker that the browser ends without a word fails its job", once, async (editor) => {
+  await withWorker(editor, (route) => route.fulfill({
+    contentType: "text/javascript",
+    body: `
+      navigator.locks.request("meshwright-alive " + self.name, () => {
+        self.postMessage(["ready"]);
+        return new Promise(() => {});
+      });
+      self.onmessage = () => self.close();`,
+  }));
+  await assert.rejects(editor.open("grid.obj", grid(2, 2)), /most likely because the browser gave it no more memory.*unchanged/);
+  await editor.page.unroute(LOADER);
+  await editor.open("grid.obj", grid(3, 3)).catch(() => editor.open("grid.obj", grid(3, 3)));
+  assert.equal((await editor.state()).document.vertices, 16);
 });
 
 editorTest("settings are kept across visits", once, async (editor) => {

@@ -1,10 +1,15 @@
 // Documents are kept in the browser: whatever ends the page, the next visit goes on where it was.
 
 import assert from "node:assert/strict";
+import { execFileSync } from "node:child_process";
 import { createHash } from "node:crypto";
+import { mkdtemp, readFile, writeFile } from "node:fs/promises";
+import { tmpdir } from "node:os";
+import { join } from "node:path";
 
 import { SMALL, editorTest } from "./harness.mjs";
 import { grid } from "./support/meshes.mjs";
+import { cli } from "./support/packages.mjs";
 
 const once = { renderers: ["webgl2"], sizes: [SMALL] };
 /** Where documents are kept: the origin private file system, and what takes its place in other browsers. */
@@ -136,4 +141,58 @@ editorTest("where nothing can be kept the page works and says so", once, async (
   await editor.select("face", [1]);
   await editor.run({ op: "extrude-faces", distance: 0.5 });
   await editor.find(/Changes are not kept/);
+});
+
+/** Numbers that look random and are the same each time. */
+function* randoms(seed) {
+  for (let state = seed; ;) {
+    state = (Math.imul(state, 1_664_525) + 1_013_904_223) >>> 0;
+    yield state / 2 ** 32;
+  }
+}
+
+editorTest("commands with reloads and crashes in between give what the command line gives", once, async (editor) => {
+  const random = randoms(7);
+  const pick = (count) => Math.floor(random.next().value * count);
+  const amount = () => Math.round(random.next().value * 64) / 64;
+  const folder = await mkdtemp(join(tmpdir(), "meshwright-soak-"));
+  const [start, result] = [join(folder, "start.json"), join(folder, "result.json")];
+  await writeFile(start, await editor.export("json"));
+  const any = () => [
+    { op: "extrude-faces", faces: [pick(6)], distance: amount() },
+    { op: "inset-faces", faces: [pick(6)], amount: amount() / 2 },
+    { op: "poke-faces", faces: [pick(6)] },
+    { op: "triangulate-faces", faces: [pick(6)] },
+    { op: "transform", vertices: [pick(8), pick(8)], translate: [amount(), 0, -amount()] },
+    { op: "set-vertex-position", vertex: pick(8), position: [amount(), amount(), amount()] },
+    { op: "smooth", iterations: 1 },
+  ][pick(7)];
+  const ends = [
+    () => reload(editor),
+    async () => {
+      const crashed = new Promise((resolve) => editor.page.once("crash", resolve));
+      editor.page.goto("chrome://crash").catch(() => {});
+      await crashed;
+      const other = await editor.context.newPage();
+      await editor.page.close();
+      editor.page = other;
+      await other.goto(editor.url);
+      await editor.ready();
+    },
+  ];
+  editor.expectErrors(/crashed/);
+  const done = [];
+  for (let at = 0; at < 24; at += 1) {
+    const command = any();
+    await editor.run(command).then(() => done.push(command), () => {});
+    if (at % 6 === 5) {
+      // What was done is on its way to the disk within the frame.
+      await settled(editor);
+      await ends[(at / 6 | 0) % ends.length]();
+    }
+  }
+  assert.ok(done.length > 12);
+  execFileSync(cli, ["apply", start, ...done.flatMap((command) => ["--do", JSON.stringify(command)]), "-o", result]);
+  const [page, line] = [JSON.parse(await editor.export("json")), JSON.parse(await readFile(result))];
+  assert.deepEqual({ positions: page.positions, faces: page.faces }, { positions: line.positions, faces: line.faces });
 });

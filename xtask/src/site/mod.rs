@@ -99,7 +99,9 @@ fn name_by_content(site: &Path) -> Result {
         names.rename(program, ".js")?;
     }
     names.rename(WORKER, "_loader.js")?;
-    for (name, ending) in [("start", ".css"), ("start", ".js"), ("files", ".js"), ("rescue", ".js"), ("offline", ".js")] {
+    for (name, ending) in
+        [("start", ".css"), ("start", ".js"), ("files", ".js"), ("rescue", ".js"), ("offline", ".js")]
+    {
         names.rename(name, ending)?;
     }
     names.update("index.html")?;
