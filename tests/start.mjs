@@ -42,16 +42,17 @@ async function visit() {
 for (let at = 0; at < WARM_UPS; at += 1) await visit();
 console.log(`${RENDERER}, load ${loadavg()[0].toFixed(1)}: processor time in ms until the page is ready and drawn`);
 console.log("page's thread   longest tasks            all threads");
-const best = { page: Infinity, longest: Infinity };
+const times = [];
 for (let at = 0; at < VISITS; at += 1) {
   const { page, all } = await visit();
   const longest = page.slice(0, 3).map((task) => task.busy.toFixed(0)).join("  ");
   console.log(`${busy(page).toFixed(0).padStart(8)}        ${longest.padEnd(24)} ${busy(all).toFixed(0).padStart(6)}`);
-  best.page = Math.min(best.page, busy(page));
-  best.longest = Math.min(best.longest, page[0].busy);
+  times.push([busy(page), page[0].busy]);
 }
+// Browsers don't have the machine code of every visit, so visits differ.
+const median = (at) => times.map((time) => time[at]).sort((a, b) => a - b)[Math.floor(times.length / 2)];
 const verdict = (value, goal) => `${value.toFixed(0)} (goal ${goal}: ${value <= goal ? "met" : "NOT met"})`;
-console.log(`best: ${verdict(best.page, GOAL_MS)}, longest task ${verdict(best.longest, LONGEST_TASK_GOAL_MS)}`);
+console.log(`median: ${verdict(median(0), GOAL_MS)}, longest task ${verdict(median(1), LONGEST_TASK_GOAL_MS)}`);
 
 await closeBrowsers();
 await server.stop();
