@@ -14,7 +14,7 @@ const MAX_CRATES: usize = 24;
 /// Optimises a module, prints what each crate costs in it, and removes the names of functions.
 pub fn module(project: &Project, program: &str, module: &Path) -> Result {
     let mut opt = Command::new("wasm-opt");
-    opt.args(["-O3", "--converge", "--debuginfo"]).arg(module).arg("-o").arg(module);
+    opt.args(["-O3", "--debuginfo"]).arg(module).arg("-o").arg(module);
     shell::run(opt.env("PATH", project.path()?))?;
     let cannot = |error: std::io::Error| format!("{} can't be read or written: {error}.", module.display());
     let bytes = fs::read(module).map_err(cannot)?;
