@@ -10,8 +10,13 @@ use surface::{Ray, measure::Bounds};
 
 /// The steepest pitch: straight up or down.
 pub(crate) const MAX_PITCH_RADIANS: f64 = std::f64::consts::FRAC_PI_2;
-/// The near plane's distance from the eye, as a fraction of the distance to the target.
+/// The near plane's distance from the eye, as a fraction of the distance to the target: what it is where no surface is
+/// nearer, and the least.
 const NEAR_FRACTION: f64 = 0.02;
+const MIN_NEAR_FRACTION: f64 = 1e-5;
+/// The near plane's distance as a fraction of that to the nearest surface: less than the cosine of half the field of view
+/// across the corners, so that the plane leaves out nothing.
+const NEAR_PER_SURFACE: f64 = 0.4;
 /// The initial direction of view: a little from the right and above.
 const START_YAW_RADIANS: f64 = 0.6;
 const START_PITCH_RADIANS: f64 = 0.42;
@@ -43,6 +48,8 @@ pub struct Camera {
     pub frame_share: DVec2,
     /// The bounds of all objects; see [`Camera::set_scene`].
     pub scene_bounds: Option<Bounds>,
+    /// The distance from the eye to the nearest surface, if it may be nearer than the near plane otherwise is.
+    pub surface_distance: Option<f64>,
 }
 
 impl Default for Camera {
@@ -58,6 +65,7 @@ impl Default for Camera {
             orthographic: false,
             frame_share: DVec2::ONE,
             scene_bounds: None,
+            surface_distance: None,
         }
     }
 }
@@ -282,8 +290,20 @@ impl Camera {
         (anchor.as_dvec3() + by).as_vec3()
     }
 
-    /// The depth of the near plane in perspective.
+    /// The depth of the near plane in perspective. It is as far as possible, because depths are coarser the nearer it is where
+    /// the graphics interface is WebGL.
     pub(crate) fn near(&self) -> f64 {
+        let near = self.near_of_scene();
+        let surface = self.surface_distance.map(|distance| distance * NEAR_PER_SURFACE);
+        surface.map_or(near, |surface| near.min(surface.max(MIN_NEAR_FRACTION * self.distance)))
+    }
+
+    /// How near surfaces may be to the eye without a need to know their distance.
+    pub fn clear_distance(&self) -> f64 {
+        self.near_of_scene() / NEAR_PER_SURFACE
+    }
+
+    fn near_of_scene(&self) -> f64 {
         let closest = NEAR_FRACTION * self.distance;
         match self.scene() {
             // A tenth of the way leaves room for the ground grid in front of it.

@@ -11,6 +11,11 @@ use crate::live::place::SelectionPlace;
 /// Where the welcome view leaves a smaller share of the viewport's height, it counts as covering nothing.
 const MIN_FREE_SHARE: f32 = 0.2;
 
+/// Whether a point is in a box, or this near to it.
+fn is_near(bounds: &Bounds, point: glam::Vec3, reach: f64) -> bool {
+    f64::from(point.distance(point.clamp(bounds.min, bounds.max))) < reach
+}
+
 impl View {
     /// Restores the direction from which the current view looks at first.
     pub(super) fn restart(&mut self) {
@@ -78,6 +83,32 @@ impl View {
         }
     }
 
+    /// Makes each view show surfaces that are closer to the eye than usual, as in a flight.
+    pub fn keep_surfaces_in_sight(&mut self, editor: &Editor) {
+        self.in_each(|view| {
+            view.camera.surface_distance = view.distance_to_surface(editor);
+        });
+    }
+
+    /// The distance from the eye to the nearest surface, where that may be in front of the near plane.
+    fn distance_to_surface(&mut self, editor: &Editor) -> Option<f64> {
+        let (eye, reach) = (self.camera.eye().as_vec3(), self.camera.clear_distance());
+        let is_inside = self.camera.scene().is_some_and(|scene| is_near(&scene, eye, reach));
+        if self.camera.orthographic || !is_inside {
+            return None;
+        }
+        let mut nearest: Option<f64> = None;
+        for object in editor.document().objects().iter().filter(|object| object.visible()) {
+            let bounds = self.bounds.get(&object.id()).copied().flatten();
+            // The tree of a large mesh takes several frames.
+            if bounds.is_some_and(|bounds| is_near(&bounds, eye, reach)) && self.build_tree_step(object) {
+                let found = self.tree(object).closest_point(object.mesh(), eye);
+                nearest = [nearest, found.map(|hit| hit.distance)].into_iter().flatten().reduce(f64::min);
+            }
+        }
+        nearest.filter(|distance| *distance < reach)
+    }
+
     /// Zooms by a factor, to the middle.
     pub fn zoom_step(&mut self, factor: f64) {
         let size = self.size();
@@ -107,5 +138,35 @@ impl View {
     pub fn turn(&mut self, by: glam::Vec2) {
         let size = self.size();
         self.camera.turn(self.turning.rotation, self.turning.center, by, size);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use glam::{DVec3, Vec3};
+
+    #[test]
+    fn surfaces_close_to_the_eye_are_in_sight() {
+        let editor =
+            Editor::with_mesh("Cube", surface::Shape::named("cube").expect("it").build().expect("it"));
+        let mut view = View::new(None);
+        view.rect = egui::Rect::from_min_size(egui::Pos2::ZERO, egui::vec2(800.0, 600.0));
+        view.bounds.insert(editor.document().objects()[0].id(), Bounds::of([Vec3::NEG_ONE, Vec3::ONE]));
+        view.camera.set_scene(Bounds::of([Vec3::NEG_ONE, Vec3::ONE]));
+        view.camera.look_from(viewport::Side::Front);
+        let size = glam::vec2(800.0, 600.0);
+        for distance in [1e-3, 0.05, 0.5, 3.0] {
+            view.camera.target = DVec3::Z * (1.0 + distance - view.camera.distance);
+            view.keep_surfaces_in_sight(&editor);
+            assert!(view.camera.project(Vec3::Z, size).is_some(), "{distance}");
+            let is_close = view.camera.surface_distance.is_some();
+            assert_eq!(is_close, distance < view.camera.clear_distance(), "{distance}");
+        }
+        // In a hidden object there is nothing to see.
+        view.camera.target = DVec3::Z * (1.05 - view.camera.distance);
+        view.bounds.clear();
+        view.keep_surfaces_in_sight(&editor);
+        assert_eq!(view.camera.project(Vec3::Z, size), None);
     }
 }

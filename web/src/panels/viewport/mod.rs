@@ -106,6 +106,7 @@ impl Viewport<'_> {
         if !own.is_empty() {
             ui.ctx().request_repaint();
         }
+        self.view.keep_surfaces_in_sight(&self.session.editor);
         picture::paint(ui, &self.session.editor, self.view);
         let current = self.view.panes.current;
         for pane in self.view.panes() {
