@@ -1,8 +1,62 @@
 //! Soft selection: the vertices around selected ones, with weights that fall off with the distance.
 
 use halfedge::{Mesh, VertexId};
+use rustc_hash::FxHashMap;
 use std::cmp::Reverse;
-use std::collections::{BinaryHeap, HashMap};
+use std::collections::BinaryHeap;
+
+/// From so many vertices of a mesh on, one of this many, a distance is kept for every vertex: looking it up by number takes
+/// longer.
+const VERTICES_PER_LOOKED_UP: usize = 16;
+
+/// The distances of vertices that were reached.
+enum Distances {
+    Few(FxHashMap<VertexId, f32>),
+    /// By id; infinite where none was reached.
+    Many(Vec<f32>),
+}
+
+impl Distances {
+    fn new(mesh: &Mesh, selected: usize) -> Self {
+        if selected > mesh.vertex_count() / VERTICES_PER_LOOKED_UP {
+            Self::Many(vec![f32::INFINITY; mesh.vertex_capacity()])
+        } else {
+            Self::Few(FxHashMap::default())
+        }
+    }
+
+    fn get(&self, v: VertexId) -> f32 {
+        match self {
+            Self::Few(known) => known.get(&v).copied(),
+            Self::Many(known) => known.get(v.index()).copied(),
+        }
+        .unwrap_or(f32::INFINITY)
+    }
+
+    fn set(&mut self, v: VertexId, distance: f32) {
+        match self {
+            Self::Few(known) => {
+                known.insert(v, distance);
+            }
+            Self::Many(known) => known.get_mut(v.index()).into_iter().for_each(|known| *known = distance),
+        }
+    }
+
+    /// The vertices that were reached, in order of id.
+    fn into_sorted(self) -> Vec<(VertexId, f32)> {
+        match self {
+            Self::Few(known) => {
+                let mut all: Vec<(VertexId, f32)> = known.into_iter().collect();
+                all.sort_unstable_by_key(|&(v, _)| v);
+                all
+            }
+            Self::Many(known) => {
+                let all = known.into_iter().enumerate().filter(|(_, distance)| distance.is_finite());
+                all.map(|(v, distance)| (VertexId::new(v), distance)).collect()
+            }
+        }
+    }
+}
 
 /// The vertices of a soft selection with their weights, in order of id: 1 for the selected ones, falling smoothly
 /// to 0 at the radius (mesh units, above 0).
@@ -11,17 +65,21 @@ use std::collections::{BinaryHeap, HashMap};
 /// distance is the straight one to that vertex. Parts of the surface that are near only through space are
 /// therefore not included. Costs O(k log k) for k vertices within the radius.
 pub fn soft_selection(mesh: &Mesh, selected: &[VertexId], radius: f32) -> Vec<(VertexId, f32)> {
-    let mut distances: HashMap<VertexId, f32> = selected.iter().map(|&v| (v, 0.0)).collect();
+    let mut distances = Distances::new(mesh, selected.len());
+    selected.iter().for_each(|v| distances.set(*v, 0.0));
+    // From within the selection the front reaches nothing.
+    let is_rim = |v: &&VertexId| mesh.neighbors(**v).any(|w| distances.get(w) > 0.0);
     // Nearest first: the bits of non-negative floats sort like their values.
-    let mut front: BinaryHeap<_> = selected.iter().map(|&v| Reverse((0.0f32.to_bits(), v, v))).collect();
+    let mut front: BinaryHeap<_> =
+        selected.iter().filter(is_rim).map(|&v| Reverse((0.0f32.to_bits(), v, v))).collect();
     while let Some(Reverse((distance, vertex, source))) = front.pop() {
-        if distances.get(&vertex).is_some_and(|known| known.to_bits() < distance) {
+        if distances.get(vertex).to_bits() < distance {
             continue;
         }
         for w in mesh.neighbors(vertex) {
             let distance = mesh.position(w).as_dvec3().distance(mesh.position(source).as_dvec3()) as f32;
-            if distance < radius && distances.get(&w).is_none_or(|&known| distance < known) {
-                distances.insert(w, distance);
+            if distance < radius && distance < distances.get(w) {
+                distances.set(w, distance);
                 front.push(Reverse((distance.to_bits(), w, source)));
             }
         }
@@ -30,9 +88,7 @@ pub fn soft_selection(mesh: &Mesh, selected: &[VertexId], radius: f32) -> Vec<(V
         let x = 1.0 - distance / radius;
         x * x * (3.0 - 2.0 * x)
     };
-    let mut weights: Vec<(VertexId, f32)> = distances.into_iter().map(|(v, d)| (v, weight(d))).collect();
-    weights.sort_unstable_by_key(|&(v, _)| v);
-    weights
+    distances.into_sorted().into_iter().map(|(v, distance)| (v, weight(distance))).collect()
 }
 
 #[cfg(test)]

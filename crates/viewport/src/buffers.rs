@@ -9,11 +9,11 @@
 use crate::coloring::Coloring;
 use crate::corner_normals::{LocalNormals, Shading, WholeNormals};
 use crate::face_writer::{FaceWriter, TRIANGLES_PER_WRITE};
+use crate::id_set::IdSet;
 use crate::slots::{Range, Slots};
 use glam::Vec3;
 use halfedge::geometry::BitSet;
 use halfedge::{Budget, FaceId, Mesh, Touched, VertexId};
-use std::collections::BTreeSet;
 use std::sync::Arc;
 
 /// Bytes of a triangle without texture coordinates in all streams together.
@@ -256,7 +256,7 @@ impl Buffers {
         }
 
         self.coloring.follow(mesh, &faces);
-        let mut normals = LocalNormals::new(self.shading);
+        let mut normals = LocalNormals::new(self.shading, mesh, faces.len());
         let mut writer = FaceWriter::new(mesh, self.origin, &self.coloring);
         for (range, face) in placed {
             writer.load(face);
@@ -276,36 +276,38 @@ impl Buffers {
 
     /// The faces whose triangles an edit changed, and the ids of removed faces; none if there are so many
     /// that a rebuild is faster.
-    fn affected(&self, mesh: &Mesh, touched: &Touched) -> Option<BTreeSet<FaceId>> {
-        let limit = mesh.face_count() / 2 + 64;
+    fn affected(&self, mesh: &Mesh, touched: &Touched) -> Option<Vec<FaceId>> {
+        let limit = mesh.face_count() / 4 * 3 + 64;
         if touched.vertices.len() + touched.halfedges.len() / 2 + touched.faces.len() > limit * 4 {
             return None;
         }
-        let mut faces: BTreeSet<FaceId> = touched.faces.iter().copied().collect();
+        let mut faces = IdSet::default();
+        touched.faces.iter().for_each(|f| faces.insert(f.index()));
         let vertices = touched.vertices.iter().copied().filter(|&v| mesh.has_vertex(v));
         let halfedges = touched.halfedges.iter().copied().filter(|&h| mesh.has_halfedge(h));
         for v in vertices.clone() {
-            faces.extend(mesh.vertex_faces(v));
+            mesh.vertex_faces(v).for_each(|f| faces.insert(f.index()));
         }
-        faces.extend(halfedges.clone().filter_map(|h| mesh.face_of(h)));
+        halfedges.clone().filter_map(|h| mesh.face_of(h)).for_each(|f| faces.insert(f.index()));
         if faces.len() > limit {
             return None;
         }
         if self.shading != Shading::Flat || self.coloring.depends_on_neighbours() {
             // A corner changes with any face around its vertex.
-            let mut rim: BTreeSet<VertexId> = vertices.collect();
-            rim.extend(halfedges.flat_map(|h| [mesh.from(h), mesh.to(h)]));
-            for &face in faces.iter().filter(|f| mesh.has_face(**f)) {
-                rim.extend(mesh.face_vertices(face));
+            let mut rim = IdSet::default();
+            vertices.for_each(|v| rim.insert(v.index()));
+            halfedges.flat_map(|h| [mesh.from(h), mesh.to(h)]).for_each(|v| rim.insert(v.index()));
+            for face in faces.iter().map(FaceId::new).filter(|f| mesh.has_face(*f)) {
+                mesh.face_vertices(face).for_each(|v| rim.insert(v.index()));
             }
-            for v in rim {
-                faces.extend(mesh.vertex_faces(v));
-                if faces.len() > limit {
-                    return None;
-                }
+            for v in rim.iter().map(VertexId::new) {
+                mesh.vertex_faces(v).for_each(|f| faces.insert(f.index()));
+            }
+            if faces.len() > limit {
+                return None;
             }
         }
-        Some(faces)
+        Some(faces.iter().map(FaceId::new).collect())
     }
 }
 

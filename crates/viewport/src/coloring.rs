@@ -1,6 +1,7 @@
 //! The colours of faces: which of a mesh's colours, labels or measures its corners show.
 
 use crate::Materials;
+use crate::id_set::IdSet;
 use crate::materials::{FaceTexture, TEXTURES_PER_DRAW};
 use crate::ramp::{Ramp, label_color};
 use glam::{Vec2, Vec3};
@@ -230,15 +231,16 @@ impl Coloring {
     }
 
     /// Measures the vertices of these faces again, and the new ones.
-    pub(crate) fn follow(&mut self, mesh: &Mesh, faces: &BTreeSet<FaceId>) {
+    pub(crate) fn follow(&mut self, mesh: &Mesh, faces: &[FaceId]) {
         let Some(curvature) = self.by.curvature() else { return };
         self.values.resize(mesh.vertex_capacity(), f32::NAN);
         self.measured = self.values.len();
         let faces = faces.iter().filter(|f| mesh.has_face(**f));
-        let vertices: BTreeSet<VertexId> = faces.flat_map(|f| mesh.face_vertices(*f)).collect();
-        for v in vertices {
-            if let Some(place) = self.values.get_mut(v.index()) {
-                *place = curvature(mesh, v) as f32;
+        let mut vertices = IdSet::default();
+        faces.flat_map(|f| mesh.face_vertices(*f)).for_each(|v| vertices.insert(v.index()));
+        for v in vertices.iter() {
+            if let Some(place) = self.values.get_mut(v) {
+                *place = curvature(mesh, VertexId::new(v)) as f32;
             }
         }
     }

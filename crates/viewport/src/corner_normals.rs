@@ -3,7 +3,7 @@
 use glam::{DVec3, Vec3};
 use halfedge::geometry::face_area_vector;
 use halfedge::{Budget, FaceId, HalfedgeId, Mesh, VertexId};
-use std::collections::HashMap;
+use rustc_hash::FxHashMap;
 use surface::normals;
 
 /// Which normals shade faces.
@@ -112,16 +112,49 @@ impl WholeNormals {
     }
 }
 
+/// For more faces than one of so many, values are kept by id: looking them up by number takes longer.
+const FACES_PER_LOOKED_UP: usize = 16;
+
+/// Values by id, each computed when it is first asked for.
+enum Lazy<T> {
+    Few(FxHashMap<usize, T>),
+    Many(Vec<Option<T>>),
+}
+
+impl<T: Copy> Lazy<T> {
+    /// For few of the ids, or for so many.
+    fn new(many: Option<usize>) -> Self {
+        many.map_or_else(|| Self::Few(FxHashMap::default()), |count| Self::Many(vec![None; count]))
+    }
+
+    fn get(&mut self, id: usize, value: impl FnOnce() -> T) -> T {
+        match self {
+            Self::Few(values) => *values.entry(id).or_insert_with(value),
+            Self::Many(values) => match values.get_mut(id) {
+                Some(known) => *known.get_or_insert_with(value),
+                None => value(),
+            },
+        }
+    }
+}
+
 /// The normals of corners around an edit, computed when they are asked for.
 pub(crate) struct LocalNormals {
     shading: Shading,
-    vertices: HashMap<VertexId, AtVertex>,
-    areas: HashMap<FaceId, DVec3>,
+    vertices: Lazy<AtVertex>,
+    areas: Lazy<DVec3>,
 }
 
 impl LocalNormals {
-    pub fn new(shading: Shading) -> Self {
-        Self { shading, vertices: HashMap::new(), areas: HashMap::new() }
+    /// For an edit that changes so many faces of a mesh.
+    pub fn new(shading: Shading, mesh: &Mesh, faces: usize) -> Self {
+        let are_many = faces > mesh.face_count() / FACES_PER_LOOKED_UP;
+        let of = |capacity: usize| are_many.then_some(capacity);
+        Self {
+            shading,
+            vertices: Lazy::new(of(mesh.vertex_capacity())),
+            areas: Lazy::new(of(mesh.face_capacity())),
+        }
     }
 
     /// As [`WholeNormals::at`], to the bit.
@@ -131,15 +164,16 @@ impl LocalNormals {
             Shading::Smooth => {
                 let v = mesh.from(corner);
                 let smooth = || AtVertex::Smooth(pack(normals::vertex_normal(mesh, v)));
-                match *self.vertices.entry(v).or_insert_with(smooth) {
+                match self.vertices.get(v.index(), smooth) {
                     AtVertex::Smooth(packed) => packed,
                     _ => [0; 4],
                 }
             }
             Shading::Auto(degrees) => {
                 let (v, hardness) = (mesh.from(corner), Hardness::new(degrees));
-                let mut area = |f| *self.areas.entry(f).or_insert_with(|| face_area_vector(mesh, f));
-                match *self.vertices.entry(v).or_insert_with(|| hardness.at_vertex(mesh, v, &mut area)) {
+                let areas = &mut self.areas;
+                let mut area = |f: FaceId| areas.get(f.index(), || face_area_vector(mesh, f));
+                match self.vertices.get(v.index(), || hardness.at_vertex(mesh, v, &mut area)) {
                     AtVertex::Smooth(packed) => packed,
                     _ => pack(hardness.normal(mesh, corner, area)),
                 }

@@ -14,6 +14,7 @@ mod coloring;
 mod corner_normals;
 mod face_writer;
 mod gpu;
+mod id_set;
 mod marks;
 mod matcap;
 mod materials;

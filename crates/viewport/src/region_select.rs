@@ -14,10 +14,10 @@ use surface::{FaceTree, FaceWalk};
 /// Isolated vertices are looked for among so many vertices at the cost of one element.
 const VERTICES_SEARCHED_PER_ELEMENT: usize = 16;
 
-/// A ray costs as much as testing so many elements.
-const ELEMENTS_PER_RAY: usize = 16;
+/// A ray costs as much as testing so many elements, where folds hide each other.
+const ELEMENTS_PER_RAY: usize = 48;
 /// Faces whose elements are tested before the rays are counted.
-const FACES_PER_COUNT: usize = 256;
+const FACES_PER_COUNT: usize = 128;
 
 /// A mesh seen through a region.
 struct Through<'a> {
@@ -85,7 +85,7 @@ impl RegionSelection {
     }
 }
 
-/// It reads the mesh and its tree. The budget counts faces found, elements tested and, sixteen times, rays; the result is the ids found, in
+/// It reads the mesh and its tree. The budget counts faces found, elements tested and, many times over, rays; the result is the ids found, in
 /// ascending order.
 impl InParts for RegionSelection {
     type Input<'a> = (&'a Mesh, &'a FaceTree);

@@ -17,6 +17,7 @@ use editor::{Changes, Editor, Object, ObjectChange, ObjectId, SelectMode};
 use egui::epaint::MarginF32;
 use egui::{Id, Rect, Vec2};
 use glam::Vec3;
+use halfedge::geometry::BitSet;
 use halfedge::{Budget, Element, FaceId, InParts, Mesh, Touched};
 use std::collections::{HashMap, VecDeque};
 use surface::{FaceTree, FaceTreeBuilder};
@@ -94,6 +95,8 @@ pub(crate) struct View {
     bounds: HashMap<ObjectId, Option<Bounds>>,
     /// The picking trees, each built when the pointer is first over its object.
     trees: HashMap<ObjectId, FaceTree>,
+    /// The faces that have changed since a tree was last asked for: an edit that follows the pointer asks for none.
+    stale_faces: HashMap<ObjectId, BitSet>,
     /// The unfinished tree of a large mesh, built over several frames.
     building: Option<(ObjectId, FaceTreeBuilder)>,
     /// The regions of the screen whose elements are still being looked for, in order.
@@ -138,6 +141,7 @@ impl View {
             looked: None,
             bounds: HashMap::new(),
             trees: HashMap::new(),
+            stale_faces: HashMap::new(),
             building: None,
             regions: VecDeque::new(),
             strokes: 0,
@@ -242,6 +246,7 @@ impl View {
             let Some(object) = editor.document().object(*id) else {
                 self.bounds.remove(id);
                 self.trees.remove(id);
+                self.stale_faces.remove(id);
                 if let Some(picture) = &mut self.picture {
                     picture.forget(*id);
                 }
@@ -259,12 +264,13 @@ impl View {
             }
             match change {
                 ObjectChange::Touched(touched) => {
-                    if let Some(tree) = self.trees.get_mut(id) {
-                        tree.update(mesh, touched_faces(mesh, touched));
+                    if self.trees.contains_key(id) {
+                        add_touched_faces(self.stale_faces.entry(*id).or_default(), mesh, touched);
                     }
                 }
                 _ => {
                     self.trees.remove(id);
+                    self.stale_faces.remove(id);
                 }
             }
             if let Some(picture) = &mut self.picture {
@@ -331,6 +337,9 @@ impl View {
             Some((_, builder)) => builder.finish(mesh),
             None => FaceTree::new(mesh),
         });
+        if let Some(stale) = self.stale_faces.remove(&id) {
+            tree.update(mesh, stale.iter().map(FaceId::new));
+        }
         tree.set_hidden(object.hidden());
         tree
     }
@@ -346,16 +355,16 @@ impl View {
     }
 }
 
-/// The faces that an edit added, removed, or moved a corner of.
-fn touched_faces(mesh: &Mesh, touched: &Touched) -> Vec<FaceId> {
-    let mut faces = touched.faces.clone();
+/// Adds the faces that an edit added, removed, or moved a corner of.
+fn add_touched_faces(faces: &mut BitSet, mesh: &Mesh, touched: &Touched) {
+    let mut add = |face: FaceId| {
+        faces.insert(face.index());
+    };
+    touched.faces.iter().copied().for_each(&mut add);
     for &v in touched.vertices.iter().filter(|v| mesh.has_vertex(**v)) {
-        faces.extend(mesh.vertex_faces(v));
+        mesh.vertex_faces(v).for_each(&mut add);
     }
     for &h in touched.halfedges.iter().filter(|h| mesh.has_halfedge(**h)) {
-        faces.extend(mesh.face_of(h));
+        mesh.face_of(h).into_iter().for_each(&mut add);
     }
-    faces.sort_unstable();
-    faces.dedup();
-    faces
 }
