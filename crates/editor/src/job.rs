@@ -15,7 +15,8 @@ use crate::ops::{Action, Op, Symmetry, edit_local};
 use crate::outcome::{Before, ElementIds};
 use crate::project::{Link, Project, ReadProject};
 use formats::{
-    Format, Image, Import, Materials, Model, NamedBytes, NamedMesh, Picture, PictureError, ReadError, Repairs,
+    Format, Import, Materials, Model, NamedBytes, NamedMesh, Picture, PictureError, PictureSource, ReadError,
+    Repairs,
 };
 use glam::DVec3;
 use halfedge::{FaceId, Journal, Mesh, Progress};
@@ -44,8 +45,8 @@ pub(crate) enum Work {
     Save(Box<Project>),
     /// Makes a link to a document.
     Share(Box<Project>),
-    /// Decodes an image, with at most this many pixels on a side.
-    Decode(Image, u32),
+    /// Decodes images, with at most this many pixels on a side.
+    Decode(PictureSource, u32),
 }
 
 /// The parts of a document that are written besides its objects.
@@ -191,8 +192,8 @@ impl Work {
             }
             Self::Save(project) => Made::Files(vec![project.file()]),
             Self::Share(project) => Made::Link(Link::to(project)),
-            Self::Decode(image, largest) => {
-                Made::Picture(Picture::decode(image, *largest, progress).map_err(|error| match error {
+            Self::Decode(source, largest) => {
+                Made::Picture(Picture::decode(source, *largest, progress).map_err(|error| match error {
                     PictureError::Cancelled => Problem::cancelled(),
                     PictureError::Unreadable(why) => Problem::new(why),
                 })?)

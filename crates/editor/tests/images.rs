@@ -1,6 +1,6 @@
 //! Images of materials: decoded as jobs, and added after their model.
 
-use editor::formats::{self, NamedBytes, Picture};
+use editor::formats::{self, NamedBytes, Picture, PictureSource};
 use editor::{Editor, Finished, JobRequest, JobResult, Wire};
 use std::ops::ControlFlow;
 
@@ -55,16 +55,26 @@ fn decoding_is_a_job_that_changes_nothing() {
     editor.take_images(&[NamedBytes::new("wood.tga", TGA)]).expect("named");
     let revision = editor.revision();
     let image = editor.document().materials().images[0].clone();
-    let request = editor.begin_decode(&image, 64);
+    let request = editor.begin_decode(PictureSource::of(image.clone()), 64);
     assert_eq!(editor.jobs().map(|job| job.task).collect::<Vec<_>>(), [editor::Task::Decode]);
     let finished = editor.finish(request.id(), run(&request)).expect("a picture");
     let Finished::Decoded(Picture { size, pixels, original }) = finished else { panic!("{finished:?}") };
     assert_eq!((size, original, pixels), ([1, 1], [1, 1], vec![10, 20, 30, 255]));
 
-    let damaged = formats::Image { bytes: Some(TGA[..19].into()), ..image };
-    let request = editor.begin_decode(&damaged, 64);
+    let damaged = formats::Image { bytes: Some(TGA[..19].into()), ..image.clone() };
+    let request = editor.begin_decode(PictureSource::of(damaged.clone()), 64);
     let messages = editor.messages().len();
     let error = editor.finish(request.id(), run(&request)).expect_err("damaged");
     assert!(error.problem.contains("damaged"), "{error}");
     assert_eq!((editor.revision(), editor.messages().len()), (revision, messages));
+
+    // The opacity from an image whose brightness is 19 of 255, and from one that is missing.
+    let both = PictureSource { color: Some(image.clone()), alpha: Some(image.clone()) };
+    let request = editor.begin_decode(both, 64);
+    let finished = editor.finish(request.id(), run(&request)).expect("a picture");
+    let Finished::Decoded(Picture { pixels, .. }) = finished else { panic!("{finished:?}") };
+    assert_eq!(pixels, [10, 20, 30, 18]);
+    let missing = formats::Image { bytes: None, ..image.clone() };
+    let request = editor.begin_decode(PictureSource { color: Some(image), alpha: Some(missing) }, 64);
+    assert!(editor.finish(request.id(), run(&request)).is_err());
 }

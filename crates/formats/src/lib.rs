@@ -44,7 +44,7 @@ pub use model::material::{AlphaMode, Material, Materials, MtlStatements, Rgb};
 pub use model::texture::{Image, Texture, TextureRole, UvTransform, Wrap};
 pub use model::{Model, NamedMesh};
 pub use obj::name_of_group;
-pub use picture::{Picture, PictureError};
+pub use picture::{Picture, PictureError, PictureSource};
 pub use project::MARK as PROJECT_MARK;
 pub use read::{HEAD_BYTES, Import, read, read_with, read_within, refusal};
 pub use report::{ImportReport, ReportNote, Severity, first_few};

@@ -42,6 +42,27 @@ impl From<String> for PictureError {
     }
 }
 
+/// The images that a picture is made of.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct PictureSource {
+    /// What gives the colours; white without it.
+    pub color: Option<Image>,
+    /// What gives the opacity in place of the colours' alpha: its alpha if it has any, else its brightness.
+    pub alpha: Option<Image>,
+}
+
+impl PictureSource {
+    /// An image by itself.
+    pub fn of(image: Image) -> Self {
+        Self { color: Some(image), alpha: None }
+    }
+
+    /// The images, that of the colours first.
+    pub fn images(&self) -> impl Iterator<Item = &Image> {
+        self.color.iter().chain(&self.alpha)
+    }
+}
+
 /// A decoded picture, and smaller versions of it for showing it small.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Picture {
@@ -55,37 +76,30 @@ pub struct Picture {
 }
 
 impl Picture {
-    /// Decodes an image file: PNG, JPEG, WebP, BMP or TGA. A picture that is larger than `largest` on a side is halved
-    /// until it isn't.
+    /// Decodes image files: PNG, JPEG, WebP, BMP or TGA. A picture that is larger than `largest` on a side is halved
+    /// until it isn't. It has the size of the image of its colours.
     ///
     /// # Errors
     /// [`PictureError`].
     ///
     /// # Cost
-    /// Time and memory are linear in the pixels of the file, of which there are at most 2²⁷.
-    pub fn decode(image: &Image, largest: u32, progress: &mut Progress) -> Result<Self, PictureError> {
-        let bytes = image.bytes.as_deref().ok_or_else(|| "its file was not given".to_owned())?;
-        let format = format_of(image, bytes)?;
-        let mut limits = Limits::default();
-        limits.max_alloc = Some(MAX_DECODING_BYTES);
-        let mut reader = ImageReader::with_format(Cursor::new(bytes), format);
-        reader.limits(limits);
-        let decoder = reader.into_decoder().map_err(|error| in_words(&error))?;
-        let (width, height) = decoder.dimensions();
-        let pixels = u64::from(width) * u64::from(height);
-        if pixels > MAX_PIXELS || pixels == 0 {
-            let why = format!(
-                "it says that it is {width} × {height} pixels large; at most {} pixels can be shown",
-                thousands(MAX_PIXELS as usize)
-            );
-            return Err(why.into());
+    /// Time and memory are linear in the pixels of the files, of which there are at most 2²⁷ in each.
+    pub fn decode(
+        source: &PictureSource,
+        largest: u32,
+        progress: &mut Progress,
+    ) -> Result<Self, PictureError> {
+        let mut decoded =
+            |image: &Option<Image>| image.as_ref().map(|image| Pixels::decode(image, progress)).transpose();
+        let (color, alpha) = (decoded(&source.color)?, decoded(&source.alpha)?);
+        let white =
+            |size: [u32; 2]| Pixels { size, rgba: vec![u8::MAX; size[0] as usize * size[1] as usize * 4] };
+        let color = color.or_else(|| alpha.as_ref().map(|alpha| white(alpha.size)));
+        let mut pixels = color.ok_or_else(|| "no image was given".to_owned())?;
+        if let Some(alpha) = alpha {
+            pixels.take_alpha(&alpha);
         }
-        if progress(0.0).is_break() {
-            return Err(PictureError::Cancelled);
-        }
-        let decoded = DynamicImage::from_decoder(decoder).map_err(|error| in_words(&error))?;
-        let pixels = decoded.into_rgba8().into_raw();
-        Self::with_levels([width, height], pixels, largest, progress).ok_or(PictureError::Cancelled)
+        Self::with_levels(pixels.size, pixels.rgba, largest, progress).ok_or(PictureError::Cancelled)
     }
 
     /// A picture of these pixels: 8-bit RGBA in sRGB, rows from the top. Missing ones are black.
@@ -123,6 +137,57 @@ impl Picture {
             let half = size.map(|side| (side / 2).max(1));
             level = tables.shrink(size, &level, half);
             size = half;
+        }
+    }
+}
+
+/// The pixels of an image file: 8-bit RGBA, rows from the top.
+struct Pixels {
+    size: [u32; 2],
+    rgba: Vec<u8>,
+}
+
+impl Pixels {
+    fn decode(image: &Image, progress: &mut Progress) -> Result<Self, PictureError> {
+        let bytes = image.bytes.as_deref().ok_or_else(|| "its file was not given".to_owned())?;
+        let format = format_of(image, bytes)?;
+        let mut limits = Limits::default();
+        limits.max_alloc = Some(MAX_DECODING_BYTES);
+        let mut reader = ImageReader::with_format(Cursor::new(bytes), format);
+        reader.limits(limits);
+        let decoder = reader.into_decoder().map_err(|error| in_words(&error))?;
+        let (width, height) = decoder.dimensions();
+        let pixels = u64::from(width) * u64::from(height);
+        if pixels > MAX_PIXELS || pixels == 0 {
+            let why = format!(
+                "it says that it is {width} × {height} pixels large; at most {} pixels can be shown",
+                thousands(MAX_PIXELS as usize)
+            );
+            return Err(why.into());
+        }
+        if progress(0.0).is_break() {
+            return Err(PictureError::Cancelled);
+        }
+        let decoded = DynamicImage::from_decoder(decoder).map_err(|error| in_words(&error))?;
+        Ok(Self { size: [width, height], rgba: decoded.into_rgba8().into_raw() })
+    }
+
+    /// Takes the opacity from another image, stretched to the size of this one.
+    fn take_alpha(&mut self, other: &Self) {
+        let [width, height] = self.size.map(|side| side.max(1) as usize);
+        let [other_width, other_height] = other.size.map(|side| side as usize);
+        let texels = other.rgba.as_chunks::<4>().0;
+        let has_alpha = texels.iter().any(|[.., a]| *a < u8::MAX);
+        let opacity = |[r, g, b, a]: [u8; 4]| match has_alpha {
+            true => a,
+            // Rec. 709's weights in 256ths.
+            false => ((u32::from(r) * 54 + u32::from(g) * 183 + u32::from(b) * 19) >> 8) as u8,
+        };
+        for (at, pixel) in self.rgba.as_chunks_mut::<4>().0.iter_mut().enumerate() {
+            let (x, y) = (at % width * other_width / width, at / width * other_height / height);
+            if let Some(texel) = texels.get(y * other_width + x) {
+                pixel[3] = opacity(*texel);
+            }
         }
     }
 }

@@ -1,13 +1,50 @@
 //! Decoding images, and images that come after their model.
 
-use formats::{Image, NamedBytes, Picture, PictureError, is_image};
+use formats::{Image, NamedBytes, Picture, PictureError, PictureSource, is_image};
 use image::{ColorType, ExtendedColorType, ImageEncoder, ImageFormat};
 use std::io::Cursor;
 use std::ops::ControlFlow;
 
+fn image(name: &str, bytes: &[u8]) -> Image {
+    Image { name: name.to_owned(), media_type: None, bytes: Some(bytes.into()) }
+}
+
 fn decode(name: &str, bytes: &[u8], largest: u32) -> Result<Picture, PictureError> {
-    let image = Image { name: name.to_owned(), media_type: None, bytes: Some(bytes.into()) };
-    Picture::decode(&image, largest, &mut |_| ControlFlow::Continue(()))
+    Picture::decode(&PictureSource::of(image(name, bytes)), largest, &mut |_| ControlFlow::Continue(()))
+}
+
+#[test]
+fn opacity_comes_from_another_image() {
+    let colors = encoded(ImageFormat::Png, [2, 2], &[10, 20, 30, 255].repeat(4));
+    let both = |color: Option<&[u8]>, alpha: &[u8]| {
+        let source = PictureSource {
+            color: color.map(|bytes| image("color.png", bytes)),
+            alpha: Some(image("alpha.png", alpha)),
+        };
+        Picture::decode(&source, 8, &mut |_| ControlFlow::Continue(())).expect("pictures")
+    };
+    let pixels = |picture: &Picture| -> Vec<[u8; 4]> {
+        picture.pixels.chunks(4).take(4).map(|pixel| [pixel[0], pixel[1], pixel[2], pixel[3]]).collect()
+    };
+    // Grey, of another size: black on the left, white on the right.
+    let grey: Vec<u8> = (0..16).flat_map(|i| if i % 4 < 2 { [0, 0, 0, 255] } else { [255; 4] }).collect();
+    let grey = encoded(ImageFormat::Png, [4, 4], &grey);
+    let cut = both(Some(&colors), &grey);
+    assert_eq!(cut.size, [2, 2]);
+    assert_eq!(pixels(&cut), [[10, 20, 30, 0], [10, 20, 30, 255]].repeat(2));
+    // Alpha counts more than brightness.
+    let clear: Vec<u8> = (0..4).flat_map(|i| [255, 255, 255, 60 * i]).collect();
+    let clear = encoded(ImageFormat::Png, [2, 2], &clear);
+    assert_eq!(
+        pixels(&both(Some(&colors), &clear)).iter().map(|pixel| pixel[3]).collect::<Vec<_>>(),
+        [0, 60, 120, 180]
+    );
+    // Without colours it is white.
+    let white = both(None, &clear);
+    assert_eq!(pixels(&white)[1], [255, 255, 255, 60]);
+    let damaged =
+        PictureSource { color: Some(image("color.png", &colors)), alpha: Some(image("a.png", b"no")) };
+    assert!(Picture::decode(&damaged, 8, &mut |_| ControlFlow::Continue(())).is_err());
 }
 
 /// Red and green above, blue and a half transparent white below.

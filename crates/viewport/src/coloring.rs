@@ -114,7 +114,7 @@ pub struct Coloring {
     /// The colour and the texture of each label of the mesh's materials; none for a material that the document
     /// doesn't have.
     of_labels: Vec<(Option<Color>, Option<u16>)>,
-    /// Whether texture coordinates are wanted, and whether the mesh has any.
+    /// Whether texture coordinates are wanted, and whether there are any.
     wants_uvs: bool,
     has_uvs: bool,
     /// The labels that colours stand for.
@@ -134,12 +134,12 @@ impl Coloring {
             mesh.column(Element::Face, key.name).map_or(&[][..], |column| &column.labels)
         };
         let of_label = |label: &String| (materials.color(label), materials.texture(label));
-        Self {
+        let made = Self {
             by,
             materials: materials.clone(),
             of_labels: labels(keys::FACE_MATERIAL).iter().map(of_label).collect(),
             wants_uvs,
-            has_uvs: wants_uvs && has_uvs(mesh),
+            has_uvs: false,
             labels: by.label_key().map_or(Vec::new(), |key| labels(key).to_vec()),
             values: Vec::new(),
             measured: 0,
@@ -151,7 +151,13 @@ impl Coloring {
                 ColorBy::Quality => Some(Ramp::sequential(0.0, 1.0)),
                 _ => None,
             },
-        }
+        };
+        Self { has_uvs: made.needs_uvs(mesh), ..made }
+    }
+
+    /// Whether corners need texture coordinates, if only for translucent faces, which are drawn as those with textures are.
+    fn needs_uvs(&self, mesh: &Mesh) -> bool {
+        self.wants_uvs && (has_uvs(mesh) || !self.translucent_passes().is_empty())
     }
 
     /// What gives the colours.
@@ -181,6 +187,13 @@ impl Coloring {
         textures.map(|texture| usize::from(texture) / TEXTURES_PER_DRAW).chain([0]).collect()
     }
 
+    /// The passes with textures of translucent faces.
+    pub(crate) fn translucent_passes(&self) -> BTreeSet<usize> {
+        let textures = self.of_labels.iter().filter_map(|(_, texture)| *texture);
+        let translucent = textures.filter(|texture| self.materials.is_translucent(*texture));
+        translucent.map(|texture| usize::from(texture) / TEXTURES_PER_DRAW).collect()
+    }
+
     /// What the colours stand for; none for colours of the mesh itself, and until all is measured.
     pub fn legend(&self) -> Option<Legend> {
         if self.by.label_key().is_some() {
@@ -198,7 +211,7 @@ impl Coloring {
     /// Begins to measure anew. The range of colours stays, so that colours don't jump.
     pub(crate) fn restart(&mut self, mesh: &Mesh) {
         self.measured = 0;
-        self.has_uvs = self.wants_uvs && has_uvs(mesh);
+        self.has_uvs = self.needs_uvs(mesh);
     }
 
     /// Measures more vertices, as many as the budget allows; returns whether there are any left.
@@ -265,11 +278,12 @@ impl Coloring {
         corners: &[HalfedgeId],
     ) -> FaceTexture {
         let is_placed = |h: &HalfedgeId| uvs.get(h.index()).is_some_and(|uv| !uv.is_nan());
-        if !self.has_uvs || !corners.iter().all(is_placed) {
-            return FaceTexture::NONE;
-        }
         let (color, texture) = self.of_face(mesh, face);
-        FaceTexture::of(color, texture)
+        match texture.filter(|texture| self.materials.is_plain(*texture)) {
+            Some(plain) if self.has_uvs => FaceTexture::plain(plain),
+            _ if !self.has_uvs || !corners.iter().all(is_placed) => FaceTexture::NONE,
+            _ => FaceTexture::of(color, texture),
+        }
     }
 
     /// The colours of one face.

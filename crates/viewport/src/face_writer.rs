@@ -3,7 +3,7 @@
 use crate::buffers::{Corners, Sink};
 use crate::coloring::{Coloring, Columns};
 use crate::corner_normals::pack;
-use crate::materials::from_top;
+use crate::materials::{MISSING_UV, from_top};
 use crate::slots::Range;
 use glam::Vec3;
 use halfedge::geometry::PolygonTriangulator;
@@ -95,7 +95,7 @@ impl<'m> FaceWriter<'m> {
                 if let Some(texture) = &texture {
                     normal[3] = texture.mark;
                     rgb = texture.tint(rgb);
-                    *uv = self.columns.uvs.get(h.index()).copied().map_or([0.0; 2], from_top);
+                    *uv = self.columns.uvs.get(h.index()).copied().map_or(MISSING_UV, from_top);
                 }
                 let [r, g, b] = rgb;
                 *color = [r, g, b, flags];

@@ -26,12 +26,31 @@ pub struct Texture {
     pub transform: Affine2,
     /// Faces are cut away where the picture's alpha is less; 0 keeps all.
     pub cutoff: f32,
+    /// Below 1, what lies behind shows through the faces.
+    pub opacity: f32,
 }
+
+/// The picture of faces that show none.
+const NO_PICTURE: u64 = u64::MAX;
 
 impl Texture {
     /// A picture that repeats.
     pub fn new(picture: u64) -> Self {
-        Self { picture, wrap: [Wrap::Repeat; 2], transform: Affine2::IDENTITY, cutoff: 0.0 }
+        let transform = Affine2::IDENTITY;
+        Self { picture, wrap: [Wrap::Repeat; 2], transform, cutoff: 0.0, opacity: 1.0 }
+    }
+
+    /// No picture: faces that show their colour, of this opacity. They need no texture coordinates.
+    pub fn plain(opacity: f32) -> Self {
+        Self { opacity, ..Self::new(NO_PICTURE) }
+    }
+
+    fn is_plain(&self) -> bool {
+        self.picture == NO_PICTURE
+    }
+
+    fn is_translucent(&self) -> bool {
+        self.opacity < 1.0
     }
 }
 
@@ -78,6 +97,16 @@ impl Materials {
         Some(number as u16)
     }
 
+    /// Whether what lies behind faces of a texture shows through.
+    pub(crate) fn is_translucent(&self, texture: u16) -> bool {
+        self.textures.get(usize::from(texture)).is_some_and(Texture::is_translucent)
+    }
+
+    /// Whether a texture is of faces that show no picture.
+    pub(crate) fn is_plain(&self, texture: u16) -> bool {
+        self.textures.get(usize::from(texture)).is_some_and(Texture::is_plain)
+    }
+
     /// The textures, by their numbers.
     pub(crate) fn textures(&self) -> &[Texture] {
         &self.textures
@@ -107,33 +136,41 @@ pub(crate) struct FaceTexture {
     /// What its corners say of it: 0 if it has no texture coordinates, 1 if it shows no texture, from 2 the number of
     /// its texture. `textured.wgsl` has the same numbers.
     pub mark: i16,
-    /// The colour that stands for no colour: the texture shows as it is.
-    blank: Color,
+    /// The colour that stands for no colour, so that the texture shows as it is.
+    blank: Option<Color>,
 }
 
 impl FaceTexture {
     /// Without texture coordinates.
-    pub const NONE: Self = Self { mark: 0, blank: WHITE };
+    pub const NONE: Self = Self { mark: 0, blank: None };
 
     /// With texture coordinates, and the colour and texture of the face's material.
     pub fn of(color: Option<Color>, texture: Option<u16>) -> Self {
-        let Some(number) = texture else { return Self { mark: 1, ..Self::NONE } };
+        let Some(number) = texture else { return Self { mark: 1, blank: None } };
         let blank = match color {
             None => Color::UNPAINTED,
             // Some programs write black where a texture gives the colour.
             Some(BLACK) => BLACK,
             Some(_) => WHITE,
         };
-        Self { mark: 2 + number as i16, blank }
+        Self { blank: Some(blank), ..Self::plain(number) }
+    }
+
+    /// With a texture that is no picture.
+    pub fn plain(number: u16) -> Self {
+        Self { mark: 2 + number as i16, blank: None }
     }
 
     /// What the texture is multiplied by at a corner of this colour.
     pub fn tint(&self, color: [u8; 3]) -> [u8; 3] {
-        if color == self.blank.0 { WHITE.0 } else { color }
+        if self.blank == Some(Color(color)) { WHITE.0 } else { color }
     }
 }
 
-/// Texture coordinates as the graphics card has them: v counts from the top. Missing ones are zero.
+/// Missing texture coordinates, as `textured.wgsl` knows them.
+pub(crate) const MISSING_UV: [f32; 2] = [-1e9; 2];
+
+/// Texture coordinates as the graphics card has them: v counts from the top.
 pub(crate) fn from_top(uv: Vec2) -> [f32; 2] {
-    if uv.is_nan() { [0.0; 2] } else { [uv.x, 1.0 - uv.y] }
+    if uv.is_nan() { MISSING_UV } else { [uv.x, 1.0 - uv.y] }
 }

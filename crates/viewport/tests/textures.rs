@@ -282,6 +282,68 @@ fn where_alpha_is_low_nothing_is_drawn() {
 }
 
 #[test]
+fn what_lies_behind_translucent_faces_shows_through() {
+    let gpu = gpu();
+    let mut renderer = gpu.renderer();
+    // A square half as opaque as usual in front of another one, without texture coordinates.
+    let mut squares = mesh(
+        [1.0, -1.0]
+            .iter()
+            .flat_map(|z| [[-1.0, -1.0], [1.0, -1.0], [1.0, 1.0], [-1.0, 1.0]].map(|[x, y]| vec3(x, y, *z)))
+            .collect(),
+        &[vec![0, 1, 2, 3], vec![4, 5, 6, 7]],
+    );
+    let mut labels = vec![0; squares.face_capacity()];
+    labels[1] = 1;
+    squares.insert_column(
+        Element::Face,
+        Column {
+            labels: vec!["glass".to_owned(), "wall".to_owned()],
+            ..Column::with_values(keys::FACE_MATERIAL, labels)
+        },
+    );
+    squares.set(keys::FACE_COLOR, 0, Color(RED));
+    squares.set(keys::FACE_COLOR, 1, Color(GREEN));
+    let look = |name: &str, color, texture| MaterialLook {
+        name: name.to_owned(),
+        color: Some(Color(color)),
+        texture,
+    };
+    let materials = |opacity: f32| {
+        let glass = (opacity < 1.0).then(|| Texture::plain(opacity));
+        Materials::new([look("glass", RED, glass), look("wall", GREEN, None)])
+    };
+    for (opacity, cull) in [(1.0, false), (0.25, false), (0.25, true)] {
+        renderer.set_materials(materials(opacity));
+        let shown = draw(&gpu, &mut renderer, &squares, &flat(), &Style { cull, ..style() });
+        let [r, g, b] = at(&shown, 0.3, 0.2);
+        let [red, green] = [lit(RED)[0], studio_green()].map(f32::from);
+        let expected = if opacity < 1.0 {
+            [red * opacity, green * (1.0 - opacity)]
+        } else {
+            [studio_green().into(), 0.0]
+        };
+        let close = |found: u8, expected: f32| (f32::from(found) - expected).abs() < 6.0;
+        assert!(
+            close(r, expected[0]) && close(g, expected[1]) && b < 6,
+            "{opacity}: {r} {g} {b}, not {expected:?}"
+        );
+    }
+    // In the checker's look, which needs texture coordinates, they are as they were.
+    let checker = Style { look: Look::Checker, ..style() };
+    renderer.set_materials(materials(1.0));
+    let before = draw(&gpu, &mut renderer, &squares, &flat(), &checker);
+    assert!(at(&before, 0.3, 0.2)[0] > 150);
+}
+
+/// The green of a green face towards the camera in the studio's light.
+fn studio_green() -> u8 {
+    let mut green = grid(1, 1, false);
+    paint_all(&mut green, GREEN);
+    at(&drawn(&green, Materials::default(), four(), &Style { look: Look::Studio, ..bare() }), 0.3, 0.2)[1]
+}
+
+#[test]
 fn colours_that_stand_for_something_take_the_place_of_pictures() {
     let gpu = gpu();
     let mut renderer = renderer(&gpu, look(Some(clamped(1)), None), four());

@@ -26,10 +26,11 @@ pub(super) fn go_on(session: &mut Session, view: &mut View) {
     let Some(known) = view.textures.known.iter_mut().find(|known| known.state == State::Waiting) else {
         return;
     };
-    let Some(image) = known.image(session.editor.document().materials()).cloned() else { return };
-    let request = session.editor.begin_decode(&image, largest);
+    let source = known.source(session.editor.document().materials());
+    let Some(name) = source.images().next().map(|image| image.file_name().to_owned()) else { return };
+    let request = session.editor.begin_decode(source, largest);
     known.state = State::Decoding(request.id());
-    session.start(&request, format!("Load {}", image.file_name()), None);
+    session.start(&request, format!("Load {name}"), None);
 }
 
 /// Takes the result of decoding an image.
@@ -38,7 +39,8 @@ fn take(session: &mut Session, view: &mut View, job: JobId, result: Result<Pictu
         return;
     };
     let document = session.editor.document();
-    let name = known.image(document.materials()).map_or("An image", Image::file_name).to_owned();
+    let source = known.source(document.materials());
+    let name = source.images().next().map_or("An image", Image::file_name).to_owned();
     match result {
         Ok(Picture { size, pixels, original }) => {
             known.state = State::Shown(original);

@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use editor::{Document, JobId};
-use formats::{AlphaMode, Image, Material, Materials, TextureRole, Wrap};
+use formats::{AlphaMode, Image, Material, Materials, PictureSource, TextureRole, Wrap};
 use glam::{Affine2, Mat2, Vec2};
 use halfedge::keys;
 use viewport::{ColorBy, Look, MaterialLook, Style};
@@ -14,8 +14,11 @@ const MAX_PICTURE_BYTES: u64 = 512 << 20;
 const LARGEST_SIDE: u32 = 4096;
 /// The shortest to which pictures shrink however many there are.
 const SMALLEST_SIDE: u32 = 256;
-/// The alpha from which faces show where a picture is mixed with what lies behind.
+/// The alpha from which faces show where a picture is mixed with what lies behind, or where nothing says what alpha means:
+/// cut out, leaves and grids look right from every side without being sorted.
 const BLEND_CUTOFF: f32 = 0.5;
+/// Materials are at least so opaque: some files say that everything is invisible.
+const MIN_OPACITY: f32 = 0.1;
 
 /// What is known of an image.
 #[derive(Clone, Debug, PartialEq)]
@@ -29,21 +32,49 @@ pub(crate) enum State {
     Failed(String),
 }
 
-/// An image that materials show.
+/// The contents of the images that a picture is made of: of its colours and of its opacity.
+type Contents = [Option<Arc<[u8]>>; 2];
+
+/// A picture that materials show.
 pub(crate) struct Known {
-    bytes: Arc<[u8]>,
+    contents: Contents,
     /// The picture's number in the renderer.
     pub number: u64,
     pub state: State,
 }
 
 impl Known {
-    /// The image of the document that it is.
-    pub fn image<'m>(&self, materials: &'m Materials) -> Option<&'m Image> {
-        let is_it =
-            |image: &&Image| image.bytes.as_ref().is_some_and(|bytes| Arc::ptr_eq(bytes, &self.bytes));
-        materials.images.iter().find(is_it)
+    /// The images of the document that it is made of.
+    pub fn source(&self, materials: &Materials) -> PictureSource {
+        let [color, alpha] = self.contents.each_ref().map(|bytes| {
+            let has_them = |image: &&Image| is_same(image.bytes.as_ref(), bytes.as_ref());
+            materials.images.iter().filter(|image| image.bytes.is_some()).find(has_them).cloned()
+        });
+        PictureSource { color, alpha }
     }
+}
+
+fn is_same(a: Option<&Arc<[u8]>>, b: Option<&Arc<[u8]>>) -> bool {
+    match (a, b) {
+        (Some(a), Some(b)) => Arc::ptr_eq(a, b),
+        (a, b) => a.is_none() && b.is_none(),
+    }
+}
+
+fn are_same(a: &Contents, b: &Contents) -> bool {
+    a.iter().zip(b).all(|(a, b)| is_same(a.as_ref(), b.as_ref()))
+}
+
+/// The contents of the images that a material shows; none if there are none, or they are missing.
+fn contents(materials: &Materials, material: &Material) -> Option<Contents> {
+    let of = |role| {
+        let image = material.texture(role).and_then(|texture| materials.image(texture));
+        image.and_then(|image| image.bytes.clone())
+    };
+    let color = of(TextureRole::BaseColor);
+    // An image whose own alpha is meant is no other one.
+    let alpha = of(TextureRole::Alpha).filter(|alpha| !is_same(Some(alpha), color.as_ref()));
+    (color.is_some() || alpha.is_some()).then_some([color, alpha])
 }
 
 /// The pictures of the document's materials.
@@ -60,27 +91,23 @@ pub(crate) struct Textures {
 impl Textures {
     /// What is known of an image; none if no material shows it, or its contents are missing.
     pub fn state(&self, image: &Image) -> Option<&State> {
-        Some(&self.find(image)?.state)
-    }
-
-    fn find(&self, image: &Image) -> Option<&Known> {
         let bytes = image.bytes.as_ref()?;
-        self.known.iter().find(|known| Arc::ptr_eq(&known.bytes, bytes))
+        let first = |known: &&Known| {
+            let [color, alpha] = &known.contents;
+            is_same(color.as_ref().or(alpha.as_ref()), Some(bytes))
+        };
+        Some(&self.known.iter().find(first)?.state)
     }
 
     /// Forgets the images that the document no longer shows, and takes in those that it does now.
     fn follow(&mut self, materials: &Materials) {
-        let shown: Vec<&Arc<[u8]>> =
-            shown_images(materials).filter_map(|image| image.bytes.as_ref()).collect();
-        self.known.retain(|known| shown.iter().any(|bytes| Arc::ptr_eq(bytes, &known.bytes)));
-        for bytes in shown {
-            if !self.known.iter().any(|known| Arc::ptr_eq(bytes, &known.bytes)) {
+        let shown: Vec<Contents> =
+            materials.list.iter().filter_map(|material| contents(materials, material)).collect();
+        self.known.retain(|known| shown.iter().any(|contents| are_same(contents, &known.contents)));
+        for contents in shown {
+            if !self.known.iter().any(|known| are_same(&contents, &known.contents)) {
                 self.last_number += 1;
-                self.known.push(Known {
-                    bytes: bytes.clone(),
-                    number: self.last_number,
-                    state: State::Waiting,
-                });
+                self.known.push(Known { contents, number: self.last_number, state: State::Waiting });
             }
         }
     }
@@ -104,12 +131,17 @@ impl Textures {
     }
 
     fn texture(&self, materials: &Materials, material: &Material) -> Option<viewport::Texture> {
-        let texture = material.texture(TextureRole::BaseColor)?;
-        let known = self.find(materials.image(texture)?)?;
-        if matches!(known.state, State::Failed(_)) {
-            return None;
-        }
+        let opacity = opacity(material);
+        let plain = (opacity < 1.0).then(|| viewport::Texture::plain(opacity));
+        let Some(contents) = contents(materials, material) else { return plain };
+        let of_color = material.texture(TextureRole::BaseColor).filter(|_| contents[0].is_some());
+        let Some(texture) = of_color.or_else(|| material.texture(TextureRole::Alpha)) else { return plain };
+        let known = self.known.iter().find(|known| are_same(&contents, &known.contents));
+        let Some(known) = known.filter(|known| !matches!(known.state, State::Failed(_))) else {
+            return plain;
+        };
         Some(viewport::Texture {
+            opacity,
             picture: known.number,
             wrap: texture.wrap.map(|wrap| match wrap {
                 Wrap::Repeat => viewport::Wrap::Repeat,
@@ -125,7 +157,9 @@ impl Textures {
             cutoff: match material.alpha_mode {
                 Some(AlphaMode::Mask { cutoff }) => cutoff,
                 Some(AlphaMode::Blend) => BLEND_CUTOFF,
-                Some(AlphaMode::Opaque) | None => 0.0,
+                Some(AlphaMode::Opaque) => 0.0,
+                None if has_alpha(material) => BLEND_CUTOFF,
+                None => 0.0,
             },
         })
     }
@@ -147,7 +181,8 @@ impl Textures {
     /// shows them; without, the look is again the one before.
     pub fn follow_document(&mut self, style: &mut Style, document: &Document) -> viewport::Materials {
         self.follow(document.materials());
-        let are_there = has_textures(document);
+        let is_translucent = |material: &Material| opacity(material) < 1.0;
+        let are_there = has_textures(document) || document.materials().list.iter().any(is_translucent);
         if are_there && !self.are_there && style.look != Look::Texture {
             self.look_before = Some(style.look);
             style.look = Look::Texture;
@@ -179,13 +214,18 @@ impl Textures {
     }
 }
 
-/// The images that materials show as their base colour, each once.
-fn shown_images(materials: &Materials) -> impl Iterator<Item = &Image> {
-    let is_shown = |number: usize| {
-        let mut textures = materials.list.iter().filter_map(|m| m.texture(TextureRole::BaseColor));
-        textures.any(|texture| texture.image as usize == number)
-    };
-    materials.images.iter().enumerate().filter(move |(number, _)| is_shown(*number)).map(|(_, image)| image)
+/// Whether the alpha of a material's picture is its opacity, though the file says nothing of that: MTL has no other meaning
+/// for it.
+fn has_alpha(material: &Material) -> bool {
+    material.mtl.is_some() || material.texture(TextureRole::Alpha).is_some()
+}
+
+/// How opaque a material is apart from its picture.
+fn opacity(material: &Material) -> f32 {
+    match (material.alpha_mode, material.alpha) {
+        (Some(AlphaMode::Opaque | AlphaMode::Mask { .. }), _) | (_, None) => 1.0,
+        (_, Some(alpha)) => alpha.clamp(MIN_OPACITY, 1.0),
+    }
 }
 
 /// Whether objects have texture coordinates.
@@ -195,5 +235,6 @@ pub(crate) fn has_uvs(document: &Document) -> bool {
 
 /// Whether the document has textures to show.
 pub(crate) fn has_textures(document: &Document) -> bool {
-    shown_images(document.materials()).any(|image| image.bytes.is_some()) && has_uvs(document)
+    let materials = document.materials();
+    materials.list.iter().any(|material| contents(materials, material).is_some()) && has_uvs(document)
 }

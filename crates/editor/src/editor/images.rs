@@ -8,13 +8,13 @@ use crate::history::Change;
 use crate::job::{JobRequest, Work};
 use crate::outcome::{Elements, Outcome};
 use crate::recovery::Event;
-use formats::{Image, NamedBytes, first_few, is_image};
+use formats::{NamedBytes, PictureSource, first_few, is_image};
 
 impl Editor {
-    /// A job that decodes an image of the document's materials, with at most `largest` pixels on a side. It changes
+    /// A job that decodes images of the document's materials, with at most `largest` pixels on a side. It changes
     /// nothing; [`Editor::finish`] gives the picture, or in words why there is none.
-    pub fn begin_decode(&mut self, image: &Image, largest: u32) -> JobRequest {
-        JobRequest { id: self.wait_for(WaitingFor::Decode), work: Work::Decode(image.clone(), largest) }
+    pub fn begin_decode(&mut self, source: PictureSource, largest: u32) -> JobRequest {
+        JobRequest { id: self.wait_for(WaitingFor::Decode), work: Work::Decode(source, largest) }
     }
 
     /// Gives images to the materials that name them, also in place of those they have, as one undo step.

@@ -7,7 +7,8 @@ use crate::ops::{Action, Command, Op, Symmetry};
 use crate::outcome::ElementIds;
 use crate::project::{Link, Project, ReadProject};
 use formats::{
-    Format, Image, Import, ImportReport, Materials, Model, NamedBytes, NamedMesh, Picture, Repairs,
+    Format, Image, Import, ImportReport, Materials, Model, NamedBytes, NamedMesh, Picture, PictureSource,
+    Repairs,
 };
 use serde::{Deserialize, Serialize};
 use std::io::{self, Read, Write};
@@ -33,8 +34,8 @@ enum WorkHead {
     Save,
     /// The project follows.
     Share,
-    /// The image's contents follow, if it has any.
-    Decode { image: Image, has_bytes: bool, largest: u32 },
+    /// The contents of the images follow, if they have any.
+    Decode { images: [Option<Image>; 2], has_bytes: [bool; 2], largest: u32 },
 }
 
 #[derive(Serialize, Deserialize)]
@@ -103,10 +104,13 @@ impl Wire for JobRequest {
                 out.value(&head(WorkHead::Share))?;
                 project.send(&mut out)
             }
-            Work::Decode(image, largest) => {
-                let (has_bytes, largest) = (image.bytes.is_some(), *largest);
-                out.value(&head(WorkHead::Decode { image: without_bytes(image), has_bytes, largest }))?;
-                image.bytes.iter().try_for_each(|bytes| out.column(bytes))
+            Work::Decode(PictureSource { color, alpha }, largest) => {
+                let (both, largest) = ([color, alpha], *largest);
+                let images = both.map(|image| image.as_ref().map(without_bytes));
+                let bytes = both.map(|image| image.as_ref().and_then(|image| image.bytes.as_ref()));
+                let has_bytes = bytes.map(|bytes| bytes.is_some());
+                out.value(&head(WorkHead::Decode { images, has_bytes, largest }))?;
+                bytes.into_iter().flatten().try_for_each(|bytes| out.column(bytes))
             }
         }
     }
@@ -128,9 +132,13 @@ impl Wire for JobRequest {
             }
             WorkHead::Save => Work::Save(Box::new(Project::receive(&mut from)?)),
             WorkHead::Share => Work::Share(Box::new(Project::receive(&mut from)?)),
-            WorkHead::Decode { mut image, has_bytes, largest } => {
-                image.bytes = if has_bytes { Some(from.column()?.into()) } else { None };
-                Work::Decode(image, largest)
+            WorkHead::Decode { mut images, has_bytes, largest } => {
+                for (image, _) in images.iter_mut().zip(has_bytes).filter(|(_, has_bytes)| *has_bytes) {
+                    let bytes = Some(from.column()?.into());
+                    image.iter_mut().for_each(|image| image.bytes.clone_from(&bytes));
+                }
+                let [color, alpha] = images;
+                Work::Decode(PictureSource { color, alpha }, largest)
             }
         };
         from.end()?;

@@ -74,6 +74,9 @@ pub(super) enum Faces {
     /// The back sides, translucent.
     GlassBacks,
     GlassFronts,
+    /// The back sides of faces of translucent materials.
+    ClearBacks,
+    ClearFronts,
     /// All faces unseen, for the depths of those drawn as glass.
     Veil,
 }
@@ -165,6 +168,9 @@ impl Renderer {
                 }
             }
         }
+        if !style.x_ray && style.wants_uvs() {
+            self.list_translucent(frame, &mut draws);
+        }
         for side in [Side::Behind, Side::InFront] {
             let alpha = match side {
                 Side::Behind if style.x_ray => STRENGTH_BEHIND_FACES,
@@ -228,6 +234,30 @@ impl Renderer {
             }
         }
         draws
+    }
+
+    /// Lists the faces of translucent materials: of each object, farther objects first, the back sides before the front ones.
+    fn list_translucent<'a>(&'a self, frame: &Frame<'_>, draws: &mut Vec<(Draw<'a>, DrawUniform)>) {
+        let Frame { camera, style, pixels_per_point: ppp, .. } = *frame;
+        let visible = frame.objects.iter().filter(|object| object.visible);
+        let mut objects: Vec<_> =
+            visible.filter_map(|draw| Some((draw, self.objects.get(&draw.id)?))).collect();
+        objects.sort_by(|(_, a), (_, b)| {
+            let [a, b] = [a, b].map(|object| camera.depth(object.buffers.origin()));
+            b.total_cmp(&a)
+        });
+        let kinds: &[Faces] =
+            if style.cull { &[Faces::ClearFronts] } else { &[Faces::ClearBacks, Faces::ClearFronts] };
+        for (draw, object) in objects.iter().filter(|(_, object)| object.buffers.coloring().has_uvs()) {
+            let lines = if style.wireframe && draw.active { 1.0 } else { 0.0 };
+            for kind in kinds {
+                for pass in object.buffers.coloring().translucent_passes() {
+                    let params = [0.6 * ppp, lines, 0.0, (pass * TEXTURES_PER_DRAW) as f32];
+                    let uniform = DrawUniform::new(camera, object.buffers.origin(), [0.0; 4], params);
+                    draws.push((Draw::Textured(object, *kind, pass), uniform));
+                }
+            }
+        }
     }
 
     /// The objects that cast a shadow.
@@ -320,6 +350,7 @@ impl Renderer {
                         Faces::GlassBacks => &p.glass_backs,
                         Faces::GlassFronts => &p.glass_fronts,
                         Faces::Veil => &p.veil,
+                        Faces::ClearBacks | Faces::ClearFronts => continue,
                     });
                     pass.set_bind_group(1, &self.surface.bind_group, &[]);
                     for page in &object.pages {
@@ -334,6 +365,8 @@ impl Renderer {
                         Faces::Fronts => &pipelines.fronts,
                         Faces::GlassBacks => &pipelines.glass_backs,
                         Faces::GlassFronts => &pipelines.glass_fronts,
+                        Faces::ClearBacks => &pipelines.clear_backs,
+                        Faces::ClearFronts => &pipelines.clear_fronts,
                     });
                     pass.set_bind_group(1, textures, &[]);
                     for page in &object.pages {

@@ -8,7 +8,6 @@ use super::pipelines::{Depth, Maker, buffer, filtered_picture, filtering_sampler
 use super::renderer::Renderer;
 use crate::materials::TEXTURES_PER_DRAW;
 use crate::{Materials, Texture, Wrap};
-use glam::Affine2;
 use std::collections::HashMap;
 use std::sync::Arc;
 use wgpu::{VertexStepMode, vertex_attr_array};
@@ -35,9 +34,9 @@ struct Placement {
 }
 
 impl Placement {
-    fn new(transform: Affine2, cutoff: f32) -> Self {
+    fn new(Texture { transform, cutoff, opacity, .. }: Texture) -> Self {
         let (x, y, moved) = (transform.matrix2.x_axis, transform.matrix2.y_axis, transform.translation);
-        Self { u: [x.x, y.x, moved.x, cutoff], v: [x.y, y.y, moved.y, 0.0] }
+        Self { u: [x.x, y.x, moved.x, cutoff], v: [x.y, y.y, moved.y, opacity] }
     }
 }
 
@@ -94,6 +93,9 @@ pub struct TexturedPipelines {
     pub fronts: wgpu::RenderPipeline,
     pub glass_backs: wgpu::RenderPipeline,
     pub glass_fronts: wgpu::RenderPipeline,
+    /// The back sides of faces of translucent materials, which hide nothing.
+    pub clear_backs: wgpu::RenderPipeline,
+    pub clear_fronts: wgpu::RenderPipeline,
 }
 
 /// The pictures, the pipelines that draw them, and what passes bind.
@@ -153,7 +155,7 @@ impl Textures {
     fn bind(&self, device: &wgpu::Device, queue: &wgpu::Queue, textures: &[Texture]) -> wgpu::BindGroup {
         let of = |place: usize| textures.get(place).copied().unwrap_or(Texture::new(u64::MAX));
         let all: [Texture; TEXTURES_PER_DRAW] = std::array::from_fn(of);
-        let placements = all.map(|texture| Placement::new(texture.transform, texture.cutoff));
+        let placements = all.map(Placement::new);
         let buffer = device.create_buffer(&wgpu::BufferDescriptor {
             label: Some("placements of textures"),
             size: size_of_val(&placements) as u64,
@@ -236,7 +238,7 @@ impl TexturedPipelines {
             bind_group_layouts: &[Some(uniforms), Some(textures)],
             immediate_size: 0,
         });
-        let pipeline = |depth, blend, cull| {
+        let pipeline = |vertex, depth, blend, cull| {
             let buffers = [
                 buffer(12, VertexStepMode::Vertex, &vertex_attr_array![0 => Float32x3]),
                 buffer(8, VertexStepMode::Vertex, &vertex_attr_array![1 => Snorm16x4]),
@@ -244,15 +246,18 @@ impl TexturedPipelines {
                 buffer(8, VertexStepMode::Vertex, &vertex_attr_array![3 => Float32x2]),
             ];
             let maker = Maker { device, layout: &layout, cull };
-            let stages = (&module, "textured_vertex", "textured_fragment");
+            let stages = (&module, vertex, "textured_fragment");
             maker.pipeline("textured faces", stages, &buffers, depth, blend)
         };
         let over = Some(wgpu::BlendState::ALPHA_BLENDING);
+        let (opaque, translucent) = ("textured_vertex", "translucent_vertex");
         Self {
-            all: pipeline(Depth::Write, None, None),
-            fronts: pipeline(Depth::Write, None, Some(wgpu::Face::Back)),
-            glass_backs: pipeline(Depth::Ignore, over, Some(wgpu::Face::Front)),
-            glass_fronts: pipeline(Depth::Ignore, over, Some(wgpu::Face::Back)),
+            all: pipeline(opaque, Depth::Write, None, None),
+            fronts: pipeline(opaque, Depth::Write, None, Some(wgpu::Face::Back)),
+            glass_backs: pipeline(opaque, Depth::Ignore, over, Some(wgpu::Face::Front)),
+            glass_fronts: pipeline(opaque, Depth::Ignore, over, Some(wgpu::Face::Back)),
+            clear_backs: pipeline(translucent, Depth::Test, over, Some(wgpu::Face::Front)),
+            clear_fronts: pipeline(translucent, Depth::Test, over, Some(wgpu::Face::Back)),
         }
     }
 }

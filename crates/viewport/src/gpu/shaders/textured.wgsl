@@ -24,7 +24,8 @@ const CHECKER: i32 = 9;
 const PLACES: i32 = 8;
 
 struct Placement {
-    // The rows of the transform of texture coordinates; the first ends with the least alpha that shows.
+    // The rows of the transform of texture coordinates; the first ends with the least alpha that shows, the second with the
+    // opacity.
     u: vec4<f32>,
     v: vec4<f32>,
 }
@@ -47,7 +48,11 @@ struct Placement {
 @group(1) @binding(15) var sampler6: sampler;
 @group(1) @binding(16) var sampler7: sampler;
 
-// draw.params.w is the number of the pass's first texture. The first pass draws the faces without one too.
+// Less than any texture coordinate: there is none, see materials.rs.
+const MISSING_UV: f32 = -1e8;
+
+// draw.params.w is the number of the pass's first texture. The first pass draws the faces without one too. Faces of
+// translucent materials are drawn by themselves, unless all faces are translucent.
 @vertex
 fn textured_vertex(
     @builtin(vertex_index) index: u32,
@@ -56,6 +61,29 @@ fn textured_vertex(
     @location(1) normal: vec4<f32>,
     @location(2) color: vec4<f32>,
     @location(3) uv: vec2<f32>,
+) -> TexturedVertex {
+    return vertex_of(index, position, normal, color, uv, draw.params.z > 0.0, true);
+}
+
+@vertex
+fn translucent_vertex(
+    @builtin(vertex_index) index: u32,
+    @location(0) position: vec3<f32>,
+    @location(1) normal: vec4<f32>,
+    @location(2) color: vec4<f32>,
+    @location(3) uv: vec2<f32>,
+) -> TexturedVertex {
+    return vertex_of(index, position, normal, color, uv, true, false);
+}
+
+fn vertex_of(
+    index: u32,
+    position: vec3<f32>,
+    normal: vec4<f32>,
+    color: vec4<f32>,
+    uv: vec2<f32>,
+    draws_translucent: bool,
+    draws_opaque: bool,
 ) -> TexturedVertex {
     var out: TexturedVertex;
     out.relative = from_eye(position);
@@ -66,10 +94,14 @@ fn textured_vertex(
     let mark = i32(round(normal.w * 32767.0)) - 2;
     let first = i32(draw.params.w);
     out.place = mark;
-    var is_drawn = first == 0;
+    var is_drawn = first == 0 && draws_opaque;
     if mark >= 0 {
         out.place = mark - first;
         is_drawn = out.place >= 0 && out.place < PLACES;
+        if is_drawn {
+            let is_translucent = placements[out.place].v.w < 1.0;
+            is_drawn = select(draws_opaque, draws_translucent, is_translucent);
+        }
         if is_drawn && i32(frame.right.w + 0.5) != CHECKER {
             let placement = placements[out.place];
             let at = vec3<f32>(uv, 1.0);
@@ -133,7 +165,7 @@ fn textured_fragment(in: TexturedVertex, @builtin(front_facing) front: bool) -> 
 
     var color = in.color.rgb;
     if i32(frame.right.w + 0.5) == CHECKER {
-        if in.place != BARE {
+        if in.place != BARE && in.uv.x > MISSING_UV {
             color = checker(in.uv, abs(dx) + abs(dy));
         }
         color *= light;
@@ -151,5 +183,9 @@ fn textured_fragment(in: TexturedVertex, @builtin(front_facing) front: bool) -> 
     if !front && draw.params.z == 0.0 {
         color *= 0.7;
     }
-    return with_edges(color, in.color.a, in.barycentric, slope, 0.0);
+    var shown = with_edges(color, in.color.a, in.barycentric, slope, 0.0);
+    if in.place >= 0 {
+        shown.a *= placements[in.place].v.w;
+    }
+    return shown;
 }
