@@ -26,6 +26,7 @@ use halfedge::{Budget, Element};
 use crate::bezier::Player;
 use crate::embedding;
 use crate::input::actions::Action;
+use crate::input::brush_key::HeldTab;
 use crate::input::shortcut::Shortcut;
 use crate::keeping::Keeper;
 use crate::page_view::Page;
@@ -76,6 +77,7 @@ impl App {
     /// An editor that contains a cube. Without `gpu` the viewport says that it can't draw.
     pub fn new(ctx: &Context, platform: Box<dyn Platform>, gpu: Option<egui_wgpu::RenderState>) -> Self {
         theme::install(ctx);
+        ctx.add_plugin(HeldTab);
         ctx.options_mut(|options| {
             options.zoom_with_keyboard = false;
             // As in most systems; egui's own limit is too short where frames are slow.

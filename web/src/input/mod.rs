@@ -3,6 +3,7 @@
 pub(crate) mod action;
 pub mod actions;
 pub(crate) mod availability;
+pub(crate) mod brush_key;
 pub mod camera_style;
 pub mod key_map;
 pub mod key_preset;

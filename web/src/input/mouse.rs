@@ -26,6 +26,8 @@ pub enum MouseAction {
     Select(SelectMode),
     /// Selects the line of elements under the pointer.
     Line(Line, SelectMode),
+    /// Adds to the selection what the circle is drawn over.
+    Paint,
     /// Slides the selected edges or vertices.
     Slide,
     /// Adds the shortest path to the element under the pointer.
@@ -65,6 +67,7 @@ static ROWS: &[Row<{ KeyPreset::COUNT }>] = &[
     (M::Linked,            "Select linked",             ["",                                       "",                                      "double-click on a face"]),
     (M::Slide,             "Slide the selection",       ["",                                       "",                                      "Ctrl+Shift+middle-drag"]),
     (M::Box,               "Select in a box",           ["Ctrl+drag, Ctrl+Shift+drag",             "drag, Shift+drag, Ctrl+drag",           "drag, Shift+drag, Ctrl+drag, Ctrl+Shift+drag"]),
+    (M::Paint,             "Paint a selection",         ["",                                       "",                                      "Tab+drag"]),
     (M::Lasso(Replace),    "Select with a lasso",       ["Ctrl+right-drag",                        "Ctrl+right-drag",                       ""]),
     (M::Lasso(Extend),     "Add with a lasso",          ["Ctrl+Shift+right-drag",                  "",                                      ""]),
     (M::Lasso(Toggle),     "Add or remove with a lasso", ["Ctrl+Alt+right-drag",                   "",                                      ""]),
@@ -102,6 +105,8 @@ enum Gesture {
     Drag(PointerButton),
     /// Two fingers on a trackpad.
     Scroll,
+    /// A drag with the first button while Tab is held.
+    TabDrag,
     /// Nothing but the modifiers.
     Held,
 }
@@ -143,6 +148,8 @@ fn parse(text: &str) -> Option<Held> {
             "click" => gesture = Gesture::Click,
             "double-click" => gesture = Gesture::DoubleClick { on_face: false },
             "double-click on a face" => gesture = Gesture::DoubleClick { on_face: true },
+            "Tab" => gesture = Gesture::TabDrag,
+            "drag" if gesture == Gesture::TabDrag => {}
             "drag" => gesture = Gesture::Drag(PointerButton::Primary),
             "middle-drag" => gesture = Gesture::Drag(PointerButton::Middle),
             "scroll" => gesture = Gesture::Scroll,
@@ -183,6 +190,11 @@ impl Mouse {
     pub fn drag(&self, button: PointerButton, modifiers: Modifiers) -> Option<MouseAction> {
         let is_free = button == PointerButton::Primary && !modifiers.alt;
         self.find(modifiers, Gesture::Drag(button)).or(is_free.then_some(MouseAction::Box))
+    }
+
+    /// Whether a drag paints a selection while Tab is held.
+    pub fn paints_with_tab(&self) -> bool {
+        self.find(Modifiers::NONE, Gesture::TabDrag) == Some(MouseAction::Paint)
     }
 
     /// What two fingers on a trackpad do; none where they do what the wheel does.

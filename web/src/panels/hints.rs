@@ -227,6 +227,7 @@ fn drag_words(action: Option<MouseAction>) -> Option<&'static str> {
         MouseAction::Box => "drag a box",
         MouseAction::Lasso(_) => "draw a lasso",
         MouseAction::Slide => "drag to slide",
+        MouseAction::Paint => "drag to paint a selection",
         _ => return None,
     })
 }

@@ -195,3 +195,43 @@ fn in_the_keys_of_blender_menus_of_elements_open_at_the_pointer() {
     with_ctrl(&mut page, Key::E);
     assert_eq!(count(&page, "Bevel edges"), before);
 }
+
+#[test]
+fn in_the_keys_of_maya_a_drag_with_tab_held_paints_a_selection() {
+    let mut page = with_keys("maya");
+    page.select("vertex", &[]);
+    let ways = [7, 5].map(|v| {
+        let at = place(&mut page, v);
+        page.at(at.to_array())
+    });
+    page.hover(ways[0]);
+    let focused = |page: &Page| page.harness.ctx.memory(|memory| memory.focused());
+    key(&mut page, Key::Tab, true);
+    let first = focused(&page);
+    key(&mut page, Key::Tab, true);
+    assert_eq!(focused(&page), first, "held, it moves the focus once");
+    page.drag(ways[0], ways[1]);
+    page.drop(ways[1]);
+    let (kind, mut painted) = page.selected();
+    painted.sort_unstable();
+    assert_eq!((kind, painted), (Element::Vertex, vec![5, 7]));
+    // The next stroke adds; without the key, a drag draws a box.
+    let third = place(&mut page, 6);
+    let at = page.at(third.to_array());
+    page.drag(at, at + vec2(3.0, 0.0));
+    page.drop(at + vec2(3.0, 0.0));
+    assert_eq!(page.selected().1.len(), 3);
+    key(&mut page, Key::Tab, false);
+    let corner = page.find("Viewport").rect().left_bottom() + vec2(150.0, -80.0);
+    page.drag(corner, corner + vec2(4.0, 4.0));
+    page.drop(corner + vec2(4.0, 4.0));
+    assert_eq!(page.selected().1, [0; 0], "a box around nothing");
+    // In other keys, Tab means nothing else than to go on.
+    let mut course = with_keys("course");
+    course.select("vertex", &[]);
+    course.hover(ways[0]);
+    key(&mut course, Key::Tab, true);
+    course.drag(ways[0], ways[1]);
+    course.drop(ways[1]);
+    assert_eq!(course.selected().1, [0; 0]);
+}

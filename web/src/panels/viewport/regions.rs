@@ -8,6 +8,7 @@ use viewport::{Region, RegionSelection};
 
 use super::Viewport;
 use super::pointer::modifiers_of_button;
+use crate::input::brush_key;
 use crate::page_view::Page;
 use crate::request::{Request, Requests};
 use crate::view::{Gesture, Selecting, Tool, View};
@@ -74,7 +75,9 @@ impl Viewport<'_> {
 
     /// Paints with the circle from the moment a button is pressed; returns whether it does.
     pub(super) fn paint(&mut self, ui: &Ui, response: &Response) -> bool {
-        if self.view.tool != Tool::Circle || self.session.live.is_some() {
+        let goes_on = matches!(self.view.gesture, Gesture::Paint { .. });
+        let is_brush = goes_on || has_brush(ui, self.view);
+        if !is_brush || self.session.live.is_some() {
             return false;
         }
         let modifiers = modifiers_of_button(ui);
@@ -112,6 +115,11 @@ impl Viewport<'_> {
         let region = Region::brush(self.view.local(from), self.view.local(to), self.view.circle_radius);
         self.select_in(region, mode, Some(stroke));
     }
+}
+
+/// Whether a drag paints with the circle.
+fn has_brush(ui: &Ui, view: &View) -> bool {
+    view.tool == Tool::Circle || brush_key::is_held(ui.ctx())
 }
 
 /// Where a button was pressed since the last frame.
@@ -157,7 +165,10 @@ pub(super) fn show(ui: &Ui, rect: Rect, page: &Page<'_>) {
                 DASH_GAP_POINTS,
             ));
         }
-        (gesture, Some(at)) if page.view.tool == Tool::Circle && rect.contains(at) => {
+        (gesture, Some(at))
+            if rect.contains(at)
+                && (matches!(gesture, Gesture::Paint { .. }) || has_brush(ui, page.view)) =>
+        {
             let radius = page.view.circle_radius;
             let is_painting = matches!(gesture, Gesture::Paint { .. });
             if is_painting {
