@@ -392,6 +392,35 @@ fn the_bars_at_several_sizes() {
 }
 
 #[test]
+fn the_model_is_seen_beside_recent_documents() {
+    let mut page = Page::new();
+    for shape in ["torus", "ico-sphere", "cube"] {
+        page.command(json!({"op": "new", "shape": shape}));
+        page.command(json!({"op": "triangulate-faces"}));
+        page.outside.advance(6000.0);
+        page.run();
+    }
+    let outside = page.outside.clone();
+    drop(page);
+    outside.set_setting("welcome", "on");
+    for (theme, shade) in [(Theme::Dark, "dark"), (Theme::Light, "light")] {
+        for size in [DESKTOP, egui::vec2(1920.0, 1080.0), PHONE] {
+            outside.set_setting("document", "");
+            outside.open_in_new_tab();
+            let mut page = Page::first_visit_drawn(&outside, size, theme);
+            picture(&mut page, &format!("welcome back {shade} {}", size.x));
+            let viewport = page.find("Viewport").rect();
+            let top = page.find("Close welcome").rect().top();
+            let share = (viewport.bottom() - top) / viewport.height();
+            assert!(share < 0.5, "{size}: the view covers {share} of the viewport");
+            if size != PHONE {
+                assert!(page.has("Open Cube") && page.has("Open Torus"));
+            }
+        }
+    }
+}
+
+#[test]
 fn a_first_visit() {
     for (theme, name) in [(Theme::Dark, "welcome dark"), (Theme::Light, "welcome light")] {
         for size in [DESKTOP, egui::vec2(1920.0, 1080.0), PHONE] {

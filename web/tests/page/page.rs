@@ -111,6 +111,11 @@ impl Page {
         Self::build_with(outside.clone(), DESKTOP, egui::Theme::Dark, false)
     }
 
+    /// [`Page::first_visit_of`] that draws.
+    pub fn first_visit_drawn(outside: &Outside, size: Vec2, theme: egui::Theme) -> Self {
+        Self::build_with(outside.clone(), size, theme, true)
+    }
+
     /// Reloads the page, as after a crash: nothing is told to the old one.
     pub fn reload(self) -> Self {
         let outside = self.outside.clone();
