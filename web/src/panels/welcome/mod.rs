@@ -48,6 +48,8 @@ const MIN_HEIGHT_OF_GRID: f32 = 600.0;
 const DISTANCE: f32 = 16.0;
 const GAP: f32 = 8.0;
 const LABEL_HEIGHT: f32 = 24.0;
+/// Narrower tiles show their picture without a label, which would be too small to read.
+const MIN_LABELLED_WIDTH: f32 = 44.0;
 /// The heights of the pictures of tiles.
 const SAMPLE_HEIGHT: f32 = 84.0;
 const SHAPE_HEIGHT: f32 = 40.0;
@@ -260,7 +262,9 @@ impl Tile {
             let visuals = ui.style().interact(&response);
             let fill = if response.hovered() { visuals.weak_bg_fill } else { ui.visuals().faint_bg_color };
             ui.painter().rect(rect, 8.0, fill, visuals.bg_stroke, StrokeKind::Inside);
-            let picture = Rect::from_min_size(rect.min, self.size).shrink2(vec2(4.0, 2.0));
+            let is_labelled = self.size.x >= MIN_LABELLED_WIDTH;
+            let room = if is_labelled { Rect::from_min_size(rect.min, self.size) } else { rect };
+            let picture = room.shrink2(vec2(if is_labelled { 4.0 } else { 2.0 }, 2.0));
             if let Some(texture) = own.picture(ui, self.key, figure, picture) {
                 let all = Rect::from_min_max(pos2(0.0, 0.0), pos2(1.0, 1.0));
                 ui.painter().image(texture.id(), picture, all, Color32::WHITE);
@@ -268,9 +272,11 @@ impl Tile {
             let at = rect.center_bottom() - vec2(0.0, LABEL_HEIGHT / 2.0 + 1.0);
             let mut font = TextStyle::Body.resolve(ui.style());
             font.size = font.size.min(self.size.x * LABEL_PER_TILE_WIDTH);
-            ui.painter().text(at, Align2::CENTER_CENTER, &self.label, font, visuals.text_color());
+            if is_labelled {
+                ui.painter().text(at, Align2::CENTER_CENTER, &self.label, font, visuals.text_color());
+            }
         }
-        response.on_hover_text(self.hint).clicked()
+        response.on_hover_text(format!("{}. {}", self.label, self.hint)).clicked()
     }
 }
 
