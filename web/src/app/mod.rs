@@ -4,8 +4,7 @@
 mod actions;
 mod camera;
 mod carry_out;
-#[cfg(target_arch = "wasm32")]
-pub(crate) mod drawing;
+pub mod drawing;
 mod key_settings;
 mod layout;
 pub mod notices;
