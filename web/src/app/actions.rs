@@ -20,7 +20,7 @@ use crate::page_view::Page;
 use crate::panels::operations::EDGE_LENGTH;
 use crate::panels::viewport::ZOOM_PER_NOTCH;
 use crate::panels::viewport::control_points::add_control_point;
-use crate::session::{form, live, saving, selecting};
+use crate::session::{form, guide, live, saving, selecting};
 use crate::transforming::Gizmo;
 use crate::view::{Tool, flying, pane::Split};
 use viewport::Shading;
@@ -195,6 +195,7 @@ impl App {
                 self.session.toasts.errors_are_read();
             }
             Action::About => self.shown.about ^= true,
+            Action::Guide => guide::open(&mut self.session),
             Action::Update => self.session.platform.update(),
             Action::Upsample => {
                 let command = self.upsampling();

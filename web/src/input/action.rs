@@ -169,6 +169,8 @@ pub enum Action {
     UseKeys(KeyPreset),
     /// Shows or hides the welcome view.
     Welcome,
+    /// Opens the guide.
+    Guide,
     /// Opens or closes the window with all keys.
     Shortcuts,
     /// Opens the command palette.

@@ -353,6 +353,10 @@ pub static MENUS: &[Menu] = &[
                     .synonyms(&["home", "start", "samples", "examples"]),
             ),
             Some(
+                entry(A::Guide, "Guide", "Read the guide and the references. They are there offline too.")
+                    .synonyms(&["help", "manual", "documentation", "tutorial"]),
+            ),
+            Some(
                 entry(
                     A::Shortcuts,
                     "Keyboard shortcuts",

@@ -50,6 +50,8 @@ struct Inner {
     refuses_writes: Option<String>,
     updates: usize,
     title: String,
+    guides: usize,
+    has_no_guide: bool,
 }
 
 impl Outside {
@@ -76,6 +78,16 @@ impl Outside {
     /// How often the page was reloaded with a newer version.
     pub fn updates(&self) -> usize {
         self.inner.borrow().updates
+    }
+
+    /// How often the guide was opened.
+    pub fn guides(&self) -> usize {
+        self.inner.borrow().guides
+    }
+
+    /// Leaves the guide no place to open in.
+    pub fn take_guide_away(&self) {
+        self.inner.borrow_mut().has_no_guide = true;
     }
 
     /// The disk with the documents that the browser keeps.
@@ -291,6 +303,13 @@ impl Platform for Headless {
 
     fn update(&mut self) {
         self.outside.inner.borrow_mut().updates += 1;
+    }
+
+    fn open_guide(&mut self) -> bool {
+        let mut inner = self.outside.inner.borrow_mut();
+        let opens = !inner.has_no_guide;
+        inner.guides += usize::from(opens);
+        opens
     }
 
     fn load_setting(&self, key: &str) -> Option<String> {

@@ -130,6 +130,11 @@ pub trait Platform {
     /// Reloads the page with the newer version.
     fn update(&mut self);
 
+    /// Shows the guide outside the editor; false if there is no place for it.
+    fn open_guide(&mut self) -> bool {
+        false
+    }
+
     /// A setting stored by an earlier visit.
     fn load_setting(&self, key: &str) -> Option<String>;
 

@@ -4,6 +4,7 @@
 pub(crate) mod documents;
 pub(crate) mod form;
 pub(crate) mod frame_times;
+pub(crate) mod guide;
 pub(crate) mod in_place;
 pub(crate) mod jobs;
 pub(crate) mod live;

@@ -13,6 +13,7 @@ mod contrast;
 mod document;
 mod editing;
 mod embed;
+mod guide;
 mod held_keys;
 mod hiding;
 mod history;

@@ -27,6 +27,13 @@ pub fn fragment() -> String {
     web_sys::window().and_then(|window| window.location().hash().ok()).unwrap_or_default()
 }
 
+/// Opens a page of the site in a new tab.
+pub fn open_in_new_tab(page: &str) {
+    let Some(window) = web_sys::window() else { return };
+    // A browser that forbids it says so itself.
+    let _ = window.open_with_url_and_target_and_features(page, "_blank", "noopener");
+}
+
 /// Removes the fragment. The parameters stay, and the browser's history gets no entry.
 pub fn clear_fragment() {
     let Some(window) = web_sys::window() else { return };

@@ -24,6 +24,9 @@ use jobs::Jobs;
 use store::Store;
 pub(crate) use wait::{sleep, within};
 
+/// The contents of the guide, from the page on (`xtask/src/site/help.rs`).
+const GUIDE: &str = "help/guide.html";
+
 /// The browser as a platform.
 pub struct Browser {
     inbox: Inbox,
@@ -129,6 +132,11 @@ impl Platform for Browser {
 
     fn update(&mut self) {
         offline::update();
+    }
+
+    fn open_guide(&mut self) -> bool {
+        address::open_in_new_tab(GUIDE);
+        true
     }
 
     fn load_setting(&self, key: &str) -> Option<String> {
