@@ -1,8 +1,8 @@
 //! `meshwright apply`: run commands on a file.
 
 use crate::arguments::Apply;
-use crate::files::Contents;
-use crate::{Failure, files, report};
+use crate::documents::Contents;
+use crate::{Failure, documents, report};
 use editor::{Begun, Command, CommandError, Editor, Elements, Finished, Outcome};
 use formats::{Format, Import};
 use serde_json::{Value, json};
@@ -18,8 +18,9 @@ struct Step {
 
 /// Runs commands on a file, saves the result and prints the outcomes.
 pub fn run(task: &Apply) -> Result<(), Failure> {
-    let format = task.output.as_deref().map(|path| files::output_format(path, task.format)).transpose()?;
-    let mut read = files::read(&task.input, &task.repairs)?;
+    let format =
+        task.output.as_deref().map(|path| documents::output_format(path, task.format)).transpose()?;
+    let mut read = documents::read(&task.input, &task.repairs)?;
     let notes = if task.json { String::new() } else { report::notes(&task.input, read.contents.report()) };
     let counts = report::model_counts(&read.contents.model());
     let keeps_history = format.is_some_and(Format::is_project);
@@ -40,7 +41,7 @@ pub fn run(task: &Apply) -> Result<(), Failure> {
         step.time = median(times);
     }
     if let (Some(path), Some(format)) = (&task.output, format) {
-        files::write(path, format, &editor)?;
+        documents::write(path, format, &editor)?;
     }
     let output = report::document_counts(editor.document());
     if task.json {

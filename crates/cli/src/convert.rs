@@ -1,14 +1,14 @@
 //! `meshwright convert`: save a file in another format.
 
 use crate::arguments::Convert;
-use crate::files::Contents;
-use crate::{Failure, files, report};
+use crate::documents::Contents;
+use crate::{Failure, documents, report};
 use editor::{Editor, Outcome};
 
 /// Reads one file and writes another.
 pub fn run(task: &Convert) -> Result<(), Failure> {
-    let format = files::output_format(&task.output, task.format)?;
-    let read = files::read(&task.input, &task.repairs)?;
+    let format = documents::output_format(&task.output, task.format)?;
+    let read = documents::read(&task.input, &task.repairs)?;
     let mut notes = report::notes(&task.input, read.contents.report());
     let is_project = matches!(read.contents, Contents::Project(_));
     let mut editor = Editor::new();
@@ -18,6 +18,6 @@ pub fn run(task: &Convert) -> Result<(), Failure> {
         // Only opening it tells whether its history can be repeated.
         notes = report::outcome_notes(&task.input, &outcome);
     }
-    files::write(&task.output, format, &editor)?;
+    documents::write(&task.output, format, &editor)?;
     report::print(&notes)
 }

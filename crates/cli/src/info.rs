@@ -1,15 +1,15 @@
 //! `meshwright info`: print the contents of a file.
 
 use crate::arguments::Info;
-use crate::files::Contents;
-use crate::{Failure, files, report};
+use crate::documents::Contents;
+use crate::{Failure, documents, report};
 use editor::project::Project;
 use formats::Bezier;
 use serde_json::{Value, json};
 
 /// Prints the counts, objects and import report of a file.
 pub fn run(task: &Info) -> Result<(), Failure> {
-    let read = files::read(&task.file, &task.repairs)?;
+    let read = documents::read(&task.file, &task.repairs)?;
     let model = read.contents.model();
     let counts = report::model_counts(&model);
     if task.json {

@@ -9,7 +9,7 @@
 mod apply;
 mod arguments;
 mod convert;
-mod files;
+mod documents;
 mod info;
 mod report;
 

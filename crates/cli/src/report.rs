@@ -1,7 +1,7 @@
 //! Printed output.
 
 use crate::Failure;
-use crate::files::Read;
+use crate::documents::Read;
 use editor::{Counts, Document, Outcome};
 use formats::{ImportReport, Model, ReportNote, Severity};
 use serde_json::{Map, Value, json};

@@ -63,6 +63,16 @@ fn with_columns(mut soup: PolygonSoup) -> PolygonSoup {
     soup
 }
 
+#[test]
+fn an_oriented_manifold_gives_its_positions_to_the_mesh_without_a_copy() {
+    let soup =
+        PolygonSoup::new(vec![Vec3::ZERO, Vec3::X, Vec3::ONE, Vec3::Y], &[vec![0, 1, 2], vec![0, 2, 3]]);
+    let given = soup.positions.as_ptr();
+    let built = Mesh::build(soup).expect("small");
+    assert_eq!(built.mesh.positions().as_ptr(), given);
+    assert!(built.original.is_none());
+}
+
 proptest! {
     #[test]
     fn a_soup_that_is_changed_is_given_back(
