@@ -179,6 +179,7 @@ impl App {
                 Event::Files(files) => self.session.open_files(files, None),
                 Event::FilesOf(source, files) => saving::open(&mut self.session, source, files),
                 Event::Written { files, result } => saving::written(&mut self.session, &files, result),
+                Event::Placed(result) => saving::placed(&mut self.session, result),
                 Event::UpdateReady => update::offer(&mut self.session),
                 Event::Failed(text) => self.session.fail(text),
                 Event::Store(answer, bytes) => {

@@ -33,6 +33,9 @@ pub(crate) fn why_not(action: Action, session: &Session, kind: Element, player: 
         Action::Update if !session.update_is_ready => {
             Some("This is the newest version: when there is a newer one, it is fetched by itself.".into())
         }
+        Action::Share if session.platform.address().is_none() => {
+            Some("Links open on the editor's page in a browser. Save a project file, and send that.".into())
+        }
         Action::SaveAs(format) => why_not_in(format, document),
         Action::SelectAll
         | Action::SelectInverse

@@ -70,7 +70,7 @@ fn contents(ui: &mut Ui, page: &Page<'_>, own: &mut Code, out: &mut Requests) {
             no_link(ui, page, text, out);
         }
         Some(Made::Link(link)) => {
-            let address = page.platform.address() + &link.fragment;
+            let address = page.platform.address().unwrap_or_default() + &link.fragment;
             let characters = address.len();
             if characters > MAX_CHARACTERS {
                 let text = format!(

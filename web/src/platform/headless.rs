@@ -9,7 +9,7 @@ use std::time::Instant;
 use editor::{CommandError, JobRequest, JobResult, Wire};
 
 use crate::platform::store::{Answer, Documents, Id, MemoryDisk, Request, Tab, now_or_never};
-use crate::platform::{DeviceInfo, Event, NamedBytes, Platform, Source};
+use crate::platform::{DeviceInfo, Download, Event, NamedBytes, Platform, Source};
 
 /// The test's side of a headless platform; clones share their state.
 #[derive(Clone, Default)]
@@ -52,6 +52,8 @@ struct Inner {
     title: String,
     guides: usize,
     has_no_guide: bool,
+    /// Whether the user is asked where files go.
+    asks_where: bool,
 }
 
 impl Outside {
@@ -73,6 +75,11 @@ impl Outside {
     /// Refuses to write files from now on.
     pub fn refuse_writes(&self, reason: &str) {
         self.inner.borrow_mut().refuses_writes = Some(reason.to_owned());
+    }
+
+    /// Asks the user where files go from now on. The test pushes [`Event::Placed`].
+    pub fn ask_where(&self) {
+        self.inner.borrow_mut().asks_where = true;
     }
 
     /// How often the page was reloaded with a newer version.
@@ -249,8 +256,8 @@ impl Platform for Headless {
         self.outside.inner.borrow().parameters.get(name).cloned()
     }
 
-    fn address(&self) -> String {
-        "https://example.org/meshwright/".to_owned()
+    fn address(&self) -> Option<String> {
+        Some("https://example.org/meshwright/".to_owned())
     }
 
     fn fragment(&self) -> String {
@@ -277,8 +284,10 @@ impl Platform for Headless {
         self.outside.inner.borrow_mut().dialogs += 1;
     }
 
-    fn download(&mut self, files: Vec<NamedBytes>) {
-        self.outside.inner.borrow_mut().downloads.extend(files);
+    fn download(&mut self, files: Vec<NamedBytes>) -> Download {
+        let mut inner = self.outside.inner.borrow_mut();
+        inner.downloads.extend(files);
+        if inner.asks_where { Download::Asking } else { Download::Done }
     }
 
     fn can_write(&self, source: Source, name: &str) -> bool {

@@ -28,12 +28,34 @@ pub struct DeviceInfo {
 pub struct Fetched {
     /// The requested models and their companion files.
     pub files: Vec<NamedBytes>,
+    /// By what number they can be written again.
+    pub source: Option<Source>,
     /// Why companion files are missing: sentences for the import report.
     pub notes: Vec<String>,
 }
 
 /// Files that came together and can be written again, by their number.
 pub type Source = u32;
+
+/// What becomes of files that were given to the user.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Download {
+    /// They are on their way to the downloads.
+    Done,
+    /// The user is asked where they go; [`Event::Placed`] follows.
+    Asking,
+}
+
+/// Files that the user has given a place.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Placed {
+    /// Their number, by which they can be written again.
+    pub source: Source,
+    /// Their names.
+    pub names: Vec<String>,
+    /// What was left out, in sentences.
+    pub notes: Vec<String>,
+}
 
 /// What happened since the last poll.
 #[derive(Debug)]
@@ -71,6 +93,8 @@ pub enum Event {
         /// Why they were not written: the text after "could not be written".
         result: Result<(), String>,
     },
+    /// What came of asking where files go, or why they were not written, in a sentence; none if the user changed their mind.
+    Placed(Option<Result<Placed, String>>),
     /// A newer version of the page is there.
     UpdateReady,
     /// A sentence on why something the user asked for failed, such as reading a dropped file.
@@ -97,8 +121,8 @@ pub trait Platform {
     /// A parameter of the page's own address: of `?keys=maya`, `keys` is `maya`.
     fn parameter(&self, name: &str) -> Option<String>;
 
-    /// The page's own address without parameters and fragment: what links begin with.
-    fn address(&self) -> String;
+    /// The page's own address without parameters and fragment, which links begin with; none where there is no page.
+    fn address(&self) -> Option<String>;
 
     /// The fragment of the page's own address, from `#` on; empty if there is none.
     fn fragment(&self) -> String;
@@ -115,8 +139,8 @@ pub trait Platform {
     /// Opens the file dialog; picked files come as [`Event::Files`], or never.
     fn open_file_dialog(&mut self);
 
-    /// Saves files to the user's downloads.
-    fn download(&mut self, files: Vec<NamedBytes>);
+    /// Gives files to the user: to their downloads, or where they say.
+    fn download(&mut self, files: Vec<NamedBytes>) -> Download;
 
     /// Whether a source has a file of this name.
     fn can_write(&self, source: Source, name: &str) -> bool;

@@ -1,5 +1,7 @@
 //! What is known of the file that the document was opened from, if that can be written again; `saving.rs` acts on it.
 
+use std::collections::VecDeque;
+
 use editor::{JobId, Origin};
 use formats::Format;
 
@@ -14,6 +16,8 @@ pub(crate) struct InPlace {
     pub file: Option<(Origin, File)>,
     /// The job that writes the document's bytes.
     pub writing: Option<JobId>,
+    /// The documents that the platform asks the user to place, in order, with the revisions that count as saved then.
+    pub asking: VecDeque<(Origin, Option<u64>)>,
     /// The revision that counts as saved once the bytes are in the file, if the file then holds everything.
     pub saves: Option<u64>,
 }

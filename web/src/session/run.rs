@@ -120,8 +120,9 @@ impl Session {
     pub fn fetched(&mut self, job: u64, fetched: Result<Fetched, String>) {
         let id = JobId(job);
         match fetched {
-            Ok(Fetched { files, notes }) if self.jobs.iter().any(|running| running.id == id) => {
+            Ok(Fetched { files, source, notes }) if self.jobs.iter().any(|running| running.id == id) => {
                 self.jobs.note(id, notes);
+                saving::opening(self, id, source, &files);
                 self.platform.start_job(job, &JobRequest::import_expected(id, files));
             }
             Ok(_) => {}
@@ -186,11 +187,7 @@ impl Session {
             }
             Ok(Finished::Exported(files)) => match running.reply {
                 Some(reply) => reply(Ok(Answer::Files(files))),
-                None => {
-                    if let Some(files) = saving::write(self, id, files, running.saves) {
-                        self.saved(files, running.saves);
-                    }
-                }
+                None => saving::write(self, id, files, running.saves),
             },
             Ok(Finished::Shared(link)) => drop(sharing::made(self, id, Ok(link))),
             Ok(Finished::Decoded(picture)) => self.decoded.push((id, Ok(picture))),
@@ -294,26 +291,6 @@ impl Session {
         if brings_back_all {
             self.jobs.set_saved_revision(request.id(), revision);
         }
-    }
-
-    /// Gives written files to the user. The document counts as saved if opening them brings back all of it.
-    fn saved(&mut self, files: Vec<NamedBytes>, revision: Option<u64>) {
-        let names: Vec<&str> = files.iter().map(|file| file.name.as_str()).collect();
-        let text = format!("Saved {}", names.join(" and "));
-        let mut details = Vec::new();
-        if let Some((stem, _)) = files.first().and_then(|file| file.name.rsplit_once('.')) {
-            self.editor.rename_document(stem);
-        }
-        match revision {
-            Some(revision) => self.editor.mark_saved(revision),
-            None => details.push(
-                "Opening the file would not bring back everything, so the document still counts as changed."
-                    .to_owned(),
-            ),
-        }
-        self.editor.say(MessageKind::Info, text.clone());
-        self.toast(MessageKind::Info, text, details);
-        self.platform.download(files);
     }
 }
 

@@ -1,22 +1,33 @@
-//! Saving a document to the file that it was opened from.
+//! Saving a document to the file that it was opened from, or where the user says.
 
 use editor::{JobId, MessageKind};
 use formats::Format;
 
 use super::Session;
 use super::in_place::File;
-use crate::platform::{NamedBytes, Source};
+use crate::platform::{Download, NamedBytes, Placed, Source};
 
 /// Opens files that can be written again.
 pub(crate) fn open(session: &mut Session, source: Source, files: Vec<NamedBytes>) {
-    let model = files.iter().find_map(|file| {
-        let format = Format::detect(file).filter(|format| format.can_open() && format.can_save())?;
-        Some(File { source, name: file.name.clone(), format })
-    });
+    let model = model_of(source, &files);
     let before = session.jobs.latest();
     session.open_files(files, None);
     let job = session.jobs.latest().filter(|job| Some(*job) != before);
     session.in_place.opening = job.zip(model);
+}
+
+/// Notes that a job opens files, which can be written again if they have a source.
+pub(super) fn opening(session: &mut Session, id: JobId, source: Option<Source>, files: &[NamedBytes]) {
+    let model = source.and_then(|source| model_of(source, files));
+    session.in_place.opening = model.map(|model| (id, model));
+}
+
+/// The model among files, if a document can be saved in its format.
+fn model_of(source: Source, files: &[NamedBytes]) -> Option<File> {
+    files.iter().find_map(|file| {
+        let format = Format::detect(file).filter(|format| format.can_open() && format.can_save())?;
+        Some(File { source, name: file.name.clone(), format })
+    })
 }
 
 /// Notes that a job has opened its files.
@@ -48,19 +59,15 @@ pub(crate) fn save(session: &mut Session, view: String) -> bool {
     true
 }
 
-/// Writes what a job made of the document to the file that it was opened from. Gives the files back if they belong elsewhere.
-pub(crate) fn write(
-    session: &mut Session,
-    id: JobId,
-    mut files: Vec<NamedBytes>,
-    saves: Option<u64>,
-) -> Option<Vec<NamedBytes>> {
+/// Writes what a job made of the document: to the file that it was opened from, or for the user to keep anywhere. `saves` is the
+/// revision that counts as saved then, if opening the files brings back all of it.
+pub(super) fn write(session: &mut Session, id: JobId, mut files: Vec<NamedBytes>, saves: Option<u64>) {
     if session.in_place.writing.take_if(|job| *job == id).is_none() {
         // Saved under a name of its own, from which it is no longer told apart by its origin.
         session.in_place.file = None;
-        return Some(files);
+        return hand_out(session, files, saves);
     }
-    let Some((_, file)) = &session.in_place.file else { return Some(files) };
+    let Some((_, file)) = &session.in_place.file else { return hand_out(session, files, saves) };
     if let Some(model) = files.first_mut() {
         model.name.clone_from(&file.name);
     }
@@ -72,11 +79,69 @@ pub(crate) fn write(
             stranger.name, file.name
         );
         session.warn(text, Vec::new());
-        return Some(files);
+        return hand_out(session, files, saves);
     }
     session.in_place.saves = saves;
     session.platform.write_back(file.source, files);
-    None
+}
+
+/// Gives written files to the user.
+fn hand_out(session: &mut Session, files: Vec<NamedBytes>, saves: Option<u64>) {
+    let names: Vec<String> = files.iter().map(|file| file.name.clone()).collect();
+    match session.platform.download(files) {
+        Download::Done => saved(session, &names, saves),
+        Download::Asking => {
+            let origin = session.editor.document().origin();
+            session.in_place.asking.push_back((origin, saves));
+        }
+    }
+}
+
+/// Follows what came of asking the user where files go; none if they changed their mind.
+pub(crate) fn placed(session: &mut Session, placed: Option<Result<Placed, String>>) {
+    let Some((origin, saves)) = session.in_place.asking.pop_front() else { return };
+    match placed {
+        None => {}
+        Some(Err(problem)) => session.fail(problem),
+        Some(Ok(Placed { source, names, notes })) => {
+            if !notes.is_empty() {
+                session.warn(notes.join(" "), Vec::new());
+            }
+            if session.editor.document().origin() != origin {
+                // Another document was opened since.
+                return session.toast(
+                    MessageKind::Info,
+                    format!("Saved {}", names.join(" and ")),
+                    Vec::new(),
+                );
+            }
+            saved(session, &names, saves);
+            let file = names.first().and_then(|name| {
+                let format =
+                    Format::from_name(name).filter(|format| format.can_open() && format.can_save())?;
+                Some(File { source, name: name.clone(), format })
+            });
+            session.in_place.file = file.map(|file| (origin, file));
+        }
+    }
+}
+
+/// Says that files were written. The document counts as saved if opening them brings back all of it.
+fn saved(session: &mut Session, names: &[String], saves: Option<u64>) {
+    if let Some((stem, _)) = names.first().and_then(|name| name.rsplit_once('.')) {
+        session.editor.rename_document(stem);
+    }
+    let mut details = Vec::new();
+    match saves {
+        Some(revision) => session.editor.mark_saved(revision),
+        None => details.push(
+            "Opening the file would not bring back everything, so the document still counts as changed."
+                .to_owned(),
+        ),
+    }
+    let text = format!("Saved {}", names.join(" and "));
+    session.editor.say(MessageKind::Info, text.clone());
+    session.toast(MessageKind::Info, text, details);
 }
 
 /// Says whether the bytes are in the files.

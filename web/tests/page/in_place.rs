@@ -4,7 +4,7 @@ use editor::MessageKind;
 use egui::{Key, Modifiers};
 use egui_kittest::kittest::NodeT;
 use formats::{Format, NamedBytes};
-use meshwright_web::platform::Event;
+use meshwright_web::platform::{Event, Placed};
 use serde_json::json;
 
 use crate::page::Page;
@@ -157,4 +157,37 @@ fn the_installed_page_opens_every_format() {
             assert!(shared.contains(&quoted), "share_target leaves out {extension}");
         }
     }
+}
+
+#[test]
+fn a_document_that_is_given_a_place_is_saved_there_from_then_on() {
+    let mut page = Page::new();
+    page.outside.ask_where();
+    page.command(json!({ "op": "poke-faces", "faces": [0] }));
+    let save_to = |page: &mut Page, placed: Option<Result<Placed, String>>| {
+        press_save(page);
+        page.click("Save");
+        page.outside.push(Event::Placed(placed));
+        page.run();
+    };
+    save_to(&mut page, None);
+    assert!(page.app().editor().is_dirty(), "the user changed their mind");
+    save_to(&mut page, Some(Err("disk.obj can't be written: it is full.".to_owned())));
+    assert!(page.has("disk.obj can't be written: it is full."));
+    assert!(page.app().editor().is_dirty());
+
+    // A source of the page under test.
+    page.outside.open_writable(vec![NamedBytes::new("mug.obj", TRIANGLE)]);
+    page.run();
+    page.command(json!({ "op": "new", "shape": "cube" }));
+    page.command(json!({ "op": "poke-faces", "faces": [0] }));
+    let names = vec!["mug.obj".to_owned()];
+    save_to(&mut page, Some(Ok(Placed { source: 0, names, notes: Vec::new() })));
+    assert!(page.has("Saved mug.obj"));
+    assert!(!page.app().editor().is_dirty());
+    assert_eq!(page.app().editor().document().name(), "mug");
+    page.command(json!({ "op": "poke-faces", "faces": [1] }));
+    press_save(&mut page);
+    assert!(!page.has("File name"), "its place is known");
+    assert_eq!(written(&page), ["mug.obj"]);
 }

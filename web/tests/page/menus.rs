@@ -345,7 +345,11 @@ fn a_page_fetches_and_opens_the_model_in_its_address() {
     };
     let note = "colors.mtl, which belongs to triangle.obj, could not be fetched: the server answered 404.";
     let fetched = |name: &str, text: &str| {
-        Ok(Fetched { files: vec![NamedBytes::new(name, text.as_bytes())], notes: vec![note.to_owned()] })
+        Ok(Fetched {
+            files: vec![NamedBytes::new(name, text.as_bytes())],
+            source: None,
+            notes: vec![note.to_owned()],
+        })
     };
     let files = || fetched("triangle.obj", TRIANGLE);
 

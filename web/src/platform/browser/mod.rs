@@ -14,7 +14,7 @@ mod wait;
 mod worker;
 
 use super::store::{Id, Request};
-use super::{DeviceInfo, Event, NamedBytes, Platform, Source};
+use super::{DeviceInfo, Download, Event, NamedBytes, Platform, Source};
 use editor::JobRequest;
 use fetch::Fetches;
 use files::FilePicker;
@@ -82,8 +82,8 @@ impl Platform for Browser {
         address_parameter(name)
     }
 
-    fn address(&self) -> String {
-        address::address()
+    fn address(&self) -> Option<String> {
+        Some(address::address())
     }
 
     fn fragment(&self) -> String {
@@ -109,13 +109,14 @@ impl Platform for Browser {
         }
     }
 
-    fn download(&mut self, files: Vec<NamedBytes>) {
+    fn download(&mut self, files: Vec<NamedBytes>) -> Download {
         for file in files {
             if let Err(error) = download::download(&file) {
                 let reason = describe(&error);
                 self.inbox.push(Event::Failed(format!("{} could not be saved: {reason}.", file.name)));
             }
         }
+        Download::Done
     }
 
     fn can_write(&self, source: Source, name: &str) -> bool {
