@@ -3,7 +3,7 @@
 use crate::Materials;
 use crate::id_set::IdSet;
 use crate::materials::{FaceTexture, TEXTURES_PER_DRAW};
-use crate::ramp::{Ramp, label_color};
+use crate::ramp::{Ramp, end_of_range, label_color};
 use glam::{Vec2, Vec3};
 use halfedge::{Budget, Color, Element, FaceId, HalfedgeId, Mesh, VertexId, keys};
 use std::collections::BTreeSet;
@@ -13,10 +13,6 @@ use surface::measure::face_quality;
 
 /// A vertex's curvature takes about as long as this many other elements.
 const ELEMENTS_PER_CURVATURE: usize = 4;
-/// Of so many curvatures the range of colours is found; of more, evenly spread ones are taken.
-const SAMPLED_VALUES: usize = 100_000;
-/// The share of the curvatures whose colours differ: a few extreme ones would leave no difference between the others.
-const SHARE_IN_RANGE: f64 = 0.95;
 /// Of so many faces most decide which valence is regular.
 const SAMPLED_FACES: usize = 1000;
 
@@ -331,18 +327,6 @@ fn regular_valence(mesh: &Mesh) -> f32 {
         (triangles + usize::from(mesh.face_degree(face) == 3), all + 1)
     });
     if triangles * 2 > all { 6.0 } else { 4.0 }
-}
-
-/// The magnitude that most values are below; 0 if there are none.
-fn end_of_range(values: &[f32]) -> f32 {
-    let step = values.len().div_ceil(SAMPLED_VALUES).max(1);
-    let mut sample: Vec<f32> =
-        values.iter().step_by(step).map(|value| value.abs()).filter(|value| value.is_finite()).collect();
-    let last = (sample.len().saturating_sub(1) as f64 * SHARE_IN_RANGE).round() as usize;
-    if sample.is_empty() {
-        return 0.0;
-    }
-    *sample.select_nth_unstable_by(last, f32::total_cmp).1
 }
 
 /// The columns of a mesh that colours and textures come from, looked up once.

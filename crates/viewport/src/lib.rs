@@ -22,6 +22,7 @@ mod nearby;
 mod occlusion;
 mod orbit;
 mod pick;
+mod projector;
 mod ramp;
 mod region;
 mod region_select;

@@ -4,7 +4,7 @@
 //! depth buffer, which decides about most points: far from any silhouette a point is either on the visible
 //! surface or well behind it. Only the others need a ray.
 
-use crate::camera::Projector;
+use crate::projector::Projector;
 use crate::region::ScreenRect;
 use glam::{Vec2, Vec3};
 use halfedge::geometry::PolygonTriangulator;

@@ -2,6 +2,11 @@
 
 use halfedge::Color;
 
+/// Of so many curvatures the range of colours is found; of more, evenly spread ones are taken.
+const SAMPLED_VALUES: usize = 100_000;
+/// The share of the curvatures whose colours differ: a few extreme ones would leave no difference between the others.
+const SHARE_IN_RANGE: f64 = 0.95;
+
 /// From low over the middle to high.
 const DIVERGING: [Color; 5] = [
     Color([0x1f, 0x5f, 0xc4]),
@@ -75,6 +80,18 @@ pub fn label_color(label: usize) -> Color {
         1 => Color(color.0.map(|c| (u32::from(c) * 11 / 20) as u8)),
         _ => Color(color.0.map(|c| 255 - ((255 - u32::from(c)) / 2) as u8)),
     }
+}
+
+/// The magnitude that most values are below; 0 if there are none.
+pub fn end_of_range(values: &[f32]) -> f32 {
+    let step = values.len().div_ceil(SAMPLED_VALUES).max(1);
+    let mut sample: Vec<f32> =
+        values.iter().step_by(step).map(|value| value.abs()).filter(|value| value.is_finite()).collect();
+    let last = (sample.len().saturating_sub(1) as f64 * SHARE_IN_RANGE).round() as usize;
+    if sample.is_empty() {
+        return 0.0;
+    }
+    *sample.select_nth_unstable_by(last, f32::total_cmp).1
 }
 
 #[cfg(test)]

@@ -1,7 +1,7 @@
 //! A mesh as seen through a camera: shared by picking and region selection.
 
 use crate::Camera;
-use crate::camera::Projector;
+use crate::projector::Projector;
 use crate::region::ScreenRect;
 use glam::{Vec2, Vec3};
 use halfedge::{EdgeId, FaceId, Mesh};

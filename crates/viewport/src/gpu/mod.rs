@@ -1,5 +1,6 @@
 //! The part of the viewport that uses wgpu.
 
+mod casts;
 mod frame;
 mod highlight;
 mod isolated;
