@@ -140,10 +140,10 @@ fn what_cannot_be_decoded_is_said_in_words() {
         let _ = decode("a.png", &png[..cut], 4096);
     }
     let absent = Image { name: "a.png".to_owned(), ..Image::default() };
-    let error = Picture::decode(&absent, 4096, &mut |_| ControlFlow::Continue(()));
+    let error = Picture::decode(&PictureSource::of(absent), 4096, &mut |_| ControlFlow::Continue(()));
     assert_eq!(error, Err(PictureError::Unreadable("its file was not given".to_owned())));
     let image = Image { name: "a.png".to_owned(), media_type: None, bytes: Some(png.into()) };
-    let cancelled = Picture::decode(&image, 4096, &mut |_| ControlFlow::Break(()));
+    let cancelled = Picture::decode(&PictureSource::of(image), 4096, &mut |_| ControlFlow::Break(()));
     assert_eq!(cancelled, Err(PictureError::Cancelled));
 }
 

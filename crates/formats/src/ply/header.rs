@@ -116,7 +116,7 @@ pub(super) fn corners(head: &[u8]) -> Option<u64> {
     }
     let header = Header::read(head).ok()?;
     let faces = header.tables.iter().find(|table| table.name == "face")?;
-    Some(3 * faces.rows as u64)
+    Some(3 * faces.rows)
 }
 
 /// Whether a file is a PLY in text, as far as its header says.

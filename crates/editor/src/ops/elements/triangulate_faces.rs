@@ -107,12 +107,12 @@ impl TriangulateFaces {
         let connect = |mesh: &mut Mesh, a: VertexId, b: VertexId| {
             edit::connect_vertices(mesh, a, b).map_err(|refusal| refused(face, &refusal))
         };
-        let halves = match in_plane.as_slice() {
-            &[a, b] => {
+        let halves = match *in_plane.as_slice() {
+            [a, b] => {
                 let cut = connect(mesh, a, b)?;
                 [cut.face, cut.new_face]
             }
-            &[tip] => {
+            [tip] => {
                 // The side that crosses the plane.
                 let crossing = mesh
                     .face_halfedges(face)
