@@ -3,7 +3,7 @@
 use std::any::Any;
 
 use eframe::egui_wgpu::RenderState;
-use egui::{ViewportId, ViewportInfo};
+use egui::ViewportId;
 use wasm_bindgen::prelude::*;
 use web_sys::{BeforeUnloadEvent, PointerEvent};
 
@@ -82,7 +82,7 @@ impl eframe::App for PageApp {
     fn raw_input_hook(&mut self, ctx: &egui::Context, raw_input: &mut egui::RawInput) {
         if self.page.is_lost() {
             // eframe draws nothing in a minimized window. Events wait for the next device.
-            let info = raw_input.viewports.entry(ViewportId::ROOT).or_insert_with(ViewportInfo::default);
+            let info = raw_input.viewports.entry(ViewportId::ROOT).or_default();
             info.minimized = Some(true);
             return;
         }
