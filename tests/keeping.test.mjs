@@ -124,16 +124,20 @@ editorTest("without room the page says so and goes on", once, async (editor) => 
 });
 
 editorTest("where nothing can be kept the page works and says so", once, async (editor) => {
+  await editor.context.route("**/without-storage.js?*", (route) => route.fulfill({
+    contentType: "text/javascript",
+    body: `Object.defineProperty(self.navigator, "storage", { value: undefined });
+      Object.defineProperty(self, "indexedDB", { value: undefined });
+      import(decodeURIComponent(self.location.search.slice(1)));`,
+  }));
   await editor.context.addInitScript(() => {
     const Real = window.Worker;
     // The store's worker finds neither kind of storage.
     window.Worker = class extends Real {
       constructor(url, options) {
         if (!options.name.startsWith("meshwright-store")) return new Real(url, options);
-        const code = `Object.defineProperty(self.navigator, "storage", { value: undefined });
-          Object.defineProperty(self, "indexedDB", { value: undefined });
-          import(${JSON.stringify(String(new URL(url, document.baseURI)))});`;
-        return new Real(URL.createObjectURL(new Blob([code], { type: "text/javascript" })), options);
+        const program = encodeURIComponent(String(new URL(url, document.baseURI)));
+        return new Real(new URL(`without-storage.js?${program}`, document.baseURI), options);
       }
     };
   });
@@ -156,8 +160,10 @@ editorTest("commands with reloads and crashes in between give what the command l
   const pick = (count) => Math.floor(random.next().value * count);
   const amount = () => Math.round(random.next().value * 64) / 64;
   const folder = await mkdtemp(join(tmpdir(), "meshwright-soak-"));
-  const [start, result] = [join(folder, "start.json"), join(folder, "result.json")];
-  await writeFile(start, await editor.export("json"));
+  const [start, result] = [join(folder, "start.obj"), join(folder, "result.json")];
+  const cube = await editor.export("obj");
+  await writeFile(start, cube);
+  await editor.open("start.obj", cube);
   const any = () => [
     { op: "extrude-faces", faces: [pick(6)], distance: amount() },
     { op: "inset-faces", faces: [pick(6)], amount: amount() / 2 },
