@@ -292,3 +292,18 @@ fn what_is_cut_stays_selected_as_a_whole() {
     assert_eq!((kind, halves.len()), (Element::Edge, 8));
     assert!((length(editor.mesh().expect("it"), &halves) - before).abs() < 1e-4);
 }
+
+#[test]
+fn uneven_cuts_that_cross_stay_inside_a_hidden_face() {
+    let mut editor = on_cube();
+    run(&mut editor, json!({"op": "subdivide-linear", "levels": 1}));
+    select(&mut editor, Element::Face, &[0]);
+    run(&mut editor, json!({"op": "hide"}));
+    run(&mut editor, json!({"op": "triangulate-faces", "faces": [4, 6]}));
+    run(&mut editor, json!({"op": "subdivide-linear", "levels": 1}));
+    // The ring passes all quads of the hidden face twice.
+    run(&mut editor, json!({"op": "loop-cut", "edge": 142, "cuts": 3, "t": 0.1}));
+    let (mesh, hides) = (editor.mesh().expect("a mesh"), hidden(&editor));
+    assert_eq!(hides.len(), 4 * 16);
+    assert!((area(mesh, &hides) - 0.25).abs() < 1e-5);
+}

@@ -135,6 +135,9 @@ fn cut_quad(mesh: &Mesh, patch: &mut Patch, points: &Points, face: FaceId, sides
     far.reverse();
     let mut left = line(mesh, points, d);
     left.reverse();
+    for (along, _) in &mut left {
+        *along = 1.0 - *along;
+    }
     let (columns, rows) = (near.len(), left.len());
     let [va, vb, vc, vd] = sides.map(|h| mesh.from(h));
     let mut grid: Vec<Corner> = Vec::with_capacity(columns * rows);

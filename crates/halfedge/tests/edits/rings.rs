@@ -1,8 +1,9 @@
 //! Loop cut.
 
 use crate::zoo::{self, counts, he, v};
+use glam::Vec3;
 use halfedge::edit::*;
-use halfedge::{EdgeId, Refusal};
+use halfedge::{EdgeId, Refusal, VertexId};
 
 #[test]
 fn a_closed_ring_is_cut_all_round() {
@@ -62,6 +63,17 @@ fn a_ring_that_crosses_itself_makes_grids() {
         let faces = 3 * (n + 1) * (n + 1);
         assert_eq!(counts(&mesh), [5 + 6 * n + 3 * n * n, 2 * faces, faces]);
         assert!(mesh.faces().all(|f| mesh.face_degree(f) == 4));
+        // Rows and columns of a grid are straight: each crossing lies between its neighbours.
+        let crossings: Vec<VertexId> = mesh.vertices().skip(5 + 6 * n).collect();
+        assert_eq!(crossings.len(), 3 * n * n);
+        for crossing in crossings {
+            let around: Vec<Vec3> = mesh.outgoing(crossing).map(|h| mesh.position(mesh.to(h))).collect();
+            let [a, b, c, d] = *around.as_slice() else { panic!("{crossing:?} has {} edges", around.len()) };
+            for (one, other) in [(a, c), (b, d)] {
+                let at = mesh.position(crossing);
+                assert!(one.distance(at) + at.distance(other) - one.distance(other) < 1e-5, "{crossing:?}");
+            }
+        }
     }
 }
 

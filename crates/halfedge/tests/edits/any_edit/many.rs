@@ -112,11 +112,11 @@ pub(super) fn edit_many(mesh: &mut Mesh, random: &mut Random, kind: Kind, all: &
                 |made| Said { euler: Some(1), loops: Some(-1), ..Said::made(made) },
             )
         }
-        Kind::Bridge => {
+        Kind::Bridge | Kind::SmoothBridge => {
             let bands = Bands {
                 twist: random.below(9) as i32 - 4,
                 cuts: random.below(3) as u32,
-                smoothness: random.below(3) as f32,
+                smoothness: if kind == Kind::Bridge { 0.0 } else { 1.0 + random.below(2) as f32 },
             };
             // Often more loops or regions than two.
             let count = 2 + 2 * random.below(2);

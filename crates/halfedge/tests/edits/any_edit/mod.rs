@@ -31,6 +31,7 @@ pub enum Kind {
     SlideVertices,
     FillHole,
     Bridge,
+    SmoothBridge,
     MergeVertices,
     WeldEdges,
     RipEdges,
@@ -39,7 +40,7 @@ pub enum Kind {
 }
 
 impl Kind {
-    pub const ALL: [Self; 27] = [
+    pub const ALL: [Self; 28] = [
         Self::SplitEdge,
         Self::FlipEdge,
         Self::CollapseEdge,
@@ -62,6 +63,7 @@ impl Kind {
         Self::SlideVertices,
         Self::FillHole,
         Self::Bridge,
+        Self::SmoothBridge,
         Self::MergeVertices,
         Self::WeldEdges,
         Self::RipEdges,
