@@ -34,6 +34,18 @@ async function reload(editor) {
   await editor.ready();
 }
 
+/** Ends the page's process, and opens the page again. */
+async function crash(editor) {
+  const crashed = new Promise((resolve) => editor.page.once("crash", resolve));
+  editor.page.goto("chrome://crash").catch(() => {});
+  await crashed;
+  const other = await editor.context.newPage();
+  await editor.page.close();
+  editor.page = other;
+  await other.goto(editor.url);
+  await editor.ready();
+}
+
 for (const [store, query] of Object.entries(STORES)) {
   const options = { ...once, query };
 
@@ -67,14 +79,7 @@ for (const [store, query] of Object.entries(STORES)) {
     await settled(editor);
     const before = await kept(editor);
     editor.expectErrors(/crashed/);
-    const crashed = new Promise((resolve) => editor.page.once("crash", resolve));
-    editor.page.goto("chrome://crash").catch(() => {});
-    await crashed;
-    const other = await editor.context.newPage();
-    await editor.page.close();
-    editor.page = other;
-    await other.goto(editor.url);
-    await editor.ready();
+    await crash(editor);
     assert.deepEqual(await kept(editor), before);
   });
 
@@ -175,16 +180,7 @@ editorTest("commands with reloads and crashes in between give what the command l
   ][pick(7)];
   const ends = [
     () => reload(editor),
-    async () => {
-      const crashed = new Promise((resolve) => editor.page.once("crash", resolve));
-      editor.page.goto("chrome://crash").catch(() => {});
-      await crashed;
-      const other = await editor.context.newPage();
-      await editor.page.close();
-      editor.page = other;
-      await other.goto(editor.url);
-      await editor.ready();
-    },
+    () => crash(editor),
   ];
   editor.expectErrors(/crashed/);
   const done = [];

@@ -5,16 +5,6 @@ import assert from "node:assert/strict";
 import { SMALL, editorTest } from "./harness.mjs";
 import { PNG } from "./support/packages.mjs";
 
-/** Runs a command of the palette. */
-async function choose(editor, name) {
-  await editor.press("Control+k");
-  await editor.frames(3);
-  await editor.page.keyboard.type(name);
-  await editor.frames(3);
-  await editor.press("Enter");
-  await editor.frames(4);
-}
-
 /** The viewport without its rim, where the axes and the legend are. */
 async function middle(editor) {
   const [x, y, width, height] = (await editor.state()).view.rect;
@@ -42,7 +32,7 @@ editorTest("each look draws the model in its own way", { sizes: [SMALL] }, async
   const rect = await middle(editor);
   const seen = [];
   for (const [name, look] of LOOKS) {
-    await choose(editor, name);
+    await editor.choose(name);
     assert.equal((await editor.state()).view.look, look);
     const picture = await editor.screenshot(`look ${look}`);
     for (const [other, before] of seen) {
@@ -67,12 +57,12 @@ editorTest("vertex colours, measures and marks are drawn", { sizes: [SMALL] }, a
   const right = await colour([0.8, 1.2, 0]);
   assert.ok(left[0] > left[2] + 60 && right[2] > right[0] + 60, `red and blue: ${left}, ${right}`);
 
-  await choose(editor, "Valence");
+  await editor.choose("Valence");
   assert.equal((await editor.state()).view.color_by, "valence");
   const [r, g, b] = await colour([0, 1.2, 0], "valence");
   assert.ok(b > r + 40, `two edges at each vertex are few: ${r} ${g} ${b}`);
 
-  await choose(editor, "Boundary edges");
+  await editor.choose("Boundary edges");
   assert.deepEqual((await editor.state()).view.marks, ["boundary"]);
   const marked = await editor.screenshot("boundary");
   assert.ok(marked.count(([r, g, b]) => g > 120 && r < 60 && b < 120, await middle(editor)) > 20, "a green edge");

@@ -183,6 +183,16 @@ export class Editor {
     await this.frames();
   }
 
+  /** Runs a command of the palette. */
+  async choose(name) {
+    await this.press("Control+k");
+    await this.frames(3);
+    await this.page.keyboard.type(name);
+    await this.frames(3);
+    await this.press("Enter");
+    await this.frames(4);
+  }
+
   /** Drags from one point of the page to another. */
   async drag([fromX, fromY], [toX, toY], { steps = 8, button = "left" } = {}) {
     const { mouse } = this.page;

@@ -11,16 +11,6 @@ async function open(editor, name) {
   await editor.idle();
 }
 
-/** Runs a command of the palette. */
-async function choose(editor, name) {
-  await editor.press("Control+k");
-  await editor.frames(3);
-  await editor.page.keyboard.type(name);
-  await editor.frames(3);
-  await editor.press("Enter");
-  await editor.frames(4);
-}
-
 /** Moves the pointer where it points to nothing: into the bar of the menus. */
 const putAway = (editor) => editor.page.mouse.move(660, 8);
 
@@ -93,7 +83,7 @@ export const scenes = [
   {
     name: "editor",
     async show(editor) {
-      await choose(editor, "Model layout");
+      await editor.choose("Model layout");
       await open(editor, "mug");
       await editor.press("4");
       const mesh = await meshOf(editor);
@@ -104,7 +94,7 @@ export const scenes = [
       });
       await editor.select("face", band);
       await editor.run({ op: "extrude-faces", distance: 0.07 });
-      await choose(editor, "Move gizmo");
+      await editor.choose("Move gizmo");
       await orbit(editor, 40, 25);
       await putAway(editor);
     },
@@ -112,7 +102,7 @@ export const scenes = [
   {
     name: "palette",
     async show(editor) {
-      await choose(editor, "Model layout");
+      await editor.choose("Model layout");
       await editor.press("Control+k");
       await editor.page.keyboard.type("decimate");
       await editor.frames(6);
@@ -124,7 +114,7 @@ export const scenes = [
     async show(editor) {
       await open(editor, "fox");
       await editor.run({ op: "new", shape: "torus", add: true });
-      await choose(editor, "STL");
+      await editor.choose("STL");
       await editor.frames(6);
       return [314, 70, 452, 280];
     },
@@ -132,7 +122,7 @@ export const scenes = [
   {
     name: "selecting",
     async show(editor) {
-      await choose(editor, "Model layout");
+      await editor.choose("Model layout");
       await open(editor, "pawn");
       await editor.press("2");
       const { positions } = await meshOf(editor);
@@ -151,10 +141,10 @@ export const scenes = [
   {
     name: "lasso",
     async show(editor) {
-      await choose(editor, "Model layout");
+      await editor.choose("Model layout");
       await open(editor, "fox");
       await editor.press("4");
-      await choose(editor, "Lasso select");
+      await editor.choose("Lasso select");
       const [left, top, width, height] = (await editor.state()).view.rect;
       const at = (turn) => [left + width * (0.42 + 0.13 * Math.cos(turn)), top + height * (0.47 + 0.2 * Math.sin(turn))];
       await editor.page.mouse.move(...at(0));
@@ -170,7 +160,7 @@ export const scenes = [
   {
     name: "moving",
     async show(editor) {
-      await choose(editor, "Model layout");
+      await editor.choose("Model layout");
       await open(editor, "chair");
       await editor.press("4");
       const mesh = await meshOf(editor);
@@ -185,9 +175,9 @@ export const scenes = [
   {
     name: "soft-selection",
     async show(editor) {
-      await choose(editor, "Model layout");
+      await editor.choose("Model layout");
       await editor.run({ op: "new", shape: "grid", rows: 24, columns: 24 });
-      await choose(editor, "Soft selection");
+      await editor.choose("Soft selection");
       const { positions } = await meshOf(editor);
       const centre = best(positions, ([x, , z]) => -Math.hypot(x - 0.1, z - 0.1));
       await editor.select("vertex", [centre]);
@@ -200,7 +190,7 @@ export const scenes = [
   {
     name: "extruding",
     async show(editor) {
-      await choose(editor, "Model layout");
+      await editor.choose("Model layout");
       await editor.run({ op: "new", shape: "cube" });
       await editor.press("4");
       const mesh = await meshOf(editor);
@@ -214,7 +204,7 @@ export const scenes = [
   {
     name: "loop-cut",
     async show(editor) {
-      await choose(editor, "Model layout");
+      await editor.choose("Model layout");
       await open(editor, "mug");
       const { positions } = await meshOf(editor);
       const edges = await edgesOf(editor);
@@ -236,7 +226,7 @@ export const scenes = [
   {
     name: "simplifying",
     async show(editor) {
-      await choose(editor, "Model layout");
+      await editor.choose("Model layout");
       await editor.run({ op: "new", shape: "torus" });
       await form(editor, "Simplify");
       await editor.idle();
@@ -248,7 +238,7 @@ export const scenes = [
   {
     name: "repairing",
     async show(editor) {
-      await choose(editor, "Model layout");
+      await editor.choose("Model layout");
       // Three faces at one edge, and one that faces the other way.
       const text = "v 0 0 0\nv 0 2 0\nv 2 0 0\nv 2 2 0\nv -1 0 1.6\nv -1 2 1.6\nv -1 0 -1.6\nv -1 2 -1.6\n" +
         "f 1 3 4 2\nf 1 2 6 5\nf 2 1 7 8\n";
@@ -256,7 +246,7 @@ export const scenes = [
       await editor.until("fins is open", async () => (await editor.state()).document.name === "fins");
       await editor.frames(6);
       await form(editor, "Repair import");
-      await choose(editor, "Non-manifold places");
+      await editor.choose("Non-manifold places");
       await orbit(editor, 150, 60);
       await editor.press("Home");
       await putAway(editor);
@@ -266,11 +256,11 @@ export const scenes = [
   {
     name: "curvature",
     async show(editor) {
-      await choose(editor, "Model layout");
+      await editor.choose("Model layout");
       await open(editor, "pawn");
       await editor.run({ op: "subdivide-catmull-clark", levels: 1 });
       await editor.idle();
-      await choose(editor, "Mean curvature");
+      await editor.choose("Mean curvature");
       await editor.press("w");
       await editor.frames(10);
       await putAway(editor);
@@ -280,10 +270,10 @@ export const scenes = [
   {
     name: "four-views",
     async show(editor) {
-      await choose(editor, "Model layout");
+      await editor.choose("Model layout");
       await open(editor, "chair");
       await editor.press("Control+Alt+q");
-      await choose(editor, "Clay");
+      await editor.choose("Clay");
       await putAway(editor);
       return [0, 34, 780, 594];
     },
@@ -292,7 +282,7 @@ export const scenes = [
     name: "study",
     async show(editor) {
       await editor.run({ op: "new", shape: "icosahedron" });
-      await choose(editor, "Study layout");
+      await editor.choose("Study layout");
       await editor.press("3");
       await editor.select("halfedge", [20]);
       await editor.frames(6);
@@ -305,7 +295,7 @@ export const scenes = [
   {
     name: "bezier",
     async show(editor) {
-      await choose(editor, "Model layout");
+      await editor.choose("Model layout");
       await editor.drop({ name: "arc.bzc", content: "5\n0 0  0.6 2.2  2.4 2.6  4.4 1.8  4 0\n" });
       await editor.until("arc is open", async () => (await editor.state()).document.name === "arc");
       for (let level = 0; level < 4; level += 1) await editor.press("e");
@@ -317,7 +307,7 @@ export const scenes = [
   {
     name: "history",
     async show(editor) {
-      await choose(editor, "Model layout");
+      await editor.choose("Model layout");
       await editor.run({ op: "new", shape: "cube" });
       await editor.press("u");
       await editor.idle();
@@ -338,7 +328,7 @@ export const scenes = [
       await editor.frames(60);
       await open(editor, "fox");
       await editor.frames(60);
-      await choose(editor, "Recent documents");
+      await editor.choose("Recent documents");
       await editor.frames(60);
       return [276, 206, 528, 246];
     },
@@ -349,7 +339,7 @@ export const scenes = [
       await editor.run({ op: "new", shape: "torus" });
       await editor.run({ op: "subdivide-catmull-clark" });
       await editor.idle();
-      await choose(editor, "Share");
+      await editor.choose("Share");
       await editor.find("QR code of the link");
       return [328, 118, 424, 424];
     },

@@ -1,9 +1,6 @@
 // Files with the handles that the File System Access API gives out, by which a document is saved where it was opened; files
 // that the system opens with the installed page, and files that other programs share with it.
 (() => {
-  // WebAssembly memory ends at 4 GiB; a larger copy would crash the page.
-  const MAX_BYTES = 2 ** 31;
-
   /** For files that came together, their handles by name. The editor knows them by their number here, the source. */
   const sources = [];
   /** What the user answered, or will answer, when asked whether the page may write the files of a source. */
@@ -14,15 +11,8 @@
     if (files.length === 0) return undefined;
     return sources.push(new Map(files.map((handle) => [handle.name, handle]))) - 1;
   };
-  const read = (files) => Promise.all(files.map(async (file) => {
-    if (file.size > MAX_BYTES) throw new Error(`${file.name} is larger than 2 GB: too large for a browser`);
-    return [file.name, new Uint8Array(await file.arrayBuffer())];
-  }));
-  /** Reads the files of handles: their source, and the name and the bytes of each. */
-  const open = async (handles) => {
-    const files = await Promise.all(handles.map((handle) => handle.getFile()));
-    return [noteSource(handles), await read(files)];
-  };
+  /** The files of handles, with their source. The editor reads them. */
+  const open = async (handles) => [noteSource(handles), await Promise.all(handles.map((handle) => handle.getFile()))];
 
   /** The handles of what was dropped last. They can only be asked for within the event. */
   let dropped = [];
@@ -69,7 +59,7 @@
         files.push(new File([await (await cache.match(request)).blob()], name));
       }
       await caches.delete(SHARED_CACHE);
-      return [undefined, await read(files)];
+      return [undefined, files];
     },
     /** Whether a source has a file of this name. */
     hasFile(source, name) {

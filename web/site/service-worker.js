@@ -76,9 +76,8 @@ async function takeShared(request) {
       const url = new URL(`shared/${at}/${encodeURIComponent(file.name)}`, SCOPE);
       await cache.put(url, new Response(file));
     }
-    return Response.redirect(`${SCOPE}?shared`, 303);
   } catch {
     // Too little room, or a form that is none: the page says that nothing came.
-    return Response.redirect(`${SCOPE}?shared`, 303);
   }
+  return Response.redirect(`${SCOPE}?shared`, 303);
 }

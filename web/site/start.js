@@ -21,7 +21,9 @@
       return null;
     }
   };
-  root.dataset.theme = setting("theme") ?? "system";
+  const theme = setting("theme");
+  const isLight = theme === "light" || (theme !== "dark" && matchMedia("(prefers-color-scheme: light)").matches);
+  root.dataset.theme = isLight ? "light" : "dark";
   const open = { menu: true, tools: true, lists: true, inspector: true, status: true };
   if (parameters.has("embed")) {
     const asked = (parameters.get("panels") ?? "").split(/[ ,]/);

@@ -136,6 +136,22 @@ pub fn entries(folder: &Path) -> Vec<PathBuf> {
     paths
 }
 
+/// The files in a folder and in those below it, with their names from there on: `inner/file`.
+pub fn files_below(folder: &Path) -> Vec<(String, PathBuf)> {
+    let mut files = Vec::new();
+    for path in entries(folder) {
+        let name = path.file_name().unwrap_or_default().to_string_lossy().into_owned();
+        if path.is_dir() {
+            files.extend(
+                files_below(&path).into_iter().map(|(inner, path)| (format!("{name}/{inner}"), path)),
+            );
+        } else {
+            files.push((name, path));
+        }
+    }
+    files
+}
+
 /// The command as one would type it, shortened when it is long.
 fn line(command: &Command) -> String {
     const MAX_CHARACTERS: usize = 240;

@@ -42,7 +42,7 @@ impl Room {
         (corners > self.corners).then(|| {
             let triangles = |corners: u64| thousands((corners / 3) as usize);
             format!(
-                "it has as many corners as {} triangles, and at most {} can be opened in a browser. {ADVICE}",
+                "its faces have as many corners as {} triangles, and at most {} triangles can be opened in a browser. {ADVICE}",
                 triangles(corners),
                 triangles(self.corners)
             )

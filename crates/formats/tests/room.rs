@@ -44,7 +44,10 @@ fn the_beginning_of_a_file_tells_that_it_does_not_fit() {
     let too_large = |bytes: &[u8], all: usize| refusal(&ROOM, &bytes[..bytes.len().min(400)], all as u64);
     assert_eq!(too_large(&stl(100), 84 + 50 * 100), None);
     let refused = too_large(&stl(101), 84 + 50 * 101).expect("too many");
-    assert!(refused.starts_with("it has as many corners as 101 triangles, and at most 100"), "{refused}");
+    assert!(
+        refused.starts_with("its faces have as many corners as 101 triangles, and at most 100 triangles"),
+        "{refused}"
+    );
     assert!(refused.contains("meshwright apply"), "{refused}");
     assert_eq!(too_large(&stl(101), 84 + 50 * 102), None, "no binary STL has this size");
     assert_eq!(too_large(ply(100).as_bytes(), 5000), None);
@@ -59,7 +62,7 @@ fn corners_are_counted_while_reading() {
     assert_eq!(read("a.obj", obj(100).as_bytes()), Ok(100));
     let refused = read("a.obj", obj(101).as_bytes()).expect_err("too many");
     assert!(
-        refused.starts_with("Could not open a.obj. It has as many corners as 101 triangles"),
+        refused.starts_with("Could not open a.obj. Its faces have as many corners as 101 triangles"),
         "{refused}"
     );
     for (name, bytes) in [("a.stl", stl(101)), ("a.ply", ply(101).into_bytes())] {

@@ -282,19 +282,15 @@ impl Buffers {
             return None;
         }
         let mut faces = IdSet::default();
-        touched.faces.iter().for_each(|f| faces.insert(f.index()));
-        let vertices = touched.vertices.iter().copied().filter(|&v| mesh.has_vertex(v));
-        let halfedges = touched.halfedges.iter().copied().filter(|&h| mesh.has_halfedge(h));
-        for v in vertices.clone() {
-            mesh.vertex_faces(v).for_each(|f| faces.insert(f.index()));
-        }
-        halfedges.clone().filter_map(|h| mesh.face_of(h)).for_each(|f| faces.insert(f.index()));
+        touched.for_each_face(mesh, |f| faces.insert(f.index()));
         if faces.len() > limit {
             return None;
         }
         if self.shading != Shading::Flat || self.coloring.depends_on_neighbours() {
             // A corner changes with any face around its vertex.
             let mut rim = IdSet::default();
+            let vertices = touched.vertices.iter().filter(|v| mesh.has_vertex(**v));
+            let halfedges = touched.halfedges.iter().copied().filter(|&h| mesh.has_halfedge(h));
             vertices.for_each(|v| rim.insert(v.index()));
             halfedges.flat_map(|h| [mesh.from(h), mesh.to(h)]).for_each(|v| rim.insert(v.index()));
             for face in faces.iter().map(FaceId::new).filter(|f| mesh.has_face(*f)) {

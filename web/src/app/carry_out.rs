@@ -87,7 +87,7 @@ impl App {
                 welcome.at_start = on;
                 self.session.platform.store_setting(WELCOME_SETTING, welcome.setting());
             }
-            Request::OpenSample(sample) => self.session.open_files(vec![sample.file()], None),
+            Request::OpenSample(sample) => drop(self.session.open_files(vec![sample.file()], None)),
             Request::StartWithShape(name) => self.session.new_document(form::shape(name)),
             Request::OpenForm(id) => self.open_form(id),
             Request::CloseForm => {

@@ -1,6 +1,6 @@
 //! Drawing on another graphics device, after the last one was lost.
 
-use editor::{MessageKind, ObjectChange};
+use editor::ObjectChange;
 use egui::Context;
 
 use super::App;
@@ -33,7 +33,6 @@ pub fn go_on(app: &mut App, ctx: &Context, device: DeviceInfo, gpu: Option<egui_
 }
 
 /// Says something about the graphics.
-pub fn say(app: &mut App, kind: MessageKind, text: String) {
-    app.session.editor.say(kind, text.clone());
-    app.session.toast(kind, text, Vec::new());
+pub fn say(app: &mut App, text: String) {
+    app.session.tell(text, Vec::new());
 }

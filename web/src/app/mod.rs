@@ -176,7 +176,7 @@ impl App {
                 }
                 Event::JobDone { job, result } => self.keeper.job_done(&mut self.session, job, result),
                 Event::Fetched { job, files } => self.session.fetched(job, files),
-                Event::Files(files) => self.session.open_files(files, None),
+                Event::Files(files) => drop(self.session.open_files(files, None)),
                 Event::FilesOf(source, files) => saving::open(&mut self.session, source, files),
                 Event::Written { files, result } => saving::written(&mut self.session, &files, result),
                 Event::Placed(result) => saving::placed(&mut self.session, result),

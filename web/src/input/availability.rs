@@ -31,10 +31,10 @@ pub(crate) fn why_not(action: Action, session: &Session, kind: Element, player: 
             Some("There is nothing to share. Open a file or make a shape first.".into())
         }
         Action::Update if !session.update_is_ready => {
-            Some("This is the newest version: when there is a newer one, it is fetched by itself.".into())
+            Some("This is the newest version. A newer one is downloaded by itself.".into())
         }
         Action::Share if session.platform.address().is_none() => {
-            Some("Links open on the editor's page in a browser. Save a project file, and send that.".into())
+            Some("Links work with the editor's web page only. Save a project file and send that instead.".into())
         }
         Action::SaveAs(format) => why_not_in(format, document),
         Action::SelectAll

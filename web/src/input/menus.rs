@@ -353,7 +353,7 @@ pub static MENUS: &[Menu] = &[
                     .synonyms(&["home", "start", "samples", "examples"]),
             ),
             Some(
-                entry(A::Guide, "Guide", "Read the guide and the references. They are there offline too.")
+                entry(A::Guide, "Guide", "Read the guide and the references. They work offline too.")
                     .synonyms(&["help", "manual", "documentation", "tutorial"]),
             ),
             Some(

@@ -7,7 +7,7 @@ pub(super) const KEPT_AGAIN: &str = "Changes are kept in this browser again.";
 
 /// Said when the store's worker ended and another one goes on.
 pub(super) const STORE_CRASHED: &str =
-    "The part of the page that keeps documents in this browser ended and was started again. Nothing is lost.";
+    "The worker that keeps documents in this browser ended and was started again. Nothing was lost.";
 
 /// Said when a document is open twice.
 pub(super) const IS_COPY: &str = "This document is open in another tab, so this tab shows a copy of it. Changes here don't reach the other tab.";
@@ -39,7 +39,7 @@ pub(super) fn not_opened(why: &WhyNot) -> String {
                 .to_owned()
         }
         WhyNot::Damaged => unreadable("its copy on the disk is damaged"),
-        WhyNot::Failed(failure) => unreadable(&reason(failure)),
+        WhyNot::Failed(failure) => unreadable(&failure.to_string()),
     }
 }
 
@@ -54,20 +54,11 @@ pub(super) fn not_kept(failure: &Failure) -> String {
         Failure::Full => "Delete documents that you no longer need, or save this one to a file.",
         _ => "Save the document to a file before you leave the page.",
     };
-    format!("Changes are not kept: {}. {advice}", reason(failure))
+    format!("Changes are not kept: {failure}. {advice}")
 }
 
 /// The end of a recovery that could not repeat everything.
 pub(super) fn not_repeated(why: &str, missing: usize) -> String {
     let changes = if missing == 1 { "change is".to_owned() } else { format!("{missing} changes are") };
     format!("The last {changes} missing from this document: {why}.")
-}
-
-fn reason(failure: &Failure) -> String {
-    match failure {
-        Failure::Full => "this browser has no more room for this page".to_owned(),
-        Failure::Denied => "this browser lets the page keep nothing, as in some private windows".to_owned(),
-        Failure::Missing => "the document was removed by this browser or by another tab".to_owned(),
-        Failure::Other(reason) => format!("this browser reports: {}", reason.trim_end_matches('.')),
-    }
 }

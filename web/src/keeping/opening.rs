@@ -46,10 +46,19 @@ struct Replaying {
     opened: Opened,
     log_bytes: usize,
     seconds: f64,
-    /// The entry whose job a worker runs, and the job in the editor that repeats it.
-    waits_for: Option<(Entry, JobId)>,
+    /// What a worker repeats.
+    waits_for: Option<Repeated>,
     /// Why the rest could not be repeated, and how many changes are missing.
     stopped: Option<(String, usize)>,
+}
+
+/// A change that a worker repeats.
+struct Repeated {
+    entry: Entry,
+    /// The job in the editor.
+    id: JobId,
+    /// When it began, on the platform's clock in seconds.
+    since: f64,
 }
 
 impl Opening {
@@ -124,14 +133,14 @@ impl Opening {
 
 impl Replaying {
     /// Repeats one change, or begins to; returns a job for the worker that it takes.
-    fn step(&mut self) -> Option<JobRequest> {
+    fn step(&mut self, now: f64) -> Option<JobRequest> {
         let entry = self.entries.pop_front()?;
         if let Event::View(view) = &entry.event {
             self.view = Some(view.clone());
         }
         match self.editor.begin_replay(&entry) {
             Ok(Some(request)) => {
-                self.waits_for = Some((entry, request.id()));
+                self.waits_for = Some(Repeated { entry, id: request.id(), since: now });
                 return Some(request);
             }
             Ok(None) => {
@@ -160,9 +169,9 @@ impl Keeper {
         }
         let replaying = self.opening.as_mut().and_then(|opening| opening.replaying.as_mut());
         if let Some(replaying) = replaying
-            && let Some((entry, id)) = replaying.waits_for.take()
+            && let Some(Repeated { entry, id, since }) = replaying.waits_for.take()
         {
-            replaying.seconds += session.platform.now();
+            replaying.seconds += session.platform.now() - since;
             let replayed = replaying.editor.finish_replay(&entry, id, result);
             replaying.stop_if(replayed);
         }
@@ -186,8 +195,8 @@ impl Keeper {
             return;
         }
         while !replaying.entries.is_empty() && now - started < SECONDS_PER_FRAME {
-            if let Some(request) = replaying.step() {
-                replaying.seconds -= now;
+            if let Some(request) = replaying.step(now) {
+                replaying.seconds += now - started;
                 session.platform.start_job(REPLAY_JOB, &request);
                 return;
             }

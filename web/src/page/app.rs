@@ -1,7 +1,5 @@
 //! The editor as an eframe app.
 
-use std::any::Any;
-
 use eframe::egui_wgpu::RenderState;
 use egui::ViewportId;
 use wasm_bindgen::prelude::*;
@@ -108,10 +106,6 @@ impl eframe::App for PageApp {
         if let Some(mut app) = self.page.app() {
             app.ui(ui);
         }
-    }
-
-    fn as_any_mut(&mut self) -> Option<&mut dyn Any> {
-        Some(self)
     }
 }
 

@@ -4,7 +4,6 @@
 use std::cell::{Cell, RefCell, RefMut};
 use std::rc::Rc;
 
-use editor::MessageKind;
 use eframe::WebRunner;
 use wasm_bindgen::prelude::*;
 use web_sys::HtmlCanvasElement;
@@ -251,7 +250,7 @@ impl Handle {
             }
         }
         notice::stopped(
-            "The graphics don't work any more",
+            "The graphics have stopped working",
             "The document is unchanged and kept in this browser.\nReload the page to go on. If that doesn't help, restart the \
              browser: a graphics driver that was updated or has crashed often works again then.",
             &reasons.join("\n"),
@@ -280,10 +279,12 @@ impl Handle {
     /// Tells the user what happened.
     async fn tell(&self, trouble: &Trouble, renderer: Renderer) {
         let text = match trouble {
-            Trouble::Lost(_) => "The graphics device was lost, and the page has got another one.".to_owned(),
+            Trouble::Lost(_) => {
+                "The graphics device was lost. The page now draws with another one.".to_owned()
+            }
             Trouble::Fails(_) | Trouble::Hangs => {
                 self.fall_back(&trouble.to_string());
-                format!("WebGPU doesn't work here: {trouble}. The page draws with {}.", renderer.label())
+                format!("WebGPU doesn't work here ({trouble}). The page now draws with {}.", renderer.label())
             }
         };
         // The document of the last visit comes with messages of its own.
@@ -291,7 +292,7 @@ impl Handle {
             sleep(OPENING_MS).await;
         }
         if let Some(mut app) = self.app() {
-            drawing::say(&mut app, MessageKind::Info, text);
+            drawing::say(&mut app, text);
         }
     }
 }

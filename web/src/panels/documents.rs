@@ -32,7 +32,7 @@ pub(crate) struct Documents {
 const PICTURE_SIZE: Vec2 = vec2(84.0, 56.0);
 
 /// The tiles of documents in the welcome view.
-const MAX_TILES: usize = 3;
+pub(crate) const MAX_TILES: usize = 3;
 const LABEL_HEIGHT: f32 = 22.0;
 
 pub(crate) fn show(ctx: &Context, page: &Page<'_>, own: &mut Documents, out: &mut Requests) {
@@ -68,21 +68,19 @@ pub(crate) fn recent<'a>(page: &'a Page<'_>, own: &mut Documents, out: &mut Requ
     documents.iter().filter(|kept| why_not_open(page, kept).is_none()).take(MAX_TILES).collect()
 }
 
-/// Shows tiles of documents in a row, of this height.
+/// Shows tiles of documents in a row, of this size.
 pub(crate) fn tiles(
     ui: &mut Ui,
     page: &Page<'_>,
     own: &mut Documents,
     shown: Vec<&Kept>,
-    height: f32,
+    size: Vec2,
     out: &mut Requests,
 ) {
     ui.horizontal(|ui| {
-        let gap = ui.spacing().item_spacing.x;
-        let width = (ui.available_width() - gap * (MAX_TILES as f32 - 1.0)) / MAX_TILES as f32;
         for kept in shown {
             let name = kept.info.shown_name();
-            let (rect, tile) = ui.allocate_exact_size(vec2(width, height), Sense::click());
+            let (rect, tile) = ui.allocate_exact_size(size, Sense::click());
             tile.widget_info(|| WidgetInfo::labeled(Role::Button, true, format!("Open {name}")));
             let visuals = ui.style().interact(&tile);
             let fill = if tile.hovered() { visuals.weak_bg_fill } else { ui.visuals().faint_bg_color };

@@ -29,3 +29,11 @@ pub(crate) struct File {
     pub name: String,
     pub format: Format,
 }
+
+impl File {
+    /// A file of a source; none if a document can't be saved in its format.
+    pub fn new(source: Source, name: &str, format: Option<Format>) -> Option<Self> {
+        let format = format.filter(|format| format.can_open() && format.can_save())?;
+        Some(Self { source, name: name.to_owned(), format })
+    }
+}

@@ -209,6 +209,12 @@ impl Session {
         self.toast(MessageKind::Warning, text, details);
     }
 
+    /// Says what happened, in a toast and in the messages.
+    pub fn tell(&mut self, text: String, details: Vec<String>) {
+        self.editor.say(MessageKind::Info, text.clone());
+        self.toast(MessageKind::Info, text, details);
+    }
+
     /// Reports a failure, in a toast and in the messages.
     pub fn fail(&mut self, text: String) {
         self.editor.say(MessageKind::Error, text.clone());

@@ -91,19 +91,22 @@ impl Session {
         }
     }
 
-    /// Replaces the document by files, which the worker reads. Images alone go to the materials that name them.
-    pub fn open_files(&mut self, files: Vec<NamedBytes>, reply: Option<Reply>) {
+    /// Replaces the document by files, which the worker reads: returns that job. Images alone go to the materials that name
+    /// them.
+    pub fn open_files(&mut self, files: Vec<NamedBytes>, reply: Option<Reply>) -> Option<JobId> {
         let is_image = |file: &NamedBytes| is_image(file) && Format::detect(file).is_none();
         if !files.is_empty() && files.iter().all(is_image) {
-            return take_images(self, &files, reply);
+            take_images(self, &files, reply);
+            return None;
         }
         let label = match files.as_slice() {
-            [] => return,
+            [] => return None,
             [file] => format!("Open {}", file.name),
             [file, ..] => format!("Open {} and {} more", file.name, files.len() - 1),
         };
         let request = self.editor.begin_import(files);
         self.start(&request, label, reply);
+        Some(request.id())
     }
 
     /// Fetches the files that the page's address names, and opens them together.
@@ -280,8 +283,8 @@ impl Session {
         }
     }
 
-    /// Starts the job that writes the document's files.
-    pub fn save(&mut self, format: Format, name: String, brings_back_all: bool) {
+    /// Starts the job that writes the document's files, and returns it.
+    pub fn save(&mut self, format: Format, name: String, brings_back_all: bool) -> JobId {
         // Committed first, so that the revision that counts as saved is the one in the files.
         self.end_live(true);
         self.editor.commit_edit();
@@ -291,6 +294,7 @@ impl Session {
         if brings_back_all {
             self.jobs.set_saved_revision(request.id(), revision);
         }
+        request.id()
     }
 }
 

@@ -10,10 +10,7 @@ use crate::platform::{Download, NamedBytes, Placed, Source};
 /// Opens files that can be written again.
 pub(crate) fn open(session: &mut Session, source: Source, files: Vec<NamedBytes>) {
     let model = model_of(source, &files);
-    let before = session.jobs.latest();
-    session.open_files(files, None);
-    let job = session.jobs.latest().filter(|job| Some(*job) != before);
-    session.in_place.opening = job.zip(model);
+    session.in_place.opening = session.open_files(files, None).zip(model);
 }
 
 /// Notes that a job opens files, which can be written again if they have a source.
@@ -24,10 +21,7 @@ pub(super) fn opening(session: &mut Session, id: JobId, source: Option<Source>, 
 
 /// The model among files, if a document can be saved in its format.
 fn model_of(source: Source, files: &[NamedBytes]) -> Option<File> {
-    files.iter().find_map(|file| {
-        let format = Format::detect(file).filter(|format| format.can_open() && format.can_save())?;
-        Some(File { source, name: file.name.clone(), format })
-    })
+    files.iter().find_map(|file| File::new(source, &file.name, Format::detect(file)))
 }
 
 /// Notes that a job has opened its files.
@@ -54,8 +48,7 @@ pub(crate) fn save(session: &mut Session, view: String) -> bool {
     if file.format.is_project() {
         session.editor.log_view(view);
     }
-    session.save(file.format, stem, losses.is_empty());
-    session.in_place.writing = session.jobs.latest();
+    session.in_place.writing = Some(session.save(file.format, stem, losses.is_empty()));
     true
 }
 
@@ -89,7 +82,7 @@ pub(super) fn write(session: &mut Session, id: JobId, mut files: Vec<NamedBytes>
 fn hand_out(session: &mut Session, files: Vec<NamedBytes>, saves: Option<u64>) {
     let names: Vec<String> = files.iter().map(|file| file.name.clone()).collect();
     match session.platform.download(files) {
-        Download::Done => saved(session, &names, saves),
+        Download::Done => saved_under(session, &names, saves),
         Download::Asking => {
             let origin = session.editor.document().origin();
             session.in_place.asking.push_back((origin, saves));
@@ -109,28 +102,25 @@ pub(crate) fn placed(session: &mut Session, placed: Option<Result<Placed, String
             }
             if session.editor.document().origin() != origin {
                 // Another document was opened since.
-                return session.toast(
-                    MessageKind::Info,
-                    format!("Saved {}", names.join(" and ")),
-                    Vec::new(),
-                );
+                return session.toast(MessageKind::Info, said(&names), Vec::new());
             }
-            saved(session, &names, saves);
-            let file = names.first().and_then(|name| {
-                let format =
-                    Format::from_name(name).filter(|format| format.can_open() && format.can_save())?;
-                Some(File { source, name: name.clone(), format })
-            });
+            saved_under(session, &names, saves);
+            let file = names.first().and_then(|name| File::new(source, name, Format::from_name(name)));
             session.in_place.file = file.map(|file| (origin, file));
         }
     }
 }
 
-/// Says that files were written. The document counts as saved if opening them brings back all of it.
-fn saved(session: &mut Session, names: &[String], saves: Option<u64>) {
+/// Gives the document the name of the files that it was saved in.
+fn saved_under(session: &mut Session, names: &[String], saves: Option<u64>) {
     if let Some((stem, _)) = names.first().and_then(|name| name.rsplit_once('.')) {
         session.editor.rename_document(stem);
     }
+    saved(session, names, saves);
+}
+
+/// Says that files were written. The document counts as saved if opening them brings back all of it.
+fn saved(session: &mut Session, names: &[String], saves: Option<u64>) {
     let mut details = Vec::new();
     match saves {
         Some(revision) => session.editor.mark_saved(revision),
@@ -139,30 +129,21 @@ fn saved(session: &mut Session, names: &[String], saves: Option<u64>) {
                 .to_owned(),
         ),
     }
-    let text = format!("Saved {}", names.join(" and "));
-    session.editor.say(MessageKind::Info, text.clone());
-    session.toast(MessageKind::Info, text, details);
+    session.tell(said(names), details);
+}
+
+fn said(names: &[String]) -> String {
+    format!("Saved {}", names.join(" and "))
 }
 
 /// Says whether the bytes are in the files.
 pub(crate) fn written(session: &mut Session, files: &[String], result: Result<(), String>) {
     let saves = session.in_place.saves.take();
-    let names = files.join(" and ");
     match result {
-        Ok(()) => {
-            let mut details = Vec::new();
-            match saves {
-                Some(revision) => session.editor.mark_saved(revision),
-                None => details.push(
-                    "The file can't hold everything in the document, which therefore still counts as changed.".to_owned(),
-                ),
-            }
-            let text = format!("Saved {names}");
-            session.editor.say(MessageKind::Info, text.clone());
-            session.toast(MessageKind::Info, text, details);
-        }
+        Ok(()) => saved(session, files, saves),
         Err(reason) => session.fail(format!(
-            "{names} could not be written: {reason}. What was in it is unchanged. Try again, or use File > Save as."
+            "{} could not be written: {reason}. What was in it is unchanged. Try again, or use File > Save as.",
+            files.join(" and ")
         )),
     }
 }

@@ -11,7 +11,7 @@ pub(crate) fn offer(session: &mut Session) {
     if std::mem::replace(&mut session.update_is_ready, true) {
         return;
     }
-    let text = "A new version of Meshwright is ready. The document stays as it is.";
+    let text = "A new version of Meshwright is ready. Your document is kept when the page reloads.";
     session.toast(MessageKind::Info, text.to_owned(), Vec::new());
     session.toasts.offer(Remedy::Act(Action::Update));
     session.toasts.stay();

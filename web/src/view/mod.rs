@@ -18,7 +18,7 @@ use egui::epaint::MarginF32;
 use egui::{Id, Rect, Vec2};
 use glam::Vec3;
 use halfedge::geometry::BitSet;
-use halfedge::{Budget, Element, FaceId, InParts, Mesh, Touched};
+use halfedge::{Budget, Element, FaceId, InParts};
 use std::collections::{HashMap, VecDeque};
 use surface::{FaceTree, FaceTreeBuilder};
 use viewport::{Bounds, Camera, RegionSelection, Style};
@@ -265,7 +265,10 @@ impl View {
             match change {
                 ObjectChange::Touched(touched) => {
                     if self.trees.contains_key(id) {
-                        add_touched_faces(self.stale_faces.entry(*id).or_default(), mesh, touched);
+                        let stale = self.stale_faces.entry(*id).or_default();
+                        touched.for_each_face(mesh, |face| {
+                            stale.insert(face.index());
+                        });
                     }
                 }
                 _ => {
@@ -352,19 +355,5 @@ impl View {
         self.tree(object);
         let tree = self.trees.get(&object.id())?;
         region.step((object.mesh(), tree), &mut self.budget)
-    }
-}
-
-/// Adds the faces that an edit added, removed, or moved a corner of.
-fn add_touched_faces(faces: &mut BitSet, mesh: &Mesh, touched: &Touched) {
-    let mut add = |face: FaceId| {
-        faces.insert(face.index());
-    };
-    touched.faces.iter().copied().for_each(&mut add);
-    for &v in touched.vertices.iter().filter(|v| mesh.has_vertex(**v)) {
-        mesh.vertex_faces(v).for_each(&mut add);
-    }
-    for &h in touched.halfedges.iter().filter(|h| mesh.has_halfedge(**h)) {
-        mesh.face_of(h).into_iter().for_each(&mut add);
     }
 }

@@ -130,7 +130,7 @@ fn a_newer_version_is_offered_and_not_forced() {
     page.command(json!({ "op": "poke-faces", "faces": [0] }));
     page.outside.push(Event::UpdateReady);
     page.run();
-    assert!(page.has("A new version of Meshwright is ready. The document stays as it is."));
+    assert!(page.has("A new version of Meshwright is ready. Your document is kept when the page reloads."));
     assert_eq!(page.outside.updates(), 0);
     assert_eq!(page.mesh().face_count(), 9);
     // The message goes, the menu still offers it.

@@ -396,11 +396,9 @@ fn a_store_that_crashes_again_is_tried_later_and_the_user_is_told() {
     page.outside.crash_store(2);
     page.command(json!({"op": "poke-faces", "faces": [0]}));
     page.run();
-    assert!(
-        page.has_part(
-            "Changes are not kept: this browser reports: it has crashed. Save the document to a file"
-        )
-    );
+    assert!(page.has_part(
+        "Changes are not kept: this browser reports “it has crashed”. Save the document to a file"
+    ));
     page.command(json!({"op": "poke-faces", "faces": [1]}));
     page.outside.advance(31_000.0);
     settle(&mut page);

@@ -63,16 +63,11 @@ impl Source {
 /// All Rust files below a folder of the project, sorted. Files that are modules for tests alone are left out.
 pub fn read_folder(root: &Path, folder: &str) -> Result<Vec<Source>> {
     let mut sources = Vec::new();
-    let mut folders = vec![root.join(folder)];
-    while let Some(folder) = folders.pop() {
-        for path in shell::entries(&folder) {
-            if path.is_dir() {
-                folders.push(path);
-            } else if path.extension().is_some_and(|extension| extension == "rs") {
-                let text = shell::read(&path)?;
-                let path = path.strip_prefix(root).unwrap_or(&path).to_path_buf();
-                sources.push(Source { path, text });
-            }
+    for (name, path) in shell::files_below(&root.join(folder)) {
+        if name.ends_with(".rs") {
+            let text = shell::read(&path)?;
+            let path = path.strip_prefix(root).unwrap_or(&path).to_path_buf();
+            sources.push(Source { path, text });
         }
     }
     let tests = test_modules(&sources);

@@ -22,26 +22,20 @@ pub struct Sizes {
 
 /// Writes the copies of all files in a folder; returns the sizes of those by their names in the folder.
 pub fn all(folder: &Path) -> Result<Vec<(String, Sizes)>> {
+    let is_compressed = |path: &Path| {
+        path.extension().is_some_and(|extension| COMPRESSED.iter().any(|known| extension == *known))
+    };
     let mut sizes = Vec::new();
-    for path in shell::entries(folder) {
-        let name = path.file_name().unwrap_or_default().to_string_lossy().into_owned();
-        if path.is_dir() {
-            let inner = all(&path)?;
-            sizes.extend(inner.into_iter().map(|(file, sizes)| (format!("{name}/{file}"), sizes)));
-        } else if !path
-            .extension()
-            .is_some_and(|extension| COMPRESSED.iter().any(|known| extension == *known))
-        {
-            let cannot = |error: std::io::Error| format!("{} can't be compressed: {error}.", path.display());
-            let bytes = fs::read(&path).map_err(cannot)?;
-            let [brotli, gzip] = [brotli(&bytes), gzip(&bytes)].map(|copy| copy.map_err(cannot));
-            let (brotli, gzip) = (brotli?, gzip?);
-            sizes.push((name, Sizes { plain: bytes.len(), brotli: brotli.len(), gzip: gzip.len() }));
-            for (copy, extension) in [brotli, gzip].iter().zip(EXTENSIONS) {
-                let mut to = path.clone().into_os_string();
-                to.push(format!(".{extension}"));
-                fs::write(to, copy).map_err(cannot)?;
-            }
+    for (name, path) in shell::files_below(folder).into_iter().filter(|(_, path)| !is_compressed(path)) {
+        let cannot = |error: std::io::Error| format!("{} can't be compressed: {error}.", path.display());
+        let bytes = fs::read(&path).map_err(cannot)?;
+        let [brotli, gzip] = [brotli(&bytes), gzip(&bytes)].map(|copy| copy.map_err(cannot));
+        let (brotli, gzip) = (brotli?, gzip?);
+        sizes.push((name, Sizes { plain: bytes.len(), brotli: brotli.len(), gzip: gzip.len() }));
+        for (copy, extension) in [brotli, gzip].iter().zip(EXTENSIONS) {
+            let mut to = path.clone().into_os_string();
+            to.push(format!(".{extension}"));
+            fs::write(to, copy).map_err(cannot)?;
         }
     }
     Ok(sizes)

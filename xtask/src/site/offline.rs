@@ -1,7 +1,7 @@
 //! The service worker's list of the files to keep for offline use.
 
 use std::fs;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 use base64::Engine as _;
 use base64::engine::general_purpose::STANDARD;
@@ -17,8 +17,7 @@ const NO_VERSION: &str = "const VERSION = \"\";";
 
 /// Gives the service worker of a complete site the list of the other files.
 pub fn list_files(site: &Path) -> Result {
-    let mut files = Vec::new();
-    collect(site, "", &mut files)?;
+    let files = hashes(site)?;
     let script = site.join(SCRIPT);
     let text = read(&script)?;
     if !text.contains(NO_FILES) || !text.contains(NO_VERSION) {
@@ -34,19 +33,14 @@ pub fn list_files(site: &Path) -> Result {
     shell::write(&script, &text.replace(NO_VERSION, &format!("const VERSION = \"{version}\";")))
 }
 
-/// The files of a folder and their hashes, as the integrity of requests states them.
-fn collect(folder: &Path, prefix: &str, files: &mut Vec<(String, String)>) -> Result {
-    for path in shell::entries(folder) {
-        let name = format!("{prefix}{}", path.file_name().unwrap_or_default().to_string_lossy());
-        if path.is_dir() {
-            collect(&path, &format!("{name}/"), files)?;
-        } else if name != SCRIPT {
-            let bytes =
-                fs::read(&path).map_err(|error| format!("{} can't be read: {error}.", path.display()))?;
-            files.push((name, STANDARD.encode(Sha256::digest(&bytes))));
-        }
-    }
-    Ok(())
+/// The files of a site but the script, with their hashes as the integrity of requests states them.
+fn hashes(site: &Path) -> Result<Vec<(String, String)>> {
+    let others = shell::files_below(site).into_iter().filter(|(name, _)| name != SCRIPT);
+    let hash = |(name, path): (String, PathBuf)| {
+        let bytes = fs::read(&path).map_err(|error| format!("{} can't be read: {error}.", path.display()))?;
+        Ok((name, STANDARD.encode(Sha256::digest(&bytes))))
+    };
+    others.map(hash).collect()
 }
 
 #[cfg(test)]

@@ -104,7 +104,7 @@ fn run(queue: &Queue, job: u64, request: JobRequest, inbox: &Inbox) -> Result<Jo
         Ok(result)
     }));
     done.unwrap_or_else(|_| {
-        let problem = "The job has crashed, which is a bug in Meshwright. The document is as it was.";
+        let problem = "The job crashed because of a bug in Meshwright. The document is unchanged.";
         Err(CommandError { kind: ErrorKind::Internal, ..CommandError::refused("job", problem) })
     })
 }

@@ -133,6 +133,19 @@ pub struct Touched {
     pub everything: bool,
 }
 
+impl Touched {
+    /// Visits the faces that were added, removed, or changed a corner or its place, some of them several times.
+    pub fn for_each_face(&self, mesh: &Mesh, mut visit: impl FnMut(FaceId)) {
+        self.faces.iter().copied().for_each(&mut visit);
+        for &v in self.vertices.iter().filter(|v| mesh.has_vertex(**v)) {
+            mesh.vertex_faces(v).for_each(&mut visit);
+        }
+        for &h in self.halfedges.iter().filter(|h| mesh.has_halfedge(**h)) {
+            mesh.face_of(h).into_iter().for_each(&mut visit);
+        }
+    }
+}
+
 impl Journal {
     /// Whether nothing was written: writes of equal values aren't recorded. A journal that isn't empty may still
     /// hold a change and its opposite: see [`Journal::changes_nothing`].

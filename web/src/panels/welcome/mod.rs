@@ -15,7 +15,7 @@ use egui::{
 use crate::input::actions::Action;
 use crate::input::keys;
 use crate::page_view::Page;
-use crate::panels::documents::{Documents, recent, tiles};
+use crate::panels::documents::{Documents, MAX_TILES, recent, tiles};
 use crate::panels::shortcuts::key_presets;
 use crate::platform::Platform;
 use crate::request::{Request, Requests};
@@ -174,7 +174,8 @@ fn shapes_and_documents(
         label(left, "Shapes");
         shapes(left, own, out);
         label(right, "Recent documents");
-        tiles(right, page, documents, recent, SHAPE_HEIGHT + LABEL_HEIGHT, out);
+        let size = vec2(tile_width(right, MAX_TILES), SHAPE_HEIGHT + LABEL_HEIGHT);
+        tiles(right, page, documents, recent, size, out);
     });
 }
 

@@ -9,25 +9,30 @@ use web_sys::{File, HtmlInputElement};
 
 use super::handles;
 use super::inbox::{Inbox, describe};
-use crate::platform::{Event, NamedBytes};
+use crate::platform::{Event, NamedBytes, Source};
 
-/// Reads files that were dropped together and delivers them together, so that an OBJ finds its MTL.
+/// Reads files that were dropped together.
 pub fn read_dropped(dropped: Vec<DroppedFileHandle>, inbox: Inbox) {
     spawn_local(async move {
         let source = handles::dropped().await;
-        let mut files = Vec::with_capacity(dropped.len());
-        for file in dropped {
-            let name = file.path().to_string_lossy().into_owned();
-            let Some(file) = file.web_file() else { continue };
-            match read(file).await {
-                Ok(bytes) => files.push(NamedBytes { name, bytes }),
-                Err(failure) => return inbox.push(failure.event(&name)),
-            }
+        let files: Vec<File> = dropped.iter().filter_map(|file| file.web_file().cloned()).collect();
+        read_all(&files, source, &inbox).await;
+    });
+}
+
+/// Reads files and delivers them together, so that an OBJ finds its MTL.
+pub(super) async fn read_all(files: &[File], source: Option<Source>, inbox: &Inbox) {
+    let mut read_files = Vec::with_capacity(files.len());
+    for file in files {
+        let name = file.name();
+        match read(file).await {
+            Ok(bytes) => read_files.push(NamedBytes { name, bytes }),
+            Err(failure) => return inbox.push(failure.event(&name)),
         }
-        inbox.push(match source {
-            Some(source) => Event::FilesOf(source, files),
-            None => Event::Files(files),
-        });
+    }
+    inbox.push(match source {
+        Some(source) => Event::FilesOf(source, read_files),
+        None => Event::Files(read_files),
     });
 }
 
@@ -85,17 +90,7 @@ fn read_picked(input: &HtmlInputElement, inbox: &Inbox) {
         return;
     }
     let inbox = inbox.clone();
-    spawn_local(async move {
-        let mut files = Vec::with_capacity(picked.len());
-        for file in picked {
-            let name = file.name();
-            match read(&file).await {
-                Ok(bytes) => files.push(NamedBytes { name, bytes }),
-                Err(failure) => return inbox.push(failure.event(&name)),
-            }
-        }
-        inbox.push(Event::Files(files));
-    });
+    spawn_local(async move { read_all(&picked, None, &inbox).await });
 }
 
 /// Why a file was not read.

@@ -4,7 +4,9 @@
 use js_sys::{Array, Promise, Uint8Array};
 use wasm_bindgen::prelude::*;
 use wasm_bindgen_futures::{JsFuture, spawn_local};
+use web_sys::File;
 
+use super::files::read_all;
 use super::inbox::{Inbox, describe};
 use crate::platform::{Event, NamedBytes, Source};
 
@@ -72,34 +74,25 @@ pub fn write_back(source: Source, files: Vec<NamedBytes>, inbox: Inbox) {
     });
 }
 
-/// Delivers files once they are read: a source, and an array with the name and the bytes of each.
+/// Reads files and delivers them: those of a promise of a source and an array.
 fn deliver(files: Promise, inbox: Inbox) {
     spawn_local(async move {
-        match JsFuture::from(files).await {
-            Ok(nothing) if nothing.is_undefined() => {}
-            Ok(opened) => {
-                let opened = Array::from(&opened);
-                let files: Vec<NamedBytes> = Array::from(&opened.get(1)).iter().filter_map(file).collect();
-                inbox.push(match as_source(&opened.get(0)) {
-                    Some(source) => Event::FilesOf(source, files),
-                    None if files.is_empty() => Event::Failed(
-                        "No files came from the program that shared them. Try again.".to_owned(),
-                    ),
-                    None => Event::Files(files),
-                });
-            }
+        let opened = match JsFuture::from(files).await {
+            Ok(nothing) if nothing.is_undefined() => return,
+            Ok(opened) => Array::from(&opened),
             Err(error) => {
                 let reason = describe(&error);
-                inbox.push(Event::Failed(format!("The files could not be read: {reason}. Try again.")));
+                return inbox
+                    .push(Event::Failed(format!("The files could not be read: {reason}. Try again.")));
             }
+        };
+        let files: Vec<File> =
+            Array::from(&opened.get(1)).iter().filter_map(|file| file.dyn_into().ok()).collect();
+        if files.is_empty() {
+            return inbox.push(Event::Failed("The other program shared no files. Try again.".to_owned()));
         }
+        read_all(&files, as_source(&opened.get(0)), &inbox).await;
     });
-}
-
-fn file(entry: JsValue) -> Option<NamedBytes> {
-    let entry = Array::from(&entry);
-    let bytes: Uint8Array = entry.get(1).dyn_into().ok()?;
-    Some(NamedBytes { name: entry.get(0).as_string()?, bytes: bytes.to_vec() })
 }
 
 fn as_source(value: &JsValue) -> Option<Source> {

@@ -1,6 +1,7 @@
 //! What the store needs of a place that keeps files.
 
 use serde::{Deserialize, Serialize};
+use std::fmt;
 
 /// Why something could not be read or written.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
@@ -13,6 +14,19 @@ pub enum Failure {
     Missing,
     /// Something else, in the browser's words.
     Other(String),
+}
+
+impl fmt::Display for Failure {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Full => f.write_str("this browser has no more room for this page"),
+            Self::Denied => {
+                f.write_str("this browser lets the page keep nothing, as in some private windows")
+            }
+            Self::Missing => f.write_str("the document was removed by this browser or by another tab"),
+            Self::Other(reason) => write!(f, "this browser reports “{}”", reason.trim_end_matches('.')),
+        }
+    }
 }
 
 /// A file in a folder.

@@ -7,6 +7,7 @@ use editor::Wire;
 use editor::formats::NamedBytes;
 use editor::project::Project;
 use editor::recovery::{Event, Snapshot, read_log};
+use std::fmt;
 
 impl<D: Disk> Documents<D> {
     /// A document as a project file, whoever shows it. Without the log, it is the document as it was at its last checkpoint.
@@ -22,7 +23,7 @@ impl<D: Disk> Documents<D> {
         };
         let read = self.read(id, &mut take).await.map_err(|why| match why {
             WhyNot::Missing | WhyNot::Damaged => "This browser has no whole copy of the document.".to_owned(),
-            WhyNot::Failed(failure) => format!("The copy in this browser can't be read: {failure:?}."),
+            WhyNot::Failed(failure) => unreadable(&failure),
         });
         let (_, log) = read?;
         let info = self.info(id).await.unwrap_or_default();
@@ -33,8 +34,7 @@ impl<D: Disk> Documents<D> {
 
 /// The project that a checkpoint and a log make. What can't be repeated of the log is left out.
 fn project_of(checkpoint: &[u8], log: &[u8], name: Option<&str>) -> Result<NamedBytes, String> {
-    let snapshot = Snapshot::from_bytes(checkpoint)
-        .map_err(|error| format!("The copy in this browser can't be read: {error}."))?;
+    let snapshot = Snapshot::from_bytes(checkpoint).map_err(unreadable)?;
     let mut editor = snapshot.into_editor();
     for entry in read_log(log).entries {
         if let Event::View(view) = &entry.event {
@@ -49,4 +49,9 @@ fn project_of(checkpoint: &[u8], log: &[u8], name: Option<&str>) -> Result<Named
         editor.rename_document(name);
     }
     Ok(Project::of(&editor).file())
+}
+
+/// Says why the document can't be read.
+pub(super) fn unreadable(why: impl fmt::Display) -> String {
+    format!("The copy in this browser can't be read: {why}.")
 }

@@ -86,7 +86,7 @@ pub fn serve_rescue() {
                 Ok(disk) => Documents::new(disk).rescue(&id, repeats_log).await,
                 Err(_) => match IndexedDb::new().await {
                     Ok(disk) => Documents::new(disk).rescue(&id, repeats_log).await,
-                    Err(_) => Err("This browser keeps nothing for the page.".to_owned()),
+                    Err(failure) => Err(super::rescue::unreadable(&failure)),
                 },
             };
             let answer = match rescued {

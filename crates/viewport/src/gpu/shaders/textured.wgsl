@@ -53,45 +53,32 @@ const MISSING_UV: f32 = -1e8;
 
 // draw.params.w is the number of the pass's first texture. The first pass draws the faces without one too. Faces of
 // translucent materials are drawn by themselves, unless all faces are translucent.
-@vertex
-fn textured_vertex(
-    @builtin(vertex_index) index: u32,
-    @location(0) position: vec3<f32>,
-    // The last component is the mark of materials.rs.
-    @location(1) normal: vec4<f32>,
-    @location(2) color: vec4<f32>,
-    @location(3) uv: vec2<f32>,
-) -> TexturedVertex {
-    return vertex_of(index, position, normal, color, uv, draw.params.z > 0.0, true);
-}
-
-@vertex
-fn translucent_vertex(
+struct Corner {
     @builtin(vertex_index) index: u32,
     @location(0) position: vec3<f32>,
     @location(1) normal: vec4<f32>,
     @location(2) color: vec4<f32>,
     @location(3) uv: vec2<f32>,
-) -> TexturedVertex {
-    return vertex_of(index, position, normal, color, uv, true, false);
 }
 
-fn vertex_of(
-    index: u32,
-    position: vec3<f32>,
-    normal: vec4<f32>,
-    color: vec4<f32>,
-    uv: vec2<f32>,
-    draws_translucent: bool,
-    draws_opaque: bool,
-) -> TexturedVertex {
+@vertex
+fn textured_vertex(corner: Corner) -> TexturedVertex {
+    return vertex_of(corner, draw.params.z > 0.0, true);
+}
+
+@vertex
+fn translucent_vertex(corner: Corner) -> TexturedVertex {
+    return vertex_of(corner, true, false);
+}
+
+fn vertex_of(corner: Corner, draws_translucent: bool, draws_opaque: bool) -> TexturedVertex {
     var out: TexturedVertex;
-    out.relative = from_eye(position);
-    out.normal = normal.xyz;
-    out.color = color;
-    out.barycentric = barycentric_of(index);
-    out.uv = uv;
-    let mark = i32(round(normal.w * 32767.0)) - 2;
+    out.relative = from_eye(corner.position);
+    out.normal = corner.normal.xyz;
+    out.color = corner.color;
+    out.barycentric = barycentric_of(corner.index);
+    out.uv = corner.uv;
+    let mark = i32(round(corner.normal.w * 32767.0)) - 2;
     let first = i32(draw.params.w);
     out.place = mark;
     var is_drawn = first == 0 && draws_opaque;
@@ -104,7 +91,7 @@ fn vertex_of(
         }
         if is_drawn && i32(frame.right.w + 0.5) != CHECKER {
             let placement = placements[out.place];
-            let at = vec3<f32>(uv, 1.0);
+            let at = vec3<f32>(corner.uv, 1.0);
             out.uv = vec2<f32>(dot(placement.u.xyz, at), dot(placement.v.xyz, at));
         }
     }
