@@ -1,8 +1,8 @@
-//! The table of formats. A format is a folder beside this file and a line here: detection, dispatch,
-//! losses, companion files, names and the menus of the program come from it.
+//! The tables of formats. A format is a folder beside this file and a line in each: detection, dispatch,
+//! losses, companion files, names and the menus of the program come from them.
 
 use crate::file::NamedBytes;
-use crate::format::{Certainty, FormatInfo, Holds};
+use crate::format::{Certainty, Codec, FormatInfo, Holds};
 use crate::text::encoding::decode_utf16;
 use crate::{bezier, collada, gltf, json, obj, off, ply, project, stl};
 use serde::{Deserialize, Deserializer, Serialize, Serializer, de};
@@ -25,6 +25,23 @@ static FORMATS: &[&FormatInfo] = &[
     &bezier::CURVES,
     &bezier::SURFACES,
     &json::FORMAT,
+];
+
+/// What reads and writes them, in a table of its own: only programs that read or write files hold it.
+static CODECS: &[(&FormatInfo, Codec)] = &[
+    (&project::FORMAT, Codec::NONE),
+    (&obj::FORMAT, obj::CODEC),
+    (&ply::BINARY, ply::BINARY_CODEC),
+    (&ply::TEXT, ply::TEXT_CODEC),
+    (&stl::BINARY, stl::BINARY_CODEC),
+    (&stl::TEXT, stl::TEXT_CODEC),
+    (&off::FORMAT, off::CODEC),
+    (&collada::FORMAT, collada::CODEC),
+    (&gltf::BINARY, gltf::BINARY_CODEC),
+    (&gltf::TEXT, gltf::TEXT_CODEC),
+    (&bezier::CURVES, bezier::CURVES_CODEC),
+    (&bezier::SURFACES, bezier::SURFACES_CODEC),
+    (&json::FORMAT, json::CODEC),
 ];
 
 /// A file format. Where a format is written in two ways, these are two formats, and files of both are
@@ -142,12 +159,12 @@ impl Format {
 
     /// Whether [`crate::read`] gives it as a file's format.
     pub fn can_read(self) -> bool {
-        self.0.read.is_some()
+        self.0.is_read
     }
 
     /// Whether [`crate::write`] writes it.
     pub fn can_write(self) -> bool {
-        self.0.write.is_some()
+        self.0.is_written
     }
 
     /// Whether it holds control points of Bezier curves or surfaces and no meshes.
@@ -157,6 +174,11 @@ impl Format {
 
     pub(crate) fn info(self) -> &'static FormatInfo {
         self.0
+    }
+
+    /// What reads and writes its files.
+    pub(crate) fn codec(self) -> Codec {
+        CODECS.iter().find(|(info, _)| info.code == self.0.code).map_or(Codec::NONE, |(_, codec)| *codec)
     }
 }
 
@@ -207,6 +229,20 @@ mod tests {
                 [format.code(), format.name(), format.save_label(), format.description(), format.extension()];
             assert!(texts.iter().all(|text| !text.is_empty()), "{format:?}");
             assert!(format.can_open() || format.can_save(), "{format:?}");
+        }
+    }
+
+    #[test]
+    fn formats_have_the_codecs_that_they_promise() {
+        let described: Vec<&str> = Format::all().map(Format::code).collect();
+        assert_eq!(CODECS.iter().map(|(info, _)| info.code).collect::<Vec<_>>(), described);
+        for format in Format::all() {
+            let Codec { read, write } = format.codec();
+            assert_eq!(
+                (read.is_some(), write.is_some()),
+                (format.can_read(), format.can_write()),
+                "{format:?}"
+            );
         }
     }
 

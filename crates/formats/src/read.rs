@@ -160,7 +160,7 @@ fn read_one(
     }
     let (file, encoding) = in_utf8(source.file, format);
     let file = file.as_ref();
-    let read = format.info().read.ok_or_else(|| {
+    let read = format.codec().read.ok_or_else(|| {
         ReadError::file(&file.name, format!("{} can be written but not read", format.name()))
     })?;
     let source = Source { file, ..*source };

@@ -14,7 +14,7 @@ use crate::model::{Model, NamedMesh};
 pub fn write(format: Format, model: &Model) -> Result<Vec<NamedBytes>, WriteError> {
     let info = format.info();
     let name = format.name();
-    let write = info.write.ok_or_else(|| WriteError::new(format!("{name} can't be written")))?;
+    let write = format.codec().write.ok_or_else(|| WriteError::new(format!("{name} can't be written")))?;
     let is_curve = |object: &NamedMesh| object.bezier.as_ref().map(|bezier| bezier.curve().is_some());
     if info.holds != Holds::Meshes {
         let wanted = Some(info.holds == Holds::Curves);

@@ -8,7 +8,7 @@
 mod read;
 mod write;
 
-use crate::format::{Certainty, FormatInfo, Holds};
+use crate::format::{Certainty, Codec, FormatInfo, Holds};
 use read::Kind;
 
 /// Bezier curves.
@@ -21,11 +21,16 @@ pub(crate) static CURVES: FormatInfo = FormatInfo {
     holds: Holds::Curves,
     detect: Some((Certainty::Numbers, |bytes| read::kind(bytes) == Some(Kind::Curve))),
     is_text: |_| true,
+    is_read: true,
+    is_written: true,
+    ..FormatInfo::DEFAULT
+};
+
+pub(crate) const CURVES_CODEC: Codec = Codec {
     read: Some(|source, reading, progress| {
         read::read(source.file, Kind::Curve, reading, progress).map(Into::into)
     }),
     write: Some(|model| Ok(write::write_curves(model))),
-    ..FormatInfo::DEFAULT
 };
 
 /// Bezier surfaces.
@@ -38,9 +43,14 @@ pub(crate) static SURFACES: FormatInfo = FormatInfo {
     holds: Holds::Surfaces,
     detect: Some((Certainty::Numbers, |bytes| read::kind(bytes) == Some(Kind::Surface))),
     is_text: |_| true,
+    is_read: true,
+    is_written: true,
+    ..FormatInfo::DEFAULT
+};
+
+pub(crate) const SURFACES_CODEC: Codec = Codec {
     read: Some(|source, reading, progress| {
         read::read(source.file, Kind::Surface, reading, progress).map(Into::into)
     }),
     write: Some(|model| Ok(write::write_surface(model))),
-    ..FormatInfo::DEFAULT
 };

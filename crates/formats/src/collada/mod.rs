@@ -25,7 +25,7 @@ mod write;
 mod xml;
 
 use crate::format::loss::Part;
-use crate::format::{Certainty, FormatInfo};
+use crate::format::{Certainty, Codec, FormatInfo};
 
 pub(crate) static FORMAT: FormatInfo = FormatInfo {
     code: "dae",
@@ -34,8 +34,8 @@ pub(crate) static FORMAT: FormatInfo = FormatInfo {
     description: "XML with several objects, for other modellers.",
     extensions: &["dae"],
     detect: Some((Certainty::Signature, read::looks_like)),
-    read: Some(read::read),
-    write: Some(|model| Ok(write::write(model))),
+    is_read: true,
+    is_written: true,
     companions: read::companions,
     keeps_name: true,
     lacks: &[Part::Groups, Part::Smoothing, Part::Creases, Part::Attributes],
@@ -44,3 +44,6 @@ pub(crate) static FORMAT: FormatInfo = FormatInfo {
     keeps_placement: |texture| texture.uv_set == 0,
     ..FormatInfo::DEFAULT
 };
+
+pub(crate) const CODEC: Codec =
+    Codec { read: Some(read::read), write: Some(|model| Ok(write::write(model))) };

@@ -13,6 +13,9 @@ use crate::model::texture::Texture;
 use halfedge::Progress;
 
 /// A file format. A format that is written in two ways has two descriptions, one of which reads both.
+///
+/// What reads and writes its files is its [`Codec`], apart from this: the page only describes formats, and its program
+/// must not hold their readers and writers.
 pub(crate) struct FormatInfo {
     /// What scripts, settings and jobs call the format: it never changes.
     pub code: &'static str,
@@ -32,10 +35,10 @@ pub(crate) struct FormatInfo {
     pub is_text: fn(&[u8]) -> bool,
     /// How many corners of faces a file of so many bytes has at least, if its beginning tells.
     pub corners: fn(&[u8], u64) -> Option<u64>,
-    /// Reads a file; `None` for a format, or a way of writing one, that isn't read as such.
-    pub read: Option<Reader>,
-    /// Writes a model: the model file first, then its companion files. `None` if it can't be written.
-    pub write: Option<Writer>,
+    /// Whether its [`Codec`] reads files.
+    pub is_read: bool,
+    /// Whether its [`Codec`] writes models.
+    pub is_written: bool,
     /// The extensions of companion files that are not models, each with what to say of such a file
     /// without its model.
     pub companion_extensions: &'static [(&'static str, &'static str)],
@@ -66,6 +69,20 @@ pub(crate) type Reader = fn(&Source, &mut Reading, &mut Progress) -> Result<Cont
 /// Writes a model without curves, or one with, where the format [holds](Holds) control points.
 pub(crate) type Writer = fn(&Model) -> Result<Vec<NamedBytes>, WriteError>;
 
+/// What reads and writes the files of a format.
+#[derive(Clone, Copy)]
+pub(crate) struct Codec {
+    /// Reads a file; `None` for a format, or a way of writing one, that isn't read as such.
+    pub read: Option<Reader>,
+    /// Writes a model: the model file first, then its companion files. `None` if it can't be written.
+    pub write: Option<Writer>,
+}
+
+impl Codec {
+    /// That of a format which others read and write.
+    pub(crate) const NONE: Self = Self { read: None, write: None };
+}
+
 impl FormatInfo {
     /// What most formats have in common; the rest is to be filled in.
     pub(crate) const DEFAULT: Self = Self {
@@ -78,8 +95,8 @@ impl FormatInfo {
         detect: None,
         is_text: |_| false,
         corners: |_, _| None,
-        read: None,
-        write: None,
+        is_read: false,
+        is_written: false,
         companion_extensions: &[],
         companions: |_| Vec::new(),
         single_file: |files| files.into_iter().next(),

@@ -27,7 +27,7 @@ mod texture;
 mod write;
 
 use crate::format::loss::Part;
-use crate::format::{Certainty, FormatInfo};
+use crate::format::{Certainty, Codec, FormatInfo};
 
 /// glTF as one binary file.
 pub(crate) static BINARY: FormatInfo = FormatInfo {
@@ -37,9 +37,10 @@ pub(crate) static BINARY: FormatInfo = FormatInfo {
     description: "glTF in one binary file, for the web and game engines.",
     extensions: &["glb"],
     detect: Some((Certainty::Signature, container::is_binary)),
-    write: Some(write::write_binary),
     ..COMMON
 };
+
+pub(crate) const BINARY_CODEC: Codec = Codec { read: Some(read::read), write: Some(write::write_binary) };
 
 /// glTF as JSON, with its data in a file beside it.
 pub(crate) static TEXT: FormatInfo = FormatInfo {
@@ -50,13 +51,16 @@ pub(crate) static TEXT: FormatInfo = FormatInfo {
     extensions: &["gltf"],
     detect: Some((Certainty::Signature, container::is_json)),
     is_text: |_| true,
-    write: Some(|model| Ok(write::write_text(model))),
     single_file: write::single_file,
     ..COMMON
 };
 
+pub(crate) const TEXT_CODEC: Codec =
+    Codec { read: Some(read::read), write: Some(|model| Ok(write::write_text(model))) };
+
 const COMMON: FormatInfo = FormatInfo {
-    read: Some(read::read),
+    is_read: true,
+    is_written: true,
     companion_extensions: &[("bin", "holds only data: open it together with the glTF model it belongs to")],
     companions: buffers::companions,
     keeps_name: true,

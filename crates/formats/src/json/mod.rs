@@ -2,8 +2,8 @@
 
 mod write;
 
-use crate::format::FormatInfo;
 use crate::format::loss::Part;
+use crate::format::{Codec, FormatInfo};
 
 pub(crate) static FORMAT: FormatInfo = FormatInfo {
     code: "json",
@@ -11,7 +11,7 @@ pub(crate) static FORMAT: FormatInfo = FormatInfo {
     save_label: "Save as half-edge JSON…",
     description: "The half-edges themselves with all their links, for scripts.",
     extensions: &["json"],
-    write: Some(|model| Ok(write::write(model))),
+    is_written: true,
     lacks: &[
         Part::Objects,
         Part::FaceColors,
@@ -26,3 +26,5 @@ pub(crate) static FORMAT: FormatInfo = FormatInfo {
     ],
     ..FormatInfo::DEFAULT
 };
+
+pub(crate) const CODEC: Codec = Codec { read: None, write: Some(|model| Ok(write::write(model))) };

@@ -22,7 +22,7 @@ mod vertex;
 mod write;
 
 use crate::format::loss::Part;
-use crate::format::{Certainty, FormatInfo};
+use crate::format::{Certainty, Codec, FormatInfo};
 
 /// Wavefront OBJ, with materials in an MTL beside it. Names of objects become groups, which keep objects
 /// apart.
@@ -34,8 +34,8 @@ pub(crate) static FORMAT: FormatInfo = FormatInfo {
     extensions: &["obj"],
     detect: Some((Certainty::Statement, detect::is_obj)),
     is_text: |_| true,
-    read: Some(read::read),
-    write: Some(|model| Ok(write::write(model))),
+    is_read: true,
+    is_written: true,
     companion_extensions: &[(
         "mtl",
         "holds only materials: open it together with the OBJ model it belongs to",
@@ -46,3 +46,6 @@ pub(crate) static FORMAT: FormatInfo = FormatInfo {
     keeps_placement: mtl::keeps_placement,
     ..FormatInfo::DEFAULT
 };
+
+pub(crate) const CODEC: Codec =
+    Codec { read: Some(read::read), write: Some(|model| Ok(write::write(model))) };

@@ -10,7 +10,7 @@ mod text;
 mod write;
 
 use crate::format::loss::{self, Part};
-use crate::format::{Certainty, FormatInfo};
+use crate::format::{Certainty, Codec, FormatInfo};
 
 pub(crate) static FORMAT: FormatInfo = FormatInfo {
     code: "off",
@@ -20,10 +20,15 @@ pub(crate) static FORMAT: FormatInfo = FormatInfo {
     extensions: &["off", "coff"],
     detect: Some((Certainty::Signature, keyword::is_off)),
     is_text: |bytes| !keyword::is_binary(bytes),
-    read: Some(|source, reading, progress| read::read(source.file, reading, progress).map(Into::into)),
-    write: Some(|model| Ok(write::write(model))),
+    is_read: true,
+    is_written: true,
     // Normals and texture coordinates as far as the corners of a vertex agree.
     lacks: &[Part::Objects, Part::Groups, Part::Materials, Part::Smoothing, Part::Creases, Part::Attributes],
     losses: |model| loss::values_of_corners("OFF", model, true),
     ..FormatInfo::DEFAULT
+};
+
+pub(crate) const CODEC: Codec = Codec {
+    read: Some(|source, reading, progress| read::read(source.file, reading, progress).map(Into::into)),
+    write: Some(|model| Ok(write::write(model))),
 };

@@ -16,7 +16,7 @@ mod vertices;
 mod write;
 
 use crate::format::loss::{self, Part};
-use crate::format::{Certainty, FormatInfo};
+use crate::format::{Certainty, Codec, FormatInfo};
 use crate::model::Model;
 use crate::model::material::Property;
 use crate::model::texture::{Texture, TextureRole};
@@ -33,11 +33,12 @@ pub(crate) static BINARY: FormatInfo = FormatInfo {
     detect: Some((Certainty::Signature, header::is_ply)),
     corners: |head, _| header::corners(head),
     is_text: header::is_text_ply,
-    read: Some(read::read),
-    write: Some(write::write),
+    is_read: true,
     losses: |model| losses("PLY", model),
     ..COMMON
 };
+
+pub(crate) const BINARY_CODEC: Codec = Codec { read: Some(read::read), write: Some(write::write) };
 
 /// PLY written as text.
 pub(crate) static TEXT: FormatInfo = FormatInfo {
@@ -45,13 +46,15 @@ pub(crate) static TEXT: FormatInfo = FormatInfo {
     name: "PLY (text)",
     save_label: "Save as PLY (text)…",
     description: "PLY that can be read in a text editor, with colours.",
-    write: Some(|model| Ok(write::write_text(model))),
     losses: |model| losses("PLY (text)", model),
     ..COMMON
 };
 
+pub(crate) const TEXT_CODEC: Codec = Codec { read: None, write: Some(|model| Ok(write::write_text(model))) };
+
 const COMMON: FormatInfo = FormatInfo {
     extensions: &["ply"],
+    is_written: true,
     companions: read::companions,
     // Normals as far as the corners of a vertex agree.
     lacks: &[Part::Objects, Part::Groups, Part::Materials, Part::Smoothing, Part::Creases],

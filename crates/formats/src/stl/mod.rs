@@ -12,7 +12,7 @@ mod triangles;
 mod write;
 
 use crate::format::loss::{self, Part};
-use crate::format::{Certainty, FormatInfo};
+use crate::format::{Certainty, Codec, FormatInfo};
 use crate::model::Model;
 use glam::{DVec3, Vec3};
 use halfedge::keys;
@@ -27,8 +27,7 @@ pub(crate) static BINARY: FormatInfo = FormatInfo {
     detect: Some((Certainty::Layout, read::is_stl)),
     is_text: text::is_text_stl,
     corners: binary::corners,
-    read: Some(|source, reading, progress| read::read(source.file, reading, progress).map(Into::into)),
-    write: Some(write::write),
+    is_read: true,
     lacks: &[
         Part::Objects,
         Part::Polygons,
@@ -59,7 +58,6 @@ pub(crate) static TEXT: FormatInfo = FormatInfo {
     name: "STL (text)",
     save_label: "Save as STL (text)…",
     description: "Triangles that can be read in a text editor.",
-    write: Some(|model| Ok(write::write_text(model))),
     lacks: &[
         Part::Polygons,
         Part::IsolatedVertices,
@@ -79,7 +77,14 @@ pub(crate) static TEXT: FormatInfo = FormatInfo {
     ..COMMON
 };
 
-const COMMON: FormatInfo = FormatInfo { extensions: &["stl"], ..FormatInfo::DEFAULT };
+const COMMON: FormatInfo = FormatInfo { extensions: &["stl"], is_written: true, ..FormatInfo::DEFAULT };
+
+pub(crate) const BINARY_CODEC: Codec = Codec {
+    read: Some(|source, reading, progress| read::read(source.file, reading, progress).map(Into::into)),
+    write: Some(write::write),
+};
+
+pub(crate) const TEXT_CODEC: Codec = Codec { read: None, write: Some(|model| Ok(write::write_text(model))) };
 
 /// The loss of digits of models far from the origin in 32 bits for a coordinate.
 fn rounded_positions(model: &Model) -> Option<String> {
