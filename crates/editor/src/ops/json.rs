@@ -21,20 +21,31 @@ pub(crate) trait Fields: Sized {
 }
 
 impl<O: Operation + Serialize + DeserializeOwned> Fields for O {
-    fn parse(mut fields: Map<String, Value>) -> Result<Self, Problem> {
-        fill_in(&O::SPEC, &mut fields);
-        check_fields(&O::SPEC, &fields)?;
-        read(Value::Object(fields))
+    fn parse(fields: Map<String, Value>) -> Result<Self, Problem> {
+        read(checked(&O::SPEC, fields)?)
     }
 
     fn to_fields(&self) -> Value {
-        // Plain data with text keys: this can't fail.
-        let mut value = serde_json::to_value(self).unwrap_or_default();
-        if let Value::Object(fields) = &mut value {
-            fields.retain(|_, value| !value.is_null());
-        }
-        value
+        without_unset(serde_json::to_value(self))
     }
+}
+
+// What follows is compiled once, what is above once for each operation.
+
+/// The fields with defaults for those that are left out, if they fit.
+fn checked(spec: &Spec, mut fields: Map<String, Value>) -> Checked<Value> {
+    fill_in(spec, &mut fields);
+    check_fields(spec, &fields)?;
+    Ok(Value::Object(fields))
+}
+
+fn without_unset(fields: serde_json::Result<Value>) -> Value {
+    // Plain data with text keys: this can't fail.
+    let mut value = fields.unwrap_or_default();
+    if let Value::Object(fields) = &mut value {
+        fields.retain(|_, value| !value.is_null());
+    }
+    value
 }
 
 /// Adds the defaults that are values, for fields that are left out. Fields without one may be null instead.
@@ -59,9 +70,11 @@ pub(crate) fn take_symmetry(spec: &Spec, fields: &mut Map<String, Value>) -> Res
 
 /// Reads what has passed the checks. A test tries wrong values of every field, so that none gets past them.
 fn read<T: DeserializeOwned>(checked: Value) -> Result<T, Problem> {
-    serde_json::from_value(checked).map_err(|error| {
-        Problem::internal(format!("the fields are not those of the operation's description: {error}"))
-    })
+    serde_json::from_value(checked).map_err(unlike_description)
+}
+
+fn unlike_description(error: serde_json::Error) -> Problem {
+    Problem::internal(format!("the fields are not those of the operation's description: {error}"))
 }
 
 /// Checks that there are all fields and no others, and that each has a value that it takes.

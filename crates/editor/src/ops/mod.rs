@@ -50,7 +50,6 @@ pub use wording::{four_digits, sentence_case};
 use crate::error::Problem;
 use halfedge::Mesh;
 use serde_json::{Map, Value};
-use surface::MirrorImages;
 
 macro_rules! operations {
     ($($name:ident),* $(,)?) => {
@@ -138,14 +137,25 @@ macro_rules! operations {
                 }
             }
 
-            /// The mirror images of operations of one kind.
-            pub(crate) fn mirror(ops: Vec<Self>, mesh: &Mesh, images: &mut MirrorImages) -> symmetry::Images<Self> {
-                match ops.first() {
-                    $(Some(Self::$name(_)) => {
-                        let own = |op| if let Self::$name(op) = op { Some(op) } else { None };
-                        symmetry::mirror(ops.into_iter().filter_map(own).collect(), mesh, images).map(Self::$name)
-                    })*
-                    None => symmetry::Images { own: Vec::new(), others: Vec::new(), alone: 0 },
+            /// See [`Operation::elements`].
+            fn elements(&mut self) -> Vec<Slot<'_>> {
+                match self {
+                    $(Self::$name(op) => op.elements(),)*
+                }
+            }
+
+            /// See [`Operation::reflect`].
+            fn reflect(&mut self, reflection: Reflection) {
+                match self {
+                    $(Self::$name(op) => op.reflect(reflection),)*
+                }
+            }
+
+            /// See [`Operation::pair`].
+            fn pair(&mut self, image: Self, mesh: &Mesh) -> Option<Self> {
+                match (self, image) {
+                    $((Self::$name(op), Self::$name(image)) => op.pair(image, mesh).map(Self::$name),)*
+                    (_, image) => Some(image),
                 }
             }
 

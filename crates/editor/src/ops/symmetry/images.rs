@@ -2,30 +2,19 @@
 
 use super::Mirroring;
 use crate::ops::refs::AnyRef;
-use crate::ops::{Operation, Slot};
+use crate::ops::{Op, Slot};
 use halfedge::{Mesh, VertexId};
 use std::collections::HashMap;
 use surface::MirrorImages;
 
 /// Operations with their mirror images.
-pub(crate) struct Images<O> {
+pub(crate) struct Images {
     /// The given operations, with the images in their lists, and how many elements of the first list were given.
-    pub own: Vec<(O, usize)>,
+    pub own: Vec<(Op, usize)>,
     /// The operations for images.
-    pub others: Vec<O>,
+    pub others: Vec<Op>,
     /// How many elements have no image.
     pub alone: usize,
-}
-
-impl<O> Images<O> {
-    /// The same for another type of operation.
-    pub fn map<P>(self, to: impl Fn(O) -> P) -> Images<P> {
-        Images {
-            own: self.own.into_iter().map(|(op, own)| (to(op), own)).collect(),
-            others: self.others.into_iter().map(&to).collect(),
-            alone: self.alone,
-        }
-    }
 }
 
 /// How an operation is reflected.
@@ -63,8 +52,7 @@ impl Reflection {
 type Key = Vec<Vec<u32>>;
 
 /// Reflects operations of one kind.
-pub(crate) fn mirror<O: Operation>(ops: Vec<O>, mesh: &Mesh, images: &mut MirrorImages) -> Images<O> {
-    let mut ops = ops;
+pub(super) fn mirror(mut ops: Vec<Op>, mesh: &Mesh, images: &mut MirrorImages) -> Images {
     let mut vertices: Vec<VertexId> = Vec::new();
     let mut is_for_all = false;
     for op in &mut ops {
@@ -81,7 +69,7 @@ pub(crate) fn mirror<O: Operation>(ops: Vec<O>, mesh: &Mesh, images: &mut Mirror
     images.look_up(mesh, others);
 
     let mut alone = 0;
-    let mut reflected: Vec<(Option<O>, Key)> = Vec::new();
+    let mut reflected: Vec<(Option<Op>, Key)> = Vec::new();
     let mut own = Vec::new();
     // Whether an operation makes its image too.
     let mut is_joined = Vec::new();
@@ -93,16 +81,17 @@ pub(crate) fn mirror<O: Operation>(ops: Vec<O>, mesh: &Mesh, images: &mut Mirror
         let of_image = key(&mut image, mesh);
         let is_own = given == of_image;
         let reflection = Reflection { axis: images.axis(), reversed, is_own };
-        let is_together = match O::MIRRORING {
+        let mirroring = op.mirroring();
+        let is_together = match mirroring {
             Mirroring::Together => op.elements().iter().all(|slot| slot.is_list() || !slot.is_given()),
             Mirroring::Apart => overlap(&given, &of_image) && !is_own,
             Mirroring::Moves => false,
         };
-        let leaves_out = empty || (is_own && O::MIRRORING != Mirroring::Moves);
+        let leaves_out = empty || (is_own && mirroring != Mirroring::Moves);
         let mut joins = false;
         if is_together {
             unite(op, &mut image, mesh);
-            if O::MIRRORING == Mirroring::Apart {
+            if mirroring == Mirroring::Apart {
                 op.reflect(Reflection { is_own: true, ..reflection });
             }
             reflected.push((None, given.clone()));
@@ -112,7 +101,7 @@ pub(crate) fn mirror<O: Operation>(ops: Vec<O>, mesh: &Mesh, images: &mut Mirror
             }
             reflected.push((None, given.clone()));
         } else {
-            if O::MIRRORING == Mirroring::Moves {
+            if mirroring == Mirroring::Moves {
                 // Vertices on both sides follow those that lead.
                 subtract(&mut image, op, mesh);
             }
@@ -169,7 +158,7 @@ struct Found {
 }
 
 /// Replaces the elements of an operation by their images.
-fn reflect_elements<O: Operation>(op: &mut O, mesh: &Mesh, images: &MirrorImages) -> Found {
+fn reflect_elements(op: &mut Op, mesh: &Mesh, images: &MirrorImages) -> Found {
     let mut found = Found { reversed: false, missing: 0, empty: false };
     let mut reversed = None;
     let mut count = 0;
@@ -194,7 +183,7 @@ fn reflect_elements<O: Operation>(op: &mut O, mesh: &Mesh, images: &MirrorImages
     found
 }
 
-fn key<O: Operation>(op: &mut O, mesh: &Mesh) -> Key {
+fn key(op: &mut Op, mesh: &Mesh) -> Key {
     let sorted = |slot: &Slot<'_>| {
         let mut ids: Vec<u32> = slot.refs().iter().filter_map(|item| item.id(mesh)).collect();
         ids.sort_unstable();
@@ -209,7 +198,7 @@ fn overlap(a: &Key, b: &Key) -> bool {
 }
 
 /// Adds the images to an operation's lists, after what they have.
-fn unite<O: Operation>(op: &mut O, image: &mut O, mesh: &Mesh) {
+fn unite(op: &mut Op, image: &mut Op, mesh: &Mesh) {
     let (own, added) = (key(op, mesh), key(image, mesh));
     let added = added.into_iter().zip(own);
     for (slot, (added, own)) in op.elements().into_iter().zip(added) {
@@ -222,7 +211,7 @@ fn unite<O: Operation>(op: &mut O, image: &mut O, mesh: &Mesh) {
 }
 
 /// Removes an operation's own elements from the lists of its image.
-fn subtract<O: Operation>(image: &mut O, op: &mut O, mesh: &Mesh) {
+fn subtract(image: &mut Op, op: &mut Op, mesh: &Mesh) {
     let own = key(op, mesh);
     for (slot, own) in image.elements().into_iter().zip(own) {
         if slot.is_given() && slot.is_list() {
@@ -234,7 +223,7 @@ fn subtract<O: Operation>(image: &mut O, op: &mut O, mesh: &Mesh) {
 }
 
 /// Whether an operation's first element is on the positive side.
-fn is_positive<O: Operation>(op: &mut O, mesh: &Mesh, axis: usize) -> bool {
+fn is_positive(op: &mut Op, mesh: &Mesh, axis: usize) -> bool {
     let first = op.elements().iter().flat_map(Slot::refs).next();
     let vertices = first.map(|item| item.vertices(mesh)).unwrap_or_default();
     let coordinate = |v: VertexId| mesh.position(v).to_array().get(axis).copied().unwrap_or_default();

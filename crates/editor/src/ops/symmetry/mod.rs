@@ -9,13 +9,14 @@ mod images;
 mod moves;
 mod outcome;
 
-pub(crate) use images::{Images, Reflection, mirror};
+pub(crate) use images::Reflection;
 
 use super::choice::choice;
 use super::{Action, Field, Op};
 use crate::error::Problem;
 use halfedge::words::counted;
 use halfedge::{Mesh, Progress};
+use images::{Images, mirror};
 use surface::MirrorImages;
 
 choice! {
@@ -82,7 +83,7 @@ pub(crate) fn edit_symmetric(
     notes: &mut Vec<String>,
     progress: &mut Progress<'_>,
 ) -> Result<(), Problem> {
-    let Images { own, others, alone } = Op::mirror(ops.to_vec(), mesh, images);
+    let Images { own, others, alone } = mirror(ops.to_vec(), mesh, images);
     let made_from = mesh.vertex_capacity();
     let mut left_out = None;
     if ops.first().is_some_and(|op| op.mirroring() == Mirroring::Moves) {
