@@ -20,7 +20,7 @@ use std::collections::VecDeque;
 use editor::Editor;
 use egui::epaint::MarginF32;
 use egui::{CentralPanel, Context, Event as Input, Panel, Sense, Ui};
-use halfedge::{Budget, Element};
+use halfedge::Element;
 
 use crate::bezier::Player;
 use crate::embedding;
@@ -36,7 +36,7 @@ use crate::request::{Request, Requests, Waiting};
 use crate::session::{Session, saving, selecting, sharing, update};
 use crate::shown::Shown;
 use crate::theme;
-use crate::view::{self, ELEMENTS_PER_FRAME, Tool, View};
+use crate::view::{self, Tool, View};
 use crate::widgets::focus_ring;
 use layout::Layout;
 use notices::Notices;
@@ -161,7 +161,7 @@ impl App {
     /// Handles what happened since the last frame. Draws nothing.
     pub fn logic(&mut self, ctx: &Context) {
         self.fit(ctx);
-        self.view.budget = Budget::new(ELEMENTS_PER_FRAME);
+        self.view.budget = self.session.frames.begin(self.session.platform.now());
         let less_motion = self.session.platform.reduces_motion();
         self.view.glides.are_off = less_motion;
         self.view.glides.follow_input(ctx);
@@ -221,7 +221,6 @@ impl App {
 
     /// Draws a frame and acts on its input.
     pub fn ui(&mut self, ui: &mut Ui) {
-        let started = self.session.platform.now();
         let ctx = ui.ctx().clone();
         let mut out = std::mem::take(&mut self.requests);
         self.draw(ui, &ctx, &mut out);
@@ -240,7 +239,7 @@ impl App {
         }
         self.keeper.step(&mut self.session, &mut self.view, &mut self.shown);
         title::follow(&mut self.session, &mut self.title);
-        self.session.frames.record(self.session.platform.now() - started);
+        self.session.frames.end(self.session.platform.now(), self.view.budget.is_spent());
     }
 
     fn draw(&mut self, ui: &mut Ui, ctx: &Context, out: &mut Requests) {

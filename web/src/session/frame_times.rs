@@ -1,23 +1,63 @@
-//! The time that the page's own work takes per frame.
+//! The time that the page's own work takes per frame, and how much work that is split over several frames may take.
 
+use halfedge::Budget;
 use std::collections::VecDeque;
+use std::ops::RangeInclusive;
 
-/// The processor time of the last frames, in milliseconds.
-#[derive(Debug, Default)]
+/// The time of the last frames, in milliseconds, and the work of the next one.
+#[derive(Debug)]
 pub struct FrameTimes {
     last: VecDeque<f32>,
+    /// When the frame in progress began, in seconds.
+    began: f64,
+    /// The mesh elements that the next frame may process.
+    elements: usize,
 }
 
 /// The number of frames kept: at most two seconds' worth.
 const KEPT_FRAMES: usize = 120;
 
+/// Mesh elements processed in the first frame of work that takes several: uploaded, added to a picking tree, tested by a
+/// region selection, counted.
+const FIRST_ELEMENTS: usize = 50_000;
+
+/// The limits of the elements of a later frame. Slow machines and costly work get fewer.
+const ELEMENTS_RANGE: RangeInclusive<usize> = 20_000..=400_000;
+
+/// How long a frame of such work should take: half of what 60 frames a second allow, since the next part may cost more.
+const TARGET_MS: f32 = 8.0;
+
+/// By what factor the elements grow at most from one frame to the next.
+const MAX_GROWTH: f32 = 1.5;
+
+impl Default for FrameTimes {
+    fn default() -> Self {
+        Self { last: VecDeque::new(), began: 0.0, elements: FIRST_ELEMENTS }
+    }
+}
+
 impl FrameTimes {
-    /// Records a frame that took this many seconds.
-    pub fn record(&mut self, seconds: f64) {
+    /// Begins a frame at this time in seconds; returns the elements that it may process.
+    pub fn begin(&mut self, now: f64) -> Budget {
+        self.began = now;
+        Budget::new(self.elements)
+    }
+
+    /// Ends the frame in progress. `has_more` says whether it used its budget up: the next one then gets as many elements as
+    /// fit into its time.
+    pub fn end(&mut self, now: f64, has_more: bool) {
+        let took_ms = ((now - self.began).max(0.0) * 1000.0) as f32;
         if self.last.len() == KEPT_FRAMES {
             self.last.pop_front();
         }
-        self.last.push_back((seconds.max(0.0) * 1000.0) as f32);
+        self.last.push_back(took_ms);
+        let (least, most) = (*ELEMENTS_RANGE.start(), *ELEMENTS_RANGE.end());
+        self.elements = if has_more {
+            let factor = (TARGET_MS / took_ms.max(0.01)).min(MAX_GROWTH);
+            ((self.elements as f32 * factor) as usize).clamp(least, most)
+        } else {
+            FIRST_ELEMENTS
+        };
     }
 
     /// The median, or 0 before the first frame.
@@ -41,12 +81,37 @@ mod tests {
     fn median_and_worst_of_the_last_frames() {
         let mut times = FrameTimes::default();
         assert_eq!((times.median(), times.worst()), (0.0, 0.0));
-        times.record(9.0);
+        let mut record = |seconds: f64| {
+            times.begin(5.0);
+            times.end(5.0 + seconds, false);
+        };
+        record(9.0);
         for _ in 0..KEPT_FRAMES - 1 {
-            times.record(0.002);
+            record(0.002);
         }
-        times.record(0.004);
+        record(0.004);
         assert!((times.median() - 2.0).abs() < 1e-3);
         assert!((times.worst() - 4.0).abs() < 1e-3, "the nine seconds are forgotten");
+    }
+
+    #[test]
+    fn frames_take_as_many_elements_as_fit() {
+        let mut times = FrameTimes::default();
+        // A machine that takes this many seconds for an element.
+        let mut frames = |seconds: f64, count: usize| {
+            let mut last = 0;
+            for _ in 0..count {
+                last = times.begin(0.0).left();
+                times.end(last as f64 * seconds, true);
+            }
+            last
+        };
+        let near = |elements: usize, wanted: usize| elements.abs_diff(wanted) <= wanted / 100;
+        assert!(near(frames(4e-8, 10), 200_000), "8 ms");
+        assert!(near(frames(1.6e-7, 2), 50_000), "costlier work is cut at once");
+        assert_eq!(frames(1e-5, 2), *ELEMENTS_RANGE.start());
+        assert_eq!(frames(1e-12, 20), *ELEMENTS_RANGE.end());
+        times.end(0.0, false);
+        assert_eq!(times.begin(0.0).left(), FIRST_ELEMENTS);
     }
 }

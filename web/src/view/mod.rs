@@ -33,9 +33,8 @@ use ring::RingTool;
 use textures::Textures;
 use turning::Turning;
 
-/// Mesh elements processed per frame: uploaded, added to a picking tree, tested by a region selection, counted.
-/// More work is split over several frames to keep each short.
-pub(crate) const ELEMENTS_PER_FRAME: usize = 150_000;
+/// The picking tree of a mesh with at most this many faces is built at once when it is needed.
+const MAX_TREE_FACES_AT_ONCE: usize = 50_000;
 
 /// The distance between framed things and the bars over the viewport, in points.
 const BAR_GAP_POINTS: f32 = 8.0;
@@ -149,7 +148,7 @@ impl View {
             ring: RingTool::default(),
             clicked_with: None,
             pick_radius: 0.0,
-            budget: Budget::new(ELEMENTS_PER_FRAME),
+            budget: Budget::default(),
             covered_below: 0.0,
             frame_due: FRAMES_UNTIL_PANELS_SETTLE,
         }
@@ -315,7 +314,7 @@ impl View {
     /// Continues building the tree for picking on an object; returns whether it is complete.
     pub fn build_tree_step(&mut self, object: &Object) -> bool {
         let (id, mesh) = (object.id(), object.mesh());
-        if self.trees.contains_key(&id) || mesh.face_count() <= ELEMENTS_PER_FRAME {
+        if self.trees.contains_key(&id) || mesh.face_count() <= MAX_TREE_FACES_AT_ONCE {
             return true;
         }
         let building = self.building.take().filter(|(built, _)| *built == id);
