@@ -83,10 +83,7 @@ offlineTest("a newer version is offered, and comes when the user asks for it", a
   assert.doesNotMatch(await editor.page.locator("title").innerText(), /Newer/);
   await editor.until("the newer version is offered again", () => offer(editor));
 
-  const loaded = editor.page.waitForEvent("load");
-  await editor.click("Reload with the new version");
-  await loaded;
-  await editor.ready();
+  await editor.clickToReload("Reload with the new version");
   assert.match(await editor.page.locator("title").innerText(), /Newer/);
   assert.equal((await editor.state()).document.faces, 9, "the document is kept");
   assert.equal(await offer(editor), false);

@@ -139,8 +139,8 @@ export class Editor {
     return this.until(`a control named ${name}`, async () => (await this.ui()).find(wanted));
   }
 
-  /** Clicks the middle of a control found by name. */
-  async click(name, role) {
+  /** The middle of a control found by name. */
+  async middle(name, role) {
     // What a script just changed may still move the control.
     let rect;
     await this.until(`${name} stays in place`, async () => {
@@ -149,7 +149,23 @@ export class Editor {
       return rect.join() === before;
     });
     const [x, y, width, height] = rect;
-    await this.clickAt([x + width / 2, y + height / 2]);
+    return [x + width / 2, y + height / 2];
+  }
+
+  /** Clicks the middle of a control found by name. */
+  async click(name, role) {
+    await this.clickAt(await this.middle(name, role));
+  }
+
+  /** Clicks a control that makes the page load again, and waits until the editor is ready. */
+  async clickToReload(name) {
+    const at = await this.middle(name);
+    await this.page.mouse.move(...at);
+    await this.frames(2);
+    const loaded = this.page.waitForEvent("load");
+    await this.page.mouse.click(...at);
+    await loaded;
+    await this.ready();
   }
 
   /** Clicks a control that is found by its role and name as a screen reader knows them. */

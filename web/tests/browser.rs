@@ -8,7 +8,7 @@ use formats::NamedBytes;
 use meshwright_web::platform::browser::Browser;
 use meshwright_web::platform::{DeviceInfo, Event, Platform};
 use meshwright_worker::store::Answer;
-use meshwright_worker::{Message, Request};
+use meshwright_worker::{Posted, Received, Request};
 use wasm_bindgen::JsValue;
 use wasm_bindgen_test::{console_log, wasm_bindgen_test, wasm_bindgen_test_configure};
 
@@ -22,7 +22,7 @@ fn the_page_has_32_bit_memory() {
 
 #[wasm_bindgen_test]
 fn messages_of_the_worker_round_trip() {
-    let refusal = |field: Option<&str>, kind| Message::Refused {
+    let refusal = |field: Option<&str>, kind| Posted::Refused {
         job: 3,
         refusal: CommandError {
             op: "subdivide-loop".to_owned(),
@@ -34,25 +34,28 @@ fn messages_of_the_worker_round_trip() {
         },
     };
     let messages = [
-        Message::Ready,
-        Message::Progress { job: 0, fraction: 0.625 },
-        Message::Done {
-            job: 1 << 40,
-            result: imported("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"),
-            memory: 1048576.0,
-        },
+        Posted::Ready,
+        Posted::Progress { job: 0, fraction: 0.625 },
         refusal(None, ErrorKind::Refused),
         refusal(Some("levels"), ErrorKind::Internal),
         refusal(Some(""), ErrorKind::Cancelled),
         refusal(Some("edges"), ErrorKind::NothingToDo),
-        Message::Misunderstood { job: 4, reason: "no".to_owned() },
-        Message::Crashed { reason: "over".to_owned() },
+        Posted::Misunderstood { job: 4, reason: "no".to_owned() },
+        Posted::Crashed { reason: "over".to_owned() },
     ];
     for message in messages {
         let (value, _) = message.to_js();
-        let read = Message::from_js(&value).expect("its own value");
+        let read = Received::from_js(&value).expect("its own value");
         assert_eq!(format!("{read:?}"), format!("{message:?}"));
     }
+    let sent = imported("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+    let bytes = sent.to_bytes();
+    let (value, _) = Posted::Done { job: 1 << 40, result: sent, memory: 1048576.0 }.to_js();
+    let read = Received::from_js(&value).expect("its own value");
+    let Received::Done { job, mut result, memory } = read else { panic!("{read:?}") };
+    assert_eq!((job, memory), (1 << 40, 1048576.0));
+    let result = result.step(usize::MAX).expect("all of it").expect("its own bytes");
+    assert_eq!(result.to_bytes(), bytes);
 }
 
 #[wasm_bindgen_test]
@@ -66,7 +69,7 @@ fn other_values_are_not_messages() {
         js_sys::Array::of3(&"progress".into(), &(-1.0).into(), &0.5.into()).into(),
     ];
     for value in values {
-        assert!(Message::from_js(&value).is_none(), "{value:?}");
+        assert!(Received::from_js(&value).is_none(), "{value:?}");
     }
 }
 
@@ -90,7 +93,10 @@ fn bytes_that_are_not_a_job_are_misunderstood() {
     let (job, read) = Request::read(&value).expect("a number and bytes");
     assert!(job == 7 && read.is_err());
     let value = js_sys::Array::of4(&"done".into(), &7.0.into(), &bytes, &0.0.into()).into();
-    assert!(matches!(Message::from_js(&value), Some(Message::Misunderstood { job: 7, .. })));
+    let Some(Received::Done { job: 7, mut result, .. }) = Received::from_js(&value) else {
+        panic!("{value:?}")
+    };
+    assert!(result.step(usize::MAX).expect("all of it").is_err());
 }
 
 fn import_of(obj: &str) -> JobRequest {

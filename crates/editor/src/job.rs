@@ -6,7 +6,7 @@ pub(crate) mod messages;
 pub(crate) mod packed;
 pub(crate) mod wire;
 
-pub use wire::{BadBytes, Wire};
+pub use wire::{BadBytes, Part, Reading, Wire};
 
 use crate::Task;
 use crate::bezier::fill_previews;

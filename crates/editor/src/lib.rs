@@ -28,7 +28,7 @@ pub use editor::{
     Begun, Editor, Finished, Jump, MAX_ELEMENTS_AT_ONCE, Message, MessageKind, RunningJob, SelectBy,
 };
 pub use error::{CommandError, ErrorKind};
-pub use job::{BadBytes, JobId, JobRequest, JobResult, Wire};
+pub use job::{BadBytes, JobId, JobRequest, JobResult, Part, Reading, Wire};
 pub use ops::{Command, Facts, Op, OpId, Scope, SelectMode, Spec};
 pub use outcome::{ElementIds, Elements, Outcome};
 pub use script::{element_kind, element_name};

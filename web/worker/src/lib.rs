@@ -1,7 +1,7 @@
 //! The web worker's side of a job, and the messages between it and the page.
 //!
 //! The page posts a job's number and an [`editor::JobRequest`] (`Request`). The worker answers with
-//! `Message`s: progress, then a result or a refusal.
+//! `Posted` messages: progress, then a result or a refusal.
 
 #![cfg_attr(not(test), deny(clippy::unwrap_used, clippy::expect_used, clippy::panic, clippy::unreachable))]
 #![cfg_attr(not(test), deny(clippy::indexing_slicing))]
@@ -16,7 +16,7 @@ pub mod store;
 mod throttle;
 
 #[cfg(target_arch = "wasm32")]
-pub use message::{Message, Request};
+pub use message::{Posted, Received, Request};
 #[cfg(target_arch = "wasm32")]
 pub use serve::serve;
 pub use throttle::Throttle;

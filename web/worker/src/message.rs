@@ -3,14 +3,15 @@
 //! A job and its result travel in a buffer that is transferred, not copied: the sender copies its mesh into
 //! the buffer, and the receiver copies it out. See [`editor::Wire`].
 
-use editor::{BadBytes, CommandError, ErrorKind, JobRequest, JobResult, Wire};
+use editor::{BadBytes, CommandError, ErrorKind, JobRequest, JobResult, Reading, Wire};
 use js_sys::{Array, Uint8Array};
 use std::io::{self, BufReader, BufWriter, Read, Write};
 use wasm_bindgen::{JsCast, JsValue};
 
-/// A message from the worker to the page.
+/// A message from the worker to the page. The worker posts results whole ([`Posted`]); the page reads them in parts
+/// ([`Received`]).
 #[derive(Debug)]
-pub enum Message {
+pub enum Message<R> {
     /// The worker is listening; requests sent earlier are lost.
     Ready,
     /// A job made progress.
@@ -25,7 +26,7 @@ pub enum Message {
         /// The number that came with the request.
         job: u64,
         /// Its result.
-        result: JobResult,
+        result: R,
         /// The size of the worker's memory in bytes.
         memory: f64,
     },
@@ -50,7 +51,13 @@ pub enum Message {
     },
 }
 
-impl Message {
+/// A message that the worker posts.
+pub type Posted = Message<JobResult>;
+
+/// A message that the page receives.
+pub type Received = Message<Reading<JobResult>>;
+
+impl Posted {
     /// The value to post, and the list of objects to transfer with it.
     pub fn to_js(&self) -> (JsValue, JsValue) {
         let message = Array::new();
@@ -70,6 +77,7 @@ impl Message {
                 push(&["done".into(), job_to_js(*job), (&bytes).into(), (*memory).into()]);
                 transfer.push(&bytes.buffer());
             }
+
             Self::Refused { job, refusal } => {
                 let CommandError { op, field, problem, kind, is_of_field, advice } = refusal;
                 push(&["refused".into(), job_to_js(*job), op.into(), field.clone().into(), problem.into()]);
@@ -82,9 +90,10 @@ impl Message {
         }
         (message.into(), transfer.into())
     }
+}
 
-    /// Reads a value written by [`to_js`](Self::to_js); `None` for anything else. An unreadable result
-    /// becomes [`Message::Misunderstood`].
+impl Received {
+    /// Reads a value written by [`Posted::to_js`]; `None` for anything else.
     pub fn from_js(value: &JsValue) -> Option<Self> {
         let parts: &Array = value.dyn_ref()?;
         match parts.get(0).as_string()?.as_str() {
@@ -95,11 +104,11 @@ impl Message {
             }),
             "done" => {
                 let bytes: Uint8Array = parts.get(2).dyn_into().ok()?;
-                let memory = parts.get(3).as_f64()?;
-                let job = job_from_js(&parts.get(1))?;
-                Some(match from_array(&bytes) {
-                    Ok(result) => Self::Done { job, result, memory },
-                    Err(error) => Self::Misunderstood { job, reason: error.to_string() },
+                let len = bytes.length() as usize;
+                Some(Self::Done {
+                    job: job_from_js(&parts.get(1))?,
+                    result: Reading::new(BufReader::new(Cursor { array: bytes, at: 0 }), len),
+                    memory: parts.get(3).as_f64()?,
                 })
             }
             "refused" => {
@@ -153,25 +162,25 @@ fn to_array(value: &impl Wire) -> Uint8Array {
     // WebAssembly addresses have 32 bits.
     let array = Uint8Array::new_with_length(u32::try_from(value.byte_len()).unwrap_or(u32::MAX));
     // The array is large enough, so writing can't fail.
-    let mut out = BufWriter::new(Cursor { array: &array, at: 0 });
+    let mut out = BufWriter::new(Cursor { array: array.clone(), at: 0 });
     let _ = value.write_to(&mut out).and_then(|()| out.flush());
     drop(out);
     array
 }
 
 fn from_array<T: Wire>(array: &Uint8Array) -> Result<T, BadBytes> {
-    let mut from = BufReader::new(Cursor { array, at: 0 });
+    let mut from = BufReader::new(Cursor { array: array.clone(), at: 0 });
     T::read_from(&mut from, array.length() as usize)
 }
 
 /// A position in a JavaScript array. The buffered writer and reader around it collect small blocks, to
 /// avoid a JavaScript call for each, and pass large ones on.
-struct Cursor<'a> {
-    array: &'a Uint8Array,
+struct Cursor {
+    array: Uint8Array,
     at: u32,
 }
 
-impl Cursor<'_> {
+impl Cursor {
     /// The next part of the array, at most `len` bytes long.
     fn advance(&mut self, len: usize) -> Uint8Array {
         let left = self.array.length() - self.at;
@@ -182,7 +191,7 @@ impl Cursor<'_> {
     }
 }
 
-impl Write for Cursor<'_> {
+impl Write for Cursor {
     fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
         let part = self.advance(bytes.len());
         let len = part.length() as usize;
@@ -197,7 +206,7 @@ impl Write for Cursor<'_> {
     }
 }
 
-impl Read for Cursor<'_> {
+impl Read for Cursor {
     fn read(&mut self, bytes: &mut [u8]) -> io::Result<usize> {
         let part = self.advance(bytes.len());
         let len = part.length() as usize;

@@ -8,7 +8,7 @@ use wasm_bindgen::prelude::*;
 use web_sys::{DedicatedWorkerGlobalScope, MessageEvent};
 
 use crate::alive::hold_while_alive;
-use crate::message::{Message, Request};
+use crate::message::{Posted, Request};
 use crate::store;
 use crate::throttle::Throttle;
 
@@ -25,7 +25,7 @@ pub fn serve() {
     }
     std::panic::set_hook(Box::new(|info| {
         if let Ok(scope) = js_sys::global().dyn_into::<DedicatedWorkerGlobalScope>() {
-            post(&scope, &Message::Crashed { reason: info.to_string() });
+            post(&scope, &Posted::Crashed { reason: info.to_string() });
         }
     }));
     let on_message = Closure::<dyn FnMut(MessageEvent)>::new({
@@ -40,20 +40,20 @@ pub fn serve() {
     scope.set_onmessage(Some(on_message.as_ref().unchecked_ref()));
     // The listener lives as long as the worker, until the page terminates it.
     on_message.forget();
-    hold_while_alive(&scope.name(), move || post(&scope, &Message::Ready));
+    hold_while_alive(&scope.name(), move || post(&scope, &Posted::Ready));
 }
 
 /// Runs a job, reports its progress and returns the answer.
-fn run(job: u64, request: Result<JobRequest, BadBytes>, mut tell: impl FnMut(&Message)) -> Message {
+fn run(job: u64, request: Result<JobRequest, BadBytes>, mut tell: impl FnMut(&Posted)) -> Posted {
     let request = match request {
         Ok(request) => request,
-        Err(reason) => return Message::Misunderstood { job, reason: reason.to_string() },
+        Err(reason) => return Posted::Misunderstood { job, reason: reason.to_string() },
     };
     let mut throttle = Throttle::new(Date::now());
     // The page cancels a job by terminating the worker.
     let result = request.run(&mut |fraction| {
         if throttle.allows(Date::now()) {
-            tell(&Message::Progress { job, fraction });
+            tell(&Posted::Progress { job, fraction });
         }
         ControlFlow::Continue(())
     });
@@ -61,13 +61,13 @@ fn run(job: u64, request: Result<JobRequest, BadBytes>, mut tell: impl FnMut(&Me
         Ok(mut result) => {
             // Validates here, because validating in the page would block it.
             result.validate();
-            Message::Done { job, result, memory: memory() }
+            Posted::Done { job, result, memory: memory() }
         }
-        Err(refusal) => Message::Refused { job, refusal },
+        Err(refusal) => Posted::Refused { job, refusal },
     }
 }
 
-fn post(scope: &DedicatedWorkerGlobalScope, message: &Message) {
+fn post(scope: &DedicatedWorkerGlobalScope, message: &Posted) {
     let (value, transfer) = message.to_js();
     // Fails only if the page is gone, and then there is no receiver.
     let _ = scope.post_message_with_transfer(&value, &transfer);

@@ -25,14 +25,14 @@ pub(crate) fn write_named(out: &mut Writer<'_>, named: &NamedMesh, with_soup: bo
     soup.map_or(Ok(()), |soup| write_soup(out, soup))
 }
 
-pub(crate) fn read_named(from: &mut Reader<'_>) -> Result<NamedMesh, BadBytes> {
-    let NamedHead { name, bezier_is_curve, has_soup } = from.value()?;
-    let mesh = read_mesh(from)?;
+pub(crate) async fn read_named(from: &mut Reader<'_>) -> Result<NamedMesh, BadBytes> {
+    let NamedHead { name, bezier_is_curve, has_soup } = from.value().await?;
+    let mesh = read_mesh(from).await?;
     let bezier = match bezier_is_curve {
-        Some(is_curve) => Some(Arc::new(Bezier::from_points(is_curve, from.column()?))),
+        Some(is_curve) => Some(Arc::new(Bezier::from_points(is_curve, from.column().await?))),
         None => None,
     };
-    let soup = if has_soup { Some(Arc::new(read_soup(from)?)) } else { None };
+    let soup = if has_soup { Some(Arc::new(read_soup(from).await?)) } else { None };
     Ok(NamedMesh { bezier, soup, ..NamedMesh::new(name, mesh) })
 }
 
@@ -65,11 +65,11 @@ fn write_mesh(out: &mut Writer<'_>, mesh: &Mesh) -> io::Result<()> {
         .try_for_each(|element| write_attributes(out, mesh.columns().of(element).iter().collect()))
 }
 
-fn read_mesh(from: &mut Reader<'_>) -> Result<Mesh, BadBytes> {
-    let mut raw = RawMesh { positions: from.column()?, ..RawMesh::default() };
+async fn read_mesh(from: &mut Reader<'_>) -> Result<Mesh, BadBytes> {
+    let mut raw = RawMesh { positions: from.column().await?, ..RawMesh::default() };
     let gaps = if from.is_packed() {
-        let gaps = read_gaps(from)?;
-        read_packed_links(from, &mut raw, &gaps)?;
+        let gaps = read_gaps(from).await?;
+        read_packed_links(from, &mut raw, &gaps).await?;
         gaps
     } else {
         let columns = [
@@ -80,8 +80,10 @@ fn read_mesh(from: &mut Reader<'_>) -> Result<Mesh, BadBytes> {
             &mut raw.face,
             &mut raw.face_halfedge,
         ];
-        columns.into_iter().try_for_each(|column| from.column().map(|read| *column = read))?;
-        let gaps = read_gaps(from)?;
+        for column in columns {
+            *column = from.column().await?;
+        }
+        let gaps = read_gaps(from).await?;
         check_gaps(&gaps, &raw)?;
         gaps
     };
@@ -95,7 +97,7 @@ fn read_mesh(from: &mut Reader<'_>) -> Result<Mesh, BadBytes> {
             Element::Halfedge => halfedges,
             Element::Face => faces,
         };
-        for column in read_attributes(from, len)? {
+        for column in read_attributes(from, len).await? {
             raw.columns.of_mut(element).push(column);
         }
     }
@@ -106,8 +108,8 @@ fn write_gaps(out: &mut Writer<'_>, gaps: &Gaps) -> io::Result<()> {
     [&gaps.vertices, &gaps.edges, &gaps.faces].into_iter().try_for_each(|ids| out.links(ids))
 }
 
-fn read_gaps(from: &mut Reader<'_>) -> Result<Gaps, BadBytes> {
-    Ok(Gaps { vertices: from.links()?, edges: from.links()?, faces: from.links()? })
+async fn read_gaps(from: &mut Reader<'_>) -> Result<Gaps, BadBytes> {
+    Ok(Gaps { vertices: from.links().await?, edges: from.links().await?, faces: from.links().await? })
 }
 
 /// Refuses removed elements that no column has: marking them would take memory for all ids up to theirs.
@@ -141,15 +143,16 @@ fn write_packed_links(out: &mut Writer<'_>, mesh: &Mesh, gaps: &Gaps) -> io::Res
     [links.prev, links.to, links.face].into_iter().try_for_each(|ids| out.links(ids))
 }
 
-fn read_packed_links(from: &mut Reader<'_>, raw: &mut RawMesh, gaps: &Gaps) -> Result<(), BadBytes> {
-    let is_derived = from.column::<u8>()? == [1];
-    (raw.vertex_halfedge, raw.next, raw.face_halfedge) = (from.links()?, from.links()?, from.links()?);
+async fn read_packed_links(from: &mut Reader<'_>, raw: &mut RawMesh, gaps: &Gaps) -> Result<(), BadBytes> {
+    let is_derived = from.column::<u8>().await? == [1];
+    (raw.vertex_halfedge, raw.next, raw.face_halfedge) =
+        (from.links().await?, from.links().await?, from.links().await?);
     check_gaps(gaps, raw)?;
     if !is_derived {
-        (raw.prev, raw.to, raw.face) = (from.links()?, from.links()?, from.links()?);
+        (raw.prev, raw.to, raw.face) = (from.links().await?, from.links().await?, from.links().await?);
         return Ok(());
     }
-    let removed = from.links()?;
+    let removed = from.links().await?;
     let derived = Derived::from_links(&raw.vertex_halfedge, &raw.next, &raw.face_halfedge, gaps)
         .and_then(|mut derived| derived.put_removed(&removed, gaps).then_some(derived))
         .ok_or_else(|| BadBytes::new("its half-edges form no mesh"))?;
@@ -166,8 +169,9 @@ fn write_soup(out: &mut Writer<'_>, soup: &PolygonSoup) -> io::Result<()> {
         .try_for_each(|columns| write_attributes(out, columns.iter().collect()))
 }
 
-fn read_soup(from: &mut Reader<'_>) -> Result<PolygonSoup, BadBytes> {
-    let (positions, corners, face_starts): (Vec<_>, _, _) = (from.column()?, from.links()?, from.links()?);
+async fn read_soup(from: &mut Reader<'_>) -> Result<PolygonSoup, BadBytes> {
+    let (positions, corners, face_starts): (Vec<_>, _, _) =
+        (from.column().await?, from.links().await?, from.links().await?);
     let (vertices, faces) = (positions.len(), face_starts.len().saturating_sub(1));
     let starts_fit = face_starts.first() == Some(&0)
         && face_starts.last().is_some_and(|&last| last as usize == corners.len())
@@ -176,9 +180,9 @@ fn read_soup(from: &mut Reader<'_>) -> Result<PolygonSoup, BadBytes> {
         return Err(BadBytes::new("the faces of the file don't fit its vertices"));
     }
     Ok(PolygonSoup {
-        vertex_columns: read_attributes(from, vertices)?,
-        corner_columns: read_attributes(from, corners.len())?,
-        face_columns: read_attributes(from, faces)?,
+        vertex_columns: read_attributes(from, vertices).await?,
+        corner_columns: read_attributes(from, corners.len()).await?,
+        face_columns: read_attributes(from, faces).await?,
         positions,
         corners,
         face_starts,
@@ -237,26 +241,27 @@ fn write_attributes(out: &mut Writer<'_>, columns: Vec<&Column>) -> io::Result<(
     Ok(())
 }
 
-fn read_attributes(from: &mut Reader<'_>, len: usize) -> Result<Vec<Column>, BadBytes> {
-    let heads: Vec<AttributeHead> = from.value()?;
-    heads
-        .into_iter()
-        .map(|AttributeHead { name, labels, kind }| {
-            let (default, values) = match kind {
-                Kind::F32 => (Value::F32(default(from)?), Values::F32(from.column()?)),
-                Kind::Vec2 => (Value::Vec2(default(from)?), Values::Vec2(from.column()?)),
-                Kind::Vec3 => (Value::Vec3(default(from)?), Values::Vec3(from.column()?)),
-                Kind::Color => (Value::Color(default::<Color>(from)?), Values::Color(from.column()?)),
-                Kind::U32 => (Value::U32(default(from)?), Values::U32(from.column()?)),
-            };
-            check_lengths(&[values.len()], len)?;
-            Ok(Column { name, values, default, labels })
-        })
-        .collect()
+async fn read_attributes(from: &mut Reader<'_>, len: usize) -> Result<Vec<Column>, BadBytes> {
+    let heads: Vec<AttributeHead> = from.value().await?;
+    let mut columns = Vec::new();
+    for AttributeHead { name, labels, kind } in heads {
+        let (default, values) = match kind {
+            Kind::F32 => (Value::F32(default(from).await?), Values::F32(from.column().await?)),
+            Kind::Vec2 => (Value::Vec2(default(from).await?), Values::Vec2(from.column().await?)),
+            Kind::Vec3 => (Value::Vec3(default(from).await?), Values::Vec3(from.column().await?)),
+            Kind::Color => (Value::Color(default::<Color>(from).await?), Values::Color(from.column().await?)),
+            Kind::U32 => (Value::U32(default(from).await?), Values::U32(from.column().await?)),
+        };
+        check_lengths(&[values.len()], len)?;
+        columns.push(Column { name, values, default, labels });
+    }
+    Ok(columns)
 }
 
-fn default<T: bytemuck::AnyBitPattern + bytemuck::NoUninit>(from: &mut Reader<'_>) -> Result<T, BadBytes> {
-    match from.column()?.as_slice() {
+async fn default<T: bytemuck::AnyBitPattern + bytemuck::NoUninit>(
+    from: &mut Reader<'_>,
+) -> Result<T, BadBytes> {
+    match from.column().await?.as_slice() {
         [value] => Ok(*value),
         _ => Err(BadBytes::new("a column's default is missing")),
     }

@@ -1,7 +1,7 @@
 //! Requests and results as blocks.
 
 use super::columns::{read_named, write_named};
-use super::wire::{BadBytes, Reader, Wire, Writer};
+use super::wire::{BadBytes, Part, Reader, Wire, Writer};
 use super::{ExportHead, JobId, JobRequest, JobResult, Made, Work};
 use crate::ops::{Action, Command, Op, Symmetry};
 use crate::outcome::ElementIds;
@@ -115,26 +115,26 @@ impl Wire for JobRequest {
         }
     }
 
-    fn read_from(from: &mut dyn Read, len: usize) -> Result<Self, BadBytes> {
-        let mut from = Reader::start(from, len, REQUEST_MARK)?;
-        let RequestHead { id, work } = from.value()?;
+    async fn read(from: &mut dyn Read, len: usize, part: Part) -> Result<Self, BadBytes> {
+        let mut from = Reader::start(from, len, REQUEST_MARK, part)?;
+        let RequestHead { id, work } = from.value().await?;
         let work = match work {
-            WorkHead::Import { repairs } => Work::Import(read_files(&mut from)?, repairs),
+            WorkHead::Import { repairs } => Work::Import(read_files(&mut from).await?, repairs),
             WorkHead::Run { ops: commands } => {
                 let symmetry = commands.first().map_or(Symmetry::None, |command| command.symmetry);
                 let ops = commands.into_iter().map(|command| command.op).collect();
-                Work::Run(ops, symmetry, read_meshes(&mut from)?)
+                Work::Run(ops, symmetry, read_meshes(&mut from).await?)
             }
             WorkHead::Export { format, name, offset } => {
-                let materials = read_materials(&mut from)?;
+                let materials = read_materials(&mut from).await?;
                 let head = ExportHead { format, name, offset: offset.into(), materials };
-                Work::Export(head, read_meshes(&mut from)?)
+                Work::Export(head, read_meshes(&mut from).await?)
             }
-            WorkHead::Save => Work::Save(Box::new(Project::receive(&mut from)?)),
-            WorkHead::Share => Work::Share(Box::new(Project::receive(&mut from)?)),
+            WorkHead::Save => Work::Save(Box::new(Project::receive(&mut from).await?)),
+            WorkHead::Share => Work::Share(Box::new(Project::receive(&mut from).await?)),
             WorkHead::Decode { mut images, has_bytes, largest } => {
                 for (image, _) in images.iter_mut().zip(has_bytes).filter(|(_, has_bytes)| *has_bytes) {
-                    let bytes = Some(from.column()?.into());
+                    let bytes = Some(from.column().await?.into());
                     image.iter_mut().for_each(|image| image.bytes.clone_from(&bytes));
                 }
                 let [color, alpha] = images;
@@ -184,29 +184,33 @@ impl Wire for JobResult {
         }
     }
 
-    fn read_from(from: &mut dyn Read, len: usize) -> Result<Self, BadBytes> {
-        let mut from = Reader::start(from, len, RESULT_MARK)?;
-        let ResultHead { validated, made } = from.value()?;
+    async fn read(from: &mut dyn Read, len: usize, part: Part) -> Result<Self, BadBytes> {
+        let mut from = Reader::start(from, len, RESULT_MARK, part)?;
+        let ResultHead { validated, made } = from.value().await?;
         let made = match made {
             MadeHead::Import { name, report, offset } => {
-                let materials = read_materials(&mut from)?;
-                let objects = read_meshes(&mut from)?;
+                let materials = read_materials(&mut from).await?;
+                let objects = read_meshes(&mut from).await?;
                 let model = Model { name, objects, offset: offset.into(), materials };
                 Made::Import(Import { model, report })
             }
             MadeHead::Project { report, is_link } => {
-                let project = Project::receive(&mut from)?;
+                let project = Project::receive(&mut from).await?;
                 Made::Project(Box::new(ReadProject { project, report, is_link }))
             }
             MadeHead::Meshes { notes, has_ids } => {
-                let outputs = read_meshes(&mut from)?;
-                let ids = if has_ids { Some((read_ids(&mut from)?, read_ids(&mut from)?)) } else { None };
+                let outputs = read_meshes(&mut from).await?;
+                let ids = if has_ids {
+                    Some((read_ids(&mut from).await?, read_ids(&mut from).await?))
+                } else {
+                    None
+                };
                 Made::Meshes(outputs, ids, notes)
             }
-            MadeHead::Files => Made::Files(read_files(&mut from)?),
+            MadeHead::Files => Made::Files(read_files(&mut from).await?),
             MadeHead::Link(link) => Made::Link(link),
             MadeHead::Picture { size, original } => {
-                Made::Picture(Picture { size, pixels: from.column()?, original })
+                Made::Picture(Picture { size, pixels: from.column().await?, original })
             }
         };
         from.end()?;
@@ -224,10 +228,14 @@ fn write_meshes(out: &mut Writer<'_>, meshes: &[NamedMesh], with_soup: bool) -> 
     meshes.iter().try_for_each(|mesh| write_named(out, mesh, with_soup))
 }
 
-fn read_meshes(from: &mut Reader<'_>) -> Result<Vec<NamedMesh>, BadBytes> {
+async fn read_meshes(from: &mut Reader<'_>) -> Result<Vec<NamedMesh>, BadBytes> {
     // Each takes bytes, so a false count ends with an error.
-    let count: usize = from.value()?;
-    (0..count).map(|_| read_named(from)).collect()
+    let count: usize = from.value().await?;
+    let mut meshes = Vec::new();
+    for _ in 0..count {
+        meshes.push(read_named(from).await?);
+    }
+    Ok(meshes)
 }
 
 fn write_files(out: &mut Writer<'_>, files: &[NamedBytes]) -> io::Result<()> {
@@ -235,9 +243,13 @@ fn write_files(out: &mut Writer<'_>, files: &[NamedBytes]) -> io::Result<()> {
     files.iter().try_for_each(|file| out.column(&file.bytes))
 }
 
-fn read_files(from: &mut Reader<'_>) -> Result<Vec<NamedBytes>, BadBytes> {
-    let names: Vec<String> = from.value()?;
-    names.into_iter().map(|name| Ok(NamedBytes { name, bytes: from.column()? })).collect()
+async fn read_files(from: &mut Reader<'_>) -> Result<Vec<NamedBytes>, BadBytes> {
+    let names: Vec<String> = from.value().await?;
+    let mut files = Vec::new();
+    for name in names {
+        files.push(NamedBytes { name, bytes: from.column().await? });
+    }
+    Ok(files)
 }
 
 fn without_bytes(image: &Image) -> Image {
@@ -251,17 +263,17 @@ pub(crate) fn write_materials(out: &mut Writer<'_>, materials: &Materials) -> io
     materials.images.iter().filter_map(|image| image.bytes.as_ref()).try_for_each(|bytes| out.column(bytes))
 }
 
-pub(crate) fn read_materials(from: &mut Reader<'_>) -> Result<Materials, BadBytes> {
-    let (list, mut images, has_bytes): (_, Vec<Image>, Vec<bool>) = from.value()?;
+pub(crate) async fn read_materials(from: &mut Reader<'_>) -> Result<Materials, BadBytes> {
+    let (list, mut images, has_bytes): (_, Vec<Image>, Vec<bool>) = from.value().await?;
     for (image, has_bytes) in images.iter_mut().zip(has_bytes) {
         if has_bytes {
-            image.bytes = Some(from.column()?.into());
+            image.bytes = Some(from.column().await?.into());
         }
     }
     Ok(Materials { list, images })
 }
 
-fn read_ids(from: &mut Reader<'_>) -> Result<ElementIds, BadBytes> {
-    let [vertices, edges, faces] = [from.column()?, from.column()?, from.column()?];
-    Ok(ElementIds { vertices, edges, faces, cut_from: from.column()? })
+async fn read_ids(from: &mut Reader<'_>) -> Result<ElementIds, BadBytes> {
+    let [vertices, edges, faces] = [from.column().await?, from.column().await?, from.column().await?];
+    Ok(ElementIds { vertices, edges, faces, cut_from: from.column().await? })
 }

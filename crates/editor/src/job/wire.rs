@@ -11,8 +11,13 @@ use super::packed;
 use bytemuck::{AnyBitPattern, NoUninit};
 use serde::Serialize;
 use serde::de::DeserializeOwned;
+use std::cell::Cell;
 use std::fmt;
+use std::future::poll_fn;
 use std::io::{self, Read, Write};
+use std::pin::{Pin, pin};
+use std::rc::Rc;
+use std::task::{Context, Poll, Waker};
 
 /// Why bytes could not be read as a job.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -55,7 +60,15 @@ pub trait Wire: Sized {
     /// # Errors
     /// The bytes are not such a value, or too few or too many. Meshes are not validated: only the lengths
     /// of their columns are checked.
-    fn read_from(from: &mut dyn Read, len: usize) -> Result<Self, BadBytes>;
+    fn read_from(from: &mut dyn Read, len: usize) -> Result<Self, BadBytes> {
+        at_once(Self::read(from, len, Part::unlimited()))
+    }
+
+    /// [`Wire::read_from`], with pauses where `part` is used up: what [`Reading`] goes on with.
+    ///
+    /// # Errors
+    /// As [`Wire::read_from`].
+    fn read(from: &mut dyn Read, len: usize, part: Part) -> impl Future<Output = Result<Self, BadBytes>>;
 
     /// The number of bytes that [`Wire::write_to`] writes. Costs O(columns) and the cost of the JSON.
     fn byte_len(&self) -> usize {
@@ -82,6 +95,70 @@ pub trait Wire: Sized {
         Self::read_from(&mut bytes, len)
     }
 }
+
+/// A value that is read in parts, so that no frame of the page takes long: a million triangles take 60 MB.
+pub struct Reading<T> {
+    work: Pin<Box<dyn Future<Output = Result<T, BadBytes>>>>,
+    part: Part,
+}
+
+impl<T> fmt::Debug for Reading<T> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_struct("Reading").finish_non_exhaustive()
+    }
+}
+
+impl<T: Wire + 'static> Reading<T> {
+    /// Begins to read a value that takes up exactly `len` bytes of `from`. Costs O(1).
+    pub fn new(mut from: impl Read + 'static, len: usize) -> Self {
+        let part = Part(Rc::default());
+        let work = Box::pin({
+            let part = part.clone();
+            async move { T::read(&mut from, len, part).await }
+        });
+        Self { work, part }
+    }
+
+    /// Reads about this many bytes more; returns the value once it is complete. Don't go on after that.
+    ///
+    /// # Errors
+    /// As [`Wire::read_from`].
+    pub fn step(&mut self, bytes: usize) -> Option<Result<T, BadBytes>> {
+        self.part.0.set(bytes);
+        match self.work.as_mut().poll(&mut Context::from_waker(Waker::noop())) {
+            Poll::Ready(read) => Some(read),
+            Poll::Pending => None,
+        }
+    }
+}
+
+/// How many bytes may be read before the next pause.
+#[derive(Clone, Debug)]
+pub struct Part(Rc<Cell<usize>>);
+
+impl Part {
+    /// No pauses.
+    pub(crate) fn unlimited() -> Self {
+        Self(Rc::new(Cell::new(usize::MAX)))
+    }
+
+    /// Counts bytes, and pauses if these were the last.
+    async fn count(&self, bytes: usize) {
+        self.0.set(self.0.get().saturating_sub(bytes));
+        poll_fn(|_| if self.0.get() == 0 { Poll::Pending } else { Poll::Ready(()) }).await;
+    }
+}
+
+/// Does all the work of reading. Without a limit it never pauses.
+pub(crate) fn at_once<T>(work: impl Future<Output = Result<T, BadBytes>>) -> Result<T, BadBytes> {
+    match pin!(work).poll(&mut Context::from_waker(Waker::noop())) {
+        Poll::Ready(read) => read,
+        Poll::Pending => Err(BadBytes::new("reading them paused")),
+    }
+}
+
+/// Columns are read in pieces of this many bytes, with pauses between them.
+const PIECE_BYTES: usize = 1 << 20;
 
 /// Counts the bytes that are written to it.
 struct Counter(usize);
@@ -148,12 +225,13 @@ pub(crate) struct Reader<'a> {
     from: &'a mut dyn Read,
     left: usize,
     is_packed: bool,
+    part: Part,
 }
 
 impl<'a> Reader<'a> {
     /// Checks the mark at the start.
-    pub fn start(from: &'a mut dyn Read, len: usize, mark: [u8; 8]) -> Result<Self, BadBytes> {
-        let mut reader = Self { from, left: len, is_packed: false };
+    pub fn start(from: &'a mut dyn Read, len: usize, mark: [u8; 8], part: Part) -> Result<Self, BadBytes> {
+        let mut reader = Self { from, left: len, is_packed: false, part };
         let mut start = [0; 8];
         reader.fill(&mut start)?;
         if start == mark { Ok(reader) } else { Err(BadBytes::new("they begin with another mark")) }
@@ -161,7 +239,7 @@ impl<'a> Reader<'a> {
 
     /// [`Reader::start`] for packed blocks.
     pub fn start_packed(from: &'a mut dyn Read, len: usize, mark: [u8; 8]) -> Result<Self, BadBytes> {
-        Ok(Self { is_packed: true, ..Self::start(from, len, mark)? })
+        Ok(Self { is_packed: true, ..Self::start(from, len, mark, Part::unlimited())? })
     }
 
     /// Whether blocks are packed.
@@ -176,7 +254,7 @@ impl<'a> Reader<'a> {
 
     /// The next column, with spare capacity: without it, the next edits would reallocate every column of
     /// the mesh.
-    pub fn column<T: AnyBitPattern + NoUninit>(&mut self) -> Result<Vec<T>, BadBytes> {
+    pub async fn column<T: AnyBitPattern + NoUninit>(&mut self) -> Result<Vec<T>, BadBytes> {
         let len = self.len()?;
         if len.checked_mul(size_of::<T>()).is_none_or(|bytes| bytes > self.left) {
             return Err(BadBytes::new("they end too early"));
@@ -191,7 +269,10 @@ impl<'a> Reader<'a> {
                 packed::put_plane(bytes, &plane, at, size_of::<T>());
             }
         } else {
-            self.fill(bytes)?;
+            for piece in bytes.chunks_mut(PIECE_BYTES) {
+                self.fill(piece)?;
+                self.part.count(piece.len()).await;
+            }
         }
         Ok(column)
     }
@@ -212,16 +293,16 @@ impl<'a> Reader<'a> {
     }
 
     /// What [`Writer::links`] wrote.
-    pub fn links(&mut self) -> Result<Vec<u32>, BadBytes> {
+    pub async fn links(&mut self) -> Result<Vec<u32>, BadBytes> {
         if !self.is_packed {
-            return self.column();
+            return self.column().await;
         }
         let len = self.len()?;
-        packed::unpack_links(&self.column::<u8>()?, len)
+        packed::unpack_links(&self.column::<u8>().await?, len)
     }
 
-    pub fn value<T: DeserializeOwned>(&mut self) -> Result<T, BadBytes> {
-        serde_json::from_slice(&self.column::<u8>()?).map_err(BadBytes::new)
+    pub async fn value<T: DeserializeOwned>(&mut self) -> Result<T, BadBytes> {
+        serde_json::from_slice(&self.column::<u8>().await?).map_err(BadBytes::new)
     }
 
     pub fn end(self) -> Result<(), BadBytes> {
@@ -233,25 +314,39 @@ impl<'a> Reader<'a> {
 mod tests {
     use super::*;
 
-    fn read<T>(bytes: &[u8], with: impl FnOnce(&mut Reader<'_>) -> Result<T, BadBytes>) -> Result<T, String> {
+    fn read<T>(
+        bytes: &[u8],
+        with: impl AsyncFnOnce(&mut Reader<'_>) -> Result<T, BadBytes>,
+    ) -> Result<T, String> {
         let mut from = bytes;
-        let mut reader =
-            Reader::start(&mut from, bytes.len(), *b"MWtest00").map_err(|error| error.to_string())?;
-        with(&mut reader).and_then(|value| reader.end().map(|()| value)).map_err(|error| error.to_string())
+        let work = async {
+            let mut reader = Reader::start(&mut from, bytes.len(), *b"MWtest00", Part::unlimited())?;
+            let value = with(&mut reader).await?;
+            reader.end().map(|()| value)
+        };
+        at_once(work).map_err(|error| error.to_string())
     }
 
     #[test]
     fn columns_longer_than_the_remaining_bytes_are_refused() {
         for len in [2, 1 << 20, u64::MAX / 4 + 2, u64::MAX] {
             let bytes = [*b"MWtest00", len.to_le_bytes(), [0; 8]].concat();
-            let error = read(&bytes, |from| from.column::<[u32; 2]>()).expect_err("there are eight bytes");
+            let error = read(&bytes, async |from: &mut Reader<'_>| from.column::<[u32; 2]>().await)
+                .expect_err("there are eight bytes");
             assert!(error.contains("too early"), "{error}");
         }
         let bytes = [*b"MWtest00", 1u64.to_le_bytes(), [7; 8]].concat();
-        assert_eq!(read(&bytes, |from| from.column::<[u32; 2]>()), Ok(vec![[0x0707_0707; 2]]));
-        let error = read(&bytes, |from| from.column::<u32>()).expect_err("four bytes more");
+        assert_eq!(
+            read(&bytes, async |from: &mut Reader<'_>| from.column::<[u32; 2]>().await),
+            Ok(vec![[0x0707_0707; 2]])
+        );
+        let error = read(&bytes, async |from: &mut Reader<'_>| from.column::<u32>().await)
+            .expect_err("four bytes more");
         assert!(error.contains("after the end"), "{error}");
-        assert!(read(&bytes, |from| from.value::<u32>()).is_err(), "bytes of value 7 are not JSON");
-        assert!(read(b"MWother0", |from| from.column::<u32>()).is_err());
+        assert!(
+            read(&bytes, async |from: &mut Reader<'_>| from.value::<u32>().await).is_err(),
+            "bytes of value 7 are not JSON"
+        );
+        assert!(read(b"MWother0", async |from: &mut Reader<'_>| from.column::<u32>().await).is_err());
     }
 }

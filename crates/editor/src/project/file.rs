@@ -196,11 +196,11 @@ impl Project {
     }
 
     /// Reads what [`Project::send`] wrote. Meshes are not validated.
-    pub(crate) fn receive(from: &mut Reader<'_>) -> Result<Self, BadBytes> {
-        let (view, has_history) = from.value()?;
-        let now = Snapshot::receive(from)?;
+    pub(crate) async fn receive(from: &mut Reader<'_>) -> Result<Self, BadBytes> {
+        let (view, has_history) = from.value().await?;
+        let now = Snapshot::receive(from).await?;
         let history = if has_history {
-            Some(Past { start: Snapshot::receive(from)?, log: from.column()? })
+            Some(Past { start: Snapshot::receive(from).await?, log: from.column().await? })
         } else {
             None
         };

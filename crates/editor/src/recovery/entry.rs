@@ -1,7 +1,7 @@
 //! Entries of the log.
 
 use super::sets::{read_selection, write_selection};
-use crate::job::wire::{BadBytes, Reader, Wire, Writer};
+use crate::job::wire::{BadBytes, Part, Reader, Wire, Writer};
 use crate::ops::Command;
 use crate::selection::Selection;
 use serde::{Deserialize, Serialize};
@@ -95,11 +95,11 @@ impl Wire for Entry {
         }
     }
 
-    fn read_from(from: &mut dyn Read, len: usize) -> Result<Self, BadBytes> {
-        let mut from = Reader::start(from, len, ENTRY_MARK)?;
-        let Head { revision, mut event }: Head<Event> = from.value()?;
+    async fn read(from: &mut dyn Read, len: usize, part: Part) -> Result<Self, BadBytes> {
+        let mut from = Reader::start(from, len, ENTRY_MARK, part)?;
+        let Head { revision, mut event }: Head<Event> = from.value().await?;
         if let Event::Job { selection, .. } | Event::Select { selection, .. } = &mut event {
-            *selection = Arc::new(read_selection(&mut from)?);
+            *selection = Arc::new(read_selection(&mut from).await?);
         }
         from.end()?;
         Ok(Self { event, revision })

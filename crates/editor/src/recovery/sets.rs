@@ -38,11 +38,11 @@ pub(super) fn write_set(out: &mut Writer<'_>, set: &BitSet) -> io::Result<()> {
     }
 }
 
-pub(super) fn read_set(from: &mut Reader<'_>) -> Result<BitSet, BadBytes> {
-    match from.value()? {
-        Form::Words => Ok(BitSet::from_words(from.column()?)),
+pub(super) async fn read_set(from: &mut Reader<'_>) -> Result<BitSet, BadBytes> {
+    match from.value().await? {
+        Form::Words => Ok(BitSet::from_words(from.column().await?)),
         Form::Ids => {
-            let ids = from.links()?;
+            let ids = from.links().await?;
             if ids.iter().any(|&id| id > MAX_ID) {
                 return Err(BadBytes::new("the id of an element is too large"));
             }
@@ -57,8 +57,8 @@ pub(super) fn write_selection(out: &mut Writer<'_>, selection: &Selection) -> io
     write_set(out, selection.set())
 }
 
-pub(super) fn read_selection(from: &mut Reader<'_>) -> Result<Selection, BadBytes> {
-    let SelectionHead { kind, latest } = from.value()?;
+pub(super) async fn read_selection(from: &mut Reader<'_>) -> Result<Selection, BadBytes> {
+    let SelectionHead { kind, latest } = from.value().await?;
     let kind = Element::ALL.get(usize::from(kind)).ok_or_else(|| BadBytes::new("no such kind of element"))?;
-    Ok(Selection::of_set(*kind, read_set(from)?, latest))
+    Ok(Selection::of_set(*kind, read_set(from).await?, latest))
 }

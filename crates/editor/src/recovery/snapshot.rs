@@ -5,7 +5,7 @@ use crate::document::{Document, NamedSelection, Object, ObjectId, Origin};
 use crate::editor::Editor;
 use crate::job::columns::{read_named, write_named};
 use crate::job::messages::{read_materials, write_materials};
-use crate::job::wire::{BadBytes, Reader, Wire, Writer};
+use crate::job::wire::{BadBytes, Part, Reader, Wire, Writer, at_once};
 use crate::selection::Selection;
 use halfedge::Element;
 use serde::{Deserialize, Serialize};
@@ -59,22 +59,24 @@ impl Wire for Snapshot {
         write_plain(&self.document, &self.selection, self.numbers, out)
     }
 
-    fn read_from(from: &mut dyn Read, len: usize) -> Result<Self, BadBytes> {
-        let mut from = Reader::start(from, len, SNAPSHOT_MARK)?;
-        let snapshot = read(&mut from, true)?;
+    async fn read(from: &mut dyn Read, len: usize, part: Part) -> Result<Self, BadBytes> {
+        let mut from = Reader::start(from, len, SNAPSHOT_MARK, part)?;
+        let snapshot = read(&mut from, true).await?;
         from.end()?;
         Ok(snapshot)
     }
 }
 
 /// Reads a snapshot. Meshes are validated unless they are known to be valid.
-fn read(from: &mut Reader<'_>, validates: bool) -> Result<Snapshot, BadBytes> {
-    let Head { name, origin, offset, active, numbers, objects } = from.value()?;
-    let materials = read_materials(from)?;
-    let objects =
-        objects.into_iter().map(|head| read_object(from, head, validates)).collect::<Result<_, _>>()?;
-    let selection = Arc::new(read_selection(from)?);
-    let document = Document { name, objects, active, offset: offset.into(), materials, origin };
+async fn read(from: &mut Reader<'_>, validates: bool) -> Result<Snapshot, BadBytes> {
+    let Head { name, origin, offset, active, numbers, objects } = from.value().await?;
+    let materials = read_materials(from).await?;
+    let mut read = Vec::new();
+    for head in objects {
+        read.push(read_object(from, head, validates).await?);
+    }
+    let selection = Arc::new(read_selection(from).await?);
+    let document = Document { name, objects: read, active, offset: offset.into(), materials, origin };
     check(&document, &selection, numbers)?;
     Ok(Snapshot { document, selection, numbers })
 }
@@ -131,16 +133,18 @@ fn check(document: &Document, selection: &Selection, numbers: Numbers) -> Result
     if is_wrong { Err(BadBytes::new("the document does not fit together")) } else { Ok(()) }
 }
 
-fn read_object(from: &mut Reader<'_>, head: ObjectHead, validates: bool) -> Result<Object, BadBytes> {
-    let named = read_named(from)?;
+async fn read_object(from: &mut Reader<'_>, head: ObjectHead, validates: bool) -> Result<Object, BadBytes> {
+    let named = read_named(from).await?;
     let valid = if validates { named.mesh.validate() } else { Ok(()) };
     valid.map_err(|defect| BadBytes::new(format!("{}: {defect}", named.name)))?;
     let mut object = Object::new(ObjectId(head.id), named);
     object.visible = head.visible;
-    object.hidden = Arc::new(read_set(from)?);
-    let named = head.named_selections.into_iter();
-    let named = named.map(|name| Ok(NamedSelection { name, selection: read_selection(from)? }));
-    object.named_selections = Arc::new(named.collect::<Result<_, BadBytes>>()?);
+    object.hidden = Arc::new(read_set(from).await?);
+    let mut named = Vec::new();
+    for name in head.named_selections {
+        named.push(NamedSelection { name, selection: read_selection(from).await? });
+    }
+    object.named_selections = Arc::new(named);
     let mesh = object.mesh();
     let has_gone = object.hidden.iter().any(|face| !mesh.exists(Element::Face, face as u32))
         || object.named_selections().iter().any(|named| named.selection.has_gone(mesh));
@@ -269,11 +273,13 @@ impl Snapshot {
     /// # Errors
     /// The bytes are no packed snapshot.
     pub(crate) fn from_packed(mut bytes: &[u8]) -> Result<Self, BadBytes> {
-        let len = bytes.len();
-        let mut from = Reader::start_packed(&mut bytes, len, PACKED_MARK)?;
-        let snapshot = read(&mut from, true)?;
-        from.end()?;
-        Ok(snapshot)
+        at_once(async {
+            let len = bytes.len();
+            let mut from = Reader::start_packed(&mut bytes, len, PACKED_MARK)?;
+            let snapshot = read(&mut from, true).await?;
+            from.end()?;
+            Ok(snapshot)
+        })
     }
 
     /// Writes the snapshot into the blocks of a message between threads.
@@ -282,8 +288,8 @@ impl Snapshot {
     }
 
     /// Reads what [`Snapshot::send`] wrote. Meshes are not validated.
-    pub(crate) fn receive(from: &mut Reader<'_>) -> Result<Self, BadBytes> {
-        read(from, false)
+    pub(crate) async fn receive(from: &mut Reader<'_>) -> Result<Self, BadBytes> {
+        read(from, false).await
     }
 
     /// An editor on the snapshot's document, without a history, ready for [`Editor::replay`].

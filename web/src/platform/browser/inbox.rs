@@ -24,6 +24,11 @@ impl Inbox {
         self.ctx.borrow().request_repaint();
     }
 
+    /// Wakes the page for another frame.
+    pub(super) fn wake(&self) {
+        self.ctx.borrow().request_repaint();
+    }
+
     /// Wakes this egui from here on.
     pub(super) fn set_ctx(&self, ctx: &egui::Context) {
         self.ctx.replace(ctx.clone());

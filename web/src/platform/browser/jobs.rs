@@ -8,8 +8,8 @@ use std::cell::RefCell;
 use std::collections::VecDeque;
 use std::rc::{Rc, Weak};
 
-use editor::{CommandError, ErrorKind, JobRequest};
-use meshwright_worker::{Message, Request};
+use editor::{CommandError, ErrorKind, JobRequest, JobResult, Reading};
+use meshwright_worker::{Received, Request};
 use wasm_bindgen::prelude::*;
 
 use super::inbox::{Inbox, describe};
@@ -26,6 +26,9 @@ const LOST_ADVICE: &str =
 /// A worker whose memory has grown past this many bytes is replaced when it is idle.
 const MAX_IDLE_MEMORY_BYTES: f64 = (256 << 20) as f64;
 
+/// How many bytes of a result are read in a frame. A million triangles take 60 MB.
+const BYTES_READ_PER_FRAME: usize = 8 << 20;
+
 /// Runs jobs in order in a worker.
 pub struct Jobs {
     pool: Rc<RefCell<Pool>>,
@@ -35,11 +38,19 @@ struct Pool {
     inbox: Inbox,
     waiting: VecDeque<(u64, Request)>,
     running: Option<u64>,
+    /// The result of the running job, while it is being read.
+    arriving: Option<Arriving>,
     worker: Option<Link>,
     /// Whether the worker's program has started; messages sent earlier are lost.
     is_ready: bool,
     /// For the message handlers of later workers.
     this: Weak<RefCell<Pool>>,
+}
+
+struct Arriving {
+    result: Reading<JobResult>,
+    /// The size of the worker's memory in bytes.
+    memory: f64,
 }
 
 impl Jobs {
@@ -49,6 +60,7 @@ impl Jobs {
                 inbox,
                 waiting: VecDeque::new(),
                 running: None,
+                arriving: None,
                 worker: None,
                 is_ready: false,
                 this: this.clone(),
@@ -64,11 +76,16 @@ impl Jobs {
         pool.go_on();
     }
 
+    /// Reads more of the result that is arriving. Called once per frame.
+    pub fn step(&self) {
+        self.pool.borrow_mut().read_more();
+    }
+
     pub fn cancel(&self, job: u64) {
         let mut pool = self.pool.borrow_mut();
         pool.waiting.retain(|(waiting, _)| *waiting != job);
         if pool.running == Some(job) {
-            pool.running = None;
+            (pool.running, pool.arriving) = (None, None);
             pool.start_worker();
         }
     }
@@ -106,14 +123,44 @@ impl Pool {
         }
     }
 
-    fn on_message(&mut self, message: Message) {
+    fn on_message(&mut self, message: Received) {
         match message {
-            Message::Ready => {
+            Received::Ready => {
                 self.is_ready = true;
                 self.go_on();
             }
-            Message::Progress { job, fraction } => self.inbox.push(Event::JobProgress { job, fraction }),
-            Message::Done { job, result, memory } => {
+            Received::Progress { job, fraction } => self.inbox.push(Event::JobProgress { job, fraction }),
+            Received::Done { job, result, memory } => {
+                if self.running == Some(job) {
+                    self.arriving = Some(Arriving { result, memory });
+                    self.inbox.wake();
+                }
+            }
+            Received::Refused { job, refusal } => {
+                self.running = None;
+                self.inbox.push(Event::JobDone { job, result: Err(refusal) });
+                self.go_on();
+            }
+            Received::Misunderstood { job, reason } => self.misunderstood(job, &reason),
+            Received::Crashed { reason } => {
+                self.lost(&format!(
+                    "The worker has crashed, which is a bug in Meshwright: {}.{LOST_ADVICE}",
+                    reason.trim_end_matches('.')
+                ));
+            }
+        }
+    }
+
+    fn read_more(&mut self) {
+        let (Some(job), Some(arriving)) = (self.running, &mut self.arriving) else { return };
+        let Some(read) = arriving.result.step(BYTES_READ_PER_FRAME) else {
+            self.inbox.wake();
+            return;
+        };
+        let memory = arriving.memory;
+        self.arriving = None;
+        match read {
+            Ok(result) => {
                 self.running = None;
                 self.inbox.push(Event::JobDone { job, result: Ok(result) });
                 if memory > MAX_IDLE_MEMORY_BYTES {
@@ -121,28 +168,17 @@ impl Pool {
                 }
                 self.go_on();
             }
-            Message::Refused { job, refusal } => {
-                self.running = None;
-                self.inbox.push(Event::JobDone { job, result: Err(refusal) });
-                self.go_on();
-            }
-            Message::Misunderstood { job, reason } => {
-                self.running = None;
-                self.fail(
-                    job,
-                    format!(
-                        "The page and its worker did not understand each other: {reason}. Reload the page."
-                    ),
-                );
-                self.go_on();
-            }
-            Message::Crashed { reason } => {
-                self.lost(&format!(
-                    "The worker has crashed, which is a bug in Meshwright: {}.{LOST_ADVICE}",
-                    reason.trim_end_matches('.')
-                ));
-            }
+            Err(error) => self.misunderstood(job, &error.to_string()),
         }
+    }
+
+    fn misunderstood(&mut self, job: u64, reason: &str) {
+        self.running = None;
+        self.fail(
+            job,
+            format!("The page and its worker did not understand each other: {reason}. Reload the page."),
+        );
+        self.go_on();
     }
 
     /// The worker's program ended or never started, without a panic message.
@@ -161,7 +197,10 @@ impl Pool {
 
     /// Fails the running job and continues with the waiting ones in a new worker.
     fn lost(&mut self, reason: &str) {
-        if let Some(job) = self.running.take() {
+        // A result that has left the worker still arrives.
+        if self.arriving.is_none()
+            && let Some(job) = self.running.take()
+        {
             self.fail(job, reason.to_owned());
         }
         self.start_worker();
@@ -173,7 +212,7 @@ impl Pool {
     }
 
     fn fail_all(&mut self, reason: &str) {
-        let running = self.running.take();
+        let running = if self.arriving.is_some() { None } else { self.running.take() };
         let waiting = std::mem::take(&mut self.waiting);
         for job in running.into_iter().chain(waiting.into_iter().map(|(job, _)| job)) {
             self.fail(job, reason.to_owned());
@@ -188,7 +227,7 @@ fn link(pool: &Weak<RefCell<Pool>>) -> Result<Link, JsValue> {
         WORKER_NAME,
         move |message| {
             if let Some(pool) = messages.upgrade()
-                && let Some(message) = Message::from_js(&message)
+                && let Some(message) = Received::from_js(&message)
             {
                 pool.borrow_mut().on_message(message);
             }

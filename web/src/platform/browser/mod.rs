@@ -67,6 +67,7 @@ impl Platform for Browser {
         if !dropped.is_empty() {
             files::read_dropped(dropped, self.inbox.clone());
         }
+        self.jobs.step();
         self.inbox.take()
     }
 
