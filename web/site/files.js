@@ -11,6 +11,18 @@
     if (files.length === 0) return undefined;
     return sources.push(new Map(files.map((handle) => [handle.name, handle]))) - 1;
   };
+  /** What is being written: one after the other, so that the newest contents are the last. */
+  let writing = Promise.resolve();
+  const writeNow = async (source, names, contents) => {
+    const answers = await permissions.get(source) ?? [];
+    if (answers.some((answer) => answer !== "granted")) throw new Error("the browser was not allowed to write it");
+    for (const [at, name] of names.entries()) {
+      // What was there stays until everything is written.
+      const writable = await sources[source].get(name).createWritable();
+      await writable.write(contents[at]);
+      await writable.close();
+    }
+  };
   /** The files of handles, with their source. The editor reads them. */
   const open = async (handles) => [noteSource(handles), await Promise.all(handles.map((handle) => handle.getFile()))];
 
@@ -72,15 +84,10 @@
       permissions.get(source).catch(() => {});
     },
     /** Writes files of a source. */
-    async write(source, names, contents) {
-      const answers = await permissions.get(source) ?? [];
-      if (answers.some((answer) => answer !== "granted")) throw new Error("the browser was not allowed to write it");
-      for (const [at, name] of names.entries()) {
-        // What was there stays until everything is written.
-        const writable = await sources[source].get(name).createWritable();
-        await writable.write(contents[at]);
-        await writable.close();
-      }
+    write(source, names, contents) {
+      const written = writing.then(() => writeNow(source, names, contents));
+      writing = written.catch(() => {});
+      return written;
     },
   });
 })();

@@ -18,32 +18,41 @@ use support::*;
 struct Disk {
     snapshot: Vec<u8>,
     log: Vec<u8>,
+    /// The first bytes of a snapshot that is being copied.
+    begun: Vec<u8>,
 }
 
 impl Disk {
     /// Keeps an editor's document, and what is done in it from here on.
     fn of(editor: &mut Editor) -> Self {
         editor.start_log();
-        let mut disk = Self { snapshot: Vec::new(), log: new_log() };
+        let mut disk = Self { snapshot: Vec::new(), log: new_log(), begun: Vec::new() };
         assert!(disk.take_snapshot(editor, 997), "nothing is ongoing");
         disk
     }
 
     /// Whether a snapshot could be taken.
     fn take_snapshot(&mut self, editor: &mut Editor, part_bytes: usize) -> bool {
-        let Some(mut copy) = SnapshotCopy::begin(editor) else { return false };
-        let mut bytes = Vec::new();
+        let Some(copy) = SnapshotCopy::begin(editor) else { return false };
+        self.finish_snapshot(editor, copy, part_bytes);
+        true
+    }
+
+    /// Takes the place of what was kept by a snapshot and what was done since it was begun.
+    fn finish_snapshot(&mut self, editor: &mut Editor, mut copy: SnapshotCopy, part_bytes: usize) {
+        let mut bytes = std::mem::take(&mut self.begun);
         while !copy.is_done() {
             let mut part = 0;
-            let goes_on = copy.step(editor, part_bytes, &mut |piece| {
+            copy.step(part_bytes, &mut |piece| {
                 part += piece.len();
                 bytes.extend_from_slice(piece);
             });
-            assert!(goes_on && part <= part_bytes);
+            assert!(part <= part_bytes);
         }
         assert_eq!(bytes.len(), copy.total_bytes());
-        *self = Self { snapshot: bytes, log: new_log() };
-        true
+        *self = Self { snapshot: bytes, log: new_log(), begun: Vec::new() };
+        copy.finish(editor);
+        self.append(&editor.take_log());
     }
 
     fn append(&mut self, entries: &[Entry]) {
@@ -75,13 +84,19 @@ fn state(editor: &Editor) -> (Contents, bool, u64) {
     (contents, editor.is_dirty(), editor.revision())
 }
 
-fn act_or_keep(editor: &mut Editor, jobs: &mut Vec<JobRequest>, disk: &mut Disk, deed: &Deed) {
-    if let Deed::Snapshot(bytes) = deed {
-        let entries = editor.take_log();
-        disk.append(&entries);
-        disk.take_snapshot(editor, *bytes);
-    } else {
-        act(editor, jobs, deed);
+/// Does something, or begins a snapshot or ends the one that was begun.
+fn act_or_keep(
+    editor: &mut Editor,
+    jobs: &mut Vec<JobRequest>,
+    disk: &mut Disk,
+    copying: &mut Option<SnapshotCopy>,
+    deed: &Deed,
+) {
+    let Deed::Snapshot(bytes) = deed else { return act(editor, jobs, deed) };
+    match copying.take() {
+        None => *copying = SnapshotCopy::begin(editor),
+        Some(_) if editor.has_outdated_copy() => {}
+        Some(copy) => disk.finish_snapshot(editor, copy, *bytes),
     }
 }
 
@@ -92,15 +107,16 @@ proptest! {
     fn whatever_is_done_is_recovered(deeds in prop::collection::vec(any_deed(), 1..40)) {
         let mut editor = on_two();
         let mut disk = Disk::of(&mut editor);
-        let mut jobs = Vec::new();
+        let (mut jobs, mut copying) = (Vec::new(), None);
         for deed in &deeds {
-            act_or_keep(&mut editor, &mut jobs, &mut disk, deed);
+            act_or_keep(&mut editor, &mut jobs, &mut disk, &mut copying, deed);
             disk.append(&editor.take_log());
             if editor.is_editing() || editor.is_selecting() {
                 // Only drafts keep what is shown, and only the result of selecting is kept.
                 continue;
             }
             if editor.needs_snapshot() {
+                copying = None;
                 prop_assert!(disk.take_snapshot(&mut editor, 1 << 20));
             }
             let waits = !jobs.is_empty();
@@ -123,7 +139,7 @@ proptest! {
         let mut disk = Disk::of(&mut editor);
         let mut jobs = Vec::new();
         for deed in deeds.iter().filter(|deed| !matches!(deed, Deed::Open | Deed::Snapshot(_))) {
-            act_or_keep(&mut editor, &mut jobs, &mut disk, deed);
+            act(&mut editor, &mut jobs, deed);
             disk.append(&editor.take_log());
         }
         let whole = read_log(&disk.log);
@@ -222,22 +238,49 @@ fn an_entry_of_an_edit_is_small_on_a_large_mesh() {
 }
 
 #[test]
-fn a_snapshot_is_worthless_once_the_document_changed() {
+fn editing_goes_on_while_a_snapshot_is_copied() {
     let mut editor = on_cube();
-    editor.start_log();
-    let mut copy = SnapshotCopy::begin(&editor).expect("nothing is ongoing");
-    assert!(copy.step(&mut editor, 100, &mut |_| {}));
     run(&mut editor, json!({"op": "poke-faces", "faces": [0]}));
-    assert!(!copy.step(&mut editor, 100, &mut |_| {}));
-    let mut copy = SnapshotCopy::begin(&editor).expect("nothing is ongoing");
+    let mut disk = Disk::of(&mut editor);
+    let mut copy = SnapshotCopy::begin(&mut editor).expect("nothing is ongoing");
+    copy.step(100, &mut |part| disk.begun.extend_from_slice(part));
+    let before = state(&editor);
+    run(&mut editor, json!({"op": "poke-faces", "faces": [1]}));
     editor.rename_document("A longer name");
-    assert!(!copy.step(&mut editor, 100, &mut |_| {}), "a name is no step");
-    editor.undo().expect("free");
-    let mut copy = SnapshotCopy::begin(&editor).expect("nothing is ongoing");
-    assert!(copy.step(&mut editor, 100, &mut |_| {}));
     editor.update_edit(command(json!({"op": "inset-faces", "faces": [0], "amount": 0.25}))).expect("a face");
-    assert!(!copy.step(&mut editor, 100, &mut |_| {}));
-    assert!(SnapshotCopy::begin(&editor).is_none(), "a preview is no part of the document");
+    editor.commit_edit();
+    assert!(!editor.has_outdated_copy());
+    // The page ends before the copy does: the last snapshot has everything.
+    disk.append(&editor.take_log());
+    assert_eq!(state(&disk.recover()), state(&editor));
+    // It ends after that: the new one has everything, too.
+    disk.finish_snapshot(&mut editor, copy, 64);
+    assert_eq!(state(&disk.recover()), state(&editor));
+    let bare = Disk { log: new_log(), ..disk.clone() };
+    assert_eq!(state(&bare.recover()), before, "the snapshot is of the moment at which it was begun");
+
+    editor.update_edit(command(json!({"op": "inset-faces", "faces": [0], "amount": 0.25}))).expect("a face");
+    assert!(SnapshotCopy::begin(&mut editor).is_none(), "a preview is no part of the document");
+    editor.cancel_edit();
+    // Undoing more than was done since makes a copy worthless, but not the last snapshot.
+    let _copy = SnapshotCopy::begin(&mut editor).expect("nothing is ongoing");
+    editor.undo().expect("free");
+    assert!(editor.has_outdated_copy() && !editor.needs_snapshot());
+    disk.append(&editor.take_log());
+    assert_eq!(state(&disk.recover()), state(&editor));
+}
+
+#[test]
+fn the_log_of_a_document_ends_where_another_takes_its_place() {
+    let mut editor = on_cube();
+    let mut disk = Disk::of(&mut editor);
+    run(&mut editor, json!({"op": "poke-faces", "faces": [0]}));
+    let (origin, before) = (editor.document().origin(), state(&editor));
+    run(&mut editor, json!({"op": "new", "shape": "tetrahedron"}));
+    run(&mut editor, json!({"op": "poke-faces", "faces": [0]}));
+    disk.append(&editor.take_log_of(origin));
+    assert_eq!(state(&disk.recover()), before);
+    assert!(editor.take_log().is_empty());
 }
 
 #[test]

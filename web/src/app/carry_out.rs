@@ -47,9 +47,8 @@ impl App {
             Request::UpdateEdit(command) => {
                 // The edit that follows the pointer ends before anything else is edited.
                 self.session.end_live(true);
-                if let Err(error) =
-                    self.session.editor.update_edit(command.mirrored(self.session.live_settings.symmetry))
-                {
+                let command = command.mirrored(self.session.live_settings.symmetry);
+                if let Err(error) = live::update_edit(&mut self.session, command) {
                     self.session.refuse(&error);
                 }
             }

@@ -134,7 +134,7 @@ impl App {
     pub fn would_lose_changes(&self) -> bool {
         // What happens to an embedded document is up to the page around it.
         self.session.editor.is_dirty()
-            && !self.keeper.keeps_all()
+            && !self.keeper.keeps_all(&self.session.editor)
             && !embedding::is_embedded(&*self.session.platform)
     }
 

@@ -12,6 +12,9 @@ pub(super) const STORE_CRASHED: &str =
 /// Said when a document is open twice.
 pub(super) const IS_COPY: &str = "This document is open in another tab, so this tab shows a copy of it. Changes here don't reach the other tab.";
 
+/// Said when a document of the list can't take the place of one that is being changed.
+pub(super) const NOT_OPENED_NOW: &str = "The document was not opened, because this one was changed meanwhile. Open it again from File > Recent documents.";
+
 /// Said when the last records were not completely written.
 pub(super) const CUT_OFF: &str =
     "The last change was not completely written before the page ended, so it is missing.";
@@ -59,6 +62,9 @@ pub(super) fn not_kept(failure: &Failure) -> String {
 
 /// The end of a recovery that could not repeat everything.
 pub(super) fn not_repeated(why: &str, missing: usize) -> String {
-    let changes = if missing == 1 { "change is".to_owned() } else { format!("{missing} changes are") };
-    format!("The last {changes} missing from this document: {why}.")
+    let changes = if missing == 1 { "change".to_owned() } else { format!("{missing} changes") };
+    format!(
+        "The last {changes} could not be repeated, so this is a copy without them: {why}. The original stays in File > Recent \
+         documents."
+    )
 }

@@ -16,7 +16,7 @@ pub(crate) use thumbnail::Thumbnail;
 
 use std::collections::HashMap;
 
-use editor::{MessageKind, Origin};
+use editor::{Editor, MessageKind, Origin};
 use meshwright_worker::store::{Answer, Bytes, Failure, Id, Request};
 
 use crate::embedding;
@@ -87,7 +87,7 @@ impl Keeper {
         match kept {
             Some(id) => {
                 let copy = platform.new_id();
-                keeper.opening = Some(Opening::begin(session, id, copy));
+                keeper.opening = Some(Opening::begin(session, id, copy, false));
             }
             None => keeper.start_new(session),
         }
@@ -100,8 +100,8 @@ impl Keeper {
     }
 
     /// Whether leaving the page loses nothing.
-    pub fn keeps_all(&self) -> bool {
-        self.failure.is_none() && self.kept.as_ref().is_some_and(|kept| kept.writing.is_up_to_date())
+    pub fn keeps_all(&self, editor: &Editor) -> bool {
+        self.failure.is_none() && self.kept.as_ref().is_some_and(|kept| kept.writing.is_up_to_date(editor))
     }
 
     /// Begins with the document of a first visit, unless something was opened meanwhile.
@@ -172,6 +172,7 @@ impl Keeper {
             Answer::Busy(id) => {
                 if let Some(kept) = self.kept.take_if(|kept| kept.id == id) {
                     self.begin(session, kept.is_touched);
+                    session.toast(MessageKind::Info, messages::IS_COPY.to_owned(), Vec::new());
                 }
             }
             Answer::Checked => self.checked(session),
@@ -231,6 +232,7 @@ impl Keeper {
     fn fail(&mut self, session: &Session, failure: Failure) {
         self.failure = Some(failure);
         self.retry_at = session.platform.now() + writing::RETRY_SECONDS;
+        session.ctx.request_repaint_after_secs(writing::RETRY_SECONDS as f32);
         if let Some(kept) = &mut self.kept {
             kept.writing = Writing::default();
         }
@@ -303,7 +305,10 @@ impl Keeper {
         if self.opening.is_some() || self.is_shown(&id) {
             return;
         }
+        if let Some(kept) = self.kept.as_mut().filter(|_| self.failure.is_none()) {
+            kept.finish(session);
+        }
         let copy = session.platform.new_id();
-        self.opening = Some(Opening::begin(session, id, copy));
+        self.opening = Some(Opening::begin(session, id, copy, true));
     }
 }

@@ -4,7 +4,7 @@ use std::collections::VecDeque;
 use std::io::{self, Read};
 
 use editor::recovery::{Entry, Event, NotReplayed, Snapshot, read_log};
-use editor::{CommandError, Editor, JobId, JobRequest, JobResult, MessageKind, Wire};
+use editor::{CommandError, Editor, ErrorKind, JobId, JobRequest, JobResult, MessageKind, Wire};
 use meshwright_worker::store::{Bytes, Id, Opened, Request};
 
 use super::saved_view::SavedView;
@@ -28,6 +28,8 @@ const REPLAY_JOB: u64 = 1 << 48;
 pub(super) struct Opening {
     /// The document, and what a copy of it would be called.
     wanted: (Id, Id),
+    /// Whether the user asked for it, in the list.
+    is_asked_for: bool,
     /// The revision of the page's document when this one was asked for. If that changes, this one is not shown.
     revision: u64,
     /// The parts of its checkpoint that have arrived.
@@ -48,6 +50,8 @@ struct Replaying {
     seconds: f64,
     /// What a worker repeats.
     waits_for: Option<Repeated>,
+    /// Whether a worker has failed to repeat the change that comes next.
+    has_failed: bool,
     /// Why the rest could not be repeated, and how many changes are missing.
     stopped: Option<(String, usize)>,
 }
@@ -63,8 +67,9 @@ struct Repeated {
 
 impl Opening {
     /// Asks for a document.
-    pub fn begin(session: &mut Session, id: Id, copy: Id) -> Self {
-        let opening = Self { wanted: (id, copy), revision: session.editor.revision(), ..Self::default() };
+    pub fn begin(session: &mut Session, id: Id, copy: Id, is_asked_for: bool) -> Self {
+        let revision = session.editor.revision();
+        let opening = Self { wanted: (id, copy), is_asked_for, revision, ..Self::default() };
         opening.ask(session);
         opening
     }
@@ -125,6 +130,7 @@ impl Opening {
             log_bytes: records.valid_bytes,
             seconds: 0.0,
             waits_for: None,
+            has_failed: false,
             stopped: None,
         });
         Ok(())
@@ -152,6 +158,20 @@ impl Replaying {
         None
     }
 
+    /// Takes what came of repeating a change in a worker.
+    fn finish(&mut self, Repeated { entry, id, .. }: Repeated, result: Result<JobResult, CommandError>) {
+        let is_workers = result.as_ref().is_err_and(|error| error.kind == ErrorKind::Internal);
+        if is_workers && !std::mem::replace(&mut self.has_failed, true) {
+            // The worker failed, not the change: another worker tries it once more.
+            self.editor.cancel_job(id);
+            self.entries.push_front(entry);
+            return;
+        }
+        self.has_failed = false;
+        let replayed = self.editor.finish_replay(&entry, id, result);
+        self.stop_if(replayed);
+    }
+
     /// Leaves out the rest of the log if a change could not be repeated.
     fn stop_if(&mut self, replayed: Result<(), NotReplayed>) {
         if let Err(error) = replayed {
@@ -169,11 +189,11 @@ impl Keeper {
         }
         let replaying = self.opening.as_mut().and_then(|opening| opening.replaying.as_mut());
         if let Some(replaying) = replaying
-            && let Some(Repeated { entry, id, since }) = replaying.waits_for.take()
+            && let Some(repeated) = replaying.waits_for.take()
         {
-            replaying.seconds += session.platform.now() - since;
-            let replayed = replaying.editor.finish_replay(&entry, id, result);
-            replaying.stop_if(replayed);
+            replaying.seconds += session.platform.now() - repeated.since;
+            replaying.finish(repeated, result);
+            session.ctx.request_repaint();
         }
     }
 
@@ -205,8 +225,9 @@ impl Keeper {
         replaying.seconds += now - started;
         session.ctx.request_repaint();
         if replaying.entries.is_empty()
-            && let Some(Opening { replaying: Some(replaying), checkpoint_bytes, revision, .. }) =
-                self.opening.take()
+            && let Some(Opening {
+                replaying: Some(replaying), checkpoint_bytes, revision, is_asked_for, ..
+            }) = self.opening.take()
         {
             if session.editor.revision() != revision
                 || session.editor.is_editing()
@@ -214,6 +235,9 @@ impl Keeper {
             {
                 // Something else was begun meanwhile. What was kept stays in the list of documents.
                 self.go_back(session);
+                if is_asked_for {
+                    session.warn(messages::NOT_OPENED_NOW.to_owned(), Vec::new());
+                }
                 return;
             }
             self.finish_opening(session, view, shown, replaying, checkpoint_bytes);
@@ -239,12 +263,18 @@ impl Keeper {
         // Those of another editor's history.
         self.ids.clear();
         (session.look, session.live) = (None, None);
+        // Files and links of the other document are not this one's, though its revisions may have the same numbers.
+        (session.in_place, session.sharing) = Default::default();
         (shown.welcome, shown.documents) = (false, false);
-        let mut writing = Writing::after(checkpoint_bytes, log_bytes, seconds);
         if stopped.is_some() {
-            writing = Writing::default();
+            // What was kept stays as it is: a later visit may be able to repeat all of it.
+            let name = format!("{} (recovered)", session.editor.document().name());
+            session.editor.rename_document(&name);
+            self.begin(session, true);
+        } else {
+            let (is_touched, listed) = (info.is_touched, (info, session.editor.revision()));
+            self.show(session, id, is_touched, Writing::after(checkpoint_bytes, log_bytes, seconds, listed));
         }
-        self.show(session, id, info.is_touched, writing);
         self.begin_in_new_store(session);
         match saved.as_deref().and_then(SavedView::read) {
             Some(saved) => saved.show(view),

@@ -1,6 +1,7 @@
 //! Writing the log and checkpoints of the document that the page shows.
 
-use editor::recovery::{SnapshotCopy, append_record};
+use editor::Editor;
+use editor::recovery::{Entry, Event, SnapshotCopy, append_record};
 use halfedge::Element;
 use meshwright_worker::store::{Info, Request};
 
@@ -47,6 +48,8 @@ pub(super) struct Writing {
     log_bytes: usize,
     /// How long it takes to repeat the log, about.
     replay_seconds: f64,
+    /// How long it takes to repeat what was done since the copy was begun.
+    seconds_since_copy: f64,
     /// The view that was logged last.
     view: Option<SavedView>,
     view_at: f64,
@@ -58,15 +61,25 @@ pub(super) struct Writing {
 }
 
 impl Writing {
-    /// Goes on after a checkpoint and a log.
-    pub fn after(checkpoint_bytes: usize, log_bytes: usize, replay_seconds: f64) -> Self {
+    /// Goes on after a checkpoint and a log. `info` is what the list says about the document in this revision.
+    pub fn after(checkpoint_bytes: usize, log_bytes: usize, replay_seconds: f64, info: (Info, u64)) -> Self {
+        let info = Some(info).filter(|(info, _)| info.renamed.is_none());
         let (has_checkpoint, is_checked) = (true, true);
-        Self { has_checkpoint, is_checked, checkpoint_bytes, log_bytes, replay_seconds, ..Self::default() }
+        Self {
+            has_checkpoint,
+            is_checked,
+            checkpoint_bytes,
+            log_bytes,
+            replay_seconds,
+            info,
+            ..Self::default()
+        }
     }
 
-    /// Whether everything that was done is on its way to the disk.
-    pub fn is_up_to_date(&self) -> bool {
-        self.is_checked && self.has_checkpoint && self.copy.is_none()
+    /// Whether everything that was done is on its way to the disk: the log continues a checkpoint, also while another one is
+    /// copied.
+    pub fn is_up_to_date(&self, editor: &Editor) -> bool {
+        self.is_checked && self.has_checkpoint && !editor.needs_snapshot()
     }
 
     fn needs_checkpoint(&self) -> bool {
@@ -89,8 +102,8 @@ impl Keeper {
         kept.touch(session);
         kept.append(session);
         let may_try = self.failure.is_none() || now >= self.retry_at;
-        if may_try && (kept.writing.needs_checkpoint() || session.editor.needs_snapshot()) {
-            kept.copy_checkpoint(session);
+        if may_try && kept.writes_checkpoint(session) {
+            kept.copy_checkpoint(session, BYTES_PER_FRAME);
             // No checkpoint holds the view.
             kept.log_view_and_draft(session, view, now);
             kept.append(session);
@@ -115,12 +128,13 @@ impl Keeper {
         if self.kept.as_ref().is_none_or(|kept| kept.origin == origin) {
             return;
         }
+        if let Some(kept) = &mut self.kept {
+            kept.end(session);
+        }
         let known = self.ids.get(&origin).cloned();
         let has_changed = session.editor.revision() != origin.revision;
         let is_touched = known.is_some() || origin.is_file || has_changed;
         let id = known.unwrap_or_else(|| session.platform.new_id());
-        // What was logged in this frame ends with what brought the other document.
-        drop(session.editor.take_log());
         self.begin_as(session, id, is_touched);
     }
 }
@@ -161,45 +175,93 @@ impl Kept {
 
     fn append(&mut self, session: &mut Session) {
         let entries = session.editor.take_log();
-        let seconds = std::mem::take(&mut session.work_seconds);
+        self.append_entries(session, &entries);
+    }
+
+    fn append_entries(&mut self, session: &mut Session, entries: &[Entry]) {
+        let edits = entries.iter().filter(|entry| matches!(entry.event, Event::Edit(_))).count();
+        let seconds = std::mem::take(&mut session.work_seconds) + edits as f64 * session.edit_seconds;
+        self.writing.seconds_since_copy += seconds;
         if entries.is_empty() || !self.writing.has_checkpoint {
             return;
         }
-        let mut bytes = Vec::new();
-        entries.iter().for_each(|entry| append_record(&mut bytes, entry));
+        let bytes = records(entries);
         self.writing.log_bytes += bytes.len();
         self.writing.replay_seconds += seconds;
         session.platform.ask_store(&Request::Append, &bytes);
     }
 
-    fn copy_checkpoint(&mut self, session: &mut Session) {
-        let is_first = self.writing.copy.is_none();
+    /// Whether a checkpoint is being copied or has to be.
+    fn writes_checkpoint(&self, session: &Session) -> bool {
+        self.writing.copy.is_some() || self.writing.needs_checkpoint() || session.editor.needs_snapshot()
+    }
+
+    /// Copies this much more of a checkpoint, and begins one if none is being copied.
+    fn copy_checkpoint(&mut self, session: &mut Session, bytes: usize) {
+        let is_outdated = session.editor.has_outdated_copy();
+        let going_on = self.writing.copy.take().filter(|_| !is_outdated);
+        let is_first = going_on.is_none();
+        // None during an edit: its end is a change, and then there is another frame.
+        let Some(copy) = going_on.or_else(|| SnapshotCopy::begin(&mut session.editor)) else { return };
         if is_first {
-            // None during an edit: its end is a change, and then there is another frame.
-            self.writing.copy = SnapshotCopy::begin(&session.editor);
+            self.writing.seconds_since_copy = 0.0;
         }
-        let Some(copy) = &mut self.writing.copy else { return };
-        let mut bytes = Vec::with_capacity(BYTES_PER_FRAME.min(copy.total_bytes()));
-        if !copy.step(&mut session.editor, BYTES_PER_FRAME, &mut |part| bytes.extend_from_slice(part)) {
-            // Something changed meanwhile: begin again in the next frame.
-            self.writing.copy = None;
+        self.go_on_copying(session, copy, is_first, bytes, Editor::take_log);
+    }
+
+    /// Copies this much more of a checkpoint. `take_log` gives what was done since it was begun, which it ends with.
+    fn go_on_copying(
+        &mut self,
+        session: &mut Session,
+        mut copy: SnapshotCopy,
+        is_first: bool,
+        bytes: usize,
+        take_log: impl FnOnce(&mut Editor) -> Vec<Entry>,
+    ) {
+        let mut part = Vec::with_capacity(bytes.min(copy.total_bytes()));
+        copy.step(bytes, &mut |piece| part.extend_from_slice(piece));
+        if !copy.is_done() {
+            let request = Request::Checkpoint { is_first, is_last: false, log_bytes: 0 };
+            session.platform.ask_store(&request, &part);
+            self.writing.copy = Some(copy);
             session.ctx.request_repaint();
             return;
         }
-        let is_last = copy.is_done();
-        session.platform.ask_store(&Request::Checkpoint { is_first, is_last }, &bytes);
-        if is_last {
-            let info = self.writing.info.take();
-            self.writing = Writing {
-                has_checkpoint: true,
-                checkpoint_bytes: copy.total_bytes(),
-                info,
-                info_at: self.writing.info_at,
-                picture_at: self.writing.picture_at,
-                ..Writing::default()
-            };
+        let checkpoint_bytes = copy.total_bytes();
+        copy.finish(&mut session.editor);
+        let log = records(&take_log(&mut session.editor));
+        part.extend_from_slice(&log);
+        session
+            .platform
+            .ask_store(&Request::Checkpoint { is_first, is_last: true, log_bytes: log.len() as u64 }, &part);
+        self.writing = Writing {
+            has_checkpoint: true,
+            checkpoint_bytes,
+            log_bytes: log.len(),
+            replay_seconds: self.writing.seconds_since_copy,
+            info: self.writing.info.take(),
+            info_at: self.writing.info_at,
+            picture_at: self.writing.picture_at,
+            ..Writing::default()
+        };
+    }
+
+    /// Writes all that is missing at once, because another document is opened.
+    pub(super) fn finish(&mut self, session: &mut Session) {
+        self.append(session);
+        if self.writes_checkpoint(session) {
+            self.copy_checkpoint(session, usize::MAX);
+        }
+    }
+
+    /// Writes all that is missing at once, after another document has taken the place of this one in the editor.
+    fn end(&mut self, session: &mut Session) {
+        let origin = self.origin;
+        if let Some(copy) = self.writing.copy.take() {
+            self.go_on_copying(session, copy, false, usize::MAX, |editor| editor.take_log_of(origin));
         } else {
-            session.ctx.request_repaint();
+            let entries = session.editor.take_log_of(origin);
+            self.append_entries(session, &entries);
         }
     }
 
@@ -237,4 +299,10 @@ impl Kept {
         }
         (self.writing.info, self.writing.info_at) = (Some((info, revision)), now);
     }
+}
+
+fn records(entries: &[Entry]) -> Vec<u8> {
+    let mut bytes = Vec::new();
+    entries.iter().for_each(|entry| append_record(&mut bytes, entry));
+    bytes
 }

@@ -18,8 +18,9 @@ pub(crate) struct InPlace {
     pub writing: Option<JobId>,
     /// The documents that the platform asks the user to place, in order, with the revisions that count as saved then.
     pub asking: VecDeque<(Origin, Option<u64>)>,
-    /// The revision that counts as saved once the bytes are in the file, if the file then holds everything.
-    pub saves: Option<u64>,
+    /// The files that are being written, in order: of which document, and the revision that counts as saved once the bytes
+    /// are in them, if they then hold everything.
+    pub written: VecDeque<(Origin, Option<u64>)>,
 }
 
 /// A file on the user's disk that can be written again.

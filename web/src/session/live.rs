@@ -3,7 +3,7 @@
 //! pointer; axis keys limit the edit to an axis or a plane.
 
 use editor::ops::Drag;
-use editor::{Editor, OpId};
+use editor::{Command, CommandError, Editor, OpId, Outcome};
 use egui::{Context, Modifiers, Pos2};
 use glam::Vec3;
 use halfedge::Element;
@@ -93,7 +93,8 @@ impl Session {
             }
             return;
         }
-        let result = live.command(&self.live_settings).and_then(|command| self.editor.update_edit(command));
+        let command = live.command(&self.live_settings);
+        let result = command.and_then(|command| update_edit(self, command));
         if let Some(live) = &mut self.live {
             live.in_document = self.editor.is_editing();
             (live.warnings, live.refused) = match result {
@@ -226,4 +227,12 @@ fn snap_target(editor: &Editor, live: &mut Live, to: SnapTo, at: Pos2, view: &mu
     let aim = Aim { kind, radius: SNAP_RADIUS_POINTS, through: false };
     let moved = live.moved.get_or_insert_with(|| place::selected_vertices(editor));
     viewport::snap((object.mesh(), view.tree(object)), &camera, size, local, aim, moved)
+}
+
+/// Shows an ongoing edit in the document, and measures how long that takes.
+pub(crate) fn update_edit(session: &mut Session, command: Command) -> Result<Outcome, CommandError> {
+    let started = session.platform.now();
+    let outcome = session.editor.update_edit(command);
+    session.edit_seconds = session.platform.now() - started;
+    outcome
 }

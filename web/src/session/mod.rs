@@ -95,6 +95,8 @@ pub(crate) struct Session {
     pub documents: DocumentList,
     /// How long commands took since the log was last written: repeating them takes as long.
     pub work_seconds: f64,
+    /// How long the last update of an ongoing edit took: repeating the edit takes as long.
+    pub edit_seconds: f64,
     measured: RefCell<Measured>,
     /// The editor's answers for operations since the document or the selection last changed.
     refusals: RefCell<HashMap<OpId, Option<String>>>,
@@ -126,6 +128,7 @@ impl Session {
             commit_on_release: false,
             documents: DocumentList::default(),
             work_seconds: 0.0,
+            edit_seconds: 0.0,
             measured: RefCell::default(),
             refusals: RefCell::default(),
         }

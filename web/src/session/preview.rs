@@ -4,6 +4,7 @@ use editor::{CommandError, Facts, OpId, Outcome};
 use halfedge::{Element, Mesh};
 
 use super::form::{self, Filled};
+use super::live::update_edit;
 use crate::session::Session;
 
 /// The longest time in seconds that a preview may take to be updated at every step of a spin box.
@@ -100,7 +101,7 @@ impl Session {
             return Err(WhyNot::TooLarge);
         }
         let sizes_before = self.editor.mesh().map(sizes);
-        let outcome = self.editor.update_edit(command).map_err(refused)?;
+        let outcome = update_edit(self, command).map_err(refused)?;
         let keeps_ids = self.editor.mesh().map(sizes) == sizes_before;
         self.previewing.shown = Some(Preview { id, filled, outcome, before, keeps_ids });
         Ok(())

@@ -196,7 +196,10 @@ impl Session {
             Ok(Finished::Decoded(picture)) => self.decoded.push((id, Ok(picture))),
             Err(error) if decodes => self.decoded.push((id, Err(error.problem))),
             Err(error) if sharing::made(self, id, Err(error.message())) => {}
-            Err(error) => self.refused(&error, running.reply),
+            Err(error) => {
+                sharing::failed(self, id);
+                self.refused(&error, running.reply);
+            }
         }
     }
 

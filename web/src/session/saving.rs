@@ -74,7 +74,7 @@ pub(super) fn write(session: &mut Session, id: JobId, mut files: Vec<NamedBytes>
         session.warn(text, Vec::new());
         return hand_out(session, files, saves);
     }
-    session.in_place.saves = saves;
+    session.in_place.written.push_back((session.editor.document().origin(), saves));
     session.platform.write_back(file.source, files);
 }
 
@@ -138,9 +138,12 @@ fn said(names: &[String]) -> String {
 
 /// Says whether the bytes are in the files.
 pub(crate) fn written(session: &mut Session, files: &[String], result: Result<(), String>) {
-    let saves = session.in_place.saves.take();
+    let origin = session.editor.document().origin();
+    let of_document = session.in_place.written.pop_front().filter(|(of, _)| *of == origin);
     match result {
-        Ok(()) => saved(session, files, saves),
+        // Another document was opened since.
+        Ok(()) if of_document.is_none() => session.toast(MessageKind::Info, said(files), Vec::new()),
+        Ok(()) => saved(session, files, of_document.and_then(|(_, saves)| saves)),
         Err(reason) => session.fail(format!(
             "{} could not be written: {reason}. What was in it is unchanged. Try again, or use File > Save as.",
             files.join(" and ")

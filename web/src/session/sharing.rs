@@ -111,6 +111,13 @@ pub(crate) fn opened(session: &mut Session, id: JobId) -> bool {
     is_link
 }
 
+/// Forgets a link that could not be opened: a reload brings back what this tab shows.
+pub(crate) fn failed(session: &mut Session, id: JobId) {
+    if session.sharing.opening.take_if(|opening| *opening == id).is_some() {
+        session.platform.clear_fragment();
+    }
+}
+
 /// Makes a shared document the user's own with the first change.
 pub(crate) fn follow(session: &mut Session) {
     let (revision, origin) = (session.editor.revision(), session.editor.document().origin());

@@ -80,6 +80,49 @@ fn another_document_is_not_written_over_the_file() {
 }
 
 #[test]
+fn a_document_from_the_list_is_not_written_over_the_file_of_the_one_before() {
+    let mut page = opened("first.obj");
+    page.run();
+    let outside = page.outside.clone();
+    page.outside.advance(6000.0);
+    page.run();
+    // In another tab, so that both files are opened in the same revision of their editors.
+    outside.open_in_new_tab();
+    outside.set_setting("document", "");
+    let mut page = Page::visit(&outside);
+    outside.open_writable(vec![NamedBytes::new("second.obj", TRIANGLE)]);
+    page.run();
+    page.outside.advance(6000.0);
+    page.run();
+    page.click("File");
+    page.click("Recent documents…");
+    page.click("Duplicate first");
+    page.click("Open document first copy");
+    page.outside.advance(6000.0);
+    page.run();
+    assert_eq!(page.app().editor().document().name(), "first copy");
+    press_save(&mut page);
+    assert!(page.has("File name"), "where it goes is asked");
+    assert!(written(&page).is_empty());
+}
+
+#[test]
+fn of_two_saves_in_a_row_each_counts_for_its_own_contents() {
+    let mut page = opened("part.obj");
+    page.outside.hold_writes();
+    for face in [0, 1] {
+        page.command(json!({ "op": "poke-faces", "faces": [face] }));
+        press_save(&mut page);
+    }
+    page.outside.release_write();
+    page.run();
+    assert!(page.app().editor().is_dirty(), "the file has the first contents yet");
+    page.outside.release_write();
+    page.run();
+    assert!(!page.app().editor().is_dirty());
+}
+
+#[test]
 fn a_file_that_holds_less_is_saved_with_a_note() {
     let mut page = Page::new();
     let stl = Format::from_code("stl").expect("a format");

@@ -1,9 +1,11 @@
 //! Documents are kept in the browser: whenever the page ends, the next visit goes on where it was.
 
 use crate::page::Page;
+use editor::{CommandError, ErrorKind};
 use egui::{Key, Modifiers};
 use egui_kittest::kittest::Queryable;
 use halfedge::{Element, Mesh};
+use meshwright_web::platform::Event;
 use meshwright_web::platform::headless::Outside;
 use meshwright_web::platform::store::{Contents, Failure};
 use serde_json::{Value, json};
@@ -454,4 +456,157 @@ fn a_long_job_of_the_log_is_repeated_by_the_worker() {
     assert!(!page.app().is_opening());
     assert_eq!(state(&mut page), before);
     assert_eq!(page.undo_labels(), ["Triangulate", "Move vertex"]);
+}
+
+/// A document whose checkpoint takes several frames, in the page's first of them.
+fn begin_large(page: &mut Page) {
+    let command = json!({"op": "new", "shape": "grid", "columns": 200, "rows": 200});
+    page.app().script().run(command, Box::new(|answer| assert!(answer.is_ok(), "{answer:?}")));
+    page.harness.step();
+}
+
+#[test]
+fn what_is_done_while_a_large_document_is_written_is_kept() {
+    let mut page = Page::new();
+    begin_large(&mut page);
+    assert!(page.app().would_lose_changes(), "it takes more frames");
+    // Each frame changes something.
+    let mut ids = (0..24).cycle();
+    for _ in 0..40 {
+        page.app().script().select("face", &[ids.next().expect("an id")]).expect("a face");
+        page.harness.step();
+    }
+    assert!(!page.app().would_lose_changes());
+    page.app().script().run(json!({"op": "poke-faces", "faces": [3]}), Box::new(|_| {}));
+    page.harness.step();
+    let before = state(&mut page);
+    let mut page = page.reload();
+    assert_eq!(state(&mut page).0, before.0);
+}
+
+#[test]
+fn a_large_document_that_another_one_replaces_at_once_is_kept() {
+    let mut page = Page::new();
+    begin_large(&mut page);
+    let large = page.mesh().clone();
+    page.command(json!({"op": "new", "shape": "tetrahedron"}));
+    settle(&mut page);
+    open_list(&mut page);
+    page.find("Open document Grid").click();
+    page.run();
+    settle(&mut page);
+    assert_eq!(*page.mesh(), large);
+
+    // The same with one that is opened from the list.
+    begin_large(&mut page);
+    page.command(json!({"op": "poke-faces", "faces": [0]}));
+    let poked = page.mesh().clone();
+    open_list(&mut page);
+    page.find("Open document Tetrahedron").click();
+    page.run();
+    settle(&mut page);
+    assert_eq!(faces(&mut page), 4);
+    let outside = page.outside.clone();
+    drop(page);
+    let kept = outside.disk().contents();
+    let last = kept.keys().max_by_key(|id| id.trim_start_matches("document").parse::<u32>().ok());
+    outside.set_setting("document", last.expect("documents"));
+    outside.open_in_new_tab();
+    assert_eq!(*Page::visit(&outside).mesh(), poked);
+}
+
+#[test]
+fn the_last_change_before_another_document_is_kept() {
+    let mut page = Page::new();
+    extrude(&mut page);
+    settle(&mut page);
+    for command in [json!({"op": "poke-faces", "faces": [0]}), json!({"op": "new", "shape": "torus"})] {
+        page.app().script().run(command, Box::new(|answer| assert!(answer.is_ok(), "{answer:?}")));
+    }
+    settle(&mut page);
+    let outside = page.outside.clone();
+    drop(page);
+    assert_eq!(faces(&mut visit_first_document(&outside)), 13);
+}
+
+#[test]
+fn leaving_asks_while_a_drag_keeps_the_document_from_being_written() {
+    let mut page = Page::new();
+    let disk = page.outside.disk();
+    extrude(&mut page);
+    disk.fail_after(0, Failure::Full);
+    page.command(json!({"op": "poke-faces", "faces": [0]}));
+    settle(&mut page);
+    disk.mend();
+    page.outside.advance(31_000.0);
+    settle(&mut page);
+    page.select("vertex", &[0]);
+    assert!(!page.app().would_lose_changes(), "there is a checkpoint after these changes");
+    // Undo goes back past it, and a drag begins before the next one.
+    page.app().script().undo().expect("a step");
+    page.press(Key::G);
+    assert!(page.app().editor().is_editing());
+    assert!(page.app().would_lose_changes());
+    page.press(Key::Enter);
+    settle(&mut page);
+    assert!(!page.app().would_lose_changes());
+}
+
+#[test]
+fn a_worker_that_fails_to_repeat_a_change_costs_nothing() {
+    let mut page = Page::new();
+    page.command(json!({"op": "new", "shape": "grid", "columns": 150, "rows": 150}));
+    settle(&mut page);
+    page.command(json!({"op": "triangulate-faces"}));
+    page.command(json!({"op": "set-vertex-position", "vertex": 7, "position": [0, 0, 1]}));
+    let (before, outside) = (page.mesh().clone(), page.outside.clone());
+    drop(page);
+    let failed = || {
+        let refused = CommandError::refused("job", "the worker ran out of memory");
+        Event::JobDone { job: 1 << 48, result: Err(CommandError { kind: ErrorKind::Internal, ..refused }) }
+    };
+
+    // Once: another worker repeats it.
+    outside.hold_jobs();
+    let mut page = Page::begin_visit(&outside);
+    outside.push(failed());
+    page.wait();
+    assert!(page.app().is_opening());
+    outside.release_jobs();
+    page.run();
+    assert_eq!(*page.mesh(), before);
+    drop(page);
+
+    // Again and again: the document opens without it, as a copy.
+    outside.hold_jobs();
+    let mut page = Page::begin_visit(&outside);
+    for _ in 0..2 {
+        outside.push(failed());
+        page.wait();
+    }
+    settle(&mut page);
+    assert!(page.has_part("The last 2 changes could not be repeated, so this is a copy without them"));
+    assert_eq!((faces(&mut page), name(&mut page)), (150 * 150, "Grid (recovered)".to_owned()));
+    extrude(&mut page);
+    settle(&mut page);
+    outside.release_jobs();
+    page.run();
+    open_list(&mut page);
+    page.find("Open document Grid").click();
+    page.run();
+    settle(&mut page);
+    assert_eq!(*page.mesh(), before, "the original has everything");
+}
+
+#[test]
+fn a_damaged_link_does_not_hide_the_document_at_the_next_visit() {
+    let mut page = Page::new();
+    extrude(&mut page);
+    settle(&mut page);
+    page.outside.set_fragment("#d=1AAAAAAAA");
+    page.outside.push(Event::Fragment("#d=1AAAAAAAA".to_owned()));
+    page.run();
+    assert!(page.has_part("The link is damaged"));
+    assert_eq!(page.outside.fragment(), "");
+    assert_eq!(faces(&mut page.reload()), 10);
 }

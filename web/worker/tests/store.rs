@@ -23,8 +23,11 @@ impl Visitor {
 
     fn checkpoint(&mut self, bytes: &[u8]) -> Vec<(Answer, Bytes)> {
         let middle = bytes.len() / 2;
-        let mut answers = self.ask(Request::Checkpoint { is_first: true, is_last: false }, &bytes[..middle]);
-        answers.extend(self.ask(Request::Checkpoint { is_first: false, is_last: true }, &bytes[middle..]));
+        let mut answers =
+            self.ask(Request::Checkpoint { is_first: true, is_last: false, log_bytes: 0 }, &bytes[..middle]);
+        answers.extend(
+            self.ask(Request::Checkpoint { is_first: false, is_last: true, log_bytes: 0 }, &bytes[middle..]),
+        );
         answers
     }
 
@@ -196,8 +199,9 @@ fn a_checkpoint_and_a_log_are_a_document() {
     };
     run(&mut editor, serde_json::json!({"op": "new", "shape": "cube"}));
     let mut bytes = Vec::new();
-    let mut copy = SnapshotCopy::begin(&editor).expect("nothing is ongoing");
-    assert!(copy.step(&mut editor, usize::MAX, &mut |part| bytes.extend_from_slice(part)));
+    let mut copy = SnapshotCopy::begin(&mut editor).expect("nothing is ongoing");
+    copy.step(usize::MAX, &mut |part| bytes.extend_from_slice(part));
+    copy.finish(&mut editor);
     visitor.ask(Request::Begin("a".into()), &[]);
     assert_eq!(visitor.checkpoint(&bytes), [(Answer::Checked, Bytes::new())]);
     run(&mut editor, serde_json::json!({"op": "triangulate-faces", "faces": [0]}));

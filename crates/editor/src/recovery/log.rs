@@ -1,18 +1,45 @@
 //! What is done in an editor, as entries for the log.
 
 use super::entry::{Entry, Event};
+use crate::document::Origin;
 use crate::editor::Editor;
 
-/// The entries that were not taken yet.
+/// What was done since the last snapshot, and since one that is being copied.
 #[derive(Debug, Default)]
 pub(crate) struct Log {
-    entries: Vec<Entry>,
-    /// Steps below this number were made before the last snapshot, so that replaying can't undo them.
+    last: Since,
+    copied: Option<Since>,
+}
+
+/// What was done since a snapshot.
+#[derive(Debug, Default)]
+struct Since {
+    /// The entries that were not taken yet, each with the document that it led to.
+    entries: Vec<(Origin, Entry)>,
+    /// Steps below this number were made before the snapshot, so that replaying can't undo them.
     first_step: u64,
     /// Whether the last entries show an edit that had not ended.
     has_draft: bool,
     /// Whether something was done that can't be replayed, so that nothing is worth logging before the next snapshot.
     is_broken: bool,
+}
+
+impl Since {
+    fn put(&mut self, event: Event, revision: u64, origin: Origin) {
+        if self.is_broken {
+            return;
+        }
+        self.is_broken = event == Event::Break;
+        self.has_draft =
+            matches!(event, Event::Draft(_)) || (self.has_draft && matches!(event, Event::View(_)));
+        self.entries.push((origin, Entry { event, revision }));
+    }
+}
+
+impl Log {
+    fn parts(&mut self) -> impl Iterator<Item = &mut Since> {
+        std::iter::once(&mut self.last).chain(&mut self.copied)
+    }
 }
 
 impl Editor {
@@ -23,13 +50,27 @@ impl Editor {
 
     /// The entries since the last call, the oldest first; none if no log was started.
     pub fn take_log(&mut self) -> Vec<Entry> {
-        self.log.as_mut().map(|log| std::mem::take(&mut log.entries)).unwrap_or_default()
+        let taken = self.log.as_mut().map(|log| std::mem::take(&mut log.last.entries));
+        taken.unwrap_or_default().into_iter().map(|(_, entry)| entry).collect()
+    }
+
+    /// As [`Editor::take_log`], but only the entries until another document took the place of this one; those after them are
+    /// forgotten.
+    pub fn take_log_of(&mut self, origin: Origin) -> Vec<Entry> {
+        let taken = self.log.as_mut().map(|log| std::mem::take(&mut log.last.entries));
+        let is_of = |(of, entry): &(Origin, Entry)| *of == origin && entry.event != Event::Break;
+        taken.unwrap_or_default().into_iter().take_while(is_of).map(|(_, entry)| entry).collect()
     }
 
     /// Whether something was done that can't be replayed, such as opening a file: only a new snapshot can hold the
     /// document as it is now.
     pub fn needs_snapshot(&self) -> bool {
-        self.log.as_ref().is_some_and(|log| log.is_broken)
+        self.log.as_ref().is_some_and(|log| log.last.is_broken)
+    }
+
+    /// Whether the snapshot that is being copied is worthless, because something was done since that can't be replayed.
+    pub fn has_outdated_copy(&self) -> bool {
+        self.log.as_ref().and_then(|log| log.copied.as_ref()).is_some_and(|copied| copied.is_broken)
     }
 
     /// The entry of an ongoing edit of elements, to be logged now and then in case it never ends.
@@ -50,22 +91,21 @@ impl Editor {
     /// Logs what was just done.
     pub(crate) fn log(&mut self, event: Event) {
         self.extend_trail(&event, None);
-        self.put_in_log(event);
+        self.put_in_log(event, u64::MAX);
     }
 
-    fn put_in_log(&mut self, event: Event) {
-        let revision = self.revision();
-        if let Some(log) = self.log.as_mut().filter(|log| !log.is_broken) {
-            log.is_broken = event == Event::Break;
-            log.has_draft =
-                matches!(event, Event::Draft(_)) || (log.has_draft && matches!(event, Event::View(_)));
-            log.entries.push(Entry { event, revision });
+    /// Logs an event of a step of this number.
+    fn put_in_log(&mut self, event: Event, number: u64) {
+        let (revision, origin) = (self.revision(), self.document().origin());
+        for since in self.log.iter_mut().flat_map(Log::parts) {
+            let event = if number < since.first_step { Event::Break } else { event.clone() };
+            since.put(event, revision, origin);
         }
     }
 
     /// Logs that the ongoing edit was cancelled or ended without a change, if the log shows it.
     pub(crate) fn log_cancelled(&mut self) {
-        if self.log.as_ref().is_some_and(|log| log.has_draft) {
+        if self.log.iter_mut().flat_map(Log::parts).any(|since| since.has_draft) {
             self.log(Event::Cancel);
         }
     }
@@ -78,16 +118,24 @@ impl Editor {
 
     /// Logs that a step was undone or redone.
     pub(crate) fn log_reversed(&mut self, number: u64, event: Event) {
-        let is_older = self.log.as_ref().is_some_and(|log| number < log.first_step);
         self.extend_trail(&event, Some(number));
-        self.put_in_log(if is_older { Event::Break } else { event });
+        self.put_in_log(event, number);
     }
 
-    /// Begins the log again after a snapshot.
-    pub(super) fn restart_log(&mut self) {
+    /// Also logs what is done after a snapshot that is copied from now on.
+    pub(super) fn begin_log_of_copy(&mut self) {
         let first_step = self.next_step();
         if let Some(log) = &mut self.log {
-            *log = Log { first_step, ..Log::default() };
+            log.copied = Some(Since { first_step, ..Since::default() });
+        }
+    }
+
+    /// Makes the log one of what was done since the snapshot that was copied.
+    pub(super) fn end_log_of_copy(&mut self) {
+        if let Some(log) = &mut self.log
+            && let Some(copied) = log.copied.take()
+        {
+            log.last = copied;
         }
     }
 }

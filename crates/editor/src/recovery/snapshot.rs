@@ -56,7 +56,7 @@ const MAX_NUMBER: u64 = 1 << 52;
 
 impl Wire for Snapshot {
     fn write_to(&self, out: &mut dyn Write) -> io::Result<()> {
-        write_plain(&self.document, &self.selection, self.numbers, out)
+        write(&self.document, &self.selection, self.numbers, &mut Writer::start(out, SNAPSHOT_MARK)?)
     }
 
     async fn read(from: &mut dyn Read, len: usize, part: Part) -> Result<Self, BadBytes> {
@@ -109,15 +109,6 @@ fn write(
     write_selection(out, selection)
 }
 
-fn write_plain(
-    document: &Document,
-    selection: &Selection,
-    numbers: Numbers,
-    out: &mut dyn Write,
-) -> io::Result<()> {
-    write(document, selection, numbers, &mut Writer::start(out, SNAPSHOT_MARK)?)
-}
-
 /// Checks what else an editor relies on.
 fn check(document: &Document, selection: &Selection, numbers: Numbers) -> Result<(), BadBytes> {
     let mut ids: Vec<u64> = document.objects.iter().map(|object| object.id().0).collect();
@@ -151,34 +142,27 @@ async fn read_object(from: &mut Reader<'_>, head: ObjectHead, validates: bool) -
     if has_gone { Err(BadBytes::new("a set holds elements that do not exist")) } else { Ok(object) }
 }
 
-/// A snapshot being copied in parts, so that no frame of the page takes long: a million triangles take about 100 MB.
+/// A snapshot being copied in parts, so that no frame of the page takes long: a million triangles take about 100 MB. Editing
+/// goes on meanwhile; the log of the editor then continues both the last snapshot and this one.
 #[derive(Debug)]
 pub struct SnapshotCopy {
-    /// The document's name, which changes without a step.
-    name: String,
-    numbers: Numbers,
-    selection: Arc<Selection>,
+    snapshot: Snapshot,
     done_bytes: usize,
     total_bytes: usize,
 }
 
 impl SnapshotCopy {
     /// Begins to copy the document as it is now; none while an edit is ongoing, whose preview is no part of the document.
-    /// Costs O(objects and materials).
-    pub fn begin(editor: &Editor) -> Option<Self> {
+    /// The meshes are shared until they are edited. Costs O(objects and materials).
+    pub fn begin(editor: &mut Editor) -> Option<Self> {
         if editor.is_editing() || editor.is_selecting() {
             return None;
         }
-        let mut copy = Self {
-            name: editor.document().name().to_owned(),
-            numbers: editor.numbers(),
-            selection: editor.shared_selection().clone(),
-            done_bytes: 0,
-            total_bytes: 0,
-        };
+        editor.begin_log_of_copy();
+        let mut copy = Self { snapshot: Snapshot::of(editor), done_bytes: 0, total_bytes: 0 };
         let mut counter = Window { skip: usize::MAX, room: 0, seen: 0, out: &mut |_| {} };
         // Writing to a window can't fail.
-        let _ = write_plain(editor.document(), &copy.selection, copy.numbers, &mut counter);
+        let _ = copy.snapshot.write_to(&mut counter);
         copy.total_bytes = counter.seen;
         Some(copy)
     }
@@ -193,23 +177,18 @@ impl SnapshotCopy {
         self.done_bytes == self.total_bytes
     }
 
-    /// Gives the next bytes, at most this many, to `out`, in pieces; they follow those of the previous call. Returns false
-    /// if the document or the selection changed since: what was copied is worthless then, begin again. Ends the log of the
-    /// editor with the last part, and begins it again: log the view then, which no snapshot holds. Costs O(bytes + objects).
-    pub fn step(&mut self, editor: &mut Editor, bytes: usize, out: &mut dyn FnMut(&[u8])) -> bool {
-        let is_same = editor.numbers() == self.numbers
-            && editor.document().name() == self.name
-            && Arc::ptr_eq(editor.shared_selection(), &self.selection);
-        if !is_same || editor.is_editing() || editor.is_selecting() {
-            return false;
-        }
+    /// Gives the next bytes, at most this many, to `out`, in pieces; they follow those of the previous call. Costs
+    /// O(bytes + objects).
+    pub fn step(&mut self, bytes: usize, out: &mut dyn FnMut(&[u8])) {
         let mut window = Window { skip: self.done_bytes, room: bytes, seen: 0, out };
-        let _ = write_plain(editor.document(), &self.selection, self.numbers, &mut window);
+        let _ = self.snapshot.write_to(&mut window);
         self.done_bytes = self.total_bytes.min(self.done_bytes.saturating_add(bytes));
-        if self.is_done() {
-            editor.restart_log();
-        }
-        true
+    }
+
+    /// Makes the log of the editor the one that continues this snapshot: [`Editor::take_log`] gives what was done since it
+    /// was begun. Log the view then, which no snapshot holds.
+    pub fn finish(self, editor: &mut Editor) {
+        editor.end_log_of_copy();
     }
 }
 

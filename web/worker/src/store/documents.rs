@@ -54,8 +54,10 @@ impl<D: Disk> Documents<D> {
                     tell(Answer::Busy(id), Bytes::new());
                 }
             }
-            Request::Checkpoint { is_first, is_last } => {
-                let written = self.checkpoint(bytes, is_first, is_last).await;
+            Request::Checkpoint { is_first, is_last, log_bytes } => {
+                let end = bytes.len().saturating_sub(usize::try_from(log_bytes).unwrap_or(usize::MAX));
+                let (part, log) = bytes.split_at(end);
+                let written = self.checkpoint(part, log, is_first, is_last).await;
                 if written == Ok(true) {
                     tell(Answer::Checked, Bytes::new());
                 }
@@ -234,8 +236,15 @@ impl<D: Disk> Documents<D> {
         }
     }
 
-    /// Writes more of a checkpoint; returns whether it is complete.
-    async fn checkpoint(&mut self, bytes: &[u8], is_first: bool, is_last: bool) -> Result<bool, Failure> {
+    /// Writes more of a checkpoint, and with its last part the log that begins with these records; returns whether it is
+    /// complete.
+    async fn checkpoint(
+        &mut self,
+        bytes: &[u8],
+        log: &[u8],
+        is_first: bool,
+        is_last: bool,
+    ) -> Result<bool, Failure> {
         let Some(open) = &mut self.open else { return Ok(false) };
         if is_first {
             if open.writing.is_none() {
@@ -254,9 +263,9 @@ impl<D: Disk> Documents<D> {
             return Ok(false);
         }
         let seal = sealing.seal();
-        // From here on the new checkpoint counts, even if its log is missing.
+        self.disk.append(&open.id, &named(LOG, open.number), &[&new_log(), log].concat()).await?;
+        // From here on the new checkpoint counts, with its log.
         self.disk.append(&open.id, &name, &seal).await?;
-        self.disk.append(&open.id, &named(LOG, open.number), &new_log()).await?;
         (open.writing, open.log) = (None, Some(open.number));
         for file in self.disk.files(&open.id).await? {
             let number = |kind| file.name.strip_prefix(kind)?.strip_prefix('-')?.parse::<u64>().ok();

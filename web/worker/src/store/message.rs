@@ -77,6 +77,8 @@ pub enum Request {
         is_first: bool,
         /// Whether it is complete.
         is_last: bool,
+        /// How many of the bytes, at the end, are the first records of the log that continues it: of a complete one only.
+        log_bytes: u64,
     },
     /// The next records of the log are beside this.
     Append,
