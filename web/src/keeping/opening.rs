@@ -175,7 +175,8 @@ impl Replaying {
     /// Leaves out the rest of the log if a change could not be repeated.
     fn stop_if(&mut self, replayed: Result<(), NotReplayed>) {
         if let Err(error) = replayed {
-            self.stopped = Some((error.to_string(), self.entries.len() + 1));
+            let is_change = |entry: &&Entry| !matches!(entry.event, Event::View(_) | Event::Select { .. });
+            self.stopped = Some((error.to_string(), self.entries.iter().filter(is_change).count() + 1));
             self.entries.clear();
         }
     }
