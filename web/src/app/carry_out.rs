@@ -8,7 +8,7 @@ use crate::keeping::SavedView;
 use crate::panels::save::FORMAT_SETTING;
 use crate::panels::welcome::WELCOME_SETTING;
 use crate::request::{Request, Waiting};
-use crate::session::{form, live, sharing};
+use crate::session::{edit, form, live, sharing};
 use crate::view::Tool;
 
 impl App {
@@ -48,7 +48,7 @@ impl App {
                 // The edit that follows the pointer ends before anything else is edited.
                 self.session.end_live(true);
                 let command = command.mirrored(self.session.live_settings.symmetry);
-                if let Err(error) = live::update_edit(&mut self.session, command) {
+                if let Err(error) = edit::update_edit(&mut self.session, command) {
                     self.session.refuse(&error);
                 }
             }

@@ -3,11 +3,12 @@
 //! pointer; axis keys limit the edit to an axis or a plane.
 
 use editor::ops::Drag;
-use editor::{Command, CommandError, Editor, OpId, Outcome};
+use editor::{Editor, OpId};
 use egui::{Context, Modifiers, Pos2};
 use glam::Vec3;
 use halfedge::Element;
 
+use super::edit::update_edit;
 use crate::input::key_preset::KeyPreset;
 use crate::input::keys;
 use crate::live::edit::{Live, Snap, Start};
@@ -227,12 +228,4 @@ fn snap_target(editor: &Editor, live: &mut Live, to: SnapTo, at: Pos2, view: &mu
     let aim = Aim { kind, radius: SNAP_RADIUS_POINTS, through: false };
     let moved = live.moved.get_or_insert_with(|| place::selected_vertices(editor));
     viewport::snap((object.mesh(), view.tree(object)), &camera, size, local, aim, moved)
-}
-
-/// Shows an ongoing edit in the document, and measures how long that takes.
-pub(crate) fn update_edit(session: &mut Session, command: Command) -> Result<Outcome, CommandError> {
-    let started = session.platform.now();
-    let outcome = session.editor.update_edit(command);
-    session.edit_seconds = session.platform.now() - started;
-    outcome
 }

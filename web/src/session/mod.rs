@@ -2,6 +2,7 @@
 //! changes it.
 
 pub(crate) mod documents;
+pub(crate) mod edit;
 pub(crate) mod form;
 pub(crate) mod frame_times;
 pub(crate) mod guide;

@@ -4,7 +4,6 @@ use editor::{CommandError, Facts, OpId, Outcome};
 use halfedge::{Element, Mesh};
 
 use super::form::{self, Filled};
-use super::live::update_edit;
 use crate::session::Session;
 
 /// The longest time in seconds that a preview may take to be updated at every step of a spin box.
@@ -101,7 +100,9 @@ impl Session {
             return Err(WhyNot::TooLarge);
         }
         let sizes_before = self.editor.mesh().map(sizes);
-        let outcome = update_edit(self, command).map_err(refused)?;
+        let started = self.platform.now();
+        let outcome = self.editor.update_edit(command).map_err(refused)?;
+        self.edit_seconds = self.platform.now() - started;
         let keeps_ids = self.editor.mesh().map(sizes) == sizes_before;
         self.previewing.shown = Some(Preview { id, filled, outcome, before, keeps_ids });
         Ok(())

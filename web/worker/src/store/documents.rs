@@ -2,7 +2,7 @@
 
 use super::disk::{Disk, Failure, FileLength};
 use super::message::{Answer, Bytes, Id, Info, Kept, Opened, Request, WhyNot};
-use super::sealed::{PART_BYTES, Sealing, numbered, read_newest, read_parts, replace};
+use super::sealed::{PART_BYTES, Sealing, named, numbered, read_newest, read_parts, replace};
 use editor::recovery::{new_log, read_log};
 
 const CHECKPOINT: &str = "checkpoint";
@@ -68,7 +68,7 @@ impl<D: Disk> Documents<D> {
                 self.tell_failure(appended, tell);
             }
             Request::Describe(info) => {
-                let described = self.replace_of_open(INFO, &info_bytes(&info)).await;
+                let described = self.replace_of_open(INFO, &info.to_bytes()).await;
                 self.tell_failure(described, tell);
             }
             Request::Picture => {
@@ -303,7 +303,7 @@ impl<D: Disk> Documents<D> {
     async fn edit_info(&mut self, id: &str, edit: impl Fn(&mut Info)) -> Result<(), Failure> {
         let mut info = self.info(id).await?;
         edit(&mut info);
-        replace(&mut self.disk, id, INFO, &info_bytes(&info)).await
+        replace(&mut self.disk, id, INFO, &info.to_bytes()).await
     }
 
     /// Changes what is known about a document that no other tab shows, and tells the list.
@@ -397,13 +397,4 @@ impl<D: Disk> Documents<D> {
         }
         Ok(())
     }
-}
-
-fn named(kind: &str, number: u64) -> String {
-    format!("{kind}-{number}")
-}
-
-fn info_bytes(info: &Info) -> Vec<u8> {
-    // These fields can't fail to be written as JSON.
-    serde_json::to_vec(info).unwrap_or_default()
 }

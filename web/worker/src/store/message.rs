@@ -35,6 +35,12 @@ pub struct Info {
 }
 
 impl Info {
+    /// As JSON.
+    pub(super) fn to_bytes(&self) -> Bytes {
+        // These fields can't fail to be written.
+        serde_json::to_vec(self).unwrap_or_default()
+    }
+
     /// The name to show.
     pub fn shown_name(&self) -> &str {
         self.renamed.as_ref().unwrap_or(&self.name)

@@ -58,6 +58,11 @@ pub(super) async fn read_parts(
     Ok(disk.read(folder, &file.name, len, SEAL_BYTES).await? == sealing.seal())
 }
 
+/// The name of a numbered file.
+pub(super) fn named(kind: &str, number: u64) -> String {
+    format!("{kind}-{number}")
+}
+
 /// The files of a kind in a folder, such as `info-3` and `info-4`, with their numbers, the newest first.
 pub(super) fn numbered(files: &[FileLength], kind: &str) -> Vec<(u64, FileLength)> {
     let number = |file: &FileLength| file.name.strip_prefix(kind)?.strip_prefix('-')?.parse().ok();
