@@ -8,6 +8,7 @@ pub mod access;
 pub mod app;
 mod bezier;
 mod embedding;
+pub mod fonts;
 pub mod input;
 mod keeping;
 pub mod lists;

@@ -4,8 +4,9 @@ use std::path::PathBuf;
 use std::sync::Arc;
 
 use eframe::{CreationContext, NativeOptions};
-use egui::{RawInput, Ui, ViewportBuilder};
+use egui::{FontData, FontFamily, FontInsert, FontPriority, InsertFontFamily, RawInput, Ui, ViewportBuilder};
 use egui_wgpu::{RenderState, WgpuSetup};
+use epaint_default_fonts::{HACK_REGULAR, UBUNTU_LIGHT};
 use meshwright_web::access::tree::UiTree;
 use meshwright_web::app::App;
 use meshwright_web::input::pacing::Pacing;
@@ -49,6 +50,7 @@ impl Window {
         let graphics = context.wgpu_render_state.clone();
         let platform = Desktop::new(ctx, files, device_info(graphics.as_ref()));
         let app = App::new(ctx, Box::new(platform), graphics);
+        add_whole_fonts(ctx);
         Self { app, pacing: Pacing::default() }
     }
 }
@@ -66,6 +68,15 @@ impl eframe::App for Window {
 
     fn ui(&mut self, ui: &mut Ui, _frame: &mut eframe::Frame) {
         self.app.ui(ui);
+    }
+}
+
+/// Adds the fonts that those of the interface are parts of, for names in Greek and Cyrillic and for rare signs.
+fn add_whole_fonts(ctx: &egui::Context) {
+    for (name, bytes) in [("Ubuntu Light", UBUNTU_LIGHT), ("Hack", HACK_REGULAR)] {
+        let families = [FontFamily::Proportional, FontFamily::Monospace]
+            .map(|family| InsertFontFamily { family, priority: FontPriority::Lowest });
+        ctx.add_font(FontInsert::new(name, FontData::from_static(bytes), families.into()));
     }
 }
 

@@ -4,6 +4,7 @@ use editor::ObjectChange;
 use egui::Context;
 
 use super::App;
+use crate::fonts;
 use crate::platform::DeviceInfo;
 use crate::view::picture::Picture;
 
@@ -17,6 +18,7 @@ pub fn stop(app: &mut App) {
 pub fn go_on(app: &mut App, ctx: &Context, device: DeviceInfo, gpu: Option<egui_wgpu::RenderState>) {
     let memory = app.session.ctx.memory(Clone::clone);
     ctx.memory_mut(|now| *now = memory);
+    fonts::install(ctx);
     app.session.ctx = ctx.clone();
     app.session.platform.draw_on(ctx, device);
     app.panels.forget_pictures();

@@ -24,6 +24,7 @@ use halfedge::Element;
 
 use crate::bezier::Player;
 use crate::embedding;
+use crate::fonts;
 use crate::input::actions::Action;
 use crate::input::brush_key::HeldTab;
 use crate::input::shortcut::Shortcut;
@@ -75,6 +76,7 @@ const MAX_DOUBLE_CLICK_SECONDS: f64 = 0.5;
 impl App {
     /// An editor that contains a cube. Without `gpu` the viewport says that it can't draw.
     pub fn new(ctx: &Context, platform: Box<dyn Platform>, gpu: Option<egui_wgpu::RenderState>) -> Self {
+        fonts::install(ctx);
         theme::install(ctx);
         ctx.add_plugin(HeldTab);
         ctx.options_mut(|options| {

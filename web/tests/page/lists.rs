@@ -122,6 +122,7 @@ fn long_list(rows: usize) -> Harness<'static, RowListState> {
     const COLUMNS: [Column; 1] =
         [Column { title: "Id", meaning: "Number", chars: 10.0, align: Align::Right }];
     let show = move |ui: &mut egui::Ui, state: &mut RowListState| {
+        meshwright_web::fonts::install(ui.ctx());
         let list = RowList { label: "Rows", columns: &COLUMNS, rows, row_height: 20.0 };
         list.show(ui, state, |at| {
             Some(RowContent {

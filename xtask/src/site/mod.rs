@@ -6,6 +6,7 @@ mod help;
 mod names;
 mod offline;
 mod optimise;
+mod readers;
 mod weight;
 
 use std::path::{Path, PathBuf};
@@ -77,7 +78,12 @@ fn bind(project: &Project, kind: Kind, program: &str, site: &Path) -> Result {
     shell::run(&mut bind)?;
     match kind {
         Kind::Quick => Ok(()),
-        Kind::Optimised => optimise::module(project, program, &wasm_of(program, site)),
+        Kind::Optimised => {
+            if program == PAGE {
+                readers::refuse_module(&wasm_of(program, site))?;
+            }
+            optimise::module(project, program, &wasm_of(program, site))
+        }
     }
 }
 
