@@ -21,7 +21,8 @@ const TEXT: [RangeInclusive<char>; 10] = [
 ];
 
 /// What is written in columns: numbers, ids, colours, keys and links.
-const COLUMNS: [RangeInclusive<char>; 5] = [' '..='~', '\u{a0}'..='\u{a0}', '°'..='°', '…'..='…', '−'..='−'];
+const COLUMNS: [RangeInclusive<char>; 6] =
+    [' '..='~', '\u{a0}'..='\u{a0}', '°'..='°', '×'..='×', '…'..='…', '−'..='−'];
 
 fn main() {
     println!("cargo::rerun-if-changed=build.rs");
