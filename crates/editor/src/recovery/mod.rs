@@ -17,7 +17,7 @@ mod snapshot;
 
 pub use entry::{Entry, Event};
 pub(crate) use log::Log;
-pub use records::{Records, append_record, new_log, read_log};
+pub use records::{Records, append_record, is_of_later_version, new_log, read_log};
 pub use replay::{NotReplayed, Recovered};
 pub(crate) use snapshot::Numbers;
 pub use snapshot::{Snapshot, SnapshotCopy};

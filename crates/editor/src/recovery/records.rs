@@ -4,6 +4,7 @@
 //! out, because later entries build on it.
 
 use super::entry::Entry;
+use super::snapshot::SNAPSHOT_MARK;
 use crate::job::Wire;
 
 /// The mark and the version that a log starts with.
@@ -21,6 +22,20 @@ pub struct Records {
     pub valid_bytes: usize,
     /// Whether bytes follow that are no entry.
     pub is_cut_off: bool,
+    /// Whether these bytes are whole, but written by a later version: they must stay as they are.
+    pub is_later: bool,
+}
+
+/// Whether a snapshot or a log begins as those of a later version do.
+pub fn is_of_later_version(bytes: &[u8]) -> bool {
+    let is_later = |mark: [u8; 8]| {
+        let ([name @ .., version], Some([found @ .., found_version])) = (mark, bytes.first_chunk::<8>())
+        else {
+            return false;
+        };
+        name == *found && *found_version > version
+    };
+    is_later(HEADER) || is_later(SNAPSHOT_MARK)
 }
 
 /// The bytes of a log without entries.
@@ -39,30 +54,33 @@ pub fn append_record(log: &mut Vec<u8>, entry: &Entry) {
     log.extend(bytes);
 }
 
-/// Reads a log up to its first damaged record. A log with another header, such as that of a later version, has no
-/// entries. Costs O(bytes); never fails.
+/// Reads a log up to its first damaged record, or the first that only a later version can read. Costs O(bytes); never
+/// fails.
 pub fn read_log(log: &[u8]) -> Records {
     let Some(mut rest) = log.strip_prefix(&HEADER) else {
-        return Records { is_cut_off: !log.is_empty(), ..Records::default() };
+        let is_later = is_of_later_version(log);
+        return Records { is_cut_off: !log.is_empty(), is_later, ..Records::default() };
     };
-    let mut entries = Vec::new();
+    let (mut entries, mut is_later) = (Vec::new(), false);
     while let Some((entry, after)) = split_record(rest) {
+        // A whole record that can't be read is one that this version doesn't know.
+        let Ok(entry) = Entry::from_bytes(entry) else {
+            is_later = true;
+            break;
+        };
         entries.push(entry);
         rest = after;
     }
-    Records { entries, valid_bytes: log.len() - rest.len(), is_cut_off: !rest.is_empty() }
+    Records { entries, valid_bytes: log.len() - rest.len(), is_cut_off: !rest.is_empty(), is_later }
 }
 
-/// The first entry and the bytes after it; none if it is damaged.
-fn split_record(bytes: &[u8]) -> Option<(Entry, &[u8])> {
+/// The bytes of the first entry and those after it; none if it is damaged.
+fn split_record(bytes: &[u8]) -> Option<(&[u8], &[u8])> {
     let (head, rest) = bytes.split_at_checked(RECORD_HEAD_BYTES)?;
     let (len, checksum) = head.split_first_chunk::<4>()?;
     let (entry, after) = rest.split_at_checked(u32::from_le_bytes(*len) as usize)?;
     let mut expected = crc32fast::Hasher::new();
     expected.update(len);
     expected.update(entry);
-    if expected.finalize().to_le_bytes() != checksum {
-        return None;
-    }
-    Some((Entry::from_bytes(entry).ok()?, after))
+    (expected.finalize().to_le_bytes() == checksum).then_some((entry, after))
 }

@@ -48,7 +48,7 @@ struct ObjectHead {
     named_selections: Vec<String>,
 }
 
-const SNAPSHOT_MARK: [u8; 8] = *b"MWsnap\0\x01";
+pub(super) const SNAPSHOT_MARK: [u8; 8] = *b"MWsnap\0\x01";
 const PACKED_MARK: [u8; 8] = *b"MWpack\0\x01";
 
 /// The largest number that is read: JSON holds it exactly, and an editor can go on counting from there.
