@@ -1,6 +1,6 @@
 //! What the user is told about the documents that the browser keeps.
 
-use meshwright_worker::store::{Failure, WhyNot};
+use meshwright_worker::store::{Failure, Refusal, WhyNot};
 
 /// Said when writing works again after a failure.
 pub(super) const KEPT_AGAIN: &str = "Changes are kept in this browser again.";
@@ -8,6 +8,9 @@ pub(super) const KEPT_AGAIN: &str = "Changes are kept in this browser again.";
 /// Said when the store's worker ended and another one goes on.
 pub(super) const STORE_CRASHED: &str =
     "The worker that keeps documents in this browser ended and was started again. Nothing was lost.";
+
+/// What to do about a document of a later version.
+const GET_LATER: &str = "It stays as it is. Reload the page to get that version.";
 
 /// Said when a document is open twice.
 pub(super) const IS_COPY: &str = "This document is open in another tab, so this tab shows a copy of it. Changes here don't reach the other tab.";
@@ -24,12 +27,22 @@ pub(super) fn deleted(name: &str) -> String {
     format!("Deleted {name}.")
 }
 
-/// Said when a document of the list can't be changed.
-pub(super) fn refused(is_open: bool) -> &'static str {
-    if is_open {
-        "Another tab shows this document. Close it there first."
-    } else {
-        "The document can't be changed."
+/// Said when something that the list asked for was not done.
+pub(super) fn refused(refusal: &Refusal) -> String {
+    match refusal {
+        Refusal::IsOpen => "Another tab shows this document. Close it there first.".to_owned(),
+        Refusal::NotChanged(failure) => format!("The document was not changed: {failure}."),
+        Refusal::NotCopied(why) => format!("The document was not duplicated: {}.", reason(why)),
+        Refusal::NotListed(failure) => format!("The list of documents can't be read: {failure}."),
+    }
+}
+
+fn reason(why: &WhyNot) -> String {
+    match why {
+        WhyNot::Missing => Failure::Missing.to_string(),
+        WhyNot::Damaged => "its copy on the disk is damaged or incomplete".to_owned(),
+        WhyNot::Later => "a later version of Meshwright wrote it".to_owned(),
+        WhyNot::Failed(failure) => failure.to_string(),
     }
 }
 
@@ -41,8 +54,8 @@ pub(super) fn not_opened(why: &WhyNot) -> String {
                             to files to keep them safe."
                 .to_owned()
         }
-        WhyNot::Damaged => unreadable("its copy on the disk is damaged"),
-        WhyNot::Failed(failure) => unreadable(&failure.to_string()),
+        WhyNot::Later => format!("{} {GET_LATER}", unreadable(&reason(why))),
+        _ => unreadable(&reason(why)),
     }
 }
 

@@ -17,7 +17,7 @@ pub(crate) use thumbnail::Thumbnail;
 use std::collections::HashMap;
 
 use editor::{Editor, MessageKind, Origin};
-use meshwright_worker::store::{Answer, Bytes, Failure, Id, Request};
+use meshwright_worker::store::{Answer, Bytes, Failure, Id, Request, WhyNot};
 
 use crate::embedding;
 use crate::session::toasts::Remedy;
@@ -29,6 +29,9 @@ use writing::Writing;
 
 /// The setting with the document that the next visit opens, and in which this tab shows what it shows.
 const DOCUMENT_SETTING: &str = "document";
+
+/// The setting with this tab's document as long as nothing was done in it: another tab may sweep it while this one is closed.
+const UNTOUCHED_SETTING: &str = "untouched";
 
 /// How the document is kept.
 #[derive(Default)]
@@ -51,6 +54,8 @@ pub(crate) struct Keeper {
     has_told: bool,
     /// Whether the browser was asked to keep what is kept.
     has_persisted: bool,
+    /// Whether the store was asked to remove what earlier visits left behind.
+    has_swept: bool,
 }
 
 /// The document that the page shows.
@@ -139,6 +144,7 @@ impl Keeper {
     fn show(&mut self, session: &mut Session, id: Id, is_touched: bool, writing: Writing) {
         let origin = session.editor.document().origin();
         session.platform.store_tab_setting(DOCUMENT_SETTING, &id);
+        session.platform.store_tab_setting(UNTOUCHED_SETTING, if is_touched { "" } else { &id });
         if is_touched {
             session.platform.store_setting(DOCUMENT_SETTING, &id);
         }
@@ -151,46 +157,59 @@ impl Keeper {
     /// Handles an answer of the store. Returns whether the page begins with a new document because of it.
     pub fn answered(&mut self, session: &mut Session, answer: Answer, bytes: Bytes) -> bool {
         match answer {
-            Answer::Part => {
-                if let Some(opening) = &mut self.opening {
+            Answer::Part { opening } => {
+                if let Some(opening) = self.opening_of(&opening) {
                     opening.add(bytes);
                 }
             }
-            Answer::Discard => {
-                if let Some(opening) = &mut self.opening {
+            Answer::Discard { opening } => {
+                if let Some(opening) = self.opening_of(&opening) {
                     opening.discard();
                 }
             }
             Answer::Opened(opened) => {
-                let begun = self.opening.as_mut().map(|opening| opening.begin_replay(opened, &bytes));
+                let opening = self.opening_of(&opened.opening);
+                let begun = opening.map(|opening| opening.begin_replay(opened, &bytes));
                 if let Some(Err(reason)) = begun {
-                    return self.not_opened(session, &messages::unreadable(&reason));
+                    return self.not_opened(session, Some(messages::unreadable(&reason)));
                 }
                 session.ctx.request_repaint();
             }
-            Answer::NotOpened { why, .. } => return self.not_opened(session, &messages::not_opened(&why)),
+            Answer::NotOpened { opening, why } => {
+                let untouched = session.platform.load_tab_setting(UNTOUCHED_SETTING);
+                let Some(opening) = self.opening_of(&opening) else { return false };
+                let is_no_loss = why == WhyNot::Missing && untouched.is_some_and(|id| opening.is_of(&id));
+                let said = (!is_no_loss).then(|| messages::not_opened(&why));
+                return self.not_opened(session, said);
+            }
             Answer::Busy(id) => {
                 if let Some(kept) = self.kept.take_if(|kept| kept.id == id) {
                     self.begin(session, kept.is_touched);
                     session.toast(MessageKind::Info, messages::IS_COPY.to_owned(), Vec::new());
                 }
             }
-            Answer::Checked => self.checked(session),
+            Answer::Checked(id) => self.checked(session, &id),
             Answer::Failed(failure) => self.fail(session, failure),
             Answer::Crashed(reason) => return self.crashed(session, reason),
             Answer::Listed { documents, picture_bytes } => {
                 list::listed(session, documents, &picture_bytes, &bytes);
             }
-            Answer::Refused { is_open, .. } => {
-                session.warn(messages::refused(is_open).to_owned(), Vec::new())
-            }
+            Answer::Refused(refusal) => session.warn(messages::refused(&refusal), Vec::new()),
             Answer::Ready => {}
         }
         false
     }
 
+    /// The document that is being opened, if these are answers to that request: one that was given up may be answered yet.
+    fn opening_of(&mut self, copy: &str) -> Option<&mut Opening> {
+        self.opening.as_mut().filter(|opening| opening.is_named(copy))
+    }
+
     /// A checkpoint is complete.
-    fn checked(&mut self, session: &mut Session) {
+    fn checked(&mut self, session: &mut Session, id: &str) {
+        if !self.is_shown(id) {
+            return;
+        }
         (self.failure, self.has_crashed) = (None, false);
         if std::mem::take(&mut self.has_told) {
             session.toast(MessageKind::Info, messages::KEPT_AGAIN.to_owned(), Vec::new());
@@ -209,7 +228,7 @@ impl Keeper {
         }
         self.store_is_new = true;
         let is_replaying = self.opening.as_ref().is_some_and(Opening::is_replaying);
-        let begins = !is_replaying && self.not_opened(session, &messages::unreadable(&reason));
+        let begins = !is_replaying && self.not_opened(session, Some(messages::unreadable(&reason)));
         if is_first {
             session.editor.say(MessageKind::Info, messages::STORE_CRASHED.to_owned());
             if !is_replaying {
@@ -238,13 +257,15 @@ impl Keeper {
         }
     }
 
-    /// Starts with a new document instead of the one that was asked for, and says why. Returns whether one was.
-    fn not_opened(&mut self, session: &mut Session, why: &str) -> bool {
+    /// Starts with a new document instead of the one that was asked for, and says why if something is lost. Returns whether one was.
+    fn not_opened(&mut self, session: &mut Session, why: Option<String>) -> bool {
         let Some(opening) = self.opening.take() else { return false };
         opening.cancel(session);
         let begins = self.kept.is_none();
         self.go_back(session);
-        session.warn(why.to_owned(), Vec::new());
+        if let Some(why) = why {
+            session.warn(why, Vec::new());
+        }
         begins
     }
 

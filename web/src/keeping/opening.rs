@@ -79,6 +79,16 @@ impl Opening {
         session.platform.ask_store(&Request::Open { id, copy }, &[]);
     }
 
+    /// Whether this document was asked for.
+    pub fn is_of(&self, id: &str) -> bool {
+        self.wanted.0 == id
+    }
+
+    /// Whether a copy of the document would be called so.
+    pub fn is_named(&self, copy: &str) -> bool {
+        self.wanted.1 == copy
+    }
+
     /// Asks for the document again after the store has lost it. Returns false if it was read already.
     pub fn read_again(&mut self, session: &mut Session) -> bool {
         if self.is_replaying() {
@@ -205,7 +215,8 @@ impl Keeper {
         let Some(replaying) = &mut opening.replaying else {
             let waited = started - *opening.waits_since.get_or_insert(started);
             if waited > MAX_WAIT_SECONDS {
-                self.not_opened(session, &messages::unreadable("the browser's storage does not answer"));
+                let why = messages::unreadable("the browser's storage does not answer");
+                self.not_opened(session, Some(why));
             } else {
                 session.ctx.request_repaint_after_secs((MAX_WAIT_SECONDS - waited) as f32 + 0.1);
             }
@@ -254,7 +265,7 @@ impl Keeper {
         checkpoint_bytes: usize,
     ) {
         let Replaying { mut editor, view: saved, opened, log_bytes, seconds, stopped, .. } = replaying;
-        let Opened { id, info, is_copy, is_cut_off } = opened;
+        let Opened { id, info, is_copy, is_cut_off, .. } = opened;
         editor.end_replay();
         if let Some(name) = &info.renamed {
             editor.rename_document(name);
@@ -274,7 +285,11 @@ impl Keeper {
             self.begin(session, true);
         } else {
             let (is_touched, listed) = (info.is_touched, (info, session.editor.revision()));
-            self.show(session, id, is_touched, Writing::after(checkpoint_bytes, log_bytes, seconds, listed));
+            let writing = match self.failure {
+                None => Writing::after(checkpoint_bytes, log_bytes, seconds, listed),
+                Some(_) => Writing::default(),
+            };
+            self.show(session, id, is_touched, writing);
         }
         self.begin_in_new_store(session);
         match saved.as_deref().and_then(SavedView::read) {

@@ -7,7 +7,7 @@ use meshwright_worker::store::{Info, Request};
 
 use super::saved_view::SavedView;
 use super::thumbnail::Thumbnail;
-use super::{DOCUMENT_SETTING, Keeper, Kept, messages};
+use super::{DOCUMENT_SETTING, Keeper, Kept, UNTOUCHED_SETTING, messages};
 use crate::session::Session;
 use crate::view::View;
 
@@ -97,6 +97,10 @@ impl Keeper {
             self.begin_in_new_store(session);
         }
         let Some(kept) = &mut self.kept else { return };
+        if !std::mem::replace(&mut self.has_swept, true) {
+            let now_ms = session.platform.date_ms();
+            session.platform.ask_store(&Request::Sweep { now_ms }, &[]);
+        }
         let now = session.platform.now();
         kept.log_view_and_draft(session, view, now);
         kept.touch(session);
@@ -169,6 +173,7 @@ impl Kept {
     fn touch(&mut self, session: &mut Session) {
         if !self.is_touched && session.editor.revision() != self.first_revision {
             self.is_touched = true;
+            session.platform.store_tab_setting(UNTOUCHED_SETTING, "");
             session.platform.store_setting(DOCUMENT_SETTING, &self.id);
         }
     }
@@ -188,7 +193,7 @@ impl Kept {
         let bytes = records(entries);
         self.writing.log_bytes += bytes.len();
         self.writing.replay_seconds += seconds;
-        session.platform.ask_store(&Request::Append, &bytes);
+        session.platform.ask_store(&Request::Append(self.id.clone()), &bytes);
     }
 
     /// Whether a checkpoint is being copied or has to be.
@@ -220,8 +225,9 @@ impl Kept {
     ) {
         let mut part = Vec::with_capacity(bytes.min(copy.total_bytes()));
         copy.step(bytes, &mut |piece| part.extend_from_slice(piece));
+        let (id, now_ms) = (self.id.clone(), session.platform.date_ms());
         if !copy.is_done() {
-            let request = Request::Checkpoint { is_first, is_last: false, log_bytes: 0 };
+            let request = Request::Checkpoint { id, is_first, is_last: false, log_bytes: 0, now_ms };
             session.platform.ask_store(&request, &part);
             self.writing.copy = Some(copy);
             session.ctx.request_repaint();
@@ -231,9 +237,9 @@ impl Kept {
         copy.finish(&mut session.editor);
         let log = records(&take_log(&mut session.editor));
         part.extend_from_slice(&log);
-        session
-            .platform
-            .ask_store(&Request::Checkpoint { is_first, is_last: true, log_bytes: log.len() as u64 }, &part);
+        let log_bytes = log.len() as u64;
+        let request = Request::Checkpoint { id, is_first, is_last: true, log_bytes, now_ms };
+        session.platform.ask_store(&request, &part);
         self.writing = Writing {
             has_checkpoint: true,
             checkpoint_bytes,
@@ -291,11 +297,11 @@ impl Kept {
             is_touched: self.is_touched,
             ..Info::default()
         };
-        session.platform.ask_store(&Request::Describe(info.clone()), &[]);
+        session.platform.ask_store(&Request::Describe { id: self.id.clone(), info: info.clone() }, &[]);
         if self.writing.picture_at.is_none_or(|at| now - at >= PICTURE_SECONDS) {
             self.writing.picture_at = Some(now);
             let picture = Thumbnail::of(session.editor.document()).to_bytes();
-            session.platform.ask_store(&Request::Picture, &picture);
+            session.platform.ask_store(&Request::Picture(self.id.clone()), &picture);
         }
         (self.writing.info, self.writing.info_at) = (Some((info, revision)), now);
     }

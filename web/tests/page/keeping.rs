@@ -244,7 +244,7 @@ fn a_document_that_is_gone_or_damaged_is_named_and_the_page_begins_afresh() {
     drop(page);
 
     let mut page = visit_damaged(&outside, whole.clone(), "checkpoint", |bytes| bytes[40] ^= 1);
-    assert!(page.has_part("is damaged"));
+    assert!(page.has_part("is damaged or incomplete"));
     assert_eq!(faces(&mut page), 6);
     drop(page);
 
@@ -257,13 +257,27 @@ fn a_document_that_is_gone_or_damaged_is_named_and_the_page_begins_afresh() {
 }
 
 #[test]
+fn a_tab_whose_document_was_swept_begins_afresh_without_a_word() {
+    let mut page = Page::new();
+    settle(&mut page);
+    page.outside.disk().set_contents(Default::default());
+    let mut page = page.reload();
+    assert!(!page.has_part("The last document is gone"));
+    extrude(&mut page);
+    settle(&mut page);
+    page.outside.disk().set_contents(Default::default());
+    let page = page.reload();
+    assert!(page.has_part("The last document is gone"));
+}
+
+#[test]
 fn a_store_that_does_not_answer_does_not_keep_the_page_waiting() {
     let mut page = Page::new();
     extrude(&mut page);
     settle(&mut page);
     let outside = page.outside.clone();
     drop(page);
-    outside.hang_store();
+    outside.hang_store(true);
     let mut page = Page::begin_visit(&outside);
     assert!(page.app().is_opening());
     page.outside.advance(9000.0);
@@ -354,6 +368,84 @@ fn documents_are_listed_opened_renamed_copied_deleted_and_brought_back() {
     page.run();
     settle(&mut page);
     assert_eq!((name(&mut page), page.mesh().clone()), ("Spare".to_owned(), poked));
+}
+
+#[test]
+fn visits_leave_nothing_behind() {
+    let mut page = Page::new();
+    page.open("tri.obj", TRIANGLE);
+    settle(&mut page);
+    let outside = page.outside.clone();
+    for _ in 0..3 {
+        outside.open_in_new_tab();
+        let mut other = Page::visit(&outside);
+        settle(&mut other);
+    }
+    settle(&mut page);
+    let folders = outside.disk().contents().len();
+    assert_eq!(folders, 2, "the document and the copy of the last visit");
+}
+
+#[test]
+fn deleting_a_document_makes_room() {
+    let mut page = Page::new();
+    page.command(json!({"op": "new", "shape": "torus"}));
+    settle(&mut page);
+    page.open("tri.obj", TRIANGLE);
+    settle(&mut page);
+    // What nothing was done in would make room too.
+    let mut page = page.reload();
+    settle(&mut page);
+    let disk = page.outside.disk();
+    disk.set_quota(Some(disk.used()));
+    page.command(json!({"op": "poke-faces", "faces": [0]}));
+    page.run();
+    assert!(page.has_part("Changes are not kept: this browser has no more room"));
+    open_list(&mut page);
+    page.click("Delete Torus");
+    assert!(!page.has_part("The document was not changed"), "there is room to note that it is deleted");
+    page.outside.advance(31_000.0);
+    settle(&mut page);
+    assert!(page.has_part("Changes are kept in this browser again."));
+    let mut page = page.reload();
+    assert_eq!(faces(&mut page), 3);
+}
+
+#[test]
+fn what_a_later_version_keeps_is_left_as_it_is() {
+    let mut page = Page::new();
+    extrude(&mut page);
+    settle(&mut page);
+    let outside = page.outside.clone();
+    drop(page);
+    let whole = outside.disk().contents();
+    let mut page = visit_damaged(&outside, whole, "log", |bytes| bytes[7] += 1);
+    assert!(page.has_part("a later version of Meshwright wrote it. It stays as it is. Reload the page"));
+    assert_eq!(faces(&mut page), 6);
+}
+
+#[test]
+fn a_late_answer_is_not_taken_for_the_next_document() {
+    let mut page = Page::new();
+    extrude(&mut page);
+    page.open("tri.obj", TRIANGLE);
+    settle(&mut page);
+    open_list(&mut page);
+    page.outside.hang_store(true);
+    page.find("Open document Cube").click();
+    page.run();
+    page.outside.advance(9000.0);
+    page.run();
+    assert!(page.has_part("does not answer"));
+    page.outside.hang_store(false);
+    page.find("Open document Cube").click();
+    page.run();
+    settle(&mut page);
+    assert_eq!((faces(&mut page), name(&mut page)), (10, "Cube".to_owned()));
+    page.command(json!({"op": "poke-faces"}));
+    let poked = page.mesh().clone();
+    let mut page = page.reload();
+    assert_eq!(*page.mesh(), poked);
 }
 
 #[test]

@@ -2,7 +2,10 @@
 //! releases its locks (Web Locks). Where the browser has no locks, a worker ends unnoticed.
 
 use js_sys::{Object, Promise, Reflect};
+use std::cell::Cell;
+use std::rc::Rc;
 use wasm_bindgen::prelude::*;
+use wasm_bindgen_futures::{JsFuture, spawn_local};
 
 // web-sys counts these as unstable, which they no longer are.
 #[wasm_bindgen]
@@ -30,11 +33,26 @@ pub fn lock_manager() -> Option<LockManager> {
 /// Holds a lock for as long as the worker of this name lives, and then calls `then`.
 pub fn hold_while_alive(worker: &str, then: impl FnOnce() + 'static) {
     let Some(manager) = lock_manager() else { return then() };
-    let callback = Closure::once_into_js(move || -> JsValue {
-        then();
-        Promise::new(&mut |_, _| {}).into()
+    let then: Rc<Cell<Option<Box<dyn FnOnce()>>>> = Rc::new(Cell::new(Some(Box::new(then))));
+    let call = |then: &Cell<Option<Box<dyn FnOnce()>>>| then.take().into_iter().for_each(|then| then());
+    let callback = Closure::once_into_js({
+        let then = then.clone();
+        move || -> JsValue {
+            call(&then);
+            Promise::new(&mut |_, _| {}).into()
+        }
     });
-    let _ = manager.request(&lock_name(worker), &Object::new(), &callback);
+    let requested = manager.request(&lock_name(worker), &Object::new(), &callback);
+    spawn_local(async move {
+        let is_refused = match requested {
+            Ok(promise) => JsFuture::from(promise).await.is_err(),
+            Err(_) => true,
+        };
+        if is_refused {
+            // The worker ends unnoticed then, as without locks.
+            call(&then);
+        }
+    });
 }
 
 /// Calls `then` when the worker of this name ends, if it holds its lock now.

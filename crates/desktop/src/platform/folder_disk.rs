@@ -82,9 +82,14 @@ impl Disk for FolderDisk {
         let write = || {
             fs::create_dir_all(self.folder(folder))?;
             let mut out = OpenOptions::new().create(true).append(true).open(self.path(folder, file))?;
-            out.write_all(bytes)?;
+            let before = out.metadata()?.len();
             // What was written outlives a loss of power.
-            out.sync_data()
+            let written = out.write_all(bytes).and_then(|()| out.sync_data());
+            if written.is_err() {
+                // A part of it would only take room. Whoever reads the file leaves it out if this fails too.
+                let _ = out.set_len(before);
+            }
+            written
         };
         write().map_err(failure)
     }

@@ -29,13 +29,16 @@ pub struct Headless {
     started: Instant,
     tab: u64,
     documents: Documents<Tab>,
+    /// The requests that the store has not carried out yet.
+    requests: Vec<(Request, Vec<u8>)>,
 }
 
 impl Headless {
     /// A platform whose state `outside` shares.
     pub fn new(outside: Outside) -> Self {
         let (tab, disk) = (outside.inner.borrow().tab, outside.disk());
-        Self { outside, started: Instant::now(), tab, documents: Documents::new(disk.tab()) }
+        let (documents, requests) = (Documents::new(disk.tab()), Vec::new());
+        Self { outside, started: Instant::now(), tab, documents, requests }
     }
 }
 
@@ -154,20 +157,23 @@ impl Platform for Headless {
 
     fn ask_store(&mut self, request: &Request, bytes: &[u8]) {
         let outside = self.outside.clone();
+        self.requests.push((request.clone(), bytes.to_vec()));
         if outside.inner.borrow().store_hangs {
             return;
         }
         if outside.inner.borrow().store_crashes > 0 {
             outside.inner.borrow_mut().store_crashes -= 1;
+            self.requests.clear();
             // Its locks end with it.
             self.documents = Documents::new(outside.disk().tab());
             outside.push(Event::Store(Answer::Crashed("it has crashed".to_owned()), Vec::new()));
             return;
         }
         let mut tell = |answer, bytes| outside.push(Event::Store(answer, bytes));
-        let handled = now_or_never(self.documents.handle(request.clone(), bytes, &mut tell));
-        // A disk in memory never waits.
-        debug_assert!(handled.is_some());
+        for (request, bytes) in std::mem::take(&mut self.requests) {
+            let handled = now_or_never(self.documents.handle(request, &bytes, &mut tell));
+            debug_assert!(handled.is_some(), "a disk in memory never waits");
+        }
     }
 
     fn new_id(&mut self) -> Id {

@@ -122,9 +122,9 @@ impl Outside {
         self.inner.borrow().persists
     }
 
-    /// Lets the store take requests and do nothing.
-    pub fn hang_store(&self) {
-        self.inner.borrow_mut().store_hangs = true;
+    /// Lets the store take requests and do nothing, or lets it carry them out with the next one.
+    pub fn hang_store(&self, hangs: bool) {
+        self.inner.borrow_mut().store_hangs = hangs;
     }
 
     /// The title of the page.

@@ -56,7 +56,8 @@ pub trait Disk {
     /// Adds bytes to the end of a file, which it creates.
     ///
     /// # Errors
-    /// Not all could be written: the file may end with a beginning of the bytes.
+    /// Not all could be written. Without room the file is as it was; after other failures it may end with a beginning of
+    /// the bytes.
     async fn append(&mut self, folder: &str, file: &str, bytes: &[u8]) -> Result<(), Failure>;
 
     /// At most so many bytes of a file from here on; fewer only at its end.
@@ -83,9 +84,15 @@ pub trait Disk {
     /// The folder can't be removed.
     async fn remove_folder(&mut self, folder: &str) -> Result<(), Failure>;
 
-    /// Locks a folder for this tab; returns whether no other tab has locked it. The lock ends with the tab.
+    /// Locks a folder for this tab; returns whether no other tab has locked it. The lock ends with the tab. Only the tab
+    /// that has locked a folder writes in it.
     async fn lock(&mut self, folder: &str) -> bool;
 
     /// Unlocks a folder.
     async fn unlock(&mut self, folder: &str);
+
+    /// Whether a folder that can be locked is one that no other tab shows.
+    fn has_locks(&self) -> bool {
+        true
+    }
 }

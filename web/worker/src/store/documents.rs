@@ -1,42 +1,50 @@
-//! Keeping documents in folders of a disk.
+//! Keeping documents in folders of a disk: carrying out requests, and writing the document that the tab shows.
 
 use super::disk::{Disk, Failure, FileLength};
-use super::message::{Answer, Bytes, Id, Info, Kept, Opened, Request, WhyNot};
-use super::sealed::{PART_BYTES, Sealing, named, numbered, read_newest, read_parts, replace};
+use super::listing::RESTORABLE_MS;
+use super::message::{Answer, Bytes, Id, Info, MIN_RESTORABLE_MS, Opened, Refusal, Request, WhyNot};
+use super::sealed::{Seal, Sealing, named, numbered, seal_of, sealed};
 use editor::recovery::{new_log, read_log};
 
-const CHECKPOINT: &str = "checkpoint";
-const LOG: &str = "log";
-const INFO: &str = "info";
-const PICTURE: &str = "picture";
-
-/// How long a deleted document can be restored.
-const RESTORABLE_MS: f64 = 24.0 * 3600.0 * 1000.0;
+pub(super) const CHECKPOINT: &str = "checkpoint";
+pub(super) const LOG: &str = "log";
+pub(super) const INFO: &str = "info";
+pub(super) const PICTURE: &str = "picture";
 
 /// The store.
 #[derive(Debug)]
 pub struct Documents<D> {
-    disk: D,
+    pub(super) disk: D,
     /// The document that this tab shows.
     open: Option<Open>,
+    /// Another document whose folder this tab has locked to write in it.
+    pub(super) changing: Option<Id>,
+    /// The latest time that a request named, in milliseconds since 1970.
+    pub(super) now_ms: f64,
+    /// Why documents may be in a place that can't be read now.
+    unreadable: Option<Failure>,
 }
 
 /// The document that this tab shows, whose folder is locked.
 #[derive(Debug)]
 struct Open {
     id: Id,
-    /// The number of the last checkpoint, complete or not.
-    number: u64,
     /// The number of the log that records are added to; none before the first checkpoint, and after a failure.
     log: Option<u64>,
-    /// The checkpoint that is being written.
-    writing: Option<Sealing>,
+    /// The checkpoint that is being written, and its number.
+    writing: Option<(u64, Sealing)>,
 }
 
 impl<D: Disk> Documents<D> {
     /// A store on this disk.
     pub fn new(disk: D) -> Self {
-        Self { disk, open: None }
+        Self { disk, open: None, changing: None, now_ms: 0.0, unreadable: None }
+    }
+
+    /// The same store, for documents that may be in another place, which can't be read now.
+    #[must_use]
+    pub fn beside_unreadable(self, failure: Option<Failure>) -> Self {
+        Self { unreadable: failure, ..self }
     }
 
     /// Carries out a request.
@@ -44,67 +52,93 @@ impl<D: Disk> Documents<D> {
         match request {
             Request::Open { id, copy } => {
                 if let Err(why) = self.open(&id, &copy, tell).await {
-                    tell(Answer::NotOpened { id, why }, Bytes::new());
+                    tell(Answer::NotOpened { opening: copy, why }, Bytes::new());
                 }
             }
             Request::Begin(id) => {
-                let begun = self.begin(&id).await;
-                self.tell_failure(begun, tell);
-                if self.open.is_none() {
+                if !self.begin(&id).await {
                     tell(Answer::Busy(id), Bytes::new());
                 }
             }
-            Request::Checkpoint { is_first, is_last, log_bytes } => {
+            Request::Checkpoint { id, is_first, is_last, log_bytes, now_ms } => {
+                self.pass_time(now_ms);
                 let end = bytes.len().saturating_sub(usize::try_from(log_bytes).unwrap_or(usize::MAX));
-                let (part, log) = bytes.split_at(end);
-                let written = self.checkpoint(part, log, is_first, is_last).await;
+                let written = self.checkpoint(&id, bytes.split_at(end), is_first, is_last).await;
                 if written == Ok(true) {
-                    tell(Answer::Checked, Bytes::new());
+                    tell(Answer::Checked(id), Bytes::new());
                 }
-                self.tell_failure(written.map(drop), tell);
+                self.tell_failure(written.map(drop), tell).await;
             }
-            Request::Append => {
-                let appended = self.append(bytes).await;
-                self.tell_failure(appended, tell);
+            Request::Append(id) => {
+                let appended = self.append(&id, bytes).await;
+                self.tell_failure(appended, tell).await;
             }
-            Request::Describe(info) => {
-                let described = self.replace_of_open(INFO, &info.to_bytes()).await;
-                self.tell_failure(described, tell);
+            Request::Describe { id, info } => {
+                self.pass_time(info.changed_ms);
+                let described = self.replace_of_open(&id, INFO, &info.to_bytes()).await;
+                self.tell_failure(described, tell).await;
             }
-            Request::Picture => {
+            Request::Picture(id) => {
                 // A document without a picture is worth as much.
-                let _ = self.replace_of_open(PICTURE, bytes).await;
+                let _ = self.replace_of_open(&id, PICTURE, bytes).await;
             }
             Request::List => self.list(tell).await,
             Request::Rename { id, name } => {
-                let renames = |info: &mut Info| info.renamed = Some(name.clone());
-                self.change_info(&id, renames, tell).await;
+                self.change_info(&id, |info| info.renamed = Some(name.clone()), tell).await;
             }
             Request::Duplicate { id, copy, name } => {
                 let renames = |info: &mut Info| info.renamed = Some(name.clone());
-                let copied = match self.copy(&id, &copy).await {
-                    Ok(()) => self.edit_info(&copy, renames).await,
-                    Err(failure) => Err(failure),
-                };
-                self.tell_failure(copied, tell);
+                match self.copy(&id, &copy, renames).await {
+                    Ok(()) => self.disk.unlock(&copy).await,
+                    Err(why) => tell(Answer::Refused(Refusal::NotCopied(why)), Bytes::new()),
+                }
                 self.list(tell).await;
             }
             Request::Delete { id, now_ms } => {
+                self.pass_time(now_ms);
                 self.change_info(&id, |info| info.deleted_ms = Some(now_ms), tell).await;
             }
             Request::Restore(id) => self.change_info(&id, |info| info.deleted_ms = None, tell).await,
-            // What can't be removed now can be later.
-            Request::Sweep { now_ms } => drop(self.sweep(now_ms).await),
+            Request::Sweep { now_ms } => {
+                self.pass_time(now_ms);
+                self.sweep(now_ms - RESTORABLE_MS).await;
+            }
         }
     }
 
-    /// Tells that something was not written. Nothing more is, because it would follow what is missing.
-    fn tell_failure(&mut self, result: Result<(), Failure>, tell: &mut dyn FnMut(Answer, Bytes)) {
+    fn pass_time(&mut self, now_ms: f64) {
+        self.now_ms = self.now_ms.max(now_ms);
+    }
+
+    /// Whether this tab has locked a folder for more than a look.
+    pub(super) fn is_ours(&self, id: &str) -> bool {
+        self.shows(id) || self.changing.as_deref() == Some(id)
+    }
+
+    /// Whether this tab shows a document.
+    pub(super) fn shows(&self, id: &str) -> bool {
+        self.open.as_ref().is_some_and(|open| open.id == id)
+    }
+
+    /// Tells that something was not written. Nothing more is, because it would follow what is missing. What there is of an
+    /// incomplete checkpoint would take room that the next one needs.
+    async fn tell_failure(&mut self, result: Result<(), Failure>, tell: &mut dyn FnMut(Answer, Bytes)) {
         if let Err(failure) = result {
+            self.drop_incomplete().await;
             if let Some(open) = &mut self.open {
-                (open.log, open.writing) = (None, None);
+                open.log = None;
             }
             tell(Answer::Failed(failure), Bytes::new());
+        }
+    }
+
+    /// Removes the checkpoint that is being written. If that fails, the next complete one removes it.
+    async fn drop_incomplete(&mut self) {
+        if let Some(open) = &mut self.open
+            && let Some((number, _)) = open.writing.take()
+        {
+            let _ = self.disk.remove(&open.id, &named(CHECKPOINT, number)).await;
+            let _ = self.disk.remove(&open.id, &named(LOG, number)).await;
         }
     }
 
@@ -115,57 +149,59 @@ impl<D: Disk> Documents<D> {
         tell: &mut dyn FnMut(Answer, Bytes),
     ) -> Result<(), WhyNot> {
         self.close().await;
-        if self.disk.files(id).await.map_err(WhyNot::Failed)?.is_empty() {
-            return Err(WhyNot::Missing);
+        if self.disk.files(id).await?.is_empty() {
+            return Err(self.unreadable.clone().map_or(WhyNot::Missing, WhyNot::Failed));
         }
         let is_copy = !self.disk.lock(id).await;
         let shown = if is_copy { copy } else { id };
         if is_copy {
-            self.copy(id, copy).await.map_err(WhyNot::Failed)?;
-            self.edit_info(copy, |info| info.is_touched = false).await.map_err(WhyNot::Failed)?;
-            self.disk.lock(copy).await;
+            self.copy(id, copy, |info| info.is_touched = false).await?;
         }
-        match self.read(shown, tell).await {
-            Ok((number, log)) => {
-                let valid = read_log(&log);
-                let is_cut_off = valid.is_cut_off;
-                self.mend_log(shown, number, valid.valid_bytes, is_cut_off).await.map_err(WhyNot::Failed)?;
-                let info = self.info(shown).await.map_err(WhyNot::Failed)?;
-                let id = shown.to_owned();
-                self.open = Some(Open { id: id.clone(), number, log: Some(number), writing: None });
-                tell(Answer::Opened(Opened { id, info, is_copy, is_cut_off }), log);
-                Ok(())
-            }
-            Err(why) => {
-                self.disk.unlock(shown).await;
-                Err(why)
-            }
+        let opened = self.open_locked(shown, copy, is_copy, tell).await;
+        if opened.is_err() {
+            self.disk.unlock(shown).await;
         }
+        opened
     }
 
-    /// Tells the parts of the newest whole checkpoint, and returns its number and log.
-    pub(super) async fn read(
+    async fn open_locked(
         &mut self,
-        folder: &str,
+        id: &str,
+        opening: &str,
+        is_copy: bool,
         tell: &mut dyn FnMut(Answer, Bytes),
-    ) -> Result<(u64, Bytes), WhyNot> {
-        let files = self.disk.files(folder).await.map_err(WhyNot::Failed)?;
-        let mut newest = None;
-        for (number, file) in numbered(&files, CHECKPOINT) {
-            let given = read_parts(&mut self.disk, folder, &file, |part| tell(Answer::Part, part)).await;
-            if given.map_err(WhyNot::Failed)? {
-                newest = Some(number);
-                break;
-            }
-            tell(Answer::Discard, Bytes::new());
-        }
-        let number = newest.ok_or(WhyNot::Damaged)?;
-        let log = files.iter().find(|file| file.name == named(LOG, number));
-        let log = match log {
-            Some(file) => self.read_all(folder, file).await.map_err(WhyNot::Failed)?,
-            None => Bytes::new(),
+    ) -> Result<(), WhyNot> {
+        let mut told = |part: Option<Bytes>| match part {
+            Some(part) => tell(Answer::Part { opening: opening.to_owned() }, part),
+            None => tell(Answer::Discard { opening: opening.to_owned() }, Bytes::new()),
         };
-        Ok((number, log))
+        let (number, log) = self.read(id, &mut told).await?;
+        let records = read_log(&log);
+        if records.is_later {
+            return Err(WhyNot::Later);
+        }
+        let is_cut_off = records.is_cut_off;
+        let mended = self.mend_log(id, number, records.valid_bytes, is_cut_off).await;
+        let info = self.info(id).await?;
+        let log_number = mended.is_ok().then_some(number);
+        self.open = Some(Open { id: id.to_owned(), log: log_number, writing: None });
+        self.drop_left_behind(id, number).await;
+        let opened = Opened { opening: opening.to_owned(), id: id.to_owned(), info, is_copy, is_cut_off };
+        tell(Answer::Opened(opened), log);
+        // The document is there all the same.
+        self.tell_failure(mended, tell).await;
+        Ok(())
+    }
+
+    /// Removes newer checkpoints that were never completed.
+    async fn drop_left_behind(&mut self, id: &str, number: u64) {
+        let files = self.disk.files(id).await.unwrap_or_default();
+        for (newer, file) in numbered(&files, CHECKPOINT) {
+            if newer > number && seal_of(&mut self.disk, id, &file).await == Ok(Seal::None) {
+                let _ = self.disk.remove(id, &file.name).await;
+                let _ = self.disk.remove(id, &named(LOG, newer)).await;
+            }
+        }
     }
 
     /// Makes a log one that records can be added to.
@@ -180,7 +216,7 @@ impl<D: Disk> Documents<D> {
         if valid_bytes == 0 {
             // The page ended before the log was begun.
             self.disk.remove(folder, &log).await?;
-            self.disk.append(folder, &log, &new_log()).await
+            self.write(folder, &log, &new_log()).await
         } else if is_cut_off {
             self.disk.truncate(folder, &log, valid_bytes as u64).await
         } else {
@@ -188,49 +224,22 @@ impl<D: Disk> Documents<D> {
         }
     }
 
-    /// The newest whole checkpoint among these files, and its number.
-    async fn newest_whole(
-        &mut self,
-        folder: &str,
-        files: &[FileLength],
-    ) -> Result<Option<(u64, FileLength)>, Failure> {
-        for (number, file) in numbered(files, CHECKPOINT) {
-            if read_parts(&mut self.disk, folder, &file, drop).await? {
-                return Ok(Some((number, file)));
-            }
-        }
-        Ok(None)
-    }
-
-    async fn read_all(&mut self, folder: &str, file: &FileLength) -> Result<Bytes, Failure> {
-        let mut bytes = Bytes::new();
-        loop {
-            let part = self.disk.read(folder, &file.name, bytes.len() as u64, PART_BYTES).await?;
-            let is_last = part.len() < PART_BYTES;
-            bytes.extend(part);
-            if is_last {
-                return Ok(bytes);
-            }
-        }
-    }
-
-    /// Goes on with a document. If another tab shows it, none is open then.
-    async fn begin(&mut self, id: &str) -> Result<(), Failure> {
-        if self.open.as_ref().is_none_or(|open| open.id != id) {
+    /// Goes on with a document; returns false if another tab shows it, and then none is open.
+    async fn begin(&mut self, id: &str) -> bool {
+        if self.shows(id) {
+            self.drop_incomplete().await;
+        } else {
             self.close().await;
             if !self.disk.lock(id).await {
-                return Ok(());
+                return false;
             }
         }
-        self.open = Some(Open { id: id.to_owned(), number: 0, log: None, writing: None });
-        let files = self.disk.files(id).await?;
-        if let (Some(open), Some((number, _))) = (&mut self.open, numbered(&files, CHECKPOINT).first()) {
-            open.number = *number;
-        }
-        Ok(())
+        self.open = Some(Open { id: id.to_owned(), log: None, writing: None });
+        true
     }
 
     async fn close(&mut self) {
+        self.drop_incomplete().await;
         if let Some(open) = self.open.take() {
             self.disk.unlock(&open.id).await;
         }
@@ -240,161 +249,90 @@ impl<D: Disk> Documents<D> {
     /// complete.
     async fn checkpoint(
         &mut self,
-        bytes: &[u8],
-        log: &[u8],
+        id: &str,
+        (bytes, log): (&[u8], &[u8]),
         is_first: bool,
         is_last: bool,
     ) -> Result<bool, Failure> {
-        let Some(open) = &mut self.open else { return Ok(false) };
-        if is_first {
-            if open.writing.is_none() {
-                open.number += 1;
-            }
-            // Earlier ones with this number were not completed.
-            self.disk.remove(&open.id, &named(CHECKPOINT, open.number)).await?;
-            self.disk.remove(&open.id, &named(LOG, open.number)).await?;
-            open.writing = Some(Sealing::default());
+        if !self.shows(id) {
+            return Ok(false);
         }
-        let Some(sealing) = &mut open.writing else { return Ok(false) };
-        let name = named(CHECKPOINT, open.number);
+        if is_first {
+            self.drop_incomplete().await;
+            // Complete or not, what is there stays until this one is complete.
+            let number = last_number(&self.disk.files(id).await?) + 1;
+            if let Some(open) = &mut self.open {
+                open.writing = Some((number, Sealing::default()));
+            }
+        }
+        let Some((number, sealing)) = self.open.as_mut().and_then(|open| open.writing.as_mut()) else {
+            return Ok(false);
+        };
+        let (number, name) = (*number, named(CHECKPOINT, *number));
         sealing.add(bytes);
-        self.disk.append(&open.id, &name, bytes).await?;
+        let seal = sealing.seal();
+        self.write(id, &name, bytes).await?;
         if !is_last {
             return Ok(false);
         }
-        let seal = sealing.seal();
-        self.disk.append(&open.id, &named(LOG, open.number), &[&new_log(), log].concat()).await?;
+        self.write(id, &named(LOG, number), &[&new_log(), log].concat()).await?;
+        self.write(id, &name, &seal).await?;
         // From here on the new checkpoint counts, with its log.
-        self.disk.append(&open.id, &name, &seal).await?;
-        (open.writing, open.log) = (None, Some(open.number));
-        for file in self.disk.files(&open.id).await? {
-            let number = |kind| file.name.strip_prefix(kind)?.strip_prefix('-')?.parse::<u64>().ok();
-            if number(CHECKPOINT).or_else(|| number(LOG)).is_some_and(|number| number < open.number) {
-                self.disk.remove(&open.id, &file.name).await?;
-            }
+        if let Some(open) = &mut self.open {
+            (open.writing, open.log) = (None, Some(number));
         }
+        self.remove_older(id, number).await;
         Ok(true)
     }
 
-    async fn append(&mut self, bytes: &[u8]) -> Result<(), Failure> {
-        match &self.open {
-            Some(Open { id, log: Some(number), .. }) => {
-                self.disk.append(id, &named(LOG, *number), bytes).await
+    /// Removes older checkpoints and logs. What can't be removed now can be after the next checkpoint.
+    async fn remove_older(&mut self, id: &str, number: u64) {
+        let files = self.disk.files(id).await.unwrap_or_default();
+        for (older, file) in numbered(&files, CHECKPOINT).into_iter().chain(numbered(&files, LOG)) {
+            if older < number {
+                let _ = self.disk.remove(id, &file.name).await;
             }
-            // The next checkpoint holds it.
-            _ => Ok(()),
         }
     }
 
-    async fn replace_of_open(&mut self, kind: &str, bytes: &[u8]) -> Result<(), Failure> {
-        match &self.open {
-            Some(open) => replace(&mut self.disk, &open.id, kind, bytes).await,
+    async fn append(&mut self, id: &str, bytes: &[u8]) -> Result<(), Failure> {
+        match self.open.as_ref().filter(|open| open.id == id).and_then(|open| open.log) {
+            Some(number) => self.write(id, &named(LOG, number), bytes).await,
+            // The next checkpoint holds it.
             None => Ok(()),
         }
     }
 
-    pub(super) async fn info(&mut self, id: &str) -> Result<Info, Failure> {
-        let bytes = read_newest(&mut self.disk, id, INFO).await?;
-        let info = bytes.and_then(|bytes| serde_json::from_slice(&bytes).ok());
-        // Without an info, it is listed without a name rather than not at all.
-        Ok(info.unwrap_or_else(|| Info { is_touched: true, ..Info::default() }))
+    async fn replace_of_open(&mut self, id: &str, kind: &str, bytes: &[u8]) -> Result<(), Failure> {
+        if self.shows(id) { self.replace(id, kind, bytes).await } else { Ok(()) }
     }
 
-    async fn edit_info(&mut self, id: &str, edit: impl Fn(&mut Info)) -> Result<(), Failure> {
-        let mut info = self.info(id).await?;
-        edit(&mut info);
-        replace(&mut self.disk, id, INFO, &info.to_bytes()).await
+    /// Writes a sealed file of a kind, and then removes older ones.
+    pub(super) async fn replace(&mut self, id: &str, kind: &str, bytes: &[u8]) -> Result<(), Failure> {
+        let old = numbered(&self.disk.files(id).await?, kind);
+        let number = old.first().map_or(0, |(number, _)| *number) + 1;
+        let name = named(kind, number);
+        let written = self.write(id, &name, &sealed(bytes)).await;
+        let removed = if written.is_ok() { old } else { Vec::new() };
+        for (_, file) in removed {
+            // What can't be removed now can be when the next one is written.
+            let _ = self.disk.remove(id, &file.name).await;
+        }
+        written
     }
 
-    /// Changes what is known about a document that no other tab shows, and tells the list.
-    async fn change_info(&mut self, id: &str, edit: impl Fn(&mut Info), tell: &mut dyn FnMut(Answer, Bytes)) {
-        let is_open = self.open.as_ref().is_some_and(|open| open.id == id) || !self.disk.lock(id).await;
-        if is_open {
-            tell(Answer::Refused { id: id.to_owned(), is_open }, Bytes::new());
-            return;
+    /// Adds bytes to a file. If there is no room, deleted documents make some.
+    pub(super) async fn write(&mut self, id: &str, file: &str, bytes: &[u8]) -> Result<(), Failure> {
+        let written = self.disk.append(id, file, bytes).await;
+        if written == Err(Failure::Full) && self.sweep(self.now_ms - MIN_RESTORABLE_MS).await {
+            return self.disk.append(id, file, bytes).await;
         }
-        let edited = self.edit_info(id, edit).await;
-        self.disk.unlock(id).await;
-        if edited.is_err() {
-            tell(Answer::Refused { id: id.to_owned(), is_open }, Bytes::new());
-        }
-        self.list(tell).await;
+        written
     }
+}
 
-    /// Copies the newest whole state of a document.
-    async fn copy(&mut self, id: &str, copy: &str) -> Result<(), Failure> {
-        let files = self.disk.files(id).await?;
-        let Some((number, checkpoint)) = self.newest_whole(id, &files).await? else {
-            return Err(Failure::Missing);
-        };
-        for kind in [INFO, PICTURE] {
-            if let Some(bytes) = read_newest(&mut self.disk, id, kind).await? {
-                replace(&mut self.disk, copy, kind, &bytes).await?;
-            }
-        }
-        if let Some(log) = files.iter().find(|file| file.name == named(LOG, number)) {
-            let bytes = self.read_all(id, log).await?;
-            self.disk.append(copy, &named(LOG, number), &bytes).await?;
-        }
-        let mut at = 0;
-        while at < checkpoint.bytes {
-            let part = self.disk.read(id, &checkpoint.name, at, PART_BYTES).await?;
-            if part.is_empty() {
-                return Err(Failure::Missing);
-            }
-            at += part.len() as u64;
-            self.disk.append(copy, &checkpoint.name, &part).await?;
-        }
-        Ok(())
-    }
-
-    async fn list(&mut self, tell: &mut dyn FnMut(Answer, Bytes)) {
-        match self.listed().await {
-            Ok(mut documents) => {
-                let picture_bytes = documents.iter().map(|kept| kept.picture.len()).collect();
-                let pictures =
-                    documents.iter_mut().flat_map(|kept| std::mem::take(&mut kept.picture)).collect();
-                tell(Answer::Listed { documents, picture_bytes }, pictures);
-            }
-            Err(failure) => tell(Answer::Failed(failure), Bytes::new()),
-        }
-    }
-
-    async fn listed(&mut self) -> Result<Vec<Kept>, Failure> {
-        let mut documents = Vec::new();
-        for id in self.disk.folders().await? {
-            let info = self.info(&id).await?;
-            let is_ours = self.open.as_ref().is_some_and(|open| open.id == id);
-            let has_checkpoint = |files: &[FileLength]| !numbered(files, CHECKPOINT).is_empty();
-            let files = self.disk.files(&id).await?;
-            if !info.is_touched || info.deleted_ms.is_some() || !has_checkpoint(&files) {
-                continue;
-            }
-            let is_open = is_ours || !self.disk.lock(&id).await;
-            if !is_open {
-                self.disk.unlock(&id).await;
-            }
-            let picture = read_newest(&mut self.disk, &id, PICTURE).await?.unwrap_or_default();
-            let bytes = files.iter().map(|file| file.bytes).sum();
-            documents.push(Kept { id, info, bytes, is_open, picture });
-        }
-        documents.sort_by(|a, b| b.info.changed_ms.total_cmp(&a.info.changed_ms));
-        Ok(documents)
-    }
-
-    async fn sweep(&mut self, now_ms: f64) -> Result<(), Failure> {
-        for id in self.disk.folders().await? {
-            let is_ours = self.open.as_ref().is_some_and(|open| open.id == id);
-            if is_ours || !self.disk.lock(&id).await {
-                continue;
-            }
-            let info = self.info(&id).await?;
-            let is_gone = info.deleted_ms.is_some_and(|deleted| now_ms - deleted > RESTORABLE_MS);
-            if is_gone || !info.is_touched {
-                self.disk.remove_folder(&id).await?;
-            }
-            self.disk.unlock(&id).await;
-        }
-        Ok(())
-    }
+/// The highest number of a checkpoint or a log.
+fn last_number(files: &[FileLength]) -> u64 {
+    let last = |kind| numbered(files, kind).first().map_or(0, |(number, _)| *number);
+    last(CHECKPOINT).max(last(LOG))
 }

@@ -215,6 +215,10 @@ impl Disk for IndexedDb {
         self.locks.take(folder).await
     }
 
+    fn has_locks(&self) -> bool {
+        self.locks.work()
+    }
+
     async fn unlock(&mut self, folder: &str) {
         self.locks.release(folder);
     }

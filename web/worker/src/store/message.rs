@@ -71,27 +71,37 @@ pub enum Request {
     Open {
         /// The document.
         id: Id,
-        /// What the copy is called.
+        /// What the copy is called: a new identity for each request, by which its answers are told from those of others.
         copy: Id,
     },
     /// Goes on with a document that is new or was open before. Its next checkpoint has to follow. Answered by
     /// [`Answer::Busy`] if another tab shows it.
     Begin(Id),
-    /// The next bytes of a checkpoint are beside this. Answered by [`Answer::Checked`] after the last.
+    /// The next bytes of a checkpoint are beside this. Answered by [`Answer::Checked`] after the last. This and the next
+    /// three do nothing for another document than the open one.
     Checkpoint {
+        /// The document.
+        id: Id,
         /// Whether the checkpoint begins here. An earlier one that was not completed is forgotten.
         is_first: bool,
         /// Whether it is complete.
         is_last: bool,
         /// How many of the bytes, at the end, are the first records of the log that continues it: of a complete one only.
         log_bytes: u64,
+        /// The time, in milliseconds since 1970.
+        now_ms: f64,
     },
-    /// The next records of the log are beside this.
-    Append,
-    /// Replaces what is known about the open document.
-    Describe(Info),
-    /// Replaces the open document's picture by that beside this.
-    Picture,
+    /// The next records of the document's log are beside this.
+    Append(Id),
+    /// Replaces what is known about the document.
+    Describe {
+        /// The document.
+        id: Id,
+        /// What is known.
+        info: Info,
+    },
+    /// Replaces the document's picture by that beside this.
+    Picture(Id),
     /// Asks for the list of documents: [`Answer::Listed`].
     List,
     /// Gives a document another name.
@@ -110,7 +120,8 @@ pub enum Request {
         /// The copy's name.
         name: String,
     },
-    /// Deletes a document that is not open. It can be restored until the next [`Request::Sweep`] after a while.
+    /// Deletes a document that is not open. It can be restored for a day, but where there is no more room only for
+    /// [`MIN_RESTORABLE_MS`].
     Delete {
         /// The document.
         id: Id,
@@ -119,16 +130,21 @@ pub enum Request {
     },
     /// Brings back a deleted document.
     Restore(Id),
-    /// Removes documents that nothing was done in, and those that were deleted a while ago.
+    /// Removes documents that nothing was done in, those that were deleted a day ago, and what was left incomplete then.
     Sweep {
         /// The time, in milliseconds since 1970.
         now_ms: f64,
     },
 }
 
+/// How long a deleted document can be restored even if its room is needed.
+pub const MIN_RESTORABLE_MS: f64 = 20.0 * 1000.0;
+
 /// A document that was opened.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Opened {
+    /// What the copy was to be called in [`Request::Open`].
+    pub opening: Id,
     /// The document; the copy, if one was made.
     pub id: Id,
     /// What is known about it.
@@ -146,8 +162,29 @@ pub enum WhyNot {
     Missing,
     /// None of its checkpoints is whole.
     Damaged,
+    /// A later version of this program wrote it. It is left as it is.
+    Later,
     /// It could not be read.
     Failed(Failure),
+}
+
+impl From<Failure> for WhyNot {
+    fn from(failure: Failure) -> Self {
+        Self::Failed(failure)
+    }
+}
+
+/// Why something that the list asked for was not done.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub enum Refusal {
+    /// Another tab shows the document.
+    IsOpen,
+    /// It could not be changed.
+    NotChanged(Failure),
+    /// It could not be copied.
+    NotCopied(WhyNot),
+    /// The list could not be read.
+    NotListed(Failure),
 }
 
 /// An answer of the store.
@@ -156,22 +193,28 @@ pub enum Answer {
     /// The store is listening; requests that were sent earlier are lost.
     Ready,
     /// The next bytes of the checkpoint of the document that is being opened are beside this.
-    Part,
+    Part {
+        /// What the copy was to be called in [`Request::Open`].
+        opening: Id,
+    },
     /// What was sent of the checkpoint is damaged. The parts of an older one follow, if there is one.
-    Discard,
+    Discard {
+        /// What the copy was to be called in [`Request::Open`].
+        opening: Id,
+    },
     /// A document is open. Its log is beside this.
     Opened(Opened),
     /// A document could not be opened.
     NotOpened {
-        /// The document.
-        id: Id,
+        /// What the copy was to be called in [`Request::Open`].
+        opening: Id,
         /// Why.
         why: WhyNot,
     },
     /// Another tab shows the document that was to be begun.
     Busy(Id),
-    /// The last checkpoint is complete.
-    Checked,
+    /// The last checkpoint of this document is complete.
+    Checked(Id),
     /// Something could not be written. Nothing is kept until the next checkpoint begins.
     Failed(Failure),
     /// The list of documents, the last changed first. Their pictures are beside this, with these lengths.
@@ -182,12 +225,7 @@ pub enum Answer {
         picture_bytes: Vec<usize>,
     },
     /// Something asked for in the list could not be done.
-    Refused {
-        /// The document.
-        id: Id,
-        /// Whether that is because another tab shows it.
-        is_open: bool,
-    },
+    Refused(Refusal),
     /// The store's program ended with this message.
     Crashed(String),
 }

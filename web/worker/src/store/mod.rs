@@ -17,12 +17,14 @@ mod disk;
 mod documents;
 #[cfg(target_arch = "wasm32")]
 mod indexed_db;
+mod listing;
 #[cfg(target_arch = "wasm32")]
 mod locks;
 mod memory;
 mod message;
 #[cfg(target_arch = "wasm32")]
 mod opfs;
+mod reading;
 mod rescue;
 mod sealed;
 #[cfg(target_arch = "wasm32")]
@@ -31,7 +33,7 @@ mod serve;
 pub use disk::{Disk, Failure, FileLength};
 pub use documents::Documents;
 pub use memory::{Contents, MemoryDisk, Tab, now_or_never};
-pub use message::{Answer, Bytes, Id, Info, Kept, Opened, Request, WhyNot};
+pub use message::{Answer, Bytes, Id, Info, Kept, MIN_RESTORABLE_MS, Opened, Refusal, Request, WhyNot};
 #[cfg(target_arch = "wasm32")]
 pub use message::{from_js, to_js};
 #[cfg(target_arch = "wasm32")]

@@ -27,27 +27,30 @@ pub(super) struct Opfs {
 }
 
 impl Opfs {
-    /// Opens it, and tries whether files in it can be written.
+    /// Opens it, and tries whether files in it can be written. A full disk has one too: what is there can be read.
     ///
     /// # Errors
-    /// The browser has none, or allows none.
+    /// [`Failure::Denied`] if the browser has none or allows none.
     pub async fn new() -> Result<Self, Failure> {
         let scope: DedicatedWorkerGlobalScope = js_sys::global().unchecked_into();
         let navigator = scope.navigator();
         let storage = Reflect::get(&navigator, &"storage".into()).map_err(|error| failure(&error))?;
-        if Reflect::get(&storage, &"getDirectory".into()).map_or(true, |function| function.is_undefined()) {
+        if storage.is_undefined() || !has(&storage, "getDirectory") || !has_synchronous_handles() {
             return Err(Failure::Denied);
         }
         let origin: FileSystemDirectoryHandle = wait(navigator.storage().get_directory()).await?;
         let options = FileSystemGetDirectoryOptions::new();
         options.set_create(true);
-        let root = wait(origin.get_directory_handle_with_options(ROOT, &options)).await?;
+        let root = match wait(origin.get_directory_handle_with_options(ROOT, &options)).await {
+            Err(Failure::Full) => wait(origin.get_directory_handle(ROOT)).await?,
+            root => root?,
+        };
         let mut disk = Self { root, writing: HashMap::new(), locks: Locks::default() };
         let probe = format!("probe-{}", js_sys::Math::random());
         let probed = disk.append(&probe, "probe", b"probe").await;
-        let removed = disk.remove_folder(&probe).await;
-        probed.and(removed)?;
-        Ok(disk)
+        // A later sweep removes it otherwise.
+        let _ = disk.remove_folder(&probe).await;
+        if probed == Err(Failure::Denied) { Err(Failure::Denied) } else { Ok(disk) }
     }
 
     async fn folder(&self, name: &str, create: bool) -> Result<FileSystemDirectoryHandle, Failure> {
@@ -131,9 +134,19 @@ impl Disk for Opfs {
         let size = writer.get_size().map_err(|error| failure(&error))?;
         let at = FileSystemReadWriteOptions::new();
         at.set_at_f64(size);
-        let written = writer.write_with_u8_array_and_options(bytes, &at).map_err(|error| failure(&error))?;
-        writer.flush().map_err(|error| failure(&error))?;
-        if (written as usize) < bytes.len() { Err(Failure::Full) } else { Ok(()) }
+        let written = writer
+            .write_with_u8_array_and_options(bytes, &at)
+            .and_then(|written| writer.flush().map(|()| written))
+            .map_err(|error| failure(&error));
+        let appended = match written {
+            Ok(written) if (written as usize) < bytes.len() => Err(Failure::Full),
+            written => written.map(drop),
+        };
+        if appended == Err(Failure::Full) {
+            // Whoever reads the file leaves out a part of a record or a checkpoint, if this fails too.
+            let _ = writer.truncate_with_f64(size);
+        }
+        appended
     }
 
     async fn read(&mut self, folder: &str, file: &str, at: u64, len: usize) -> Result<Vec<u8>, Failure> {
@@ -177,10 +190,25 @@ impl Disk for Opfs {
         self.locks.take(folder).await
     }
 
+    fn has_locks(&self) -> bool {
+        self.locks.work()
+    }
+
     async fn unlock(&mut self, folder: &str) {
         self.close(folder, None);
         self.locks.release(folder);
     }
+}
+
+fn has(object: &JsValue, name: &str) -> bool {
+    Reflect::get(object, &name.into()).is_ok_and(|value| !value.is_undefined())
+}
+
+/// Whether the browser's files can be written at once.
+fn has_synchronous_handles() -> bool {
+    let of = |object: &JsValue, name: &str| Reflect::get(object, &name.into()).unwrap_or_default();
+    let prototype = of(&of(&js_sys::global(), "FileSystemFileHandle"), "prototype");
+    has(&prototype, "createSyncAccessHandle")
 }
 
 /// What is in a folder.

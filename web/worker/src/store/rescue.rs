@@ -2,12 +2,14 @@
 
 use super::disk::Disk;
 use super::documents::Documents;
-use super::message::{Answer, Bytes, WhyNot};
+use super::message::{Bytes, WhyNot};
 use editor::Wire;
 use editor::formats::NamedBytes;
 use editor::project::Project;
 use editor::recovery::{Event, Snapshot, read_log};
 use std::fmt;
+
+const LATER: &str = "A later version of Meshwright wrote the document.";
 
 impl<D: Disk> Documents<D> {
     /// A document as a project file, whoever shows it. Without the log, it is the document as it was at its last checkpoint.
@@ -16,16 +18,19 @@ impl<D: Disk> Documents<D> {
     /// A sentence that says why there is none.
     pub async fn rescue(&mut self, id: &str, repeats_log: bool) -> Result<NamedBytes, String> {
         let mut checkpoint = Bytes::new();
-        let mut take = |answer, bytes| match answer {
-            Answer::Part => checkpoint.extend(bytes),
-            Answer::Discard => checkpoint.clear(),
-            _ => {}
+        let mut take = |part| match part {
+            Some(part) => checkpoint.extend::<Bytes>(part),
+            None => checkpoint.clear(),
         };
         let read = self.read(id, &mut take).await.map_err(|why| match why {
             WhyNot::Missing | WhyNot::Damaged => "This browser has no whole copy of the document.".to_owned(),
+            WhyNot::Later => LATER.to_owned(),
             WhyNot::Failed(failure) => unreadable(&failure),
         });
         let (_, log) = read?;
+        if repeats_log && read_log(&log).is_later {
+            return Err(LATER.to_owned());
+        }
         let info = self.info(id).await.unwrap_or_default();
         let log = repeats_log.then_some(log.as_slice());
         project_of(&checkpoint, log.unwrap_or_default(), info.renamed.as_deref())

@@ -18,6 +18,29 @@ pub(super) struct Sealing {
     checksum: crc32fast::Hasher,
 }
 
+/// What a file ends with.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Seal {
+    /// Nothing that this version knows: the file is not complete.
+    None,
+    /// A seal for a file of this length.
+    Ours,
+    /// The seal of a later version: later formats too end with the mark and 12 bytes.
+    Later,
+}
+
+/// What a file ends with. Only [`read_parts`] checks its bytes.
+pub(super) async fn seal_of(disk: &mut impl Disk, folder: &str, file: &FileLength) -> Result<Seal, Failure> {
+    let Some(len) = file.bytes.checked_sub(SEAL_BYTES as u64) else { return Ok(Seal::None) };
+    let found = disk.read(folder, &file.name, len, SEAL_BYTES).await?;
+    let Some((found_mark, rest)) = found.split_first_chunk::<8>() else { return Ok(Seal::None) };
+    if *found_mark == MARK && rest.starts_with(&len.to_le_bytes()) {
+        return Ok(Seal::Ours);
+    }
+    let ([name @ .., version], [found_name @ .., found_version]) = (MARK, found_mark);
+    Ok(if name == *found_name && *found_version > version { Seal::Later } else { Seal::None })
+}
+
 impl Sealing {
     pub fn add(&mut self, bytes: &[u8]) {
         self.bytes += bytes.len() as u64;
@@ -72,12 +95,26 @@ pub(super) fn numbered(files: &[FileLength], kind: &str) -> Vec<(u64, FileLength
     found
 }
 
+/// How often files are listed again because another tab replaces them meanwhile.
+pub(super) const MAX_TRIES: usize = 4;
+
 /// The newest whole file of a kind.
 pub(super) async fn read_newest(
     disk: &mut impl Disk,
     folder: &str,
     kind: &str,
 ) -> Result<Option<Vec<u8>>, Failure> {
+    let mut read = Ok(None);
+    for _ in 0..MAX_TRIES {
+        read = try_read_newest(disk, folder, kind).await;
+        if read != Err(Failure::Missing) {
+            break;
+        }
+    }
+    read
+}
+
+async fn try_read_newest(disk: &mut impl Disk, folder: &str, kind: &str) -> Result<Option<Vec<u8>>, Failure> {
     let files = disk.files(folder).await?;
     for (_, file) in numbered(&files, kind) {
         let mut bytes = Vec::new();
@@ -88,21 +125,9 @@ pub(super) async fn read_newest(
     Ok(None)
 }
 
-/// Writes a file of a kind, and then removes older ones.
-pub(super) async fn replace(
-    disk: &mut impl Disk,
-    folder: &str,
-    kind: &str,
-    bytes: &[u8],
-) -> Result<(), Failure> {
-    let old = numbered(&disk.files(folder).await?, kind);
-    let number = old.first().map_or(0, |(number, _)| *number) + 1;
+/// These bytes with their seal.
+pub(super) fn sealed(bytes: &[u8]) -> Vec<u8> {
     let mut sealing = Sealing::default();
     sealing.add(bytes);
-    let sealed = [bytes, &sealing.seal()].concat();
-    disk.append(folder, &format!("{kind}-{number}"), &sealed).await?;
-    for (_, file) in old {
-        disk.remove(folder, &file.name).await?;
-    }
-    Ok(())
+    [bytes, &sealing.seal()].concat()
 }

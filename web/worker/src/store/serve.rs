@@ -55,19 +55,52 @@ pub fn serve() {
         move || post(&scope, &Answer::Ready, &[])
     });
     wasm_bindgen_futures::spawn_local(async move {
-        match private_files(&scope).await {
-            Ok(disk) => carry_out(Documents::new(disk), &scope, &waiting).await,
-            Err(_) => match IndexedDb::new().await {
-                Ok(disk) => carry_out(Documents::new(disk), &scope, &waiting).await,
-                Err(failure) => carry_out(Documents::new(NoDisk(failure)), &scope, &waiting).await,
-            },
+        match Place::find(&scope).await {
+            Place::Private(disk) => carry_out(Documents::new(disk), &scope, &waiting).await,
+            Place::Indexed(disk, unreadable) => {
+                let documents = Documents::new(disk).beside_unreadable(unreadable);
+                carry_out(documents, &scope, &waiting).await;
+            }
+            Place::None(failure) => carry_out(Documents::new(NoDisk(failure)), &scope, &waiting).await,
         }
     });
 }
 
-/// The origin private file system, unless the worker's name asks for IndexedDB.
-async fn private_files(scope: &DedicatedWorkerGlobalScope) -> Result<Opfs, Failure> {
-    if scope.name().contains(ASKS_FOR_INDEXED_DB) { Err(Failure::Denied) } else { Opfs::new().await }
+/// Where documents are kept.
+enum Place {
+    Private(Opfs),
+    /// And why documents may be in private files that can't be read now.
+    Indexed(IndexedDb, Option<Failure>),
+    None(Failure),
+}
+
+impl Place {
+    /// The origin private file system where the browser has it, unless the documents are in IndexedDB: an earlier version
+    /// of the browser may have had only that.
+    async fn find(scope: &DedicatedWorkerGlobalScope) -> Self {
+        let private = match scope.name().contains(ASKS_FOR_INDEXED_DB) {
+            true => Err(Failure::Denied),
+            false => Opfs::new().await,
+        };
+        let unreadable = match private {
+            Ok(mut disk) => {
+                if disk.folders().await == Ok(Vec::new())
+                    && let Ok(mut indexed) = IndexedDb::new().await
+                    && indexed.folders().await.is_ok_and(|folders| !folders.is_empty())
+                {
+                    return Self::Indexed(indexed, None);
+                }
+                return Self::Private(disk);
+            }
+            // The browser has no such files, or allows none.
+            Err(Failure::Denied) => None,
+            Err(failure) => Some(failure),
+        };
+        match IndexedDb::new().await {
+            Ok(disk) => Self::Indexed(disk, unreadable),
+            Err(failure) => Self::None(failure),
+        }
+    }
 }
 
 /// Makes files of kept documents for a page whose program has crashed. It sends `[id, repeatsLog]` and gets
@@ -82,12 +115,10 @@ pub fn serve_rescue() {
         let (Some(id), repeats_log) = (asked.get(0).as_string(), asked.get(1).is_truthy()) else { return };
         let scope = answers.clone();
         wasm_bindgen_futures::spawn_local(async move {
-            let rescued = match private_files(&scope).await {
-                Ok(disk) => Documents::new(disk).rescue(&id, repeats_log).await,
-                Err(_) => match IndexedDb::new().await {
-                    Ok(disk) => Documents::new(disk).rescue(&id, repeats_log).await,
-                    Err(failure) => Err(super::rescue::unreadable(&failure)),
-                },
+            let rescued = match Place::find(&scope).await {
+                Place::Private(disk) => Documents::new(disk).rescue(&id, repeats_log).await,
+                Place::Indexed(disk, _) => Documents::new(disk).rescue(&id, repeats_log).await,
+                Place::None(failure) => Err(super::rescue::unreadable(&failure)),
             };
             let answer = match rescued {
                 Ok(file) => {
