@@ -168,3 +168,42 @@ editorTest("settings are kept across visits", once, async (editor) => {
   assert.notEqual(await theme(), first);
   await editor.screenshot("other theme");
 });
+
+editorTest("a document that ends the program while it is opened can be left for a new one", once, async (editor) => {
+  await editor.select("face", [1]);
+  await editor.run({ op: "extrude-faces", distance: 0.5 });
+  await editor.frames(5);
+  await editor.page.waitForTimeout(300);
+  // As a document that is too large for the memory.
+  await editor.page.addInitScript(() => {
+    const instantiate = WebAssembly.instantiateStreaming;
+    WebAssembly.instantiateStreaming = (...given) => {
+      if (sessionStorage.getItem("meshwright.document") === null) return instantiate.apply(WebAssembly, given);
+      return Promise.reject(new WebAssembly.RuntimeError("unreachable"));
+    };
+  });
+  await editor.page.reload();
+  const notice = editor.page.locator("#notice");
+  await notice.waitFor();
+  assert.match(await notice.innerText(), /has crashed[^]*The document is kept in this browser/);
+  await editor.page.getByRole("button", { name: "Begin with a new document" }).click();
+  await editor.page.waitForFunction(() => document.querySelector("#notice")?.hidden !== false);
+  await editor.ready();
+  assert.equal((await editor.state()).document.faces, 6);
+});
+
+editorTest("errors of other programs' scripts do not end the start", once, async (editor) => {
+  await editor.page.addInitScript(() => {
+    document.addEventListener("DOMContentLoaded", () => {
+      const filename = "chrome-extension://someone/script.js";
+      const error = new Error("not the page's");
+      error.stack = `Error: not the page's\n    at ${filename}:1:1`;
+      window.dispatchEvent(new ErrorEvent("error", { filename, error, message: error.message }));
+      const promise = Promise.resolve();
+      window.dispatchEvent(new PromiseRejectionEvent("unhandledrejection", { promise, reason: error }));
+    });
+  });
+  await editor.page.reload();
+  await editor.ready();
+  assert.equal(await editor.page.locator("#notice").isVisible(), false);
+});

@@ -150,15 +150,26 @@
   };
   const failed = (error, message) => {
     // Panics are reported before they get here; a trap without a panic means a lack of memory.
-    if (state === "started" && error instanceof WebAssembly.RuntimeError) {
-      window.meshwrightPage.crashed(`The editor stopped, most likely for lack of memory: ${message}`);
+    if (error instanceof WebAssembly.RuntimeError) {
+      parsed.then(() => window.meshwrightPage.crashed(`The editor stopped, most likely for lack of memory: ${message}`));
+      return;
     }
     cannotLoad(message);
   };
-  window.addEventListener("error", (event) => {
-    failed(event.error, event.message || "A file could not be fetched.");
+  /** Whether an error is the page's own, by an address or its stack: browser extensions run scripts here too. */
+  const isOwn = (error, address) => {
+    const origins = String(address || error?.stack).match(/[a-z-]+:\/\/[^/\s)]+/g) ?? [];
+    // Chromium calls programs in memory wasm://wasm.
+    const origin = origins.find((found) => !found.startsWith("wasm:"));
+    return origin === location.origin || (origin === undefined && error instanceof WebAssembly.RuntimeError);
+  };
+  window.addEventListener("error", ({ error, filename, message, target }) => {
+    const address = filename || target?.src || target?.href;
+    if (isOwn(error, address)) failed(error, message || "A file could not be fetched.");
   }, true);
-  window.addEventListener("unhandledrejection", (event) => failed(event.reason, String(event.reason)));
+  window.addEventListener("unhandledrejection", ({ reason }) => {
+    if (isOwn(reason)) failed(reason, String(reason));
+  });
 
   // The program.
   const program = document.querySelector("meta[name=meshwright-program]");
