@@ -128,6 +128,48 @@ editorTest("without room the page says so and goes on", once, async (editor) => 
   await session.send("Storage.overrideQuotaForOrigin", { origin });
 });
 
+editorTest("a full disk leaves the last document where it is", once, async (editor) => {
+  await editor.select("face", [1]);
+  await editor.run({ op: "extrude-faces", distance: 0.5 });
+  await settled(editor);
+  const session = await editor.context.newCDPSession(editor.page);
+  const origin = new URL(editor.url).origin;
+  await session.send("Storage.overrideQuotaForOrigin", { origin, quotaSize: 1 });
+  await reload(editor);
+  assert.equal((await editor.state()).document.faces, 10);
+  await session.send("Storage.overrideQuotaForOrigin", { origin });
+});
+
+editorTest("what visits leave behind is removed, but no document that a tab shows", once, async (editor) => {
+  const folders = () => editor.page.evaluate(async () => {
+    const root = await (await navigator.storage.getDirectory()).getDirectoryHandle("meshwright");
+    const names = [];
+    for await (const name of root.keys()) names.push(name);
+    return names.sort();
+  });
+  await editor.select("face", [1]);
+  await editor.run({ op: "extrude-faces", distance: 0.5 });
+  await settled(editor);
+  const first = editor.page;
+  const [kept, ...others] = await folders();
+  assert.deepEqual(others, []);
+  for (let at = 0; at < 2; at += 1) {
+    editor.page = await editor.context.newPage();
+    await editor.page.goto(editor.url);
+    await editor.ready();
+    await settled(editor);
+    const shown = await folders();
+    assert.ok(shown.length === 2 && shown.includes(kept), `${shown}: the document and this visit's copy`);
+    await editor.page.close();
+  }
+  editor.page = first;
+  await editor.run({ op: "poke-faces" });
+  await settled(editor);
+  const { faces } = (await editor.state()).document;
+  await reload(editor);
+  assert.equal((await editor.state()).document.faces, faces);
+});
+
 editorTest("where nothing can be kept the page works and says so", once, async (editor) => {
   await editor.context.route("**/without-storage.js?*", (route) => route.fulfill({
     contentType: "text/javascript",
