@@ -387,31 +387,6 @@ fn visits_leave_nothing_behind() {
 }
 
 #[test]
-fn deleting_a_document_makes_room() {
-    let mut page = Page::new();
-    page.command(json!({"op": "new", "shape": "torus"}));
-    settle(&mut page);
-    page.open("tri.obj", TRIANGLE);
-    settle(&mut page);
-    // What nothing was done in would make room too.
-    let mut page = page.reload();
-    settle(&mut page);
-    let disk = page.outside.disk();
-    disk.set_quota(Some(disk.used()));
-    page.command(json!({"op": "poke-faces", "faces": [0]}));
-    page.run();
-    assert!(page.has_part("Changes are not kept: this browser has no more room"));
-    open_list(&mut page);
-    page.click("Delete Torus");
-    assert!(!page.has_part("The document was not changed"), "there is room to note that it is deleted");
-    page.outside.advance(31_000.0);
-    settle(&mut page);
-    assert!(page.has_part("Changes are kept in this browser again."));
-    let mut page = page.reload();
-    assert_eq!(faces(&mut page), 3);
-}
-
-#[test]
 fn what_a_later_version_keeps_is_left_as_it_is() {
     let mut page = Page::new();
     extrude(&mut page);
