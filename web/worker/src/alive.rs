@@ -30,11 +30,14 @@ pub fn lock_manager() -> Option<LockManager> {
     (!locks.is_undefined()).then(|| locks.unchecked_into())
 }
 
+/// What is called once.
+type Then = Box<dyn FnOnce()>;
+
 /// Holds a lock for as long as the worker of this name lives, and then calls `then`.
 pub fn hold_while_alive(worker: &str, then: impl FnOnce() + 'static) {
     let Some(manager) = lock_manager() else { return then() };
-    let then: Rc<Cell<Option<Box<dyn FnOnce()>>>> = Rc::new(Cell::new(Some(Box::new(then))));
-    let call = |then: &Cell<Option<Box<dyn FnOnce()>>>| then.take().into_iter().for_each(|then| then());
+    let then: Rc<Cell<Option<Then>>> = Rc::new(Cell::new(Some(Box::new(then))));
+    let call = |then: &Cell<Option<Then>>| then.take().into_iter().for_each(|then| then());
     let callback = Closure::once_into_js({
         let then = then.clone();
         move || -> JsValue {
