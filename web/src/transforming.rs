@@ -43,6 +43,8 @@ pub enum SnapTo {
     /// Round steps: of length, of 5 degrees, of a tenth.
     #[default]
     Steps,
+    /// The points of the grid: moves end at round coordinates.
+    Grid,
     /// The vertex under the pointer.
     Vertex,
     /// The edge under the pointer.
@@ -53,7 +55,7 @@ pub enum SnapTo {
 
 impl SnapTo {
     /// All of them.
-    pub const ALL: [Self; 4] = [Self::Steps, Self::Edge, Self::Vertex, Self::Face];
+    pub const ALL: [Self; 5] = [Self::Steps, Self::Grid, Self::Edge, Self::Vertex, Self::Face];
 }
 
 /// What the handles at the selection do.

@@ -52,6 +52,7 @@ fn now_ms() -> f64 {
 impl Page {
     fn new(chosen: Vec<String>) -> Self {
         let outside = Outside::default();
+        outside.start_clock();
         outside.set_setting("welcome", "off");
         outside.set_setting("theme", "dark");
         let gpu = create_render_state(default_wgpu_setup(), egui_wgpu::RendererOptions::PREDICTABLE);

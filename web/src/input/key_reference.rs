@@ -21,7 +21,7 @@ the chosen preset. Ctrl is Command on a Mac, and Alt is Option.
 
 While an edit follows the pointer, digits type its amount, X, Y and Z lock an axis (with Shift a plane), Tab goes to the \
 next number, Enter applies and Escape cancels, in all presets. The key of Move, pressed again during a move, slides the \
-selection along its neighbours (G G). A key of Snap to steps, vertices, edges or faces snaps while it is held, as X, V \
+selection along its neighbours (G G). A key of Snap to grid, steps, vertices, edges or faces snaps while it is held, as X, V \
 and C do in Maya.
 
 While flying (View > Zoom and fly), W, A, S, D or the arrow keys move the eye, E and Q move it up and down, Shift makes it faster, \

@@ -66,7 +66,7 @@ pub(super) static ROWS: &[Row] = &[
     (A::Snap,                              ["Shift+Tab",                 "Shift+Tab",                "Shift+Tab"]),
 
     // Maya's count while they are held.
-    (A::SnapTo(SnapTo::Steps),             ["",                          "",                         "X"]),
+    (A::SnapTo(SnapTo::Grid),              ["",                          "",                         "X"]),
     (A::SnapTo(SnapTo::Edge),              ["",                          "",                         "C"]),
     (A::SnapTo(SnapTo::Vertex),            ["",                          "",                         "V"]),
     (A::ElementMenu(Element::Vertex),      ["",                          "Ctrl+V",                   ""]),

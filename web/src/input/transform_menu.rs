@@ -38,6 +38,12 @@ pub(super) static ENTRIES: &[Option<Entry>] = &[
         "Snap to round steps of length, 5 degrees or a tenth. A key for it snaps while it is held.",
     )),
     Some(entry(
+        A::SnapTo(SnapTo::Grid),
+        "Snap to grid",
+        "Snap moves to round coordinates, whatever the place before; turns and sizes snap to steps. A key for it snaps \
+         while it is held.",
+    )),
+    Some(entry(
         A::SnapTo(SnapTo::Vertex),
         "Snap to vertices",
         "Snap what moves to the vertex under the pointer. A key for it snaps while it is held.",

@@ -238,7 +238,13 @@ impl Live {
                 if !offset.is_finite() {
                     return;
                 }
-                Vec3::from(offset.to_array().map(|number| snapped(number, step)))
+                if snap.to_grid {
+                    let place = self.anchor + axes * offset;
+                    let on_grid = Vec3::from(place.to_array().map(|number| rounded(number, step)));
+                    self.lock.limited(axes.transpose() * (on_grid - self.anchor))
+                } else {
+                    Vec3::from(offset.to_array().map(|number| snapped(number, step)))
+                }
             }
             Drag::Rotation => Vec3::X * snapped(self.trail.turned, SNAP_DEGREES),
             Drag::Factors => self.factors(snapped(sight.factor(from, at), SNAP_FACTOR)),
@@ -340,7 +346,10 @@ impl Live {
 /// What the amount snaps to.
 #[derive(Clone, Copy, Default)]
 pub(crate) struct Snap {
+    /// Whether amounts are round.
     pub to_steps: bool,
+    /// Whether the places are round to which things are moved.
+    pub to_grid: bool,
     pub target: Option<Vec3>,
 }
 

@@ -15,14 +15,24 @@ impl Typed {
         self.texts.iter().all(String::is_empty)
     }
 
-    /// Appends the characters that numbers and expressions consist of; returns whether there were any.
+    /// Appends the characters that numbers and expressions consist of, with the letters of `pi`; returns whether there were any.
     pub fn push(&mut self, text: &str) -> bool {
         let before = self.texts.get(self.at).map_or(0, String::len);
         if self.texts.len() <= self.at {
             self.texts.resize(self.at + 1, String::new());
         }
         if let Some(typed) = self.texts.get_mut(self.at) {
-            typed.extend(text.chars().filter(|c| c.is_ascii_digit() || "+-*/^().".contains(*c)));
+            for c in text.chars() {
+                // A letter alone is a key.
+                let is_of_pi = match c {
+                    'p' | 'P' => typed.ends_with(['+', '-', '*', '/', '^', '(']),
+                    'i' | 'I' => typed.ends_with(['p', 'P']),
+                    _ => false,
+                };
+                if is_of_pi || c.is_ascii_digit() || "+-*/^().π".contains(c) {
+                    typed.push(c);
+                }
+            }
             return typed.len() > before;
         }
         false
@@ -53,7 +63,7 @@ impl Typed {
     pub fn value(&self, at: usize) -> Option<f32> {
         let text = self.texts.get(at)?;
         // A sign or an operator at the end waits for its number.
-        let finished = text.trim_end_matches(['+', '-', '*', '/', '^', '(', '.']);
+        let finished = text.trim_end_matches(['+', '-', '*', '/', '^', '(', '.', 'p', 'P']);
         evaluate(text)
             .or_else(|| evaluate(finished))
             .map(|value| value as f32)
@@ -90,5 +100,17 @@ mod tests {
         typed.limit(1);
         assert!(typed.push("2"));
         assert_eq!(typed.value(0), Some(-0.5));
+    }
+
+    #[test]
+    fn pi_is_typed_after_an_operator() {
+        let mut typed = Typed::default();
+        assert!(!typed.push("p"), "a key, not a number");
+        for text in ["2", "*", "p"] {
+            assert!(typed.push(text));
+            assert_eq!(typed.value(0), Some(2.0), "after {text}");
+        }
+        assert!(typed.push("i") && !typed.push("i"));
+        assert_eq!(typed.value(0), Some(std::f32::consts::TAU));
     }
 }

@@ -17,9 +17,9 @@ pub struct FrameTimes {
 /// The number of frames kept: at most two seconds' worth.
 const KEPT_FRAMES: usize = 120;
 
-/// Mesh elements processed in the first frame of work that takes several: uploaded, added to a picking tree, tested by a
-/// region selection, counted.
-const FIRST_ELEMENTS: usize = 50_000;
+/// Mesh elements processed in a frame before anything is known about the machine: uploaded, added to a picking tree, tested by
+/// a region selection, counted.
+const FIRST_ELEMENTS: usize = 150_000;
 
 /// The limits of the elements of a later frame. Slow machines and costly work get fewer.
 const ELEMENTS_RANGE: RangeInclusive<usize> = 20_000..=400_000;
@@ -43,21 +43,20 @@ impl FrameTimes {
         Budget::new(self.elements)
     }
 
-    /// Ends the frame in progress. `has_more` says whether it used its budget up: the next one then gets as many elements as
-    /// fit into its time.
+    /// Ends the frame in progress. `has_more` says whether it used its budget up: later ones then get as many elements as fit
+    /// into their time.
     pub fn end(&mut self, now: f64, has_more: bool) {
         let took_ms = ((now - self.began).max(0.0) * 1000.0) as f32;
         if self.last.len() == KEPT_FRAMES {
             self.last.pop_front();
         }
         self.last.push_back(took_ms);
-        let (least, most) = (*ELEMENTS_RANGE.start(), *ELEMENTS_RANGE.end());
-        self.elements = if has_more {
-            let factor = (TARGET_MS / took_ms.max(0.01)).min(MAX_GROWTH);
-            ((self.elements as f32 * factor) as usize).clamp(least, most)
-        } else {
-            FIRST_ELEMENTS
-        };
+        // A clock that stands still, as in tests, says nothing.
+        if has_more && took_ms > 0.0 {
+            let (least, most) = (*ELEMENTS_RANGE.start(), *ELEMENTS_RANGE.end());
+            let factor = (TARGET_MS / took_ms).min(MAX_GROWTH);
+            self.elements = ((self.elements as f32 * factor) as usize).clamp(least, most);
+        }
     }
 
     /// The median, or 0 before the first frame.
@@ -111,7 +110,8 @@ mod tests {
         assert!(near(frames(1.6e-7, 2), 50_000), "costlier work is cut at once");
         assert_eq!(frames(1e-5, 2), *ELEMENTS_RANGE.start());
         assert_eq!(frames(1e-12, 20), *ELEMENTS_RANGE.end());
-        times.end(0.0, false);
-        assert_eq!(times.begin(0.0).left(), FIRST_ELEMENTS);
+        // Frames with little to do say nothing about the machine.
+        times.end(0.002, false);
+        assert_eq!(times.begin(0.0).left(), *ELEMENTS_RANGE.end());
     }
 }

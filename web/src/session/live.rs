@@ -139,7 +139,11 @@ impl Session {
         }
         let snaps = held.is_some() || settings.snaps != modifiers.command;
         let snap_to = held.unwrap_or(settings.snap_to);
-        let mut snap = Snap { to_steps: snaps && snap_to == SnapTo::Steps, target: None };
+        let mut snap = Snap {
+            to_steps: snaps && matches!(snap_to, SnapTo::Steps | SnapTo::Grid),
+            to_grid: snaps && snap_to == SnapTo::Grid,
+            target: None,
+        };
         if snaps && live.drag == Drag::Offset {
             snap.target = snap_target(&self.editor, live, snap_to, at, view);
         }
@@ -218,7 +222,7 @@ pub(crate) fn widen_soft(session: &mut Session, view: &View, by: f32) {
 /// The point of the mesh under the pointer that moved elements snap to.
 fn snap_target(editor: &Editor, live: &mut Live, to: SnapTo, at: Pos2, view: &mut View) -> Option<Vec3> {
     let kind = match to {
-        SnapTo::Steps => return None,
+        SnapTo::Steps | SnapTo::Grid => return None,
         SnapTo::Vertex => Element::Vertex,
         SnapTo::Edge => Element::Edge,
         SnapTo::Face => Element::Face,

@@ -61,16 +61,15 @@ fn dragged_with(held: Option<Key>) -> [Vec3; 2] {
 }
 
 #[test]
-fn in_the_keys_of_maya_held_keys_snap_to_vertices_and_steps() {
+fn in_the_keys_of_maya_held_keys_snap_to_vertices_edges_and_the_grid() {
     let [free, target] = dragged_with(None);
     assert!(free.distance(target) > 1e-3, "{free} and {target}");
     let [snapped, target] = dragged_with(Some(Key::V));
     assert_eq!(snapped, target);
     let [stepped, _] = dragged_with(Some(Key::X));
-    let by = stepped - Vec3::ONE;
-    // The round step is a tenth or ten times as much.
-    let steps = by * 10.0;
-    assert!((steps - steps.round()).abs().max_element() < 1e-3, "{by}");
+    // The grid is a tenth or ten times as wide.
+    let steps = stepped * 10.0;
+    assert!((steps - steps.round()).abs().max_element() < 1e-3, "{stepped}");
     assert!((free * 10.0 - (free * 10.0).round()).abs().max_element() > 1e-3, "{free}");
     let [curve, _] = dragged_with(Some(Key::C));
     // On an edge of the cube, two coordinates are those of its ends.

@@ -5,6 +5,7 @@ use egui::{Event, Key, vec2};
 use egui_kittest::kittest::Queryable;
 use glam::Vec3;
 use halfedge::Element;
+use serde_json::json;
 
 fn cube_face() -> Page {
     let mut page = Page::new();
@@ -429,6 +430,24 @@ fn moving_snaps_to_a_vertex() {
     page.press(Key::Enter);
     let at = page.mesh().position(halfedge::VertexId::new(id as usize));
     assert_eq!(at, Vec3::new(1.0, 1.0, -1.0));
+}
+
+#[test]
+fn moving_snaps_to_the_grid_from_a_place_beside_it() {
+    let mut page = Page::new();
+    transform_menu(&mut page, "Snap to", "Snap to grid");
+    page.command(json!({ "op": "set-vertex-position", "vertex": 0, "position": [-1.03, -1.07, -0.98] }));
+    page.select("vertex", &[0]);
+    page.press(Key::G);
+    page.hover_off_middle(vec2(0.0, 0.0));
+    let to = page.at([0.0, 0.0, 0.0]) + vec2(57.0, 31.0);
+    page.harness.event_modifiers(Event::PointerMoved(to), egui::Modifiers::COMMAND);
+    page.run();
+    page.press(Key::Enter);
+    let at = page.mesh().position(halfedge::VertexId::new(0));
+    let steps = at * 10.0;
+    assert!(at.distance(Vec3::new(-1.03, -1.07, -0.98)) > 0.1, "{at} has moved");
+    assert!((steps - steps.round()).abs().max_element() < 1e-3, "{at}");
 }
 
 #[test]

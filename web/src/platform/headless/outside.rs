@@ -40,6 +40,8 @@ pub(super) struct Inner {
     /// How often the store is still to end when it is asked for something.
     pub(super) store_crashes: usize,
     pub(super) date_ms: f64,
+    /// Whether the clock of frames goes on by itself.
+    pub(super) is_timed: bool,
     /// The names of the files of each source.
     pub(super) sources: Vec<Vec<String>>,
     pub(super) written: Vec<NamedBytes>,
@@ -135,6 +137,11 @@ impl Outside {
     /// Lets the store end the next times that it is asked for something.
     pub fn crash_store(&self, times: usize) {
         self.inner.borrow_mut().store_crashes = times;
+    }
+
+    /// Lets the clock of frames go on by itself.
+    pub fn start_clock(&self) {
+        self.inner.borrow_mut().is_timed = true;
     }
 
     /// Lets time go by.
