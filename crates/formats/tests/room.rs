@@ -67,7 +67,7 @@ fn corners_are_counted_while_reading() {
     );
     for (name, bytes) in [("a.stl", stl(101)), ("a.ply", ply(101).into_bytes())] {
         let refused = read(name, &bytes).expect_err("too many");
-        assert!(refused.contains("at most 100 can be opened in a browser"), "{refused}");
+        assert!(refused.contains("at most 100 triangles can be opened in a browser"), "{refused}");
     }
 }
 

@@ -129,12 +129,14 @@ struct Found {
 /// chosen lately.
 fn find(typed: &str, recent: &[Action], why_not: impl Fn(Action) -> Option<String>) -> Vec<Found> {
     let typed = typed.trim().to_lowercase();
-    let mut found: Vec<((usize, bool, usize), Found)> = actions::all()
+    let mut found: Vec<((usize, bool, usize, usize), Found)> = actions::all()
         .filter_map(|entry| {
             let rank = if typed.is_empty() { 0 } else { rank(&entry, &typed)? };
             let why_not = why_not(entry.action);
             let age = recent.iter().position(|action| *action == entry.action).unwrap_or(usize::MAX);
-            Some(((rank, why_not.is_some(), age), Found { entry, why_not }))
+            // What was typed is more of a shorter label.
+            let words = if typed.is_empty() { 0 } else { entry.label.split(' ').count() };
+            Some(((rank, why_not.is_some(), age, words), Found { entry, why_not }))
         })
         .collect();
     found.sort_by_key(|(order, _)| *order);
