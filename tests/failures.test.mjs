@@ -120,6 +120,10 @@ for (const [store, query] of Object.entries({ "private files": "", IndexedDB: "?
     };
     await editor.select("face", [1]);
     await editor.run({ op: "extrude-faces", distance: 0.5 });
+    // Its answer shows that the worker has started: one that ends before that is another case.
+    await editor.choose("Recent documents");
+    await editor.find("Name of Cube");
+    await editor.press("Escape");
     await end();
     const restarted = /keeps documents in this browser ended and was started again/;
     await editor.until("the page notices", async () => (
