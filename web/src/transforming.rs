@@ -56,6 +56,17 @@ pub enum SnapTo {
 impl SnapTo {
     /// All of them.
     pub const ALL: [Self; 5] = [Self::Steps, Self::Grid, Self::Edge, Self::Vertex, Self::Face];
+
+    /// What hints call it.
+    pub(crate) fn name(self) -> &'static str {
+        match self {
+            Self::Steps => "steps",
+            Self::Grid => "the grid",
+            Self::Vertex => "vertices",
+            Self::Edge => "edges",
+            Self::Face => "faces",
+        }
+    }
 }
 
 /// What the handles at the selection do.

@@ -79,11 +79,13 @@ fn is_down(ctx: &Context, keys: &[Shortcut]) -> bool {
     !keys.is_empty() && ctx.input(|input| keys.iter().any(|key| is_down(input, key)))
 }
 
-/// The keys that snap while they are held, as the platform writes them: "X, C, V"; empty if there are none.
-pub fn snap_keys(ctx: &Context) -> String {
+/// The keys that snap while they are held, as the platform writes them, and what they snap to: "X, C, V" and "the grid, edges,
+/// vertices"; empty if there are none.
+pub fn snap_keys(ctx: &Context) -> [String; 2] {
     let map = map(ctx);
-    let first = |to| map.own_keys(A::SnapTo(to)).first().map(|key| key.written(ctx));
-    SnapTo::ALL.into_iter().filter_map(first).collect::<Vec<_>>().join(", ")
+    let first = |to: SnapTo| Some((map.own_keys(A::SnapTo(to)).first()?.written(ctx), to.name()));
+    let (keys, names): (Vec<_>, Vec<_>) = SnapTo::ALL.into_iter().filter_map(first).unzip();
+    [keys.join(", "), names.join(", ")]
 }
 
 /// Whether the key of an action means something only as long as it is held.

@@ -66,9 +66,9 @@ pub(crate) fn hints(page: &Page<'_>, modifiers: Modifiers) -> Vec<Hint> {
         hint(by, mode_words(mouse.mode_within(held)))
     };
     if let Some(live) = &page.live {
-        let snap_keys = keys::snap_keys(&page.ctx);
+        let [snap_keys, snaps_to] = keys::snap_keys(&page.ctx);
         let snap = (live.is_move() && !snap_keys.is_empty())
-            .then(|| hint(By::Key("Hold"), format!("{snap_keys}: snap to steps, edges, vertices")));
+            .then(|| hint(By::Key("Hold"), format!("{snap_keys}: snap to {snaps_to}")));
         let locks = live.takes_lock() && snap.is_none();
         let lock = locks.then(|| hint(By::Key("X Y Z"), "Lock to an axis"));
         let ends = if keeps_cut(page) { "Cut in the middle" } else { "Cancel" };

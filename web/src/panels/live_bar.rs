@@ -83,7 +83,7 @@ fn hint(page: &Page<'_>, live: &Live) -> String {
     let is_mirrored = symmetry != Symmetry::None;
     let mirrored = is_mirrored.then(|| format!("mirrored {}", symmetry.label().to_lowercase()));
     parts.extend(mirrored.as_deref());
-    let snap_keys = keys::snap_keys(&page.ctx);
+    let [snap_keys, _] = keys::snap_keys(&page.ctx);
     let snaps = (!snap_keys.is_empty()).then(|| format!("hold {snap_keys} to snap"));
     if live.is_move() && snaps.is_some() {
         parts.extend(snaps.as_deref());

@@ -111,6 +111,16 @@ fn hints(page: &Page) -> String {
 }
 
 #[test]
+fn the_status_line_names_what_held_keys_snap_to() {
+    let mut page = Page::with_parameters(&[("keys", "maya")]);
+    page.select("vertex", &[7]);
+    page.click("Transform");
+    page.click("Move");
+    page.hover_off_middle(vec2(0.0, 0.0));
+    assert!(hints(&page).contains("X, C, V: snap to the grid, edges, vertices"), "{}", hints(&page));
+}
+
+#[test]
 fn the_status_line_says_what_the_buttons_do() {
     let mut page = Page::new();
     page.press(Key::Num4);
