@@ -15,17 +15,9 @@ async function share(editor) {
 
 /** The text of the QR code on the page. */
 async function scan(editor) {
-  const [x, y, width, height] = (await editor.find("QR code of the link")).rect.map(Math.round);
-  const picture = await editor.screenshot("QR code");
-  const scale = picture.width / DESKTOP.width;
-  const [columns, rows] = [width, height].map((points) => Math.round(points * scale));
-  const pixels = new Uint8ClampedArray(4 * columns * rows);
-  for (let row = 0; row < rows; row += 1) {
-    for (let column = 0; column < columns; column += 1) {
-      pixels.set([...picture.at(x * scale + column, y * scale + row), 255], 4 * (row * columns + column));
-    }
-  }
-  return jsqr(pixels, columns, rows)?.data;
+  await editor.find("QR code of the link");
+  const { data, width, height } = await editor.screenshot("QR code");
+  return jsqr(new Uint8ClampedArray(data), width, height)?.data;
 }
 
 editorTest("the QR code is the link, and opens the document on another device", options, async (editor) => {

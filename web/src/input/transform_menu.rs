@@ -40,8 +40,7 @@ pub(super) static ENTRIES: &[Option<Entry>] = &[
     Some(entry(
         A::SnapTo(SnapTo::Grid),
         "Snap to grid",
-        "Snap moves to round coordinates, whatever the place before; turns and sizes snap to steps. A key for it snaps \
-         while it is held.",
+        "Snap moves to round coordinates; rotations and scales snap to steps. A key for it snaps while it is held.",
     )),
     Some(entry(
         A::SnapTo(SnapTo::Vertex),

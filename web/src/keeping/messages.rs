@@ -10,13 +10,15 @@ pub(super) const STORE_CRASHED: &str =
     "The worker that keeps documents in this browser ended and was started again. Nothing was lost.";
 
 /// What to do about a document of a later version.
-const GET_LATER: &str = "It stays as it is. Reload the page to get that version.";
+const GET_LATER: &str = "It is unchanged. Reload the page to get that version.";
 
 /// Said when a document is open twice.
-pub(super) const IS_COPY: &str = "This document is open in another tab, so this tab shows a copy of it. Changes here don't reach the other tab.";
+pub(super) const IS_COPY: &str = "This document is open in another tab, so this tab shows a copy of it. Changes here \
+                                  don't reach the other tab.";
 
 /// Said when a document of the list can't take the place of one that is being changed.
-pub(super) const NOT_OPENED_NOW: &str = "The document was not opened, because this one was changed meanwhile. Open it again from File > Recent documents.";
+pub(super) const NOT_OPENED_NOW: &str = "The document was not opened because you changed this one in the meantime. \
+                                         Open it again from File > Recent documents.";
 
 /// Said when the last records were not completely written.
 pub(super) const CUT_OFF: &str =
@@ -77,7 +79,7 @@ pub(super) fn not_kept(failure: &Failure) -> String {
 pub(super) fn not_repeated(why: &str, missing: usize) -> String {
     let changes = if missing == 1 { "change".to_owned() } else { format!("{missing} changes") };
     format!(
-        "The last {changes} could not be repeated, so this is a copy without them: {why}. The original stays in File > Recent \
-         documents."
+        "The last {changes} could not be repeated: {why}. This is a copy without them. The original stays in File > \
+         Recent documents."
     )
 }

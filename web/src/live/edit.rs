@@ -227,18 +227,18 @@ impl Live {
         let [from, at] = [from, self.trail.at].map(|place| view.local(place));
         let (sight, by) = (self.sight(view), at - from);
         let step = length_step(sight.units_per_point());
-        let snapped = |value: f32, step: f32| if snap.to_steps { rounded(value, step) } else { value };
+        let snapped = |value: f32, step: f32| if snap.is_round() { rounded(value, step) } else { value };
         let value = match self.drag {
             Drag::Offset => {
                 let axes = self.axes(settings);
-                let offset = match snap.target {
-                    Some(target) => self.lock.limited(axes.transpose() * (target - self.anchor)),
-                    None => sight.offset(self.lock, axes, from, at),
+                let offset = match snap {
+                    Snap::To(target) => self.lock.limited(axes.transpose() * (target - self.anchor)),
+                    _ => sight.offset(self.lock, axes, from, at),
                 };
                 if !offset.is_finite() {
                     return;
                 }
-                if snap.to_grid {
+                if snap == Snap::Grid {
                     let place = self.anchor + axes * offset;
                     let on_grid = Vec3::from(place.to_array().map(|number| rounded(number, step)));
                     self.lock.limited(axes.transpose() * (on_grid - self.anchor))
@@ -344,13 +344,22 @@ impl Live {
 }
 
 /// What the amount snaps to.
-#[derive(Clone, Copy, Default)]
-pub(crate) struct Snap {
-    /// Whether amounts are round.
-    pub to_steps: bool,
-    /// Whether the places are round to which things are moved.
-    pub to_grid: bool,
-    pub target: Option<Vec3>,
+#[derive(Clone, Copy, Default, PartialEq)]
+pub(crate) enum Snap {
+    #[default]
+    Nothing,
+    /// Round amounts.
+    Steps,
+    /// Round places of what is moved, and round amounts otherwise.
+    Grid,
+    /// This point.
+    To(Vec3),
+}
+
+impl Snap {
+    fn is_round(self) -> bool {
+        matches!(self, Self::Steps | Self::Grid)
+    }
 }
 
 /// The amount that changes nothing; a split begins in the middle.

@@ -5,7 +5,6 @@
 use editor::ops::Drag;
 use editor::{Editor, OpId};
 use egui::{Context, Modifiers, Pos2};
-use glam::Vec3;
 use halfedge::Element;
 
 use super::edit::update_edit;
@@ -139,14 +138,14 @@ impl Session {
         }
         let snaps = held.is_some() || settings.snaps != modifiers.command;
         let snap_to = held.unwrap_or(settings.snap_to);
-        let mut snap = Snap {
-            to_steps: snaps && matches!(snap_to, SnapTo::Steps | SnapTo::Grid),
-            to_grid: snaps && snap_to == SnapTo::Grid,
-            target: None,
+        let snap = match snap_to {
+            _ if !snaps => Snap::Nothing,
+            SnapTo::Steps => Snap::Steps,
+            SnapTo::Grid => Snap::Grid,
+            SnapTo::Vertex => snap_to_element(&self.editor, live, Element::Vertex, at, view),
+            SnapTo::Edge => snap_to_element(&self.editor, live, Element::Edge, at, view),
+            SnapTo::Face => snap_to_element(&self.editor, live, Element::Face, at, view),
         };
-        if snaps && live.drag == Drag::Offset {
-            snap.target = snap_target(&self.editor, live, snap_to, at, view);
-        }
         let before = live.amount();
         live.update(&settings, view, snap);
         if live.amount() != before {
@@ -219,17 +218,13 @@ pub(crate) fn widen_soft(session: &mut Session, view: &View, by: f32) {
     settings.soft_radius = Some((radius + by * unit).clamp(unit, unit * 1e5));
 }
 
-/// The point of the mesh under the pointer that moved elements snap to.
-fn snap_target(editor: &Editor, live: &mut Live, to: SnapTo, at: Pos2, view: &mut View) -> Option<Vec3> {
-    let kind = match to {
-        SnapTo::Steps | SnapTo::Grid => return None,
-        SnapTo::Vertex => Element::Vertex,
-        SnapTo::Edge => Element::Edge,
-        SnapTo::Face => Element::Face,
-    };
-    let object = editor.document().active().filter(|object| object.visible())?;
+/// The point of the elements of a kind under the pointer that moved elements snap to. Other edits don't.
+fn snap_to_element(editor: &Editor, live: &mut Live, kind: Element, at: Pos2, view: &mut View) -> Snap {
+    let shown = editor.document().active().filter(|object| object.visible());
+    let Some(object) = shown.filter(|_| live.drag == Drag::Offset) else { return Snap::Nothing };
     let (camera, local, size) = (view.camera, view.local(at), view.size());
     let aim = Aim { kind, radius: SNAP_RADIUS_POINTS, through: false };
     let moved = live.moved.get_or_insert_with(|| place::selected_vertices(editor));
-    viewport::snap((object.mesh(), view.tree(object)), &camera, size, local, aim, moved)
+    let target = viewport::snap((object.mesh(), view.tree(object)), &camera, size, local, aim, moved);
+    target.map_or(Snap::Nothing, Snap::To)
 }

@@ -140,11 +140,11 @@ fn said(names: &[String]) -> String {
 pub(crate) fn written(session: &mut Session, files: &[String], result: Result<(), String>) {
     let origin = session.editor.document().origin();
     let of_document = session.in_place.written.pop_front().filter(|(of, _)| *of == origin);
-    match result {
+    match (result, of_document) {
+        (Ok(()), Some((_, saves))) => saved(session, files, saves),
         // Another document was opened since.
-        Ok(()) if of_document.is_none() => session.toast(MessageKind::Info, said(files), Vec::new()),
-        Ok(()) => saved(session, files, of_document.and_then(|(_, saves)| saves)),
-        Err(reason) => session.fail(format!(
+        (Ok(()), None) => session.toast(MessageKind::Info, said(files), Vec::new()),
+        (Err(reason), _) => session.fail(format!(
             "{} could not be written: {reason}. What was in it is unchanged. Try again, or use File > Save as.",
             files.join(" and ")
         )),

@@ -221,6 +221,14 @@ fn visit_damaged(
     visit_first_document(outside)
 }
 
+/// What a visit leaves behind in which the cube was extruded.
+fn after_a_visit() -> Outside {
+    let mut page = Page::new();
+    extrude(&mut page);
+    settle(&mut page);
+    page.outside.clone()
+}
+
 /// A visit in another tab that goes on with the first document.
 fn visit_first_document(outside: &Outside) -> Page {
     outside.set_setting("document", "document1");
@@ -230,11 +238,7 @@ fn visit_first_document(outside: &Outside) -> Page {
 
 #[test]
 fn a_document_that_is_gone_or_damaged_is_named_and_the_page_begins_afresh() {
-    let mut page = Page::new();
-    extrude(&mut page);
-    settle(&mut page);
-    let outside = page.outside.clone();
-    drop(page);
+    let outside = after_a_visit();
     let whole = outside.disk().contents();
 
     outside.disk().set_contents(Default::default());
@@ -272,11 +276,7 @@ fn a_tab_whose_document_was_swept_begins_afresh_without_a_word() {
 
 #[test]
 fn a_store_that_does_not_answer_does_not_keep_the_page_waiting() {
-    let mut page = Page::new();
-    extrude(&mut page);
-    settle(&mut page);
-    let outside = page.outside.clone();
-    drop(page);
+    let outside = after_a_visit();
     outside.hang_store(true);
     let mut page = Page::begin_visit(&outside);
     assert!(page.app().is_opening());
@@ -388,14 +388,10 @@ fn visits_leave_nothing_behind() {
 
 #[test]
 fn what_a_later_version_keeps_is_left_as_it_is() {
-    let mut page = Page::new();
-    extrude(&mut page);
-    settle(&mut page);
-    let outside = page.outside.clone();
-    drop(page);
+    let outside = after_a_visit();
     let whole = outside.disk().contents();
     let mut page = visit_damaged(&outside, whole, "log", |bytes| bytes[7] += 1);
-    assert!(page.has_part("a later version of Meshwright wrote it. It stays as it is. Reload the page"));
+    assert!(page.has_part("a later version of Meshwright wrote it. It is unchanged. Reload the page"));
     assert_eq!(faces(&mut page), 6);
 }
 
@@ -640,7 +636,8 @@ fn a_worker_that_fails_to_repeat_a_change_costs_nothing() {
         page.wait();
     }
     settle(&mut page);
-    assert!(page.has_part("The last 2 changes could not be repeated, so this is a copy without them"));
+    assert!(page.has_part("The last 2 changes could not be repeated: "));
+    assert!(page.has_part("This is a copy without them. The original stays in File > Recent documents."));
     assert_eq!((faces(&mut page), name(&mut page)), (150 * 150, "Grid (recovered)".to_owned()));
     extrude(&mut page);
     settle(&mut page);

@@ -47,15 +47,19 @@ pub fn hold_while_alive(worker: &str, then: impl FnOnce() + 'static) {
     });
     let requested = manager.request(&lock_name(worker), &Object::new(), &callback);
     spawn_local(async move {
-        let is_refused = match requested {
-            Ok(promise) => JsFuture::from(promise).await.is_err(),
-            Err(_) => true,
-        };
-        if is_refused {
+        if ended(requested).await.is_err() {
             // The worker ends unnoticed then, as without locks.
             call(&then);
         }
     });
+}
+
+/// Waits until a lock that was asked for has ended.
+///
+/// # Errors
+/// The browser gives no lock.
+pub async fn ended(requested: Result<Promise, JsValue>) -> Result<JsValue, JsValue> {
+    JsFuture::from(requested?).await
 }
 
 /// Calls `then` when the worker of this name ends, if it holds its lock now.

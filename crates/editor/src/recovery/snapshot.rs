@@ -159,12 +159,8 @@ impl SnapshotCopy {
             return None;
         }
         editor.begin_log_of_copy();
-        let mut copy = Self { snapshot: Snapshot::of(editor), done_bytes: 0, total_bytes: 0 };
-        let mut counter = Window { skip: usize::MAX, room: 0, seen: 0, out: &mut |_| {} };
-        // Writing to a window can't fail.
-        let _ = copy.snapshot.write_to(&mut counter);
-        copy.total_bytes = counter.seen;
-        Some(copy)
+        let snapshot = Snapshot::of(editor);
+        Some(Self { total_bytes: snapshot.byte_len(), snapshot, done_bytes: 0 })
     }
 
     /// The length of the whole snapshot.
@@ -180,7 +176,8 @@ impl SnapshotCopy {
     /// Gives the next bytes, at most this many, to `out`, in pieces; they follow those of the previous call. Costs
     /// O(bytes + objects).
     pub fn step(&mut self, bytes: usize, out: &mut dyn FnMut(&[u8])) {
-        let mut window = Window { skip: self.done_bytes, room: bytes, seen: 0, out };
+        let mut window = Window { skip: self.done_bytes, room: bytes, out };
+        // Writing to a window can't fail.
         let _ = self.snapshot.write_to(&mut window);
         self.done_bytes = self.total_bytes.min(self.done_bytes.saturating_add(bytes));
     }
@@ -198,14 +195,11 @@ struct Window<'a> {
     skip: usize,
     /// The bytes to pass on after those.
     room: usize,
-    /// The bytes that were written.
-    seen: usize,
     out: &'a mut dyn FnMut(&[u8]),
 }
 
 impl Write for Window<'_> {
     fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
-        self.seen += bytes.len();
         let left_out = self.skip.min(bytes.len());
         self.skip -= left_out;
         let rest = bytes.get(left_out..).unwrap_or_default();

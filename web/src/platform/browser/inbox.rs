@@ -21,7 +21,7 @@ impl Inbox {
 
     pub(crate) fn push(&self, event: Event) {
         self.events.borrow_mut().push(event);
-        self.ctx.borrow().request_repaint();
+        self.wake();
     }
 
     /// Wakes the page for another frame.

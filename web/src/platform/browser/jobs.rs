@@ -197,13 +197,15 @@ impl Pool {
 
     /// Fails the running job and continues with the waiting ones in a new worker.
     fn lost(&mut self, reason: &str) {
-        // A result that has left the worker still arrives.
-        if self.arriving.is_none()
-            && let Some(job) = self.running.take()
-        {
+        if let Some(job) = self.take_unanswered() {
             self.fail(job, reason.to_owned());
         }
         self.start_worker();
+    }
+
+    /// The running job, which the worker won't answer any more. A result that has left the worker still arrives.
+    fn take_unanswered(&mut self) -> Option<u64> {
+        if self.arriving.is_some() { None } else { self.running.take() }
     }
 
     fn fail(&self, job: u64, problem: String) {
@@ -212,7 +214,7 @@ impl Pool {
     }
 
     fn fail_all(&mut self, reason: &str) {
-        let running = if self.arriving.is_some() { None } else { self.running.take() };
+        let running = self.take_unanswered();
         let waiting = std::mem::take(&mut self.waiting);
         for job in running.into_iter().chain(waiting.into_iter().map(|(job, _)| job)) {
             self.fail(job, reason.to_owned());

@@ -120,8 +120,8 @@ impl<D: Disk> Documents<D> {
         self.open.as_ref().is_some_and(|open| open.id == id)
     }
 
-    /// Tells that something was not written. Nothing more is, because it would follow what is missing. What there is of an
-    /// incomplete checkpoint would take room that the next one needs.
+    /// Tells that something was not written. Nothing more is, because it would follow what is missing. An incomplete
+    /// checkpoint is removed: it would take room that the next one needs.
     async fn tell_failure(&mut self, result: Result<(), Failure>, tell: &mut dyn FnMut(Answer, Bytes)) {
         if let Err(failure) = result {
             self.drop_incomplete().await;

@@ -1,6 +1,6 @@
 //! Locks on documents, which all tabs of the browser share (Web Locks).
 
-use crate::alive::lock_manager;
+use crate::alive::{ended, lock_manager};
 use js_sys::{Function, Object, Promise, Reflect};
 use std::collections::HashMap;
 use wasm_bindgen::prelude::*;
@@ -36,11 +36,7 @@ impl Locks {
             let requested = manager.request(&format!("meshwright-{name}"), &options, &callback);
             spawn_local(async move {
                 // Ends when the lock is released, or at once if the browser refuses.
-                let ended = match requested {
-                    Ok(promise) => JsFuture::from(promise).await,
-                    Err(error) => Err(error),
-                };
-                if let Err(error) = ended {
+                if let Err(error) = ended(requested).await {
                     let _ = reject.call1(&JsValue::NULL, &error);
                 }
             });

@@ -24,14 +24,7 @@ fn what_visits_leave_behind_is_swept_but_nothing_that_a_tab_shows() {
     // A page that ended while it wrote its first checkpoint.
     untouched.ask(Request::Begin("incomplete".into()), &[]);
     untouched.ask(describe("incomplete", info("incomplete")), &[]);
-    let part = Request::Checkpoint {
-        id: "incomplete".into(),
-        is_first: true,
-        is_last: false,
-        log_bytes: 0,
-        now_ms: NOW_MS,
-    };
-    untouched.ask(part, b"half");
+    untouched.begin_checkpoint("incomplete", b"half", NOW_MS);
     let with_incomplete = disk.contents();
     drop(untouched);
     disk.set_contents(with_incomplete);
@@ -121,14 +114,7 @@ fn checkpoints_that_fail_leave_nothing_behind() {
     }
     // The page may begin again, or end, in the middle of one.
     for _ in 0..3 {
-        let part = Request::Checkpoint {
-            id: "a".into(),
-            is_first: true,
-            is_last: false,
-            log_bytes: 0,
-            now_ms: NOW_MS,
-        };
-        assert_eq!(visitor.ask(part, &[2; 200]), []);
+        assert_eq!(visitor.begin_checkpoint("a", &[2; 200], NOW_MS), []);
         assert_eq!(disk.used(), used + 200);
     }
     drop(visitor);

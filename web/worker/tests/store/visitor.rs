@@ -30,16 +30,17 @@ impl Visitor {
     /// The same, at this time in milliseconds since 1970.
     pub fn checkpoint_at(&mut self, id: &str, bytes: &[u8], now_ms: f64) -> Vec<(Answer, Bytes)> {
         let middle = bytes.len() / 2;
-        let part = |is_first, is_last| Request::Checkpoint {
-            id: id.into(),
-            is_first,
-            is_last,
-            log_bytes: 0,
-            now_ms,
-        };
-        let mut answers = self.ask(part(true, false), &bytes[..middle]);
-        answers.extend(self.ask(part(false, true), &bytes[middle..]));
+        let mut answers = self.begin_checkpoint(id, &bytes[..middle], now_ms);
+        let end = Request::Checkpoint { id: id.into(), is_first: false, is_last: true, log_bytes: 0, now_ms };
+        answers.extend(self.ask(end, &bytes[middle..]));
         answers
+    }
+
+    /// Writes the first part of a checkpoint.
+    pub fn begin_checkpoint(&mut self, id: &str, bytes: &[u8], now_ms: f64) -> Vec<(Answer, Bytes)> {
+        let part =
+            Request::Checkpoint { id: id.into(), is_first: true, is_last: false, log_bytes: 0, now_ms };
+        self.ask(part, bytes)
     }
 
     /// The checkpoint and the log of a document.
