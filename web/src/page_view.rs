@@ -13,7 +13,7 @@ use crate::input::key_preset::KeyPreset;
 use crate::input::keys;
 use crate::session::Session;
 use crate::shown::Shown;
-use crate::transforming::Gizmo;
+use crate::transforming::{CursorAction, Gizmo};
 use crate::view::pane::Split;
 use crate::view::{Tool, View};
 use viewport::{Rotation, Shading};
@@ -119,6 +119,7 @@ impl Page<'_> {
             Action::SnapTo(to) => self.live_settings.snap_to == to,
             Action::Soft => self.live_settings.soft,
             Action::PivotAt(pivot) => self.live_settings.pivot == pivot,
+            Action::Cursor(CursorAction::Show) => self.view.cursor.is_shown,
             Action::Mirror(symmetry) => self.live_settings.symmetry == symmetry,
             Action::Orient(orientation) => self.live_settings.orientation == orientation,
             Action::Welcome => self.shown.welcome,

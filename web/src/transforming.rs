@@ -16,6 +16,23 @@ pub enum Pivot {
     Individual,
     /// The origin.
     Origin,
+    /// The 3D cursor.
+    Cursor,
+}
+
+/// What is done with the 3D cursor.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum CursorAction {
+    /// Shows or hides it.
+    Show,
+    /// Puts it at the selection's pivot.
+    ToSelection,
+    /// Puts it at the origin.
+    ToOrigin,
+    /// Moves the selection to it.
+    TakesSelection,
+    /// Merges the selected vertices there.
+    Merge,
 }
 
 /// The directions of x, y and z.

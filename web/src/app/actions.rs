@@ -9,13 +9,12 @@ use egui::ThemePreference;
 use formats::Format;
 use halfedge::{Element, HalfedgeId, Mesh};
 
-use super::{App, camera, key_settings, layout, theme_setting};
+use super::{App, camera, key_settings, layout, theme_setting, transforming};
 use crate::bezier::{self, ControlPoint};
 use crate::input::actions::Action;
 use crate::input::availability::{follows_pointer, opens_form};
 use crate::keeping::SavedView;
 use crate::live::edit::{Live, Start};
-use crate::live::place::SelectionPlace;
 use crate::page_view::Page;
 use crate::panels::operations::EDGE_LENGTH;
 use crate::panels::viewport::ZOOM_PER_NOTCH;
@@ -215,17 +214,10 @@ impl App {
             Action::Move => self.start_live(OpId::Transform, "translate"),
             Action::Rotate => self.start_live(OpId::Transform, "rotate"),
             Action::Scale => self.start_live(OpId::Transform, "scale"),
-            Action::Gizmo(gizmo) => {
-                self.view.tool = Tool::Orbit;
-                self.session.live_settings.gizmo = gizmo;
-                self.session.place = SelectionPlace::of_selection(&self.session.editor);
-            }
-            Action::Snap => self.session.live_settings.snaps ^= true,
-            Action::SnapTo(to) => self.session.live_settings.snap_to = to,
             Action::Soft => live::toggle_soft(&mut self.session, &self.view),
-            Action::PivotAt(pivot) => self.session.live_settings.pivot = pivot,
-            Action::Mirror(symmetry) => self.session.live_settings.symmetry = symmetry,
-            Action::Orient(orientation) => self.session.live_settings.orientation = orientation,
+            Action::Gizmo(_) | Action::Snap | Action::SnapTo(_) => transforming::choose(self, action),
+            Action::PivotAt(_) | Action::Cursor(_) => transforming::choose(self, action),
+            Action::Mirror(_) | Action::Orient(_) => transforming::choose(self, action),
             Action::NewCurve => self.session.new_document(form::shape("bezier-curve")),
             Action::NewPatch => self.session.new_document(form::shape("bezier-patch")),
             Action::NextLevel | Action::Play => {

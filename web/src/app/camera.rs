@@ -54,6 +54,7 @@ pub(super) fn show_target(view: &mut View, session: &Session, target: ViewTarget
         // From straight above, an object that isn't flat hides its depth.
         view.reset();
     }
+    view.cursor = Default::default();
     flying::end(view, Landing::Here, 0.0);
     view.frame_when_seen();
     if target == ViewTarget::Kept

@@ -14,6 +14,7 @@ mod sheet;
 mod textures;
 mod theme_setting;
 mod title;
+mod transforming;
 
 use std::collections::VecDeque;
 

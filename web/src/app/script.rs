@@ -108,6 +108,7 @@ impl Script<'_> {
             "roll": camera.roll,
             "distance": camera.distance,
             "orthographic": camera.orthographic,
+            "cursor": view.cursor.is_shown.then(|| view.cursor.at.to_array()),
             "wireframe": style.wireframe,
             "smooth": style.shading == Shading::Smooth,
             "auto_smooth": match style.shading {

@@ -12,7 +12,7 @@ use super::camera_style::{CameraStyle, OrbitAbout};
 use super::key_preset::KeyPreset;
 use super::presets::Preset;
 use crate::shown::Arrangement;
-use crate::transforming::{Gizmo, Orientation, Pivot, SnapTo, Symmetry};
+use crate::transforming::{CursorAction, Gizmo, Orientation, Pivot, SnapTo, Symmetry};
 use crate::view::pane::Split;
 
 /// Something the user can start.
@@ -207,6 +207,8 @@ pub enum Action {
     Soft,
     /// Chooses what rotations and scales leave in place.
     PivotAt(Pivot),
+    /// Does something with the 3D cursor.
+    Cursor(CursorAction),
     /// Chooses the axes of edits.
     Orient(Orientation),
     /// Sets the axis along which moves, rotations and scales are mirrored.

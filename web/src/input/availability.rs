@@ -8,6 +8,7 @@ use crate::bezier::{self, Player};
 use crate::input::actions::Action;
 use crate::lists::columns::plural;
 use crate::session::Session;
+use crate::transforming::CursorAction;
 use crate::view::textures;
 use viewport::Look;
 
@@ -91,6 +92,11 @@ pub(crate) fn why_not(action: Action, session: &Session, kind: Element, player: 
             (edges == 0).then(|| "There are no faces to cut. Open a file or make a shape first.".into())
         }
         Action::SlideSplit => operation(OpId::SplitEdge),
+        Action::Cursor(CursorAction::ToSelection) if editor.selection().is_empty() => {
+            Some("Select something first.".into())
+        }
+        Action::Cursor(CursorAction::TakesSelection) => operation(OpId::Transform),
+        Action::Cursor(CursorAction::Merge) => operation(OpId::MergeVertices),
         Action::Operation(OpId::Isolate) if editor.selection().is_empty() => {
             operation(OpId::Reveal).map(|_| "Select something first.".into())
         }

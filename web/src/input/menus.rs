@@ -114,6 +114,7 @@ pub fn submenu(action: Action) -> Option<&'static str> {
         A::Mark(_) => Some("Marks"),
         A::Gizmo(_) => Some("Gizmo"),
         A::PivotAt(_) => Some("Pivot"),
+        A::Cursor(_) => Some("Cursor"),
         A::Orient(_) => Some("Axes"),
         A::Mirror(_) => Some("Symmetry"),
         A::SnapTo(_) => Some("Snap to"),

@@ -34,6 +34,8 @@ pub enum MouseAction {
     Path,
     /// Selects everything connected to the element under the pointer.
     Linked,
+    /// Puts the 3D cursor where the pointer is.
+    PlaceCursor,
     /// With the modifier held, a box or a lasso changes the selection in this way.
     Within(SelectMode),
 }
@@ -65,6 +67,7 @@ static ROWS: &[Row<{ KeyPreset::COUNT }>] = &[
     (M::Line(Line::Ring, Extend),  "Add a ring",        ["Ctrl+Alt+Shift+click",                   "Ctrl+Alt+Shift+click",                  ""]),
     (M::Path,              "Add the shortest path",     ["Ctrl+Shift+click",                       "Ctrl+click",                            "Shift+double-click"]),
     (M::Linked,            "Select linked",             ["",                                       "",                                      "double-click on a face"]),
+    (M::PlaceCursor,       "Place the 3D cursor",       ["Shift+right-click",                      "Shift+right-click",                     "Shift+right-click"]),
     (M::Slide,             "Slide the selection",       ["",                                       "",                                      "Ctrl+Shift+middle-drag"]),
     (M::Box,               "Select in a box",           ["Ctrl+drag, Ctrl+Shift+drag",             "drag, Shift+drag, Ctrl+drag",           "drag, Shift+drag, Ctrl+drag, Ctrl+Shift+drag"]),
     (M::Paint,             "Paint a selection",         ["",                                       "",                                      "Tab+drag"]),
@@ -103,6 +106,7 @@ enum Gesture {
         on_face: bool,
     },
     Drag(PointerButton),
+    RightClick,
     /// Two fingers on a trackpad.
     Scroll,
     /// A drag with the first button while Tab is held.
@@ -146,6 +150,7 @@ fn parse(text: &str) -> Option<Held> {
             "Alt" => held[1] = true,
             "Shift" => held[2] = true,
             "click" => gesture = Gesture::Click,
+            "right-click" => gesture = Gesture::RightClick,
             "double-click" => gesture = Gesture::DoubleClick { on_face: false },
             "double-click on a face" => gesture = Gesture::DoubleClick { on_face: true },
             "Tab" => gesture = Gesture::TabDrag,
@@ -176,6 +181,11 @@ impl Mouse {
     /// What a click does.
     pub fn click(&self, modifiers: Modifiers) -> Option<MouseAction> {
         self.find(modifiers, Gesture::Click)
+    }
+
+    /// What a right-click does; none where it opens a menu.
+    pub fn right_click(&self, modifiers: Modifiers) -> Option<MouseAction> {
+        self.find(modifiers, Gesture::RightClick)
     }
 
     /// What the second click of two does where elements of this kind are selected.

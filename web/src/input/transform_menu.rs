@@ -1,10 +1,13 @@
 //! The Transform menu: moving, rotating and scaling with the pointer, and how they do it.
 
 use super::action::{Action as A, Entry, entry};
-use crate::transforming::{Gizmo, Orientation, Pivot, SnapTo, Symmetry};
+use crate::transforming::{CursorAction, Gizmo, Orientation, Pivot, SnapTo, Symmetry};
 
 /// Other names for symmetry.
 const MIRROR: &[&str] = &["mirror editing"];
+
+/// Other names for the 3D cursor.
+const CURSOR: &[&str] = &["3d cursor", "snap", "pivot point"];
 
 /// Its entries.
 pub(super) static ENTRIES: &[Option<Entry>] = &[
@@ -85,6 +88,42 @@ pub(super) static ENTRIES: &[Option<Entry>] = &[
         .synonyms(&["individual origins"]),
     ),
     Some(entry(A::PivotAt(Pivot::Origin), "Pivot: origin", "Rotate and scale about the origin.")),
+    Some(
+        entry(A::PivotAt(Pivot::Cursor), "Pivot: cursor", "Rotate and scale about the 3D cursor.")
+            .synonyms(CURSOR),
+    ),
+    Some(
+        entry(
+            A::Cursor(CursorAction::ToSelection),
+            "Cursor to selection",
+            "Put the 3D cursor in the middle of the selection, or where the pivot is on it.",
+        )
+        .synonyms(CURSOR),
+    ),
+    Some(
+        entry(A::Cursor(CursorAction::ToOrigin), "Cursor to origin", "Put the 3D cursor at the origin.")
+            .synonyms(CURSOR),
+    ),
+    Some(
+        entry(
+            A::Cursor(CursorAction::TakesSelection),
+            "Selection to cursor",
+            "Move the selection so that its middle is at the 3D cursor.",
+        )
+        .synonyms(CURSOR),
+    ),
+    Some(
+        entry(
+            A::Cursor(CursorAction::Merge),
+            "Merge at cursor",
+            "Merge the selected vertices into one at the 3D cursor.",
+        )
+        .synonyms(&["weld", "3d cursor"]),
+    ),
+    Some(
+        entry(A::Cursor(CursorAction::Show), "Show 3D cursor", "Show or hide the 3D cursor.")
+            .synonyms(CURSOR),
+    ),
     Some(entry(
         A::Orient(Orientation::Global),
         "Global axes",

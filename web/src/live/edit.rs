@@ -66,6 +66,8 @@ pub(crate) struct Live {
     /// The operation's count that the wheel changes, by its field's name.
     pub count: Option<(&'static Field, u32)>,
     place: SelectionPlace,
+    /// Where the 3D cursor is.
+    cursor: Vec3,
     anchor: Vec3,
     /// What a slide goes along.
     track: Option<Track>,
@@ -93,7 +95,7 @@ impl Live {
     pub(crate) fn new(
         start: &Start,
         place: SelectionPlace,
-        anchor: Vec3,
+        [anchor, cursor]: [Vec3; 2],
         track: Option<Track>,
         view: &View,
     ) -> Option<Self> {
@@ -120,6 +122,7 @@ impl Live {
             typed: Typed::default(),
             count,
             place,
+            cursor,
             anchor: start.anchor.or(track.as_ref().map(|track| track.at)).unwrap_or(anchor),
             way: track.as_ref().map(Track::first_way).unwrap_or_default(),
             track,
@@ -196,7 +199,10 @@ impl Live {
             match settings.pivot {
                 Pivot::Middle => {}
                 Pivot::Individual => drop(filled.insert("individual".to_owned(), true.into())),
-                pivot => drop(filled.insert("pivot".to_owned(), json!(self.place.pivot(pivot).to_array()))),
+                pivot => {
+                    let point = self.place.pivot(pivot, self.cursor).to_array();
+                    filled.insert("pivot".to_owned(), json!(point));
+                }
             }
         }
         let turned =

@@ -69,13 +69,14 @@ impl SelectionPlace {
         })
     }
 
-    /// The point that stays in place.
-    pub fn pivot(&self, pivot: Pivot) -> Vec3 {
+    /// The point that stays in place, with the 3D cursor at `cursor`.
+    pub fn pivot(&self, pivot: Pivot, cursor: Vec3) -> Vec3 {
         match pivot {
             Pivot::Middle | Pivot::Individual => self.middle,
             Pivot::Bounds => self.bounds_middle,
             Pivot::Active => self.active,
             Pivot::Origin => self.origin,
+            Pivot::Cursor => cursor,
         }
     }
 }

@@ -154,7 +154,8 @@ fn by_mouse(page: &Page<'_>, modifiers: Modifiers) -> Vec<Hint> {
     let what = page.shown.kind;
     if modifiers.command || modifiers.shift || modifiers.alt {
         let click = mouse.click(modifiers).map(|action| click_words(action, what));
-        return buttons(dragged(click.as_deref()), [None, None]);
+        let places = mouse.right_click(modifiers).map(|_| "place the 3D cursor");
+        return buttons(dragged(click.as_deref()), [None, places]);
     }
     if page.player.hovered.is_some() {
         return vec![hint(LEFT, "Choose or drag this control point")];

@@ -4,7 +4,7 @@ use std::collections::HashMap;
 
 use editor::{Facts, OpId};
 use egui::{Button, Grid, RichText, ScrollArea, Ui, vec2};
-use serde_json::Value;
+use serde_json::{Value, json};
 
 use crate::input::actions::{self, Action};
 use crate::input::keys;
@@ -17,12 +17,16 @@ use crate::panels::preview::{self, Previews};
 use crate::request::{Request, Requests};
 use crate::session::form::{self, Filled};
 use crate::theme;
+use crate::transforming::Pivot;
 use crate::widgets::controls::primary_button;
 use crate::widgets::icon_button::icon_button;
 use crate::widgets::icons::Icon;
 
 /// The field of remeshing that the keys for the target edge length change.
 pub(crate) const EDGE_LENGTH: &str = "edge_length";
+
+/// The field of a transform with the point that stays in place.
+const PIVOT: &str = "pivot";
 
 /// The values of all forms on the page.
 #[derive(Default)]
@@ -37,6 +41,8 @@ pub(crate) struct Forms {
     pub tried: Option<Tried>,
     pub previews: Previews,
     adjusting: Adjusting,
+    /// The page's pivot that the form of a transform was last given.
+    given_pivot: Option<Value>,
 }
 
 impl Forms {
@@ -110,8 +116,14 @@ fn form(ui: &mut Ui, page: &Page<'_>, own: &mut Forms, id: OpId, out: &mut Reque
         ui.label(RichText::new(entry.label).heading());
     });
     let facts = page.facts(id);
-    let mut filled = own.filled.remove(&id).unwrap_or_else(|| form::initial(spec, &facts));
+    let mut filled = own.filled.remove(&id).unwrap_or_else(|| {
+        own.given_pivot = None;
+        form::initial(spec, &facts)
+    });
     let before = filled.clone();
+    if id == OpId::Transform {
+        follow_pivot(page, &mut own.given_pivot, &mut filled);
+    }
     let mut rows = |ui: &mut Ui| {
         ui.add(egui::Label::new(RichText::new(entry.description).weak()).wrap());
         ui.add_space(4.0);
@@ -135,6 +147,23 @@ fn form(ui: &mut Ui, page: &Page<'_>, own: &mut Forms, id: OpId, out: &mut Reque
         form_end(ui, page, own, id, &facts, (&filled, filled != before), out);
     }
     own.filled.insert(id, filled);
+}
+
+/// Fills in the page's pivot whenever it changes, where it is a place that doesn't depend on the selection.
+fn follow_pivot(page: &Page<'_>, given: &mut Option<Value>, filled: &mut Filled) {
+    let point = match page.live_settings.pivot {
+        Pivot::Origin => Some(glam::Vec3::ZERO - page.editor.document().offset().as_vec3()),
+        Pivot::Cursor => Some(page.view.cursor.in_scene(&page.editor)),
+        Pivot::Middle | Pivot::Bounds | Pivot::Active | Pivot::Individual => None,
+    };
+    let now = point.map(|point| json!(point.to_array()));
+    if now != *given {
+        match &now {
+            Some(point) => filled.insert(PIVOT.to_owned(), point.clone()),
+            None => filled.remove(PIVOT),
+        };
+        *given = now;
+    }
 }
 
 /// The end of a form: the preview, the size of the result, and the button that applies it. `filled` is what is filled

@@ -40,12 +40,13 @@ impl Session {
             Ok(track) => track,
             Err(refusal) => return self.warn(format!("This can't slide: {refusal}."), Vec::new()),
         };
-        let anchor =
-            place.pivot(if start.id == OpId::Transform { self.live_settings.pivot } else { Pivot::Middle });
+        let pivot = if start.id == OpId::Transform { self.live_settings.pivot } else { Pivot::Middle };
+        let cursor = view.cursor.in_scene(&self.editor);
+        let anchor = place.pivot(pivot, cursor);
         if start.ring.is_none() {
             self.place = Some(place);
         }
-        self.live = Live::new(start, place, anchor, track, view);
+        self.live = Live::new(start, place, [anchor, cursor], track, view);
         let selection = self.editor.selection();
         if self.live_settings.pivot == Pivot::Individual
             && let Some(live) = self.live.as_mut().filter(|live| live.id == OpId::Transform)
@@ -210,7 +211,7 @@ pub(crate) fn widen_soft(session: &mut Session, view: &View, by: f32) {
         session.place = SelectionPlace::of_selection(&session.editor);
     }
     let Some(place) = session.place else { return };
-    let anchor = place.pivot(session.live_settings.pivot);
+    let anchor = place.pivot(session.live_settings.pivot, view.cursor.in_scene(&session.editor));
     let unit = Sight { camera: &view.camera, size: view.size(), anchor }.units_per_point();
     let settings = &mut session.live_settings;
     settings.soft = true;

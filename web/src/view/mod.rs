@@ -1,6 +1,7 @@
 //! The viewport's state: the camera, the picture and the gesture in progress.
 
 mod camera;
+mod cursor;
 pub(crate) mod flight;
 pub(crate) mod flying;
 mod gesture;
@@ -24,6 +25,7 @@ use surface::{FaceTree, FaceTreeBuilder};
 use viewport::{Bounds, Camera, RegionSelection, Style};
 
 use crate::bezier;
+use cursor::Cursor;
 use flight::Flight;
 pub(crate) use gesture::{Gesture, Tool};
 use glide::Glides;
@@ -69,6 +71,7 @@ pub(crate) struct View {
     pub camera: Camera,
     pub style: Style,
     pub turning: Turning,
+    pub cursor: Cursor,
     /// The moves of cameras that take a moment.
     pub glides: Glides,
     /// The flight in progress, in the current view.
@@ -125,6 +128,7 @@ impl View {
             camera: Camera::default(),
             style: Style::default(),
             turning: Turning::default(),
+            cursor: Cursor::default(),
             glides: Glides::default(),
             flight: None,
             tool: Tool::Orbit,

@@ -10,6 +10,7 @@ mod bezier;
 mod bridging;
 mod camera;
 mod contrast;
+mod cursor;
 mod document;
 mod editing;
 mod embed;

@@ -21,10 +21,13 @@ pub fn nearest_vertex(page: &mut Page) -> (u32, Pos2) {
 }
 
 pub fn click_at(page: &mut Page, at: Pos2, modifiers: Modifiers) {
+    click_with(page, at, egui::PointerButton::Primary, modifiers);
+}
+
+pub fn click_with(page: &mut Page, at: Pos2, button: egui::PointerButton, modifiers: Modifiers) {
     page.harness.hover_at(at);
     page.run();
     for pressed in [true, false] {
-        let button = egui::PointerButton::Primary;
         page.harness
             .event_modifiers(egui::Event::PointerButton { pos: at, button, pressed, modifiers }, modifiers);
     }

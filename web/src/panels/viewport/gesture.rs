@@ -139,12 +139,23 @@ impl Viewport<'_> {
             }
         }
         if response.secondary_clicked()
+            && self.mouse().right_click(modifiers_of_button(ui)).is_none()
             && let Some(at) = pointer
             && let Some(id) = self.pick(at, self.shown.kind)
             && !self.session.editor.selection().contains(self.shown.kind, id)
         {
             out.select(self.shown.kind, [id], SelectMode::Replace);
         }
+    }
+
+    /// Puts the 3D cursor where the pointer is, if this right-click means that; returns whether it does.
+    pub(super) fn place_cursor(&mut self, ui: &Ui, response: &Response) -> bool {
+        let action = self.mouse().right_click(modifiers_of_button(ui));
+        let is_meant = response.secondary_clicked() && action == Some(MouseAction::PlaceCursor);
+        if let Some(at) = response.interact_pointer_pos().filter(|_| is_meant) {
+            navigate::place_cursor(self, at);
+        }
+        is_meant
     }
 
     fn start_gesture(&mut self, ui: &Ui, response: &Response, from: Pos2, out: &mut Requests) {

@@ -144,7 +144,8 @@ struct Frame<'a> {
 
 impl<'a> Frame<'a> {
     fn new(page: &'a Page<'a>) -> Option<Self> {
-        let anchor = page.place?.pivot(page.live_settings.pivot);
+        let cursor = page.view.cursor.in_scene(&page.editor);
+        let anchor = page.place?.pivot(page.live_settings.pivot, cursor);
         let middle = page.view.project(anchor)?;
         let aside = page.view.camera.drag(anchor, glam::Vec2::X * ARROW_POINTS, page.view.size());
         let length = (aside - anchor).length();

@@ -3,6 +3,7 @@
 mod axis_widget;
 mod bezier_picture;
 pub(crate) mod control_points;
+mod cursor;
 mod dividers;
 mod fly;
 mod gesture;
@@ -92,8 +93,9 @@ impl Viewport<'_> {
 
         let ends_tool = self.view.tool.ends_on_right_click() || self.view.flight.is_some();
         self.gestures(ui, &response, out);
-        // A right click puts the tool away, or cancels the edit that follows the pointer.
-        if !ends_tool && self.session.live.is_none() {
+        // A right click puts the tool away, cancels the edit that follows the pointer, or places the cursor.
+        let is_busy = ends_tool || self.session.live.is_some();
+        if !is_busy && !self.place_cursor(ui, &response) {
             response.context_menu(|ui| match bezier::active(&self.session.editor) {
                 Some(_) => panels::bezier::menu(ui, &self.page(), out),
                 None => panels::elements::menu(ui, &self.page(), out),
@@ -112,6 +114,7 @@ impl Viewport<'_> {
         for pane in self.view.panes() {
             self.view.go_to(pane);
             bezier_picture::paint(ui, self.view.rect, &self.session.editor, self.view, self.player);
+            cursor::paint(ui, self.view.rect, &self.page());
             gizmo::paint(ui, self.view.rect, &self.page());
             ring_cut::paint(ui, &self.page());
         }

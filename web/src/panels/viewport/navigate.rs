@@ -31,6 +31,20 @@ pub(super) fn begin_orbit(viewport: &mut Viewport<'_>, at: Pos2) {
     viewport.view.turning.center = center;
 }
 
+/// Puts the 3D cursor at a place on the page: on the surface there, or else as far away as what the view turns about.
+pub(super) fn place_cursor(viewport: &mut Viewport<'_>, at: Pos2) {
+    let on_surface = surface_at(viewport, at).map(|point| point.as_vec3());
+    let view = &mut *viewport.view;
+    let target = view.camera.target.as_vec3();
+    let beside = || {
+        let middle = view.camera.project(target, view.size())?;
+        Some(view.camera.drag(target, view.local(at) - middle, view.size()))
+    };
+    if let Some(point) = on_surface.or_else(beside).filter(|point| point.is_finite()) {
+        view.cursor.place(point, &viewport.session.editor);
+    }
+}
+
 /// The point of a visible object's surface at a place on the page, the nearest to the eye. Leaves objects out whose trees
 /// for picking are still being built.
 pub(super) fn surface_at(viewport: &mut Viewport<'_>, at: Pos2) -> Option<DVec3> {
