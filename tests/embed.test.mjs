@@ -70,3 +70,72 @@ exampleTest("origins that the address doesn't name get no answer", async ({ page
   });
   assert.equal(answered, 0);
 });
+
+exampleTest("random messages are answered in words, and the editor goes on", async ({ page }) => {
+  const { wrong, errors, results, faces } = await page.evaluate(async () => {
+    const CALLS = [
+      "open", "openFiles", "run", "export", "exportFiles", "state", "element", "select", "undo", "redo", "cancel", "on",
+      "project", "ready", "constructor", "__proto__", "toString", "",
+    ];
+    const OPS = [
+      "new", "open", "extrude-faces", "subdivide-catmull-clark", "simplify", "transform", "split-edge", "duplicate", "undo",
+      "delete-faces", "merge-vertices", "smooth", "remesh", "set-face-color", "no-such-operation",
+    ];
+    const FIELDS = [
+      "faces", "edges", "edge", "vertices", "vertex", "distance", "iterations", "segments", "shape", "position", "translate",
+      "files", "object", "objects", "target_faces", "color", "symmetry", "__proto__",
+    ];
+    let seed = 12;
+    const random = (below) => {
+      seed = (Math.imul(seed, 1664525) + 1013904223) >>> 0;
+      return Math.floor((seed / 2 ** 32) * below);
+    };
+    const one = (list) => list[random(list.length)];
+    const value = (depth) => one([
+      () => null, () => undefined, () => true, () => random(12), () => -1, () => 0.5, () => 1e300, () => NaN, () => 4294967296,
+      () => "", () => "face", () => "cube", () => "x".repeat(300), () => "__proto__", () => new Uint8Array(random(99)),
+      () => new Date(0), () => new Map([[1, 2]]), () => 10n,
+      () => (depth > 3 ? [] : Array.from({ length: random(5) }, () => value(depth + 1))),
+      () => (depth > 3 ? {} : Object.fromEntries([0, 1, 2].map(() => [one(FIELDS), value(depth + 1)]))),
+      () => ({ op: one(OPS), ...Object.fromEntries([0, 1].map(() => [one(FIELDS), value(2)])) }),
+      () => { let nested = []; for (let i = 0; i < 2000; i += 1) nested = [nested]; return nested; },
+    ])();
+
+    const { frame } = window.editor;
+    const answers = new Map();
+    const hear = ({ data, source }) => {
+      if (source !== frame.contentWindow || data?.id === undefined) return;
+      answers.set(data.id, [...(answers.get(data.id) ?? []), data]);
+    };
+    addEventListener("message", hear);
+    const FIRST = 1000;
+    const COUNT = 600;
+    for (let i = 0; i < COUNT; i += 1) {
+      const args = random(8) === 0 ? value(0) : Array.from({ length: random(4) }, () => value(0));
+      const call = random(20) === 0 ? value(0) : random(2) === 0 ? "run" : one(CALLS);
+      frame.contentWindow.postMessage({ meshwright: 1, id: FIRST + i, call, args }, location.origin);
+      if (i % 20 === 0) await new Promise((resolve) => { setTimeout(resolve, 20); });
+    }
+    // Each is answered once. Jobs take a while.
+    for (let waits = 0; waits < 600 && answers.size < COUNT; waits += 1) {
+      await new Promise((resolve) => { setTimeout(resolve, 100); });
+    }
+    removeEventListener("message", hear);
+    const all = [...answers.values()].flat();
+    const errors = all.filter((answer) => "error" in answer);
+    const wrong = [
+      ...Array.from({ length: COUNT }, (_, i) => FIRST + i).filter((id) => answers.get(id)?.length !== 1),
+      ...errors.filter(({ error }) => typeof error !== "string" || error.length < 8 || error.length > 2000),
+    ];
+    await window.editor.run({ op: "new", shape: "cube" });
+    return {
+      wrong: wrong.map((of) => JSON.stringify(of)?.slice(0, 300)),
+      errors: errors.length,
+      results: all.length - errors.length,
+      faces: (await window.editor.state()).document.faces,
+    };
+  });
+  assert.deepEqual(wrong, []);
+  assert.ok(errors > 200 && results > 50, `${errors} errors, ${results} results`);
+  assert.equal(faces, 6);
+});

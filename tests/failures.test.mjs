@@ -125,7 +125,7 @@ for (const [store, query] of Object.entries({ "private files": "", IndexedDB: "?
     await editor.find("Name of Cube");
     await editor.press("Escape");
     await end();
-    const restarted = /keeps documents in this browser ended and was started again/;
+    const restarted = /keeps documents ended and was started again/;
     await editor.until("the page notices", async () => (
       (await editor.state()).messages.some(({ text }) => restarted.test(text))));
     await editor.run({ op: "poke-faces", faces: [0] });

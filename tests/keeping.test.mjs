@@ -122,7 +122,7 @@ editorTest("without room the page says so and goes on", once, async (editor) => 
   await editor.run({ op: "new", shape: "torus", segments: 200, tube_segments: 100 });
   await editor.select("vertex", [0]);
   await editor.run({ op: "transform", translate: [0.5, 0, 0] });
-  await editor.find(/Changes are not kept: this browser has no more room/);
+  await editor.find(/Changes are not kept: the storage has no more room/);
   await editor.screenshot("no room");
   await editor.run({ op: "transform", translate: [0.5, 0, 0] });
   await session.send("Storage.overrideQuotaForOrigin", { origin });

@@ -20,6 +20,7 @@ export const { chromium } = load("playwright-core");
 export const { PNG } = load("pngjs");
 export const axe = load("axe-core");
 export const jsqr = load("jsqr");
+export const typescript = load("typescript");
 
 /** The folder of the built page, which `cargo xtask test --only e2e` sets. */
 export const site = resolve(project, process.env.MESHWRIGHT_SITE ?? "dist");

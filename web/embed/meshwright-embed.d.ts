@@ -1,6 +1,8 @@
 // The types of meshwright-embed.js. `../meshwright.d.ts`, which is generated, has those of commands and results.
 
-import type { Command, Content, Events, Meshwright, NamedFile, Vector } from "../meshwright";
+import type {
+  Command, Content, Edge, Events, Face, Halfedge, Kind, Meshwright, NamedFile, Vector, Vertex,
+} from "../meshwright";
 
 export interface Options {
   /** The editor's address; by default the site that this module comes from. */
@@ -21,10 +23,18 @@ type Later<Method> = Method extends (...args: infer Args) => infer Result
   : never;
 
 type Called =
-  | "open" | "openFiles" | "run" | "export" | "exportFiles" | "state" | "element" | "select" | "undo" | "redo"
-  | "cancel" | "project";
+  | "open" | "openFiles" | "run" | "export" | "exportFiles" | "state" | "select" | "undo" | "redo" | "cancel"
+  | "project";
+
+interface ElementOf {
+  vertex: Vertex;
+  edge: Edge;
+  halfedge: Halfedge;
+  face: Face;
+}
 
 export type Embedded = { [Name in Called]: Later<Meshwright[Name]> } & {
+  element<Name extends Kind>(kind: Name, id: number): Promise<ElementOf[Name]>;
   ready: Meshwright["ready"];
   frame: HTMLIFrameElement;
   on<Name extends keyof Events>(name: Name, callback: (event: Events[Name]) => void): () => void;
